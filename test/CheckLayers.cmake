@@ -1,0 +1,42 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+
+# Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
+# A unit includes only units that stand before it in this table, and no header of ITK.
+set(L0 Enums Parameters Grid Bits)
+set(L1 Boundary NearestSite DualCell BoundedGeodesic)
+set(L2 FeatureTransform Classifier)
+set(L3 ClusterWindow TileSchedule ClusterEngine)
+set(units ${L0} ${L1} ${L2} ${L3})
+
+file(GLOB files "${SOURCE}/include/itkMedialVoxel*.h" "${SOURCE}/src/itkMedialVoxel*.h" "${SOURCE}/src/itkMedialVoxel*.cxx")
+list(FILTER files EXCLUDE REGEX "/itkMedialVoxelImageFilter[A-Za-z]*\\.h$")
+if(NOT files)
+  message(FATAL_ERROR "No source of MedialVoxel in '${SOURCE}'")
+endif()
+
+set(violations "")
+foreach(file IN LISTS files)
+  get_filename_component(name "${file}" NAME)
+  string(REGEX REPLACE "^itkMedialVoxel|(Private)?\\.[a-z]+$" "" unit "${name}")
+  list(FIND units "${unit}" rank)
+  if(rank EQUAL -1)
+    list(APPEND violations "${name}: not in the table of ITK-free units")
+  endif()
+  file(STRINGS "${file}" includes REGEX "^[ \t]*#[ \t]*include[ \t]*[\"<](itk|vnl|vcl)")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE "^[^\"<]*[\"<]([^\">]*).*" "\\1" header "${line}")
+    string(REGEX REPLACE "^itkMedialVoxel|(Private)?\\.h$" "" included "${header}")
+    list(FIND units "${included}" included_rank)
+    if(included_rank EQUAL -1)
+      list(APPEND violations "${name}: ${header} is not ITK-free")
+    elseif(included_rank GREATER rank)
+      list(APPEND violations "${name}: ${header} stands above it")
+    endif()
+  endforeach()
+endforeach()
+
+if(violations)
+  list(JOIN violations "\n  " text)
+  message(FATAL_ERROR "Dependencies that point the wrong way:\n  ${text}")
+endif()
