@@ -3,7 +3,7 @@
 
 # Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A unit includes only units that stand before it in this table, and no header of ITK.
-set(L0 Enums Parameters Grid Bits)
+set(L0 Enums Parameters Progress Grid Bits)
 set(L1 Boundary NearestSite DualCell BoundedGeodesic)
 set(L2 FeatureTransform Classifier)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
