@@ -4,10 +4,13 @@
 # Builds the module against an installed ITK, which lacks ITK's own module macros: small stand-ins for two of them
 # let itk-module.cmake and src/CMakeLists.txt serve all ways to build.
 
-include(CTest)
 include(GNUInstallDirs)
 include(GenerateExportHeader)
 include(CMakePackageConfigHelpers)
+
+if(PROJECT_IS_TOP_LEVEL)
+  include(CTest)
+endif()
 
 get_property(_multi_config GLOBAL PROPERTY GENERATOR_IS_MULTI_CONFIG)
 if(PROJECT_IS_TOP_LEVEL AND NOT _multi_config AND NOT CMAKE_BUILD_TYPE)
@@ -49,9 +52,9 @@ macro(itk_module_add_library name)
     EXPORT_FILE_NAME "${PROJECT_BINARY_DIR}/include/${name}Export.h"
     EXPORT_MACRO_NAME ${name}_EXPORT
     NO_EXPORT_MACRO_NAME ${name}_HIDDEN
-    STATIC_DEFINE ITK_STATIC)
+    STATIC_DEFINE ${name}_STATIC)
   if(NOT BUILD_SHARED_LIBS)
-    target_compile_definitions(${name} PUBLIC ITK_STATIC)
+    target_compile_definitions(${name} PUBLIC ${name}_STATIC)
   endif()
 endmacro()
 
@@ -61,7 +64,7 @@ itk_module_config(MedialVoxelITK ${ITK_MODULE_MedialVoxel_DEPENDS})
 add_subdirectory("${PROJECT_SOURCE_DIR}/src")
 
 include("${CMAKE_CURRENT_LIST_DIR}/MedialVoxelInstall.cmake")
-if(BUILD_TESTING)
+if(BUILD_TESTING AND PROJECT_IS_TOP_LEVEL)
   include("${CMAKE_CURRENT_LIST_DIR}/MedialVoxelHeaderTest.cmake")
   add_subdirectory("${PROJECT_SOURCE_DIR}/test")
 endif()
