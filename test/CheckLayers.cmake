@@ -7,7 +7,9 @@ set(L0 Enums Parameters Progress Grid Bits)
 set(L1 Boundary NearestSite DualCell BoundedGeodesic)
 set(L2 FeatureTransform Classifier)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
-set(units ${L0} ${L1} ${L2} ${L3})
+# What the filters need for pixels of any type.
+set(L4 ObjectPredicate DisplacementWriter)
+set(units ${L0} ${L1} ${L2} ${L3} ${L4})
 
 file(GLOB files "${SOURCE}/include/itkMedialVoxel*.h" "${SOURCE}/src/itkMedialVoxel*.h" "${SOURCE}/src/itkMedialVoxel*.cxx")
 list(FILTER files EXCLUDE REGEX "/itkMedialVoxelImageFilter[A-Za-z]*\\.h$")
