@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelBits_h
+#define itkMedialVoxelBits_h
+
+#include "itkMedialVoxelGrid.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelBits
+ * \brief One bit per voxel of a box, 64 voxels of a row to a word.
+ *
+ * Word w of a row holds the voxels 64 w .. 64 w + 63 of the image, whatever the box, so that volumes with different
+ * boxes line up word by word. Bits outside the box are zero. Each row has one zero word before and after it, which
+ * lets kernels read a word to either side of the box without a test.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelBits
+{
+public:
+  using WordType = std::uint64_t;
+
+  static constexpr std::int64_t BitsPerWord = 64;
+
+  MedialVoxelBits() = default;
+
+  explicit MedialVoxelBits(const MedialVoxelBox & box) { this->Reshape(box); }
+
+  /** Set the box and clear all bits. Box indices are not negative. */
+  void
+  Reshape(const MedialVoxelBox & box);
+
+  /** Set the box and keep the bits that the old box and the new one share; other bits are zero. */
+  void
+  Reframe(const MedialVoxelBox & box);
+
+  const MedialVoxelBox &
+  GetBox() const
+  {
+    return m_Box;
+  }
+
+  /** Image-wide number of the first word of a row. */
+  std::int64_t
+  GetFirstWord() const
+  {
+    return m_FirstWord;
+  }
+
+  std::int64_t
+  GetWordsPerRow() const
+  {
+    return m_WordsPerRow;
+  }
+
+  /** First word of the row at (y, z), which is in the box; index -1 and GetWordsPerRow() are readable zeros. */
+  WordType *
+  GetRow(std::int64_t y, std::int64_t z)
+  {
+    return m_Words.data() + this->RowOffset(y, z);
+  }
+
+  const WordType *
+  GetRow(std::int64_t y, std::int64_t z) const
+  {
+    return m_Words.data() + this->RowOffset(y, z);
+  }
+
+  bool
+  HasRow(std::int64_t y, std::int64_t z) const
+  {
+    return y >= m_Box.lower[1] && y < m_Box.upper[1] && z >= m_Box.lower[2] && z < m_Box.upper[2];
+  }
+
+  /** Value of one voxel; false outside the box. */
+  bool
+  Test(const MedialVoxelIndex & index) const;
+
+  /** Set one voxel of the box. */
+  void
+  Set(const MedialVoxelIndex & index);
+
+  /** The 64 bits from \a x on (bit 0 is x) of a row of the box; voxels outside the box read as zero. */
+  WordType
+  Extract(std::int64_t x, std::int64_t y, std::int64_t z) const;
+
+  /** Mask of the bits of the image-wide word \a word that lie in [lower, upper). */
+  static WordType
+  RangeMask(std::int64_t word, std::int64_t lower, std::int64_t upper);
+
+  /** Number of bits set in \a box, which is clipped to the own box. */
+  std::uint64_t
+  Count(const MedialVoxelBox & box) const;
+
+  std::size_t
+  GetMemorySize() const
+  {
+    return m_Words.size() * sizeof(WordType);
+  }
+
+private:
+  std::ptrdiff_t
+  RowOffset(std::int64_t y, std::int64_t z) const
+  {
+    return static_cast<std::ptrdiff_t>(((z - m_Box.lower[2]) * m_Box.Extent(1) + (y - m_Box.lower[1])) * m_RowPitch +
+                                       1);
+  }
+
+  MedialVoxelBox        m_Box;
+  std::int64_t          m_FirstWord{ 0 };
+  std::int64_t          m_WordsPerRow{ 0 };
+  std::int64_t          m_RowPitch{ 0 };
+  std::vector<WordType> m_Words;
+};
+
+/** Number of bits set in a word. */
+inline int
+MedialVoxelPopulationCount(std::uint64_t word)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  return __builtin_popcountll(word);
+#else
+  int count = 0;
+  for (; word != 0; word &= word - 1)
+  {
+    ++count;
+  }
+  return count;
+#endif
+}
+
+/** Position of the lowest bit set; \a word is not zero. */
+inline int
+MedialVoxelLowestBit(std::uint64_t word)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  return __builtin_ctzll(word);
+#else
+  return MedialVoxelPopulationCount((word & (~word + 1)) - 1);
+#endif
+}
+
+/** Position of the highest bit set; \a word is not zero. */
+inline int
+MedialVoxelHighestBit(std::uint64_t word)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  return 63 - __builtin_clzll(word);
+#else
+  int position = 0;
+  while (word >>= 1)
+  {
+    ++position;
+  }
+  return position;
+#endif
+}
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelBoundary_h
+#define itkMedialVoxelBoundary_h
+
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelEnums.h"
+
+namespace itk
+{
+
+/** \brief Boundary voxels of the object, for all voxels of the box of \a boundary.
+ *
+ * \param object    object voxels; its box holds the box of \a boundary and a margin of 1 voxel, as far as the image
+ * goes
+ * \param image     all voxels of the image; what lies outside is neither object nor background
+ * \param kind      which side of the border is the boundary, see MedialVoxelEnums::Boundary
+ * \param boundary  result; its box is set by the caller
+ *
+ * \ingroup MedialVoxel
+ */
+MedialVoxel_EXPORT void
+MedialVoxelComputeBoundary(const MedialVoxelBits & object,
+                           const MedialVoxelBox &  image,
+                           MedialVoxelBoundary     kind,
+                           MedialVoxelBits &       boundary);
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelClassifier_h
+#define itkMedialVoxelClassifier_h
+
+#include "itkMedialVoxelBoundedGeodesic.h"
+#include "itkMedialVoxelDualCell.h"
+#include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelParameters.h"
+#include "itkMedialVoxelProgress.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelClassifier
+ * \brief Labels the dual cells of one tile from the nearest boundary points of its voxels.
+ *
+ * Each candidate cell is decided by the first phase that can (Michikawa and Suzuki, Sec. 3.3): trivial pairs, the bound
+ * of the parameters, the geodesic search. Cells are independent of each other.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelClassifier
+{
+public:
+  /** \class Workspace
+   * \brief Memory of one thread, kept from tile to tile.
+   * \ingroup MedialVoxel
+   */
+  struct Workspace
+  {
+    MedialVoxelBoundedGeodesic::Workspace geodesic;
+  };
+
+  MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+
+  /** Voxels whose features the labels of \a tile depend on. */
+  MedialVoxelBox
+  GetVoxelBox(const MedialVoxelBox & tile) const;
+
+  /** Labels of \a tile, x fastest.
+   *
+   * \param window    object bits, and the background border as sites
+   * \param tile      indices to label; the last index of an active axis has no cell and gets 0
+   * \param features  displacements for GetVoxelBox(tile)
+   * \param progress  asked for an abort before each row, after which labels and counts are incomplete
+   * \param labels    MedialVoxelLabel values, resized to the tile
+   * \param counts    cells of each phase, added to the numbers that it holds
+   * \return an empty box when all cells are decided, otherwise the box of sites that must be known to decide them */
+  MedialVoxelBox
+  Classify(const MedialVoxelWindow &   window,
+           const MedialVoxelBox &      tile,
+           const MedialVoxelFeatures & features,
+           const MedialVoxelProgress & progress,
+           Workspace &                 workspace,
+           std::vector<std::uint8_t> & labels,
+           MedialVoxelCounts &         counts) const;
+
+private:
+  struct Pair;
+
+  bool
+  ChoosePair(const MedialVoxelFeatures & features, std::size_t offset, Pair & pair) const;
+
+  std::uint8_t
+  ClassifyPair(const MedialVoxelBits &  boundary,
+               const MedialVoxelIndex & cell,
+               const Pair &             pair,
+               Workspace &              workspace,
+               MedialVoxelBox &         missing) const;
+
+  MedialVoxelGrid            m_Grid;
+  MedialVoxelParameters      m_Parameters;
+  MedialVoxelDualCell        m_Cell;
+  MedialVoxelBoundedGeodesic m_Geodesic;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelClusterWindow_h
+#define itkMedialVoxelClusterWindow_h
+
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelFeatureTransform.h"
+
+#include <vector>
+
+namespace itk
+{
+
+/** \brief Boxes that together hold what \a wanted has and \a present has not, each voxel once.
+ *
+ * Parts that differ along z come first, so that a slab grows by whole slices.
+ * \ingroup MedialVoxel
+ */
+MedialVoxel_EXPORT std::vector<MedialVoxelBox>
+                   MedialVoxelSubtractBox(const MedialVoxelBox & wanted, const MedialVoxelBox & present);
+
+/** \class MedialVoxelObjectSource
+ * \brief Where a window gets object bits from; called by one thread at a time.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelObjectSource
+{
+public:
+  virtual ~MedialVoxelObjectSource();
+
+  /** Set the bits of the object voxels of \a box, which are clear. */
+  virtual void
+  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object) = 0;
+};
+
+/** \class MedialVoxelClusterWindow
+ * \brief Object and boundary bits of a box that moves over the image.
+ *
+ * Bits that the old box and the new one share are kept, so that the source is asked once for a voxel as long as the
+ * window does not return to it.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelClusterWindow
+{
+public:
+  /** \a kinds lists the boundaries that are kept. */
+  MedialVoxelClusterWindow(const MedialVoxelGrid & grid, std::vector<MedialVoxelBoundary> kinds);
+
+  /** Voxels whose object bits are needed to know the boundaries in \a sites. */
+  MedialVoxelBox
+  GetObjectBox(const MedialVoxelBox & sites) const;
+
+  /** Move so that the boundaries are known in \a sites, a box inside the image. */
+  void
+  MoveTo(const MedialVoxelBox & sites, MedialVoxelObjectSource & source);
+
+  /** Bits for a boundary of the kinds listed. */
+  MedialVoxelWindow
+  GetWindow(MedialVoxelBoundary kind) const;
+
+  const MedialVoxelBits &
+  GetObject() const
+  {
+    return m_Object;
+  }
+
+private:
+  MedialVoxelGrid                  m_Grid;
+  std::vector<MedialVoxelBoundary> m_Kinds;
+  MedialVoxelBits                  m_Object;
+  std::vector<MedialVoxelBits>     m_Boundaries;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelEnums_h
+#define itkMedialVoxelEnums_h
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <ostream>
+
+namespace itk
+{
+
+/** \class MedialVoxelEnums
+ * \brief Enumerations of the MedialVoxel module.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelEnums
+{
+public:
+  /** \class PseudoGeodesicBound
+   * \ingroup MedialVoxel
+   * Bound that accepts a dual cell as medial before any geodesic search.
+   *
+   * FreeSpace: length of the shortest path between the two nearest boundary points in the complete voxel grid.
+   * Every path on the boundary is a path of that grid, so the bound never changes the set of medial cells.
+   * Paper: pseudo-geodesic distance of Michikawa and Suzuki, Sec. 3.3, Eq. 2, with the smaller of the two norms.
+   * Off: no bound, every cell that is not trivial is searched. */
+  enum class PseudoGeodesicBound : std::uint8_t
+  {
+    FreeSpace = 0,
+    Paper = 1,
+    Off = 2
+  };
+
+  /** \class Boundary
+   * \ingroup MedialVoxel
+   * Voxels that distances are measured to.
+   *
+   * Object: object voxels with a background voxel among their 3^D-1 neighbors (SignedMaurerDistanceMapImageFilter).
+   * Background: background voxels with an object voxel among their 3^D-1 neighbors (used by the classification). */
+  enum class Boundary : std::uint8_t
+  {
+    Object = 0,
+    Background = 1
+  };
+
+  /** \class Region
+   * \ingroup MedialVoxel
+   * Voxels that get a distance: those of the object, those outside it, or both. */
+  enum class Region : std::uint8_t
+  {
+    Inside = 0,
+    Outside = 1,
+    Both = 2
+  };
+};
+
+using MedialVoxelPseudoGeodesicBound = MedialVoxelEnums::PseudoGeodesicBound;
+using MedialVoxelBoundary = MedialVoxelEnums::Boundary;
+using MedialVoxelRegion = MedialVoxelEnums::Region;
+
+/** Print the name of an enumerator. */
+extern MedialVoxel_EXPORT std::ostream &
+                          operator<<(std::ostream & out, MedialVoxelEnums::PseudoGeodesicBound value);
+extern MedialVoxel_EXPORT std::ostream &
+                          operator<<(std::ostream & out, MedialVoxelEnums::Boundary value);
+extern MedialVoxel_EXPORT std::ostream &
+                          operator<<(std::ostream & out, MedialVoxelEnums::Region value);
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelFeatureTransform_h
+#define itkMedialVoxelFeatureTransform_h
+
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelNearestSite.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace itk
+{
+
+/** \struct MedialVoxelFeatures
+ * \brief Displacement in voxels from each voxel of a box to its nearest site.
+ *
+ * Voxels that were not asked for have the displacement zero; voxels without a site, or with one that is too far, have
+ * MedialVoxelNoDisplacement in every component.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxel_EXPORT MedialVoxelFeatures
+{
+  MedialVoxelBox            box;
+  std::vector<std::int32_t> dx;
+  std::vector<std::int32_t> dy;
+  std::vector<std::int32_t> dz;
+
+  /** Set the box and all displacements to zero. */
+  void
+  Reset(const MedialVoxelBox & newBox);
+
+  std::size_t
+  OffsetOf(std::int64_t x, std::int64_t y, std::int64_t z) const
+  {
+    return static_cast<std::size_t>(((z - box.lower[2]) * box.Extent(1) + (y - box.lower[1])) * box.Extent(0) +
+                                    (x - box.lower[0]));
+  }
+
+  bool
+  HasSite(std::size_t offset) const
+  {
+    return dx[offset] != MedialVoxelNoDisplacement;
+  }
+};
+
+/** \struct MedialVoxelWindow
+ * \brief What is known of the image around a tile: object bits, and site bits for all voxels of the box of \a sites.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelWindow
+{
+  const MedialVoxelBits * object;
+  const MedialVoxelBits * sites;
+};
+
+/** \class MedialVoxelFeatureTransform
+ * \brief Exact nearest-site displacements of one tile, from what a window knows.
+ *
+ * The nearest site has the smallest key (squared metric length, z, y, x). A result at distance d is final when d is
+ * smaller than the distance from the tile to the nearest voxel outside the window, so that no site that the window does
+ * not know can be nearer or tie. When a tile is not final, the window that makes it final is returned instead.
+ *
+ * Voxels near a site are found 64 at a time by the sorted displacements of a small ball; what is left is searched by
+ * exact separable passes along x, y and z inside the ball that a coarse search proved to hold the nearest sites.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelFeatureTransform
+{
+public:
+  /** \class Workspace
+   * \brief Memory of one thread, kept from tile to tile.
+   * \ingroup MedialVoxel
+   */
+  class Workspace
+  {
+  private:
+    friend class MedialVoxelFeatureTransform;
+
+    template <typename TCost>
+    struct Lines
+    {
+      std::vector<TCost>                                                  costX;
+      std::vector<TCost>                                                  costXY;
+      std::vector<typename MedialVoxelOutwardTraits<TCost>::PositionType> positionY;
+      std::vector<typename MedialVoxelOutwardTraits<TCost>::PositionType> positionZ;
+      std::vector<TCost>                                                  cost;
+      std::vector<TCost>                                                  squaresY;
+      std::vector<TCost>                                                  squaresZ;
+    };
+
+    std::vector<MedialVoxelBits::WordType> m_Remaining;
+    std::vector<std::int32_t>              m_NearestX;
+    Lines<std::int32_t>                    m_IntegerLines;
+    Lines<double>                          m_RealLines;
+  };
+
+  /** \param grid             the whole image
+   *  \param region           voxels that get a displacement
+   *  \param maximumDistance  physical distance beyond which a voxel has no site; positive, may be infinite */
+  explicit MedialVoxelFeatureTransform(const MedialVoxelGrid & grid,
+                                       MedialVoxelRegion       region = MedialVoxelRegion::Inside,
+                                       double maximumDistance = std::numeric_limits<double>::infinity());
+
+  /** Displacements of the voxels of \a tile, which is in the box of window.sites.
+   *
+   * \return an empty box when \a features is final, otherwise the box of sites that must be known to make it so. */
+  MedialVoxelBox
+  Compute(const MedialVoxelWindow & window,
+          const MedialVoxelBox &    tile,
+          Workspace &               workspace,
+          MedialVoxelFeatures &     features) const;
+
+private:
+  struct Tile;
+
+  void
+  SearchNearby(Tile & tile) const;
+
+  bool
+  BoundRemaining(Tile & tile) const;
+
+  template <typename TCost>
+  void
+  SearchRemaining(Tile & tile, Workspace::Lines<TCost> & lines) const;
+
+  void
+  DropDistant(Tile & tile) const;
+
+  MedialVoxelBox
+  MissingBox(const Tile & tile) const;
+
+  MedialVoxelGrid                m_Grid;
+  MedialVoxelRegion              m_Region;
+  double                         m_MaximumDistance;
+  std::vector<MedialVoxelOffset> m_Offsets;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelImageFilter_hxx
+#define itkMedialVoxelImageFilter_hxx
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace itk
+{
+
+template <typename TInputImage, typename TOutputImage>
+struct MedialVoxelImageFilter<TInputImage, TOutputImage>::TileWorkspace : public Superclass::Workspace
+{
+  MedialVoxelFeatureTransform::Workspace transform;
+  MedialVoxelFeatures                    features;
+  MedialVoxelFeatures                    objectFeatures;
+  MedialVoxelClassifier::Workspace       classifier;
+  std::vector<std::uint8_t>              labels;
+};
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateVectorDistance(const bool generate)
+{
+  if (generate == m_GenerateVectorDistance)
+  {
+    return;
+  }
+  m_GenerateVectorDistance = generate;
+  if (generate)
+  {
+    this->ProcessObject::SetOutput(VectorDistanceName, this->MakeOutput(VectorDistanceName));
+  }
+  else
+  {
+    this->ProcessObject::RemoveOutput(VectorDistanceName);
+  }
+  this->Modified();
+}
+
+template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetVectorDistanceOutput() -> VectorImageType *
+{
+  return dynamic_cast<VectorImageType *>(this->ProcessObject::GetOutput(VectorDistanceName));
+}
+
+template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetVectorDistanceOutput() const -> const VectorImageType *
+{
+  return dynamic_cast<const VectorImageType *>(this->ProcessObject::GetOutput(VectorDistanceName));
+}
+
+template <typename TInputImage, typename TOutputImage>
+ProcessObject::DataObjectPointer
+MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeOutput(const ProcessObject::DataObjectIdentifierType & name)
+{
+  if (name == VectorDistanceName)
+  {
+    return VectorImageType::New().GetPointer();
+  }
+  return Superclass::MakeOutput(name);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (!(m_Thickness > 0.0) || !std::isfinite(m_Thickness))
+  {
+    itkExceptionMacro("Thickness is " << m_Thickness << "; it must be positive and finite.");
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
+{
+  Superclass::GenerateOutputInformation();
+  const TInputImage * const input = this->GetInput();
+  TOutputImage * const      output = this->GetOutput();
+  if (input == nullptr || output == nullptr)
+  {
+    return;
+  }
+  const MedialVoxelGrid                         grid = this->GetGrid();
+  typename TInputImage::SpacingType::VectorType shift;
+  for (unsigned int axis = 0; axis < ImageDimension; ++axis)
+  {
+    shift[axis] = grid.IsActive(axis) ? 0.5 * input->GetSpacing()[axis] : 0.0;
+  }
+  output->SetOrigin(input->GetOrigin() + input->GetDirection() * shift);
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelClusterEngine::Settings
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const MedialVoxelGrid & grid) const
+{
+  MedialVoxelClusterEngine::Settings settings;
+  settings.boundaries = { MedialVoxelBoundary::Background };
+  if (m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object)
+  {
+    settings.boundaries.push_back(MedialVoxelBoundary::Object);
+  }
+  settings.upperMargin = grid.GetUnitMargin();
+  // Boundary points of thin walls and the paths between them; thicker walls ask for more.
+  const double epsilon = MedialVoxelParameters::EpsilonFromThickness(m_Thickness);
+  const auto   reach = grid.MarginForMetricLength(0.5 * epsilon / grid.GetMetricUnit());
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    settings.halo[axis] += reach[axis];
+  }
+  settings.tileSize = this->GetTileSize();
+  settings.slabThickness = this->GetSlabThickness();
+  return settings;
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::BeforeTiles(const MedialVoxelGrid & grid)
+{
+  MedialVoxelParameters parameters;
+  parameters.epsilon = MedialVoxelParameters::EpsilonFromThickness(m_Thickness);
+  parameters.bound = m_PseudoGeodesicBound;
+  m_Transform = std::make_unique<const MedialVoxelFeatureTransform>(grid);
+  m_Classifier = std::make_unique<const MedialVoxelClassifier>(grid, parameters);
+}
+
+template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeWorkspace() const
+  -> std::unique_ptr<typename Superclass::Workspace>
+{
+  return std::make_unique<TileWorkspace>();
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelBox
+MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxelBox &           tile,
+                                                               const MedialVoxelClusterWindow & clusterWindow,
+                                                               const MedialVoxelProgress &      progress,
+                                                               typename Superclass::Workspace & genericWorkspace,
+                                                               typename Superclass::TileSums &  sums)
+{
+  using ClockType = std::chrono::steady_clock;
+  using SecondsType = std::chrono::duration<double>;
+  auto &     workspace = static_cast<TileWorkspace &>(genericWorkspace);
+  const bool withObjectVectors = m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object;
+  const MedialVoxelWindow window = clusterWindow.GetWindow(MedialVoxelBoundary::Background);
+
+  const auto     start = ClockType::now();
+  MedialVoxelBox missing =
+    m_Transform->Compute(window, m_Classifier->GetVoxelBox(tile), workspace.transform, workspace.features);
+  if (missing.IsEmpty() && withObjectVectors)
+  {
+    const MedialVoxelWindow objectWindow = clusterWindow.GetWindow(MedialVoxelBoundary::Object);
+    missing = m_Transform->Compute(objectWindow, tile, workspace.transform, workspace.objectFeatures);
+  }
+  const auto middle = ClockType::now();
+  sums.distanceSeconds = SecondsType(middle - start).count();
+  if (!missing.IsEmpty())
+  {
+    return missing;
+  }
+
+  missing = m_Classifier->Classify(
+    window, tile, workspace.features, progress, workspace.classifier, workspace.labels, sums.counts);
+  sums.classificationSeconds = SecondsType(ClockType::now() - middle).count();
+  if (!missing.IsEmpty() || progress.IsAborted())
+  {
+    return missing;
+  }
+
+  this->WriteLabels(tile, workspace.labels);
+  if (m_GenerateVectorDistance)
+  {
+    this->WriteVectors(
+      *this->GetVectorDistanceOutput(), tile, withObjectVectors ? workspace.objectFeatures : workspace.features);
+  }
+  sums.counts.objectVoxels = window.object->Count(tile);
+  sums.counts.boundaryVoxels = window.sites->Count(tile);
+  return {};
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteLabels(const MedialVoxelBox &            tile,
+                                                               const std::vector<std::uint8_t> & labels)
+{
+  const std::uint8_t * source = labels.data();
+  this->ForEachRow(*this->GetOutput(), tile, [&](OutputPixelType * target, const MedialVoxelBox & row) {
+    std::transform(source, source + row.Extent(0), target, [](const std::uint8_t label) {
+      return static_cast<OutputPixelType>(label);
+    });
+    source += row.Extent(0);
+  });
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::AddCounts(const MedialVoxelCounts & counts, const bool isNewSum)
+{
+  const auto add = [isNewSum](SizeValueType & sum, const std::uint64_t count) {
+    sum = (isNewSum ? 0 : sum) + static_cast<SizeValueType>(count);
+  };
+  add(m_NumberOfObjectVoxels, counts.objectVoxels);
+  add(m_NumberOfBoundaryVoxels, counts.boundaryVoxels);
+  add(m_NumberOfCandidateCells, counts.candidateCells);
+  add(m_NumberOfTrivialCells, counts.trivialCells);
+  add(m_NumberOfBoundCells, counts.boundCells);
+  add(m_NumberOfGeodesicMedialCells, counts.geodesicMedialCells);
+  add(m_NumberOfGeodesicNonMedialCells, counts.geodesicNonMedialCells);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "Thickness: " << m_Thickness << std::endl;
+  os << indent << "PseudoGeodesicBound: " << m_PseudoGeodesicBound << std::endl;
+  os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
+  os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
+  os << indent << "NumberOfObjectVoxels: " << m_NumberOfObjectVoxels << std::endl;
+  os << indent << "NumberOfBoundaryVoxels: " << m_NumberOfBoundaryVoxels << std::endl;
+  os << indent << "NumberOfCandidateCells: " << m_NumberOfCandidateCells << std::endl;
+  os << indent << "NumberOfTrivialCells: " << m_NumberOfTrivialCells << std::endl;
+  os << indent << "NumberOfBoundCells: " << m_NumberOfBoundCells << std::endl;
+  os << indent << "NumberOfGeodesicMedialCells: " << m_NumberOfGeodesicMedialCells << std::endl;
+  os << indent << "NumberOfGeodesicNonMedialCells: " << m_NumberOfGeodesicNonMedialCells << std::endl;
+}
+
+} // end namespace itk
+
+#endif

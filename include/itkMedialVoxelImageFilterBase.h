@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelImageFilterBase_h
+#define itkMedialVoxelImageFilterBase_h
+
+#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelDisplacementWriter.h"
+#include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelParameters.h"
+#include "itkMedialVoxelProgress.h"
+
+#include "itkImageToImageFilter.h"
+
+#include <atomic>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelImageFilterBase
+ * \brief Object definition, streaming and threads that the filters of the MedialVoxel module share.
+ *
+ * The requested region is processed slab by slab along its slowest axis. For each slab the filter pulls the input that
+ * the slab depends on, piece by piece and never the whole image unless the result depends on it, packs it to one bit
+ * per voxel, and runs the tiles of the slab in parallel through DynamicThreadedGenerateData(). A tile that depends on
+ * more is run again after the window has grown. Results do not depend on the requested region, on the division of the
+ * work, or on the number of threads.
+ *
+ * After an update the input image buffers only the last piece that was pulled, unless it has no source or its source
+ * cannot stream.
+ *
+ * \par Object
+ * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
+ * UpperThreshold makes object of the voxels with LowerThreshold <= value <= UpperThreshold. Thresholds are real numbers
+ * and compared as such: 72.5 on an integer image means at least 73. NaN is never object. Outside the image nothing is
+ * known: the end of the image is no boundary.
+ *
+ * \par Memory
+ * Beside the outputs of the requested region: one piece of the input, two to three bits per voxel of the current
+ * window, and about 20 MB per thread for thin parts, more where walls are thicker than twelve voxels.
+ *
+ * \ingroup MedialVoxel
+ */
+template <typename TInputImage, typename TOutputImage>
+class ITK_TEMPLATE_EXPORT MedialVoxelImageFilterBase : public ImageToImageFilter<TInputImage, TOutputImage>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(MedialVoxelImageFilterBase);
+
+  using Self = MedialVoxelImageFilterBase;
+  using Superclass = ImageToImageFilter<TInputImage, TOutputImage>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+#ifdef itkOverrideGetNameOfClassMacro
+  itkOverrideGetNameOfClassMacro(MedialVoxelImageFilterBase);
+#else
+  itkTypeMacro(MedialVoxelImageFilterBase, ImageToImageFilter);
+#endif
+
+  static constexpr unsigned int ImageDimension = TInputImage::ImageDimension;
+  static_assert(ImageDimension == 2 || ImageDimension == 3, "Images have 2 or 3 dimensions.");
+  static_assert(TOutputImage::ImageDimension == ImageDimension, "Input and output have the same dimension.");
+
+  using InputImageType = TInputImage;
+  using OutputImageType = TOutputImage;
+  using InputPixelType = typename InputImageType::PixelType;
+  using InputImageRegionType = typename InputImageType::RegionType;
+  using OutputImageRegionType = typename OutputImageType::RegionType;
+
+  /** Value of the background as long as no threshold is set. Default 0. */
+  itkSetMacro(BackgroundValue, InputPixelType);
+  itkGetConstMacro(BackgroundValue, InputPixelType);
+
+  /** Smallest value of an object voxel. Default minus infinity; not NaN, not above UpperThreshold. */
+  virtual void
+  SetLowerThreshold(double threshold);
+  itkGetConstMacro(LowerThreshold, double);
+
+  /** Largest value of an object voxel. Default infinity; not NaN, not below LowerThreshold. */
+  virtual void
+  SetUpperThreshold(double threshold);
+  itkGetConstMacro(UpperThreshold, double);
+
+  /** Return to BackgroundValue after a threshold was set. */
+  virtual void
+  UnsetThresholds();
+
+  /** True once a threshold was set. */
+  itkGetConstMacro(UseThresholds, bool);
+
+  /** Measure in physical units (default, as in SignedMaurerDistanceMapImageFilter) or in voxels. */
+  itkSetMacro(UseImageSpacing, bool);
+  itkGetConstMacro(UseImageSpacing, bool);
+  itkBooleanMacro(UseImageSpacing);
+
+  /** Edge in voxels of the tiles that threads work on; 0 (default) chooses. Has no influence on results. */
+  itkSetMacro(TileSize, unsigned int);
+  itkGetConstMacro(TileSize, unsigned int);
+
+  /** Voxels along the slowest axis that are processed between two pulls of input; 0 (default) chooses. Has no influence
+   * on results; smaller slabs need less memory and give threads less to share. */
+  itkSetMacro(SlabThickness, unsigned int);
+  itkGetConstMacro(SlabThickness, unsigned int);
+
+  /** Voxels of the requested regions that are NaN, which is background; summed like the counts of the classification.
+   *
+   * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
+  itkGetConstMacro(NumberOfNotANumberVoxels, SizeValueType);
+
+  /** Seconds that all threads together spent in the distance transform; summed like the counts. */
+  itkGetConstMacro(DistanceSeconds, double);
+
+  /** Seconds that all threads together spent in the classification; summed like the counts. */
+  itkGetConstMacro(ClassificationSeconds, double);
+
+  void
+  UpdateOutputInformation() override;
+
+#ifdef ITK_USE_CONCEPT_CHECKING
+  itkConceptMacro(InputPixelIsScalar, (Concept::IsNumeric<InputPixelType>));
+#endif
+
+protected:
+  MedialVoxelImageFilterBase();
+  ~MedialVoxelImageFilterBase() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+
+  void
+  VerifyInputInformation() ITKv5_CONST override;
+
+  void
+  GenerateInputRequestedRegion() override;
+
+  void
+  GenerateData() override;
+
+  /** Computes the tile \a region. A tile that depends on input that is not in the window leaves no trace. */
+  void
+  DynamicThreadedGenerateData(const OutputImageRegionType & region) override;
+
+  /** Memory of one worker; derived classes add theirs. */
+  struct Workspace
+  {
+    virtual ~Workspace() = default;
+  };
+
+  /** What a tile adds to the sums. */
+  struct TileSums
+  {
+    MedialVoxelCounts counts;
+    double            distanceSeconds{ 0.0 };
+    double            classificationSeconds{ 0.0 };
+  };
+
+  /** What the engine has to keep for the derived class. */
+  virtual MedialVoxelClusterEngine::Settings
+  GetEngineSettings(const MedialVoxelGrid & grid) const = 0;
+
+  /** Prepare the kernels for one execution. */
+  virtual void
+  BeforeTiles(const MedialVoxelGrid & grid) = 0;
+
+  virtual std::unique_ptr<Workspace>
+  MakeWorkspace() const = 0;
+
+  /** Compute one tile and write it to the outputs.
+   *
+   * \return an empty box when done, otherwise the sites that must be known, in which case nothing was written. */
+  virtual MedialVoxelBox
+  ProcessTile(const MedialVoxelBox &           tile,
+              const MedialVoxelClusterWindow & window,
+              const MedialVoxelProgress &      progress,
+              Workspace &                      workspace,
+              TileSums &                       sums) = 0;
+
+  /** Take over the sums of an execution that finished; \a isNewSum says that earlier ones are to be forgotten. */
+  virtual void
+  AddCounts(const MedialVoxelCounts & counts, bool isNewSum);
+
+  /** Size and spacing of the whole input image, in the units of the parameters. */
+  MedialVoxelGrid
+  GetGrid() const;
+
+  /** Region of the input's index space as a box of the grid, and back. */
+  MedialVoxelBox
+  BoxOf(const ImageRegion<ImageDimension> & region) const;
+
+  ImageRegion<ImageDimension>
+  RegionOf(const MedialVoxelBox & box) const;
+
+  /** Call \a function(pixels, row) for each row of \a tile, with the pixels of \a image that the row begins at. */
+  template <typename TImage, typename TFunction>
+  void
+  ForEachRow(TImage & image, const MedialVoxelBox & tile, TFunction && function) const;
+
+  /** Write the displacements of \a tile as vectors, in physical units or in voxels as UseImageSpacing says. */
+  template <typename TVectorImage>
+  void
+  WriteVectors(TVectorImage & image, const MedialVoxelBox & tile, const MedialVoxelFeatures & features) const;
+
+private:
+  class Execution;
+
+  using PredicateType = MedialVoxelObjectPredicate<InputPixelType>;
+
+  PredicateType
+  GetPredicate() const;
+
+  InputPixelType m_BackgroundValue{};
+  double         m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
+  double         m_UpperThreshold{ std::numeric_limits<double>::infinity() };
+  bool           m_UseThresholds{ false };
+  bool           m_UseImageSpacing{ true };
+  unsigned int   m_TileSize{ 0 };
+  unsigned int   m_SlabThickness{ 0 };
+
+  SizeValueType m_NumberOfNotANumberVoxels{ 0 };
+  double        m_DistanceSeconds{ 0.0 };
+  double        m_ClassificationSeconds{ 0.0 };
+  bool          m_StartNewSum{ true };
+
+  /** The execution in progress, for DynamicThreadedGenerateData(). */
+  Execution * m_Execution{ nullptr };
+};
+
+} // end namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkMedialVoxelImageFilterBase.hxx"
+#endif
+
+#endif

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelNearestSite_h
+#define itkMedialVoxelNearestSite_h
+
+#include "itkMedialVoxelBits.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace itk
+{
+
+/** Displacement component of a voxel that has no nearest site. */
+constexpr std::int32_t MedialVoxelNoDisplacement = std::numeric_limits<std::int32_t>::min();
+
+/** \struct MedialVoxelOffset
+ * \brief Displacement to a possible site and its squared length in metric units.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelOffset
+{
+  std::int32_t dx;
+  std::int32_t dy;
+  std::int32_t dz;
+  double       squaredLength;
+};
+
+/** \brief All displacements of a ball in the order of the key (squared length, dz, dy, dx).
+ *
+ * The first displacement that leads to a site leads to the nearest site. \a radius is in metric units of \a grid and
+ * reaches at most MedialVoxelLongestOffset voxels along each axis.
+ *
+ * \ingroup MedialVoxel
+ */
+MedialVoxel_EXPORT std::vector<MedialVoxelOffset>
+                   MedialVoxelSortedOffsets(const MedialVoxelGrid & grid, double radius);
+
+/** Longest displacement along x that a table search follows. */
+constexpr std::int64_t MedialVoxelLongestOffset = 63;
+
+/** \struct MedialVoxelDisplacementRow
+ * \brief Where the displacements of 64 voxels of a row are stored: lane i at firstLane + i of each array.
+ *
+ * Only lanes of the query are touched, so that firstLane may be negative.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelDisplacementRow
+{
+  std::int32_t * dx;
+  std::int32_t * dy;
+  std::int32_t * dz;
+  std::int64_t   firstLane;
+};
+
+/** \struct MedialVoxelTableResult
+ * \brief Lanes for which a table search found no site, and the largest squared length that it stored.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelTableResult
+{
+  MedialVoxelBits::WordType remaining;
+  double                    largestSquaredLength;
+};
+
+/** \brief Nearest sites of up to 64 voxels of a row, by the sorted displacements of a ball.
+ *
+ * \param offsets  sorted displacements
+ * \param sites    site bits; voxels outside its box are no sites
+ * \param x,y,z    voxel of lane 0; x is a multiple of 64
+ * \param query    lanes to search for
+ * \param row      receives the displacements
+ *
+ * \ingroup MedialVoxel
+ */
+MedialVoxel_EXPORT MedialVoxelTableResult
+MedialVoxelSearchOffsets(const std::vector<MedialVoxelOffset> & offsets,
+                         const MedialVoxelBits &                sites,
+                         std::int64_t                           x,
+                         std::int64_t                           y,
+                         std::int64_t                           z,
+                         MedialVoxelBits::WordType              query,
+                         const MedialVoxelDisplacementRow &     row);
+
+/** \brief Displacement along x to the nearest site of the own row, for \a count voxels from \a x on.
+ *
+ * Sites further than \a reach voxels may be missed. Of two sites at the same distance the one with the smaller x is
+ * taken. Voxels without a site get MedialVoxelNoDisplacement. (y, z) is a row of \a sites.
+ *
+ * \ingroup MedialVoxel
+ */
+MedialVoxel_EXPORT void
+MedialVoxelNearestInRow(const MedialVoxelBits & sites,
+                        std::int64_t            x,
+                        std::int64_t            count,
+                        std::int64_t            y,
+                        std::int64_t            z,
+                        std::int64_t            reach,
+                        std::int32_t *          displacement);
+
+/** \struct MedialVoxelOutwardTraits
+ * \brief Number types of an outward search: what costs are, what positions are, and which cost means "no site".
+ * \ingroup MedialVoxel
+ */
+template <typename TCost>
+struct MedialVoxelOutwardTraits;
+
+template <>
+struct MedialVoxelOutwardTraits<std::int32_t>
+{
+  using PositionType = std::int32_t;
+  static constexpr std::int32_t NoSite = 1 << 30;
+};
+
+template <>
+struct MedialVoxelOutwardTraits<double>
+{
+  using PositionType = std::int64_t;
+  static constexpr double NoSite = std::numeric_limits<double>::infinity();
+};
+
+/** \brief One separable pass: the best of \a numberOfLines candidate lines for each lane of one line.
+ *
+ * Candidate line j has the costs lines[j * pitch + lane]; seen from line \a center it costs squares[|j - center|] more.
+ * The cheapest candidate wins, among equals the one with the smallest j. Costs are searched outwards from the center,
+ * as far as \a squares reaches.
+ *
+ * \param lines,pitch,numberOfLines,lanes  candidate costs; TCost is std::int32_t (all sums below 2^30) or double
+ * \param center         own position among the candidates
+ * \param squares        squared distance of 0, 1, 2, ... lines
+ * \param cost,position  best cost (at least NoSite when there is none) and its candidate, for each lane
+ *
+ * \ingroup MedialVoxel
+ */
+template <typename TCost>
+void
+MedialVoxelSearchOutward(const TCost *                                            lines,
+                         std::int64_t                                             pitch,
+                         std::int64_t                                             numberOfLines,
+                         std::int64_t                                             lanes,
+                         std::int64_t                                             center,
+                         const std::vector<TCost> &                               squares,
+                         TCost *                                                  cost,
+                         typename MedialVoxelOutwardTraits<TCost>::PositionType * position);
+
+extern template MedialVoxel_EXPORT void
+MedialVoxelSearchOutward<std::int32_t>(const std::int32_t *,
+                                       std::int64_t,
+                                       std::int64_t,
+                                       std::int64_t,
+                                       std::int64_t,
+                                       const std::vector<std::int32_t> &,
+                                       std::int32_t *,
+                                       std::int32_t *);
+extern template MedialVoxel_EXPORT void
+MedialVoxelSearchOutward<double>(const double *,
+                                 std::int64_t,
+                                 std::int64_t,
+                                 std::int64_t,
+                                 std::int64_t,
+                                 const std::vector<double> &,
+                                 double *,
+                                 std::int64_t *);
+
+/** \brief Squared metric distance from a voxel to its nearest site; infinite when \a sites holds none.
+ *
+ * Only sites not further than the metric distance \a limit are looked for.
+ *
+ * \ingroup MedialVoxel
+ */
+MedialVoxel_EXPORT double
+MedialVoxelSquaredDistanceToSites(const MedialVoxelGrid &  grid,
+                                  const MedialVoxelBits &  sites,
+                                  const MedialVoxelIndex & voxel,
+                                  double                   limit);
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelBits.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace itk
+{
+
+void
+MedialVoxelBits::Reshape(const MedialVoxelBox & box)
+{
+  m_Box = box;
+  m_FirstWord = box.lower[0] / BitsPerWord;
+  m_WordsPerRow = box.IsEmpty() ? 0 : (box.upper[0] + BitsPerWord - 1) / BitsPerWord - m_FirstWord;
+  m_RowPitch = m_WordsPerRow + 2;
+  const auto rows = box.IsEmpty() ? 0 : box.Extent(1) * box.Extent(2);
+  m_Words.assign(static_cast<std::size_t>(rows * m_RowPitch), 0);
+}
+
+void
+MedialVoxelBits::Reframe(const MedialVoxelBox & box)
+{
+  if (box == m_Box)
+  {
+    return;
+  }
+  MedialVoxelBits      result(box);
+  const MedialVoxelBox shared = box.Intersection(m_Box);
+  if (!shared.IsEmpty())
+  {
+    const std::int64_t firstWord = shared.lower[0] / BitsPerWord;
+    const std::int64_t lastWord = (shared.upper[0] - 1) / BitsPerWord;
+    for (std::int64_t z = shared.lower[2]; z < shared.upper[2]; ++z)
+    {
+      for (std::int64_t y = shared.lower[1]; y < shared.upper[1]; ++y)
+      {
+        const WordType * const source = this->GetRow(y, z) - m_FirstWord;
+        WordType * const       target = result.GetRow(y, z) - result.m_FirstWord;
+        for (std::int64_t word = firstWord; word <= lastWord; ++word)
+        {
+          target[word] = source[word] & RangeMask(word, shared.lower[0], shared.upper[0]);
+        }
+      }
+    }
+  }
+  *this = std::move(result);
+}
+
+bool
+MedialVoxelBits::Test(const MedialVoxelIndex & index) const
+{
+  if (!m_Box.Contains(index))
+  {
+    return false;
+  }
+  const WordType word = this->GetRow(index[1], index[2])[index[0] / BitsPerWord - m_FirstWord];
+  return ((word >> (index[0] % BitsPerWord)) & 1u) != 0;
+}
+
+void
+MedialVoxelBits::Set(const MedialVoxelIndex & index)
+{
+  this->GetRow(index[1], index[2])[index[0] / BitsPerWord - m_FirstWord] |= WordType{ 1 } << (index[0] % BitsPerWord);
+}
+
+MedialVoxelBits::WordType
+MedialVoxelBits::Extract(const std::int64_t x, const std::int64_t y, const std::int64_t z) const
+{
+  // An arithmetic shift rounds towards minus infinity, as x may lie up to a word before the box.
+  const std::int64_t word = (x >> 6) - m_FirstWord;
+  if (word < -1 || word > m_WordsPerRow)
+  {
+    return 0;
+  }
+  const WordType * const row = this->GetRow(y, z);
+  const unsigned int     shift = static_cast<unsigned int>(x & (BitsPerWord - 1));
+  if (shift == 0)
+  {
+    return row[word];
+  }
+  const WordType high = (word < m_WordsPerRow) ? row[word + 1] : 0;
+  return (row[word] >> shift) | (high << (BitsPerWord - shift));
+}
+
+MedialVoxelBits::WordType
+MedialVoxelBits::RangeMask(const std::int64_t word, const std::int64_t lower, const std::int64_t upper)
+{
+  const std::int64_t begin = std::max<std::int64_t>(lower - word * BitsPerWord, 0);
+  const std::int64_t end = std::min<std::int64_t>(upper - word * BitsPerWord, BitsPerWord);
+  if (begin >= end)
+  {
+    return 0;
+  }
+  const WordType upTo = (end == BitsPerWord) ? ~WordType{ 0 } : (WordType{ 1 } << end) - 1;
+  return upTo & (~WordType{ 0 } << begin);
+}
+
+std::uint64_t
+MedialVoxelBits::Count(const MedialVoxelBox & box) const
+{
+  const MedialVoxelBox clipped = box.Intersection(m_Box);
+  if (clipped.IsEmpty())
+  {
+    return 0;
+  }
+  std::uint64_t      count = 0;
+  const std::int64_t firstWord = clipped.lower[0] / BitsPerWord;
+  const std::int64_t lastWord = (clipped.upper[0] - 1) / BitsPerWord;
+  for (std::int64_t z = clipped.lower[2]; z < clipped.upper[2]; ++z)
+  {
+    for (std::int64_t y = clipped.lower[1]; y < clipped.upper[1]; ++y)
+    {
+      const WordType * const row = this->GetRow(y, z) - m_FirstWord;
+      for (std::int64_t word = firstWord; word <= lastWord; ++word)
+      {
+        const WordType bits = row[word] & RangeMask(word, clipped.lower[0], clipped.upper[0]);
+        count += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits));
+      }
+    }
+  }
+  return count;
+}
+
+} // end namespace itk

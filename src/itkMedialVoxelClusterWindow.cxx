@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelClusterWindow.h"
+
+#include "itkMedialVoxelBoundary.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace itk
+{
+
+std::vector<MedialVoxelBox>
+MedialVoxelSubtractBox(const MedialVoxelBox & wanted, const MedialVoxelBox & present)
+{
+  const MedialVoxelBox shared = wanted.Intersection(present);
+  if (shared.IsEmpty())
+  {
+    return wanted.IsEmpty() ? std::vector<MedialVoxelBox>{} : std::vector<MedialVoxelBox>{ wanted };
+  }
+  std::vector<MedialVoxelBox> parts;
+  MedialVoxelBox              rest = wanted;
+  for (unsigned int axis = 3; axis-- > 0;)
+  {
+    MedialVoxelBox part = rest;
+    part.upper[axis] = shared.lower[axis];
+    if (!part.IsEmpty())
+    {
+      parts.push_back(part);
+    }
+    part = rest;
+    part.lower[axis] = shared.upper[axis];
+    if (!part.IsEmpty())
+    {
+      parts.push_back(part);
+    }
+    rest.lower[axis] = shared.lower[axis];
+    rest.upper[axis] = shared.upper[axis];
+  }
+  return parts;
+}
+
+MedialVoxelObjectSource::~MedialVoxelObjectSource() = default;
+
+MedialVoxelClusterWindow::MedialVoxelClusterWindow(const MedialVoxelGrid & grid, std::vector<MedialVoxelBoundary> kinds)
+  : m_Grid(grid)
+  , m_Kinds(std::move(kinds))
+  , m_Boundaries(m_Kinds.size())
+{}
+
+MedialVoxelBox
+MedialVoxelClusterWindow::GetObjectBox(const MedialVoxelBox & sites) const
+{
+  return sites.Expanded(m_Grid.GetUnitMargin()).Intersection(m_Grid.GetVoxelBox());
+}
+
+void
+MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox & sites, MedialVoxelObjectSource & source)
+{
+  const MedialVoxelBox objectBox = this->GetObjectBox(sites);
+  const auto           parts = MedialVoxelSubtractBox(objectBox, m_Object.GetBox());
+  m_Object.Reframe(objectBox);
+  for (const MedialVoxelBox & part : parts)
+  {
+    source.FillObject(part, m_Object);
+  }
+  for (std::size_t i = 0; i < m_Kinds.size(); ++i)
+  {
+    m_Boundaries[i].Reshape(sites);
+    MedialVoxelComputeBoundary(m_Object, m_Grid.GetVoxelBox(), m_Kinds[i], m_Boundaries[i]);
+  }
+}
+
+MedialVoxelWindow
+MedialVoxelClusterWindow::GetWindow(const MedialVoxelBoundary kind) const
+{
+  const auto position = std::find(m_Kinds.begin(), m_Kinds.end(), kind);
+  if (position == m_Kinds.end())
+  {
+    throw std::invalid_argument("MedialVoxelClusterWindow: this boundary is not kept");
+  }
+  return { &m_Object, &m_Boundaries[static_cast<std::size_t>(position - m_Kinds.begin())] };
+}
+
+} // end namespace itk

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelDualCell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace itk
+{
+
+MedialVoxelDualCell::MedialVoxelDualCell(const MedialVoxelGrid & grid)
+  : m_Grid(grid)
+{
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    if (grid.IsActive(axis))
+    {
+      for (unsigned int corner = 0; corner < m_NumberOfCorners; ++corner)
+      {
+        m_Corners[m_NumberOfCorners + corner] = m_Corners[corner];
+        m_Corners[m_NumberOfCorners + corner][axis] = 1;
+      }
+      m_NumberOfCorners *= 2;
+    }
+  }
+}
+
+MedialVoxelDisplacement
+MedialVoxelDualCell::BoundaryDifference(const unsigned int              diagonal,
+                                        const MedialVoxelDisplacement & displacement,
+                                        const MedialVoxelDisplacement & oppositeDisplacement) const
+{
+  const MedialVoxelDisplacement & corner = m_Corners[diagonal];
+  const MedialVoxelDisplacement & opposite = m_Corners[this->GetOppositeCorner(diagonal)];
+  MedialVoxelDisplacement         difference;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    difference[axis] = (corner[axis] + displacement[axis]) - (opposite[axis] + oppositeDisplacement[axis]);
+  }
+  return difference;
+}
+
+double
+MedialVoxelDualCell::CosineKey(const unsigned int              diagonal,
+                               const MedialVoxelDisplacement & displacement,
+                               const MedialVoxelDisplacement & oppositeDisplacement) const
+{
+  const MedialVoxelDisplacement & corner = m_Corners[diagonal];
+  const MedialVoxelDisplacement & opposite = m_Corners[this->GetOppositeCorner(diagonal)];
+  double                          dot = 0.0;
+  double                          squaredA = 0.0;
+  double                          squaredC = 0.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double spacing = m_Grid.GetMetricSpacing()[axis];
+    const double center = m_Grid.IsActive(axis) ? 0.5 : 0.0;
+    const double a = (static_cast<double>(corner[axis] + displacement[axis]) - center) * spacing;
+    const double c = (static_cast<double>(opposite[axis] + oppositeDisplacement[axis]) - center) * spacing;
+    dot += a * c;
+    squaredA += a * a;
+    squaredC += c * c;
+  }
+  return (dot * std::abs(dot)) / (squaredA * squaredC);
+}
+
+bool
+MedialVoxelDualCell::IsTrivial(const MedialVoxelDisplacement & difference, const double epsilon) const
+{
+  unsigned int mask = 0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    if (std::abs(difference[axis]) > 1)
+    {
+      return false;
+    }
+    mask |= (difference[axis] != 0) ? 1u << axis : 0u;
+  }
+  return m_Grid.GetEdgeLength(mask) < epsilon;
+}
+
+double
+MedialVoxelDualCell::FreeSpaceLength(const MedialVoxelDisplacement & difference) const
+{
+  // The length of an edge is a concave function of a sum over its axes, hence submodular: steps along all axes first,
+  // then along the two longest, then along the longest, are the shortest path.
+  std::array<unsigned int, 3> order{ { 0, 1, 2 } };
+  const auto                  steps = [&](const unsigned int axis) { return std::abs(difference[axis]); };
+  std::sort(order.begin(), order.end(), [&](unsigned int i, unsigned int j) { return steps(i) > steps(j); });
+
+  MedialVoxelEdgeCounts counts{};
+  counts[1u << order[0]] = steps(order[0]) - steps(order[1]);
+  counts[(1u << order[0]) | (1u << order[1])] = steps(order[1]) - steps(order[2]);
+  counts[7] = steps(order[2]);
+  return MedialVoxelPathLength(m_Grid, counts);
+}
+
+double
+MedialVoxelDualCell::PseudoGeodesicDistance(const MedialVoxelDisplacement & a, const MedialVoxelDisplacement & b) const
+{
+  double dot = 0.0;
+  double squaredA = 0.0;
+  double squaredB = 0.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double spacing = m_Grid.GetSpacing()[axis];
+    const double componentA = static_cast<double>(a[axis]) * spacing;
+    const double componentB = static_cast<double>(b[axis]) * spacing;
+    dot += componentA * componentB;
+    squaredA += componentA * componentA;
+    squaredB += componentB * componentB;
+  }
+  if (squaredA == 0.0 || squaredB == 0.0)
+  {
+    return 0.0;
+  }
+  const double cosine = dot / std::sqrt(squaredA * squaredB);
+  const double theta = std::acos(std::min(1.0, std::max(-1.0, cosine)));
+  return std::sqrt(std::min(squaredA, squaredB)) * theta;
+}
+
+double
+MedialVoxelPathLength(const MedialVoxelGrid & grid, const MedialVoxelEdgeCounts & counts)
+{
+  double length = 0.0;
+  for (unsigned int mask = 1; mask < 8; ++mask)
+  {
+    length += static_cast<double>(counts[mask]) * grid.GetEdgeLength(mask);
+  }
+  return length;
+}
+
+} // end namespace itk

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelEnums.h"
+
+namespace itk
+{
+
+std::ostream &
+operator<<(std::ostream & out, const MedialVoxelEnums::PseudoGeodesicBound value)
+{
+  switch (value)
+  {
+    case MedialVoxelEnums::PseudoGeodesicBound::FreeSpace:
+      return out << "itk::MedialVoxelEnums::PseudoGeodesicBound::FreeSpace";
+    case MedialVoxelEnums::PseudoGeodesicBound::Paper:
+      return out << "itk::MedialVoxelEnums::PseudoGeodesicBound::Paper";
+    case MedialVoxelEnums::PseudoGeodesicBound::Off:
+      return out << "itk::MedialVoxelEnums::PseudoGeodesicBound::Off";
+  }
+  return out << "INVALID VALUE FOR itk::MedialVoxelEnums::PseudoGeodesicBound";
+}
+
+std::ostream &
+operator<<(std::ostream & out, const MedialVoxelEnums::Boundary value)
+{
+  switch (value)
+  {
+    case MedialVoxelEnums::Boundary::Object:
+      return out << "itk::MedialVoxelEnums::Boundary::Object";
+    case MedialVoxelEnums::Boundary::Background:
+      return out << "itk::MedialVoxelEnums::Boundary::Background";
+  }
+  return out << "INVALID VALUE FOR itk::MedialVoxelEnums::Boundary";
+}
+
+std::ostream &
+operator<<(std::ostream & out, const MedialVoxelEnums::Region value)
+{
+  switch (value)
+  {
+    case MedialVoxelEnums::Region::Inside:
+      return out << "itk::MedialVoxelEnums::Region::Inside";
+    case MedialVoxelEnums::Region::Outside:
+      return out << "itk::MedialVoxelEnums::Region::Outside";
+    case MedialVoxelEnums::Region::Both:
+      return out << "itk::MedialVoxelEnums::Region::Both";
+  }
+  return out << "INVALID VALUE FOR itk::MedialVoxelEnums::Region";
+}
+
+} // end namespace itk
