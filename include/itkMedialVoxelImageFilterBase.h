@@ -121,10 +121,6 @@ public:
   void
   UpdateOutputInformation() override;
 
-#ifdef ITK_USE_CONCEPT_CHECKING
-  itkConceptMacro(InputPixelIsScalar, (Concept::IsNumeric<InputPixelType>));
-#endif
-
 protected:
   MedialVoxelImageFilterBase();
   ~MedialVoxelImageFilterBase() override = default;

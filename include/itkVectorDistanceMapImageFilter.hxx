@@ -129,7 +129,7 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::WriteDistances(const Me
                                                                         const MedialVoxelBits &     object,
                                                                         const MedialVoxelFeatures & features)
 {
-  const auto & spacing = this->GetGrid().GetSpacing();
+  const MedialVoxelGrid::SpacingType spacing = this->GetGrid().GetSpacing();
   this->ForEachRow(*this->GetDistanceOutput(), tile, [&](float * const target, const MedialVoxelBox & row) {
     const std::size_t                       offset = features.OffsetOf(row.lower[0], row.lower[1], row.lower[2]);
     const MedialVoxelBits::WordType * const words = object.GetRow(row.lower[1], row.lower[2]) - object.GetFirstWord();

@@ -127,13 +127,6 @@ AreEqual(const std::vector<TValue> & actual, const std::vector<TValue> & expecte
                                             << ::testing::PrintToString(expected[first]));
 }
 
-/** Runs the filter over its whole image, asked for as one region. */
-template <typename TFilter>
-void
-UpdateWhole(TFilter * filter)
-{
-  filter->UpdateLargestPossibleRegion();
-}
 
 template <typename TFilter>
 Counts
