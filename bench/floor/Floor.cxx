@@ -4,12 +4,10 @@
 // medialvoxel-floor: the least that any extraction must do, to measure extractions against.
 // Reads a headerless volume of unsigned bytes slice by slice, thresholds it, writes a file of the same size.
 
-#include "FloorArguments.h"
+#include "FloorSupport.h"
 
 #include <cerrno>
-#include <chrono>
 #include <cstdlib>
-#include <iostream>
 #include <system_error>
 #include <vector>
 
@@ -132,8 +130,8 @@ main(int argc, char * argv[])
     const Arguments    arguments = ParseArguments({ argv + 1, argv + argc });
     const auto         start = std::chrono::steady_clock::now();
     const std::int64_t objectVoxels = CopyThresholded(arguments);
-    const double       seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    std::cout << "{\"object_voxels\": " << objectVoxels << ", \"seconds\": " << seconds << "}\n";
+    std::cout << "{\"object_voxels\": " << objectVoxels << ", \"seconds\": " << SecondsSince(start)
+              << ", \"peak_memory_bytes\": " << GetPeakMemory() << "}\n";
     return EXIT_SUCCESS;
   }
   catch (const std::invalid_argument & error)

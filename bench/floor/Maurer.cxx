@@ -4,16 +4,13 @@
 // medialvoxel-maurer: ITK's exact distance transform on the same input, to measure the distance phase against.
 // Reads a headerless volume of unsigned bytes whole and computes squared distances to the object's border.
 
-#include "FloorArguments.h"
+#include "FloorSupport.h"
 
 #include "itkImage.h"
 #include "itkMultiThreaderBase.h"
 #include "itkSignedMaurerDistanceMapImageFilter.h"
 
-#include <chrono>
 #include <cstdlib>
-#include <fstream>
-#include <iostream>
 #include <vector>
 
 namespace
@@ -41,12 +38,6 @@ ReadVolume(const std::string & name, const std::array<std::int64_t, 3> & size)
   return image;
 }
 
-double
-SecondsSince(std::chrono::steady_clock::time_point start)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void
 Measure(const std::string & name, const std::array<std::int64_t, 3> & size)
 {
@@ -58,7 +49,7 @@ Measure(const std::string & name, const std::array<std::int64_t, 3> & size)
   const auto startOfFilter = std::chrono::steady_clock::now();
   filter->Update();
   std::cout << "{\"filter_seconds\": " << SecondsSince(startOfFilter) << ", \"seconds\": " << SecondsSince(start)
-            << "}\n";
+            << ", \"peak_memory_bytes\": " << GetPeakMemory() << "}\n";
 }
 } // namespace
 

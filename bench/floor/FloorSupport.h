@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#ifndef FloorArguments_h
-#define FloorArguments_h
+#ifndef FloorSupport_h
+#define FloorSupport_h
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <fstream>
+#include <iostream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -25,6 +28,29 @@ ParseSize(const std::string & text)
     throw std::invalid_argument(text + ": expected a size X,Y,Z of positive numbers");
   }
   return size;
+}
+
+inline double
+SecondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/** Largest resident memory of this program; of /proc, because getrusage() counts what the caller had before exec(). */
+inline std::int64_t
+GetPeakMemory()
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string key; status >> key;)
+  {
+    if (key == "VmHWM:")
+    {
+      std::int64_t kibibytes = 0;
+      status >> kibibytes;
+      return kibibytes * 1024;
+    }
+  }
+  return 0;
 }
 
 #endif
