@@ -81,15 +81,18 @@ private:
   MedialVoxelIndex
   ChooseTileSize() const;
 
-  std::vector<MedialVoxelBox>
-  CutIntoSlabs(const MedialVoxelBox & region) const;
+  /** The slab of \a region that begins at \a position along the slowest axis. */
+  MedialVoxelBox
+  GetSlab(const MedialVoxelBox & region, std::int64_t position) const;
+
+  void
+  RunSlab(const MedialVoxelBox & slab, MedialVoxelClusterClient & client);
 
   MedialVoxelBox
   GetSitesBox(const MedialVoxelBox & slab) const;
 
   MedialVoxelGrid          m_Grid;
   Settings                 m_Settings;
-  MedialVoxelIndex         m_TileSize;
   MedialVoxelIndex         m_Halo;
   MedialVoxelClusterWindow m_Window;
 };

@@ -117,6 +117,9 @@ public:
 private:
   struct Tile;
 
+  template <typename TCost>
+  struct ColumnGroup;
+
   void
   SearchNearby(Tile & tile) const;
 

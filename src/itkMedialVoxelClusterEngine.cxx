@@ -14,6 +14,10 @@ namespace
 /** Tiles of a slab below which threads would wait for each other. */
 constexpr std::int64_t EnoughTiles = 64;
 
+/** Edges of the tiles along y and z. */
+constexpr std::int64_t SmallestTileEdge = 32;
+constexpr std::int64_t LargestTileEdge = 96;
+
 std::int64_t
 CeilingDivide(const std::int64_t value, const std::int64_t divisor)
 {
@@ -31,7 +35,6 @@ MedialVoxelSlowestAxis(const MedialVoxelBox & box)
 MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid, Settings settings)
   : m_Grid(grid)
   , m_Settings(std::move(settings))
-  , m_TileSize(this->ChooseTileSize())
   , m_Halo(m_Settings.halo)
   , m_Window(grid, m_Settings.boundaries)
 {}
@@ -43,27 +46,37 @@ MedialVoxelClusterEngine::ChooseTileSize() const
   {
     return { { m_Settings.tileSize, m_Settings.tileSize, m_Settings.tileSize } };
   }
-  // Whole words along x; a cube of features that fits the second-level cache.
-  return m_Grid.IsActive(2) ? MedialVoxelIndex{ { 128, 32, 32 } } : MedialVoxelIndex{ { 256, 256, 1 } };
+  if (!m_Grid.IsActive(2))
+  {
+    return { { 256, 256, 1 } };
+  }
+  // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their halo,
+  // as a tile repeats the work of the halo around it.
+  const std::int64_t halo = std::max(m_Halo[1], m_Halo[2]);
+  const std::int64_t edge =
+    std::min(LargestTileEdge, std::max(SmallestTileEdge, halo / SmallestTileEdge * SmallestTileEdge));
+  return { { 128, edge, edge } };
 }
 
-std::vector<MedialVoxelBox>
-MedialVoxelClusterEngine::CutIntoSlabs(const MedialVoxelBox & region) const
+MedialVoxelBox
+MedialVoxelClusterEngine::GetSlab(const MedialVoxelBox & region, const std::int64_t position) const
 {
-  const unsigned int axis = MedialVoxelSlowestAxis(region);
-  std::int64_t       thickness = m_Settings.slabThickness;
+  const unsigned int     axis = MedialVoxelSlowestAxis(region);
+  const MedialVoxelIndex tileSize = this->ChooseTileSize();
+  std::int64_t           thickness = m_Settings.slabThickness;
   if (thickness <= 0)
   {
     std::int64_t tilesPerLayer = 1;
     for (unsigned int other = 0; other < axis; ++other)
     {
-      tilesPerLayer *= CeilingDivide(region.Extent(other), m_TileSize[other]);
+      tilesPerLayer *= CeilingDivide(region.Extent(other), tileSize[other]);
     }
-    thickness = m_TileSize[axis] * CeilingDivide(EnoughTiles, tilesPerLayer);
+    thickness = tileSize[axis] * CeilingDivide(EnoughTiles, tilesPerLayer);
   }
-  MedialVoxelIndex slabSize = m_Grid.GetSize();
-  slabSize[axis] = std::min(thickness, slabSize[axis]);
-  return MedialVoxelCutIntoTiles(region, slabSize);
+  MedialVoxelBox slab = region;
+  slab.lower[axis] = position;
+  slab.upper[axis] = std::min((position / thickness + 1) * thickness, region.upper[axis]);
+  return slab;
 }
 
 MedialVoxelBox
@@ -80,33 +93,42 @@ MedialVoxelClusterEngine::GetSitesBox(const MedialVoxelBox & slab) const
 MedialVoxelBox
 MedialVoxelClusterEngine::GetFirstObjectBox(const MedialVoxelBox & region) const
 {
-  const auto slabs = this->CutIntoSlabs(region);
-  return slabs.empty() ? MedialVoxelBox{} : m_Window.GetObjectBox(this->GetSitesBox(slabs.front()));
+  const MedialVoxelBox slab = this->GetSlab(region, region.lower[MedialVoxelSlowestAxis(region)]);
+  return m_Window.GetObjectBox(this->GetSitesBox(slab));
 }
 
 void
 MedialVoxelClusterEngine::Run(const MedialVoxelBox & region, MedialVoxelClusterClient & client)
 {
-  for (const MedialVoxelBox & slab : this->CutIntoSlabs(region))
+  const unsigned int axis = MedialVoxelSlowestAxis(region);
+  for (std::int64_t position = region.lower[axis]; position < region.upper[axis];)
   {
-    MedialVoxelBox              sites = this->GetSitesBox(slab);
-    std::vector<MedialVoxelBox> tiles = MedialVoxelCutIntoTiles(slab, m_TileSize);
-    while (!tiles.empty())
-    {
-      m_Window.MoveTo(sites, client);
-      MedialVoxelTileSchedule schedule(std::move(tiles));
-      client.RunTiles(schedule);
-      schedule.RethrowFailure();
-      tiles = schedule.GetDeferredTiles();
-      sites = sites.Union(schedule.GetNeededBox());
-    }
-    // What one slab needed, the next one probably needs too.
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const std::int64_t below = slab.lower[axis] - sites.lower[axis];
-      const std::int64_t above = sites.upper[axis] - slab.upper[axis] - m_Settings.upperMargin[axis];
-      m_Halo[axis] = std::max(m_Halo[axis], std::max(below, above));
-    }
+    const MedialVoxelBox slab = this->GetSlab(region, position);
+    this->RunSlab(slab, client);
+    position = slab.upper[axis];
+  }
+}
+
+void
+MedialVoxelClusterEngine::RunSlab(const MedialVoxelBox & slab, MedialVoxelClusterClient & client)
+{
+  MedialVoxelBox              sites = this->GetSitesBox(slab);
+  std::vector<MedialVoxelBox> tiles = MedialVoxelCutIntoTiles(slab, this->ChooseTileSize());
+  while (!tiles.empty())
+  {
+    m_Window.MoveTo(sites, client);
+    MedialVoxelTileSchedule schedule(std::move(tiles));
+    client.RunTiles(schedule);
+    schedule.RethrowFailure();
+    tiles = schedule.GetDeferredTiles();
+    sites = sites.Union(schedule.GetNeededBox());
+  }
+  // What one slab needed, the next one probably needs too.
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t below = slab.lower[axis] - sites.lower[axis];
+    const std::int64_t above = sites.upper[axis] - slab.upper[axis] - m_Settings.upperMargin[axis];
+    m_Halo[axis] = std::max(m_Halo[axis], std::max(below, above));
   }
 }
 
