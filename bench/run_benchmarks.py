@@ -77,10 +77,13 @@ def describe_machine(build):
 
 def describe_revision():
     def git(*words):
-        return subprocess.run(["git", "-C", BENCH, *words], capture_output=True, text=True, check=True).stdout
+        return subprocess.run(["git", "-C", BENCH, *words], capture_output=True, text=True, check=True).stdout.strip()
 
-    sources = ["--", "../include", "../src", "../apps", "."]
-    return {"commit": git("rev-parse", "HEAD").strip(), "modified": bool(git("status", "--porcelain", *sources).strip())}
+    try:
+        changes = git("status", "--porcelain", "--", "../include", "../src", "../apps", ".")
+        return {"commit": git("rev-parse", "HEAD"), "modified": bool(changes)}
+    except (OSError, subprocess.CalledProcessError):
+        return {"commit": "unknown"}
 
 
 def run(command):
