@@ -45,7 +45,8 @@ public:
    * \param window    object bits, and the background border as sites
    * \param tile      indices to label; the last index of an active axis has no cell and gets 0
    * \param features  displacements for GetVoxelBox(tile)
-   * \param progress  asked for an abort before each row, after which labels and counts are incomplete
+   * \param progress  asked for an abort before each cell that is not trivial, after which labels and counts are
+   * incomplete
    * \param labels    MedialVoxelLabel values, resized to the tile
    * \param counts    cells of each phase, added to the numbers that it holds
    * \return an empty box when all cells are decided, otherwise the box of sites that must be known to decide them */

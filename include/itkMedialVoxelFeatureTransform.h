@@ -6,6 +6,7 @@
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelNearestSite.h"
+#include "itkMedialVoxelProgress.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -107,12 +108,14 @@ public:
 
   /** Displacements of the voxels of \a tile, which is in the box of window.sites.
    *
+   * \param progress  asked for an abort between rows, after which \a features is incomplete; null never aborts
    * \return an empty box when \a features is final, otherwise the box of sites that must be known to make it so. */
   MedialVoxelBox
-  Compute(const MedialVoxelWindow & window,
-          const MedialVoxelBox &    tile,
-          Workspace &               workspace,
-          MedialVoxelFeatures &     features) const;
+  Compute(const MedialVoxelWindow &   window,
+          const MedialVoxelBox &      tile,
+          Workspace &                 workspace,
+          MedialVoxelFeatures &       features,
+          const MedialVoxelProgress * progress = nullptr) const;
 
 private:
   struct Tile;

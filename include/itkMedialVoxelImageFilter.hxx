@@ -154,11 +154,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
 
   const auto     start = ClockType::now();
   MedialVoxelBox missing =
-    m_Transform->Compute(window, m_Classifier->GetVoxelBox(tile), workspace.transform, workspace.features);
+    m_Transform->Compute(window, m_Classifier->GetVoxelBox(tile), workspace.transform, workspace.features, &progress);
   if (missing.IsEmpty() && withObjectVectors)
   {
     const MedialVoxelWindow objectWindow = clusterWindow.GetWindow(MedialVoxelBoundary::Object);
-    missing = m_Transform->Compute(objectWindow, tile, workspace.transform, workspace.objectFeatures);
+    missing = m_Transform->Compute(objectWindow, tile, workspace.transform, workspace.objectFeatures, &progress);
   }
   const auto middle = ClockType::now();
   sums.distanceSeconds = SecondsType(middle - start).count();

@@ -103,16 +103,16 @@ template <typename TInputImage, typename TVectorImage>
 MedialVoxelBox
 VectorDistanceMapImageFilter<TInputImage, TVectorImage>::ProcessTile(const MedialVoxelBox &           tile,
                                                                      const MedialVoxelClusterWindow & clusterWindow,
-                                                                     const MedialVoxelProgress &,
+                                                                     const MedialVoxelProgress &      progress,
                                                                      typename Superclass::Workspace & genericWorkspace,
                                                                      typename Superclass::TileSums &  sums)
 {
   auto &               workspace = static_cast<TileWorkspace &>(genericWorkspace);
   const auto           start = std::chrono::steady_clock::now();
   const MedialVoxelBox missing =
-    m_Transform->Compute(clusterWindow.GetWindow(m_Boundary), tile, workspace.transform, workspace.features);
+    m_Transform->Compute(clusterWindow.GetWindow(m_Boundary), tile, workspace.transform, workspace.features, &progress);
   sums.distanceSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (missing.IsEmpty())
+  if (missing.IsEmpty() && !progress.IsAborted())
   {
     this->WriteVectors(*this->GetOutput(), tile, workspace.features);
     if (m_GenerateDistance)

@@ -78,10 +78,6 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
   {
     for (std::int64_t y = cells.lower[1]; y < cells.upper[1]; ++y)
     {
-      if (progress.IsAborted())
-      {
-        return missing;
-      }
       std::uint8_t * const row =
         labels.data() + ((z - tile.lower[2]) * tile.Extent(1) + (y - tile.lower[1])) * tile.Extent(0);
       for (std::int64_t word = cells.lower[0] >> 6; word <= (cells.upper[0] - 1) >> 6; ++word)
@@ -100,6 +96,11 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
           }
           else
           {
+            // A single search can be long where epsilon is large.
+            if (progress.IsAborted())
+            {
+              return missing;
+            }
             label = this->ClassifyPair(*window.sites, { { x, y, z } }, pair, workspace, missing);
             counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
             counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;

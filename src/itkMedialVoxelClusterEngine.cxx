@@ -3,6 +3,7 @@
 #include "itkMedialVoxelClusterEngine.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace itk
@@ -121,6 +122,10 @@ MedialVoxelClusterEngine::RunSlab(const MedialVoxelBox & slab, MedialVoxelCluste
     client.RunTiles(schedule);
     schedule.RethrowFailure();
     tiles = schedule.GetDeferredTiles();
+    if (!tiles.empty() && sites.Contains(schedule.GetNeededBox()))
+    {
+      throw std::logic_error("MedialVoxelClusterEngine: a tile was deferred although its window holds what it needs");
+    }
     sites = sites.Union(schedule.GetNeededBox());
   }
   // What one slab needed, the next one probably needs too.

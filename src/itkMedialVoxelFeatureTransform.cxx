@@ -72,23 +72,30 @@ MedialVoxelFeatures::Reset(const MedialVoxelBox & newBox)
 
 struct MedialVoxelFeatureTransform::Tile
 {
-  const MedialVoxelWindow &   window;
-  MedialVoxelFeatures &       features;
-  std::vector<WordType> &     remaining;
-  std::vector<std::int32_t> & nearestX;
-  MedialVoxelBox              known;
-  double                      squaredDistanceToUnknown;
+  const MedialVoxelWindow &         window;
+  MedialVoxelFeatures &             features;
+  std::vector<WordType> &           remaining;
+  std::vector<std::int32_t> &       nearestX;
+  MedialVoxelBox                    known;
+  const MedialVoxelProgress * const progress;
+  double                            squaredDistanceToUnknown{ 0.0 };
 
   /** Words of a row that hold voxels of the tile. */
-  std::int64_t firstWord;
-  std::int64_t words;
+  std::int64_t firstWord{ 0 };
+  std::int64_t words{ 0 };
 
   /** Voxels that the nearby search left, and the metric length within which their sites lie. */
-  MedialVoxelBox remainingBox;
-  double         reach;
+  MedialVoxelBox remainingBox{};
+  double         reach{ 0.0 };
 
-  double         largestSquaredLength;
-  MedialVoxelBox missing;
+  double         largestSquaredLength{ 0.0 };
+  MedialVoxelBox missing{};
+
+  bool
+  IsAborted() const
+  {
+    return progress != nullptr && progress->IsAborted();
+  }
 
   const MedialVoxelBox &
   Box() const
@@ -154,25 +161,18 @@ MedialVoxelFeatureTransform::MedialVoxelFeatureTransform(const MedialVoxelGrid &
 {}
 
 MedialVoxelBox
-MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow & window,
-                                     const MedialVoxelBox &    tileBox,
-                                     Workspace &               workspace,
-                                     MedialVoxelFeatures &     features) const
+MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
+                                     const MedialVoxelBox &            tileBox,
+                                     Workspace &                       workspace,
+                                     MedialVoxelFeatures &             features,
+                                     const MedialVoxelProgress * const progress) const
 {
   features.Reset(tileBox);
   const MedialVoxelBox & known = window.sites->GetBox();
-  Tile                   tile{ window,
-             features,
-             workspace.m_Remaining,
-             workspace.m_NearestX,
-             known,
-             SquaredDistanceToUnknown(m_Grid, known, tileBox),
-             tileBox.lower[0] >> 6,
-             ((tileBox.upper[0] - 1) >> 6) - (tileBox.lower[0] >> 6) + 1,
-                               {},
-             0.0,
-             0.0,
-                               {} };
+  Tile                   tile{ window, features, workspace.m_Remaining, workspace.m_NearestX, known, progress };
+  tile.squaredDistanceToUnknown = SquaredDistanceToUnknown(m_Grid, known, tileBox);
+  tile.firstWord = tileBox.lower[0] >> 6;
+  tile.words = ((tileBox.upper[0] - 1) >> 6) - tile.firstWord + 1;
 
   this->SearchNearby(tile);
   if (!tile.remainingBox.IsEmpty())
@@ -377,7 +377,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     const std::int64_t rows = range.Extent(1) * search.Extent(2);
     Reserve(lines.costXY, rows * lanes);
     Reserve(lines.positionY, rows * lanes);
-    for (std::int64_t row = 0; row < rows; ++row)
+    for (std::int64_t row = 0; row < rows && !tile.IsAborted(); ++row)
     {
       MedialVoxelSearchOutward<TCost>(lines.costX.data() + row / range.Extent(1) * search.Extent(1) * lanes,
                                       lanes,
@@ -397,7 +397,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     Reserve(lines.positionZ, lanes);
     for (std::int64_t y = range.lower[1]; y < range.upper[1]; ++y)
     {
-      for (std::int64_t z = range.lower[2]; z < range.upper[2]; ++z)
+      for (std::int64_t z = range.lower[2]; z < range.upper[2] && !tile.IsAborted(); ++z)
       {
         MedialVoxelSearchOutward<TCost>(lines.costXY.data() + (y - range.lower[1]) * lanes,
                                         range.Extent(1) * lanes,
