@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+// Which pixel values are object (definition 1), on both filters.
+
+#include "MedialVoxelTestRuns.h"
+
+namespace
+{
+using namespace MedialVoxelTest;
+
+/** An image that runs through the given values along x, in every row. */
+template <typename TPixel>
+typename itk::Image<TPixel, 2>::Pointer
+ImageOfValues(const std::vector<TPixel> & values)
+{
+  const Volume                                    volume({ { static_cast<int>(values.size()), 3, 1 } }, UnitSpacing);
+  auto                                            image = MakeImage<itk::Image<TPixel, 2>>(volume);
+  itk::ImageRegionIterator<itk::Image<TPixel, 2>> it(image, image->GetLargestPossibleRegion());
+  for (std::size_t i = 0; !it.IsAtEnd(); ++it, ++i)
+  {
+    it.Set(values[i % values.size()]);
+  }
+  return image;
+}
+
+/** The number of object voxels of one row, by both filters: the sign of the distance tells in the vector filter. */
+template <typename TPixel, typename TConfigure>
+std::string
+ObjectOf(const std::vector<TPixel> & values, TConfigure && configure)
+{
+  using ImageType = itk::Image<TPixel, 2>;
+  auto vectors = itk::VectorDistanceMapImageFilter<ImageType>::New();
+  vectors->SetInput(ImageOfValues(values));
+  vectors->SetBoundary(itk::MedialVoxelBoundary::Background);
+  vectors->SetRegion(itk::MedialVoxelRegion::Inside);
+  configure(vectors.GetPointer());
+  vectors->Update();
+  auto medial = itk::MedialVoxelImageFilter<ImageType>::New();
+  medial->SetInput(ImageOfValues(values));
+  configure(medial.GetPointer());
+  medial->Update();
+  std::string object;
+  const auto  pixels = PixelsOf(vectors->GetOutput());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    object += NormOf(pixels[i]) != 0.0 ? '1' : '0'; // background and boundary have the zero vector
+  }
+  const auto ones = static_cast<std::size_t>(std::count(object.begin(), object.end(), '1'));
+  EXPECT_EQ(medial->GetNumberOfObjectVoxels(), 3 * ones);
+  EXPECT_EQ(medial->GetNumberOfNotANumberVoxels(), vectors->GetNumberOfNotANumberVoxels());
+  return object;
+}
+
+const auto   Unchanged = [](auto *) {};
+const double Infinity = std::numeric_limits<double>::infinity();
+} // namespace
+
+TEST(MedialVoxelObject, IsWhatDiffersFromTheBackgroundValue)
+{
+  EXPECT_EQ(ObjectOf<short>({ 0, 1, -1, 0, 300 }, Unchanged), "01101");
+  EXPECT_EQ(ObjectOf<short>({ 0, 1, -1, 0, -7 }, [](auto * f) { f->SetBackgroundValue(-7); }), "11110");
+  EXPECT_EQ(ObjectOf<float>({ 0.0f, -0.0f, 0.5f, -2.0f }, Unchanged), "0011");
+}
+
+TEST(MedialVoxelObject, IsBetweenTheThresholdsOnceOneIsSet)
+{
+  const std::vector<short> values{ -5, 0, 71, 72, 73, 200, 201, 0 };
+  EXPECT_EQ(ObjectOf<short>(values, [](auto * f) { f->SetLowerThreshold(72); }), "00011110");
+  EXPECT_EQ(ObjectOf<short>(values, [](auto * f) { f->SetUpperThreshold(72); }), "11110001");
+  EXPECT_EQ(ObjectOf<short>(values,
+                            [](auto * f) {
+                              f->SetLowerThreshold(72);
+                              f->SetUpperThreshold(200);
+                            }),
+            "00011100");
+  EXPECT_EQ(ObjectOf<short>(values,
+                            [](auto * f) {
+                              f->SetLowerThreshold(72);
+                              f->SetUpperThreshold(72);
+                            }),
+            "00010000");
+}
+
+TEST(MedialVoxelObject, BackgroundValueIsIgnoredOnceAThresholdIsSet)
+{
+  EXPECT_EQ(ObjectOf<short>({ 0, 80, 90, 0 },
+                            [](auto * f) {
+                              f->SetBackgroundValue(90);
+                              f->SetLowerThreshold(72);
+                            }),
+            "0110");
+}
+
+TEST(MedialVoxelObject, ReturnsToTheBackgroundValueWhenThresholdsAreUnset)
+{
+  EXPECT_EQ(ObjectOf<short>({ 0, 80, 3, 0 },
+                            [](auto * f) {
+                              f->SetLowerThreshold(72);
+                              EXPECT_TRUE(f->GetUseThresholds());
+                              f->UnsetThresholds();
+                              EXPECT_FALSE(f->GetUseThresholds());
+                            }),
+            "0110");
+}
+
+TEST(MedialVoxelObject, LimitsCompareAsNumbers)
+{
+  const std::vector<unsigned char> values{ 0, 72, 73, 255, 0 };
+  EXPECT_EQ(ObjectOf<unsigned char>(values, [](auto * f) { f->SetLowerThreshold(72.5); }), "00110");
+  EXPECT_EQ(ObjectOf<unsigned char>(values, [](auto * f) { f->SetUpperThreshold(72.5); }), "11001");
+  EXPECT_EQ(ObjectOf<unsigned char>(values, [](auto * f) { f->SetUpperThreshold(-0.5); }), "00000");
+  EXPECT_EQ(ObjectOf<unsigned char>(values, [](auto * f) { f->SetLowerThreshold(255.5); }), "00000");
+  EXPECT_EQ(ObjectOf<unsigned char>(values, [](auto * f) { f->SetLowerThreshold(328.0); }), "00000"); // 328 - 256 = 72
+  EXPECT_EQ(ObjectOf<unsigned char>(values,
+                                    [](auto * f) {
+                                      f->SetLowerThreshold(-184.0); // 256 - 184 = 72
+                                      f->SetUpperThreshold(1e300);
+                                    }),
+            "11111"); // no boundary: all vectors are NaN, which is not zero
+  EXPECT_EQ(ObjectOf<unsigned char>(values,
+                                    [](auto * f) {
+                                      f->SetLowerThreshold(72.2);
+                                      f->SetUpperThreshold(72.8);
+                                    }),
+            "00000");
+}
+
+TEST(MedialVoxelObject, EveryVoxelIsObjectWithAWideRange)
+{
+  using ImageType = itk::Image<unsigned char, 2>;
+  auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
+  filter->SetInput(ImageOfValues<unsigned char>({ 0, 72, 73, 255, 0 }));
+  filter->SetLowerThreshold(-184.0);
+  filter->SetUpperThreshold(1e300);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfObjectVoxels(), 15u);
+  filter->SetLowerThreshold(-Infinity);
+  filter->SetUpperThreshold(Infinity);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfObjectVoxels(), 15u);
+}
+
+TEST(MedialVoxelObject, LimitsOfWideTypesAreExact)
+{
+  using Limits = std::numeric_limits<std::int64_t>;
+  const std::vector<std::int64_t> values{ Limits::min(), Limits::min() + 1, 0, Limits::max() - 1, Limits::max() };
+  EXPECT_EQ(ObjectOf<std::int64_t>(values, [](auto * f) { f->SetLowerThreshold(9223372036854775808.0); }), "00000");
+  EXPECT_EQ(ObjectOf<std::int64_t>(values, [](auto * f) { f->SetLowerThreshold(9223372036854774784.0); }), "00011");
+  EXPECT_EQ(ObjectOf<std::int64_t>(values, [](auto * f) { f->SetUpperThreshold(-9223372036854775808.0); }), "10000");
+  const std::vector<std::uint64_t> unsignedValues{ 0, 1, std::numeric_limits<std::uint64_t>::max() };
+  EXPECT_EQ(ObjectOf<std::uint64_t>(unsignedValues, [](auto * f) { f->SetLowerThreshold(18446744073709549568.0); }),
+            "001");
+}
+
+TEST(MedialVoxelObject, NaNIsBackgroundAndCounted)
+{
+  const float              nan = std::numeric_limits<float>::quiet_NaN();
+  const float              inf = std::numeric_limits<float>::infinity();
+  const std::vector<float> values{ 0.0f, nan, 1.0f, inf, -inf, nan };
+  EXPECT_EQ(ObjectOf<float>(values, Unchanged), "001110");
+  EXPECT_EQ(ObjectOf<float>(values, [](auto * f) { f->SetLowerThreshold(0.5); }), "001100");
+  EXPECT_EQ(ObjectOf<float>(values, [](auto * f) { f->SetLowerThreshold(-Infinity); }), "101110");
+  auto filter = itk::MedialVoxelImageFilter<itk::Image<float, 2>>::New();
+  filter->SetInput(ImageOfValues<float>(values));
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), 6u);
+}
+
+TEST(MedialVoxelObject, RealThresholdsAreNotRounded)
+{
+  const float tenth = 0.1f; // slightly more than 0.1
+  EXPECT_EQ(ObjectOf<float>({ 0.0f, tenth, 0.0f }, [](auto * f) { f->SetLowerThreshold(0.1); }), "010");
+  EXPECT_EQ(ObjectOf<float>({ 1.0f, tenth, 0.0f }, [](auto * f) { f->SetUpperThreshold(0.1); }), "001");
+}
