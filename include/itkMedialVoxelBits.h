@@ -95,6 +95,10 @@ public:
   static WordType
   RangeMask(std::int64_t word, std::int64_t lower, std::int64_t upper);
 
+  /** True when a bit is set in \a box, which is clipped to the own box. */
+  bool
+  Any(const MedialVoxelBox & box) const;
+
   /** Number of bits set in \a box, which is clipped to the own box. */
   std::uint64_t
   Count(const MedialVoxelBox & box) const;
@@ -106,6 +110,11 @@ public:
   }
 
 private:
+  /** Call \a visit(word) for the bits of \a box, word by word, until it returns false. */
+  template <typename TVisitor>
+  void
+  VisitWords(const MedialVoxelBox & box, TVisitor && visit) const;
+
   std::ptrdiff_t
   RowOffset(std::int64_t y, std::int64_t z) const
   {

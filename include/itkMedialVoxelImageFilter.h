@@ -172,6 +172,9 @@ private:
   static constexpr const char * VectorDistanceName = "VectorDistance";
 
   void
+  WriteEmptyTile(const MedialVoxelBox & tile);
+
+  void
   WriteLabels(const MedialVoxelBox & tile, const std::vector<std::uint8_t> & labels);
 
   double                  m_Thickness{ 3.0 };

@@ -3,6 +3,8 @@
 #ifndef itkMedialVoxelImageFilter_hxx
 #define itkMedialVoxelImageFilter_hxx
 
+#include "itkNumericTraits.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -152,6 +154,13 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
   const bool withObjectVectors = m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object;
   const MedialVoxelWindow window = clusterWindow.GetWindow(MedialVoxelBoundary::Background);
 
+  if (!window.object->Any(m_Classifier->GetVoxelBox(tile)))
+  {
+    this->WriteEmptyTile(tile);
+    // Objects of the neighboring tiles have their boundary here.
+    sums.counts.boundaryVoxels = window.sites->Count(tile);
+    return {};
+  }
   const auto     start = ClockType::now();
   MedialVoxelBox missing =
     m_Transform->Compute(window, m_Classifier->GetVoxelBox(tile), workspace.transform, workspace.features, &progress);
@@ -184,6 +193,24 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
   sums.counts.objectVoxels = window.object->Count(tile);
   sums.counts.boundaryVoxels = window.sites->Count(tile);
   return {};
+}
+
+/** A tile without object: what most tiles of a thin part are. */
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteEmptyTile(const MedialVoxelBox & tile)
+{
+  const auto clearRows = [&](auto & image) {
+    using PixelType = typename std::remove_reference_t<decltype(image)>::PixelType;
+    this->ForEachRow(image, tile, [](PixelType * const target, const MedialVoxelBox & row) {
+      std::fill_n(target, row.Extent(0), NumericTraits<PixelType>::ZeroValue());
+    });
+  };
+  clearRows(*this->GetOutput());
+  if (m_GenerateVectorDistance)
+  {
+    clearRows(*this->GetVectorDistanceOutput());
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -97,15 +97,15 @@ MedialVoxelBits::RangeMask(const std::int64_t word, const std::int64_t lower, co
   return upTo & (~WordType{ 0 } << begin);
 }
 
-std::uint64_t
-MedialVoxelBits::Count(const MedialVoxelBox & box) const
+template <typename TVisitor>
+void
+MedialVoxelBits::VisitWords(const MedialVoxelBox & box, TVisitor && visit) const
 {
   const MedialVoxelBox clipped = box.Intersection(m_Box);
   if (clipped.IsEmpty())
   {
-    return 0;
+    return;
   }
-  std::uint64_t      count = 0;
   const std::int64_t firstWord = clipped.lower[0] / BitsPerWord;
   const std::int64_t lastWord = (clipped.upper[0] - 1) / BitsPerWord;
   for (std::int64_t z = clipped.lower[2]; z < clipped.upper[2]; ++z)
@@ -115,11 +115,34 @@ MedialVoxelBits::Count(const MedialVoxelBox & box) const
       const WordType * const row = this->GetRow(y, z) - m_FirstWord;
       for (std::int64_t word = firstWord; word <= lastWord; ++word)
       {
-        const WordType bits = row[word] & RangeMask(word, clipped.lower[0], clipped.upper[0]);
-        count += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits));
+        if (!visit(row[word] & RangeMask(word, clipped.lower[0], clipped.upper[0])))
+        {
+          return;
+        }
       }
     }
   }
+}
+
+bool
+MedialVoxelBits::Any(const MedialVoxelBox & box) const
+{
+  bool any = false;
+  this->VisitWords(box, [&any](const WordType bits) {
+    any = (bits != 0);
+    return !any;
+  });
+  return any;
+}
+
+std::uint64_t
+MedialVoxelBits::Count(const MedialVoxelBox & box) const
+{
+  std::uint64_t count = 0;
+  this->VisitWords(box, [&count](const WordType bits) {
+    count += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits));
+    return true;
+  });
   return count;
 }
 
