@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "JobParts.h"
+#include "OutputSet.h"
+#include "Report.h"
+
+#include <optional>
+
+namespace medialvoxel
+{
+namespace
+{
+
+std::vector<OutputRequest>
+ListCandidates(const DistanceOptions & options, const VolumeHeader & header)
+{
+  return { { "vectors", options.output, GetVectorLayout(header) },
+           { "distance", options.distanceFile, DistanceLayout },
+           { "report", options.reportFile, std::nullopt } };
+}
+
+PieceFootprint
+GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
+{
+  return { GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes()) };
+}
+
+DistanceSettings
+GetSettings(const DistanceOptions & options)
+{
+  DistanceSettings settings;
+  settings.boundary = options.boundary;
+  settings.region = options.region;
+  settings.generateDistance = !options.distanceFile.empty();
+  settings.squaredDistance = options.squaredDistance;
+  settings.insideIsPositive = options.insideIsPositive;
+  settings.maximumDistance = options.maximumDistance;
+  return settings;
+}
+
+void
+Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
+{
+  const auto input = OpenInputVolume(result.input);
+  PieceLoop  loop(result.plan, result.input, 1, sink);
+  const auto runner = MakeDistanceRunner(*input, result.input, options, GetSettings(options), loop.GetObserver());
+  OutputSet  outputs(options);
+  OutputVolume * const vectors =
+    outputs.AddVolume(options.output, result.input.geometry, GetVectorLayout(result.input));
+  OutputVolume * const distances = outputs.AddVolume(options.distanceFile, result.input.geometry, DistanceLayout);
+  OutputFile * const   report = outputs.AddFile(options.reportFile);
+
+  for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
+  {
+    loop.Run(*runner,
+             result.plan.GetPiece(piece),
+             [&](std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults & results) {
+               vectors->Write(firstVoxel, numberOfVoxels, results.vectors);
+               if (distances)
+               {
+                 distances->Write(firstVoxel, numberOfVoxels, results.distances);
+               }
+             });
+  }
+  result.sums = runner->GetSums();
+
+  const auto finishStart = JobClock::now();
+  outputs.FinishVolumes();
+  loop.ThrowIfStopRequested();
+  AddMeasurements(result, *input, loop.GetWriteSeconds() + SecondsSince(finishStart), start);
+  if (report)
+  {
+    WriteText(*report, MakeReport(options, result));
+  }
+  outputs.Publish();
+}
+
+} // namespace
+
+JobResult
+RunDistance(const DistanceOptions & options, ProgressSink & sink)
+{
+  const auto start = JobClock::now();
+  CheckOptions(options);
+  GetVolumeFormat(options.output);
+  VolumeHeader header = ReadVolumeHeader(options.input, options.raw);
+  const auto   candidates = ListCandidates(options, header);
+  const auto   footprint = GetFootprint(options, header);
+  JobResult    result = PrepareJob(options, std::move(header), candidates, footprint);
+  if (options.dryRun)
+  {
+    return result;
+  }
+  WithPipelineErrors([&] {
+    sink.Start("medialvoxel", "computing vector distances");
+    Compute(options, result, sink, start);
+  });
+  sink.Finish(result.seconds.total);
+  return result;
+}
+
+} // end namespace medialvoxel

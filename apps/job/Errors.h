@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelErrors_h
+#define medialvoxelErrors_h
+
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** Exit status of the programs. A stop by a signal exits with 128 + the signal's number. */
+enum class ExitStatus : int
+{
+  Done = 0,
+  Failure = 1,     ///< failed for a reason outside the other classes
+  Usage = 2,       ///< wrong or contradictory option
+  Refused = 3,     ///< refused before the start: space, memory, permissions, existing output
+  CorruptInput = 4 ///< input that is corrupt, inconsistent or not a scalar volume
+};
+
+/** \class JobError
+ * \brief What stops a job, with the exit status that it calls for. */
+class JobError : public std::runtime_error
+{
+public:
+  JobError(ExitStatus status, const std::string & message)
+    : std::runtime_error(message)
+    , m_Status(status)
+  {}
+
+  ExitStatus
+  GetStatus() const
+  {
+    return m_Status;
+  }
+
+private:
+  ExitStatus m_Status;
+};
+
+/** \class StoppedBySignal
+ * \brief The job was asked to stop and has removed what it had begun to write. */
+class StoppedBySignal : public std::runtime_error
+{
+public:
+  explicit StoppedBySignal(int signalNumber)
+    : std::runtime_error("stopped, no output was written")
+    , m_SignalNumber(signalNumber)
+  {}
+
+  /** Number of the signal, 0 when the caller's ProgressSink asked to stop. */
+  int
+  GetSignalNumber() const
+  {
+    return m_SignalNumber;
+  }
+
+private:
+  int m_SignalNumber;
+};
+
+/** Throws JobError with the parts of the message put together. */
+template <typename... TParts>
+[[noreturn]] void
+Fail(ExitStatus status, const TParts &... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  throw JobError(status, message.str());
+}
+
+} // end namespace medialvoxel
+
+#endif

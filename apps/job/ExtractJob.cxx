@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "JobParts.h"
+#include "OutputSet.h"
+#include "Preview.h"
+#include "Report.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace medialvoxel
+{
+namespace
+{
+
+void
+CheckPreviewName(const ExtractOptions & options)
+{
+  const std::string extension = ToLower(std::filesystem::path(options.previewFile).extension().string());
+  if (!options.previewFile.empty() && extension != ".png")
+  {
+    Fail(ExitStatus::Usage, options.previewFile, ": unknown format '", extension, "'; the preview is written as .png");
+  }
+}
+
+std::vector<OutputRequest>
+ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
+{
+  return { { "labels", options.output, LabelLayout },
+           { "vectors", options.vectorFile, GetVectorLayout(header) },
+           { "distance", options.distanceFile, DistanceLayout },
+           { "preview", options.previewFile, std::nullopt },
+           { "report", options.reportFile, std::nullopt } };
+}
+
+/** Labels and vectors of a piece are kept together, and after them vectors and distances. */
+PieceFootprint
+GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
+{
+  const std::uint64_t vectorBytes = GetVectorLayout(header).GetBytes();
+  const std::uint64_t labels = LabelLayout.GetBytes() + (options.vectorFile.empty() ? 0 : vectorBytes);
+  const std::uint64_t distances = options.distanceFile.empty() ? 0 : vectorBytes + DistanceLayout.GetBytes();
+  return { std::max(labels, distances) };
+}
+
+/** Each cell must have been decided once. */
+void
+CheckCounts(const itk::MedialVoxelCounts & counts)
+{
+  const std::uint64_t decided =
+    counts.trivialCells + counts.boundCells + counts.geodesicMedialCells + counts.geodesicNonMedialCells;
+  if (decided != counts.candidateCells)
+  {
+    Fail(ExitStatus::Failure, counts.candidateCells, " cells were to be decided, ", decided, " were");
+  }
+}
+
+/** The part of the job that has the volume open. */
+class Extraction
+{
+public:
+  Extraction(const ExtractOptions & options, JobResult & result, ProgressSink & sink)
+    : m_Options(options)
+    , m_Result(result)
+    , m_Input(OpenInputVolume(result.input))
+    , m_Loop(result.plan, result.input, options.distanceFile.empty() ? 1 : 2, sink)
+    , m_Runner(MakeExtractRunner(*m_Input, result.input, options, m_Loop.GetObserver()))
+    , m_Scores(result.input.geometry)
+    , m_Outputs(options)
+  {
+    const VolumeGeometry & geometry = result.input.geometry;
+    m_Labels = m_Outputs.AddVolume(options.output, m_Runner->GetGeometry(), LabelLayout);
+    m_Vectors = m_Outputs.AddVolume(options.vectorFile, geometry, GetVectorLayout(result.input));
+    m_Distances = m_Outputs.AddVolume(options.distanceFile, geometry, DistanceLayout);
+    m_Preview = m_Outputs.AddFile(options.previewFile);
+    m_Report = m_Outputs.AddFile(options.reportFile);
+    if (m_Distances)
+    {
+      DistanceSettings settings;
+      settings.generateDistance = true;
+      m_DistanceRunner = MakeDistanceRunner(*m_Input, result.input, options, settings, m_Loop.GetObserver());
+    }
+  }
+
+  void
+  Run(JobClock::time_point start)
+  {
+    for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
+    {
+      this->RunPiece(m_Result.plan.GetPiece(piece));
+    }
+    m_Result.sums = m_Runner->GetSums();
+    if (m_DistanceRunner)
+    {
+      m_Result.sums.distanceSeconds += m_DistanceRunner->GetSums().distanceSeconds;
+    }
+    CheckCounts(m_Result.sums.counts);
+    this->Finish(start);
+  }
+
+private:
+  void
+  RunPiece(const SliceRange & range)
+  {
+    m_Loop.Run(
+      *m_Runner, range, [&](std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults & results) {
+        m_Labels->Write(firstVoxel, numberOfVoxels, results.labels);
+        if (m_Vectors)
+        {
+          m_Vectors->Write(firstVoxel, numberOfVoxels, results.vectors);
+        }
+        if (m_Preview)
+        {
+          m_Scores.Add(range.begin, range.end - range.begin, static_cast<const std::uint8_t *>(results.labels));
+        }
+      });
+    if (m_DistanceRunner)
+    {
+      m_Loop.Run(*m_DistanceRunner,
+                 range,
+                 [&](std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults & results) {
+                   m_Distances->Write(firstVoxel, numberOfVoxels, results.distances);
+                 });
+    }
+  }
+
+  void
+  Finish(JobClock::time_point start)
+  {
+    const auto finishStart = JobClock::now();
+    m_Outputs.FinishVolumes();
+    if (m_Preview)
+    {
+      WritePreview(*m_Labels, m_Result.input.geometry, m_Scores, *m_Preview);
+    }
+    m_Loop.ThrowIfStopRequested();
+    AddMeasurements(m_Result, *m_Input, m_Loop.GetWriteSeconds() + SecondsSince(finishStart), start);
+    if (m_Report)
+    {
+      WriteText(*m_Report, MakeReport(m_Options, m_Result));
+    }
+    m_Outputs.Publish();
+  }
+
+  const ExtractOptions &       m_Options;
+  JobResult &                  m_Result;
+  std::unique_ptr<InputVolume> m_Input;
+  PieceLoop                    m_Loop;
+  std::unique_ptr<PieceRunner> m_Runner;
+  std::unique_ptr<PieceRunner> m_DistanceRunner;
+  SliceScores                  m_Scores;
+  OutputSet                    m_Outputs;
+  OutputVolume *               m_Labels{ nullptr };
+  OutputVolume *               m_Vectors{ nullptr };
+  OutputVolume *               m_Distances{ nullptr };
+  OutputFile *                 m_Preview{ nullptr };
+  OutputFile *                 m_Report{ nullptr };
+};
+
+} // namespace
+
+JobResult
+RunExtract(const ExtractOptions & options, ProgressSink & sink)
+{
+  const auto start = JobClock::now();
+  CheckOptions(options);
+  CheckPreviewName(options);
+  GetVolumeFormat(options.output);
+  VolumeHeader header = ReadVolumeHeader(options.input, options.raw);
+  const auto   candidates = ListCandidates(options, header);
+  const auto   footprint = GetFootprint(options, header);
+  JobResult    result = PrepareJob(options, std::move(header), candidates, footprint);
+  if (options.dryRun)
+  {
+    return result;
+  }
+  WithPipelineErrors([&] {
+    sink.Start("medialvoxel", "extracting medial voxels");
+    Extraction extraction(options, result, sink);
+    extraction.Run(start);
+  });
+  sink.Finish(result.seconds.total);
+  return result;
+}
+
+} // end namespace medialvoxel

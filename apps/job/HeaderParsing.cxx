@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "HeaderParsing.h"
+
+#include "Text.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+namespace medialvoxel
+{
+
+std::optional<std::string>
+HeaderFields::Find(const std::string & name) const
+{
+  const auto found = values.find(name);
+  return found == values.end() ? std::nullopt : std::optional<std::string>(found->second);
+}
+
+std::ifstream
+OpenRegularFile(const std::filesystem::path & fileName)
+{
+  std::error_code error;
+  const auto      status = std::filesystem::status(fileName, error);
+  if (!std::filesystem::exists(status))
+  {
+    Fail(ExitStatus::Failure, "cannot open ", fileName.string(), ": no such file");
+  }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": it is not a regular file");
+  }
+  std::ifstream file(fileName, std::ios::binary);
+  if (!file.is_open())
+  {
+    Fail(ExitStatus::Failure, "cannot open ", fileName.string(), ": ", std::strerror(errno));
+  }
+  return file;
+}
+
+HeaderLines::HeaderLines(const std::filesystem::path & fileName, std::uint64_t maximumBytesPerLine)
+  : m_FileName(fileName)
+  , m_File(OpenRegularFile(fileName))
+  , m_MaximumBytesPerLine(maximumBytesPerLine)
+{}
+
+bool
+HeaderLines::Next(std::string & line)
+{
+  line.clear();
+  char character = 0;
+  while (m_File.get(character))
+  {
+    ++m_Position;
+    if (character == '\n')
+    {
+      break;
+    }
+    if (character == '\0' || line.size() == m_MaximumBytesPerLine)
+    {
+      Fail(ExitStatus::CorruptInput,
+           m_FileName.string(),
+           ": line ",
+           m_LineNumber + 1,
+           " is not a line of a header: it has ",
+           character == '\0' ? "bytes that are not text"
+                             : "more than " + std::to_string(m_MaximumBytesPerLine) + " bytes");
+    }
+    line.push_back(character);
+  }
+  if (line.empty() && character != '\n')
+  {
+    return false;
+  }
+  ++m_LineNumber;
+  if (!line.empty() && line.back() == '\r')
+  {
+    line.pop_back();
+  }
+  return true;
+}
+
+std::uint64_t
+GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem::path & dataFile)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(dataFile, error))
+  {
+    Fail(ExitStatus::CorruptInput, headerName.string(), ": its data file ", dataFile.string(), " is missing");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(dataFile, error);
+  if (error)
+  {
+    Fail(ExitStatus::Failure, "cannot read the size of ", dataFile.string(), ": ", error.message());
+  }
+  return size;
+}
+
+std::vector<double>
+ParseSpacings(const std::filesystem::path & fileName, const std::string & field, const std::string & text, size_t count)
+{
+  std::vector<double> spacings;
+  for (const std::string & part : SplitAtBlanks(text))
+  {
+    const std::optional<double> value = ParseDouble(part);
+    if (!value || !std::isfinite(*value) || *value <= 0)
+    {
+      Fail(ExitStatus::CorruptInput,
+           fileName.string(),
+           ": ",
+           field,
+           " has the value '",
+           part,
+           "'; each must be a finite number greater than 0");
+    }
+    spacings.push_back(*value);
+  }
+  if (spacings.size() != count)
+  {
+    Fail(ExitStatus::CorruptInput, fileName.string(), ": ", field, " has ", spacings.size(), " values, not ", count);
+  }
+  return spacings;
+}
+
+std::vector<std::uint64_t>
+ParseSizes(const std::filesystem::path & fileName, const std::string & field, const std::string & text, size_t count)
+{
+  constexpr std::uint64_t    maximumVoxels = std::uint64_t{ 1 } << 59; // times 8 bytes: still a valid file offset
+  std::vector<std::uint64_t> sizes;
+  std::uint64_t              product = 1;
+  for (const std::string & part : SplitAtBlanks(text))
+  {
+    const std::optional<std::int64_t> value = ParseInteger(part);
+    if (!value || *value < 1)
+    {
+      Fail(ExitStatus::CorruptInput,
+           fileName.string(),
+           ": ",
+           field,
+           " has the value '",
+           part,
+           "'; each must be a whole number from 1 on");
+    }
+    sizes.push_back(static_cast<std::uint64_t>(*value));
+    if (sizes.back() > maximumVoxels / product)
+    {
+      Fail(
+        ExitStatus::CorruptInput, fileName.string(), ": ", field, " '", text, "' is more voxels than any file holds");
+    }
+    product *= sizes.back();
+  }
+  if (sizes.size() != count)
+  {
+    Fail(ExitStatus::CorruptInput, fileName.string(), ": ", field, " has ", sizes.size(), " values, not ", count);
+  }
+  return sizes;
+}
+
+} // end namespace medialvoxel

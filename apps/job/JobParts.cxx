@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "JobParts.h"
+
+#include "Text.h"
+
+#include "itkMultiThreaderBase.h"
+#include "itkProcessObject.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** Peak of the memory that the process kept resident; 0 where the system does not tell. */
+std::uint64_t
+GetPeakMemoryBytes()
+{
+  std::ifstream status("/proc/self/status");
+  std::string   line;
+  while (std::getline(status, line))
+  {
+    const std::vector<std::string> parts = SplitAtBlanks(line);
+    if (parts.size() >= 2 && parts[0] == "VmHWM:")
+    {
+      return static_cast<std::uint64_t>(ParseInteger(parts[1]).value_or(0)) * 1024;
+    }
+  }
+  return 0;
+}
+
+void
+SetNumberOfThreads(unsigned int threads)
+{
+  itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(threads);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
+}
+
+} // namespace
+
+JobResult
+PrepareJob(const JobOptions &                 options,
+           VolumeHeader                       header,
+           const std::vector<OutputRequest> & candidates,
+           const PieceFootprint &             footprint)
+{
+  JobResult result;
+  result.input = std::move(header);
+  std::copy_if(candidates.begin(),
+               candidates.end(),
+               std::back_inserter(result.outputs),
+               [](const OutputRequest & candidate) { return !candidate.fileName.empty(); });
+  CheckOutputs(result.outputs, result.input, options.overwrite);
+  if (options.threads)
+  {
+    SetNumberOfThreads(*options.threads);
+  }
+  result.plan = MakePlan(options, result.input, result.outputs, footprint);
+  return result;
+}
+
+VoxelLayout
+GetVectorLayout(const VolumeHeader & header)
+{
+  return { PixelType::Float32, header.geometry.GetDimension() };
+}
+
+PieceLoop::PieceLoop(const JobPlan &      plan,
+                     const VolumeHeader & header,
+                     unsigned int         runnersPerPiece,
+                     ProgressSink &       sink)
+  : m_Plan(plan)
+  , m_VoxelsPerSlice(header.geometry.GetVoxelsPerSlice())
+  , m_RunnersPerPiece(runnersPerPiece)
+  , m_Sink(sink)
+{}
+
+PieceObserver
+PieceLoop::GetObserver()
+{
+  return [this](double fraction) {
+    const double slices = static_cast<double>(m_DoneSlices) + fraction * static_cast<double>(m_SlicesOfPiece);
+    m_Sink.Report(slices / static_cast<double>(m_Plan.numberOfSlices * m_RunnersPerPiece));
+    return m_Sink.IsStopRequested();
+  };
+}
+
+void
+PieceLoop::Run(PieceRunner & runner, const SliceRange & range, const WriteFunction & write)
+{
+  this->ThrowIfStopRequested();
+  m_SlicesOfPiece = range.end - range.begin;
+  PieceResults results;
+  try
+  {
+    results = runner.Run(range.begin, m_SlicesOfPiece);
+  }
+  catch (const itk::ProcessAborted &)
+  {
+    throw StoppedBySignal(GetStopSignal());
+  }
+  const auto start = JobClock::now();
+  write(range.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice, results);
+  m_WriteSeconds += SecondsSince(start);
+  runner.Release();
+  m_DoneSlices += m_SlicesOfPiece;
+}
+
+void
+PieceLoop::ThrowIfStopRequested() const
+{
+  if (m_Sink.IsStopRequested())
+  {
+    throw StoppedBySignal(GetStopSignal());
+  }
+}
+
+void
+AddMeasurements(JobResult & result, const InputVolume & input, double writeSeconds, JobClock::time_point start)
+{
+  result.seconds.distance = result.sums.distanceSeconds;
+  result.seconds.classification = result.sums.classificationSeconds;
+  result.seconds.inputOutput = input.GetReadSeconds() + writeSeconds;
+  result.seconds.total = SecondsSince(start);
+  result.bytesRead = input.GetNumberOfBytesRead();
+  result.peakMemoryBytes = GetPeakMemoryBytes();
+}
+
+} // end namespace medialvoxel

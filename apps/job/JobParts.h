@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelJobParts_h
+#define medialvoxelJobParts_h
+
+#include "VolumeJob.h"
+
+#include "itkMacro.h"
+
+#include <chrono>
+#include <functional>
+#include <new>
+#include <utility>
+
+namespace medialvoxel
+{
+
+using JobClock = std::chrono::steady_clock;
+
+inline double
+SecondsSince(JobClock::time_point start)
+{
+  return std::chrono::duration<double>(JobClock::now() - start).count();
+}
+
+/** What all jobs do before their work begins: header, outputs, plan, threads. Candidates without a name drop out. */
+JobResult
+PrepareJob(const JobOptions &                 options,
+           VolumeHeader                       header,
+           const std::vector<OutputRequest> & candidates,
+           const PieceFootprint &             footprint);
+
+/** Float32 vectors with as many components as the volume has dimensions. */
+VoxelLayout
+GetVectorLayout(const VolumeHeader & header);
+
+constexpr VoxelLayout LabelLayout{ PixelType::UInt8, 1 };
+constexpr VoxelLayout DistanceLayout{ PixelType::Float32, 1 };
+
+/** \class PieceLoop
+ * \brief Runs the pieces of a job, tells the sink, stops when asked, and measures what writing takes. */
+class PieceLoop
+{
+public:
+  /** \param runnersPerPiece runners that each piece is given to, for the progress */
+  PieceLoop(const JobPlan & plan, const VolumeHeader & header, unsigned int runnersPerPiece, ProgressSink & sink);
+
+  /** To be handed to the runners. */
+  PieceObserver
+  GetObserver();
+
+  /** Takes the results of a range of voxels. */
+  using WriteFunction =
+    std::function<void(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults &)>;
+
+  /** \throw StoppedBySignal when the sink asks to stop. */
+  void
+  Run(PieceRunner & runner, const SliceRange & range, const WriteFunction & write);
+
+  void
+  ThrowIfStopRequested() const;
+
+  double
+  GetWriteSeconds() const
+  {
+    return m_WriteSeconds;
+  }
+
+private:
+  JobPlan        m_Plan;
+  std::uint64_t  m_VoxelsPerSlice;
+  unsigned int   m_RunnersPerPiece;
+  ProgressSink & m_Sink;
+  std::uint64_t  m_DoneSlices{ 0 };
+  std::uint64_t  m_SlicesOfPiece{ 0 };
+  double         m_WriteSeconds{ 0.0 };
+};
+
+/** Fills in what the job took up to now. */
+void
+AddMeasurements(JobResult & result, const InputVolume & input, double writeSeconds, JobClock::time_point start);
+
+/** Calls the function and turns failures of the pipeline, such as a file that became shorter, into JobError. */
+template <typename TFunction>
+auto
+WithPipelineErrors(TFunction && function)
+{
+  try
+  {
+    return function();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    throw JobError(ExitStatus::Failure, error.GetDescription());
+  }
+  catch (const std::bad_alloc &)
+  {
+    throw JobError(ExitStatus::Failure, "out of memory");
+  }
+}
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelOptions_h
+#define medialvoxelOptions_h
+
+#include "VolumeHeader.h"
+
+#include "itkMedialVoxelEnums.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** What every job on a volume is told. Empty file names mean: not wanted. */
+struct JobOptions
+{
+  std::string                   input;
+  std::optional<RawDescription> raw; ///< set for headerless files
+
+  std::optional<double> lowerThreshold;      ///< object: value >= lower; unset: no limit
+  std::optional<double> upperThreshold;      ///< object: value <= upper; unset: no limit. Neither: object is value != 0
+  bool                  voxelUnits{ false }; ///< lengths in voxels instead of physical units
+
+  std::string distanceFile; ///< signed distance, float32
+  std::string reportFile;   ///< JSON
+
+  std::optional<std::uint64_t> memoryBytes;        ///< cap on the planned memory; unset: none
+  std::optional<unsigned int>  threads;            ///< 1 or more; unset: as ITK decides
+  std::optional<std::uint64_t> divisions;          ///< pieces along the last axis, 1 or more; unset: chosen
+  bool                         sparse{ false };    ///< blocks of zeros stay holes of the files, nothing is reserved
+  bool                         overwrite{ false }; ///< replace existing outputs
+  bool                         dryRun{ false };    ///< plan and check only
+};
+
+/** Medial voxels. */
+struct ExtractOptions : JobOptions
+{
+  std::string                         output;         ///< labels, unsigned char
+  double                              thickness{ 3 }; ///< tau, > 0 and finite, in the units of voxelUnits
+  itk::MedialVoxelPseudoGeodesicBound bound{ itk::MedialVoxelPseudoGeodesicBound::FreeSpace };
+  std::string                         vectorFile; ///< vectors to the nearest boundary point, float32
+  itk::MedialVoxelBoundary            vectorBoundary{ itk::MedialVoxelBoundary::Object };
+  std::string                         previewFile; ///< PNG
+};
+
+/** Vector and signed distances. */
+struct DistanceOptions : JobOptions
+{
+  std::string              output; ///< vectors, float32
+  itk::MedialVoxelBoundary boundary{ itk::MedialVoxelBoundary::Object };
+  itk::MedialVoxelRegion   region{ itk::MedialVoxelRegion::Both };
+  bool                     squaredDistance{ false };
+  bool                     insideIsPositive{ false };
+  std::optional<double>    maximumDistance; ///< > 0; vectors beyond are not a number
+};
+
+/** \throw JobError Usage when a value is out of its range or options contradict each other. */
+void
+CheckOptions(const ExtractOptions & options);
+void
+CheckOptions(const DistanceOptions & options);
+void
+CheckOptions(const RawDescription & raw);
+
+/** Names of the enumerators on the command line and in reports. */
+std::string
+GetName(itk::MedialVoxelPseudoGeodesicBound bound);
+std::string
+GetName(itk::MedialVoxelBoundary boundary);
+std::string
+GetName(itk::MedialVoxelRegion region);
+
+} // end namespace medialvoxel
+
+#endif

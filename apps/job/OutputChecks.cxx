@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OutputChecks.h"
+
+#include "OutputVolume.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** One file under two names, by way of links, or one name that no file has yet. */
+bool
+AreSameFile(const std::filesystem::path & a, const std::filesystem::path & b)
+{
+  std::error_code error;
+  if (std::filesystem::equivalent(a, b, error))
+  {
+    return true;
+  }
+  const auto canonicalA = std::filesystem::weakly_canonical(a, error);
+  const auto canonicalB = std::filesystem::weakly_canonical(b, error);
+  return !canonicalA.empty() && canonicalA == canonicalB;
+}
+
+void
+RefuseInput(const OutputRequest & output, const VolumeHeader & input)
+{
+  for (const std::filesystem::path & inputFile : { input.fileName, input.dataFile })
+  {
+    if (AreSameFile(output.fileName, inputFile))
+    {
+      Fail(ExitStatus::Usage,
+           output.fileName.string(),
+           ": the ",
+           output.role,
+           " would replace the input ",
+           inputFile.string());
+    }
+    const std::filesystem::path dataFile = FindDataFile(output.fileName);
+    if (!dataFile.empty() && AreSameFile(dataFile, inputFile))
+    {
+      Fail(ExitStatus::Usage, output.fileName.string(), ": its data file is the input ", inputFile.string());
+    }
+  }
+}
+
+void
+RefuseExisting(const OutputRequest & output, bool overwrite)
+{
+  std::error_code error;
+  const auto folder = output.fileName.has_parent_path() ? output.fileName.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder, error))
+  {
+    Fail(ExitStatus::Refused, output.fileName.string(), ": the folder ", folder.string(), " does not exist");
+  }
+  const auto status = std::filesystem::status(output.fileName, error);
+  if (!std::filesystem::exists(status))
+  {
+    return;
+  }
+  if (!std::filesystem::is_regular_file(status))
+  {
+    Fail(ExitStatus::Refused, output.fileName.string(), " exists and is not a regular file");
+  }
+  if (!overwrite)
+  {
+    Fail(ExitStatus::Refused, output.fileName.string(), " exists; it is replaced only with --overwrite");
+  }
+}
+
+} // namespace
+
+void
+CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & input, bool overwrite)
+{
+  for (auto output = outputs.begin(); output != outputs.end(); ++output)
+  {
+    if (output->layout)
+    {
+      GetVolumeFormat(output->fileName);
+    }
+    RefuseInput(*output, input);
+    for (auto other = outputs.begin(); other != output; ++other)
+    {
+      if (AreSameFile(other->fileName, output->fileName))
+      {
+        Fail(ExitStatus::Usage, output->fileName.string(), " is named for both ", other->role, " and ", output->role);
+      }
+    }
+  }
+  for (const OutputRequest & output : outputs)
+  {
+    RefuseExisting(output, overwrite);
+  }
+}
+
+} // end namespace medialvoxel

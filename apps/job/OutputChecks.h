@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelOutputChecks_h
+#define medialvoxelOutputChecks_h
+
+#include "VolumeText.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** A file that a job is to write. */
+struct OutputRequest
+{
+  std::string                role;
+  std::filesystem::path      fileName;
+  std::optional<VoxelLayout> layout; ///< set for volumes
+};
+
+/** Refuses outputs that cannot be written or would destroy something.
+ * \throw JobError Usage for an output that is the input or another output, or has an unknown extension; Refused for
+ * one that exists, unless \a overwrite, or whose folder is missing. */
+void
+CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & input, bool overwrite);
+
+} // end namespace medialvoxel
+
+#endif

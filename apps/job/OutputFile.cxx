@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OutputFile.h"
+
+#include "Errors.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t SparseBlockBytes = std::uint64_t{ 1 } << 16;
+constexpr int           MaximumTemporaryNames = 1000;
+
+[[noreturn]] void
+FailWithErrno(ExitStatus status, const char * action, const std::filesystem::path & file)
+{
+  Fail(status, "cannot ", action, " ", file.string(), ": ", std::strerror(errno));
+}
+
+bool
+IsAllZero(const char * data, std::uint64_t numberOfBytes)
+{
+  // Every byte equals its successor and the first one is zero: one call that runs at the speed of memory.
+  return data[0] == 0 && std::memcmp(data, data + 1, numberOfBytes - 1) == 0;
+}
+
+/** Starts the transfer to the disk, so that the final wait for it is short. */
+void
+StartWriteBack([[maybe_unused]] int           descriptor,
+               [[maybe_unused]] std::uint64_t offset,
+               [[maybe_unused]] std::uint64_t numberOfBytes)
+{
+#ifdef SYNC_FILE_RANGE_WRITE
+  sync_file_range(descriptor, static_cast<off64_t>(offset), static_cast<off64_t>(numberOfBytes), SYNC_FILE_RANGE_WRITE);
+#endif
+}
+
+/** Renames; a file that exists under the new name stops it. */
+int
+RenameToFreeName(const char * from, const char * to)
+{
+#ifdef RENAME_NOREPLACE
+  const int result = renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE);
+  if (result == 0 || (errno != EINVAL && errno != ENOSYS))
+  {
+    return result;
+  }
+#endif
+  // File systems without such a rename: a moment remains between the question and the answer.
+  if (access(to, F_OK) == 0)
+  {
+    errno = EEXIST;
+    return -1;
+  }
+  return rename(from, to);
+}
+
+void
+SyncFolder(const std::filesystem::path & folder)
+{
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0)
+  {
+    fsync(descriptor);
+    close(descriptor);
+  }
+}
+
+/** The file that a symbolic link points to, existing or not; other names stay as they are. */
+std::filesystem::path
+FollowLink(const std::filesystem::path & fileName)
+{
+  std::error_code error;
+  if (!std::filesystem::is_symlink(fileName, error))
+  {
+    return fileName;
+  }
+  const auto target = std::filesystem::weakly_canonical(fileName, error);
+  return error ? fileName : target;
+}
+
+std::filesystem::path
+FolderOf(const std::filesystem::path & fileName)
+{
+  return fileName.has_parent_path() ? fileName.parent_path() : std::filesystem::path(".");
+}
+
+} // namespace
+
+OutputFile::OutputFile(const std::filesystem::path & fileName, bool overwrite)
+  : m_FileName(FollowLink(fileName))
+  , m_Overwrite(overwrite)
+{}
+
+OutputFile::~OutputFile()
+{
+  if (m_Descriptor >= 0)
+  {
+    close(m_Descriptor);
+  }
+  if (!m_TemporaryName.empty())
+  {
+    unlink(m_TemporaryName.c_str());
+  }
+}
+
+void
+OutputFile::Create(std::uint64_t numberOfBytes, bool reserve)
+{
+  for (int attempt = 0; m_Descriptor < 0; ++attempt)
+  {
+    std::filesystem::path name = m_FileName;
+    name += "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".partial";
+    m_Descriptor = open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (m_Descriptor >= 0)
+    {
+      m_TemporaryName = name;
+    }
+    else if (errno != EEXIST || attempt == MaximumTemporaryNames)
+    {
+      FailWithErrno(ExitStatus::Refused, "create a file in the folder of", m_FileName);
+    }
+  }
+  m_Size = numberOfBytes;
+  if (reserve && numberOfBytes > 0)
+  {
+    this->Reserve(numberOfBytes);
+  }
+  if (ftruncate(m_Descriptor, static_cast<off_t>(numberOfBytes)) != 0)
+  {
+    FailWithErrno(ExitStatus::Refused, "set the size of", m_FileName);
+  }
+}
+
+void
+OutputFile::Reserve(std::uint64_t numberOfBytes)
+{
+  const int error = posix_fallocate(m_Descriptor, 0, static_cast<off_t>(numberOfBytes));
+  // A file system that cannot reserve is asked again with every write.
+  if (error != 0 && error != EOPNOTSUPP && error != EINVAL)
+  {
+    Fail(ExitStatus::Refused,
+         "cannot reserve ",
+         numberOfBytes,
+         " bytes (",
+         FormatBytes(numberOfBytes),
+         ") for ",
+         m_FileName.string(),
+         ": ",
+         std::strerror(error));
+  }
+}
+
+void
+OutputFile::WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes)
+{
+  const auto *  position = static_cast<const char *>(data);
+  std::uint64_t done = 0;
+  while (done < numberOfBytes)
+  {
+    const ssize_t count =
+      pwrite(m_Descriptor, position + done, numberOfBytes - done, static_cast<off_t>(offset + done));
+    if (count < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    if (count <= 0)
+    {
+      FailWithErrno(ExitStatus::Failure, "write", m_FileName);
+    }
+    done += static_cast<std::uint64_t>(count);
+  }
+  StartWriteBack(m_Descriptor, offset, numberOfBytes);
+}
+
+void
+OutputFile::WriteSparseAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes)
+{
+  const auto *  bytes = static_cast<const char *>(data);
+  std::uint64_t begin = 0;
+  while (begin < numberOfBytes)
+  {
+    const std::uint64_t toBlockEnd = SparseBlockBytes - (offset + begin) % SparseBlockBytes;
+    const std::uint64_t count = std::min(numberOfBytes - begin, toBlockEnd);
+    if (!IsAllZero(bytes + begin, count))
+    {
+      this->WriteAt(offset + begin, bytes + begin, count);
+    }
+    begin += count;
+  }
+}
+
+void
+OutputFile::ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfBytes) const
+{
+  auto *        position = static_cast<char *>(data);
+  std::uint64_t done = 0;
+  while (done < numberOfBytes)
+  {
+    const ssize_t count = pread(m_Descriptor, position + done, numberOfBytes - done, static_cast<off_t>(offset + done));
+    if (count < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    if (count <= 0)
+    {
+      FailWithErrno(ExitStatus::Failure, "read back", m_TemporaryName);
+    }
+    done += static_cast<std::uint64_t>(count);
+  }
+}
+
+void
+OutputFile::AcceptSize()
+{
+  struct stat status = {};
+  if (fstat(m_Descriptor, &status) != 0)
+  {
+    FailWithErrno(ExitStatus::Failure, "read the size of", m_TemporaryName);
+  }
+  m_Size = static_cast<std::uint64_t>(status.st_size);
+}
+
+void
+OutputFile::Finish()
+{
+  if (fsync(m_Descriptor) != 0)
+  {
+    FailWithErrno(ExitStatus::Failure, "bring to the disk", m_FileName);
+  }
+  struct stat status = {};
+  if (fstat(m_Descriptor, &status) != 0 || static_cast<std::uint64_t>(status.st_size) != m_Size)
+  {
+    Fail(ExitStatus::Failure, m_FileName.string(), " has ", status.st_size, " bytes after writing, not ", m_Size);
+  }
+}
+
+void
+OutputFile::Publish()
+{
+  const int result = m_Overwrite ? rename(m_TemporaryName.c_str(), m_FileName.c_str())
+                                 : RenameToFreeName(m_TemporaryName.c_str(), m_FileName.c_str());
+  if (result != 0)
+  {
+    FailWithErrno(errno == EEXIST ? ExitStatus::Refused : ExitStatus::Failure, "give its name to", m_FileName);
+  }
+  m_TemporaryName.clear();
+  SyncFolder(FolderOf(m_FileName));
+}
+
+void
+OutputFile::SetFileName(const std::filesystem::path & fileName)
+{
+  m_FileName = fileName;
+}
+
+void
+WriteText(OutputFile & file, std::string_view text)
+{
+  file.WriteAt(0, text.data(), text.size());
+  file.AcceptSize();
+  file.Finish();
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelOutputFile_h
+#define medialvoxelOutputFile_h
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace medialvoxel
+{
+
+/** \class OutputFile
+ * \brief A file that appears under its name only when it is complete.
+ *
+ * It is written under a temporary name in the same folder, brought to the disk, compared with the size it must have,
+ * and renamed. Until then an existing file of that name stays as it is, and the destructor removes the temporary file.
+ * A symbolic link is followed: the file it points to is the one replaced. */
+class OutputFile
+{
+public:
+  OutputFile(const std::filesystem::path & fileName, bool overwrite);
+  ~OutputFile();
+  OutputFile(const OutputFile &) = delete;
+  OutputFile &
+  operator=(const OutputFile &) = delete;
+
+  /** Creates the temporary file with a size of \a numberOfBytes zeros.
+   * With \a reserve the space for them is taken from the disk at once.
+   * \throw JobError Refused when the folder cannot be written or has no space. */
+  void
+  Create(std::uint64_t numberOfBytes, bool reserve);
+
+  /** \throw JobError Failure. */
+  void
+  WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes);
+
+  /** As WriteAt, but leaves aligned blocks of zeros as holes. Only for bytes not written before. */
+  void
+  WriteSparseAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes);
+
+  void
+  ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfBytes) const;
+
+  /** For files that a library writes: the present size is the one to keep. */
+  void
+  AcceptSize();
+
+  /** Brings all bytes to the disk and compares the size. \throw JobError Failure. */
+  void
+  Finish();
+
+  /** Gives the finished file its name. \throw JobError Refused when a file of that name has come up meanwhile. */
+  void
+  Publish();
+
+  /** Renames what Publish() will give its name to; the folder stays the same. */
+  void
+  SetFileName(const std::filesystem::path & fileName);
+
+  const std::filesystem::path &
+  GetFileName() const
+  {
+    return m_FileName;
+  }
+
+  /** Bytes that the finished file must have. */
+  std::uint64_t
+  GetSize() const
+  {
+    return m_Size;
+  }
+
+  const std::filesystem::path &
+  GetTemporaryName() const
+  {
+    return m_TemporaryName;
+  }
+
+private:
+  void
+  Reserve(std::uint64_t numberOfBytes);
+
+  std::filesystem::path m_FileName;
+  std::filesystem::path m_TemporaryName;
+  bool                  m_Overwrite;
+  int                   m_Descriptor{ -1 };
+  std::uint64_t         m_Size{ 0 };
+};
+
+/** Fills a created, empty file with text and finishes it. */
+void
+WriteText(OutputFile & file, std::string_view text);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OutputSet.h"
+
+namespace medialvoxel
+{
+
+OutputVolume *
+OutputSet::AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout)
+{
+  if (fileName.empty())
+  {
+    return nullptr;
+  }
+  m_Volumes.push_back(std::make_unique<OutputVolume>(fileName, m_Overwrite, m_Sparse));
+  m_Volumes.back()->Create(geometry, layout);
+  return m_Volumes.back().get();
+}
+
+OutputFile *
+OutputSet::AddFile(const std::string & fileName)
+{
+  if (fileName.empty())
+  {
+    return nullptr;
+  }
+  m_Files.push_back(std::make_unique<OutputFile>(fileName, m_Overwrite));
+  m_Files.back()->Create(0, false);
+  return m_Files.back().get();
+}
+
+void
+OutputSet::FinishVolumes()
+{
+  for (const auto & volume : m_Volumes)
+  {
+    volume->Finish();
+  }
+}
+
+void
+OutputSet::Publish()
+{
+  for (const auto & file : m_Files)
+  {
+    file->Publish();
+  }
+  for (auto volume = m_Volumes.rbegin(); volume != m_Volumes.rend(); ++volume)
+  {
+    (*volume)->Publish();
+  }
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelOutputSet_h
+#define medialvoxelOutputSet_h
+
+#include "Options.h"
+#include "OutputVolume.h"
+
+#include <memory>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class OutputSet
+ * \brief The outputs of a job, which appear together: the one added first appears last and stands for all. */
+class OutputSet
+{
+public:
+  explicit OutputSet(const JobOptions & options)
+    : m_Overwrite(options.overwrite)
+    , m_Sparse(options.sparse)
+  {}
+
+  /** Creates a volume; null when the name is empty. */
+  OutputVolume *
+  AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
+
+  /** Creates an empty file of another kind; null when the name is empty. */
+  OutputFile *
+  AddFile(const std::string & fileName);
+
+  /** Brings all volumes to the disk and compares their sizes. */
+  void
+  FinishVolumes();
+
+  /** Gives all finished outputs their names. */
+  void
+  Publish();
+
+private:
+  bool                                       m_Overwrite;
+  bool                                       m_Sparse;
+  std::vector<std::unique_ptr<OutputVolume>> m_Volumes;
+  std::vector<std::unique_ptr<OutputFile>>   m_Files;
+};
+
+} // end namespace medialvoxel
+
+#endif

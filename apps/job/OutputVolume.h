@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelOutputVolume_h
+#define medialvoxelOutputVolume_h
+
+#include "OutputFile.h"
+#include "VolumeText.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** \class OutputVolume
+ * \brief An uncompressed volume file that is written in parts and appears only when it is complete.
+ *
+ * Formats of two files: the voxels take a name that no file has, then the header takes its place, and then the
+ * voxels that the replaced header named are removed, so that at any moment the header's name stands for one complete
+ * volume, the old or the new one. */
+class OutputVolume
+{
+public:
+  /** \throw JobError Usage for an extension that is not written. */
+  OutputVolume(const std::filesystem::path & fileName, bool overwrite, bool sparse);
+
+  /** Creates the files and, unless sparse, takes their space from the disk. \throw JobError Refused. */
+  void
+  Create(const VolumeGeometry & geometry, const VoxelLayout & layout);
+
+  /** Writes voxels that follow each other, x fastest. \throw JobError Failure. */
+  void
+  Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data);
+
+  /** Reads back voxels written before. */
+  void
+  Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const;
+
+  /** Brings the files to the disk and compares their sizes. \throw JobError Failure. */
+  void
+  Finish();
+
+  /** Gives the files their names. */
+  void
+  Publish();
+
+  const std::filesystem::path &
+  GetFileName() const
+  {
+    return m_Header.GetFileName();
+  }
+
+private:
+  void
+  PublishDataFile();
+
+  VolumeFormat   m_Format;
+  bool           m_Sparse;
+  VolumeGeometry m_Geometry;
+  VoxelLayout    m_Layout;
+  OutputFile     m_Header; ///< the only file in formats of one file
+  OutputFile     m_Data;
+  std::uint64_t  m_Offset{ 0 }; ///< of the first voxel in its file
+};
+
+/** The file of voxels that an existing header names; empty when it names none or is not such a header. */
+std::filesystem::path
+FindDataFile(const std::filesystem::path & headerName);
+
+} // end namespace medialvoxel
+
+#endif

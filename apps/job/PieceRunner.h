@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPieceRunner_h
+#define medialvoxelPieceRunner_h
+
+#include "InputVolume.h"
+#include "Options.h"
+
+#include "itkMedialVoxelParameters.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace medialvoxel
+{
+
+/** Results of one piece: as many voxels as the piece has, x fastest; null where nothing was asked for. */
+struct PieceResults
+{
+  const void * labels{ nullptr };
+  const void * vectors{ nullptr };
+  const void * distances{ nullptr };
+};
+
+/** What a filter counted and measured over all pieces. */
+struct RunnerSums
+{
+  itk::MedialVoxelCounts counts;
+  std::uint64_t          notANumberVoxels{ 0 };
+  double                 distanceSeconds{ 0.0 };
+  double                 classificationSeconds{ 0.0 };
+};
+
+/** Hears the progress of a piece from 0 to 1, and answers true to stop. */
+using PieceObserver = std::function<bool(double)>;
+
+/** \class PieceRunner
+ * \brief One filter on one input, run for one range of slices after the other. */
+class PieceRunner
+{
+public:
+  virtual ~PieceRunner() = default;
+
+  /** Geometry of the labels, or of the vectors for a runner without labels. */
+  virtual VolumeGeometry
+  GetGeometry() const = 0;
+
+  /** Slices are indices along the last axis. The results are valid until Release(). */
+  virtual PieceResults
+  Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices) = 0;
+
+  /** Gives back the memory of the results. */
+  virtual void
+  Release() = 0;
+
+  virtual RunnerSums
+  GetSums() const = 0;
+};
+
+/** Settings of the distance filter that a job needs. */
+struct DistanceSettings
+{
+  itk::MedialVoxelBoundary boundary{ itk::MedialVoxelBoundary::Object };
+  itk::MedialVoxelRegion   region{ itk::MedialVoxelRegion::Both };
+  bool                     generateDistance{ false };
+  bool                     squaredDistance{ false };
+  bool                     insideIsPositive{ false };
+  std::optional<double>    maximumDistance;
+};
+
+template <typename TPixel>
+std::unique_ptr<PieceRunner>
+MakeExtractRunnerFor(InputVolume & input, const VolumeHeader &, const ExtractOptions &, const PieceObserver &);
+template <typename TPixel>
+std::unique_ptr<PieceRunner>
+MakeDistanceRunnerFor(InputVolume & input,
+                      const VolumeHeader &,
+                      const JobOptions &,
+                      const DistanceSettings &,
+                      const PieceObserver &);
+
+/** The runner of MedialVoxelImageFilter for the pixel type of the header. The input must outlive it. */
+std::unique_ptr<PieceRunner>
+MakeExtractRunner(InputVolume &          input,
+                  const VolumeHeader &   header,
+                  const ExtractOptions & options,
+                  const PieceObserver &  observer);
+
+/** The runner of VectorDistanceMapImageFilter for the pixel type of the header. The input must outlive it. */
+std::unique_ptr<PieceRunner>
+MakeDistanceRunner(InputVolume &            input,
+                   const VolumeHeader &     header,
+                   const JobOptions &       options,
+                   const DistanceSettings & settings,
+                   const PieceObserver &    observer);
+
+} // end namespace medialvoxel
+
+#endif

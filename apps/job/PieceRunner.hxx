@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPieceRunner_hxx
+#define medialvoxelPieceRunner_hxx
+
+#include "InputVolume.hxx"
+#include "PieceRunner.h"
+
+#include "itkMedialVoxelImageFilter.h"
+#include "itkVectorDistanceMapImageFilter.h"
+
+#include <type_traits>
+
+namespace medialvoxel
+{
+
+template <typename TImage>
+VolumeGeometry
+GetImageGeometry(const TImage & image)
+{
+  VolumeGeometry geometry;
+  for (unsigned int axis = 0; axis < TImage::ImageDimension; ++axis)
+  {
+    geometry.size.push_back(image.GetLargestPossibleRegion().GetSize(axis));
+    geometry.spacing.push_back(image.GetSpacing()[axis]);
+    geometry.origin.push_back(image.GetOrigin()[axis]);
+    std::vector<double> direction;
+    for (unsigned int row = 0; row < TImage::ImageDimension; ++row)
+    {
+      direction.push_back(image.GetDirection()[row][axis]);
+    }
+    geometry.direction.push_back(direction);
+  }
+  return geometry;
+}
+
+/** \class FilterRunner
+ * \brief What the runners of both filters share: input, object, threads, pieces, progress. */
+template <typename TFilter>
+class FilterRunner : public PieceRunner
+{
+public:
+  using InputImageType = typename TFilter::InputImageType;
+  using OutputImageType = typename TFilter::OutputImageType;
+
+  FilterRunner(InputVolume & input, const JobOptions & options, const PieceObserver & observer)
+    : m_Observer(observer)
+    , m_Reader(input.GetReader())
+  {
+    m_Filter->SetInput(static_cast<ImageInput<InputImageType> &>(input).GetImage());
+    m_Filter->SetUseImageSpacing(!options.voxelUnits);
+    if (options.lowerThreshold)
+    {
+      m_Filter->SetLowerThreshold(*options.lowerThreshold);
+    }
+    if (options.upperThreshold)
+    {
+      m_Filter->SetUpperThreshold(*options.upperThreshold);
+    }
+    if (options.threads)
+    {
+      m_Filter->SetNumberOfWorkUnits(*options.threads);
+    }
+    m_Filter->AddObserver(itk::ProgressEvent(), [this](const itk::EventObject &) { this->Observe(); });
+    if (m_Reader)
+    {
+      m_ReaderTag = m_Reader->AddObserver(itk::ProgressEvent(), [this](const itk::EventObject &) { this->Observe(); });
+    }
+  }
+
+  ~FilterRunner() override
+  {
+    if (m_Reader)
+    {
+      m_Reader->RemoveObserver(m_ReaderTag);
+    }
+  }
+
+  VolumeGeometry
+  GetGeometry() const override
+  {
+    return GetImageGeometry(*m_Filter->GetOutput());
+  }
+
+  PieceResults
+  Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices) override
+  {
+    constexpr unsigned int last = InputImageType::ImageDimension - 1;
+    OutputImageType &      output = *m_Filter->GetOutput();
+    auto                   region = output.GetLargestPossibleRegion();
+    region.SetIndex(last, region.GetIndex(last) + static_cast<itk::IndexValueType>(firstSlice));
+    region.SetSize(last, numberOfSlices);
+    output.SetRequestedRegion(region);
+    output.PropagateRequestedRegion();
+    // Not Update(), which would begin the counts anew with each piece.
+    output.UpdateOutputData();
+    return this->GetResults();
+  }
+
+  void
+  Release() override
+  {
+    for (auto & output : m_Filter->GetOutputs())
+    {
+      output->ReleaseData();
+    }
+  }
+
+  RunnerSums
+  GetSums() const override
+  {
+    RunnerSums sums;
+    sums.notANumberVoxels = m_Filter->GetNumberOfNotANumberVoxels();
+    sums.distanceSeconds = m_Filter->GetDistanceSeconds();
+    sums.classificationSeconds = m_Filter->GetClassificationSeconds();
+    return sums;
+  }
+
+protected:
+  virtual PieceResults
+  GetResults() = 0;
+
+  typename TFilter::Pointer m_Filter = TFilter::New();
+
+private:
+  void
+  Observe()
+  {
+    if (m_Observer(m_Filter->GetProgress()))
+    {
+      m_Filter->AbortGenerateDataOn();
+    }
+  }
+
+  PieceObserver        m_Observer;
+  itk::ProcessObject * m_Reader;
+  unsigned long        m_ReaderTag{ 0 };
+};
+
+template <typename TImage>
+class ExtractRunner : public FilterRunner<itk::MedialVoxelImageFilter<TImage>>
+{
+public:
+  ExtractRunner(InputVolume & input, const ExtractOptions & options, const PieceObserver & observer)
+    : FilterRunner<itk::MedialVoxelImageFilter<TImage>>(input, options, observer)
+  {
+    this->m_Filter->SetThickness(options.thickness);
+    this->m_Filter->SetPseudoGeodesicBound(options.bound);
+    this->m_Filter->SetGenerateVectorDistance(!options.vectorFile.empty());
+    this->m_Filter->SetVectorDistanceBoundary(options.vectorBoundary);
+    this->m_Filter->UpdateOutputInformation();
+  }
+
+  RunnerSums
+  GetSums() const override
+  {
+    const auto & filter = *this->m_Filter;
+    RunnerSums   sums = FilterRunner<itk::MedialVoxelImageFilter<TImage>>::GetSums();
+    sums.counts.objectVoxels = filter.GetNumberOfObjectVoxels();
+    sums.counts.boundaryVoxels = filter.GetNumberOfBoundaryVoxels();
+    sums.counts.candidateCells = filter.GetNumberOfCandidateCells();
+    sums.counts.trivialCells = filter.GetNumberOfTrivialCells();
+    sums.counts.boundCells = filter.GetNumberOfBoundCells();
+    sums.counts.geodesicMedialCells = filter.GetNumberOfGeodesicMedialCells();
+    sums.counts.geodesicNonMedialCells = filter.GetNumberOfGeodesicNonMedialCells();
+    return sums;
+  }
+
+protected:
+  PieceResults
+  GetResults() override
+  {
+    PieceResults results;
+    results.labels = this->m_Filter->GetOutput()->GetBufferPointer();
+    if (auto * const vectors = this->m_Filter->GetVectorDistanceOutput())
+    {
+      results.vectors = vectors->GetBufferPointer();
+    }
+    return results;
+  }
+};
+
+template <typename TImage>
+class DistanceRunner : public FilterRunner<itk::VectorDistanceMapImageFilter<TImage>>
+{
+public:
+  DistanceRunner(InputVolume &            input,
+                 const JobOptions &       options,
+                 const DistanceSettings & settings,
+                 const PieceObserver &    observer)
+    : FilterRunner<itk::VectorDistanceMapImageFilter<TImage>>(input, options, observer)
+  {
+    this->m_Filter->SetBoundary(settings.boundary);
+    this->m_Filter->SetRegion(settings.region);
+    this->m_Filter->SetGenerateDistance(settings.generateDistance);
+    this->m_Filter->SetSquaredDistance(settings.squaredDistance);
+    this->m_Filter->SetInsideIsPositive(settings.insideIsPositive);
+    if (settings.maximumDistance)
+    {
+      this->m_Filter->SetMaximumDistance(*settings.maximumDistance);
+    }
+    this->m_Filter->UpdateOutputInformation();
+  }
+
+protected:
+  PieceResults
+  GetResults() override
+  {
+    PieceResults results;
+    results.vectors = this->m_Filter->GetOutput()->GetBufferPointer();
+    if (auto * const distances = this->m_Filter->GetDistanceOutput())
+    {
+      results.distances = distances->GetBufferPointer();
+    }
+    return results;
+  }
+};
+
+/** Calls function(integral_constant) with the dimension of the volume. */
+template <typename TFunction>
+std::unique_ptr<PieceRunner>
+WithDimension(const VolumeHeader & header, TFunction && function)
+{
+  return header.geometry.GetDimension() == 2 ? function(std::integral_constant<unsigned int, 2>{})
+                                             : function(std::integral_constant<unsigned int, 3>{});
+}
+
+template <typename TPixel>
+std::unique_ptr<PieceRunner>
+MakeExtractRunnerFor(InputVolume &          input,
+                     const VolumeHeader &   header,
+                     const ExtractOptions & options,
+                     const PieceObserver &  observer)
+{
+  return WithDimension(header, [&](auto dimension) -> std::unique_ptr<PieceRunner> {
+    using ImageType = itk::Image<TPixel, decltype(dimension)::value>;
+    return std::make_unique<ExtractRunner<ImageType>>(input, options, observer);
+  });
+}
+
+template <typename TPixel>
+std::unique_ptr<PieceRunner>
+MakeDistanceRunnerFor(InputVolume &            input,
+                      const VolumeHeader &     header,
+                      const JobOptions &       options,
+                      const DistanceSettings & settings,
+                      const PieceObserver &    observer)
+{
+  return WithDimension(header, [&](auto dimension) -> std::unique_ptr<PieceRunner> {
+    using ImageType = itk::Image<TPixel, decltype(dimension)::value>;
+    return std::make_unique<DistanceRunner<ImageType>>(input, options, settings, observer);
+  });
+}
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPreviewCanvas_h
+#define medialvoxelPreviewCanvas_h
+
+#include "OutputFile.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Red, green, blue. */
+using Color = std::array<std::uint8_t, 3>;
+
+struct Rectangle
+{
+  unsigned int x;
+  unsigned int y;
+  unsigned int width;
+  unsigned int height;
+};
+
+constexpr unsigned int TextHeight = 14;  ///< pixels of a line of text
+constexpr unsigned int TextAdvance = 12; ///< pixels from one character to the next
+
+/** \class Canvas
+ * \brief A picture in memory, black at first; x to the right, y downwards. */
+class Canvas
+{
+public:
+  Canvas(unsigned int width, unsigned int height);
+
+  void
+  SetPixel(unsigned int x, unsigned int y, const Color & color);
+
+  void
+  FillRectangle(const Rectangle & area, const Color & color);
+
+  /** A line of one pixel around the area. */
+  void
+  DrawFrame(const Rectangle & area, const Color & color);
+
+  /** Capital letters, digits, '=', '.' and '-'; what else there is stays blank. */
+  void
+  DrawText(unsigned int x, unsigned int y, const std::string & text, const Color & color);
+
+  /** Writes a created, empty file and finishes it. \throw JobError Failure. */
+  void
+  WritePng(OutputFile & file) const;
+
+private:
+  unsigned int              m_Width;
+  unsigned int              m_Height;
+  std::vector<std::uint8_t> m_Pixels;
+};
+
+} // end namespace medialvoxel
+
+#endif

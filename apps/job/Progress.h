@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelProgress_h
+#define medialvoxelProgress_h
+
+#include <memory>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** \class ProgressSink
+ * \brief Hears how far a job is, and may stop it.
+ *
+ * The job calls Start() once, Report() with fractions that never fall, and Finish() once when all outputs are
+ * complete. */
+class ProgressSink
+{
+public:
+  virtual ~ProgressSink() = default;
+  virtual void
+  Start(const std::string & name, const std::string & comment);
+  virtual void
+  Report(double fraction);
+  virtual void
+  Finish(double seconds);
+
+  /** Asked several times a second. By default true once the process got SIGINT, SIGTERM or SIGHUP. */
+  virtual bool
+  IsStopRequested() const;
+};
+
+/** Ways to show progress. Auto is Bar when the error stream is a terminal, else Plain. */
+enum class ProgressStyle
+{
+  Auto,
+  Bar,    ///< a line on the error stream that redraws itself, with the time left
+  Plain,  ///< a line on the error stream every 30 s
+  Slicer, ///< the tags of 3D Slicer's command line modules on the output stream
+  Json,   ///< an object per line on the error stream
+  None
+};
+
+std::unique_ptr<ProgressSink>
+MakeProgressSink(ProgressStyle style);
+
+/** Remembers SIGINT, SIGTERM and SIGHUP instead of dying from them; a SIGHUP that is ignored stays so. Writing to
+ * a closed pipe or over a limit of the file size becomes an error of the write. */
+void
+CatchSignals();
+
+/** The signal that asked to stop, or 0. */
+int
+GetStopSignal();
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Report.h"
+
+#include <nlohmann/json.hpp>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json
+OptionalToJson(const std::optional<double> & value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json
+MakeInput(const VolumeHeader & header)
+{
+  return { { "file", header.fileName.string() },
+           { "format", header.format },
+           { "type", std::string(GetTraits(header.pixelType).name) },
+           { "spacing", header.geometry.spacing },
+           { "bytes", header.GetVoxelBytes() } };
+}
+
+Json
+MakeOutputs(const JobResult & result)
+{
+  Json outputs = Json::object();
+  for (const OutputRequest & output : result.outputs)
+  {
+    outputs[output.role] = output.fileName.string();
+  }
+  return outputs;
+}
+
+Json
+MakeCounts(const RunnerSums & sums)
+{
+  const itk::MedialVoxelCounts & counts = sums.counts;
+  return { { "object_voxels", counts.objectVoxels },
+           { "boundary_voxels", counts.boundaryVoxels },
+           { "not_a_number_voxels", sums.notANumberVoxels },
+           { "candidate_cells", counts.candidateCells },
+           { "trivial", counts.trivialCells },
+           { "bound", counts.boundCells },
+           { "geodesic_medial", counts.geodesicMedialCells },
+           { "geodesic_non_medial", counts.geodesicNonMedialCells },
+           { "medial_cells", counts.boundCells + counts.geodesicMedialCells } };
+}
+
+Json
+MakePercent(const itk::MedialVoxelCounts & counts)
+{
+  const std::optional<PhasePercent> percent = GetPhasePercent(counts);
+  return { { "pseudo", percent ? Json(percent->pseudo) : Json(nullptr) },
+           { "correct", percent ? Json(percent->correct) : Json(nullptr) } };
+}
+
+void
+AddObject(Json & parameters, const JobOptions & options)
+{
+  parameters["lower"] = OptionalToJson(options.lowerThreshold);
+  parameters["upper"] = OptionalToJson(options.upperThreshold);
+  parameters["units"] = options.voxelUnits ? "voxels" : "physical";
+}
+
+void
+AddRun(Json & report, const JobResult & result)
+{
+  report["seconds"] = { { "distance", result.seconds.distance },
+                        { "classification", result.seconds.classification },
+                        { "input_output", result.seconds.inputOutput },
+                        { "total", result.seconds.total } };
+  report["peak_memory_bytes"] = result.peakMemoryBytes;
+  report["bytes_read"] = result.bytesRead;
+  report["threads"] = result.plan.threads;
+  report["divisions"] = result.plan.divisions;
+}
+
+/** Names of files need not be valid UTF-8. */
+std::string
+Dump(const Json & report)
+{
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+std::optional<PhasePercent>
+GetPhasePercent(const itk::MedialVoxelCounts & counts)
+{
+  if (counts.candidateCells == 0)
+  {
+    return std::nullopt;
+  }
+  const auto searched = static_cast<double>(counts.geodesicMedialCells + counts.geodesicNonMedialCells);
+  const auto all = static_cast<double>(counts.candidateCells);
+  return PhasePercent{ 100.0 * (all - searched) / all, 100.0 * searched / all };
+}
+
+std::string
+MakeReport(const ExtractOptions & options, const JobResult & result)
+{
+  Json parameters = { { "thickness", options.thickness } };
+  AddObject(parameters, options);
+  parameters["bound"] = GetName(options.bound);
+  parameters["vector_boundary"] = GetName(options.vectorBoundary);
+
+  Json report;
+  report["version"] = GetVersion();
+  report["input"] = MakeInput(result.input);
+  report["outputs"] = MakeOutputs(result);
+  report["parameters"] = parameters;
+  report["size"] = result.input.geometry.size;
+  report["counts"] = MakeCounts(result.sums);
+  report["percent"] = MakePercent(result.sums.counts);
+  AddRun(report, result);
+  return Dump(report);
+}
+
+std::string
+MakeReport(const DistanceOptions & options, const JobResult & result)
+{
+  Json parameters = Json::object();
+  AddObject(parameters, options);
+  parameters["boundary"] = GetName(options.boundary);
+  parameters["region"] = GetName(options.region);
+  parameters["squared_distance"] = options.squaredDistance;
+  parameters["inside_positive"] = options.insideIsPositive;
+  parameters["maximum_distance"] = OptionalToJson(options.maximumDistance);
+
+  Json report;
+  report["version"] = GetVersion();
+  report["input"] = MakeInput(result.input);
+  report["outputs"] = MakeOutputs(result);
+  report["parameters"] = parameters;
+  report["size"] = result.input.geometry.size;
+  report["counts"] = { { "not_a_number_voxels", result.sums.notANumberVoxels } };
+  AddRun(report, result);
+  return Dump(report);
+}
+
+std::string
+GetVersion()
+{
+  return MEDIALVOXEL_VERSION;
+}
+
+} // end namespace medialvoxel

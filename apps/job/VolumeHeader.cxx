@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "VolumeHeader.h"
+
+#include "HeaderParsing.h"
+#include "Text.h"
+
+#include "itkMetaImageIO.h"
+#include "itkNrrdImageIO.h"
+
+#include <vnl/vnl_det.h>
+#include <vnl/vnl_matrix_fixed.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** Deflate packs at most this many bytes into one. */
+constexpr std::uint64_t MaximumDeflateRatio = 1032;
+
+VolumeHeader
+DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription & raw)
+{
+  OpenRegularFile(fileName);
+  VolumeHeader header;
+  header.fileName = fileName;
+  header.format = "raw";
+  header.geometry.size = raw.size;
+  header.pixelType = raw.pixelType;
+  header.bigEndian = raw.bigEndian;
+  header.dataFile = fileName;
+  header.dataFileSize = GetDataFileSize(fileName, fileName);
+  header.dataOffset = raw.headerBytes;
+
+  const size_t dimension = raw.size.size();
+  header.geometry.spacing = raw.spacing.empty() ? std::vector<double>(dimension, 1.0) : raw.spacing;
+  header.geometry.origin.assign(dimension, 0.0);
+  header.geometry.direction.assign(dimension, std::vector<double>(dimension, 0.0));
+  for (size_t axis = 0; axis < dimension; ++axis)
+  {
+    header.geometry.direction[axis][axis] = 1.0;
+  }
+  return header;
+}
+
+/** Spacing, origin and direction as ITK reads them from the same header. */
+void
+ReadGeometry(VolumeHeader & header, itk::ImageIOBase & io)
+{
+  const size_t dimension = header.geometry.size.size();
+  try
+  {
+    io.SetFileName(header.fileName.string());
+    io.ReadImageInformation();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    Fail(ExitStatus::CorruptInput, header.fileName.string(), ": ", error.GetDescription());
+  }
+  if (io.GetNumberOfComponents() != 1 || io.GetPixelType() != itk::IOPixelEnum::SCALAR)
+  {
+    Fail(
+      ExitStatus::CorruptInput, header.fileName.string(), ": only one value per voxel is read, not vectors or colors");
+  }
+  bool sameSize = io.GetNumberOfDimensions() == dimension;
+  for (unsigned int axis = 0; sameSize && axis < dimension; ++axis)
+  {
+    sameSize = io.GetDimensions(axis) == header.geometry.size[axis];
+    header.geometry.spacing.push_back(io.GetSpacing(axis));
+    header.geometry.origin.push_back(io.GetOrigin(axis));
+    header.geometry.direction.push_back(io.GetDirection(axis));
+  }
+  if (!sameSize)
+  {
+    Fail(ExitStatus::CorruptInput, header.fileName.string(), ": its header contradicts itself about the size");
+  }
+}
+
+void
+CheckGeometry(const VolumeHeader & header)
+{
+  const unsigned int             dimension = header.geometry.GetDimension();
+  vnl_matrix_fixed<double, 3, 3> matrix;
+  matrix.set_identity();
+  for (unsigned int axis = 0; axis < dimension; ++axis)
+  {
+    const double spacing = header.geometry.spacing[axis];
+    if (!std::isfinite(spacing) || spacing <= 0)
+    {
+      Fail(ExitStatus::CorruptInput,
+           header.fileName.string(),
+           ": spacing is ",
+           FormatNumbers(header.geometry.spacing, " "),
+           "; each must be a finite number greater than 0");
+    }
+    for (unsigned int row = 0; row < dimension; ++row)
+    {
+      matrix(row, axis) = header.geometry.direction[axis][row];
+    }
+  }
+  const double determinant = vnl_det(matrix);
+  if (!(std::abs(determinant) > 1e-6))
+  {
+    Fail(ExitStatus::CorruptInput,
+         header.fileName.string(),
+         ": the directions of its axes lie in one plane (determinant ",
+         determinant,
+         "); it must not be 0");
+  }
+}
+
+/** The voxels must be in the data file, or packed voxels could be. */
+void
+CheckDataSize(const VolumeHeader & header)
+{
+  const std::uint64_t voxelBytes = header.GetVoxelBytes();
+  const std::uint64_t available = header.dataFileSize < header.dataOffset ? 0 : header.dataFileSize - header.dataOffset;
+  const bool          exact = header.format == "raw";
+  const bool          fits = header.compressed ? voxelBytes / MaximumDeflateRatio <= available
+                                               : voxelBytes <= available && (!exact || voxelBytes == available);
+  if (fits)
+  {
+    return;
+  }
+  Fail(ExitStatus::CorruptInput,
+       header.dataFile.string(),
+       " has ",
+       header.dataFileSize,
+       " bytes; ",
+       FormatSize(header.geometry.size),
+       " voxels of ",
+       GetTraits(header.pixelType).name,
+       header.compressed ? " cannot be packed into what follows " : " need ",
+       header.compressed ? "" : std::to_string(voxelBytes) + " after ",
+       header.dataOffset,
+       header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
+}
+
+} // namespace
+
+std::uint64_t
+VolumeGeometry::GetNumberOfVoxels() const
+{
+  return std::accumulate(size.begin(), size.end(), std::uint64_t{ 1 }, std::multiplies<>());
+}
+
+VolumeHeader
+ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<RawDescription> & raw)
+{
+  const std::string extension = ToLower(fileName.extension().string());
+  VolumeHeader      header;
+  if (raw)
+  {
+    header = DescribeRawVolume(fileName, *raw);
+  }
+  else if (extension == ".mha" || extension == ".mhd")
+  {
+    header = ReadMetaImageHeader(fileName);
+    CheckDataSize(header);
+    ReadGeometry(header, *itk::MetaImageIO::New());
+  }
+  else if (extension == ".nrrd" || extension == ".nhdr")
+  {
+    header = ReadNrrdHeader(fileName);
+    CheckDataSize(header);
+    ReadGeometry(header, *itk::NrrdImageIO::New());
+  }
+  else
+  {
+    Fail(ExitStatus::Usage,
+         fileName.string(),
+         ": unknown format '",
+         extension,
+         "'; .mha, .mhd, .nrrd and .nhdr are read, and headerless files with --raw-size and --raw-type");
+  }
+  CheckDataSize(header);
+  CheckGeometry(header);
+  return header;
+}
+
+} // end namespace medialvoxel

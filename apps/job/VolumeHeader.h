@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelVolumeHeader_h
+#define medialvoxelVolumeHeader_h
+
+#include "PixelType.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Where the voxels of a volume lie in space; the x axis comes first. */
+struct VolumeGeometry
+{
+  std::vector<std::uint64_t>       size;
+  std::vector<double>              spacing;
+  std::vector<double>              origin;
+  std::vector<std::vector<double>> direction; ///< direction[axis] is the unit vector of that axis
+
+  unsigned int
+  GetDimension() const
+  {
+    return static_cast<unsigned int>(size.size());
+  }
+
+  std::uint64_t
+  GetNumberOfVoxels() const;
+
+  /** Voxels of one index along the last axis. */
+  std::uint64_t
+  GetVoxelsPerSlice() const
+  {
+    return GetNumberOfVoxels() / size.back();
+  }
+};
+
+/** Describes a headerless file of voxels. */
+struct RawDescription
+{
+  std::vector<std::uint64_t> size;
+  PixelType                  pixelType{ PixelType::UInt8 };
+  std::vector<double>        spacing; ///< empty: 1 along each axis
+  std::uint64_t              headerBytes{ 0 };
+  bool                       bigEndian{ false };
+};
+
+/** Everything there is to know about a volume before its voxels are read. */
+struct VolumeHeader
+{
+  std::filesystem::path fileName;
+  std::string           format;
+  VolumeGeometry        geometry;
+  PixelType             pixelType{ PixelType::UInt8 };
+  bool                  bigEndian{ false };
+  std::filesystem::path dataFile; ///< the same as fileName unless the voxels are in a file of their own
+  std::uint64_t         dataFileSize{ 0 };
+  std::uint64_t         dataOffset{ 0 }; ///< bytes of the data file before the voxels or before the compressed stream
+  bool                  compressed{ false };
+  std::uint64_t         skipAfterInflation{ 0 }; ///< unpacked bytes before the voxels
+
+  std::uint64_t
+  GetVoxelBytes() const
+  {
+    return geometry.GetNumberOfVoxels() * GetTraits(pixelType).bytes;
+  }
+
+  /** True when a part of the volume can be read by itself. */
+  bool
+  CanStream() const
+  {
+    return !compressed;
+  }
+};
+
+/** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr) or, with a description,
+ * a headerless file.
+ *
+ * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
+ * ones: may be), and spacings are positive and finite.
+ * \throw JobError: Usage for an unknown extension, Failure for a file that cannot be read, CorruptInput for all else.
+ */
+VolumeHeader
+ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<RawDescription> & raw);
+
+} // end namespace medialvoxel
+
+#endif

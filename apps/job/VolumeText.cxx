@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "VolumeText.h"
+
+#include "Text.h"
+
+#include "itkByteSwapper.h"
+
+#include <array>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::array<std::pair<const char *, VolumeFormat>, 4> Extensions{ {
+  { ".mha", VolumeFormat::MetaImage },
+  { ".mhd", VolumeFormat::MetaImageDetached },
+  { ".nrrd", VolumeFormat::Nrrd },
+  { ".nhdr", VolumeFormat::NrrdDetached },
+} };
+
+std::string
+SizeText(const VolumeGeometry & geometry)
+{
+  return Join(geometry.size, " ", [](std::uint64_t size) { return std::to_string(size); });
+}
+
+std::string
+MakeMetaImageText(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & dataFile)
+{
+  const bool  bigEndian = itk::ByteSwapper<int>::SystemIsBigEndian();
+  const auto  axisText = [](const std::vector<double> & axis) { return FormatNumbers(axis, " "); };
+  std::string text = "ObjectType = Image\n";
+  text += "NDims = " + std::to_string(geometry.GetDimension()) + "\n";
+  text += "BinaryData = True\n";
+  text += std::string("BinaryDataByteOrderMSB = ") + (bigEndian ? "True" : "False") + "\n";
+  text += "CompressedData = False\n";
+  text += "TransformMatrix = " + Join(geometry.direction, " ", axisText) + "\n";
+  text += "Offset = " + FormatNumbers(geometry.origin, " ") + "\n";
+  text += "ElementSpacing = " + FormatNumbers(geometry.spacing, " ") + "\n";
+  text += "DimSize = " + SizeText(geometry) + "\n";
+  if (layout.components > 1)
+  {
+    text += "ElementNumberOfChannels = " + std::to_string(layout.components) + "\n";
+  }
+  text += "ElementType = " + std::string(GetTraits(layout.pixelType).metaName) + "\n";
+  text += "ElementDataFile = " + (dataFile.empty() ? "LOCAL" : dataFile) + "\n";
+  return text;
+}
+
+std::string
+MakeNrrdText(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & dataFile)
+{
+  const bool         hasComponents = layout.components > 1;
+  const unsigned int dimension = geometry.GetDimension();
+  const auto vectorText = [](const std::vector<double> & vector) { return "(" + FormatNumbers(vector, ",") + ")"; };
+
+  std::vector<std::vector<double>> spaceDirections = geometry.direction;
+  for (unsigned int axis = 0; axis < dimension; ++axis)
+  {
+    for (double & component : spaceDirections[axis])
+    {
+      component *= geometry.spacing[axis];
+    }
+  }
+
+  std::string text = "NRRD0004\n";
+  text += "type: " + std::string(GetTraits(layout.pixelType).nrrdName) + "\n";
+  text += "dimension: " + std::to_string(dimension + (hasComponents ? 1 : 0)) + "\n";
+  text += dimension == 3 ? std::string("space: left-posterior-superior\n")
+                         : "space dimension: " + std::to_string(dimension) + "\n";
+  text += "sizes: " + (hasComponents ? std::to_string(layout.components) + " " : "") + SizeText(geometry) + "\n";
+  text +=
+    "space directions: " + std::string(hasComponents ? "none " : "") + Join(spaceDirections, " ", vectorText) + "\n";
+  text += "kinds: " + std::string(hasComponents ? "vector " : "") +
+          (dimension == 3 ? "domain domain domain" : "domain domain") + "\n";
+  text += std::string("endian: ") + (itk::ByteSwapper<int>::SystemIsBigEndian() ? "big" : "little") + "\n";
+  text += "encoding: raw\n";
+  text += "space origin: " + vectorText(geometry.origin) + "\n";
+  if (!dataFile.empty())
+  {
+    text += "data file: " + dataFile + "\n";
+  }
+  return text + "\n";
+}
+
+} // namespace
+
+VolumeFormat
+GetVolumeFormat(const std::filesystem::path & fileName)
+{
+  const std::string extension = ToLower(fileName.extension().string());
+  for (const auto & [known, format] : Extensions)
+  {
+    if (extension == known)
+    {
+      return format;
+    }
+  }
+  Fail(ExitStatus::Usage,
+       fileName.string(),
+       ": unknown format '",
+       extension,
+       "'; volumes are written as .mha, .mhd, .nrrd or .nhdr");
+}
+
+bool
+HasDataFile(VolumeFormat format)
+{
+  return format == VolumeFormat::MetaImageDetached || format == VolumeFormat::NrrdDetached;
+}
+
+std::string
+MakeHeaderText(VolumeFormat           format,
+               const VolumeGeometry & geometry,
+               const VoxelLayout &    layout,
+               const std::string &    dataFile)
+{
+  const bool isMetaImage = format == VolumeFormat::MetaImage || format == VolumeFormat::MetaImageDetached;
+  return isMetaImage ? MakeMetaImageText(geometry, layout, dataFile) : MakeNrrdText(geometry, layout, dataFile);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "PhaseTable.h"
+
+#include "Report.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace medialvoxel
+{
+namespace
+{
+
+std::string
+Fixed(double value, int decimals)
+{
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return text.data();
+}
+
+std::string
+FormatCount(std::uint64_t count, std::uint64_t all)
+{
+  std::string text = std::to_string(count);
+  if (all > 0)
+  {
+    text += " (" + Fixed(100.0 * static_cast<double>(count) / static_cast<double>(all), 2) + " %)";
+  }
+  return text;
+}
+
+void
+AddNotANumber(TextTable & table, const RunnerSums & sums)
+{
+  if (sums.notANumberVoxels > 0)
+  {
+    table.emplace_back("not a number", std::to_string(sums.notANumberVoxels) + " voxels, taken as background");
+  }
+}
+
+void
+AddRun(TextTable & table, const JobResult & result)
+{
+  table.emplace_back("reading and writing", Fixed(result.seconds.inputOutput, 2) + " s");
+  table.emplace_back("total", Fixed(result.seconds.total, 2) + " s");
+  table.emplace_back("peak memory", FormatBytes(result.peakMemoryBytes));
+  for (const OutputRequest & output : result.outputs)
+  {
+    table.emplace_back(output.role, output.fileName.string());
+  }
+}
+
+} // namespace
+
+void
+PrintTable(std::ostream & out, const TextTable & table)
+{
+  size_t width = 0;
+  for (const auto & row : table)
+  {
+    width = std::max(width, row.first.size());
+  }
+  for (const auto & [name, value] : table)
+  {
+    out << name << std::string(width - name.size() + 2, ' ') << value << '\n';
+  }
+}
+
+void
+PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelCounts &    counts = result.sums.counts;
+  const std::optional<PhasePercent> percent = GetPhasePercent(counts);
+  TextTable                         table;
+  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  table.emplace_back("tau", FormatNumber(options.thickness) + (options.voxelUnits ? " voxels" : ""));
+  table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
+  AddNotANumber(table, result.sums);
+  table.emplace_back("candidate cells", std::to_string(counts.candidateCells));
+  table.emplace_back("  trivial", FormatCount(counts.trivialCells, counts.candidateCells));
+  table.emplace_back("  medial by bound", FormatCount(counts.boundCells, counts.candidateCells));
+  table.emplace_back("  medial by geodesic", FormatCount(counts.geodesicMedialCells, counts.candidateCells));
+  table.emplace_back("  non-medial by geodesic", FormatCount(counts.geodesicNonMedialCells, counts.candidateCells));
+  table.emplace_back("medial cells", std::to_string(counts.boundCells + counts.geodesicMedialCells));
+  table.emplace_back("pseudo", percent ? Fixed(percent->pseudo, 2) + " %" : "-");
+  table.emplace_back("correct", percent ? Fixed(percent->correct, 2) + " %" : "-");
+  const std::string threads =
+    result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";
+  table.emplace_back("distance", Fixed(result.seconds.distance, 2) + threads);
+  table.emplace_back("classification", Fixed(result.seconds.classification, 2) + threads);
+  AddRun(table, result);
+  PrintTable(out, table);
+}
+
+void
+PrintDistanceTable(std::ostream & out, const JobResult & result)
+{
+  TextTable table;
+  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddNotANumber(table, result.sums);
+  const std::string threads =
+    result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";
+  table.emplace_back("distance", Fixed(result.seconds.distance, 2) + threads);
+  AddRun(table, result);
+  PrintTable(out, table);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "CommandLine.h"
+#include "PhaseTable.h"
+
+#include <exception>
+#include <iostream>
+
+namespace
+{
+
+using namespace medialvoxel;
+
+std::unique_ptr<ProgressSink>
+MakeSink(const CommandLine & line)
+{
+  return MakeProgressSink(line.quiet ? ProgressStyle::None : line.progress);
+}
+
+void
+Extract(const CommandLine & line)
+{
+  const auto      sink = MakeSink(line);
+  const JobResult result = RunExtract(line.extractOptions, *sink);
+  if (line.extractOptions.dryRun)
+  {
+    PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
+  }
+  else if (!line.quiet)
+  {
+    PrintPhaseTable(std::cout, line.extractOptions, result);
+  }
+}
+
+void
+ComputeDistance(const CommandLine & line)
+{
+  const auto      sink = MakeSink(line);
+  const JobResult result = RunDistance(line.distanceOptions, *sink);
+  if (line.distanceOptions.dryRun)
+  {
+    PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
+  }
+  else if (!line.quiet)
+  {
+    PrintDistanceTable(std::cout, result);
+  }
+}
+
+void
+DescribeInput(const CommandLine & line)
+{
+  if (line.infoOptions.raw)
+  {
+    CheckOptions(*line.infoOptions.raw);
+  }
+  PrintTable(std::cout, DescribeHeader(ReadVolumeHeader(line.infoOptions.input, line.infoOptions.raw)));
+}
+
+void
+RunCommand(const CommandLine & line)
+{
+  if (line.extract->parsed())
+  {
+    Extract(line);
+  }
+  else if (line.distance->parsed())
+  {
+    ComputeDistance(line);
+  }
+  else
+  {
+    DescribeInput(line);
+  }
+  if (!std::cout.flush())
+  {
+    throw JobError(ExitStatus::Failure, "cannot write to the standard output");
+  }
+}
+
+/** Help and version are results, other ends of the parsing are errors. */
+int
+ReportParsing(const CLI::App & app, const CLI::ParseError & error)
+{
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
+  {
+    return app.exit(error);
+  }
+  std::cerr << "medialvoxel: " << error.what() << " (see medialvoxel --help)" << std::endl;
+  return static_cast<int>(ExitStatus::Usage);
+}
+
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  CatchSignals();
+  try
+  {
+    CommandLine line;
+    const auto  app = DefineCommandLine(line);
+    try
+    {
+      app->parse(argc, argv);
+    }
+    catch (const CLI::ParseError & error)
+    {
+      return ReportParsing(*app, error);
+    }
+    RunCommand(line);
+    return static_cast<int>(ExitStatus::Done);
+  }
+  catch (const JobError & error)
+  {
+    std::cerr << "medialvoxel: " << error.what() << std::endl;
+    return static_cast<int>(error.GetStatus());
+  }
+  catch (const StoppedBySignal & stop)
+  {
+    std::cerr << "medialvoxel: " << stop.what() << std::endl;
+    return 128 + stop.GetSignalNumber();
+  }
+  catch (const std::exception & error)
+  {
+    std::cerr << "medialvoxel: " << error.what() << std::endl;
+    return static_cast<int>(ExitStatus::Failure);
+  }
+}
