@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "itkMedialVoxelClusterEngine.h"
+
+#include "MedialVoxelTestKernels.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace
+{
+using namespace MedialVoxelTest;
+using itk::MedialVoxelClusterEngine;
+
+/** Lets every tile need a box around itself, checks that it gets it, and counts how often each voxel was done. */
+class DemandingClient : public itk::MedialVoxelClusterClient
+{
+public:
+  DemandingClient(const Volume & volume, int reach)
+    : m_Volume(volume)
+    , m_Sites(BoundarySites(volume))
+    , m_Done(volume.object.size(), 0)
+    , m_Reach(reach)
+  {}
+
+  void
+  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object) override
+  {
+    m_FirstFill = m_FirstFill.IsEmpty() ? box : m_FirstFill;
+    ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
+      if (m_Volume.IsObject(OracleIndex(v)))
+      {
+        object.Set(v);
+      }
+    });
+  }
+
+  void
+  RunTiles(itk::MedialVoxelTileSchedule & schedule) override
+  {
+    ++m_Rounds;
+    itk::MedialVoxelBox tile;
+    while (schedule.Next(tile))
+    {
+      const auto needed = tile.Expanded({ { m_Reach, m_Reach, m_Reach } }).Intersection(GridOf(m_Volume).GetVoxelBox());
+      const auto & bits = *m_Engine->GetWindow().GetWindow(itk::MedialVoxelBoundary::Background).sites;
+      if (!bits.GetBox().Contains(needed))
+      {
+        schedule.Defer(tile, needed);
+        continue;
+      }
+      const auto expected = SiteBits(m_Sites, needed);
+      ForEachVoxel(needed, [&](const itk::MedialVoxelIndex & v) { m_Wrong += bits.Test(v) != expected.Test(v); });
+      ForEachVoxel(tile, [&](const itk::MedialVoxelIndex & v) { ++m_Done[m_Volume.Offset(OracleIndex(v))]; });
+      if (m_FailInRound == m_Rounds)
+      {
+        throw std::runtime_error("stop");
+      }
+    }
+  }
+
+  const Volume &                   m_Volume;
+  std::vector<Index3>              m_Sites;
+  std::vector<int>                 m_Done;
+  std::size_t                      m_Wrong{ 0 };
+  int                              m_Reach;
+  int                              m_Rounds{ 0 };
+  int                              m_FailInRound{ 0 };
+  itk::MedialVoxelBox              m_FirstFill;
+  const MedialVoxelClusterEngine * m_Engine{ nullptr };
+};
+
+MedialVoxelClusterEngine::Settings
+SettingsOf(std::int64_t tileSize, std::int64_t slabThickness, const itk::MedialVoxelIndex & halo)
+{
+  MedialVoxelClusterEngine::Settings settings;
+  settings.boundaries = { itk::MedialVoxelBoundary::Background };
+  settings.halo = halo;
+  settings.upperMargin = { { 1, 1, 1 } };
+  settings.tileSize = tileSize;
+  settings.slabThickness = slabThickness;
+  return settings;
+}
+} // namespace
+
+TEST(MedialVoxelClusterEngine, EveryTileIsDoneOnceWithAllThatItNeeds)
+{
+  for (const Index3 & size : { Index3{ { 40, 22, 25 } }, Index3{ { 40, 33, 1 } }, Index3{ { 90, 1, 1 } } })
+  {
+    const Volume volume = RandomBoxes(size, UnitSpacing, 12, 211);
+    std::mt19937 generator(11);
+    for (const auto & cut : { std::make_pair(0, 0), { 7, 3 }, { 16, 100 }, { 1000, 1 } })
+    {
+      for (const int reach : { 0, 4, 30 })
+      {
+        for (const auto & region : { GridOf(volume).GetVoxelBox(), RandomBox(size, generator) })
+        {
+          DemandingClient          client(volume, reach);
+          MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(cut.first, cut.second, { { 2, 2, 2 } }));
+          client.m_Engine = &engine;
+          engine.Run(region, client);
+          EXPECT_EQ(client.m_Wrong, 0u);
+          std::size_t differences = 0;
+          for (std::size_t i = 0; i < client.m_Done.size(); ++i)
+          {
+            differences += client.m_Done[i] != (region.Contains(KernelIndex(volume.IndexAt(i))) ? 1 : 0) ? 1 : 0;
+          }
+          EXPECT_EQ(differences, 0u);
+        }
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelClusterEngine, StartsWithTheBoxThatItAnnounces)
+{
+  const Volume             volume = RandomBoxes({ { 40, 22, 60 } }, UnitSpacing, 12, 212);
+  const auto               region = MakeBox({ { 5, 4, 20 } }, { { 30, 18, 50 } });
+  DemandingClient          client(volume, 2);
+  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 6, { { 3, 3, 3 } }));
+  client.m_Engine = &engine;
+  const auto announced = engine.GetFirstObjectBox(region);
+  EXPECT_LT(announced.NumberOfVoxels(), GridOf(volume).GetVoxelBox().NumberOfVoxels() / 2);
+  engine.Run(region, client);
+  EXPECT_EQ(client.m_FirstFill, announced);
+}
+
+TEST(MedialVoxelClusterEngine, LargeDemandsAreRememberedForTheNextSlabs)
+{
+  const Volume             volume = RandomBoxes({ { 20, 20, 80 } }, UnitSpacing, 12, 213);
+  DemandingClient          client(volume, 9);
+  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  client.m_Engine = &engine;
+  engine.Run(GridOf(volume).GetVoxelBox(), client);
+  EXPECT_LE(client.m_Rounds, 10 + 3); // ten slabs, and few of them twice
+}
+
+TEST(MedialVoxelClusterEngine, AFailureOfTheClientEndsTheRun)
+{
+  const Volume             volume = RandomBoxes({ { 20, 20, 30 } }, UnitSpacing, 12, 214);
+  DemandingClient          client(volume, 1);
+  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  client.m_Engine = &engine;
+  client.m_FailInRound = 2;
+  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), client), std::runtime_error);
+  EXPECT_EQ(client.m_Rounds, 2);
+}
+
+TEST(MedialVoxelClusterEngine, AnEmptyRegionIsNoWork)
+{
+  const Volume             volume({ { 20, 20, 30 } }, UnitSpacing);
+  DemandingClient          client(volume, 1);
+  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  client.m_Engine = &engine;
+  engine.Run(itk::MedialVoxelBox{}, client);
+  EXPECT_EQ(client.m_Rounds, 0);
+}

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "itkMedialVoxelClusterWindow.h"
+
+#include "MedialVoxelTestKernels.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace MedialVoxelTest;
+
+/** Serves object bits of a volume and remembers how often each voxel was asked for. */
+class CountingSource : public itk::MedialVoxelObjectSource
+{
+public:
+  explicit CountingSource(const Volume & volume)
+    : m_Volume(volume)
+    , m_Asked(volume.object.size(), 0)
+  {}
+
+  void
+  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object) override
+  {
+    ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
+      ++m_Asked[m_Volume.Offset(OracleIndex(v))];
+      EXPECT_FALSE(object.Test(v));
+      if (m_Volume.IsObject(OracleIndex(v)))
+      {
+        object.Set(v);
+      }
+    });
+  }
+
+  int
+  GetMost() const
+  {
+    return *std::max_element(m_Asked.begin(), m_Asked.end());
+  }
+  int
+  GetAsked(const itk::MedialVoxelIndex & v) const
+  {
+    return m_Asked[m_Volume.Offset(OracleIndex(v))];
+  }
+
+private:
+  const Volume &   m_Volume;
+  std::vector<int> m_Asked;
+};
+
+const std::vector<itk::MedialVoxelBoundary> BothKinds{ itk::MedialVoxelBoundary::Background,
+                                                       itk::MedialVoxelBoundary::Object };
+
+/** How many boundary bits of both kinds in the window differ from the definition. */
+std::size_t
+Differences(const itk::MedialVoxelClusterWindow & window, const Volume & volume, const itk::MedialVoxelBox & sites)
+{
+  std::size_t differences = 0;
+  for (const auto kind : BothKinds)
+  {
+    const auto   side = kind == itk::MedialVoxelBoundary::Object ? BoundarySide::Object : BoundarySide::Background;
+    const auto   expected = SiteBits(BoundarySites(volume, side), sites);
+    const auto & actual = *window.GetWindow(kind).sites;
+    EXPECT_TRUE(actual.GetBox().Contains(sites));
+    ForEachVoxel(sites, [&](const itk::MedialVoxelIndex & v) { differences += actual.Test(v) != expected.Test(v); });
+  }
+  ForEachVoxel(sites, [&](const itk::MedialVoxelIndex & v) {
+    differences += window.GetObject().Test(v) != volume.IsObject(OracleIndex(v));
+  });
+  return differences;
+}
+} // namespace
+
+TEST(MedialVoxelClusterWindow, SubtractedBoxesCoverTheRestOnce)
+{
+  const Index3 size{ { 9, 8, 7 } };
+  std::mt19937 generator(8);
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const auto wanted = RandomBox(size, generator);
+    const auto present = trial % 10 == 0 ? itk::MedialVoxelBox{} : RandomBox(size, generator);
+    const auto parts = itk::MedialVoxelSubtractBox(wanted, present);
+    ForEachVoxel(MakeBox({ { 0, 0, 0 } }, size), [&](const itk::MedialVoxelIndex & v) {
+      int times = 0;
+      for (const auto & part : parts)
+      {
+        times += part.Contains(v) ? 1 : 0;
+      }
+      ASSERT_EQ(times, wanted.Contains(v) && !present.Contains(v) ? 1 : 0);
+    });
+    for (const auto & part : parts)
+    {
+      EXPECT_FALSE(part.IsEmpty());
+    }
+  }
+}
+
+TEST(MedialVoxelClusterWindow, SlabsGrowByWholeSlices)
+{
+  const auto present = MakeBox({ { 0, 0, 0 } }, { { 9, 9, 4 } });
+  const auto parts = itk::MedialVoxelSubtractBox(MakeBox({ { 0, 0, 0 } }, { { 9, 9, 7 } }), present);
+  ASSERT_EQ(parts.size(), 1u);
+  EXPECT_EQ(parts[0], MakeBox({ { 0, 0, 4 } }, { { 9, 9, 7 } }));
+}
+
+TEST(MedialVoxelClusterWindow, AMovingWindowAsksOnceForEachVoxel)
+{
+  const Volume                  volume = RandomBoxes({ { 70, 13, 60 } }, UnitSpacing, 20, 201);
+  CountingSource                source(volume);
+  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
+  for (int z = 0; z + 9 <= 60; z += 3)
+  {
+    const auto sites = MakeBox({ { 0, 0, z } }, { { 70, 13, z + 9 } });
+    window.MoveTo(sites, source);
+    EXPECT_EQ(Differences(window, volume, sites), 0u) << "z " << z;
+  }
+  EXPECT_EQ(source.GetMost(), 1);
+}
+
+TEST(MedialVoxelClusterWindow, AGrowingWindowAsksForTheRestOnly)
+{
+  const Volume                  volume = RandomBoxes({ { 90, 30, 30 } }, UnitSpacing, 20, 202);
+  CountingSource                source(volume);
+  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
+  auto                          sites = MakeBox({ { 40, 14, 14 } }, { { 50, 16, 16 } });
+  for (int step = 0; step < 6; ++step)
+  {
+    window.MoveTo(sites, source);
+    EXPECT_EQ(Differences(window, volume, sites), 0u) << "step " << step;
+    sites = sites.Expanded({ { 7, 2, 2 } }).Intersection(GridOf(volume).GetVoxelBox());
+  }
+  EXPECT_EQ(source.GetMost(), 1);
+  const auto asked = window.GetObjectBox(window.GetWindow(itk::MedialVoxelBoundary::Object).sites->GetBox());
+  ForEachVoxel(GridOf(volume).GetVoxelBox(),
+               [&](const itk::MedialVoxelIndex & v) { ASSERT_EQ(source.GetAsked(v), asked.Contains(v) ? 1 : 0); });
+}
+
+TEST(MedialVoxelClusterWindow, AWindowMayJump)
+{
+  const Volume                  volume = RandomBoxes({ { 70, 20, 20 } }, UnitSpacing, 15, 203);
+  CountingSource                source(volume);
+  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
+  std::mt19937                  generator(9);
+  for (int trial = 0; trial < 25; ++trial)
+  {
+    const auto sites = RandomBox(volume.size, generator);
+    window.MoveTo(sites, source);
+    EXPECT_EQ(Differences(window, volume, sites), 0u) << trial;
+  }
+}
+
+TEST(MedialVoxelClusterWindow, BoundariesNeedOneMoreVoxelWithinTheImage)
+{
+  const Volume                        volume({ { 30, 1, 20 } }, UnitSpacing);
+  const itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
+  EXPECT_EQ(window.GetObjectBox(MakeBox({ { 4, 0, 5 } }, { { 8, 1, 20 } })),
+            MakeBox({ { 3, 0, 4 } }, { { 9, 1, 20 } }));
+}

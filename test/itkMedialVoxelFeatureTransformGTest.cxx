@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "itkMedialVoxelFeatureTransform.h"
+
+#include "MedialVoxelTestKernels.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace MedialVoxelTest;
+using itk::MedialVoxelFeatureTransform;
+
+const Vector3 CraniumSpacing{ { 0.9570312, 0.9570312, 1.5 } };
+
+bool
+IsInRegion(itk::MedialVoxelRegion region, bool isObject)
+{
+  return region == itk::MedialVoxelRegion::Both || (region == itk::MedialVoxelRegion::Inside) == isObject;
+}
+
+/** How many displacements of a tile differ from brute force. */
+std::size_t
+Differences(const Volume &                   volume,
+            const std::vector<Index3> &      sites,
+            const itk::MedialVoxelFeatures & features,
+            itk::MedialVoxelRegion           region,
+            double                           maximum = std::numeric_limits<double>::infinity())
+{
+  std::size_t differences = 0;
+  ForEachVoxel(features.box, [&](const itk::MedialVoxelIndex & index) {
+    const Index3 v = OracleIndex(index);
+    const auto   i = features.OffsetOf(index[0], index[1], index[2]);
+    const long   n = NearestSite(volume, sites, v);
+    Index3       expected{};
+    if (IsInRegion(region, volume.IsObject(v)))
+    {
+      const bool has = n >= 0 && PhysicalDistance(volume, v, sites[n]) <= maximum;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        expected[axis] = has ? sites[n][axis] - v[axis] : itk::MedialVoxelNoDisplacement;
+      }
+    }
+    differences += Index3{ { features.dx[i], features.dy[i], features.dz[i] } } != expected ? 1 : 0;
+  });
+  return differences;
+}
+
+struct Case
+{
+  Volume                 volume;
+  BoundarySide           side;
+  itk::MedialVoxelRegion region;
+};
+
+std::vector<Case>
+Cases()
+{
+  const auto inside = itk::MedialVoxelRegion::Inside;
+  const auto outside = itk::MedialVoxelRegion::Outside;
+  const auto both = itk::MedialVoxelRegion::Both;
+  return { { RandomBoxes({ { 75, 20, 18 } }, UnitSpacing, 12, 161), BoundarySide::Background, inside },
+           { RandomBoxes({ { 75, 20, 18 } }, CraniumSpacing, 12, 162), BoundarySide::Object, both },
+           { RandomVolume({ { 70, 15, 14 } }, CraniumSpacing, 0.995, 163), BoundarySide::Background, inside },
+           { RandomVolume({ { 70, 15, 14 } }, UnitSpacing, 0.003, 164), BoundarySide::Object, outside },
+           { LatticeOfHoles({ { 40, 22, 21 } }, UnitSpacing, 9), BoundarySide::Background, inside },
+           { LatticeOfHoles({ { 40, 22, 21 } }, CraniumSpacing, 9), BoundarySide::Object, inside },
+           { RandomVolume({ { 90, 40, 1 } }, CraniumSpacing, 0.99, 165), BoundarySide::Background, both },
+           { RandomVolume({ { 1, 50, 40 } }, CraniumSpacing, 0.99, 166), BoundarySide::Background, both },
+           { RandomVolume({ { 300, 1, 1 } }, UnitSpacing, 0.97, 167), BoundarySide::Background, both } };
+}
+} // namespace
+
+TEST(MedialVoxelFeatureTransform, WholeVolumesAreBruteForce)
+{
+  for (const Case & testCase : Cases())
+  {
+    const auto                             image = GridOf(testCase.volume).GetVoxelBox();
+    const auto                             sites = BoundarySites(testCase.volume, testCase.side);
+    const auto                             object = ObjectBits(testCase.volume, image);
+    const auto                             bits = SiteBits(sites, image);
+    const MedialVoxelFeatureTransform      transform(GridOf(testCase.volume), testCase.region);
+    MedialVoxelFeatureTransform::Workspace workspace;
+    itk::MedialVoxelFeatures               features;
+    const auto                             missing = transform.Compute({ &object, &bits }, image, workspace, features);
+    EXPECT_TRUE(missing.IsEmpty());
+    EXPECT_EQ(features.box, image);
+    EXPECT_EQ(Differences(testCase.volume, sites, features, testCase.region), 0u);
+  }
+}
+
+TEST(MedialVoxelFeatureTransform, TilesInSmallWindowsAreFinalOrSayWhatTheyMiss)
+{
+  std::mt19937                           generator(4);
+  MedialVoxelFeatureTransform::Workspace workspace; // one for all tiles: nothing of a tile may leak into the next
+  int                                    asked = 0;
+  int                                    final = 0;
+  for (const Case & testCase : Cases())
+  {
+    const auto                        image = GridOf(testCase.volume).GetVoxelBox();
+    const auto                        sites = BoundarySites(testCase.volume, testCase.side);
+    const MedialVoxelFeatureTransform transform(GridOf(testCase.volume), testCase.region);
+    for (int trial = 0; trial < 25; ++trial)
+    {
+      itk::MedialVoxelBox tile = RandomBox(testCase.volume.size, generator);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        tile.upper[axis] = std::min(tile.upper[axis], tile.lower[axis] + 9);
+      }
+      const int                margin = static_cast<int>(generator() % 6);
+      itk::MedialVoxelBox      known = tile.Expanded(KernelIndex({ { margin, margin, margin } })).Intersection(image);
+      itk::MedialVoxelFeatures features;
+      for (int round = 0;; ++round)
+      {
+        const auto object = ObjectBits(testCase.volume, known);
+        const auto bits = SiteBits(sites, known);
+        const auto missing = transform.Compute({ &object, &bits }, tile, workspace, features);
+        if (missing.IsEmpty())
+        {
+          final += round == 0 ? 1 : 0;
+          break;
+        }
+        ++asked;
+        ASSERT_FALSE(known.Contains(missing.Intersection(image))) << "asks for what is known";
+        ASSERT_LT(round, 12);
+        known = known.Union(missing).Intersection(image);
+      }
+      EXPECT_EQ(Differences(testCase.volume, sites, features, testCase.region), 0u);
+    }
+  }
+  EXPECT_GT(asked, 20);
+  EXPECT_GT(final, 20);
+}
+
+TEST(MedialVoxelFeatureTransform, AnEqualDistanceOutsideTheWindowIsNotOverlooked)
+{
+  // Sites at both ends of a row, equally far from the middle: the left one has the smaller key.
+  const Volume row = MakeVolume({ { 9, 1, 1 } }, UnitSpacing, [](const Index3 & v) { return v[0] > 0 && v[0] < 8; });
+  const auto   sites = BoundarySites(row);
+  const auto   known = MakeBox({ { 1, 0, 0 } }, { { 9, 1, 1 } });
+  const auto   object = ObjectBits(row, known);
+  const auto   bits = SiteBits(sites, known);
+  const MedialVoxelFeatureTransform      transform(GridOf(row));
+  MedialVoxelFeatureTransform::Workspace workspace;
+  itk::MedialVoxelFeatures               features;
+  const auto                             tile = MakeBox({ { 4, 0, 0 } }, { { 5, 1, 1 } });
+  EXPECT_EQ(transform.Compute({ &object, &bits }, tile, workspace, features).lower[0], 0);
+}
+
+TEST(MedialVoxelFeatureTransform, MaximumDistanceIsPhysicalAndNeedsNoMore)
+{
+  for (const Vector3 & spacing : { Vector3{ { 0.5, 0.5, 0.5 } }, CraniumSpacing })
+  {
+    const Volume                           volume = RandomVolume({ { 70, 30, 20 } }, spacing, 0.999, 168);
+    const auto                             image = GridOf(volume).GetVoxelBox();
+    const auto                             sites = BoundarySites(volume);
+    const auto                             tile = MakeBox({ { 30, 12, 8 } }, { { 41, 19, 13 } });
+    MedialVoxelFeatureTransform::Workspace workspace;
+    itk::MedialVoxelFeatures               features;
+    for (const double maximum : { 0.5, 1.0, 2.5, 4.0 })
+    {
+      const MedialVoxelFeatureTransform transform(GridOf(volume), itk::MedialVoxelRegion::Both, maximum);
+      const auto                        known = tile.Expanded(KernelIndex({ { 10, 10, 10 } })).Intersection(image);
+      const auto                        object = ObjectBits(volume, known);
+      const auto                        bits = SiteBits(sites, known);
+      EXPECT_TRUE(transform.Compute({ &object, &bits }, tile, workspace, features).IsEmpty());
+      EXPECT_EQ(Differences(volume, sites, features, itk::MedialVoxelRegion::Both, maximum), 0u);
+    }
+  }
+}
+
+TEST(MedialVoxelFeatureTransform, WithoutSitesItAsksForTheWholeImageOnce)
+{
+  const Volume                           full = Complement(Volume({ { 50, 40, 30 } }, UnitSpacing));
+  const auto                             image = GridOf(full).GetVoxelBox();
+  const MedialVoxelFeatureTransform      transform(GridOf(full));
+  MedialVoxelFeatureTransform::Workspace workspace;
+  itk::MedialVoxelFeatures               features;
+  const auto                             tile = MakeBox({ { 20, 20, 20 } }, { { 24, 24, 24 } });
+  itk::MedialVoxelBox                    known = tile.Expanded(KernelIndex({ { 2, 2, 2 } }));
+  for (int round = 0; known != image; ++round)
+  {
+    ASSERT_LT(round, 8);
+    const auto                 object = ObjectBits(full, known);
+    const itk::MedialVoxelBits none(known);
+    known = known.Union(transform.Compute({ &object, &none }, tile, workspace, features)).Intersection(image);
+  }
+  const auto                 object = ObjectBits(full, image);
+  const itk::MedialVoxelBits none(image);
+  EXPECT_TRUE(transform.Compute({ &object, &none }, tile, workspace, features).IsEmpty());
+  EXPECT_EQ(Differences(full, {}, features, itk::MedialVoxelRegion::Inside), 0u);
+}
+
+TEST(MedialVoxelFeatureTransform, FeaturesAreZeroAfterReset)
+{
+  itk::MedialVoxelFeatures features;
+  features.Reset(MakeBox({ { 1, 2, 3 } }, { { 4, 4, 4 } }));
+  EXPECT_EQ(features.dx, std::vector<std::int32_t>(6, 0));
+  EXPECT_EQ(features.dy, std::vector<std::int32_t>(6, 0));
+  EXPECT_EQ(features.dz, std::vector<std::int32_t>(6, 0));
+  EXPECT_EQ(features.OffsetOf(3, 3, 3), 5u);
+  EXPECT_TRUE(features.HasSite(0));
+  features.dx[0] = itk::MedialVoxelNoDisplacement;
+  EXPECT_FALSE(features.HasSite(0));
+}
