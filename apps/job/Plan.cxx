@@ -17,14 +17,14 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-// What the filters' documentation and measurements of whole runs give.
-constexpr std::uint64_t BytesOfProgram = 40 * MiB;
-constexpr std::uint64_t BytesPerThread = 20 * MiB;
+// Measured on whole runs with thin walls, with a reserve of about a quarter.
+constexpr std::uint64_t BytesOfProgram = 16 * MiB;
+constexpr std::uint64_t BytesPerThread = 8 * MiB;
 constexpr std::uint64_t BytesPerPull = 16 * MiB;
-constexpr std::uint64_t SlicesOfWindow = 96;
+constexpr std::uint64_t SlicesOfWindow = 64;
 
-/** Results of a piece when nothing else limits them. */
-constexpr std::uint64_t BytesOfPiece = 64 * MiB;
+/** Results of a piece when nothing else limits them: fewer slices per piece mean more that is read and done twice. */
+constexpr std::uint64_t BytesOfPiece = 128 * MiB;
 
 /** Memory that does not depend on the number of pieces. */
 std::uint64_t

@@ -27,7 +27,7 @@ struct JobPlan
   std::uint64_t numberOfSlices{ 0 };
   std::uint64_t divisions{ 1 };
   unsigned int  threads{ 1 };
-  std::uint64_t memoryBytes{ 0 }; ///< estimate of the peak for walls of ordinary thickness
+  std::uint64_t memoryBytes{ 0 }; ///< estimate of the peak for walls of up to about 20 voxels
   std::uint64_t diskBytes{ 0 };   ///< of all outputs; with sparse outputs the most they can grow to
 
   SliceRange
