@@ -110,6 +110,10 @@ public:
   }
 
 private:
+  /** Reframe without a second copy, when only the range along z changes and the memory suffices. */
+  bool
+  SlideAlongZ(const MedialVoxelBox & box);
+
   /** Call \a visit(word) for the bits of \a box, word by word, until it returns false. */
   template <typename TVisitor>
   void

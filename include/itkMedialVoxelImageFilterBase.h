@@ -30,8 +30,9 @@ namespace itk
  * more is run again after the window has grown. Results do not depend on the requested region, on the division of the
  * work, or on the number of threads.
  *
- * After an update the input image buffers only the last piece that was pulled, unless it has no source or its source
- * cannot stream.
+ * The pieces of a streamed update (StreamingImageFilter, ImageFileWriter) share the window: input that two pieces
+ * depend on is pulled once when they follow each other along the slowest axis. After an update the input image buffers
+ * only the last piece that was pulled, unless it has no source or its source cannot stream.
  *
  * \par Object
  * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
@@ -207,6 +208,17 @@ protected:
 private:
   class Execution;
 
+  MedialVoxelClusterEngine::Settings
+  CompleteSettings(const MedialVoxelGrid & grid) const;
+
+  /** The engine for the next execution: that of the last one when it continues the same streamed update. */
+  void
+  PrepareEngine(const MedialVoxelGrid & grid);
+
+  /** Latest change of anything that the window depends on. */
+  ModifiedTimeType
+  GetWindowMTime() const;
+
   using PredicateType = MedialVoxelObjectPredicate<InputPixelType>;
 
   PredicateType
@@ -224,6 +236,10 @@ private:
   double        m_DistanceSeconds{ 0.0 };
   double        m_ClassificationSeconds{ 0.0 };
   bool          m_StartNewSum{ true };
+
+  /** Keeps its window from piece to piece of a streamed update, so that shared input is pulled once. */
+  std::unique_ptr<MedialVoxelClusterEngine> m_Engine;
+  ModifiedTimeType                          m_EngineMTime{ 0 };
 
   /** The execution in progress, for DynamicThreadedGenerateData(). */
   Execution * m_Execution{ nullptr };

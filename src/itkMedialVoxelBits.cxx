@@ -3,6 +3,7 @@
 #include "itkMedialVoxelBits.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace itk
@@ -22,7 +23,7 @@ MedialVoxelBits::Reshape(const MedialVoxelBox & box)
 void
 MedialVoxelBits::Reframe(const MedialVoxelBox & box)
 {
-  if (box == m_Box)
+  if (box == m_Box || this->SlideAlongZ(box))
   {
     return;
   }
@@ -46,6 +47,30 @@ MedialVoxelBits::Reframe(const MedialVoxelBox & box)
     }
   }
   *this = std::move(result);
+}
+
+bool
+MedialVoxelBits::SlideAlongZ(const MedialVoxelBox & box)
+{
+  const MedialVoxelBox shared = box.Intersection(m_Box);
+  const bool           hasSameSlices = box.lower[0] == m_Box.lower[0] && box.upper[0] == m_Box.upper[0] &&
+                             box.lower[1] == m_Box.lower[1] && box.upper[1] == m_Box.upper[1];
+  const std::ptrdiff_t wordsPerSlice = m_RowPitch * m_Box.Extent(1);
+  const auto           words = static_cast<std::size_t>(wordsPerSlice * box.Extent(2));
+  if (!hasSameSlices || shared.IsEmpty() || words > m_Words.capacity())
+  {
+    return false;
+  }
+  const std::ptrdiff_t source = (shared.lower[2] - m_Box.lower[2]) * wordsPerSlice;
+  const std::ptrdiff_t target = (shared.lower[2] - box.lower[2]) * wordsPerSlice;
+  const std::ptrdiff_t count = shared.Extent(2) * wordsPerSlice;
+  m_Words.resize(std::max(m_Words.size(), words));
+  std::memmove(m_Words.data() + target, m_Words.data() + source, static_cast<std::size_t>(count) * sizeof(WordType));
+  m_Words.resize(words);
+  std::fill(m_Words.begin(), m_Words.begin() + target, 0);
+  std::fill(m_Words.begin() + target + count, m_Words.end(), 0);
+  m_Box = box;
+  return true;
 }
 
 bool

@@ -26,7 +26,7 @@ public:
   {}
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object) override
+  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
   {
     m_FirstFill = m_FirstFill.IsEmpty() ? box : m_FirstFill;
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
