@@ -113,6 +113,10 @@ public:
    * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
   itkGetConstMacro(NumberOfNotANumberVoxels, SizeValueType);
 
+  /** Voxels of tiles that were started before the window held what they depend on, and run again; summed like the counts.
+   * A measure of waste: thin parts have none. */
+  itkGetConstMacro(NumberOfRecomputedVoxels, SizeValueType);
+
   /** Seconds that all threads together spent in the distance transform; summed like the counts. */
   itkGetConstMacro(DistanceSeconds, double);
 
@@ -155,6 +159,7 @@ protected:
   struct TileSums
   {
     MedialVoxelCounts counts;
+    std::uint64_t     recomputedVoxels{ 0 };
     double            distanceSeconds{ 0.0 };
     double            classificationSeconds{ 0.0 };
   };
@@ -233,6 +238,7 @@ private:
   unsigned int   m_SlabThickness{ 0 };
 
   SizeValueType m_NumberOfNotANumberVoxels{ 0 };
+  SizeValueType m_NumberOfRecomputedVoxels{ 0 };
   double        m_DistanceSeconds{ 0.0 };
   double        m_ClassificationSeconds{ 0.0 };
   bool          m_StartNewSum{ true };

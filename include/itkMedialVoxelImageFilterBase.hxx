@@ -85,10 +85,12 @@ public:
     else
     {
       sums.counts = {};
+      sums.recomputedVoxels = static_cast<std::uint64_t>(tile.NumberOfVoxels());
       m_Schedule->Defer(tile, missing);
     }
     const std::lock_guard<std::mutex> lock(m_Mutex);
     m_Sums.counts += sums.counts;
+    m_Sums.recomputedVoxels += sums.recomputedVoxels;
     m_Sums.distanceSeconds += sums.distanceSeconds;
     m_Sums.classificationSeconds += sums.classificationSeconds;
     m_Workspaces.push_back(std::move(workspace));
@@ -398,6 +400,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   const bool       isNewSum = std::exchange(m_StartNewSum, false);
   const TileSums & sums = execution.GetSums();
   m_NumberOfNotANumberVoxels = (isNewSum ? 0 : m_NumberOfNotANumberVoxels) + sums.counts.notANumberVoxels;
+  m_NumberOfRecomputedVoxels = (isNewSum ? 0 : m_NumberOfRecomputedVoxels) + sums.recomputedVoxels;
   m_DistanceSeconds = (isNewSum ? 0.0 : m_DistanceSeconds) + sums.distanceSeconds;
   m_ClassificationSeconds = (isNewSum ? 0.0 : m_ClassificationSeconds) + sums.classificationSeconds;
   this->AddCounts(sums.counts, isNewSum);
@@ -521,6 +524,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrintSelf(std::ostream & 
   os << indent << "TileSize: " << m_TileSize << std::endl;
   os << indent << "SlabThickness: " << m_SlabThickness << std::endl;
   os << indent << "NumberOfNotANumberVoxels: " << m_NumberOfNotANumberVoxels << std::endl;
+  os << indent << "NumberOfRecomputedVoxels: " << m_NumberOfRecomputedVoxels << std::endl;
   os << indent << "DistanceSeconds: " << m_DistanceSeconds << std::endl;
   os << indent << "ClassificationSeconds: " << m_ClassificationSeconds << std::endl;
 }

@@ -90,38 +90,6 @@ MedialVoxelBits::Set(const MedialVoxelIndex & index)
   this->GetRow(index[1], index[2])[index[0] / BitsPerWord - m_FirstWord] |= WordType{ 1 } << (index[0] % BitsPerWord);
 }
 
-MedialVoxelBits::WordType
-MedialVoxelBits::Extract(const std::int64_t x, const std::int64_t y, const std::int64_t z) const
-{
-  // An arithmetic shift rounds towards minus infinity, as x may lie up to a word before the box.
-  const std::int64_t word = (x >> 6) - m_FirstWord;
-  if (word < -1 || word > m_WordsPerRow)
-  {
-    return 0;
-  }
-  const WordType * const row = this->GetRow(y, z);
-  const unsigned int     shift = static_cast<unsigned int>(x & (BitsPerWord - 1));
-  if (shift == 0)
-  {
-    return row[word];
-  }
-  const WordType high = (word < m_WordsPerRow) ? row[word + 1] : 0;
-  return (row[word] >> shift) | (high << (BitsPerWord - shift));
-}
-
-MedialVoxelBits::WordType
-MedialVoxelBits::RangeMask(const std::int64_t word, const std::int64_t lower, const std::int64_t upper)
-{
-  const std::int64_t begin = std::max<std::int64_t>(lower - word * BitsPerWord, 0);
-  const std::int64_t end = std::min<std::int64_t>(upper - word * BitsPerWord, BitsPerWord);
-  if (begin >= end)
-  {
-    return 0;
-  }
-  const WordType upTo = (end == BitsPerWord) ? ~WordType{ 0 } : (WordType{ 1 } << end) - 1;
-  return upTo & (~WordType{ 0 } << begin);
-}
-
 template <typename TVisitor>
 void
 MedialVoxelBits::VisitWords(const MedialVoxelBox & box, TVisitor && visit) const
