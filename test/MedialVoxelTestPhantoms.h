@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <random>
+#include <string>
 
 namespace MedialVoxelTest
 {
@@ -170,6 +171,25 @@ Permuted(const Volume & volume, const Index3 & order)
     }
     return volume.IsObject(source);
   });
+}
+
+/** The three volumes whose labels are pinned in Fixtures.sha256. */
+inline Volume
+Fixture(const std::string & name)
+{
+  if (name == "plane")
+  {
+    return RandomBoxes({ { 97, 83, 1 } }, UnitSpacing, 25, 301);
+  }
+  if (name == "isotropic")
+  {
+    return RandomBoxes({ { 70, 25, 21 } }, UnitSpacing, 25, 302);
+  }
+  if (name == "anisotropic")
+  {
+    return RandomBoxes({ { 33, 31, 27 } }, { { 0.9570312, 0.9570312, 1.5 } }, 25, 303);
+  }
+  throw std::invalid_argument("unknown fixture '" + name + "', known: plane, isotropic, anisotropic");
 }
 
 /** Object and background exchanged. */

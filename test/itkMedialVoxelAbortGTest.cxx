@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// Progress and abort (invariant I11), and errors of the input while the filter runs.
+// Progress and abort (invariant I11), and failures of the input or of a worker while the filter runs.
 
 #include "MedialVoxelTestRuns.h"
 
 #include "itkCommand.h"
 #include "itkStreamingImageFilter.h"
 
+#include <atomic>
 #include <chrono>
+#include <stdexcept>
 
 namespace
 {
@@ -51,6 +53,32 @@ public:
   std::chrono::steady_clock::time_point m_Time;
 };
 
+/** A filter whose workers fail at the given tile. */
+class FailingFilter : public MedialFilter<3>
+{
+public:
+  using Self = FailingFilter;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+
+  std::atomic<int> m_TilesLeft{ 5 };
+
+protected:
+  itk::MedialVoxelBox
+  ProcessTile(const itk::MedialVoxelBox &           tile,
+              const itk::MedialVoxelClusterWindow & window,
+              const itk::MedialVoxelProgress &      progress,
+              Workspace &                           workspace,
+              TileSums &                            sums) override
+  {
+    if (m_TilesLeft-- <= 0)
+    {
+      throw std::runtime_error("out of luck");
+    }
+    return MedialFilter<3>::ProcessTile(tile, window, progress, workspace, sums);
+  }
+};
+
 /** An image source that fails at the given request. */
 class FailingSource : public RecordingSource<MaskImage<3>>
 {
@@ -70,6 +98,24 @@ protected:
       itkExceptionMacro("the disk is on fire");
     }
     RecordingSource<MaskImage<3>>::GenerateData();
+  }
+};
+/** An image source that holds back the last slice of what it is asked for. */
+class ShortSource : public RecordingSource<MaskImage<3>>
+{
+public:
+  using Self = ShortSource;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+
+protected:
+  void
+  GenerateData() override
+  {
+    auto region = this->GetOutput()->GetRequestedRegion();
+    region.SetSize(2, region.GetSize(2) - 1);
+    this->GetOutput()->SetBufferedRegion(region);
+    this->GetOutput()->Allocate(true);
   }
 };
 } // namespace
@@ -158,6 +204,26 @@ TEST(MedialVoxelAbort, ProgressRisesToOne)
   EXPECT_FLOAT_EQ(filter->GetProgress(), 1.0f);
 }
 
+TEST(MedialVoxelAbort, AFailingWorkerFailsTheUpdateAndNoMore)
+{
+  const Volume volume = RandomBoxes({ { 40, 38, 36 } }, UnitSpacing, 30, 105);
+  auto         filter = FailingFilter::New();
+  filter->SetInput(MakeImage<MaskImage<3>>(volume));
+  filter->SetThickness(3.0);
+  filter->SetTileSize(10);
+  for (const unsigned int units : { 1u, 4u })
+  {
+    filter->SetNumberOfWorkUnits(units);
+    filter->m_TilesLeft = 5;
+    EXPECT_THROW(filter->Update(), std::exception) << units << " work units";
+    EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
+  }
+  filter->m_TilesLeft = 1000000;
+  filter->Modified();
+  filter->Update();
+  EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), RunMedialFilter<3>(volume, 3.0).labels));
+}
+
 TEST(MedialVoxelAbort, AFailingInputFailsTheUpdateAndNoMore)
 {
   const Volume volume = AxisPlate({ { 12, 11, 60 } }, UnitSpacing, 0, 4, 3);
@@ -180,4 +246,13 @@ TEST(MedialVoxelAbort, AFailingInputFailsTheUpdateAndNoMore)
   source->Modified();
   filter->UpdateLargestPossibleRegion();
   EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), RunMedialFilter<3>(volume, 3.0).labels));
+}
+
+TEST(MedialVoxelAbort, AnInputThatHoldsTooLittleIsAnError)
+{
+  auto source = ShortSource::New();
+  source->SetImage(MakeImage<MaskImage<3>>(AxisPlate({ { 12, 11, 20 } }, UnitSpacing, 0, 4, 3)));
+  auto filter = MedialFilter<3>::New();
+  filter->SetInput(source->GetOutput());
+  EXPECT_THROW(filter->UpdateLargestPossibleRegion(), itk::ExceptionObject);
 }

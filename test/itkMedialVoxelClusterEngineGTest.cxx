@@ -148,6 +148,29 @@ TEST(MedialVoxelClusterEngine, AFailureOfTheClientEndsTheRun)
   EXPECT_EQ(client.m_Rounds, 2);
 }
 
+TEST(MedialVoxelClusterEngine, ATileThatWantsNothingNewEndsTheRun)
+{
+  // Instead of deferring it for ever.
+  class StubbornClient : public DemandingClient
+  {
+  public:
+    using DemandingClient::DemandingClient;
+    void
+    RunTiles(itk::MedialVoxelTileSchedule & schedule) override
+    {
+      itk::MedialVoxelBox tile;
+      while (schedule.Next(tile))
+      {
+        schedule.Defer(tile, tile);
+      }
+    }
+  };
+  const Volume             volume({ { 20, 20, 30 } }, UnitSpacing);
+  StubbornClient           client(volume, 1);
+  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), client), std::logic_error);
+}
+
 TEST(MedialVoxelClusterEngine, AnEmptyRegionIsNoWork)
 {
   const Volume             volume({ { 20, 20, 30 } }, UnitSpacing);

@@ -157,3 +157,11 @@ TEST(MedialVoxelClusterWindow, BoundariesNeedOneMoreVoxelWithinTheImage)
   EXPECT_EQ(window.GetObjectBox(MakeBox({ { 4, 0, 5 } }, { { 8, 1, 20 } })),
             MakeBox({ { 3, 0, 4 } }, { { 9, 1, 20 } }));
 }
+
+TEST(MedialVoxelClusterWindow, OnlyListedBoundariesAreKept)
+{
+  const Volume                        volume({ { 30, 10, 20 } }, UnitSpacing);
+  const itk::MedialVoxelClusterWindow window(GridOf(volume), { itk::MedialVoxelBoundary::Object });
+  EXPECT_NO_THROW(window.GetWindow(itk::MedialVoxelBoundary::Object));
+  EXPECT_THROW(window.GetWindow(itk::MedialVoxelBoundary::Background), std::invalid_argument);
+}

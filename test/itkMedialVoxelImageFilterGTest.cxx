@@ -166,6 +166,50 @@ TEST(MedialVoxelImageFilter, RefusesImpossibleThresholds)
   ExpectErrorNaming([&]() { upper->Update(); }, "threshold");
 }
 
+TEST(MedialVoxelImageFilter, RefusesNegativeSpacing)
+{
+  const auto useNegativeSpacing = []() {
+    auto                      image = MakeImage<MaskImage<3>>(SmallPart());
+    MaskImage<3>::SpacingType spacing = image->GetSpacing();
+    spacing[1] = -1.0;
+    image->SetSpacing(spacing); // some builds of ITK throw here already
+    auto filter = MedialFilter<3>::New();
+    filter->SetInput(image);
+    filter->UpdateOutputInformation();
+  };
+  ExpectErrorNaming(useNegativeSpacing, "pacing");
+}
+
+TEST(MedialVoxelImageFilter, RefusesAxesBeyond32Bits)
+{
+  auto image = MaskImage<2>::New();
+  image->SetRegions(itk::ImageRegion<2>({ { 0, 0 } }, { { itk::SizeValueType{ 1 } << 31, 2 } }));
+  auto filter = MedialFilter<2>::New();
+  filter->SetInput(image);
+  ExpectErrorNaming([&]() { filter->UpdateOutputInformation(); }, "size");
+}
+
+TEST(MedialVoxelImageFilter, AnEmptyRequestIsNoWork)
+{
+  auto filter = MakeMedialFilter<3>(SmallPart(), 3.0);
+  filter->UpdateOutputInformation();
+  filter->GetOutput()->SetRequestedRegion(itk::ImageRegion<3>({ { 1, 1, 1 } }, { { 0, 3, 3 } }));
+  filter->GetOutput()->PropagateRequestedRegion();
+  filter->GetOutput()->UpdateOutputData();
+  EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
+}
+
+TEST(MedialVoxelImageFilter, TimesAreMeasured)
+{
+  auto filter = MakeMedialFilter<3>(SmallPart(), 3.0);
+  EXPECT_EQ(filter->GetDistanceSeconds(), 0.0);
+  EXPECT_EQ(filter->GetClassificationSeconds(), 0.0);
+  filter->Update();
+  EXPECT_GT(filter->GetDistanceSeconds(), 0.0);
+  EXPECT_GT(filter->GetClassificationSeconds(), 0.0);
+  EXPECT_LT(filter->GetDistanceSeconds() + filter->GetClassificationSeconds(), 60.0);
+}
+
 TEST(MedialVoxelImageFilter, RefusesToRunWithoutInput)
 {
   EXPECT_THROW(MedialFilter<3>::New()->Update(), itk::ExceptionObject);

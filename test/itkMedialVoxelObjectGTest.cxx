@@ -5,6 +5,8 @@
 
 #include "MedialVoxelTestRuns.h"
 
+#include <numeric>
+
 namespace
 {
 using namespace MedialVoxelTest;
@@ -165,6 +167,48 @@ TEST(MedialVoxelObject, NaNIsBackgroundAndCounted)
   filter->SetInput(ImageOfValues<float>(values));
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), 6u);
+}
+
+TEST(MedialVoxelObject, NaNIsCountedOnceHoweverTheWorkIsCut)
+{
+  using ImageType = itk::Image<float, 3>;
+  const Volume                        volume = RandomBoxes({ { 40, 30, 35 } }, UnitSpacing, 20, 221);
+  const Volume                        nan = RandomVolume(volume.size, UnitSpacing, 0.05, 222);
+  auto                                image = MakeImage<ImageType>(volume);
+  itk::ImageRegionIterator<ImageType> it(image, image->GetLargestPossibleRegion());
+  std::vector<std::uint64_t>          perSlice(35, 0);
+  for (std::size_t i = 0; !it.IsAtEnd(); ++it, ++i)
+  {
+    if (nan.object[i])
+    {
+      it.Set(std::numeric_limits<float>::quiet_NaN());
+      ++perSlice[nan.IndexAt(i)[2]];
+    }
+  }
+  auto source = RecordingSource<ImageType>::New();
+  source->SetImage(image);
+  auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
+  filter->SetInput(source->GetOutput());
+  for (const auto & cut : { std::make_pair(0u, 0u), { 5u, 1u }, { 9u, 4u }, { 40u, 100u } })
+  {
+    filter->SetTileSize(cut.first);
+    filter->SetSlabThickness(cut.second);
+    filter->Modified();
+    filter->UpdateLargestPossibleRegion();
+    EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(),
+              std::accumulate(perSlice.begin(), perSlice.end(), std::uint64_t{}));
+    filter->Modified();
+    filter->UpdateOutputInformation();
+    std::uint64_t expected = 0;
+    for (const int z : { 20, 0, 28, 9 }) // disjoint requests in no order
+    {
+      filter->GetOutput()->SetRequestedRegion(itk::ImageRegion<3>({ { 0, 0, z } }, { { 40, 30, 7 } }));
+      filter->GetOutput()->PropagateRequestedRegion();
+      filter->GetOutput()->UpdateOutputData();
+      expected += std::accumulate(perSlice.begin() + z, perSlice.begin() + z + 7, std::uint64_t{});
+    }
+    EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), expected) << "tile " << cut.first;
+  }
 }
 
 TEST(MedialVoxelObject, RealThresholdsAreNotRounded)

@@ -131,6 +131,13 @@ TEST(MedialVoxelOracle, LabelsOfPlaneImagesAreThoseOfDijkstra)
   }
 }
 
+TEST(MedialVoxelOracle, PinnedFixturesAreThoseOfDijkstra)
+{
+  ExpectOracleLabels<2>({ "plane", Fixture("plane") }, 3.0);
+  ExpectOracleLabels<3>({ "isotropic", Fixture("isotropic") }, 3.0);
+  ExpectOracleLabels<3>({ "anisotropic", Fixture("anisotropic") }, 3.0);
+}
+
 TEST(MedialVoxelOracle, VoxelUnitsIgnoreTheSpacing)
 {
   const Volume volume = RandomBoxes({ { 12, 11, 10 } }, CraniumSpacing, 8, 21);

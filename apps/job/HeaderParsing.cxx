@@ -98,30 +98,55 @@ GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem:
   return size;
 }
 
+void
+RefuseHeader(const std::filesystem::path & fileName, const std::string & what)
+{
+  Fail(ExitStatus::CorruptInput, fileName.string(), ": ", what);
+}
+
+std::string
+RequireField(const std::filesystem::path & fileName, const HeaderFields & fields, const std::string & name)
+{
+  const std::optional<std::string> value = fields.Find(name);
+  if (!value || value->empty())
+  {
+    RefuseHeader(fileName, "its header lacks the field " + name);
+  }
+  return *value;
+}
+
+std::vector<double>
+ParseNumbers(const std::filesystem::path & fileName, const std::string & field, const std::string & text, size_t count)
+{
+  std::vector<double> numbers;
+  for (const std::string & part : SplitAtBlanks(text))
+  {
+    const std::optional<double> value = ParseDouble(part);
+    if (!value || !std::isfinite(*value))
+    {
+      RefuseHeader(fileName, field + " has the value '" + part + "'; each must be a finite number");
+    }
+    numbers.push_back(*value);
+  }
+  if (numbers.size() != count)
+  {
+    RefuseHeader(fileName, field + " has " + std::to_string(numbers.size()) + " values, not " + std::to_string(count));
+  }
+  return numbers;
+}
+
 std::vector<double>
 ParseSpacings(const std::filesystem::path & fileName, const std::string & field, const std::string & text, size_t count)
 {
-  std::vector<double> spacings;
   for (const std::string & part : SplitAtBlanks(text))
   {
     const std::optional<double> value = ParseDouble(part);
     if (!value || !std::isfinite(*value) || *value <= 0)
     {
-      Fail(ExitStatus::CorruptInput,
-           fileName.string(),
-           ": ",
-           field,
-           " has the value '",
-           part,
-           "'; each must be a finite number greater than 0");
+      RefuseHeader(fileName, field + " has the value '" + part + "'; each must be a finite number greater than 0");
     }
-    spacings.push_back(*value);
   }
-  if (spacings.size() != count)
-  {
-    Fail(ExitStatus::CorruptInput, fileName.string(), ": ", field, " has ", spacings.size(), " values, not ", count);
-  }
-  return spacings;
+  return ParseNumbers(fileName, field, text, count);
 }
 
 std::vector<std::uint64_t>

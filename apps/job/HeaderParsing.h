@@ -64,6 +64,18 @@ OpenRegularFile(const std::filesystem::path & fileName);
 std::uint64_t
 GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem::path & dataFile);
 
+/** \throw JobError CorruptInput with the name of the file. */
+[[noreturn]] void
+RefuseHeader(const std::filesystem::path & fileName, const std::string & what);
+
+/** The value of a field. \throw JobError CorruptInput when there is none. */
+std::string
+RequireField(const std::filesystem::path & fileName, const HeaderFields & fields, const std::string & name);
+
+/** Numbers of a header field. \throw JobError CorruptInput unless there are \a count, each finite. */
+std::vector<double>
+ParseNumbers(const std::filesystem::path & fileName, const std::string & field, const std::string & text, size_t count);
+
 /** Numbers of a header field. \throw JobError CorruptInput unless there are \a count, each positive and finite. */
 std::vector<double>
 ParseSpacings(const std::filesystem::path & fileName,
@@ -76,11 +88,14 @@ ParseSpacings(const std::filesystem::path & fileName,
 std::vector<std::uint64_t>
 ParseSizes(const std::filesystem::path & fileName, const std::string & field, const std::string & text, size_t count);
 
-/** Fill in all but the geometry beyond the size. */
 VolumeHeader
 ReadMetaImageHeader(const std::filesystem::path & fileName);
 VolumeHeader
 ReadNrrdHeader(const std::filesystem::path & fileName);
+
+/** Fills in spacing, origin and direction from the fields of a NRRD header, in the space that ITK uses. */
+void
+ReadNrrdGeometry(VolumeHeader & header, const HeaderFields & fields);
 
 } // end namespace medialvoxel
 

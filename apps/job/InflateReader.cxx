@@ -128,9 +128,13 @@ InflateReader::CheckEnd()
   unsigned char surplus = 0;
   m_State->stream.next_out = &surplus;
   m_State->stream.avail_out = 1;
-  while (!m_State->atEndOfStream && m_State->stream.avail_out > 0)
+  while (!m_State->atEndOfStream)
   {
     m_State->Step();
+    if (m_State->stream.avail_out == 0)
+    {
+      m_State->Refuse("are more than its header says");
+    }
   }
 }
 

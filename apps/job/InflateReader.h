@@ -30,8 +30,8 @@ public:
   void
   Skip(std::uint64_t numberOfBytes);
 
-  /** To be called after the last voxel: goes on to the end of the stream, where its checksum is compared. Surplus
-   * voxels are no error, as in uncompressed files. \throw JobError CorruptInput as Read(). */
+  /** To be called after the last voxel: goes on to the end of the stream, where its checksum is compared.
+   * \throw JobError CorruptInput as Read(), and when there is more to unpack. */
   void
   CheckEnd();
 

@@ -13,16 +13,8 @@ namespace medialvoxel
 namespace
 {
 
-// ITK's reader of these headers copies names and texts into arrays of 255 bytes.
-constexpr size_t MaximumBytesPerText = 254;
-constexpr size_t MaximumBytesPerLine = 4096;
+constexpr size_t MaximumBytesPerLine = 1 << 16;
 constexpr size_t MaximumLines = 100000;
-
-[[noreturn]] void
-Refuse(const std::filesystem::path & fileName, const std::string & what)
-{
-  Fail(ExitStatus::CorruptInput, fileName.string(), ": ", what);
-}
 
 HeaderFields
 ReadFields(const std::filesystem::path & fileName)
@@ -35,36 +27,17 @@ ReadFields(const std::filesystem::path & fileName)
     const size_t separator = line.find('=');
     if (separator == std::string::npos)
     {
-      Refuse(fileName, "line " + std::to_string(lines.GetLineNumber()) + " of its header is not 'name = value'");
+      RefuseHeader(fileName, "line " + std::to_string(lines.GetLineNumber()) + " of its header is not 'name = value'");
     }
     const std::string name = Trim(line.substr(0, separator));
-    const std::string value = Trim(line.substr(separator + 1));
-    const bool        isText = SplitAtBlanks(value).size() != 0 && !ParseDouble(SplitAtBlanks(value).front());
-    if (name.size() > MaximumBytesPerText || (isText && value.size() > MaximumBytesPerText))
-    {
-      Refuse(fileName,
-             "line " + std::to_string(lines.GetLineNumber()) + " of its header is longer than " +
-               std::to_string(MaximumBytesPerText) + " bytes");
-    }
-    fields.values[name] = value;
+    fields.values[name] = Trim(line.substr(separator + 1));
     if (name == "ElementDataFile")
     {
       fields.endOfHeader = lines.GetPosition();
       return fields;
     }
   }
-  Refuse(fileName, "its header ends without the field ElementDataFile");
-}
-
-std::string
-Require(const std::filesystem::path & fileName, const HeaderFields & fields, const std::string & name)
-{
-  const std::optional<std::string> value = fields.Find(name);
-  if (!value || value->empty())
-  {
-    Refuse(fileName, "its header lacks the field " + name);
-  }
-  return *value;
+  RefuseHeader(fileName, "its header ends without the field ElementDataFile");
 }
 
 bool
@@ -84,17 +57,17 @@ ReadFlag(const std::filesystem::path & fileName, const HeaderFields & fields, co
   {
     return false;
   }
-  Refuse(fileName, name + " is '" + *value + "'; it must be True or False");
+  RefuseHeader(fileName, name + " is '" + *value + "'; it must be True or False");
 }
 
 unsigned int
 ReadDimension(const std::filesystem::path & fileName, const HeaderFields & fields)
 {
-  const std::string                 text = Require(fileName, fields, "NDims");
+  const std::string                 text = RequireField(fileName, fields, "NDims");
   const std::optional<std::int64_t> dimension = ParseInteger(text);
   if (!dimension || *dimension < 2 || *dimension > 3)
   {
-    Refuse(fileName, "NDims is '" + text + "'; only volumes with 2 or 3 dimensions are read");
+    RefuseHeader(fileName, "NDims is '" + text + "'; only volumes with 2 or 3 dimensions are read");
   }
   return static_cast<unsigned int>(*dimension);
 }
@@ -105,9 +78,9 @@ ReadPixelType(const std::filesystem::path & fileName, const HeaderFields & field
   const std::string channels = fields.Find("ElementNumberOfChannels").value_or("1");
   if (channels != "1")
   {
-    Refuse(fileName, "its voxels have " + channels + " components; only one value per voxel is read");
+    RefuseHeader(fileName, "its voxels have " + channels + " components; only one value per voxel is read");
   }
-  std::string name = Require(fileName, fields, "ElementType");
+  std::string name = RequireField(fileName, fields, "ElementType");
   // MetaImage's long has 4 bytes on every machine.
   name = name == "MET_LONG" ? "MET_INT" : name == "MET_ULONG" ? "MET_UINT" : name;
   for (const PixelTypeTraits & traits : PixelTypes)
@@ -117,54 +90,62 @@ ReadPixelType(const std::filesystem::path & fileName, const HeaderFields & field
       return traits.type;
     }
   }
-  Refuse(fileName, "ElementType is '" + name + "'; only scalar whole numbers and reals of 1 to 8 bytes are read");
+  RefuseHeader(fileName, "ElementType is '" + name + "'; only scalar whole numbers and reals of 1 to 8 bytes are read");
 }
 
-/** Numbers that ITK will read into arrays of the length that the dimension gives. */
-void
-CheckCounts(const std::filesystem::path & fileName, const HeaderFields & fields, unsigned int dimension)
+/** Numbers of the field that is there, of several the last one; empty without any. */
+std::vector<double>
+ReadNumbers(const VolumeHeader &             header,
+            const HeaderFields &             fields,
+            const std::vector<std::string> & names,
+            size_t                           count)
 {
-  const auto check = [&](const std::string & name, size_t count) {
-    const std::optional<std::string> text = fields.Find(name);
-    if (!text)
-    {
-      return;
-    }
-    const std::vector<std::string> parts = SplitAtBlanks(*text);
-    for (const std::string & part : parts)
-    {
-      const std::optional<double> value = ParseDouble(part);
-      if (!value || !(std::abs(*value) <= std::numeric_limits<double>::max()))
-      {
-        Refuse(fileName, name + " has the value '" + part + "'; each must be a finite number");
-      }
-    }
-    if (parts.size() != count)
-    {
-      Refuse(fileName, name + " has " + std::to_string(parts.size()) + " values, not " + std::to_string(count));
-    }
-  };
-  for (const char * const name : { "Offset", "Position", "Origin", "CenterOfRotation" })
+  std::vector<double> numbers;
+  for (const std::string & name : names)
   {
-    check(name, dimension);
+    if (fields.Find(name))
+    {
+      numbers = ParseNumbers(header.fileName, name, *fields.Find(name), count);
+    }
   }
-  for (const char * const name : { "TransformMatrix", "Rotation", "Orientation" })
-  {
-    check(name, size_t{ dimension } * dimension);
-  }
+  return numbers;
+}
+
+/** A rule of this format: without ElementSpacing, ElementSize is the spacing. */
+std::vector<double>
+ReadSpacing(const VolumeHeader & header, const HeaderFields & fields)
+{
+  const size_t dimension = header.geometry.size.size();
   for (const char * const name : { "ElementSpacing", "ElementSize" })
   {
     if (fields.Find(name))
     {
-      ParseSpacings(fileName, name, *fields.Find(name), dimension);
+      return ParseSpacings(header.fileName, name, *fields.Find(name), dimension);
     }
+  }
+  return std::vector<double>(dimension, 1.0);
+}
+
+void
+ReadGeometry(VolumeHeader & header, const HeaderFields & fields)
+{
+  const size_t dimension = header.geometry.size.size();
+  header.geometry.spacing = ReadSpacing(header, fields);
+  header.geometry.origin = ReadNumbers(header, fields, { "Offset", "Position", "Origin" }, dimension);
+  header.geometry.origin.resize(dimension, 0.0);
+  const std::vector<double> matrix =
+    ReadNumbers(header, fields, { "Orientation", "Rotation", "TransformMatrix" }, dimension * dimension);
+  header.geometry.SetIdentityDirection();
+  for (size_t i = 0; i < matrix.size(); ++i)
+  {
+    header.geometry.direction[i / dimension][i % dimension] = matrix[i];
   }
 }
 
 std::filesystem::path
 LocateData(const std::filesystem::path & fileName, const HeaderFields & fields)
 {
-  const std::string name = Require(fileName, fields, "ElementDataFile");
+  const std::string name = RequireField(fileName, fields, "ElementDataFile");
   const std::string lower = ToLower(name);
   if (lower == "local")
   {
@@ -172,7 +153,7 @@ LocateData(const std::filesystem::path & fileName, const HeaderFields & fields)
   }
   if (lower.rfind("list", 0) == 0 || name.find('%') != std::string::npos)
   {
-    Refuse(fileName, "ElementDataFile is '" + name + "'; voxels spread over several files are not read");
+    RefuseHeader(fileName, "ElementDataFile is '" + name + "'; voxels spread over several files are not read");
   }
   return fileName.parent_path() / name;
 }
@@ -185,7 +166,7 @@ ReadDataOffset(const VolumeHeader & header, const HeaderFields & fields)
   const std::optional<std::int64_t> offset = ParseInteger(text);
   if (!offset || *offset < -1 || (*offset == -1 && header.compressed))
   {
-    Refuse(header.fileName, "HeaderSize is '" + text + "'; it must be 0 or more, or -1 with uncompressed voxels");
+    RefuseHeader(header.fileName, "HeaderSize is '" + text + "'; it must be 0 or more, or -1 with uncompressed voxels");
   }
   if (*offset == -1)
   {
@@ -206,19 +187,19 @@ ReadMetaImageHeader(const std::filesystem::path & fileName)
   const HeaderFields fields = ReadFields(fileName);
   if (fields.Find("ObjectType").value_or("Image") != "Image")
   {
-    Refuse(fileName, "ObjectType is '" + *fields.Find("ObjectType") + "', not Image");
+    RefuseHeader(fileName, "ObjectType is '" + *fields.Find("ObjectType") + "', not Image");
   }
   const unsigned int dimension = ReadDimension(fileName, fields);
-  CheckCounts(fileName, fields, dimension);
   if (!ReadFlag(fileName, fields, "BinaryData", true))
   {
-    Refuse(fileName, "its voxels are text (BinaryData = False); only binary voxels are read");
+    RefuseHeader(fileName, "its voxels are text (BinaryData = False); only binary voxels are read");
   }
 
   VolumeHeader header;
   header.fileName = fileName;
   header.format = "MetaImage";
-  header.geometry.size = ParseSizes(fileName, "DimSize", Require(fileName, fields, "DimSize"), dimension);
+  header.geometry.size = ParseSizes(fileName, "DimSize", RequireField(fileName, fields, "DimSize"), dimension);
+  ReadGeometry(header, fields);
   header.pixelType = ReadPixelType(fileName, fields);
   const bool machineIsBigEndian = itk::ByteSwapper<int>::SystemIsBigEndian();
   header.bigEndian = ReadFlag(fileName, fields, "BinaryDataByteOrderMSB", machineIsBigEndian);

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -67,12 +66,6 @@ constexpr std::array<std::pair<const char *, PixelType>, 8> LongTypeNames{ {
   { "unsigned long long int", PixelType::UInt64 },
 } };
 
-[[noreturn]] void
-Refuse(const std::filesystem::path & fileName, const std::string & what)
-{
-  Fail(ExitStatus::CorruptInput, fileName.string(), ": ", what);
-}
-
 /** Field names are told apart without regard to case and blanks: "data file" is "datafile". */
 std::string
 CanonicalName(const std::string & name)
@@ -90,7 +83,7 @@ ReadFields(const std::filesystem::path & fileName)
   std::string  line;
   if (!lines.Next(line) || line.size() != 8 || line.compare(0, 7, "NRRD000") != 0)
   {
-    Refuse(fileName, "it does not begin with 'NRRD000', as a NRRD file does");
+    RefuseHeader(fileName, "it does not begin with 'NRRD000', as a NRRD file does");
   }
   while (lines.GetPosition() < MaximumBytesOfHeader && lines.Next(line))
   {
@@ -106,28 +99,17 @@ ReadFields(const std::filesystem::path & fileName)
     }
     if (separator == std::string::npos)
     {
-      Refuse(fileName, "line " + std::to_string(lines.GetLineNumber()) + " of its header is not 'field: value'");
+      RefuseHeader(fileName, "line " + std::to_string(lines.GetLineNumber()) + " of its header is not 'field: value'");
     }
     fields.values[CanonicalName(line.substr(0, separator))] = Trim(line.substr(separator + 1));
   }
   if (lines.GetPosition() >= MaximumBytesOfHeader)
   {
-    Refuse(fileName, "its header is longer than " + FormatBytes(MaximumBytesOfHeader));
+    RefuseHeader(fileName, "its header is longer than " + FormatBytes(MaximumBytesOfHeader));
   }
   // A detached header may end with the file instead of an empty line.
   fields.endOfHeader = lines.GetPosition();
   return fields;
-}
-
-std::string
-Require(const std::filesystem::path & fileName, const HeaderFields & fields, const std::string & name)
-{
-  const std::optional<std::string> value = fields.Find(name);
-  if (!value || value->empty())
-  {
-    Refuse(fileName, "its header lacks the field '" + name + "'");
-  }
-  return *value;
 }
 
 /** Axes of voxel components are told by their kind. */
@@ -140,20 +122,21 @@ RefuseComponents(const std::filesystem::path & fileName, const HeaderFields & fi
     const std::string lower = ToLower(kind);
     if (lower != "domain" && lower != "space" && lower != "none" && lower != "???")
     {
-      Refuse(fileName,
-             "an axis is of the kind '" + kind + "'; only one value per voxel is read, not vectors or colors");
+      RefuseHeader(fileName,
+                   "an axis is of the kind '" + kind + "'; only one value per voxel is read, not vectors or colors");
     }
   }
   if (dimension < 2 || dimension > 3)
   {
-    Refuse(fileName, "dimension is " + std::to_string(dimension) + "; only volumes with 2 or 3 dimensions are read");
+    RefuseHeader(fileName,
+                 "dimension is " + std::to_string(dimension) + "; only volumes with 2 or 3 dimensions are read");
   }
 }
 
 PixelType
 ReadPixelType(const std::filesystem::path & fileName, const HeaderFields & fields)
 {
-  const std::string name = ToLower(Require(fileName, fields, "type"));
+  const std::string name = ToLower(RequireField(fileName, fields, "type"));
   const auto        matches = [&name](const auto & entry) { return name == entry.first; };
   const auto        found = std::find_if(TypeNames.begin(), TypeNames.end(), matches);
   if (found != TypeNames.end())
@@ -165,62 +148,7 @@ ReadPixelType(const std::filesystem::path & fileName, const HeaderFields & field
   {
     return foundLong->second;
   }
-  Refuse(fileName, "type is '" + name + "'; only scalar whole numbers and reals of 1 to 8 bytes are read");
-}
-
-/** "(1,0,0) (0,1,0) (0,0,1)": each vector's length is a spacing. */
-void
-CheckSpaceDirections(const std::filesystem::path & fileName, const std::string & text, size_t dimension)
-{
-  const std::vector<std::string> vectors = SplitAtBlanks([&text] {
-    // Blanks inside the parentheses are allowed.
-    std::string packed;
-    bool        inside = false;
-    for (const char character : text)
-    {
-      inside = character == '(' || (inside && character != ')');
-      if (!inside || character != ' ')
-      {
-        packed.push_back(character);
-      }
-    }
-    return packed;
-  }());
-  if (vectors.size() != dimension)
-  {
-    Refuse(fileName,
-           "space directions has " + std::to_string(vectors.size()) + " vectors, not " + std::to_string(dimension));
-  }
-  for (const std::string & vector : vectors)
-  {
-    std::string numbers = vector;
-    std::replace_if(numbers.begin(), numbers.end(), [](char c) { return c == '(' || c == ')' || c == ','; }, ' ');
-    double squaredLength = 0;
-    for (const std::string & part : SplitAtBlanks(numbers))
-    {
-      const double value = ParseDouble(part).value_or(std::numeric_limits<double>::quiet_NaN());
-      squaredLength += value * value;
-    }
-    if (!std::isfinite(squaredLength) || squaredLength <= 0)
-    {
-      Refuse(fileName,
-             "space directions has the vector '" + vector +
-               "'; its length, the spacing, must be finite and greater than 0");
-    }
-  }
-}
-
-void
-CheckSpacing(const std::filesystem::path & fileName, const HeaderFields & fields, size_t dimension)
-{
-  if (fields.Find("spacings"))
-  {
-    ParseSpacings(fileName, "spacings", *fields.Find("spacings"), dimension);
-  }
-  if (fields.Find("spacedirections"))
-  {
-    CheckSpaceDirections(fileName, *fields.Find("spacedirections"), dimension);
-  }
+  RefuseHeader(fileName, "type is '" + name + "'; only scalar whole numbers and reals of 1 to 8 bytes are read");
 }
 
 std::int64_t
@@ -233,7 +161,8 @@ ReadSkip(const std::filesystem::path & fileName,
   const std::optional<std::int64_t> value = ParseInteger(text);
   if (!value || *value < least)
   {
-    Refuse(fileName, name + " is '" + text + "'; it must be a whole number from " + std::to_string(least) + " on");
+    RefuseHeader(fileName,
+                 name + " is '" + text + "'; it must be a whole number from " + std::to_string(least) + " on");
   }
   return *value;
 }
@@ -248,7 +177,8 @@ SkipLines(const VolumeHeader & header, std::uint64_t offset, std::int64_t number
     file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
     if (!file.good())
     {
-      Refuse(header.fileName, "line skip is " + std::to_string(numberOfLines) + ", more lines than its data have");
+      RefuseHeader(header.fileName,
+                   "line skip is " + std::to_string(numberOfLines) + ", more lines than its data have");
     }
   }
   return static_cast<std::uint64_t>(file.tellg());
@@ -280,10 +210,10 @@ ReadByteOrder(const std::filesystem::path & fileName, const HeaderFields & field
   {
     return itk::ByteSwapper<int>::SystemIsBigEndian();
   }
-  const std::string endian = ToLower(Require(fileName, fields, "endian"));
+  const std::string endian = ToLower(RequireField(fileName, fields, "endian"));
   if (endian != "big" && endian != "little")
   {
-    Refuse(fileName, "endian is '" + endian + "'; it must be little or big");
+    RefuseHeader(fileName, "endian is '" + endian + "'; it must be little or big");
   }
   return endian == "big";
 }
@@ -298,7 +228,7 @@ LocateDataFile(const std::filesystem::path & fileName, const HeaderFields & fiel
   }
   if (name->empty() || ToLower(*name).rfind("list", 0) == 0 || name->find('%') != std::string::npos)
   {
-    Refuse(fileName, "data file is '" + *name + "'; voxels spread over several files are not read");
+    RefuseHeader(fileName, "data file is '" + *name + "'; voxels spread over several files are not read");
   }
   return fileName.parent_path() / *name;
 }
@@ -309,26 +239,26 @@ VolumeHeader
 ReadNrrdHeader(const std::filesystem::path & fileName)
 {
   const HeaderFields                fields = ReadFields(fileName);
-  const std::string                 dimensionText = Require(fileName, fields, "dimension");
+  const std::string                 dimensionText = RequireField(fileName, fields, "dimension");
   const std::optional<std::int64_t> dimension = ParseInteger(dimensionText);
   if (!dimension || *dimension < 1 || *dimension > 16)
   {
-    Refuse(fileName, "dimension is '" + dimensionText + "'; only volumes with 2 or 3 dimensions are read");
+    RefuseHeader(fileName, "dimension is '" + dimensionText + "'; only volumes with 2 or 3 dimensions are read");
   }
   const auto axes = static_cast<size_t>(*dimension);
   RefuseComponents(fileName, fields, axes);
-  CheckSpacing(fileName, fields, axes);
 
   VolumeHeader header;
   header.fileName = fileName;
   header.format = "NRRD";
-  header.geometry.size = ParseSizes(fileName, "sizes", Require(fileName, fields, "sizes"), axes);
+  header.geometry.size = ParseSizes(fileName, "sizes", RequireField(fileName, fields, "sizes"), axes);
+  ReadNrrdGeometry(header, fields);
   header.pixelType = ReadPixelType(fileName, fields);
   header.bigEndian = ReadByteOrder(fileName, fields, header.pixelType);
-  const std::string encoding = ToLower(Require(fileName, fields, "encoding"));
+  const std::string encoding = ToLower(RequireField(fileName, fields, "encoding"));
   if (encoding != "raw" && encoding != "gzip" && encoding != "gz")
   {
-    Refuse(fileName, "encoding is '" + encoding + "'; only raw and gzip are read");
+    RefuseHeader(fileName, "encoding is '" + encoding + "'; only raw and gzip are read");
   }
   header.compressed = encoding != "raw";
   header.dataFile = LocateDataFile(fileName, fields);

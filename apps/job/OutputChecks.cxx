@@ -9,6 +9,13 @@ namespace medialvoxel
 namespace
 {
 
+/** Absolute path without links, also of a file that does not exist yet. */
+std::filesystem::path
+GetPlace(const std::filesystem::path & fileName)
+{
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(FollowLinks(fileName)));
+}
+
 /** One file under two names, by way of links, or one name that no file has yet. */
 bool
 AreSameFile(const std::filesystem::path & a, const std::filesystem::path & b)
@@ -18,9 +25,7 @@ AreSameFile(const std::filesystem::path & a, const std::filesystem::path & b)
   {
     return true;
   }
-  const auto canonicalA = std::filesystem::weakly_canonical(a, error);
-  const auto canonicalB = std::filesystem::weakly_canonical(b, error);
-  return !canonicalA.empty() && canonicalA == canonicalB;
+  return GetPlace(a) == GetPlace(b);
 }
 
 void
@@ -48,8 +53,8 @@ RefuseInput(const OutputRequest & output, const VolumeHeader & input)
 void
 RefuseExisting(const OutputRequest & output, bool overwrite)
 {
-  std::error_code error;
-  const auto folder = output.fileName.has_parent_path() ? output.fileName.parent_path() : std::filesystem::path(".");
+  std::error_code             error;
+  const std::filesystem::path folder = GetPlace(output.fileName).parent_path();
   if (!std::filesystem::is_directory(folder, error))
   {
     Fail(ExitStatus::Refused, output.fileName.string(), ": the folder ", folder.string(), " does not exist");

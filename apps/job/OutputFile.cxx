@@ -76,19 +76,6 @@ SyncFolder(const std::filesystem::path & folder)
   }
 }
 
-/** The file that a symbolic link points to, existing or not; other names stay as they are. */
-std::filesystem::path
-FollowLink(const std::filesystem::path & fileName)
-{
-  std::error_code error;
-  if (!std::filesystem::is_symlink(fileName, error))
-  {
-    return fileName;
-  }
-  const auto target = std::filesystem::weakly_canonical(fileName, error);
-  return error ? fileName : target;
-}
-
 std::filesystem::path
 FolderOf(const std::filesystem::path & fileName)
 {
@@ -97,8 +84,21 @@ FolderOf(const std::filesystem::path & fileName)
 
 } // namespace
 
+std::filesystem::path
+FollowLinks(const std::filesystem::path & fileName)
+{
+  constexpr int         maximumLinks = 40;
+  std::filesystem::path target = fileName;
+  std::error_code       error;
+  for (int link = 0; link < maximumLinks && std::filesystem::is_symlink(target, error); ++link)
+  {
+    target = target.parent_path() / std::filesystem::read_symlink(target, error);
+  }
+  return target;
+}
+
 OutputFile::OutputFile(const std::filesystem::path & fileName, bool overwrite)
-  : m_FileName(FollowLink(fileName))
+  : m_FileName(FollowLinks(fileName))
   , m_Overwrite(overwrite)
 {}
 

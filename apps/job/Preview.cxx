@@ -263,6 +263,7 @@ SliceScores::SliceScores(const VolumeGeometry & geometry)
   for (const std::uint64_t size : geometry.size)
   {
     m_Scores.emplace_back(size, 0);
+    m_Counts.emplace_back(size, 0);
   }
 }
 
@@ -316,12 +317,16 @@ SliceScores::AddRow(const Rows & rows, std::uint64_t y, std::uint64_t z)
       {
         continue;
       }
-      const bool edgeAlongX = x == 0 || !IsMedial(rows.row[x - 1]);
-      const bool edgeAlongY = !rows.previousAlongY || !IsMedial(rows.previousAlongY[x]);
-      const bool edgeAlongZ = !rows.previousAlongZ || !IsMedial(rows.previousAlongZ[x]);
-      m_Scores[0][x] += std::uint64_t{ edgeAlongY } + edgeAlongZ;
-      m_Scores[1][y] += std::uint64_t{ edgeAlongX } + edgeAlongZ;
-      m_Scores[2][z] += std::uint64_t{ edgeAlongX } + edgeAlongY;
+      constexpr std::int64_t weight = 3;
+      const std::int64_t     edgeAlongX = x == 0 || !IsMedial(rows.row[x - 1]);
+      const std::int64_t     edgeAlongY = !rows.previousAlongY || !IsMedial(rows.previousAlongY[x]);
+      const std::int64_t     edgeAlongZ = !rows.previousAlongZ || !IsMedial(rows.previousAlongZ[x]);
+      m_Scores[0][x] += weight * (edgeAlongY + edgeAlongZ) - 1;
+      m_Scores[1][y] += weight * (edgeAlongX + edgeAlongZ) - 1;
+      m_Scores[2][z] += weight * (edgeAlongX + edgeAlongY) - 1;
+      ++m_Counts[0][x];
+      ++m_Counts[1][y];
+      ++m_Counts[2][z];
     }
   }
 }
@@ -329,11 +334,19 @@ SliceScores::AddRow(const Rows & rows, std::uint64_t y, std::uint64_t z)
 std::uint64_t
 SliceScores::GetBestSlice(unsigned int axis) const
 {
-  // Near the faces of the image, where outside nothing is known, the sheets are not typical.
-  const std::vector<std::uint64_t> & scores = m_Scores[axis];
-  const auto                         margin = static_cast<std::ptrdiff_t>(scores.size() / 20);
-  const auto                         best = std::max_element(scores.begin() + margin, scores.end() - margin);
-  return *best == 0 ? scores.size() / 2 : static_cast<std::uint64_t>(best - scores.begin());
+  // Near the faces of the image, outside of which nothing is known, the sheets are not typical.
+  const std::uint64_t size = m_Scores[axis].size();
+  const std::uint64_t margin = size / 20;
+  std::uint64_t       best = size / 2;
+  for (std::uint64_t index = margin; index < size - margin; ++index)
+  {
+    const bool isFirst = m_Counts[axis][best] == 0;
+    if (m_Counts[axis][index] > 0 && (isFirst || m_Scores[axis][index] > m_Scores[axis][best]))
+    {
+      best = index;
+    }
+  }
+  return best;
 }
 
 void

@@ -14,8 +14,9 @@ namespace medialvoxel
 /** \class SliceScores
  * \brief Finds the slices that show most of the medial cells while the labels pass by.
  *
- * The score of a slice is the length of the outline of its medial cells. A sheet that a slice cuts across is a line and
- * counts with its whole length; a sheet that lies in the slice is a blot and counts little. */
+ * A sheet that a slice cuts across is a line in it; a sheet that lies in the slice is a blot that shows little. The
+ * score of a slice is therefore three times the length of the outline of its medial cells, counted at their lower
+ * sides, minus their number: positive for lines of up to three cells across. */
 class SliceScores
 {
 public:
@@ -38,7 +39,8 @@ private:
   AddRow(const Rows & rows, std::uint64_t y, std::uint64_t z);
 
   VolumeGeometry                          m_Geometry;
-  std::vector<std::vector<std::uint64_t>> m_Scores;    ///< by axis and index
+  std::vector<std::vector<std::int64_t>>  m_Scores;    ///< by axis and index
+  std::vector<std::vector<std::uint64_t>> m_Counts;    ///< of medial cells, likewise
   std::vector<std::uint8_t>               m_LastSlice; ///< the slice before the next one; empty before the first
 };
 

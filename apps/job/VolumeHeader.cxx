@@ -5,9 +5,6 @@
 #include "HeaderParsing.h"
 #include "Text.h"
 
-#include "itkMetaImageIO.h"
-#include "itkNrrdImageIO.h"
-
 #include <vnl/vnl_det.h>
 #include <vnl/vnl_matrix_fixed.h>
 
@@ -41,45 +38,8 @@ DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription &
   const size_t dimension = raw.size.size();
   header.geometry.spacing = raw.spacing.empty() ? std::vector<double>(dimension, 1.0) : raw.spacing;
   header.geometry.origin.assign(dimension, 0.0);
-  header.geometry.direction.assign(dimension, std::vector<double>(dimension, 0.0));
-  for (size_t axis = 0; axis < dimension; ++axis)
-  {
-    header.geometry.direction[axis][axis] = 1.0;
-  }
+  header.geometry.SetIdentityDirection();
   return header;
-}
-
-/** Spacing, origin and direction as ITK reads them from the same header. */
-void
-ReadGeometry(VolumeHeader & header, itk::ImageIOBase & io)
-{
-  const size_t dimension = header.geometry.size.size();
-  try
-  {
-    io.SetFileName(header.fileName.string());
-    io.ReadImageInformation();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    Fail(ExitStatus::CorruptInput, header.fileName.string(), ": ", error.GetDescription());
-  }
-  if (io.GetNumberOfComponents() != 1 || io.GetPixelType() != itk::IOPixelEnum::SCALAR)
-  {
-    Fail(
-      ExitStatus::CorruptInput, header.fileName.string(), ": only one value per voxel is read, not vectors or colors");
-  }
-  bool sameSize = io.GetNumberOfDimensions() == dimension;
-  for (unsigned int axis = 0; sameSize && axis < dimension; ++axis)
-  {
-    sameSize = io.GetDimensions(axis) == header.geometry.size[axis];
-    header.geometry.spacing.push_back(io.GetSpacing(axis));
-    header.geometry.origin.push_back(io.GetOrigin(axis));
-    header.geometry.direction.push_back(io.GetDirection(axis));
-  }
-  if (!sameSize)
-  {
-    Fail(ExitStatus::CorruptInput, header.fileName.string(), ": its header contradicts itself about the size");
-  }
 }
 
 void
@@ -150,6 +110,16 @@ VolumeGeometry::GetNumberOfVoxels() const
   return std::accumulate(size.begin(), size.end(), std::uint64_t{ 1 }, std::multiplies<>());
 }
 
+void
+VolumeGeometry::SetIdentityDirection()
+{
+  direction.assign(size.size(), std::vector<double>(size.size(), 0.0));
+  for (size_t axis = 0; axis < size.size(); ++axis)
+  {
+    direction[axis][axis] = 1.0;
+  }
+}
+
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<RawDescription> & raw)
 {
@@ -162,14 +132,10 @@ ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<Raw
   else if (extension == ".mha" || extension == ".mhd")
   {
     header = ReadMetaImageHeader(fileName);
-    CheckDataSize(header);
-    ReadGeometry(header, *itk::MetaImageIO::New());
   }
   else if (extension == ".nrrd" || extension == ".nhdr")
   {
     header = ReadNrrdHeader(fileName);
-    CheckDataSize(header);
-    ReadGeometry(header, *itk::NrrdImageIO::New());
   }
   else
   {

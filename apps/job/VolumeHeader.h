@@ -31,6 +31,10 @@ struct VolumeGeometry
   std::uint64_t
   GetNumberOfVoxels() const;
 
+  /** Lets the axes run along those of space. */
+  void
+  SetIdentityDirection();
+
   /** Voxels of one index along the last axis. */
   std::uint64_t
   GetVoxelsPerSlice() const

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OutputFile.h"
+
+#include "Errors.h"
+#include "TemporaryFolder.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+#include <vector>
+
+using namespace medialvoxel;
+
+TEST(OutputFile, AppearsOnlyWhenPublished)
+{
+  const TemporaryFolder folder;
+  OutputFile            file(folder / "a", false);
+  file.Create(6, true);
+  file.WriteAt(3, "def", 3);
+  file.WriteAt(0, "abc", 3);
+  file.Finish();
+  EXPECT_FALSE(std::filesystem::exists(folder / "a"));
+  file.Publish();
+  EXPECT_EQ(folder.Read("a"), "abcdef");
+  EXPECT_EQ(folder.GetNumberOfFiles(), 1);
+}
+
+TEST(OutputFile, LeavesNothingBehindWhenGivenUp)
+{
+  const TemporaryFolder folder;
+  folder.Write("a", "old");
+  {
+    OutputFile file(folder / "a", true);
+    file.Create(1 << 20, true);
+    EXPECT_EQ(folder.GetNumberOfFiles(), 2);
+  }
+  EXPECT_EQ(folder.GetNumberOfFiles(), 1);
+  EXPECT_EQ(folder.Read("a"), "old");
+}
+
+TEST(OutputFile, KeepsAFileThatCameUpMeanwhile)
+{
+  const TemporaryFolder folder;
+  OutputFile            file(folder / "a", false);
+  file.Create(0, false);
+  folder.Write("a", "of somebody else");
+  try
+  {
+    file.Publish();
+    FAIL() << "replaced a file";
+  }
+  catch (const JobError & error)
+  {
+    EXPECT_EQ(error.GetStatus(), ExitStatus::Refused);
+  }
+  EXPECT_EQ(folder.Read("a"), "of somebody else");
+}
+
+TEST(OutputFile, NoticesAWrongSize)
+{
+  const TemporaryFolder folder;
+  OutputFile            file(folder / "a", false);
+  file.Create(10, false);
+  std::filesystem::resize_file(file.GetTemporaryName(), 9);
+  EXPECT_THROW(file.Finish(), JobError);
+}
+
+TEST(OutputFile, TwoOfOneNameDoNotMeet)
+{
+  const TemporaryFolder folder;
+  OutputFile            first(folder / "a", true);
+  OutputFile            second(folder / "a", true);
+  first.Create(0, false);
+  second.Create(0, false);
+  EXPECT_NE(first.GetTemporaryName(), second.GetTemporaryName());
+}
+
+TEST(OutputFile, SparseWritingSkipsZerosAndNothingElse)
+{
+  constexpr std::uint64_t size = 5 << 20;
+  std::vector<char>       data(size, 0);
+  for (const std::uint64_t position :
+       { std::uint64_t{ 0 }, std::uint64_t{ 65535 }, std::uint64_t{ 3 << 20 }, size - 1 })
+  {
+    data[position] = 'x';
+  }
+  const TemporaryFolder folder;
+  OutputFile            file(folder / "a", false);
+  constexpr char        header[] = "header of some bytes";
+  file.Create(sizeof(header) + size, false);
+  file.WriteAt(0, header, sizeof(header));
+  file.WriteSparseAt(sizeof(header), data.data(), size);
+  file.Finish();
+  file.Publish();
+
+  const std::string content = folder.Read("a");
+  EXPECT_EQ(content.substr(sizeof(header)), std::string(data.begin(), data.end()));
+  struct stat status = {};
+  ASSERT_EQ(stat((folder / "a").c_str(), &status), 0);
+  EXPECT_LT(status.st_blocks * 512, static_cast<std::int64_t>(size / 4));
+}
+
+TEST(OutputFile, RefusesAFolderThatCannotBeWritten)
+{
+  OutputFile file("/proc/medialvoxel-test", false);
+  try
+  {
+    file.Create(0, false);
+    FAIL() << "created a file";
+  }
+  catch (const JobError & error)
+  {
+    EXPECT_EQ(error.GetStatus(), ExitStatus::Refused);
+  }
+}

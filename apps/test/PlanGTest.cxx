@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Plan.h"
+
+#include <gtest/gtest.h>
+
+using namespace medialvoxel;
+
+namespace
+{
+
+VolumeHeader
+MakeHeader(const std::vector<std::uint64_t> & size)
+{
+  VolumeHeader header;
+  header.fileName = "volume.mha";
+  header.dataFile = header.fileName;
+  header.format = "MetaImage";
+  header.geometry.size = size;
+  return header;
+}
+
+constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
+
+} // namespace
+
+TEST(Plan, PiecesCoverEverySliceOnce)
+{
+  for (const std::uint64_t slices : { 1, 2, 7, 64, 1000 })
+  {
+    for (const std::uint64_t divisions : { 1, 2, 3, 7, 5000 })
+    {
+      JobOptions options;
+      options.divisions = divisions;
+      const JobPlan plan = MakePlan(options, MakeHeader({ 4, 5, slices }), {}, { 1 });
+      std::uint64_t next = 0;
+      for (std::uint64_t piece = 0; piece < plan.divisions; ++piece)
+      {
+        EXPECT_EQ(plan.GetPiece(piece).begin, next);
+        EXPECT_GT(plan.GetPiece(piece).end, next);
+        next = plan.GetPiece(piece).end;
+      }
+      EXPECT_EQ(next, slices);
+      EXPECT_EQ(plan.divisions, std::min(slices, divisions));
+    }
+  }
+}
+
+TEST(Plan, LargeResultsAreDivided)
+{
+  JobOptions options;
+  options.threads = 2;
+  EXPECT_EQ(MakePlan(options, MakeHeader({ 100, 100, 100 }), {}, { 1 }).divisions, 1u);
+  const JobPlan plan = MakePlan(options, MakeHeader({ 1000, 1000, 1000 }), {}, { 16 });
+  EXPECT_GT(plan.divisions, 100u);
+  EXPECT_LT(plan.memoryBytes, 400 * MiB);
+}
+
+TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
+{
+  const VolumeHeader header = MakeHeader({ 500, 500, 500 });
+  JobOptions         options;
+  options.threads = 1;
+  std::uint64_t divisions = 0;
+  for (const std::uint64_t memory : { 400 * MiB, 150 * MiB, 100 * MiB })
+  {
+    options.memoryBytes = memory;
+    const JobPlan plan = MakePlan(options, header, {}, { 13 });
+    EXPECT_LE(plan.memoryBytes, memory);
+    EXPECT_GE(plan.divisions, divisions);
+    divisions = plan.divisions;
+  }
+  options.memoryBytes = 10 * MiB;
+  try
+  {
+    MakePlan(options, header, {}, { 13 });
+    FAIL() << "planned the impossible";
+  }
+  catch (const JobError & error)
+  {
+    EXPECT_EQ(error.GetStatus(), ExitStatus::Refused);
+  }
+}
+
+TEST(Plan, AVolumeThatDoesNotStreamCountsWhole)
+{
+  JobOptions   options;
+  VolumeHeader header = MakeHeader({ 1000, 1000, 1000 });
+  const auto   streamed = MakePlan(options, header, {}, { 1 }).memoryBytes;
+  header.compressed = true;
+  EXPECT_GT(MakePlan(options, header, {}, { 1 }).memoryBytes, streamed + 900 * MiB);
+}

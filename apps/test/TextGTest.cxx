@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Text.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace medialvoxel;
+
+TEST(Text, NumbersAreTheWholeText)
+{
+  EXPECT_EQ(ParseDouble("72.5"), 72.5);
+  EXPECT_EQ(ParseDouble("+3"), 3.0);
+  EXPECT_EQ(ParseDouble("-1e-3"), -1e-3);
+  EXPECT_TRUE(std::isnan(ParseDouble("nan").value()));
+  for (const char * const text : { "", "3x", "x3", " 3", "3 ", "+-3", "0x10", "1,5" })
+  {
+    EXPECT_FALSE(ParseDouble(text)) << text;
+  }
+  EXPECT_EQ(ParseInteger("-12"), -12);
+  for (const char * const text : { "", "3.0", "1e3", "9223372036854775808" })
+  {
+    EXPECT_FALSE(ParseInteger(text)) << text;
+  }
+}
+
+TEST(Text, ByteSizesTakeUnits)
+{
+  EXPECT_EQ(ParseByteSize("17"), 17u);
+  EXPECT_EQ(ParseByteSize("2K"), 2048u);
+  EXPECT_EQ(ParseByteSize("1.5m"), 1536u * 1024u);
+  EXPECT_EQ(ParseByteSize("8G"), std::uint64_t{ 8 } << 30);
+  EXPECT_EQ(ParseByteSize("4T"), std::uint64_t{ 4 } << 40);
+  for (const char * const text : { "", "K", "-1K", "1KB", "x", "nan", "inf", "1e30", "99999999T" })
+  {
+    EXPECT_FALSE(ParseByteSize(text)) << text;
+  }
+}
+
+TEST(Text, BytesAreShortToRead)
+{
+  EXPECT_EQ(FormatBytes(0), "0 B");
+  EXPECT_EQ(FormatBytes(1023), "1023 B");
+  EXPECT_EQ(FormatBytes(1536), "1.5 KiB");
+  EXPECT_EQ(FormatBytes(std::uint64_t{ 3 } << 40), "3.0 TiB");
+}
+
+TEST(Text, NumbersReadBackExactly)
+{
+  for (const double value : { 0.1, 0.9570312, 1.0 / 3.0, 1e-300, 123456789.125, -0.5 })
+  {
+    EXPECT_EQ(ParseDouble(FormatNumber(value)), value);
+  }
+}
+
+TEST(Text, SplitsAndTrims)
+{
+  EXPECT_EQ(SplitAtBlanks("  a\tbc  d\r"), (std::vector<std::string>{ "a", "bc", "d" }));
+  EXPECT_TRUE(SplitAtBlanks(" \t ").empty());
+  EXPECT_EQ(Trim(" \ta b\r"), "a b");
+  EXPECT_EQ(FormatSize({ 256, 256, 110 }), "256 x 256 x 110");
+}

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the program that the environment variable MEDIALVOXEL_PROGRAM names."""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM = os.environ["MEDIALVOXEL_PROGRAM"]
+
+DONE, FAILURE, USAGE, REFUSED, CORRUPT = range(5)
+
+
+def unprivileged():
+    """Options that run the program as a user whom permissions bind; skips the test where that is not possible."""
+    options = {} if os.geteuid() else {"user": 65534, "group": 65534, "extra_groups": []}
+    try:
+        subprocess.run([PROGRAM, "--version"], check=True, capture_output=True, cwd="/", **options)
+    except (OSError, subprocess.CalledProcessError):
+        raise unittest.SkipTest("the program cannot be run by an unprivileged user from here") from None
+    return options
+
+
+class ProgramTestCase(unittest.TestCase):
+    """Each test has a folder of its own, self.folder."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory(prefix="medialvoxel-test-")
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def run_program(self, *arguments, status=DONE, **options):
+        """Runs the program, checks its exit status and returns what it printed."""
+        result = subprocess.run(
+            [PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False, **options
+        )
+        self.assertEqual(result.returncode, status, f"{arguments}\n{result.stdout}{result.stderr}")
+        if status == DONE:
+            self.assertEqual(result.stderr, "", arguments)
+        else:
+            self.assertEqual(result.stdout, "", arguments)
+            self.assertTrue(result.stderr.startswith("medialvoxel: "), result.stderr)
+        return result
+
+    def extract(self, source, target, *arguments, status=DONE, thickness=3, **options):
+        return self.run_program(
+            "extract", source, target, "--thickness", thickness, *arguments, status=status, **options
+        )
+
+    def snapshot(self):
+        """Names and contents of all files."""
+        return {path.name: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}
+
+    def assert_fails(self, status, parts, *arguments, **options):
+        """The program fails with this status, its message has all the parts, and no file has changed."""
+        before = self.snapshot()
+        message = self.run_program(*arguments, status=status, **options).stderr
+        for part in parts:
+            self.assertIn(str(part), message)
+        self.assertEqual(message.count("\n"), 1, message)
+        self.assertEqual(self.snapshot(), before, "files changed")

@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The picture: its colors, its size, the slices that it shows."""
+
+import struct
+import unittest
+import zlib
+
+import volumes
+from program import ProgramTestCase
+
+BLACK = (0, 0, 0)
+WHITE = (255, 255, 255)
+RED = (255, 45, 35)
+GRAY = (95, 95, 100)
+
+
+def read_png(path):
+    """Rows of red, green, blue of a picture with eight bits per color."""
+    content = path.read_bytes()
+    assert content[:8] == b"\x89PNG\r\n\x1a\n"
+    position, packed = 8, b""
+    while position < len(content):
+        length, name = struct.unpack(">I4s", content[position : position + 8])
+        chunk = content[position + 8 : position + 8 + length]
+        if name == b"IHDR":
+            width, height, depth, color = struct.unpack(">IIBB", chunk[:10])
+            assert (depth, color) == (8, 2)
+        elif name == b"IDAT":
+            packed += chunk
+        position += 12 + length
+    data = zlib.decompress(packed)
+    stride = 3 * width
+    rows, previous = [], bytearray(stride)
+    for y in range(height):
+        kind, *line = data[y * (stride + 1) : (y + 1) * (stride + 1)]
+        for i in range(stride):
+            left = line[i - 3] if i >= 3 else 0
+            above = previous[i]
+            corner = previous[i - 3] if i >= 3 else 0
+            if kind == 4:
+                estimate = left + above - corner
+                nearest = min((left, above, corner), key=lambda value: abs(estimate - value))
+                line[i] = (line[i] + nearest) & 255
+            else:
+                line[i] = (line[i] + (0, left, above, (left + above) // 2)[kind]) & 255
+        rows.append([tuple(line[i : i + 3]) for i in range(0, stride, 3)])
+        previous = line
+    return rows
+
+
+class PreviewTest(ProgramTestCase):
+    def preview(self, volume, *arguments):
+        volumes.write_meta(self.folder / "in.mha", volume)
+        self.extract("in.mha", "out.mha", "--preview", "p.png", "--overwrite", *arguments)
+        return read_png(self.folder / "p.png")
+
+    def colors(self, rows):
+        counts = {}
+        for row in rows:
+            for color in row:
+                counts[color] = counts.get(color, 0) + 1
+        return counts
+
+    def test_colors_of_three_slices(self):
+        volume = volumes.box_with_plate()
+        colors = self.colors(self.preview(volume, "--lower", 72))
+        for color in (BLACK, WHITE, GRAY):
+            self.assertGreater(colors[color], 1000)
+        legend = 14 * 14
+        self.assertEqual(self.colors(self.preview(volume, "--lower", 101))[RED], legend)
+        self.assertGreater(self.colors(self.preview(volume, "--lower", 72, "--bound", "off"))[RED], 1000)
+
+    def test_pieces_do_not_change_the_picture(self):
+        volume = volumes.box_with_plate()
+        whole = self.preview(volume, "--lower", 72)
+        self.assertEqual(self.preview(volume, "--lower", 72, "--divisions", 5), whole)
+
+    def test_spacing_sets_the_proportions(self):
+        """A cube of 10 mm from flat voxels: all views are squares, and the object fills the middle of each."""
+        volume = volumes.Volume((40, 40, 10), [], (0.25, 0.25, 1.0))
+        volume.voxels = [1 if 10 <= x < 30 and 10 <= y < 30 else 0 for x, y, z in volume.indices()]
+        rows = self.preview(volume)
+        first = next(y for y, row in enumerate(rows) if GRAY in row)
+        heights = [sum(1 for row in rows if row[x] in (GRAY, WHITE, RED)) for x in range(len(rows[0]))]
+        tall = [x for x, height in enumerate(heights) if height > 100]
+        self.assertTrue(tall)
+        self.assertLess(first, len(rows) // 2)
+        self.assertLessEqual(max(len(rows), len(rows[0])), 1600)
+
+    def test_very_different_lengths(self):
+        for size in ((1, 1, 1), (3, 2, 1), (2000, 3, 2), (2, 3, 2000)):
+            volume = volumes.Volume(size, [])
+            volume.voxels = [1 if sum(index) % 5 else 0 for index in volume.indices()]
+            rows = self.preview(volume)
+            self.assertLessEqual(len(rows), 1700, size)
+            self.assertLessEqual(len(rows[0]), 1700, size)
+
+    def test_slices_cross_the_sheet(self):
+        """A plate that lies in a slice of z is shown by the slices that cut it, not as a blot alone."""
+        volume = volumes.Volume((40, 40, 40), [])
+        volume.voxels = [1 if 18 <= z < 22 or 30 <= x < 34 and z > 4 else 0 for x, y, z in volume.indices()]
+        colors = self.colors(self.preview(volume))
+        self.assertLess(colors[WHITE] + colors.get(RED, 0), colors[GRAY])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The report and the table: stable keys in a stable order, numbers that fit together."""
+
+import json
+import math
+import unittest
+
+import volumes
+from program import ProgramTestCase
+
+KEYS = [
+    "version",
+    "input",
+    "outputs",
+    "parameters",
+    "size",
+    "counts",
+    "percent",
+    "seconds",
+    "peak_memory_bytes",
+    "bytes_read",
+    "threads",
+    "divisions",
+]
+COUNTS = [
+    "object_voxels",
+    "boundary_voxels",
+    "not_a_number_voxels",
+    "candidate_cells",
+    "trivial",
+    "bound",
+    "geodesic_medial",
+    "geodesic_non_medial",
+    "medial_cells",
+]
+FROM_THE_RUN = KEYS[KEYS.index("seconds") :]
+
+
+class ReportTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        self.volume = volumes.box_with_plate(spacing=(1, 1, 1.5))
+        volumes.write_meta(self.folder / "in.mha", self.volume)
+
+    def report(self, *arguments, source="in.mha"):
+        result = self.extract(source, "out.mha", "--report", "r.json", "--overwrite", *arguments)
+        return json.loads((self.folder / "r.json").read_text()), result.stdout
+
+    def test_keys_and_numbers(self):
+        report, _ = self.report("--lower", 72, "--threads", 2, "--divisions", 3)
+        self.assertEqual(list(report), KEYS)
+        self.assertEqual(list(report["counts"]), COUNTS)
+        self.assertEqual(list(report["seconds"]), ["distance", "classification", "input_output", "total"])
+        self.assertEqual(report["size"], [24, 20, 16])
+        self.assertEqual(report["input"]["spacing"], [1, 1, 1.5])
+        self.assertEqual(report["outputs"], {"labels": "out.mha", "report": "r.json"})
+        self.assertEqual(report["parameters"]["thickness"], 3)
+        self.assertEqual(report["parameters"]["lower"], 72)
+        self.assertIsNone(report["parameters"]["upper"])
+        self.assertEqual((report["threads"], report["divisions"]), (2, 3))
+        self.assertEqual(report["counts"]["object_voxels"], self.volume.voxels.count(100))
+        counts = report["counts"]
+        decided = sum(counts[name] for name in ("trivial", "bound", "geodesic_medial", "geodesic_non_medial"))
+        self.assertEqual(decided, counts["candidate_cells"])
+        self.assertEqual(counts["medial_cells"], counts["bound"] + counts["geodesic_medial"])
+        searched = counts["geodesic_medial"] + counts["geodesic_non_medial"]
+        self.assertAlmostEqual(report["percent"]["correct"], 100 * searched / counts["candidate_cells"])
+        self.assertAlmostEqual(sum(report["percent"].values()), 100)
+        self.assertGreater(report["peak_memory_bytes"], 2**20)
+        self.assertGreaterEqual(report["bytes_read"], len(self.volume.data()))
+        self.assertGreater(report["seconds"]["total"], 0)
+
+    def test_part_that_does_not_depend_on_the_run(self):
+        first, _ = self.report("--lower", 72, "--threads", 1)
+        second, _ = self.report("--lower", 72, "--threads", 5, "--divisions", 4)
+        for key in KEYS:
+            if key not in FROM_THE_RUN:
+                self.assertEqual(first[key], second[key], key)
+
+    def test_table(self):
+        report, table = self.report("--lower", 72)
+        rows = dict(line.strip().split("  ", 1) for line in table.splitlines())
+        rows = {name: value.strip() for name, value in rows.items()}
+        self.assertEqual(rows["resolution"], "24 x 20 x 16")
+        self.assertEqual(rows["tau"], "3")
+        self.assertEqual(rows["object voxels"], str(report["counts"]["object_voxels"]))
+        self.assertEqual(rows["medial cells"], str(report["counts"]["medial_cells"]))
+        self.assertEqual(rows["pseudo"], f"{report['percent']['pseudo']:.2f} %")
+        self.assertEqual(rows["labels"], "out.mha")
+        for name in ("distance", "classification", "total", "peak memory"):
+            self.assertIn(name, rows)
+
+    def test_quiet(self):
+        self.assertEqual(self.extract("in.mha", "out.mha", "--quiet").stdout, "")
+        self.assertEqual(self.run_program("distance", "in.mha", "v.mha", "--quiet").stdout, "")
+
+    def test_not_a_number(self):
+        volume = self.volume.as_type("float32")
+        volume.voxels[5] = volume.voxels[1000] = math.nan
+        volumes.write_meta(self.folder / "nan.mha", volume)
+        for arguments in (["--divisions", 1], ["--divisions", 5]):
+            report, table = self.report("--lower", 72, *arguments, source="nan.mha")
+            self.assertEqual(report["counts"]["not_a_number_voxels"], 2)
+            self.assertIn("2 voxels, taken as background", table)
+        result = self.run_program("distance", "nan.mha", "v.mha", "--lower", 72, "--report", "d.json")
+        self.assertIn("2 voxels", result.stdout)
+        self.assertEqual(json.loads((self.folder / "d.json").read_text())["counts"]["not_a_number_voxels"], 2)
+
+    def test_volume_without_object_and_without_background(self):
+        for arguments, objects, label in ((["--lower", 101], 0, 0), (["--lower", 0], len(self.volume.voxels), 1)):
+            report, _ = self.report(*arguments)
+            self.assertEqual(report["counts"]["object_voxels"], objects)
+            self.assertEqual(report["counts"]["medial_cells"], 0)
+            self.assertEqual(report["counts"]["boundary_voxels"], 0)
+            self.assertEqual(set(volumes.read_data(self.folder / "out.mha")), {0, label})
+            self.assertEqual(report["percent"]["pseudo"], None if objects == 0 else 100)
+
+    def test_report_of_distance(self):
+        self.run_program("distance", "in.mha", "v.mha", "--lower", 72, "--report", "r.json", "--maximum-distance", 5)
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual(list(report), [key for key in KEYS if key != "percent"])
+        self.assertEqual(report["parameters"]["maximum_distance"], 5)
+        self.assertEqual(report["parameters"]["boundary"], "object")
+
+    def test_name_that_is_no_valid_text(self):
+        source = b"scan-\xff.mha"
+        (self.folder / "in.mha").rename(self.folder.joinpath(source.decode("utf-8", "surrogateescape")))
+        report, _ = self.report(source=source.decode("utf-8", "surrogateescape"))
+        self.assertEqual(report["input"]["file"], "scan-\ufffd.mha")
+
+
+if __name__ == "__main__":
+    unittest.main()

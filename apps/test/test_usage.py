@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Options that are wrong, missing or contradictory: status 2, a message with value and range, nothing written."""
+
+import unittest
+
+import volumes
+from program import USAGE, ProgramTestCase
+
+
+class UsageTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        self.volume = volumes.box_with_plate()
+        volumes.write_meta(self.folder / "in.mha", self.volume)
+        volumes.write_raw(self.folder / "in.raw", self.volume)
+
+    def assert_usage(self, parts, *arguments):
+        self.assert_fails(USAGE, parts, *arguments)
+
+    def assert_extract_usage(self, parts, *arguments):
+        self.assert_usage(parts, "extract", "in.mha", "out.mha", "--thickness", 3, *arguments)
+
+    def test_help_and_version_are_results(self):
+        self.assertIn("extract", self.run_program("--help").stdout)
+        self.assertRegex(self.run_program("--version").stdout, r"^medialvoxel \d+\.\d+\.\d+\n$")
+        for command in ("extract", "distance"):
+            text = self.run_program(command, "--help").stdout
+            self.assertIn("Examples:", text)
+            self.assertIn("--raw-size", text)
+
+    def test_missing_and_unknown_arguments(self):
+        self.assert_usage(["subcommand"])
+        self.assert_usage(["INPUT"], "extract", "--thickness", 3)
+        self.assert_usage(["OUTPUT"], "extract", "in.mha", "--thickness", 3)
+        self.assert_usage(["--thickness"], "extract", "in.mha", "out.mha")
+        self.assert_extract_usage(["--bogus"], "--bogus")
+        self.assert_extract_usage(["extra"], "extra")
+        self.assert_extract_usage(["--lower"], "--lower")
+
+    def test_thickness_out_of_range(self):
+        for value in ("0", "-2", "nan", "inf", "-inf"):
+            self.assert_usage(
+                ["thickness", value, "finite number greater than 0"], "extract", "in.mha", "out.mha", "--thickness", value
+            )
+        for value in ("3x", "", "three", "0x3"):
+            self.assert_usage(["--thickness", f"'{value}'"], "extract", "in.mha", "out.mha", "--thickness", value)
+
+    def test_thresholds(self):
+        for command in (["extract", "in.mha", "out.mha", "--thickness", 3], ["distance", "in.mha", "out.mha"]):
+            self.assert_usage(["72.5", "greater than", "72"], *command, "--lower", 72.5, "--upper", 72)
+            self.assert_usage(["-5", "-6"], *command, "--lower", -5, "--upper", -6)
+            self.assert_usage(["lower", "nan"], *command, "--lower", "nan")
+            self.assert_usage(["--upper", "'a'"], *command, "--upper", "a")
+
+    def test_numbers_out_of_range(self):
+        self.assert_extract_usage(["--threads", "'0'", "from 1"], "--threads", 0)
+        self.assert_extract_usage(["--threads", "'-1'"], "--threads", -1)
+        self.assert_extract_usage(["--threads", "'2.5'"], "--threads", 2.5)
+        self.assert_extract_usage(["--divisions", "'0'", "from 1"], "--divisions", 0)
+        for size in ("x", "", "-1G", "1X", "nan", "1e30"):
+            self.assert_extract_usage(["--memory", f"'{size}'", "500M"], "--memory", size)
+        self.assert_usage(["maximum distance", "0"], "distance", "in.mha", "out.mha", "--maximum-distance", 0)
+
+    def test_unknown_choices(self):
+        self.assert_extract_usage(["--bound", "'exact'", "free-space"], "--bound", "exact")
+        self.assert_extract_usage(["--progress", "'loud'", "bar"], "--progress", "loud")
+        self.assert_extract_usage(["--vector-boundary", "'both'", "object"], "--vector-boundary", "both")
+        self.assert_usage(["--region", "'none'", "inside"], "distance", "in.mha", "out.mha", "--region", "none")
+
+    def test_options_given_twice(self):
+        self.assert_extract_usage(["--lower"], "--lower", 1, "--lower", 2)
+
+    def test_distance_flags_without_distance(self):
+        for flag in ("--squared-distance", "--inside-positive"):
+            self.assert_usage(["distance file"], "distance", "in.mha", "out.mha", flag)
+
+    def test_unknown_output_extensions(self):
+        for name in ("out", "out.tif", "out.raw", "out.nii.gz"):
+            self.assert_usage([name, "unknown format", ".mha"], "extract", "in.mha", name, "--thickness", 3)
+            self.assert_usage([name, "unknown format", ".mha"], "distance", "in.mha", name)
+            self.assert_extract_usage([name, "unknown format"], "--vectors", name)
+            self.assert_extract_usage([name, "unknown format"], "--distance", name)
+        self.assert_extract_usage(["out.jpg", "unknown format", ".png"], "--preview", "out.jpg")
+
+    def test_raw_description(self):
+        command = ["extract", "in.raw", "out.mha", "--thickness", 3]
+        self.assert_usage(["unknown format", "--raw-size"], *command)
+        self.assert_usage(["--raw-type"], *command, "--raw-size", "24,20,16")
+        self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8")
+        for option in (["--raw-spacing", "1,1,1"], ["--raw-header", 4], ["--raw-big-endian"]):
+            self.assert_usage(["--raw-size"], *command, *option)
+        for size in ("24,20,x", "24,20,-16", "24,20,0", "24,,16", "1e3,2,2", ""):
+            self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", size)
+        for size in ("24", "24,20,16,1"):
+            self.assert_usage(["raw size", "2 or 3"], *command, "--raw-type", "uint8", "--raw-size", size)
+        self.assert_usage(["raw size"], *command, "--raw-type", "uint8", "--raw-size", "2000000000,2000000000,2000000000")
+        self.assert_usage(["--raw-type", "'uint7'"], *command, "--raw-size", "24,20,16", "--raw-type", "uint7")
+        described = [*command, "--raw-size", "24,20,16", "--raw-type", "uint8"]
+        for spacing in ("-1,1,1", "0,1,1", "nan,1,1", "inf,1,1"):
+            self.assert_usage(
+                ["raw spacing", spacing.split(",")[0], "greater than 0"], *described, "--raw-spacing", spacing
+            )
+        self.assert_usage(["raw spacing", "2", "3"], *described, "--raw-spacing", "1,1")
+        self.assert_usage(["--raw-spacing"], *described, "--raw-spacing", "1,1,a")
+        self.assert_usage(["--raw-header", "'-1'"], *described, "--raw-header", -1)
+
+
+if __name__ == "__main__":
+    unittest.main()
