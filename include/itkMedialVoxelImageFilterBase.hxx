@@ -390,10 +390,10 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
     throw;
   }
   m_Execution = nullptr;
-  const unsigned int axis = MedialVoxelSlowestAxis(region);
+  const unsigned int axis = MedialVoxelSlowestAxis(grid.GetVoxelBox());
   if (region.upper[axis] == grid.GetSize()[axis])
   {
-    // No piece follows along the slowest axis, so that nobody needs the window.
+    // No piece follows along the slowest axis of the image, so that nobody needs the window.
     m_Engine.reset();
   }
 
