@@ -7,6 +7,7 @@
 
 #include "MedialVoxelExport.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -89,11 +90,36 @@ public:
 
   /** The 64 bits from \a x on (bit 0 is x) of a row of the box; voxels outside the box read as zero. */
   WordType
-  Extract(std::int64_t x, std::int64_t y, std::int64_t z) const;
+  Extract(const std::int64_t x, const std::int64_t y, const std::int64_t z) const
+  {
+    // An arithmetic shift rounds towards minus infinity, as x may lie before the box.
+    const std::int64_t word = (x >> 6) - m_FirstWord;
+    if (word < -1 || word > m_WordsPerRow)
+    {
+      return 0;
+    }
+    const WordType * const row = this->GetRow(y, z) + word;
+    const unsigned int     shift = static_cast<unsigned int>(x & (BitsPerWord - 1));
+    if (shift == 0)
+    {
+      return row[0];
+    }
+    return (row[0] >> shift) | (word < m_WordsPerRow ? row[1] << (BitsPerWord - shift) : 0);
+  }
 
   /** Mask of the bits of the image-wide word \a word that lie in [lower, upper). */
   static WordType
-  RangeMask(std::int64_t word, std::int64_t lower, std::int64_t upper);
+  RangeMask(const std::int64_t word, const std::int64_t lower, const std::int64_t upper)
+  {
+    const std::int64_t begin = std::max<std::int64_t>(lower - word * BitsPerWord, 0);
+    const std::int64_t end = std::min<std::int64_t>(upper - word * BitsPerWord, BitsPerWord);
+    if (begin >= end)
+    {
+      return 0;
+    }
+    const WordType upTo = (end == BitsPerWord) ? ~WordType{ 0 } : (WordType{ 1 } << end) - 1;
+    return upTo & (~WordType{ 0 } << begin);
+  }
 
   /** True when a bit is set in \a box, which is clipped to the own box. */
   bool
@@ -110,6 +136,10 @@ public:
   }
 
 private:
+  /** Reframe without a second copy, when only the range along z changes and the memory suffices. */
+  bool
+  SlideAlongZ(const MedialVoxelBox & box);
+
   /** Call \a visit(word) for the bits of \a box, word by word, until it returns false. */
   template <typename TVisitor>
   void

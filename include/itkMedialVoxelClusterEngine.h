@@ -46,6 +46,7 @@ public:
   struct Settings
   {
     std::vector<MedialVoxelBoundary> boundaries;
+    bool                             keepsNotANumber{ false };
 
     /** Voxels around a tile that are known from the start. */
     MedialVoxelIndex halo{ { 8, 8, 8 } };
@@ -62,11 +63,11 @@ public:
 
   MedialVoxelClusterEngine(const MedialVoxelGrid & grid, Settings settings);
 
-  /** Object voxels that the first slab of \a region starts with. */
-  MedialVoxelBox
-  GetFirstObjectBox(const MedialVoxelBox & region) const;
+  /** Boxes of object voxels that the first slab of \a region starts with and the window does not hold. */
+  std::vector<MedialVoxelBox>
+  GetMissingObjectBoxes(const MedialVoxelBox & region) const;
 
-  /** Process all of \a region. */
+  /** Process all of \a region; the window of the last slab is kept for the next call. */
   void
   Run(const MedialVoxelBox & region, MedialVoxelClusterClient & client);
 

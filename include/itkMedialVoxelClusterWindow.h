@@ -29,9 +29,10 @@ class MedialVoxel_EXPORT MedialVoxelObjectSource
 public:
   virtual ~MedialVoxelObjectSource();
 
-  /** Set the bits of the object voxels of \a box, which are clear. */
+  /** Set the bits of the object voxels of \a box, which are clear, and in \a notANumber, unless it is null, those of
+   * the voxels whose value is not a number. */
   virtual void
-  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object) = 0;
+  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * notANumber) = 0;
 };
 
 /** \class MedialVoxelClusterWindow
@@ -44,8 +45,10 @@ public:
 class MedialVoxel_EXPORT MedialVoxelClusterWindow
 {
 public:
-  /** \a kinds lists the boundaries that are kept. */
-  MedialVoxelClusterWindow(const MedialVoxelGrid & grid, std::vector<MedialVoxelBoundary> kinds);
+  /** \a kinds lists the boundaries that are kept; \a keepsNotANumber says whether voxels that are not a number are. */
+  MedialVoxelClusterWindow(const MedialVoxelGrid &          grid,
+                           std::vector<MedialVoxelBoundary> kinds,
+                           bool                             keepsNotANumber = false);
 
   /** Voxels whose object bits are needed to know the boundaries in \a sites. */
   MedialVoxelBox
@@ -65,10 +68,19 @@ public:
     return m_Object;
   }
 
+  /** Voxels that are not a number; empty unless they are kept. */
+  const MedialVoxelBits &
+  GetNotANumber() const
+  {
+    return m_NotANumber;
+  }
+
 private:
   MedialVoxelGrid                  m_Grid;
   std::vector<MedialVoxelBoundary> m_Kinds;
+  bool                             m_KeepsNotANumber;
   MedialVoxelBits                  m_Object;
+  MedialVoxelBits                  m_NotANumber;
   std::vector<MedialVoxelBits>     m_Boundaries;
 };
 

@@ -116,8 +116,6 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const Media
   {
     settings.halo[axis] += reach[axis];
   }
-  settings.tileSize = this->GetTileSize();
-  settings.slabThickness = this->GetSlabThickness();
   return settings;
 }
 

@@ -30,8 +30,9 @@ namespace itk
  * more is run again after the window has grown. Results do not depend on the requested region, on the division of the
  * work, or on the number of threads.
  *
- * After an update the input image buffers only the last piece that was pulled, unless it has no source or its source
- * cannot stream.
+ * The pieces of a streamed update (StreamingImageFilter, ImageFileWriter) share the window: input that two pieces
+ * depend on is pulled once when they follow each other along the slowest axis. After an update the input image buffers
+ * only the last piece that was pulled, unless it has no source or its source cannot stream.
  *
  * \par Object
  * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
@@ -112,6 +113,10 @@ public:
    * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
   itkGetConstMacro(NumberOfNotANumberVoxels, SizeValueType);
 
+  /** Voxels of tiles that were started before the window held what they depend on, and run again; summed like the counts.
+   * A measure of waste: thin parts have none. */
+  itkGetConstMacro(NumberOfRecomputedVoxels, SizeValueType);
+
   /** Seconds that all threads together spent in the distance transform; summed like the counts. */
   itkGetConstMacro(DistanceSeconds, double);
 
@@ -154,6 +159,7 @@ protected:
   struct TileSums
   {
     MedialVoxelCounts counts;
+    std::uint64_t     recomputedVoxels{ 0 };
     double            distanceSeconds{ 0.0 };
     double            classificationSeconds{ 0.0 };
   };
@@ -207,6 +213,17 @@ protected:
 private:
   class Execution;
 
+  MedialVoxelClusterEngine::Settings
+  CompleteSettings(const MedialVoxelGrid & grid) const;
+
+  /** The engine for the next execution: that of the last one when it continues the same streamed update. */
+  void
+  PrepareEngine(const MedialVoxelGrid & grid);
+
+  /** Latest change of anything that the window depends on. */
+  ModifiedTimeType
+  GetWindowMTime() const;
+
   using PredicateType = MedialVoxelObjectPredicate<InputPixelType>;
 
   PredicateType
@@ -221,9 +238,14 @@ private:
   unsigned int   m_SlabThickness{ 0 };
 
   SizeValueType m_NumberOfNotANumberVoxels{ 0 };
+  SizeValueType m_NumberOfRecomputedVoxels{ 0 };
   double        m_DistanceSeconds{ 0.0 };
   double        m_ClassificationSeconds{ 0.0 };
   bool          m_StartNewSum{ true };
+
+  /** Keeps its window from piece to piece of a streamed update, so that shared input is pulled once. */
+  std::unique_ptr<MedialVoxelClusterEngine> m_Engine;
+  ModifiedTimeType                          m_EngineMTime{ 0 };
 
   /** The execution in progress, for DynamicThreadedGenerateData(). */
   Execution * m_Execution{ nullptr };

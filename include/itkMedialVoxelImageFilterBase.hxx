@@ -20,12 +20,11 @@ class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::Execution
   , public MedialVoxelProgress
 {
 public:
-  Execution(Self & filter, const MedialVoxelGrid & grid, const MedialVoxelBox & region)
+  Execution(Self & filter, MedialVoxelClusterEngine & engine, const MedialVoxelBox & region)
     : m_Filter(filter)
-    , m_Engine(grid, filter.GetEngineSettings(grid))
+    , m_Engine(engine)
     , m_Predicate(filter.GetPredicate())
     , m_Region(region)
-    , m_Uncounted(region)
     , m_CallingThread(std::this_thread::get_id())
   {}
 
@@ -41,21 +40,18 @@ public:
     return m_Sums;
   }
 
-  SizeValueType
-  GetNumberOfNotANumberVoxels() const
-  {
-    return m_NotANumber;
-  }
-
   void
-  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object) override
+  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * const notANumber) override
   {
-    this->BeginWindow(object.GetBox());
     for (const MedialVoxelBox & piece : CutForPull(box))
     {
       this->ThrowIfAborted();
       this->Pull(piece);
-      this->Pack(piece, object);
+      this->Pack(piece, m_Predicate, object);
+      if (notANumber != nullptr)
+      {
+        this->Pack(piece, [](const InputPixelType value) { return value != value; }, *notANumber);
+      }
     }
   }
 
@@ -83,15 +79,18 @@ public:
     const MedialVoxelBox       missing = m_Filter.ProcessTile(tile, m_Engine.GetWindow(), *this, *workspace, sums);
     if (missing.IsEmpty())
     {
+      sums.counts.notANumberVoxels = m_Engine.GetWindow().GetNotANumber().Count(tile);
       this->Advance(static_cast<std::uint64_t>(tile.NumberOfVoxels()));
     }
     else
     {
       sums.counts = {};
+      sums.recomputedVoxels = static_cast<std::uint64_t>(tile.NumberOfVoxels());
       m_Schedule->Defer(tile, missing);
     }
     const std::lock_guard<std::mutex> lock(m_Mutex);
     m_Sums.counts += sums.counts;
+    m_Sums.recomputedVoxels += sums.recomputedVoxels;
     m_Sums.distanceSeconds += sums.distanceSeconds;
     m_Sums.classificationSeconds += sums.classificationSeconds;
     m_Workspaces.push_back(std::move(workspace));
@@ -118,7 +117,7 @@ public:
   static std::vector<MedialVoxelBox>
   CutForPull(const MedialVoxelBox & box)
   {
-    constexpr std::int64_t bytesPerPull = 16 << 20;
+    constexpr std::int64_t bytesPerPull = 4 << 20;
     const std::int64_t     bytesPerRow = box.Extent(0) * static_cast<std::int64_t>(sizeof(InputPixelType));
     MedialVoxelIndex       size{ { box.upper[0], box.upper[1], box.upper[2] } };
     if (box.Extent(2) > 1)
@@ -192,58 +191,30 @@ private:
     }
   }
 
+  template <typename TPredicate>
   void
-  Pack(const MedialVoxelBox & piece, MedialVoxelBits & object)
+  Pack(const MedialVoxelBox & piece, const TPredicate & predicate, MedialVoxelBits & bits) const
   {
     m_Filter.ForEachRow(
       *m_Filter.GetInput(), piece, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
-        MedialVoxelBits::WordType * const words = object.GetRow(row.lower[1], row.lower[2]) - object.GetFirstWord();
-        m_Predicate.PackRow(pixels, row.lower[0], row.Extent(0), words);
-        if (std::is_floating_point<InputPixelType>::value)
-        {
-          this->CountNotANumber(row, pixels);
-        }
+        MedialVoxelPackRow(pixels,
+                           row.lower[0],
+                           row.Extent(0),
+                           predicate,
+                           bits.GetRow(row.lower[1], row.lower[2]) - bits.GetFirstWord());
       });
   }
 
-  /** The window moves along the slowest axis of the region; what it held before has been counted. */
-  void
-  BeginWindow(const MedialVoxelBox & windowBox)
-  {
-    if (windowBox != m_WindowBox)
-    {
-      const unsigned int axis = MedialVoxelSlowestAxis(m_Region);
-      m_Uncounted.lower[axis] = std::max(m_Uncounted.lower[axis], m_WindowBox.upper[axis]);
-      m_WindowBox = windowBox;
-    }
-  }
-
-  void
-  CountNotANumber(const MedialVoxelBox & row, const InputPixelType * const pixels)
-  {
-    const MedialVoxelBox counted = row.Intersection(m_Uncounted);
-    if (counted.IsEmpty())
-    {
-      return;
-    }
-    const InputPixelType * const first = pixels + (counted.lower[0] - row.lower[0]);
-    m_NotANumber += static_cast<SizeValueType>(
-      std::count_if(first, first + counted.Extent(0), [](const InputPixelType value) { return value != value; }));
-  }
-
   Self &                                  m_Filter;
-  MedialVoxelClusterEngine                m_Engine;
+  MedialVoxelClusterEngine &              m_Engine;
   PredicateType                           m_Predicate;
   MedialVoxelBox                          m_Region;
-  MedialVoxelBox                          m_Uncounted;
-  MedialVoxelBox                          m_WindowBox;
   std::thread::id                         m_CallingThread;
   MedialVoxelTileSchedule *               m_Schedule{ nullptr };
   std::atomic<std::uint64_t>              m_DoneVoxels{ 0 };
   std::mutex                              m_Mutex;
   std::vector<std::unique_ptr<Workspace>> m_Workspaces;
   TileSums                                m_Sums;
-  SizeValueType                           m_NotANumber{ 0 };
 };
 
 template <typename TInputImage, typename TOutputImage>
@@ -348,10 +319,48 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateInputRequestedReg
     input->SetRequestedRegion(InputImageRegionType(requested.GetIndex(), requested.GetSize()));
     return;
   }
-  const MedialVoxelGrid          grid = this->GetGrid();
-  const MedialVoxelClusterEngine engine(grid, this->GetEngineSettings(grid));
-  const MedialVoxelBox           box = engine.GetFirstObjectBox(this->BoxOf(requested));
-  input->SetRequestedRegion(this->RegionOf(Execution::CutForPull(box).front()));
+  this->PrepareEngine(this->GetGrid());
+  const auto parts = m_Engine->GetMissingObjectBoxes(this->BoxOf(requested));
+  if (!parts.empty())
+  {
+    input->SetRequestedRegion(this->RegionOf(Execution::CutForPull(parts.front()).front()));
+  }
+  else
+  {
+    // All is in the window; what is buffered needs no work of the pipeline.
+    input->SetRequestedRegion(input->GetBufferedRegion());
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrepareEngine(const MedialVoxelGrid & grid)
+{
+  const ModifiedTimeType modifiedTime = this->GetWindowMTime();
+  if (m_StartNewSum || !m_Engine || modifiedTime != m_EngineMTime)
+  {
+    m_Engine = std::make_unique<MedialVoxelClusterEngine>(grid, this->CompleteSettings(grid));
+    m_EngineMTime = modifiedTime;
+  }
+}
+
+/** The settings of the derived class, with those that all filters have. */
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelClusterEngine::Settings
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::CompleteSettings(const MedialVoxelGrid & grid) const
+{
+  MedialVoxelClusterEngine::Settings settings = this->GetEngineSettings(grid);
+  settings.keepsNotANumber = std::is_floating_point<InputPixelType>::value;
+  settings.tileSize = m_TileSize;
+  settings.slabThickness = m_SlabThickness;
+  return settings;
+}
+
+template <typename TInputImage, typename TOutputImage>
+ModifiedTimeType
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetWindowMTime() const
+{
+  return std::max(this->GetMTime(), this->GetInput()->GetPipelineMTime());
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -365,8 +374,10 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
     return;
   }
   const MedialVoxelGrid grid = this->GetGrid();
+  const MedialVoxelBox  region = this->BoxOf(requested);
+  this->PrepareEngine(grid);
   this->BeforeTiles(grid);
-  Execution execution(*this, grid, this->BoxOf(requested));
+  Execution execution(*this, *m_Engine, region);
   m_Execution = &execution;
   try
   {
@@ -375,15 +386,24 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   catch (...)
   {
     m_Execution = nullptr;
+    m_Engine.reset();
     throw;
   }
   m_Execution = nullptr;
+  const unsigned int axis = MedialVoxelSlowestAxis(grid.GetVoxelBox());
+  if (region.upper[axis] == grid.GetSize()[axis])
+  {
+    // No piece follows along the slowest axis of the image, so that nobody needs the window.
+    m_Engine.reset();
+  }
 
-  const bool isNewSum = std::exchange(m_StartNewSum, false);
-  m_NumberOfNotANumberVoxels = (isNewSum ? 0 : m_NumberOfNotANumberVoxels) + execution.GetNumberOfNotANumberVoxels();
-  m_DistanceSeconds = (isNewSum ? 0.0 : m_DistanceSeconds) + execution.GetSums().distanceSeconds;
-  m_ClassificationSeconds = (isNewSum ? 0.0 : m_ClassificationSeconds) + execution.GetSums().classificationSeconds;
-  this->AddCounts(execution.GetSums().counts, isNewSum);
+  const bool       isNewSum = std::exchange(m_StartNewSum, false);
+  const TileSums & sums = execution.GetSums();
+  m_NumberOfNotANumberVoxels = (isNewSum ? 0 : m_NumberOfNotANumberVoxels) + sums.counts.notANumberVoxels;
+  m_NumberOfRecomputedVoxels = (isNewSum ? 0 : m_NumberOfRecomputedVoxels) + sums.recomputedVoxels;
+  m_DistanceSeconds = (isNewSum ? 0.0 : m_DistanceSeconds) + sums.distanceSeconds;
+  m_ClassificationSeconds = (isNewSum ? 0.0 : m_ClassificationSeconds) + sums.classificationSeconds;
+  this->AddCounts(sums.counts, isNewSum);
   this->UpdateProgress(1.0f);
 }
 
@@ -504,6 +524,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrintSelf(std::ostream & 
   os << indent << "TileSize: " << m_TileSize << std::endl;
   os << indent << "SlabThickness: " << m_SlabThickness << std::endl;
   os << indent << "NumberOfNotANumberVoxels: " << m_NumberOfNotANumberVoxels << std::endl;
+  os << indent << "NumberOfRecomputedVoxels: " << m_NumberOfRecomputedVoxels << std::endl;
   os << indent << "DistanceSeconds: " << m_DistanceSeconds << std::endl;
   os << indent << "ClassificationSeconds: " << m_ClassificationSeconds << std::endl;
 }

@@ -71,27 +71,6 @@ public:
     return m_IsRange ? (value >= m_Lower && value <= m_Upper) : (value != m_Lower && value == value);
   }
 
-  /** Set the bits of the object voxels among \a count pixels, the first of which is voxel \a x of the image.
-   *
-   * \a row points to where image-wide word 0 would be. */
-  void
-  PackRow(const TPixel * pixels, const std::int64_t x, const std::int64_t count, MedialVoxelBits::WordType * row) const
-  {
-    constexpr std::int64_t bitsPerWord = MedialVoxelBits::BitsPerWord;
-    for (std::int64_t begin = x; begin < x + count;)
-    {
-      const std::int64_t        word = begin / bitsPerWord;
-      const std::int64_t        end = std::min((word + 1) * bitsPerWord, x + count);
-      MedialVoxelBits::WordType bits = 0;
-      for (std::int64_t position = begin; position < end; ++position, ++pixels)
-      {
-        bits |= MedialVoxelBits::WordType{ (*this)(*pixels) } << (position % bitsPerWord);
-      }
-      row[word] |= bits;
-      begin = end;
-    }
-  }
-
 private:
   using LimitType = std::conditional_t<std::is_floating_point<TPixel>::value, double, TPixel>;
 
@@ -99,6 +78,50 @@ private:
   LimitType m_Lower{};
   LimitType m_Upper{};
 };
+
+/** \brief Set the bits of the pixels that fulfill \a predicate, for \a count pixels the first of which is voxel \a x.
+ *
+ * \a row points to where image-wide word 0 would be. Bits are only set, never cleared.
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel, typename TPredicate>
+void
+MedialVoxelPackRow(const TPixel *                    pixels,
+                   const std::int64_t                x,
+                   const std::int64_t                count,
+                   const TPredicate &                predicate,
+                   MedialVoxelBits::WordType * const row)
+{
+  constexpr std::int64_t bitsPerWord = MedialVoxelBits::BitsPerWord;
+  constexpr std::int64_t bitsPerByte = 8;
+  const std::int64_t     end = x + count;
+  for (std::int64_t begin = x; begin < end;)
+  {
+    const std::int64_t word = begin / bitsPerWord;
+    const std::int64_t wordEnd = std::min((word + 1) * bitsPerWord, end);
+    const std::int64_t first = begin % bitsPerWord;
+    // Comparisons to bytes and the gathering of bytes to bits are two loops, each of which compilers vectorize.
+    std::uint8_t fulfilled[bitsPerWord] = {};
+    for (std::int64_t i = 0; i < wordEnd - begin; ++i)
+    {
+      fulfilled[first + i] = predicate(pixels[i]) ? 1 : 0;
+    }
+    MedialVoxelBits::WordType bits = 0;
+    for (std::int64_t byte = 0; byte < bitsPerByte; ++byte)
+    {
+      std::uint64_t eight = 0;
+      for (std::int64_t i = 0; i < bitsPerByte; ++i)
+      {
+        eight |= std::uint64_t{ fulfilled[byte * bitsPerByte + i] } << (i * bitsPerByte);
+      }
+      // Moves the lowest bit of byte i to bit i of the topmost byte.
+      bits |= ((eight * 0x0102040810204080u) >> 56) << (byte * bitsPerByte);
+    }
+    row[word] |= bits;
+    pixels += wordEnd - begin;
+    begin = wordEnd;
+  }
+}
 
 } // end namespace itk
 

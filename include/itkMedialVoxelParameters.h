@@ -47,6 +47,7 @@ struct MedialVoxel_EXPORT MedialVoxelCounts
 {
   std::uint64_t objectVoxels{ 0 };
   std::uint64_t boundaryVoxels{ 0 };
+  std::uint64_t notANumberVoxels{ 0 };
   std::uint64_t candidateCells{ 0 };
   std::uint64_t trivialCells{ 0 };
   std::uint64_t boundCells{ 0 };

@@ -79,8 +79,6 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::GetEngineSettings(const
 {
   MedialVoxelClusterEngine::Settings settings;
   settings.boundaries = { m_Boundary };
-  settings.tileSize = this->GetTileSize();
-  settings.slabThickness = this->GetSlabThickness();
   return settings;
 }
 

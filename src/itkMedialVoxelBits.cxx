@@ -3,6 +3,7 @@
 #include "itkMedialVoxelBits.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace itk
@@ -22,7 +23,7 @@ MedialVoxelBits::Reshape(const MedialVoxelBox & box)
 void
 MedialVoxelBits::Reframe(const MedialVoxelBox & box)
 {
-  if (box == m_Box)
+  if (box == m_Box || this->SlideAlongZ(box))
   {
     return;
   }
@@ -49,6 +50,30 @@ MedialVoxelBits::Reframe(const MedialVoxelBox & box)
 }
 
 bool
+MedialVoxelBits::SlideAlongZ(const MedialVoxelBox & box)
+{
+  const MedialVoxelBox shared = box.Intersection(m_Box);
+  const bool           hasSameSlices = box.lower[0] == m_Box.lower[0] && box.upper[0] == m_Box.upper[0] &&
+                             box.lower[1] == m_Box.lower[1] && box.upper[1] == m_Box.upper[1];
+  const std::ptrdiff_t wordsPerSlice = m_RowPitch * m_Box.Extent(1);
+  const auto           words = static_cast<std::size_t>(wordsPerSlice * box.Extent(2));
+  if (!hasSameSlices || shared.IsEmpty() || words > m_Words.capacity())
+  {
+    return false;
+  }
+  const std::ptrdiff_t source = (shared.lower[2] - m_Box.lower[2]) * wordsPerSlice;
+  const std::ptrdiff_t target = (shared.lower[2] - box.lower[2]) * wordsPerSlice;
+  const std::ptrdiff_t count = shared.Extent(2) * wordsPerSlice;
+  m_Words.resize(std::max(m_Words.size(), words));
+  std::memmove(m_Words.data() + target, m_Words.data() + source, static_cast<std::size_t>(count) * sizeof(WordType));
+  m_Words.resize(words);
+  std::fill(m_Words.begin(), m_Words.begin() + target, 0);
+  std::fill(m_Words.begin() + target + count, m_Words.end(), 0);
+  m_Box = box;
+  return true;
+}
+
+bool
 MedialVoxelBits::Test(const MedialVoxelIndex & index) const
 {
   if (!m_Box.Contains(index))
@@ -63,38 +88,6 @@ void
 MedialVoxelBits::Set(const MedialVoxelIndex & index)
 {
   this->GetRow(index[1], index[2])[index[0] / BitsPerWord - m_FirstWord] |= WordType{ 1 } << (index[0] % BitsPerWord);
-}
-
-MedialVoxelBits::WordType
-MedialVoxelBits::Extract(const std::int64_t x, const std::int64_t y, const std::int64_t z) const
-{
-  // An arithmetic shift rounds towards minus infinity, as x may lie up to a word before the box.
-  const std::int64_t word = (x >> 6) - m_FirstWord;
-  if (word < -1 || word > m_WordsPerRow)
-  {
-    return 0;
-  }
-  const WordType * const row = this->GetRow(y, z);
-  const unsigned int     shift = static_cast<unsigned int>(x & (BitsPerWord - 1));
-  if (shift == 0)
-  {
-    return row[word];
-  }
-  const WordType high = (word < m_WordsPerRow) ? row[word + 1] : 0;
-  return (row[word] >> shift) | (high << (BitsPerWord - shift));
-}
-
-MedialVoxelBits::WordType
-MedialVoxelBits::RangeMask(const std::int64_t word, const std::int64_t lower, const std::int64_t upper)
-{
-  const std::int64_t begin = std::max<std::int64_t>(lower - word * BitsPerWord, 0);
-  const std::int64_t end = std::min<std::int64_t>(upper - word * BitsPerWord, BitsPerWord);
-  if (begin >= end)
-  {
-    return 0;
-  }
-  const WordType upTo = (end == BitsPerWord) ? ~WordType{ 0 } : (WordType{ 1 } << end) - 1;
-  return upTo & (~WordType{ 0 } << begin);
 }
 
 template <typename TVisitor>

@@ -67,6 +67,13 @@ MedialVoxelComputeBoundary(const MedialVoxelBits &   object,
   std::vector<WordType> sum(static_cast<std::size_t>(words + 2));
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
+    MedialVoxelBox around = object.GetBox();
+    around.lower[2] = z - 1;
+    around.upper[2] = z + 2;
+    if (!object.Any(around))
+    {
+      continue;
+    }
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
       AccumulateRows(object, image, neighborFlip, y, z, firstWord, sum);

@@ -37,7 +37,7 @@ MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid,
   : m_Grid(grid)
   , m_Settings(std::move(settings))
   , m_Halo(m_Settings.halo)
-  , m_Window(grid, m_Settings.boundaries)
+  , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber)
 {}
 
 MedialVoxelIndex
@@ -91,11 +91,11 @@ MedialVoxelClusterEngine::GetSitesBox(const MedialVoxelBox & slab) const
   return voxels.Expanded(m_Halo).Intersection(m_Grid.GetVoxelBox());
 }
 
-MedialVoxelBox
-MedialVoxelClusterEngine::GetFirstObjectBox(const MedialVoxelBox & region) const
+std::vector<MedialVoxelBox>
+MedialVoxelClusterEngine::GetMissingObjectBoxes(const MedialVoxelBox & region) const
 {
   const MedialVoxelBox slab = this->GetSlab(region, region.lower[MedialVoxelSlowestAxis(region)]);
-  return m_Window.GetObjectBox(this->GetSitesBox(slab));
+  return MedialVoxelSubtractBox(m_Window.GetObjectBox(this->GetSitesBox(slab)), m_Window.GetObject().GetBox());
 }
 
 void

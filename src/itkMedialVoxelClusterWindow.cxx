@@ -43,9 +43,12 @@ MedialVoxelSubtractBox(const MedialVoxelBox & wanted, const MedialVoxelBox & pre
 
 MedialVoxelObjectSource::~MedialVoxelObjectSource() = default;
 
-MedialVoxelClusterWindow::MedialVoxelClusterWindow(const MedialVoxelGrid & grid, std::vector<MedialVoxelBoundary> kinds)
+MedialVoxelClusterWindow::MedialVoxelClusterWindow(const MedialVoxelGrid &          grid,
+                                                   std::vector<MedialVoxelBoundary> kinds,
+                                                   const bool                       keepsNotANumber)
   : m_Grid(grid)
   , m_Kinds(std::move(kinds))
+  , m_KeepsNotANumber(keepsNotANumber)
   , m_Boundaries(m_Kinds.size())
 {}
 
@@ -61,9 +64,13 @@ MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox & sites, MedialVoxelObject
   const MedialVoxelBox objectBox = this->GetObjectBox(sites);
   const auto           parts = MedialVoxelSubtractBox(objectBox, m_Object.GetBox());
   m_Object.Reframe(objectBox);
+  if (m_KeepsNotANumber)
+  {
+    m_NotANumber.Reframe(objectBox);
+  }
   for (const MedialVoxelBox & part : parts)
   {
-    source.FillObject(part, m_Object);
+    source.FillObject(part, m_Object, m_KeepsNotANumber ? &m_NotANumber : nullptr);
   }
   for (std::size_t i = 0; i < m_Kinds.size(); ++i)
   {

@@ -19,6 +19,9 @@ constexpr double NearbyRadius = 6.0;
 /** Edge of the blocks whose centers bound the distances of their voxels. */
 constexpr std::int64_t BoundBlockSize = 16;
 
+/** Columns are searched in multiples of this number. */
+constexpr std::int64_t LaneUnit = 8;
+
 /** Relative slack that keeps rounded lengths on the safe side. */
 constexpr double Slack = 1e-9;
 
@@ -337,8 +340,9 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   Tile &                    tile;
   Workspace::Lines<TCost> & lines;
 
-  /** First voxel and number of the columns. */
+  /** First voxel and number of the columns, and that number rounded up to what vector instructions like. */
   std::int64_t x;
+  std::int64_t columns;
   std::int64_t lanes;
 
   /** Voxels to search for, and voxels whose sites count. */
@@ -407,7 +411,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
                                         lines.squaresZ,
                                         lines.cost.data(),
                                         lines.positionZ.data());
-        for (std::int64_t lane = 0; lane < lanes; ++lane)
+        for (std::int64_t lane = 0; lane < columns; ++lane)
         {
           if (tile.IsRemaining(x + lane, y, z))
           {
@@ -481,11 +485,12 @@ MedialVoxelFeatureTransform::SearchRemaining(Tile & tile, Workspace::Lines<TCost
   for (std::int64_t group = 0; group < groups; ++group)
   {
     const std::int64_t       x = range.lower[0] + group * range.Extent(0) / groups;
-    const std::int64_t       end = range.lower[0] + (group + 1) * range.Extent(0) / groups;
-    const ColumnGroup<TCost> columns{ m_Grid, tile, lines, x, end - x, range, search, margin };
-    columns.SearchAlongX();
-    columns.SearchAlongY();
-    columns.SearchAlongZ();
+    const std::int64_t       columns = range.lower[0] + (group + 1) * range.Extent(0) / groups - x;
+    const std::int64_t       lanes = (columns + LaneUnit - 1) / LaneUnit * LaneUnit;
+    const ColumnGroup<TCost> columnGroup{ m_Grid, tile, lines, x, columns, lanes, range, search, margin };
+    columnGroup.SearchAlongX();
+    columnGroup.SearchAlongY();
+    columnGroup.SearchAlongZ();
   }
 }
 

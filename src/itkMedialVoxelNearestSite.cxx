@@ -6,6 +6,13 @@
 #include <cmath>
 #include <tuple>
 
+// Costs and positions never overlap, which compilers must know to vectorize short lines.
+#if defined(_MSC_VER)
+#  define MEDIALVOXEL_RESTRICT __restrict
+#else
+#  define MEDIALVOXEL_RESTRICT __restrict__
+#endif
+
 namespace itk
 {
 
@@ -173,12 +180,12 @@ namespace
 /** Take the candidate line where it is cheaper, or as cheap when \a takeEqual. */
 template <bool VTakeEqual, typename TCost, typename TPosition>
 void
-TakeLine(const TCost * const line,
-         const TCost         square,
-         const TPosition     candidate,
-         const std::int64_t  lanes,
-         TCost * const       cost,
-         TPosition * const   position)
+TakeLine(const TCost * const MEDIALVOXEL_RESTRICT line,
+         const TCost                              square,
+         const TPosition                          candidate,
+         const std::int64_t                       lanes,
+         TCost * const MEDIALVOXEL_RESTRICT       cost,
+         TPosition * const MEDIALVOXEL_RESTRICT   position)
 {
   for (std::int64_t lane = 0; lane < lanes; ++lane)
   {

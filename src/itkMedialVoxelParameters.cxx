@@ -17,6 +17,7 @@ MedialVoxelCounts::operator+=(const MedialVoxelCounts & other)
 {
   objectVoxels += other.objectVoxels;
   boundaryVoxels += other.boundaryVoxels;
+  notANumberVoxels += other.notANumberVoxels;
   candidateCells += other.candidateCells;
   trivialCells += other.trivialCells;
   boundCells += other.boundCells;

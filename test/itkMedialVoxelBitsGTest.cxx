@@ -180,7 +180,7 @@ TEST(MedialVoxelBits, PixelsArePackedWhereTheyBelong)
     for (const int count : { 0, 1, 5, 63, 64, 65, 100 })
     {
       std::vector<std::uint64_t> words(4, 0);
-      predicate.PackRow(pixels.data() + first, first, count, words.data());
+      itk::MedialVoxelPackRow(pixels.data() + first, first, count, predicate, words.data());
       for (int x = 0; x < 200; ++x)
       {
         const bool expected = x >= first && x < first + count && row.object[x];

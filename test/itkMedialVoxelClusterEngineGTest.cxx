@@ -26,7 +26,7 @@ public:
   {}
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object) override
+  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
   {
     m_FirstFill = m_FirstFill.IsEmpty() ? box : m_FirstFill;
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
@@ -121,10 +121,14 @@ TEST(MedialVoxelClusterEngine, StartsWithTheBoxThatItAnnounces)
   DemandingClient          client(volume, 2);
   MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 6, { { 3, 3, 3 } }));
   client.m_Engine = &engine;
-  const auto announced = engine.GetFirstObjectBox(region);
+  const auto missing = engine.GetMissingObjectBoxes(region);
+  ASSERT_EQ(missing.size(), 1u);
+  const auto announced = missing.front();
   EXPECT_LT(announced.NumberOfVoxels(), GridOf(volume).GetVoxelBox().NumberOfVoxels() / 2);
   engine.Run(region, client);
   EXPECT_EQ(client.m_FirstFill, announced);
+  // The window stays, so that a region that it holds misses nothing.
+  EXPECT_TRUE(engine.GetMissingObjectBoxes(MakeBox({ { 5, 4, 48 } }, { { 30, 18, 50 } })).empty());
 }
 
 TEST(MedialVoxelClusterEngine, LargeDemandsAreRememberedForTheNextSlabs)

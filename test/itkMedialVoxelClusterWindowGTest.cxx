@@ -21,7 +21,7 @@ public:
   {}
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object) override
+  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
   {
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
       ++m_Asked[m_Volume.Offset(OracleIndex(v))];
