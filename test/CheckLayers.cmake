@@ -3,13 +3,15 @@
 
 # Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A unit includes only units that stand before it in this table, and no header of ITK.
-set(L0 Enums Parameters Progress Grid Bits)
+set(L0 Enums Parameters Progress Grid Bits Text FileRegion)
+# The header formats that are parsed by the module itself.
+set(Formats HeaderText NrrdHeader NrrdGeometry NrrdText)
 set(L1 Boundary NearestSite DualCell BoundedGeodesic)
 set(L2 FeatureTransform Classifier)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)
-set(units ${L0} ${L1} ${L2} ${L3} ${L4})
+set(units ${L0} ${Formats} ${L1} ${L2} ${L3} ${L4})
 
 file(GLOB files "${SOURCE}/include/itkMedialVoxel*.h" "${SOURCE}/src/itkMedialVoxel*.h" "${SOURCE}/src/itkMedialVoxel*.cxx")
 list(FILTER files EXCLUDE REGEX "/itkMedialVoxelImageFilter[A-Za-z]*\\.h$")

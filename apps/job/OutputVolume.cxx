@@ -164,7 +164,7 @@ FindDataFile(const std::filesystem::path & headerName)
       }
     }
   }
-  catch (const JobError &)
+  catch (const HeaderError &)
   {
     // Not a header: nothing of it is to be removed.
   }

@@ -28,27 +28,26 @@ enum class PixelType : std::uint8_t
   Float64
 };
 
-/** Names of a type in the program and in both header formats, and its size. */
+/** Names of a type in the program and in MetaImage headers, and its size. */
 struct PixelTypeTraits
 {
   PixelType        type;
   std::string_view name;
   std::string_view metaName;
-  std::string_view nrrdName;
   unsigned int     bytes;
 };
 
 inline constexpr std::array<PixelTypeTraits, 10> PixelTypes{ {
-  { PixelType::UInt8, "uint8", "MET_UCHAR", "unsigned char", 1 },
-  { PixelType::Int8, "int8", "MET_CHAR", "signed char", 1 },
-  { PixelType::UInt16, "uint16", "MET_USHORT", "unsigned short", 2 },
-  { PixelType::Int16, "int16", "MET_SHORT", "short", 2 },
-  { PixelType::UInt32, "uint32", "MET_UINT", "unsigned int", 4 },
-  { PixelType::Int32, "int32", "MET_INT", "int", 4 },
-  { PixelType::UInt64, "uint64", "MET_ULONG_LONG", "unsigned long long int", 8 },
-  { PixelType::Int64, "int64", "MET_LONG_LONG", "long long int", 8 },
-  { PixelType::Float32, "float32", "MET_FLOAT", "float", 4 },
-  { PixelType::Float64, "float64", "MET_DOUBLE", "double", 8 },
+  { PixelType::UInt8, "uint8", "MET_UCHAR", 1 },
+  { PixelType::Int8, "int8", "MET_CHAR", 1 },
+  { PixelType::UInt16, "uint16", "MET_USHORT", 2 },
+  { PixelType::Int16, "int16", "MET_SHORT", 2 },
+  { PixelType::UInt32, "uint32", "MET_UINT", 4 },
+  { PixelType::Int32, "int32", "MET_INT", 4 },
+  { PixelType::UInt64, "uint64", "MET_ULONG_LONG", 8 },
+  { PixelType::Int64, "int64", "MET_LONG_LONG", 8 },
+  { PixelType::Float32, "float32", "MET_FLOAT", 4 },
+  { PixelType::Float64, "float64", "MET_DOUBLE", 8 },
 } };
 
 inline const PixelTypeTraits &

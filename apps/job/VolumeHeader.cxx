@@ -122,6 +122,7 @@ VolumeGeometry::SetIdentityDirection()
 
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<RawDescription> & raw)
+try
 {
   const std::string extension = ToLower(fileName.extension().string());
   VolumeHeader      header;
@@ -148,6 +149,11 @@ ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<Raw
   CheckDataSize(header);
   CheckGeometry(header);
   return header;
+}
+catch (const HeaderError & error)
+{
+  const bool isUnreadable = error.GetKind() == HeaderError::Kind::Unreadable;
+  throw JobError(isUnreadable ? ExitStatus::Failure : ExitStatus::CorruptInput, error.what());
 }
 
 } // end namespace medialvoxel

@@ -5,6 +5,7 @@
 #include "Text.h"
 
 #include "itkByteSwapper.h"
+#include "itkMedialVoxelNrrdHeader.h"
 
 #include <array>
 #include <utility>
@@ -53,37 +54,21 @@ MakeMetaImageText(const VolumeGeometry & geometry, const VoxelLayout & layout, c
 std::string
 MakeNrrdText(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & dataFile)
 {
-  const bool         hasComponents = layout.components > 1;
-  const unsigned int dimension = geometry.GetDimension();
-  const auto vectorText = [](const std::vector<double> & vector) { return "(" + FormatNumbers(vector, ",") + ")"; };
-
-  std::vector<std::vector<double>> spaceDirections = geometry.direction;
-  for (unsigned int axis = 0; axis < dimension; ++axis)
-  {
-    for (double & component : spaceDirections[axis])
-    {
-      component *= geometry.spacing[axis];
-    }
-  }
-
-  std::string text = "NRRD0004\n";
-  text += "type: " + std::string(GetTraits(layout.pixelType).nrrdName) + "\n";
-  text += "dimension: " + std::to_string(dimension + (hasComponents ? 1 : 0)) + "\n";
-  text += dimension == 3 ? std::string("space: left-posterior-superior\n")
-                         : "space dimension: " + std::to_string(dimension) + "\n";
-  text += "sizes: " + (hasComponents ? std::to_string(layout.components) + " " : "") + SizeText(geometry) + "\n";
-  text +=
-    "space directions: " + std::string(hasComponents ? "none " : "") + Join(spaceDirections, " ", vectorText) + "\n";
-  text += "kinds: " + std::string(hasComponents ? "vector " : "") +
-          (dimension == 3 ? "domain domain domain" : "domain domain") + "\n";
-  text += std::string("endian: ") + (itk::ByteSwapper<int>::SystemIsBigEndian() ? "big" : "little") + "\n";
-  text += "encoding: raw\n";
-  text += "space origin: " + vectorText(geometry.origin) + "\n";
+  itk::MedialVoxelNrrdHeader header;
+  header.size = geometry.size;
+  header.spacing = geometry.spacing;
+  header.origin = geometry.origin;
+  header.direction = geometry.direction;
+  header.componentType = std::string(GetTraits(layout.pixelType).name);
+  header.componentKind = layout.components > 1 ? "vector" : "";
+  header.numberOfComponents = layout.components;
+  header.bigEndian = itk::ByteSwapper<int>::SystemIsBigEndian();
+  header.encoding = "raw";
   if (!dataFile.empty())
   {
-    text += "data file: " + dataFile + "\n";
+    header.dataFiles = { dataFile };
   }
-  return text + "\n";
+  return MakeMedialVoxelNrrdText(header);
 }
 
 } // namespace

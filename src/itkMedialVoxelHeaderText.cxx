@@ -1,16 +1,31 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "HeaderParsing.h"
+#include "itkMedialVoxelHeaderText.h"
 
-#include "Text.h"
+#include "itkMedialVoxelText.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <sstream>
 
-namespace medialvoxel
+namespace itk
 {
+namespace MedialVoxelText
+{
+namespace
+{
+
+template <typename... TParts>
+[[noreturn]] void
+Fail(HeaderError::Kind kind, const TParts &... parts)
+{
+  std::ostringstream message;
+  (message << ... << parts);
+  throw HeaderError(kind, message.str());
+}
+
+} // namespace
 
 std::optional<std::string>
 HeaderFields::Find(const std::string & name) const
@@ -26,16 +41,16 @@ OpenRegularFile(const std::filesystem::path & fileName)
   const auto      status = std::filesystem::status(fileName, error);
   if (!std::filesystem::exists(status))
   {
-    Fail(ExitStatus::Failure, "cannot open ", fileName.string(), ": no such file");
+    Fail(HeaderError::Kind::Unreadable, "cannot open ", fileName.string(), ": no such file");
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": it is not a regular file");
+    Fail(HeaderError::Kind::Unreadable, "cannot read ", fileName.string(), ": it is not a regular file");
   }
   std::ifstream file(fileName, std::ios::binary);
   if (!file.is_open())
   {
-    Fail(ExitStatus::Failure, "cannot open ", fileName.string(), ": ", std::strerror(errno));
+    Fail(HeaderError::Kind::Unreadable, "cannot open ", fileName.string(), ": ", std::strerror(errno));
   }
   return file;
 }
@@ -60,7 +75,7 @@ HeaderLines::Next(std::string & line)
     }
     if (character == '\0' || line.size() == m_MaximumBytesPerLine)
     {
-      Fail(ExitStatus::CorruptInput,
+      Fail(HeaderError::Kind::Corrupt,
            m_FileName.string(),
            ": line ",
            m_LineNumber + 1,
@@ -88,20 +103,20 @@ GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem:
   std::error_code error;
   if (!std::filesystem::is_regular_file(dataFile, error))
   {
-    Fail(ExitStatus::CorruptInput, headerName.string(), ": its data file ", dataFile.string(), " is missing");
+    Fail(HeaderError::Kind::Corrupt, headerName.string(), ": its data file ", dataFile.string(), " is missing");
   }
   const std::uintmax_t size = std::filesystem::file_size(dataFile, error);
   if (error)
   {
-    Fail(ExitStatus::Failure, "cannot read the size of ", dataFile.string(), ": ", error.message());
+    Fail(HeaderError::Kind::Unreadable, "cannot read the size of ", dataFile.string(), ": ", error.message());
   }
   return size;
 }
 
 void
-RefuseHeader(const std::filesystem::path & fileName, const std::string & what)
+RefuseHeader(const std::filesystem::path & fileName, const std::string & what, HeaderError::Kind kind)
 {
-  Fail(ExitStatus::CorruptInput, fileName.string(), ": ", what);
+  Fail(kind, fileName.string(), ": ", what);
 }
 
 std::string
@@ -160,7 +175,7 @@ ParseSizes(const std::filesystem::path & fileName, const std::string & field, co
     const std::optional<std::int64_t> value = ParseInteger(part);
     if (!value || *value < 1)
     {
-      Fail(ExitStatus::CorruptInput,
+      Fail(HeaderError::Kind::Corrupt,
            fileName.string(),
            ": ",
            field,
@@ -172,15 +187,16 @@ ParseSizes(const std::filesystem::path & fileName, const std::string & field, co
     if (sizes.back() > maximumVoxels / product)
     {
       Fail(
-        ExitStatus::CorruptInput, fileName.string(), ": ", field, " '", text, "' is more voxels than any file holds");
+        HeaderError::Kind::Corrupt, fileName.string(), ": ", field, " '", text, "' is more voxels than any file holds");
     }
     product *= sizes.back();
   }
   if (sizes.size() != count)
   {
-    Fail(ExitStatus::CorruptInput, fileName.string(), ": ", field, " has ", sizes.size(), " values, not ", count);
+    Fail(HeaderError::Kind::Corrupt, fileName.string(), ": ", field, " has ", sizes.size(), " values, not ", count);
   }
   return sizes;
 }
 
-} // end namespace medialvoxel
+} // end namespace MedialVoxelText
+} // end namespace itk
