@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -24,8 +23,6 @@ namespace
 constexpr size_t        MaximumBytesPerLine = size_t{ 1 } << 20;
 constexpr std::uint64_t MaximumBytesOfHeader = std::uint64_t{ 1 } << 24;
 constexpr std::int64_t  MaximumAxes = 16;
-constexpr std::uint64_t MaximumDataFiles = std::uint64_t{ 1 } << 20;
-constexpr unsigned int  MaximumDigitsOfWidth = 3;
 
 /** Kinds of axes of components; the masked one, whose mask is no component, is not among them. */
 constexpr std::array<const char *, 25> ComponentKinds{ { "list",
@@ -157,12 +154,6 @@ Unescape(const std::string & text)
   return plain;
 }
 
-bool
-IsList(const std::string & dataFile)
-{
-  return dataFile.rfind("LIST", 0) == 0 && (dataFile.size() == 4 || dataFile[4] == ' ' || dataFile[4] == '\t');
-}
-
 void
 ReadLine(const HeaderLines & lines, const std::filesystem::path & fileName, const std::string & line, HeaderText & text)
 {
@@ -211,7 +202,7 @@ ReadText(const std::filesystem::path & fileName)
       continue;
     }
     ReadLine(lines, fileName, line, text);
-    inList = IsList(text.fields.Find("datafile").value_or(""));
+    inList = IsNrrdFileList(text.fields.Find("datafile").value_or(""));
   }
   if (lines.GetPosition() >= MaximumBytesOfHeader)
   {
@@ -220,24 +211,6 @@ ReadText(const std::filesystem::path & fileName)
   // A detached header may end with the file instead of an empty line.
   text.fields.endOfHeader = lines.GetPosition();
   return text;
-}
-
-std::int64_t
-ReadWholeNumber(const std::filesystem::path & fileName,
-                const std::string &           name,
-                const std::string &           text,
-                std::int64_t                  least,
-                std::int64_t                  greatest = std::numeric_limits<std::int64_t>::max())
-{
-  const std::optional<std::int64_t> value = ParseInteger(text);
-  if (!value || *value < least || *value > greatest)
-  {
-    const bool isOpen = greatest == std::numeric_limits<std::int64_t>::max();
-    RefuseHeader(fileName,
-                 name + " is '" + text + "'; it must be a whole number from " + std::to_string(least) +
-                   (isOpen ? " on" : " to " + std::to_string(greatest)));
-  }
-  return *value;
 }
 
 [[noreturn]] void
@@ -327,161 +300,6 @@ ReadByteOrder(const MedialVoxelNrrdHeader & header, const HeaderFields & fields)
   return endian == "big";
 }
 
-/** \class FileNamePattern
- * \brief A file name with the place of a number in it, such as "slice%03d.raw". */
-class FileNamePattern
-{
-public:
-  /** Nothing when the text has no such place. */
-  static std::optional<FileNamePattern>
-  Find(const std::string & text)
-  {
-    for (size_t begin = text.find('%'); begin != std::string::npos; begin = text.find('%', begin + 1))
-    {
-      size_t end = begin + 1;
-      while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])))
-      {
-        ++end;
-      }
-      if (end < text.size() && text[end] == 'd' && end - begin <= MaximumDigitsOfWidth)
-      {
-        return FileNamePattern(text, begin, end);
-      }
-    }
-    return std::nullopt;
-  }
-
-  std::string
-  GetName(std::int64_t number) const
-  {
-    std::string digits = std::to_string(number < 0 ? -number : number);
-    std::string sign = number < 0 ? "-" : "";
-    const auto  used = digits.size() + sign.size();
-    const auto  fill = m_Width > used ? m_Width - used : 0;
-    return m_Before + (m_HasZeros ? sign + std::string(fill, '0') : std::string(fill, ' ') + sign) + digits + m_After;
-  }
-
-private:
-  FileNamePattern(const std::string & text, size_t begin, size_t end)
-    : m_Before(text.substr(0, begin))
-    , m_After(text.substr(end + 1))
-    , m_HasZeros(text[begin + 1] == '0')
-    , m_Width(begin + 1 == end ? 0 : std::stoul(text.substr(begin + 1, end - begin - 1)))
-  {}
-
-  std::string m_Before;
-  std::string m_After;
-  bool        m_HasZeros;
-  size_t      m_Width;
-};
-
-/** "pattern first last step [dimension]". */
-std::vector<std::filesystem::path>
-ExpandPattern(const std::filesystem::path & fileName, const std::string & text)
-{
-  constexpr std::int64_t         limit = std::numeric_limits<std::int32_t>::max();
-  const std::vector<std::string> parts = SplitAtBlanks(text);
-  if (parts.size() < 4 || parts.size() > 5)
-  {
-    RefuseHeader(fileName,
-                 "data file is '" + text + "'; a pattern must be followed by first number, last number and step");
-  }
-  const auto number = [&](size_t part) {
-    return ReadWholeNumber(fileName, "a number of the data files", parts[part], -limit, limit);
-  };
-  const std::int64_t first = number(1);
-  const std::int64_t last = number(2);
-  const std::int64_t step = number(3);
-  if (step == 0 || (last - first) * (step > 0 ? 1 : -1) < 0)
-  {
-    RefuseHeader(fileName, "data file is '" + text + "'; its step must lead from the first number to the last");
-  }
-  const auto count = static_cast<std::uint64_t>((last - first) / step) + 1;
-  if (count > MaximumDataFiles)
-  {
-    RefuseHeader(fileName,
-                 "data file is '" + text + "', which are " + std::to_string(count) + " files; there may be " +
-                   std::to_string(MaximumDataFiles));
-  }
-  const std::optional<FileNamePattern> pattern = FileNamePattern::Find(parts[0]);
-  if (!pattern)
-  {
-    RefuseHeader(fileName, "data file is '" + text + "'; the pattern must have no blanks");
-  }
-  std::vector<std::filesystem::path> names;
-  for (std::uint64_t file = 0; file < count; ++file)
-  {
-    names.emplace_back(pattern->GetName(first + static_cast<std::int64_t>(file) * step));
-  }
-  return names;
-}
-
-/** Every file holds as many of the fastest axes as are given; all axes: an equal share of the slowest axis. */
-void
-CheckNumberOfFiles(const std::filesystem::path &      fileName,
-                   const std::vector<std::uint64_t> & sizes,
-                   size_t                             axesPerFile,
-                   std::uint64_t                      files)
-{
-  std::uint64_t pieces = 1;
-  for (size_t axis = axesPerFile; axis < sizes.size(); ++axis)
-  {
-    pieces *= sizes[axis];
-  }
-  const bool isShare = axesPerFile == sizes.size();
-  if (files == 0 || (isShare ? sizes.back() % files != 0 : files != pieces))
-  {
-    RefuseHeader(fileName,
-                 "data file names " + std::to_string(files) + " files; there must be " +
-                   (isShare ? "a divisor of the " + std::to_string(sizes.back()) + " slices" : std::to_string(pieces)));
-  }
-}
-
-std::vector<std::filesystem::path>
-ListDataFiles(const std::filesystem::path & fileName, const HeaderText & text, const std::vector<std::uint64_t> & sizes)
-{
-  const std::optional<std::string> dataFile = text.fields.Find("datafile");
-  if (!dataFile)
-  {
-    return { fileName };
-  }
-  if (dataFile->empty() || *dataFile == "-")
-  {
-    RefuseHeader(fileName, "data file is '" + *dataFile + "'; it must be the name of a file");
-  }
-  std::vector<std::filesystem::path> names{ *dataFile };
-  const std::vector<std::string>     parts = SplitAtBlanks(*dataFile);
-  const bool                         isList = IsList(*dataFile);
-  // A pattern is one only with numbers after it.
-  const bool isPattern = !isList && parts.size() > 1 && FileNamePattern::Find(parts[0]);
-  if (isList || isPattern)
-  {
-    const size_t partsBeforeDimension = isList ? 1 : 4;
-    names = isList ? std::vector<std::filesystem::path>(text.listedFiles.begin(), text.listedFiles.end())
-                   : ExpandPattern(fileName, *dataFile);
-    const auto axes = static_cast<std::int64_t>(sizes.size());
-    const auto axesPerFile =
-      parts.size() > partsBeforeDimension
-        ? ReadWholeNumber(fileName, "the dimension of the data files", parts[partsBeforeDimension], 1, axes)
-        : axes - 1;
-    CheckNumberOfFiles(fileName, sizes, static_cast<size_t>(axesPerFile), names.size());
-  }
-  for (std::filesystem::path & name : names)
-  {
-    name = fileName.parent_path() / name;
-  }
-  return names;
-}
-
-std::string
-DescribeVoxels(const MedialVoxelNrrdHeader & header)
-{
-  std::string text =
-    Join(header.size, " x ", [](std::uint64_t value) { return std::to_string(value); }) + " voxels of ";
-  return text + (header.componentKind.empty() ? "" : std::to_string(header.numberOfComponents) + " ") +
-         header.componentType;
-}
-
 } // namespace
 
 std::uint64_t
@@ -524,10 +342,10 @@ ReadMedialVoxelNrrdHeader(const std::filesystem::path & fileName)
   ReadComponentType(header, fields);
   header.bigEndian = ReadByteOrder(header, fields);
   header.encoding = ToLower(RequireField(fileName, fields, "encoding"));
-  header.dataFiles = ListDataFiles(fileName, text, sizes);
+  header.dataFiles = ListNrrdDataFiles(header, text.listedFiles, sizes);
   header.lineSkip =
-    static_cast<std::uint64_t>(ReadWholeNumber(fileName, "line skip", fields.Find("lineskip").value_or("0"), 0));
-  header.byteSkip = ReadWholeNumber(fileName, "byte skip", fields.Find("byteskip").value_or("0"), -1);
+    static_cast<std::uint64_t>(ReadNrrdWholeNumber(fileName, "line skip", fields.Find("lineskip").value_or("0"), 0));
+  header.byteSkip = ReadNrrdWholeNumber(fileName, "byte skip", fields.Find("byteskip").value_or("0"), -1);
   return header;
 }
 
@@ -555,58 +373,6 @@ FindMedialVoxelNrrdEncoding(const std::filesystem::path & fileName)
     }
   }
   return {};
-}
-
-std::uint64_t
-SkipMedialVoxelNrrdLines(const MedialVoxelNrrdHeader & header, const std::filesystem::path & dataFile)
-{
-  const std::uint64_t begin = header.IsAttached() ? header.endOfHeader : 0;
-  if (header.lineSkip == 0)
-  {
-    return begin;
-  }
-  std::ifstream file = OpenRegularFile(dataFile);
-  file.seekg(static_cast<std::streamoff>(begin));
-  for (std::uint64_t line = 0; line < header.lineSkip; ++line)
-  {
-    file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-    if (!file.good())
-    {
-      RefuseHeader(header.fileName,
-                   "line skip is " + std::to_string(header.lineSkip) + ", more lines than its data have");
-    }
-  }
-  return static_cast<std::uint64_t>(file.tellg());
-}
-
-std::vector<MedialVoxelFileSegment>
-LocateMedialVoxelNrrdVoxels(const MedialVoxelNrrdHeader & header)
-{
-  const std::uint64_t                 bytes = header.GetNumberOfBytes() / header.dataFiles.size();
-  std::vector<MedialVoxelFileSegment> segments;
-  for (const std::filesystem::path & dataFile : header.dataFiles)
-  {
-    const std::uint64_t fileSize = GetDataFileSize(header.fileName, dataFile);
-    std::uint64_t       offset = 0;
-    if (header.byteSkip >= 0)
-    {
-      offset = SkipMedialVoxelNrrdLines(header, dataFile) + static_cast<std::uint64_t>(header.byteSkip);
-    }
-    else if (fileSize >= bytes)
-    {
-      offset = fileSize - bytes;
-    }
-    if (fileSize < offset || fileSize - offset < bytes)
-    {
-      const bool isShare = header.dataFiles.size() > 1;
-      RefuseHeader(dataFile,
-                   "it has " + std::to_string(fileSize) + " bytes; " + (isShare ? "its share of " : "") +
-                     DescribeVoxels(header) + " needs " + std::to_string(bytes) + " after " + std::to_string(offset) +
-                     " bytes of header");
-    }
-    segments.push_back({ dataFile, offset, bytes });
-  }
-  return segments;
 }
 
 } // end namespace itk

@@ -5,7 +5,7 @@
 # A unit includes only units that stand before it in this table, and no header of ITK.
 set(L0 Enums Parameters Progress Grid Bits Text FileRegion)
 # The header formats that are parsed by the module itself.
-set(Formats HeaderText NrrdHeader NrrdGeometry NrrdText)
+set(Formats HeaderText NrrdHeader NrrdDataFiles NrrdGeometry NrrdText)
 set(L1 Boundary NearestSite DualCell BoundedGeodesic)
 set(L2 FeatureTransform Classifier)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
