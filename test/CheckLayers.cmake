@@ -5,7 +5,7 @@
 # A unit includes only units that stand before it in this table, and no header of ITK.
 set(L0 Enums Parameters Progress Grid Bits)
 set(L1 Boundary NearestSite DualCell BoundedGeodesic)
-set(L2 FeatureTransform Classifier)
+set(L2 FeatureTransform FeatureTransformColumns Classifier)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)
