@@ -12,10 +12,8 @@
 
 #include "itkImageToImageFilter.h"
 
-#include <atomic>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 namespace itk

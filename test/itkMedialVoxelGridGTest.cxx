@@ -128,14 +128,28 @@ TEST(MedialVoxelGrid, EpsilonIsHalfACircle)
 
 TEST(MedialVoxelGrid, CountsAdd)
 {
-  itk::MedialVoxelCounts       sum{ 1, 2, 3, 4, 5, 6, 7 };
-  const itk::MedialVoxelCounts more{ 10, 20, 30, 40, 50, 60, 70 };
+  itk::MedialVoxelCounts sum;
+  std::uint64_t          value = 0;
+  for (auto * field : { &sum.objectVoxels,
+                        &sum.boundaryVoxels,
+                        &sum.notANumberVoxels,
+                        &sum.candidateCells,
+                        &sum.trivialCells,
+                        &sum.boundCells,
+                        &sum.geodesicMedialCells,
+                        &sum.geodesicNonMedialCells })
+  {
+    EXPECT_EQ(*field, 0u);
+    *field = ++value;
+  }
+  const itk::MedialVoxelCounts more = sum;
   sum += more;
-  EXPECT_EQ(sum.objectVoxels, 11u);
-  EXPECT_EQ(sum.boundaryVoxels, 22u);
-  EXPECT_EQ(sum.candidateCells, 33u);
-  EXPECT_EQ(sum.trivialCells, 44u);
-  EXPECT_EQ(sum.boundCells, 55u);
-  EXPECT_EQ(sum.geodesicMedialCells, 66u);
-  EXPECT_EQ(sum.geodesicNonMedialCells, 77u);
+  EXPECT_EQ(sum.objectVoxels, 2u);
+  EXPECT_EQ(sum.boundaryVoxels, 4u);
+  EXPECT_EQ(sum.notANumberVoxels, 6u);
+  EXPECT_EQ(sum.candidateCells, 8u);
+  EXPECT_EQ(sum.trivialCells, 10u);
+  EXPECT_EQ(sum.boundCells, 12u);
+  EXPECT_EQ(sum.geodesicMedialCells, 14u);
+  EXPECT_EQ(sum.geodesicNonMedialCells, 16u);
 }

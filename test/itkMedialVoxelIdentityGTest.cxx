@@ -330,3 +330,38 @@ TEST(MedialVoxelIdentity, GrowingWindowsReachFarBoundaries)
   EXPECT_GT(source->GetRequests().size(), 1u);
   EXPECT_TRUE(source->WasAskedByOneThread());
 }
+
+TEST(MedialVoxelIdentity, WhatIsKeptBetweenPiecesNeverOutlivesItsReason)
+{
+  // Piece by piece through one filter, while input, thresholds, thickness and spacing change between the pieces.
+  using ImageType = itk::Image<short, 3>;
+  const Volume first = RandomBoxes({ { 36, 30, 40 } }, UnitSpacing, 20, 75);
+  const Volume second = RandomBoxes({ { 36, 30, 40 } }, { { 1.0, 1.0, 1.5 } }, 20, 76);
+  auto         source = RecordingSource<ImageType>::New();
+  auto         filter = itk::MedialVoxelImageFilter<ImageType>::New();
+  source->SetImage(MakeImage<ImageType>(first, 0, 100, 10));
+  filter->SetInput(source->GetOutput());
+  filter->SetLowerThreshold(50);
+  const auto expectPiece = [&](int z, const Volume & volume, double thickness) {
+    filter->GetOutput()->SetRequestedRegion(itk::ImageRegion<3>({ { 0, 0, z } }, { { 36, 30, 6 } }));
+    filter->Update();
+    const auto labels = RunMedialFilter<3>(volume, thickness).labels;
+    const auto slice = static_cast<std::ptrdiff_t>(36 * 30);
+    EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), { labels.begin() + z * slice, labels.begin() + (z + 6) * slice }))
+      << "piece at " << z;
+  };
+  expectPiece(0, first, 3.0);
+  expectPiece(6, first, 3.0);
+  source->SetImage(MakeImage<ImageType>(second, 0, 100, 10));
+  expectPiece(12, second, 3.0);
+  filter->SetLowerThreshold(5); // all is object
+  expectPiece(18, MakeVolume(second.size, second.spacing, [](const Index3 &) { return true; }), 3.0);
+  filter->SetLowerThreshold(50);
+  filter->SetThickness(6.0);
+  expectPiece(22, second, 6.0);
+  filter->UseImageSpacingOff();
+  expectPiece(26, InVoxelUnits(second), 6.0);
+  source->SetImage(MakeImage<ImageType>(first, 0, 100, 10));
+  expectPiece(34, first, 6.0);
+  expectPiece(0, first, 6.0);
+}

@@ -220,8 +220,11 @@ TEST(MedialVoxelImageFilter, TinyAndHugeThicknessAreDefined)
   const Volume volume = SmallPart();
   const auto   tiny = RunMedialFilter<3>(volume, 1e-300);
   EXPECT_TRUE(AreEqual(tiny.labels, Classify(volume, 1e-300, Bound::FreeSpace).labels));
-  const auto huge = RunMedialFilter<3>(volume, 1e6);
-  EXPECT_TRUE(AreEqual(huge.labels, Classify(volume, 1e6, Bound::FreeSpace).labels));
+  for (const double thickness : { 1e6, std::numeric_limits<double>::max() }) // epsilon of the latter is infinite
+  {
+    const auto huge = RunMedialFilter<3>(volume, thickness);
+    EXPECT_TRUE(AreEqual(huge.labels, Classify(volume, thickness, Bound::FreeSpace).labels));
+  }
 }
 
 TEST(MedialVoxelImageFilter, OutputIsShiftedByHalfAVoxelAlongTheDirection)

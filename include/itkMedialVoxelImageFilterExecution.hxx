@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelImageFilterExecution_hxx
+#define itkMedialVoxelImageFilterExecution_hxx
+
+#include "itkMedialVoxelImageFilterBase.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace itk
+{
+
+/** One execution of the filter: the engine's client, and the place where workers meet. */
+template <typename TInputImage, typename TOutputImage>
+class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::Execution
+  : public MedialVoxelClusterClient
+  , public MedialVoxelProgress
+{
+public:
+  Execution(Self & filter, MedialVoxelClusterEngine & engine, const MedialVoxelBox & region)
+    : m_Filter(filter)
+    , m_Engine(engine)
+    , m_Predicate(filter.GetPredicate())
+    , m_Region(region)
+    , m_CallingThread(std::this_thread::get_id())
+  {}
+
+  void
+  Run()
+  {
+    m_Engine.Run(m_Region, *this);
+  }
+
+  const TileSums &
+  GetSums() const
+  {
+    return m_Sums;
+  }
+
+  void
+  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * const notANumber) override
+  {
+    for (const MedialVoxelBox & piece : CutForPull(box))
+    {
+      this->ThrowIfAborted();
+      this->Pull(piece);
+      this->Pack(piece, m_Predicate, object);
+      if (notANumber != nullptr)
+      {
+        this->Pack(piece, [](const InputPixelType value) { return value != value; }, *notANumber);
+      }
+    }
+  }
+
+  void
+  RunTiles(MedialVoxelTileSchedule & schedule) override
+  {
+    m_Schedule = &schedule;
+    MultiThreaderBase * const multiThreader = m_Filter.GetMultiThreader();
+    const SizeValueType       mostWorkers =
+      std::min<SizeValueType>(m_Filter.GetNumberOfWorkUnits(), multiThreader->GetMaximumNumberOfThreads());
+    const SizeValueType workers =
+      std::max<SizeValueType>(1, std::min<SizeValueType>(mostWorkers, schedule.GetNumberOfTiles()));
+    multiThreader->SetNumberOfWorkUnits(static_cast<ThreadIdType>(workers));
+    multiThreader->ParallelizeArray(0, workers, [this](SizeValueType) { this->Work(); }, nullptr);
+    schedule.RethrowFailure();
+    this->ThrowIfAborted();
+  }
+
+  /** The part of DynamicThreadedGenerateData() that needs the execution. */
+  void
+  ProcessTile(const MedialVoxelBox & tile)
+  {
+    std::unique_ptr<Workspace> workspace = this->TakeWorkspace();
+    TileSums                   sums;
+    const MedialVoxelBox       missing = m_Filter.ProcessTile(tile, m_Engine.GetWindow(), *this, *workspace, sums);
+    if (missing.IsEmpty())
+    {
+      sums.counts.notANumberVoxels = m_Engine.GetWindow().GetNotANumber().Count(tile);
+      this->Advance(static_cast<std::uint64_t>(tile.NumberOfVoxels()));
+    }
+    else
+    {
+      sums.counts = {};
+      sums.recomputedVoxels = static_cast<std::uint64_t>(tile.NumberOfVoxels());
+      m_Schedule->Defer(tile, missing);
+    }
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    m_Sums.counts += sums.counts;
+    m_Sums.recomputedVoxels += sums.recomputedVoxels;
+    m_Sums.distanceSeconds += sums.distanceSeconds;
+    m_Sums.classificationSeconds += sums.classificationSeconds;
+    m_Workspaces.push_back(std::move(workspace));
+  }
+
+  bool
+  IsAborted() const override
+  {
+    return m_Filter.GetAbortGenerateData();
+  }
+
+  void
+  Advance(const std::uint64_t voxels) override
+  {
+    const std::uint64_t done = m_DoneVoxels += voxels;
+    // Observers are called from the thread that called Update(), as those of Python and of user interfaces must be.
+    if (std::this_thread::get_id() == m_CallingThread)
+    {
+      m_Filter.UpdateProgress(static_cast<float>(done) / static_cast<float>(m_Region.NumberOfVoxels()));
+    }
+  }
+
+  /** Pieces in which a box of input is pulled: whole slices, as many as fit a few megabytes. */
+  static std::vector<MedialVoxelBox>
+  CutForPull(const MedialVoxelBox & box)
+  {
+    constexpr std::int64_t bytesPerPull = 4 << 20;
+    const std::int64_t     bytesPerRow = box.Extent(0) * static_cast<std::int64_t>(sizeof(InputPixelType));
+    MedialVoxelIndex       size{ { box.upper[0], box.upper[1], box.upper[2] } };
+    if (box.Extent(2) > 1)
+    {
+      size[2] = std::max<std::int64_t>(1, bytesPerPull / std::max<std::int64_t>(1, bytesPerRow * box.Extent(1)));
+    }
+    else if (box.Extent(1) > 1)
+    {
+      size[1] = std::max<std::int64_t>(1, bytesPerPull / std::max<std::int64_t>(1, bytesPerRow));
+    }
+    return MedialVoxelCutIntoTiles(box, size);
+  }
+
+private:
+  void
+  ThrowIfAborted() const
+  {
+    if (this->IsAborted())
+    {
+      ProcessAborted exception(__FILE__, __LINE__);
+      exception.SetDescription("Filter execution was aborted by an external request");
+      throw exception;
+    }
+  }
+
+  void
+  Work()
+  {
+    try
+    {
+      MedialVoxelBox tile;
+      while (!this->IsAborted() && m_Schedule->Next(tile))
+      {
+        m_Filter.DynamicThreadedGenerateData(m_Filter.RegionOf(tile));
+      }
+    }
+    catch (...)
+    {
+      m_Schedule->Fail(std::current_exception());
+    }
+  }
+
+  std::unique_ptr<Workspace>
+  TakeWorkspace()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_Mutex);
+      if (!m_Workspaces.empty())
+      {
+        std::unique_ptr<Workspace> workspace = std::move(m_Workspaces.back());
+        m_Workspaces.pop_back();
+        return workspace;
+      }
+    }
+    return m_Filter.MakeWorkspace();
+  }
+
+  /** Have the pipeline produce a piece of the input. */
+  void
+  Pull(const MedialVoxelBox & piece)
+  {
+    auto * const               input = const_cast<InputImageType *>(m_Filter.GetInput());
+    const InputImageRegionType region = m_Filter.RegionOf(piece);
+    input->SetRequestedRegion(region);
+    input->PropagateRequestedRegion();
+    input->UpdateOutputData();
+    if (!input->GetBufferedRegion().IsInside(region))
+    {
+      itkGenericExceptionMacro("The input image holds " << input->GetBufferedRegion() << " but " << region
+                                                        << " is needed.");
+    }
+  }
+
+  template <typename TPredicate>
+  void
+  Pack(const MedialVoxelBox & piece, const TPredicate & predicate, MedialVoxelBits & bits) const
+  {
+    m_Filter.ForEachRow(
+      *m_Filter.GetInput(), piece, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
+        MedialVoxelPackRow(pixels,
+                           row.lower[0],
+                           row.Extent(0),
+                           predicate,
+                           bits.GetRow(row.lower[1], row.lower[2]) - bits.GetFirstWord());
+      });
+  }
+
+  Self &                                  m_Filter;
+  MedialVoxelClusterEngine &              m_Engine;
+  PredicateType                           m_Predicate;
+  MedialVoxelBox                          m_Region;
+  std::thread::id                         m_CallingThread;
+  MedialVoxelTileSchedule *               m_Schedule{ nullptr };
+  std::atomic<std::uint64_t>              m_DoneVoxels{ 0 };
+  std::mutex                              m_Mutex;
+  std::vector<std::unique_ptr<Workspace>> m_Workspaces;
+  TileSums                                m_Sums;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelFeatureTransformPrivate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+
+namespace
+{
+
+/** Columns are searched in multiples of this number. */
+constexpr std::int64_t LaneUnit = 8;
+
+template <typename TCost>
+void
+FillSquares(const std::int64_t last, const double spacing, std::vector<TCost> & squares)
+{
+  squares.resize(static_cast<std::size_t>(last) + 1);
+  for (std::int64_t step = 0; step <= last; ++step)
+  {
+    const double length = static_cast<double>(step) * spacing;
+    squares[static_cast<std::size_t>(step)] = static_cast<TCost>(length * length);
+  }
+}
+
+/** Grow without giving memory back, as a workspace serves many tiles. */
+template <typename TVector>
+void
+Reserve(TVector & values, const std::int64_t size)
+{
+  if (values.size() < static_cast<std::size_t>(size))
+  {
+    values.resize(static_cast<std::size_t>(size));
+  }
+}
+
+} // namespace
+
+/** A group of columns of the remaining voxels, searched along x, then y, then z. */
+template <typename TCost>
+struct MedialVoxelFeatureTransform::ColumnGroup
+{
+  const MedialVoxelGrid &   grid;
+  Tile &                    tile;
+  Workspace::Lines<TCost> & lines;
+
+  /** First voxel and number of the columns, and that number rounded up to what vector instructions like. */
+  std::int64_t x;
+  std::int64_t columns;
+  std::int64_t lanes;
+
+  /** Voxels to search for, and voxels whose sites count. */
+  MedialVoxelBox   range;
+  MedialVoxelBox   search;
+  MedialVoxelIndex margin;
+
+  using TraitsType = MedialVoxelOutwardTraits<TCost>;
+
+  void
+  SearchAlongX() const
+  {
+    const double       spacing = grid.GetMetricSpacing()[0];
+    const std::int64_t rows = search.Extent(1) * search.Extent(2);
+    Reserve(tile.nearestX, rows * lanes);
+    Reserve(lines.costX, rows * lanes);
+    for (std::int64_t row = 0; row < rows; ++row)
+    {
+      const std::int64_t   y = search.lower[1] + row % search.Extent(1);
+      const std::int64_t   z = search.lower[2] + row / search.Extent(1);
+      std::int32_t * const nearest = tile.nearestX.data() + row * lanes;
+      TCost * const        cost = lines.costX.data() + row * lanes;
+      MedialVoxelNearestInRow(*tile.window.sites, x, lanes, y, z, margin[0], nearest);
+      for (std::int64_t lane = 0; lane < lanes; ++lane)
+      {
+        const double length = static_cast<double>(nearest[lane]) * spacing;
+        const bool   hasSite = nearest[lane] != MedialVoxelNoDisplacement;
+        cost[lane] = hasSite ? static_cast<TCost>(length * length) : TraitsType::NoSite;
+      }
+    }
+  }
+
+  void
+  SearchAlongY() const
+  {
+    const std::int64_t rows = range.Extent(1) * search.Extent(2);
+    Reserve(lines.costXY, rows * lanes);
+    Reserve(lines.positionY, rows * lanes);
+    for (std::int64_t row = 0; row < rows && !tile.IsAborted(); ++row)
+    {
+      MedialVoxelSearchOutward<TCost>(lines.costX.data() + row / range.Extent(1) * search.Extent(1) * lanes,
+                                      lanes,
+                                      search.Extent(1),
+                                      lanes,
+                                      range.lower[1] + row % range.Extent(1) - search.lower[1],
+                                      lines.squaresY,
+                                      lines.costXY.data() + row * lanes,
+                                      lines.positionY.data() + row * lanes);
+    }
+  }
+
+  void
+  SearchAlongZ() const
+  {
+    Reserve(lines.cost, lanes);
+    Reserve(lines.positionZ, lanes);
+    for (std::int64_t y = range.lower[1]; y < range.upper[1]; ++y)
+    {
+      for (std::int64_t z = range.lower[2]; z < range.upper[2] && !tile.IsAborted(); ++z)
+      {
+        MedialVoxelSearchOutward<TCost>(lines.costXY.data() + (y - range.lower[1]) * lanes,
+                                        range.Extent(1) * lanes,
+                                        search.Extent(2),
+                                        lanes,
+                                        z - search.lower[2],
+                                        lines.squaresZ,
+                                        lines.cost.data(),
+                                        lines.positionZ.data());
+        for (std::int64_t lane = 0; lane < columns; ++lane)
+        {
+          if (tile.IsRemaining(x + lane, y, z))
+          {
+            this->Store(lane, y, z);
+          }
+        }
+      }
+    }
+  }
+
+  void
+  Store(const std::int64_t lane, const std::int64_t y, const std::int64_t z) const
+  {
+    const std::size_t offset = tile.features.OffsetOf(x + lane, y, z);
+    const TCost       cost = lines.cost[static_cast<std::size_t>(lane)];
+    if (!(cost < TraitsType::NoSite))
+    {
+      tile.StoreNone(offset);
+      return;
+    }
+    const std::int64_t bestZ = lines.positionZ[static_cast<std::size_t>(lane)];
+    const std::int64_t row = bestZ * range.Extent(1) + y - range.lower[1];
+    std::int64_t       bestY = lines.positionY[static_cast<std::size_t>(row * lanes + lane)];
+    if (!grid.HasEqualSpacing())
+    {
+      bestY = this->SmallestEqualY(lane, y - search.lower[1], z - search.lower[2], bestY, bestZ, cost);
+    }
+    const std::int64_t nearest = (bestZ * search.Extent(1) + bestY) * lanes + lane;
+    tile.Store(offset,
+               tile.nearestX[static_cast<std::size_t>(nearest)],
+               search.lower[1] + bestY - y,
+               search.lower[2] + bestZ - z);
+    tile.largestSquaredLength = std::max(tile.largestSquaredLength, static_cast<double>(cost));
+  }
+
+  /** Lengths that differ in the plane may round to the same sum, among which the smallest y has to win. */
+  std::int64_t
+  SmallestEqualY(const std::int64_t lane,
+                 const std::int64_t centerY,
+                 const std::int64_t centerZ,
+                 const std::int64_t bestY,
+                 const std::int64_t bestZ,
+                 const TCost        cost) const
+  {
+    const TCost squareZ = lines.squaresZ[static_cast<std::size_t>(std::abs(bestZ - centerZ))];
+    for (std::int64_t y = std::max<std::int64_t>(0, centerY - margin[1]); y < bestY; ++y)
+    {
+      const TCost costX = lines.costX[static_cast<std::size_t>((bestZ * search.Extent(1) + y) * lanes + lane)];
+      const TCost squareY = lines.squaresY[static_cast<std::size_t>(std::abs(y - centerY))];
+      if ((costX + squareY) + squareZ == cost)
+      {
+        return y;
+      }
+    }
+    return bestY;
+  }
+};
+
+template <typename TCost>
+void
+MedialVoxelFeatureTransform::SearchRemaining(Tile & tile, Workspace::Lines<TCost> & lines) const
+{
+  const MedialVoxelBox & range = tile.remainingBox;
+  const MedialVoxelIndex margin = m_Grid.MarginForMetricLength(tile.reach);
+  const MedialVoxelBox   search = range.Expanded(margin).Intersection(tile.known);
+  FillSquares(margin[1], m_Grid.GetMetricSpacing()[1], lines.squaresY);
+  FillSquares(margin[2], m_Grid.GetMetricSpacing()[2], lines.squaresZ);
+
+  // Groups of nearly equal width, since a group costs the same whether its last lanes are used or not.
+  const std::int64_t groups = (range.Extent(0) + MedialVoxelBits::BitsPerWord - 1) / MedialVoxelBits::BitsPerWord;
+  for (std::int64_t group = 0; group < groups; ++group)
+  {
+    const std::int64_t       x = range.lower[0] + group * range.Extent(0) / groups;
+    const std::int64_t       columns = range.lower[0] + (group + 1) * range.Extent(0) / groups - x;
+    const std::int64_t       lanes = (columns + LaneUnit - 1) / LaneUnit * LaneUnit;
+    const ColumnGroup<TCost> columnGroup{ m_Grid, tile, lines, x, columns, lanes, range, search, margin };
+    columnGroup.SearchAlongX();
+    columnGroup.SearchAlongY();
+    columnGroup.SearchAlongZ();
+  }
+}
+
+template void
+MedialVoxelFeatureTransform::SearchRemaining<std::int32_t>(Tile &, Workspace::Lines<std::int32_t> &) const;
+template void
+MedialVoxelFeatureTransform::SearchRemaining<double>(Tile &, Workspace::Lines<double> &) const;
+
+} // end namespace itk

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelFeatureTransformPrivate_h
+#define itkMedialVoxelFeatureTransformPrivate_h
+
+#include "itkMedialVoxelFeatureTransform.h"
+
+namespace itk
+{
+
+/** What the steps of the transform of one tile hand on. */
+struct MedialVoxelFeatureTransform::Tile
+{
+  const MedialVoxelWindow &                window;
+  MedialVoxelFeatures &                    features;
+  std::vector<MedialVoxelBits::WordType> & remaining;
+  std::vector<std::int32_t> &              nearestX;
+  MedialVoxelBox                           known;
+  const MedialVoxelProgress * const        progress;
+  double                                   squaredDistanceToUnknown{ 0.0 };
+
+  /** Words of a row that hold voxels of the tile. */
+  std::int64_t firstWord{ 0 };
+  std::int64_t words{ 0 };
+
+  /** Voxels that the nearby search left, and the metric length within which their sites lie. */
+  MedialVoxelBox remainingBox{};
+  double         reach{ 0.0 };
+
+  double         largestSquaredLength{ 0.0 };
+  MedialVoxelBox missing{};
+
+  bool
+  IsAborted() const
+  {
+    return progress != nullptr && progress->IsAborted();
+  }
+
+  const MedialVoxelBox &
+  Box() const
+  {
+    return features.box;
+  }
+
+  MedialVoxelBits::WordType &
+  Remaining(const std::int64_t word, const std::int64_t y, const std::int64_t z) const
+  {
+    const MedialVoxelBox & box = features.box;
+    const std::int64_t     row = (z - box.lower[2]) * box.Extent(1) + (y - box.lower[1]);
+    return remaining[static_cast<std::size_t>(row * words + word - firstWord)];
+  }
+
+  bool
+  IsRemaining(const std::int64_t x, const std::int64_t y, const std::int64_t z) const
+  {
+    return ((this->Remaining(x >> 6, y, z) >> (x & 63)) & 1u) != 0;
+  }
+
+  bool
+  AnyRemaining(const MedialVoxelBox & block) const
+  {
+    for (std::int64_t z = block.lower[2]; z < block.upper[2]; ++z)
+    {
+      for (std::int64_t y = block.lower[1]; y < block.upper[1]; ++y)
+      {
+        for (std::int64_t word = block.lower[0] >> 6; word <= (block.upper[0] - 1) >> 6; ++word)
+        {
+          if (this->Remaining(word, y, z) & MedialVoxelBits::RangeMask(word, block.lower[0], block.upper[0]))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  void
+  Store(const std::size_t offset, const std::int64_t dx, const std::int64_t dy, const std::int64_t dz) const
+  {
+    features.dx[offset] = static_cast<std::int32_t>(dx);
+    features.dy[offset] = static_cast<std::int32_t>(dy);
+    features.dz[offset] = static_cast<std::int32_t>(dz);
+  }
+
+  void
+  StoreNone(const std::size_t offset) const
+  {
+    this->Store(offset, MedialVoxelNoDisplacement, MedialVoxelNoDisplacement, MedialVoxelNoDisplacement);
+  }
+};
+
+} // end namespace itk
+
+#endif
