@@ -47,6 +47,29 @@ Differences(const Volume &                   volume,
   return differences;
 }
 
+/** What the transform says about one voxel: what it misses, and the site that it found. */
+struct Outcome
+{
+  itk::MedialVoxelBox missing;
+  Index3              site;
+};
+
+Outcome
+TransformVoxel(const Volume &              volume,
+               const std::vector<Index3> & sites,
+               const Index3 &              voxel,
+               const itk::MedialVoxelBox & known)
+{
+  const auto                             object = ObjectBits(volume, known);
+  const auto                             bits = SiteBits(sites, known);
+  const MedialVoxelFeatureTransform      transform(GridOf(volume));
+  MedialVoxelFeatureTransform::Workspace workspace;
+  itk::MedialVoxelFeatures               features;
+  const auto                             tile = MakeBox(voxel, { { voxel[0] + 1, voxel[1] + 1, voxel[2] + 1 } });
+  const auto                             missing = transform.Compute({ &object, &bits }, tile, workspace, features);
+  return { missing, { { voxel[0] + features.dx[0], voxel[1] + features.dy[0], voxel[2] + features.dz[0] } } };
+}
+
 struct Case
 {
   Volume                 volume;
@@ -101,7 +124,7 @@ TEST(MedialVoxelFeatureTransform, TilesInSmallWindowsAreFinalOrSayWhatTheyMiss)
     const auto                        image = GridOf(testCase.volume).GetVoxelBox();
     const auto                        sites = BoundarySites(testCase.volume, testCase.side);
     const MedialVoxelFeatureTransform transform(GridOf(testCase.volume), testCase.region);
-    for (int trial = 0; trial < 25; ++trial)
+    for (int trial = 0; trial < 150; ++trial)
     {
       itk::MedialVoxelBox tile = RandomBox(testCase.volume.size, generator);
       for (int axis = 0; axis < 3; ++axis)
@@ -136,16 +159,65 @@ TEST(MedialVoxelFeatureTransform, TilesInSmallWindowsAreFinalOrSayWhatTheyMiss)
 TEST(MedialVoxelFeatureTransform, AnEqualDistanceOutsideTheWindowIsNotOverlooked)
 {
   // Sites at both ends of a row, equally far from the middle: the left one has the smaller key.
-  const Volume row = MakeVolume({ { 9, 1, 1 } }, UnitSpacing, [](const Index3 & v) { return v[0] > 0 && v[0] < 8; });
-  const auto   sites = BoundarySites(row);
-  const auto   known = MakeBox({ { 1, 0, 0 } }, { { 9, 1, 1 } });
-  const auto   object = ObjectBits(row, known);
-  const auto   bits = SiteBits(sites, known);
-  const MedialVoxelFeatureTransform      transform(GridOf(row));
-  MedialVoxelFeatureTransform::Workspace workspace;
-  itk::MedialVoxelFeatures               features;
-  const auto                             tile = MakeBox({ { 4, 0, 0 } }, { { 5, 1, 1 } });
-  EXPECT_EQ(transform.Compute({ &object, &bits }, tile, workspace, features).lower[0], 0);
+  const Volume  row = MakeVolume({ { 9, 1, 1 } }, UnitSpacing, [](const Index3 & v) { return v[0] > 0 && v[0] < 8; });
+  const Outcome outcome =
+    TransformVoxel(row, BoundarySites(row), { { 4, 0, 0 } }, MakeBox({ { 1, 0, 0 } }, { { 9, 1, 1 } }));
+  EXPECT_TRUE(outcome.missing.Contains(KernelIndex({ { 0, 0, 0 } })));
+}
+
+TEST(MedialVoxelFeatureTransform, ANearerSiteJustOutsideTheWindowIsNotOverlooked)
+{
+  // One site 4 away in the first layer that the window lacks, another one sqrt(17) away on the other side.
+  const Volume solid = Complement(Volume({ { 21, 21, 21 } }, UnitSpacing));
+  const Index3 center{ { 10, 10, 10 } };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int side : { -1, 1 })
+    {
+      Index3 outside = center;
+      outside[axis] += 4 * side;
+      Index3 inside = center;
+      inside[axis] -= 4 * side;
+      inside[(axis + 1) % 3] += 1;
+      auto known = GridOf(solid).GetVoxelBox();
+      (side < 0 ? known.lower : known.upper)[axis] = side < 0 ? 7 : 14;
+      const Outcome first = TransformVoxel(solid, { inside, outside }, center, known);
+      EXPECT_TRUE(first.missing.Contains(KernelIndex(outside))) << "axis " << axis << ", side " << side;
+      const Outcome second = TransformVoxel(solid, { inside, outside }, center, GridOf(solid).GetVoxelBox());
+      EXPECT_TRUE(second.missing.IsEmpty());
+      EXPECT_EQ(second.site, outside);
+    }
+  }
+}
+
+TEST(MedialVoxelFeatureTransform, LengthsThatRoundToTheSameSumAreTies)
+{
+  // Two sites whose lengths in the plane differ in the last bit, which the square along z rounds away.
+  int tried = 0;
+  for (const Vector3 & spacing : { CraniumSpacing, Vector3{ { 0.7, 0.7, 1.3 } }, Vector3{ { 0.9, 1.2, 0.3 } } })
+  {
+    const Volume solid = Complement(Volume({ { 61, 61, 41 } }, spacing));
+    const Index3 center{ { 30, 30, 20 } };
+    for (int dz = 5; dz <= 20; dz += 5)
+    {
+      for (int code = 0; code < 31 * 31 * 31; ++code)
+      {
+        const Index3 low{ { 30 - code % 31, 30 - code / 31 % 31, 20 - dz } };
+        const Index3 high{ { 30 + code / 961, 30, 20 - dz } };
+        const Volume plane({ { 61, 61, 2 } }, spacing);
+        const bool   sameSum = KeyDistance(solid, center, low) == KeyDistance(solid, center, high);
+        if (low[1] < 30 && sameSum &&
+            KeyDistance(plane, { { 30, 30, 0 } }, { { low[0], low[1], 0 } }) >
+              KeyDistance(plane, { { 30, 30, 0 } }, { { high[0], 30, 0 } }))
+        {
+          ++tried;
+          const Outcome outcome = TransformVoxel(solid, { low, high }, center, GridOf(solid).GetVoxelBox());
+          ASSERT_EQ(outcome.site, low) << "the smaller y wins";
+        }
+      }
+    }
+  }
+  EXPECT_GT(tried, 3);
 }
 
 TEST(MedialVoxelFeatureTransform, MaximumDistanceIsPhysicalAndNeedsNoMore)
