@@ -7,8 +7,8 @@ import json
 import pathlib
 import sys
 
-HEADER = ["part", "voxels", "object", "tau", "threads", "wall s (min-max)", "floor s (min-max)", "ratio", "peak MB",
-          "SignedMaurer s"]  # fmt: skip
+HEADER = ["part", "object", "tau", "threads", "wall s", "CPU s", "floor, wall s", "ratio", "peak MB", "SignedMaurer, wall s",
+          "CPU s", "load"]  # fmt: skip
 
 
 def spread(values):
@@ -20,19 +20,23 @@ def rows_of(path):
     if "phantom" not in document:
         return
     phantom, results = document["phantom"], document["results"]
+    size = " x ".join(str(n) for n in phantom["size"])
     maurer = results.get("signed_maurer")
     for name, ratio in document["wall_ratio_to_floor"].items():
+        load = results[name]["load_before"]
         yield [
-            f"[{phantom['kind']}](bench/results/{path.name})",
-            " x ".join(str(n) for n in phantom["size"]),
+            f"[{phantom['kind']}](bench/results/{path.name}) {size}",
             f"{phantom['object_percent']:.1f} %",
             f"{document['thickness']:g}",
             name.split("_")[1],
             spread(results[name]["wall_seconds"]),
+            f"{results[name]['cpu_seconds']['median']:.2f}",
             spread(results["floor"]["wall_seconds"]),
             f"{ratio:.1f}",
             f"{results[name]['peak_memory_bytes']['median'] / 1e6:.0f}",
             spread(maurer["filter_seconds"]) if maurer else "not run",
+            f"{maurer['cpu_seconds']['median']:.2f}" if maurer else "",
+            f"{load['min']:.1f}-{load['max']:.1f}",
         ]
 
 
