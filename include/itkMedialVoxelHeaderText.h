@@ -20,7 +20,8 @@ namespace MedialVoxelText
 {
 
 /** \class HeaderError
- * \brief What is wrong with the header of a volume; the text names the file. */
+ * \brief What is wrong with the header of a volume; the text names the file.
+ * \ingroup MedialVoxel */
 class MedialVoxel_EXPORT HeaderError : public std::runtime_error
 {
 public:
@@ -58,7 +59,8 @@ struct MedialVoxel_EXPORT HeaderFields
 };
 
 /** \class HeaderLines
- * \brief Hands out the lines of a header and refuses what no header has: endless lines, bytes that are not text. */
+ * \brief Hands out the lines of a header and refuses what no header has: endless lines, bytes that are not text.
+ * \ingroup MedialVoxel */
 class MedialVoxel_EXPORT HeaderLines
 {
 public:
