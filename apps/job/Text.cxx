@@ -91,6 +91,14 @@ FormatBytes(std::uint64_t numberOfBytes)
 }
 
 std::string
+FormatSeconds(double seconds)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+  return text.data();
+}
+
+std::string
 FormatNumber(double value)
 {
   std::array<char, 32> text{};

@@ -26,6 +26,10 @@ ParseByteSize(std::string_view text);
 std::string
 FormatBytes(std::uint64_t numberOfBytes);
 
+/** "12.3 s" and the like. */
+std::string
+FormatSeconds(double seconds);
+
 /** Shortest text that reads back as the same number. */
 std::string
 FormatNumber(double value);
