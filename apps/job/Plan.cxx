@@ -97,7 +97,8 @@ TryDivisions(JobPlan & plan, const JobOptions & options, const VolumeHeader & he
   }
   else
   {
-    const std::uint64_t slices = std::max(plan.slabThickness, std::min(rest, BytesOfPiece) / bytesPerSlice);
+    const std::uint64_t most = std::max<std::uint64_t>(1, BytesOfPiece / bytesPerSlice);
+    const std::uint64_t slices = std::max(std::min(plan.slabThickness, most), std::min(rest / bytesPerSlice, most));
     plan.divisions = CeilingDivide(plan.numberOfSlices, std::min(slices, plan.numberOfSlices));
   }
   plan.memoryBytes = fixed + plan.GetMaximumSlices() * bytesPerSlice;
