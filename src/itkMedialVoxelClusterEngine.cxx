@@ -62,7 +62,7 @@ MedialVoxelClusterEngine::ChooseTileSize() const
 MedialVoxelBox
 MedialVoxelClusterEngine::GetSlab(const MedialVoxelBox & region, const std::int64_t position) const
 {
-  const unsigned int     axis = MedialVoxelSlowestAxis(region);
+  const unsigned int     axis = MedialVoxelSlowestAxis(m_Grid.GetVoxelBox());
   const MedialVoxelIndex tileSize = this->ChooseTileSize();
   std::int64_t           thickness = m_Settings.slabThickness;
   if (thickness <= 0)
@@ -94,14 +94,14 @@ MedialVoxelClusterEngine::GetSitesBox(const MedialVoxelBox & slab) const
 std::vector<MedialVoxelBox>
 MedialVoxelClusterEngine::GetMissingObjectBoxes(const MedialVoxelBox & region) const
 {
-  const MedialVoxelBox slab = this->GetSlab(region, region.lower[MedialVoxelSlowestAxis(region)]);
+  const MedialVoxelBox slab = this->GetSlab(region, region.lower[MedialVoxelSlowestAxis(m_Grid.GetVoxelBox())]);
   return MedialVoxelSubtractBox(m_Window.GetObjectBox(this->GetSitesBox(slab)), m_Window.GetObject().GetBox());
 }
 
 void
 MedialVoxelClusterEngine::Run(const MedialVoxelBox & region, MedialVoxelClusterClient & client)
 {
-  const unsigned int axis = MedialVoxelSlowestAxis(region);
+  const unsigned int axis = MedialVoxelSlowestAxis(m_Grid.GetVoxelBox());
   for (std::int64_t position = region.lower[axis]; position < region.upper[axis];)
   {
     const MedialVoxelBox slab = this->GetSlab(region, position);

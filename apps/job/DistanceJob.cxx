@@ -22,13 +22,18 @@ ListCandidates(const DistanceOptions & options, const VolumeHeader & header)
 PieceFootprint
 GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
 {
-  return { GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes()) };
+  PieceFootprint footprint;
+  footprint.bytesPerVoxel =
+    GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes());
+  footprint.windows.push_back(GetWindowFootprint(header, 1, 0.0));
+  return footprint;
 }
 
 DistanceSettings
-GetSettings(const DistanceOptions & options)
+GetSettings(const DistanceOptions & options, const JobPlan & plan)
 {
   DistanceSettings settings;
+  settings.slabThickness = plan.slabThickness;
   settings.boundary = options.boundary;
   settings.region = options.region;
   settings.generateDistance = !options.distanceFile.empty();
@@ -41,15 +46,17 @@ GetSettings(const DistanceOptions & options)
 void
 Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto input = OpenInputVolume(result.input);
+  const auto input = OpenInputVolume(result.input, options, result.plan.scratchFolder);
   PieceLoop  loop(result.plan, result.input, 1, sink);
-  const auto runner = MakeDistanceRunner(*input, result.input, options, GetSettings(options), loop.GetObserver());
-  OutputSet  outputs(options);
+  const auto runner =
+    MakeDistanceRunner(*input, result.input, options, GetSettings(options, result.plan), loop.GetObserver());
+  OutputSet            outputs(options);
   OutputVolume * const vectors =
     outputs.AddVolume(options.output, result.input.geometry, GetVectorLayout(result.input));
   OutputVolume * const distances = outputs.AddVolume(options.distanceFile, result.input.geometry, DistanceLayout);
   OutputFile * const   report = outputs.AddFile(options.reportFile);
 
+  loop.Prepare(*input);
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
     loop.Run(*runner,

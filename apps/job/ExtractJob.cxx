@@ -41,7 +41,22 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   const std::uint64_t vectorBytes = GetVectorLayout(header).GetBytes();
   const std::uint64_t labels = LabelLayout.GetBytes() + (options.vectorFile.empty() ? 0 : vectorBytes);
   const std::uint64_t distances = options.distanceFile.empty() ? 0 : vectorBytes + DistanceLayout.GetBytes();
-  return { std::max(labels, distances) };
+  PieceFootprint      footprint;
+  footprint.bytesPerVoxel = std::max(labels, distances);
+  const bool withObjectVectors =
+    !options.vectorFile.empty() && options.vectorBoundary == itk::MedialVoxelBoundary::Object;
+  const double sliceSpacing = options.voxelUnits ? 1.0 : header.geometry.spacing.back();
+  const double epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness);
+  footprint.windows.push_back(GetWindowFootprint(header, withObjectVectors ? 2 : 1, 0.5 * epsilon / sliceSpacing));
+  if (!options.distanceFile.empty())
+  {
+    footprint.windows.push_back(GetWindowFootprint(header, 1, 0.0));
+  }
+  if (!options.previewFile.empty())
+  {
+    footprint.bytesBeside = GetPreviewBytes(header.geometry);
+  }
+  return footprint;
 }
 
 /** Each cell must have been decided once. */
@@ -63,9 +78,9 @@ public:
   Extraction(const ExtractOptions & options, JobResult & result, ProgressSink & sink)
     : m_Options(options)
     , m_Result(result)
-    , m_Input(OpenInputVolume(result.input))
+    , m_Input(OpenInputVolume(result.input, options, result.plan.scratchFolder))
     , m_Loop(result.plan, result.input, options.distanceFile.empty() ? 1 : 2, sink)
-    , m_Runner(MakeExtractRunner(*m_Input, result.input, options, m_Loop.GetObserver()))
+    , m_Runner(MakeExtractRunner(*m_Input, result.input, options, result.plan.slabThickness, m_Loop.GetObserver()))
     , m_Scores(result.input.geometry)
     , m_Outputs(options)
   {
@@ -79,6 +94,7 @@ public:
     {
       DistanceSettings settings;
       settings.generateDistance = true;
+      settings.slabThickness = result.plan.slabThickness;
       m_DistanceRunner = MakeDistanceRunner(*m_Input, result.input, options, settings, m_Loop.GetObserver());
     }
   }
@@ -86,6 +102,7 @@ public:
   void
   Run(JobClock::time_point start)
   {
+    m_Loop.Prepare(*m_Input);
     for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
     {
       this->RunPiece(m_Result.plan.GetPiece(piece));
@@ -93,7 +110,9 @@ public:
     m_Result.sums = m_Runner->GetSums();
     if (m_DistanceRunner)
     {
-      m_Result.sums.distanceSeconds += m_DistanceRunner->GetSums().distanceSeconds;
+      const RunnerSums distances = m_DistanceRunner->GetSums();
+      m_Result.sums.distanceSeconds += distances.distanceSeconds;
+      m_Result.sums.recomputedVoxels += distances.recomputedVoxels;
     }
     CheckCounts(m_Result.sums.counts);
     this->Finish(start);

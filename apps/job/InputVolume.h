@@ -8,18 +8,47 @@
 #include "itkImageBase.h"
 #include "itkProcessObject.h"
 
+#include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <string>
 
 namespace medialvoxel
 {
 
+/** Hears how much of a volume was unpacked, from 0 to 1; throws to stop. */
+using ReadObserver = std::function<void(double)>;
+
 /** \class InputVolume
- * \brief An opened volume: an image of a pipeline that reads the parts it is asked for, or holds all that is packed. */
+ * \brief An opened volume: an image of a pipeline that makes the parts it is asked for. */
 class InputVolume
 {
 public:
   virtual ~InputVolume() = default;
+
+  /** Does what must be done once before the first part is asked for; the image is described without it.
+   * \return what was done and what it cost, as one line; empty when there was nothing to do.
+   * \throw JobError CorruptInput when packed voxels are damaged or end early. */
+  virtual std::string
+  Prepare(const ReadObserver &)
+  {
+    return {};
+  }
+
+  /** True when the image has the values 0 and 1, 1 for the object, and type uint8 whatever the file has. */
+  virtual bool
+  IsMask() const
+  {
+    return false;
+  }
+
+  /** Voxels that are not a number and that the mask does not show; 0 for images that are no masks. */
+  virtual std::uint64_t
+  GetNumberOfNotANumberVoxels() const
+  {
+    return 0;
+  }
 
   /** Bytes read from the file so far. */
   virtual std::uint64_t
@@ -32,12 +61,19 @@ public:
     return m_ReadSeconds;
   }
 
-  /** The start of the pipeline; null for volumes that are in memory. */
+  /** The start of the pipeline. */
   virtual itk::ProcessObject *
   GetReader() = 0;
 
 protected:
+  /** Adds what the source takes to the seconds of reading. */
+  void
+  MeasureSeconds(itk::ProcessObject & source);
+
   double m_ReadSeconds{ 0.0 };
+
+private:
+  std::chrono::steady_clock::time_point m_Start;
 };
 
 /** \class ImageInput
@@ -50,15 +86,10 @@ public:
   GetImage() = 0;
 };
 
-/** Opens a volume that ReadVolumeHeader() has checked; a compressed one is unpacked into memory.
- * \throw JobError CorruptInput when packed voxels are damaged or end early. */
+/** Opens an uncompressed volume that ReadVolumeHeader() has checked. */
 template <typename TPixel>
 std::unique_ptr<InputVolume>
-OpenInput(const VolumeHeader & header);
-
-/** The same, for the pixel type of the header. */
-std::unique_ptr<InputVolume>
-OpenInputVolume(const VolumeHeader & header);
+OpenStreamedInput(const VolumeHeader & header);
 
 } // end namespace medialvoxel
 

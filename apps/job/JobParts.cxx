@@ -8,8 +8,12 @@
 #include "itkProcessObject.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
 
 namespace medialvoxel
 {
@@ -31,6 +35,26 @@ GetPeakMemoryBytes()
     }
   }
   return 0;
+}
+
+/** Lets large blocks leave the process when they are freed, so that the peak is the one that was planned. */
+void
+GiveLargeBlocksBack()
+{
+#ifdef M_MMAP_THRESHOLD
+  constexpr int largeBlock = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, largeBlock);
+#endif
+}
+
+void
+CheckScratchFolder(const JobOptions & options)
+{
+  std::error_code error;
+  if (!options.scratchFolder.empty() && !std::filesystem::is_directory(options.scratchFolder, error))
+  {
+    Fail(ExitStatus::Refused, options.scratchFolder, ": the scratch folder does not exist");
+  }
 }
 
 void
@@ -55,12 +79,23 @@ PrepareJob(const JobOptions &                 options,
                std::back_inserter(result.outputs),
                [](const OutputRequest & candidate) { return !candidate.fileName.empty(); });
   CheckOutputs(result.outputs, result.input, options.overwrite);
-  if (options.threads)
-  {
-    SetNumberOfThreads(*options.threads);
-  }
+  CheckScratchFolder(options);
   result.plan = MakePlan(options, result.input, result.outputs, footprint);
+  SetNumberOfThreads(result.plan.threads);
+  GiveLargeBlocksBack();
   return result;
+}
+
+WindowFootprint
+GetWindowFootprint(const VolumeHeader & header, std::uint64_t numberOfBoundaries, double reachInSlices)
+{
+  // Half of a wall is the distance to its boundary, around which the neighbors count too.
+  const double        halo = 0.5 * PlannedWallThickness + 2.0 + std::ceil(reachInSlices);
+  const std::uint64_t slices = std::min(header.geometry.size.back(), static_cast<std::uint64_t>(std::min(halo, 1e9)));
+  const PixelType     type = header.CanStream() ? header.pixelType : PixelType::UInt8;
+  const bool          keepsNotANumber = type == PixelType::Float32 || type == PixelType::Float64;
+  // Object and boundaries, and one copy while a window grows.
+  return { slices, 1 + numberOfBoundaries + (keepsNotANumber ? 1u : 0u) + 1 };
 }
 
 VoxelLayout
@@ -84,9 +119,25 @@ PieceLoop::GetObserver()
 {
   return [this](double fraction) {
     const double slices = static_cast<double>(m_DoneSlices) + fraction * static_cast<double>(m_SlicesOfPiece);
-    m_Sink.Report(slices / static_cast<double>(m_Plan.numberOfSlices * m_RunnersPerPiece));
+    const double done = slices / static_cast<double>(m_Plan.numberOfSlices * m_RunnersPerPiece);
+    m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation) * done);
     return m_Sink.IsStopRequested();
   };
+}
+
+void
+PieceLoop::Prepare(InputVolume & input)
+{
+  constexpr double  share = 0.3;
+  const std::string note = input.Prepare([this](double fraction) {
+    m_ShareOfPreparation = share;
+    m_Sink.Report(share * fraction);
+    this->ThrowIfStopRequested();
+  });
+  if (!note.empty())
+  {
+    m_Sink.Note(note);
+  }
 }
 
 void

@@ -30,6 +30,10 @@ PrepareJob(const JobOptions &                 options,
            const std::vector<OutputRequest> & candidates,
            const PieceFootprint &             footprint);
 
+/** What a filter keeps of its input that knows so many boundaries and looks so many slices beyond the walls. */
+WindowFootprint
+GetWindowFootprint(const VolumeHeader & header, std::uint64_t numberOfBoundaries, double reachInSlices);
+
 /** Float32 vectors with as many components as the volume has dimensions. */
 VoxelLayout
 GetVectorLayout(const VolumeHeader & header);
@@ -53,6 +57,11 @@ public:
   using WriteFunction =
     std::function<void(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults &)>;
 
+  /** Prepares the input, which is a part of the job's progress when it takes long.
+   * \throw StoppedBySignal when the sink asks to stop. */
+  void
+  Prepare(InputVolume & input);
+
   /** \throw StoppedBySignal when the sink asks to stop. */
   void
   Run(PieceRunner & runner, const SliceRange & range, const WriteFunction & write);
@@ -71,6 +80,7 @@ private:
   std::uint64_t  m_VoxelsPerSlice;
   unsigned int   m_RunnersPerPiece;
   ProgressSink & m_Sink;
+  double         m_ShareOfPreparation{ 0.0 };
   std::uint64_t  m_DoneSlices{ 0 };
   std::uint64_t  m_SlicesOfPiece{ 0 };
   double         m_WriteSeconds{ 0.0 };

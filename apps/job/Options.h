@@ -27,7 +27,9 @@ struct JobOptions
   std::string distanceFile; ///< signed distance, float32
   std::string reportFile;   ///< JSON
 
-  std::optional<std::uint64_t> memoryBytes;        ///< cap on the planned memory; unset: none
+  std::string scratchFolder; ///< for the mask of a compressed volume that does not fit the memory; empty: none
+
+  std::optional<std::uint64_t> memoryBytes;        ///< cap on the memory; unset: half of what is free
   std::optional<unsigned int>  threads;            ///< 1 or more; unset: as ITK decides
   std::optional<std::uint64_t> divisions;          ///< pieces along the last axis, 1 or more; unset: chosen
   bool                         sparse{ false };    ///< blocks of zeros stay holes of the files, nothing is reserved

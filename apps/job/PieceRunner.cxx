@@ -2,23 +2,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PieceRunner.h"
 
+#include "MaskInput.h"
+
 namespace medialvoxel
 {
 
-std::unique_ptr<InputVolume>
-OpenInputVolume(const VolumeHeader & header)
+namespace
 {
-  return DispatchPixelType(header.pixelType, [&](auto zero) { return OpenInput<decltype(zero)>(header); });
+
+PixelType
+GetImagePixelType(const InputVolume & input, const VolumeHeader & header)
+{
+  return input.IsMask() ? PixelType::UInt8 : header.pixelType;
+}
+
+} // namespace
+
+std::unique_ptr<InputVolume>
+OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder)
+{
+  if (!header.CanStream())
+  {
+    return OpenMaskInput(header, { options.lowerThreshold, options.upperThreshold, scratchFolder });
+  }
+  return DispatchPixelType(header.pixelType, [&](auto zero) { return OpenStreamedInput<decltype(zero)>(header); });
 }
 
 std::unique_ptr<PieceRunner>
 MakeExtractRunner(InputVolume &          input,
                   const VolumeHeader &   header,
                   const ExtractOptions & options,
+                  std::uint64_t          slabThickness,
                   const PieceObserver &  observer)
 {
-  return DispatchPixelType(header.pixelType, [&](auto zero) {
-    return MakeExtractRunnerFor<decltype(zero)>(input, header, options, observer);
+  return DispatchPixelType(GetImagePixelType(input, header), [&](auto zero) {
+    return MakeExtractRunnerFor<decltype(zero)>(input, header, options, slabThickness, observer);
   });
 }
 
@@ -29,7 +47,7 @@ MakeDistanceRunner(InputVolume &            input,
                    const DistanceSettings & settings,
                    const PieceObserver &    observer)
 {
-  return DispatchPixelType(header.pixelType, [&](auto zero) {
+  return DispatchPixelType(GetImagePixelType(input, header), [&](auto zero) {
     return MakeDistanceRunnerFor<decltype(zero)>(input, header, options, settings, observer);
   });
 }

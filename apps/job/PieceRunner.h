@@ -28,6 +28,7 @@ struct RunnerSums
 {
   itk::MedialVoxelCounts counts;
   std::uint64_t          notANumberVoxels{ 0 };
+  std::uint64_t          recomputedVoxels{ 0 }; ///< of tiles run again because they depended on more input
   double                 distanceSeconds{ 0.0 };
   double                 classificationSeconds{ 0.0 };
 };
@@ -67,11 +68,16 @@ struct DistanceSettings
   bool                     squaredDistance{ false };
   bool                     insideIsPositive{ false };
   std::optional<double>    maximumDistance;
+  std::uint64_t            slabThickness{ 0 }; ///< 0: as the filter chooses
 };
 
 template <typename TPixel>
 std::unique_ptr<PieceRunner>
-MakeExtractRunnerFor(InputVolume & input, const VolumeHeader &, const ExtractOptions &, const PieceObserver &);
+MakeExtractRunnerFor(InputVolume & input,
+                     const VolumeHeader &,
+                     const ExtractOptions &,
+                     std::uint64_t slabThickness,
+                     const PieceObserver &);
 template <typename TPixel>
 std::unique_ptr<PieceRunner>
 MakeDistanceRunnerFor(InputVolume & input,
@@ -80,11 +86,18 @@ MakeDistanceRunnerFor(InputVolume & input,
                       const DistanceSettings &,
                       const PieceObserver &);
 
+/** Opens a volume that ReadVolumeHeader() has checked. A compressed one becomes a mask of the object that the options
+ * describe, in memory or, when a scratch folder is given, in a file there.
+ * \throw JobError Refused when the scratch folder has no space. */
+std::unique_ptr<InputVolume>
+OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder);
+
 /** The runner of MedialVoxelImageFilter for the pixel type of the header. The input must outlive it. */
 std::unique_ptr<PieceRunner>
 MakeExtractRunner(InputVolume &          input,
                   const VolumeHeader &   header,
                   const ExtractOptions & options,
+                  std::uint64_t          slabThickness,
                   const PieceObserver &  observer);
 
 /** The runner of VectorDistanceMapImageFilter for the pixel type of the header. The input must outlive it. */

@@ -43,38 +43,27 @@ public:
   using InputImageType = typename TFilter::InputImageType;
   using OutputImageType = typename TFilter::OutputImageType;
 
-  FilterRunner(InputVolume & input, const JobOptions & options, const PieceObserver & observer)
+  FilterRunner(InputVolume &         input,
+               const JobOptions &    options,
+               std::uint64_t         slabThickness,
+               const PieceObserver & observer)
     : m_Observer(observer)
-    , m_Reader(input.GetReader())
+    , m_Input(input)
+    , m_Reader(*input.GetReader())
   {
     m_Filter->SetInput(static_cast<ImageInput<InputImageType> &>(input).GetImage());
     m_Filter->SetUseImageSpacing(!options.voxelUnits);
-    if (options.lowerThreshold)
+    if (!input.IsMask())
     {
-      m_Filter->SetLowerThreshold(*options.lowerThreshold);
+      this->SetThresholds(options);
     }
-    if (options.upperThreshold)
-    {
-      m_Filter->SetUpperThreshold(*options.upperThreshold);
-    }
-    if (options.threads)
-    {
-      m_Filter->SetNumberOfWorkUnits(*options.threads);
-    }
+    m_Filter->SetSlabThickness(static_cast<unsigned int>(slabThickness));
+    m_Filter->SetNumberOfWorkUnits(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
     m_Filter->AddObserver(itk::ProgressEvent(), [this](const itk::EventObject &) { this->Observe(); });
-    if (m_Reader)
-    {
-      m_ReaderTag = m_Reader->AddObserver(itk::ProgressEvent(), [this](const itk::EventObject &) { this->Observe(); });
-    }
+    m_ReaderTag = m_Reader.AddObserver(itk::ProgressEvent(), [this](const itk::EventObject &) { this->Observe(); });
   }
 
-  ~FilterRunner() override
-  {
-    if (m_Reader)
-    {
-      m_Reader->RemoveObserver(m_ReaderTag);
-    }
-  }
+  ~FilterRunner() override { m_Reader.RemoveObserver(m_ReaderTag); }
 
   VolumeGeometry
   GetGeometry() const override
@@ -110,7 +99,8 @@ public:
   GetSums() const override
   {
     RunnerSums sums;
-    sums.notANumberVoxels = m_Filter->GetNumberOfNotANumberVoxels();
+    sums.notANumberVoxels = m_Input.GetNumberOfNotANumberVoxels() + m_Filter->GetNumberOfNotANumberVoxels();
+    sums.recomputedVoxels = m_Filter->GetNumberOfRecomputedVoxels();
     sums.distanceSeconds = m_Filter->GetDistanceSeconds();
     sums.classificationSeconds = m_Filter->GetClassificationSeconds();
     return sums;
@@ -124,6 +114,19 @@ protected:
 
 private:
   void
+  SetThresholds(const JobOptions & options)
+  {
+    if (options.lowerThreshold)
+    {
+      m_Filter->SetLowerThreshold(*options.lowerThreshold);
+    }
+    if (options.upperThreshold)
+    {
+      m_Filter->SetUpperThreshold(*options.upperThreshold);
+    }
+  }
+
+  void
   Observe()
   {
     if (m_Observer(m_Filter->GetProgress()))
@@ -133,7 +136,8 @@ private:
   }
 
   PieceObserver        m_Observer;
-  itk::ProcessObject * m_Reader;
+  InputVolume &        m_Input;
+  itk::ProcessObject & m_Reader;
   unsigned long        m_ReaderTag{ 0 };
 };
 
@@ -141,8 +145,11 @@ template <typename TImage>
 class ExtractRunner : public FilterRunner<itk::MedialVoxelImageFilter<TImage>>
 {
 public:
-  ExtractRunner(InputVolume & input, const ExtractOptions & options, const PieceObserver & observer)
-    : FilterRunner<itk::MedialVoxelImageFilter<TImage>>(input, options, observer)
+  ExtractRunner(InputVolume &          input,
+                const ExtractOptions & options,
+                std::uint64_t          slabThickness,
+                const PieceObserver &  observer)
+    : FilterRunner<itk::MedialVoxelImageFilter<TImage>>(input, options, slabThickness, observer)
   {
     this->m_Filter->SetThickness(options.thickness);
     this->m_Filter->SetPseudoGeodesicBound(options.bound);
@@ -188,7 +195,7 @@ public:
                  const JobOptions &       options,
                  const DistanceSettings & settings,
                  const PieceObserver &    observer)
-    : FilterRunner<itk::VectorDistanceMapImageFilter<TImage>>(input, options, observer)
+    : FilterRunner<itk::VectorDistanceMapImageFilter<TImage>>(input, options, settings.slabThickness, observer)
   {
     this->m_Filter->SetBoundary(settings.boundary);
     this->m_Filter->SetRegion(settings.region);
@@ -230,11 +237,12 @@ std::unique_ptr<PieceRunner>
 MakeExtractRunnerFor(InputVolume &          input,
                      const VolumeHeader &   header,
                      const ExtractOptions & options,
+                     std::uint64_t          slabThickness,
                      const PieceObserver &  observer)
 {
   return WithDimension(header, [&](auto dimension) -> std::unique_ptr<PieceRunner> {
     using ImageType = itk::Image<TPixel, decltype(dimension)::value>;
-    return std::make_unique<ExtractRunner<ImageType>>(input, options, observer);
+    return std::make_unique<ExtractRunner<ImageType>>(input, options, slabThickness, observer);
   });
 }
 

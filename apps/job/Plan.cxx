@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Plan.h"
 
+#include "BitStore.h"
 #include "Text.h"
 
 #include "itkMultiThreaderBase.h"
 
 #include <algorithm>
+#include <fstream>
+#include <limits>
 #include <map>
 #include <sys/stat.h>
 
@@ -17,28 +20,20 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-// Measured on whole runs with thin walls, with a reserve of about a quarter.
-constexpr std::uint64_t BytesOfProgram = 16 * MiB;
-constexpr std::uint64_t BytesPerThread = 8 * MiB;
-constexpr std::uint64_t BytesPerPull = 16 * MiB;
-constexpr std::uint64_t SlicesOfWindow = 64;
+// Measured on whole runs with thin walls: the process without work, and the tiles of a thread.
+constexpr std::uint64_t BytesOfProgram = 14 * MiB;
+constexpr std::uint64_t BytesPerThread = 5 * MiB;
 
-/** Results of a piece when nothing else limits them: fewer slices per piece mean more that is read and done twice. */
+/** The filter pulls input in whole slices of at least this many bytes. */
+constexpr std::uint64_t BytesPerPull = 4 * MiB;
+
+/** Results of a piece when nothing else limits them. */
 constexpr std::uint64_t BytesOfPiece = 128 * MiB;
 
-/** Memory that does not depend on the number of pieces. */
-std::uint64_t
-EstimateFixedMemory(const VolumeHeader & header, unsigned int threads)
-{
-  const std::uint64_t voxelsPerSlice = header.geometry.GetVoxelsPerSlice();
-  const std::uint64_t bytesPerSlice = voxelsPerSlice * GetTraits(header.pixelType).bytes;
-  const std::uint64_t windowSlices = std::min(header.geometry.size.back(), SlicesOfWindow);
-  const std::uint64_t windowBytes = voxelsPerSlice * windowSlices * 3 / 8;
-  const std::uint64_t inputBytes = header.CanStream()
-                                     ? std::min(header.GetVoxelBytes(), std::max(BytesPerPull, bytesPerSlice))
-                                     : header.GetVoxelBytes();
-  return BytesOfProgram + BytesPerThread * threads + windowBytes + inputBytes;
-}
+/** Edges of the filter's tiles across the slices, and the number of tiles that keeps threads busy. */
+constexpr std::uint64_t TileWidth = 128;
+constexpr std::uint64_t TileEdge = 32;
+constexpr std::uint64_t EnoughTiles = 64;
 
 std::uint64_t
 CeilingDivide(std::uint64_t value, std::uint64_t divisor)
@@ -46,41 +41,149 @@ CeilingDivide(std::uint64_t value, std::uint64_t divisor)
   return (value + divisor - 1) / divisor;
 }
 
+/** Bytes of one bit per voxel of a slice; each row is padded by a word at both ends. */
 std::uint64_t
-ChooseDivisions(const JobOptions & options,
-                std::uint64_t      numberOfSlices,
-                std::uint64_t      bytesPerSlice,
-                std::uint64_t      fixedBytes)
+GetBitsPerSlice(const VolumeGeometry & geometry)
 {
+  const std::uint64_t words = CeilingDivide(geometry.size.front(), BitStore::BitsPerWord) + 2;
+  return words * sizeof(BitStore::WordType) * (geometry.GetVoxelsPerSlice() / geometry.size.front());
+}
+
+/** Bytes of all windows on the input. */
+std::uint64_t
+EstimateWindows(const VolumeHeader & header, const PieceFootprint & footprint, std::uint64_t slabThickness)
+{
+  std::uint64_t bytes = 0;
+  for (const WindowFootprint & window : footprint.windows)
+  {
+    const std::uint64_t slices = std::min(header.geometry.size.back(), slabThickness + 2 * window.haloSlices);
+    bytes += slices * window.bitsPerVoxel * GetBitsPerSlice(header.geometry);
+  }
+  return bytes;
+}
+
+/** Memory that does not depend on the number of pieces. */
+std::uint64_t
+EstimateFixedMemory(const JobPlan & plan, const VolumeHeader & header, const PieceFootprint & footprint)
+{
+  const bool          isMask = !header.CanStream();
+  const std::uint64_t bytesPerVoxel = isMask ? 1 : GetTraits(header.pixelType).bytes;
+  const std::uint64_t voxels = header.geometry.GetNumberOfVoxels();
+  const std::uint64_t pull = std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
+  const std::uint64_t mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
+  return BytesOfProgram + BytesPerThread * plan.threads + std::min(pull, voxels * bytesPerVoxel) + mask +
+         footprint.bytesBeside + EstimateWindows(header, footprint, plan.slabThickness);
+}
+
+/** Slices that keep the threads busy between two pulls. */
+std::uint64_t
+GetPreferredSlabThickness(const VolumeGeometry & geometry)
+{
+  const std::uint64_t rows = geometry.GetVoxelsPerSlice() / geometry.size.front();
+  const std::uint64_t tiles = CeilingDivide(geometry.size.front(), TileWidth) * CeilingDivide(rows, TileEdge);
+  return std::min(geometry.size.back(), TileEdge * CeilingDivide(EnoughTiles, tiles));
+}
+
+/** Divides the slices for the threads, slabs and scratch folder of the plan; true when that fits. */
+bool
+TryDivisions(JobPlan & plan, const JobOptions & options, const VolumeHeader & header, const PieceFootprint & footprint)
+{
+  const std::uint64_t bytesPerSlice = header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
+  const std::uint64_t fixed = EstimateFixedMemory(plan, header, footprint);
+  const std::uint64_t rest = plan.memoryLimit - std::min(plan.memoryLimit, fixed);
   if (options.divisions)
   {
-    return std::min(*options.divisions, numberOfSlices);
+    plan.divisions = std::min(*options.divisions, plan.numberOfSlices);
   }
-  std::uint64_t budget = BytesOfPiece;
-  if (options.memoryBytes)
+  else
   {
-    budget = std::min(budget, *options.memoryBytes - std::min(*options.memoryBytes, fixedBytes));
+    const std::uint64_t most = std::max<std::uint64_t>(1, BytesOfPiece / bytesPerSlice);
+    const std::uint64_t slices = std::max(std::min(plan.slabThickness, most), std::min(rest / bytesPerSlice, most));
+    plan.divisions = CeilingDivide(plan.numberOfSlices, std::min(slices, plan.numberOfSlices));
   }
-  const std::uint64_t slicesPerPiece = std::max<std::uint64_t>(1, budget / bytesPerSlice);
-  return CeilingDivide(numberOfSlices, std::min(slicesPerPiece, numberOfSlices));
+  plan.memoryBytes = fixed + plan.GetMaximumSlices() * bytesPerSlice;
+  return plan.memoryBytes <= plan.memoryLimit;
+}
+
+/** Thinner slabs read and do more twice, so that the thickest that fit are taken. */
+bool
+TrySlabs(JobPlan & plan, const JobOptions & options, const VolumeHeader & header, const PieceFootprint & footprint)
+{
+  for (plan.slabThickness = GetPreferredSlabThickness(header.geometry);; plan.slabThickness /= 2)
+  {
+    if (TryDivisions(plan, options, header, footprint))
+    {
+      return true;
+    }
+    if (plan.slabThickness == 1)
+    {
+      return false;
+    }
+  }
+}
+
+/** A mask is in memory when that fits, otherwise in the scratch folder if there is one. */
+bool
+TryScratch(JobPlan & plan, const JobOptions & options, const VolumeHeader & header, const PieceFootprint & footprint)
+{
+  plan.scratchFolder.clear();
+  if (TrySlabs(plan, options, header, footprint))
+  {
+    return true;
+  }
+  if (header.CanStream() || options.scratchFolder.empty())
+  {
+    return false;
+  }
+  plan.scratchFolder = options.scratchFolder;
+  return TrySlabs(plan, options, header, footprint);
 }
 
 void
-RefuseLackOfMemory(const JobOptions & options, const JobPlan & plan, std::uint64_t least)
+FitToMemory(JobPlan & plan, const JobOptions & options, const VolumeHeader & header, const PieceFootprint & footprint)
 {
-  if (options.memoryBytes && plan.memoryBytes > *options.memoryBytes)
+  if (TryScratch(plan, options, header, footprint))
   {
-    Fail(ExitStatus::Refused,
-         "about ",
-         FormatBytes(plan.memoryBytes),
-         " of memory are needed, ",
-         FormatBytes(*options.memoryBytes),
-         " are allowed; with ",
-         plan.threads,
-         plan.threads == 1 ? " thread" : " threads",
-         " this volume needs at least ",
-         FormatBytes(least));
+    return;
   }
+  if (!options.threads)
+  {
+    plan.threads = 1;
+    if (TryScratch(plan, options, header, footprint))
+    {
+      return;
+    }
+  }
+  Fail(ExitStatus::Refused,
+       "this volume needs at least ",
+       FormatBytes(plan.memoryBytes),
+       " of memory with ",
+       plan.threads,
+       plan.threads == 1 ? " thread" : " threads",
+       options.divisions ? " and " + std::to_string(plan.divisions) + " divisions" : "",
+       ", ",
+       FormatBytes(plan.memoryLimit),
+       " are allowed",
+       header.CanStream() || !options.scratchFolder.empty()
+         ? ""
+         : "; it is compressed, and with --scratch DIR its mask need not be in memory");
+}
+
+/** Half of what the system could give without swapping; without limit where it does not tell. */
+std::uint64_t
+GetDefaultMemoryLimit()
+{
+  std::ifstream information("/proc/meminfo");
+  std::string   line;
+  while (std::getline(information, line))
+  {
+    const std::vector<std::string> parts = SplitAtBlanks(line);
+    if (parts.size() >= 2 && parts[0] == "MemAvailable:")
+    {
+      return static_cast<std::uint64_t>(ParseInteger(parts[1]).value_or(0)) * 1024 / 2;
+    }
+  }
+  return std::numeric_limits<std::uint64_t>::max();
 }
 
 std::uint64_t
@@ -140,6 +243,12 @@ JobPlan::GetPiece(std::uint64_t piece) const
   return { piece * numberOfSlices / divisions, (piece + 1) * numberOfSlices / divisions };
 }
 
+std::uint64_t
+JobPlan::GetMaximumSlices() const
+{
+  return CeilingDivide(numberOfSlices, divisions);
+}
+
 JobPlan
 MakePlan(const JobOptions &                 options,
          const VolumeHeader &               header,
@@ -149,11 +258,8 @@ MakePlan(const JobOptions &                 options,
   JobPlan plan;
   plan.threads = GetNumberOfThreads(options);
   plan.numberOfSlices = header.geometry.size.back();
-  const std::uint64_t bytesPerSlice = header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
-  const std::uint64_t fixedBytes = EstimateFixedMemory(header, plan.threads);
-  plan.divisions = ChooseDivisions(options, plan.numberOfSlices, bytesPerSlice, fixedBytes);
-  plan.memoryBytes = fixedBytes + CeilingDivide(plan.numberOfSlices, plan.divisions) * bytesPerSlice;
-  RefuseLackOfMemory(options, plan, fixedBytes + bytesPerSlice);
+  plan.memoryLimit = options.memoryBytes ? *options.memoryBytes : GetDefaultMemoryLimit();
+  FitToMemory(plan, options, header, footprint);
 
   for (const OutputRequest & output : outputs)
   {
@@ -171,10 +277,19 @@ DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vecto
 {
   TextTable table = DescribeHeader(header);
   table.emplace_back("pieces",
-                     std::to_string(plan.divisions) + " of up to " +
-                       std::to_string(CeilingDivide(plan.numberOfSlices, plan.divisions)) + " slices");
+                     std::to_string(plan.divisions) + " of up to " + std::to_string(plan.GetMaximumSlices()) +
+                       " slices, done in slabs of " + std::to_string(plan.slabThickness));
   table.emplace_back("threads", std::to_string(plan.threads));
-  table.emplace_back("memory", "about " + FormatBytes(plan.memoryBytes));
+  table.emplace_back("memory",
+                     "up to " + FormatBytes(plan.memoryBytes) + " for walls of up to " +
+                       std::to_string(PlannedWallThickness) + " voxels, more for thicker ones; allowed are " +
+                       FormatBytes(plan.memoryLimit));
+  if (!header.CanStream())
+  {
+    const std::string mask = FormatBytes(GetBitStoreBytes(header.geometry.GetNumberOfVoxels()));
+    table.emplace_back("mask",
+                       mask + (plan.scratchFolder.empty() ? " in memory" : " in " + plan.scratchFolder.string()));
+  }
   table.emplace_back("disk", FormatBytes(plan.diskBytes));
   for (const OutputRequest & output : outputs)
   {
@@ -202,7 +317,7 @@ DescribeHeader(const VolumeHeader & header)
   }
   table.emplace_back("reading",
                      header.CanStream() ? "streams: parts are read as they are needed"
-                                        : "does not stream: it is compressed and unpacked whole into memory");
+                                        : "does not stream: it is compressed and unpacked once to one bit per voxel");
   return table;
 }
 

@@ -27,17 +27,37 @@ struct JobPlan
   std::uint64_t numberOfSlices{ 0 };
   std::uint64_t divisions{ 1 };
   unsigned int  threads{ 1 };
-  std::uint64_t memoryBytes{ 0 }; ///< estimate of the peak for walls of up to about 20 voxels
-  std::uint64_t diskBytes{ 0 };   ///< of all outputs; with sparse outputs the most they can grow to
+  std::uint64_t slabThickness{ 1 }; ///< slices that the filters process between two pulls of input
+  std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
+  std::uint64_t memoryLimit{ 0 };   ///< that memoryBytes must not exceed
+
+  std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
+  std::uint64_t         diskBytes{ 0 }; ///< of all outputs; with sparse outputs the most they can grow to
 
   SliceRange
   GetPiece(std::uint64_t piece) const;
+
+  /** Slices of the largest piece. */
+  std::uint64_t
+  GetMaximumSlices() const;
 };
 
-/** Bytes of results that each voxel of a piece keeps in memory at the same time. */
+/** Walls, in voxels, whose distances the planned windows hold; what thicker ones need cannot be known before. */
+constexpr unsigned int PlannedWallThickness = 16;
+
+/** What a filter keeps of its input: bits for the slices of a slab and for those around it. */
+struct WindowFootprint
+{
+  std::uint64_t haloSlices{ 0 };
+  std::uint64_t bitsPerVoxel{ 2 };
+};
+
+/** What a job keeps in memory at the same time. */
 struct PieceFootprint
 {
-  std::uint64_t bytesPerVoxel{ 1 };
+  std::uint64_t                bytesPerVoxel{ 1 }; ///< results of a piece
+  std::vector<WindowFootprint> windows;
+  std::uint64_t                bytesBeside{ 0 }; ///< what does not depend on pieces
 };
 
 /** Divides the work so that it fits the memory.

@@ -349,6 +349,14 @@ SliceScores::GetBestSlice(unsigned int axis) const
   return best;
 }
 
+std::uint64_t
+GetPreviewBytes(const VolumeGeometry & geometry)
+{
+  // The slice before the next one, three slices of labels, and the picture with its copy for the writer.
+  constexpr std::uint64_t pictureBytes = std::uint64_t{ 24 } << 20;
+  return std::min(pictureBytes, 16 * geometry.GetNumberOfVoxels()) + 4 * geometry.GetVoxelsPerSlice();
+}
+
 void
 WritePreview(const OutputVolume &   labels,
              const VolumeGeometry & geometry,

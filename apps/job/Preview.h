@@ -44,6 +44,10 @@ private:
   std::vector<std::uint8_t>               m_LastSlice; ///< the slice before the next one; empty before the first
 };
 
+/** Memory of the above and of the below. */
+std::uint64_t
+GetPreviewBytes(const VolumeGeometry & geometry);
+
 /** Draws the slices of a finished label volume with the best scores, and writes them as PNG: object gray, medial by
  * bound white, medial by geodesic red. The scale is the same in all slices and directions. Only the labels of these
  * slices are read. The picture has at most about 1600 pixels along its longer side.

@@ -61,16 +61,31 @@ private:
   Clock::time_point m_Start{ Clock::now() };
 };
 
-class BarSink : public ProgressSink
+/** Base of the sinks whose notes are lines on the error stream. */
+class TextSink : public ProgressSink
+{
+public:
+  void
+  Note(const std::string & text) override
+  {
+    std::cerr << "medialvoxel: " << text << std::endl;
+  }
+};
+
+class BarSink : public TextSink
 {
 public:
   ~BarSink() override
   {
     // What follows, such as a message, begins on a clean line.
-    if (m_Drawn)
-    {
-      std::cerr << "\r\033[K" << std::flush;
-    }
+    this->WipeOut();
+  }
+
+  void
+  Note(const std::string & text) override
+  {
+    this->WipeOut();
+    TextSink::Note(text);
   }
 
   void
@@ -95,6 +110,15 @@ public:
 
 private:
   void
+  WipeOut()
+  {
+    if (m_Drawn)
+    {
+      std::cerr << "\r\033[K" << std::flush;
+    }
+  }
+
+  void
   Draw(double fraction)
   {
     constexpr int width = 40;
@@ -111,7 +135,7 @@ private:
   bool        m_Drawn{ false };
 };
 
-class PlainSink : public ProgressSink
+class PlainSink : public TextSink
 {
 public:
   void
@@ -141,7 +165,7 @@ private:
 };
 
 /** Base of the sinks that write at most one line per percent. */
-class PercentSink : public ProgressSink
+class PercentSink : public TextSink
 {
 public:
   void
@@ -210,6 +234,12 @@ public:
     std::cerr << nlohmann::ordered_json{ { "end", seconds } }.dump() << std::endl;
   }
 
+  void
+  Note(const std::string & text) override
+  {
+    std::cerr << nlohmann::ordered_json{ { "note", text } }.dump() << std::endl;
+  }
+
 protected:
   void
   WriteLine(double fraction) override
@@ -236,6 +266,10 @@ void
 ProgressSink::Finish(double)
 {}
 
+void
+ProgressSink::Note(const std::string &)
+{}
+
 bool
 ProgressSink::IsStopRequested() const
 {
@@ -258,6 +292,8 @@ MakeProgressSink(ProgressStyle style)
     case ProgressStyle::Json:
       return std::make_unique<JsonSink>();
     case ProgressStyle::None:
+      return std::make_unique<TextSink>();
+    case ProgressStyle::Quiet:
       break;
   }
   return std::make_unique<ProgressSink>();

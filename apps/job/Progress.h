@@ -25,6 +25,10 @@ public:
   virtual void
   Finish(double seconds);
 
+  /** Hears one line about what the job did, such as that it unpacked a volume. */
+  virtual void
+  Note(const std::string & text);
+
   /** Asked several times a second. By default true once the process got SIGINT, SIGTERM or SIGHUP. */
   virtual bool
   IsStopRequested() const;
@@ -38,7 +42,8 @@ enum class ProgressStyle
   Plain,  ///< a line on the error stream every 30 s
   Slicer, ///< the tags of 3D Slicer's command line modules on the output stream
   Json,   ///< an object per line on the error stream
-  None
+  None,   ///< notes only
+  Quiet   ///< nothing at all
 };
 
 std::unique_ptr<ProgressSink>

@@ -77,7 +77,9 @@ AddRun(Json & report, const JobResult & result)
                         { "input_output", result.seconds.inputOutput },
                         { "total", result.seconds.total } };
   report["peak_memory_bytes"] = result.peakMemoryBytes;
+  report["planned_peak_bytes"] = result.plan.memoryBytes;
   report["bytes_read"] = result.bytesRead;
+  report["recomputed_voxels"] = result.sums.recomputedVoxels;
   report["threads"] = result.plan.threads;
   report["divisions"] = result.plan.divisions;
 }

@@ -50,6 +50,14 @@ FormatBytes(std::uint64_t numberOfBytes)
 }
 
 std::string
+FormatSeconds(double seconds)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+  return text.data();
+}
+
+std::string
 FormatSize(const std::vector<std::uint64_t> & size)
 {
   return Join(size, " x ", [](std::uint64_t value) { return std::to_string(value); });

@@ -31,6 +31,10 @@ ParseByteSize(std::string_view text);
 std::string
 FormatBytes(std::uint64_t numberOfBytes);
 
+/** "12.3 s" and the like. */
+std::string
+FormatSeconds(double seconds);
+
 std::string
 FormatSize(const std::vector<std::uint64_t> & size);
 

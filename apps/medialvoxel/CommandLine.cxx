@@ -161,7 +161,7 @@ AddRunOptions(CLI::App & app, JobOptions & options, CommandLine & line)
   const std::string group = "Run";
   AddText(app,
           "--memory",
-          "Cap on the memory that is planned, such as 500M or 2G",
+          "Cap on the memory of the process, such as 500M or 2G (default: half of the free memory)",
           "SIZE",
           [&](const std::string & text) {
             options.memoryBytes = ParseByteSize(text);
@@ -170,6 +170,9 @@ AddRunOptions(CLI::App & app, JobOptions & options, CommandLine & line)
               throw CLI::ValidationError("'" + text + "' is not a size such as 500M or 2G");
             }
           })
+    ->group(group);
+  app.add_option("--scratch", options.scratchFolder, "Folder for what memory cannot hold of a compressed volume")
+    ->type_name("DIR")
     ->group(group);
   AddText(app, "--threads", "Number of threads (default: one per processor)", "N", [&](const std::string & text) {
     options.threads = static_cast<unsigned int>(ToCount(text, 1, itk::ITK_MAX_THREADS));

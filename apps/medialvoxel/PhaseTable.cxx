@@ -47,7 +47,8 @@ AddRun(TextTable & table, const JobResult & result)
 {
   table.emplace_back("reading and writing", Fixed(result.seconds.inputOutput, 2) + " s");
   table.emplace_back("total", Fixed(result.seconds.total, 2) + " s");
-  table.emplace_back("peak memory", FormatBytes(result.peakMemoryBytes));
+  table.emplace_back("peak memory",
+                     FormatBytes(result.peakMemoryBytes) + ", planned " + FormatBytes(result.plan.memoryBytes));
   for (const OutputRequest & output : result.outputs)
   {
     table.emplace_back(output.role, output.fileName.string());

@@ -14,7 +14,7 @@ using namespace medialvoxel;
 std::unique_ptr<ProgressSink>
 MakeSink(const CommandLine & line)
 {
-  return MakeProgressSink(line.quiet ? ProgressStyle::None : line.progress);
+  return MakeProgressSink(line.quiet ? ProgressStyle::Quiet : line.progress);
 }
 
 void

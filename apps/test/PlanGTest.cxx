@@ -20,6 +20,15 @@ MakeHeader(const std::vector<std::uint64_t> & size)
   return header;
 }
 
+PieceFootprint
+MakeFootprint(std::uint64_t bytesPerVoxel)
+{
+  PieceFootprint footprint;
+  footprint.bytesPerVoxel = bytesPerVoxel;
+  footprint.windows = { { 12, 3 } };
+  return footprint;
+}
+
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
 } // namespace
@@ -32,7 +41,7 @@ TEST(Plan, PiecesCoverEverySliceOnce)
     {
       JobOptions options;
       options.divisions = divisions;
-      const JobPlan plan = MakePlan(options, MakeHeader({ 4, 5, slices }), {}, { 1 });
+      const JobPlan plan = MakePlan(options, MakeHeader({ 4, 5, slices }), {}, MakeFootprint(1));
       std::uint64_t next = 0;
       for (std::uint64_t piece = 0; piece < plan.divisions; ++piece)
       {
@@ -50,8 +59,8 @@ TEST(Plan, LargeResultsAreDivided)
 {
   JobOptions options;
   options.threads = 2;
-  EXPECT_EQ(MakePlan(options, MakeHeader({ 100, 100, 100 }), {}, { 1 }).divisions, 1u);
-  const JobPlan plan = MakePlan(options, MakeHeader({ 1000, 1000, 1000 }), {}, { 16 });
+  EXPECT_EQ(MakePlan(options, MakeHeader({ 100, 100, 100 }), {}, MakeFootprint(1)).divisions, 1u);
+  const JobPlan plan = MakePlan(options, MakeHeader({ 1000, 1000, 1000 }), {}, MakeFootprint(16));
   EXPECT_GT(plan.divisions, 100u);
   EXPECT_LT(plan.memoryBytes, 400 * MiB);
 }
@@ -62,10 +71,10 @@ TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
   JobOptions         options;
   options.threads = 1;
   std::uint64_t divisions = 0;
-  for (const std::uint64_t memory : { 400 * MiB, 150 * MiB, 100 * MiB })
+  for (const std::uint64_t memory : { 400 * MiB, 150 * MiB, 40 * MiB })
   {
     options.memoryBytes = memory;
-    const JobPlan plan = MakePlan(options, header, {}, { 13 });
+    const JobPlan plan = MakePlan(options, header, {}, MakeFootprint(13));
     EXPECT_LE(plan.memoryBytes, memory);
     EXPECT_GE(plan.divisions, divisions);
     divisions = plan.divisions;
@@ -73,7 +82,7 @@ TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
   options.memoryBytes = 10 * MiB;
   try
   {
-    MakePlan(options, header, {}, { 13 });
+    MakePlan(options, header, {}, MakeFootprint(13));
     FAIL() << "planned the impossible";
   }
   catch (const JobError & error)
@@ -82,11 +91,19 @@ TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
   }
 }
 
-TEST(Plan, AVolumeThatDoesNotStreamCountsWhole)
+TEST(Plan, TheMaskOfACompressedVolumeIsInMemoryWhereItFits)
 {
   JobOptions   options;
   VolumeHeader header = MakeHeader({ 1000, 1000, 1000 });
-  const auto   streamed = MakePlan(options, header, {}, { 1 }).memoryBytes;
   header.compressed = true;
-  EXPECT_GT(MakePlan(options, header, {}, { 1 }).memoryBytes, streamed + 900 * MiB);
+  options.threads = 1;
+  options.memoryBytes = 400 * MiB;
+  options.scratchFolder = "folder";
+  EXPECT_TRUE(MakePlan(options, header, {}, MakeFootprint(1)).scratchFolder.empty());
+  options.memoryBytes = 100 * MiB;
+  const JobPlan plan = MakePlan(options, header, {}, MakeFootprint(1));
+  EXPECT_EQ(plan.scratchFolder, "folder");
+  EXPECT_LE(plan.memoryBytes, 100 * MiB);
+  options.scratchFolder.clear();
+  EXPECT_THROW(MakePlan(options, header, {}, MakeFootprint(1)), JobError);
 }

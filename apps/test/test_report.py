@@ -19,7 +19,9 @@ KEYS = [
     "percent",
     "seconds",
     "peak_memory_bytes",
+    "planned_peak_bytes",
     "bytes_read",
+    "recomputed_voxels",
     "threads",
     "divisions",
 ]

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelMaskInput_h
+#define medialvoxelMaskInput_h
+
+#include "InputVolume.h"
+
+#include <filesystem>
+
+namespace medialvoxel
+{
+
+/** Which voxels are object, and where their bits are kept. */
+struct UnpackSettings
+{
+  std::optional<double> lowerThreshold; ///< neither set: all values but 0 are object
+  std::optional<double> upperThreshold;
+  std::filesystem::path scratchFolder; ///< empty: bits are kept in memory
+};
+
+/** Opens a compressed volume; InputVolume::Prepare() will unpack it once from front to back into one bit per voxel,
+ * which is set where the voxel is object. Its image has the values 0 and 1.
+ * \throw JobError Refused when there is no space in the scratch folder. */
+std::unique_ptr<InputVolume>
+OpenMaskInput(const VolumeHeader & header, const UnpackSettings & settings);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""A cap on the memory holds, whatever the format, and changes no byte; compressed volumes become a mask of bits."""
+
+import json
+import os
+import random
+import resource
+import subprocess
+import unittest
+
+import volumes
+from program import PROGRAM, REFUSED, ProgramTestCase
+
+MEGABYTE = 1 << 20
+SIZE = (400, 400, 120)
+
+
+def walls(size=SIZE):
+    """Two thin walls, written without a loop over voxels."""
+    row = bytes(1 if 40 <= x < 43 else 0 for x in range(size[0]))
+    full = bytes([1]) * size[0]
+    piece = b"".join(full if 100 <= y < 104 else row for y in range(size[1]))
+    volume = volumes.Volume(size, [])
+    volume.voxels = piece * size[2]
+    return volume
+
+
+class MemoryTest(ProgramTestCase):
+    def result(self, source, *arguments):
+        self.extract(source, "l.mha", "--vectors", "v.mha", "--report", "r.json", "--overwrite", *arguments)
+        report = json.loads((self.folder / "r.json").read_text())
+        return [volumes.read_data(self.folder / name) for name in ("l.mha", "v.mha")] + [report["counts"]], report
+
+    def peak_of_child(self, *arguments):
+        """Largest resident memory of the program as the system tells its parent, in bytes."""
+        child = os.fork()
+        if child == 0:
+            os.chdir(self.folder)
+            os.execv(PROGRAM, [PROGRAM, *map(str, arguments), "--quiet"])
+        _, status, usage = os.wait4(child, 0)
+        self.assertEqual(status, 0)
+        return usage.ru_maxrss * 1024
+
+    def test_caps_hold_for_every_format(self):
+        volume = walls()
+        sources = [
+            volumes.write_raw(self.folder / "a.raw", volume),
+            volumes.write_meta(self.folder / "b.mha", volume),
+            volumes.write_meta(self.folder / "c.mhd", volume),
+            volumes.write_nrrd(self.folder / "d.nrrd", volume),
+            volumes.write_nrrd(self.folder / "e.nhdr", volume),
+            volumes.write_meta(self.folder / "f.mha", volume, compressed=True),
+            volumes.write_nrrd(self.folder / "g.nrrd", volume, compressed=True),
+        ]
+        expected = None
+        for source in sources:
+            raw = volumes.raw_options(volume) if source.suffix == ".raw" else []
+            for memory in ("1G", "48M"):
+                result, report = self.result(source, "--memory", memory, *raw)
+                expected = expected or result
+                self.assertEqual(result, expected, (source.name, memory))
+                self.assertLessEqual(report["planned_peak_bytes"], 1024 * MEGABYTE if memory == "1G" else 48 * MEGABYTE)
+                self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"], (source.name, memory))
+
+    def test_the_system_sees_the_same_peak(self):
+        volumes.write_meta(self.folder / "in.mha", walls())
+        own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+        peak = self.peak_of_child("extract", "in.mha", "l.mha", "--thickness", 3, "--memory", "48M", "--vectors", "v.mha")
+        self.assertLessEqual(peak, max(own, 48 * MEGABYTE))
+
+    def test_pieces_of_one_slice_read_the_input_once(self):
+        volume = walls((200, 100, 40))
+        volumes.write_meta(self.folder / "in.mha", volume)
+        _, report = self.result("in.mha", "--divisions", 40)
+        self.assertEqual(report["divisions"], 40)
+        self.assertEqual(report["bytes_read"], len(volume.data()))
+        self.assertEqual(report["recomputed_voxels"], 0)
+
+    def test_scratch(self):
+        volume = walls()
+        volumes.write_nrrd(self.folder / "in.nrrd", volume, compressed=True)
+        expected, report = self.result("in.nrrd")
+        fits = report["planned_peak_bytes"]
+        (self.folder / "scratch").mkdir()
+        for memory in range(16, fits // MEGABYTE):
+            plan = ["extract", "in.nrrd", "p.mha", "--thickness", 3, "--dry-run", "--scratch", "scratch", "--threads", 1]
+            result = subprocess.run([PROGRAM, *map(str, plan), "--memory", f"{memory}M"], cwd=self.folder, capture_output=True, check=False)
+            if b"in scratch" in result.stdout:
+                break
+        else:
+            self.fail("the scratch folder is never used")
+        limits = ("--memory", f"{memory}M", "--scratch", "scratch", "--threads", 1)
+        self.extract("in.nrrd", "l2.mha", *limits)
+        self.assertEqual(volumes.read_data(self.folder / "l2.mha"), expected[0])
+        self.assertEqual(list((self.folder / "scratch").iterdir()), [])
+        self.assert_fails(REFUSED, ["--scratch"], "extract", "in.nrrd", "x.mha", "--thickness", 3, *limits[:2], "--threads", 1)
+        self.assert_fails(REFUSED, ["none"], "extract", "in.nrrd", "x.mha", "--thickness", 3, "--scratch", "none")
+
+    def test_random_configurations(self):
+        numbers = random.Random(20260)
+        for trial in range(6):
+            size = tuple(numbers.randint(1, 40) for _ in range(3))
+            kind = numbers.choice(["uint8", "int16", "float32"])
+            volume = volumes.Volume(size, [], (1, 1, numbers.choice([1, 1.5])), kind)
+            share = numbers.choice([0.1, 0.5, 0.95])
+            volume.voxels = [int(numbers.random() < share) for _ in range(size[0] * size[1] * size[2])]
+            plain = volumes.write_meta(self.folder / "plain.mha", volume)
+            packed = volumes.write_nrrd(self.folder / "packed.nrrd", volume, big_endian=True, compressed=True)
+            expected, _ = self.result(plain, "--divisions", 1, "--threads", 1, "--lower", 0.5)
+            for source in (plain, packed):
+                options = ["--divisions", numbers.randint(1, 40), "--threads", numbers.randint(1, 4)]
+                options += ["--memory", f"{numbers.randint(64, 300)}M", "--lower", 0.5]
+                self.assertEqual(self.result(source, *options)[0], expected, (trial, size, source.name, options))
+
+
+if __name__ == "__main__":
+    unittest.main()
