@@ -347,7 +347,8 @@ TEST(MedialVoxelIdentity, WhatIsKeptBetweenPiecesNeverOutlivesItsReason)
     filter->Update();
     const auto labels = RunMedialFilter<3>(volume, thickness).labels;
     const auto slice = static_cast<std::ptrdiff_t>(36 * 30);
-    EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), { labels.begin() + z * slice, labels.begin() + (z + 6) * slice }))
+    EXPECT_TRUE(
+      AreEqual(PixelsOf(filter->GetOutput()), { labels.begin() + z * slice, labels.begin() + (z + 6) * slice }))
       << "piece at " << z;
   };
   expectPiece(0, first, 3.0);
