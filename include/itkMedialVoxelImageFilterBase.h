@@ -111,8 +111,8 @@ public:
    * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
   itkGetConstMacro(NumberOfNotANumberVoxels, SizeValueType);
 
-  /** Voxels of tiles that were started before the window held what they depend on, and run again; summed like the counts.
-   * A measure of waste: thin parts have none. */
+  /** Voxels of tiles that were started before the window held what they depend on, and run again; summed like the
+   * counts. A measure of waste: thin parts have none. */
   itkGetConstMacro(NumberOfRecomputedVoxels, SizeValueType);
 
   /** Seconds that all threads together spent in the distance transform; summed like the counts. */
