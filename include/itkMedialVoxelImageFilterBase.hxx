@@ -184,6 +184,11 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   {
     m_Execution = nullptr;
     m_Engine.reset();
+    // A buffer that is half written must not count as up to date when the same region is requested again.
+    for (const auto & output : this->GetOutputs())
+    {
+      output->ReleaseData();
+    }
     throw;
   }
   m_Execution = nullptr;

@@ -188,6 +188,35 @@ TEST(MedialVoxelAbort, AnAbortedPieceAddsNothingAndTheSamePieceCanBeRunAgain)
   EXPECT_EQ(CountsOf(filter.GetPointer()), RunMedialFilter<3>(volume, 3.0).counts);
 }
 
+TEST(MedialVoxelAbort, AnAbortedPieceIsNotTakenForValidOutput)
+{
+  const Volume volume = RandomBoxes({ { 40, 38, 36 } }, UnitSpacing, 30, 105);
+  auto         filter = MakeMedialFilter<3>(volume, 3.0);
+  filter->GenerateVectorDistanceOn();
+  filter->SetTileSize(8);
+  filter->SetSlabThickness(4);
+  auto aborter = Aborter::New();
+  aborter->m_Fraction = 0.3f;
+  const auto tag = filter->AddObserver(itk::ProgressEvent(), aborter);
+  filter->UpdateOutputInformation();
+  filter->GetOutput()->SetRequestedRegionToLargestPossibleRegion();
+  filter->GetOutput()->PropagateRequestedRegion();
+  EXPECT_THROW(filter->GetOutput()->UpdateOutputData(), itk::ProcessAborted);
+  for (const auto & output : filter->GetOutputs())
+  {
+    EXPECT_EQ(dynamic_cast<itk::ImageBase<3> *>(output.GetPointer())->GetBufferedRegion().GetNumberOfPixels(), 0u);
+  }
+  filter->RemoveObserver(tag);
+
+  // The same region again, without the UpdateOutputInformation() that would mark the output as outdated.
+  filter->GetOutput()->SetRequestedRegionToLargestPossibleRegion();
+  filter->GetOutput()->PropagateRequestedRegion();
+  filter->GetOutput()->UpdateOutputData();
+  const auto expected = Classify(volume, 3.0, Bound::FreeSpace);
+  EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), expected.labels));
+  EXPECT_EQ(CountsOf(filter.GetPointer()), expected.counts);
+}
+
 TEST(MedialVoxelAbort, ProgressRisesToOne)
 {
   auto               filter = MakeMedialFilter<3>(RandomBoxes({ { 50, 40, 45 } }, UnitSpacing, 25, 104), 3.0);
