@@ -129,11 +129,9 @@ public:
   std::uint64_t
   Count(const MedialVoxelBox & box) const;
 
-  std::size_t
-  GetMemorySize() const
-  {
-    return m_Words.size() * sizeof(WordType);
-  }
+  /** Bytes that the bits of a box take. */
+  static std::uint64_t
+  GetBytes(const MedialVoxelBox & box);
 
 private:
   /** Reframe without a second copy, when only the range along z changes and the memory suffices. */

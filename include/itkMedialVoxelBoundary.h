@@ -9,13 +9,13 @@
 namespace itk
 {
 
-/** \brief Boundary voxels of the object, for all voxels of the box of \a boundary.
+/** \brief Boundary voxels of the object, for all voxels of a box.
  *
- * \param object    object voxels; its box holds the box of \a boundary and a margin of 1 voxel, as far as the image
- * goes
+ * \param object    object voxels; its box holds \a box and a margin of 1 voxel, as far as the image goes
  * \param image     all voxels of the image; what lies outside is neither object nor background
  * \param kind      which side of the border is the boundary, see MedialVoxelEnums::Boundary
- * \param boundary  result; its box is set by the caller
+ * \param box       voxels to decide
+ * \param boundary  result; its box holds \a box, in which its bits are clear
  *
  * \ingroup MedialVoxel
  */
@@ -23,6 +23,7 @@ MedialVoxel_EXPORT void
 MedialVoxelComputeBoundary(const MedialVoxelBits & object,
                            const MedialVoxelBox &  image,
                            MedialVoxelBoundary     kind,
+                           const MedialVoxelBox &  box,
                            MedialVoxelBits &       boundary);
 
 } // end namespace itk

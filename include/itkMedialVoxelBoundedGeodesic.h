@@ -50,6 +50,11 @@ public:
                    const MedialVoxelIndex & b,
                    Workspace &              workspace) const;
 
+  /** Bytes that a workspace grows to when a quarter of the voxels of the largest search box are boundary points.
+   * \param reach  voxels along each axis that have the physical length epsilon / 2 */
+  static std::uint64_t
+  GetWorkspaceBytes(const MedialVoxelIndex & reach);
+
 private:
   enum class FloodResult
   {

@@ -6,6 +6,8 @@
 #include "itkMedialVoxelClusterWindow.h"
 #include "itkMedialVoxelTileSchedule.h"
 
+#include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 namespace itk
@@ -26,6 +28,26 @@ public:
   /** Process all tiles of \a schedule with any number of threads; tiles that need more are deferred. Throws to stop. */
   virtual void
   RunTiles(MedialVoxelTileSchedule & schedule) = 0;
+};
+
+/** \class MedialVoxelMemoryError
+ * \brief The memory that an engine may use does not hold what a single voxel of the image depends on.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelMemoryError : public std::runtime_error
+{
+public:
+  MedialVoxelMemoryError(std::uint64_t neededBytes, std::uint64_t allowedBytes);
+
+  /** Bytes that the step at hand needs; later ones may need more. */
+  std::uint64_t
+  GetNeededBytes() const
+  {
+    return m_NeededBytes;
+  }
+
+private:
+  std::uint64_t m_NeededBytes;
 };
 
 /** \class MedialVoxelClusterEngine
@@ -59,6 +81,17 @@ public:
 
     /** Extent of the slabs along the slowest axis; 0 chooses. */
     std::int64_t slabThickness{ 0 };
+
+    /** Bytes that the window and the workspaces of all workers may take; 0 is without limit. Slabs become thinner, and
+     * tiles smaller, to keep it. */
+    std::uint64_t memoryLimit{ 0 };
+
+    /** Workers that process tiles at the same time. */
+    unsigned int numberOfWorkers{ 1 };
+
+    /** Bytes of a worker, beside those of the distance transform: for each voxel of a tile, and for all of it. */
+    std::uint64_t workerBytesPerVoxel{ 0 };
+    std::uint64_t workerBytes{ 0 };
   };
 
   MedialVoxelClusterEngine(const MedialVoxelGrid & grid, Settings settings);
@@ -67,7 +100,8 @@ public:
   std::vector<MedialVoxelBox>
   GetMissingObjectBoxes(const MedialVoxelBox & region) const;
 
-  /** Process all of \a region; the window of the last slab is kept for the next call. */
+  /** Process all of \a region; the window of the last slab is kept for the next call.
+   * \throw MedialVoxelMemoryError when the memory limit holds not even a slab of one voxel. */
   void
   Run(const MedialVoxelBox & region, MedialVoxelClusterClient & client);
 
@@ -79,20 +113,66 @@ public:
   }
 
 private:
-  MedialVoxelIndex
-  ChooseTileSize() const;
+  /** How the work is cut: tiles, slabs of tiles, and what is known around a slab. */
+  struct Cut
+  {
+    MedialVoxelIndex tileSize;
+    std::int64_t     slabThickness;
+    MedialVoxelIndex halo;
+  };
+
+  /** The cut that \a region is processed with as long as memory does not matter. */
+  Cut
+  PreferredCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const;
+
+  /** Make tiles smaller or slabs thinner; false when they cannot be. */
+  bool
+  MakeFiner(Cut & cut) const;
+
+  /** The coarsest cut that fits the memory; throws when there is none. */
+  Cut
+  ChooseCut(const MedialVoxelBox & region) const;
 
   /** The slab of \a region that begins at \a position along the slowest axis. */
   MedialVoxelBox
-  GetSlab(const MedialVoxelBox & region, std::int64_t position) const;
+  GetSlab(const MedialVoxelBox & region, std::int64_t position, std::int64_t thickness) const;
 
+  /** Process \a parts of \a region, slab by slab. */
   void
-  RunSlab(const MedialVoxelBox & slab, MedialVoxelClusterClient & client);
+  RunSlabs(const MedialVoxelBox &              region,
+           const std::vector<MedialVoxelBox> & parts,
+           MedialVoxelClusterClient &          client);
+
+  /** Process \a tiles of \a slab with a window that grows; what outgrows the memory is cut into thinner slabs. */
+  void
+  RunTiles(const MedialVoxelBox &      slab,
+           const Cut &                 cut,
+           std::vector<MedialVoxelBox> tiles,
+           MedialVoxelClusterClient &  client);
+
+  /** The halo of \a slab in \a sites and that of earlier slabs, as what one needed the next one probably needs too. */
+  MedialVoxelIndex
+  HaloOf(const MedialVoxelBox & slab, const MedialVoxelBox & sites) const;
 
   MedialVoxelBox
-  GetSitesBox(const MedialVoxelBox & slab) const;
+  GetSitesBox(const MedialVoxelBox & slab, const MedialVoxelIndex & halo) const;
+
+  /** As large as the box of sites of any slab of \a region. */
+  MedialVoxelBox
+  LargestSitesBox(const MedialVoxelBox & region, const Cut & cut) const;
+
+  /** Bytes of a window on \a sites and of all workers. */
+  std::uint64_t
+  GetBytes(const MedialVoxelBox & sites, const Cut & cut) const;
+
+  bool
+  Fits(const MedialVoxelBox & sites, const Cut & cut) const
+  {
+    return m_Settings.memoryLimit == 0 || this->GetBytes(sites, cut) <= m_Settings.memoryLimit;
+  }
 
   MedialVoxelGrid          m_Grid;
+  unsigned int             m_SlowestAxis;
   Settings                 m_Settings;
   MedialVoxelIndex         m_Halo;
   MedialVoxelClusterWindow m_Window;

@@ -7,6 +7,7 @@
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelFeatureTransform.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace itk
@@ -53,6 +54,10 @@ public:
   /** Voxels whose object bits are needed to know the boundaries in \a sites. */
   MedialVoxelBox
   GetObjectBox(const MedialVoxelBox & sites) const;
+
+  /** Bytes that it takes to move to \a sites and to be there. */
+  std::uint64_t
+  GetBytes(const MedialVoxelBox & sites) const;
 
   /** Move so that the boundaries are known in \a sites, a box inside the image. */
   void

@@ -25,6 +25,8 @@ namespace itk
  */
 struct MedialVoxel_EXPORT MedialVoxelFeatures
 {
+  static constexpr std::uint64_t BytesPerVoxel = 3 * sizeof(std::int32_t);
+
   MedialVoxelBox            box;
   std::vector<std::int32_t> dx;
   std::vector<std::int32_t> dy;
@@ -116,6 +118,12 @@ public:
           Workspace &                 workspace,
           MedialVoxelFeatures &       features,
           const MedialVoxelProgress * progress = nullptr) const;
+
+  /** Bytes that a workspace grows to, at most, for tiles and boxes of searched voxels that are not larger than these. */
+  static std::uint64_t
+  GetWorkspaceBytes(const MedialVoxelGrid &  grid,
+                    const MedialVoxelIndex & tileSize,
+                    const MedialVoxelIndex & searchedSize);
 
 private:
   struct Tile;

@@ -116,6 +116,9 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const Media
   {
     settings.halo[axis] += reach[axis];
   }
+  settings.workerBytesPerVoxel =
+    settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel + sizeof(std::uint8_t);
+  settings.workerBytes = MedialVoxelBoundedGeodesic::GetWorkspaceBytes(reach);
   return settings;
 }
 

@@ -106,6 +106,12 @@ public:
   itkSetMacro(SlabThickness, unsigned int);
   itkGetConstMacro(SlabThickness, unsigned int);
 
+  /** Bytes that the window on the input and the memory of all threads may take, beside the outputs and the piece of
+   * input that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it, which has no
+   * influence on results. Walls that are too thick for it make the update fail. */
+  itkSetMacro(WorkingMemoryLimit, SizeValueType);
+  itkGetConstMacro(WorkingMemoryLimit, SizeValueType);
+
   /** Voxels of the requested regions that are NaN, which is background; summed like the counts of the classification.
    *
    * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
@@ -214,6 +220,10 @@ private:
   MedialVoxelClusterEngine::Settings
   CompleteSettings(const MedialVoxelGrid & grid) const;
 
+  /** Threads that process tiles at the same time, when there are enough tiles. */
+  unsigned int
+  GetNumberOfWorkers() const;
+
   /** The engine for the next execution: that of the last one when it continues the same streamed update. */
   void
   PrepareEngine(const MedialVoxelGrid & grid);
@@ -234,6 +244,7 @@ private:
   bool           m_UseImageSpacing{ true };
   unsigned int   m_TileSize{ 0 };
   unsigned int   m_SlabThickness{ 0 };
+  SizeValueType  m_WorkingMemoryLimit{ 0 };
 
   SizeValueType m_NumberOfNotANumberVoxels{ 0 };
   SizeValueType m_NumberOfRecomputedVoxels{ 0 };

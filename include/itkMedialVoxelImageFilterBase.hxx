@@ -150,7 +150,16 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::CompleteSettings(const Me
   settings.keepsNotANumber = std::is_floating_point<InputPixelType>::value;
   settings.tileSize = m_TileSize;
   settings.slabThickness = m_SlabThickness;
+  settings.memoryLimit = m_WorkingMemoryLimit;
+  settings.numberOfWorkers = this->GetNumberOfWorkers();
   return settings;
+}
+
+template <typename TInputImage, typename TOutputImage>
+unsigned int
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetNumberOfWorkers() const
+{
+  return std::min(this->GetNumberOfWorkUnits(), this->GetMultiThreader()->GetMaximumNumberOfThreads());
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -325,6 +334,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrintSelf(std::ostream & 
   os << indent << "UseImageSpacing: " << (m_UseImageSpacing ? "On" : "Off") << std::endl;
   os << indent << "TileSize: " << m_TileSize << std::endl;
   os << indent << "SlabThickness: " << m_SlabThickness << std::endl;
+  os << indent << "WorkingMemoryLimit: " << m_WorkingMemoryLimit << std::endl;
   os << indent << "NumberOfNotANumberVoxels: " << m_NumberOfNotANumberVoxels << std::endl;
   os << indent << "NumberOfRecomputedVoxels: " << m_NumberOfRecomputedVoxels << std::endl;
   os << indent << "DistanceSeconds: " << m_DistanceSeconds << std::endl;

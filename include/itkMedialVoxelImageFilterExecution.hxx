@@ -66,10 +66,8 @@ public:
   {
     m_Schedule = &schedule;
     MultiThreaderBase * const multiThreader = m_Filter.GetMultiThreader();
-    const SizeValueType       mostWorkers =
-      std::min<SizeValueType>(m_Filter.GetNumberOfWorkUnits(), multiThreader->GetMaximumNumberOfThreads());
-    const SizeValueType workers =
-      std::max<SizeValueType>(1, std::min<SizeValueType>(mostWorkers, schedule.GetNumberOfTiles()));
+    const SizeValueType       workers =
+      std::max<SizeValueType>(1, std::min<SizeValueType>(m_Filter.GetNumberOfWorkers(), schedule.GetNumberOfTiles()));
     multiThreader->SetNumberOfWorkUnits(static_cast<ThreadIdType>(workers));
     multiThreader->ParallelizeArray(0, workers, [this](SizeValueType) { this->Work(); }, nullptr);
     schedule.RethrowFailure();

@@ -79,6 +79,7 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::GetEngineSettings(const
 {
   MedialVoxelClusterEngine::Settings settings;
   settings.boundaries = { m_Boundary };
+  settings.workerBytesPerVoxel = MedialVoxelFeatures::BytesPerVoxel;
   return settings;
 }
 

@@ -9,15 +9,46 @@
 namespace itk
 {
 
+namespace
+{
+
+std::int64_t
+WordsOfRow(const MedialVoxelBox & box)
+{
+  return box.IsEmpty() ? 0
+                       : (box.upper[0] + MedialVoxelBits::BitsPerWord - 1) / MedialVoxelBits::BitsPerWord -
+                           box.lower[0] / MedialVoxelBits::BitsPerWord;
+}
+
+/** Words of all rows, each with the zero words around it. */
+std::size_t
+WordsOfBox(const MedialVoxelBox & box)
+{
+  return box.IsEmpty() ? 0 : static_cast<std::size_t>(box.Extent(1) * box.Extent(2) * (WordsOfRow(box) + 2));
+}
+
+} // namespace
+
+std::uint64_t
+MedialVoxelBits::GetBytes(const MedialVoxelBox & box)
+{
+  return WordsOfBox(box) * sizeof(WordType);
+}
+
 void
 MedialVoxelBits::Reshape(const MedialVoxelBox & box)
 {
   m_Box = box;
   m_FirstWord = box.lower[0] / BitsPerWord;
-  m_WordsPerRow = box.IsEmpty() ? 0 : (box.upper[0] + BitsPerWord - 1) / BitsPerWord - m_FirstWord;
+  m_WordsPerRow = WordsOfRow(box);
   m_RowPitch = m_WordsPerRow + 2;
-  const auto rows = box.IsEmpty() ? 0 : box.Extent(1) * box.Extent(2);
-  m_Words.assign(static_cast<std::size_t>(rows * m_RowPitch), 0);
+  const std::size_t words = WordsOfBox(box);
+  if (words > m_Words.capacity())
+  {
+    // Freed before more is taken, so that both are never there at the same time.
+    std::vector<WordType>().swap(m_Words);
+  }
+  m_Words.assign(words, 0);
 }
 
 void

@@ -51,9 +51,9 @@ void
 MedialVoxelComputeBoundary(const MedialVoxelBits &   object,
                            const MedialVoxelBox &    image,
                            const MedialVoxelBoundary kind,
+                           const MedialVoxelBox &    box,
                            MedialVoxelBits &         boundary)
 {
-  const MedialVoxelBox & box = boundary.GetBox();
   if (box.IsEmpty())
   {
     return;
@@ -61,8 +61,8 @@ MedialVoxelComputeBoundary(const MedialVoxelBits &   object,
   // The background border neighbors object voxels, the object border neighbors background voxels.
   const bool         isObjectBorder = (kind == MedialVoxelBoundary::Object);
   const WordType     neighborFlip = isObjectBorder ? ~WordType{ 0 } : WordType{ 0 };
-  const std::int64_t firstWord = boundary.GetFirstWord();
-  const std::int64_t words = boundary.GetWordsPerRow();
+  const std::int64_t firstWord = box.lower[0] / MedialVoxelBits::BitsPerWord;
+  const std::int64_t words = (box.upper[0] - 1) / MedialVoxelBits::BitsPerWord - firstWord + 1;
 
   std::vector<WordType> sum(static_cast<std::size_t>(words + 2));
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
@@ -78,7 +78,7 @@ MedialVoxelComputeBoundary(const MedialVoxelBits &   object,
     {
       AccumulateRows(object, image, neighborFlip, y, z, firstWord, sum);
       const WordType * const own = object.GetRow(y, z) - object.GetFirstWord();
-      WordType * const       target = boundary.GetRow(y, z);
+      WordType * const       target = boundary.GetRow(y, z) - boundary.GetFirstWord();
       for (std::int64_t word = 0; word < words; ++word)
       {
         const WordType left = sum[static_cast<std::size_t>(word)];
@@ -86,7 +86,8 @@ MedialVoxelComputeBoundary(const MedialVoxelBits &   object,
         const WordType right = sum[static_cast<std::size_t>(word + 2)];
         const WordType reached = center | (center << 1) | (left >> 63) | (center >> 1) | (right << 63);
         const WordType side = isObjectBorder ? own[firstWord + word] : ~own[firstWord + word];
-        target[word] = reached & side & MedialVoxelBits::RangeMask(firstWord + word, box.lower[0], box.upper[0]);
+        target[firstWord + word] |=
+          reached & side & MedialVoxelBits::RangeMask(firstWord + word, box.lower[0], box.upper[0]);
       }
     }
   }

@@ -282,6 +282,18 @@ MedialVoxelBoundedGeodesic::Workspace::Pop()
   return entry;
 }
 
+std::uint64_t
+MedialVoxelBoundedGeodesic::GetWorkspaceBytes(const MedialVoxelIndex & reach)
+{
+  constexpr std::uint64_t bytesPerPoint = sizeof(MedialVoxelIndex) + sizeof(double) + sizeof(Workspace::QueueEntry);
+  std::uint64_t           voxels = 1;
+  for (const std::int64_t length : reach)
+  {
+    voxels *= static_cast<std::uint64_t>(2 * length + 1);
+  }
+  return voxels * bytesPerPoint / 4;
+}
+
 double
 MedialVoxelBoundedGeodesic::ShortestLength(const MedialVoxelIndex & source,
                                            const MedialVoxelIndex & target,

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace itk
@@ -25,6 +26,27 @@ CeilingDivide(const std::int64_t value, const std::int64_t divisor)
   return (value + divisor - 1) / divisor;
 }
 
+/** The parts of \a tiles that lie in \a slab, cut once more. */
+std::vector<MedialVoxelBox>
+CutTilesWithin(const std::vector<MedialVoxelBox> & tiles,
+               const MedialVoxelBox &              slab,
+               const MedialVoxelIndex &            tileSize)
+{
+  std::vector<MedialVoxelBox> parts;
+  for (const MedialVoxelBox & tile : tiles)
+  {
+    const auto partsOfTile = MedialVoxelCutIntoTiles(tile.Intersection(slab), tileSize);
+    parts.insert(parts.end(), partsOfTile.begin(), partsOfTile.end());
+  }
+  return parts;
+}
+
+bool
+IsLarger(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
+{
+  return a[0] > b[0] || a[1] > b[1] || a[2] > b[2];
+}
+
 } // namespace
 
 unsigned int
@@ -33,88 +55,183 @@ MedialVoxelSlowestAxis(const MedialVoxelBox & box)
   return box.Extent(2) > 1 ? 2u : (box.Extent(1) > 1 ? 1u : 0u);
 }
 
+MedialVoxelMemoryError::MedialVoxelMemoryError(const std::uint64_t neededBytes, const std::uint64_t allowedBytes)
+  : std::runtime_error("The walls are so thick that the windows on the input need at least " +
+                       std::to_string(neededBytes) + " bytes of memory; " + std::to_string(allowedBytes) +
+                       " bytes are allowed.")
+  , m_NeededBytes(neededBytes)
+{}
+
 MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid, Settings settings)
   : m_Grid(grid)
+  , m_SlowestAxis(MedialVoxelSlowestAxis(grid.GetVoxelBox()))
   , m_Settings(std::move(settings))
   , m_Halo(m_Settings.halo)
   , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber)
 {}
 
-MedialVoxelIndex
-MedialVoxelClusterEngine::ChooseTileSize() const
+MedialVoxelClusterEngine::Cut
+MedialVoxelClusterEngine::PreferredCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const
 {
+  Cut cut{ { { 256, 256, 1 } }, m_Settings.slabThickness, halo };
   if (m_Settings.tileSize > 0)
   {
-    return { { m_Settings.tileSize, m_Settings.tileSize, m_Settings.tileSize } };
+    cut.tileSize.fill(m_Settings.tileSize);
   }
-  if (!m_Grid.IsActive(2))
+  else if (m_Grid.IsActive(2))
   {
-    return { { 256, 256, 1 } };
+    // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
+    // halo, as a tile repeats the work of the halo around it.
+    const std::int64_t edge = std::clamp(
+      std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, SmallestTileEdge, LargestTileEdge);
+    cut.tileSize = { { 128, edge, edge } };
   }
-  // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their halo,
-  // as a tile repeats the work of the halo around it.
-  const std::int64_t halo = std::max(m_Halo[1], m_Halo[2]);
-  const std::int64_t edge =
-    std::min(LargestTileEdge, std::max(SmallestTileEdge, halo / SmallestTileEdge * SmallestTileEdge));
-  return { { 128, edge, edge } };
+  if (cut.slabThickness <= 0)
+  {
+    std::int64_t tilesPerLayer = 1;
+    for (unsigned int axis = 0; axis < m_SlowestAxis; ++axis)
+    {
+      tilesPerLayer *= CeilingDivide(region.Extent(axis), cut.tileSize[axis]);
+    }
+    cut.slabThickness = cut.tileSize[m_SlowestAxis] * CeilingDivide(EnoughTiles, tilesPerLayer);
+  }
+  return cut;
+}
+
+bool
+MedialVoxelClusterEngine::MakeFiner(Cut & cut) const
+{
+  // Smaller tiles and thinner slabs both repeat more of the work of the halo, but only the tiles keep threads busy.
+  std::int64_t & edge = cut.tileSize[1];
+  if (m_Settings.tileSize <= 0 && m_SlowestAxis == 2 && edge > SmallestTileEdge)
+  {
+    edge -= SmallestTileEdge;
+    cut.tileSize[2] = edge;
+    return true;
+  }
+  if (cut.slabThickness > 1)
+  {
+    cut.slabThickness = (cut.slabThickness + 1) / 2;
+    return true;
+  }
+  return false;
+}
+
+MedialVoxelClusterEngine::Cut
+MedialVoxelClusterEngine::ChooseCut(const MedialVoxelBox & region) const
+{
+  Cut cut = this->PreferredCut(region, m_Halo);
+  while (!this->Fits(this->LargestSitesBox(region, cut), cut))
+  {
+    if (this->MakeFiner(cut))
+    {
+      continue;
+    }
+    // Bounds of distances are coarse, so that a smaller halo may suffice.
+    const std::int64_t largest = *std::max_element(cut.halo.begin(), cut.halo.end());
+    if (largest == 0)
+    {
+      throw MedialVoxelMemoryError(this->GetBytes(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
+    }
+    for (std::int64_t & voxels : cut.halo)
+    {
+      voxels = std::min(voxels, largest - 1);
+    }
+  }
+  return cut;
 }
 
 MedialVoxelBox
-MedialVoxelClusterEngine::GetSlab(const MedialVoxelBox & region, const std::int64_t position) const
+MedialVoxelClusterEngine::GetSlab(const MedialVoxelBox & region,
+                                  const std::int64_t     position,
+                                  const std::int64_t     thickness) const
 {
-  const unsigned int     axis = MedialVoxelSlowestAxis(m_Grid.GetVoxelBox());
-  const MedialVoxelIndex tileSize = this->ChooseTileSize();
-  std::int64_t           thickness = m_Settings.slabThickness;
-  if (thickness <= 0)
-  {
-    std::int64_t tilesPerLayer = 1;
-    for (unsigned int other = 0; other < axis; ++other)
-    {
-      tilesPerLayer *= CeilingDivide(region.Extent(other), tileSize[other]);
-    }
-    thickness = tileSize[axis] * CeilingDivide(EnoughTiles, tilesPerLayer);
-  }
   MedialVoxelBox slab = region;
-  slab.lower[axis] = position;
-  slab.upper[axis] = std::min((position / thickness + 1) * thickness, region.upper[axis]);
+  slab.lower[m_SlowestAxis] = position;
+  slab.upper[m_SlowestAxis] = std::min((position / thickness + 1) * thickness, region.upper[m_SlowestAxis]);
   return slab;
 }
 
 MedialVoxelBox
-MedialVoxelClusterEngine::GetSitesBox(const MedialVoxelBox & slab) const
+MedialVoxelClusterEngine::GetSitesBox(const MedialVoxelBox & slab, const MedialVoxelIndex & halo) const
 {
   MedialVoxelBox voxels = slab;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     voxels.upper[axis] += m_Settings.upperMargin[axis];
   }
-  return voxels.Expanded(m_Halo).Intersection(m_Grid.GetVoxelBox());
+  return voxels.Expanded(halo).Intersection(m_Grid.GetVoxelBox());
+}
+
+MedialVoxelBox
+MedialVoxelClusterEngine::LargestSitesBox(const MedialVoxelBox & region, const Cut & cut) const
+{
+  MedialVoxelBox box;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t extent =
+      axis == m_SlowestAxis ? std::min(cut.slabThickness, region.Extent(axis)) : region.Extent(axis);
+    box.upper[axis] =
+      std::min(extent + m_Settings.upperMargin[axis] + 2 * cut.halo[axis], m_Grid.GetVoxelBox().upper[axis]);
+  }
+  return box;
+}
+
+std::uint64_t
+MedialVoxelClusterEngine::GetBytes(const MedialVoxelBox & sites, const Cut & cut) const
+{
+  MedialVoxelIndex tile;
+  MedialVoxelIndex searched;
+  std::uint64_t    tileVoxels = 1;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t edge =
+      axis == m_SlowestAxis ? std::min(cut.tileSize[axis], cut.slabThickness) : cut.tileSize[axis];
+    tile[axis] = std::min(edge + m_Settings.upperMargin[axis], sites.Extent(axis));
+    searched[axis] = std::min(tile[axis] + 2 * cut.halo[axis], sites.Extent(axis));
+    tileVoxels *= static_cast<std::uint64_t>(tile[axis]);
+  }
+  const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel +
+                               MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
+  return m_Window.GetBytes(sites) + m_Settings.numberOfWorkers * worker;
 }
 
 std::vector<MedialVoxelBox>
 MedialVoxelClusterEngine::GetMissingObjectBoxes(const MedialVoxelBox & region) const
 {
-  const MedialVoxelBox slab = this->GetSlab(region, region.lower[MedialVoxelSlowestAxis(m_Grid.GetVoxelBox())]);
-  return MedialVoxelSubtractBox(m_Window.GetObjectBox(this->GetSitesBox(slab)), m_Window.GetObject().GetBox());
+  const Cut            cut = this->ChooseCut(region);
+  const MedialVoxelBox slab = this->GetSlab(region, region.lower[m_SlowestAxis], cut.slabThickness);
+  return MedialVoxelSubtractBox(m_Window.GetObjectBox(this->GetSitesBox(slab, cut.halo)),
+                                m_Window.GetObject().GetBox());
 }
 
 void
 MedialVoxelClusterEngine::Run(const MedialVoxelBox & region, MedialVoxelClusterClient & client)
 {
-  const unsigned int axis = MedialVoxelSlowestAxis(m_Grid.GetVoxelBox());
-  for (std::int64_t position = region.lower[axis]; position < region.upper[axis];)
+  this->RunSlabs(region, { region }, client);
+}
+
+void
+MedialVoxelClusterEngine::RunSlabs(const MedialVoxelBox &              region,
+                                   const std::vector<MedialVoxelBox> & parts,
+                                   MedialVoxelClusterClient &          client)
+{
+  for (std::int64_t position = region.lower[m_SlowestAxis]; position < region.upper[m_SlowestAxis];)
   {
-    const MedialVoxelBox slab = this->GetSlab(region, position);
-    this->RunSlab(slab, client);
-    position = slab.upper[axis];
+    const Cut            cut = this->ChooseCut(region);
+    const MedialVoxelBox slab = this->GetSlab(region, position, cut.slabThickness);
+    this->RunTiles(slab, cut, CutTilesWithin(parts, slab, cut.tileSize), client);
+    position = slab.upper[m_SlowestAxis];
   }
 }
 
 void
-MedialVoxelClusterEngine::RunSlab(const MedialVoxelBox & slab, MedialVoxelClusterClient & client)
+MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
+                                   const Cut &                 cut,
+                                   std::vector<MedialVoxelBox> tiles,
+                                   MedialVoxelClusterClient &  client)
 {
-  MedialVoxelBox              sites = this->GetSitesBox(slab);
-  std::vector<MedialVoxelBox> tiles = MedialVoxelCutIntoTiles(slab, this->ChooseTileSize());
+  MedialVoxelBox sites = this->GetSitesBox(slab, cut.halo);
   while (!tiles.empty())
   {
     m_Window.MoveTo(sites, client);
@@ -122,19 +239,40 @@ MedialVoxelClusterEngine::RunSlab(const MedialVoxelBox & slab, MedialVoxelCluste
     client.RunTiles(schedule);
     schedule.RethrowFailure();
     tiles = schedule.GetDeferredTiles();
-    if (!tiles.empty() && sites.Contains(schedule.GetNeededBox()))
+    if (tiles.empty())
+    {
+      return;
+    }
+    if (sites.Contains(schedule.GetNeededBox()))
     {
       throw std::logic_error("MedialVoxelClusterEngine: a tile was deferred although its window holds what it needs");
     }
     sites = sites.Union(schedule.GetNeededBox());
+    Cut wanted = cut;
+    wanted.halo = m_Halo = this->HaloOf(slab, sites);
+    if (!this->Fits(sites, wanted))
+    {
+      if (!IsLarger(this->ChooseCut(slab).halo, cut.halo))
+      {
+        throw MedialVoxelMemoryError(this->GetBytes(sites, wanted), m_Settings.memoryLimit);
+      }
+      this->RunSlabs(slab, tiles, client);
+      return;
+    }
   }
-  // What one slab needed, the next one probably needs too.
+}
+
+MedialVoxelIndex
+MedialVoxelClusterEngine::HaloOf(const MedialVoxelBox & slab, const MedialVoxelBox & sites) const
+{
+  MedialVoxelIndex halo = m_Halo;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const std::int64_t below = slab.lower[axis] - sites.lower[axis];
     const std::int64_t above = sites.upper[axis] - slab.upper[axis] - m_Settings.upperMargin[axis];
-    m_Halo[axis] = std::max(m_Halo[axis], std::max(below, above));
+    halo[axis] = std::max(halo[axis], std::max(below, above));
   }
+  return halo;
 }
 
 } // end namespace itk

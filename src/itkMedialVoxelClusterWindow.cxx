@@ -58,6 +58,14 @@ MedialVoxelClusterWindow::GetObjectBox(const MedialVoxelBox & sites) const
   return sites.Expanded(m_Grid.GetUnitMargin()).Intersection(m_Grid.GetVoxelBox());
 }
 
+std::uint64_t
+MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
+{
+  // Object, boundaries, and a copy of one of them while it moves.
+  const std::uint64_t volumes = 1 + m_Kinds.size() + (m_KeepsNotANumber ? 1 : 0) + 1;
+  return volumes * MedialVoxelBits::GetBytes(this->GetObjectBox(sites));
+}
+
 void
 MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox & sites, MedialVoxelObjectSource & source)
 {
@@ -74,8 +82,12 @@ MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox & sites, MedialVoxelObject
   }
   for (std::size_t i = 0; i < m_Kinds.size(); ++i)
   {
-    m_Boundaries[i].Reshape(sites);
-    MedialVoxelComputeBoundary(m_Object, m_Grid.GetVoxelBox(), m_Kinds[i], m_Boundaries[i]);
+    const auto newParts = MedialVoxelSubtractBox(sites, m_Boundaries[i].GetBox());
+    m_Boundaries[i].Reframe(sites);
+    for (const MedialVoxelBox & part : newParts)
+    {
+      MedialVoxelComputeBoundary(m_Object, m_Grid.GetVoxelBox(), m_Kinds[i], part, m_Boundaries[i]);
+    }
   }
 }
 

@@ -11,8 +11,32 @@ namespace itk
 namespace
 {
 
-/** Columns are searched in multiples of this number. */
+/** Columns are searched in multiples of this number, and at most so many at once. */
 constexpr std::int64_t LaneUnit = 8;
+constexpr std::int64_t MostLanes = 64;
+
+/** Bytes of intermediate results above which fewer columns are searched at once. */
+constexpr std::int64_t EnoughLineBytes = std::int64_t{ 16 } << 20;
+
+/** Bytes of intermediate results of one column. */
+template <typename TCost>
+std::int64_t
+BytesPerLane(const std::int64_t rows, const std::int64_t searchedRows, const std::int64_t searchedSlices)
+{
+  constexpr auto bytesXY =
+    static_cast<std::int64_t>(sizeof(TCost) + sizeof(typename MedialVoxelOutwardTraits<TCost>::PositionType));
+  return searchedRows * searchedSlices * static_cast<std::int64_t>(sizeof(std::int32_t)) +
+         searchedRows * static_cast<std::int64_t>(sizeof(TCost)) + rows * searchedSlices * bytesXY;
+}
+
+/** Columns to search at once. */
+template <typename TCost>
+std::int64_t
+ChooseLanes(const std::int64_t rows, const std::int64_t searchedRows, const std::int64_t searchedSlices)
+{
+  const std::int64_t fitting = EnoughLineBytes / BytesPerLane<TCost>(rows, searchedRows, searchedSlices);
+  return std::clamp(fitting / LaneUnit * LaneUnit, LaneUnit, MostLanes);
+}
 
 template <typename TCost>
 void
@@ -59,45 +83,56 @@ struct MedialVoxelFeatureTransform::ColumnGroup
 
   using TraitsType = MedialVoxelOutwardTraits<TCost>;
 
+  /** Passes along x and y, one slice after the other, as only the slice at hand needs its costs along x. */
   void
-  SearchAlongX() const
+  SearchSlices() const
   {
-    const double       spacing = grid.GetMetricSpacing()[0];
-    const std::int64_t rows = search.Extent(1) * search.Extent(2);
-    Reserve(tile.nearestX, rows * lanes);
-    Reserve(lines.costX, rows * lanes);
-    for (std::int64_t row = 0; row < rows; ++row)
+    Reserve(tile.nearestX, search.Extent(1) * search.Extent(2) * lanes);
+    Reserve(lines.costX, search.Extent(1) * lanes);
+    Reserve(lines.costXY, range.Extent(1) * search.Extent(2) * lanes);
+    Reserve(lines.positionY, range.Extent(1) * search.Extent(2) * lanes);
+    for (std::int64_t slice = 0; slice < search.Extent(2) && !tile.IsAborted(); ++slice)
     {
-      const std::int64_t   y = search.lower[1] + row % search.Extent(1);
-      const std::int64_t   z = search.lower[2] + row / search.Extent(1);
-      std::int32_t * const nearest = tile.nearestX.data() + row * lanes;
+      this->SearchAlongX(slice);
+      this->SearchAlongY(slice);
+    }
+  }
+
+  TCost
+  CostX(const std::int32_t displacement) const
+  {
+    const double length = static_cast<double>(displacement) * grid.GetMetricSpacing()[0];
+    return displacement == MedialVoxelNoDisplacement ? TraitsType::NoSite : static_cast<TCost>(length * length);
+  }
+
+  void
+  SearchAlongX(const std::int64_t slice) const
+  {
+    for (std::int64_t row = 0; row < search.Extent(1); ++row)
+    {
+      std::int32_t * const nearest = tile.nearestX.data() + (slice * search.Extent(1) + row) * lanes;
       TCost * const        cost = lines.costX.data() + row * lanes;
-      MedialVoxelNearestInRow(*tile.window.sites, x, lanes, y, z, margin[0], nearest);
-      for (std::int64_t lane = 0; lane < lanes; ++lane)
-      {
-        const double length = static_cast<double>(nearest[lane]) * spacing;
-        const bool   hasSite = nearest[lane] != MedialVoxelNoDisplacement;
-        cost[lane] = hasSite ? static_cast<TCost>(length * length) : TraitsType::NoSite;
-      }
+      MedialVoxelNearestInRow(
+        *tile.window.sites, x, lanes, search.lower[1] + row, search.lower[2] + slice, margin[0], nearest);
+      std::transform(
+        nearest, nearest + lanes, cost, [this](const std::int32_t displacement) { return this->CostX(displacement); });
     }
   }
 
   void
-  SearchAlongY() const
+  SearchAlongY(const std::int64_t slice) const
   {
-    const std::int64_t rows = range.Extent(1) * search.Extent(2);
-    Reserve(lines.costXY, rows * lanes);
-    Reserve(lines.positionY, rows * lanes);
-    for (std::int64_t row = 0; row < rows && !tile.IsAborted(); ++row)
+    for (std::int64_t row = 0; row < range.Extent(1); ++row)
     {
-      MedialVoxelSearchOutward<TCost>(lines.costX.data() + row / range.Extent(1) * search.Extent(1) * lanes,
+      const std::int64_t at = (slice * range.Extent(1) + row) * lanes;
+      MedialVoxelSearchOutward<TCost>(lines.costX.data(),
                                       lanes,
                                       search.Extent(1),
                                       lanes,
-                                      range.lower[1] + row % range.Extent(1) - search.lower[1],
+                                      range.lower[1] + row - search.lower[1],
                                       lines.squaresY,
-                                      lines.costXY.data() + row * lanes,
-                                      lines.positionY.data() + row * lanes);
+                                      lines.costXY.data() + at,
+                                      lines.positionY.data() + at);
     }
   }
 
@@ -166,7 +201,8 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     const TCost squareZ = lines.squaresZ[static_cast<std::size_t>(std::abs(bestZ - centerZ))];
     for (std::int64_t y = std::max<std::int64_t>(0, centerY - margin[1]); y < bestY; ++y)
     {
-      const TCost costX = lines.costX[static_cast<std::size_t>((bestZ * search.Extent(1) + y) * lanes + lane)];
+      const TCost costX =
+        this->CostX(tile.nearestX[static_cast<std::size_t>((bestZ * search.Extent(1) + y) * lanes + lane)]);
       const TCost squareY = lines.squaresY[static_cast<std::size_t>(std::abs(y - centerY))];
       if ((costX + squareY) + squareZ == cost)
       {
@@ -188,17 +224,30 @@ MedialVoxelFeatureTransform::SearchRemaining(Tile & tile, Workspace::Lines<TCost
   FillSquares(margin[2], m_Grid.GetMetricSpacing()[2], lines.squaresZ);
 
   // Groups of nearly equal width, since a group costs the same whether its last lanes are used or not.
-  const std::int64_t groups = (range.Extent(0) + MedialVoxelBits::BitsPerWord - 1) / MedialVoxelBits::BitsPerWord;
+  const std::int64_t widest = ChooseLanes<TCost>(range.Extent(1), search.Extent(1), search.Extent(2));
+  const std::int64_t groups = (range.Extent(0) + widest - 1) / widest;
   for (std::int64_t group = 0; group < groups; ++group)
   {
     const std::int64_t       x = range.lower[0] + group * range.Extent(0) / groups;
     const std::int64_t       columns = range.lower[0] + (group + 1) * range.Extent(0) / groups - x;
     const std::int64_t       lanes = (columns + LaneUnit - 1) / LaneUnit * LaneUnit;
     const ColumnGroup<TCost> columnGroup{ m_Grid, tile, lines, x, columns, lanes, range, search, margin };
-    columnGroup.SearchAlongX();
-    columnGroup.SearchAlongY();
+    columnGroup.SearchSlices();
     columnGroup.SearchAlongZ();
   }
+}
+
+std::uint64_t
+MedialVoxelFeatureTransform::GetWorkspaceBytes(const MedialVoxelGrid &  grid,
+                                               const MedialVoxelIndex & tileSize,
+                                               const MedialVoxelIndex & searchedSize)
+{
+  const auto bytesFor = [&](auto zero) {
+    using CostType = decltype(zero);
+    return static_cast<std::uint64_t>(ChooseLanes<CostType>(tileSize[1], searchedSize[1], searchedSize[2]) *
+                                      BytesPerLane<CostType>(tileSize[1], searchedSize[1], searchedSize[2]));
+  };
+  return grid.HasEqualSpacing() ? bytesFor(std::int32_t{}) : bytesFor(double{});
 }
 
 template void

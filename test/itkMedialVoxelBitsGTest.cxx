@@ -145,7 +145,6 @@ TEST(MedialVoxelBits, ReframingKeepsWhatIsShared)
 TEST(MedialVoxelBits, ReshapingClears)
 {
   MedialVoxelBits bits = ObjectBits(Complement(Volume(Size, UnitSpacing)), MakeBox({ { 0, 0, 0 } }, Size));
-  EXPECT_GE(bits.GetMemorySize(), 203u * 12u / 8u);
   bits.Reshape(MakeBox({ { 0, 0, 0 } }, { { 100, 2, 2 } }));
   EXPECT_EQ(bits.Count(bits.GetBox()), 0u);
 }

@@ -25,6 +25,7 @@ ExpectOracleBoundary(const Volume & volume, const itk::MedialVoxelBox & box)
                                     image,
                                     side == BoundarySide::Object ? itk::MedialVoxelBoundary::Object
                                                                  : itk::MedialVoxelBoundary::Background,
+                                    box,
                                     actual);
     std::size_t differences = 0;
     ForEachVoxel(image, [&](const itk::MedialVoxelIndex & v) { differences += actual.Test(v) != expected.Test(v); });

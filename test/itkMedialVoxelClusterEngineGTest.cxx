@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace
@@ -41,6 +42,10 @@ public:
   RunTiles(itk::MedialVoxelTileSchedule & schedule) override
   {
     ++m_Rounds;
+    m_LargestWindowBytes = std::max(
+      m_LargestWindowBytes,
+      m_Engine->GetWindow().GetBytes(
+        m_Engine->GetWindow().GetWindow(itk::MedialVoxelBoundary::Background).sites->GetBox()));
     itk::MedialVoxelBox tile;
     while (schedule.Next(tile))
     {
@@ -66,6 +71,7 @@ public:
   std::vector<int>                 m_Done;
   std::size_t                      m_Wrong{ 0 };
   int                              m_Reach;
+  std::uint64_t                    m_LargestWindowBytes{ 0 };
   int                              m_Rounds{ 0 };
   int                              m_FailInRound{ 0 };
   itk::MedialVoxelBox              m_FirstFill;
@@ -139,6 +145,53 @@ TEST(MedialVoxelClusterEngine, LargeDemandsAreRememberedForTheNextSlabs)
   client.m_Engine = &engine;
   engine.Run(GridOf(volume).GetVoxelBox(), client);
   EXPECT_LE(client.m_Rounds, 10 + 3); // ten slabs, and few of them twice
+}
+
+TEST(MedialVoxelClusterEngine, AMemoryLimitHoldsAndChangesNothingElse)
+{
+  const Index3 size{ { 70, 40, 60 } };
+  const Volume volume = RandomBoxes(size, UnitSpacing, 20, 215);
+  const auto   image = GridOf(volume).GetVoxelBox();
+  int          refused = 0;
+  for (const int reach : { 0, 3, 17, 40 })
+  {
+    for (const std::uint64_t limit : { 60000u, 260000u, 400000u, 700000u, 1300000u })
+    {
+      auto settings = SettingsOf(0, 0, { { 2, 2, 2 } });
+      settings.memoryLimit = limit;
+      DemandingClient          client(volume, reach);
+      MedialVoxelClusterEngine engine(GridOf(volume), settings);
+      client.m_Engine = &engine;
+      try
+      {
+        engine.Run(image, client);
+      }
+      catch (const itk::MedialVoxelMemoryError & error)
+      {
+        EXPECT_GT(error.GetNeededBytes(), settings.memoryLimit);
+        ++refused;
+        continue;
+      }
+      EXPECT_EQ(client.m_Wrong, 0u);
+      EXPECT_EQ(std::count(client.m_Done.begin(), client.m_Done.end(), 1), image.NumberOfVoxels());
+      EXPECT_LE(client.m_LargestWindowBytes, settings.memoryLimit);
+    }
+  }
+  EXPECT_GT(refused, 0);
+  EXPECT_LT(refused, 12);
+}
+
+TEST(MedialVoxelClusterEngine, AHaloThatDoesNotFitIsTriedSmaller)
+{
+  const Volume volume = RandomBoxes({ { 64, 40, 60 } }, UnitSpacing, 20, 216);
+  auto         settings = SettingsOf(8, 8, { { 50, 50, 50 } });
+  settings.memoryLimit = 130000;
+  DemandingClient          client(volume, 3);
+  MedialVoxelClusterEngine engine(GridOf(volume), settings);
+  client.m_Engine = &engine;
+  engine.Run(GridOf(volume).GetVoxelBox(), client);
+  EXPECT_EQ(client.m_Wrong, 0u);
+  EXPECT_LE(client.m_LargestWindowBytes, settings.memoryLimit);
 }
 
 TEST(MedialVoxelClusterEngine, AFailureOfTheClientEndsTheRun)

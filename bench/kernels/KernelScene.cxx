@@ -56,8 +56,11 @@ MakeScene(const phantom::Shape & shape)
       scene.object.Set({ { i % edge, i / edge % edge, i / (edge * edge) } });
     }
   }
-  itk::MedialVoxelComputeBoundary(
-    scene.object, scene.grid.GetVoxelBox(), itk::MedialVoxelBoundary::Background, scene.boundary);
+  itk::MedialVoxelComputeBoundary(scene.object,
+                                  scene.grid.GetVoxelBox(),
+                                  itk::MedialVoxelBoundary::Background,
+                                  scene.grid.GetVoxelBox(),
+                                  scene.boundary);
   return scene;
 }
 } // namespace
