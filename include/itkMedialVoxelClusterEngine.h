@@ -46,8 +46,15 @@ public:
     return m_NeededBytes;
   }
 
+  std::uint64_t
+  GetAllowedBytes() const
+  {
+    return m_AllowedBytes;
+  }
+
 private:
   std::uint64_t m_NeededBytes;
+  std::uint64_t m_AllowedBytes;
 };
 
 /** \class MedialVoxelClusterEngine
@@ -92,16 +99,35 @@ public:
     /** Bytes of a worker, beside those of the distance transform: for each voxel of a tile, and for all of it. */
     std::uint64_t workerBytesPerVoxel{ 0 };
     std::uint64_t workerBytes{ 0 };
+
+    /** For the classification with a threshold, and for the nearest points of the object's border too if wanted. */
+    static Settings
+    ForClassification(const MedialVoxelGrid & grid, double epsilon, bool withObjectBoundary);
+
+    /** For the nearest points of one boundary. */
+    static Settings
+    ForDistances(MedialVoxelBoundary boundary);
   };
 
   MedialVoxelClusterEngine(const MedialVoxelGrid & grid, Settings settings);
+
+  /** Bytes that the window and all workers take while no tile of \a region depends on more than the halo. */
+  std::uint64_t
+  GetBytes(const MedialVoxelBox & region) const;
+
+  /** Extent along the slowest axis of the slabs that \a region is cut into now. */
+  std::int64_t
+  GetSlabThickness(const MedialVoxelBox & region) const
+  {
+    return this->ChooseCut(region).slabThickness;
+  }
 
   /** Boxes of object voxels that the first slab of \a region starts with and the window does not hold. */
   std::vector<MedialVoxelBox>
   GetMissingObjectBoxes(const MedialVoxelBox & region) const;
 
   /** Process all of \a region; the window of the last slab is kept for the next call.
-   * \throw MedialVoxelMemoryError when the memory limit holds not even a slab of one voxel. */
+   * \throw MedialVoxelMemoryError when the memory limit does not hold what a slab of one voxel depends on. */
   void
   Run(const MedialVoxelBox & region, MedialVoxelClusterClient & client);
 
@@ -139,9 +165,7 @@ private:
 
   /** Process \a parts of \a region, slab by slab. */
   void
-  RunSlabs(const MedialVoxelBox &              region,
-           const std::vector<MedialVoxelBox> & parts,
-           MedialVoxelClusterClient &          client);
+  RunSlabs(const MedialVoxelBox & region, const std::vector<MedialVoxelBox> & parts, MedialVoxelClusterClient & client);
 
   /** Process \a tiles of \a slab with a window that grows; what outgrows the memory is cut into thinner slabs. */
   void
@@ -163,12 +187,12 @@ private:
 
   /** Bytes of a window on \a sites and of all workers. */
   std::uint64_t
-  GetBytes(const MedialVoxelBox & sites, const Cut & cut) const;
+  BytesOf(const MedialVoxelBox & sites, const Cut & cut) const;
 
   bool
   Fits(const MedialVoxelBox & sites, const Cut & cut) const
   {
-    return m_Settings.memoryLimit == 0 || this->GetBytes(sites, cut) <= m_Settings.memoryLimit;
+    return m_Settings.memoryLimit == 0 || this->BytesOf(sites, cut) <= m_Settings.memoryLimit;
   }
 
   MedialVoxelGrid          m_Grid;

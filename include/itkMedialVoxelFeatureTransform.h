@@ -119,7 +119,8 @@ public:
           MedialVoxelFeatures &       features,
           const MedialVoxelProgress * progress = nullptr) const;
 
-  /** Bytes that a workspace grows to, at most, for tiles and boxes of searched voxels that are not larger than these. */
+  /** Bytes that a workspace grows to, at most, for tiles and boxes of searched voxels that are not larger than these.
+   */
   static std::uint64_t
   GetWorkspaceBytes(const MedialVoxelGrid &  grid,
                     const MedialVoxelIndex & tileSize,

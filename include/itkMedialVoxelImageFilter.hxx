@@ -102,24 +102,10 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelClusterEngine::Settings
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const MedialVoxelGrid & grid) const
 {
-  MedialVoxelClusterEngine::Settings settings;
-  settings.boundaries = { MedialVoxelBoundary::Background };
-  if (m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object)
-  {
-    settings.boundaries.push_back(MedialVoxelBoundary::Object);
-  }
-  settings.upperMargin = grid.GetUnitMargin();
-  // Boundary points of thin walls and the paths between them; thicker walls ask for more.
-  const double epsilon = MedialVoxelParameters::EpsilonFromThickness(m_Thickness);
-  const auto   reach = grid.MarginForMetricLength(0.5 * epsilon / grid.GetMetricUnit());
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    settings.halo[axis] += reach[axis];
-  }
-  settings.workerBytesPerVoxel =
-    settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel + sizeof(std::uint8_t);
-  settings.workerBytes = MedialVoxelBoundedGeodesic::GetWorkspaceBytes(reach);
-  return settings;
+  return MedialVoxelClusterEngine::Settings::ForClassification(
+    grid,
+    MedialVoxelParameters::EpsilonFromThickness(m_Thickness),
+    m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object);
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -117,11 +117,11 @@ public:
     }
   }
 
-  /** Pieces in which a box of input is pulled: whole slices, as many as fit a few megabytes. */
+  /** Pieces in which a box of input is pulled: whole slices, as many as fit a megabyte. */
   static std::vector<MedialVoxelBox>
   CutForPull(const MedialVoxelBox & box)
   {
-    constexpr std::int64_t bytesPerPull = 4 << 20;
+    constexpr std::int64_t bytesPerPull = 1 << 20;
     const std::int64_t     bytesPerRow = box.Extent(0) * static_cast<std::int64_t>(sizeof(InputPixelType));
     MedialVoxelIndex       size{ { box.upper[0], box.upper[1], box.upper[2] } };
     if (box.Extent(2) > 1)

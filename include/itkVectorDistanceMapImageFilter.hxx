@@ -77,10 +77,7 @@ template <typename TInputImage, typename TVectorImage>
 MedialVoxelClusterEngine::Settings
 VectorDistanceMapImageFilter<TInputImage, TVectorImage>::GetEngineSettings(const MedialVoxelGrid &) const
 {
-  MedialVoxelClusterEngine::Settings settings;
-  settings.boundaries = { m_Boundary };
-  settings.workerBytesPerVoxel = MedialVoxelFeatures::BytesPerVoxel;
-  return settings;
+  return MedialVoxelClusterEngine::Settings::ForDistances(m_Boundary);
 }
 
 template <typename TInputImage, typename TVectorImage>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelClusterEngine.h"
 
+#include "itkMedialVoxelBoundedGeodesic.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -60,7 +62,40 @@ MedialVoxelMemoryError::MedialVoxelMemoryError(const std::uint64_t neededBytes, 
                        std::to_string(neededBytes) + " bytes of memory; " + std::to_string(allowedBytes) +
                        " bytes are allowed.")
   , m_NeededBytes(neededBytes)
+  , m_AllowedBytes(allowedBytes)
 {}
+
+MedialVoxelClusterEngine::Settings
+MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid & grid,
+                                                      const double            epsilon,
+                                                      const bool              withObjectBoundary)
+{
+  Settings settings;
+  settings.boundaries = { MedialVoxelBoundary::Background };
+  if (withObjectBoundary)
+  {
+    settings.boundaries.push_back(MedialVoxelBoundary::Object);
+  }
+  settings.upperMargin = grid.GetUnitMargin();
+  // Boundary points of thin walls and the paths between them; thicker walls ask for more.
+  const MedialVoxelIndex reach = grid.MarginForMetricLength(0.5 * epsilon / grid.GetMetricUnit());
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    settings.halo[axis] += reach[axis];
+  }
+  settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel + sizeof(std::uint8_t);
+  settings.workerBytes = MedialVoxelBoundedGeodesic::GetWorkspaceBytes(reach);
+  return settings;
+}
+
+MedialVoxelClusterEngine::Settings
+MedialVoxelClusterEngine::Settings::ForDistances(const MedialVoxelBoundary boundary)
+{
+  Settings settings;
+  settings.boundaries = { boundary };
+  settings.workerBytesPerVoxel = MedialVoxelFeatures::BytesPerVoxel;
+  return settings;
+}
 
 MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid, Settings settings)
   : m_Grid(grid)
@@ -82,8 +117,8 @@ MedialVoxelClusterEngine::PreferredCut(const MedialVoxelBox & region, const Medi
   {
     // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
     // halo, as a tile repeats the work of the halo around it.
-    const std::int64_t edge = std::clamp(
-      std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, SmallestTileEdge, LargestTileEdge);
+    const std::int64_t edge =
+      std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, SmallestTileEdge, LargestTileEdge);
     cut.tileSize = { { 128, edge, edge } };
   }
   if (cut.slabThickness <= 0)
@@ -131,7 +166,7 @@ MedialVoxelClusterEngine::ChooseCut(const MedialVoxelBox & region) const
     const std::int64_t largest = *std::max_element(cut.halo.begin(), cut.halo.end());
     if (largest == 0)
     {
-      throw MedialVoxelMemoryError(this->GetBytes(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
+      throw MedialVoxelMemoryError(this->BytesOf(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
     }
     for (std::int64_t & voxels : cut.halo)
     {
@@ -178,7 +213,7 @@ MedialVoxelClusterEngine::LargestSitesBox(const MedialVoxelBox & region, const C
 }
 
 std::uint64_t
-MedialVoxelClusterEngine::GetBytes(const MedialVoxelBox & sites, const Cut & cut) const
+MedialVoxelClusterEngine::BytesOf(const MedialVoxelBox & sites, const Cut & cut) const
 {
   MedialVoxelIndex tile;
   MedialVoxelIndex searched;
@@ -194,6 +229,13 @@ MedialVoxelClusterEngine::GetBytes(const MedialVoxelBox & sites, const Cut & cut
   const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel +
                                MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
   return m_Window.GetBytes(sites) + m_Settings.numberOfWorkers * worker;
+}
+
+std::uint64_t
+MedialVoxelClusterEngine::GetBytes(const MedialVoxelBox & region) const
+{
+  const Cut cut = this->ChooseCut(region);
+  return this->BytesOf(this->LargestSitesBox(region, cut), cut);
 }
 
 std::vector<MedialVoxelBox>
@@ -254,7 +296,7 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
     {
       if (!IsLarger(this->ChooseCut(slab).halo, cut.halo))
       {
-        throw MedialVoxelMemoryError(this->GetBytes(sites, wanted), m_Settings.memoryLimit);
+        throw MedialVoxelMemoryError(this->BytesOf(sites, wanted), m_Settings.memoryLimit);
       }
       this->RunSlabs(slab, tiles, client);
       return;

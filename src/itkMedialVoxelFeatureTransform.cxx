@@ -65,9 +65,15 @@ MedialVoxelFeatures::Reset(const MedialVoxelBox & newBox)
 {
   box = newBox;
   const auto size = static_cast<std::size_t>(newBox.NumberOfVoxels());
-  dx.assign(size, 0);
-  dy.assign(size, 0);
-  dz.assign(size, 0);
+  for (auto * const component : { &dx, &dy, &dz })
+  {
+    if (size > component->capacity())
+    {
+      // Freed before more is taken, so that both are never there at the same time.
+      std::vector<std::int32_t>().swap(*component);
+    }
+    component->assign(size, 0);
+  }
 }
 
 MedialVoxelFeatureTransform::MedialVoxelFeatureTransform(const MedialVoxelGrid & grid,

@@ -50,14 +50,16 @@ FillSquares(const std::int64_t last, const double spacing, std::vector<TCost> & 
   }
 }
 
-/** Grow without giving memory back, as a workspace serves many tiles. */
+/** Grow without giving memory back, as a workspace serves many tiles; the old values are lost. */
 template <typename TVector>
 void
 Reserve(TVector & values, const std::int64_t size)
 {
   if (values.size() < static_cast<std::size_t>(size))
   {
-    values.resize(static_cast<std::size_t>(size));
+    // Freed first, and not resized, which could take twice as much.
+    TVector().swap(values);
+    TVector(static_cast<std::size_t>(size)).swap(values);
   }
 }
 

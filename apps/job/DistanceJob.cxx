@@ -25,7 +25,8 @@ GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
   PieceFootprint footprint;
   footprint.bytesPerVoxel =
     GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes());
-  footprint.windows.push_back(GetWindowFootprint(header, 1, 0.0));
+  footprint.grid = GetGrid(options, header);
+  AddEngine(footprint, header, itk::MedialVoxelClusterEngine::Settings::ForDistances(options.boundary));
   return footprint;
 }
 
@@ -33,7 +34,7 @@ DistanceSettings
 GetSettings(const DistanceOptions & options, const JobPlan & plan)
 {
   DistanceSettings settings;
-  settings.slabThickness = plan.slabThickness;
+  settings.cut = GetCutSettings(plan);
   settings.boundary = options.boundary;
   settings.region = options.region;
   settings.generateDistance = !options.distanceFile.empty();

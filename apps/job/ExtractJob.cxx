@@ -43,14 +43,17 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   const std::uint64_t distances = options.distanceFile.empty() ? 0 : vectorBytes + DistanceLayout.GetBytes();
   PieceFootprint      footprint;
   footprint.bytesPerVoxel = std::max(labels, distances);
+  footprint.grid = GetGrid(options, header);
   const bool withObjectVectors =
     !options.vectorFile.empty() && options.vectorBoundary == itk::MedialVoxelBoundary::Object;
-  const double sliceSpacing = options.voxelUnits ? 1.0 : header.geometry.spacing.back();
-  const double epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness);
-  footprint.windows.push_back(GetWindowFootprint(header, withObjectVectors ? 2 : 1, 0.5 * epsilon / sliceSpacing));
+  AddEngine(footprint,
+            header,
+            itk::MedialVoxelClusterEngine::Settings::ForClassification(
+              footprint.grid, itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness), withObjectVectors));
   if (!options.distanceFile.empty())
   {
-    footprint.windows.push_back(GetWindowFootprint(header, 1, 0.0));
+    AddEngine(
+      footprint, header, itk::MedialVoxelClusterEngine::Settings::ForDistances(itk::MedialVoxelBoundary::Object));
   }
   if (!options.previewFile.empty())
   {
@@ -80,7 +83,7 @@ public:
     , m_Result(result)
     , m_Input(OpenInputVolume(result.input, options, result.plan.scratchFolder))
     , m_Loop(result.plan, result.input, options.distanceFile.empty() ? 1 : 2, sink)
-    , m_Runner(MakeExtractRunner(*m_Input, result.input, options, result.plan.slabThickness, m_Loop.GetObserver()))
+    , m_Runner(MakeExtractRunner(*m_Input, result.input, options, GetCutSettings(result.plan), m_Loop.GetObserver()))
     , m_Scores(result.input.geometry)
     , m_Outputs(options)
   {
@@ -94,7 +97,7 @@ public:
     {
       DistanceSettings settings;
       settings.generateDistance = true;
-      settings.slabThickness = result.plan.slabThickness;
+      settings.cut = GetCutSettings(result.plan);
       m_DistanceRunner = MakeDistanceRunner(*m_Input, result.input, options, settings, m_Loop.GetObserver());
     }
   }

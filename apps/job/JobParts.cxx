@@ -86,16 +86,31 @@ PrepareJob(const JobOptions &                 options,
   return result;
 }
 
-WindowFootprint
-GetWindowFootprint(const VolumeHeader & header, std::uint64_t numberOfBoundaries, double reachInSlices)
+itk::MedialVoxelGrid
+GetGrid(const JobOptions & options, const VolumeHeader & header)
 {
-  // Half of a wall is the distance to its boundary, around which the neighbors count too.
-  const double        halo = 0.5 * PlannedWallThickness + 2.0 + std::ceil(reachInSlices);
-  const std::uint64_t slices = std::min(header.geometry.size.back(), static_cast<std::uint64_t>(std::min(halo, 1e9)));
-  const PixelType     type = header.CanStream() ? header.pixelType : PixelType::UInt8;
-  const bool          keepsNotANumber = type == PixelType::Float32 || type == PixelType::Float64;
-  // Object and boundaries, and one copy while a window grows.
-  return { slices, 1 + numberOfBoundaries + (keepsNotANumber ? 1u : 0u) + 1 };
+  itk::MedialVoxelIndex             size{ { 1, 1, 1 } };
+  itk::MedialVoxelGrid::SpacingType spacing{ { 1.0, 1.0, 1.0 } };
+  for (unsigned int axis = 0; axis < header.geometry.GetDimension(); ++axis)
+  {
+    size[axis] = static_cast<std::int64_t>(header.geometry.size[axis]);
+    spacing[axis] = options.voxelUnits ? 1.0 : header.geometry.spacing[axis];
+  }
+  return { size, spacing };
+}
+
+void
+AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings)
+{
+  const bool isReal = header.pixelType == PixelType::Float32 || header.pixelType == PixelType::Float64;
+  settings.keepsNotANumber = isReal && header.CanStream();
+  footprint.engines.push_back(std::move(settings));
+}
+
+CutSettings
+GetCutSettings(const JobPlan & plan)
+{
+  return { plan.slabThickness, plan.filterLimit };
 }
 
 VoxelLayout

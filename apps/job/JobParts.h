@@ -3,6 +3,7 @@
 #ifndef medialvoxelJobParts_h
 #define medialvoxelJobParts_h
 
+#include "Text.h"
 #include "VolumeJob.h"
 
 #include "itkMacro.h"
@@ -30,9 +31,16 @@ PrepareJob(const JobOptions &                 options,
            const std::vector<OutputRequest> & candidates,
            const PieceFootprint &             footprint);
 
-/** What a filter keeps of its input that knows so many boundaries and looks so many slices beyond the walls. */
-WindowFootprint
-GetWindowFootprint(const VolumeHeader & header, std::uint64_t numberOfBoundaries, double reachInSlices);
+/** The image of the header in the units of the options. */
+itk::MedialVoxelGrid
+GetGrid(const JobOptions & options, const VolumeHeader & header);
+
+/** Counts in a filter on the volume of the header. */
+void
+AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings);
+
+CutSettings
+GetCutSettings(const JobPlan & plan);
 
 /** Float32 vectors with as many components as the volume has dimensions. */
 VoxelLayout
@@ -102,6 +110,15 @@ WithPipelineErrors(TFunction && function)
   catch (const itk::ExceptionObject & error)
   {
     throw JobError(ExitStatus::Failure, error.GetDescription());
+  }
+  catch (const itk::MedialVoxelMemoryError & error)
+  {
+    Fail(ExitStatus::Refused,
+         "the walls are so thick that the windows on the input need at least ",
+         FormatBytes(error.GetNeededBytes()),
+         ", ",
+         FormatBytes(error.GetAllowedBytes()),
+         " of the memory are left for them; allow more with --memory");
   }
   catch (const std::bad_alloc &)
   {

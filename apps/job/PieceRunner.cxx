@@ -32,11 +32,11 @@ std::unique_ptr<PieceRunner>
 MakeExtractRunner(InputVolume &          input,
                   const VolumeHeader &   header,
                   const ExtractOptions & options,
-                  std::uint64_t          slabThickness,
+                  const CutSettings &    cut,
                   const PieceObserver &  observer)
 {
   return DispatchPixelType(GetImagePixelType(input, header), [&](auto zero) {
-    return MakeExtractRunnerFor<decltype(zero)>(input, header, options, slabThickness, observer);
+    return MakeExtractRunnerFor<decltype(zero)>(input, header, options, cut, observer);
   });
 }
 

@@ -59,6 +59,13 @@ public:
   GetSums() const = 0;
 };
 
+/** How a filter cuts its work, which changes no result; 0: as it chooses. */
+struct CutSettings
+{
+  std::uint64_t slabThickness{ 0 };
+  std::uint64_t memoryLimit{ 0 };
+};
+
 /** Settings of the distance filter that a job needs. */
 struct DistanceSettings
 {
@@ -68,7 +75,7 @@ struct DistanceSettings
   bool                     squaredDistance{ false };
   bool                     insideIsPositive{ false };
   std::optional<double>    maximumDistance;
-  std::uint64_t            slabThickness{ 0 }; ///< 0: as the filter chooses
+  CutSettings              cut;
 };
 
 template <typename TPixel>
@@ -76,7 +83,7 @@ std::unique_ptr<PieceRunner>
 MakeExtractRunnerFor(InputVolume & input,
                      const VolumeHeader &,
                      const ExtractOptions &,
-                     std::uint64_t slabThickness,
+                     const CutSettings &,
                      const PieceObserver &);
 template <typename TPixel>
 std::unique_ptr<PieceRunner>
@@ -97,7 +104,7 @@ std::unique_ptr<PieceRunner>
 MakeExtractRunner(InputVolume &          input,
                   const VolumeHeader &   header,
                   const ExtractOptions & options,
-                  std::uint64_t          slabThickness,
+                  const CutSettings &    cut,
                   const PieceObserver &  observer);
 
 /** The runner of VectorDistanceMapImageFilter for the pixel type of the header. The input must outlive it. */

@@ -43,10 +43,7 @@ public:
   using InputImageType = typename TFilter::InputImageType;
   using OutputImageType = typename TFilter::OutputImageType;
 
-  FilterRunner(InputVolume &         input,
-               const JobOptions &    options,
-               std::uint64_t         slabThickness,
-               const PieceObserver & observer)
+  FilterRunner(InputVolume & input, const JobOptions & options, const CutSettings & cut, const PieceObserver & observer)
     : m_Observer(observer)
     , m_Input(input)
     , m_Reader(*input.GetReader())
@@ -57,7 +54,8 @@ public:
     {
       this->SetThresholds(options);
     }
-    m_Filter->SetSlabThickness(static_cast<unsigned int>(slabThickness));
+    m_Filter->SetSlabThickness(static_cast<unsigned int>(cut.slabThickness));
+    m_Filter->SetWorkingMemoryLimit(cut.memoryLimit);
     m_Filter->SetNumberOfWorkUnits(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
     m_Filter->AddObserver(itk::ProgressEvent(), [this](const itk::EventObject &) { this->Observe(); });
     m_ReaderTag = m_Reader.AddObserver(itk::ProgressEvent(), [this](const itk::EventObject &) { this->Observe(); });
@@ -147,9 +145,9 @@ class ExtractRunner : public FilterRunner<itk::MedialVoxelImageFilter<TImage>>
 public:
   ExtractRunner(InputVolume &          input,
                 const ExtractOptions & options,
-                std::uint64_t          slabThickness,
+                const CutSettings &    cut,
                 const PieceObserver &  observer)
-    : FilterRunner<itk::MedialVoxelImageFilter<TImage>>(input, options, slabThickness, observer)
+    : FilterRunner<itk::MedialVoxelImageFilter<TImage>>(input, options, cut, observer)
   {
     this->m_Filter->SetThickness(options.thickness);
     this->m_Filter->SetPseudoGeodesicBound(options.bound);
@@ -195,7 +193,7 @@ public:
                  const JobOptions &       options,
                  const DistanceSettings & settings,
                  const PieceObserver &    observer)
-    : FilterRunner<itk::VectorDistanceMapImageFilter<TImage>>(input, options, settings.slabThickness, observer)
+    : FilterRunner<itk::VectorDistanceMapImageFilter<TImage>>(input, options, settings.cut, observer)
   {
     this->m_Filter->SetBoundary(settings.boundary);
     this->m_Filter->SetRegion(settings.region);
@@ -237,12 +235,12 @@ std::unique_ptr<PieceRunner>
 MakeExtractRunnerFor(InputVolume &          input,
                      const VolumeHeader &   header,
                      const ExtractOptions & options,
-                     std::uint64_t          slabThickness,
+                     const CutSettings &    cut,
                      const PieceObserver &  observer)
 {
   return WithDimension(header, [&](auto dimension) -> std::unique_ptr<PieceRunner> {
     using ImageType = itk::Image<TPixel, decltype(dimension)::value>;
-    return std::make_unique<ExtractRunner<ImageType>>(input, options, slabThickness, observer);
+    return std::make_unique<ExtractRunner<ImageType>>(input, options, cut, observer);
   });
 }
 

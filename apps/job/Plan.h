@@ -6,6 +6,8 @@
 #include "Options.h"
 #include "OutputChecks.h"
 
+#include "itkMedialVoxelClusterEngine.h"
+
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -27,9 +29,10 @@ struct JobPlan
   std::uint64_t numberOfSlices{ 0 };
   std::uint64_t divisions{ 1 };
   unsigned int  threads{ 1 };
-  std::uint64_t slabThickness{ 1 }; ///< slices that the filters process between two pulls of input
+  std::uint64_t slabThickness{ 0 }; ///< slices that the filters process between two pulls of input; 0: they choose
   std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
-  std::uint64_t memoryLimit{ 0 };   ///< that memoryBytes must not exceed
+  std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
+  std::uint64_t filterLimit{ 0 };   ///< share of each filter in memoryLimit, for windows and threads
 
   std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
   std::uint64_t         diskBytes{ 0 }; ///< of all outputs; with sparse outputs the most they can grow to
@@ -42,22 +45,18 @@ struct JobPlan
   GetMaximumSlices() const;
 };
 
-/** Walls, in voxels, whose distances the planned windows hold; what thicker ones need cannot be known before. */
+/** Walls, in voxels, whose distances the planned windows hold. Thicker ones take what memoryLimit leaves. */
 constexpr unsigned int PlannedWallThickness = 16;
-
-/** What a filter keeps of its input: bits for the slices of a slab and for those around it. */
-struct WindowFootprint
-{
-  std::uint64_t haloSlices{ 0 };
-  std::uint64_t bitsPerVoxel{ 2 };
-};
 
 /** What a job keeps in memory at the same time. */
 struct PieceFootprint
 {
-  std::uint64_t                bytesPerVoxel{ 1 }; ///< results of a piece
-  std::vector<WindowFootprint> windows;
-  std::uint64_t                bytesBeside{ 0 }; ///< what does not depend on pieces
+  std::uint64_t        bytesPerVoxel{ 1 }; ///< results of a piece
+  std::uint64_t        bytesBeside{ 0 };   ///< what does not depend on pieces
+  itk::MedialVoxelGrid grid;
+
+  /** Of the filters that take turns on each piece and keep their windows. */
+  std::vector<itk::MedialVoxelClusterEngine::Settings> engines;
 };
 
 /** Divides the work so that it fits the memory.

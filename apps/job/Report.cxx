@@ -78,6 +78,7 @@ AddRun(Json & report, const JobResult & result)
                         { "total", result.seconds.total } };
   report["peak_memory_bytes"] = result.peakMemoryBytes;
   report["planned_peak_bytes"] = result.plan.memoryBytes;
+  report["memory_limit_bytes"] = result.plan.memoryLimit;
   report["bytes_read"] = result.bytesRead;
   report["recomputed_voxels"] = result.sums.recomputedVoxels;
   report["threads"] = result.plan.threads;

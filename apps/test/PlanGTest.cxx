@@ -21,12 +21,20 @@ MakeHeader(const std::vector<std::uint64_t> & size)
 }
 
 PieceFootprint
-MakeFootprint(std::uint64_t bytesPerVoxel)
+MakeFootprint(const VolumeHeader & header, std::uint64_t bytesPerVoxel)
 {
   PieceFootprint footprint;
   footprint.bytesPerVoxel = bytesPerVoxel;
-  footprint.windows = { { 12, 3 } };
+  const auto & size = header.geometry.size;
+  footprint.grid = { { { std::int64_t(size[0]), std::int64_t(size[1]), std::int64_t(size[2]) } }, { { 1, 1, 1 } } };
+  footprint.engines = { itk::MedialVoxelClusterEngine::Settings::ForDistances(itk::MedialVoxelBoundary::Object) };
   return footprint;
+}
+
+JobPlan
+MakePlanFor(const JobOptions & options, const VolumeHeader & header, std::uint64_t bytesPerVoxel)
+{
+  return MakePlan(options, header, {}, MakeFootprint(header, bytesPerVoxel));
 }
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
@@ -41,7 +49,7 @@ TEST(Plan, PiecesCoverEverySliceOnce)
     {
       JobOptions options;
       options.divisions = divisions;
-      const JobPlan plan = MakePlan(options, MakeHeader({ 4, 5, slices }), {}, MakeFootprint(1));
+      const JobPlan plan = MakePlanFor(options, MakeHeader({ 4, 5, slices }), 1);
       std::uint64_t next = 0;
       for (std::uint64_t piece = 0; piece < plan.divisions; ++piece)
       {
@@ -59,10 +67,10 @@ TEST(Plan, LargeResultsAreDivided)
 {
   JobOptions options;
   options.threads = 2;
-  EXPECT_EQ(MakePlan(options, MakeHeader({ 100, 100, 100 }), {}, MakeFootprint(1)).divisions, 1u);
-  const JobPlan plan = MakePlan(options, MakeHeader({ 1000, 1000, 1000 }), {}, MakeFootprint(16));
-  EXPECT_GT(plan.divisions, 100u);
-  EXPECT_LT(plan.memoryBytes, 400 * MiB);
+  EXPECT_EQ(MakePlanFor(options, MakeHeader({ 100, 100, 100 }), 1).divisions, 1u);
+  const JobPlan plan = MakePlanFor(options, MakeHeader({ 1000, 1000, 1000 }), 16);
+  EXPECT_GE(plan.divisions, 32u);
+  EXPECT_LT(plan.memoryBytes, 700 * MiB);
 }
 
 TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
@@ -74,7 +82,7 @@ TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
   for (const std::uint64_t memory : { 400 * MiB, 150 * MiB, 40 * MiB })
   {
     options.memoryBytes = memory;
-    const JobPlan plan = MakePlan(options, header, {}, MakeFootprint(13));
+    const JobPlan plan = MakePlanFor(options, header, 13);
     EXPECT_LE(plan.memoryBytes, memory);
     EXPECT_GE(plan.divisions, divisions);
     divisions = plan.divisions;
@@ -82,7 +90,7 @@ TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
   options.memoryBytes = 10 * MiB;
   try
   {
-    MakePlan(options, header, {}, MakeFootprint(13));
+    MakePlanFor(options, header, 13);
     FAIL() << "planned the impossible";
   }
   catch (const JobError & error)
@@ -99,11 +107,11 @@ TEST(Plan, TheMaskOfACompressedVolumeIsInMemoryWhereItFits)
   options.threads = 1;
   options.memoryBytes = 400 * MiB;
   options.scratchFolder = "folder";
-  EXPECT_TRUE(MakePlan(options, header, {}, MakeFootprint(1)).scratchFolder.empty());
+  EXPECT_TRUE(MakePlanFor(options, header, 1).scratchFolder.empty());
   options.memoryBytes = 100 * MiB;
-  const JobPlan plan = MakePlan(options, header, {}, MakeFootprint(1));
+  const JobPlan plan = MakePlanFor(options, header, 1);
   EXPECT_EQ(plan.scratchFolder, "folder");
   EXPECT_LE(plan.memoryBytes, 100 * MiB);
   options.scratchFolder.clear();
-  EXPECT_THROW(MakePlan(options, header, {}, MakeFootprint(1)), JobError);
+  EXPECT_THROW(MakePlanFor(options, header, 1), JobError);
 }

@@ -20,6 +20,7 @@ KEYS = [
     "seconds",
     "peak_memory_bytes",
     "planned_peak_bytes",
+    "memory_limit_bytes",
     "bytes_read",
     "recomputed_voxels",
     "threads",

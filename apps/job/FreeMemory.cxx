@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "FreeMemory.h"
+
+#include "Text.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t Unknown = std::numeric_limits<std::uint64_t>::max();
+
+std::uint64_t
+GetAvailableOnSystem(const std::filesystem::path & root)
+{
+  std::ifstream information(root / "proc/meminfo");
+  std::string   line;
+  while (std::getline(information, line))
+  {
+    const std::vector<std::string> parts = SplitAtBlanks(line);
+    if (parts.size() >= 2 && parts[0] == "MemAvailable:")
+    {
+      return static_cast<std::uint64_t>(ParseInteger(parts[1]).value_or(0)) * 1024;
+    }
+  }
+  return Unknown;
+}
+
+/** The number in a file; nothing when there is none, as in "max". */
+std::optional<std::uint64_t>
+ReadNumber(const std::filesystem::path & file)
+{
+  std::ifstream stream(file);
+  std::uint64_t number = 0;
+  return stream >> number ? std::optional<std::uint64_t>(number) : std::nullopt;
+}
+
+/** Rest of the limit of one control group. */
+std::uint64_t
+GetRest(const std::filesystem::path & group, const char * limitName, const char * usageName)
+{
+  const auto limit = ReadNumber(group / limitName);
+  const auto usage = ReadNumber(group / usageName);
+  return limit && usage ? *limit - std::min(*limit, *usage) : Unknown;
+}
+
+/** Least rest of a control group and those that hold it; inside a container the outer ones are not to be seen. */
+std::uint64_t
+GetRestOfGroups(const std::filesystem::path & top, const std::string & name, const char * limit, const char * usage)
+{
+  std::uint64_t         rest = GetRest(top, limit, usage);
+  std::filesystem::path group = top;
+  for (const std::filesystem::path & part : std::filesystem::path(name).relative_path())
+  {
+    group /= part;
+    rest = std::min(rest, GetRest(group, limit, usage));
+  }
+  return rest;
+}
+
+std::uint64_t
+GetAvailableInGroups(const std::filesystem::path & root)
+{
+  const std::filesystem::path top = root / "sys/fs/cgroup";
+  std::ifstream               groups(root / "proc/self/cgroup");
+  std::uint64_t               rest = Unknown;
+  std::string                 line;
+  while (std::getline(groups, line))
+  {
+    // Number, controllers and name between colons; version 2 has no controllers.
+    const auto first = line.find(':');
+    const auto second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos)
+    {
+      continue;
+    }
+    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::string name = line.substr(second + 1);
+    if (controllers == ",,")
+    {
+      rest = std::min(rest, GetRestOfGroups(top, name, "memory.max", "memory.current"));
+    }
+    else if (controllers.find(",memory,") != std::string::npos)
+    {
+      rest = std::min(rest, GetRestOfGroups(top / "memory", name, "memory.limit_in_bytes", "memory.usage_in_bytes"));
+    }
+  }
+  return rest;
+}
+
+} // namespace
+
+std::uint64_t
+GetFreeMemory(const std::filesystem::path & root)
+{
+  return std::min(GetAvailableOnSystem(root), GetAvailableInGroups(root));
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelFreeMemory_h
+#define medialvoxelFreeMemory_h
+
+#include <cstdint>
+#include <filesystem>
+
+namespace medialvoxel
+{
+
+/** Bytes that the process can still take without swapping: what the system has available, or less when the process
+ * runs in a control group (a container, a batch job) with a limit. The largest number when the system does not tell.
+ *
+ * \param root folder with proc and sys/fs/cgroup, for tests */
+std::uint64_t
+GetFreeMemory(const std::filesystem::path & root = "/");
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "MemoryPlan.h"
+
+#include "BitStore.h"
+#include "FreeMemory.h"
+#include "Text.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
+
+// Measured on whole runs: the process without work, and a thread beside what its filter plans for it.
+constexpr std::uint64_t BytesOfProgram = 14 * MiB;
+constexpr std::uint64_t BytesPerThread = 1 * MiB;
+
+/** The filter pulls input in whole slices of at least this many bytes. */
+constexpr std::uint64_t BytesPerPull = 1 * MiB;
+
+/** Results of a piece when nothing else limits them. */
+constexpr std::uint64_t BytesOfPiece = 128 * MiB;
+
+constexpr std::uint64_t NoLimit = std::numeric_limits<std::uint64_t>::max();
+
+/** What does not change while a fitting plan is looked for. */
+struct Request
+{
+  const JobOptions &     options;
+  const VolumeHeader &   header;
+  const PieceFootprint & footprint;
+
+  std::uint64_t
+  GetBytesPerSlice() const
+  {
+    return header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
+  }
+};
+
+/** Memory that depends neither on pieces nor on slabs. */
+std::uint64_t
+EstimateFixedMemory(const JobPlan & plan, const Request & request)
+{
+  const VolumeHeader & header = request.header;
+  const bool           isMask = !header.CanStream();
+  const std::uint64_t  bytesPerVoxel = isMask ? 1 : GetTraits(header.pixelType).bytes;
+  const std::uint64_t  voxels = header.geometry.GetNumberOfVoxels();
+  const std::uint64_t  pull = std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
+  const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
+  return BytesOfProgram + BytesPerThread * plan.threads + std::min(pull, voxels * bytesPerVoxel) + mask +
+         request.footprint.bytesBeside;
+}
+
+itk::MedialVoxelClusterEngine
+MakeEngine(const JobPlan & plan, const Request & request, itk::MedialVoxelClusterEngine::Settings settings)
+{
+  settings.numberOfWorkers = plan.threads;
+  settings.slabThickness = static_cast<std::int64_t>(plan.slabThickness);
+  return { request.footprint.grid, settings };
+}
+
+/** Windows and threads of all filters, for walls of up to PlannedWallThickness. */
+std::uint64_t
+EstimateFilters(const JobPlan & plan, const Request & request)
+{
+  std::uint64_t bytes = 0;
+  for (const auto & settings : request.footprint.engines)
+  {
+    bytes += MakeEngine(plan, request, settings).GetBytes(request.footprint.grid.GetVoxelBox());
+  }
+  return bytes;
+}
+
+/** Slices of a slab when memory does not matter. */
+std::uint64_t
+GetPreferredSlabThickness(const JobPlan & plan, const Request & request)
+{
+  const auto engine = MakeEngine(plan, request, request.footprint.engines.front());
+  const auto thickness = static_cast<std::uint64_t>(engine.GetSlabThickness(request.footprint.grid.GetVoxelBox()));
+  return std::min(thickness, plan.numberOfSlices);
+}
+
+/** Divides the slices for the threads, slabs and scratch folder of the plan; true when that fits.
+ * \param slab slices that a piece should have at least */
+bool
+TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
+{
+  const std::uint64_t bytesPerSlice = request.GetBytesPerSlice();
+  const std::uint64_t least = EstimateFixedMemory(plan, request) + EstimateFilters(plan, request);
+  const std::uint64_t rest = plan.memoryLimit - std::min(plan.memoryLimit, least);
+  if (request.options.divisions)
+  {
+    plan.divisions = std::min(*request.options.divisions, plan.numberOfSlices);
+  }
+  else
+  {
+    // Half of the rest is for the filters, should walls be thicker than planned.
+    const std::uint64_t slices = std::max(slab, std::min(rest / 2, BytesOfPiece) / bytesPerSlice);
+    plan.divisions = (plan.numberOfSlices - 1) / std::min(slices, plan.numberOfSlices) + 1;
+  }
+  const std::uint64_t bytesOfPiece = plan.GetMaximumSlices() * bytesPerSlice;
+  plan.memoryBytes = least + bytesOfPiece;
+  if (plan.memoryBytes > plan.memoryLimit)
+  {
+    return false;
+  }
+  const std::uint64_t forFilters = plan.memoryLimit - EstimateFixedMemory(plan, request) - bytesOfPiece;
+  plan.filterLimit = plan.memoryLimit == NoLimit ? 0 : forFilters / request.footprint.engines.size();
+  return true;
+}
+
+/** Thinner slabs read and do more twice, so that the thickest that fit are taken. */
+bool
+TrySlabs(JobPlan & plan, const Request & request)
+{
+  plan.slabThickness = 0;
+  for (std::uint64_t slab = GetPreferredSlabThickness(plan, request);; slab /= 2)
+  {
+    if (TryDivisions(plan, request, slab))
+    {
+      return true;
+    }
+    if (slab == 1)
+    {
+      return false;
+    }
+    plan.slabThickness = slab / 2;
+  }
+}
+
+/** A mask is in memory when that fits, otherwise in the scratch folder if there is one. */
+bool
+TryScratch(JobPlan & plan, const Request & request)
+{
+  plan.scratchFolder.clear();
+  if (TrySlabs(plan, request))
+  {
+    return true;
+  }
+  if (request.header.CanStream() || request.options.scratchFolder.empty())
+  {
+    return false;
+  }
+  plan.scratchFolder = request.options.scratchFolder;
+  return TrySlabs(plan, request);
+}
+
+[[noreturn]] void
+RefuseLackOfMemory(const JobPlan & plan, const Request & request)
+{
+  const JobOptions & options = request.options;
+  Fail(ExitStatus::Refused,
+       "this volume needs at least ",
+       FormatBytes(plan.memoryBytes),
+       " of memory with ",
+       plan.threads,
+       plan.threads == 1 ? " thread" : " threads",
+       options.divisions ? " and " + std::to_string(plan.divisions) + " divisions" : "",
+       ", ",
+       FormatBytes(plan.memoryLimit),
+       " are allowed",
+       request.header.CanStream() || !options.scratchFolder.empty()
+         ? ""
+         : "; it is compressed, and with --scratch DIR its mask need not be in memory");
+}
+
+} // namespace
+
+JobPlan
+FitToMemory(const JobOptions & options, const VolumeHeader & header, const PieceFootprint & footprint)
+{
+  const Request       request{ options, header, footprint };
+  const std::uint64_t free = options.memoryBytes ? 0 : GetFreeMemory();
+  JobPlan             plan;
+  plan.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
+  plan.numberOfSlices = header.geometry.size.back();
+  plan.memoryLimit = options.memoryBytes.value_or(free == NoLimit ? NoLimit : free / 2);
+  if (TryScratch(plan, request))
+  {
+    return plan;
+  }
+  if (!options.threads)
+  {
+    plan.threads = 1;
+    if (TryScratch(plan, request))
+    {
+      return plan;
+    }
+  }
+  RefuseLackOfMemory(plan, request);
+}
+
+} // end namespace medialvoxel
