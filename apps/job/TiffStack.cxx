@@ -2,275 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "TiffStack.h"
 
-#include "BinaryHeader.h"
-#include "HeaderParsing.h"
 #include "Text.h"
+#include "TiffFile.h"
 
 #include <algorithm>
 #include <array>
-#include <limits>
-#include <map>
-#include <set>
+#include <string_view>
 
 namespace medialvoxel
 {
 namespace
 {
 
-constexpr std::uint64_t MaximumSlices = std::uint64_t{ 1 } << 20;
-constexpr std::uint64_t MaximumEntries = std::uint64_t{ 1 } << 16;
-
 /** No way of packing makes one byte out of more than this many. */
 constexpr std::uint64_t MaximumRatio = 2048;
-
-enum Tag : std::uint16_t
-{
-  SubfileType = 254,
-  ImageWidth = 256,
-  ImageLength = 257,
-  BitsPerSample = 258,
-  Compression = 259,
-  Photometric = 262,
-  ImageDescription = 270,
-  StripOffsets = 273,
-  Orientation = 274,
-  SamplesPerPixel = 277,
-  RowsPerStrip = 278,
-  StripByteCounts = 279,
-  XResolution = 282,
-  YResolution = 283,
-  ResolutionUnit = 296,
-  Predictor = 317,
-  TileWidth = 322,
-  SampleFormat = 339
-};
-
-/** Type, bytes of one value, by the numbers of the format: the types that the tags above have. */
-unsigned int
-GetBytesOfType(unsigned int type)
-{
-  constexpr std::array<unsigned int, 17> bytes{ 0, 1, 1, 2, 4, 8, 1, 1, 2, 4, 8, 4, 8, 0, 0, 0, 8 };
-  return type < bytes.size() ? bytes[type] : 0;
-}
-
-struct Entry
-{
-  unsigned int  type{ 0 };
-  std::uint64_t count{ 0 };
-  std::uint64_t offset{ 0 }; ///< of the values in the file
-};
-
-/** One directory, which describes one slice. */
-using Directory = std::map<std::uint16_t, Entry>;
-
-/** \class TiffFile
- * \brief Random access to the numbers of a file, none of which is believed to lie in it before it was read. */
-class TiffFile
-{
-public:
-  explicit TiffFile(const std::filesystem::path & fileName)
-    : m_FileName(fileName)
-    , m_File(OpenRegularFile(fileName))
-    , m_Size(GetDataFileSize(fileName, fileName))
-  {
-    const BinaryHeader start = this->ReadBytes(0, 4);
-    const auto         order = start.Get<std::uint16_t>(0);
-    if (order != 0x4949 && order != 0x4D4D)
-    {
-      this->Refuse("it does not begin as a TIFF file does");
-    }
-    m_BigEndian = order == 0x4D4D;
-    const auto version = this->ReadBytes(0, 4).Get<std::uint16_t>(2);
-    if (version != 42 && version != 43)
-    {
-      this->Refuse("it does not begin as a TIFF file does");
-    }
-    m_IsBig = version == 43;
-  }
-
-  [[noreturn]] void
-  Refuse(const std::string & what) const
-  {
-    RefuseHeader(m_FileName, what);
-  }
-
-  bool
-  IsBigEndian() const
-  {
-    return m_BigEndian;
-  }
-
-  std::uint64_t
-  GetSize() const
-  {
-    return m_Size;
-  }
-
-  /** All directories in the order of their chain. */
-  std::vector<Directory>
-  ReadDirectories()
-  {
-    std::vector<Directory>  directories;
-    std::set<std::uint64_t> offsets;
-    for (std::uint64_t offset = this->ReadOffset(m_IsBig ? 8 : 4); offset != 0;)
-    {
-      if (!offsets.insert(offset).second || offsets.size() > MaximumSlices)
-      {
-        this->Refuse("its directories form a circle, or are more than " + std::to_string(MaximumSlices));
-      }
-      directories.push_back(this->ReadDirectory(offset));
-    }
-    if (directories.empty())
-    {
-      this->Refuse("it has no directory");
-    }
-    return directories;
-  }
-
-  /** Whole numbers of an entry; \a preset when there is none. */
-  std::vector<std::uint64_t>
-  GetNumbers(const Directory & directory, Tag tag, const std::vector<std::uint64_t> & preset)
-  {
-    const auto found = directory.find(tag);
-    if (found == directory.end())
-    {
-      return preset;
-    }
-    const Entry &              entry = found->second;
-    const unsigned int         bytes = GetBytesOfType(entry.type);
-    const BinaryHeader         values = this->ReadValues(entry, bytes);
-    std::vector<std::uint64_t> numbers;
-    for (std::uint64_t i = 0; i < entry.count; ++i)
-    {
-      const std::uint64_t at = i * bytes;
-      numbers.push_back(bytes == 1   ? values.Get<std::uint8_t>(at)
-                        : bytes == 2 ? values.Get<std::uint16_t>(at)
-                        : bytes == 4 ? values.Get<std::uint32_t>(at)
-                                     : values.Get<std::uint64_t>(at));
-    }
-    return numbers;
-  }
-
-  /** The only whole number of an entry. */
-  std::uint64_t
-  GetNumber(const Directory & directory, Tag tag, std::optional<std::uint64_t> preset = std::nullopt)
-  {
-    const auto numbers =
-      this->GetNumbers(directory, tag, preset ? std::vector<std::uint64_t>{ *preset } : std::vector<std::uint64_t>{});
-    if (numbers.size() != 1)
-    {
-      this->Refuse("its tag " + std::to_string(tag) + " has " + std::to_string(numbers.size()) + " values, not 1");
-    }
-    return numbers.front();
-  }
-
-  /** A ratio of whole numbers, as a number of single precision as other readers have it; 1 when there is none. */
-  double
-  GetRatio(const Directory & directory, Tag tag)
-  {
-    constexpr unsigned int rational = 5;
-    const auto             found = directory.find(tag);
-    if (found == directory.end() || found->second.type != rational || found->second.count != 1)
-    {
-      return 1.0;
-    }
-    const BinaryHeader values = this->ReadValues(found->second, 8);
-    const auto         denominator = values.Get<std::uint32_t>(4);
-    return denominator == 0
-             ? 0.0
-             : static_cast<double>(static_cast<float>(static_cast<double>(values.Get<std::uint32_t>(0)) / denominator));
-  }
-
-  std::string
-  GetText(const Directory & directory, Tag tag)
-  {
-    const auto found = directory.find(tag);
-    if (found == directory.end() || GetBytesOfType(found->second.type) != 1)
-    {
-      return {};
-    }
-    const BinaryHeader values = this->ReadValues(found->second, 1);
-    std::string        text;
-    for (std::uint64_t i = 0; i < found->second.count; ++i)
-    {
-      text += static_cast<char>(values.Get<std::uint8_t>(i));
-    }
-    return text;
-  }
-
-private:
-  BinaryHeader
-  ReadBytes(std::uint64_t offset, std::uint64_t count)
-  {
-    if (offset > m_Size || m_Size - offset < count)
-    {
-      this->Refuse("it has " + std::to_string(m_Size) + " bytes and refers to what would lie behind them");
-    }
-    std::vector<unsigned char> bytes(count);
-    m_File.seekg(static_cast<std::streamoff>(offset));
-    m_File.read(reinterpret_cast<char *>(bytes.data()), static_cast<std::streamsize>(count));
-    if (!m_File.good())
-    {
-      this->Refuse("it ends early or cannot be read");
-    }
-    return { std::move(bytes), m_BigEndian };
-  }
-
-  std::uint64_t
-  ReadOffset(std::uint64_t offset)
-  {
-    return m_IsBig ? this->ReadBytes(offset, 8).Get<std::uint64_t>(0)
-                   : this->ReadBytes(offset, 4).Get<std::uint32_t>(0);
-  }
-
-  /** Reads the directory at an offset, which becomes that of the next one. */
-  Directory
-  ReadDirectory(std::uint64_t & offset)
-  {
-    const std::uint64_t bytesOfCount = m_IsBig ? 8 : 2;
-    const std::uint64_t bytesOfEntry = m_IsBig ? 20 : 12;
-    const BinaryHeader  head = this->ReadBytes(offset, bytesOfCount);
-    const std::uint64_t count = m_IsBig ? head.Get<std::uint64_t>(0) : head.Get<std::uint16_t>(0);
-    if (count > MaximumEntries)
-    {
-      this->Refuse("a directory has " + std::to_string(count) + " entries");
-    }
-    const std::uint64_t begin = offset + bytesOfCount;
-    const BinaryHeader  bytes = this->ReadBytes(begin, count * bytesOfEntry);
-    Directory           directory;
-    for (std::uint64_t at = 0; at < count * bytesOfEntry; at += bytesOfEntry)
-    {
-      Entry entry;
-      entry.type = bytes.Get<std::uint16_t>(at + 2);
-      entry.count = m_IsBig ? bytes.Get<std::uint64_t>(at + 4) : bytes.Get<std::uint32_t>(at + 4);
-      const std::uint64_t field = m_IsBig ? 12 : 8;
-      const std::uint64_t room = m_IsBig ? 8 : 4;
-      const bool          isInline = entry.count <= room && entry.count * GetBytesOfType(entry.type) <= room;
-      entry.offset = isInline  ? begin + at + field
-                     : m_IsBig ? bytes.Get<std::uint64_t>(at + field)
-                               : bytes.Get<std::uint32_t>(at + field);
-      directory.emplace(bytes.Get<std::uint16_t>(at), entry);
-    }
-    offset = this->ReadOffset(begin + count * bytesOfEntry);
-    return directory;
-  }
-
-  BinaryHeader
-  ReadValues(const Entry & entry, unsigned int bytesPerValue)
-  {
-    if (bytesPerValue == 0 || entry.count > m_Size / bytesPerValue)
-    {
-      this->Refuse("a tag has " + std::to_string(entry.count) + " values of the type " + std::to_string(entry.type));
-    }
-    return this->ReadBytes(entry.offset, entry.count * bytesPerValue);
-  }
-
-  std::filesystem::path m_FileName;
-  std::ifstream         m_File;
-  std::uint64_t         m_Size;
-  bool                  m_BigEndian{ false };
-  bool                  m_IsBig{ false };
-};
 
 /** \class StackReader
  * \brief Puts the directories of a file together. */
@@ -287,9 +32,9 @@ public:
   TiffStack
   Read()
   {
-    const std::vector<Directory> directories = m_File.ReadDirectories();
+    const std::vector<TiffDirectory> directories = m_File.ReadDirectories();
     this->ReadFormat(directories.front());
-    for (const Directory & directory : directories)
+    for (const TiffDirectory & directory : directories)
     {
       this->CheckVariant(directory);
       this->AddStrips(directory);
@@ -322,7 +67,7 @@ private:
   };
 
   Format
-  GetFormat(const Directory & directory)
+  GetFormat(const TiffDirectory & directory)
   {
     return { m_File.GetNumber(directory, ImageWidth),       m_File.GetNumber(directory, ImageLength),
              m_File.GetNumber(directory, BitsPerSample, 1), m_File.GetNumber(directory, SampleFormat, 1),
@@ -330,7 +75,7 @@ private:
   }
 
   void
-  ReadFormat(const Directory & directory)
+  ReadFormat(const TiffDirectory & directory)
   {
     this->CheckVariant(directory);
     m_Format = this->GetFormat(directory);
@@ -388,7 +133,7 @@ private:
   }
 
   void
-  ReadSpacing(const Directory & directory)
+  ReadSpacing(const TiffDirectory & directory)
   {
     constexpr std::uint64_t inch = 2;
     constexpr std::uint64_t centimeter = 3;
@@ -404,9 +149,9 @@ private:
   }
 
   void
-  CheckVariant(const Directory & directory)
+  CheckVariant(const TiffDirectory & directory)
   {
-    const auto require = [&](Tag tag, std::uint64_t value, const char * what) {
+    const auto require = [&](TiffTag tag, std::uint64_t value, const char * what) {
       const std::uint64_t found = m_File.GetNumber(directory, tag, value);
       if (found != value)
       {
@@ -428,7 +173,7 @@ private:
   }
 
   void
-  AddStrips(const Directory & directory)
+  AddStrips(const TiffDirectory & directory)
   {
     if (!(this->GetFormat(directory) == m_Format))
     {
@@ -462,7 +207,7 @@ private:
                     " bytes of voxels should lie at " + std::to_string(strip.offset));
     }
     const bool isPlain = m_Stack.compression == TiffCompression::None;
-    if (strip.bytes / (isPlain ? 1 : MaximumRatio) > strip.packedBytes)
+    if (strip.bytes > strip.packedBytes * (isPlain ? 1 : MaximumRatio))
     {
       m_File.Refuse("a strip of " + std::to_string(strip.packedBytes) + " bytes cannot hold " +
                     std::to_string(strip.bytes) + " bytes of voxels");
@@ -472,7 +217,7 @@ private:
 
   /** ImageJ lists only the first slice of large stacks and tells the number of those that follow it. */
   void
-  AddUnlistedSlices(const Directory & directory)
+  AddUnlistedSlices(const TiffDirectory & directory)
   {
     constexpr std::string_view field = "\nimages=";
     const std::string          text = m_File.GetText(directory, ImageDescription);
@@ -483,7 +228,7 @@ private:
     }
     const size_t end = text.find('\n', begin + field.size());
     const auto   images = ParseInteger(text.substr(begin + field.size(), end - begin - field.size()));
-    if (!images || *images < 1 || static_cast<std::uint64_t>(*images) > MaximumSlices)
+    if (!images || *images < 1 || static_cast<std::uint64_t>(*images) > MaximumTiffSlices)
     {
       m_File.Refuse("its description has no valid number of images");
     }
