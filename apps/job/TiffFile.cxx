@@ -3,7 +3,6 @@
 #include "TiffFile.h"
 
 #include <array>
-#include <set>
 #include <utility>
 
 namespace medialvoxel
@@ -49,24 +48,28 @@ TiffFile::Refuse(const std::string & what) const
   RefuseHeader(m_FileName, what);
 }
 
-std::vector<TiffDirectory>
-TiffFile::ReadDirectories()
+bool
+TiffFile::ReadNextDirectory(TiffDirectory & directory)
 {
-  std::vector<TiffDirectory> directories;
-  std::set<std::uint64_t>    offsets;
-  for (std::uint64_t offset = this->ReadOffset(m_IsBig ? 8 : 4); offset != 0;)
+  const bool isFirst = m_DirectoryOffsets.empty();
+  if (isFirst)
   {
-    if (!offsets.insert(offset).second || offsets.size() > MaximumTiffSlices)
-    {
-      this->Refuse("its directories form a circle, or are more than " + std::to_string(MaximumTiffSlices));
-    }
-    directories.push_back(this->ReadDirectory(offset));
+    m_NextDirectory = this->ReadOffset(m_IsBig ? 8 : 4);
   }
-  if (directories.empty())
+  if (m_NextDirectory == 0 && !isFirst)
+  {
+    return false;
+  }
+  if (!m_DirectoryOffsets.insert(m_NextDirectory).second || m_DirectoryOffsets.size() > MaximumTiffSlices)
+  {
+    this->Refuse("its directories form a circle, or are more than " + std::to_string(MaximumTiffSlices));
+  }
+  if (m_NextDirectory == 0)
   {
     this->Refuse("it has no directory");
   }
-  return directories;
+  directory = this->ReadDirectory(m_NextDirectory);
+  return true;
 }
 
 std::vector<std::uint64_t>

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -78,9 +79,10 @@ public:
     return m_Size;
   }
 
-  /** All directories in the order of their chain, at least one. */
-  std::vector<TiffDirectory>
-  ReadDirectories();
+  /** The next directory of the chain, of which there is at least one; false after the last. Only one of them is kept,
+   * as there may be as many as slices. */
+  bool
+  ReadNextDirectory(TiffDirectory & directory);
 
   /** Whole numbers of an entry; \a preset when there is none. */
   std::vector<std::uint64_t>
@@ -112,11 +114,13 @@ private:
   BinaryHeader
   ReadValues(const TiffEntry & entry, unsigned int bytesPerValue);
 
-  std::filesystem::path m_FileName;
-  std::ifstream         m_File;
-  std::uint64_t         m_Size;
-  bool                  m_BigEndian{ false };
-  bool                  m_IsBig{ false };
+  std::filesystem::path   m_FileName;
+  std::ifstream           m_File;
+  std::uint64_t           m_Size;
+  bool                    m_BigEndian{ false };
+  bool                    m_IsBig{ false };
+  std::uint64_t           m_NextDirectory{ 0 };
+  std::set<std::uint64_t> m_DirectoryOffsets;
 };
 
 } // end namespace medialvoxel

@@ -29,7 +29,7 @@ LocateVoxels(const TiffStack & stack)
   return segments;
 }
 
-/** The largest strip, packed and unpacked. */
+/** The largest strip, packed and unpacked, and the table of all strips. */
 std::uint64_t
 GetUnpackBytes(const TiffStack & stack)
 {
@@ -38,7 +38,7 @@ GetUnpackBytes(const TiffStack & stack)
   {
     bytes = std::max(bytes, strip.packedBytes + strip.bytes);
   }
-  return bytes;
+  return bytes + stack.strips.size() * sizeof(TiffStrip);
 }
 
 } // namespace

@@ -32,17 +32,19 @@ public:
   TiffStack
   Read()
   {
-    const std::vector<TiffDirectory> directories = m_File.ReadDirectories();
-    this->ReadFormat(directories.front());
-    for (const TiffDirectory & directory : directories)
+    TiffDirectory directory;
+    while (m_File.ReadNextDirectory(directory))
     {
       this->CheckVariant(directory);
+      if (m_Stack.numberOfSlices++ == 0)
+      {
+        this->ReadFormat(directory);
+      }
       this->AddStrips(directory);
     }
-    m_Stack.numberOfSlices = directories.size();
-    if (directories.size() == 1)
+    if (m_Stack.numberOfSlices == 1)
     {
-      this->AddUnlistedSlices(directories.front());
+      this->AddUnlistedSlices(directory);
     }
     return std::move(m_Stack);
   }
@@ -77,7 +79,6 @@ private:
   void
   ReadFormat(const TiffDirectory & directory)
   {
-    this->CheckVariant(directory);
     m_Format = this->GetFormat(directory);
     m_Stack.width = m_Format.width;
     m_Stack.height = m_Format.height;

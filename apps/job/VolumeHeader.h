@@ -80,7 +80,7 @@ struct VolumeHeader
   std::vector<itk::MedialVoxelFileSegment> segments;
   std::optional<ValueScale>                scale; ///< of the numbers in the file; none: they are the values
 
-  /** Memory that unpacking takes beside the bits and a few MiB: the largest piece that is packed by itself. */
+  /** Memory that unpacking takes beside the bits and a few MiB: the largest strip of a TIFF. */
   std::uint64_t unpackBytes{ 0 };
 
   std::uint64_t
