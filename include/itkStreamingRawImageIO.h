@@ -5,9 +5,11 @@
 
 #include "MedialVoxelExport.h"
 
+#include "itkMedialVoxelFileRegion.h"
 #include "itkStreamingImageIOBase.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace itk
 {
@@ -20,7 +22,8 @@ namespace itk
  * wide. Before use set the number of dimensions, the dimensions, the component type and, where they differ from the
  * defaults, the number of components, HeaderSize, the byte order (default: that of the machine), spacing, origin and
  * direction. Such a file has no signature: CanReadFile() is false for all files, and the object has to be handed to
- * the reader with ImageFileReader::SetImageIO().
+ * the reader with ImageFileReader::SetImageIO(). Voxels that lie in several places, or in several files, are described
+ * by SetSegments().
  *
  * Errors are exceptions: a file that is missing or unreadable, a description without component type or with an empty
  * or overflowing size, a file whose size does not fit the description, data that end early. Writing is not offered.
@@ -58,7 +61,13 @@ public:
   itkGetConstMacro(RefuseTrailingBytes, bool);
   itkBooleanMacro(RefuseTrailingBytes);
 
-  /** Bytes of voxels read since construction. */
+  /** Where the voxels lie when they do not follow each other in the file: stretches of bytes which make up the volume
+   * one after the other. They take the place of file name and HeaderSize, and bytes beside them are not refused.
+   * Default: none. */
+  void
+  SetSegments(const std::vector<MedialVoxelFileSegment> & segments);
+
+  /** Bytes of voxels handed out since construction; those of holes in the file count. */
   itkGetConstMacro(NumberOfBytesRead, std::uint64_t);
 
   bool
@@ -94,9 +103,16 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
 private:
-  SizeType      m_HeaderSize{ 0 };
-  bool          m_RefuseTrailingBytes{ true };
-  std::uint64_t m_NumberOfBytesRead{ 0 };
+  void
+  CheckFile(SizeType dataSize) const;
+
+  void
+  CheckSegments(SizeType dataSize) const;
+
+  SizeType                            m_HeaderSize{ 0 };
+  bool                                m_RefuseTrailingBytes{ true };
+  std::uint64_t                       m_NumberOfBytesRead{ 0 };
+  std::vector<MedialVoxelFileSegment> m_Segments;
 };
 
 } // end namespace itk

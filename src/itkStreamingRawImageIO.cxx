@@ -13,6 +13,23 @@
 
 namespace itk
 {
+namespace
+{
+
+ImageIOBase::SizeType
+GetFileSize(const std::filesystem::path & fileName)
+{
+  std::ifstream file(fileName, std::ios::binary | std::ios::ate);
+  const auto    size = static_cast<ImageIOBase::SizeType>(file.tellg());
+  if (!file.is_open() || size < 0)
+  {
+    itkGenericExceptionMacro("Cannot open " << fileName.string() << ": " << std::strerror(errno));
+  }
+  return size;
+}
+
+} // namespace
+
 StreamingRawImageIO::StreamingRawImageIO()
 {
   this->SetByteOrder(MachineIsBigEndian() ? IOByteOrderEnum::BigEndian : IOByteOrderEnum::LittleEndian);
@@ -32,6 +49,13 @@ StreamingRawImageIO::SetHeaderSize(SizeType numberOfBytes)
     m_HeaderSize = numberOfBytes;
     this->Modified();
   }
+}
+
+void
+StreamingRawImageIO::SetSegments(const std::vector<MedialVoxelFileSegment> & segments)
+{
+  m_Segments = segments;
+  this->Modified();
 }
 
 bool
@@ -64,12 +88,20 @@ StreamingRawImageIO::ReadImageInformation()
     itkExceptionMacro("The size described for " << m_FileName << " is empty or overflows");
   }
 
-  std::ifstream file(m_FileName, std::ios::binary | std::ios::ate);
-  const auto    fileSize = static_cast<SizeType>(file.tellg());
-  if (!file.is_open() || fileSize < 0)
+  if (m_Segments.empty())
   {
-    itkExceptionMacro("Cannot open " << m_FileName << ": " << std::strerror(errno));
+    this->CheckFile(dataSize);
   }
+  else
+  {
+    this->CheckSegments(dataSize);
+  }
+}
+
+void
+StreamingRawImageIO::CheckFile(SizeType dataSize) const
+{
+  const SizeType fileSize = GetFileSize(m_FileName);
   const SizeType expected = m_HeaderSize + dataSize;
   if (fileSize < expected || (m_RefuseTrailingBytes && fileSize > expected))
   {
@@ -80,13 +112,35 @@ StreamingRawImageIO::ReadImageInformation()
 }
 
 void
+StreamingRawImageIO::CheckSegments(SizeType dataSize) const
+{
+  std::uint64_t sum = 0;
+  for (const MedialVoxelFileSegment & segment : m_Segments)
+  {
+    const auto fileSize = static_cast<std::uint64_t>(GetFileSize(segment.fileName));
+    if (fileSize < segment.offset || fileSize - segment.offset < segment.numberOfBytes)
+    {
+      itkExceptionMacro(<< segment.fileName.string() << " has " << fileSize << " bytes; its description needs "
+                        << segment.numberOfBytes << " after " << segment.offset);
+    }
+    sum += segment.numberOfBytes;
+  }
+  if (sum != static_cast<std::uint64_t>(dataSize))
+  {
+    itkExceptionMacro("The segments of " << m_FileName << " have " << sum << " bytes; its description needs "
+                                         << dataSize);
+  }
+}
+
+void
 StreamingRawImageIO::Read(void * buffer)
 {
-  const MedialVoxelFileRegion region = MakeFileRegion(*this);
-  const std::uint64_t         toTheEnd = std::numeric_limits<SizeType>::max();
+  const MedialVoxelFileRegion  region = MakeFileRegion(*this);
+  const std::uint64_t          toTheEnd = std::numeric_limits<SizeType>::max();
+  const MedialVoxelFileSegment whole{ m_FileName, static_cast<std::uint64_t>(m_HeaderSize), toTheEnd };
   try
   {
-    region.Read({ { m_FileName, static_cast<std::uint64_t>(m_HeaderSize), toTheEnd } }, buffer);
+    region.Read(m_Segments.empty() ? std::vector<MedialVoxelFileSegment>{ whole } : m_Segments, buffer);
   }
   catch (const std::runtime_error & error)
   {
@@ -130,6 +184,7 @@ StreamingRawImageIO::PrintSelf(std::ostream & os, Indent indent) const
   os << indent << "HeaderSize: " << m_HeaderSize << std::endl;
   os << indent << "RefuseTrailingBytes: " << m_RefuseTrailingBytes << std::endl;
   os << indent << "NumberOfBytesRead: " << m_NumberOfBytesRead << std::endl;
+  os << indent << "NumberOfSegments: " << m_Segments.size() << std::endl;
 }
 
 } // end namespace itk

@@ -136,6 +136,37 @@ TEST_F(StreamingRawImageIO, ReadsAnyRegionAndNothingElse)
   }
 }
 
+TEST_F(StreamingRawImageIO, ReadsVoxelsThatLieInSeveralPlaces)
+{
+  constexpr std::uint64_t sliceBytes = SizeX * SizeY * sizeof(std::uint16_t);
+  this->WriteFile(false);
+  const std::string lastSlices = m_FileName + ".last";
+  {
+    std::ifstream whole(m_FileName, std::ios::binary);
+    whole.seekg(HeaderSize + 4 * static_cast<std::streamoff>(sliceBytes));
+    std::ofstream(lastSlices, std::ios::binary) << "four" << whole.rdbuf();
+  }
+  std::vector<itk::MedialVoxelFileSegment> segments{ { m_FileName, HeaderSize, sliceBytes },
+                                                     { m_FileName, HeaderSize + sliceBytes, 3 * sliceBytes },
+                                                     { lastSlices, 4, 2 * sliceBytes } };
+  const auto                               read = [&] {
+    const auto io = this->MakeIO(false);
+    io->SetHeaderSize(0);
+    io->SetSegments(segments);
+    const auto reader = this->MakeReader(io);
+    reader->Update();
+    ExpectRegion(*reader->GetOutput(), reader->GetOutput()->GetLargestPossibleRegion());
+  };
+  read();
+  segments.back().numberOfBytes += 2;
+  EXPECT_THROW(read(), itk::ExceptionObject) << "more than the file has";
+  segments.back().numberOfBytes = sliceBytes;
+  EXPECT_THROW(read(), itk::ExceptionObject) << "fewer than the voxels need";
+  segments.back().numberOfBytes = 2 * sliceBytes;
+  std::remove(lastSlices.c_str());
+  EXPECT_THROW(read(), itk::ExceptionObject) << "missing";
+}
+
 TEST_F(StreamingRawImageIO, HandsOnTheGeometry)
 {
   this->WriteFile(false);

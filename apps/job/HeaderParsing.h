@@ -26,6 +26,10 @@ VolumeHeader
 ReadMetaImageHeader(const std::filesystem::path & fileName);
 VolumeHeader
 ReadNrrdHeader(const std::filesystem::path & fileName);
+VolumeHeader
+ReadNiftiHeader(const std::filesystem::path & fileName);
+VolumeHeader
+ReadTiffHeader(const std::filesystem::path & fileName);
 
 } // end namespace medialvoxel
 

@@ -34,6 +34,7 @@ public:
     m_ImageIO->SetComponentType(itk::ImageIOBase::MapPixelType<typename TImage::PixelType>::CType);
     m_ImageIO->SetHeaderSize(static_cast<itk::ImageIOBase::SizeType>(header.dataOffset));
     m_ImageIO->SetRefuseTrailingBytes(false);
+    m_ImageIO->SetSegments(header.segments);
     m_ImageIO->SetByteOrder(header.bigEndian ? itk::IOByteOrderEnum::BigEndian : itk::IOByteOrderEnum::LittleEndian);
     m_Reader->SetImageIO(m_ImageIO);
     m_Reader->SetFileName(header.dataFile.string());

@@ -3,8 +3,8 @@
 #include "MaskInput.h"
 
 #include "BitImageSource.h"
-#include "InflateReader.h"
 #include "Text.h"
+#include "VoxelStream.h"
 
 #include "itkByteSwapper.h"
 #include "itkMedialVoxelObjectPredicate.h"
@@ -74,6 +74,17 @@ SwapToMachineOrder(std::vector<TPixel> & pixels, bool fileIsBigEndian)
 }
 
 template <typename TPixel>
+std::vector<double>
+ScaleValues(const std::vector<TPixel> & pixels, const ValueScale & scale)
+{
+  std::vector<double> values(pixels.size());
+  std::transform(pixels.begin(), pixels.end(), values.begin(), [&scale](TPixel pixel) {
+    return scale.slope * static_cast<double>(pixel) + scale.intercept;
+  });
+  return values;
+}
+
+template <typename TPixel>
 itk::MedialVoxelObjectPredicate<TPixel>
 MakePredicate(const UnpackSettings & settings)
 {
@@ -107,13 +118,17 @@ public:
   Prepare(const ReadObserver & observer) override
   {
     const auto start = std::chrono::steady_clock::now();
-    DispatchPixelType(m_Header.pixelType, [&](auto zero) { this->Unpack<decltype(zero)>(observer); });
+    DispatchPixelType(m_Header.pixelType, [&](auto zero) {
+      using PixelType = decltype(zero);
+      m_Header.scale ? this->Unpack<PixelType, true>(observer) : this->Unpack<PixelType, false>(observer);
+    });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     this->m_ReadSeconds += seconds;
-    return m_Header.fileName.string() + " is compressed and was unpacked once: " + FormatBytes(m_BytesRead) +
-           " read, " + FormatBytes(GetBitStoreBytes(m_Header.geometry.GetNumberOfVoxels())) + " of mask " +
-           (m_Settings.scratchFolder.empty() ? "in memory" : "in " + m_Settings.scratchFolder.string()) + ", " +
-           FormatSeconds(seconds);
+    return m_Header.fileName.string() +
+           (m_Header.compressed ? " is compressed and was unpacked once: " : " has scaled values and was read once: ") +
+           FormatBytes(m_BytesRead) + " read, " + FormatBytes(GetBitStoreBytes(m_Header.geometry.GetNumberOfVoxels())) +
+           " of mask " + (m_Settings.scratchFolder.empty() ? "in memory" : "in " + m_Settings.scratchFolder.string()) +
+           ", " + FormatSeconds(seconds);
   }
 
   bool
@@ -147,33 +162,49 @@ public:
   }
 
 private:
-  template <typename TPixel>
+  template <typename TPixel, bool VIsScaled>
   void
   Unpack(const ReadObserver & observer)
   {
-    const auto                      predicate = MakePredicate<TPixel>(m_Settings);
-    const std::uint64_t             numberOfVoxels = m_Header.geometry.GetNumberOfVoxels();
-    std::vector<TPixel>             pixels;
-    std::vector<BitStore::WordType> words;
-    InflateReader                   reader(m_Header.dataFile, m_Header.dataOffset);
-    reader.Skip(m_Header.skipAfterInflation);
+    using ValueType = std::conditional_t<VIsScaled, double, TPixel>;
+    const auto                         predicate = MakePredicate<ValueType>(m_Settings);
+    const std::uint64_t                numberOfVoxels = m_Header.geometry.GetNumberOfVoxels();
+    std::vector<TPixel>                pixels;
+    std::vector<BitStore::WordType>    words;
+    const std::unique_ptr<VoxelStream> stream = OpenVoxelStream(m_Header);
     for (std::uint64_t voxel = 0; voxel < numberOfVoxels; voxel += VoxelsPerChunk)
     {
       observer(static_cast<double>(voxel) / static_cast<double>(numberOfVoxels));
       pixels.resize(std::min(VoxelsPerChunk, numberOfVoxels - voxel));
-      reader.Read(pixels.data(), pixels.size() * sizeof(TPixel));
+      stream->Read(pixels.data(), pixels.size() * sizeof(TPixel));
       SwapToMachineOrder(pixels, m_Header.bigEndian);
       words.assign(GetBitStoreBytes(pixels.size()) / sizeof(BitStore::WordType), 0);
-      itk::MedialVoxelPackRow(pixels.data(), 0, static_cast<std::int64_t>(pixels.size()), predicate, words.data());
-      m_Bits->Append(words);
-      if constexpr (std::is_floating_point<TPixel>::value)
+      if constexpr (VIsScaled)
       {
-        m_NotANumberVoxels += static_cast<std::uint64_t>(
-          std::count_if(pixels.begin(), pixels.end(), [](TPixel value) { return value != value; }));
+        this->Pack(ScaleValues(pixels, *m_Header.scale), predicate, words);
       }
+      else
+      {
+        this->Pack(pixels, predicate, words);
+      }
+      m_Bits->Append(words);
     }
-    reader.CheckEnd();
-    m_BytesRead = reader.GetNumberOfBytesRead();
+    stream->CheckEnd();
+    m_BytesRead = stream->GetNumberOfBytesRead();
+  }
+
+  template <typename TValue>
+  void
+  Pack(const std::vector<TValue> &                     values,
+       const itk::MedialVoxelObjectPredicate<TValue> & predicate,
+       std::vector<BitStore::WordType> &               words)
+  {
+    itk::MedialVoxelPackRow(values.data(), 0, static_cast<std::int64_t>(values.size()), predicate, words.data());
+    if constexpr (std::is_floating_point<TValue>::value)
+    {
+      m_NotANumberVoxels += static_cast<std::uint64_t>(
+        std::count_if(values.begin(), values.end(), [](TValue value) { return value != value; }));
+    }
   }
 
   VolumeHeader                                 m_Header;

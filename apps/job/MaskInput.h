@@ -18,8 +18,8 @@ struct UnpackSettings
   std::filesystem::path scratchFolder; ///< empty: bits are kept in memory
 };
 
-/** Opens a compressed volume; InputVolume::Prepare() will unpack it once from front to back into one bit per voxel,
- * which is set where the voxel is object. Its image has the values 0 and 1.
+/** Opens a volume that does not stream; InputVolume::Prepare() will unpack it once from front to back into one bit per
+ * voxel, which is set where the voxel is object. Its image has the values 0 and 1.
  * \throw JobError Refused when there is no space in the scratch folder. */
 std::unique_ptr<InputVolume>
 OpenMaskInput(const VolumeHeader & header, const UnpackSettings & settings);

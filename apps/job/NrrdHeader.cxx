@@ -14,8 +14,8 @@ LocateVoxels(VolumeHeader & header, const itk::MedialVoxelNrrdHeader & nrrd)
 {
   if (!header.compressed)
   {
-    const itk::MedialVoxelFileSegment segment = LocateMedialVoxelNrrdVoxels(nrrd).front();
-    header.dataOffset = segment.offset;
+    header.segments = LocateMedialVoxelNrrdVoxels(nrrd);
+    header.dataOffset = header.segments.front().offset;
     return;
   }
   if (nrrd.byteSkip < 0)
@@ -43,10 +43,11 @@ ReadNrrdHeader(const std::filesystem::path & fileName)
   {
     RefuseHeader(fileName, "encoding is '" + nrrd.encoding + "'; only raw and gzip are read");
   }
-  if (nrrd.dataFiles.size() > 1)
+  if (nrrd.dataFiles.size() > 1 && nrrd.encoding != "raw")
   {
     RefuseHeader(fileName,
-                 "data file is '" + nrrd.fields.at("datafile") + "'; voxels spread over several files are not read");
+                 "data file is '" + nrrd.fields.at("datafile") +
+                   "'; voxels spread over several files are read only with raw encoding, not with " + nrrd.encoding);
   }
 
   VolumeHeader header;

@@ -4,6 +4,8 @@
 
 #include "OutputVolume.h"
 
+#include <set>
+
 namespace medialvoxel
 {
 namespace
@@ -28,10 +30,23 @@ AreSameFile(const std::filesystem::path & a, const std::filesystem::path & b)
   return GetPlace(a) == GetPlace(b);
 }
 
+/** Every file that the volume is read from. */
+std::set<std::filesystem::path>
+ListInputFiles(const VolumeHeader & input)
+{
+  std::set<std::filesystem::path> files{ input.fileName, input.dataFile };
+  for (const itk::MedialVoxelFileSegment & segment : input.segments)
+  {
+    files.insert(segment.fileName);
+  }
+  return files;
+}
+
 void
 RefuseInput(const OutputRequest & output, const VolumeHeader & input)
 {
-  for (const std::filesystem::path & inputFile : { input.fileName, input.dataFile })
+  const std::filesystem::path dataFile = FindDataFile(output.fileName);
+  for (const std::filesystem::path & inputFile : ListInputFiles(input))
   {
     if (AreSameFile(output.fileName, inputFile))
     {
@@ -42,7 +57,6 @@ RefuseInput(const OutputRequest & output, const VolumeHeader & input)
            " would replace the input ",
            inputFile.string());
     }
-    const std::filesystem::path dataFile = FindDataFile(output.fileName);
     if (!dataFile.empty() && AreSameFile(dataFile, inputFile))
     {
       Fail(ExitStatus::Usage, output.fileName.string(), ": its data file is the input ", inputFile.string());

@@ -93,8 +93,8 @@ MakeDistanceRunnerFor(InputVolume & input,
                       const DistanceSettings &,
                       const PieceObserver &);
 
-/** Opens a volume that ReadVolumeHeader() has checked. A compressed one becomes a mask of the object that the options
- * describe, in memory or, when a scratch folder is given, in a file there.
+/** Opens a volume that ReadVolumeHeader() has checked. One that does not stream becomes a mask of the object that the
+ * options describe, in memory or, when a scratch folder is given, in a file there.
  * \throw JobError Refused when the scratch folder has no space. */
 std::unique_ptr<InputVolume>
 OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder);

@@ -133,9 +133,7 @@ DescribeHeader(const VolumeHeader & header)
   {
     table.emplace_back("data file", header.dataFile.string());
   }
-  table.emplace_back("reading",
-                     header.CanStream() ? "streams: parts are read as they are needed"
-                                        : "does not stream: it is compressed and unpacked once to one bit per voxel");
+  table.emplace_back("reading", header.DescribeReading());
   return table;
 }
 

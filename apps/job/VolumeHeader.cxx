@@ -9,9 +9,11 @@
 #include <vnl/vnl_matrix_fixed.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -79,6 +81,10 @@ CheckGeometry(const VolumeHeader & header)
 void
 CheckDataSize(const VolumeHeader & header)
 {
+  if (!header.segments.empty())
+  {
+    return; // each was compared with its file when it was located
+  }
   const std::uint64_t voxelBytes = header.GetVoxelBytes();
   const std::uint64_t available = header.dataFileSize < header.dataOffset ? 0 : header.dataFileSize - header.dataOffset;
   const bool          exact = header.format == "raw";
@@ -102,6 +108,40 @@ CheckDataSize(const VolumeHeader & header)
        header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
 }
 
+using HeaderReader = VolumeHeader (*)(const std::filesystem::path &);
+
+constexpr std::array<std::pair<const char *, HeaderReader>, 8> HeaderReaders{ { { ".mha", ReadMetaImageHeader },
+                                                                                { ".mhd", ReadMetaImageHeader },
+                                                                                { ".nrrd", ReadNrrdHeader },
+                                                                                { ".nhdr", ReadNrrdHeader },
+                                                                                { ".nii", ReadNiftiHeader },
+                                                                                { ".nii.gz", ReadNiftiHeader },
+                                                                                { ".tif", ReadTiffHeader },
+                                                                                { ".tiff", ReadTiffHeader } } };
+
+HeaderReader
+FindHeaderReader(const std::filesystem::path & fileName)
+{
+  const std::string name = ToLower(fileName.filename().string());
+  std::string       known;
+  for (const auto & [extension, reader] : HeaderReaders)
+  {
+    const std::string end = extension;
+    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
+    {
+      return reader;
+    }
+    known += (known.empty() ? "" : ", ") + end;
+  }
+  Fail(ExitStatus::Usage,
+       fileName.string(),
+       ": unknown format '",
+       ToLower(fileName.extension().string()),
+       "'; ",
+       known,
+       " are read, and headerless files with --raw-size and --raw-type");
+}
+
 } // namespace
 
 std::uint64_t
@@ -120,32 +160,22 @@ VolumeGeometry::SetIdentityDirection()
   }
 }
 
+std::string
+VolumeHeader::DescribeReading() const
+{
+  if (this->CanStream())
+  {
+    return "streams: parts are read as they are needed";
+  }
+  return compressed ? "does not stream: it is compressed and unpacked once to one bit per voxel"
+                    : "does not stream: its values are scaled, and it is read once to one bit per voxel";
+}
+
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<RawDescription> & raw)
 try
 {
-  const std::string extension = ToLower(fileName.extension().string());
-  VolumeHeader      header;
-  if (raw)
-  {
-    header = DescribeRawVolume(fileName, *raw);
-  }
-  else if (extension == ".mha" || extension == ".mhd")
-  {
-    header = ReadMetaImageHeader(fileName);
-  }
-  else if (extension == ".nrrd" || extension == ".nhdr")
-  {
-    header = ReadNrrdHeader(fileName);
-  }
-  else
-  {
-    Fail(ExitStatus::Usage,
-         fileName.string(),
-         ": unknown format '",
-         extension,
-         "'; .mha, .mhd, .nrrd and .nhdr are read, and headerless files with --raw-size and --raw-type");
-  }
+  VolumeHeader header = raw ? DescribeRawVolume(fileName, *raw) : FindHeaderReader(fileName)(fileName);
   CheckDataSize(header);
   CheckGeometry(header);
   return header;

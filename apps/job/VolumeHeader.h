@@ -5,6 +5,8 @@
 
 #include "PixelType.h"
 
+#include "itkMedialVoxelFileRegion.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -53,6 +55,13 @@ struct RawDescription
   bool                       bigEndian{ false };
 };
 
+/** What makes the values of a volume from the numbers in its file: slope * number + intercept. */
+struct ValueScale
+{
+  double slope{ 1.0 };
+  double intercept{ 0.0 };
+};
+
 /** Everything there is to know about a volume before its voxels are read. */
 struct VolumeHeader
 {
@@ -61,11 +70,18 @@ struct VolumeHeader
   VolumeGeometry        geometry;
   PixelType             pixelType{ PixelType::UInt8 };
   bool                  bigEndian{ false };
-  std::filesystem::path dataFile; ///< the same as fileName unless the voxels are in a file of their own
+  std::filesystem::path dataFile; ///< the same as fileName unless the voxels are in a file, or files, of their own
   std::uint64_t         dataFileSize{ 0 };
   std::uint64_t         dataOffset{ 0 }; ///< bytes of the data file before the voxels or before the compressed stream
   bool                  compressed{ false };
   std::uint64_t         skipAfterInflation{ 0 }; ///< unpacked bytes before the voxels
+
+  /** Of uncompressed voxels that lie in several places or files, one after the other; empty: they lie in one place. */
+  std::vector<itk::MedialVoxelFileSegment> segments;
+  std::optional<ValueScale>                scale; ///< of the numbers in the file; none: they are the values
+
+  /** Memory that unpacking takes beside the bits and a few MiB: the largest strip of a TIFF. */
+  std::uint64_t unpackBytes{ 0 };
 
   std::uint64_t
   GetVoxelBytes() const
@@ -73,16 +89,21 @@ struct VolumeHeader
     return geometry.GetNumberOfVoxels() * GetTraits(pixelType).bytes;
   }
 
-  /** True when a part of the volume can be read by itself. */
+  /** True when a part of the volume can be read by itself. Others are read once from front to back in bounded memory,
+   * into one bit per voxel. */
   bool
   CanStream() const
   {
-    return !compressed;
+    return !compressed && !scale;
   }
+
+  /** Why and how the volume is read as it is, in words. */
+  std::string
+  DescribeReading() const;
 };
 
-/** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr) or, with a description,
- * a headerless file.
+/** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), TIFF
+ * (.tif, .tiff) or, with a description, a headerless file.
  *
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
  * ones: may be), and spacings are positive and finite.

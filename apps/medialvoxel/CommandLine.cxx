@@ -212,7 +212,9 @@ DefineExtract(CommandLine & line)
   CLI::App &       app = *line.extract;
   ExtractOptions & options = line.extractOptions;
   using Bound = itk::MedialVoxelPseudoGeodesicBound;
-  app.add_option("INPUT", options.input, "Volume: .mha, .mhd, .nrrd, .nhdr or headerless")->required()->type_name("");
+  app.add_option("INPUT", options.input, "Volume: .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, .tif or headerless")
+    ->required()
+    ->type_name("");
   app.add_option("OUTPUT", options.output, "Labels of the dual cells: .mha, .mhd, .nrrd or .nhdr")
     ->required()
     ->type_name("");
@@ -258,7 +260,9 @@ DefineDistance(CommandLine & line)
   CLI::App &        app = *line.distance;
   DistanceOptions & options = line.distanceOptions;
   using Region = itk::MedialVoxelRegion;
-  app.add_option("INPUT", options.input, "Volume: .mha, .mhd, .nrrd, .nhdr or headerless")->required()->type_name("");
+  app.add_option("INPUT", options.input, "Volume: .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, .tif or headerless")
+    ->required()
+    ->type_name("");
   app.add_option("VECTORS", options.output, "Vectors to the nearest boundary voxel: .mha, .mhd, .nrrd or .nhdr")
     ->required()
     ->type_name("");
@@ -294,7 +298,8 @@ DefineDistance(CommandLine & line)
 void
 DefineInfo(CommandLine & line)
 {
-  line.info->add_option("INPUT", line.infoOptions.input, "Volume: .mha, .mhd, .nrrd, .nhdr or headerless")
+  line.info
+    ->add_option("INPUT", line.infoOptions.input, "Volume: .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, .tif or headerless")
     ->required()
     ->type_name("");
   AddRawOptions(*line.info, line.infoOptions);

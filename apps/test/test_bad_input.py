@@ -179,8 +179,8 @@ class BadInputTest(ProgramTestCase):
             self.assert_refused("in.nrrd", [encoding, "raw and gzip"])
         (self.folder / "in.mhd").write_bytes(volumes.meta_header(self.volume, "LIST"))
         self.assert_refused("in.mhd", ["LIST", "several files"])
-        (self.folder / "in.nhdr").write_bytes(volumes.nrrd_header(self.volume, "slice%03d.img 1 16 1"))
-        self.assert_refused("in.nhdr", ["slice%03d", "several files"])
+        (self.folder / "in.nhdr").write_bytes(volumes.nrrd_header(self.volume, "slice%03d.img 1 16 1", encoding="gzip"))
+        self.assert_refused("in.nhdr", ["slice%03d", "several files", "gzip"])
 
     def test_missing_fields(self):
         for field in ("NDims", "DimSize", "ElementType"):

@@ -5,6 +5,7 @@
 import array
 import itertools
 import pathlib
+import struct
 import zlib
 
 # Name of the program: array code, MetaImage type, NRRD type.
@@ -171,3 +172,201 @@ def read_floats(path):
     values = array.array("f")
     values.frombytes(read_data(path))
     return values
+
+
+NIFTI_TYPES = {
+    "uint8": 2,
+    "int16": 4,
+    "int32": 8,
+    "float32": 16,
+    "float64": 64,
+    "int8": 256,
+    "uint16": 512,
+    "uint32": 768,
+    "int64": 1024,
+    "uint64": 1280,
+}
+
+# Of the fields that are not 0 in every header: offset and struct code.
+NIFTI_FIELDS = {
+    "sizeof_hdr": (0, "i"),
+    "dim": (40, "8h"),
+    "datatype": (70, "h"),
+    "bitpix": (72, "h"),
+    "pixdim": (76, "8f"),
+    "vox_offset": (108, "f"),
+    "scl_slope": (112, "f"),
+    "scl_inter": (116, "f"),
+    "xyzt_units": (123, "B"),
+    "qform_code": (252, "h"),
+    "sform_code": (254, "h"),
+    "quatern": (256, "3f"),
+    "qoffset": (268, "3f"),
+    "srow": (280, "12f"),
+    "magic": (344, "4s"),
+}
+
+
+def nifti_header(volume, big_endian=False, **changes):
+    """Header of a NIfTI-1 file; changes replace fields."""
+    dimension = len(volume.size)
+    fields = {
+        "sizeof_hdr": 348,
+        "dim": (dimension, *volume.size, *[1] * (7 - dimension)),
+        "datatype": NIFTI_TYPES[volume.kind],
+        "bitpix": 8 * array.array(TYPES[volume.kind][0]).itemsize,
+        "pixdim": (1, *volume.spacing, *[1] * (7 - dimension)),
+        "vox_offset": 352,
+        "xyzt_units": 2,
+        "magic": b"n+1\0",
+    }
+    fields.update(changes)
+    header = bytearray(352)
+    for name, value in fields.items():
+        offset, code = NIFTI_FIELDS[name]
+        values = value if isinstance(value, (tuple, list)) else (value,)
+        struct.pack_into((">" if big_endian else "<") + code, header, offset, *values)
+    return bytes(header)
+
+
+def write_nifti(path, volume, big_endian=False, **changes):
+    path = pathlib.Path(path)
+    content = nifti_header(volume, big_endian, **changes) + volume.data(big_endian)
+    path.write_bytes(gzip(content) if path.suffix.lower() == ".gz" else content)
+    return path
+
+
+def lzw(data):
+    """Packs as TIFF does: codes of 9 to 12 bits, the highest bit first, cleared before they need more."""
+    codes = []
+    table, following, prefix = {}, 258, b""
+
+    def reset():
+        nonlocal table, following
+        codes.append((256, following.bit_length()))
+        table, following = {bytes([i]): i for i in range(256)}, 258
+
+    reset()
+    for value in data:
+        text = prefix + bytes([value])
+        if text in table:
+            prefix = text
+            continue
+        codes.append((table[prefix], following.bit_length()))
+        table[text] = following
+        following += 1
+        prefix = bytes([value])
+        if following == 4094:
+            reset()
+    codes.append((table[prefix], following.bit_length()))
+    codes.append((257, (following + 1).bit_length()))
+    bits = "".join(format(code, f"0{width}b") for code, width in codes)
+    bits += "0" * (-len(bits) % 8)
+    return int(bits, 2).to_bytes(len(bits) // 8, "big")
+
+
+def packbits(data):
+    packed = bytearray()
+    for value, group in itertools.groupby(data):
+        length = len(list(group))
+        while length:
+            count = min(length, 128)
+            packed += bytes([257 - count, value]) if count > 1 else bytes([0, value])
+            length -= count
+    return bytes(packed)
+
+
+# Number of the compression in the format, and how strips are packed.
+TIFF_PACKERS = {
+    "none": (1, bytes),
+    "lzw": (5, lzw),
+    "deflate": (8, zlib.compress),
+    "packbits": (32773, packbits),
+}
+
+
+def differences(data, row_length, big_endian, kind):
+    """Bytes of the first number of every row and of the differences that follow it."""
+    code = TYPES[kind][0].upper()
+    values = array.array(code, data)
+    if big_endian:
+        values.byteswap()
+    mask = (1 << (8 * values.itemsize)) - 1
+    changed = array.array(
+        code, (v if i % row_length == 0 else (v - values[i - 1]) & mask for i, v in enumerate(values))
+    )
+    if big_endian:
+        changed.byteswap()
+    return changed.tobytes()
+
+
+def write_tiff(path, volume, big_endian=False, packing="none", predictor=1, rows_per_strip=7, big=False, **changes):
+    """A stack with one directory per slice; changes replace values of tags, named tag_NUMBER, or drop those of None."""
+    path = pathlib.Path(path)
+    order = ">" if big_endian else "<"
+    offset_code = "Q" if big else "I"
+    width, height = volume.size[:2]
+    slices = volume.size[2] if len(volume.size) > 2 else 1
+    data = volume.data(big_endian)
+    slice_bytes = len(data) // slices
+    row_bytes = slice_bytes // height
+    number, packer = TIFF_PACKERS[packing]
+    content = bytearray((b"MM" if big_endian else b"II") + struct.pack(order + "H", 43 if big else 42))
+    content += struct.pack(order + "HHQ", 8, 0, 0) if big else struct.pack(order + "I", 0)
+    link = len(content) - struct.calcsize(offset_code)
+    for z in range(slices):
+        offsets, counts = [], []
+        for begin in range(0, slice_bytes, rows_per_strip * row_bytes):
+            end = min(begin + rows_per_strip * row_bytes, slice_bytes)
+            strip = data[z * slice_bytes + begin : z * slice_bytes + end]
+            if predictor == 2:
+                strip = differences(strip, width, big_endian, volume.kind)
+            offsets.append(len(content))
+            content += packer(strip)
+            counts.append(len(content) - offsets[-1])
+        kind = volume.kind.rstrip("0123456789")
+        tags = {
+            256: width,
+            257: height,
+            258: 8 * row_bytes // width,
+            259: number,
+            262: 1,
+            273: offsets,
+            277: 1,
+            278: rows_per_strip,
+            279: counts,
+            317: predictor,
+            339: {"uint": 1, "int": 2, "float": 3}[kind],
+        }
+        tags.update({int(name[4:]): value for name, value in changes.items()})
+        struct.pack_into(order + offset_code, content, link, len(content))
+        link = write_tiff_directory(content, tags, order, offset_code)
+    path.write_bytes(content)
+    return path
+
+
+def write_tiff_directory(content, tags, order, offset_code):
+    """Appends a directory and returns where the offset of the next one is to be put."""
+    tags = {tag: value for tag, value in sorted(tags.items()) if value is not None}
+    room = struct.calcsize(offset_code)
+    end = len(content) + (8 if room == 8 else 2) + len(tags) * (4 + 2 * room) + room
+    beside = b""
+    content += struct.pack(order + ("Q" if room == 8 else "H"), len(tags))
+    for tag, value in tags.items():
+        if isinstance(value, bytes):
+            kind, count, data = 2, len(value), value
+        elif isinstance(value, tuple):
+            kind, count, data = 5, 1, struct.pack(order + "2I", *value)
+        else:
+            values = value if isinstance(value, list) else [value]
+            kind, count = (16 if room == 8 else 4), len(values)
+            data = struct.pack(f"{order}{count}{offset_code}", *values)
+        content += struct.pack(order + "HH" + offset_code, tag, kind, count)
+        if len(data) > room:
+            content += struct.pack(order + offset_code, end + len(beside))
+            beside += data
+        else:
+            content += data.ljust(room, b"\0")
+    link = len(content)
+    content += bytes(room) + beside
+    return link

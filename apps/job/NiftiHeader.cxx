@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "BinaryHeader.h"
+#include "HeaderParsing.h"
+#include "InflateReader.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::int32_t HeaderBytes = 348;
+constexpr double       MinimumDataOffset = 352;
+
+/** Offsets of the fields that are read. */
+enum Field : std::size_t
+{
+  SizeOfHeader = 0,
+  Dim = 40,
+  DataType = 70,
+  BitsPerVoxel = 72,
+  PixDim = 76,
+  VoxelOffset = 108,
+  ScaleSlope = 112,
+  ScaleIntercept = 116,
+  Units = 123,
+  QFormCode = 252,
+  SFormCode = 254,
+  Quaternion = 256,
+  QOffset = 268,
+  SRows = 280,
+  Magic = 344
+};
+
+constexpr std::array<std::pair<std::int16_t, PixelType>, 10> DataTypes{ { { 2, PixelType::UInt8 },
+                                                                          { 4, PixelType::Int16 },
+                                                                          { 8, PixelType::Int32 },
+                                                                          { 16, PixelType::Float32 },
+                                                                          { 64, PixelType::Float64 },
+                                                                          { 256, PixelType::Int8 },
+                                                                          { 512, PixelType::UInt16 },
+                                                                          { 768, PixelType::UInt32 },
+                                                                          { 1024, PixelType::Int64 },
+                                                                          { 1280, PixelType::UInt64 } } };
+
+bool
+IsCompressed(const std::filesystem::path & fileName)
+{
+  return ToLower(fileName.extension().string()) == ".gz";
+}
+
+std::vector<unsigned char>
+ReadBytes(const std::filesystem::path & fileName)
+{
+  std::vector<unsigned char> bytes(HeaderBytes);
+  if (IsCompressed(fileName))
+  {
+    InflateReader(fileName, 0).Read(bytes.data(), bytes.size());
+    return bytes;
+  }
+  std::ifstream file = OpenRegularFile(fileName);
+  file.read(reinterpret_cast<char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!file.good())
+  {
+    RefuseHeader(fileName, "it is shorter than a header of NIfTI, " + std::to_string(HeaderBytes) + " bytes");
+  }
+  return bytes;
+}
+
+BinaryHeader
+ReadFields(const std::filesystem::path & fileName, bool & bigEndian)
+{
+  const std::vector<unsigned char> bytes = ReadBytes(fileName);
+  bigEndian = BinaryHeader(bytes, true).Get<std::int32_t>(SizeOfHeader) == HeaderBytes;
+  const BinaryHeader fields(bytes, bigEndian);
+  if (fields.Get<std::int32_t>(SizeOfHeader) != HeaderBytes)
+  {
+    RefuseHeader(fileName, "it does not begin as a file of NIfTI-1 does");
+  }
+  if (std::string(bytes.begin() + Magic, bytes.end()) != std::string("n+1", 4))
+  {
+    RefuseHeader(fileName, "it is not a NIfTI-1 file with header and voxels in one file");
+  }
+  return fields;
+}
+
+std::vector<std::uint64_t>
+ReadSize(const std::filesystem::path & fileName, const BinaryHeader & fields)
+{
+  const auto dimOf = [&fields](int axis) {
+    return fields.Get<std::int16_t>(Dim + static_cast<std::size_t>(axis) * sizeof(std::int16_t));
+  };
+  int dimension = dimOf(0);
+  while (dimension > 3 && dimension <= 7 && dimOf(dimension) == 1)
+  {
+    --dimension;
+  }
+  if (dimension < 2 || dimension > 3)
+  {
+    RefuseHeader(fileName, "it has " + std::to_string(dimension) + " dimensions; only volumes with 2 or 3 are read");
+  }
+  std::vector<std::int16_t> sizes;
+  for (int axis = 1; axis <= dimension; ++axis)
+  {
+    sizes.push_back(dimOf(axis));
+  }
+  const std::string text = Join(sizes, " ", [](std::int16_t size) { return std::to_string(size); });
+  return ParseSizes(fileName, "dim", text, sizes.size());
+}
+
+PixelType
+ReadPixelType(const std::filesystem::path & fileName, const BinaryHeader & fields)
+{
+  const auto code = fields.Get<std::int16_t>(DataType);
+  const auto found =
+    std::find_if(DataTypes.begin(), DataTypes.end(), [code](const auto & entry) { return entry.first == code; });
+  if (found == DataTypes.end())
+  {
+    RefuseHeader(fileName,
+                 "datatype is " + std::to_string(code) +
+                   "; only scalar whole numbers and reals of 1 to 8 bytes are read");
+  }
+  const auto bits = fields.Get<std::int16_t>(BitsPerVoxel);
+  if (bits < 0 || static_cast<unsigned int>(bits) != 8 * GetTraits(found->second).bytes)
+  {
+    RefuseHeader(fileName, "bitpix is " + std::to_string(bits) + ", which does not fit its datatype");
+  }
+  return found->second;
+}
+
+/** Bytes before the voxels, which the format keeps as a real number. */
+std::uint64_t
+ReadDataOffset(const std::filesystem::path & fileName, const BinaryHeader & fields)
+{
+  constexpr double greatest = 1e15;
+  const double     offset = fields.Get<float>(VoxelOffset);
+  if (!(offset >= MinimumDataOffset && offset <= greatest) || std::floor(offset) != offset)
+  {
+    RefuseHeader(fileName,
+                 "vox_offset is " + FormatNumber(offset) + "; it must be a whole number from " +
+                   FormatNumber(MinimumDataOffset) + " on");
+  }
+  return static_cast<std::uint64_t>(offset);
+}
+
+/** Nothing when numbers are values. Writers put not a number for "none", and the format 0. */
+std::optional<ValueScale>
+ReadScale(const BinaryHeader & fields)
+{
+  const double slope = fields.Get<float>(ScaleSlope);
+  const double intercept = fields.Get<float>(ScaleIntercept);
+  const double usedIntercept = std::isfinite(intercept) ? intercept : 0.0;
+  if (!std::isfinite(slope) || slope == 0.0 || (slope == 1.0 && usedIntercept == 0.0))
+  {
+    return std::nullopt;
+  }
+  return ValueScale{ slope, usedIntercept };
+}
+
+/** Millimeters of the unit of lengths; 1 for an unknown one. */
+double
+ReadUnit(const BinaryHeader & fields)
+{
+  constexpr unsigned int meter = 1;
+  constexpr unsigned int micrometer = 3;
+  const unsigned int     unit = fields.Get<std::uint8_t>(Units) & 7u;
+  return unit == meter ? 1e3 : (unit == micrometer ? 1e-3 : 1.0);
+}
+
+/** Rows of three columns for the axes and one for the origin. */
+using Placement = std::array<std::array<double, 4>, 3>;
+
+Placement
+PlaceByRows(const BinaryHeader & fields)
+{
+  Placement placement{};
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    for (std::size_t column = 0; column < 4; ++column)
+    {
+      placement[row][column] = fields.Get<float>(SRows + (4 * row + column) * sizeof(float));
+    }
+  }
+  return placement;
+}
+
+Placement
+PlaceByQuaternion(const BinaryHeader & fields)
+{
+  const auto number = [&fields](std::size_t offset, std::size_t index) -> double {
+    return fields.Get<float>(offset + index * sizeof(float));
+  };
+  double       b = number(Quaternion, 0);
+  double       c = number(Quaternion, 1);
+  double       d = number(Quaternion, 2);
+  const double rest = 1.0 - (b * b + c * c + d * d);
+  double       a = std::sqrt(std::max(0.0, rest));
+  if (rest < 1e-7)
+  {
+    // A turn by 180 degrees, up to rounding.
+    const double length = std::sqrt(b * b + c * c + d * d);
+    a = 0.0;
+    b /= length;
+    c /= length;
+    d /= length;
+  }
+  const double sign = number(PixDim, 0) < 0 ? -1.0 : 1.0;
+  return {
+    { { a * a + b * b - c * c - d * d, 2 * (b * c - a * d), sign * 2 * (b * d + a * c), number(QOffset, 0) },
+      { 2 * (b * c + a * d), a * a + c * c - b * b - d * d, sign * 2 * (c * d - a * b), number(QOffset, 1) },
+      { 2 * (b * d - a * c), 2 * (c * d + a * b), sign * (a * a + d * d - c * c - b * b), number(QOffset, 2) } }
+  };
+}
+
+bool
+HasRightAngles(const Placement & placement)
+{
+  constexpr double tolerance = 1e-4;
+  const auto       dot = [&placement](std::size_t i, std::size_t j) {
+    return placement[0][i] * placement[0][j] + placement[1][i] * placement[1][j] + placement[2][i] * placement[2][j];
+  };
+  const auto cosine = [&dot](std::size_t i, std::size_t j) { return dot(i, j) / std::sqrt(dot(i, i) * dot(j, j)); };
+  return std::abs(cosine(0, 1)) < tolerance && std::abs(cosine(0, 2)) < tolerance && std::abs(cosine(1, 2)) < tolerance;
+}
+
+/** The placement that ITK would take of the two that a header can have; nothing when it has none. */
+std::optional<Placement>
+ReadPlacement(const BinaryHeader & fields)
+{
+  constexpr int scannerCode = 1;
+  const int     byQuaternion = fields.Get<std::int16_t>(QFormCode);
+  const int     byRows = fields.Get<std::int16_t>(SFormCode);
+  if (byRows > 0 && (byQuaternion <= 0 || (byRows == scannerCode && HasRightAngles(PlaceByRows(fields)))))
+  {
+    return PlaceByRows(fields);
+  }
+  return byQuaternion > 0 ? std::optional<Placement>(PlaceByQuaternion(fields)) : std::nullopt;
+}
+
+void
+ReadGeometry(VolumeHeader & header, const BinaryHeader & fields)
+{
+  VolumeGeometry &  geometry = header.geometry;
+  const std::size_t dimension = geometry.size.size();
+  const double      unit = ReadUnit(fields);
+  for (std::size_t axis = 0; axis < dimension; ++axis)
+  {
+    geometry.spacing.push_back(unit * fields.Get<float>(PixDim + (axis + 1) * sizeof(float)));
+  }
+  geometry.origin.assign(dimension, 0.0);
+  geometry.SetIdentityDirection();
+  const std::optional<Placement> placement = ReadPlacement(fields);
+  if (!placement)
+  {
+    return;
+  }
+  for (std::size_t row = 0; row < dimension; ++row)
+  {
+    // The x and y axes of the format point right and anterior.
+    const double sign = row < 2 ? -1.0 : 1.0;
+    geometry.origin[row] = sign * unit * (*placement)[row][3];
+    for (std::size_t axis = 0; axis < dimension; ++axis)
+    {
+      geometry.direction[axis][row] = sign * (*placement)[row][axis];
+    }
+  }
+  for (std::vector<double> & direction : geometry.direction)
+  {
+    double squares = 0;
+    for (const double component : direction)
+    {
+      squares += component * component;
+    }
+    for (double & component : direction)
+    {
+      component /= std::sqrt(squares);
+    }
+  }
+  if (!std::all_of(geometry.origin.begin(), geometry.origin.end(), [](double value) { return std::isfinite(value); }))
+  {
+    RefuseHeader(header.fileName, "its origin is not finite");
+  }
+}
+
+} // namespace
+
+VolumeHeader
+ReadNiftiHeader(const std::filesystem::path & fileName)
+{
+  VolumeHeader       header;
+  const BinaryHeader fields = ReadFields(fileName, header.bigEndian);
+  header.fileName = fileName;
+  header.format = "NIfTI";
+  header.geometry.size = ReadSize(fileName, fields);
+  header.pixelType = ReadPixelType(fileName, fields);
+  ReadGeometry(header, fields);
+  header.scale = ReadScale(fields);
+  header.dataFile = fileName;
+  header.dataFileSize = GetDataFileSize(fileName, fileName);
+  header.compressed = IsCompressed(fileName);
+  // With compression the header is packed too.
+  (header.compressed ? header.skipAfterInflation : header.dataOffset) = ReadDataOffset(fileName, fields);
+  return header;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,310 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Files that are cut, hostile or that shrink while they are read, and stops while a volume is unpacked: an error with
+the right status, and never a file that looks like a result."""
+
+import signal
+import struct
+import subprocess
+import time
+import unittest
+
+import volumes
+from program import CORRUPT, FAILURE, PROGRAM, REFUSED, USAGE, ProgramTestCase
+
+FOUR_GIGABYTES = 1 << 32
+
+
+def write_all_formats(folder, volume):
+    """The volume in every format; yields each file and the one that holds its voxels."""
+    for compressed in (False, True):
+        for name in ("a.mha", "b.mhd"):
+            path = volumes.write_meta(folder / f"{compressed}{name}", volume, compressed=compressed)
+            yield path, path if path.suffix == ".mha" else path.with_suffix(".img")
+        for name in ("c.nrrd", "d.nhdr"):
+            path = volumes.write_nrrd(folder / f"{compressed}{name}", volume, compressed=compressed)
+            yield path, path if path.suffix == ".nrrd" else path.with_suffix(".img")
+    for name in ("e.nii", "f.nii.gz"):
+        path = volumes.write_nifti(folder / name, volume)
+        yield path, path
+    for packing in volumes.TIFF_PACKERS:
+        path = volumes.write_tiff(folder / f"{packing}.tif", volume, packing=packing, rows_per_strip=100)
+        yield path, path
+
+
+class CutFileTest(ProgramTestCase):
+    def test_every_format_cut_anywhere(self):
+        volume = volumes.box_with_plate(kind="int16")
+        for path, data_file in write_all_formats(self.folder, volume):
+            content = data_file.read_bytes()
+            self.extract(path, "whole.mha", "--overwrite")
+            for length in (0, 1, 7, len(content) // 3, len(content) // 2, len(content) - 1):
+                data_file.write_bytes(content[:length])
+                self.assert_fails(CORRUPT, [self.folder], "extract", path, "out.mha", "--thickness", 3)
+            data_file.write_bytes(content)
+
+    def test_voxels_of_compressed_tiff_are_damaged(self):
+        volume = volumes.box_with_plate(kind="int16")
+        for packing in ("lzw", "deflate"):
+            path = volumes.write_tiff(self.folder / "in.tif", volume, packing=packing, rows_per_strip=100)
+            content = bytearray(path.read_bytes())
+            content[8:24] = b"\xff" * 16
+            path.write_bytes(content)
+            self.assert_fails(CORRUPT, ["in.tif", "damaged"], "extract", path, "out.mha", "--thickness", 3)
+
+
+class HostileHeaderTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        self.volume = volumes.box_with_plate(kind="int16")
+
+    def assert_refused(self, path, *parts, status=CORRUPT):
+        self.assert_fails(status, [path.name, *parts], "extract", path, "out.mha", "--thickness", 3)
+        self.assert_fails(status, [path.name, *parts], "info", path)
+
+    def test_nifti(self):
+        for name in ("in.nii", "in.nii.gz"):
+            for parts, changes in (
+                (["dim"], {"dim": (3, 24, 20, -16, 1, 1, 1, 1)}),
+                (["dim"], {"dim": (3, 24, 0, 16, 1, 1, 1, 1)}),
+                ([], {"dim": (3, 32767, 32767, 32767, 1, 1, 1, 1)}),
+                (["dimensions"], {"dim": (1, 24, 20, 16, 1, 1, 1, 1)}),
+                (["dimensions"], {"dim": (4, 24, 20, 8, 2, 1, 1, 1)}),
+                (["dimensions"], {"dim": (-3, 24, 20, 16, 1, 1, 1, 1)}),
+                (["dimensions"], {"dim": (32767, 24, 20, 16, 1, 1, 1, 1)}),
+                (["datatype", 128], {"datatype": 128}),
+                (["bitpix", 8], {"bitpix": 8}),
+                (["vox_offset"], {"vox_offset": -352}),
+                (["vox_offset"], {"vox_offset": float("nan")}),
+                (["vox_offset"], {"vox_offset": 1e30}),
+                (["vox_offset"], {"vox_offset": 352.5}),
+                (["vox_offset"], {"vox_offset": 0}),
+                (["spacing"], {"pixdim": (1, 1, -1, 1, 1, 1, 1, 1)}),
+                (["spacing"], {"pixdim": (1, 1, 0, 1, 1, 1, 1, 1)}),
+                (["spacing"], {"pixdim": (1, float("nan"), 1, 1, 1, 1, 1, 1)}),
+                (["directions"], {"sform_code": 1, "srow": (1, 0, 0, 0) * 3}),
+                (["origin"], {"qform_code": 1, "qoffset": (0, float("inf"), 0)}),
+                (["NIfTI"], {"sizeof_hdr": 540}),
+                (["one file"], {"magic": b"ni1\0"}),
+            ):
+                self.assert_refused(volumes.write_nifti(self.folder / name, self.volume, **changes), *parts)
+        path = volumes.write_nifti(self.folder / "in.nii", self.volume, vox_offset=1e9)
+        self.assert_fails(CORRUPT, ["in.nii", 10**9], "info", path)
+        path = volumes.write_nifti(self.folder / "in.nii.gz", self.volume, vox_offset=1e9)
+        self.assert_fails(CORRUPT, ["in.nii.gz", "early"], "extract", path, "out.mha", "--thickness", 3)
+
+    def test_tiff(self):
+        for packing in ("none", "lzw"):
+            for parts, changes in (
+                (["slice"], {"tag_256": 2**32 - 1, "tag_257": 2**32 - 1}),
+                ([], {"tag_256": 10**9}),
+                (["strips"], {"tag_257": 10**9}),
+                (["slice"], {"tag_256": 0}),
+                ([256, "0 values"], {"tag_256": None}),
+                (["bits"], {"tag_258": 12}),
+                (["bits"], {"tag_339": 4}),
+                (["compression", 7], {"tag_259": 7}),
+                (["predictor", 3], {"tag_317": 3}),
+                (["black to white", 2], {"tag_262": 2}),
+                (["one value", 3], {"tag_277": 3}),
+                (["tiles"], {"tag_322": 16}),
+                (["top to bottom"], {"tag_274": 3}),
+                (["reduced"], {"tag_254": 1}),
+                (["strips"], {"tag_278": 0}),
+                (["strips"], {"tag_273": [8]}),
+                (["strips"], {"tag_279": [100] * 50}),
+                (["2147483648"], {"tag_279": [2**31] * 3}),
+                ([2**32 - 8], {"tag_273": [2**32 - 8] * 3}),
+                (["cannot hold"], {"tag_279": [0] * 3}),
+            ):
+                path = self.folder / "in.tif"
+                self.assert_refused(volumes.write_tiff(path, self.volume, packing=packing, **changes), *parts)
+
+    def test_directories_of_tiff(self):
+        path = volumes.write_tiff(self.folder / "in.tif", self.volume)
+        content = path.read_bytes()
+        first = struct.unpack("<I", content[4:8])[0]
+        following = first + 2 + 11 * 12
+        for parts, link in ((["circle"], first), ([len(content)], 2**32 - 1), ([len(content)], len(content) - 1)):
+            changed = content[:following] + struct.pack("<I", link) + content[following + 4 :]
+            path.write_bytes(changed)
+            self.assert_refused(path, *parts)
+        other = volumes.Volume((24, 10, 1), [0] * 240, kind="int16")
+        alien = volumes.write_tiff(self.folder / "other.tif", other).read_bytes()
+        moved = len(content)
+        directory = bytearray(alien[struct.unpack("<I", alien[4:8])[0] :])
+        path.write_bytes(content[:following] + struct.pack("<I", moved) + content[following + 4 :] + directory)
+        self.assert_refused(path)
+        for images in (0, -1, 10**12, "many"):
+            one = volumes.Volume((24, 20), self.volume.voxels[:480], kind="int16")
+            text = f"ImageJ=1.53t\nimages={images}\n\0".encode()
+            self.assert_refused(volumes.write_tiff(path, one, rows_per_strip=20, tag_270=text), "number of images")
+        self.assert_refused(
+            volumes.write_tiff(path, one, rows_per_strip=20, packing="lzw", tag_270=b"ImageJ=1\nimages=7\n\0"), "only one"
+        )
+
+    def test_negative_skips(self):
+        for changes in ({"byte_skip": -2}, {"line_skip": -1}, {"byte_skip": -(2**63)}, {"line_skip": 2**64}):
+            self.assert_refused(volumes.write_nrrd(self.folder / "in.nrrd", self.volume, **changes), "skip")
+        for size in (-2, -(2**63), 2**63):
+            self.assert_refused(volumes.write_meta(self.folder / "in.mha", self.volume, HeaderSize=size), "HeaderSize")
+        raw = volumes.write_raw(self.folder / "in.raw", self.volume)
+        for size in (-1, 2**64):
+            options = [*volumes.raw_options(self.volume), "--raw-header", size]
+            self.assert_fails(USAGE, ["--raw-header"], "info", raw, *options)
+
+    def test_header_of_four_gigabytes(self):
+        """Refused at once, whether it is text without an end or nothing."""
+        for name, start in (("in.mha", b"ObjectType = Image\n"), ("in.nrrd", b"NRRD0004\n"), ("in.nii", b""), ("in.tif", b"II*\0")):
+            for line in (b"", b"# comment = x\n" * 300000):
+                with open(self.folder / name, "wb") as file:
+                    file.write(start + line)
+                    file.truncate(FOUR_GIGABYTES + 100)
+                begin = time.monotonic()
+                self.run_program("info", name, status=CORRUPT)
+                self.assertLess(time.monotonic() - begin, 10, name)
+            (self.folder / name).unlink()
+
+    def test_voxels_behind_four_gigabytes(self):
+        """A distance in the file that 32 bits do not hold is no error."""
+        expected = self.extract(volumes.write_meta(self.folder / "a.mha", self.volume), "a.nrrd") and volumes.read_data(
+            self.folder / "a.nrrd"
+        )
+        with open(self.folder / "far.img", "wb") as file:
+            file.seek(FOUR_GIGABYTES + 5)
+            file.write(self.volume.data())
+        (self.folder / "b.mhd").write_bytes(
+            volumes.meta_header(self.volume, "far.img", HeaderSize=FOUR_GIGABYTES + 5)
+        )
+        (self.folder / "c.nhdr").write_bytes(
+            volumes.nrrd_header(self.volume, "far.img", byte_skip=FOUR_GIGABYTES + 5)
+        )
+        for name in ("b.mhd", "c.nhdr"):
+            self.extract(name, "out.mha", "--overwrite")
+            self.assertEqual(volumes.read_data(self.folder / "out.mha"), expected)
+        (self.folder / "far.img").unlink()
+
+
+class RunningProgram:
+    """The program while it works, once its output has begun."""
+
+    def __init__(self, test, *arguments):
+        command = [PROGRAM, *map(str, arguments), "--progress", "none"]
+        self.process = subprocess.Popen(
+            command, cwd=test.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        deadline = time.monotonic() + 20
+        while not list(test.folder.glob("*.partial")) and time.monotonic() < deadline and self.process.poll() is None:
+            time.sleep(0.002)
+
+    def finish(self):
+        _, message = self.process.communicate(timeout=60)
+        return self.process.returncode, message
+
+
+class RunningTest(ProgramTestCase):
+    """Seconds of work, so that what happens meanwhile meets the program."""
+
+    SIZE = (300, 300, 300)
+
+    def make_volume(self):
+        volume = volumes.Volume(self.SIZE, [])
+        row = (bytes([1] * 3 + [0] * 17) * 15)[: self.SIZE[0]]
+        volume.voxels = row * (self.SIZE[1] * self.SIZE[2])
+        return volume
+
+    def write_slow_archive(self):
+        """Two gigabytes without an object, packed into a file of two megabytes: about a second to unpack."""
+        member = volumes.gzip(bytes(1 << 26))
+        header = volumes.nrrd_header(volumes.Volume((1 << 10, 1 << 10, 1 << 11), []), encoding="gzip")
+        (self.folder / "slow.nrrd").write_bytes(header + member * 32)
+        return "slow.nrrd"
+
+    def assert_nothing_left(self, before):
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)
+
+    def cut_while_running(self, source, data_files, length=0):
+        before = sorted(path.name for path in self.folder.iterdir())
+        running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3, "--divisions", 100)
+        running.process.send_signal(signal.SIGSTOP)
+        for data_file in data_files:
+            with open(self.folder / data_file, "r+b") as file:
+                file.truncate(length)
+        running.process.send_signal(signal.SIGCONT)
+        status, message = running.finish()
+        self.assertIn(status, (FAILURE, CORRUPT), f"{source}: {message}")
+        self.assertTrue(any(name in message for name in data_files), message)
+        self.assert_nothing_left(before)
+
+    def test_file_is_cut_while_it_is_read(self):
+        volume = self.make_volume()
+        self.cut_while_running(volumes.write_meta(self.folder / "a.mha", volume), ["a.mha"])
+        self.cut_while_running(volumes.write_nrrd(self.folder / "b.nhdr", volume), ["b.img"])
+        self.cut_while_running(volumes.write_nifti(self.folder / "c.nii", volume), ["c.nii"])
+        self.cut_while_running(volumes.write_tiff(self.folder / "d.tif", volume, rows_per_strip=300), ["d.tif"])
+        names = [f"part{number}.img" for number in range(3)]
+        share = len(volume.voxels) // 3
+        for number, name in enumerate(names):
+            (self.folder / name).write_bytes(volume.voxels[number * share : (number + 1) * share])
+        (self.folder / "e.nhdr").write_bytes(volumes.nrrd_header(volume, "part%d.img 0 2 1 3"))
+        self.cut_while_running("e.nhdr", names[2:])
+
+    def test_archive_is_cut_while_it_is_unpacked(self):
+        self.cut_while_running(self.write_slow_archive(), ["slow.nrrd"], 1 << 20)
+
+    def test_stop_while_unpacking(self):
+        source = self.write_slow_archive()
+        before = sorted(path.name for path in self.folder.iterdir())
+        for number in (signal.SIGINT, signal.SIGTERM):
+            running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3)
+            running.process.send_signal(number)
+            status, message = running.finish()
+            self.assertEqual(status, 128 + number, message)
+            self.assert_nothing_left(before)
+
+    def test_kill_at_any_time(self):
+        """Whenever it comes, a complete file has the final name, or none has."""
+        volume = volumes.box_with_plate(size=(120, 120, 60))
+        source = volumes.write_nifti(self.folder / "in.nii.gz", volume)
+        self.extract(source, "whole.mhd")
+        expected = volumes.read_data(self.folder / "whole.mhd")
+        for delay in (0, 0.01, 0.02, 0.04, 0.08, 0.16):
+            running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3, "--overwrite")
+            time.sleep(delay)
+            running.process.kill()
+            status, _ = running.finish()
+            self.assertIn(status, (0, -signal.SIGKILL))
+            if (self.folder / "out.mha").exists():
+                self.assertEqual(volumes.read_data(self.folder / "out.mha"), expected)
+            for left in self.folder.glob("*.partial"):
+                left.unlink()
+
+
+class ScratchDiskTest(ProgramTestCase):
+    def test_scratch_folder_without_space(self):
+        """The mask of 3.4 MB does not fit a disk of one."""
+        disk = self.folder / "disk"
+        disk.mkdir()
+        command = ["mount", "-t", "tmpfs", "-o", "size=1M", "tmpfs", str(disk)]
+        try:
+            mounted = subprocess.run(command, capture_output=True, check=False).returncode == 0
+        except OSError:
+            mounted = False
+        if not mounted:
+            self.skipTest("mounting a small disk is not permitted here")
+        self.addCleanup(subprocess.run, ["umount", str(disk)], check=True)
+        volume = volumes.Volume((300, 300, 300), [])
+        volume.voxels = bytes(300**3)
+        source = volumes.write_nrrd(self.folder / "in.nrrd", volume, compressed=True)
+        run = ["extract", source, "out.mha", "--thickness", 3, "--scratch", "disk", "--threads", 1]
+        for memory in range(8, 128):
+            command = [PROGRAM, *map(str, run), "--memory", f"{memory}M", "--dry-run"]
+            plan = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
+            if plan.returncode == 0:
+                break
+        self.assertIn("in disk", plan.stdout)
+        self.assert_fails(REFUSED, ["disk", "No space left"], *run, "--memory", f"{memory}M")
+
+
+if __name__ == "__main__":
+    unittest.main()
