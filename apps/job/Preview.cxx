@@ -413,11 +413,13 @@ GetPreviewBytes(const VolumeGeometry & geometry)
 {
   // The picture with its copy for the writer, the slice before the next one, one view, what is read for it, and a bit
   // for each row.
+  constexpr std::uint64_t bytesPerPixel = 2 * 3;
   constexpr std::uint64_t bitsPerByte = 8;
-  constexpr std::uint64_t pictureBytes = std::uint64_t{ 24 } << 20;
+  const Layout            layout = ArrangeViews(GetSizes(geometry));
   const std::uint64_t     voxels = geometry.GetNumberOfVoxels();
-  const std::uint64_t     largestView = voxels / *std::min_element(geometry.size.begin(), geometry.size.end());
-  return std::min(pictureBytes, 16 * voxels) + geometry.GetVoxelsPerSlice() + std::min(voxels, largestView) +
+  const std::uint64_t     largestView =
+    geometry.GetDimension() == 2 ? voxels : voxels / *std::min_element(geometry.size.begin(), geometry.size.end());
+  return bytesPerPixel * layout.width * layout.height + geometry.GetVoxelsPerSlice() + largestView +
          std::min(voxels, std::max(BytesPerRead, geometry.size[0])) + voxels / geometry.size[0] / bitsPerByte;
 }
 
