@@ -25,12 +25,13 @@ using ImageType = MaskImage<3>;
 using Monitor = itk::PipelineMonitorImageFilter<ImageType>;
 using Regions = Monitor::RegionVectorType;
 
-/** The name of a file that is removed at the end. */
+/** The name of a file of the test that runs, which is removed at the end. */
 class TemporaryFile
 {
 public:
   explicit TemporaryFile(const std::string & name)
-    : m_Name(::testing::TempDir() + "medialvoxel-pipeline-" + name)
+    : m_Name(::testing::TempDir() + "medialvoxel-" + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+             "-" + name)
   {}
 
   ~TemporaryFile() { std::remove(m_Name.c_str()); }

@@ -15,7 +15,7 @@ namespace
 {
 using namespace MedialVoxelTest;
 
-constexpr unsigned int NumberOfDraws = 25;
+constexpr unsigned int NumberOfDraws = 60;
 
 unsigned int
 NextSeed()

@@ -278,7 +278,7 @@ CompareRuns(unsigned int seed)
   }
 }
 
-constexpr unsigned int NumberOfVolumes = 10;
+constexpr unsigned int NumberOfVolumes = 25;
 
 } // namespace
 

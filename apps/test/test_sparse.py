@@ -8,8 +8,8 @@ from sparse_runs import SparseTestCase
 
 
 class SparseTest(SparseTestCase):
-    def test_eleven_billion_voxels(self):
-        self.check_size((3000, 3000, 1200), "256M")
+    def test_nine_billion_voxels(self):
+        self.check_size((3000, 3000, 1000), "256M")
 
 
 if __name__ == "__main__":
