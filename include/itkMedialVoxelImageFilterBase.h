@@ -217,6 +217,9 @@ protected:
 private:
   class Execution;
 
+  void
+  ReleaseSmallOutputs();
+
   MedialVoxelClusterEngine::Settings
   CompleteSettings(const MedialVoxelGrid & grid) const;
 

@@ -173,6 +173,7 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
 {
+  this->ReleaseSmallOutputs();
   this->AllocateOutputs();
   const OutputImageRegionType & requested = this->GetOutput()->GetRequestedRegion();
   if (requested.GetNumberOfPixels() == 0)
@@ -216,6 +217,22 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   m_ClassificationSeconds = (isNewSum ? 0.0 : m_ClassificationSeconds) + sums.classificationSeconds;
   this->AddCounts(sums.counts, isNewSum);
   this->UpdateProgress(1.0f);
+}
+
+/** A buffer is used again for the next piece; one that is too small must go first, or there would be two of them. */
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ReleaseSmallOutputs()
+{
+  for (const auto & output : this->GetOutputs())
+  {
+    const auto * const image = dynamic_cast<const ImageBase<ImageDimension> *>(output.GetPointer());
+    if (image != nullptr &&
+        image->GetBufferedRegion().GetNumberOfPixels() < image->GetRequestedRegion().GetNumberOfPixels())
+    {
+      output->ReleaseData();
+    }
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -281,7 +298,9 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ForEachRow(TImage &      
                                                                   const MedialVoxelBox & tile,
                                                                   TFunction &&           function) const
 {
-  MedialVoxelBox row = tile;
+  const OffsetValueType * const strides = image.GetOffsetTable();
+  auto * const                  first = image.GetBufferPointer() + image.ComputeOffset(this->RegionOf(tile).GetIndex());
+  MedialVoxelBox                row = tile;
   for (std::int64_t z = tile.lower[2]; z < tile.upper[2]; ++z)
   {
     row.lower[2] = z;
@@ -290,7 +309,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ForEachRow(TImage &      
     {
       row.lower[1] = y;
       row.upper[1] = y + 1;
-      function(image.GetBufferPointer() + image.ComputeOffset(this->RegionOf(row).GetIndex()), row);
+      function(first + (z - tile.lower[2]) * strides[2] + (y - tile.lower[1]) * strides[1], row);
     }
   }
 }

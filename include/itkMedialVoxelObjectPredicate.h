@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -79,6 +80,31 @@ private:
   LimitType m_Upper{};
 };
 
+/** \brief True when all bytes of \a count pixels are zero, which for numbers means that all are 0.
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel>
+bool
+MedialVoxelAllBytesAreZero(const TPixel * const pixels, const std::int64_t count)
+{
+  constexpr std::size_t bytesPerWord = sizeof(std::uint64_t);
+  const auto * const    bytes = reinterpret_cast<const unsigned char *>(pixels);
+  const std::size_t     numberOfBytes = static_cast<std::size_t>(count) * sizeof(TPixel);
+  std::uint64_t         any = 0;
+  std::size_t           at = 0;
+  for (; at + bytesPerWord <= numberOfBytes; at += bytesPerWord)
+  {
+    std::uint64_t word;
+    std::memcpy(&word, bytes + at, bytesPerWord);
+    any |= word;
+  }
+  for (; at < numberOfBytes; ++at)
+  {
+    any |= bytes[at];
+  }
+  return any == 0;
+}
+
 /** \brief Set the bits of the pixels that fulfill \a predicate, for \a count pixels the first of which is voxel \a x.
  *
  * \a row points to where image-wide word 0 would be. Bits are only set, never cleared.
@@ -95,11 +121,19 @@ MedialVoxelPackRow(const TPixel *                    pixels,
   constexpr std::int64_t bitsPerWord = MedialVoxelBits::BitsPerWord;
   constexpr std::int64_t bitsPerByte = 8;
   const std::int64_t     end = x + count;
+  // Most of a volume is zero, which a look at whole words tells.
+  const bool skipsZeros = !predicate(TPixel{});
   for (std::int64_t begin = x; begin < end;)
   {
     const std::int64_t word = begin / bitsPerWord;
     const std::int64_t wordEnd = std::min((word + 1) * bitsPerWord, end);
     const std::int64_t first = begin % bitsPerWord;
+    if (skipsZeros && MedialVoxelAllBytesAreZero(pixels, wordEnd - begin))
+    {
+      pixels += wordEnd - begin;
+      begin = wordEnd;
+      continue;
+    }
     // Comparisons to bytes and the gathering of bytes to bits are two loops, each of which compilers vectorize.
     std::uint8_t fulfilled[bitsPerWord] = {};
     for (std::int64_t i = 0; i < wordEnd - begin; ++i)

@@ -217,3 +217,37 @@ TEST(MedialVoxelObject, RealThresholdsAreNotRounded)
   EXPECT_EQ(ObjectOf<float>({ 0.0f, tenth, 0.0f }, [](auto * f) { f->SetLowerThreshold(0.1); }), "010");
   EXPECT_EQ(ObjectOf<float>({ 1.0f, tenth, 0.0f }, [](auto * f) { f->SetUpperThreshold(0.1); }), "001");
 }
+
+TEST(MedialVoxelObject, BytesOfZerosAreToldFromAllOthers)
+{
+  std::vector<unsigned char> bytes(70, 0);
+  for (std::int64_t count = 0; count <= 70; ++count)
+  {
+    EXPECT_TRUE(itk::MedialVoxelAllBytesAreZero(bytes.data(), count));
+    for (std::int64_t set = 0; set < 70; ++set)
+    {
+      bytes[static_cast<std::size_t>(set)] = 128;
+      EXPECT_EQ(itk::MedialVoxelAllBytesAreZero(bytes.data(), count), set >= count) << set << " of " << count;
+      bytes[static_cast<std::size_t>(set)] = 0;
+    }
+  }
+  const std::vector<short> last{ 0, 0, 0, 0, 256 };
+  EXPECT_TRUE(itk::MedialVoxelAllBytesAreZero(last.data(), 4));
+  EXPECT_FALSE(itk::MedialVoxelAllBytesAreZero(last.data(), 5));
+}
+
+TEST(MedialVoxelObject, LongRunsOfZerosAreWhatTheObjectSays)
+{
+  // Rows of several words, most of which are zero: background, object, or negative zero.
+  std::vector<float> values(200, 0.0f);
+  values[70] = 3.0f;
+  values[131] = -0.0f;
+  values[199] = std::numeric_limits<float>::quiet_NaN();
+  std::string expected(200, '0');
+  expected[70] = '1';
+  EXPECT_EQ(ObjectOf<float>(values, Unchanged), expected);
+  std::string inverse(200, '1');
+  inverse[70] = inverse[199] = '0';
+  EXPECT_EQ(ObjectOf<float>(values, [](auto * f) { f->SetBackgroundValue(3.0f); }), inverse);
+  EXPECT_EQ(ObjectOf<float>(values, [](auto * f) { f->SetUpperThreshold(1.0); }), inverse);
+}

@@ -127,6 +127,11 @@ private:
   {
     m_Loop.Run(
       *m_Runner, range, [&](std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults & results) {
+        if (results.isEmpty && m_Options.sparse)
+        {
+          m_Scores.AddEmpty();
+          return;
+        }
         m_Labels->Write(firstVoxel, numberOfVoxels, results.labels);
         if (m_Vectors)
         {

@@ -172,7 +172,11 @@ PieceLoop::Run(PieceRunner & runner, const SliceRange & range, const WriteFuncti
   const auto start = JobClock::now();
   write(range.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice, results);
   m_WriteSeconds += SecondsSince(start);
-  runner.Release();
+  // A single runner uses the memory of its results again, which is much cheaper than new memory for each piece.
+  if (m_RunnersPerPiece > 1)
+  {
+    runner.Release();
+  }
   m_DoneSlices += m_SlicesOfPiece;
 }
 

@@ -10,6 +10,7 @@
 #include "itkVectorDistanceMapImageFilter.h"
 
 #include <type_traits>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -177,12 +178,18 @@ protected:
   {
     PieceResults results;
     results.labels = this->m_Filter->GetOutput()->GetBufferPointer();
+    // No cell and no voxel of an object came in with this piece.
+    const std::uint64_t seen = this->m_Filter->GetNumberOfCandidateCells() + this->m_Filter->GetNumberOfObjectVoxels();
+    results.isEmpty = seen == std::exchange(m_Seen, seen);
     if (auto * const vectors = this->m_Filter->GetVectorDistanceOutput())
     {
       results.vectors = vectors->GetBufferPointer();
     }
     return results;
   }
+
+private:
+  std::uint64_t m_Seen{ 0 }; ///< cells and voxels of objects in all pieces so far
 };
 
 template <typename TImage>

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 namespace medialvoxel
 {
@@ -45,8 +44,46 @@ struct View
   bool          upwards; // the vertical axis points up
 };
 
+/** Labels read at a time to pick those of one column. */
+constexpr std::uint64_t BytesPerRead = std::uint64_t{ 1 } << 20;
+
+/** Reads the label of one column in the rows of a slice that have labels. Asking the system for each row would take
+ * longer than copying what lies between. */
+void
+ReadColumn(const OutputVolume &   volume,
+           const VolumeGeometry & geometry,
+           const SliceScores &    scores,
+           std::uint64_t          z,
+           std::uint64_t          column,
+           std::uint8_t *         labels)
+{
+  const std::uint64_t       sizeX = geometry.size[0];
+  const std::uint64_t       sizeY = geometry.size[1];
+  const std::uint64_t       rowsPerRead = std::clamp<std::uint64_t>(BytesPerRead / sizeX, 1, sizeY);
+  std::vector<std::uint8_t> rows(rowsPerRead * sizeX);
+  for (std::uint64_t y = 0; y < sizeY; ++y)
+  {
+    std::uint64_t count = 0;
+    while (count < std::min(rowsPerRead, sizeY - y) && scores.HasLabels(y + count, z))
+    {
+      ++count;
+    }
+    if (count == 0)
+    {
+      continue;
+    }
+    volume.Read((z * sizeY + y) * sizeX, count * sizeX, rows.data());
+    for (std::uint64_t row = 0; row < count; ++row)
+    {
+      labels[y + row] = rows[row * sizeX + column];
+    }
+    y += count - 1;
+  }
+}
+
+/** Rows without labels are not read, unless the view consists of rows that follow each other. */
 LabelSlice
-ReadSlice(const OutputVolume & volume, const VolumeGeometry & geometry, const View & view)
+ReadSlice(const OutputVolume & volume, const VolumeGeometry & geometry, const SliceScores & scores, const View & view)
 {
   LabelSlice slice;
   slice.width = geometry.size[view.horizontal];
@@ -61,14 +98,13 @@ ReadSlice(const OutputVolume & volume, const VolumeGeometry & geometry, const Vi
   }
   for (std::uint64_t z = 0; z < geometry.size[2]; ++z)
   {
-    if (view.normal == 1)
+    if (view.normal == 0)
+    {
+      ReadColumn(volume, geometry, scores, z, view.index, &slice.labels[z * geometry.size[1]]);
+    }
+    else if (scores.HasLabels(view.index, z))
     {
       volume.Read(z * perSlice + view.index * sizeX, sizeX, &slice.labels[z * sizeX]);
-      continue;
-    }
-    for (std::uint64_t y = 0; y < geometry.size[1]; ++y)
-    {
-      volume.Read(z * perSlice + y * sizeX + view.index, 1, &slice.labels[z * geometry.size[1] + y]);
     }
   }
   return slice;
@@ -95,21 +131,24 @@ GetColor(const LabelSlice &                   slice,
          const std::array<std::uint64_t, 2> & columns,
          const std::array<std::uint64_t, 2> & rows)
 {
-  std::array<std::uint64_t, 256> counts{};
+  std::uint64_t bound = 0;
+  std::uint64_t geodesic = 0;
+  bool          isObject = false;
   for (std::uint64_t y = rows[0]; y < rows[1]; ++y)
   {
     for (std::uint64_t x = columns[0]; x < columns[1]; ++x)
     {
-      ++counts[slice.labels[y * slice.width + x]];
+      const std::uint8_t label = slice.labels[y * slice.width + x];
+      bound += label == itk::MedialVoxelLabel::MedialByBound ? 1 : 0;
+      geodesic += label == itk::MedialVoxelLabel::MedialByGeodesic ? 1 : 0;
+      isObject = isObject || label != itk::MedialVoxelLabel::NoObject;
     }
   }
-  const std::uint64_t bound = counts[itk::MedialVoxelLabel::MedialByBound];
-  const std::uint64_t geodesic = counts[itk::MedialVoxelLabel::MedialByGeodesic];
   if (bound + geodesic > 0)
   {
     return geodesic >= bound ? GeodesicColor : BoundColor;
   }
-  return counts[itk::MedialVoxelLabel::NonMedial] > 0 ? ObjectColor : BackgroundColor;
+  return isObject ? ObjectColor : BackgroundColor;
 }
 
 void
@@ -203,10 +242,11 @@ void
 DrawView(Canvas &               canvas,
          const OutputVolume &   labels,
          const VolumeGeometry & geometry,
+         const SliceScores &    scores,
          const View &           view,
          const Rectangle &      area)
 {
-  DrawSlice(canvas, ReadSlice(labels, geometry, view), view.upwards, area);
+  DrawSlice(canvas, ReadSlice(labels, geometry, scores, view), view.upwards, area);
   if (geometry.GetDimension() == 3)
   {
     const std::string caption = std::string(1, "XYZ"[view.normal]) + " = " + std::to_string(view.index);
@@ -265,6 +305,7 @@ SliceScores::SliceScores(const VolumeGeometry & geometry)
     m_Scores.emplace_back(size, 0);
     m_Counts.emplace_back(size, 0);
   }
+  m_HasLabels.resize(geometry.GetNumberOfVoxels() / geometry.size.front(), false);
 }
 
 void
@@ -294,40 +335,58 @@ SliceScores::Add(std::uint64_t firstSlice, std::uint64_t numberOfSlices, const s
   m_LastSlice.assign(labels - sliceLength, labels);
 }
 
-/** Medial labels are the ones with the second bit set; eight cells without are passed over at once. */
+void
+SliceScores::AddEmpty()
+{
+  // The slice after one without labels is like the first one.
+  m_LastSlice.clear();
+}
+
+/** Medial labels are the ones with the second bit set; blocks of cells without are passed over at once. */
 void
 SliceScores::AddRow(const Rows & rows, std::uint64_t y, std::uint64_t z)
 {
-  constexpr std::uint64_t medialBits = 0x0202020202020202;
   static_assert((itk::MedialVoxelLabel::MedialByBound & 2) != 0 && (itk::MedialVoxelLabel::MedialByGeodesic & 2) != 0 &&
                 (itk::MedialVoxelLabel::NonMedial & 2) == 0);
-  const std::uint64_t rowLength = m_Geometry.size[0];
-  for (std::uint64_t begin = 0; begin < rowLength; begin += sizeof(medialBits))
+  constexpr std::uint64_t cellsPerBlock = 64;
+  const std::uint64_t     rowLength = m_Geometry.size[0];
+  std::uint8_t            anyOfRow = 0;
+  for (std::uint64_t begin = 0; begin < rowLength; begin += cellsPerBlock)
   {
-    const std::uint64_t end = std::min<std::uint64_t>(begin + sizeof(medialBits), rowLength);
-    std::uint64_t       word = 0;
-    std::memcpy(&word, rows.row + begin, end - begin);
-    if ((word & medialBits) == 0)
+    const std::uint64_t end = std::min(begin + cellsPerBlock, rowLength);
+    std::uint8_t        any = 0;
+    for (std::uint64_t x = begin; x < end; ++x)
+    {
+      any |= rows.row[x];
+    }
+    anyOfRow |= any;
+    if ((any & 2) != 0)
+    {
+      this->AddCells(rows, begin, end, y, z);
+    }
+  }
+  m_HasLabels[z * m_Geometry.size[1] + y] = anyOfRow != 0;
+}
+
+void
+SliceScores::AddCells(const Rows & rows, std::uint64_t begin, std::uint64_t end, std::uint64_t y, std::uint64_t z)
+{
+  constexpr std::int64_t weight = 3;
+  for (std::uint64_t x = begin; x < end; ++x)
+  {
+    if (!IsMedial(rows.row[x]))
     {
       continue;
     }
-    for (std::uint64_t x = begin; x < end; ++x)
-    {
-      if (!IsMedial(rows.row[x]))
-      {
-        continue;
-      }
-      constexpr std::int64_t weight = 3;
-      const std::int64_t     edgeAlongX = x == 0 || !IsMedial(rows.row[x - 1]);
-      const std::int64_t     edgeAlongY = !rows.previousAlongY || !IsMedial(rows.previousAlongY[x]);
-      const std::int64_t     edgeAlongZ = !rows.previousAlongZ || !IsMedial(rows.previousAlongZ[x]);
-      m_Scores[0][x] += weight * (edgeAlongY + edgeAlongZ) - 1;
-      m_Scores[1][y] += weight * (edgeAlongX + edgeAlongZ) - 1;
-      m_Scores[2][z] += weight * (edgeAlongX + edgeAlongY) - 1;
-      ++m_Counts[0][x];
-      ++m_Counts[1][y];
-      ++m_Counts[2][z];
-    }
+    const std::int64_t edgeAlongX = x == 0 || !IsMedial(rows.row[x - 1]);
+    const std::int64_t edgeAlongY = !rows.previousAlongY || !IsMedial(rows.previousAlongY[x]);
+    const std::int64_t edgeAlongZ = !rows.previousAlongZ || !IsMedial(rows.previousAlongZ[x]);
+    m_Scores[0][x] += weight * (edgeAlongY + edgeAlongZ) - 1;
+    m_Scores[1][y] += weight * (edgeAlongX + edgeAlongZ) - 1;
+    m_Scores[2][z] += weight * (edgeAlongX + edgeAlongY) - 1;
+    ++m_Counts[0][x];
+    ++m_Counts[1][y];
+    ++m_Counts[2][z];
   }
 }
 
@@ -352,9 +411,16 @@ SliceScores::GetBestSlice(unsigned int axis) const
 std::uint64_t
 GetPreviewBytes(const VolumeGeometry & geometry)
 {
-  // The slice before the next one, three slices of labels, and the picture with its copy for the writer.
-  constexpr std::uint64_t pictureBytes = std::uint64_t{ 24 } << 20;
-  return std::min(pictureBytes, 16 * geometry.GetNumberOfVoxels()) + 4 * geometry.GetVoxelsPerSlice();
+  // The picture with its copy for the writer, the slice before the next one, one view, what is read for it, and a bit
+  // for each row.
+  constexpr std::uint64_t bytesPerPixel = 2 * 3;
+  constexpr std::uint64_t bitsPerByte = 8;
+  const Layout            layout = ArrangeViews(GetSizes(geometry));
+  const std::uint64_t     voxels = geometry.GetNumberOfVoxels();
+  const std::uint64_t     largestView =
+    geometry.GetDimension() == 2 ? voxels : voxels / *std::min_element(geometry.size.begin(), geometry.size.end());
+  return bytesPerPixel * layout.width * layout.height + geometry.GetVoxelsPerSlice() + largestView +
+         std::min(voxels, std::max(BytesPerRead, geometry.size[0])) + voxels / geometry.size[0] / bitsPerByte;
 }
 
 void
@@ -368,7 +434,7 @@ WritePreview(const OutputVolume &   labels,
   Canvas                  canvas(layout.width, layout.height);
   for (size_t i = 0; i < views.size(); ++i)
   {
-    DrawView(canvas, labels, geometry, views[i], layout.areas[i]);
+    DrawView(canvas, labels, geometry, scores, views[i], layout.areas[i]);
   }
   DrawLegend(canvas, Gap, layout.height - LegendHeight - Gap);
   canvas.WritePng(file);

@@ -27,10 +27,21 @@ public:
   void
   Add(std::uint64_t firstSlice, std::uint64_t numberOfSlices, const std::uint8_t * labels);
 
+  /** As Add() of slices without labels. */
+  void
+  AddEmpty();
+
   /** Index of the slice across \a axis with the highest score among the inner nine tenths; the middle one when there
    * are no medial cells. */
   std::uint64_t
   GetBestSlice(unsigned int axis) const;
+
+  /** True when the row along the first axis has a label other than zero. */
+  bool
+  HasLabels(std::uint64_t y, std::uint64_t z) const
+  {
+    return m_HasLabels[z * m_Geometry.size[1] + y];
+  }
 
 private:
   struct Rows;
@@ -38,9 +49,13 @@ private:
   void
   AddRow(const Rows & rows, std::uint64_t y, std::uint64_t z);
 
+  void
+  AddCells(const Rows & rows, std::uint64_t begin, std::uint64_t end, std::uint64_t y, std::uint64_t z);
+
   VolumeGeometry                          m_Geometry;
   std::vector<std::vector<std::int64_t>>  m_Scores;    ///< by axis and index
   std::vector<std::vector<std::uint64_t>> m_Counts;    ///< of medial cells, likewise
+  std::vector<bool>                       m_HasLabels; ///< by row, y faster than z
   std::vector<std::uint8_t>               m_LastSlice; ///< the slice before the next one; empty before the first
 };
 

@@ -90,3 +90,41 @@ TEST(SliceScores, SlicesAtTheFacesAreNotShown)
   const Rule rule = [](auto x, auto, auto z) { return (z == 0 && x % 2 == 0) || (z == 30 && x == 10) ? 2 : 1; };
   EXPECT_EQ(GetBestSlices({ 40, 40, 40 }, rule, 40)[2], 30u);
 }
+
+TEST(SliceScores, RowsWithLabelsAreKnown)
+{
+  const std::vector<std::uint64_t> size{ 130, 4, 9 };
+  const Rule  rule = [](auto x, auto y, auto z) { return x == 129 && y == 3 && z == 5 ? 1 : x == 0 && z == 2 ? 3 : 0; };
+  SliceScores scores(MakeGeometry(size));
+  const auto  labels = MakeLabels(size, rule);
+  scores.Add(0, 4, labels.data());
+  scores.Add(4, 5, labels.data() + 4 * 130 * 4);
+  for (std::uint64_t z = 0; z < size[2]; ++z)
+  {
+    for (std::uint64_t y = 0; y < size[1]; ++y)
+    {
+      EXPECT_EQ(scores.HasLabels(y, z), z == 2 || (z == 5 && y == 3)) << y << ", " << z;
+    }
+  }
+}
+
+TEST(SliceScores, EmptySlicesNeedNoLabels)
+{
+  const std::vector<std::uint64_t> size{ 40, 40, 40 };
+  const Rule                       rule = [](auto x, auto y, auto z) {
+    return z >= 9 && z < 12 && x + y == 33 ? 2 : z == 5 && x > y ? 3 : 0;
+  };
+  const auto  labels = MakeLabels(size, rule);
+  SliceScores all(MakeGeometry(size));
+  all.Add(0, 40, labels.data());
+  SliceScores some(MakeGeometry(size));
+  some.Add(0, 6, labels.data());
+  some.AddEmpty();
+  some.Add(9, 3, labels.data() + 9 * 1600);
+  some.AddEmpty();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(some.GetBestSlice(axis), all.GetBestSlice(axis)) << axis;
+  }
+  EXPECT_EQ(some.HasLabels(20, 11), all.HasLabels(20, 11));
+}
