@@ -138,7 +138,7 @@ private:
   bool
   SlideAlongZ(const MedialVoxelBox & box);
 
-  /** Call \a visit(word) for the bits of \a box, word by word, until it returns false. */
+  /** Call \a visit(word) for the bits of \a box, word by word but for empty words, until it returns false. */
   template <typename TVisitor>
   void
   VisitWords(const MedialVoxelBox & box, TVisitor && visit) const;

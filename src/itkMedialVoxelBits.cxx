@@ -139,7 +139,7 @@ MedialVoxelBits::VisitWords(const MedialVoxelBox & box, TVisitor && visit) const
       const WordType * const row = this->GetRow(y, z) - m_FirstWord;
       for (std::int64_t word = firstWord; word <= lastWord; ++word)
       {
-        if (!visit(row[word] & RangeMask(word, clipped.lower[0], clipped.upper[0])))
+        if (row[word] != 0 && !visit(row[word] & RangeMask(word, clipped.lower[0], clipped.upper[0])))
         {
           return;
         }

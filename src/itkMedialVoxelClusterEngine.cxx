@@ -216,15 +216,23 @@ std::uint64_t
 MedialVoxelClusterEngine::BytesOf(const MedialVoxelBox & sites, const Cut & cut) const
 {
   MedialVoxelIndex tile;
-  MedialVoxelIndex searched;
   std::uint64_t    tileVoxels = 1;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const std::int64_t edge =
       axis == m_SlowestAxis ? std::min(cut.tileSize[axis], cut.slabThickness) : cut.tileSize[axis];
     tile[axis] = std::min(edge + m_Settings.upperMargin[axis], sites.Extent(axis));
-    searched[axis] = std::min(tile[axis] + 2 * cut.halo[axis], sites.Extent(axis));
     tileVoxels *= static_cast<std::uint64_t>(tile[axis]);
+  }
+  // Beside the end of the image a tile can search as far as the window reaches on its other side.
+  const std::int64_t reach = sites.Extent(m_SlowestAxis) - tile[m_SlowestAxis];
+  const double       length = static_cast<double>(reach + 1) * m_Grid.GetMetricSpacing()[m_SlowestAxis];
+  const auto         margin = m_Grid.MarginForMetricLength(length);
+  const bool         isAllKnown = sites.Extent(m_SlowestAxis) == m_Grid.GetSize()[m_SlowestAxis];
+  MedialVoxelIndex   searched;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    searched[axis] = isAllKnown ? sites.Extent(axis) : std::min(tile[axis] + 2 * margin[axis], sites.Extent(axis));
   }
   const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel +
                                MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);

@@ -155,7 +155,7 @@ TEST(MedialVoxelClusterEngine, AMemoryLimitHoldsAndChangesNothingElse)
   int          refused = 0;
   for (const int reach : { 0, 3, 17, 40 })
   {
-    for (const std::uint64_t limit : { 60000u, 260000u, 400000u, 700000u, 1300000u })
+    for (const std::uint64_t limit : { 60000u, 300000u, 600000u, 900000u, 1600000u })
     {
       auto settings = SettingsOf(0, 0, { { 2, 2, 2 } });
       settings.memoryLimit = limit;
