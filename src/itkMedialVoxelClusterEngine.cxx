@@ -204,10 +204,13 @@ MedialVoxelClusterEngine::LargestSitesBox(const MedialVoxelBox & region, const C
   MedialVoxelBox box;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const std::int64_t extent =
+    const std::int64_t size = m_Grid.GetVoxelBox().upper[axis];
+    const std::int64_t ofSlab =
       axis == m_SlowestAxis ? std::min(cut.slabThickness, region.Extent(axis)) : region.Extent(axis);
-    box.upper[axis] =
-      std::min(extent + m_Settings.upperMargin[axis] + 2 * cut.halo[axis], m_Grid.GetVoxelBox().upper[axis]);
+    const std::int64_t extent = std::min(ofSlab + m_Settings.upperMargin[axis] + 2 * cut.halo[axis], size);
+    // Away from the borders, and from the first bit of a word, a box takes most.
+    box.lower[axis] = std::min(MedialVoxelBits::BitsPerWord - 1, (size - extent) / 2);
+    box.upper[axis] = box.lower[axis] + extent;
   }
   return box;
 }
@@ -284,7 +287,7 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
   MedialVoxelBox sites = this->GetSitesBox(slab, cut.halo);
   while (!tiles.empty())
   {
-    m_Window.MoveTo(sites, client);
+    this->MoveWindow(sites, cut, client);
     MedialVoxelTileSchedule schedule(std::move(tiles));
     client.RunTiles(schedule);
     schedule.RethrowFailure();
@@ -310,6 +313,17 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
       return;
     }
   }
+}
+
+void
+MedialVoxelClusterEngine::MoveWindow(const MedialVoxelBox & sites, const Cut & cut, MedialVoxelClusterClient & client)
+{
+  if (m_Settings.memoryLimit != 0 &&
+      this->BytesOf(sites, cut) + m_Window.GetBytesToMove(sites) > m_Settings.memoryLimit)
+  {
+    m_Window.Clear();
+  }
+  m_Window.MoveTo(sites, client);
 }
 
 MedialVoxelIndex
