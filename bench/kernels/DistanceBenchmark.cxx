@@ -34,11 +34,8 @@ ComputeBoundary(benchmark::State & state)
   for (auto _ : state)
   {
     // The same bits are set again, which costs as much as the first time.
-    itk::MedialVoxelComputeBoundary(scene.object,
-                                    scene.grid.GetVoxelBox(),
-                                    itk::MedialVoxelBoundary::Background,
-                                    scene.grid.GetVoxelBox(),
-                                    boundary);
+    itk::MedialVoxelComputeBoundary(
+      scene.object, scene.grid.GetVoxelBox(), itk::MedialVoxelBoundary::Background, scene.grid.GetVoxelBox(), boundary);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * scene.grid.GetVoxelBox().NumberOfVoxels());
