@@ -42,6 +42,17 @@ public:
   void
   Reframe(const MedialVoxelBox & box);
 
+  /** True when Reframe() needs no memory beside what the bits have, as when a box of whole slices slides along z. */
+  bool
+  CanReframeInPlace(const MedialVoxelBox & box) const;
+
+  /** Bytes that the bits have, which may be more than they need after they became fewer. */
+  std::uint64_t
+  GetReservedBytes() const
+  {
+    return m_Words.capacity() * sizeof(WordType);
+  }
+
   const MedialVoxelBox &
   GetBox() const
   {
@@ -134,11 +145,10 @@ public:
   GetBytes(const MedialVoxelBox & box);
 
 private:
-  /** Reframe without a second copy, when only the range along z changes and the memory suffices. */
-  bool
-  SlideAlongZ(const MedialVoxelBox & box);
+  void
+  ReframeInPlace(const MedialVoxelBox & box);
 
-  /** Call \a visit(word) for the bits of \a box, word by word, until it returns false. */
+  /** Call \a visit(word) for the bits of \a box, word by word but for empty words, until it returns false. */
   template <typename TVisitor>
   void
   VisitWords(const MedialVoxelBox & box, TVisitor && visit) const;

@@ -174,6 +174,10 @@ private:
            std::vector<MedialVoxelBox> tiles,
            MedialVoxelClusterClient &  client);
 
+  /** Move the window, without what it held when the memory does not suffice for both. */
+  void
+  MoveWindow(const MedialVoxelBox & sites, const Cut & cut, MedialVoxelClusterClient & client);
+
   /** The halo of \a slab in \a sites and that of earlier slabs, as what one needed the next one probably needs too. */
   MedialVoxelIndex
   HaloOf(const MedialVoxelBox & slab, const MedialVoxelBox & sites) const;

@@ -55,9 +55,17 @@ public:
   MedialVoxelBox
   GetObjectBox(const MedialVoxelBox & sites) const;
 
-  /** Bytes that it takes to move to \a sites and to be there. */
+  /** Bytes of a window on \a sites. */
   std::uint64_t
   GetBytes(const MedialVoxelBox & sites) const;
+
+  /** Bytes beside those, at most, while MoveTo() keeps what it can of the old window, and after it. */
+  std::uint64_t
+  GetBytesToMove(const MedialVoxelBox & sites) const;
+
+  /** Forget everything and give the memory back. */
+  void
+  Clear();
 
   /** Move so that the boundaries are known in \a sites, a box inside the image. */
   void
@@ -81,6 +89,11 @@ public:
   }
 
 private:
+  /** Calls visit(bits, box) for all bits that are kept, with the box that each has for \a sites. */
+  template <typename TVisitor>
+  void
+  VisitBits(const MedialVoxelBox & sites, TVisitor && visit) const;
+
   MedialVoxelGrid                  m_Grid;
   std::vector<MedialVoxelBoundary> m_Kinds;
   bool                             m_KeepsNotANumber;

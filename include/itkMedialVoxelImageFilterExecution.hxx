@@ -70,6 +70,8 @@ public:
       std::max<SizeValueType>(1, std::min<SizeValueType>(m_Filter.GetNumberOfWorkers(), schedule.GetNumberOfTiles()));
     multiThreader->SetNumberOfWorkUnits(static_cast<ThreadIdType>(workers));
     multiThreader->ParallelizeArray(0, workers, [this](SizeValueType) { this->Work(); }, nullptr);
+    // The next tiles may be smaller and their window larger.
+    m_Workspaces.clear();
     schedule.RethrowFailure();
     this->ThrowIfAborted();
   }

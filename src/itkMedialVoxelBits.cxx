@@ -54,8 +54,9 @@ MedialVoxelBits::Reshape(const MedialVoxelBox & box)
 void
 MedialVoxelBits::Reframe(const MedialVoxelBox & box)
 {
-  if (box == m_Box || this->SlideAlongZ(box))
+  if (this->CanReframeInPlace(box))
   {
+    this->ReframeInPlace(box);
     return;
   }
   MedialVoxelBits      result(box);
@@ -81,17 +82,19 @@ MedialVoxelBits::Reframe(const MedialVoxelBox & box)
 }
 
 bool
-MedialVoxelBits::SlideAlongZ(const MedialVoxelBox & box)
+MedialVoxelBits::CanReframeInPlace(const MedialVoxelBox & box) const
+{
+  const bool hasSameSlices = box.lower[0] == m_Box.lower[0] && box.upper[0] == m_Box.upper[0] &&
+                             box.lower[1] == m_Box.lower[1] && box.upper[1] == m_Box.upper[1];
+  return hasSameSlices && !box.Intersection(m_Box).IsEmpty() && WordsOfBox(box) <= m_Words.capacity();
+}
+
+void
+MedialVoxelBits::ReframeInPlace(const MedialVoxelBox & box)
 {
   const MedialVoxelBox shared = box.Intersection(m_Box);
-  const bool           hasSameSlices = box.lower[0] == m_Box.lower[0] && box.upper[0] == m_Box.upper[0] &&
-                             box.lower[1] == m_Box.lower[1] && box.upper[1] == m_Box.upper[1];
   const std::ptrdiff_t wordsPerSlice = m_RowPitch * m_Box.Extent(1);
-  const auto           words = static_cast<std::size_t>(wordsPerSlice * box.Extent(2));
-  if (!hasSameSlices || shared.IsEmpty() || words > m_Words.capacity())
-  {
-    return false;
-  }
+  const std::size_t    words = WordsOfBox(box);
   const std::ptrdiff_t source = (shared.lower[2] - m_Box.lower[2]) * wordsPerSlice;
   const std::ptrdiff_t target = (shared.lower[2] - box.lower[2]) * wordsPerSlice;
   const std::ptrdiff_t count = shared.Extent(2) * wordsPerSlice;
@@ -101,7 +104,6 @@ MedialVoxelBits::SlideAlongZ(const MedialVoxelBox & box)
   std::fill(m_Words.begin(), m_Words.begin() + target, 0);
   std::fill(m_Words.begin() + target + count, m_Words.end(), 0);
   m_Box = box;
-  return true;
 }
 
 bool
@@ -139,7 +141,7 @@ MedialVoxelBits::VisitWords(const MedialVoxelBox & box, TVisitor && visit) const
       const WordType * const row = this->GetRow(y, z) - m_FirstWord;
       for (std::int64_t word = firstWord; word <= lastWord; ++word)
       {
-        if (!visit(row[word] & RangeMask(word, clipped.lower[0], clipped.upper[0])))
+        if (row[word] != 0 && !visit(row[word] & RangeMask(word, clipped.lower[0], clipped.upper[0])))
         {
           return;
         }

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelBoundary.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace itk
@@ -45,6 +46,60 @@ AccumulateRows(const MedialVoxelBits & object,
   }
 }
 
+/** Which rows around a slice have an object voxel. */
+class RowsInUse
+{
+public:
+  RowsInUse(const MedialVoxelBits & object, const MedialVoxelBox & box)
+    : m_Object(object)
+    , m_Box(box)
+  {
+    for (auto & slice : m_Slices)
+    {
+      slice.resize(static_cast<std::size_t>(box.Extent(1) + 2));
+    }
+    this->Fill(m_Slices[1], box.lower[2] - 1);
+    this->Fill(m_Slices[2], box.lower[2]);
+  }
+
+  /** To the first slice of the box, then to the next one each time. */
+  void
+  MoveTo(const std::int64_t z)
+  {
+    m_Slices[0].swap(m_Slices[1]);
+    m_Slices[1].swap(m_Slices[2]);
+    this->Fill(m_Slices[2], z + 1);
+  }
+
+  bool
+  AnyAround(const std::int64_t y) const
+  {
+    const auto first = static_cast<std::size_t>(y - m_Box.lower[1]);
+    return std::any_of(m_Slices.begin(), m_Slices.end(), [first](const std::vector<unsigned char> & slice) {
+      return (slice[first] | slice[first + 1] | slice[first + 2]) != 0;
+    });
+  }
+
+private:
+  void
+  Fill(std::vector<unsigned char> & slice, const std::int64_t z) const
+  {
+    MedialVoxelBox row = m_Object.GetBox();
+    row.lower[2] = z;
+    row.upper[2] = z + 1;
+    for (std::size_t i = 0; i < slice.size(); ++i)
+    {
+      row.lower[1] = m_Box.lower[1] - 1 + static_cast<std::int64_t>(i);
+      row.upper[1] = row.lower[1] + 1;
+      slice[i] = m_Object.Any(row) ? 1 : 0;
+    }
+  }
+
+  const MedialVoxelBits &                   m_Object;
+  MedialVoxelBox                            m_Box;
+  std::array<std::vector<unsigned char>, 3> m_Slices;
+};
+
 } // namespace
 
 void
@@ -64,18 +119,18 @@ MedialVoxelComputeBoundary(const MedialVoxelBits &   object,
   const std::int64_t firstWord = box.lower[0] / MedialVoxelBits::BitsPerWord;
   const std::int64_t words = (box.upper[0] - 1) / MedialVoxelBits::BitsPerWord - firstWord + 1;
 
+  // Most rows of most volumes have no object voxel around, and nothing to decide.
+  RowsInUse             rows(object, box);
   std::vector<WordType> sum(static_cast<std::size_t>(words + 2));
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
-    MedialVoxelBox around = object.GetBox();
-    around.lower[2] = z - 1;
-    around.upper[2] = z + 2;
-    if (!object.Any(around))
-    {
-      continue;
-    }
+    rows.MoveTo(z);
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
+      if (!rows.AnyAround(y))
+      {
+        continue;
+      }
       AccumulateRows(object, image, neighborFlip, y, z, firstWord, sum);
       const WordType * const own = object.GetRow(y, z) - object.GetFirstWord();
       WordType * const       target = boundary.GetRow(y, z) - boundary.GetFirstWord();

@@ -204,10 +204,13 @@ MedialVoxelClusterEngine::LargestSitesBox(const MedialVoxelBox & region, const C
   MedialVoxelBox box;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const std::int64_t extent =
+    const std::int64_t size = m_Grid.GetVoxelBox().upper[axis];
+    const std::int64_t ofSlab =
       axis == m_SlowestAxis ? std::min(cut.slabThickness, region.Extent(axis)) : region.Extent(axis);
-    box.upper[axis] =
-      std::min(extent + m_Settings.upperMargin[axis] + 2 * cut.halo[axis], m_Grid.GetVoxelBox().upper[axis]);
+    const std::int64_t extent = std::min(ofSlab + m_Settings.upperMargin[axis] + 2 * cut.halo[axis], size);
+    // Away from the borders, and from the first bit of a word, a box takes most.
+    box.lower[axis] = std::min(MedialVoxelBits::BitsPerWord - 1, (size - extent) / 2);
+    box.upper[axis] = box.lower[axis] + extent;
   }
   return box;
 }
@@ -216,15 +219,23 @@ std::uint64_t
 MedialVoxelClusterEngine::BytesOf(const MedialVoxelBox & sites, const Cut & cut) const
 {
   MedialVoxelIndex tile;
-  MedialVoxelIndex searched;
   std::uint64_t    tileVoxels = 1;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const std::int64_t edge =
       axis == m_SlowestAxis ? std::min(cut.tileSize[axis], cut.slabThickness) : cut.tileSize[axis];
     tile[axis] = std::min(edge + m_Settings.upperMargin[axis], sites.Extent(axis));
-    searched[axis] = std::min(tile[axis] + 2 * cut.halo[axis], sites.Extent(axis));
     tileVoxels *= static_cast<std::uint64_t>(tile[axis]);
+  }
+  // Beside the end of the image a tile can search as far as the window reaches on its other side.
+  const std::int64_t reach = sites.Extent(m_SlowestAxis) - tile[m_SlowestAxis];
+  const double       length = static_cast<double>(reach + 1) * m_Grid.GetMetricSpacing()[m_SlowestAxis];
+  const auto         margin = m_Grid.MarginForMetricLength(length);
+  const bool         isAllKnown = sites.Extent(m_SlowestAxis) == m_Grid.GetSize()[m_SlowestAxis];
+  MedialVoxelIndex   searched;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    searched[axis] = isAllKnown ? sites.Extent(axis) : std::min(tile[axis] + 2 * margin[axis], sites.Extent(axis));
   }
   const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel +
                                MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
@@ -276,7 +287,7 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
   MedialVoxelBox sites = this->GetSitesBox(slab, cut.halo);
   while (!tiles.empty())
   {
-    m_Window.MoveTo(sites, client);
+    this->MoveWindow(sites, cut, client);
     MedialVoxelTileSchedule schedule(std::move(tiles));
     client.RunTiles(schedule);
     schedule.RethrowFailure();
@@ -302,6 +313,17 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
       return;
     }
   }
+}
+
+void
+MedialVoxelClusterEngine::MoveWindow(const MedialVoxelBox & sites, const Cut & cut, MedialVoxelClusterClient & client)
+{
+  if (m_Settings.memoryLimit != 0 &&
+      this->BytesOf(sites, cut) + m_Window.GetBytesToMove(sites) > m_Settings.memoryLimit)
+  {
+    m_Window.Clear();
+  }
+  m_Window.MoveTo(sites, client);
 }
 
 MedialVoxelIndex

@@ -58,12 +58,51 @@ MedialVoxelClusterWindow::GetObjectBox(const MedialVoxelBox & sites) const
   return sites.Expanded(m_Grid.GetUnitMargin()).Intersection(m_Grid.GetVoxelBox());
 }
 
+template <typename TVisitor>
+void
+MedialVoxelClusterWindow::VisitBits(const MedialVoxelBox & sites, TVisitor && visit) const
+{
+  const MedialVoxelBox objectBox = this->GetObjectBox(sites);
+  visit(m_Object, objectBox);
+  if (m_KeepsNotANumber)
+  {
+    visit(m_NotANumber, objectBox);
+  }
+  for (const MedialVoxelBits & boundary : m_Boundaries)
+  {
+    visit(boundary, sites);
+  }
+}
+
 std::uint64_t
 MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
 {
-  // Object, boundaries, and a copy of one of them while it moves.
-  const std::uint64_t volumes = 1 + m_Kinds.size() + (m_KeepsNotANumber ? 1 : 0) + 1;
-  return volumes * MedialVoxelBits::GetBytes(this->GetObjectBox(sites));
+  std::uint64_t bytes = 0;
+  this->VisitBits(
+    sites, [&bytes](const MedialVoxelBits &, const MedialVoxelBox & box) { bytes += MedialVoxelBits::GetBytes(box); });
+  return bytes;
+}
+
+std::uint64_t
+MedialVoxelClusterWindow::GetBytesToMove(const MedialVoxelBox & sites) const
+{
+  std::uint64_t surplus = 0;
+  std::uint64_t copy = 0; // of one after the other
+  this->VisitBits(sites, [&surplus, &copy](const MedialVoxelBits & bits, const MedialVoxelBox & box) {
+    const std::uint64_t needed = MedialVoxelBits::GetBytes(box);
+    const std::uint64_t shared = std::min(needed, bits.GetReservedBytes());
+    surplus += bits.GetReservedBytes() - shared;
+    copy = std::max(copy, bits.CanReframeInPlace(box) ? 0 : shared);
+  });
+  return surplus + copy;
+}
+
+void
+MedialVoxelClusterWindow::Clear()
+{
+  m_Object = {};
+  m_NotANumber = {};
+  m_Boundaries = std::vector<MedialVoxelBits>(m_Kinds.size());
 }
 
 void

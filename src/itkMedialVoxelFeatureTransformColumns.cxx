@@ -16,7 +16,7 @@ constexpr std::int64_t LaneUnit = 8;
 constexpr std::int64_t MostLanes = 64;
 
 /** Bytes of intermediate results above which fewer columns are searched at once. */
-constexpr std::int64_t EnoughLineBytes = std::int64_t{ 16 } << 20;
+constexpr std::int64_t EnoughLineBytes = std::int64_t{ 8 } << 20;
 
 /** Bytes of intermediate results of one column. */
 template <typename TCost>

@@ -30,6 +30,7 @@ public:
   FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
   {
     m_FirstFill = m_FirstFill.IsEmpty() ? box : m_FirstFill;
+    this->MeasureWindow();
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
       if (m_Volume.IsObject(OracleIndex(v)))
       {
@@ -42,10 +43,7 @@ public:
   RunTiles(itk::MedialVoxelTileSchedule & schedule) override
   {
     ++m_Rounds;
-    m_LargestWindowBytes = std::max(
-      m_LargestWindowBytes,
-      m_Engine->GetWindow().GetBytes(
-        m_Engine->GetWindow().GetWindow(itk::MedialVoxelBoundary::Background).sites->GetBox()));
+    this->MeasureWindow();
     itk::MedialVoxelBox tile;
     while (schedule.Next(tile))
     {
@@ -64,6 +62,15 @@ public:
         throw std::runtime_error("stop");
       }
     }
+  }
+
+  /** What the bits have, not what they need. */
+  void
+  MeasureWindow()
+  {
+    const auto window = m_Engine->GetWindow().GetWindow(itk::MedialVoxelBoundary::Background);
+    m_LargestWindowBytes =
+      std::max(m_LargestWindowBytes, window.object->GetReservedBytes() + window.sites->GetReservedBytes());
   }
 
   const Volume &                   m_Volume;
@@ -155,7 +162,7 @@ TEST(MedialVoxelClusterEngine, AMemoryLimitHoldsAndChangesNothingElse)
   int          refused = 0;
   for (const int reach : { 0, 3, 17, 40 })
   {
-    for (const std::uint64_t limit : { 60000u, 260000u, 400000u, 700000u, 1300000u })
+    for (const std::uint64_t limit : { 60000u, 300000u, 600000u, 900000u, 1600000u })
     {
       auto settings = SettingsOf(0, 0, { { 2, 2, 2 } });
       settings.memoryLimit = limit;
@@ -225,6 +232,7 @@ TEST(MedialVoxelClusterEngine, ATileThatWantsNothingNewEndsTheRun)
   const Volume             volume({ { 20, 20, 30 } }, UnitSpacing);
   StubbornClient           client(volume, 1);
   MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  client.m_Engine = &engine;
   EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), client), std::logic_error);
 }
 

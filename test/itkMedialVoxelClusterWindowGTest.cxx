@@ -52,6 +52,18 @@ private:
 const std::vector<itk::MedialVoxelBoundary> BothKinds{ itk::MedialVoxelBoundary::Background,
                                                        itk::MedialVoxelBoundary::Object };
 
+/** Bytes that all bits of the window have. */
+std::uint64_t
+ReservedBytes(const itk::MedialVoxelClusterWindow & window)
+{
+  std::uint64_t bytes = window.GetObject().GetReservedBytes() + window.GetNotANumber().GetReservedBytes();
+  for (const auto kind : BothKinds)
+  {
+    bytes += window.GetWindow(kind).sites->GetReservedBytes();
+  }
+  return bytes;
+}
+
 /** How many boundary bits of both kinds in the window differ from the definition. */
 std::size_t
 Differences(const itk::MedialVoxelClusterWindow & window, const Volume & volume, const itk::MedialVoxelBox & sites)
@@ -148,6 +160,41 @@ TEST(MedialVoxelClusterWindow, AWindowMayJump)
     window.MoveTo(sites, source);
     EXPECT_EQ(Differences(window, volume, sites), 0u) << trial;
   }
+}
+
+TEST(MedialVoxelClusterWindow, AMoveTakesNoMoreThanItSays)
+{
+  const Volume                  volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 204);
+  CountingSource                source(volume);
+  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
+  std::mt19937                  generator(10);
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    // Slabs, which move in place, and boxes, which are copied.
+    auto sites = RandomBox(volume.size, generator);
+    if (trial % 2 == 0)
+    {
+      sites = MakeBox({ { 0, 0, int(sites.lower[2]) } }, { { 70, 20, int(sites.upper[2]) } });
+    }
+    const std::uint64_t allowed = window.GetBytes(sites) + window.GetBytesToMove(sites);
+    window.MoveTo(sites, source);
+    EXPECT_LE(ReservedBytes(window), allowed) << trial;
+  }
+}
+
+TEST(MedialVoxelClusterWindow, AClearedWindowHasNoMemory)
+{
+  const Volume                  volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 205);
+  CountingSource                source(volume);
+  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds, true);
+  const auto                    sites = MakeBox({ { 0, 0, 4 } }, { { 70, 20, 9 } });
+  window.MoveTo(sites, source);
+  EXPECT_GE(ReservedBytes(window), window.GetBytes(sites));
+  window.Clear();
+  EXPECT_EQ(ReservedBytes(window), 0u);
+  EXPECT_EQ(window.GetBytesToMove(sites), 0u);
+  window.MoveTo(sites, source);
+  EXPECT_EQ(Differences(window, volume, sites), 0u);
 }
 
 TEST(MedialVoxelClusterWindow, BoundariesNeedOneMoreVoxelWithinTheImage)

@@ -60,15 +60,13 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   loop.Prepare(*input);
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
-    loop.Run(*runner,
-             result.plan.GetPiece(piece),
-             [&](std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults & results) {
-               vectors->Write(firstVoxel, numberOfVoxels, results.vectors);
-               if (distances)
-               {
-                 distances->Write(firstVoxel, numberOfVoxels, results.distances);
-               }
-             });
+    loop.Run(*runner, result.plan.GetPiece(piece), [&](const PieceLoop::Range & range, const PieceResults & results) {
+      vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
+      if (distances)
+      {
+        distances->Write(range.firstVoxel, range.numberOfVoxels, results.distances);
+      }
+    });
   }
   result.sums = runner->GetSums();
 

@@ -123,32 +123,30 @@ public:
 
 private:
   void
-  RunPiece(const SliceRange & range)
+  RunPiece(const SliceRange & piece)
   {
-    m_Loop.Run(
-      *m_Runner, range, [&](std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults & results) {
-        if (results.isEmpty && m_Options.sparse)
-        {
-          m_Scores.AddEmpty();
-          return;
-        }
-        m_Labels->Write(firstVoxel, numberOfVoxels, results.labels);
-        if (m_Vectors)
-        {
-          m_Vectors->Write(firstVoxel, numberOfVoxels, results.vectors);
-        }
-        if (m_Preview)
-        {
-          m_Scores.Add(range.begin, range.end - range.begin, static_cast<const std::uint8_t *>(results.labels));
-        }
-      });
+    m_Loop.Run(*m_Runner, piece, [&](const PieceLoop::Range & range, const PieceResults & results) {
+      if (results.isEmpty && m_Options.sparse)
+      {
+        m_Scores.AddEmpty();
+        return;
+      }
+      m_Labels->Write(range.firstVoxel, range.numberOfVoxels, results.labels);
+      if (m_Vectors)
+      {
+        m_Vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
+      }
+      if (m_Preview)
+      {
+        m_Scores.Add(
+          range.slices.begin, range.slices.end - range.slices.begin, static_cast<const std::uint8_t *>(results.labels));
+      }
+    });
     if (m_DistanceRunner)
     {
-      m_Loop.Run(*m_DistanceRunner,
-                 range,
-                 [&](std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults & results) {
-                   m_Distances->Write(firstVoxel, numberOfVoxels, results.distances);
-                 });
+      m_Loop.Run(*m_DistanceRunner, piece, [&](const PieceLoop::Range & range, const PieceResults & results) {
+        m_Distances->Write(range.firstVoxel, range.numberOfVoxels, results.distances);
+      });
     }
   }
 

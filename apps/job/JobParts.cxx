@@ -110,7 +110,7 @@ AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVo
 CutSettings
 GetCutSettings(const JobPlan & plan)
 {
-  return { plan.slabThickness, plan.filterLimit };
+  return { plan.slabThickness, plan.GetFilterLimit(plan.GetMaximumSlices()) };
 }
 
 VoxelLayout
@@ -124,6 +124,7 @@ PieceLoop::PieceLoop(const JobPlan &      plan,
                      unsigned int         runnersPerPiece,
                      ProgressSink &       sink)
   : m_Plan(plan)
+  , m_SlicesAtOnce(plan.GetMaximumSlices())
   , m_VoxelsPerSlice(header.geometry.GetVoxelsPerSlice())
   , m_RunnersPerPiece(runnersPerPiece)
   , m_Sink(sink)
@@ -156,21 +157,46 @@ PieceLoop::Prepare(InputVolume & input)
 }
 
 void
-PieceLoop::Run(PieceRunner & runner, const SliceRange & range, const WriteFunction & write)
+PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, const WriteFunction & write)
+{
+  for (SliceRange slices{ piece.begin, 0 }; slices.begin < piece.end;)
+  {
+    slices.end = std::min(slices.begin + m_SlicesAtOnce, piece.end);
+    try
+    {
+      this->RunSlices(runner, slices, write);
+      slices.begin = slices.end;
+    }
+    catch (const itk::MedialVoxelMemoryError & error)
+    {
+      m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
+      const std::uint64_t limit = m_Plan.GetFilterLimit(m_SlicesAtOnce);
+      if (limit <= error.GetAllowedBytes())
+      {
+        throw;
+      }
+      runner.Release();
+      runner.SetMemoryLimit(limit);
+    }
+  }
+}
+
+void
+PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, const WriteFunction & write)
 {
   this->ThrowIfStopRequested();
-  m_SlicesOfPiece = range.end - range.begin;
+  m_SlicesOfPiece = slices.end - slices.begin;
   PieceResults results;
   try
   {
-    results = runner.Run(range.begin, m_SlicesOfPiece);
+    results = runner.Run(slices.begin, m_SlicesOfPiece);
   }
   catch (const itk::ProcessAborted &)
   {
     throw StoppedBySignal(GetStopSignal());
   }
   const auto start = JobClock::now();
-  write(range.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice, results);
+  write({ slices, slices.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice }, results);
   m_WriteSeconds += SecondsSince(start);
   // A single runner uses the memory of its results again, which is much cheaper than new memory for each piece.
   if (m_RunnersPerPiece > 1)

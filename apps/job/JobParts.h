@@ -61,18 +61,26 @@ public:
   PieceObserver
   GetObserver();
 
-  /** Takes the results of a range of voxels. */
-  using WriteFunction =
-    std::function<void(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const PieceResults &)>;
+  /** Slices, and the same as voxels. */
+  struct Range
+  {
+    SliceRange    slices;
+    std::uint64_t firstVoxel;
+    std::uint64_t numberOfVoxels;
+  };
+
+  /** Takes the results of a range. */
+  using WriteFunction = std::function<void(const Range &, const PieceResults &)>;
 
   /** Prepares the input, which is a part of the job's progress when it takes long.
    * \throw StoppedBySignal when the sink asks to stop. */
   void
   Prepare(InputVolume & input);
 
-  /** \throw StoppedBySignal when the sink asks to stop. */
+  /** Runs a piece, in smaller ones when the walls need more memory than results of this size leave.
+   * \throw StoppedBySignal when the sink asks to stop. */
   void
-  Run(PieceRunner & runner, const SliceRange & range, const WriteFunction & write);
+  Run(PieceRunner & runner, const SliceRange & piece, const WriteFunction & write);
 
   void
   ThrowIfStopRequested() const;
@@ -84,7 +92,11 @@ public:
   }
 
 private:
+  void
+  RunSlices(PieceRunner & runner, const SliceRange & slices, const WriteFunction & write);
+
   JobPlan        m_Plan;
+  std::uint64_t  m_SlicesAtOnce;
   std::uint64_t  m_VoxelsPerSlice;
   unsigned int   m_RunnersPerPiece;
   ProgressSink & m_Sink;

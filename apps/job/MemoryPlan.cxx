@@ -9,7 +9,6 @@
 #include "itkMultiThreaderBase.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace medialvoxel
 {
@@ -19,8 +18,11 @@ namespace
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
 // Measured on whole runs: the process without work, and a thread beside what its filter plans for it.
-constexpr std::uint64_t BytesOfProgram = 14 * MiB;
+constexpr std::uint64_t BytesOfProgram = 15 * MiB;
 constexpr std::uint64_t BytesPerThread = 1 * MiB;
+
+/** Beside the mask, and beside what the format of the volume needs. */
+constexpr std::uint64_t BytesOfUnpacking = 3 * MiB;
 
 /** The filter pulls input in whole slices of at least this many bytes. */
 constexpr std::uint64_t BytesPerPull = 1 * MiB;
@@ -28,20 +30,12 @@ constexpr std::uint64_t BytesPerPull = 1 * MiB;
 /** Results of a piece when nothing else limits them. */
 constexpr std::uint64_t BytesOfPiece = 128 * MiB;
 
-constexpr std::uint64_t NoLimit = std::numeric_limits<std::uint64_t>::max();
-
 /** What does not change while a fitting plan is looked for. */
 struct Request
 {
   const JobOptions &     options;
   const VolumeHeader &   header;
   const PieceFootprint & footprint;
-
-  std::uint64_t
-  GetBytesPerSlice() const
-  {
-    return header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
-  }
 };
 
 /** Memory that depends neither on pieces nor on slabs. */
@@ -53,8 +47,9 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t  bytesPerVoxel = isMask ? 1 : GetTraits(header.pixelType).bytes;
   const std::uint64_t  voxels = header.geometry.GetNumberOfVoxels();
   const std::uint64_t  pull = std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
+  const std::uint64_t  unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
   const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
-  return BytesOfProgram + BytesPerThread * plan.threads + std::min(pull, voxels * bytesPerVoxel) + mask +
+  return BytesOfProgram + BytesPerThread * plan.threads + std::min(pull, voxels * bytesPerVoxel) + mask + unpacking +
          request.footprint.bytesBeside;
 }
 
@@ -92,8 +87,8 @@ GetPreferredSlabThickness(const JobPlan & plan, const Request & request)
 bool
 TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
 {
-  const std::uint64_t bytesPerSlice = request.GetBytesPerSlice();
-  const std::uint64_t least = EstimateFixedMemory(plan, request) + EstimateFilters(plan, request);
+  plan.fixedBytes = EstimateFixedMemory(plan, request);
+  const std::uint64_t least = plan.fixedBytes + EstimateFilters(plan, request);
   const std::uint64_t rest = plan.memoryLimit - std::min(plan.memoryLimit, least);
   if (request.options.divisions)
   {
@@ -101,19 +96,12 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
   }
   else
   {
-    // Half of the rest is for the filters, should walls be thicker than planned.
-    const std::uint64_t slices = std::max(slab, std::min(rest / 2, BytesOfPiece) / bytesPerSlice);
+    // Most of the rest is for the filters, should walls be thicker than planned.
+    const std::uint64_t slices = std::max(slab, std::min(rest / 8, BytesOfPiece) / plan.bytesPerSlice);
     plan.divisions = (plan.numberOfSlices - 1) / std::min(slices, plan.numberOfSlices) + 1;
   }
-  const std::uint64_t bytesOfPiece = plan.GetMaximumSlices() * bytesPerSlice;
-  plan.memoryBytes = least + bytesOfPiece;
-  if (plan.memoryBytes > plan.memoryLimit)
-  {
-    return false;
-  }
-  const std::uint64_t forFilters = plan.memoryLimit - EstimateFixedMemory(plan, request) - bytesOfPiece;
-  plan.filterLimit = plan.memoryLimit == NoLimit ? 0 : forFilters / request.footprint.engines.size();
-  return true;
+  plan.memoryBytes = least + plan.GetMaximumSlices() * plan.bytesPerSlice;
+  return plan.memoryBytes <= plan.memoryLimit;
 }
 
 /** Thinner slabs read and do more twice, so that the thickest that fit are taken. */
@@ -181,7 +169,9 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   JobPlan             plan;
   plan.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   plan.numberOfSlices = header.geometry.size.back();
-  plan.memoryLimit = options.memoryBytes.value_or(free == NoLimit ? NoLimit : free / 2);
+  plan.bytesPerSlice = header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
+  plan.numberOfFilters = footprint.engines.size();
+  plan.memoryLimit = options.memoryBytes.value_or(free == NoMemoryLimit ? NoMemoryLimit : free / 2);
   if (TryScratch(plan, request))
   {
     return plan;

@@ -52,6 +52,10 @@ public:
   virtual PieceResults
   Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices) = 0;
 
+  /** Sets what windows and threads may take from the next run on, in bytes; 0 is without limit. */
+  virtual void
+  SetMemoryLimit(std::uint64_t bytes) = 0;
+
   /** Gives back the memory of the results. */
   virtual void
   Release() = 0;

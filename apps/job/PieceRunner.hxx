@@ -86,6 +86,12 @@ public:
   }
 
   void
+  SetMemoryLimit(std::uint64_t bytes) override
+  {
+    m_Filter->SetWorkingMemoryLimit(bytes);
+  }
+
+  void
   Release() override
   {
     for (auto & output : m_Filter->GetOutputs())

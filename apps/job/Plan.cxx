@@ -6,6 +6,7 @@
 #include "MemoryPlan.h"
 #include "Text.h"
 
+#include <algorithm>
 #include <map>
 #include <sys/stat.h>
 
@@ -63,6 +64,17 @@ SliceRange
 JobPlan::GetPiece(std::uint64_t piece) const
 {
   return { piece * numberOfSlices / divisions, (piece + 1) * numberOfSlices / divisions };
+}
+
+std::uint64_t
+JobPlan::GetFilterLimit(std::uint64_t slices) const
+{
+  if (memoryLimit == NoMemoryLimit)
+  {
+    return 0;
+  }
+  const std::uint64_t other = fixedBytes + slices * bytesPerSlice;
+  return std::max<std::uint64_t>(1, (memoryLimit - std::min(memoryLimit, other)) / numberOfFilters);
 }
 
 std::uint64_t

@@ -9,6 +9,7 @@
 #include "itkMedialVoxelClusterEngine.h"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,8 @@ struct SliceRange
   std::uint64_t end{ 0 };
 };
 
+constexpr std::uint64_t NoMemoryLimit = std::numeric_limits<std::uint64_t>::max();
+
 /** How a job will be done, decided before it starts. */
 struct JobPlan
 {
@@ -32,13 +35,20 @@ struct JobPlan
   std::uint64_t slabThickness{ 0 }; ///< slices that the filters process between two pulls of input; 0: they choose
   std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
   std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
-  std::uint64_t filterLimit{ 0 };   ///< share of each filter in memoryLimit, for windows and threads
+
+  std::uint64_t fixedBytes{ 0 };      ///< memory that depends neither on pieces nor on windows
+  std::uint64_t bytesPerSlice{ 0 };   ///< results
+  std::uint64_t numberOfFilters{ 1 }; ///< that keep windows
 
   std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
   std::uint64_t         diskBytes{ 0 }; ///< of all outputs; with sparse outputs the most they can grow to
 
   SliceRange
   GetPiece(std::uint64_t piece) const;
+
+  /** Memory for the windows and threads of each filter beside the results of so many slices; 0 is without limit. */
+  std::uint64_t
+  GetFilterLimit(std::uint64_t slices) const;
 
   /** Slices of the largest piece. */
   std::uint64_t

@@ -115,3 +115,19 @@ TEST(Plan, TheMaskOfACompressedVolumeIsInMemoryWhereItFits)
   options.scratchFolder.clear();
   EXPECT_THROW(MakePlanFor(options, header, 1), JobError);
 }
+
+TEST(Plan, ShorterPiecesLeaveMoreToTheFilters)
+{
+  const VolumeHeader header = MakeHeader({ 500, 500, 500 });
+  JobOptions         options;
+  options.threads = 1;
+  options.memoryBytes = 150 * MiB;
+  const JobPlan       plan = MakePlanFor(options, header, 13);
+  const std::uint64_t slices = plan.GetMaximumSlices();
+  ASSERT_GT(slices, 1u);
+  const std::uint64_t limit = plan.GetFilterLimit(slices);
+  EXPECT_EQ(limit + slices * plan.bytesPerSlice + plan.fixedBytes, 150 * MiB);
+  EXPECT_EQ(plan.GetFilterLimit(slices - 1), limit + plan.bytesPerSlice);
+  // 0 would be without limit.
+  EXPECT_EQ(plan.GetFilterLimit(1000000), 1u);
+}
