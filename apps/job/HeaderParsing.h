@@ -21,6 +21,9 @@ using itk::MedialVoxelText::ParseSpacings;
 using itk::MedialVoxelText::RefuseHeader;
 using itk::MedialVoxelText::RequireField;
 
+/** VolumeHeader::format of TIFF files, whose packed voxels are not one stream. */
+constexpr const char * TiffFormat = "TIFF";
+
 /** \throw HeaderError */
 VolumeHeader
 ReadMetaImageHeader(const std::filesystem::path & fileName);
@@ -28,8 +31,10 @@ VolumeHeader
 ReadNrrdHeader(const std::filesystem::path & fileName);
 VolumeHeader
 ReadNiftiHeader(const std::filesystem::path & fileName);
+#ifdef MEDIALVOXEL_WITH_TIFF
 VolumeHeader
 ReadTiffHeader(const std::filesystem::path & fileName);
+#endif
 
 } // end namespace medialvoxel
 

@@ -110,7 +110,7 @@ private:
 void
 AddMeasurements(JobResult & result, const InputVolume & input, double writeSeconds, JobClock::time_point start);
 
-/** Calls the function and turns failures of the pipeline, such as a file that became shorter, into JobError. */
+/** Calls the function and turns failures of the pipeline, such as a file that is gone, into JobError. */
 template <typename TFunction>
 auto
 WithPipelineErrors(TFunction && function)

@@ -3,124 +3,115 @@
 #ifndef medialvoxelTiffFile_h
 #define medialvoxelTiffFile_h
 
-#include "BinaryHeader.h"
-#include "HeaderParsing.h"
-
+#include <algorithm>
+#include <cstdarg>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <map>
-#include <optional>
-#include <set>
+#include <memory>
 #include <string>
-#include <vector>
+
+#include <tiffio.h>
 
 namespace medialvoxel
 {
 
-/** No more slices than this are believed to be in a file. */
-constexpr std::uint64_t MaximumTiffSlices = std::uint64_t{ 1 } << 20;
-
-/** The entries of a directory that are read. */
-enum TiffTag : std::uint16_t
+/** How the rows of a slice are divided into strips. */
+struct TiffRows
 {
-  SubfileType = 254,
-  ImageWidth = 256,
-  ImageLength = 257,
-  BitsPerSample = 258,
-  Compression = 259,
-  Photometric = 262,
-  ImageDescription = 270,
-  StripOffsets = 273,
-  Orientation = 274,
-  SamplesPerPixel = 277,
-  RowsPerStrip = 278,
-  StripByteCounts = 279,
-  XResolution = 282,
-  YResolution = 283,
-  ResolutionUnit = 296,
-  Predictor = 317,
-  TileWidth = 322,
-  SampleFormat = 339
-};
+  std::uint64_t height{ 0 };
+  std::uint64_t perStrip{ 0 };
 
-/** Where the values of an entry lie. */
-struct TiffEntry
-{
-  unsigned int  type{ 0 };
-  std::uint64_t count{ 0 };
-  std::uint64_t offset{ 0 }; ///< of the values in the file
+  /** Rows of a strip; the last one may have less than the others. */
+  std::uint64_t
+  Of(std::uint64_t strip) const
+  {
+    return std::min(perStrip, height - std::min(height, strip * perStrip));
+  }
 };
-
-/** One directory, which describes one slice. */
-using TiffDirectory = std::map<std::uint16_t, TiffEntry>;
 
 /** \class TiffFile
- * \brief Random access to the numbers of a TIFF or BigTIFF file, none of which is believed to lie in it before it was
- * read. All functions throw HeaderError when the file is damaged. */
+ * \brief A TIFF or BigTIFF file in the hands of libtiff, which keeps one directory, that of one slice, at a time.
+ *
+ * What libtiff complains of becomes part of the errors and is not printed; its warnings are dropped. It reads through
+ * this class, which refuses all that would lie behind the end of the file: libtiff takes some of it for zeros. */
 class TiffFile
 {
 public:
-  explicit TiffFile(const std::filesystem::path & fileName);
+  /** Tables of a directory with more bytes than this are refused. */
+  static constexpr std::uint64_t MaximumBytesOfTable = std::uint64_t{ 1 } << 26;
 
-  /** \throw HeaderError Corrupt with the name of the file. */
+  /** Opens a file and reads its first directory.
+   * \param maximumBytes no buffer within libtiff has more bytes than this
+   * \throw HeaderError Unreadable, or Corrupt when it does not begin with a directory */
+  explicit TiffFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes = MaximumBytesOfTable);
+  TiffFile(const TiffFile &) = delete;
+  TiffFile &
+  operator=(const TiffFile &) = delete;
+
+  /** \throw HeaderError Corrupt with the name of the file, and with the complaint of libtiff if there is one. */
   [[noreturn]] void
   Refuse(const std::string & what) const;
 
+  /** Reads the next directory; false when there is none. \throw HeaderError Corrupt when it is damaged. */
   bool
-  IsBigEndian() const
+  NextDirectory();
+
+  /** The value of a tag of the directory, of the type that libtiff has for it; \a preset when there is none. */
+  template <typename TValue>
+  TValue
+  Get(std::uint32_t tag, TValue preset) const
   {
-    return m_BigEndian;
+    TValue value{};
+    return TIFFGetField(m_Handle.get(), tag, &value) == 1 ? value : preset;
   }
 
-  std::uint64_t
-  GetSize() const
+  /** For what else libtiff tells of the directory. */
+  TIFF *
+  GetHandle() const
   {
-    return m_Size;
+    return m_Handle.get();
   }
 
-  /** The next directory of the chain, of which there is at least one; false after the last. Only one of them is kept,
-   * as there may be as many as slices. */
-  bool
-  ReadNextDirectory(TiffDirectory & directory);
+  TiffRows
+  GetRows() const;
 
-  /** Whole numbers of an entry; \a preset when there is none. */
-  std::vector<std::uint64_t>
-  GetNumbers(const TiffDirectory & directory, TiffTag tag, const std::vector<std::uint64_t> & preset);
-
-  /** The only whole number of an entry. */
-  std::uint64_t
-  GetNumber(const TiffDirectory & directory, TiffTag tag, std::optional<std::uint64_t> preset = std::nullopt);
-
-  /** A ratio of whole numbers, rounded to single precision as by other readers; 1 when there is none. */
-  double
-  GetRatio(const TiffDirectory & directory, TiffTag tag);
-
-  /** The text of an entry; empty when there is none. */
-  std::string
-  GetText(const TiffDirectory & directory, TiffTag tag);
+  /** Unpacks a strip into the byte order of the machine.
+   * \throw HeaderError Corrupt when it is damaged or has less than \a numberOfBytes */
+  void
+  ReadStrip(std::uint32_t strip, void * voxels, std::uint64_t numberOfBytes);
 
 private:
-  BinaryHeader
-  ReadBytes(std::uint64_t offset, std::uint64_t count);
+  struct Closer
+  {
+    void
+    operator()(TIFF * handle) const
+    {
+      TIFFClose(handle);
+    }
+  };
 
-  std::uint64_t
-  ReadOffset(std::uint64_t offset);
+  static tmsize_t
+  Read(thandle_t file, void * bytes, tmsize_t numberOfBytes);
+  static toff_t
+  Seek(thandle_t file, toff_t offset, int from);
+  static toff_t
+  GetSize(thandle_t file);
+  static int
+  KeepComplaint(TIFF *, void * file, const char *, const char * format, va_list values);
+  static int
+  DropWarning(TIFF *, void *, const char *, const char *, va_list);
 
-  /** Reads the directory at an offset, which becomes that of the next one. */
-  TiffDirectory
-  ReadDirectory(std::uint64_t & offset);
+  /** What libtiff read of a directory was there. */
+  void
+  CheckDirectory(bool isRead, const char * what) const;
 
-  BinaryHeader
-  ReadValues(const TiffEntry & entry, unsigned int bytesPerValue);
-
-  std::filesystem::path   m_FileName;
-  std::ifstream           m_File;
-  std::uint64_t           m_Size;
-  bool                    m_BigEndian{ false };
-  bool                    m_IsBig{ false };
-  std::uint64_t           m_NextDirectory{ 0 };
-  std::set<std::uint64_t> m_DirectoryOffsets;
+  std::filesystem::path         m_FileName;
+  std::ifstream                 m_File;
+  std::uint64_t                 m_Size;
+  bool                          m_EndsEarly{ false };
+  std::string                   m_Complaint; ///< the first one, which is the cause of those that follow
+  std::unique_ptr<TIFF, Closer> m_Handle;
 };
 
 } // end namespace medialvoxel

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "TiffStream.h"
+
 #include "HeaderParsing.h"
-#include "TiffCodecs.h"
-#include "TiffStack.h"
+#include "TiffFile.h"
 
 #include <algorithm>
 
@@ -16,26 +17,32 @@ namespace
 class TiffStream : public VoxelStream
 {
 public:
-  explicit TiffStream(const std::filesystem::path & fileName)
-    : m_Stack(ReadTiffStack(fileName))
-    , m_File(OpenRegularFile(fileName))
+  explicit TiffStream(const VolumeHeader & header)
+    : m_File(header.fileName, std::max(TiffFile::MaximumBytesOfTable, header.unpackBytes))
+    , m_MaximumBytes(header.unpackBytes)
+    , m_RowBytes(header.geometry.size.front() * GetTraits(header.pixelType).bytes)
   {}
 
   void
   Read(void * destination, std::uint64_t numberOfBytes) override
+  try
   {
     auto * position = static_cast<unsigned char *>(destination);
     while (numberOfBytes > 0)
     {
-      if (m_Done == m_Unpacked.size())
+      if (m_Done == m_Voxels.size())
       {
         this->NextStrip();
       }
-      const std::uint64_t count = std::min<std::uint64_t>(numberOfBytes, m_Unpacked.size() - m_Done);
-      position = std::copy_n(m_Unpacked.data() + m_Done, count, position);
+      const std::uint64_t count = std::min<std::uint64_t>(numberOfBytes, m_Voxels.size() - m_Done);
+      position = std::copy_n(m_Voxels.data() + m_Done, count, position);
       m_Done += count;
       numberOfBytes -= count;
     }
+  }
+  catch (const HeaderError & error)
+  {
+    Fail(ExitStatus::CorruptInput, error.what());
   }
 
   void
@@ -52,49 +59,32 @@ private:
   void
   NextStrip()
   {
-    const TiffStrip & strip = m_Stack.strips.at(m_NextStrip++);
-    m_Packed.resize(strip.packedBytes);
-    m_File.seekg(static_cast<std::streamoff>(strip.offset));
-    m_File.read(reinterpret_cast<char *>(m_Packed.data()), static_cast<std::streamsize>(m_Packed.size()));
-    if (!m_File.good())
+    if (m_NextStrip == TIFFNumberOfStrips(m_File.GetHandle()))
     {
-      Fail(ExitStatus::CorruptInput, m_Stack.fileName.string(), ": its compressed voxels end early");
+      m_NextStrip = 0;
+      if (!m_File.NextDirectory())
+      {
+        m_File.Refuse("its slices became less while it was read");
+      }
     }
-    m_BytesRead += strip.packedBytes;
-    m_Unpacked.assign(strip.bytes, 0);
+    const std::uint64_t packedBytes = TIFFGetStrileByteCount(m_File.GetHandle(), m_NextStrip);
+    const std::uint64_t bytes = m_File.GetRows().Of(m_NextStrip) * m_RowBytes;
+    if (bytes + packedBytes > m_MaximumBytes)
+    {
+      m_File.Refuse("its strips became larger while it was read");
+    }
+    m_Voxels.resize(bytes);
+    m_File.ReadStrip(m_NextStrip, m_Voxels.data(), bytes);
     m_Done = 0;
-    if (!this->Unpack())
-    {
-      Fail(ExitStatus::CorruptInput,
-           m_Stack.fileName.string(),
-           ": its compressed voxels are damaged or end early at offset ",
-           strip.offset);
-    }
-    if (m_Stack.differences)
-    {
-      SumDifferences(m_Unpacked, m_Stack.width, GetTraits(m_Stack.pixelType).bytes, m_Stack.bigEndian);
-    }
+    m_BytesRead += packedBytes;
+    ++m_NextStrip;
   }
 
-  bool
-  Unpack()
-  {
-    switch (m_Stack.compression)
-    {
-      case TiffCompression::Lzw:
-        return UnpackLzw(m_Packed, m_Unpacked);
-      case TiffCompression::PackBits:
-        return UnpackPackBits(m_Packed, m_Unpacked);
-      default:
-        return UnpackDeflate(m_Packed, m_Unpacked);
-    }
-  }
-
-  TiffStack                  m_Stack;
-  std::ifstream              m_File;
-  size_t                     m_NextStrip{ 0 };
-  std::vector<unsigned char> m_Packed;
-  std::vector<unsigned char> m_Unpacked;
+  TiffFile                   m_File;
+  std::uint64_t              m_MaximumBytes;
+  std::uint64_t              m_RowBytes;
+  std::uint32_t              m_NextStrip{ 0 };
+  std::vector<unsigned char> m_Voxels; ///< of one strip
   std::uint64_t              m_Done{ 0 };
   std::uint64_t              m_BytesRead{ 0 };
 };
@@ -102,9 +92,14 @@ private:
 } // namespace
 
 std::unique_ptr<VoxelStream>
-OpenTiffStream(const std::filesystem::path & fileName)
+OpenTiffStream(const VolumeHeader & header)
+try
 {
-  return std::make_unique<TiffStream>(fileName);
+  return std::make_unique<TiffStream>(header);
+}
+catch (const HeaderError & error)
+{
+  Fail(ExitStatus::CorruptInput, error.what());
 }
 
 } // end namespace medialvoxel

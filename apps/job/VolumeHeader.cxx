@@ -81,9 +81,9 @@ CheckGeometry(const VolumeHeader & header)
 void
 CheckDataSize(const VolumeHeader & header)
 {
-  if (!header.segments.empty())
+  if (!header.segments.empty() || header.format == TiffFormat)
   {
-    return; // each was compared with its file when it was located
+    return; // each stretch was compared with its file when it was located
   }
   const std::uint64_t voxelBytes = header.GetVoxelBytes();
   const std::uint64_t available = header.dataFileSize < header.dataOffset ? 0 : header.dataFileSize - header.dataOffset;
@@ -110,21 +110,22 @@ CheckDataSize(const VolumeHeader & header)
 
 using HeaderReader = VolumeHeader (*)(const std::filesystem::path &);
 
-constexpr std::array<std::pair<const char *, HeaderReader>, 8> HeaderReaders{ { { ".mha", ReadMetaImageHeader },
-                                                                                { ".mhd", ReadMetaImageHeader },
-                                                                                { ".nrrd", ReadNrrdHeader },
-                                                                                { ".nhdr", ReadNrrdHeader },
-                                                                                { ".nii", ReadNiftiHeader },
-                                                                                { ".nii.gz", ReadNiftiHeader },
-                                                                                { ".tif", ReadTiffHeader },
-                                                                                { ".tiff", ReadTiffHeader } } };
+using Format = std::pair<const char *, HeaderReader>;
+
+constexpr std::array Formats{
+  Format{ ".mha", ReadMetaImageHeader }, Format{ ".mhd", ReadMetaImageHeader }, Format{ ".nrrd", ReadNrrdHeader },
+  Format{ ".nhdr", ReadNrrdHeader },     Format{ ".nii", ReadNiftiHeader },     Format{ ".nii.gz", ReadNiftiHeader },
+#ifdef MEDIALVOXEL_WITH_TIFF
+  Format{ ".tif", ReadTiffHeader },      Format{ ".tiff", ReadTiffHeader },
+#endif
+};
 
 HeaderReader
 FindHeaderReader(const std::filesystem::path & fileName)
 {
   const std::string name = ToLower(fileName.filename().string());
   std::string       known;
-  for (const auto & [extension, reader] : HeaderReaders)
+  for (const auto & [extension, reader] : Formats)
   {
     const std::string end = extension;
     if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
@@ -169,6 +170,22 @@ VolumeHeader::DescribeReading() const
   }
   return compressed ? "does not stream: it is compressed and unpacked once to one bit per voxel"
                     : "does not stream: its values are scaled, and it is read once to one bit per voxel";
+}
+
+std::map<std::filesystem::path, std::uint64_t>
+GetNeededFileSizes(const VolumeHeader & header)
+{
+  if (header.segments.empty())
+  {
+    return { { header.dataFile, header.dataOffset + header.GetVoxelBytes() } };
+  }
+  std::map<std::filesystem::path, std::uint64_t> sizes;
+  for (const itk::MedialVoxelFileSegment & segment : header.segments)
+  {
+    std::uint64_t & size = sizes[segment.fileName];
+    size = std::max(size, segment.offset + segment.numberOfBytes);
+  }
+  return sizes;
 }
 
 VolumeHeader

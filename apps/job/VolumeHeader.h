@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,7 +70,7 @@ struct VolumeHeader
   std::string           format;
   VolumeGeometry        geometry;
   PixelType             pixelType{ PixelType::UInt8 };
-  bool                  bigEndian{ false };
+  bool                  bigEndian{ false }; ///< of the numbers as they are read, or unpacked
   std::filesystem::path dataFile; ///< the same as fileName unless the voxels are in a file, or files, of their own
   std::uint64_t         dataFileSize{ 0 };
   std::uint64_t         dataOffset{ 0 }; ///< bytes of the data file before the voxels or before the compressed stream
@@ -102,8 +103,12 @@ struct VolumeHeader
   DescribeReading() const;
 };
 
+/** Bytes that each file of a volume that streams must have to hold its voxels. */
+std::map<std::filesystem::path, std::uint64_t>
+GetNeededFileSizes(const VolumeHeader & header);
+
 /** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), TIFF
- * (.tif, .tiff) or, with a description, a headerless file.
+ * (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
  *
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
  * ones: may be), and spacings are positive and finite.

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "VoxelStream.h"
 
+#include "HeaderParsing.h"
 #include "InflateReader.h"
-#include "TiffStack.h"
+#ifdef MEDIALVOXEL_WITH_TIFF
+#  include "TiffStream.h"
+#endif
 
 namespace medialvoxel
 {
@@ -85,10 +88,12 @@ OpenVoxelStream(const VolumeHeader & header)
   {
     return std::make_unique<PlainStream>(header);
   }
+#ifdef MEDIALVOXEL_WITH_TIFF
   if (header.format == TiffFormat)
   {
-    return OpenTiffStream(header.fileName);
+    return OpenTiffStream(header);
   }
+#endif
   return std::make_unique<InflatedStream>(header);
 }
 

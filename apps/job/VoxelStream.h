@@ -12,7 +12,7 @@ namespace medialvoxel
 {
 
 /** \class VoxelStream
- * \brief The numbers of a volume from front to back, in bounded memory and in the byte order of the file. */
+ * \brief The numbers of a volume from front to back, in bounded memory and in the byte order of its header. */
 class VoxelStream
 {
 public:

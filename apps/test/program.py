@@ -9,6 +9,9 @@ import tempfile
 import unittest
 
 PROGRAM = os.environ["MEDIALVOXEL_PROGRAM"]
+READS_TIFF = os.environ.get("MEDIALVOXEL_READS_TIFF", "1") == "1"
+
+needs_tiff = unittest.skipUnless(READS_TIFF, "the program was built without libtiff")
 
 NOTE_OF_UNPACKING = r"\A(medialvoxel: .* (is compressed and was unpacked|has scaled values and was read) once: .*\n)?\Z"
 

@@ -10,7 +10,7 @@ import time
 import unittest
 
 import volumes
-from program import CORRUPT, FAILURE, PROGRAM, REFUSED, USAGE, ProgramTestCase
+from program import CORRUPT, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff
 
 FOUR_GIGABYTES = 1 << 32
 
@@ -27,7 +27,7 @@ def write_all_formats(folder, volume):
     for name in ("e.nii", "f.nii.gz"):
         path = volumes.write_nifti(folder / name, volume)
         yield path, path
-    for packing in volumes.TIFF_PACKERS:
+    for packing in volumes.TIFF_PACKERS if READS_TIFF else ():
         path = volumes.write_tiff(folder / f"{packing}.tif", volume, packing=packing, rows_per_strip=100)
         yield path, path
 
@@ -43,14 +43,14 @@ class CutFileTest(ProgramTestCase):
                 self.assert_fails(CORRUPT, [self.folder], "extract", path, "out.mha", "--thickness", 3)
             data_file.write_bytes(content)
 
+    @needs_tiff
     def test_voxels_of_compressed_tiff_are_damaged(self):
         volume = volumes.box_with_plate(kind="int16")
-        for packing in ("lzw", "deflate"):
-            path = volumes.write_tiff(self.folder / "in.tif", volume, packing=packing, rows_per_strip=100)
-            content = bytearray(path.read_bytes())
-            content[8:24] = b"\xff" * 16
-            path.write_bytes(content)
-            self.assert_fails(CORRUPT, ["in.tif", "damaged"], "extract", path, "out.mha", "--thickness", 3)
+        path = volumes.write_tiff(self.folder / "in.tif", volume, packing="deflate", rows_per_strip=100)
+        content = bytearray(path.read_bytes())
+        content[8:24] = b"\xff" * 16
+        path.write_bytes(content)
+        self.assert_fails(CORRUPT, ["in.tif", "damaged"], "extract", path, "out.mha", "--thickness", 3)
 
 
 class HostileHeaderTest(ProgramTestCase):
@@ -93,39 +93,43 @@ class HostileHeaderTest(ProgramTestCase):
         path = volumes.write_nifti(self.folder / "in.nii.gz", self.volume, vox_offset=1e9)
         self.assert_fails(CORRUPT, ["in.nii.gz", "early"], "extract", path, "out.mha", "--thickness", 3)
 
+    @needs_tiff
     def test_tiff(self):
-        for packing in ("none", "lzw"):
+        for packing in volumes.TIFF_PACKERS:
             for parts, changes in (
-                (["slice"], {"tag_256": 2**32 - 1, "tag_257": 2**32 - 1}),
-                ([], {"tag_256": 10**9}),
-                (["strips"], {"tag_257": 10**9}),
-                (["slice"], {"tag_256": 0}),
-                ([256, "0 values"], {"tag_256": None}),
+                (["libtiff"], {"tag_256": 2**32 - 1, "tag_257": 2**32 - 1}),
+                (["cannot hold"], {"tag_256": 10**9}),
+                (["libtiff"], {"tag_257": 10**9}),
+                (["libtiff"], {"tag_256": 0}),
+                (["libtiff"], {"tag_256": None}),
                 (["bits"], {"tag_258": 12}),
                 (["bits"], {"tag_339": 4}),
                 (["compression", 7], {"tag_259": 7}),
-                (["predictor", 3], {"tag_317": 3}),
                 (["black to white", 2], {"tag_262": 2}),
                 (["one value", 3], {"tag_277": 3}),
                 (["tiles"], {"tag_322": 16}),
                 (["top to bottom"], {"tag_274": 3}),
+                (["highest bit first"], {"tag_266": 2}),
                 (["reduced"], {"tag_254": 1}),
-                (["strips"], {"tag_278": 0}),
-                (["strips"], {"tag_273": [8]}),
-                (["strips"], {"tag_279": [100] * 50}),
+                (["libtiff"], {"tag_278": 0}),
+                (["lie at 0"], {"tag_273": [8]}),
+                (["libtiff"], {"tag_279": None}),
                 (["2147483648"], {"tag_279": [2**31] * 3}),
                 ([2**32 - 8], {"tag_273": [2**32 - 8] * 3}),
                 (["cannot hold"], {"tag_279": [0] * 3}),
             ):
                 path = self.folder / "in.tif"
                 self.assert_refused(volumes.write_tiff(path, self.volume, packing=packing, **changes), *parts)
+        path = volumes.write_tiff(self.folder / "in.tif", self.volume, packing="deflate", tag_317=9)
+        self.assert_fails(CORRUPT, ["in.tif", "Predictor"], "extract", path, "out.mha", "--thickness", 3)
 
+    @needs_tiff
     def test_directories_of_tiff(self):
         path = volumes.write_tiff(self.folder / "in.tif", self.volume)
         content = path.read_bytes()
         first = struct.unpack("<I", content[4:8])[0]
-        following = first + 2 + 11 * 12
-        for parts, link in ((["circle"], first), ([len(content)], 2**32 - 1), ([len(content)], len(content) - 1)):
+        following = first + 2 + 10 * 12
+        for parts, link in ((["circle"], first), ([len(content)], 2**32 - 1), (["libtiff"], len(content) - 1)):
             changed = content[:following] + struct.pack("<I", link) + content[following + 4 :]
             path.write_bytes(changed)
             self.assert_refused(path, *parts)
@@ -140,7 +144,7 @@ class HostileHeaderTest(ProgramTestCase):
             text = f"ImageJ=1.53t\nimages={images}\n\0".encode()
             self.assert_refused(volumes.write_tiff(path, one, rows_per_strip=20, tag_270=text), "number of images")
         self.assert_refused(
-            volumes.write_tiff(path, one, rows_per_strip=20, packing="lzw", tag_270=b"ImageJ=1\nimages=7\n\0"), "only one"
+            volumes.write_tiff(path, one, rows_per_strip=20, packing="deflate", tag_270=b"ImageJ=1\nimages=7\n\0"), "only one"
         )
 
     def test_negative_skips(self):
@@ -155,7 +159,10 @@ class HostileHeaderTest(ProgramTestCase):
 
     def test_header_of_four_gigabytes(self):
         """Refused at once, whether it is text without an end or nothing."""
-        for name, start in (("in.mha", b"ObjectType = Image\n"), ("in.nrrd", b"NRRD0004\n"), ("in.nii", b""), ("in.tif", b"II*\0")):
+        starts = {"in.mha": b"ObjectType = Image\n", "in.nrrd": b"NRRD0004\n", "in.nii": b""}
+        if READS_TIFF:
+            starts["in.tif"] = b"II*\0"
+        for name, start in starts.items():
             for line in (b"", b"# comment = x\n" * 300000):
                 with open(self.folder / name, "wb") as file:
                     file.write(start + line)
@@ -232,7 +239,7 @@ class RunningTest(ProgramTestCase):
                 file.truncate(length)
         running.process.send_signal(signal.SIGCONT)
         status, message = running.finish()
-        self.assertIn(status, (FAILURE, CORRUPT), f"{source}: {message}")
+        self.assertEqual(status, CORRUPT, f"{source}: {message}")
         self.assertTrue(any(name in message for name in data_files), message)
         self.assert_nothing_left(before)
 
@@ -241,7 +248,8 @@ class RunningTest(ProgramTestCase):
         self.cut_while_running(volumes.write_meta(self.folder / "a.mha", volume), ["a.mha"])
         self.cut_while_running(volumes.write_nrrd(self.folder / "b.nhdr", volume), ["b.img"])
         self.cut_while_running(volumes.write_nifti(self.folder / "c.nii", volume), ["c.nii"])
-        self.cut_while_running(volumes.write_tiff(self.folder / "d.tif", volume, rows_per_strip=300), ["d.tif"])
+        if READS_TIFF:
+            self.cut_while_running(volumes.write_tiff(self.folder / "d.tif", volume, rows_per_strip=300), ["d.tif"])
         names = [f"part{number}.img" for number in range(3)]
         share = len(volume.voxels) // 3
         for number, name in enumerate(names):

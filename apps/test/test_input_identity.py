@@ -7,7 +7,7 @@ import random
 import unittest
 
 import volumes
-from program import CORRUPT, USAGE, ProgramTestCase
+from program import CORRUPT, USAGE, ProgramTestCase, needs_tiff
 
 
 def noisy_box(kind):
@@ -127,6 +127,7 @@ class InputIdentityTest(ProgramTestCase):
         self.assert_reading(none, "streams")
         self.assert_same(none)
 
+    @needs_tiff
     def test_tiff(self):
         for big_endian in (False, True):
             for big in (False, True):
@@ -136,24 +137,24 @@ class InputIdentityTest(ProgramTestCase):
                     self.assert_reading(path, "streams")
                     self.assert_same(path)
 
+    @needs_tiff
     def test_compressed_tiff(self):
-        for packing in ("lzw", "deflate", "packbits"):
-            for predictor in (1, 2):
-                for big_endian in (False, True):
-                    path = self.folder / "in.tiff"
-                    volumes.write_tiff(path, self.volume, big_endian, packing, predictor, rows_per_strip=40)
-                    self.assert_reading(path, "does not stream: it is compressed")
-                    self.assert_same(path)
+        for rows in (7, 40):
+            for big_endian in (False, True):
+                path = self.folder / "in.tiff"
+                volumes.write_tiff(path, self.volume, big_endian, "deflate", rows)
+                self.assert_reading(path, "does not stream: it is compressed")
+                self.assert_same(path)
 
+    @needs_tiff
     def test_tiff_of_all_types(self):
         volume = volumes.box_with_plate(size=(30, 20, 12))
         self.expected = self.result(volumes.write_meta(self.folder / "reference.mha", volume))
         for kind in volumes.TYPES:
             for packing in ("none", "deflate"):
                 self.assert_same(volumes.write_tiff(self.folder / "in.tif", volume.as_type(kind), packing=packing))
-            if "float" not in kind:
-                self.assert_same(volumes.write_tiff(self.folder / "in.tif", volume.as_type(kind), predictor=2, packing="lzw"))
 
+    @needs_tiff
     def test_tiff_that_lists_one_slice_of_many(self):
         """As ImageJ writes stacks of more than 4 GB."""
         content = volumes.write_tiff(

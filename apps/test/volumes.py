@@ -236,71 +236,14 @@ def write_nifti(path, volume, big_endian=False, **changes):
     return path
 
 
-def lzw(data):
-    """Packs as TIFF does: codes of 9 to 12 bits, the highest bit first, cleared before they need more."""
-    codes = []
-    table, following, prefix = {}, 258, b""
-
-    def reset():
-        nonlocal table, following
-        codes.append((256, following.bit_length()))
-        table, following = {bytes([i]): i for i in range(256)}, 258
-
-    reset()
-    for value in data:
-        text = prefix + bytes([value])
-        if text in table:
-            prefix = text
-            continue
-        codes.append((table[prefix], following.bit_length()))
-        table[text] = following
-        following += 1
-        prefix = bytes([value])
-        if following == 4094:
-            reset()
-    codes.append((table[prefix], following.bit_length()))
-    codes.append((257, (following + 1).bit_length()))
-    bits = "".join(format(code, f"0{width}b") for code, width in codes)
-    bits += "0" * (-len(bits) % 8)
-    return int(bits, 2).to_bytes(len(bits) // 8, "big")
-
-
-def packbits(data):
-    packed = bytearray()
-    for value, group in itertools.groupby(data):
-        length = len(list(group))
-        while length:
-            count = min(length, 128)
-            packed += bytes([257 - count, value]) if count > 1 else bytes([0, value])
-            length -= count
-    return bytes(packed)
-
-
 # Number of the compression in the format, and how strips are packed.
 TIFF_PACKERS = {
     "none": (1, bytes),
-    "lzw": (5, lzw),
     "deflate": (8, zlib.compress),
-    "packbits": (32773, packbits),
 }
 
 
-def differences(data, row_length, big_endian, kind):
-    """Bytes of the first number of every row and of the differences that follow it."""
-    code = TYPES[kind][0].upper()
-    values = array.array(code, data)
-    if big_endian:
-        values.byteswap()
-    mask = (1 << (8 * values.itemsize)) - 1
-    changed = array.array(
-        code, (v if i % row_length == 0 else (v - values[i - 1]) & mask for i, v in enumerate(values))
-    )
-    if big_endian:
-        changed.byteswap()
-    return changed.tobytes()
-
-
-def write_tiff(path, volume, big_endian=False, packing="none", predictor=1, rows_per_strip=7, big=False, **changes):
+def write_tiff(path, volume, big_endian=False, packing="none", rows_per_strip=7, big=False, **changes):
     """A stack with one directory per slice; changes replace values of tags, named tag_NUMBER, or drop those of None."""
     path = pathlib.Path(path)
     order = ">" if big_endian else "<"
@@ -319,8 +262,6 @@ def write_tiff(path, volume, big_endian=False, packing="none", predictor=1, rows
         for begin in range(0, slice_bytes, rows_per_strip * row_bytes):
             end = min(begin + rows_per_strip * row_bytes, slice_bytes)
             strip = data[z * slice_bytes + begin : z * slice_bytes + end]
-            if predictor == 2:
-                strip = differences(strip, width, big_endian, volume.kind)
             offsets.append(len(content))
             content += packer(strip)
             counts.append(len(content) - offsets[-1])
@@ -335,7 +276,6 @@ def write_tiff(path, volume, big_endian=False, packing="none", predictor=1, rows
             277: 1,
             278: rows_per_strip,
             279: counts,
-            317: predictor,
             339: {"uint": 1, "int": 2, "float": 3}[kind],
         }
         tags.update({int(name[4:]): value for name, value in changes.items()})
