@@ -14,6 +14,7 @@ import gzip
 import json
 import pathlib
 import shutil
+import struct
 import sys
 import tempfile
 import zlib
@@ -95,6 +96,47 @@ def write_nhdr(source, folder):
     return [folder / "in.nhdr"]
 
 
+def write_split_nhdr(source, folder):
+    """Two data files with as many slices each."""
+    slices = int(source.sizes.split()[2])
+    if slices % 2:
+        sys.exit(f"{NAME}: {source.path}: has {slices} slices; needed: an even number")
+    write_raw(source, folder)
+    size = (folder / "in.raw").stat().st_size
+    with open(folder / "in.raw", "r+b") as first, open(folder / "rest.raw", "wb") as second:
+        first.seek(size // 2)
+        shutil.copyfileobj(first, second, MIB)
+        first.truncate(size // 2)
+    (folder / "in.nhdr").write_bytes(source.nrrd_header("encoding: raw", "data file: LIST 3", "in.raw", "rest.raw"))
+    return [folder / "in.nhdr"]
+
+
+def nifti_header(source):
+    sizes = [int(size) for size in source.sizes.split()]
+    header = bytearray(352)
+    struct.pack_into("<i", header, 0, 348)
+    struct.pack_into("<8h", header, 40, 3, *sizes, 1, 1, 1, 1)
+    struct.pack_into("<2h", header, 70, 2, 8)
+    struct.pack_into("<8f", header, 76, 1, 1, 1, 1, 0, 0, 0, 0)
+    struct.pack_into("<f", header, 108, 352)
+    header[344:348] = b"n+1\0"
+    return bytes(header)
+
+
+def write_nifti(source, folder):
+    with open(folder / "in.nii", "wb") as file:
+        file.write(nifti_header(source))
+        source.copy_to(file)
+    return [folder / "in.nii"]
+
+
+def write_gzip_nifti(source, folder):
+    with gzip.open(folder / "in.nii.gz", "wb", compresslevel=1) as file:
+        file.write(nifti_header(source))
+        source.copy_to(file)
+    return [folder / "in.nii.gz"]
+
+
 def write_gzip_nrrd(source, folder):
     with open(folder / "in.nrrd", "wb") as file:
         file.write(source.nrrd_header("encoding: gzip", ""))
@@ -137,7 +179,10 @@ FORMATS = {
     ".mhd": write_mhd,
     ".nrrd": write_nrrd,
     ".nhdr": write_nhdr,
+    ".nhdr with two data files": write_split_nhdr,
+    ".nii": write_nifti,
     ".nrrd gzip": write_gzip_nrrd,
+    ".nii.gz": write_gzip_nifti,
     ".mha compressed": write_compressed_mha,
 }
 

@@ -38,9 +38,10 @@ public:
   void
   Reshape(const MedialVoxelBox & box);
 
-  /** Set the box and keep the bits that the old box and the new one share; other bits are zero. */
+  /** Set the box and keep the bits that the old box and the new one share; other bits are zero. Memory that has to be
+   * taken for that suffices for \a room too. */
   void
-  Reframe(const MedialVoxelBox & box);
+  Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room);
 
   /** True when Reframe() needs no memory beside what the bits have, as when a box of whole slices slides along z. */
   bool

@@ -174,9 +174,12 @@ private:
            std::vector<MedialVoxelBox> tiles,
            MedialVoxelClusterClient &  client);
 
-  /** Move the window, without what it held when the memory does not suffice for both. */
+  /** Move the window for \a slab, without what it held when the memory does not suffice for both. */
   void
-  MoveWindow(const MedialVoxelBox & sites, const Cut & cut, MedialVoxelClusterClient & client);
+  MoveWindow(const MedialVoxelBox &     sites,
+             const MedialVoxelBox &     slab,
+             const Cut &                cut,
+             MedialVoxelClusterClient & client);
 
   /** The halo of \a slab in \a sites and that of earlier slabs, as what one needed the next one probably needs too. */
   MedialVoxelIndex
@@ -189,9 +192,15 @@ private:
   MedialVoxelBox
   LargestSitesBox(const MedialVoxelBox & region, const Cut & cut) const;
 
-  /** Bytes of a window on \a sites and of all workers. */
+  /** Bytes of all workers for tiles in a window on \a sites. */
   std::uint64_t
-  BytesOf(const MedialVoxelBox & sites, const Cut & cut) const;
+  BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cut) const;
+
+  std::uint64_t
+  BytesOf(const MedialVoxelBox & sites, const Cut & cut) const
+  {
+    return m_Window.GetBytes(sites) + this->BytesOfWorkers(sites, cut);
+  }
 
   bool
   Fits(const MedialVoxelBox & sites, const Cut & cut) const

@@ -59,17 +59,18 @@ public:
   std::uint64_t
   GetBytes(const MedialVoxelBox & sites) const;
 
-  /** Bytes beside those, at most, while MoveTo() keeps what it can of the old window, and after it. */
+  /** Bytes of the window, at most, during and after a MoveTo() that keeps what it can of the old one. */
   std::uint64_t
-  GetBytesToMove(const MedialVoxelBox & sites) const;
+  GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const;
 
   /** Forget everything and give the memory back. */
   void
   Clear();
 
-  /** Move so that the boundaries are known in \a sites, a box inside the image. */
+  /** Move so that the boundaries are known in \a sites, a box inside the image. Memory that has to be taken for that
+   * suffices for sites as many as \a room has too. */
   void
-  MoveTo(const MedialVoxelBox & sites, MedialVoxelObjectSource & source);
+  MoveTo(const MedialVoxelBox & sites, const MedialVoxelBox & room, MedialVoxelObjectSource & source);
 
   /** Bits for a boundary of the kinds listed. */
   MedialVoxelWindow
@@ -89,10 +90,10 @@ public:
   }
 
 private:
-  /** Calls visit(bits, box) for all bits that are kept, with the box that each has for \a sites. */
+  /** Calls visit(bits, margin) for all bits that are kept, with the voxels that each has around the sites. */
   template <typename TVisitor>
   void
-  VisitBits(const MedialVoxelBox & sites, TVisitor && visit) const;
+  VisitBits(TVisitor && visit) const;
 
   MedialVoxelGrid                  m_Grid;
   std::vector<MedialVoxelBoundary> m_Kinds;

@@ -52,14 +52,16 @@ MedialVoxelBits::Reshape(const MedialVoxelBox & box)
 }
 
 void
-MedialVoxelBits::Reframe(const MedialVoxelBox & box)
+MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room)
 {
   if (this->CanReframeInPlace(box))
   {
     this->ReframeInPlace(box);
     return;
   }
-  MedialVoxelBits      result(box);
+  MedialVoxelBits result;
+  result.m_Words.reserve(std::max(WordsOfBox(box), WordsOfBox(room)));
+  result.Reshape(box);
   const MedialVoxelBox shared = box.Intersection(m_Box);
   if (!shared.IsEmpty())
   {

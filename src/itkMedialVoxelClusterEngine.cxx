@@ -216,7 +216,7 @@ MedialVoxelClusterEngine::LargestSitesBox(const MedialVoxelBox & region, const C
 }
 
 std::uint64_t
-MedialVoxelClusterEngine::BytesOf(const MedialVoxelBox & sites, const Cut & cut) const
+MedialVoxelClusterEngine::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cut) const
 {
   MedialVoxelIndex tile;
   std::uint64_t    tileVoxels = 1;
@@ -239,7 +239,7 @@ MedialVoxelClusterEngine::BytesOf(const MedialVoxelBox & sites, const Cut & cut)
   }
   const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel +
                                MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
-  return m_Window.GetBytes(sites) + m_Settings.numberOfWorkers * worker;
+  return m_Settings.numberOfWorkers * worker;
 }
 
 std::uint64_t
@@ -287,7 +287,7 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
   MedialVoxelBox sites = this->GetSitesBox(slab, cut.halo);
   while (!tiles.empty())
   {
-    this->MoveWindow(sites, cut, client);
+    this->MoveWindow(sites, slab, cut, client);
     MedialVoxelTileSchedule schedule(std::move(tiles));
     client.RunTiles(schedule);
     schedule.RethrowFailure();
@@ -316,14 +316,19 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
 }
 
 void
-MedialVoxelClusterEngine::MoveWindow(const MedialVoxelBox & sites, const Cut & cut, MedialVoxelClusterClient & client)
+MedialVoxelClusterEngine::MoveWindow(const MedialVoxelBox &     sites,
+                                     const MedialVoxelBox &     slab,
+                                     const Cut &                cut,
+                                     MedialVoxelClusterClient & client)
 {
-  if (m_Settings.memoryLimit != 0 &&
-      this->BytesOf(sites, cut) + m_Window.GetBytesToMove(sites) > m_Settings.memoryLimit)
+  // The first slabs, at the border of the image, have less around them than those that follow.
+  const MedialVoxelBox room = this->LargestSitesBox(slab, cut);
+  const std::uint64_t  bytes = m_Window.GetBytesToMove(sites, room) + this->BytesOfWorkers(sites, cut);
+  if (m_Settings.memoryLimit != 0 && bytes > m_Settings.memoryLimit)
   {
     m_Window.Clear();
   }
-  m_Window.MoveTo(sites, client);
+  m_Window.MoveTo(sites, room, client);
 }
 
 MedialVoxelIndex

@@ -60,17 +60,16 @@ MedialVoxelClusterWindow::GetObjectBox(const MedialVoxelBox & sites) const
 
 template <typename TVisitor>
 void
-MedialVoxelClusterWindow::VisitBits(const MedialVoxelBox & sites, TVisitor && visit) const
+MedialVoxelClusterWindow::VisitBits(TVisitor && visit) const
 {
-  const MedialVoxelBox objectBox = this->GetObjectBox(sites);
-  visit(m_Object, objectBox);
+  visit(m_Object, m_Grid.GetUnitMargin());
   if (m_KeepsNotANumber)
   {
-    visit(m_NotANumber, objectBox);
+    visit(m_NotANumber, m_Grid.GetUnitMargin());
   }
   for (const MedialVoxelBits & boundary : m_Boundaries)
   {
-    visit(boundary, sites);
+    visit(boundary, MedialVoxelIndex{ { 0, 0, 0 } });
   }
 }
 
@@ -78,23 +77,33 @@ std::uint64_t
 MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
 {
   std::uint64_t bytes = 0;
-  this->VisitBits(
-    sites, [&bytes](const MedialVoxelBits &, const MedialVoxelBox & box) { bytes += MedialVoxelBits::GetBytes(box); });
+  this->VisitBits([&](const MedialVoxelBits &, const MedialVoxelIndex & margin) {
+    bytes += MedialVoxelBits::GetBytes(sites.Expanded(margin).Intersection(m_Grid.GetVoxelBox()));
+  });
   return bytes;
 }
 
 std::uint64_t
-MedialVoxelClusterWindow::GetBytesToMove(const MedialVoxelBox & sites) const
+MedialVoxelClusterWindow::GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
 {
-  std::uint64_t surplus = 0;
+  std::uint64_t bytes = 0;
   std::uint64_t copy = 0; // of one after the other
-  this->VisitBits(sites, [&surplus, &copy](const MedialVoxelBits & bits, const MedialVoxelBox & box) {
-    const std::uint64_t needed = MedialVoxelBits::GetBytes(box);
-    const std::uint64_t shared = std::min(needed, bits.GetReservedBytes());
-    surplus += bits.GetReservedBytes() - shared;
-    copy = std::max(copy, bits.CanReframeInPlace(box) ? 0 : shared);
+  this->VisitBits([&](const MedialVoxelBits & bits, const MedialVoxelIndex & margin) {
+    const auto boxOf = [&](const MedialVoxelBox & box) {
+      return box.Expanded(margin).Intersection(m_Grid.GetVoxelBox());
+    };
+    const std::uint64_t old = bits.GetReservedBytes();
+    if (bits.CanReframeInPlace(boxOf(sites)))
+    {
+      bytes += old;
+      return;
+    }
+    const std::uint64_t taken =
+      std::max(MedialVoxelBits::GetBytes(boxOf(sites)), MedialVoxelBits::GetBytes(boxOf(room)));
+    bytes += std::max(old, taken);
+    copy = std::max(copy, std::min(old, taken));
   });
-  return surplus + copy;
+  return bytes + copy;
 }
 
 void
@@ -106,14 +115,17 @@ MedialVoxelClusterWindow::Clear()
 }
 
 void
-MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox & sites, MedialVoxelObjectSource & source)
+MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox &    sites,
+                                 const MedialVoxelBox &    room,
+                                 MedialVoxelObjectSource & source)
 {
   const MedialVoxelBox objectBox = this->GetObjectBox(sites);
   const auto           parts = MedialVoxelSubtractBox(objectBox, m_Object.GetBox());
-  m_Object.Reframe(objectBox);
+  const MedialVoxelBox objectRoom = this->GetObjectBox(room);
+  m_Object.Reframe(objectBox, objectRoom);
   if (m_KeepsNotANumber)
   {
-    m_NotANumber.Reframe(objectBox);
+    m_NotANumber.Reframe(objectBox, objectRoom);
   }
   for (const MedialVoxelBox & part : parts)
   {
@@ -122,7 +134,7 @@ MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox & sites, MedialVoxelObject
   for (std::size_t i = 0; i < m_Kinds.size(); ++i)
   {
     const auto newParts = MedialVoxelSubtractBox(sites, m_Boundaries[i].GetBox());
-    m_Boundaries[i].Reframe(sites);
+    m_Boundaries[i].Reframe(sites, room);
     for (const MedialVoxelBox & part : newParts)
     {
       MedialVoxelComputeBoundary(m_Object, m_Grid.GetVoxelBox(), m_Kinds[i], part, m_Boundaries[i]);

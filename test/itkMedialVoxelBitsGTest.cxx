@@ -118,7 +118,7 @@ TEST(MedialVoxelBits, ReframingKeepsWhatIsShared)
     const auto      from = RandomBox(Size, generator);
     const auto      to = RandomBox(Size, generator);
     MedialVoxelBits bits = ObjectBits(volume, from);
-    bits.Reframe(to);
+    bits.Reframe(to, RandomBox(Size, generator));
     EXPECT_EQ(bits.GetBox(), to);
     MedialVoxelBits expected(to);
     ForEachVoxel(from.Intersection(to), [&](const itk::MedialVoxelIndex & v) {

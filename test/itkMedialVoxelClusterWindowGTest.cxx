@@ -124,7 +124,7 @@ TEST(MedialVoxelClusterWindow, AMovingWindowAsksOnceForEachVoxel)
   for (int z = 0; z + 9 <= 60; z += 3)
   {
     const auto sites = MakeBox({ { 0, 0, z } }, { { 70, 13, z + 9 } });
-    window.MoveTo(sites, source);
+    window.MoveTo(sites, sites, source);
     EXPECT_EQ(Differences(window, volume, sites), 0u) << "z " << z;
   }
   EXPECT_EQ(source.GetMost(), 1);
@@ -138,7 +138,7 @@ TEST(MedialVoxelClusterWindow, AGrowingWindowAsksForTheRestOnly)
   auto                          sites = MakeBox({ { 40, 14, 14 } }, { { 50, 16, 16 } });
   for (int step = 0; step < 6; ++step)
   {
-    window.MoveTo(sites, source);
+    window.MoveTo(sites, sites, source);
     EXPECT_EQ(Differences(window, volume, sites), 0u) << "step " << step;
     sites = sites.Expanded({ { 7, 2, 2 } }).Intersection(GridOf(volume).GetVoxelBox());
   }
@@ -157,7 +157,7 @@ TEST(MedialVoxelClusterWindow, AWindowMayJump)
   for (int trial = 0; trial < 25; ++trial)
   {
     const auto sites = RandomBox(volume.size, generator);
-    window.MoveTo(sites, source);
+    window.MoveTo(sites, sites, source);
     EXPECT_EQ(Differences(window, volume, sites), 0u) << trial;
   }
 }
@@ -176,10 +176,27 @@ TEST(MedialVoxelClusterWindow, AMoveTakesNoMoreThanItSays)
     {
       sites = MakeBox({ { 0, 0, int(sites.lower[2]) } }, { { 70, 20, int(sites.upper[2]) } });
     }
-    const std::uint64_t allowed = window.GetBytes(sites) + window.GetBytesToMove(sites);
-    window.MoveTo(sites, source);
+    const auto          room = RandomBox(volume.size, generator);
+    const std::uint64_t allowed = window.GetBytesToMove(sites, room);
+    window.MoveTo(sites, room, source);
     EXPECT_LE(ReservedBytes(window), allowed) << trial;
+    EXPECT_GE(allowed, window.GetBytes(sites));
   }
+}
+
+TEST(MedialVoxelClusterWindow, AWindowWithRoomGrowsInPlace)
+{
+  const Volume                  volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 206);
+  CountingSource                source(volume);
+  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
+  const auto                    room = MakeBox({ { 0, 0, 10 } }, { { 70, 20, 20 } });
+  window.MoveTo(MakeBox({ { 0, 0, 0 } }, { { 70, 20, 4 } }), room, source);
+  const std::uint64_t bytes = ReservedBytes(window);
+  const auto          sites = MakeBox({ { 0, 0, 1 } }, { { 70, 20, 11 } });
+  EXPECT_EQ(window.GetBytesToMove(sites, room), bytes);
+  window.MoveTo(sites, room, source);
+  EXPECT_EQ(ReservedBytes(window), bytes);
+  EXPECT_EQ(Differences(window, volume, sites), 0u);
 }
 
 TEST(MedialVoxelClusterWindow, AClearedWindowHasNoMemory)
@@ -188,12 +205,12 @@ TEST(MedialVoxelClusterWindow, AClearedWindowHasNoMemory)
   CountingSource                source(volume);
   itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds, true);
   const auto                    sites = MakeBox({ { 0, 0, 4 } }, { { 70, 20, 9 } });
-  window.MoveTo(sites, source);
+  window.MoveTo(sites, sites, source);
   EXPECT_GE(ReservedBytes(window), window.GetBytes(sites));
   window.Clear();
   EXPECT_EQ(ReservedBytes(window), 0u);
-  EXPECT_EQ(window.GetBytesToMove(sites), 0u);
-  window.MoveTo(sites, source);
+  EXPECT_EQ(window.GetBytesToMove(sites, sites), window.GetBytes(sites));
+  window.MoveTo(sites, sites, source);
   EXPECT_EQ(Differences(window, volume, sites), 0u);
 }
 
