@@ -19,8 +19,8 @@ import sys
 import tempfile
 import zlib
 
-from measure_memory import MIB, has_same_voxels, measure
-from run_benchmarks import describe_machine, describe_revision, find_program
+from measure_memory import MIB, has_same_voxels, measure, print_result
+from run_benchmarks import find_program
 
 NAME = "measure_formats.py"
 
@@ -220,16 +220,7 @@ def main():
     arguments = parse_arguments()
     with tempfile.TemporaryDirectory(dir=arguments.scratch) as name:
         runs = measure_formats(arguments, pathlib.Path(name))
-    result = {
-        "volume": arguments.volume.name,
-        "bytes": arguments.volume.stat().st_size,
-        "machine": describe_machine(arguments.build),
-        "revision": describe_revision(),
-        "runs": runs,
-    }
-    print(json.dumps(result, indent=2))
-    if not all(run.get("same_voxels", True) for run in runs):
-        sys.exit(f"{NAME}: the labels differ")
+    print_result(NAME, arguments, runs)
 
 
 if __name__ == "__main__":

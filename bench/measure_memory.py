@@ -89,16 +89,8 @@ def has_same_voxels(one, other):
                 return a == b
 
 
-def main():
-    arguments = parse_arguments()
-    with tempfile.TemporaryDirectory(dir=arguments.scratch) as name:
-        folder = pathlib.Path(name)
-        runs = [measure_program(arguments, folder, "program")]
-        if arguments.preview:
-            runs.append(measure_program(arguments, folder, "preview", "--preview", folder / "preview.png"))
-            (folder / "preview.mha").unlink()
-        for divisions in arguments.divisions or [runs[0]["divisions"]]:
-            runs.append(measure_pipeline(arguments, folder, divisions))
+def print_result(name, arguments, runs):
+    """All runs with machine and revision, as JSON; ends with an error when labels differ."""
     result = {
         "volume": arguments.volume.name,
         "bytes": arguments.volume.stat().st_size,
@@ -109,7 +101,20 @@ def main():
     }
     print(json.dumps(result, indent=2))
     if not all(run.get("same_voxels", True) for run in runs):
-        sys.exit(f"{NAME}: the labels differ")
+        sys.exit(f"{name}: the labels differ")
+
+
+def main():
+    arguments = parse_arguments()
+    with tempfile.TemporaryDirectory(dir=arguments.scratch) as name:
+        folder = pathlib.Path(name)
+        runs = [measure_program(arguments, folder, "program")]
+        if arguments.preview:
+            runs.append(measure_program(arguments, folder, "preview", "--preview", folder / "preview.png"))
+            (folder / "preview.mha").unlink()
+        for divisions in arguments.divisions or [runs[0]["divisions"]]:
+            runs.append(measure_pipeline(arguments, folder, divisions))
+    print_result(NAME, arguments, runs)
 
 
 if __name__ == "__main__":

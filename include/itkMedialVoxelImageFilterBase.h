@@ -39,8 +39,9 @@ namespace itk
  * known: the end of the image is no boundary.
  *
  * \par Memory
- * Beside the outputs of the requested region: one piece of the input, two to three bits per voxel of the current
- * window, and about 20 MB per thread for thin parts, more where walls are thicker than twelve voxels.
+ * Beside the outputs of the requested region: one piece of the input (a slice, or 1 MiB of slices), two to three bits
+ * per voxel of the current window, and a few MiB per thread for thin parts, more where walls are thicker than sixteen
+ * voxels. WorkingMemoryLimit caps window and threads.
  *
  * \ingroup MedialVoxel
  */
@@ -108,7 +109,7 @@ public:
 
   /** Bytes that the window on the input and the memory of all threads may take, beside the outputs and the piece of
    * input that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it, which has no
-   * influence on results. Walls that are too thick for it make the update fail. */
+   * influence on results. Walls that are too thick for it make the update fail with MedialVoxelMemoryError. */
   itkSetMacro(WorkingMemoryLimit, SizeValueType);
   itkGetConstMacro(WorkingMemoryLimit, SizeValueType);
 
