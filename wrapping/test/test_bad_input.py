@@ -1,0 +1,70 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""What cannot be done is an exception that says why, never a crash."""
+
+import unittest
+
+import itk
+import numpy as np
+
+from support import blobs, image_of
+
+
+class BadInput(unittest.TestCase):
+    def assert_refused(self, *words, exception=RuntimeError, image=None, **options):
+        """The call fails with a message that has all words; the next call works."""
+        with self.assertRaises(exception) as caught:
+            itk.medial_voxel_image_filter(blobs() if image is None else image, **options)
+        for word in words:
+            self.assertIn(word, str(caught.exception))
+        self.assertTrue(itk.medial_voxel_image_filter(blobs(), thickness=3.0).any())
+
+    def test_thickness(self):
+        for thickness in (-1.0, 0.0, float("nan"), float("inf")):
+            with self.subTest(thickness=thickness):
+                self.assert_refused("Thickness", "positive", thickness=thickness)
+
+    def test_thresholds(self):
+        self.assert_refused("LowerThreshold", thickness=3.0, lower_threshold=5.0, upper_threshold=4.0)
+        self.assert_refused("Threshold", thickness=3.0, lower_threshold=float("nan"))
+
+    def test_arguments_of_a_wrong_type(self):
+        self.assert_refused(exception=TypeError, thickness="thick")
+
+    def test_unknown_arguments(self):
+        self.assert_refused("thicknes", exception=AttributeError, thicknes=3.0)
+
+    def test_pixel_types_that_are_not_wrapped(self):
+        self.assert_refused(exception=(KeyError, TypeError, itk.TemplateTypeError), image=blobs("float64"), thickness=3.0)
+
+    def test_four_dimensions(self):
+        self.assert_refused(
+            exception=(KeyError, TypeError, RuntimeError, itk.TemplateTypeError),
+            image=np.zeros((4, 4, 4, 4), "uint8"),
+            thickness=3.0,
+        )
+
+    def test_no_input(self):
+        with self.assertRaises(RuntimeError) as caught:
+            itk.MedialVoxelImageFilter[itk.Image[itk.UC, 3], itk.Image[itk.UC, 3]].New().Update()
+        self.assertIn("Primary", str(caught.exception))
+
+    def test_empty_image(self):
+        image = itk.Image[itk.UC, 3].New()
+        image.SetRegions([0, 0, 0])
+        image.Allocate()
+        with self.assertRaises(RuntimeError) as caught:
+            itk.medial_voxel_image_filter(image, thickness=3.0)
+        self.assertIn("empty", str(caught.exception).lower())
+
+    def test_too_little_memory(self):
+        self.assert_refused("bytes", thickness=3.0, working_memory_limit=1)
+
+    def test_unequal_arguments_of_the_distance_map(self):
+        with self.assertRaises(RuntimeError) as caught:
+            itk.vector_distance_map_image_filter(image_of(blobs()), maximum_distance=-2.0)
+        self.assertIn("MaximumDistance", str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The medial voxel filter as Python users call it."""
+
+import unittest
+
+import itk
+import numpy as np
+
+from support import PIXEL_TYPES, blobs, image_of, plate
+
+
+class MedialVoxels(unittest.TestCase):
+    def test_an_image_gives_an_image(self):
+        labels = itk.medial_voxel_image_filter(image_of(plate()), thickness=3.0)
+        self.assertIsInstance(labels, itk.Image[itk.UC, 3])
+        medial = itk.array_view_from_image(labels) >= 2
+        self.assertEqual(medial.shape, (20, 24, 28))
+        # One cell in each column but for the last index, which has no cell: midway in voxels 10 to 13.
+        self.assertTrue((medial[:-1, :, :-1].sum(axis=1) == 1).all())
+        self.assertTrue(medial[:-1, 11, :-1].all())
+        self.assertFalse(medial[-1].any() or medial[:, :, -1].any())
+
+    def test_an_array_gives_an_array(self):
+        mask = blobs()
+        from_array = itk.medial_voxel_image_filter(mask, thickness=3.0)
+        self.assertIsInstance(from_array, np.ndarray)
+        from_image = itk.array_from_image(itk.medial_voxel_image_filter(image_of(mask), thickness=3.0))
+        np.testing.assert_array_equal(from_array, from_image)
+
+    def test_a_view_is_taken_without_a_copy(self):
+        mask = blobs()
+        view = itk.image_view_from_array(mask)
+        first = itk.array_from_image(itk.medial_voxel_image_filter(view, thickness=3.0))
+        mask[...] = 0
+        view.Modified()
+        self.assertTrue((first >= 2).any())
+        self.assertFalse(itk.array_from_image(itk.medial_voxel_image_filter(view, thickness=3.0)).any())
+
+    def test_geometry_of_the_output(self):
+        turned = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
+        image = image_of(plate(), spacing=(0.5, 0.75, 2.0), origin=(10.0, 20.0, -5.0), direction=turned)
+        labels = itk.medial_voxel_image_filter(image, thickness=3.0)
+        self.assertEqual(list(labels.GetSpacing()), [0.5, 0.75, 2.0])
+        np.testing.assert_array_equal(itk.array_from_matrix(labels.GetDirection()), turned)
+        # Half a voxel along each axis of the image.
+        shift = np.asarray(turned) @ (0.5 * np.array([0.5, 0.75, 2.0]))
+        np.testing.assert_allclose(list(labels.GetOrigin()), np.array([10.0, 20.0, -5.0]) + shift, rtol=1e-14)
+
+    def test_every_pixel_type_and_dimension(self):
+        for name, pixel_type in PIXEL_TYPES.items():
+            for mask in (blobs(name), blobs(name, (40, 50))):
+                with self.subTest(type=name, dimension=mask.ndim):
+                    image = image_of(mask)
+                    self.assertIsInstance(image, itk.Image[pixel_type, mask.ndim])
+                    labels = itk.medial_voxel_image_filter(image, thickness=3.0)
+                    expected = itk.medial_voxel_image_filter(image_of(mask.astype("uint8")), thickness=3.0)
+                    np.testing.assert_array_equal(itk.array_view_from_image(labels), itk.array_view_from_image(expected))
+
+    def test_the_call_returns_one_image_also_with_vectors(self):
+        image = image_of(blobs())
+        labels = itk.medial_voxel_image_filter(image, thickness=3.0)
+        with_vectors = itk.medial_voxel_image_filter(image, thickness=3.0, generate_vector_distance=True)
+        self.assertIsInstance(with_vectors, itk.Image[itk.UC, 3])
+        np.testing.assert_array_equal(itk.array_view_from_image(with_vectors), itk.array_view_from_image(labels))
+
+    def test_vectors_and_counts_of_the_object(self):
+        mask = blobs()
+        image = image_of(mask)
+        medial = itk.MedialVoxelImageFilter.New(image, thickness=3.0, generate_vector_distance=True)
+        medial.Update()
+        labels = itk.array_view_from_image(medial.GetOutput())
+        vectors = itk.array_view_from_image(medial.GetVectorDistanceOutput())
+        self.assertEqual(vectors.shape, (*mask.shape, 3))
+        self.assertFalse(vectors[mask == 0].any())
+        self.assertTrue(np.linalg.norm(vectors[mask != 0], axis=-1).max() > 1)
+        self.assertEqual(medial.GetNumberOfObjectVoxels(), np.count_nonzero(mask))
+        counted = medial.GetNumberOfBoundCells() + medial.GetNumberOfGeodesicMedialCells()
+        self.assertEqual(counted, np.count_nonzero(labels >= 2))
+        self.assertEqual(medial.GetNumberOfGeodesicMedialCells(), np.count_nonzero(labels == 3))
+        not_medial = medial.GetNumberOfTrivialCells() + medial.GetNumberOfGeodesicNonMedialCells()
+        self.assertEqual(not_medial, np.count_nonzero(labels == 1))
+
+    def test_thresholds_background_and_units(self):
+        values = 7 * blobs("int16")
+        expected = itk.medial_voxel_image_filter((values > 0).astype("uint8"), thickness=3.0)
+        for options in ({"lower_threshold": 3.5}, {"lower_threshold": 7, "upper_threshold": 7}, {"background_value": 0}):
+            with self.subTest(options=options):
+                labels = itk.medial_voxel_image_filter(values, thickness=3.0, **options)
+                np.testing.assert_array_equal(labels, expected)
+        fine = image_of(values, spacing=(0.1, 0.1, 0.1))
+        in_voxels = itk.medial_voxel_image_filter(fine, thickness=3.0, use_image_spacing=False)
+        np.testing.assert_array_equal(itk.array_view_from_image(in_voxels), expected)
+
+    def test_bounds_change_labels_not_cells(self):
+        image = image_of(blobs())
+        cells = {}
+        for bound in ("FreeSpace", "Off"):
+            value = getattr(itk.MedialVoxelEnums, f"PseudoGeodesicBound_{bound}")
+            labels = itk.medial_voxel_image_filter(image, thickness=3.0, pseudo_geodesic_bound=value)
+            cells[bound] = itk.array_from_image(labels)
+        np.testing.assert_array_equal(cells["FreeSpace"] >= 2, cells["Off"] >= 2)
+        self.assertFalse((cells["Off"] == 2).any())
+
+    def test_streamed_pieces_are_the_whole(self):
+        image = image_of(blobs())
+        expected = itk.array_from_image(itk.medial_voxel_image_filter(image, thickness=3.0))
+        medial = itk.MedialVoxelImageFilter.New(image, thickness=3.0)
+        pieces = itk.StreamingImageFilter.New(medial, number_of_stream_divisions=7)
+        pieces.Update()
+        np.testing.assert_array_equal(itk.array_view_from_image(pieces.GetOutput()), expected)
+
+    def test_help_tells_what_is_needed(self):
+        text = itk.MedialVoxelImageFilter[itk.Image[itk.UC, 3], itk.Image[itk.UC, 3]].__doc__
+        for word in ("Thickness", "physical units", "default", "Michikawa"):
+            self.assertIn(word, text + itk.MedialVoxelImageFilter[itk.Image[itk.UC, 3], itk.Image[itk.UC, 3]].SetThickness.__doc__)
+
+
+class NothingToFind(unittest.TestCase):
+    def test_no_object(self):
+        labels = itk.medial_voxel_image_filter(np.zeros((8, 9, 10), "uint8"), thickness=3.0)
+        self.assertEqual(labels.shape, (8, 9, 10))
+        self.assertFalse(labels.any())
+
+    def test_no_background(self):
+        medial = itk.MedialVoxelImageFilter.New(image_of(np.ones((8, 9, 10), "uint8")), thickness=3.0)
+        medial.Update()
+        labels = itk.array_view_from_image(medial.GetOutput())
+        self.assertTrue((labels[:-1, :-1, :-1] == 1).all())
+        self.assertEqual(medial.GetNumberOfTrivialCells(), 7 * 8 * 9)
+
+
+if __name__ == "__main__":
+    unittest.main()
