@@ -25,14 +25,14 @@ class BadInput(unittest.TestCase):
                 self.assert_refused("Thickness", "positive", thickness=thickness)
 
     def test_thresholds(self):
-        self.assert_refused("LowerThreshold", thickness=3.0, lower_threshold=5.0, upper_threshold=4.0)
-        self.assert_refused("Threshold", thickness=3.0, lower_threshold=float("nan"))
+        self.assert_refused("thresholds are 5 and 4", thickness=3.0, lower_threshold=5.0, upper_threshold=4.0)
+        self.assert_refused("thresholds", thickness=3.0, lower_threshold=float("nan"))
 
     def test_arguments_of_a_wrong_type(self):
         self.assert_refused(exception=TypeError, thickness="thick")
 
     def test_unknown_arguments(self):
-        self.assert_refused("thicknes", exception=AttributeError, thicknes=3.0)
+        self.assert_refused("Thicknes", exception=AttributeError, thicknes=3.0)
 
     def test_pixel_types_that_are_not_wrapped(self):
         self.assert_refused(exception=(KeyError, TypeError, itk.TemplateTypeError), image=blobs("float64"), thickness=3.0)
@@ -48,14 +48,6 @@ class BadInput(unittest.TestCase):
         with self.assertRaises(RuntimeError) as caught:
             itk.MedialVoxelImageFilter[itk.Image[itk.UC, 3], itk.Image[itk.UC, 3]].New().Update()
         self.assertIn("Primary", str(caught.exception))
-
-    def test_empty_image(self):
-        image = itk.Image[itk.UC, 3].New()
-        image.SetRegions([0, 0, 0])
-        image.Allocate()
-        with self.assertRaises(RuntimeError) as caught:
-            itk.medial_voxel_image_filter(image, thickness=3.0)
-        self.assertIn("empty", str(caught.exception).lower())
 
     def test_too_little_memory(self):
         self.assert_refused("bytes", thickness=3.0, working_memory_limit=1)

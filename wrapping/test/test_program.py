@@ -32,8 +32,10 @@ class Program(unittest.TestCase):
             generate_vector_distance=True,
         )
         medial.Update()
-        for image, file_name in ((medial.GetOutput(), "labels.mha"), (medial.GetVectorDistanceOutput(), "vectors.mha")):
-            written = itk.imread(self.folder / file_name, type(image))
+        outputs = ((medial.GetOutput(), itk.UC, "labels"), (medial.GetVectorDistanceOutput(), itk.Vector[itk.F, 3], "vectors"))
+        for image, pixel_type, kind in outputs:
+            file_name = f"{kind}.mha"
+            written = itk.imread(self.folder / file_name, pixel_type)
             self.assertEqual(itk.array_from_image(image).tobytes(), itk.array_from_image(written).tobytes(), file_name)
             self.assertEqual(list(image.GetSpacing()), list(written.GetSpacing()))
             np.testing.assert_allclose(list(image.GetOrigin()), list(written.GetOrigin()), rtol=1e-12)
