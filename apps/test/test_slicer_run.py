@@ -90,7 +90,7 @@ class RunTest(ModuleTestCase):
             self.assertTrue(0 <= fractions[0] < fractions[-1] == 1)
 
     def test_compressed_input_is_told_on_the_output_stream(self):
-        """3D Slicer saves compressed by default, and takes all of the error stream for errors."""
+        """3D Slicer takes all of the error stream for errors."""
         volumes.write_meta(self.folder / "packed.mha", self.volume, compressed=True)
         result = self.run_module("packed.mha", "packed-out.mha")
         self.assertIn("compressed", result.stdout)
