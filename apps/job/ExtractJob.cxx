@@ -4,6 +4,7 @@
 #include "OutputSet.h"
 #include "Preview.h"
 #include "Report.h"
+#include "ReturnParameters.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -31,7 +32,8 @@ ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
            { "vectors", options.vectorFile, GetVectorLayout(header) },
            { "distance", options.distanceFile, DistanceLayout },
            { "preview", options.previewFile, std::nullopt },
-           { "report", options.reportFile, std::nullopt } };
+           { "report", options.reportFile, std::nullopt },
+           { "return_parameters", options.returnParameterFile, std::nullopt } };
 }
 
 /** Labels and vectors of a piece are kept together, and after them vectors and distances. */
@@ -93,6 +95,7 @@ public:
     m_Distances = m_Outputs.AddVolume(options.distanceFile, geometry, DistanceLayout);
     m_Preview = m_Outputs.AddFile(options.previewFile);
     m_Report = m_Outputs.AddFile(options.reportFile);
+    m_ReturnParameters = m_Outputs.AddFile(options.returnParameterFile);
     if (m_Distances)
     {
       DistanceSettings settings;
@@ -165,6 +168,10 @@ private:
     {
       WriteText(*m_Report, MakeReport(m_Options, m_Result));
     }
+    if (m_ReturnParameters)
+    {
+      WriteText(*m_ReturnParameters, MakeReturnParameters(m_Result));
+    }
     m_Outputs.Publish();
   }
 
@@ -181,6 +188,7 @@ private:
   OutputVolume *               m_Distances{ nullptr };
   OutputFile *                 m_Preview{ nullptr };
   OutputFile *                 m_Report{ nullptr };
+  OutputFile *                 m_ReturnParameters{ nullptr };
 };
 
 } // namespace

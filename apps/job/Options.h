@@ -45,7 +45,8 @@ struct ExtractOptions : JobOptions
   itk::MedialVoxelPseudoGeodesicBound bound{ itk::MedialVoxelPseudoGeodesicBound::FreeSpace };
   std::string                         vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary            vectorBoundary{ itk::MedialVoxelBoundary::Object };
-  std::string                         previewFile; ///< PNG
+  std::string                         previewFile;         ///< PNG
+  std::string                         returnParameterFile; ///< counts and seconds for 3D Slicer, a line each
 };
 
 /** Vector and signed distances. */

@@ -206,6 +206,13 @@ public:
               << "</filter-time></filter-end>" << std::endl;
   }
 
+  /** 3D Slicer takes whatever is on the error stream for an error. */
+  void
+  Note(const std::string & text) override
+  {
+    std::cout << "medialvoxel: " << text << std::endl;
+  }
+
 protected:
   void
   WriteLine(double fraction) override

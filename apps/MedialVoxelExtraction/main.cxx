@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "EmbeddedXml.h"
+#include "ModuleCommandLine.h"
+#include "Report.h"
+#include "VolumeJob.h"
+
+#include <exception>
+#include <iostream>
+
+namespace
+{
+
+using namespace medialvoxel;
+
+void
+Extract(const ParameterTable & table, ModuleOptions & options)
+{
+  ApplyObjectSelection(table, options);
+  // 3D Slicer names the same temporary files in each run.
+  options.job.overwrite = true;
+  if (options.echo)
+  {
+    PrintValues(std::cout, table);
+  }
+  const auto sink = MakeProgressSink(ProgressStyle::Slicer);
+  RunExtract(options.job, *sink);
+}
+
+void
+RunModule(const std::vector<std::string> & arguments)
+{
+  ModuleOptions  options;
+  ParameterTable table = DefineParameters(options);
+  switch (ParseArguments(arguments, table))
+  {
+    case ModuleAction::Run:
+      Extract(table, options);
+      break;
+    case ModuleAction::PrintHelp:
+      PrintHelp(std::cout, table);
+      break;
+    case ModuleAction::PrintVersion:
+      std::cout << "MedialVoxelExtraction " << GetVersion() << '\n';
+      break;
+    case ModuleAction::PrintXml:
+      std::cout << GetEmbeddedXml();
+      break;
+  }
+  if (!std::cout.flush())
+  {
+    throw JobError(ExitStatus::Failure, "cannot write to the standard output");
+  }
+}
+
+int
+Report(const std::exception & error, int status)
+{
+  std::cerr << "MedialVoxelExtraction: " << error.what() << std::endl;
+  return status;
+}
+
+} // namespace
+
+int
+main(int argc, char * argv[])
+{
+  CatchSignals();
+  try
+  {
+    RunModule({ argv + 1, argv + argc });
+    return static_cast<int>(ExitStatus::Done);
+  }
+  catch (const JobError & error)
+  {
+    return Report(error, static_cast<int>(error.GetStatus()));
+  }
+  catch (const StoppedBySignal & stop)
+  {
+    return Report(stop, 128 + stop.GetSignalNumber());
+  }
+  catch (const std::exception & error)
+  {
+    return Report(error, static_cast<int>(ExitStatus::Failure));
+  }
+}

@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs of the module for 3D Slicer: the files of the terminal's program, tags of progress, results in a file."""
+
+import json
+import re
+import subprocess
+import unittest
+
+import volumes
+from program import PROGRAM
+from slicer_module import MODULE, ModuleTestCase
+
+# Arguments of the module, and of the program.
+PAIRS = [
+    ([], []),
+    (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5"], ["--lower", "72.5"]),
+    (["--objectSelection", "BelowUpper", "--upperThreshold=50", "--thickness", "2"], ["--upper", "50"]),
+    (["--objectSelection", "Between", "--lowerThreshold", "8", "--upperThreshold", "100"], ["--lower", "8", "--upper", "100"]),
+    (["--objectSelection=Label", "--labelValue", "100", "--bound", "off"], ["--lower", "100", "--upper", "100", "--bound", "off"]),
+    (["--objectSelection=Label", "--labelValue=100", "--bound", "paper", "--voxelUnits"],
+     ["--lower", "100", "--upper", "100", "--bound", "paper", "--voxel-units"]),
+    (["--numberOfThreads", "1", "--memory", "300M"], ["--threads", "1", "--memory", "300M"]),
+]  # fmt: skip
+OUTPUTS = {
+    "vectorVolume": "vectors",
+    "distanceVolume": "distance",
+    "reportFile": "report",
+    "previewFile": "preview",
+    "vectorBoundary": "vector-boundary",
+}
+
+
+class RunTest(ModuleTestCase):
+    def setUp(self):
+        super().setUp()
+        self.volume = volumes.box_with_plate(spacing=(0.5, 1, 0.75))
+        volumes.write_meta(self.folder / "in.mha", self.volume)
+
+    def extract_both(self, module_arguments, program_arguments, extension=".mha"):
+        """The labels of module and program."""
+        thickness = module_arguments[module_arguments.index("--thickness") + 1] if "--thickness" in module_arguments else 3
+        self.run_module(*module_arguments, "in.mha", f"module{extension}")
+        self.extract("in.mha", f"program{extension}", "--overwrite", *program_arguments, thickness=thickness)
+        return [(self.folder / f"{name}{extension}").read_bytes() for name in ("module", "program")]
+
+    def test_labels_equal_those_of_the_program(self):
+        seen = set()
+        for module_arguments, program_arguments in PAIRS:
+            labels, expected = self.extract_both(module_arguments, program_arguments)
+            self.assertEqual(labels, expected, module_arguments)
+            seen.add(labels)
+        self.assertGreaterEqual(len(seen), 4, "the arguments make no difference")
+
+    def test_all_formats_equal_those_of_the_program(self):
+        for extension in (".mha", ".nrrd"):
+            labels, expected = self.extract_both([], [], extension)
+            self.assertEqual(labels, expected)
+
+    def test_further_outputs_equal_those_of_the_program(self):
+        def run(name, flag_of, runner):
+            files = {"vectorVolume": "v.mha", "distanceVolume": "d.mha", "reportFile": "r.json", "previewFile": "p.png"}
+            values = {flag: name + file for flag, file in files.items()} | {"vectorBoundary": "background"}
+            runner(*(part for flag, value in values.items() for part in (f"--{flag_of(flag)}", value)))
+            return {flag: (self.folder / values[flag]).read_bytes() for flag in files}
+
+        module = run("m", lambda flag: flag, lambda *arguments: self.run_module(*arguments, "in.mha", "m.mha"))
+        program = run("p", OUTPUTS.get, lambda *arguments: self.extract("in.mha", "p.mha", *arguments))
+        reports = [json.loads(outputs.pop("reportFile")) for outputs in (module, program)]
+        self.assertEqual(module, program)
+        for key in ("version", "input", "parameters", "size", "counts", "percent", "threads", "divisions"):
+            self.assertEqual(reports[0][key], reports[1][key], key)
+
+    def test_progress(self):
+        for arguments in ([], ["--distanceVolume", "d.mha"]):
+            out = self.run_module(*arguments, "in.mha", "out.mha").stdout
+            lines = out.splitlines()
+            self.assertLessEqual(len(lines), 200)
+            self.assertRegex(
+                lines[0],
+                r"^<filter-start><filter-name>\w+</filter-name><filter-comment>[\w ]+</filter-comment></filter-start>$",
+            )
+            self.assertRegex(
+                lines[-1],
+                r"^<filter-end><filter-name>\w+</filter-name><filter-time>[\d.e-]+</filter-time></filter-end>$",
+            )
+            fractions = [re.fullmatch(r"<filter-progress>([\d.e-]+)</filter-progress>", line)[1] for line in lines[1:-1]]
+            fractions = [float(fraction) for fraction in fractions]
+            self.assertEqual(fractions, sorted(fractions))
+            self.assertTrue(0 <= fractions[0] < fractions[-1] == 1)
+
+    def test_compressed_input_is_told_on_the_output_stream(self):
+        """3D Slicer takes all of the error stream for errors."""
+        volumes.write_meta(self.folder / "packed.mha", self.volume, compressed=True)
+        result = self.run_module("packed.mha", "packed-out.mha")
+        self.assertIn("compressed", result.stdout)
+        self.run_module("in.mha", "out.mha")
+        self.assertEqual((self.folder / "packed-out.mha").read_bytes(), (self.folder / "out.mha").read_bytes())
+
+    def test_progress_of_the_program_is_told_on_the_output_stream(self):
+        volumes.write_meta(self.folder / "packed.mha", self.volume, compressed=True)
+        command = [PROGRAM, "extract", "packed.mha", "out.mha", "--thickness", "3", "--progress", "slicer"]
+        result = subprocess.run(command, cwd=self.folder, capture_output=True, check=True, text=True)
+        self.assertEqual(result.stderr, "")
+        self.assertIn("unpacked", result.stdout)
+
+    def test_return_parameters_equal_the_report(self):
+        selection = ["--objectSelection", "Label", "--labelValue", "100"]
+        files = ["--returnparameterfile", "values.txt", "--reportFile", "r.json"]
+        self.run_module(*selection, *files, "in.mha", "out.mha")
+        values = dict(line.split(" = ") for line in (self.folder / "values.txt").read_text().splitlines())
+        report = json.loads((self.folder / "r.json").read_text())
+        counts = report["counts"]
+        for name, key in {
+            "objectVoxels": "object_voxels",
+            "candidateCells": "candidate_cells",
+            "trivialCells": "trivial",
+            "boundCells": "bound",
+            "geodesicMedialCells": "geodesic_medial",
+            "geodesicNonMedialCells": "geodesic_non_medial",
+            "medialCells": "medial_cells",
+        }.items():
+            self.assertEqual(int(values[name]), counts[key], name)
+        self.assertEqual(counts["object_voxels"], self.volume.voxels.count(100))
+        self.assertGreater(counts["medial_cells"], 0)
+        for kind in ("pseudo", "correct"):
+            self.assertEqual(float(values[f"{kind}Percent"]), report["percent"][kind])
+        for kind in ("distance", "classification", "total"):
+            self.assertEqual(float(values[f"{kind}Seconds"]), report["seconds"][kind])
+
+    def test_return_parameters_of_nothing(self):
+        arguments = ["--objectSelection", "AboveLower", "--lowerThreshold", "200", "--returnparameterfile", "values.txt"]
+        self.run_module(*arguments, "in.mha", "out.mha")
+        values = (self.folder / "values.txt").read_text()
+        self.assertIn("medialCells = 0\n", values)
+        self.assertIn("pseudoPercent = nan\n", values)
+
+    def test_echo(self):
+        out = self.run_module("--echo", "--thickness", "2.50", "in.mha", "out.mha").stdout
+        self.assertIn("thickness: 2.50\n", out)
+        self.assertIn("<filter-end>", out)
+
+    def test_closed_output_is_a_failure(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            result = subprocess.run(
+                [MODULE, "--xml"], stdout=full, stderr=subprocess.PIPE, check=False, cwd=self.folder, text=True
+            )
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("standard output", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
