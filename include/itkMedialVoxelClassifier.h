@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelClassifier_h
 #define itkMedialVoxelClassifier_h
 
+#include "itkMedialVoxelBitFlood.h"
 #include "itkMedialVoxelBoundedGeodesic.h"
 #include "itkMedialVoxelDualCell.h"
 #include "itkMedialVoxelFeatureTransform.h"
@@ -61,6 +62,20 @@ public:
 
 private:
   struct Pair;
+  struct Cells;
+
+  bool
+  ClassifyCells(const MedialVoxelWindow &   window,
+                const MedialVoxelBox &      cellBox,
+                const Cells &               cells,
+                const MedialVoxelFeatures & features,
+                const MedialVoxelProgress & progress,
+                Workspace &                 workspace,
+                MedialVoxelCounts &         counts,
+                MedialVoxelBox &            missing) const;
+
+  MedialVoxelBits::WordType
+  SpreadCells(const MedialVoxelBox & cellBox, const Cells & cells, const MedialVoxelFeatures & features) const;
 
   bool
   ChoosePair(const MedialVoxelFeatures & features, std::size_t offset, Pair & pair) const;
@@ -76,6 +91,8 @@ private:
   MedialVoxelParameters      m_Parameters;
   MedialVoxelDualCell        m_Cell;
   MedialVoxelBoundedGeodesic m_Geodesic;
+  MedialVoxelBitFlood        m_Flood;
+  bool                       m_HasCornerRows;
 };
 
 } // end namespace itk
