@@ -66,7 +66,6 @@ private:
 
   bool
   ClassifyCells(const MedialVoxelWindow &   window,
-                const MedialVoxelBox &      cellBox,
                 const Cells &               cells,
                 const MedialVoxelFeatures & features,
                 const MedialVoxelProgress & progress,
@@ -75,10 +74,10 @@ private:
                 MedialVoxelBox &            missing) const;
 
   MedialVoxelBits::WordType
-  SpreadCells(const MedialVoxelBox & cellBox, const Cells & cells, const MedialVoxelFeatures & features) const;
+  SpreadCells(const Cells & cells) const;
 
   bool
-  ChoosePair(const MedialVoxelFeatures & features, std::size_t offset, Pair & pair) const;
+  ChoosePair(const MedialVoxelFeatures & features, const Cells & cells, int x, Pair & pair) const;
 
   std::uint8_t
   ClassifyPair(const MedialVoxelBits &  boundary,

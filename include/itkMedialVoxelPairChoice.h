@@ -23,21 +23,6 @@ namespace itk
 struct MedialVoxelCornerRows
 {
   std::array<std::array<const std::int32_t *, 4>, 3> rows;
-
-  /** The corners of the cell that is \a x further. */
-  MedialVoxelCornerRows
-  At(std::ptrdiff_t x) const
-  {
-    MedialVoxelCornerRows result = *this;
-    for (auto & component : result.rows)
-    {
-      for (auto & row : component)
-      {
-        row += x;
-      }
-    }
-    return result;
-  }
 };
 
 /** \brief The cells of a row whose boundary points are more than a voxel apart along some axis, for some diagonal.
@@ -52,13 +37,14 @@ struct MedialVoxelCornerRows
 MedialVoxel_EXPORT std::uint64_t
 MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners, std::uint64_t cells, std::int64_t numberOfCells);
 
-/** \brief The diagonal whose boundary points are seen under the widest angle, for equal spacings.
+/** \brief The diagonal of the cell \a x after the first whose boundary points are seen under the widest angle, for
+ * equal spacings.
  *
  * The smallest MedialVoxelDualCell::CosineKey, the first of equal ones, without a division. Returns -1 when a
  * displacement is too long for that to be exact.
  * \ingroup MedialVoxel */
 MedialVoxel_EXPORT int
-MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners);
+MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners, std::ptrdiff_t x);
 
 } // end namespace itk
 

@@ -22,14 +22,15 @@ struct MedialVoxelClassifier::Pair
   MedialVoxelDisplacement difference;
 };
 
-/** The candidates of a word, with the labels of their row by the index x. */
+/** Up to 64 cells of a row. */
 struct MedialVoxelClassifier::Cells
 {
-  std::int64_t   x;
-  std::int64_t   y;
-  std::int64_t   z;
-  WordType       bits;
-  std::uint8_t * labels;
+  MedialVoxelIndex      first;
+  std::int64_t          number;
+  WordType              candidates;
+  std::size_t           offset;  // of the features of the first cell
+  MedialVoxelCornerRows corners; // of solid volumes
+  std::uint8_t *        labels;
 };
 
 MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
@@ -117,14 +118,25 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
         labels.data() + ((z - tile.lower[2]) * tile.Extent(1) + (y - tile.lower[1])) * tile.Extent(0);
       for (std::int64_t word = cells.lower[0] >> 6; word <= (cells.upper[0] - 1) >> 6; ++word)
       {
-        const WordType candidates = CandidateBits(*window.object, word, y, z, m_Grid.GetUnitMargin()) &
+        const std::int64_t firstOfWord = word * MedialVoxelBits::BitsPerWord;
+        const std::int64_t first = std::max(firstOfWord, cells.lower[0]);
+        const WordType     candidates = CandidateBits(*window.object, word, y, z, m_Grid.GetUnitMargin()) &
                                     MedialVoxelBits::RangeMask(word, cells.lower[0], cells.upper[0]);
         if (candidates == 0)
         {
           continue;
         }
-        const Cells of{ word * MedialVoxelBits::BitsPerWord, y, z, candidates, row - tile.lower[0] };
-        if (!this->ClassifyCells(window, cells, of, features, progress, workspace, counts, missing))
+        Cells group;
+        group.first = { { first, y, z } };
+        group.number = std::min(firstOfWord + MedialVoxelBits::BitsPerWord, cells.upper[0]) - first;
+        group.candidates = candidates >> (first - firstOfWord);
+        group.offset = features.OffsetOf(first, y, z);
+        if (m_HasCornerRows)
+        {
+          group.corners = CornerRows(features, group.offset);
+        }
+        group.labels = row + (first - tile.lower[0]);
+        if (!this->ClassifyCells(window, group, features, progress, workspace, counts, missing))
         {
           return missing;
         }
@@ -137,7 +149,6 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
 /** False when aborted. */
 bool
 MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
-                                     const MedialVoxelBox &      cellBox,
                                      const Cells &               cells,
                                      const MedialVoxelFeatures & features,
                                      const MedialVoxelProgress & progress,
@@ -145,18 +156,18 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
                                      MedialVoxelCounts &         counts,
                                      MedialVoxelBox &            missing) const
 {
-  const WordType spread = this->SpreadCells(cellBox, cells, features);
-  counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(cells.bits));
-  counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(cells.bits & ~spread));
-  for (WordType rest = cells.bits; rest != 0; rest &= rest - 1)
+  const WordType spread = this->SpreadCells(cells);
+  counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(cells.candidates));
+  counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(cells.candidates & ~spread));
+  for (WordType rest = cells.candidates; rest != 0; rest &= rest - 1)
   {
-    cells.labels[cells.x + MedialVoxelLowestBit(rest)] = MedialVoxelLabel::NonMedial;
+    cells.labels[MedialVoxelLowestBit(rest)] = MedialVoxelLabel::NonMedial;
   }
   for (WordType rest = spread; rest != 0; rest &= rest - 1)
   {
-    const std::int64_t x = cells.x + MedialVoxelLowestBit(rest);
-    Pair               pair;
-    if (!this->ChoosePair(features, features.OffsetOf(x, cells.y, cells.z), pair))
+    const int x = MedialVoxelLowestBit(rest);
+    Pair      pair;
+    if (!this->ChoosePair(features, cells, x, pair))
     {
       ++counts.trivialCells;
       continue;
@@ -166,7 +177,8 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
     {
       return false;
     }
-    const std::uint8_t label = this->ClassifyPair(*window.sites, { { x, cells.y, cells.z } }, pair, workspace, missing);
+    const MedialVoxelIndex cell{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
+    const std::uint8_t     label = this->ClassifyPair(*window.sites, cell, pair, workspace, missing);
     counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
     counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
     counts.geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
@@ -177,28 +189,31 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
 
 /** The cells that may have a diagonal that is not trivial. */
 WordType
-MedialVoxelClassifier::SpreadCells(const MedialVoxelBox &      cellBox,
-                                   const Cells &               cells,
-                                   const MedialVoxelFeatures & features) const
+MedialVoxelClassifier::SpreadCells(const Cells & cells) const
 {
-  if (!m_HasCornerRows || m_Parameters.epsilon <= m_Grid.GetLongestEdge())
-  {
-    return cells.bits;
-  }
-  const std::int64_t first = std::max(cells.x, cellBox.lower[0]);
-  const std::int64_t last = std::min(cells.x + MedialVoxelBits::BitsPerWord, cellBox.upper[0]);
-  const auto         corners = CornerRows(features, features.OffsetOf(first, cells.y, cells.z));
-  const std::int64_t skipped = first - cells.x;
-  return MedialVoxelSpreadCells(corners, cells.bits >> skipped, last - first) << skipped;
+  return m_HasCornerRows && m_Parameters.epsilon > m_Grid.GetLongestEdge()
+           ? MedialVoxelSpreadCells(cells.corners, cells.candidates, cells.number)
+           : cells.candidates;
 }
 
 /** The pair of definition 6; false when it is trivial or no diagonal has two boundary points. */
 bool
-MedialVoxelClassifier::ChoosePair(const MedialVoxelFeatures & features, const std::size_t offset, Pair & pair) const
+MedialVoxelClassifier::ChoosePair(const MedialVoxelFeatures & features,
+                                  const Cells &               cells,
+                                  const int                   x,
+                                  Pair &                      pair) const
 {
   const auto nx = static_cast<std::size_t>(features.box.Extent(0));
   const auto ny = static_cast<std::size_t>(features.box.Extent(1));
+  const auto offset = cells.offset + static_cast<std::size_t>(x);
   const auto displacementOf = [&](const unsigned int corner) -> MedialVoxelDisplacement {
+    if (m_HasCornerRows)
+    {
+      const auto &         rows = cells.corners.rows;
+      const unsigned int   row = corner >> 1;
+      const std::ptrdiff_t at = x + static_cast<std::ptrdiff_t>(corner & 1u);
+      return { { rows[0][row][at], rows[1][row][at], rows[2][row][at] } };
+    }
     const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
     const std::size_t at = offset + (static_cast<std::size_t>(c[2]) * ny + static_cast<std::size_t>(c[1])) * nx +
                            static_cast<std::size_t>(c[0]);
@@ -210,11 +225,7 @@ MedialVoxelClassifier::ChoosePair(const MedialVoxelFeatures & features, const st
     pair.oppositeDisplacement = displacementOf(m_Cell.GetOppositeCorner(diagonal));
   };
 
-  int widest = -1;
-  if (m_HasCornerRows && m_Grid.HasEqualSpacing())
-  {
-    widest = MedialVoxelWidestDiagonal(CornerRows(features, offset));
-  }
+  int widest = m_HasCornerRows && m_Grid.HasEqualSpacing() ? MedialVoxelWidestDiagonal(cells.corners, x) : -1;
   if (widest < 0)
   {
     double smallest = std::numeric_limits<double>::infinity();

@@ -87,7 +87,7 @@ MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners,
 }
 
 int
-MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners)
+MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners, const std::ptrdiff_t x)
 {
   // Twice the way from the center to the boundary points of the corners k, and of their opposites.
   float         a[3][4];
@@ -99,8 +99,8 @@ MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners)
     std::int32_t displacement[8];
     for (unsigned int row = 0; row < 4; ++row)
     {
-      displacement[2 * row] = rows[row][0];
-      displacement[2 * row + 1] = rows[row][1];
+      displacement[2 * row] = rows[row][x];
+      displacement[2 * row + 1] = rows[row][x + 1];
     }
     for (unsigned int k = 0; k < 4; ++k)
     {

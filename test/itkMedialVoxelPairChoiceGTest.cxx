@@ -125,7 +125,7 @@ TEST(MedialVoxelPairChoice, CornersWithoutAPointAreNeverNear)
       component[corner >> 1][corner & 1u] = itk::MedialVoxelNoDisplacement;
     }
     EXPECT_EQ(itk::MedialVoxelSpreadCells(rows.Pointers(), 1, 1), 1u);
-    EXPECT_EQ(itk::MedialVoxelWidestDiagonal(rows.Pointers()), -1);
+    EXPECT_EQ(itk::MedialVoxelWidestDiagonal(rows.Pointers(), 0), -1);
   }
 }
 
@@ -158,7 +158,7 @@ TEST(MedialVoxelPairChoice, TheWidestDiagonalHasTheSmallestKey)
           longest = std::max(longest, steps >= 0 ? steps : -1 - steps);
         }
       }
-      const int widest = itk::MedialVoxelWidestDiagonal(rows.Pointers());
+      const int widest = itk::MedialVoxelWidestDiagonal(rows.Pointers(), 0);
       ASSERT_EQ(widest, longest < 16 ? expected : -1) << "reach " << reach;
       chosen += widest >= 0 ? 1 : 0;
     }

@@ -211,7 +211,7 @@ WidestDiagonals(benchmark::State & state)
     VisitCornerRows(features, [&](const itk::MedialVoxelCornerRows & corners) {
       for (std::ptrdiff_t x = 0; x < 64; ++x)
       {
-        sum += itk::MedialVoxelWidestDiagonal(corners.At(x));
+        sum += itk::MedialVoxelWidestDiagonal(corners, x);
       }
       cells += 64;
     });
