@@ -73,6 +73,13 @@ public:
     return m_WordsPerRow;
   }
 
+  /** Words from a row to the next one. */
+  std::int64_t
+  GetRowPitch() const
+  {
+    return m_RowPitch;
+  }
+
   /** First word of the row at (y, z), which is in the box; index -1 and GetWordsPerRow() are readable zeros. */
   WordType *
   GetRow(std::int64_t y, std::int64_t z)

@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelClassifier_h
 #define itkMedialVoxelClassifier_h
 
+#include "itkMedialVoxelBitFlood.h"
 #include "itkMedialVoxelBoundedGeodesic.h"
 #include "itkMedialVoxelDualCell.h"
 #include "itkMedialVoxelFeatureTransform.h"
@@ -61,9 +62,22 @@ public:
 
 private:
   struct Pair;
+  struct Cells;
 
   bool
-  ChoosePair(const MedialVoxelFeatures & features, std::size_t offset, Pair & pair) const;
+  ClassifyCells(const MedialVoxelWindow &   window,
+                const Cells &               cells,
+                const MedialVoxelFeatures & features,
+                const MedialVoxelProgress & progress,
+                Workspace &                 workspace,
+                MedialVoxelCounts &         counts,
+                MedialVoxelBox &            missing) const;
+
+  MedialVoxelBits::WordType
+  SpreadCells(const Cells & cells) const;
+
+  bool
+  ChoosePair(const MedialVoxelFeatures & features, const Cells & cells, int x, Pair & pair) const;
 
   std::uint8_t
   ClassifyPair(const MedialVoxelBits &  boundary,
@@ -76,6 +90,8 @@ private:
   MedialVoxelParameters      m_Parameters;
   MedialVoxelDualCell        m_Cell;
   MedialVoxelBoundedGeodesic m_Geodesic;
+  MedialVoxelBitFlood        m_Flood;
+  bool                       m_HasCornerRows;
 };
 
 } // end namespace itk

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelClassifier.h"
 
+#include "itkMedialVoxelPairChoice.h"
+
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -16,6 +19,18 @@ struct MedialVoxelClassifier::Pair
   unsigned int            diagonal;
   MedialVoxelDisplacement displacement;
   MedialVoxelDisplacement oppositeDisplacement;
+  MedialVoxelDisplacement difference;
+};
+
+/** Up to 64 cells of a row. */
+struct MedialVoxelClassifier::Cells
+{
+  MedialVoxelIndex      first;
+  std::int64_t          number;
+  WordType              candidates;
+  std::size_t           offset;  // of the features of the first cell
+  MedialVoxelCornerRows corners; // of solid volumes
+  std::uint8_t *        labels;
 };
 
 MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
@@ -23,6 +38,8 @@ MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const
   , m_Parameters(parameters)
   , m_Cell(grid)
   , m_Geodesic(grid, parameters.epsilon)
+  , m_Flood(grid, parameters.epsilon)
+  , m_HasCornerRows(m_Cell.GetNumberOfCorners() == 8)
 {}
 
 MedialVoxelBox
@@ -48,16 +65,35 @@ CandidateBits(const MedialVoxelBits &  object,
               const std::int64_t       z,
               const MedialVoxelIndex & margin)
 {
-  const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
+  const std::int64_t wordInRow = word - object.GetFirstWord();
   WordType           bits = 0;
+  WordType           nextBits = 0;
   for (std::int64_t dz = 0; dz <= margin[2]; ++dz)
   {
     for (std::int64_t dy = 0; dy <= margin[1]; ++dy)
     {
-      bits |= object.Extract(x, y + dy, z + dz) | object.Extract(x + margin[0], y + dy, z + dz);
+      const WordType * const row = object.GetRow(y + dy, z + dz);
+      bits |= row[wordInRow];
+      nextBits |= row[wordInRow + 1];
     }
   }
-  return bits;
+  return margin[0] == 0 ? bits : bits | (bits >> 1) | (nextBits << (MedialVoxelBits::BitsPerWord - 1));
+}
+
+/** Displacements at the corners of a cell of a solid volume. */
+MedialVoxelCornerRows
+CornerRows(const MedialVoxelFeatures & features, const std::size_t offset)
+{
+  const auto            nx = static_cast<std::size_t>(features.box.Extent(0));
+  const auto            slice = nx * static_cast<std::size_t>(features.box.Extent(1));
+  MedialVoxelCornerRows corners;
+  const std::int32_t *  components[] = { features.dx.data(), features.dy.data(), features.dz.data() };
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const std::int32_t * const first = components[axis] + offset;
+    corners.rows[axis] = { { first, first + nx, first + slice, first + slice + nx } };
+  }
+  return corners;
 }
 
 } // namespace
@@ -82,31 +118,27 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
         labels.data() + ((z - tile.lower[2]) * tile.Extent(1) + (y - tile.lower[1])) * tile.Extent(0);
       for (std::int64_t word = cells.lower[0] >> 6; word <= (cells.upper[0] - 1) >> 6; ++word)
       {
-        WordType candidates = CandidateBits(*window.object, word, y, z, m_Grid.GetUnitMargin()) &
-                              MedialVoxelBits::RangeMask(word, cells.lower[0], cells.upper[0]);
-        counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(candidates));
-        for (; candidates != 0; candidates &= candidates - 1)
+        const std::int64_t firstOfWord = word * MedialVoxelBits::BitsPerWord;
+        const std::int64_t first = std::max(firstOfWord, cells.lower[0]);
+        const WordType     candidates = CandidateBits(*window.object, word, y, z, m_Grid.GetUnitMargin()) &
+                                    MedialVoxelBits::RangeMask(word, cells.lower[0], cells.upper[0]);
+        if (candidates == 0)
         {
-          const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(candidates);
-          Pair               pair;
-          std::uint8_t       label = MedialVoxelLabel::NonMedial;
-          if (!this->ChoosePair(features, features.OffsetOf(x, y, z), pair))
-          {
-            ++counts.trivialCells;
-          }
-          else
-          {
-            // A single search can be long where epsilon is large.
-            if (progress.IsAborted())
-            {
-              return missing;
-            }
-            label = this->ClassifyPair(*window.sites, { { x, y, z } }, pair, workspace, missing);
-            counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
-            counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
-            counts.geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
-          }
-          row[x - tile.lower[0]] = label;
+          continue;
+        }
+        Cells group;
+        group.first = { { first, y, z } };
+        group.number = std::min(firstOfWord + MedialVoxelBits::BitsPerWord, cells.upper[0]) - first;
+        group.candidates = candidates >> (first - firstOfWord);
+        group.offset = features.OffsetOf(first, y, z);
+        if (m_HasCornerRows)
+        {
+          group.corners = CornerRows(features, group.offset);
+        }
+        group.labels = row + (first - tile.lower[0]);
+        if (!this->ClassifyCells(window, group, features, progress, workspace, counts, missing))
+        {
+          return missing;
         }
       }
     }
@@ -114,54 +146,112 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
   return missing;
 }
 
+/** False when aborted. */
+bool
+MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
+                                     const Cells &               cells,
+                                     const MedialVoxelFeatures & features,
+                                     const MedialVoxelProgress & progress,
+                                     Workspace &                 workspace,
+                                     MedialVoxelCounts &         counts,
+                                     MedialVoxelBox &            missing) const
+{
+  const WordType spread = this->SpreadCells(cells);
+  counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(cells.candidates));
+  counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(cells.candidates & ~spread));
+  for (WordType rest = cells.candidates; rest != 0; rest &= rest - 1)
+  {
+    cells.labels[MedialVoxelLowestBit(rest)] = MedialVoxelLabel::NonMedial;
+  }
+  for (WordType rest = spread; rest != 0; rest &= rest - 1)
+  {
+    const int x = MedialVoxelLowestBit(rest);
+    Pair      pair;
+    if (!this->ChoosePair(features, cells, x, pair))
+    {
+      ++counts.trivialCells;
+      continue;
+    }
+    // A single search can be long where epsilon is large.
+    if (progress.IsAborted())
+    {
+      return false;
+    }
+    const MedialVoxelIndex cell{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
+    const std::uint8_t     label = this->ClassifyPair(*window.sites, cell, pair, workspace, missing);
+    counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
+    counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
+    counts.geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
+    cells.labels[x] = label;
+  }
+  return true;
+}
+
+/** The cells that may have a diagonal that is not trivial. */
+WordType
+MedialVoxelClassifier::SpreadCells(const Cells & cells) const
+{
+  return m_HasCornerRows && m_Parameters.epsilon > m_Grid.GetLongestEdge()
+           ? MedialVoxelSpreadCells(cells.corners, cells.candidates, cells.number)
+           : cells.candidates;
+}
+
 /** The pair of definition 6; false when it is trivial or no diagonal has two boundary points. */
 bool
-MedialVoxelClassifier::ChoosePair(const MedialVoxelFeatures & features, const std::size_t offset, Pair & pair) const
+MedialVoxelClassifier::ChoosePair(const MedialVoxelFeatures & features,
+                                  const Cells &               cells,
+                                  const int                   x,
+                                  Pair &                      pair) const
 {
   const auto nx = static_cast<std::size_t>(features.box.Extent(0));
   const auto ny = static_cast<std::size_t>(features.box.Extent(1));
+  const auto offset = cells.offset + static_cast<std::size_t>(x);
   const auto displacementOf = [&](const unsigned int corner) -> MedialVoxelDisplacement {
+    if (m_HasCornerRows)
+    {
+      const auto &         rows = cells.corners.rows;
+      const unsigned int   row = corner >> 1;
+      const std::ptrdiff_t at = x + static_cast<std::ptrdiff_t>(corner & 1u);
+      return { { rows[0][row][at], rows[1][row][at], rows[2][row][at] } };
+    }
     const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
     const std::size_t at = offset + (static_cast<std::size_t>(c[2]) * ny + static_cast<std::size_t>(c[1])) * nx +
                            static_cast<std::size_t>(c[0]);
     return { { features.dx[at], features.dy[at], features.dz[at] } };
   };
+  const auto setDiagonal = [&](const unsigned int diagonal) {
+    pair.diagonal = diagonal;
+    pair.displacement = displacementOf(diagonal);
+    pair.oppositeDisplacement = displacementOf(m_Cell.GetOppositeCorner(diagonal));
+  };
 
-  // Most cells are trivial along every diagonal, which needs no angle.
-  std::array<Pair, 4> pairs;
-  unsigned int        numberOfPairs = 0;
-  bool                allTrivial = true;
-  for (unsigned int diagonal = 0; diagonal < m_Cell.GetNumberOfDiagonals(); ++diagonal)
+  int widest = m_HasCornerRows && m_Grid.HasEqualSpacing() ? MedialVoxelWidestDiagonal(cells.corners, x) : -1;
+  if (widest < 0)
   {
-    const Pair candidate{ diagonal, displacementOf(diagonal), displacementOf(m_Cell.GetOppositeCorner(diagonal)) };
-    if (candidate.displacement[0] == MedialVoxelNoDisplacement ||
-        candidate.oppositeDisplacement[0] == MedialVoxelNoDisplacement)
+    double smallest = std::numeric_limits<double>::infinity();
+    for (unsigned int diagonal = 0; diagonal < m_Cell.GetNumberOfDiagonals(); ++diagonal)
     {
-      continue;
+      setDiagonal(diagonal);
+      if (pair.displacement[0] == MedialVoxelNoDisplacement ||
+          pair.oppositeDisplacement[0] == MedialVoxelNoDisplacement)
+      {
+        continue;
+      }
+      const double key = m_Cell.CosineKey(diagonal, pair.displacement, pair.oppositeDisplacement);
+      if (key < smallest)
+      {
+        smallest = key;
+        widest = static_cast<int>(diagonal);
+      }
     }
-    pairs[numberOfPairs++] = candidate;
-    allTrivial =
-      allTrivial &&
-      m_Cell.IsTrivial(m_Cell.BoundaryDifference(diagonal, candidate.displacement, candidate.oppositeDisplacement),
-                       m_Parameters.epsilon);
-  }
-  if (allTrivial)
-  {
-    return false;
-  }
-
-  double smallest = std::numeric_limits<double>::infinity();
-  for (unsigned int i = 0; i < numberOfPairs; ++i)
-  {
-    const double key = m_Cell.CosineKey(pairs[i].diagonal, pairs[i].displacement, pairs[i].oppositeDisplacement);
-    if (key < smallest)
+    if (widest < 0)
     {
-      smallest = key;
-      pair = pairs[i];
+      return false;
     }
   }
-  const auto difference = m_Cell.BoundaryDifference(pair.diagonal, pair.displacement, pair.oppositeDisplacement);
-  return !m_Cell.IsTrivial(difference, m_Parameters.epsilon);
+  setDiagonal(static_cast<unsigned int>(widest));
+  pair.difference = m_Cell.BoundaryDifference(pair.diagonal, pair.displacement, pair.oppositeDisplacement);
+  return !m_Cell.IsTrivial(pair.difference, m_Parameters.epsilon);
 }
 
 std::uint8_t
@@ -171,12 +261,35 @@ MedialVoxelClassifier::ClassifyPair(const MedialVoxelBits &  boundary,
                                     Workspace &              workspace,
                                     MedialVoxelBox &         missing) const
 {
-  const auto difference = m_Cell.BoundaryDifference(pair.diagonal, pair.displacement, pair.oppositeDisplacement);
-  double     bound = 0.0;
+  const MedialVoxelDisplacement & corner = m_Cell.GetCorner(pair.diagonal);
+  MedialVoxelIndex                a;
+  MedialVoxelIndex                b;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    a[axis] = cell[axis] + corner[axis] + pair.displacement[axis];
+    b[axis] = a[axis] - pair.difference[axis];
+  }
+  if (m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper)
+  {
+    switch (m_Flood.Decide(boundary, a, pair.difference))
+    {
+      case MedialVoxelBitFlood::Result::Bounded:
+        return m_Parameters.bound == MedialVoxelPseudoGeodesicBound::FreeSpace ? MedialVoxelLabel::MedialByBound
+                                                                               : MedialVoxelLabel::MedialByGeodesic;
+      case MedialVoxelBitFlood::Result::Reaches:
+        return MedialVoxelLabel::MedialByGeodesic;
+      case MedialVoxelBitFlood::Result::FallsShort:
+        return MedialVoxelLabel::NonMedial;
+      case MedialVoxelBitFlood::Result::Undecided:
+        break;
+    }
+  }
+
+  double bound = 0.0;
   switch (m_Parameters.bound)
   {
     case MedialVoxelPseudoGeodesicBound::FreeSpace:
-      bound = m_Cell.FreeSpaceLength(difference);
+      bound = m_Cell.FreeSpaceLength(pair.difference);
       break;
     case MedialVoxelPseudoGeodesicBound::Paper:
       bound = m_Cell.PseudoGeodesicDistance(pair.displacement, pair.oppositeDisplacement);
@@ -189,14 +302,6 @@ MedialVoxelClassifier::ClassifyPair(const MedialVoxelBits &  boundary,
     return MedialVoxelLabel::MedialByBound;
   }
 
-  const MedialVoxelDisplacement & corner = m_Cell.GetCorner(pair.diagonal);
-  MedialVoxelIndex                a;
-  MedialVoxelIndex                b;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    a[axis] = cell[axis] + corner[axis] + pair.displacement[axis];
-    b[axis] = a[axis] - difference[axis];
-  }
   const MedialVoxelBox searchBox = m_Geodesic.GetSearchBox(a, b);
   if (!boundary.GetBox().Contains(searchBox))
   {

@@ -6,6 +6,7 @@
 #include "KernelScene.h"
 
 #include "itkMedialVoxelClassifier.h"
+#include "itkMedialVoxelPairChoice.h"
 
 #include <benchmark/benchmark.h>
 
@@ -131,6 +132,94 @@ SearchGeodesics(benchmark::State & state)
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs.size()));
 }
 BENCHMARK(SearchGeodesics)->ArgName("thickness")->Arg(2)->Arg(3)->Arg(5)->Arg(8)->Unit(benchmark::kMillisecond);
+
+/** The same pairs by bit operations; items are pairs. */
+void
+FloodBits(benchmark::State & state)
+{
+  const KernelScene &            scene = GetKernelScene(ThinScene);
+  const double                   epsilon = ParametersFor(state.range(0)).epsilon;
+  const std::vector<PointPair>   pairs = UndecidedPairs(scene, epsilon);
+  const itk::MedialVoxelBitFlood flood(scene.grid, epsilon);
+  for (auto _ : state)
+  {
+    std::int64_t medial = 0;
+    for (const PointPair & pair : pairs)
+    {
+      const auto result = flood.Decide(
+        scene.boundary, pair.a, { { pair.a[0] - pair.b[0], pair.a[1] - pair.b[1], pair.a[2] - pair.b[2] } });
+      medial += (result == itk::MedialVoxelBitFlood::Result::Reaches) ? 1 : 0;
+    }
+    benchmark::DoNotOptimize(medial);
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pairs.size()));
+}
+BENCHMARK(FloodBits)->ArgName("thickness")->Arg(2)->Arg(3)->Arg(5)->Unit(benchmark::kMillisecond);
+
+/** Corners of the cells of the middle of a scene, by rows of 64 cells. */
+template <typename TVisitor>
+void
+VisitCornerRows(const itk::MedialVoxelFeatures & features, TVisitor && visit)
+{
+  const auto nx = static_cast<std::size_t>(features.box.Extent(0));
+  const auto slice = nx * static_cast<std::size_t>(features.box.Extent(1));
+  for (std::int64_t z = features.box.lower[2]; z + 1 < features.box.upper[2]; ++z)
+  {
+    for (std::int64_t y = features.box.lower[1]; y + 1 < features.box.upper[1]; ++y)
+    {
+      const std::size_t          offset = features.OffsetOf(features.box.lower[0], y, z);
+      itk::MedialVoxelCornerRows corners;
+      const std::int32_t *       components[] = { features.dx.data(), features.dy.data(), features.dz.data() };
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        const std::int32_t * const first = components[axis] + offset;
+        corners.rows[axis] = { { first, first + nx, first + slice, first + slice + nx } };
+      }
+      visit(corners);
+    }
+  }
+}
+
+/** Test of 64 cells at a time for diagonals that are not trivial; items are cells. */
+void
+SpreadCells(benchmark::State & state)
+{
+  const itk::MedialVoxelFeatures features = FeaturesOf(GetKernelScene(ThinScene), middleTile);
+  std::int64_t                   cells = 0;
+  for (auto _ : state)
+  {
+    std::uint64_t spread = 0;
+    VisitCornerRows(features, [&](const itk::MedialVoxelCornerRows & corners) {
+      spread ^= itk::MedialVoxelSpreadCells(corners, ~std::uint64_t{ 0 }, 64);
+      cells += 64;
+    });
+    benchmark::DoNotOptimize(spread);
+  }
+  state.SetItemsProcessed(cells);
+}
+BENCHMARK(SpreadCells)->Unit(benchmark::kMicrosecond);
+
+/** Choice of one of four diagonals; items are cells. */
+void
+WidestDiagonals(benchmark::State & state)
+{
+  const itk::MedialVoxelFeatures features = FeaturesOf(GetKernelScene(ThinScene), middleTile);
+  std::int64_t                   cells = 0;
+  for (auto _ : state)
+  {
+    int sum = 0;
+    VisitCornerRows(features, [&](const itk::MedialVoxelCornerRows & corners) {
+      for (std::ptrdiff_t x = 0; x < 64; ++x)
+      {
+        sum += itk::MedialVoxelWidestDiagonal(corners, x);
+      }
+      cells += 64;
+    });
+    benchmark::DoNotOptimize(sum);
+  }
+  state.SetItemsProcessed(cells);
+}
+BENCHMARK(WidestDiagonals)->Unit(benchmark::kMicrosecond);
 
 /** Angle keys of the four diagonals of one cell. */
 void

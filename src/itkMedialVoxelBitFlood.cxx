@@ -1,0 +1,474 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelBitFlood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace itk
+{
+
+namespace
+{
+
+/** Relative width of the band around the threshold in which sums of rounded edge lengths decide nothing. */
+constexpr double Band = 1e-9;
+
+/** Rows of a plane and bits of a row where a window has a word per slice. */
+constexpr std::int64_t PlaneEdge = 8;
+
+} // namespace
+
+MedialVoxelBitFlood::MedialVoxelBitFlood(const MedialVoxelGrid & grid, const double epsilon)
+{
+  const double edge = grid.GetShortestEdge();
+  const bool   isSolid = grid.IsActive(0) && grid.IsActive(1) && grid.IsActive(2);
+  const bool   isInRange =
+    epsilon > grid.GetLongestEdge() && epsilon * (1.0 + Band) < static_cast<double>(Reach + 1) * edge;
+  if (!isSolid || !grid.HasEqualSpacing() || !isInRange || !this->FindLengths(grid, epsilon))
+  {
+    return;
+  }
+  m_MostEdges = static_cast<std::int64_t>(epsilon / edge);
+  m_ShortEdges = static_cast<std::int64_t>(epsilon / grid.GetLongestEdge());
+  this->FindWindows(grid, epsilon);
+}
+
+/** False when a length is so near to the threshold that its rounding matters. */
+bool
+MedialVoxelBitFlood::FindLengths(const MedialVoxelGrid & grid, const double epsilon)
+{
+  const std::array<double, 3> edges{ { grid.GetEdgeLength(1), grid.GetEdgeLength(3), grid.GetEdgeLength(7) } };
+  for (int i = 0; i <= Reach; ++i)
+  {
+    for (int j = 0; j <= Reach; ++j)
+    {
+      for (int k = 0; k <= Reach; ++k)
+      {
+        const double length = i * edges[0] + j * edges[1] + k * edges[2];
+        if (std::abs(length - epsilon) <= Band * epsilon)
+        {
+          return false;
+        }
+        if (length < epsilon)
+        {
+          m_Lengths.push_back({ length, { { i, j, k } }, { { NoLength, NoLength, NoLength } } });
+        }
+      }
+    }
+  }
+  // What has an edge less is shorter, so that it comes first.
+  std::sort(m_Lengths.begin(), m_Lengths.end(), [](const Length & a, const Length & b) { return a.length < b.length; });
+  for (Length & length : m_Lengths)
+  {
+    for (unsigned int edgeClass = 0; edgeClass < 3; ++edgeClass)
+    {
+      auto counts = length.counts;
+      --counts[edgeClass];
+      const auto shorter =
+        std::find_if(m_Lengths.begin(), m_Lengths.end(), [&](const Length & other) { return other.counts == counts; });
+      if (shorter != m_Lengths.end())
+      {
+        length.shorter[edgeClass] = static_cast<std::uint8_t>(shorter - m_Lengths.begin());
+      }
+    }
+  }
+  return m_Lengths.size() <= MostLengths;
+}
+
+void
+MedialVoxelBitFlood::FindWindows(const MedialVoxelGrid & grid, const double epsilon)
+{
+  const MedialVoxelDualCell cell(grid);
+  constexpr int             reach = Reach;
+  const auto lengthOf = [&](const int x, const int y, const int z) { return cell.FreeSpaceLength({ { x, y, z } }); };
+  std::vector<double> lengths;
+  for (int z = 0; z <= reach; ++z)
+  {
+    for (int y = 0; y <= reach; ++y)
+    {
+      for (int x = 0; x <= reach; ++x)
+      {
+        lengths.push_back(lengthOf(x, y, z));
+      }
+    }
+  }
+  const auto lengthAt = [&](const int x, const int y, const int z) {
+    return lengths[static_cast<std::size_t>((std::abs(z) * (reach + 1) + std::abs(y)) * (reach + 1) + std::abs(x))];
+  };
+
+  m_WindowOf.assign(IndexOf({ { reach, reach, reach } }) + 1, BoundedWindow);
+  for (int bz = 0; bz <= reach; ++bz)
+  {
+    for (int by = 0; by <= reach; ++by)
+    {
+      for (int bx = 0; bx <= reach; ++bx)
+      {
+        if (lengthAt(bx, by, bz) >= epsilon)
+        {
+          continue;
+        }
+        // Farther from either point than the reach, no path below the threshold comes.
+        std::array<int, 3> lower{ { 0, 0, 0 } };
+        std::array<int, 3> upper{ { bx, by, bz } };
+        for (int z = bz - reach; z <= reach; ++z)
+        {
+          for (int y = by - reach; y <= reach; ++y)
+          {
+            for (int x = bx - reach; x <= reach; ++x)
+            {
+              if (lengthAt(x, y, z) + lengthAt(x - bx, y - by, z - bz) < epsilon * (1.0 + Band))
+              {
+                lower = { { std::min(lower[0], x), std::min(lower[1], y), std::min(lower[2], z) } };
+                upper = { { std::max(upper[0], x), std::max(upper[1], y), std::max(upper[2], z) } };
+              }
+            }
+          }
+        }
+        this->AddWindow({ { bx, by, bz } }, lower, upper);
+      }
+    }
+  }
+}
+
+/** Windows of b = a + offset and of its mirror images, from the voxels lower .. upper around a = 0. */
+void
+MedialVoxelBitFlood::AddWindow(const MedialVoxelDisplacement & offset,
+                               const std::array<int, 3> &      lower,
+                               const std::array<int, 3> &      upper)
+{
+  for (unsigned int mirrored = 0; mirrored < 8; ++mirrored)
+  {
+    Window                  window{};
+    MedialVoxelDisplacement difference{};
+    bool                    isNew = true;
+    std::array<int, 3>      positionOfB{};
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const bool isMirrored = ((mirrored >> axis) & 1u) != 0;
+      isNew = isNew && !(isMirrored && offset[axis] == 0);
+      window.lower[axis] = static_cast<std::int8_t>(isMirrored ? -upper[axis] : lower[axis]);
+      window.size[axis] = static_cast<std::uint8_t>(upper[axis] - lower[axis] + 1);
+      difference[axis] = isMirrored ? offset[axis] : -offset[axis];
+      positionOfB[axis] = static_cast<int>(-difference[axis]) - window.lower[axis];
+    }
+    if (!isNew)
+    {
+      continue;
+    }
+    const int slice = window.size[0] * window.size[1];
+    window.fitsWord = slice < MedialVoxelBits::BitsPerWord && slice * window.size[2] <= MedialVoxelBits::BitsPerWord;
+    window.shape = window.fitsWord ? this->ShapeOf(window.size) : std::uint8_t{ 0 };
+    const int  strideY = window.fitsWord ? window.size[0] : static_cast<int>(PlaneEdge);
+    const int  strideZ = window.fitsWord ? slice : static_cast<int>(MedialVoxelBits::BitsPerWord);
+    const auto bitAt = [&](const int x, const int y, const int z) {
+      return static_cast<std::uint16_t>(z * strideZ + y * strideY + x);
+    };
+    window.bitOfA = bitAt(-window.lower[0], -window.lower[1], -window.lower[2]);
+    window.bitOfB = bitAt(positionOfB[0], positionOfB[1], positionOfB[2]);
+    m_WindowOf[IndexOf(difference)] = static_cast<std::uint16_t>(m_Windows.size());
+    m_Windows.push_back(window);
+  }
+}
+
+std::uint8_t
+MedialVoxelBitFlood::ShapeOf(const std::array<std::uint8_t, 3> & size)
+{
+  const auto known =
+    std::find_if(m_Shapes.begin(), m_Shapes.end(), [&](const Shape & shape) { return shape.size == size; });
+  if (known != m_Shapes.end())
+  {
+    return static_cast<std::uint8_t>(known - m_Shapes.begin());
+  }
+  Shape shape;
+  shape.size = size;
+  for (unsigned int bit = 0; bit < static_cast<unsigned int>(size[0]) * size[1] * size[2]; ++bit)
+  {
+    const WordType     one = WordType{ 1 } << bit;
+    const unsigned int x = bit % size[0];
+    const unsigned int y = bit / size[0] % size[1];
+    shape.hasNextX |= (x + 1 < size[0]) ? one : 0;
+    shape.hasPreviousX |= (x > 0) ? one : 0;
+    shape.hasNextY |= (y + 1 < size[1]) ? one : 0;
+    shape.hasPreviousY |= (y > 0) ? one : 0;
+  }
+  m_Shapes.push_back(shape);
+  return static_cast<std::uint8_t>(m_Shapes.size() - 1);
+}
+
+namespace
+{
+
+/** Call \a visit(bits, y, z) for the rows of \a size that begin at \a lower, with size[0] <= 8 bits each. */
+template <typename TVisitor>
+void
+VisitRows(const MedialVoxelBits &             boundary,
+          const MedialVoxelIndex &            lower,
+          const std::array<std::uint8_t, 3> & size,
+          TVisitor &&                         visit)
+{
+  using WordType = MedialVoxelBits::WordType;
+  const auto       shift = static_cast<unsigned int>(lower[0] & (MedialVoxelBits::BitsPerWord - 1));
+  const auto       columns = (WordType{ 1 } << size[0]) - 1;
+  const WordType * slice =
+    boundary.GetRow(lower[1], lower[2]) + ((lower[0] / MedialVoxelBits::BitsPerWord) - boundary.GetFirstWord());
+  const std::int64_t rowPitch = boundary.GetRowPitch();
+  const std::int64_t slicePitch = rowPitch * boundary.GetBox().Extent(1);
+  const bool         isInOneWord = shift + size[0] <= MedialVoxelBits::BitsPerWord;
+  for (unsigned int z = 0; z < size[2]; ++z, slice += slicePitch)
+  {
+    const WordType * row = slice;
+    if (isInOneWord)
+    {
+      for (unsigned int y = 0; y < size[1]; ++y, row += rowPitch)
+      {
+        visit((row[0] >> shift) & columns, y, z);
+      }
+    }
+    else
+    {
+      for (unsigned int y = 0; y < size[1]; ++y, row += rowPitch)
+      {
+        visit(((row[0] >> shift) | (row[1] << (MedialVoxelBits::BitsPerWord - shift))) & columns, y, z);
+      }
+    }
+  }
+}
+
+} // namespace
+
+/** All voxels of the window in a word. */
+struct MedialVoxelBitFlood::WordLayout
+{
+  using Set = WordType;
+
+  const Shape &      shape;
+  const unsigned int strideY;
+  const unsigned int strideZ;
+
+  static Set
+  Point(const std::uint16_t bit)
+  {
+    return WordType{ 1 } << bit;
+  }
+  static bool
+  Test(const Set & set, const std::uint16_t bit)
+  {
+    return ((set >> bit) & 1u) != 0;
+  }
+  Set
+  AlongX(const Set & set) const
+  {
+    return ((set & shape.hasNextX) << 1) | ((set & shape.hasPreviousX) >> 1);
+  }
+  Set
+  AlongY(const Set & set) const
+  {
+    return ((set & shape.hasNextY) << strideY) | ((set & shape.hasPreviousY) >> strideY);
+  }
+  Set
+  AlongZ(const Set & set) const
+  {
+    return (set << strideZ) | (set >> strideZ);
+  }
+  static Set
+  Or(const Set & a, const Set & b)
+  {
+    return a | b;
+  }
+  static Set
+  And(const Set & a, const Set & b)
+  {
+    return a & b;
+  }
+};
+
+/** A word per slice, eight rows of eight bits each. */
+struct MedialVoxelBitFlood::PlaneLayout
+{
+  using Set = std::array<WordType, PlaneEdge>;
+
+  static constexpr WordType FirstColumn = 0x0101010101010101u;
+
+  static Set
+  Point(const std::uint16_t bit)
+  {
+    Set set{};
+    set[bit >> 6] = WordType{ 1 } << (bit & 63);
+    return set;
+  }
+  static bool
+  Test(const Set & set, const std::uint16_t bit)
+  {
+    return ((set[bit >> 6] >> (bit & 63)) & 1u) != 0;
+  }
+  static Set
+  AlongX(const Set & set)
+  {
+    Set result;
+    for (std::size_t z = 0; z < set.size(); ++z)
+    {
+      result[z] = ((set[z] << 1) & ~FirstColumn) | ((set[z] & ~FirstColumn) >> 1);
+    }
+    return result;
+  }
+  static Set
+  AlongY(const Set & set)
+  {
+    Set result;
+    for (std::size_t z = 0; z < set.size(); ++z)
+    {
+      result[z] = (set[z] << PlaneEdge) | (set[z] >> PlaneEdge);
+    }
+    return result;
+  }
+  static Set
+  AlongZ(const Set & set)
+  {
+    Set result{};
+    for (std::size_t z = 1; z < set.size(); ++z)
+    {
+      result[z] = set[z - 1];
+    }
+    for (std::size_t z = 1; z < set.size(); ++z)
+    {
+      result[z - 1] |= set[z];
+    }
+    return result;
+  }
+  static Set
+  Or(const Set & a, const Set & b)
+  {
+    Set result;
+    for (std::size_t z = 0; z < a.size(); ++z)
+    {
+      result[z] = a[z] | b[z];
+    }
+    return result;
+  }
+  static Set
+  And(const Set & a, const Set & b)
+  {
+    Set result;
+    for (std::size_t z = 0; z < a.size(); ++z)
+    {
+      result[z] = a[z] & b[z];
+    }
+    return result;
+  }
+};
+
+MedialVoxelBitFlood::Result
+MedialVoxelBitFlood::Decide(const MedialVoxelBits &         boundary,
+                            const MedialVoxelIndex &        a,
+                            const MedialVoxelDisplacement & difference) const
+{
+  if (!this->IsAvailable())
+  {
+    return Result::Undecided;
+  }
+  for (const std::int64_t steps : difference)
+  {
+    if (std::abs(steps) > Reach)
+    {
+      return Result::Bounded;
+    }
+  }
+  const std::uint16_t number = m_WindowOf[IndexOf(difference)];
+  if (number == BoundedWindow)
+  {
+    return Result::Bounded;
+  }
+  const Window &         window = m_Windows[number];
+  const MedialVoxelBox & known = boundary.GetBox();
+  MedialVoxelIndex       lower;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    lower[axis] = a[axis] + window.lower[axis];
+    if (lower[axis] < known.lower[axis] || lower[axis] + window.size[axis] > known.upper[axis])
+    {
+      return Result::Undecided;
+    }
+  }
+  if (window.fitsWord)
+  {
+    WordType     domain = 0;
+    unsigned int shift = 0;
+    VisitRows(boundary, lower, window.size, [&](const WordType bits, const unsigned int, const unsigned int) {
+      domain |= bits << shift;
+      shift += window.size[0];
+    });
+    const unsigned int strideY = window.size[0];
+    return this->Flood(WordLayout{ m_Shapes[window.shape], strideY, strideY * window.size[1] }, window, domain);
+  }
+  PlaneLayout::Set domain{};
+  VisitRows(boundary, lower, window.size, [&](const WordType bits, const unsigned int y, const unsigned int z) {
+    domain[z] |= bits << (PlaneEdge * y);
+  });
+  return this->Flood(PlaneLayout{}, window, domain);
+}
+
+template <typename TLayout>
+MedialVoxelBitFlood::Result
+MedialVoxelBitFlood::Flood(const TLayout & layout, const Window & window, const typename TLayout::Set & domain) const
+{
+  auto reached = TLayout::Point(window.bitOfA);
+  for (std::int64_t edges = 1; edges <= m_MostEdges; ++edges)
+  {
+    auto next = TLayout::Or(reached, layout.AlongX(reached));
+    next = TLayout::Or(next, layout.AlongY(next));
+    next = TLayout::And(TLayout::Or(next, layout.AlongZ(next)), domain);
+    if (TLayout::Test(next, window.bitOfB))
+    {
+      return edges <= m_ShortEdges ? Result::FallsShort : this->FloodByLength(layout, window, domain);
+    }
+    if (next == reached)
+    {
+      break;
+    }
+    reached = next;
+  }
+  return Result::Reaches;
+}
+
+template <typename TLayout>
+MedialVoxelBitFlood::Result
+MedialVoxelBitFlood::FloodByLength(const TLayout &               layout,
+                                   const Window &                window,
+                                   const typename TLayout::Set & domain) const
+{
+  using Set = typename TLayout::Set;
+  // Left uninitialized but for what is read: every entry is written before those that need it.
+  std::array<Set, MostLengths> reached;
+  reached[0] = TLayout::Point(window.bitOfA);
+  for (std::size_t i = 1; i < m_Lengths.size(); ++i)
+  {
+    const auto & shorter = m_Lengths[i].shorter;
+    Set          next{};
+    if (shorter[0] != NoLength)
+    {
+      const Set & from = reached[shorter[0]];
+      next = TLayout::Or(layout.AlongX(from), TLayout::Or(layout.AlongY(from), layout.AlongZ(from)));
+    }
+    if (shorter[1] != NoLength)
+    {
+      const Set & from = reached[shorter[1]];
+      const Set   x = layout.AlongX(from);
+      const Set   y = layout.AlongY(from);
+      next = TLayout::Or(next, TLayout::Or(layout.AlongY(x), layout.AlongZ(TLayout::Or(x, y))));
+    }
+    if (shorter[2] != NoLength)
+    {
+      next = TLayout::Or(next, layout.AlongZ(layout.AlongY(layout.AlongX(reached[shorter[2]]))));
+    }
+    reached[i] = TLayout::And(next, domain);
+    if (TLayout::Test(reached[i], window.bitOfB))
+    {
+      return Result::FallsShort;
+    }
+  }
+  return Result::Reaches;
+}
+
+} // end namespace itk

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelPairChoice.h"
+
+namespace itk
+{
+
+namespace
+{
+
+/** Cells that are tested together. */
+constexpr std::int64_t GroupSize = 16;
+
+/** Displacements from -Limit to Limit - 1 keep the squares of dot products below 2^24, exact in single precision. */
+constexpr std::int32_t Limit = 16;
+
+/** Number whose sign bit is set unless -1 <= a - b + corner <= 1, with corner = 1 or -1 the way between two corners.
+ * Unsigned, as undefined displacements wrap. */
+template <int VCorner>
+inline std::uint32_t
+Spread(const std::int32_t a, const std::int32_t b)
+{
+  const std::uint32_t difference = static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b);
+  return (difference + static_cast<std::uint32_t>(1 + VCorner)) |
+         (static_cast<std::uint32_t>(1 - VCorner) - difference);
+}
+
+/** Sign bits of the cells of a group. */
+inline void
+SpreadOfGroup(const MedialVoxelCornerRows & corners,
+              const std::int64_t            begin,
+              const std::int64_t            numberOfCells,
+              std::uint32_t * const         spread)
+{
+  const std::int32_t * x[4];
+  const std::int32_t * y[4];
+  const std::int32_t * z[4];
+  for (unsigned int row = 0; row < 4; ++row)
+  {
+    x[row] = corners.rows[0][row] + begin;
+    y[row] = corners.rows[1][row] + begin;
+    z[row] = corners.rows[2][row] + begin;
+  }
+  for (std::int64_t i = 0; i < numberOfCells; ++i)
+  {
+    const std::int64_t  j = i + 1;
+    const std::uint32_t alongX = Spread<-1>(x[0][i], x[3][j]) | Spread<1>(x[0][j], x[3][i]) |
+                                 Spread<-1>(x[1][i], x[2][j]) | Spread<1>(x[1][j], x[2][i]);
+    const std::uint32_t alongY = Spread<-1>(y[0][i], y[3][j]) | Spread<-1>(y[0][j], y[3][i]) |
+                                 Spread<1>(y[1][i], y[2][j]) | Spread<1>(y[1][j], y[2][i]);
+    const std::uint32_t alongZ = Spread<-1>(z[0][i], z[3][j]) | Spread<-1>(z[0][j], z[3][i]) |
+                                 Spread<-1>(z[1][i], z[2][j]) | Spread<-1>(z[1][j], z[2][i]);
+    spread[i] = alongX | alongY | alongZ;
+  }
+}
+
+} // namespace
+
+std::uint64_t
+MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners,
+                       const std::uint64_t           cells,
+                       const std::int64_t            numberOfCells)
+{
+  std::uint64_t result = 0;
+  for (std::int64_t begin = 0; begin < numberOfCells; begin += GroupSize)
+  {
+    if (((cells >> begin) & ((std::uint64_t{ 1 } << GroupSize) - 1)) == 0)
+    {
+      continue;
+    }
+    std::uint32_t spread[GroupSize] = {};
+    if (numberOfCells - begin >= GroupSize)
+    {
+      // A number of cells that is known beforehand makes a loop without remainder.
+      SpreadOfGroup(corners, begin, GroupSize, spread);
+    }
+    else
+    {
+      SpreadOfGroup(corners, begin, numberOfCells - begin, spread);
+    }
+    for (std::int64_t i = 0; i < GroupSize; ++i)
+    {
+      result |= static_cast<std::uint64_t>(spread[i] >> 31) << (begin + i);
+    }
+  }
+  return result & cells;
+}
+
+int
+MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners, const std::ptrdiff_t x)
+{
+  // Twice the way from the center to the boundary points of the corners k, and of their opposites.
+  float         a[3][4];
+  float         c[3][4];
+  std::uint32_t range = 0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const auto & rows = corners.rows[axis];
+    std::int32_t displacement[8];
+    for (unsigned int row = 0; row < 4; ++row)
+    {
+      displacement[2 * row] = rows[row][x];
+      displacement[2 * row + 1] = rows[row][x + 1];
+    }
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      const std::int32_t corner = static_cast<std::int32_t>((k >> axis) & 1u);
+      const std::int32_t first = displacement[k];
+      const std::int32_t second = displacement[7 - k];
+      range |= static_cast<std::uint32_t>(first) + Limit;
+      range |= static_cast<std::uint32_t>(second) + Limit;
+      a[axis][k] = static_cast<float>(2 * corner - 1) + 2.0F * static_cast<float>(first);
+      c[axis][k] = static_cast<float>(1 - 2 * corner) + 2.0F * static_cast<float>(second);
+    }
+  }
+  if (range >= 2 * Limit)
+  {
+    return -1;
+  }
+  float numerator[4];
+  float denominator[4];
+  for (unsigned int k = 0; k < 4; ++k)
+  {
+    const float dot = a[0][k] * c[0][k] + a[1][k] * c[1][k] + a[2][k] * c[2][k];
+    numerator[k] = dot * (dot < 0.0F ? -dot : dot);
+    denominator[k] = (a[0][k] * a[0][k] + a[1][k] * a[1][k] + a[2][k] * a[2][k]) *
+                     (c[0][k] * c[0][k] + c[1][k] * c[1][k] + c[2][k] * c[2][k]);
+  }
+  // Fractions of such small numbers are equal in double precision only when they are equal.
+  unsigned int widest = 0;
+  for (unsigned int k = 1; k < 4; ++k)
+  {
+    if (static_cast<double>(numerator[k]) * static_cast<double>(denominator[widest]) <
+        static_cast<double>(numerator[widest]) * static_cast<double>(denominator[k]))
+    {
+      widest = k;
+    }
+  }
+  return static_cast<int>(widest);
+}
+
+} // end namespace itk
