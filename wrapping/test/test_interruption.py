@@ -97,7 +97,9 @@ class Interruption(unittest.TestCase):
     def test_interrupt_from_the_keyboard(self):
         script = "\n".join(
             [
-                "import sys, time",
+                "import signal, sys",
+                # A shell that runs the tests in the background leaves the signal ignored.
+                "signal.signal(signal.SIGINT, signal.default_int_handler)",
                 f"sys.path.insert(0, {str(pathlib.Path(__file__).parent)!r})",
                 "from test_interruption import long_job",
                 "import itk",
