@@ -4,10 +4,11 @@
 #define itkMedialVoxelBoundedGeodesic_h
 
 #include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelBoundaryDistances.h"
 #include "itkMedialVoxelDualCell.h"
+#include "itkMedialVoxelGeodesicLandmarks.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace itk
 {
@@ -19,17 +20,19 @@ namespace itk
  * than the threshold stays inside the ellipsoid with the two points as foci and the threshold as axis sum, so that only
  * its bounding box is read (the paper uses the box of its bounding sphere, Fig. 7).
  *
- * Small boxes are flooded with bit operations first: the number of edges of the shortest path bounds its length from
- * both sides. What that leaves is searched by the A* algorithm with the free-space length as lower bound. Lengths that
- * lie within rounding of the threshold are resolved by enumerating the edge counts of the paths in question, so that
- * the answer is the one of the definition: the smallest MedialVoxelPathLength of all paths.
+ * Near points are flooded with bit operations first: the number of edges of the shortest path bounds its length from
+ * both sides. Points in different components of a graph that many searches share are apart; the triangle inequality
+ * with the results of earlier searches decides most others. What is left is searched by Dijkstra's algorithm, whose
+ * result serves the searches that follow. Lengths that lie within rounding of the threshold are resolved by enumerating
+ * the edge counts of the paths in question, so that the answer is always the one of the definition: the smallest
+ * MedialVoxelPathLength of all paths.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelBoundedGeodesic
 {
 public:
   /** \class Workspace
-   * \brief Memory of one thread, kept from search to search.
+   * \brief Memory of one thread, and what earlier searches on the same boundary found.
    * \ingroup MedialVoxel
    */
   class Workspace;
@@ -41,16 +44,17 @@ public:
   MedialVoxelBox
   GetSearchBox(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;
 
+  /** Begin a series of searches on \a boundary, which must stay as it is meanwhile, most of them near \a tile. */
+  void
+  Begin(const MedialVoxelBits & boundary, const MedialVoxelBox & tile, Workspace & workspace) const;
+
   /** True when every path from \a a to \a b on the boundary is at least as long as the threshold, or none exists.
    *
-   * \a a and \a b are boundary points; the box of \a boundary holds GetSearchBox(a, b). */
+   * \a a and \a b are boundary points; the box of the boundary holds GetSearchBox(a, b). */
   bool
-  ReachesThreshold(const MedialVoxelBits &  boundary,
-                   const MedialVoxelIndex & a,
-                   const MedialVoxelIndex & b,
-                   Workspace &              workspace) const;
+  ReachesThreshold(const MedialVoxelIndex & a, const MedialVoxelIndex & b, Workspace & workspace) const;
 
-  /** Bytes that a workspace grows to when a quarter of the voxels of the largest search box are boundary points.
+  /** Bytes that a workspace grows to when an eighth of the voxels of the largest search box are boundary points.
    * \param reach  voxels along each axis that have the physical length epsilon / 2 */
   static std::uint64_t
   GetWorkspaceBytes(const MedialVoxelIndex & reach);
@@ -65,15 +69,21 @@ private:
 
   FloodResult
   Flood(const MedialVoxelBits &  boundary,
-        const MedialVoxelBox &   box,
+        const MedialVoxelBox &   searchBox,
         const MedialVoxelIndex & a,
         const MedialVoxelIndex & b) const;
 
-  double
-  ShortestLength(const MedialVoxelIndex & a, const MedialVoxelIndex & b, Workspace & workspace) const;
+  bool
+  Search(const MedialVoxelIndex & a,
+         const MedialVoxelIndex & b,
+         const MedialVoxelBox &   searchBox,
+         Workspace &              workspace) const;
 
   double
-  ResolveLength(const MedialVoxelIndex & a, const MedialVoxelIndex & b, Workspace & workspace) const;
+  ResolveLength(const MedialVoxelBoundaryGraph &   graph,
+                MedialVoxelBoundaryGraph::NodeType a,
+                MedialVoxelBoundaryGraph::NodeType b,
+                MedialVoxelBoundaryDistances &     distances) const;
 
   MedialVoxelGrid     m_Grid;
   MedialVoxelDualCell m_Cell;
@@ -82,47 +92,39 @@ private:
   /** Lengths from m_Lower to m_Upper are too near to epsilon for sums in floating point to be trusted. */
   double m_Lower;
   double m_Upper;
+
+  /** Searches go on to this length, so that their results serve other pairs too. */
+  double m_Radius;
+
+  /** Most boundary points in a graph for a whole tile. */
+  std::size_t m_MostNodesOfTile;
 };
 
-/** The boundary points of a search box, numbered in the order x, y, z, and what a search knows about them. */
 class MedialVoxel_EXPORT MedialVoxelBoundedGeodesic::Workspace
 {
 private:
   friend class MedialVoxelBoundedGeodesic;
 
-  struct QueueEntry
+  /** Boundary points that several searches share. */
+  struct Region
   {
-    double       bound;
-    double       length;
-    std::int64_t node;
+    MedialVoxelBoundaryGraph     graph;
+    MedialVoxelGeodesicLandmarks landmarks;
+
+    bool
+    Build(const MedialVoxelBits & boundary, const MedialVoxelBox & box, std::size_t mostNodes);
   };
 
-  /** Copy the boundary bits of \a box and number them. */
-  void
-  Load(const MedialVoxelBits & boundary, const MedialVoxelBox & box);
+  /** The region around the tile when it holds \a searchBox, otherwise one around the box itself. */
+  Region &
+  GetRegion(const MedialVoxelBox & searchBox);
 
-  std::int64_t
-  NodeOf(const MedialVoxelIndex & index) const;
-
-  /** Call \a visit(node, index, mask) for the boundary points adjacent to \a index. */
-  template <typename TVisitor>
-  void
-  VisitNeighbors(const MedialVoxelIndex & index, TVisitor && visit) const;
-
-  void
-  Push(const QueueEntry & entry);
-
-  QueueEntry
-  Pop();
-
-  MedialVoxelBox                         m_Box;
-  std::int64_t                           m_WordsPerRow{ 0 };
-  std::int64_t                           m_NumberOfNodes{ 0 };
-  std::vector<MedialVoxelBits::WordType> m_Words;
-  std::vector<std::int64_t>              m_NodesBefore;
-  std::vector<MedialVoxelIndex>          m_Indices;
-  std::vector<double>                    m_Length;
-  std::vector<QueueEntry>                m_Queue;
+  const MedialVoxelBits *      m_Boundary{ nullptr };
+  MedialVoxelBox               m_TileBox;
+  std::size_t                  m_MostNodesOfTile{ 0 };
+  Region                       m_Tile;
+  Region                       m_Elsewhere;
+  MedialVoxelBoundaryDistances m_Distances;
 };
 
 } // end namespace itk

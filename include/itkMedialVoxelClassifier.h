@@ -91,6 +91,7 @@ private:
   MedialVoxelDualCell        m_Cell;
   MedialVoxelBoundedGeodesic m_Geodesic;
   MedialVoxelBitFlood        m_Flood;
+  bool                       m_FloodIsForEpsilon; // otherwise for less, so that only short paths are proved
   bool                       m_HasCornerRows;
 };
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 #include <utility>
+#include <vector>
 
 namespace itk
 {
@@ -17,13 +18,17 @@ using WordType = MedialVoxelBits::WordType;
 namespace
 {
 
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-
 /** Relative width of the band around epsilon in which lengths are resolved exactly; sums err by far less. */
 constexpr double Band = 1e-9;
 
 /** Edge of the box that fits a word per plane. */
 constexpr std::int64_t FloodSize = 8;
+
+/** Size of the tiles that the region around a tile is planned for. */
+constexpr MedialVoxelIndex PlannedTile{ { 128, 32, 32 } };
+
+/** A region with more points costs more than the searches that would share it. */
+constexpr std::uint64_t MostNodes = std::uint64_t{ 1 } << 17;
 
 MedialVoxelDisplacement
 Difference(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
@@ -31,10 +36,22 @@ Difference(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
 }
 
-unsigned int
-ChangedAxes(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
+/** An eighth of the voxels of a box with this size and a margin of \a reach on all sides. */
+std::uint64_t
+EighthOfVoxels(const MedialVoxelIndex & size, const MedialVoxelIndex & reach)
 {
-  return (a[0] != b[0] ? 1u : 0u) | (a[1] != b[1] ? 2u : 0u) | (a[2] != b[2] ? 4u : 0u);
+  std::uint64_t voxels = 1;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    voxels *= static_cast<std::uint64_t>(size[axis] + 2 * reach[axis]);
+  }
+  return voxels / 8;
+}
+
+std::uint64_t
+MostNodesOfTile(const MedialVoxelIndex & reach)
+{
+  return std::min(MostNodes, EighthOfVoxels(PlannedTile, reach));
 }
 
 } // namespace
@@ -45,6 +62,8 @@ MedialVoxelBoundedGeodesic::MedialVoxelBoundedGeodesic(const MedialVoxelGrid & g
   , m_Epsilon(epsilon)
   , m_Lower(epsilon * (1.0 - Band))
   , m_Upper(epsilon * (1.0 + Band))
+  , m_Radius(1.4 * m_Upper)
+  , m_MostNodesOfTile(MostNodesOfTile(grid.MarginForMetricLength(0.5 * epsilon / grid.GetMetricUnit())))
 {}
 
 MedialVoxelBox
@@ -76,9 +95,22 @@ MedialVoxelBoundedGeodesic::GetSearchBox(const MedialVoxelIndex & a, const Media
   return box;
 }
 
+void
+MedialVoxelBoundedGeodesic::Begin(const MedialVoxelBits & boundary,
+                                  const MedialVoxelBox &  tile,
+                                  Workspace &             workspace) const
+{
+  // Pairs of a cell lie around it: half of epsilon for their paths, and half of that for oblique walls.
+  const MedialVoxelIndex margin = m_Grid.MarginForMetricLength(0.75 * m_Epsilon / m_Grid.GetMetricUnit());
+  workspace.m_Boundary = &boundary;
+  workspace.m_TileBox = tile.Expanded(margin).Intersection(boundary.GetBox());
+  workspace.m_MostNodesOfTile = m_MostNodesOfTile;
+  workspace.m_Tile.graph.Clear();
+  workspace.m_Elsewhere.graph.Clear();
+}
+
 bool
-MedialVoxelBoundedGeodesic::ReachesThreshold(const MedialVoxelBits &  boundary,
-                                             const MedialVoxelIndex & a,
+MedialVoxelBoundedGeodesic::ReachesThreshold(const MedialVoxelIndex & a,
                                              const MedialVoxelIndex & b,
                                              Workspace &              workspace) const
 {
@@ -87,22 +119,8 @@ MedialVoxelBoundedGeodesic::ReachesThreshold(const MedialVoxelBits &  boundary,
   {
     return true;
   }
-  const FloodResult flood = this->Flood(boundary, box, a, b);
-  if (flood != FloodResult::Undecided)
-  {
-    return flood == FloodResult::Reaches;
-  }
-  workspace.Load(boundary, box);
-  const double length = this->ShortestLength(a, b, workspace);
-  if (length < m_Lower)
-  {
-    return false;
-  }
-  if (length > m_Upper)
-  {
-    return true;
-  }
-  return this->ResolveLength(a, b, workspace) >= m_Epsilon;
+  const FloodResult flood = this->Flood(*workspace.m_Boundary, box, a, b);
+  return flood == FloodResult::Undecided ? this->Search(a, b, box, workspace) : flood == FloodResult::Reaches;
 }
 
 namespace
@@ -113,6 +131,22 @@ using FloodPlanes = std::array<WordType, FloodSize>;
 
 constexpr WordType FirstColumn = 0x0101010101010101u;
 constexpr WordType LastColumn = 0x8080808080808080u;
+
+/** As much of a box as a flood can hold, around its center. */
+MedialVoxelBox
+MiddleOf(const MedialVoxelBox & box)
+{
+  MedialVoxelBox middle = box;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    if (box.Extent(axis) > FloodSize)
+    {
+      middle.lower[axis] += (box.Extent(axis) - FloodSize) / 2;
+      middle.upper[axis] = middle.lower[axis] + FloodSize;
+    }
+  }
+  return middle;
+}
 
 /** One step of 26-connected dilation. */
 FloodPlanes
@@ -137,14 +171,16 @@ Dilate(const FloodPlanes & planes)
 
 MedialVoxelBoundedGeodesic::FloodResult
 MedialVoxelBoundedGeodesic::Flood(const MedialVoxelBits &  boundary,
-                                  const MedialVoxelBox &   box,
+                                  const MedialVoxelBox &   searchBox,
                                   const MedialVoxelIndex & a,
                                   const MedialVoxelIndex & b) const
 {
-  if (box.Extent(0) > FloodSize || box.Extent(1) > FloodSize || box.Extent(2) > FloodSize)
+  const MedialVoxelBox box = MiddleOf(searchBox);
+  if (!box.Contains(a) || !box.Contains(b))
   {
     return FloodResult::Undecided;
   }
+  const bool     isWhole = box == searchBox;
   FloodPlanes    domain{};
   const WordType columns = (WordType{ 1 } << box.Extent(0)) - 1;
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
@@ -187,188 +223,112 @@ MedialVoxelBoundedGeodesic::Flood(const MedialVoxelBits &  boundary,
     }
     reached = next;
   }
-  return FloodResult::Reaches;
+  return isWhole ? FloodResult::Reaches : FloodResult::Undecided;
 }
 
-void
-MedialVoxelBoundedGeodesic::Workspace::Load(const MedialVoxelBits & boundary, const MedialVoxelBox & box)
-{
-  m_Box = box;
-  m_WordsPerRow = (box.Extent(0) + MedialVoxelBits::BitsPerWord - 1) / MedialVoxelBits::BitsPerWord;
-  m_NumberOfNodes = 0;
-  m_Words.clear();
-  m_NodesBefore.clear();
-  m_Indices.clear();
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
-  {
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-    {
-      for (std::int64_t x = box.lower[0]; x < box.upper[0]; x += MedialVoxelBits::BitsPerWord)
-      {
-        const WordType bits = boundary.Extract(x, y, z) & MedialVoxelBits::RangeMask(0, 0, box.upper[0] - x);
-        m_Words.push_back(bits);
-        m_NodesBefore.push_back(m_NumberOfNodes);
-        for (WordType rest = bits; rest != 0; rest &= rest - 1)
-        {
-          m_Indices.push_back({ { x + MedialVoxelLowestBit(rest), y, z } });
-          ++m_NumberOfNodes;
-        }
-      }
-    }
-  }
-}
-
-std::int64_t
-MedialVoxelBoundedGeodesic::Workspace::NodeOf(const MedialVoxelIndex & index) const
-{
-  const std::int64_t x = index[0] - m_Box.lower[0];
-  const std::int64_t row = (index[2] - m_Box.lower[2]) * m_Box.Extent(1) + (index[1] - m_Box.lower[1]);
-  const auto         word = static_cast<std::size_t>(row * m_WordsPerRow + (x >> 6));
-  const WordType     before = m_Words[word] & ((WordType{ 1 } << (x & 63)) - 1);
-  return m_NodesBefore[word] + MedialVoxelPopulationCount(before);
-}
-
-template <typename TVisitor>
-void
-MedialVoxelBoundedGeodesic::Workspace::VisitNeighbors(const MedialVoxelIndex & index, TVisitor && visit) const
-{
-  const std::int64_t firstX = std::max(index[0] - 1, m_Box.lower[0]);
-  const std::int64_t lastX = std::min(index[0] + 1, m_Box.upper[0] - 1);
-  for (std::int64_t z = std::max(index[2] - 1, m_Box.lower[2]); z < std::min(index[2] + 2, m_Box.upper[2]); ++z)
-  {
-    for (std::int64_t y = std::max(index[1] - 1, m_Box.lower[1]); y < std::min(index[1] + 2, m_Box.upper[1]); ++y)
-    {
-      const std::int64_t     row = (z - m_Box.lower[2]) * m_Box.Extent(1) + (y - m_Box.lower[1]);
-      const WordType * const words = m_Words.data() + row * m_WordsPerRow;
-      for (std::int64_t x = firstX; x <= lastX; ++x)
-      {
-        const std::int64_t     bit = x - m_Box.lower[0];
-        const MedialVoxelIndex neighbor{ { x, y, z } };
-        if (((words[bit >> 6] >> (bit & 63)) & 1u) != 0 && neighbor != index)
-        {
-          visit(this->NodeOf(neighbor), ChangedAxes(index, neighbor));
-        }
-      }
-    }
-  }
-}
-
-namespace
-{
-
-/** Order of the queue: the smallest bound first, then the node number, so that runs repeat. */
-template <typename TEntry>
 bool
-IsLater(const TEntry & a, const TEntry & b)
+MedialVoxelBoundedGeodesic::Workspace::Region::Build(const MedialVoxelBits & boundary,
+                                                     const MedialVoxelBox &  box,
+                                                     const std::size_t       mostNodes)
 {
-  return a.bound != b.bound ? a.bound > b.bound : a.node > b.node;
+  landmarks.Clear();
+  return graph.Build(boundary, box, mostNodes);
 }
 
-} // namespace
-
-void
-MedialVoxelBoundedGeodesic::Workspace::Push(const QueueEntry & entry)
+MedialVoxelBoundedGeodesic::Workspace::Region &
+MedialVoxelBoundedGeodesic::Workspace::GetRegion(const MedialVoxelBox & searchBox)
 {
-  m_Queue.push_back(entry);
-  std::push_heap(m_Queue.begin(), m_Queue.end(), IsLater<QueueEntry>);
+  if (m_TileBox.Contains(searchBox))
+  {
+    if (!m_Tile.graph.GetBox().IsEmpty())
+    {
+      return m_Tile;
+    }
+    if (m_Tile.Build(*m_Boundary, m_TileBox, m_MostNodesOfTile))
+    {
+      return m_Tile;
+    }
+    // Too many points; not to be tried again.
+    m_TileBox = {};
+  }
+  if (!m_Elsewhere.graph.GetBox().Contains(searchBox))
+  {
+    m_Elsewhere.Build(*m_Boundary, searchBox, MedialVoxelBoundaryGraph::MostNodes);
+  }
+  return m_Elsewhere;
 }
 
-MedialVoxelBoundedGeodesic::Workspace::QueueEntry
-MedialVoxelBoundedGeodesic::Workspace::Pop()
+bool
+MedialVoxelBoundedGeodesic::Search(const MedialVoxelIndex & a,
+                                   const MedialVoxelIndex & b,
+                                   const MedialVoxelBox &   searchBox,
+                                   Workspace &              workspace) const
 {
-  std::pop_heap(m_Queue.begin(), m_Queue.end(), IsLater<QueueEntry>);
-  const QueueEntry entry = m_Queue.back();
-  m_Queue.pop_back();
-  return entry;
+  Workspace::Region & region = workspace.GetRegion(searchBox);
+  const auto          source = region.graph.NodeOf(a);
+  const auto          target = region.graph.NodeOf(b);
+  if (!region.graph.AreConnected(source, target))
+  {
+    return true;
+  }
+  const auto known = region.landmarks.Compare(source, target, m_Lower, m_Upper);
+  if (known != MedialVoxelGeodesicLandmarks::Result::Undecided)
+  {
+    return known == MedialVoxelGeodesicLandmarks::Result::Longer;
+  }
+  workspace.m_Distances.Compute(region.graph, m_Grid, source, m_Radius);
+  region.landmarks.Add(workspace.m_Distances.GetLengths(), m_Radius);
+  const double length = workspace.m_Distances.GetLengths()[target];
+  if (length < m_Lower || length > m_Upper)
+  {
+    return length > m_Upper;
+  }
+  return this->ResolveLength(region.graph, source, target, workspace.m_Distances) >= m_Epsilon;
 }
 
 std::uint64_t
 MedialVoxelBoundedGeodesic::GetWorkspaceBytes(const MedialVoxelIndex & reach)
 {
-  constexpr std::uint64_t bytesPerPoint = sizeof(MedialVoxelIndex) + sizeof(double) + sizeof(Workspace::QueueEntry);
-  std::uint64_t           voxels = 1;
-  for (const std::int64_t length : reach)
-  {
-    voxels *= static_cast<std::uint64_t>(2 * length + 1);
-  }
-  return voxels * bytesPerPoint / 4;
+  constexpr std::uint64_t bytesPerRegionNode =
+    MedialVoxelBoundaryGraph::BytesPerNode + MedialVoxelGeodesicLandmarks::BytesPerNode;
+  const std::uint64_t elsewhere = EighthOfVoxels({ { 1, 1, 1 } }, reach);
+  const std::uint64_t tile = MostNodesOfTile(reach);
+  return (tile + elsewhere) * bytesPerRegionNode +
+         std::max(tile, elsewhere) * MedialVoxelBoundaryDistances::BytesPerNode;
 }
 
 double
-MedialVoxelBoundedGeodesic::ShortestLength(const MedialVoxelIndex & source,
-                                           const MedialVoxelIndex & target,
-                                           Workspace &              workspace) const
+MedialVoxelBoundedGeodesic::ResolveLength(const MedialVoxelBoundaryGraph &         graph,
+                                          const MedialVoxelBoundaryGraph::NodeType a,
+                                          const MedialVoxelBoundaryGraph::NodeType b,
+                                          MedialVoxelBoundaryDistances &           distances) const
 {
-  workspace.m_Length.assign(static_cast<std::size_t>(workspace.m_NumberOfNodes), Infinity);
-  workspace.m_Queue.clear();
-  const std::int64_t targetNode = workspace.NodeOf(target);
-  const std::int64_t sourceNode = workspace.NodeOf(source);
-  workspace.m_Length[static_cast<std::size_t>(sourceNode)] = 0.0;
-  workspace.Push({ m_Cell.FreeSpaceLength(Difference(source, target)), 0.0, sourceNode });
-
-  // Every node that a path of at most m_Upper can use gets its length, unless a path below the band ends the search.
-  while (!workspace.m_Queue.empty())
-  {
-    const auto entry = workspace.Pop();
-    if (entry.length > workspace.m_Length[static_cast<std::size_t>(entry.node)])
-    {
-      continue;
-    }
-    const MedialVoxelIndex index = workspace.m_Indices[static_cast<std::size_t>(entry.node)];
-    workspace.VisitNeighbors(index, [&](const std::int64_t node, const unsigned int mask) {
-      const double length = entry.length + m_Grid.GetEdgeLength(mask);
-      if (length < workspace.m_Length[static_cast<std::size_t>(node)])
-      {
-        const MedialVoxelIndex & neighbor = workspace.m_Indices[static_cast<std::size_t>(node)];
-        const double             bound = length + m_Cell.FreeSpaceLength(Difference(neighbor, target));
-        if (bound <= m_Upper)
-        {
-          workspace.m_Length[static_cast<std::size_t>(node)] = length;
-          workspace.Push({ bound, length, node });
-        }
-      }
-    });
-    if (workspace.m_Length[static_cast<std::size_t>(targetNode)] < m_Lower)
-    {
-      break;
-    }
-  }
-  return workspace.m_Length[static_cast<std::size_t>(targetNode)];
-}
-
-double
-MedialVoxelBoundedGeodesic::ResolveLength(const MedialVoxelIndex & a,
-                                          const MedialVoxelIndex & b,
-                                          Workspace &              workspace) const
-{
-  // Lengths from b to every node of interest prune all partial paths from a that cannot end within the band.
-  this->ShortestLength(b, a, workspace);
+  using NodeType = MedialVoxelBoundaryGraph::NodeType;
+  // Lengths from b to every point of interest prune all partial paths from a that cannot end within the band.
+  distances.Compute(graph, m_Grid, b, m_Upper);
 
   struct PartialPath
   {
-    std::int64_t          node;
+    NodeType              node;
     double                length;
     MedialVoxelEdgeCounts counts;
   };
-  std::set<std::pair<std::int64_t, MedialVoxelEdgeCounts>> known;
-  std::vector<PartialPath>                                 open{ { workspace.NodeOf(a), 0.0, {} } };
-  const std::int64_t                                       end = workspace.NodeOf(b);
-  double                                                   shortest = Infinity;
+  std::set<std::pair<NodeType, MedialVoxelEdgeCounts>> known;
+  std::vector<PartialPath>                             open{ { a, 0.0, {} } };
+  double                                               shortest = MedialVoxelBoundaryDistances::NotReached;
   while (!open.empty())
   {
     const PartialPath path = open.back();
     open.pop_back();
-    if (path.node == end)
+    if (path.node == b)
     {
       shortest = std::min(shortest, MedialVoxelPathLength(m_Grid, path.counts));
       continue;
     }
-    const MedialVoxelIndex index = workspace.m_Indices[static_cast<std::size_t>(path.node)];
-    workspace.VisitNeighbors(index, [&](const std::int64_t node, const unsigned int mask) {
+    graph.VisitNeighbors(path.node, [&](const NodeType node, const unsigned int mask) {
       PartialPath next{ node, path.length + m_Grid.GetEdgeLength(mask), path.counts };
       ++next.counts[mask];
-      if (next.length + workspace.m_Length[static_cast<std::size_t>(node)] <= m_Upper &&
-          known.emplace(node, next.counts).second)
+      if (next.length + distances.GetLengths()[node] <= m_Upper && known.emplace(node, next.counts).second)
       {
         open.push_back(next);
       }

@@ -33,12 +33,28 @@ struct MedialVoxelClassifier::Cells
   std::uint8_t *        labels;
 };
 
+namespace
+{
+
+/** Thresholds in voxels below which floods are complete, and the one for which they are cheap. */
+constexpr double CompleteFlood = 8.0;
+constexpr double CheapFlood = 4.75;
+
+double
+FloodEpsilon(const MedialVoxelGrid & grid, const double epsilon)
+{
+  return epsilon < CompleteFlood * grid.GetMetricUnit() ? epsilon : CheapFlood * grid.GetMetricUnit();
+}
+
+} // namespace
+
 MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
   : m_Grid(grid)
   , m_Parameters(parameters)
   , m_Cell(grid)
   , m_Geodesic(grid, parameters.epsilon)
-  , m_Flood(grid, parameters.epsilon)
+  , m_Flood(grid, FloodEpsilon(grid, parameters.epsilon))
+  , m_FloodIsForEpsilon(FloodEpsilon(grid, parameters.epsilon) == parameters.epsilon)
   , m_HasCornerRows(m_Cell.GetNumberOfCorners() == 8)
 {}
 
@@ -109,7 +125,8 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
 {
   labels.assign(static_cast<std::size_t>(tile.NumberOfVoxels()), MedialVoxelLabel::NoObject);
   const MedialVoxelBox cells = tile.Intersection(m_Grid.GetCellBox());
-  MedialVoxelBox       missing;
+  m_Geodesic.Begin(*window.sites, tile, workspace.geodesic);
+  MedialVoxelBox missing;
   for (std::int64_t z = cells.lower[2]; z < cells.upper[2]; ++z)
   {
     for (std::int64_t y = cells.lower[1]; y < cells.upper[1]; ++y)
@@ -271,7 +288,12 @@ MedialVoxelClassifier::ClassifyPair(const MedialVoxelBits &  boundary,
   }
   if (m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper)
   {
-    switch (m_Flood.Decide(boundary, a, pair.difference))
+    auto result = m_Flood.Decide(boundary, a, pair.difference);
+    if (!m_FloodIsForEpsilon && result != MedialVoxelBitFlood::Result::FallsShort)
+    {
+      result = MedialVoxelBitFlood::Result::Undecided;
+    }
+    switch (result)
     {
       case MedialVoxelBitFlood::Result::Bounded:
         return m_Parameters.bound == MedialVoxelPseudoGeodesicBound::FreeSpace ? MedialVoxelLabel::MedialByBound
@@ -308,8 +330,8 @@ MedialVoxelClassifier::ClassifyPair(const MedialVoxelBits &  boundary,
     missing = missing.Union(searchBox);
     return MedialVoxelLabel::NonMedial;
   }
-  return m_Geodesic.ReachesThreshold(boundary, a, b, workspace.geodesic) ? MedialVoxelLabel::MedialByGeodesic
-                                                                         : MedialVoxelLabel::NonMedial;
+  return m_Geodesic.ReachesThreshold(a, b, workspace.geodesic) ? MedialVoxelLabel::MedialByGeodesic
+                                                               : MedialVoxelLabel::NonMedial;
 }
 
 } // end namespace itk

@@ -72,6 +72,7 @@ TEST(MedialVoxelBitFlood, AgreesWithTheSearchOnRandomSites)
         const itk::MedialVoxelBitFlood        flood(GridOf(volume), epsilon);
         const itk::MedialVoxelBoundedGeodesic geodesic(GridOf(volume), epsilon);
         const itk::MedialVoxelDualCell        cell(GridOf(volume));
+        geodesic.Begin(bits, bits.GetBox(), workspace);
         ASSERT_TRUE(flood.IsAvailable());
         std::array<int, 3> seen{};
         for (int trial = 0; trial < 3000; ++trial)
@@ -91,7 +92,7 @@ TEST(MedialVoxelBitFlood, AgreesWithTheSearchOnRandomSites)
           }
           ++seen[static_cast<std::size_t>(result)];
           ASSERT_EQ(result == Result::Bounded, cell.FreeSpaceLength(difference) >= epsilon);
-          ASSERT_EQ(result != Result::FallsShort, geodesic.ReachesThreshold(bits, a, b, workspace))
+          ASSERT_EQ(result != Result::FallsShort, geodesic.ReachesThreshold(a, b, workspace))
             << "thickness " << voxels << ", density " << density;
         }
         EXPECT_GT(seen[static_cast<std::size_t>(Result::Bounded)], 0);

@@ -58,7 +58,8 @@ Differences(const Volume & volume, double epsilon, std::size_t pairs, unsigned i
         // Nothing but the search box is given, so that nothing else can be read.
         const auto box = geodesic.GetSearchBox(a, b).Union({ a, { { a[0] + 1, a[1] + 1, a[2] + 1 } } });
         const auto bits = SiteBits(sites, box.Union({ b, { { b[0] + 1, b[1] + 1, b[2] + 1 } } }));
-        differences += geodesic.ReachesThreshold(bits, a, b, workspace) != (distances[target] >= epsilon) ? 1 : 0;
+        geodesic.Begin(bits, box, workspace);
+        differences += geodesic.ReachesThreshold(a, b, workspace) != (distances[target] >= epsilon) ? 1 : 0;
       }
     }
   }
@@ -75,6 +76,37 @@ TEST(MedialVoxelBoundedGeodesic, JudgesLikePlainDijkstra)
     {
       SCOPED_TRACE(testCase.name + ", thickness " + std::to_string(thickness));
       EXPECT_EQ(Differences(testCase.volume, EpsilonOf(thickness), 6, ++seed), 0u);
+    }
+  }
+}
+
+TEST(MedialVoxelBoundedGeodesic, SearchesThatShareTheirResultsJudgeLikePlainDijkstra)
+{
+  // One series of searches for all pairs, some of them outside of what is shared around the tile.
+  const auto tile = MakeBox({ { 6, 6, 6 } }, { { 14, 12, 12 } });
+  for (const Vector3 & spacing : { UnitSpacing, CraniumSpacing })
+  {
+    const Volume                               volume = RandomBoxes({ { 40, 30, 24 } }, spacing, 12, 191);
+    const auto                                 sites = BoundarySites(volume);
+    const BoundaryGraph                        graph(volume, sites);
+    const auto                                 bits = SiteBits(sites, GridOf(volume).GetVoxelBox());
+    itk::MedialVoxelBoundedGeodesic::Workspace workspace;
+    std::mt19937                               generator(192);
+    for (const double thickness : { 2.0, 6.0, 11.0 })
+    {
+      const double                          epsilon = EpsilonOf(thickness);
+      const itk::MedialVoxelBoundedGeodesic geodesic(GridOf(volume), epsilon);
+      geodesic.Begin(bits, tile, workspace);
+      for (int trial = 0; trial < 60; ++trial)
+      {
+        const auto source = static_cast<int>(generator() % sites.size());
+        const auto distances = graph.DistancesFrom(source);
+        for (std::size_t target = 0; target < sites.size(); ++target)
+        {
+          ASSERT_EQ(geodesic.ReachesThreshold(KernelIndex(sites[source]), KernelIndex(sites[target]), workspace),
+                    distances[target] >= epsilon);
+        }
+      }
     }
   }
 }
@@ -103,7 +135,8 @@ TEST(MedialVoxelBoundedGeodesic, LengthsEqualToTheThresholdReachIt)
           const itk::MedialVoxelBoundedGeodesic      geodesic(GridOf(volume), epsilon);
           itk::MedialVoxelBoundedGeodesic::Workspace workspace;
           const auto                                 bits = SiteBits(sites, GridOf(volume).GetVoxelBox());
-          ASSERT_EQ(geodesic.ReachesThreshold(bits, a, b, workspace), exact[target] >= epsilon)
+          geodesic.Begin(bits, bits.GetBox(), workspace);
+          ASSERT_EQ(geodesic.ReachesThreshold(a, b, workspace), exact[target] >= epsilon)
             << "epsilon " << epsilon << ", site " << target;
         }
       }
@@ -128,10 +161,9 @@ TEST(MedialVoxelBoundedGeodesic, RoundingOfRunningSumsDoesNotDecide)
     for (const double epsilon : { std::nextafter(length, 0.0), length, std::nextafter(length, 2.0) })
     {
       const itk::MedialVoxelBoundedGeodesic geodesic(GridOf(volume), epsilon);
-      EXPECT_EQ(geodesic.ReachesThreshold(bits, { { 0, 1, 1 } }, { { steps, 1, 1 } }, workspace), length >= epsilon)
-        << steps;
-      EXPECT_EQ(geodesic.ReachesThreshold(bits, { { steps, 1, 1 } }, { { 0, 1, 1 } }, workspace), length >= epsilon)
-        << steps;
+      geodesic.Begin(bits, bits.GetBox(), workspace);
+      EXPECT_EQ(geodesic.ReachesThreshold({ { 0, 1, 1 } }, { { steps, 1, 1 } }, workspace), length >= epsilon) << steps;
+      EXPECT_EQ(geodesic.ReachesThreshold({ { steps, 1, 1 } }, { { 0, 1, 1 } }, workspace), length >= epsilon) << steps;
     }
   }
 }

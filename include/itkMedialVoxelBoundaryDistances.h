@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelBoundaryDistances_h
+#define itkMedialVoxelBoundaryDistances_h
+
+#include "itkMedialVoxelBoundaryGraph.h"
+#include "itkMedialVoxelGrid.h"
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelBoundaryDistances
+ * \brief Lengths of the shortest paths from one point of a boundary graph, by Dijkstra's algorithm.
+ *
+ * Points wait in buckets that are as wide as the shortest edge: no edge joins two points of a bucket, so that they can
+ * be done in any order and no heap is needed.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelBoundaryDistances
+{
+public:
+  using NodeType = MedialVoxelBoundaryGraph::NodeType;
+
+  /** Length of points that were not reached. */
+  static constexpr double NotReached = std::numeric_limits<double>::infinity();
+
+  /** Bytes of memory for each point of the graph. */
+  static constexpr std::uint64_t BytesPerNode = sizeof(double) + 2 * sizeof(NodeType);
+
+  /** Find the points within \a radius, in physical units, of \a source. */
+  void
+  Compute(const MedialVoxelBoundaryGraph & graph, const MedialVoxelGrid & grid, NodeType source, double radius);
+
+  /** Lengths in physical units, by point; sums of edge lengths in floating point. */
+  const std::vector<double> &
+  GetLengths() const
+  {
+    return m_Lengths;
+  }
+
+private:
+  std::vector<double>                m_Lengths;
+  std::vector<std::vector<NodeType>> m_Buckets;
+};
+
+} // end namespace itk
+
+#endif
