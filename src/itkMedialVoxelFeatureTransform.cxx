@@ -13,14 +13,16 @@ using WordType = MedialVoxelBits::WordType;
 namespace
 {
 
-/** Radius of the ball of sorted displacements, in voxels: large enough for the walls of thin parts. */
-constexpr double NearbyRadius = 6.0;
+/** Radii of the balls of sorted displacements, in voxels: the larger one is large enough for the walls of thin parts,
+ * the smaller one tells thin parts from thick ones. */
+constexpr double NearRadius = 3.0;
+constexpr double FarRadius = 6.0;
+
+/** Part of the voxels that the smaller ball may leave for the larger one to be tried. */
+constexpr std::uint64_t ThinPart = 8;
 
 /** Edge of the blocks whose centers bound the distances of their voxels. */
 constexpr std::int64_t BoundBlockSize = 16;
-
-/** Relative slack that keeps rounded lengths on the safe side. */
-constexpr double Slack = 1e-9;
 
 double
 MeanMetricSpacing(const MedialVoxelGrid & grid)
@@ -82,8 +84,21 @@ MedialVoxelFeatureTransform::MedialVoxelFeatureTransform(const MedialVoxelGrid &
   : m_Grid(grid)
   , m_Region(region)
   , m_MaximumDistance(maximumDistance)
-  , m_Offsets(MedialVoxelSortedOffsets(grid, NearbyRadius * MeanMetricSpacing(grid)))
-{}
+  , m_NearOffsets(MedialVoxelSortedOffsets(grid, FarRadius * MeanMetricSpacing(grid)))
+{
+  const double radius = NearRadius * MeanMetricSpacing(grid);
+  const auto firstFar = std::find_if(m_NearOffsets.begin(), m_NearOffsets.end(), [&](const MedialVoxelOffset & offset) {
+    return offset.squaredLength > radius * radius;
+  });
+  m_FarOffsets.assign(firstFar, m_NearOffsets.end());
+  m_NearOffsets.erase(firstFar, m_NearOffsets.end());
+}
+
+double
+MedialVoxelFeatureTransform::MaximumMetricLength() const
+{
+  return m_MaximumDistance / m_Grid.GetMetricUnit() * (1.0 + RelativeSlack);
+}
 
 MedialVoxelBox
 MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
@@ -94,28 +109,23 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
 {
   features.Reset(tileBox);
   const MedialVoxelBox & known = window.sites->GetBox();
-  Tile                   tile{ window, features, workspace.m_Remaining, workspace.m_NearestX, known, progress };
+  Tile                   tile{ window, features, workspace.m_Remaining, known, progress };
   tile.squaredDistanceToUnknown = SquaredDistanceToUnknown(m_Grid, known, tileBox);
   tile.firstWord = tileBox.lower[0] >> 6;
   tile.words = ((tileBox.upper[0] - 1) >> 6) - tile.firstWord + 1;
 
   this->SearchNearby(tile);
-  if (!tile.remainingBox.IsEmpty())
+  const bool isLeft = !tile.remainingBox.IsEmpty();
+  if (isLeft && !(m_Grid.HasEqualSpacing() && this->SearchSlices(tile, workspace.m_Slices)))
   {
-    if (!this->BoundRemaining(tile))
+    if (this->BoundRemaining(tile))
     {
-      return tile.missing;
+      this->SearchColumns(tile, workspace.m_Lines);
     }
-    // Sums of three squares must stay below the value that stands for "no site".
-    const bool fitsInteger = m_Grid.HasEqualSpacing() && tile.reach < 15000.0;
-    if (fitsInteger)
-    {
-      this->SearchRemaining(tile, workspace.m_IntegerLines);
-    }
-    else
-    {
-      this->SearchRemaining(tile, workspace.m_RealLines);
-    }
+  }
+  if (!tile.missing.IsEmpty())
+  {
+    return tile.missing;
   }
   this->DropDistant(tile);
   return this->MissingBox(tile);
@@ -128,7 +138,7 @@ MedialVoxelFeatureTransform::SearchNearby(Tile & tile) const
   const WordType         flip = (m_Region == MedialVoxelRegion::Outside) ? ~WordType{ 0 } : WordType{ 0 };
   const WordType         all = (m_Region == MedialVoxelRegion::Both) ? ~WordType{ 0 } : WordType{ 0 };
   tile.remaining.assign(static_cast<std::size_t>(tile.words * box.Extent(1) * box.Extent(2)), 0);
-
+  std::uint64_t asked = 0;
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
@@ -138,7 +148,33 @@ MedialVoxelFeatureTransform::SearchNearby(Tile & tile) const
       {
         const WordType query =
           ((object[word] ^ flip) | all) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
-        if (query == 0)
+        tile.Remaining(word, y, z) = query;
+        asked += static_cast<std::uint64_t>(MedialVoxelPopulationCount(query));
+      }
+    }
+  }
+  const std::uint64_t left = this->SearchTable(tile, m_NearOffsets);
+  if (!m_Grid.HasEqualSpacing() || left * ThinPart < asked)
+  {
+    this->SearchTable(tile, m_FarOffsets);
+  }
+}
+
+/** Search the remaining voxels of a tile for sites at \a offsets; the number of those that remain. */
+std::uint64_t
+MedialVoxelFeatureTransform::SearchTable(Tile & tile, const std::vector<MedialVoxelOffset> & offsets) const
+{
+  const MedialVoxelBox & box = tile.Box();
+  std::uint64_t          left = 0;
+  tile.remainingBox = {};
+  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  {
+    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    {
+      for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
+      {
+        WordType & remaining = tile.Remaining(word, y, z);
+        if (remaining == 0)
         {
           continue;
         }
@@ -146,30 +182,32 @@ MedialVoxelFeatureTransform::SearchNearby(Tile & tile) const
         const auto         firstLane =
           static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
         const auto result = MedialVoxelSearchOffsets(
-          m_Offsets,
+          offsets,
           *tile.window.sites,
           x,
           y,
           z,
-          query,
+          remaining,
           { tile.features.dx.data(), tile.features.dy.data(), tile.features.dz.data(), firstLane });
         tile.largestSquaredLength = std::max(tile.largestSquaredLength, result.largestSquaredLength);
-        if (result.remaining != 0)
+        remaining = result.remaining;
+        if (remaining != 0)
         {
-          tile.Remaining(word, y, z) = result.remaining;
-          const std::int64_t first = x + MedialVoxelLowestBit(result.remaining);
-          const std::int64_t last = x + MedialVoxelHighestBit(result.remaining);
+          left += static_cast<std::uint64_t>(MedialVoxelPopulationCount(remaining));
+          const std::int64_t first = x + MedialVoxelLowestBit(remaining);
+          const std::int64_t last = x + MedialVoxelHighestBit(remaining);
           tile.remainingBox = tile.remainingBox.Union({ { { first, y, z } }, { { last + 1, y + 1, z + 1 } } });
         }
       }
     }
   }
+  return left;
 }
 
 bool
 MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
 {
-  const double           maximumLength = m_MaximumDistance / m_Grid.GetMetricUnit() * (1.0 + Slack);
+  const double           maximumLength = this->MaximumMetricLength();
   const MedialVoxelBox & range = tile.remainingBox;
   MedialVoxelBox         block;
   for (block.lower[2] = range.lower[2]; block.lower[2] < range.upper[2]; block.lower[2] += BoundBlockSize)
@@ -196,7 +234,7 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
         const bool hasSite = squared < std::numeric_limits<double>::infinity();
         if (hasSite)
         {
-          tile.reach = std::max(tile.reach, (std::sqrt(squared) + toCorner) * (1.0 + Slack));
+          tile.reach = std::max(tile.reach, (std::sqrt(squared) + toCorner) * (1.0 + RelativeSlack));
         }
         else if (std::isfinite(maximumLength))
         {
@@ -204,11 +242,7 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
         }
         else if (std::isfinite(tile.squaredDistanceToUnknown))
         {
-          // Nothing bounds the distance, so look twice as far as the window does.
-          const double known = std::sqrt(tile.squaredDistanceToUnknown);
-          const double least = 2.0 * static_cast<double>(BoundBlockSize) * MeanMetricSpacing(m_Grid);
-          tile.missing = tile.Box().Expanded(m_Grid.MarginForMetricLength(std::max(2.0 * known, least)));
-          tile.missing = tile.missing.Intersection(m_Grid.GetVoxelBox()).Union(tile.known);
+          this->AskForMore(tile);
           return false;
         }
       }
@@ -224,6 +258,16 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
     return false;
   }
   return true;
+}
+
+/** Nothing bounds the distance, so look twice as far as the window does. */
+void
+MedialVoxelFeatureTransform::AskForMore(Tile & tile) const
+{
+  const double known = std::sqrt(tile.squaredDistanceToUnknown);
+  const double least = 2.0 * static_cast<double>(BoundBlockSize) * MeanMetricSpacing(m_Grid);
+  tile.missing = tile.Box().Expanded(m_Grid.MarginForMetricLength(std::max(2.0 * known, least)));
+  tile.missing = tile.missing.Intersection(m_Grid.GetVoxelBox()).Union(tile.known);
 }
 
 void
@@ -249,13 +293,13 @@ MedialVoxelFeatureTransform::DropDistant(Tile & tile) const
 MedialVoxelBox
 MedialVoxelFeatureTransform::MissingBox(const Tile & tile) const
 {
-  const double maximumLength = m_MaximumDistance / m_Grid.GetMetricUnit() * (1.0 + Slack);
+  const double maximumLength = this->MaximumMetricLength();
   const double squared = std::min(tile.largestSquaredLength, maximumLength * maximumLength);
   if (squared < tile.squaredDistanceToUnknown)
   {
     return {};
   }
-  const MedialVoxelIndex margin = m_Grid.MarginForMetricLength(std::sqrt(squared) * (1.0 + Slack));
+  const MedialVoxelIndex margin = m_Grid.MarginForMetricLength(std::sqrt(squared) * (1.0 + RelativeSlack));
   return tile.Box().Expanded(margin).Intersection(m_Grid.GetVoxelBox());
 }
 

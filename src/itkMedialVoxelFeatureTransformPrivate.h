@@ -8,13 +8,15 @@
 namespace itk
 {
 
+/** Relative slack that keeps rounded lengths on the safe side. */
+constexpr double RelativeSlack = 1e-9;
+
 /** What the steps of the transform of one tile hand on. */
 struct MedialVoxelFeatureTransform::Tile
 {
   const MedialVoxelWindow &                window;
   MedialVoxelFeatures &                    features;
   std::vector<MedialVoxelBits::WordType> & remaining;
-  std::vector<std::int32_t> &              nearestX;
   MedialVoxelBox                           known;
   const MedialVoxelProgress * const        progress;
   double                                   squaredDistanceToUnknown{ 0.0 };

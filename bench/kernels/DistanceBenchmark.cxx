@@ -104,22 +104,23 @@ BENCHMARK(NearestInRow)->Arg(ThinScene)->Arg(ThickScene)->Unit(benchmark::kMilli
 void
 SearchOutward(benchmark::State & state)
 {
-  constexpr std::int64_t    lanes = 64, numberOfLines = 192;
-  const std::int64_t        away = state.range(0);
-  std::vector<std::int32_t> lines(lanes * numberOfLines, itk::MedialVoxelOutwardTraits<std::int32_t>::NoSite);
-  std::vector<std::int32_t> squares(numberOfLines);
+  constexpr std::int64_t lanes = 64, numberOfLines = 192;
+  const std::int64_t     away = state.range(0);
+  std::vector<double>    lines(lanes * numberOfLines, itk::MedialVoxelNoCost);
+  std::vector<double>    squares(numberOfLines);
   for (std::int64_t j = 0; j < numberOfLines; ++j)
   {
-    squares[static_cast<std::size_t>(j)] = static_cast<std::int32_t>(j * j);
+    squares[static_cast<std::size_t>(j)] = static_cast<double>(j * j);
   }
   for (std::int64_t lane = 0; lane < lanes; ++lane)
   {
-    lines[static_cast<std::size_t>((numberOfLines / 2 + away) * lanes + lane)] = static_cast<std::int32_t>(lane % 4);
+    lines[static_cast<std::size_t>((numberOfLines / 2 + away) * lanes + lane)] = static_cast<double>(lane % 4);
   }
-  std::vector<std::int32_t> cost(lanes), position(lanes);
+  std::vector<double>       cost(lanes);
+  std::vector<std::int64_t> position(lanes);
   for (auto _ : state)
   {
-    itk::MedialVoxelSearchOutward<std::int32_t>(
+    itk::MedialVoxelSearchOutward(
       lines.data(), lanes, numberOfLines, lanes, numberOfLines / 2, squares, cost.data(), position.data());
     benchmark::ClobberMemory();
   }
