@@ -151,11 +151,14 @@ private:
   static std::uint64_t
   GetSliceSearchBytes(const MedialVoxelIndex & tileSize, const MedialVoxelIndex & searchedSize);
 
+  std::uint64_t
+  FindQueries(Tile & tile, std::int64_t z) const;
+
   void
-  SearchNearby(Tile & tile) const;
+  SearchNearby(Tile & tile, std::int64_t z, std::uint64_t voxels) const;
 
   std::uint64_t
-  SearchTable(Tile & tile, const std::vector<MedialVoxelOffset> & offsets) const;
+  SearchTable(Tile & tile, std::int64_t z, const std::vector<MedialVoxelOffset> & offsets) const;
 
   bool
   BoundRemaining(Tile & tile) const;

@@ -72,11 +72,12 @@ struct MedialVoxelSiteKey
     return result;
   }
 
-  /** Length of a key's displacement in voxels, rounded up. */
+  /** A length in voxels that the displacement of a key does not reach, at most one above it. */
   static std::int64_t
   ReachOf(const double key)
   {
-    return static_cast<std::int64_t>(std::ceil(std::sqrt(std::floor(key / SquareUnit))));
+    const auto square = static_cast<std::int64_t>(key * (1.0 / SquareUnit));
+    return static_cast<std::int64_t>(std::sqrt(static_cast<double>(square))) + 1;
   }
 
 private:

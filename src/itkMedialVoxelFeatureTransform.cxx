@@ -21,6 +21,9 @@ constexpr double FarRadius = 6.0;
 /** Part of the voxels that the smaller ball may leave for the larger one to be tried. */
 constexpr std::uint64_t ThinPart = 8;
 
+/** Longest displacement of a tile, in voxels, from which the next one is taken for thick. */
+constexpr std::int64_t ThickReach = 16;
+
 /** Edge of the blocks whose centers bound the distances of their voxels. */
 constexpr std::int64_t BoundBlockSize = 16;
 
@@ -113,8 +116,19 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
   tile.squaredDistanceToUnknown = SquaredDistanceToUnknown(m_Grid, known, tileBox);
   tile.firstWord = tileBox.lower[0] >> 6;
   tile.words = ((tileBox.upper[0] - 1) >> 6) - tile.firstWord + 1;
+  tile.remaining.resize(static_cast<std::size_t>(tile.words * tileBox.Extent(1) * tileBox.Extent(2)));
 
-  this->SearchNearby(tile);
+  // A guess that costs time where it is wrong, but changes nothing.
+  const bool isThick = m_Grid.HasEqualSpacing() && workspace.m_Slices.reach >= ThickReach;
+  for (std::int64_t z = tileBox.lower[2]; z < tileBox.upper[2]; ++z)
+  {
+    const std::uint64_t voxels = this->FindQueries(tile, z);
+    if (voxels != 0 && !isThick)
+    {
+      this->SearchNearby(tile, z, voxels);
+    }
+  }
+  tile.FindRemainingBox();
   const bool isLeft = !tile.remainingBox.IsEmpty();
   if (isLeft && !(m_Grid.HasEqualSpacing() && this->SearchSlices(tile, workspace.m_Slices)))
   {
@@ -131,74 +145,69 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
   return this->MissingBox(tile);
 }
 
-void
-MedialVoxelFeatureTransform::SearchNearby(Tile & tile) const
+/** Let all voxels of a slice that are asked for remain; their number. */
+std::uint64_t
+MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) const
 {
   const MedialVoxelBox & box = tile.Box();
   const WordType         flip = (m_Region == MedialVoxelRegion::Outside) ? ~WordType{ 0 } : WordType{ 0 };
   const WordType         all = (m_Region == MedialVoxelRegion::Both) ? ~WordType{ 0 } : WordType{ 0 };
-  tile.remaining.assign(static_cast<std::size_t>(tile.words * box.Extent(1) * box.Extent(2)), 0);
-  std::uint64_t asked = 0;
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  std::uint64_t          voxels = 0;
+  for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
   {
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    const WordType * const object = tile.window.object->GetRow(y, z) - tile.window.object->GetFirstWord();
+    for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
     {
-      const WordType * const object = tile.window.object->GetRow(y, z) - tile.window.object->GetFirstWord();
-      for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
-      {
-        const WordType query =
-          ((object[word] ^ flip) | all) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
-        tile.Remaining(word, y, z) = query;
-        asked += static_cast<std::uint64_t>(MedialVoxelPopulationCount(query));
-      }
+      const WordType query =
+        ((object[word] ^ flip) | all) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
+      tile.Remaining(word, y, z) = query;
+      voxels += static_cast<std::uint64_t>(MedialVoxelPopulationCount(query));
     }
   }
-  const std::uint64_t left = this->SearchTable(tile, m_NearOffsets);
-  if (!m_Grid.HasEqualSpacing() || left * ThinPart < asked)
+  return voxels;
+}
+
+/** Search the voxels of a slice by sorted displacements, as far as that finds most of them. */
+void
+MedialVoxelFeatureTransform::SearchNearby(Tile & tile, const std::int64_t z, const std::uint64_t voxels) const
+{
+  const std::uint64_t left = this->SearchTable(tile, z, m_NearOffsets);
+  if (!m_Grid.HasEqualSpacing() || left * ThinPart < voxels)
   {
-    this->SearchTable(tile, m_FarOffsets);
+    this->SearchTable(tile, z, m_FarOffsets);
   }
 }
 
-/** Search the remaining voxels of a tile for sites at \a offsets; the number of those that remain. */
+/** Search the remaining voxels of a slice for sites at \a offsets; the number of those that remain. */
 std::uint64_t
-MedialVoxelFeatureTransform::SearchTable(Tile & tile, const std::vector<MedialVoxelOffset> & offsets) const
+MedialVoxelFeatureTransform::SearchTable(Tile &                                 tile,
+                                         const std::int64_t                     z,
+                                         const std::vector<MedialVoxelOffset> & offsets) const
 {
   const MedialVoxelBox & box = tile.Box();
   std::uint64_t          left = 0;
-  tile.remainingBox = {};
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
   {
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
     {
-      for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
+      WordType & remaining = tile.Remaining(word, y, z);
+      if (remaining == 0)
       {
-        WordType & remaining = tile.Remaining(word, y, z);
-        if (remaining == 0)
-        {
-          continue;
-        }
-        const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
-        const auto         firstLane =
-          static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
-        const auto result = MedialVoxelSearchOffsets(
-          offsets,
-          *tile.window.sites,
-          x,
-          y,
-          z,
-          remaining,
-          { tile.features.dx.data(), tile.features.dy.data(), tile.features.dz.data(), firstLane });
-        tile.largestSquaredLength = std::max(tile.largestSquaredLength, result.largestSquaredLength);
-        remaining = result.remaining;
-        if (remaining != 0)
-        {
-          left += static_cast<std::uint64_t>(MedialVoxelPopulationCount(remaining));
-          const std::int64_t first = x + MedialVoxelLowestBit(remaining);
-          const std::int64_t last = x + MedialVoxelHighestBit(remaining);
-          tile.remainingBox = tile.remainingBox.Union({ { { first, y, z } }, { { last + 1, y + 1, z + 1 } } });
-        }
+        continue;
       }
+      const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
+      const auto firstLane = static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
+      const auto result = MedialVoxelSearchOffsets(
+        offsets,
+        *tile.window.sites,
+        x,
+        y,
+        z,
+        remaining,
+        { tile.features.dx.data(), tile.features.dy.data(), tile.features.dz.data(), firstLane });
+      tile.largestSquaredLength = std::max(tile.largestSquaredLength, result.largestSquaredLength);
+      remaining = result.remaining;
+      left += static_cast<std::uint64_t>(MedialVoxelPopulationCount(remaining));
     }
   }
   return left;

@@ -85,9 +85,6 @@ private:
   void
   VisitSites(std::int64_t z, TVisitor && visit) const;
 
-  bool
-  FindRemaining(std::int64_t z);
-
   void
   FindWanted(std::int64_t z);
 
@@ -214,35 +211,14 @@ MedialVoxelFeatureTransform::SliceSearch::Advance(const std::int64_t z)
 double
 MedialVoxelFeatureTransform::SliceSearch::SearchSlice(const std::int64_t z)
 {
-  if (!this->FindRemaining(z))
+  m_Remaining = m_Tile.RemainingBoxOf(z, m_Tile.remainingBox);
+  if (m_Remaining.IsEmpty())
   {
     return 0.0;
   }
   this->FindWanted(z);
   this->SearchAlongY(z);
   return this->SearchAlongX(z);
-}
-
-/** The box of the remaining voxels of a slice; false when there are none. */
-bool
-MedialVoxelFeatureTransform::SliceSearch::FindRemaining(const std::int64_t z)
-{
-  const MedialVoxelBox & range = m_Tile.remainingBox;
-  m_Remaining = {};
-  for (std::int64_t y = range.lower[1]; y < range.upper[1]; ++y)
-  {
-    for (std::int64_t word = range.lower[0] >> 6; word <= (range.upper[0] - 1) >> 6; ++word)
-    {
-      const WordType bits = m_Tile.Remaining(word, y, z);
-      if (bits != 0)
-      {
-        const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
-        m_Remaining = m_Remaining.Union(
-          { { { x + MedialVoxelLowestBit(bits), y, z } }, { { x + MedialVoxelHighestBit(bits) + 1, y + 1, z + 1 } } });
-      }
-    }
-  }
-  return !m_Remaining.IsEmpty();
 }
 
 /** For each block of rows the columns that have a voxel of the region in it.
