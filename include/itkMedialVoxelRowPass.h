@@ -68,12 +68,6 @@ private:
   std::int64_t
   FindWinner(const double * keys, std::int64_t length, std::int64_t center, std::int64_t lowest) const;
 
-  double
-  SmallestKey(const double * keys, std::int64_t begin, std::int64_t end, std::int64_t center) const;
-
-  void
-  SearchBlock(const double * keys, std::int64_t begin, std::int64_t end, std::int64_t first, double * result) const;
-
   Axis                m_Axis;
   std::int64_t        m_Longest{ 0 };
   std::vector<double> m_Steps;         // of displacements from -m_Longest - BlockSize on

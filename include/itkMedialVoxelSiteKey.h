@@ -36,10 +36,9 @@ struct MedialVoxelSiteKey
 
   /** Key of a site in the own column, \a dz slices away. */
   static double
-  AlongZ(const std::int32_t dz)
+  AlongZ(const double dz)
   {
-    const std::int32_t order = (dz + Bias) * (1 << ShiftZ) + Bias * (1 << ShiftY);
-    return static_cast<double>(dz * dz) * SquareUnit + static_cast<double>(order);
+    return dz * dz * SquareUnit + (dz * (1 << ShiftZ) + (Bias * (1 << ShiftZ) + Bias * (1 << ShiftY)));
   }
 
   /** What a key grows by when the site is \a dy rows further on. */
@@ -64,12 +63,19 @@ struct MedialVoxelSiteKey
     MedialVoxelSiteKey result;
     result.squaredLength = bits >> ShiftSquare;
     result.dz = ((bits >> ShiftZ) & Mask) - Bias;
-    result.dy = ((bits >> ShiftY) & Mask) - Bias;
+    result.dy = DecodeY(key);
     const std::int64_t squareX = result.squaredLength - result.dz * result.dz - result.dy * result.dy;
     // Squares of whole numbers below 2^12 have exact roots in float too.
     const auto length = static_cast<std::int64_t>(std::sqrt(static_cast<float>(squareX)));
     result.dx = (bits & 1) != 0 ? length : -length;
     return result;
+  }
+
+  /** The displacement of a key along y. */
+  static std::int64_t
+  DecodeY(const double key)
+  {
+    return ((static_cast<std::int64_t>(key) >> ShiftY) & Mask) - Bias;
   }
 
   /** A length in voxels that the displacement of a key does not reach, at most one above it. */

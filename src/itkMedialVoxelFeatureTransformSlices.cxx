@@ -254,14 +254,16 @@ MedialVoxelFeatureTransform::SliceSearch::FillColumn(const std::int64_t x, const
   const std::int16_t * const next = m_Memory.next.data() + (x - m_Area.lower[0]) * rows;
   const auto                 position = static_cast<std::int32_t>(z - m_FirstSlice);
   double * const             keys = m_Memory.column.data();
+  constexpr auto             longest = static_cast<double>(MedialVoxelSiteKey::LongestReach);
   std::int32_t               nearest = Nowhere;
   for (std::int64_t row = 0; row < rows; ++row)
   {
     const std::int32_t below = position - previous[row];
     const std::int32_t above = next[row] - position;
     const std::int32_t distance = std::min(below, above);
-    const double       key = MedialVoxelSiteKey::AlongZ(below <= above ? -below : above);
-    keys[row] = distance <= MedialVoxelSiteKey::LongestReach ? key : MedialVoxelSiteKey::NoSite;
+    const double       dz = below <= above ? -below : above;
+    const double       key = MedialVoxelSiteKey::AlongZ(dz);
+    keys[row] = dz * dz <= longest * longest ? key : MedialVoxelSiteKey::NoSite;
     nearest = std::min(nearest, distance);
   }
   return nearest <= MedialVoxelSiteKey::LongestReach;

@@ -3,7 +3,7 @@
 #include "itkMedialVoxelRowPass.h"
 
 #include <algorithm>
-#include <array>
+#include <cstring>
 
 namespace itk
 {
@@ -11,11 +11,95 @@ namespace itk
 namespace
 {
 
-/** Keys that are compared at once in the search for one voxel. */
-constexpr std::int64_t Lanes = 8;
-
 /** First attempt of a search about which nothing is known. */
 constexpr std::int64_t FirstReach = 16;
+
+#if defined(__GNUC__)
+/** Doubles that are added and compared at once. A loop over them would be taken apart into single ones. */
+template <std::size_t VBytes>
+struct Vector
+{
+  using Type [[gnu::vector_size(VBytes)]] = double;
+};
+#  define MEDIALVOXEL_INLINE inline __attribute__((always_inline))
+#else
+#  define MEDIALVOXEL_INLINE inline
+#endif
+
+/** Smallest of keys[j] + steps[j] for j in [begin, end). */
+template <std::size_t VBytes>
+MEDIALVOXEL_INLINE double
+SmallestSum(const double * const keys, const double * const steps, std::int64_t begin, const std::int64_t end)
+{
+  double smallest = MedialVoxelSiteKey::NoSite;
+#if defined(__GNUC__)
+  using VectorType = typename Vector<VBytes>::Type;
+  constexpr std::size_t  vectors = 64 / VBytes;
+  constexpr std::int64_t lanes = 64 / sizeof(double);
+  if (end - begin >= lanes)
+  {
+    VectorType best[vectors];
+    std::fill(best, best + vectors, VectorType{} + smallest);
+    for (; begin + lanes <= end; begin += lanes)
+    {
+      for (std::size_t i = 0; i < vectors; ++i)
+      {
+        VectorType key;
+        VectorType step;
+        std::memcpy(&key, keys + begin + i * (VBytes / sizeof(double)), VBytes);
+        std::memcpy(&step, steps + begin + i * (VBytes / sizeof(double)), VBytes);
+        key += step;
+        best[i] = key < best[i] ? key : best[i];
+      }
+    }
+    double values[lanes];
+    std::memcpy(values, best, sizeof(values));
+    smallest = *std::min_element(values, values + lanes);
+  }
+#endif
+  for (; begin < end; ++begin)
+  {
+    smallest = std::min(smallest, keys[begin] + steps[begin]);
+  }
+  return smallest;
+}
+
+/** Smallest of keys[j] + steps[lane - j] for j in [begin, end), for all lanes of a block. */
+template <std::size_t VBytes>
+MEDIALVOXEL_INLINE void
+SmallestSums(const double * const keys,
+             const double * const steps,
+             const std::int64_t   begin,
+             const std::int64_t   end,
+             double * const       result)
+{
+#if defined(__GNUC__)
+  using VectorType = typename Vector<VBytes>::Type;
+  constexpr std::size_t vectors = static_cast<std::size_t>(MedialVoxelRowPass::BlockSize) * sizeof(double) / VBytes;
+  VectorType            best[vectors];
+  std::fill(best, best + vectors, VectorType{} + MedialVoxelSiteKey::NoSite);
+  for (std::int64_t j = begin; j < end; ++j)
+  {
+    for (std::size_t i = 0; i < vectors; ++i)
+    {
+      VectorType sum;
+      std::memcpy(&sum, steps - j + i * (VBytes / sizeof(double)), VBytes);
+      sum += keys[j];
+      best[i] = sum < best[i] ? sum : best[i];
+    }
+  }
+  std::memcpy(result, best, sizeof(best));
+#else
+  std::fill(result, result + MedialVoxelRowPass::BlockSize, MedialVoxelSiteKey::NoSite);
+  for (std::int64_t j = begin; j < end; ++j)
+  {
+    for (std::int64_t lane = 0; lane < MedialVoxelRowPass::BlockSize; ++lane)
+    {
+      result[lane] = std::min(result[lane], keys[j] + steps[lane - j]);
+    }
+  }
+#endif
+}
 
 } // namespace
 
@@ -73,7 +157,9 @@ MedialVoxelRowPass::Search(const double * const       keys,
     const std::int64_t nextWinner = this->FindWinner(keys, length, last, lowest);
     const std::int64_t from = winner >= 0 ? winner : std::max(lowest, begin - reach);
     const std::int64_t to = nextWinner >= 0 ? nextWinner : std::min(length - 1, last + reach);
-    this->SearchBlock(keys, from, to + 1, begin, result + block * BlockSize);
+    // Steps of the block's voxels stand next to each other when they are counted backwards.
+    const double * const steps = m_BackwardSteps.data() + m_Longest + BlockSize + begin;
+    SmallestSums<16>(keys, steps, from, to + 1, result + block * BlockSize);
     lowest = std::max(lowest, nextWinner);
     winner = nextWinner;
   }
@@ -87,78 +173,30 @@ MedialVoxelRowPass::FindWinner(const double * const keys,
 {
   constexpr std::int64_t longest = MedialVoxelSiteKey::LongestReach;
   const double * const   steps = m_Steps.data() + m_Longest + BlockSize;
+  const auto             winnerOf = [&](const double key) {
+    return center + (m_Axis == Axis::X ? MedialVoxelSiteKey::Decode(key).dx : MedialVoxelSiteKey::DecodeY(key));
+  };
+  const auto search = [&](const std::int64_t reach) {
+    return SmallestSum<16>(
+      keys, steps - center, std::max(lowest, center - reach), std::min(length, center + reach + 1));
+  };
+
   // Any key bounds how far a better one can be.
-  const double known = std::min(keys[center], keys[lowest] + steps[lowest - center]);
-  std::int64_t reach = known < MedialVoxelSiteKey::NoSite ? MedialVoxelSiteKey::ReachOf(known) : FirstReach;
-  for (;;)
+  double key = std::min(keys[center], keys[lowest] + steps[lowest - center]);
+  for (std::int64_t reach = FirstReach; !(key < MedialVoxelSiteKey::NoSite); reach *= 2)
   {
-    const std::int64_t begin = std::max(lowest, center - reach);
-    const std::int64_t end = std::min(length, center + reach + 1);
-    const double       key = this->SmallestKey(keys, begin, end, center);
-    const bool         isWhole = begin == lowest && end == length;
-    const std::int64_t found =
-      key < MedialVoxelSiteKey::NoSite ? MedialVoxelSiteKey::ReachOf(key) : std::numeric_limits<std::int64_t>::max();
-    if (found <= longest && (found <= reach || isWhole))
+    key = search(reach);
+    if (reach >= std::min(length, longest))
     {
-      const MedialVoxelSiteKey site = MedialVoxelSiteKey::Decode(key);
-      return center + (m_Axis == Axis::X ? site.dx : site.dy);
-    }
-    if (reach >= longest || isWhole)
-    {
-      return -1;
-    }
-    reach = std::min(found, 2 * reach);
-  }
-}
-
-double
-MedialVoxelRowPass::SmallestKey(const double * const keys,
-                                const std::int64_t   begin,
-                                const std::int64_t   end,
-                                const std::int64_t   center) const
-{
-  const double * const      steps = m_Steps.data() + m_Longest + BlockSize - center;
-  std::array<double, Lanes> smallest;
-  smallest.fill(MedialVoxelSiteKey::NoSite);
-  std::int64_t j = begin;
-  for (; j + Lanes <= end; j += Lanes)
-  {
-    for (std::int64_t lane = 0; lane < Lanes; ++lane)
-    {
-      const double key = keys[j + lane] + steps[j + lane];
-      double &     best = smallest[static_cast<std::size_t>(lane)];
-      best = key < best ? key : best;
+      break;
     }
   }
-  for (; j < end; ++j)
+  if (!(key < MedialVoxelSiteKey::NoSite))
   {
-    smallest[0] = std::min(smallest[0], keys[j] + steps[j]);
+    return -1;
   }
-  return *std::min_element(smallest.begin(), smallest.end());
-}
-
-void
-MedialVoxelRowPass::SearchBlock(const double * const keys,
-                                const std::int64_t   begin,
-                                const std::int64_t   end,
-                                const std::int64_t   first,
-                                double * const       result) const
-{
-  std::array<double, BlockSize> smallest;
-  smallest.fill(MedialVoxelSiteKey::NoSite);
-  // Steps of the block's voxels stand next to each other when they are counted backwards.
-  const double * const steps = m_BackwardSteps.data() + m_Longest + BlockSize + first;
-  for (std::int64_t j = begin; j < end; ++j)
-  {
-    const double         key = keys[j];
-    const double * const step = steps - j;
-    for (std::size_t lane = 0; lane < static_cast<std::size_t>(BlockSize); ++lane)
-    {
-      const double candidate = key + step[lane];
-      smallest[lane] = candidate < smallest[lane] ? candidate : smallest[lane];
-    }
-  }
-  std::copy(smallest.begin(), smallest.end(), result);
+  key = search(MedialVoxelSiteKey::ReachOf(key));
+  return MedialVoxelSiteKey::ReachOf(key) <= longest ? winnerOf(key) : -1;
 }
 
 } // end namespace itk
