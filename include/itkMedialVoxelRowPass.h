@@ -53,8 +53,8 @@ public:
    * \param first   first voxel of the first block; blocks may end after the row
    * \param blocks  number of blocks
    * \param needed  for each block whether it is searched for; others are left alone
-   * \param result  keys of all blocks, BlockSize for each; displacements along the axis longer than
-   *                MedialVoxelSiteKey::LongestReach are not looked for */
+   * \param result  keys of all blocks, BlockSize for each; those of displacements longer than
+   *                MedialVoxelSiteKey::LongestReach may be larger than they could be */
   void
   Search(const double *       keys,
          std::int64_t         length,

@@ -236,12 +236,12 @@ MedialVoxelFeatureTransform::GetWorkspaceBytes(const MedialVoxelGrid &  grid,
                                                const MedialVoxelIndex & tileSize,
                                                const MedialVoxelIndex & searchedSize)
 {
-  if (grid.HasEqualSpacing())
-  {
-    return GetSliceSearchBytes(tileSize, searchedSize);
-  }
-  return static_cast<std::uint64_t>(ChooseLanes(tileSize[1], searchedSize[1], searchedSize[2]) *
-                                    BytesPerLane(tileSize[1], searchedSize[1], searchedSize[2]));
+  const auto columns = static_cast<std::uint64_t>(ChooseLanes(tileSize[1], searchedSize[1], searchedSize[2]) *
+                                                  BytesPerLane(tileSize[1], searchedSize[1], searchedSize[2]));
+  const auto slices = GetSliceSearchBytes(tileSize, searchedSize);
+  const bool isWithinReach =
+    *std::max_element(searchedSize.begin(), searchedSize.end()) <= MedialVoxelSiteKey::LongestReach;
+  return !grid.HasEqualSpacing() ? columns : (isWithinReach ? slices : columns + slices);
 }
 
 } // end namespace itk
