@@ -149,9 +149,11 @@ MedialVoxelFeatureTransform::SliceSearch::Prepare(const std::int64_t z, const st
   m_Area = m_Tile.remainingBox.Expanded({ { reach, reach, 0 } }).Intersection(m_Tile.known);
   const auto   columns = static_cast<std::size_t>(m_Area.Extent(0) * m_Area.Extent(1));
   const auto & known = m_Tile.known;
-  m_Memory.previous.assign(columns, -Nowhere);
-  m_Memory.next.assign(columns, Nowhere);
-  m_Memory.passed.resize(0);
+  Reserve(m_Memory.previous, static_cast<std::int64_t>(columns));
+  Reserve(m_Memory.next, static_cast<std::int64_t>(columns));
+  std::fill_n(m_Memory.previous.begin(), columns, static_cast<std::int16_t>(-Nowhere));
+  std::fill_n(m_Memory.next.begin(), columns, Nowhere);
+  m_Memory.passed.clear();
   m_FirstSlice = z;
 
   // As many slices as there is room to remember the sites of; a single one always fits.
@@ -466,7 +468,8 @@ MedialVoxelFeatureTransform::Accept(Tile & tile, const double squaredLength, con
   }
   // From slice to slice the distance grows by at most one.
   const auto   slices = static_cast<double>(tile.remainingBox.upper[2] - 1 - z);
-  const double longest = std::min(length * (1.0 + RelativeSlack) + slices, this->MaximumMetricLength());
+  const double soFar = std::sqrt(tile.largestSquaredLength) * (1.0 + RelativeSlack);
+  const double longest = std::min(soFar + slices, this->MaximumMetricLength());
   tile.missing = tile.Box().Expanded(m_Grid.MarginForMetricLength(longest)).Intersection(m_Grid.GetVoxelBox());
   return false;
 }

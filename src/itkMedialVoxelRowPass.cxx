@@ -117,8 +117,9 @@ MedialVoxelRowPass::SetLongestRow(const std::int64_t length)
     return;
   }
   m_Longest = length;
-  m_Steps.clear();
   const std::int64_t last = length + BlockSize;
+  m_Steps.clear();
+  m_Steps.reserve(static_cast<std::size_t>(2 * last + 1));
   for (std::int64_t step = -last; step <= last; ++step)
   {
     const bool   isReached = step >= -MedialVoxelSiteKey::LongestReach && step <= MedialVoxelSiteKey::LongestReach;
