@@ -6,6 +6,7 @@
 #include "KernelScene.h"
 
 #include "itkMedialVoxelBoundary.h"
+#include "itkMedialVoxelRowPass.h"
 
 #include <benchmark/benchmark.h>
 
@@ -127,6 +128,29 @@ SearchOutward(benchmark::State & state)
   state.SetItemsProcessed(state.iterations() * lanes);
 }
 BENCHMARK(SearchOutward)->Arg(4)->Arg(16)->Arg(64);
+
+/** One pass along a row of 512 voxels whose sites are the given number of voxels apart; items are voxels. */
+void
+SearchRow(benchmark::State & state)
+{
+  using itk::MedialVoxelSiteKey;
+  constexpr std::int64_t    length = 512;
+  std::vector<double>       keys(length, MedialVoxelSiteKey::NoSite), result(length);
+  std::vector<std::uint8_t> needed(length / itk::MedialVoxelRowPass::BlockSize, 1);
+  for (std::int64_t j = 0; j < length; j += state.range(0))
+  {
+    keys[static_cast<std::size_t>(j)] = MedialVoxelSiteKey::AlongZ(static_cast<double>(j % 5));
+  }
+  itk::MedialVoxelRowPass pass(itk::MedialVoxelRowPass::Axis::Y);
+  pass.SetLongestRow(length);
+  for (auto _ : state)
+  {
+    pass.Search(keys.data(), length, 0, static_cast<std::int64_t>(needed.size()), needed.data(), result.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * length);
+}
+BENCHMARK(SearchRow)->Arg(4)->Arg(64)->Arg(300);
 
 /** Complete nearest-site displacements of the middle tile. */
 void
