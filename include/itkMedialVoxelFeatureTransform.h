@@ -7,6 +7,7 @@
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelNearestSite.h"
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelRowPass.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -83,22 +84,38 @@ public:
   private:
     friend class MedialVoxelFeatureTransform;
 
-    template <typename TCost>
+    /** What the search along columns keeps. */
     struct Lines
     {
-      std::vector<TCost>                                                  costX;
-      std::vector<TCost>                                                  costXY;
-      std::vector<typename MedialVoxelOutwardTraits<TCost>::PositionType> positionY;
-      std::vector<typename MedialVoxelOutwardTraits<TCost>::PositionType> positionZ;
-      std::vector<TCost>                                                  cost;
-      std::vector<TCost>                                                  squaresY;
-      std::vector<TCost>                                                  squaresZ;
+      std::vector<std::int32_t> nearestX;
+      std::vector<double>       costX;
+      std::vector<double>       costXY;
+      std::vector<std::int64_t> positionY;
+      std::vector<std::int64_t> positionZ;
+      std::vector<double>       cost;
+      std::vector<double>       squaresY;
+      std::vector<double>       squaresZ;
+    };
+
+    /** What the search slice by slice keeps. */
+    struct Slices
+    {
+      std::vector<std::int16_t>              previous; // slice of the last site of a column up to the slice at hand
+      std::vector<std::int16_t>              next;     // slice of the first site of a column from the slice at hand on
+      std::vector<std::int16_t>              passed;   // what next is after the sites of slices to come
+      std::vector<MedialVoxelBits::WordType> wanted;
+      std::vector<std::uint8_t>              needed;
+      std::vector<double>                    column;
+      std::vector<double>                    found;
+      std::vector<double>                    plane;
+      MedialVoxelRowPass                     passX{ MedialVoxelRowPass::Axis::X };
+      MedialVoxelRowPass                     passY{ MedialVoxelRowPass::Axis::Y };
+      std::int64_t                           reach{ 0 }; // of the tile before
     };
 
     std::vector<MedialVoxelBits::WordType> m_Remaining;
-    std::vector<std::int32_t>              m_NearestX;
-    Lines<std::int32_t>                    m_IntegerLines;
-    Lines<double>                          m_RealLines;
+    Lines                                  m_Lines;
+    Slices                                 m_Slices;
   };
 
   /** \param grid             the whole image
@@ -128,19 +145,36 @@ public:
 
 private:
   struct Tile;
-
-  template <typename TCost>
   struct ColumnGroup;
+  class SliceSearch;
+
+  static std::uint64_t
+  GetSliceSearchBytes(const MedialVoxelIndex & tileSize, const MedialVoxelIndex & searchedSize);
+
+  std::uint64_t
+  FindQueries(Tile & tile, std::int64_t z) const;
 
   void
-  SearchNearby(Tile & tile) const;
+  SearchNearby(Tile & tile, std::int64_t z, std::uint64_t voxels) const;
+
+  std::uint64_t
+  SearchTable(Tile & tile, std::int64_t z, const std::vector<MedialVoxelOffset> & offsets) const;
 
   bool
   BoundRemaining(Tile & tile) const;
 
-  template <typename TCost>
   void
-  SearchRemaining(Tile & tile, Workspace::Lines<TCost> & lines) const;
+  SearchColumns(Tile & tile, Workspace::Lines & lines) const;
+
+  /** False when sites lie too far for this search. */
+  bool
+  SearchSlices(Tile & tile, Workspace::Slices & memory) const;
+
+  bool
+  Accept(Tile & tile, double squaredLength, std::int64_t z) const;
+
+  void
+  AskForMore(Tile & tile) const;
 
   void
   DropDistant(Tile & tile) const;
@@ -148,10 +182,15 @@ private:
   MedialVoxelBox
   MissingBox(const Tile & tile) const;
 
+  /** The maximum distance, with some slack, in metric units. */
+  double
+  MaximumMetricLength() const;
+
   MedialVoxelGrid                m_Grid;
   MedialVoxelRegion              m_Region;
   double                         m_MaximumDistance;
-  std::vector<MedialVoxelOffset> m_Offsets;
+  std::vector<MedialVoxelOffset> m_NearOffsets;
+  std::vector<MedialVoxelOffset> m_FarOffsets;
 };
 
 } // end namespace itk

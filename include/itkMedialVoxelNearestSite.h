@@ -99,26 +99,8 @@ MedialVoxelNearestInRow(const MedialVoxelBits & sites,
                         std::int64_t            reach,
                         std::int32_t *          displacement);
 
-/** \struct MedialVoxelOutwardTraits
- * \brief Number types of an outward search: what costs are, what positions are, and which cost means "no site".
- * \ingroup MedialVoxel
- */
-template <typename TCost>
-struct MedialVoxelOutwardTraits;
-
-template <>
-struct MedialVoxelOutwardTraits<std::int32_t>
-{
-  using PositionType = std::int32_t;
-  static constexpr std::int32_t NoSite = 1 << 30;
-};
-
-template <>
-struct MedialVoxelOutwardTraits<double>
-{
-  using PositionType = std::int64_t;
-  static constexpr double NoSite = std::numeric_limits<double>::infinity();
-};
+/** Cost of a line without a site. */
+constexpr double MedialVoxelNoCost = std::numeric_limits<double>::infinity();
 
 /** \brief One separable pass: the best of \a numberOfLines candidate lines for each lane of one line.
  *
@@ -126,42 +108,22 @@ struct MedialVoxelOutwardTraits<double>
  * The cheapest candidate wins, among equals the one with the smallest j. Costs are searched outwards from the center,
  * as far as \a squares reaches.
  *
- * \param lines,pitch,numberOfLines,lanes  candidate costs; TCost is std::int32_t (all sums below 2^30) or double
+ * \param lines,pitch,numberOfLines,lanes  candidate costs
  * \param center         own position among the candidates
  * \param squares        squared distance of 0, 1, 2, ... lines
- * \param cost,position  best cost (at least NoSite when there is none) and its candidate, for each lane
+ * \param cost,position  best cost (MedialVoxelNoCost when there is none) and its candidate, for each lane
  *
  * \ingroup MedialVoxel
  */
-template <typename TCost>
-void
-MedialVoxelSearchOutward(const TCost *                                            lines,
-                         std::int64_t                                             pitch,
-                         std::int64_t                                             numberOfLines,
-                         std::int64_t                                             lanes,
-                         std::int64_t                                             center,
-                         const std::vector<TCost> &                               squares,
-                         TCost *                                                  cost,
-                         typename MedialVoxelOutwardTraits<TCost>::PositionType * position);
-
-extern template MedialVoxel_EXPORT void
-MedialVoxelSearchOutward<std::int32_t>(const std::int32_t *,
-                                       std::int64_t,
-                                       std::int64_t,
-                                       std::int64_t,
-                                       std::int64_t,
-                                       const std::vector<std::int32_t> &,
-                                       std::int32_t *,
-                                       std::int32_t *);
-extern template MedialVoxel_EXPORT void
-MedialVoxelSearchOutward<double>(const double *,
-                                 std::int64_t,
-                                 std::int64_t,
-                                 std::int64_t,
-                                 std::int64_t,
-                                 const std::vector<double> &,
-                                 double *,
-                                 std::int64_t *);
+MedialVoxel_EXPORT void
+MedialVoxelSearchOutward(const double *              lines,
+                         std::int64_t                pitch,
+                         std::int64_t                numberOfLines,
+                         std::int64_t                lanes,
+                         std::int64_t                center,
+                         const std::vector<double> & squares,
+                         double *                    cost,
+                         std::int64_t *              position);
 
 /** \brief Squared metric distance from a voxel to its nearest site; infinite when \a sites holds none.
  *

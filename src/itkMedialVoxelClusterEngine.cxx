@@ -18,14 +18,36 @@ namespace
 /** Tiles of a slab below which threads would wait for each other. */
 constexpr std::int64_t EnoughTiles = 64;
 
-/** Edges of the tiles along y and z. */
+/** Edges of the tiles along y and z, and along x where walls are thin. */
 constexpr std::int64_t SmallestTileEdge = 32;
 constexpr std::int64_t LargestTileEdge = 96;
+constexpr std::int64_t NarrowTile = 128;
+
+/** Halo from which walls are thick. */
+constexpr std::int64_t ThickHalo = 64;
+
+/** Tiles of thick parts. */
+constexpr std::int64_t WidestTile = 1024;
+constexpr std::int64_t LargestWideEdge = 128;
+constexpr std::int64_t WideTileArea = 65536;
+constexpr std::int64_t WideTileSlices = 16;
 
 std::int64_t
 CeilingDivide(const std::int64_t value, const std::int64_t divisor)
 {
   return (value + divisor - 1) / divisor;
+}
+
+/** Tiles of thick parts: all of the rows, or as much as is useful, as each slice of a tile is searched from what lies
+ * in its plane, and the work of the halo around it is repeated. */
+MedialVoxelIndex
+WideTile(const std::int64_t columns)
+{
+  const std::int64_t parts = CeilingDivide(columns, WidestTile);
+  const std::int64_t width =
+    CeilingDivide(CeilingDivide(columns, parts), MedialVoxelBits::BitsPerWord) * MedialVoxelBits::BitsPerWord;
+  const std::int64_t edge = WideTileArea / width / SmallestTileEdge * SmallestTileEdge;
+  return { { std::max(width, NarrowTile), std::clamp(edge, SmallestTileEdge, LargestWideEdge), WideTileSlices } };
 }
 
 /** The parts of \a tiles that lie in \a slab, cut once more. */
@@ -113,13 +135,17 @@ MedialVoxelClusterEngine::PreferredCut(const MedialVoxelBox & region, const Medi
   {
     cut.tileSize.fill(m_Settings.tileSize);
   }
+  else if (m_Grid.IsActive(2) && m_Grid.HasEqualSpacing() && std::max(halo[1], halo[2]) >= ThickHalo)
+  {
+    cut.tileSize = WideTile(region.Extent(0));
+  }
   else if (m_Grid.IsActive(2))
   {
     // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
     // halo, as a tile repeats the work of the halo around it.
     const std::int64_t edge =
       std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, SmallestTileEdge, LargestTileEdge);
-    cut.tileSize = { { 128, edge, edge } };
+    cut.tileSize = { { NarrowTile, edge, edge } };
   }
   if (cut.slabThickness <= 0)
   {
@@ -141,7 +167,7 @@ MedialVoxelClusterEngine::MakeFiner(Cut & cut) const
   if (m_Settings.tileSize <= 0 && m_SlowestAxis == 2 && edge > SmallestTileEdge)
   {
     edge -= SmallestTileEdge;
-    cut.tileSize[2] = edge;
+    cut.tileSize[2] = std::min(cut.tileSize[2], edge);
     return true;
   }
   if (cut.slabThickness > 1)

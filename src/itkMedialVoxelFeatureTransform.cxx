@@ -13,14 +13,19 @@ using WordType = MedialVoxelBits::WordType;
 namespace
 {
 
-/** Radius of the ball of sorted displacements, in voxels: large enough for the walls of thin parts. */
-constexpr double NearbyRadius = 6.0;
+/** Radii of the balls of sorted displacements, in voxels: the larger one is large enough for the walls of thin parts,
+ * the smaller one tells thin parts from thick ones. */
+constexpr double NearRadius = 3.0;
+constexpr double FarRadius = 6.0;
+
+/** Part of the voxels that the smaller ball may leave for the larger one to be tried. */
+constexpr std::uint64_t ThinPart = 8;
+
+/** Longest displacement of a tile, in voxels, from which the next one is taken for thick. */
+constexpr std::int64_t ThickReach = 16;
 
 /** Edge of the blocks whose centers bound the distances of their voxels. */
 constexpr std::int64_t BoundBlockSize = 16;
-
-/** Relative slack that keeps rounded lengths on the safe side. */
-constexpr double Slack = 1e-9;
 
 double
 MeanMetricSpacing(const MedialVoxelGrid & grid)
@@ -82,8 +87,21 @@ MedialVoxelFeatureTransform::MedialVoxelFeatureTransform(const MedialVoxelGrid &
   : m_Grid(grid)
   , m_Region(region)
   , m_MaximumDistance(maximumDistance)
-  , m_Offsets(MedialVoxelSortedOffsets(grid, NearbyRadius * MeanMetricSpacing(grid)))
-{}
+  , m_NearOffsets(MedialVoxelSortedOffsets(grid, FarRadius * MeanMetricSpacing(grid)))
+{
+  const double radius = NearRadius * MeanMetricSpacing(grid);
+  const auto firstFar = std::find_if(m_NearOffsets.begin(), m_NearOffsets.end(), [&](const MedialVoxelOffset & offset) {
+    return offset.squaredLength > radius * radius;
+  });
+  m_FarOffsets.assign(firstFar, m_NearOffsets.end());
+  m_NearOffsets.erase(firstFar, m_NearOffsets.end());
+}
+
+double
+MedialVoxelFeatureTransform::MaximumMetricLength() const
+{
+  return m_MaximumDistance / m_Grid.GetMetricUnit() * (1.0 + RelativeSlack);
+}
 
 MedialVoxelBox
 MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
@@ -94,82 +112,111 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
 {
   features.Reset(tileBox);
   const MedialVoxelBox & known = window.sites->GetBox();
-  Tile                   tile{ window, features, workspace.m_Remaining, workspace.m_NearestX, known, progress };
+  Tile                   tile{ window, features, workspace.m_Remaining, known, progress };
   tile.squaredDistanceToUnknown = SquaredDistanceToUnknown(m_Grid, known, tileBox);
   tile.firstWord = tileBox.lower[0] >> 6;
   tile.words = ((tileBox.upper[0] - 1) >> 6) - tile.firstWord + 1;
+  tile.remaining.resize(static_cast<std::size_t>(tile.words * tileBox.Extent(1) * tileBox.Extent(2)));
 
-  this->SearchNearby(tile);
-  if (!tile.remainingBox.IsEmpty())
+  // A guess that costs time where it is wrong, but changes nothing.
+  const bool isThick = m_Grid.HasEqualSpacing() && workspace.m_Slices.reach >= ThickReach;
+  for (std::int64_t z = tileBox.lower[2]; z < tileBox.upper[2]; ++z)
   {
-    if (!this->BoundRemaining(tile))
+    const std::uint64_t voxels = this->FindQueries(tile, z);
+    if (voxels != 0 && !isThick)
     {
-      return tile.missing;
+      this->SearchNearby(tile, z, voxels);
     }
-    // Sums of three squares must stay below the value that stands for "no site".
-    const bool fitsInteger = m_Grid.HasEqualSpacing() && tile.reach < 15000.0;
-    if (fitsInteger)
+  }
+  tile.FindRemainingBox();
+  const bool isLeft = !tile.remainingBox.IsEmpty();
+  if (isLeft && !(m_Grid.HasEqualSpacing() && this->SearchSlices(tile, workspace.m_Slices)))
+  {
+    if (this->BoundRemaining(tile))
     {
-      this->SearchRemaining(tile, workspace.m_IntegerLines);
+      this->SearchColumns(tile, workspace.m_Lines);
     }
-    else
-    {
-      this->SearchRemaining(tile, workspace.m_RealLines);
-    }
+  }
+  if (!tile.missing.IsEmpty())
+  {
+    return tile.missing;
   }
   this->DropDistant(tile);
   return this->MissingBox(tile);
 }
 
-void
-MedialVoxelFeatureTransform::SearchNearby(Tile & tile) const
+/** Let all voxels of a slice that are asked for remain; their number. */
+std::uint64_t
+MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) const
 {
   const MedialVoxelBox & box = tile.Box();
   const WordType         flip = (m_Region == MedialVoxelRegion::Outside) ? ~WordType{ 0 } : WordType{ 0 };
   const WordType         all = (m_Region == MedialVoxelRegion::Both) ? ~WordType{ 0 } : WordType{ 0 };
-  tile.remaining.assign(static_cast<std::size_t>(tile.words * box.Extent(1) * box.Extent(2)), 0);
-
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  std::uint64_t          voxels = 0;
+  for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
   {
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    const WordType * const object = tile.window.object->GetRow(y, z) - tile.window.object->GetFirstWord();
+    for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
     {
-      const WordType * const object = tile.window.object->GetRow(y, z) - tile.window.object->GetFirstWord();
-      for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
-      {
-        const WordType query =
-          ((object[word] ^ flip) | all) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
-        if (query == 0)
-        {
-          continue;
-        }
-        const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
-        const auto         firstLane =
-          static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
-        const auto result = MedialVoxelSearchOffsets(
-          m_Offsets,
-          *tile.window.sites,
-          x,
-          y,
-          z,
-          query,
-          { tile.features.dx.data(), tile.features.dy.data(), tile.features.dz.data(), firstLane });
-        tile.largestSquaredLength = std::max(tile.largestSquaredLength, result.largestSquaredLength);
-        if (result.remaining != 0)
-        {
-          tile.Remaining(word, y, z) = result.remaining;
-          const std::int64_t first = x + MedialVoxelLowestBit(result.remaining);
-          const std::int64_t last = x + MedialVoxelHighestBit(result.remaining);
-          tile.remainingBox = tile.remainingBox.Union({ { { first, y, z } }, { { last + 1, y + 1, z + 1 } } });
-        }
-      }
+      const WordType query =
+        ((object[word] ^ flip) | all) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
+      tile.Remaining(word, y, z) = query;
+      voxels += static_cast<std::uint64_t>(MedialVoxelPopulationCount(query));
     }
   }
+  return voxels;
+}
+
+/** Search the voxels of a slice by sorted displacements, as far as that finds most of them. */
+void
+MedialVoxelFeatureTransform::SearchNearby(Tile & tile, const std::int64_t z, const std::uint64_t voxels) const
+{
+  const std::uint64_t left = this->SearchTable(tile, z, m_NearOffsets);
+  if (!m_Grid.HasEqualSpacing() || left * ThinPart < voxels)
+  {
+    this->SearchTable(tile, z, m_FarOffsets);
+  }
+}
+
+/** Search the remaining voxels of a slice for sites at \a offsets; the number of those that remain. */
+std::uint64_t
+MedialVoxelFeatureTransform::SearchTable(Tile &                                 tile,
+                                         const std::int64_t                     z,
+                                         const std::vector<MedialVoxelOffset> & offsets) const
+{
+  const MedialVoxelBox & box = tile.Box();
+  std::uint64_t          left = 0;
+  for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+  {
+    for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
+    {
+      WordType & remaining = tile.Remaining(word, y, z);
+      if (remaining == 0)
+      {
+        continue;
+      }
+      const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
+      const auto firstLane = static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
+      const auto result = MedialVoxelSearchOffsets(
+        offsets,
+        *tile.window.sites,
+        x,
+        y,
+        z,
+        remaining,
+        { tile.features.dx.data(), tile.features.dy.data(), tile.features.dz.data(), firstLane });
+      tile.largestSquaredLength = std::max(tile.largestSquaredLength, result.largestSquaredLength);
+      remaining = result.remaining;
+      left += static_cast<std::uint64_t>(MedialVoxelPopulationCount(remaining));
+    }
+  }
+  return left;
 }
 
 bool
 MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
 {
-  const double           maximumLength = m_MaximumDistance / m_Grid.GetMetricUnit() * (1.0 + Slack);
+  const double           maximumLength = this->MaximumMetricLength();
   const MedialVoxelBox & range = tile.remainingBox;
   MedialVoxelBox         block;
   for (block.lower[2] = range.lower[2]; block.lower[2] < range.upper[2]; block.lower[2] += BoundBlockSize)
@@ -196,7 +243,7 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
         const bool hasSite = squared < std::numeric_limits<double>::infinity();
         if (hasSite)
         {
-          tile.reach = std::max(tile.reach, (std::sqrt(squared) + toCorner) * (1.0 + Slack));
+          tile.reach = std::max(tile.reach, (std::sqrt(squared) + toCorner) * (1.0 + RelativeSlack));
         }
         else if (std::isfinite(maximumLength))
         {
@@ -204,11 +251,7 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
         }
         else if (std::isfinite(tile.squaredDistanceToUnknown))
         {
-          // Nothing bounds the distance, so look twice as far as the window does.
-          const double known = std::sqrt(tile.squaredDistanceToUnknown);
-          const double least = 2.0 * static_cast<double>(BoundBlockSize) * MeanMetricSpacing(m_Grid);
-          tile.missing = tile.Box().Expanded(m_Grid.MarginForMetricLength(std::max(2.0 * known, least)));
-          tile.missing = tile.missing.Intersection(m_Grid.GetVoxelBox()).Union(tile.known);
+          this->AskForMore(tile);
           return false;
         }
       }
@@ -224,6 +267,16 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
     return false;
   }
   return true;
+}
+
+/** Nothing bounds the distance, so look twice as far as the window does. */
+void
+MedialVoxelFeatureTransform::AskForMore(Tile & tile) const
+{
+  const double known = std::sqrt(tile.squaredDistanceToUnknown);
+  const double least = 2.0 * static_cast<double>(BoundBlockSize) * MeanMetricSpacing(m_Grid);
+  tile.missing = tile.Box().Expanded(m_Grid.MarginForMetricLength(std::max(2.0 * known, least)));
+  tile.missing = tile.missing.Intersection(m_Grid.GetVoxelBox()).Union(tile.known);
 }
 
 void
@@ -249,13 +302,13 @@ MedialVoxelFeatureTransform::DropDistant(Tile & tile) const
 MedialVoxelBox
 MedialVoxelFeatureTransform::MissingBox(const Tile & tile) const
 {
-  const double maximumLength = m_MaximumDistance / m_Grid.GetMetricUnit() * (1.0 + Slack);
+  const double maximumLength = this->MaximumMetricLength();
   const double squared = std::min(tile.largestSquaredLength, maximumLength * maximumLength);
   if (squared < tile.squaredDistanceToUnknown)
   {
     return {};
   }
-  const MedialVoxelIndex margin = m_Grid.MarginForMetricLength(std::sqrt(squared) * (1.0 + Slack));
+  const MedialVoxelIndex margin = m_Grid.MarginForMetricLength(std::sqrt(squared) * (1.0 + RelativeSlack));
   return tile.Box().Expanded(margin).Intersection(m_Grid.GetVoxelBox());
 }
 

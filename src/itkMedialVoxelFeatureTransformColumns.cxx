@@ -19,34 +19,30 @@ constexpr std::int64_t MostLanes = 64;
 constexpr std::int64_t EnoughLineBytes = std::int64_t{ 8 } << 20;
 
 /** Bytes of intermediate results of one column. */
-template <typename TCost>
 std::int64_t
 BytesPerLane(const std::int64_t rows, const std::int64_t searchedRows, const std::int64_t searchedSlices)
 {
-  constexpr auto bytesXY =
-    static_cast<std::int64_t>(sizeof(TCost) + sizeof(typename MedialVoxelOutwardTraits<TCost>::PositionType));
+  constexpr auto bytesXY = static_cast<std::int64_t>(sizeof(double) + sizeof(std::int64_t));
   return searchedRows * searchedSlices * static_cast<std::int64_t>(sizeof(std::int32_t)) +
-         searchedRows * static_cast<std::int64_t>(sizeof(TCost)) + rows * searchedSlices * bytesXY;
+         searchedRows * static_cast<std::int64_t>(sizeof(double)) + rows * searchedSlices * bytesXY;
 }
 
 /** Columns to search at once. */
-template <typename TCost>
 std::int64_t
 ChooseLanes(const std::int64_t rows, const std::int64_t searchedRows, const std::int64_t searchedSlices)
 {
-  const std::int64_t fitting = EnoughLineBytes / BytesPerLane<TCost>(rows, searchedRows, searchedSlices);
+  const std::int64_t fitting = EnoughLineBytes / BytesPerLane(rows, searchedRows, searchedSlices);
   return std::clamp(fitting / LaneUnit * LaneUnit, LaneUnit, MostLanes);
 }
 
-template <typename TCost>
 void
-FillSquares(const std::int64_t last, const double spacing, std::vector<TCost> & squares)
+FillSquares(const std::int64_t last, const double spacing, std::vector<double> & squares)
 {
   squares.resize(static_cast<std::size_t>(last) + 1);
   for (std::int64_t step = 0; step <= last; ++step)
   {
     const double length = static_cast<double>(step) * spacing;
-    squares[static_cast<std::size_t>(step)] = static_cast<TCost>(length * length);
+    squares[static_cast<std::size_t>(step)] = length * length;
   }
 }
 
@@ -66,12 +62,11 @@ Reserve(TVector & values, const std::int64_t size)
 } // namespace
 
 /** A group of columns of the remaining voxels, searched along x, then y, then z. */
-template <typename TCost>
 struct MedialVoxelFeatureTransform::ColumnGroup
 {
-  const MedialVoxelGrid &   grid;
-  Tile &                    tile;
-  Workspace::Lines<TCost> & lines;
+  const MedialVoxelGrid & grid;
+  Tile &                  tile;
+  Workspace::Lines &      lines;
 
   /** First voxel and number of the columns, and that number rounded up to what vector instructions like. */
   std::int64_t x;
@@ -83,13 +78,11 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   MedialVoxelBox   search;
   MedialVoxelIndex margin;
 
-  using TraitsType = MedialVoxelOutwardTraits<TCost>;
-
   /** Passes along x and y, one slice after the other, as only the slice at hand needs its costs along x. */
   void
   SearchSlices() const
   {
-    Reserve(tile.nearestX, search.Extent(1) * search.Extent(2) * lanes);
+    Reserve(lines.nearestX, search.Extent(1) * search.Extent(2) * lanes);
     Reserve(lines.costX, search.Extent(1) * lanes);
     Reserve(lines.costXY, range.Extent(1) * search.Extent(2) * lanes);
     Reserve(lines.positionY, range.Extent(1) * search.Extent(2) * lanes);
@@ -100,11 +93,11 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     }
   }
 
-  TCost
+  double
   CostX(const std::int32_t displacement) const
   {
     const double length = static_cast<double>(displacement) * grid.GetMetricSpacing()[0];
-    return displacement == MedialVoxelNoDisplacement ? TraitsType::NoSite : static_cast<TCost>(length * length);
+    return displacement == MedialVoxelNoDisplacement ? MedialVoxelNoCost : length * length;
   }
 
   void
@@ -112,8 +105,8 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   {
     for (std::int64_t row = 0; row < search.Extent(1); ++row)
     {
-      std::int32_t * const nearest = tile.nearestX.data() + (slice * search.Extent(1) + row) * lanes;
-      TCost * const        cost = lines.costX.data() + row * lanes;
+      std::int32_t * const nearest = lines.nearestX.data() + (slice * search.Extent(1) + row) * lanes;
+      double * const       cost = lines.costX.data() + row * lanes;
       MedialVoxelNearestInRow(
         *tile.window.sites, x, lanes, search.lower[1] + row, search.lower[2] + slice, margin[0], nearest);
       std::transform(
@@ -127,14 +120,14 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     for (std::int64_t row = 0; row < range.Extent(1); ++row)
     {
       const std::int64_t at = (slice * range.Extent(1) + row) * lanes;
-      MedialVoxelSearchOutward<TCost>(lines.costX.data(),
-                                      lanes,
-                                      search.Extent(1),
-                                      lanes,
-                                      range.lower[1] + row - search.lower[1],
-                                      lines.squaresY,
-                                      lines.costXY.data() + at,
-                                      lines.positionY.data() + at);
+      MedialVoxelSearchOutward(lines.costX.data(),
+                               lanes,
+                               search.Extent(1),
+                               lanes,
+                               range.lower[1] + row - search.lower[1],
+                               lines.squaresY,
+                               lines.costXY.data() + at,
+                               lines.positionY.data() + at);
     }
   }
 
@@ -147,14 +140,14 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     {
       for (std::int64_t z = range.lower[2]; z < range.upper[2] && !tile.IsAborted(); ++z)
       {
-        MedialVoxelSearchOutward<TCost>(lines.costXY.data() + (y - range.lower[1]) * lanes,
-                                        range.Extent(1) * lanes,
-                                        search.Extent(2),
-                                        lanes,
-                                        z - search.lower[2],
-                                        lines.squaresZ,
-                                        lines.cost.data(),
-                                        lines.positionZ.data());
+        MedialVoxelSearchOutward(lines.costXY.data() + (y - range.lower[1]) * lanes,
+                                 range.Extent(1) * lanes,
+                                 search.Extent(2),
+                                 lanes,
+                                 z - search.lower[2],
+                                 lines.squaresZ,
+                                 lines.cost.data(),
+                                 lines.positionZ.data());
         for (std::int64_t lane = 0; lane < columns; ++lane)
         {
           if (tile.IsRemaining(x + lane, y, z))
@@ -170,8 +163,8 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   Store(const std::int64_t lane, const std::int64_t y, const std::int64_t z) const
   {
     const std::size_t offset = tile.features.OffsetOf(x + lane, y, z);
-    const TCost       cost = lines.cost[static_cast<std::size_t>(lane)];
-    if (!(cost < TraitsType::NoSite))
+    const double      cost = lines.cost[static_cast<std::size_t>(lane)];
+    if (!(cost < MedialVoxelNoCost))
     {
       tile.StoreNone(offset);
       return;
@@ -185,10 +178,10 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     }
     const std::int64_t nearest = (bestZ * search.Extent(1) + bestY) * lanes + lane;
     tile.Store(offset,
-               tile.nearestX[static_cast<std::size_t>(nearest)],
+               lines.nearestX[static_cast<std::size_t>(nearest)],
                search.lower[1] + bestY - y,
                search.lower[2] + bestZ - z);
-    tile.largestSquaredLength = std::max(tile.largestSquaredLength, static_cast<double>(cost));
+    tile.largestSquaredLength = std::max(tile.largestSquaredLength, cost);
   }
 
   /** Lengths that differ in the plane may round to the same sum, among which the smallest y has to win. */
@@ -198,14 +191,14 @@ struct MedialVoxelFeatureTransform::ColumnGroup
                  const std::int64_t centerZ,
                  const std::int64_t bestY,
                  const std::int64_t bestZ,
-                 const TCost        cost) const
+                 const double       cost) const
   {
-    const TCost squareZ = lines.squaresZ[static_cast<std::size_t>(std::abs(bestZ - centerZ))];
+    const double squareZ = lines.squaresZ[static_cast<std::size_t>(std::abs(bestZ - centerZ))];
     for (std::int64_t y = std::max<std::int64_t>(0, centerY - margin[1]); y < bestY; ++y)
     {
-      const TCost costX =
-        this->CostX(tile.nearestX[static_cast<std::size_t>((bestZ * search.Extent(1) + y) * lanes + lane)]);
-      const TCost squareY = lines.squaresY[static_cast<std::size_t>(std::abs(y - centerY))];
+      const double costX =
+        this->CostX(lines.nearestX[static_cast<std::size_t>((bestZ * search.Extent(1) + y) * lanes + lane)]);
+      const double squareY = lines.squaresY[static_cast<std::size_t>(std::abs(y - centerY))];
       if ((costX + squareY) + squareZ == cost)
       {
         return y;
@@ -215,9 +208,8 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   }
 };
 
-template <typename TCost>
 void
-MedialVoxelFeatureTransform::SearchRemaining(Tile & tile, Workspace::Lines<TCost> & lines) const
+MedialVoxelFeatureTransform::SearchColumns(Tile & tile, Workspace::Lines & lines) const
 {
   const MedialVoxelBox & range = tile.remainingBox;
   const MedialVoxelIndex margin = m_Grid.MarginForMetricLength(tile.reach);
@@ -226,14 +218,14 @@ MedialVoxelFeatureTransform::SearchRemaining(Tile & tile, Workspace::Lines<TCost
   FillSquares(margin[2], m_Grid.GetMetricSpacing()[2], lines.squaresZ);
 
   // Groups of nearly equal width, since a group costs the same whether its last lanes are used or not.
-  const std::int64_t widest = ChooseLanes<TCost>(range.Extent(1), search.Extent(1), search.Extent(2));
+  const std::int64_t widest = ChooseLanes(range.Extent(1), search.Extent(1), search.Extent(2));
   const std::int64_t groups = (range.Extent(0) + widest - 1) / widest;
   for (std::int64_t group = 0; group < groups; ++group)
   {
-    const std::int64_t       x = range.lower[0] + group * range.Extent(0) / groups;
-    const std::int64_t       columns = range.lower[0] + (group + 1) * range.Extent(0) / groups - x;
-    const std::int64_t       lanes = (columns + LaneUnit - 1) / LaneUnit * LaneUnit;
-    const ColumnGroup<TCost> columnGroup{ m_Grid, tile, lines, x, columns, lanes, range, search, margin };
+    const std::int64_t x = range.lower[0] + group * range.Extent(0) / groups;
+    const std::int64_t columns = range.lower[0] + (group + 1) * range.Extent(0) / groups - x;
+    const std::int64_t lanes = (columns + LaneUnit - 1) / LaneUnit * LaneUnit;
+    const ColumnGroup  columnGroup{ m_Grid, tile, lines, x, columns, lanes, range, search, margin };
     columnGroup.SearchSlices();
     columnGroup.SearchAlongZ();
   }
@@ -244,17 +236,12 @@ MedialVoxelFeatureTransform::GetWorkspaceBytes(const MedialVoxelGrid &  grid,
                                                const MedialVoxelIndex & tileSize,
                                                const MedialVoxelIndex & searchedSize)
 {
-  const auto bytesFor = [&](auto zero) {
-    using CostType = decltype(zero);
-    return static_cast<std::uint64_t>(ChooseLanes<CostType>(tileSize[1], searchedSize[1], searchedSize[2]) *
-                                      BytesPerLane<CostType>(tileSize[1], searchedSize[1], searchedSize[2]));
-  };
-  return grid.HasEqualSpacing() ? bytesFor(std::int32_t{}) : bytesFor(double{});
+  const auto columns = static_cast<std::uint64_t>(ChooseLanes(tileSize[1], searchedSize[1], searchedSize[2]) *
+                                                  BytesPerLane(tileSize[1], searchedSize[1], searchedSize[2]));
+  const auto slices = GetSliceSearchBytes(tileSize, searchedSize);
+  const bool isWithinReach =
+    *std::max_element(searchedSize.begin(), searchedSize.end()) <= MedialVoxelSiteKey::LongestReach;
+  return !grid.HasEqualSpacing() ? columns : (isWithinReach ? slices : columns + slices);
 }
-
-template void
-MedialVoxelFeatureTransform::SearchRemaining<std::int32_t>(Tile &, Workspace::Lines<std::int32_t> &) const;
-template void
-MedialVoxelFeatureTransform::SearchRemaining<double>(Tile &, Workspace::Lines<double> &) const;
 
 } // end namespace itk

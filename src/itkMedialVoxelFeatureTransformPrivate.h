@@ -5,8 +5,13 @@
 
 #include "itkMedialVoxelFeatureTransform.h"
 
+#include <algorithm>
+
 namespace itk
 {
+
+/** Relative slack that keeps rounded lengths on the safe side. */
+constexpr double RelativeSlack = 1e-9;
 
 /** What the steps of the transform of one tile hand on. */
 struct MedialVoxelFeatureTransform::Tile
@@ -14,7 +19,6 @@ struct MedialVoxelFeatureTransform::Tile
   const MedialVoxelWindow &                window;
   MedialVoxelFeatures &                    features;
   std::vector<MedialVoxelBits::WordType> & remaining;
-  std::vector<std::int32_t> &              nearestX;
   MedialVoxelBox                           known;
   const MedialVoxelProgress * const        progress;
   double                                   squaredDistanceToUnknown{ 0.0 };
@@ -54,6 +58,39 @@ struct MedialVoxelFeatureTransform::Tile
   IsRemaining(const std::int64_t x, const std::int64_t y, const std::int64_t z) const
   {
     return ((this->Remaining(x >> 6, y, z) >> (x & 63)) & 1u) != 0;
+  }
+
+  void
+  FindRemainingBox()
+  {
+    remainingBox = {};
+    for (std::int64_t z = Box().lower[2]; z < Box().upper[2]; ++z)
+    {
+      remainingBox = remainingBox.Union(this->RemainingBoxOf(z, Box()));
+    }
+  }
+
+  /** Box of the remaining voxels in a slice of \a range. */
+  MedialVoxelBox
+  RemainingBoxOf(const std::int64_t z, const MedialVoxelBox & range) const
+  {
+    MedialVoxelBox result{ { { range.upper[0], range.upper[1], z } }, { { range.lower[0], range.lower[1], z + 1 } } };
+    for (std::int64_t y = range.lower[1]; y < range.upper[1]; ++y)
+    {
+      for (std::int64_t word = range.lower[0] >> 6; word <= (range.upper[0] - 1) >> 6; ++word)
+      {
+        const MedialVoxelBits::WordType bits = this->Remaining(word, y, z);
+        if (bits != 0)
+        {
+          const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
+          result.lower[0] = std::min(result.lower[0], x + MedialVoxelLowestBit(bits));
+          result.upper[0] = std::max(result.upper[0], x + MedialVoxelHighestBit(bits) + 1);
+          result.lower[1] = std::min(result.lower[1], y);
+          result.upper[1] = y + 1;
+        }
+      }
+    }
+    return result.IsEmpty() ? MedialVoxelBox{} : result;
   }
 
   bool

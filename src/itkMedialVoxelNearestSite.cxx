@@ -178,19 +178,19 @@ namespace
 {
 
 /** Take the candidate line where it is cheaper, or as cheap when \a takeEqual. */
-template <bool VTakeEqual, typename TCost, typename TPosition>
+template <bool VTakeEqual>
 void
-TakeLine(const TCost * const MEDIALVOXEL_RESTRICT line,
-         const TCost                              square,
-         const TPosition                          candidate,
-         const std::int64_t                       lanes,
-         TCost * const MEDIALVOXEL_RESTRICT       cost,
-         TPosition * const MEDIALVOXEL_RESTRICT   position)
+TakeLine(const double * const MEDIALVOXEL_RESTRICT line,
+         const double                              square,
+         const std::int64_t                        candidate,
+         const std::int64_t                        lanes,
+         double * const MEDIALVOXEL_RESTRICT       cost,
+         std::int64_t * const MEDIALVOXEL_RESTRICT position)
 {
   for (std::int64_t lane = 0; lane < lanes; ++lane)
   {
-    const TCost value = line[lane] + square;
-    const bool  take = VTakeEqual ? (value <= cost[lane]) : (value < cost[lane]);
+    const double value = line[lane] + square;
+    const bool   take = VTakeEqual ? (value <= cost[lane]) : (value < cost[lane]);
     cost[lane] = take ? value : cost[lane];
     position[lane] = take ? candidate : position[lane];
   }
@@ -198,21 +198,19 @@ TakeLine(const TCost * const MEDIALVOXEL_RESTRICT line,
 
 } // namespace
 
-template <typename TCost>
 void
-MedialVoxelSearchOutward(const TCost * const                                            lines,
-                         const std::int64_t                                             pitch,
-                         const std::int64_t                                             numberOfLines,
-                         const std::int64_t                                             lanes,
-                         const std::int64_t                                             center,
-                         const std::vector<TCost> &                                     squares,
-                         TCost * const                                                  cost,
-                         typename MedialVoxelOutwardTraits<TCost>::PositionType * const position)
+MedialVoxelSearchOutward(const double * const        lines,
+                         const std::int64_t          pitch,
+                         const std::int64_t          numberOfLines,
+                         const std::int64_t          lanes,
+                         const std::int64_t          center,
+                         const std::vector<double> & squares,
+                         double * const              cost,
+                         std::int64_t * const        position)
 {
-  using PositionType = typename MedialVoxelOutwardTraits<TCost>::PositionType;
   constexpr std::int64_t stepsBetweenStopTests = 4;
 
-  std::fill(position, position + lanes, static_cast<PositionType>(center));
+  std::fill(position, position + lanes, center);
   std::copy(lines + center * pitch, lines + center * pitch + lanes, cost);
 
   const std::int64_t farthest = std::max(center, numberOfLines - 1 - center);
@@ -224,38 +222,17 @@ MedialVoxelSearchOutward(const TCost * const                                    
     {
       break;
     }
-    const TCost square = squares[static_cast<std::size_t>(step)];
+    const double square = squares[static_cast<std::size_t>(step)];
     if (center - step >= 0)
     {
-      TakeLine<true>(
-        lines + (center - step) * pitch, square, static_cast<PositionType>(center - step), lanes, cost, position);
+      TakeLine<true>(lines + (center - step) * pitch, square, center - step, lanes, cost, position);
     }
     if (center + step < numberOfLines)
     {
-      TakeLine<false>(
-        lines + (center + step) * pitch, square, static_cast<PositionType>(center + step), lanes, cost, position);
+      TakeLine<false>(lines + (center + step) * pitch, square, center + step, lanes, cost, position);
     }
   }
 }
-
-template MedialVoxel_EXPORT void
-MedialVoxelSearchOutward<std::int32_t>(const std::int32_t *,
-                                       std::int64_t,
-                                       std::int64_t,
-                                       std::int64_t,
-                                       std::int64_t,
-                                       const std::vector<std::int32_t> &,
-                                       std::int32_t *,
-                                       std::int32_t *);
-template MedialVoxel_EXPORT void
-MedialVoxelSearchOutward<double>(const double *,
-                                 std::int64_t,
-                                 std::int64_t,
-                                 std::int64_t,
-                                 std::int64_t,
-                                 const std::vector<double> &,
-                                 double *,
-                                 std::int64_t *);
 
 double
 MedialVoxelSquaredDistanceToSites(const MedialVoxelGrid &  grid,

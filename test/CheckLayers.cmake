@@ -6,8 +6,19 @@
 set(L0 Enums Parameters Progress Grid Bits Text FileRegion)
 # The header formats that are parsed by the module itself.
 set(Formats HeaderText NrrdHeader NrrdDataFiles NrrdGeometry NrrdText)
-set(L1 Boundary NearestSite DualCell BoundaryGraph BoundaryDistances GeodesicLandmarks BoundedGeodesic BitFlood PairChoice)
-set(L2 FeatureTransform FeatureTransformColumns Classifier)
+set(L1
+    Boundary
+    NearestSite
+    SiteKey
+    RowPass
+    DualCell
+    BoundaryGraph
+    BoundaryDistances
+    GeodesicLandmarks
+    BoundedGeodesic
+    BitFlood
+    PairChoice)
+set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)

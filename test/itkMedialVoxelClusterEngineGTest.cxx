@@ -54,6 +54,7 @@ public:
         schedule.Defer(tile, needed);
         continue;
       }
+      m_WidestTile = std::max(m_WidestTile, tile.Extent(0));
       const auto expected = SiteBits(m_Sites, needed);
       ForEachVoxel(needed, [&](const itk::MedialVoxelIndex & v) { m_Wrong += bits.Test(v) != expected.Test(v); });
       ForEachVoxel(tile, [&](const itk::MedialVoxelIndex & v) { ++m_Done[m_Volume.Offset(OracleIndex(v))]; });
@@ -79,6 +80,7 @@ public:
   std::size_t                      m_Wrong{ 0 };
   int                              m_Reach;
   std::uint64_t                    m_LargestWindowBytes{ 0 };
+  std::int64_t                     m_WidestTile{ 0 };
   int                              m_Rounds{ 0 };
   int                              m_FailInRound{ 0 };
   itk::MedialVoxelBox              m_FirstFill;
@@ -186,6 +188,24 @@ TEST(MedialVoxelClusterEngine, AMemoryLimitHoldsAndChangesNothingElse)
   }
   EXPECT_GT(refused, 0);
   EXPECT_LT(refused, 12);
+}
+
+TEST(MedialVoxelClusterEngine, ThickPartsAreCutIntoWideTiles)
+{
+  const Volume volume = RandomBoxes({ { 1100, 70, 40 } }, UnitSpacing, 20, 217);
+  for (const std::uint64_t limit : { 0u, 12000000u })
+  {
+    auto settings = SettingsOf(0, 0, { { 80, 80, 80 } });
+    settings.memoryLimit = limit;
+    settings.workerBytesPerVoxel = 12;
+    DemandingClient          client(volume, 70);
+    MedialVoxelClusterEngine engine(GridOf(volume), settings);
+    client.m_Engine = &engine;
+    engine.Run(GridOf(volume).GetVoxelBox(), client);
+    EXPECT_EQ(client.m_Wrong, 0u);
+    EXPECT_EQ(std::count(client.m_Done.begin(), client.m_Done.end(), 1), GridOf(volume).GetVoxelBox().NumberOfVoxels());
+    EXPECT_EQ(client.m_WidestTile, 576);
+  }
 }
 
 TEST(MedialVoxelClusterEngine, AHaloThatDoesNotFitIsTriedSmaller)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelTileSchedule.h"
 
 #include "MedialVoxelTestKernels.h"
 
@@ -262,6 +263,92 @@ TEST(MedialVoxelFeatureTransform, WithoutSitesItAsksForTheWholeImageOnce)
   const itk::MedialVoxelBits none(image);
   EXPECT_TRUE(transform.Compute({ &object, &none }, tile, workspace, features).IsEmpty());
   EXPECT_EQ(Differences(full, {}, features, itk::MedialVoxelRegion::Inside), 0u);
+}
+
+namespace
+{
+/** How many displacements of a whole volume differ from brute force, cut into tiles whose workspace is shared. */
+std::size_t
+DifferencesInTiles(const Volume &              volume,
+                   const std::vector<Index3> & sites,
+                   const Index3 &              tileSize,
+                   itk::MedialVoxelRegion      region)
+{
+  const auto                             image = GridOf(volume).GetVoxelBox();
+  const auto                             object = ObjectBits(volume, image);
+  const auto                             bits = SiteBits(sites, image);
+  const MedialVoxelFeatureTransform      transform(GridOf(volume), region);
+  MedialVoxelFeatureTransform::Workspace workspace;
+  itk::MedialVoxelFeatures               features;
+  std::size_t                            differences = 0;
+  for (const auto & tile : itk::MedialVoxelCutIntoTiles(image, KernelIndex(tileSize)))
+  {
+    EXPECT_TRUE(transform.Compute({ &object, &bits }, tile, workspace, features).IsEmpty());
+    differences += Differences(volume, sites, features, region);
+  }
+  return differences;
+}
+} // namespace
+
+TEST(MedialVoxelFeatureTransform, SolidsWithFewHolesAreBruteForce)
+{
+  // Distances of hundreds of voxels along each axis, at which thick and thin tiles follow each other.
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const Vector3 & spacing : { UnitSpacing, CraniumSpacing })
+    {
+      Index3 size{ { 11, 11, 11 } };
+      size[axis] = 900;
+      Volume solid = Complement(Volume(size, spacing));
+      for (const int hole : { 3, 310, 313, 720, 725, 727, 731 })
+      {
+        Index3 at{ { 2 + hole % 7, hole % 5, hole % 9 } };
+        at[axis] = hole;
+        solid.object[solid.Offset(at)] = 0;
+      }
+      for (const auto side : { BoundarySide::Background, BoundarySide::Object })
+      {
+        const auto sites = BoundarySites(solid, side);
+        Index3     tileSize{ { 64, 6, 5 } };
+        tileSize[axis] = 230;
+        EXPECT_EQ(DifferencesInTiles(solid, sites, tileSize, itk::MedialVoxelRegion::Inside), 0u) << axis;
+        EXPECT_EQ(DifferencesInTiles(solid, sites, size, itk::MedialVoxelRegion::Both), 0u) << axis;
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelFeatureTransform, DistancesBeyondTheReachOfKeysAreBruteForce)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Index3 size{ { 2, 2, 2 } };
+    size[axis] = 4200;
+    Volume solid = Complement(Volume(size, UnitSpacing));
+    solid.object[solid.Offset({ { 0, 0, 0 } })] = 0;
+    const auto                             sites = BoundarySites(solid);
+    const auto                             image = GridOf(solid).GetVoxelBox();
+    const auto                             object = ObjectBits(solid, image);
+    const auto                             bits = SiteBits(sites, image);
+    const MedialVoxelFeatureTransform      transform(GridOf(solid));
+    MedialVoxelFeatureTransform::Workspace workspace;
+    itk::MedialVoxelFeatures               features;
+    auto                                   tile = image;
+    tile.lower[axis] = 4085;
+    tile.upper[axis] = 4105;
+    EXPECT_TRUE(transform.Compute({ &object, &bits }, tile, workspace, features).IsEmpty());
+    EXPECT_EQ(Differences(solid, sites, features, itk::MedialVoxelRegion::Inside), 0u) << axis;
+  }
+}
+
+TEST(MedialVoxelFeatureTransform, DenseSitesDoNotLimitTheSlicesOfATile)
+{
+  // More sites in the slices than the search remembers at once, around voxels that the table does not reach.
+  const Volume volume = MakeVolume({ { 34, 26, 30 } }, UnitSpacing, [](const Index3 & v) {
+    const bool inCore = v[0] > 4 && v[0] < 30 && v[1] > 4 && v[1] < 22 && v[2] > 4 && v[2] < 26;
+    return inCore || (v[0] + v[1] + v[2]) % 2 == 0;
+  });
+  EXPECT_EQ(DifferencesInTiles(volume, BoundarySites(volume), volume.size, itk::MedialVoxelRegion::Inside), 0u);
 }
 
 TEST(MedialVoxelFeatureTransform, FeaturesAreZeroAfterReset)

@@ -130,46 +130,43 @@ TEST(MedialVoxelNearestSite, RowsAreSearchedBothWays)
 
 namespace
 {
-template <typename TCost>
 void
 ExpectBruteForceOutward(unsigned int seed)
 {
-  using Traits = itk::MedialVoxelOutwardTraits<TCost>;
-  std::mt19937       generator(seed);
-  const std::int64_t lanes = 37;
-  const std::int64_t pitch = 41;
-  const std::int64_t lines = 23;
-  std::vector<TCost> costs(pitch * lines);
-  std::vector<TCost> squares;
+  std::mt19937        generator(seed);
+  const std::int64_t  lanes = 37;
+  const std::int64_t  pitch = 41;
+  const std::int64_t  lines = 23;
+  std::vector<double> costs(pitch * lines);
+  std::vector<double> squares;
   for (auto & cost : costs)
   {
-    cost = generator() % 3 == 0 ? Traits::NoSite : static_cast<TCost>(generator() % 90);
+    cost = generator() % 3 == 0 ? itk::MedialVoxelNoCost : static_cast<double>(generator() % 90);
   }
   for (int i = 0; i < 30; ++i)
   {
-    squares.push_back(static_cast<TCost>(i * i));
+    squares.push_back(static_cast<double>(i * i));
   }
   for (std::int64_t lane = 0; lane < 3; ++lane) // lanes without any site
   {
     for (std::int64_t line = 0; line < lines; ++line)
     {
-      costs[line * pitch + lane] = Traits::NoSite;
+      costs[line * pitch + lane] = itk::MedialVoxelNoCost;
     }
   }
   for (std::int64_t center = 0; center < lines; ++center)
   {
-    std::vector<TCost>                         best(lanes);
-    std::vector<typename Traits::PositionType> position(lanes);
-    itk::MedialVoxelSearchOutward<TCost>(
-      costs.data(), pitch, lines, lanes, center, squares, best.data(), position.data());
+    std::vector<double>       best(lanes);
+    std::vector<std::int64_t> position(lanes);
+    itk::MedialVoxelSearchOutward(costs.data(), pitch, lines, lanes, center, squares, best.data(), position.data());
     for (std::int64_t lane = 0; lane < lanes; ++lane)
     {
-      TCost        expected = Traits::NoSite;
+      double       expected = itk::MedialVoxelNoCost;
       std::int64_t at = -1;
       for (std::int64_t line = 0; line < lines; ++line)
       {
-        const TCost cost = costs[line * pitch + lane] + squares[std::abs(line - center)];
-        if (costs[line * pitch + lane] < Traits::NoSite && cost < expected)
+        const double cost = costs[line * pitch + lane] + squares[std::abs(line - center)];
+        if (costs[line * pitch + lane] < itk::MedialVoxelNoCost && cost < expected)
         {
           expected = cost;
           at = line;
@@ -177,7 +174,7 @@ ExpectBruteForceOutward(unsigned int seed)
       }
       if (at < 0)
       {
-        ASSERT_GE(best[lane], Traits::NoSite);
+        ASSERT_GE(best[lane], itk::MedialVoxelNoCost);
       }
       else
       {
@@ -193,8 +190,7 @@ TEST(MedialVoxelNearestSite, OutwardSearchesTakeTheCheapestAndFirstLine)
 {
   for (unsigned int seed = 0; seed < 10; ++seed)
   {
-    ExpectBruteForceOutward<std::int32_t>(seed);
-    ExpectBruteForceOutward<double>(seed);
+    ExpectBruteForceOutward(seed);
   }
 }
 
@@ -203,10 +199,10 @@ TEST(MedialVoxelNearestSite, OutwardSearchesReachAsFarAsTheSquares)
   const std::vector<double> costs{ 0.0, 50.0, 50.0, 50.0, 50.0 };
   double                    cost = -1.0;
   std::int64_t              position = -1;
-  itk::MedialVoxelSearchOutward<double>(costs.data(), 1, 5, 1, 4, { 0.0, 1.0, 4.0 }, &cost, &position);
+  itk::MedialVoxelSearchOutward(costs.data(), 1, 5, 1, 4, { 0.0, 1.0, 4.0 }, &cost, &position);
   EXPECT_EQ(cost, 50.0);
   EXPECT_EQ(position, 4);
-  itk::MedialVoxelSearchOutward<double>(costs.data(), 1, 5, 1, 4, { 0.0, 1.0, 4.0, 9.0, 16.0 }, &cost, &position);
+  itk::MedialVoxelSearchOutward(costs.data(), 1, 5, 1, 4, { 0.0, 1.0, 4.0, 9.0, 16.0 }, &cost, &position);
   EXPECT_EQ(cost, 16.0);
   EXPECT_EQ(position, 0);
 }

@@ -79,7 +79,7 @@ class MemoryTest(ProgramTestCase):
         self.assert_fails(
             REFUSED,
             ["walls", "MiB", "--memory"],
-            *("extract", "in.mha", "x.mha", "--vectors", "y.mha", "--thickness", 3, "--threads", 1, "--memory", "24M"),
+            *("extract", "in.mha", "x.mha", "--vectors", "y.mha", "--thickness", 3, "--threads", 1, "--memory", "20M"),
         )
         self.assertFalse((self.folder / "x.mha").exists())
 

@@ -6,6 +6,7 @@
 #include "KernelScene.h"
 
 #include "itkMedialVoxelBoundary.h"
+#include "itkMedialVoxelRowPass.h"
 
 #include <benchmark/benchmark.h>
 
@@ -104,28 +105,52 @@ BENCHMARK(NearestInRow)->Arg(ThinScene)->Arg(ThickScene)->Unit(benchmark::kMilli
 void
 SearchOutward(benchmark::State & state)
 {
-  constexpr std::int64_t    lanes = 64, numberOfLines = 192;
-  const std::int64_t        away = state.range(0);
-  std::vector<std::int32_t> lines(lanes * numberOfLines, itk::MedialVoxelOutwardTraits<std::int32_t>::NoSite);
-  std::vector<std::int32_t> squares(numberOfLines);
+  constexpr std::int64_t lanes = 64, numberOfLines = 192;
+  const std::int64_t     away = state.range(0);
+  std::vector<double>    lines(lanes * numberOfLines, itk::MedialVoxelNoCost);
+  std::vector<double>    squares(numberOfLines);
   for (std::int64_t j = 0; j < numberOfLines; ++j)
   {
-    squares[static_cast<std::size_t>(j)] = static_cast<std::int32_t>(j * j);
+    squares[static_cast<std::size_t>(j)] = static_cast<double>(j * j);
   }
   for (std::int64_t lane = 0; lane < lanes; ++lane)
   {
-    lines[static_cast<std::size_t>((numberOfLines / 2 + away) * lanes + lane)] = static_cast<std::int32_t>(lane % 4);
+    lines[static_cast<std::size_t>((numberOfLines / 2 + away) * lanes + lane)] = static_cast<double>(lane % 4);
   }
-  std::vector<std::int32_t> cost(lanes), position(lanes);
+  std::vector<double>       cost(lanes);
+  std::vector<std::int64_t> position(lanes);
   for (auto _ : state)
   {
-    itk::MedialVoxelSearchOutward<std::int32_t>(
+    itk::MedialVoxelSearchOutward(
       lines.data(), lanes, numberOfLines, lanes, numberOfLines / 2, squares, cost.data(), position.data());
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * lanes);
 }
 BENCHMARK(SearchOutward)->Arg(4)->Arg(16)->Arg(64);
+
+/** One pass along a row of 512 voxels whose sites are the given number of voxels apart; items are voxels. */
+void
+SearchRow(benchmark::State & state)
+{
+  using itk::MedialVoxelSiteKey;
+  constexpr std::int64_t    length = 512;
+  std::vector<double>       keys(length, MedialVoxelSiteKey::NoSite), result(length);
+  std::vector<std::uint8_t> needed(length / itk::MedialVoxelRowPass::BlockSize, 1);
+  for (std::int64_t j = 0; j < length; j += state.range(0))
+  {
+    keys[static_cast<std::size_t>(j)] = MedialVoxelSiteKey::AlongZ(static_cast<double>(j % 5));
+  }
+  itk::MedialVoxelRowPass pass(itk::MedialVoxelRowPass::Axis::Y);
+  pass.SetLongestRow(length);
+  for (auto _ : state)
+  {
+    pass.Search(keys.data(), length, 0, static_cast<std::int64_t>(needed.size()), needed.data(), result.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * length);
+}
+BENCHMARK(SearchRow)->Arg(4)->Arg(64)->Arg(300);
 
 /** Complete nearest-site displacements of the middle tile. */
 void

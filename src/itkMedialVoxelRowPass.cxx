@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelRowPass.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace itk
+{
+
+namespace
+{
+
+/** First attempt of a search about which nothing is known. */
+constexpr std::int64_t FirstReach = 16;
+
+#if defined(__GNUC__)
+/** Doubles that are added and compared at once. A loop over them would be taken apart into single ones. */
+template <std::size_t VBytes>
+struct Vector
+{
+  using Type [[gnu::vector_size(VBytes)]] = double;
+};
+#  define MEDIALVOXEL_INLINE inline __attribute__((always_inline))
+#else
+#  define MEDIALVOXEL_INLINE inline
+#endif
+
+/** Smallest of keys[j] + steps[j] for j in [begin, end). */
+template <std::size_t VBytes>
+MEDIALVOXEL_INLINE double
+SmallestSum(const double * const keys, const double * const steps, std::int64_t begin, const std::int64_t end)
+{
+  double smallest = MedialVoxelSiteKey::NoSite;
+#if defined(__GNUC__)
+  using VectorType = typename Vector<VBytes>::Type;
+  constexpr std::size_t  vectors = 64 / VBytes;
+  constexpr std::int64_t lanes = 64 / sizeof(double);
+  if (end - begin >= lanes)
+  {
+    VectorType best[vectors];
+    std::fill(best, best + vectors, VectorType{} + smallest);
+    for (; begin + lanes <= end; begin += lanes)
+    {
+      for (std::size_t i = 0; i < vectors; ++i)
+      {
+        VectorType key;
+        VectorType step;
+        std::memcpy(&key, keys + begin + i * (VBytes / sizeof(double)), VBytes);
+        std::memcpy(&step, steps + begin + i * (VBytes / sizeof(double)), VBytes);
+        key += step;
+        best[i] = key < best[i] ? key : best[i];
+      }
+    }
+    double values[lanes];
+    std::memcpy(values, best, sizeof(values));
+    smallest = *std::min_element(values, values + lanes);
+  }
+#endif
+  for (; begin < end; ++begin)
+  {
+    smallest = std::min(smallest, keys[begin] + steps[begin]);
+  }
+  return smallest;
+}
+
+/** Smallest of keys[j] + steps[lane - j] for j in [begin, end), for all lanes of a block. */
+template <std::size_t VBytes>
+MEDIALVOXEL_INLINE void
+SmallestSums(const double * const keys,
+             const double * const steps,
+             const std::int64_t   begin,
+             const std::int64_t   end,
+             double * const       result)
+{
+#if defined(__GNUC__)
+  using VectorType = typename Vector<VBytes>::Type;
+  constexpr std::size_t vectors = static_cast<std::size_t>(MedialVoxelRowPass::BlockSize) * sizeof(double) / VBytes;
+  VectorType            best[vectors];
+  std::fill(best, best + vectors, VectorType{} + MedialVoxelSiteKey::NoSite);
+  for (std::int64_t j = begin; j < end; ++j)
+  {
+    for (std::size_t i = 0; i < vectors; ++i)
+    {
+      VectorType sum;
+      std::memcpy(&sum, steps - j + i * (VBytes / sizeof(double)), VBytes);
+      sum += keys[j];
+      best[i] = sum < best[i] ? sum : best[i];
+    }
+  }
+  std::memcpy(result, best, sizeof(best));
+#else
+  std::fill(result, result + MedialVoxelRowPass::BlockSize, MedialVoxelSiteKey::NoSite);
+  for (std::int64_t j = begin; j < end; ++j)
+  {
+    for (std::int64_t lane = 0; lane < MedialVoxelRowPass::BlockSize; ++lane)
+    {
+      result[lane] = std::min(result[lane], keys[j] + steps[lane - j]);
+    }
+  }
+#endif
+}
+
+} // namespace
+
+std::uint64_t
+MedialVoxelRowPass::GetBytes(const std::int64_t length)
+{
+  return 2 * sizeof(double) * static_cast<std::uint64_t>(2 * (length + BlockSize) + 1);
+}
+
+void
+MedialVoxelRowPass::SetLongestRow(const std::int64_t length)
+{
+  if (length <= m_Longest)
+  {
+    return;
+  }
+  m_Longest = length;
+  const std::int64_t last = length + BlockSize;
+  m_Steps.clear();
+  m_Steps.reserve(static_cast<std::size_t>(2 * last + 1));
+  for (std::int64_t step = -last; step <= last; ++step)
+  {
+    const bool   isReached = step >= -MedialVoxelSiteKey::LongestReach && step <= MedialVoxelSiteKey::LongestReach;
+    const double along =
+      m_Axis == Axis::X ? MedialVoxelSiteKey::StepAlongX(step) : MedialVoxelSiteKey::StepAlongY(step);
+    m_Steps.push_back(isReached ? along : MedialVoxelSiteKey::NoSite);
+  }
+  m_BackwardSteps.assign(m_Steps.rbegin(), m_Steps.rend());
+}
+
+void
+MedialVoxelRowPass::Search(const double * const       keys,
+                           const std::int64_t         length,
+                           const std::int64_t         first,
+                           const std::int64_t         blocks,
+                           const std::uint8_t * const needed,
+                           double * const             result) const
+{
+  constexpr std::int64_t reach = MedialVoxelSiteKey::LongestReach;
+  std::int64_t           lowest = 0;  // winner of the last voxel that has one
+  std::int64_t           winner = -1; // of the first voxel of the block
+  for (std::int64_t block = 0; block < blocks; ++block)
+  {
+    if (!needed[block])
+    {
+      continue;
+    }
+    const std::int64_t begin = first + block * BlockSize;
+    if (block == 0 || !needed[block - 1])
+    {
+      winner = this->FindWinner(keys, length, begin, lowest);
+      lowest = std::max(lowest, winner);
+    }
+    const bool         isContinued = block + 1 < blocks && needed[block + 1];
+    const std::int64_t last = std::min(isContinued ? begin + BlockSize : begin + BlockSize - 1, length - 1);
+    const std::int64_t nextWinner = this->FindWinner(keys, length, last, lowest);
+    const std::int64_t from = winner >= 0 ? winner : std::max(lowest, begin - reach);
+    const std::int64_t to = nextWinner >= 0 ? nextWinner : std::min(length - 1, last + reach);
+    // Steps of the block's voxels stand next to each other when they are counted backwards.
+    const double * const steps = m_BackwardSteps.data() + m_Longest + BlockSize + begin;
+    SmallestSums<16>(keys, steps, from, to + 1, result + block * BlockSize);
+    lowest = std::max(lowest, nextWinner);
+    winner = nextWinner;
+  }
+}
+
+std::int64_t
+MedialVoxelRowPass::FindWinner(const double * const keys,
+                               const std::int64_t   length,
+                               const std::int64_t   center,
+                               const std::int64_t   lowest) const
+{
+  constexpr std::int64_t longest = MedialVoxelSiteKey::LongestReach;
+  const double * const   steps = m_Steps.data() + m_Longest + BlockSize;
+  const auto             winnerOf = [&](const double key) {
+    return center + (m_Axis == Axis::X ? MedialVoxelSiteKey::Decode(key).dx : MedialVoxelSiteKey::DecodeY(key));
+  };
+  const auto search = [&](const std::int64_t reach) {
+    return SmallestSum<16>(
+      keys, steps - center, std::max(lowest, center - reach), std::min(length, center + reach + 1));
+  };
+
+  // Any key bounds how far a better one can be.
+  double key = std::min(keys[center], keys[lowest] + steps[lowest - center]);
+  for (std::int64_t reach = FirstReach; !(key < MedialVoxelSiteKey::NoSite); reach *= 2)
+  {
+    key = search(reach);
+    if (reach >= std::min(length, longest))
+    {
+      break;
+    }
+  }
+  if (!(key < MedialVoxelSiteKey::NoSite))
+  {
+    return -1;
+  }
+  key = search(MedialVoxelSiteKey::ReachOf(key));
+  return MedialVoxelSiteKey::ReachOf(key) <= longest ? winnerOf(key) : -1;
+}
+
+} // end namespace itk
