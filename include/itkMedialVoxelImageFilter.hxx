@@ -117,6 +117,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::BeforeTiles(const MedialVoxel
   parameters.bound = m_PseudoGeodesicBound;
   m_Transform = std::make_unique<const MedialVoxelFeatureTransform>(grid);
   m_Classifier = std::make_unique<const MedialVoxelClassifier>(grid, parameters);
+  if (m_TileObserver != nullptr)
+  {
+    m_TileObserver->Begin();
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -124,7 +128,9 @@ auto
 MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeWorkspace() const
   -> std::unique_ptr<typename Superclass::Workspace>
 {
-  return std::make_unique<TileWorkspace>();
+  auto workspace = std::make_unique<TileWorkspace>();
+  workspace->classifier.keepsRows = m_TileObserver != nullptr;
+  return workspace;
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -171,6 +177,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
     return missing;
   }
 
+  if (m_TileObserver != nullptr)
+  {
+    m_TileObserver->Observe({ tile, window, workspace.features, *m_Classifier, workspace.classifier.rows });
+  }
   this->WriteLabels(tile, workspace.labels);
   if (m_GenerateVectorDistance)
   {
@@ -228,6 +238,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::AddCounts(const MedialVoxelCo
   add(m_NumberOfBoundCells, counts.boundCells);
   add(m_NumberOfGeodesicMedialCells, counts.geodesicMedialCells);
   add(m_NumberOfGeodesicNonMedialCells, counts.geodesicNonMedialCells);
+  if (m_TileObserver != nullptr)
+  {
+    m_TileObserver->Commit();
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
