@@ -23,6 +23,9 @@ namespace itk
  */
 struct MedialVoxelCellRow
 {
+  /** Memory of all rows of a tile, for each of its voxels, at most. */
+  static constexpr std::uint64_t BytesPerVoxel = 2;
+
   MedialVoxelIndex          first{};         ///< index of the cell of bit 0
   MedialVoxelBits::WordType candidates{ 0 }; ///< cells with an object corner
   MedialVoxelBits::WordType byBound{ 0 };    ///< of them: medial by the bound

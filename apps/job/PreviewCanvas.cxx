@@ -22,7 +22,7 @@ constexpr unsigned int GlyphScale = TextHeight / GlyphHeight;
 /** Seven rows of five pixels, the leftmost in the highest of the five bits. */
 using Glyph = std::array<std::uint8_t, GlyphHeight>;
 
-constexpr std::array<std::pair<char, Glyph>, 30> Glyphs{ {
+constexpr std::array<std::pair<char, Glyph>, 31> Glyphs{ {
   { 'A', { 0b01110, 0b10001, 0b10001, 0b11111, 0b10001, 0b10001, 0b10001 } },
   { 'B', { 0b11110, 0b10001, 0b10001, 0b11110, 0b10001, 0b10001, 0b11110 } },
   { 'C', { 0b01110, 0b10001, 0b10000, 0b10000, 0b10000, 0b10001, 0b01110 } },
@@ -52,6 +52,7 @@ constexpr std::array<std::pair<char, Glyph>, 30> Glyphs{ {
   { '8', { 0b01110, 0b10001, 0b10001, 0b01110, 0b10001, 0b10001, 0b01110 } },
   { '9', { 0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100 } },
   { '=', { 0b00000, 0b00000, 0b11111, 0b00000, 0b11111, 0b00000, 0b00000 } },
+  { '.', { 0b00000, 0b00000, 0b00000, 0b00000, 0b00000, 0b01100, 0b01100 } },
   { '-', { 0b00000, 0b00000, 0b00000, 0b01110, 0b00000, 0b00000, 0b00000 } },
 } };
 

@@ -245,6 +245,9 @@ DefineExtract(CommandLine & line)
     ->group(group);
   app.add_option("--report", options.reportFile, "Report as JSON")->type_name("FILE")->group(group);
   app.add_option("--preview", options.previewFile, "Picture of three slices as PNG")->type_name("FILE")->group(group);
+  app.add_option("--html", options.htmlFile, "Report as a page with picture and histogram")
+    ->type_name("FILE")
+    ->group(group);
   AddRunOptions(app, options, line);
   AddRawOptions(app, options);
   app.footer("Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic search.\n\n"
