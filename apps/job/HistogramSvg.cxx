@@ -14,8 +14,8 @@ namespace
 
 constexpr double Width = 760.0;
 constexpr double Height = 260.0;
-constexpr double Left = 12.0;
-constexpr double Right = 12.0;
+constexpr double Left = 90.0;
+constexpr double Right = 90.0;
 constexpr double Top = 34.0;
 constexpr double Bottom = 42.0;
 
@@ -97,18 +97,17 @@ public:
            << "</text>\n";
   }
 
-  /** \param line the text is in the first or the second line above the bars */
+  /** \param isAtLeft the name stands at the left of the line */
   void
-  DrawMark(double length, const std::string & name, int line)
+  DrawMark(double length, const std::string & name, bool isAtLeft)
   {
     const double      position = this->GetX(length);
     const std::string x = Coordinate(position);
-    const bool        isAtRight = position > 0.7 * Width;
-    const double      y = 12.0 + 15.0 * line;
+    const double      y = 14.0;
     m_Text << "<line class=\"" << name << "\" x1=\"" << x << "\" y1=\"" << y - 8 << "\" x2=\"" << x << "\" y2=\""
-           << Height - Bottom << "\"/><text class=\"" << name << "\" x=\""
-           << Coordinate(position + (isAtRight ? -5 : 5)) << "\" y=\"" << y << "\" text-anchor=\""
-           << (isAtRight ? "end" : "start") << "\">" << name << ' ' << FormatShort(length) << "</text>\n";
+           << Height - Bottom << "\"/><text class=\"" << name << "\" x=\"" << Coordinate(position + (isAtLeft ? -5 : 5))
+           << "\" y=\"" << y << "\" text-anchor=\"" << (isAtLeft ? "end" : "start") << "\">" << name << ' '
+           << FormatShort(length) << "</text>\n";
   }
 
   std::string
@@ -147,8 +146,9 @@ MakeHistogramSvg(const ThicknessSummary & thickness, const std::string & unit)
   Chart chart(thickness);
   chart.DrawBars();
   chart.DrawAxis(unit);
-  chart.DrawMark(thickness.mean, "mean", 0);
-  chart.DrawMark(thickness.GetMedian(), "median", 1);
+  const bool isSkewed = thickness.mean < thickness.GetMedian();
+  chart.DrawMark(thickness.mean, "mean", isSkewed);
+  chart.DrawMark(thickness.GetMedian(), "median", !isSkewed);
   return chart.GetText();
 }
 

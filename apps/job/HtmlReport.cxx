@@ -22,7 +22,7 @@ constexpr const char * Style =
   "table{border-collapse:collapse}td,th{padding:2px 18px 2px 0;text-align:left;vertical-align:top}\n"
   "th{font-weight:600}td.number{text-align:right;font-variant-numeric:tabular-nums}\n"
   "td.text{overflow-wrap:anywhere}\n"
-  ".columns{display:flex;flex-wrap:wrap;gap:0 48px}\n"
+  ".columns{display:flex;flex-wrap:wrap;gap:0 48px;align-items:flex-start}\n"
   "svg{display:block;width:100%;height:auto;font:12px system-ui,sans-serif}\n"
   ".bar{fill:#4d7ea8}.axis{stroke:#8b95a3;stroke-width:1}line.mean{stroke:#c2410c;stroke-width:1.5}\n"
   "line.median{stroke:#1d2430;stroke-width:1.5;stroke-dasharray:4 3}text.mean{fill:#c2410c}\n"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandLine.h"
+#include "CommandText.h"
 #include "PhaseTable.h"
 #include "Program.h"
 
@@ -101,6 +102,11 @@ main(int argc, char * argv[])
     catch (const CLI::ParseError & error)
     {
       return ReportParsing(*app, error);
+    }
+    if (line.generate->parsed())
+    {
+      WriteCommandTexts(line, *app);
+      return static_cast<int>(ExitStatus::Done);
     }
     RunCommand(line);
     return static_cast<int>(ExitStatus::Done);
