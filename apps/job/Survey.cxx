@@ -12,8 +12,7 @@ namespace
 
 using WordType = itk::MedialVoxelBits::WordType;
 
-constexpr std::uint64_t MostMeasuredVoxels = std::uint64_t{ 1 } << 28;
-constexpr unsigned int  BinsPerVoxel = 64;
+constexpr unsigned int BinsPerVoxel = 64;
 
 double
 GetBinWidth(const itk::MedialVoxelGrid & grid)
@@ -31,10 +30,10 @@ GetBinWidth(const itk::MedialVoxelGrid & grid)
 }
 
 unsigned int
-GetStepFor(std::uint64_t voxels)
+GetStepFor(std::uint64_t voxels, std::uint64_t fullyMeasuredVoxels)
 {
   unsigned int step = 1;
-  while (voxels / step > MostMeasuredVoxels && step < 64)
+  while (voxels / step > fullyMeasuredVoxels && step < 64)
   {
     step *= 2;
   }
@@ -121,7 +120,7 @@ Survey::Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & gri
   : m_Grid(grid)
   , m_Kernel(grid)
   , m_Settings(settings)
-  , m_Step(GetStepFor(geometry.GetNumberOfVoxels()))
+  , m_Step(GetStepFor(geometry.GetNumberOfVoxels(), settings.fullyMeasuredVoxels))
   , m_Pending(GetBinWidth(grid))
   , m_Total(GetBinWidth(grid))
 {

@@ -23,6 +23,9 @@ struct SurveySettings
 {
   bool thickness{ false }; ///< of walls, at the medial cells
   bool picture{ false };   ///< which slices to show, and the projection along the last axis
+
+  /** Voxels of the largest volume of which all medial cells are measured. */
+  std::uint64_t fullyMeasuredVoxels{ std::uint64_t{ 1 } << 27 };
 };
 
 /** \class Survey
@@ -30,8 +33,8 @@ struct SurveySettings
  *
  * All of it is sums of whole numbers and maxima, which do not depend on the order of the tiles. Memory depends on the
  * size of the picture and on the length of the axes, and for a map of blocks that have an object on one bit for 16384
- * voxels. Of volumes of more than 2^28 voxels only every n-th medial cell of a row is measured, with n the power of two
- * that leaves no more than 2^28; where a row begins to count is a fixed function of its place. */
+ * voxels. Of larger volumes than the settings say only every n-th medial cell of a row is measured, n a power of two up
+ * to 64 that leaves no more than they say; where a row begins to count is a fixed function of its place. */
 class Survey : public itk::MedialVoxelTileObserver
 {
 public:
