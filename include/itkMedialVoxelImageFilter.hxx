@@ -102,10 +102,15 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelClusterEngine::Settings
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const MedialVoxelGrid & grid) const
 {
-  return MedialVoxelClusterEngine::Settings::ForClassification(
+  auto settings = MedialVoxelClusterEngine::Settings::ForClassification(
     grid,
     MedialVoxelParameters::EpsilonFromThickness(m_Thickness),
     m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object);
+  if (m_TileObserver != nullptr)
+  {
+    settings.workerBytesPerVoxel += MedialVoxelCellRow::BytesPerVoxel;
+  }
+  return settings;
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -44,8 +44,9 @@ GetSurveySettings(const ExtractOptions & options)
   return settings;
 }
 
-/** What the page takes beside the picture, as bytes of a PNG and as text, for each byte of its pixels, at most. */
-constexpr std::uint64_t PageBytesPerPixel = 3 * 4;
+/** What the page takes beside the picture. Pictures of few colors pack to less than half a byte per pixel, which the
+ * page has as text, also while it grows. */
+constexpr std::uint64_t PageBytesPerPixel = 3;
 
 std::vector<OutputRequest>
 ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
@@ -88,6 +89,11 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   if (survey.picture)
   {
     footprint.bytesBeside += GetPreviewBytes(header.geometry);
+  }
+  if (!options.htmlFile.empty())
+  {
+    const PreviewLayout layout = ArrangePreview(header.geometry);
+    footprint.bytesBeside += PageBytesPerPixel * layout.width * layout.height;
   }
   return footprint;
 }
