@@ -213,22 +213,18 @@ private:
     m_Outputs.Publish();
   }
 
-  /** Writes the preview; returns its bytes when a page is to have them. */
+  /** Writes the preview; returns its bytes, which a page has too. */
   std::string
   MakePicture()
   {
-    std::string bytes;
-    if (m_Preview || m_Html)
+    if (!m_Preview && !m_Html)
     {
-      const Canvas canvas = DrawPreview(*m_Labels, m_Result.input.geometry, m_Survey);
-      // The library for PNG writes to files only: the page's own one has the picture until it gets its text.
-      canvas.WritePng(m_Preview ? *m_Preview : *m_Html);
-      if (m_Html)
-      {
-        OutputFile & file = m_Preview ? *m_Preview : *m_Html;
-        bytes.resize(file.GetSize());
-        file.ReadAt(0, bytes.data(), bytes.size());
-      }
+      return {};
+    }
+    const std::string bytes = DrawPreview(*m_Labels, m_Result.input.geometry, m_Survey).EncodePng();
+    if (m_Preview)
+    {
+      WriteText(*m_Preview, bytes);
     }
     return bytes;
   }
