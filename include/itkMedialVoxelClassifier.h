@@ -9,12 +9,28 @@
 #include "itkMedialVoxelFeatureTransform.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelThickness.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace itk
 {
+
+/** \struct MedialVoxelCellRow
+ * \brief Up to 64 cells of a row as bits, bit 0 the first one.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelCellRow
+{
+  /** Memory of all rows of a tile, for each of its voxels, at most. */
+  static constexpr std::uint64_t BytesPerVoxel = 2;
+
+  MedialVoxelIndex          first{};         ///< index of the cell of bit 0
+  MedialVoxelBits::WordType candidates{ 0 }; ///< cells with an object corner
+  MedialVoxelBits::WordType byBound{ 0 };    ///< of them: medial by the bound
+  MedialVoxelBits::WordType byGeodesic{ 0 }; ///< of them: medial by the search
+};
 
 /** \class MedialVoxelClassifier
  * \brief Labels the dual cells of one tile from the nearest boundary points of its voxels.
@@ -33,6 +49,10 @@ public:
   struct Workspace
   {
     MedialVoxelBoundedGeodesic::Workspace geodesic;
+
+    /** With keepsRows: the rows of the last tile that have candidates. */
+    bool                            keepsRows{ false };
+    std::vector<MedialVoxelCellRow> rows;
   };
 
   MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
@@ -59,6 +79,13 @@ public:
            Workspace &                 workspace,
            std::vector<std::uint8_t> & labels,
            MedialVoxelCounts &         counts) const;
+
+  /** The boundary points that decide \a cell, from the features of a tile that it is in.
+   * \return false when there is no pair or it is trivial, as at cells that are not medial */
+  bool
+  GetWallPoints(const MedialVoxelFeatures & features,
+                const MedialVoxelIndex &    cell,
+                MedialVoxelWallPoints &     wall) const;
 
 private:
   struct Pair;

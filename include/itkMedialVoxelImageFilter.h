@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelClassifier.h"
 #include "itkMedialVoxelImageFilterBase.h"
+#include "itkMedialVoxelTileObserver.h"
 
 #include "itkImage.h"
 #include "itkVector.h"
@@ -130,6 +131,16 @@ public:
   itkGetConstMacro(NumberOfGeodesicMedialCells, SizeValueType);
   itkGetConstMacro(NumberOfGeodesicNonMedialCells, SizeValueType);
 
+#ifndef ITK_WRAPPING_PARSER
+  /** Sees each tile with its boundary points while it is at hand. Not owned, and must outlive the updates; null
+   * (default) costs nothing. Has no influence on results. */
+  void
+  SetTileObserver(MedialVoxelTileObserver * observer)
+  {
+    m_TileObserver = observer;
+  }
+#endif
+
   using Superclass::MakeOutput;
   ProcessObject::DataObjectPointer
   MakeOutput(const ProcessObject::DataObjectIdentifierType & name) override;
@@ -181,6 +192,8 @@ private:
   PseudoGeodesicBoundEnum m_PseudoGeodesicBound{ PseudoGeodesicBoundEnum::FreeSpace };
   bool                    m_GenerateVectorDistance{ false };
   BoundaryEnum            m_VectorDistanceBoundary{ BoundaryEnum::Object };
+
+  MedialVoxelTileObserver * m_TileObserver{ nullptr };
 
   SizeValueType m_NumberOfObjectVoxels{ 0 };
   SizeValueType m_NumberOfBoundaryVoxels{ 0 };

@@ -102,10 +102,15 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelClusterEngine::Settings
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const MedialVoxelGrid & grid) const
 {
-  return MedialVoxelClusterEngine::Settings::ForClassification(
+  auto settings = MedialVoxelClusterEngine::Settings::ForClassification(
     grid,
     MedialVoxelParameters::EpsilonFromThickness(m_Thickness),
     m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object);
+  if (m_TileObserver != nullptr)
+  {
+    settings.workerBytesPerVoxel += MedialVoxelCellRow::BytesPerVoxel;
+  }
+  return settings;
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -117,6 +122,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::BeforeTiles(const MedialVoxel
   parameters.bound = m_PseudoGeodesicBound;
   m_Transform = std::make_unique<const MedialVoxelFeatureTransform>(grid);
   m_Classifier = std::make_unique<const MedialVoxelClassifier>(grid, parameters);
+  if (m_TileObserver != nullptr)
+  {
+    m_TileObserver->Begin();
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -124,7 +133,9 @@ auto
 MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeWorkspace() const
   -> std::unique_ptr<typename Superclass::Workspace>
 {
-  return std::make_unique<TileWorkspace>();
+  auto workspace = std::make_unique<TileWorkspace>();
+  workspace->classifier.keepsRows = m_TileObserver != nullptr;
+  return workspace;
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -171,6 +182,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
     return missing;
   }
 
+  if (m_TileObserver != nullptr)
+  {
+    m_TileObserver->Observe({ tile, window, workspace.features, *m_Classifier, workspace.classifier.rows });
+  }
   this->WriteLabels(tile, workspace.labels);
   if (m_GenerateVectorDistance)
   {
@@ -228,6 +243,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::AddCounts(const MedialVoxelCo
   add(m_NumberOfBoundCells, counts.boundCells);
   add(m_NumberOfGeodesicMedialCells, counts.geodesicMedialCells);
   add(m_NumberOfGeodesicNonMedialCells, counts.geodesicNonMedialCells);
+  if (m_TileObserver != nullptr)
+  {
+    m_TileObserver->Commit();
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -124,6 +124,7 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
                                 MedialVoxelCounts &         counts) const
 {
   labels.assign(static_cast<std::size_t>(tile.NumberOfVoxels()), MedialVoxelLabel::NoObject);
+  workspace.rows.clear();
   const MedialVoxelBox cells = tile.Intersection(m_Grid.GetCellBox());
   m_Geodesic.Begin(*window.sites, tile, workspace.geodesic);
   MedialVoxelBox missing;
@@ -180,6 +181,8 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
   {
     cells.labels[MedialVoxelLowestBit(rest)] = MedialVoxelLabel::NonMedial;
   }
+  WordType byBound = 0;
+  WordType byGeodesic = 0;
   for (WordType rest = spread; rest != 0; rest &= rest - 1)
   {
     const int x = MedialVoxelLowestBit(rest);
@@ -199,8 +202,45 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
     counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
     counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
     counts.geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
+    byBound |= WordType{ label == MedialVoxelLabel::MedialByBound } << x;
+    byGeodesic |= WordType{ label == MedialVoxelLabel::MedialByGeodesic } << x;
     cells.labels[x] = label;
   }
+  if (workspace.keepsRows)
+  {
+    workspace.rows.push_back({ cells.first, cells.candidates, byBound, byGeodesic });
+  }
+  return true;
+}
+
+bool
+MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
+                                     const MedialVoxelIndex &    cell,
+                                     MedialVoxelWallPoints &     wall) const
+{
+  Cells cells;
+  cells.first = cell;
+  cells.offset = features.OffsetOf(cell[0], cell[1], cell[2]);
+  if (m_HasCornerRows)
+  {
+    cells.corners = CornerRows(features, cells.offset);
+  }
+  Pair pair;
+  if (!this->ChoosePair(features, cells, 0, pair))
+  {
+    return false;
+  }
+  wall.numberOfCorners = m_Cell.GetNumberOfCorners();
+  for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
+  {
+    const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
+    const std::size_t               at = features.OffsetOf(cell[0] + c[0], cell[1] + c[1], cell[2] + c[2]);
+    wall.corners[corner] = {
+      { cell[0] + c[0] + features.dx[at], cell[1] + c[1] + features.dy[at], cell[2] + c[2] + features.dz[at] }
+    };
+  }
+  wall.a = wall.corners[pair.diagonal];
+  wall.b = wall.corners[m_Cell.GetOppositeCorner(pair.diagonal)];
   return true;
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "EmbeddedXml.h"
 #include "ModuleCommandLine.h"
+#include "Program.h"
 #include "Report.h"
 #include "VolumeJob.h"
 
-#include <exception>
 #include <iostream>
 
 namespace
@@ -47,17 +47,6 @@ RunModule(const std::vector<std::string> & arguments)
       std::cout << GetEmbeddedXml();
       break;
   }
-  if (!std::cout.flush())
-  {
-    throw JobError(ExitStatus::Failure, "cannot write to the standard output");
-  }
-}
-
-int
-Report(const std::exception & error, int status)
-{
-  std::cerr << "MedialVoxelExtraction: " << error.what() << std::endl;
-  return status;
 }
 
 } // namespace
@@ -65,22 +54,8 @@ Report(const std::exception & error, int status)
 int
 main(int argc, char * argv[])
 {
-  CatchSignals();
-  try
-  {
+  return RunProgram("MedialVoxelExtraction", [&] {
     RunModule({ argv + 1, argv + argc });
     return static_cast<int>(ExitStatus::Done);
-  }
-  catch (const JobError & error)
-  {
-    return Report(error, static_cast<int>(error.GetStatus()));
-  }
-  catch (const StoppedBySignal & stop)
-  {
-    return Report(stop, 128 + stop.GetSignalNumber());
-  }
-  catch (const std::exception & error)
-  {
-    return Report(error, static_cast<int>(ExitStatus::Failure));
-  }
+  });
 }

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "HtmlReport.h"
 #include "JobParts.h"
 #include "OutputSet.h"
 #include "Preview.h"
 #include "Report.h"
 #include "ReturnParameters.h"
+#include "Survey.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -15,15 +17,36 @@ namespace medialvoxel
 namespace
 {
 
+/** \throw JobError Usage when a file has a name that does not say what will be in it. */
 void
-CheckPreviewName(const ExtractOptions & options)
+CheckExtension(const std::string & fileName, const std::vector<std::string> & allowed, const char * what)
 {
-  const std::string extension = ToLower(std::filesystem::path(options.previewFile).extension().string());
-  if (!options.previewFile.empty() && extension != ".png")
+  const std::string extension = ToLower(std::filesystem::path(fileName).extension().string());
+  if (!fileName.empty() && std::find(allowed.begin(), allowed.end(), extension) == allowed.end())
   {
-    Fail(ExitStatus::Usage, options.previewFile, ": unknown format '", extension, "'; the preview is written as .png");
+    Fail(ExitStatus::Usage,
+         fileName,
+         ": unknown format '",
+         extension,
+         "'; the ",
+         what,
+         " is written as ",
+         Join(allowed, " or ", [](const std::string & name) { return name; }));
   }
 }
+
+SurveySettings
+GetSurveySettings(const ExtractOptions & options)
+{
+  SurveySettings settings;
+  settings.thickness = !options.reportFile.empty() || !options.htmlFile.empty();
+  settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
+  return settings;
+}
+
+/** What the page takes beside the picture. Pictures of few colors pack to less than half a byte per pixel, which the
+ * page has as text, also while it grows. */
+constexpr std::uint64_t PageBytesPerPixel = 3;
 
 std::vector<OutputRequest>
 ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
@@ -32,6 +55,7 @@ ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
            { "vectors", options.vectorFile, GetVectorLayout(header) },
            { "distance", options.distanceFile, DistanceLayout },
            { "preview", options.previewFile, std::nullopt },
+           { "html", options.htmlFile, std::nullopt },
            { "report", options.reportFile, std::nullopt },
            { "return_parameters", options.returnParameterFile, std::nullopt } };
 }
@@ -48,18 +72,28 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   footprint.grid = GetGrid(options, header);
   const bool withObjectVectors =
     !options.vectorFile.empty() && options.vectorBoundary == itk::MedialVoxelBoundary::Object;
-  AddEngine(footprint,
-            header,
-            itk::MedialVoxelClusterEngine::Settings::ForClassification(
-              footprint.grid, itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness), withObjectVectors));
+  auto settings = itk::MedialVoxelClusterEngine::Settings::ForClassification(
+    footprint.grid, itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness), withObjectVectors);
+  const SurveySettings survey = GetSurveySettings(options);
+  if (survey.thickness || survey.picture)
+  {
+    settings.workerBytesPerVoxel += itk::MedialVoxelCellRow::BytesPerVoxel;
+    footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
+  }
+  AddEngine(footprint, header, settings);
   if (!options.distanceFile.empty())
   {
     AddEngine(
       footprint, header, itk::MedialVoxelClusterEngine::Settings::ForDistances(itk::MedialVoxelBoundary::Object));
   }
-  if (!options.previewFile.empty())
+  if (survey.picture)
   {
-    footprint.bytesBeside = GetPreviewBytes(header.geometry);
+    footprint.bytesBeside += GetPreviewBytes(header.geometry);
+  }
+  if (!options.htmlFile.empty())
+  {
+    const PreviewLayout layout = ArrangePreview(header.geometry);
+    footprint.bytesBeside += PageBytesPerPixel * layout.width * layout.height;
   }
   return footprint;
 }
@@ -86,7 +120,7 @@ public:
     , m_Input(OpenInputVolume(result.input, options, result.plan.scratchFolder))
     , m_Loop(result.plan, result.input, options.distanceFile.empty() ? 1 : 2, sink)
     , m_Runner(MakeExtractRunner(*m_Input, result.input, options, GetCutSettings(result.plan), m_Loop.GetObserver()))
-    , m_Scores(result.input.geometry)
+    , m_Survey(result.input.geometry, GetGrid(options, result.input), GetSurveySettings(options))
     , m_Outputs(options)
   {
     const VolumeGeometry & geometry = result.input.geometry;
@@ -94,8 +128,13 @@ public:
     m_Vectors = m_Outputs.AddVolume(options.vectorFile, geometry, GetVectorLayout(result.input));
     m_Distances = m_Outputs.AddVolume(options.distanceFile, geometry, DistanceLayout);
     m_Preview = m_Outputs.AddFile(options.previewFile);
+    m_Html = m_Outputs.AddFile(options.htmlFile);
     m_Report = m_Outputs.AddFile(options.reportFile);
     m_ReturnParameters = m_Outputs.AddFile(options.returnParameterFile);
+    if (m_Preview || m_Html || m_Report)
+    {
+      m_Runner->SetTileObserver(&m_Survey);
+    }
     if (m_Distances)
     {
       DistanceSettings settings;
@@ -131,18 +170,12 @@ private:
     m_Loop.Run(*m_Runner, piece, [&](const PieceLoop::Range & range, const PieceResults & results) {
       if (results.isEmpty && m_Options.sparse)
       {
-        m_Scores.AddEmpty();
         return;
       }
       m_Labels->Write(range.firstVoxel, range.numberOfVoxels, results.labels);
       if (m_Vectors)
       {
         m_Vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
-      }
-      if (m_Preview)
-      {
-        m_Scores.Add(
-          range.slices.begin, range.slices.end - range.slices.begin, static_cast<const std::uint8_t *>(results.labels));
       }
     });
     if (m_DistanceRunner)
@@ -158,12 +191,17 @@ private:
   {
     const auto finishStart = JobClock::now();
     m_Outputs.FinishVolumes();
-    if (m_Preview)
-    {
-      WritePreview(*m_Labels, m_Result.input.geometry, m_Scores, *m_Preview);
-    }
+    const std::string picture = this->MakePicture();
     m_Loop.ThrowIfStopRequested();
     AddMeasurements(m_Result, *m_Input, m_Loop.GetWriteSeconds() + SecondsSince(finishStart), start);
+    if (m_Survey.GetSettings().thickness)
+    {
+      m_Result.thickness = Summarize(m_Survey.GetThickness(), m_Survey.GetStep());
+    }
+    if (m_Html)
+    {
+      WriteText(*m_Html, MakeHtmlReport(m_Options, m_Result, picture));
+    }
     if (m_Report)
     {
       WriteText(*m_Report, MakeReport(m_Options, m_Result));
@@ -175,18 +213,35 @@ private:
     m_Outputs.Publish();
   }
 
+  /** Writes the preview; returns its bytes, which a page has too. */
+  std::string
+  MakePicture()
+  {
+    if (!m_Preview && !m_Html)
+    {
+      return {};
+    }
+    const std::string bytes = DrawPreview(*m_Labels, m_Result.input.geometry, m_Survey).EncodePng();
+    if (m_Preview)
+    {
+      WriteText(*m_Preview, bytes);
+    }
+    return bytes;
+  }
+
   const ExtractOptions &       m_Options;
   JobResult &                  m_Result;
   std::unique_ptr<InputVolume> m_Input;
   PieceLoop                    m_Loop;
   std::unique_ptr<PieceRunner> m_Runner;
   std::unique_ptr<PieceRunner> m_DistanceRunner;
-  SliceScores                  m_Scores;
+  Survey                       m_Survey;
   OutputSet                    m_Outputs;
   OutputVolume *               m_Labels{ nullptr };
   OutputVolume *               m_Vectors{ nullptr };
   OutputVolume *               m_Distances{ nullptr };
   OutputFile *                 m_Preview{ nullptr };
+  OutputFile *                 m_Html{ nullptr };
   OutputFile *                 m_Report{ nullptr };
   OutputFile *                 m_ReturnParameters{ nullptr };
 };
@@ -198,7 +253,8 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
 {
   const auto start = JobClock::now();
   CheckOptions(options);
-  CheckPreviewName(options);
+  CheckExtension(options.previewFile, { ".png" }, "preview");
+  CheckExtension(options.htmlFile, { ".html", ".htm" }, "page");
   GetVolumeFormat(options.output);
   VolumeHeader header = ReadVolumeHeader(options.input, options.raw);
   const auto   candidates = ListCandidates(options, header);

@@ -46,6 +46,7 @@ struct ExtractOptions : JobOptions
   std::string                         vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary            vectorBoundary{ itk::MedialVoxelBoundary::Object };
   std::string                         previewFile;         ///< PNG
+  std::string                         htmlFile;            ///< report as a page with the preview
   std::string                         returnParameterFile; ///< counts and seconds for 3D Slicer, a line each
 };
 

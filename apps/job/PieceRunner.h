@@ -7,6 +7,7 @@
 #include "Options.h"
 
 #include "itkMedialVoxelParameters.h"
+#include "itkMedialVoxelTileObserver.h"
 
 #include <cstdint>
 #include <functional>
@@ -51,6 +52,11 @@ public:
   /** Slices are indices along the last axis. The results are valid until Release(). */
   virtual PieceResults
   Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices) = 0;
+
+  /** Lets someone see the tiles, in a runner of labels; others have none to show. Must outlive the runs. */
+  virtual void
+  SetTileObserver(itk::MedialVoxelTileObserver *)
+  {}
 
   /** Sets what windows and threads may take from the next run on, in bytes; 0 is without limit. */
   virtual void

@@ -163,6 +163,12 @@ public:
     this->m_Filter->UpdateOutputInformation();
   }
 
+  void
+  SetTileObserver(itk::MedialVoxelTileObserver * observer) override
+  {
+    this->m_Filter->SetTileObserver(observer);
+  }
+
   RunnerSums
   GetSums() const override
   {

@@ -4,7 +4,7 @@
 
 #include "Errors.h"
 
-#include "itkPNGImageIO.h"
+#include "itk_zlib.h"
 
 #include <algorithm>
 #include <string_view>
@@ -22,7 +22,7 @@ constexpr unsigned int GlyphScale = TextHeight / GlyphHeight;
 /** Seven rows of five pixels, the leftmost in the highest of the five bits. */
 using Glyph = std::array<std::uint8_t, GlyphHeight>;
 
-constexpr std::array<std::pair<char, Glyph>, 30> Glyphs{ {
+constexpr std::array<std::pair<char, Glyph>, 31> Glyphs{ {
   { 'A', { 0b01110, 0b10001, 0b10001, 0b11111, 0b10001, 0b10001, 0b10001 } },
   { 'B', { 0b11110, 0b10001, 0b10001, 0b11110, 0b10001, 0b10001, 0b11110 } },
   { 'C', { 0b01110, 0b10001, 0b10000, 0b10000, 0b10000, 0b10001, 0b01110 } },
@@ -52,25 +52,43 @@ constexpr std::array<std::pair<char, Glyph>, 30> Glyphs{ {
   { '8', { 0b01110, 0b10001, 0b10001, 0b01110, 0b10001, 0b10001, 0b01110 } },
   { '9', { 0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100 } },
   { '=', { 0b00000, 0b00000, 0b11111, 0b00000, 0b11111, 0b00000, 0b00000 } },
+  { '.', { 0b00000, 0b00000, 0b00000, 0b00000, 0b00000, 0b01100, 0b01100 } },
   { '-', { 0b00000, 0b00000, 0b00000, 0b01110, 0b00000, 0b00000, 0b00000 } },
 } };
 
-/** The last chunk of a PNG file: length 0, name and checksum. */
-constexpr std::string_view EndChunk{ "\0\0\0\0IEND\xAE\x42\x60\x82", 12 };
-
-/** The library that writes the file may not notice a full disk. */
-void
-CheckEnd(const OutputFile & file, std::uint64_t size)
+/** Four bytes, the most significant first. */
+std::string
+ToBytes(std::uint32_t value)
 {
-  std::array<char, EndChunk.size()> end{};
-  if (size >= end.size())
+  return { static_cast<char>(value >> 24),
+           static_cast<char>(value >> 16 & 255),
+           static_cast<char>(value >> 8 & 255),
+           static_cast<char>(value & 255) };
+}
+
+/** A chunk of a PNG file: length, name, contents, checksum. */
+std::string
+MakeChunk(const std::string & name, const std::string & contents)
+{
+  const std::string named = name + contents;
+  const uLong       checksum = crc32(0, reinterpret_cast<const Bytef *>(named.data()), static_cast<uInt>(named.size()));
+  return ToBytes(static_cast<std::uint32_t>(contents.size())) + named + ToBytes(static_cast<std::uint32_t>(checksum));
+}
+
+std::string
+Compress(const std::string & bytes)
+{
+  uLongf      size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string packed(size, '\0');
+  if (compress(reinterpret_cast<Bytef *>(packed.data()),
+               &size,
+               reinterpret_cast<const Bytef *>(bytes.data()),
+               static_cast<uLong>(bytes.size())) != Z_OK)
   {
-    file.ReadAt(size - end.size(), end.data(), end.size());
+    Fail(ExitStatus::Failure, "the picture cannot be compressed");
   }
-  if (std::string_view(end.data(), end.size()) != EndChunk)
-  {
-    Fail(ExitStatus::Failure, "cannot write ", file.GetFileName().string(), ": the picture is incomplete");
-  }
+  packed.resize(size);
+  return packed;
 }
 
 } // namespace
@@ -132,33 +150,21 @@ Canvas::DrawText(unsigned int x, unsigned int y, const std::string & text, const
   }
 }
 
-void
-Canvas::WritePng(OutputFile & file) const
+std::string
+Canvas::EncodePng() const
 {
-  const auto io = itk::PNGImageIO::New();
-  io->SetFileName(file.GetTemporaryName().string());
-  io->SetNumberOfDimensions(2);
-  io->SetDimensions(0, m_Width);
-  io->SetDimensions(1, m_Height);
-  io->SetPixelType(itk::IOPixelEnum::RGB);
-  io->SetComponentType(itk::IOComponentEnum::UCHAR);
-  io->SetNumberOfComponents(3);
-  io->SetUseCompression(true);
-  itk::ImageIORegion region(2);
-  region.SetSize(0, m_Width);
-  region.SetSize(1, m_Height);
-  io->SetIORegion(region);
-  try
+  constexpr std::string_view signature{ "\x89PNG\r\n\x1A\n" };
+  constexpr std::string_view format{ "\x08\x02\0\0\0", 5 }; // eight bits of red, green, blue
+  const std::size_t          rowBytes = std::size_t{ 3 } * m_Width;
+  std::string                rows;
+  rows.reserve((rowBytes + 1) * m_Height);
+  for (std::size_t y = 0; y < m_Height; ++y)
   {
-    io->Write(m_Pixels.data());
+    rows += '\0'; // no filter
+    rows.append(reinterpret_cast<const char *>(m_Pixels.data() + y * rowBytes), rowBytes);
   }
-  catch (const itk::ExceptionObject & error)
-  {
-    Fail(ExitStatus::Failure, "cannot write ", file.GetFileName().string(), ": ", error.GetDescription());
-  }
-  file.AcceptSize();
-  CheckEnd(file, file.GetSize());
-  file.Finish();
+  return std::string(signature) + MakeChunk("IHDR", ToBytes(m_Width) + ToBytes(m_Height) + std::string(format)) +
+         MakeChunk("IDAT", Compress(rows)) + MakeChunk("IEND", "");
 }
 
 } // end namespace medialvoxel

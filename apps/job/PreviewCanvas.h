@@ -3,8 +3,6 @@
 #ifndef medialvoxelPreviewCanvas_h
 #define medialvoxelPreviewCanvas_h
 
-#include "OutputFile.h"
-
 #include <array>
 #include <cstdint>
 #include <string>
@@ -48,9 +46,9 @@ public:
   void
   DrawText(unsigned int x, unsigned int y, const std::string & text, const Color & color);
 
-  /** Writes a created, empty file and finishes it. \throw JobError Failure. */
-  void
-  WritePng(OutputFile & file) const;
+  /** The bytes of a PNG file. Not by way of ITK's writer, which closes its file twice when a disk is full. */
+  std::string
+  EncodePng() const;
 
 private:
   unsigned int              m_Width;

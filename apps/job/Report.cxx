@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Report.h"
 
+#include "itkVersion.h"
+
 #include <nlohmann/json.hpp>
 
 namespace medialvoxel
@@ -61,6 +63,30 @@ MakePercent(const itk::MedialVoxelCounts & counts)
            { "correct", percent ? Json(percent->correct) : Json(nullptr) } };
 }
 
+Json
+MakeThickness(const std::optional<ThicknessSummary> & thickness)
+{
+  if (!thickness)
+  {
+    return nullptr;
+  }
+  Json percentiles = Json::object();
+  for (std::size_t i = 0; i < thickness->percentiles.size(); ++i)
+  {
+    percentiles[std::to_string(ThicknessSummary::Percents[i])] = thickness->percentiles[i];
+  }
+  return { { "cells", thickness->cells },
+           { "one_cell_of", thickness->step },
+           { "resolution", thickness->resolution },
+           { "mean", thickness->mean },
+           { "standard_deviation", thickness->standardDeviation },
+           { "minimum", thickness->minimum },
+           { "maximum", thickness->maximum },
+           { "percentiles", percentiles },
+           { "histogram",
+             { { "bin_width", thickness->binWidth }, { "counts", thickness->bins }, { "above", thickness->above } } } };
+}
+
 void
 AddObject(Json & parameters, const JobOptions & options)
 {
@@ -116,12 +142,14 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
 
   Json report;
   report["version"] = GetVersion();
+  report["itk_version"] = GetItkVersion();
   report["input"] = MakeInput(result.input);
   report["outputs"] = MakeOutputs(result);
   report["parameters"] = parameters;
   report["size"] = result.input.geometry.size;
   report["counts"] = MakeCounts(result.sums);
   report["percent"] = MakePercent(result.sums.counts);
+  report["thickness"] = MakeThickness(result.thickness);
   AddRun(report, result);
   return Dump(report);
 }
@@ -139,6 +167,7 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
 
   Json report;
   report["version"] = GetVersion();
+  report["itk_version"] = GetItkVersion();
   report["input"] = MakeInput(result.input);
   report["outputs"] = MakeOutputs(result);
   report["parameters"] = parameters;
@@ -152,6 +181,12 @@ std::string
 GetVersion()
 {
   return MEDIALVOXEL_VERSION;
+}
+
+std::string
+GetItkVersion()
+{
+  return itk::Version::GetITKVersion();
 }
 
 } // end namespace medialvoxel

@@ -31,6 +31,10 @@ MakeReport(const DistanceOptions & options, const JobResult & result);
 std::string
 GetVersion();
 
+/** Version of ITK that the program runs with. */
+std::string
+GetItkVersion();
+
 } // end namespace medialvoxel
 
 #endif

@@ -52,9 +52,29 @@ FormatBytes(std::uint64_t numberOfBytes)
 std::string
 FormatSeconds(double seconds)
 {
+  return FormatFixed(seconds, 1) + " s";
+}
+
+std::string
+FormatShort(double value)
+{
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1f s", seconds);
+  std::snprintf(text.data(), text.size(), "%.4g", value);
   return text.data();
+}
+
+std::string
+FormatFixed(double value, int decimals)
+{
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return text.data();
+}
+
+std::string
+FormatPercent(std::uint64_t count, std::uint64_t all)
+{
+  return FormatFixed(100.0 * static_cast<double>(count) / static_cast<double>(all), 2) + " %";
 }
 
 std::string

@@ -35,6 +35,18 @@ FormatBytes(std::uint64_t numberOfBytes);
 std::string
 FormatSeconds(double seconds);
 
+/** Four significant digits at most. */
+std::string
+FormatShort(double value);
+
+/** As many decimals as wanted. */
+std::string
+FormatFixed(double value, int decimals);
+
+/** "12.34 %" of all, which are not none. */
+std::string
+FormatPercent(std::uint64_t count, std::uint64_t all);
+
 std::string
 FormatSize(const std::vector<std::uint64_t> & size);
 

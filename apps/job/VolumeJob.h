@@ -7,8 +7,10 @@
 #include "PieceRunner.h"
 #include "Plan.h"
 #include "Progress.h"
+#include "ThicknessSummary.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace medialvoxel
 {
@@ -25,13 +27,14 @@ struct JobSeconds
 /** What a job did, or with dryRun would do. */
 struct JobResult
 {
-  VolumeHeader               input;
-  std::vector<OutputRequest> outputs;
-  JobPlan                    plan;
-  RunnerSums                 sums;
-  JobSeconds                 seconds;
-  std::uint64_t              peakMemoryBytes{ 0 }; ///< of the process
-  std::uint64_t              bytesRead{ 0 };
+  VolumeHeader                    input;
+  std::vector<OutputRequest>      outputs;
+  JobPlan                         plan;
+  RunnerSums                      sums;
+  std::optional<ThicknessSummary> thickness; ///< when a report was asked for
+  JobSeconds                      seconds;
+  std::uint64_t                   peakMemoryBytes{ 0 }; ///< of the process
+  std::uint64_t                   bytesRead{ 0 };
 };
 
 /** Medial voxels of a volume file: opens, plans, runs, writes, reports. All outputs appear complete or not at all, the

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandLine.h"
 
+#include "CommandText.h"
 #include "Report.h"
 #include "Text.h"
 
 #include "itkMultiThreaderBase.h"
 
-#include <map>
+#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -59,27 +62,40 @@ AddText(CLI::App & app, const std::string & name, const std::string & help, cons
   return app.add_option(name, parse, help)->type_name(unit)->type_size(1)->expected(1);
 }
 
+/** Adds an option, or an argument, that names a file. */
+CLI::Option *
+AddFile(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
+{
+  return app.add_option(name, target, help)->type_name("FILE");
+}
+
+/** Adds an option whose value is one of some names; the first is the default. */
 template <typename TEnum>
 CLI::Option *
-AddChoice(CLI::App &                           app,
-          const std::string &                  name,
-          const std::string &                  help,
-          TEnum &                              target,
-          const std::map<std::string, TEnum> & choices)
+AddChoice(CommandLine &                                      line,
+          CLI::App &                                         app,
+          const std::string &                                name,
+          const std::string &                                help,
+          const std::string &                                unit,
+          TEnum &                                            target,
+          const std::vector<std::pair<std::string, TEnum>> & choices)
 {
-  std::string names;
+  std::vector<std::string> names;
   for (const auto & choice : choices)
   {
-    names += (names.empty() ? "" : "|") + choice.first;
+    names.push_back(choice.first);
   }
-  return AddText(app, name, help, names, [&target, choices, names](const std::string & text) {
-    const auto found = choices.find(text);
+  CLI::Option * const option = AddText(app, name, help, unit, [&target, choices, names](const std::string & text) {
+    const auto found =
+      std::find_if(choices.begin(), choices.end(), [&](const auto & choice) { return choice.first == text; });
     if (found == choices.end())
     {
-      throw CLI::ValidationError("'" + text + "' is not one of " + names);
+      throw CLI::ValidationError("'" + text + "' is not one of " + CLI::detail::join(names, "|"));
     }
     target = found->second;
   });
+  line.choices[option] = names;
+  return option;
 }
 
 std::vector<std::string>
@@ -100,7 +116,7 @@ GetRaw(JobOptions & options)
 }
 
 void
-AddRawOptions(CLI::App & app, JobOptions & options)
+AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
   const std::string group = "Headerless input";
   auto * const      size = AddText(app, "--raw-size", "Voxels along each axis", "X,Y,Z", [&](const std::string & text) {
@@ -109,19 +125,18 @@ AddRawOptions(CLI::App & app, JobOptions & options)
       GetRaw(options).size.push_back(ToCount(part, 1, LargestCount));
     }
   });
-  auto * const      type =
-    AddText(app,
-            "--raw-type",
-            "Type of the voxels",
-            Join(PixelTypes, "|", [](const PixelTypeTraits & traits) { return std::string(traits.name); }),
-            [&](const std::string & text) {
-              const std::optional<PixelType> pixelType = PixelTypeFromName(text);
-              if (!pixelType)
-              {
-                throw CLI::ValidationError("'" + text + "' is not a type of voxels");
-              }
-              GetRaw(options).pixelType = *pixelType;
-            });
+  auto * const      type = AddText(app, "--raw-type", "Type of the voxels", "TYPE", [&](const std::string & text) {
+    const std::optional<PixelType> pixelType = PixelTypeFromName(text);
+    if (!pixelType)
+    {
+      throw CLI::ValidationError("'" + text + "' is not a type of voxels");
+    }
+    GetRaw(options).pixelType = *pixelType;
+  });
+  for (const PixelTypeTraits & traits : PixelTypes)
+  {
+    line.choices[type].emplace_back(traits.name);
+  }
   auto * const spacing = AddText(
     app, "--raw-spacing", "Distance of voxels along each axis (default 1,1,1)", "X,Y,Z", [&](const std::string & text) {
       for (const std::string & part : SplitAtCommas(text))
@@ -146,22 +161,21 @@ AddRawOptions(CLI::App & app, JobOptions & options)
 void
 AddObjectOptions(CLI::App & app, JobOptions & options)
 {
-  const std::string group = "Object (without a limit: all voxels that are not 0)";
-  AddText(app, "--lower", "Smallest value of the object", "L", [&](const std::string & text) {
+  AddText(app, "--lower", "Smallest value of the object (no limit: all but 0)", "L", [&](const std::string & text) {
     options.lowerThreshold = ToDouble(text);
-  })->group(group);
+  });
   AddText(app, "--upper", "Largest value of the object", "U", [&](const std::string & text) {
     options.upperThreshold = ToDouble(text);
-  })->group(group);
+  });
 }
 
 void
-AddRunOptions(CLI::App & app, JobOptions & options, CommandLine & line)
+AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
   const std::string group = "Run";
   AddText(app,
           "--memory",
-          "Cap on the memory of the process, such as 500M or 2G (default: half of the free memory)",
+          "Most memory, such as 2G (default: half of the free)",
           "SIZE",
           [&](const std::string & text) {
             options.memoryBytes = ParseByteSize(text);
@@ -171,25 +185,23 @@ AddRunOptions(CLI::App & app, JobOptions & options, CommandLine & line)
             }
           })
     ->group(group);
-  app.add_option("--scratch", options.scratchFolder, "Folder for what memory cannot hold of a compressed volume")
+  AddFile(app, "--scratch", "For what memory cannot hold of compressed input", options.scratchFolder)
     ->type_name("DIR")
     ->group(group);
-  AddText(app, "--threads", "Number of threads (default: one per processor)", "N", [&](const std::string & text) {
+  AddText(app, "--threads", "Threads (default: one per processor)", "N", [&](const std::string & text) {
     options.threads = static_cast<unsigned int>(ToCount(text, 1, itk::ITK_MAX_THREADS));
   })->group(group);
-  AddText(app,
-          "--divisions",
-          "Pieces that the volume is done in (default: chosen)",
-          "N",
-          [&](const std::string & text) { options.divisions = ToCount(text, 1, LargestCount); })
-    ->group(group);
+  AddText(app, "--divisions", "Pieces that are done in turn (default: chosen)", "N", [&](const std::string & text) {
+    options.divisions = ToCount(text, 1, LargestCount);
+  })->group(group);
   app.add_flag("--dry-run", options.dryRun, "Check everything, print the plan and stop")->group(group);
-  app.add_flag("--sparse", options.sparse, "Leave blocks of zeros as holes in the files and reserve no space")
-    ->group(group);
+  app.add_flag("--sparse", options.sparse, "Leave zeros as holes in the files, reserve no space")->group(group);
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs")->group(group);
-  AddChoice<ProgressStyle>(app,
+  AddChoice<ProgressStyle>(line,
+                           app,
                            "--progress",
-                           "How to show progress (default auto: a bar on a terminal, else plain)",
+                           "Show",
+                           "STYLE",
                            line.progress,
                            { { "auto", ProgressStyle::Auto },
                              { "bar", ProgressStyle::Bar },
@@ -201,7 +213,13 @@ AddRunOptions(CLI::App & app, JobOptions & options, CommandLine & line)
   app.add_flag("--quiet", line.quiet, "Print errors only")->group(group);
 }
 
-const std::map<std::string, itk::MedialVoxelBoundary> Boundaries{
+void
+AddInput(CLI::App & app, JobOptions & options)
+{
+  AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii .nii.gz .tif, raw", options.input)->required();
+}
+
+const std::vector<std::pair<std::string, itk::MedialVoxelBoundary>> Boundaries{
   { GetName(itk::MedialVoxelBoundary::Object), itk::MedialVoxelBoundary::Object },
   { GetName(itk::MedialVoxelBoundary::Background), itk::MedialVoxelBoundary::Background }
 };
@@ -212,46 +230,42 @@ DefineExtract(CommandLine & line)
   CLI::App &       app = *line.extract;
   ExtractOptions & options = line.extractOptions;
   using Bound = itk::MedialVoxelPseudoGeodesicBound;
-  app.add_option("INPUT", options.input, "Volume: .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, .tif or headerless")
-    ->required()
-    ->type_name("");
-  app.add_option("OUTPUT", options.output, "Labels of the dual cells: .mha, .mhd, .nrrd or .nhdr")
-    ->required()
-    ->type_name("");
+  AddInput(app, options);
+  AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr", options.output)->required();
   AddText(app,
           "--thickness",
-          "Tau, the thickness of walls that become sheets, in the units of the spacing",
+          "Thickness tau of walls, in the units of the spacing",
           "T",
           [&](const std::string & text) { options.thickness = ToDouble(text); })
     ->required();
   app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels instead");
-  AddChoice<Bound>(app,
+  AddChoice<Bound>(line,
+                   app,
                    "--bound",
-                   "Bound that decides without search (default free-space)",
+                   "Decide without search",
+                   "KIND",
                    options.bound,
                    { { GetName(Bound::FreeSpace), Bound::FreeSpace },
                      { GetName(Bound::Paper), Bound::Paper },
                      { GetName(Bound::Off), Bound::Off } });
   AddObjectOptions(app, options);
   const std::string group = "Further outputs";
-  app.add_option("--vectors", options.vectorFile, "Vectors to the nearest boundary point")
-    ->type_name("FILE")
-    ->group(group);
+  AddFile(app, "--vectors", "Vectors to the nearest boundary point", options.vectorFile)->group(group);
   AddChoice<itk::MedialVoxelBoundary>(
-    app, "--vector-boundary", "Boundary that the vectors lead to (default object)", options.vectorBoundary, Boundaries)
+    line, app, "--vector-boundary", "Where they lead to", "KIND", options.vectorBoundary, Boundaries)
     ->group(group);
-  app.add_option("--distance", options.distanceFile, "Signed distance, negative inside the object")
-    ->type_name("FILE")
-    ->group(group);
-  app.add_option("--report", options.reportFile, "Report as JSON")->type_name("FILE")->group(group);
-  app.add_option("--preview", options.previewFile, "Picture of three slices as PNG")->type_name("FILE")->group(group);
-  AddRunOptions(app, options, line);
-  AddRawOptions(app, options);
-  app.footer("Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic search.\n\n"
-             "Examples:\n"
-             "  medialvoxel extract part.mha medial.mha --thickness 3 --lower 72 --preview medial.png\n"
-             "  medialvoxel extract scan.raw medial.nrrd --thickness 2.5 --lower 200 \\\n"
-             "      --raw-size 708,965,325 --raw-type uint16 --raw-spacing 0.5,0.5,0.8");
+  AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
+  AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
+  AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
+  AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
+  AddRunOptions(line, app, options);
+  AddRawOptions(line, app, options);
+  line.examples[&app] = {
+    "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html",
+    "medialvoxel extract scan.raw medial.nrrd --thickness 2.5 --lower 200 \\\n"
+    "    --raw-size 708,965,325 --raw-type uint16 --raw-spacing 0.5,0.5,0.8",
+  };
+  app.footer("Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by search.");
 }
 
 void
@@ -260,49 +274,43 @@ DefineDistance(CommandLine & line)
   CLI::App &        app = *line.distance;
   DistanceOptions & options = line.distanceOptions;
   using Region = itk::MedialVoxelRegion;
-  app.add_option("INPUT", options.input, "Volume: .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, .tif or headerless")
-    ->required()
-    ->type_name("");
-  app.add_option("VECTORS", options.output, "Vectors to the nearest boundary voxel: .mha, .mhd, .nrrd or .nhdr")
-    ->required()
-    ->type_name("");
+  AddInput(app, options);
+  AddFile(app, "VECTORS", "Vectors to the boundary: .mha .mhd .nrrd .nhdr", options.output)->required();
   AddChoice<itk::MedialVoxelBoundary>(
-    app, "--boundary", "Boundary that the vectors lead to (default object)", options.boundary, Boundaries);
-  AddChoice<Region>(app,
+    line, app, "--boundary", "Where the vectors lead to", "KIND", options.boundary, Boundaries);
+  AddChoice<Region>(line,
+                    app,
                     "--region",
-                    "Voxels that get a vector (default both)",
+                    "Voxels with a vector",
+                    "PART",
                     options.region,
-                    { { GetName(Region::Inside), Region::Inside },
-                      { GetName(Region::Outside), Region::Outside },
-                      { GetName(Region::Both), Region::Both } });
+                    { { GetName(Region::Both), Region::Both },
+                      { GetName(Region::Inside), Region::Inside },
+                      { GetName(Region::Outside), Region::Outside } });
   AddText(
     app, "--maximum-distance", "Voxels farther than this become not a number", "X", [&](const std::string & text) {
       options.maximumDistance = ToDouble(text);
     });
-  app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels instead of the units of the spacing");
+  app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels, not in units of the spacing");
   AddObjectOptions(app, options);
   const std::string group = "Further outputs";
-  app.add_option("--distance", options.distanceFile, "Signed distance, negative inside the object")
-    ->type_name("FILE")
-    ->group(group);
+  AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
   app.add_flag("--squared-distance", options.squaredDistance, "Square the signed distance")->group(group);
   app.add_flag("--inside-positive", options.insideIsPositive, "Make the signed distance positive inside")->group(group);
-  app.add_option("--report", options.reportFile, "Report as JSON")->type_name("FILE")->group(group);
-  AddRunOptions(app, options, line);
-  AddRawOptions(app, options);
-  app.footer("Examples:\n"
-             "  medialvoxel distance part.mha vectors.mha --lower 72 --distance distance.mha\n"
-             "  medialvoxel distance mask.nrrd vectors.nrrd --region inside --boundary background");
+  AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
+  AddRunOptions(line, app, options);
+  AddRawOptions(line, app, options);
+  line.examples[&app] = { "medialvoxel distance part.mha vectors.mha --lower 72 --distance distance.mha",
+                          "medialvoxel distance mask.nrrd out.nrrd --region inside --boundary background" };
 }
 
 void
 DefineInfo(CommandLine & line)
 {
-  line.info
-    ->add_option("INPUT", line.infoOptions.input, "Volume: .mha, .mhd, .nrrd, .nhdr, .nii, .nii.gz, .tif or headerless")
-    ->required()
-    ->type_name("");
-  AddRawOptions(*line.info, line.infoOptions);
+  AddInput(*line.info, line.infoOptions);
+  AddRawOptions(line, *line.info, line.infoOptions);
+  line.examples[line.info] = { "medialvoxel info part.mha",
+                               "medialvoxel info scan.raw --raw-size 708,965,325 --raw-type uint16" };
 }
 
 } // namespace
@@ -315,13 +323,19 @@ DefineCommandLine(CommandLine & line)
   app->set_version_flag("--version", "medialvoxel " + GetVersion());
   app->require_subcommand(1);
   line.extract = app->add_subcommand("extract", "Extract the medial voxels of an object");
-  line.distance = app->add_subcommand("distance", "Compute vectors to the nearest boundary voxel and signed distances");
+  line.distance = app->add_subcommand("distance", "Compute vectors to the boundary and distances");
   line.info = app->add_subcommand("info", "Describe a volume");
   DefineExtract(line);
   DefineDistance(line);
   DefineInfo(line);
-  app->footer("Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused before the start, 4 corrupt input,\n"
-              "130 or 143 stopped by a signal. Help on a command: medialvoxel COMMAND --help");
+  line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");
+  line.generate->add_option("FOLDER", line.generateFolder, "An existing folder")->required();
+  line.examples[app.get()] = { "medialvoxel info part.mha",
+                               "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html" };
+  app->footer("Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused before the start,\n"
+              "4 corrupt input, 130 or 143 stopped by a signal.\n"
+              "Help on a command: medialvoxel COMMAND --help");
+  UseCompactHelp(line, *app);
   return app;
 }
 

@@ -8,8 +8,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -25,9 +27,19 @@ struct CommandLine
   JobOptions      infoOptions;
   ProgressStyle   progress{ ProgressStyle::Auto };
   bool            quiet{ false };
+
+  CLI::App *  generate{ nullptr }; ///< not shown: what the build calls
+  std::string generateFolder;
+
+  /** Names that an option takes, the first one the default. */
+  std::map<const CLI::Option *, std::vector<std::string>> choices;
+
+  /** Two for each command, as they are typed. */
+  std::map<const CLI::App *, std::vector<std::string>> examples;
 };
 
-/** Defines subcommands and options; parsing fills \a line, which must outlive the result. */
+/** Defines subcommands and options, the one place for all of them: parser, help, completions and manual pages follow;
+ * parsing fills \a line, which must outlive the result. */
 std::unique_ptr<CLI::App>
 DefineCommandLine(CommandLine & line);
 

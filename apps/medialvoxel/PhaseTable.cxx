@@ -6,8 +6,6 @@
 #include "Text.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace medialvoxel
 {
@@ -15,22 +13,9 @@ namespace
 {
 
 std::string
-Fixed(double value, int decimals)
-{
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
-  return text.data();
-}
-
-std::string
 FormatCount(std::uint64_t count, std::uint64_t all)
 {
-  std::string text = std::to_string(count);
-  if (all > 0)
-  {
-    text += " (" + Fixed(100.0 * static_cast<double>(count) / static_cast<double>(all), 2) + " %)";
-  }
-  return text;
+  return std::to_string(count) + (all > 0 ? " (" + FormatPercent(count, all) + ")" : "");
 }
 
 void
@@ -43,10 +28,23 @@ AddNotANumber(TextTable & table, const RunnerSums & sums)
 }
 
 void
+AddThickness(TextTable & table, const ExtractOptions & options, const JobResult & result)
+{
+  if (result.thickness && result.thickness->cells > 0)
+  {
+    const ThicknessSummary & thickness = *result.thickness;
+    table.emplace_back("wall thickness",
+                       "mean " + FormatShort(thickness.mean) + ", median " + FormatShort(thickness.GetMedian()) +
+                         ", 5 to 95 %: " + FormatShort(thickness.percentiles[1]) + " to " +
+                         FormatShort(thickness.percentiles[5]) + (options.voxelUnits ? " voxels" : ""));
+  }
+}
+
+void
 AddRun(TextTable & table, const JobResult & result)
 {
-  table.emplace_back("reading and writing", Fixed(result.seconds.inputOutput, 2) + " s");
-  table.emplace_back("total", Fixed(result.seconds.total, 2) + " s");
+  table.emplace_back("reading and writing", FormatFixed(result.seconds.inputOutput, 2) + " s");
+  table.emplace_back("total", FormatFixed(result.seconds.total, 2) + " s");
   table.emplace_back("peak memory",
                      FormatBytes(result.peakMemoryBytes) + ", planned " + FormatBytes(result.plan.memoryBytes));
   for (const OutputRequest & output : result.outputs)
@@ -87,12 +85,13 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("  medial by geodesic", FormatCount(counts.geodesicMedialCells, counts.candidateCells));
   table.emplace_back("  non-medial by geodesic", FormatCount(counts.geodesicNonMedialCells, counts.candidateCells));
   table.emplace_back("medial cells", std::to_string(counts.boundCells + counts.geodesicMedialCells));
-  table.emplace_back("pseudo", percent ? Fixed(percent->pseudo, 2) + " %" : "-");
-  table.emplace_back("correct", percent ? Fixed(percent->correct, 2) + " %" : "-");
+  table.emplace_back("pseudo", percent ? FormatFixed(percent->pseudo, 2) + " %" : "-");
+  table.emplace_back("correct", percent ? FormatFixed(percent->correct, 2) + " %" : "-");
+  AddThickness(table, options, result);
   const std::string threads =
     result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";
-  table.emplace_back("distance", Fixed(result.seconds.distance, 2) + threads);
-  table.emplace_back("classification", Fixed(result.seconds.classification, 2) + threads);
+  table.emplace_back("distance", FormatFixed(result.seconds.distance, 2) + threads);
+  table.emplace_back("classification", FormatFixed(result.seconds.classification, 2) + threads);
   AddRun(table, result);
   PrintTable(out, table);
 }
@@ -105,7 +104,7 @@ PrintDistanceTable(std::ostream & out, const JobResult & result)
   AddNotANumber(table, result.sums);
   const std::string threads =
     result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";
-  table.emplace_back("distance", Fixed(result.seconds.distance, 2) + threads);
+  table.emplace_back("distance", FormatFixed(result.seconds.distance, 2) + threads);
   AddRun(table, result);
   PrintTable(out, table);
 }

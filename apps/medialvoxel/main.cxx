@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandLine.h"
+#include "CommandText.h"
 #include "PhaseTable.h"
+#include "Program.h"
 
-#include <exception>
 #include <iostream>
 
 namespace
@@ -72,10 +73,6 @@ RunCommand(const CommandLine & line)
   {
     DescribeInput(line);
   }
-  if (!std::cout.flush())
-  {
-    throw JobError(ExitStatus::Failure, "cannot write to the standard output");
-  }
 }
 
 /** Help and version are results, other ends of the parsing are errors. */
@@ -95,9 +92,7 @@ ReportParsing(const CLI::App & app, const CLI::ParseError & error)
 int
 main(int argc, char * argv[])
 {
-  CatchSignals();
-  try
-  {
+  return RunProgram("medialvoxel", [&] {
     CommandLine line;
     const auto  app = DefineCommandLine(line);
     try
@@ -108,22 +103,12 @@ main(int argc, char * argv[])
     {
       return ReportParsing(*app, error);
     }
+    if (line.generate->parsed())
+    {
+      WriteCommandTexts(line, *app);
+      return static_cast<int>(ExitStatus::Done);
+    }
     RunCommand(line);
     return static_cast<int>(ExitStatus::Done);
-  }
-  catch (const JobError & error)
-  {
-    std::cerr << "medialvoxel: " << error.what() << std::endl;
-    return static_cast<int>(error.GetStatus());
-  }
-  catch (const StoppedBySignal & stop)
-  {
-    std::cerr << "medialvoxel: " << stop.what() << std::endl;
-    return 128 + stop.GetSignalNumber();
-  }
-  catch (const std::exception & error)
-  {
-    std::cerr << "medialvoxel: " << error.what() << std::endl;
-    return static_cast<int>(ExitStatus::Failure);
-  }
+  });
 }

@@ -63,6 +63,19 @@ class MemoryTest(ProgramTestCase):
                 self.assertLessEqual(report["planned_peak_bytes"], 1024 * MEGABYTE if memory == "1G" else 48 * MEGABYTE)
                 self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"], (source.name, memory))
 
+    def test_picture_and_page_do_not_grow_with_the_volume(self):
+        """Eight times the slices, in pieces of the same size: the same peak, up to the longer views."""
+        peaks = []
+        for slices in (60, 480):
+            volumes.write_meta(self.folder / "in.mha", walls((300, 300, slices)))
+            results = ["--preview", "p.png", "--html", "h.html", "--report", "r.json"]
+            cut = ["--divisions", slices // 20, "--threads", 1, "--memory", "64M"]
+            self.extract("in.mha", "l.mha", *results, *cut, "--overwrite")
+            report = json.loads((self.folder / "r.json").read_text())
+            self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"])
+            peaks.append(report["peak_memory_bytes"])
+        self.assertLess(peaks[1] - peaks[0], 3 * MEGABYTE)
+
     def test_thick_walls_keep_the_cap_or_are_refused(self):
         size = (180, 180, 150)
         solid = volumes.Volume(size, [])

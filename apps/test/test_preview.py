@@ -71,6 +71,24 @@ class PreviewTest(ProgramTestCase):
         self.assertEqual(self.colors(self.preview(volume, "--lower", 101))[RED], legend)
         self.assertGreater(self.colors(self.preview(volume, "--lower", 72, "--bound", "off"))[RED], 1000)
 
+    def test_projection_and_scale_bar(self):
+        """A plate across z lies in one slice, and fills the projection along z wherever that slice is."""
+        volume = volumes.Volume((60, 60, 40), [], (0.5, 0.5, 0.5))
+        volume.voxels = [1 if 4 <= z < 7 and x >= 30 and 5 <= y < 55 else 0 for x, y, z in volume.indices()]
+        rows = self.preview(volume, "--voxel-units")
+        scale = 8
+        top = 14 + 20
+        left, right = 14, 14 + 60 * scale + 14
+        middle = rows[top + 30 * scale]
+        self.assertEqual(middle[right + 45 * scale], WHITE, "medial cells of the plate, the most that a ray has")
+        self.assertEqual(middle[right + 10 * scale], BLACK)
+        self.assertEqual(middle[left + 10 * scale], BLACK)
+        # The bar has ticks at its ends and is 1, 2 or 5 times a power of ten long.
+        legend = rows[len(rows) - 14 - 14 + 7]
+        text = (200, 200, 205)
+        runs = [run for run in "".join("#" if color == text else " " for color in legend).split() if len(run) > 40]
+        self.assertEqual([len(run) for run in runs], [5 / 0.5 * scale])
+
     def test_pieces_do_not_change_the_picture(self):
         volume = volumes.box_with_plate()
         whole = self.preview(volume, "--lower", 72)

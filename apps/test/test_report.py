@@ -4,19 +4,30 @@
 
 import json
 import math
+import os
+import pathlib
 import unittest
 
 import volumes
 from program import ProgramTestCase
 
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
+SCHEMA = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"]) / "doc" / "report.schema.json"
+
 KEYS = [
     "version",
+    "itk_version",
     "input",
     "outputs",
     "parameters",
     "size",
     "counts",
     "percent",
+    "thickness",
     "seconds",
     "peak_memory_bytes",
     "planned_peak_bytes",
@@ -81,6 +92,47 @@ class ReportTest(ProgramTestCase):
             if key not in FROM_THE_RUN:
                 self.assertEqual(first[key], second[key], key)
 
+    @unittest.skipUnless(jsonschema, "python3-jsonschema is not installed: reports are not compared with their schema")
+    def test_reports_conform_to_the_schema(self):
+        schema = json.loads(SCHEMA.read_text())
+        jsonschema.Draft202012Validator.check_schema(schema)
+        validator = jsonschema.Draft202012Validator(schema)
+        everything = ["--vectors", "v.mha", "--distance", "d.mha", "--preview", "p.png", "--html", "h.html"]
+        reports = [
+            self.report("--lower", 72, *everything)[0],
+            self.report("--lower", 101)[0],
+            self.report("--lower", 72, "--voxel-units", "--bound", "off", "--upper", 200.5)[0],
+        ]
+        self.run_program("distance", "in.mha", "v2.mha", "--lower", 72, "--report", "d.json", "--maximum-distance", 5)
+        reports.append(json.loads((self.folder / "d.json").read_text()))
+        for report in reports:
+            validator.validate(report)
+            for change in (lambda r: r.pop("seconds"), lambda r: r.update(more=1), lambda r: r.update(threads=0)):
+                changed = json.loads(json.dumps(report))
+                change(changed)
+                self.assertFalse(validator.is_valid(changed))
+
+    def test_thickness(self):
+        """A plate of 4 voxels: every cell away from its rims tells 4, in units of the spacing."""
+        volume = volumes.Volume((40, 40, 20), [], (0.5, 0.5, 0.5))
+        volume.voxels = [1 if 8 <= z < 12 else 0 for _, _, z in volume.indices()]
+        volumes.write_meta(self.folder / "plate.mha", volume)
+        for arguments, unit in ((["--voxel-units"], 1.0), ([], 0.5)):
+            report, table = self.report(*arguments, source="plate.mha")
+            thickness = report["thickness"]
+            self.assertEqual(thickness["cells"], 39 * 39)
+            self.assertEqual(thickness["cells"], report["counts"]["medial_cells"])
+            self.assertEqual(thickness["one_cell_of"], 1)
+            self.assertEqual(thickness["resolution"], unit / 64)
+            for name in ("mean", "minimum", "maximum"):
+                self.assertEqual(thickness[name], 4 * unit)
+            self.assertEqual(thickness["standard_deviation"], 0)
+            self.assertEqual(set(thickness["percentiles"].values()), {4 * unit})
+            histogram = thickness["histogram"]
+            self.assertEqual(sum(histogram["counts"]) + histogram["above"], thickness["cells"])
+            self.assertEqual(histogram["counts"].index(39 * 39) * histogram["bin_width"], 4 * unit)
+            self.assertRegex(table, r"wall thickness +mean [42], median [42]")
+
     def test_table(self):
         report, table = self.report("--lower", 72)
         rows = dict(line.strip().split("  ", 1) for line in table.splitlines())
@@ -122,7 +174,7 @@ class ReportTest(ProgramTestCase):
     def test_report_of_distance(self):
         self.run_program("distance", "in.mha", "v.mha", "--lower", 72, "--report", "r.json", "--maximum-distance", 5)
         report = json.loads((self.folder / "r.json").read_text())
-        self.assertEqual(list(report), [key for key in KEYS if key != "percent"])
+        self.assertEqual(list(report), [key for key in KEYS if key not in ("percent", "thickness")])
         self.assertEqual(report["parameters"]["maximum_distance"], 5)
         self.assertEqual(report["parameters"]["boundary"], "object")
 

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "HtmlReport.h"
+
+#include "Report.h"
+#include "Text.h"
+
+#include <cstdint>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr const char * Style =
+  ":root{color-scheme:light}\n"
+  "body{font:15px/1.45 system-ui,sans-serif;color:#1d2430;background:#fff;max-width:1000px;margin:0 "
+  "auto;padding:24px}\n"
+  "h1{font-size:24px;margin:0 0 4px}h2{font-size:18px;margin:28px 0 8px;border-bottom:1px solid #d5dae1}\n"
+  "p{margin:6px 0}.muted{color:#5b6573}\n"
+  "img{display:block;max-width:100%;height:auto;background:#000;border-radius:4px}\n"
+  "table{border-collapse:collapse}td,th{padding:2px 18px 2px 0;text-align:left;vertical-align:top}\n"
+  "th{font-weight:600}td.number{text-align:right;font-variant-numeric:tabular-nums}\n"
+  "td.text{overflow-wrap:anywhere}\n"
+  ".columns{display:flex;flex-wrap:wrap;gap:0 48px;align-items:flex-start}\n"
+  "svg{display:block;width:100%;height:auto;font:12px system-ui,sans-serif}\n"
+  ".bar{fill:#4d7ea8}.axis{stroke:#8b95a3;stroke-width:1}line.mean{stroke:#c2410c;stroke-width:1.5}\n"
+  "line.median{stroke:#1d2430;stroke-width:1.5;stroke-dasharray:4 3}text.mean{fill:#c2410c}\n"
+  ".bound,.geodesic,.object{display:inline-block;width:11px;height:11px;border:1px solid #8b95a3;margin-right:6px}\n"
+  ".bound{background:#fff}.geodesic{background:#ff2d23}.object{background:#5f5f64}\n"
+  "pre{white-space:pre-wrap;background:#f3f5f8;padding:10px;border-radius:4px}\n";
+
+/** Text that a page shows as it is. Bytes that are no valid UTF-8 are left to the browser, which replaces them. */
+std::string
+Escape(const std::string & text)
+{
+  std::string escaped;
+  for (const char character : text)
+  {
+    switch (character)
+    {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += character;
+    }
+  }
+  return escaped;
+}
+
+std::string
+EncodeBase64(std::string_view bytes)
+{
+  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string                text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    const auto byteAt = [&](std::size_t at) -> std::uint32_t {
+      return at < bytes.size() ? static_cast<std::uint8_t>(bytes[at]) : 0;
+    };
+    const std::uint32_t group = byteAt(i) << 16 | byteAt(i + 1) << 8 | byteAt(i + 2);
+    text += digits[group >> 18 & 63];
+    text += digits[group >> 12 & 63];
+    text += i + 1 < bytes.size() ? digits[group >> 6 & 63] : '=';
+    text += i + 2 < bytes.size() ? digits[group & 63] : '=';
+  }
+  return text;
+}
+
+std::string
+MakeRows(const TextTable & table, const char * kind)
+{
+  std::string rows;
+  for (const auto & [name, value] : table)
+  {
+    rows +=
+      "<tr><th scope=\"row\">" + Escape(name) + "</th><td class=\"" + kind + "\">" + Escape(value) + "</td></tr>\n";
+  }
+  return "<table>\n" + rows + "</table>\n";
+}
+
+std::string
+MakePhaseTable(const itk::MedialVoxelCounts & counts)
+{
+  const std::uint64_t all = counts.candidateCells;
+  const auto          row = [all](const char * mark, const char * name, std::uint64_t cells) {
+    return "<tr><th scope=\"row\">" + std::string(mark) + name + "</th><td class=\"number\">" + std::to_string(cells) +
+           "</td><td class=\"number\">" + (all > 0 ? FormatPercent(cells, all) : "-") + "</td></tr>\n";
+  };
+  return "<table>\n<tr><th>Decided by</th><th>cells</th><th>of all</th></tr>\n" +
+         row("", "trivial pairs: not medial", counts.trivialCells) +
+         row("<span class=\"bound\"></span>", "bound: medial", counts.boundCells) +
+         row("<span class=\"geodesic\"></span>", "geodesic search: medial", counts.geodesicMedialCells) +
+         row("", "geodesic search: not medial", counts.geodesicNonMedialCells) +
+         row("", "all cells with an object corner", all) + "</table>\n";
+}
+
+std::string
+MakeThickness(const ThicknessSummary & thickness, const std::string & unit)
+{
+  if (thickness.cells == 0)
+  {
+    return "<p>No medial cells, so no thickness.</p>\n";
+  }
+  TextTable table{ { "mean", FormatShort(thickness.mean) },
+                   { "standard deviation", FormatShort(thickness.standardDeviation) },
+                   { "smallest", FormatShort(thickness.minimum) },
+                   { "largest", FormatShort(thickness.maximum) } };
+  TextTable percentiles;
+  for (std::size_t i = 0; i < thickness.percentiles.size(); ++i)
+  {
+    percentiles.emplace_back(std::to_string(ThicknessSummary::Percents[i]) + " % of the cells up to",
+                             FormatShort(thickness.percentiles[i]));
+  }
+  std::string text = MakeHistogramSvg(thickness, unit) + "<div class=\"columns\">\n" + MakeRows(table, "number") +
+                     MakeRows(percentiles, "number") + "</div>\n<p class=\"muted\">Of " +
+                     std::to_string(thickness.cells) + " medial cells";
+  if (thickness.step > 1)
+  {
+    text += ", one of " + std::to_string(thickness.step);
+  }
+  text += ", in " + unit + ", measured on the binary object; lengths are multiples of " +
+          FormatNumber(thickness.resolution) + ".";
+  if (thickness.above > 0)
+  {
+    text += " " + std::to_string(thickness.above) + " cells are beyond the right end.";
+  }
+  return text + "</p>\n";
+}
+
+std::string
+FormatLimit(const std::optional<double> & limit)
+{
+  return limit ? FormatNumber(*limit) : "none";
+}
+
+TextTable
+DescribeInput(const VolumeHeader & header)
+{
+  return { { "file", header.fileName.filename().string() },
+           { "format", header.format },
+           { "resolution", FormatSize(header.geometry.size) },
+           { "spacing", FormatNumbers(header.geometry.spacing, " x ") },
+           { "type", std::string(GetTraits(header.pixelType).name) } };
+}
+
+TextTable
+DescribeParameters(const ExtractOptions & options)
+{
+  return { { "thickness (tau)", FormatNumber(options.thickness) },
+           { "lengths in", options.voxelUnits ? "voxels" : "units of the spacing" },
+           { "lower threshold", FormatLimit(options.lowerThreshold) },
+           { "upper threshold", FormatLimit(options.upperThreshold) },
+           { "bound", GetName(options.bound) } };
+}
+
+TextTable
+DescribeRun(const JobResult & result)
+{
+  return { { "distance", FormatSeconds(result.seconds.distance) },
+           { "classification", FormatSeconds(result.seconds.classification) },
+           { "reading and writing", FormatSeconds(result.seconds.inputOutput) },
+           { "total", FormatSeconds(result.seconds.total) },
+           { "peak memory", FormatBytes(result.peakMemoryBytes) },
+           { "bytes read", std::to_string(result.bytesRead) },
+           { "threads", std::to_string(result.plan.threads) },
+           { "divisions", std::to_string(result.plan.divisions) } };
+}
+
+std::string
+MakeCitation()
+{
+  return "<p>Please cite the paper and this software:</p>\n<pre>"
+         "T. Michikawa and H. Suzuki. Efficient Medial Voxel Extraction for Large Volumetric Models. 2012.\n"
+         "The MedialVoxel contributors. MedialVoxel, version " +
+         GetVersion() + ".</pre>\n";
+}
+
+} // namespace
+
+std::string
+MakeHtmlReport(const ExtractOptions & options, const JobResult & result, std::string_view png)
+{
+  const itk::MedialVoxelCounts & counts = result.sums.counts;
+  const std::string              name = Escape(result.input.fileName.filename().string());
+  const std::string              unit = options.voxelUnits ? "voxels" : "units of the spacing";
+  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Medial voxels of " +
+                     name + "</title>\n<style>\n" + Style + "</style>\n</head>\n<body>\n";
+  page += "<h1>Medial voxels of " + name + "</h1>\n<p>" +
+          std::to_string(counts.boundCells + counts.geodesicMedialCells) + " medial cells in " +
+          std::to_string(counts.objectVoxels) + " object voxels of " + FormatSize(result.input.geometry.size) +
+          ", thickness " + FormatNumber(options.thickness) + " " + unit + ".</p>\n";
+  page +=
+    "<h2>Picture</h2>\n<img alt=\"Slices with the medial cells, and the projection along z\" "
+    "src=\"data:image/png;base64," +
+    EncodeBase64(png) +
+    "\">\n<p class=\"muted\"><span class=\"object\"></span>object, <span class=\"bound\"></span>medial by the bound, "
+    "<span class=\"geodesic\"></span>medial by the geodesic search. The scale bar is in units of the spacing.</p>\n";
+  page += "<h2>Thickness of the walls</h2>\n" + MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit);
+  page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);
+  page += "<div class=\"columns\">\n<div><h2>Input</h2>\n" + MakeRows(DescribeInput(result.input), "text") +
+          "</div>\n<div><h2>Parameters</h2>\n" + MakeRows(DescribeParameters(options), "text") +
+          "</div>\n<div><h2>Versions</h2>\n" +
+          MakeRows({ { "MedialVoxel", GetVersion() }, { "ITK", GetItkVersion() } }, "text") + "</div>\n</div>\n";
+  page += "<h2>How to cite</h2>\n" + MakeCitation();
+  page += "<section id=\"run\">\n<h2>Run</h2>\n" + MakeRows(DescribeRun(result), "text") + "</section>\n";
+  return page + "</body>\n</html>\n";
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelHtmlReport_h
+#define medialvoxelHtmlReport_h
+
+#include "VolumeJob.h"
+
+#include <string>
+#include <string_view>
+
+namespace medialvoxel
+{
+
+/** The report of an extraction as one page that needs nothing beside itself: picture, phases, histogram of the
+ * thickness, parameters, versions, how to cite. What depends on the run and the machine stands in its last section.
+ * \param png the preview, as the bytes of a file */
+std::string
+MakeHtmlReport(const ExtractOptions & options, const JobResult & result, std::string_view png);
+
+/** A histogram as SVG, to stand in a page. Empty without cells. \param unit text behind the numbers of the axis */
+std::string
+MakeHistogramSvg(const ThicknessSummary & thickness, const std::string & unit);
+
+} // end namespace medialvoxel
+
+#endif

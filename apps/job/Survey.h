@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSurvey_h
+#define medialvoxelSurvey_h
+
+#include "PreviewLayout.h"
+#include "VolumeHeader.h"
+
+#include "itkMedialVoxelHistogram.h"
+#include "itkMedialVoxelThickness.h"
+#include "itkMedialVoxelTileObserver.h"
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** What a survey is to find out. */
+struct SurveySettings
+{
+  bool thickness{ false }; ///< of walls, at the medial cells
+  bool picture{ false };   ///< which slices to show, and the projection along the last axis
+
+  /** Voxels of the largest volume of which all medial cells are measured. */
+  std::uint64_t fullyMeasuredVoxels{ std::uint64_t{ 1 } << 27 };
+};
+
+/** \class Survey
+ * \brief Statistics of the medial cells, taken while the tiles of a run are at hand.
+ *
+ * All of it is sums of whole numbers and maxima, which do not depend on the order of the tiles. Memory depends on the
+ * size of the picture and on the length of the axes, and for a map of blocks that have an object on one bit for 16384
+ * voxels. Of larger volumes than the settings say only every n-th medial cell of a row is measured, n a power of two up
+ * to 64 that leaves no more than they say; where a row begins to count is a fixed function of its place. */
+class Survey : public itk::MedialVoxelTileObserver
+{
+public:
+  Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings);
+
+  void
+  Begin() override;
+
+  void
+  Observe(const itk::MedialVoxelClassifiedTile & tile) override;
+
+  void
+  Commit() override;
+
+  const SurveySettings &
+  GetSettings() const
+  {
+    return m_Settings;
+  }
+
+  /** Bins are a 64th of the smallest spacing of the grid. */
+  const itk::MedialVoxelHistogram &
+  GetThickness() const
+  {
+    return m_Total.thickness;
+  }
+
+  /** One of how many medial cells is measured. */
+  unsigned int
+  GetStep() const
+  {
+    return m_Step;
+  }
+
+  /** Index of the slice across \a axis that shows most of the sheets, among the inner nine tenths; the middle one when
+   * there are no medial cells.
+   *
+   * A sheet that a slice cuts across is a line in it; a sheet that lies in the slice is a blot that shows little. So
+   * a cell counts 2 for the slices that cut its wall, and -1 for the one across the direction of its wall. */
+  std::uint64_t
+  GetBestSlice(unsigned int axis) const;
+
+  /** False when all cells of the block of 64 x 16 x 16 that the cell is in are known to be 0. */
+  bool
+  MayHaveLabels(std::uint64_t x, std::uint64_t y, std::uint64_t z) const;
+
+  static constexpr unsigned int BlockShiftX = 6;
+  static constexpr unsigned int BlockShiftYZ = 4;
+
+  /** A pixel of the projection along the last axis, or a voxel where those are larger. */
+  struct ProjectedPixel
+  {
+    std::uint8_t  label{ 0 };       ///< largest label of all cells that it covers
+    std::uint32_t medialCells{ 0 }; ///< their number
+  };
+  using Projection = std::vector<ProjectedPixel>;
+
+  /** x fastest. */
+  const Projection &
+  GetProjection() const
+  {
+    return m_Total.projection;
+  }
+
+  const std::array<unsigned int, 2> &
+  GetProjectionSize() const
+  {
+    return m_ProjectionSize;
+  }
+
+  /** Memory that a survey takes. */
+  static std::uint64_t
+  GetBytes(const VolumeGeometry & geometry, const SurveySettings & settings);
+
+private:
+  struct SliceSums
+  {
+    std::int64_t  score{ 0 };
+    std::uint64_t cells{ 0 };
+  };
+
+  struct Sums
+  {
+    explicit Sums(double binWidth)
+      : thickness(binWidth)
+    {}
+    itk::MedialVoxelHistogram             thickness;
+    std::array<std::vector<SliceSums>, 3> slices;
+    Projection                            projection;
+  };
+
+  struct TileSums;
+
+  void
+  Resize(Sums & sums) const;
+
+  void
+  MeasureRow(const itk::MedialVoxelClassifiedTile & tile, const itk::MedialVoxelCellRow & row, TileSums & sums) const;
+
+  void
+  AddProjection(const TileSums & sums);
+
+  void
+  MarkBlock(const itk::MedialVoxelCellRow & row);
+
+  std::size_t
+  GetBlock(std::uint64_t x, std::uint64_t y, std::uint64_t z) const;
+
+  itk::MedialVoxelGrid                     m_Grid;
+  itk::MedialVoxelThickness                m_Kernel;
+  SurveySettings                           m_Settings;
+  unsigned int                             m_Step{ 1 };
+  std::array<unsigned int, 2>              m_ProjectionSize{ { 0, 0 } };
+  std::array<std::vector<unsigned int>, 2> m_PixelOf; ///< by axis and index
+  std::vector<bool>                        m_Blocks;
+  Sums                                     m_Pending;
+  Sums                                     m_Total;
+  std::mutex                               m_Mutex;
+};
+
+} // end namespace medialvoxel
+
+#endif

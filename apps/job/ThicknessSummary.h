@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelThicknessSummary_h
+#define medialvoxelThicknessSummary_h
+
+#include "itkMedialVoxelHistogram.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Thickness of the walls at the medial cells, in the units of the job's lengths. Without cells all is 0. */
+struct ThicknessSummary
+{
+  static constexpr std::array<unsigned int, 7> Percents{ 1, 5, 25, 50, 75, 95, 99 };
+
+  std::uint64_t                       cells{ 0 };        ///< measured ones
+  unsigned int                        step{ 1 };         ///< one of how many medial cells is measured
+  double                              resolution{ 0.0 }; ///< of the lengths below, but for mean and deviation
+  double                              mean{ 0.0 };
+  double                              standardDeviation{ 0.0 };
+  double                              minimum{ 0.0 };
+  double                              maximum{ 0.0 };
+  std::array<double, Percents.size()> percentiles{};
+
+  /** Bin k has the lengths that are nearest to k times the width. There are at most 64 bins; what is longer than they
+   * reach, less than one of two hundred cells, is counted as above. */
+  double                     binWidth{ 0.0 };
+  std::vector<std::uint64_t> bins;
+  std::uint64_t              above{ 0 };
+
+  double
+  GetMedian() const
+  {
+    return percentiles[3];
+  }
+};
+
+ThicknessSummary
+Summarize(const itk::MedialVoxelHistogram & histogram, unsigned int step);
+
+} // end namespace medialvoxel
+
+#endif

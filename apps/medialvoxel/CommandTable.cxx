@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "CommandTable.h"
+
+namespace medialvoxel
+{
+
+std::vector<const CLI::App *>
+GetCommands(const CLI::App & app)
+{
+  return app.get_subcommands([](const CLI::App * command) { return !command->get_group().empty(); });
+}
+
+bool
+HasValue(const CLI::Option & option)
+{
+  return option.get_items_expected_max() > 0;
+}
+
+const std::vector<std::string> &
+GetChoices(const CommandLine & line, const CLI::Option & option)
+{
+  static const std::vector<std::string> none;
+  const auto                            found = line.choices.find(&option);
+  return found == line.choices.end() ? none : found->second;
+}
+
+/** Positional arguments, or the others, in the order of their definition. */
+Options
+GetOptions(const CLI::App & app, bool positional)
+{
+  return app.get_options([positional](const CLI::Option * option) { return option->get_positional() == positional; });
+}
+
+/** "--threads N". */
+std::string
+GetUsage(const CLI::Option & option)
+{
+  const std::string name = option.get_positional() ? option.get_name(true) : option.get_name(false, true);
+  return !option.get_positional() && HasValue(option) ? name + " " + option.get_type_name() : name;
+}
+
+} // end namespace medialvoxel

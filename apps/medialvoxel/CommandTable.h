@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelCommandTable_h
+#define medialvoxelCommandTable_h
+
+#include "CommandLine.h"
+
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+using Options = std::vector<const CLI::Option *>;
+
+/** The commands that users are told of. */
+std::vector<const CLI::App *>
+GetCommands(const CLI::App & app);
+
+bool
+HasValue(const CLI::Option & option);
+
+/** Names that the option takes; empty when it takes others. */
+const std::vector<std::string> &
+GetChoices(const CommandLine & line, const CLI::Option & option);
+
+/** Positional arguments, or the others, in the order of their definition. */
+Options
+GetOptions(const CLI::App & app, bool positional);
+
+/** "--threads N". */
+std::string
+GetUsage(const CLI::Option & option);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,155 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The page: it needs nothing beside itself, has the same bytes for any division, and a browser shows it."""
+
+import base64
+import html.parser
+import re
+import shutil
+import subprocess
+import unittest
+
+import volumes
+from program import ProgramTestCase
+
+BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+RUN = re.compile(r'<section id="run">.*</section>', re.DOTALL)
+
+# Fails on whatever the page wants to have from elsewhere, and tells how large its parts came out.
+PROBE = """<script>
+window.addEventListener("load", () => {
+  const image = document.querySelector("img"), chart = document.querySelector("svg");
+  document.title = ["loaded", image.naturalWidth, chart ? chart.getBoundingClientRect().height : 0,
+    document.documentElement.scrollWidth <= window.innerWidth, performance.getEntriesByType("resource")
+    .filter(entry => !entry.name.startsWith("data:")).length].join(" ");
+});
+window.addEventListener("error", event => { document.title = "error " + event.message; });
+</script>"""
+
+
+class Page(html.parser.HTMLParser):
+    """Checks that all elements are closed; collects attributes and text."""
+
+    VOID = {"meta", "img", "rect", "line"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.attributes, self.words = [], [], ""
+        self.feed(text)
+        self.close()
+        assert not self.open, self.open
+
+    def handle_starttag(self, tag, attributes):
+        self.attributes += [(tag, *attribute) for attribute in attributes]
+        if tag not in {"meta", "img"}:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.attributes += [(tag, *attribute) for attribute in attributes]
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, (tag, self.open)
+        self.open.pop()
+
+    def handle_data(self, data):
+        self.words += data
+
+
+class HtmlTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        self.volume = volumes.box_with_plate(size=(60, 50, 40))
+        volumes.write_meta(self.folder / "in.mha", self.volume)
+
+    def page(self, *arguments, source="in.mha"):
+        self.extract(source, "out.mha", "--html", "r.html", "--overwrite", *arguments)
+        return (self.folder / "r.html").read_text(errors="replace")
+
+    def test_contents(self):
+        text = self.page("--lower", 72, "--preview", "p.png")
+        page = Page(text)
+        for words in (
+            "Medial voxels of in.mha",
+            "Thickness of the walls",
+            "geodesic search: not medial",
+            "free-space",
+            "ITK",
+            "Michikawa and H. Suzuki",
+            "peak memory",
+            "60 x 50 x 40",
+        ):
+            self.assertIn(words, page.words)
+        source = next(value for tag, name, value in page.attributes if (tag, name) == ("img", "src"))
+        kind, data = source.split(",", 1)
+        self.assertEqual(kind, "data:image/png;base64")
+        self.assertEqual(base64.b64decode(data, validate=True), (self.folder / "p.png").read_bytes())
+
+    def test_needs_nothing_from_elsewhere(self):
+        text = self.page("--lower", 72)
+        self.assertNotRegex(text, r"https?:|//[a-z]+\.|@import|url\(|<script|<link|<iframe")
+        for tag, name, value in Page(text).attributes:
+            if name in ("src", "href", "srcset", "data", "action"):
+                self.assertTrue(value.startswith("data:"), (tag, name))
+
+    def test_picture_of_the_page_without_a_preview_of_its_own(self):
+        self.assertEqual(
+            RUN.sub("", self.page("--lower", 72)), RUN.sub("", self.page("--lower", 72, "--preview", "p.png"))
+        )
+
+    def test_division_and_threads_do_not_change_it(self):
+        whole = RUN.sub("", self.page("--lower", 72, "--threads", 1))
+        self.assertEqual(RUN.sub("", self.page("--lower", 72, "--threads", 4, "--divisions", 7)), whole)
+        self.assertEqual(RUN.sub("", self.page("--lower", 72, "--divisions", 40, "--distance", "d.mha")), whole)
+
+    def test_names_and_volumes_that_are_unusual(self):
+        (self.folder / "in.mha").rename(self.folder / 'a <b> & "c".mha')
+        page = Page(self.page(source='a <b> & "c".mha'))
+        self.assertIn('a <b> & "c".mha', page.words)
+        flat = volumes.Volume((30, 30), [])
+        flat.voxels = [1 if 10 <= y < 14 else 0 for _, y in flat.indices()]
+        volumes.write_meta(self.folder / "flat.mha", flat)
+        self.assertIn("mean", Page(self.page(source="flat.mha")).words)
+        empty = volumes.Volume((9, 8, 7), [0] * 504)
+        volumes.write_meta(self.folder / "empty.mha", empty)
+        self.assertIn("No medial cells", Page(self.page(source="empty.mha")).words)
+
+    def test_extension(self):
+        self.assert_fails(
+            2, ["r.txt", "unknown format", ".html"], "extract", "in.mha", "o.mha", "--thickness", 3, "--html", "r.txt"
+        )
+
+    @unittest.skipUnless(BROWSER, "Chromium is not installed: the page is not shown in a browser")
+    def test_browser_shows_it(self):
+        page = self.page("--lower", 72)
+        path = self.folder / "probe.html"
+        path.write_text(page.replace("</head>", PROBE + "</head>"))
+        browser = [
+            BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--window-size=1100,2000",
+            f"--user-data-dir={self.folder / 'browser'}", "--enable-logging=stderr", "--v=0",
+            "--host-resolver-rules=MAP * ~NOTFOUND",
+        ]  # fmt: skip
+        result = subprocess.run(
+            [*browser, "--dump-dom", path.as_uri()], capture_output=True, text=True, timeout=120, check=True
+        )
+        loaded = re.search(r"<title>loaded (\d+) ([\d.]+) (\w+) (\d+)</title>", result.stdout)
+        self.assertIsNotNone(loaded, result.stdout[:500] + result.stderr)
+        self.assertGreater(int(loaded[1]), 400, "width of the picture")
+        self.assertGreater(float(loaded[2]), 100, "height of the histogram")
+        self.assertEqual(loaded[3], "true", "the page is not wider than the window")
+        self.assertEqual(loaded[4], "0", "resources from elsewhere")
+        self.assertNotIn("CONSOLE", result.stderr)
+        path.write_text(path.read_text().replace("</body>", '<img src="missing.png"><script>nothing()</script></body>'))
+        planted = subprocess.run(
+            [*browser, "--dump-dom", path.as_uri()], capture_output=True, text=True, timeout=120, check=True
+        )
+        self.assertIn("CONSOLE", planted.stderr, "errors of a page are seen")
+        screenshot = self.folder / "page.png"
+        path.write_text(page)
+        subprocess.run(
+            [*browser, f"--screenshot={screenshot}", path.as_uri()], capture_output=True, timeout=120, check=True
+        )
+        self.assertGreater(screenshot.stat().st_size, 20000)
+
+
+if __name__ == "__main__":
+    unittest.main()

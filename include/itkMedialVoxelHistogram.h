@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelHistogram_h
+#define itkMedialVoxelHistogram_h
+
+#include "MedialVoxelExport.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelHistogram
+ * \brief Numbers of lengths, rounded to multiples of a bin width, and what follows from them.
+ *
+ * Whole numbers in bins that are fixed from the start are all that is kept. Sums of whole numbers do not depend on
+ * their order, so that every result has the same bits for any division of the work; sums of lengths would not. The
+ * rounding is the price: percentiles, minimum and maximum are multiples of the width, and the mean is off by less than
+ * half of it, mostly by far less. Multiples are the middles of the bins, so that whole voxels come out exactly.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelHistogram
+{
+public:
+  /** \param binWidth positive and finite, in the units of the lengths */
+  explicit MedialVoxelHistogram(double binWidth);
+
+  double
+  GetBinWidth() const
+  {
+    return m_BinWidth;
+  }
+
+  /** Number of the bin of a length, which is finite and not negative. */
+  std::size_t
+  GetBin(double length) const
+  {
+    return static_cast<std::size_t>(length / m_BinWidth + 0.5);
+  }
+
+  void
+  Add(std::size_t bin, std::uint64_t number = 1);
+
+  /** Adds the numbers of a histogram of the same width. */
+  void
+  Add(const MedialVoxelHistogram & other);
+
+  void
+  Clear();
+
+  std::uint64_t
+  GetTotal() const
+  {
+    return m_Total;
+  }
+
+  /** Numbers by bin; bin k stands for k times the width; the last one is not zero. */
+  const std::vector<std::uint64_t> &
+  GetNumbers() const
+  {
+    return m_Numbers;
+  }
+
+  /** Of no lengths, all of these are 0. */
+  double
+  GetMean() const;
+  double
+  GetStandardDeviation() const;
+  double
+  GetMinimum() const;
+  double
+  GetMaximum() const;
+
+  /** The smallest length that at least \a percent of all lengths do not exceed; \a percent from 0 to 100. */
+  double
+  GetPercentile(double percent) const;
+
+private:
+  double                     m_BinWidth;
+  std::uint64_t              m_Total{ 0 };
+  std::vector<std::uint64_t> m_Numbers;
+};
+
+} // end namespace itk
+
+#endif

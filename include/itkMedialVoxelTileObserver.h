@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelTileObserver_h
+#define itkMedialVoxelTileObserver_h
+
+#include "itkMedialVoxelClassifier.h"
+
+#include "MedialVoxelExport.h"
+
+#include <vector>
+
+namespace itk
+{
+
+/** \struct MedialVoxelClassifiedTile
+ * \brief All that is known of a tile whose cells are decided.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelClassifiedTile
+{
+  const MedialVoxelBox &                  box;
+  const MedialVoxelWindow &               window;     ///< object bits and boundary around the tile
+  const MedialVoxelFeatures &             features;   ///< displacements to the nearest boundary points
+  const MedialVoxelClassifier &           classifier; ///< finds the pair of a cell again
+  const std::vector<MedialVoxelCellRow> & rows;       ///< the cells with an object corner, by rows
+};
+
+/** \class MedialVoxelTileObserver
+ * \brief Sees each tile while its data are at hand, so that statistics need no second pass.
+ *
+ * An execution tells Begin(), then Observe() for every tile with an object, in any order and from several threads at
+ * a time, and at last Commit(). What was observed since Begin() counts only with Commit(): an execution that fails is
+ * begun again with other regions.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelTileObserver
+{
+public:
+  virtual ~MedialVoxelTileObserver();
+
+  virtual void
+  Begin() = 0;
+
+  virtual void
+  Observe(const MedialVoxelClassifiedTile & tile) = 0;
+
+  virtual void
+  Commit() = 0;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelHistogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace itk
+{
+
+MedialVoxelHistogram::MedialVoxelHistogram(const double binWidth)
+  : m_BinWidth(binWidth)
+{
+  if (!(binWidth > 0.0) || !std::isfinite(binWidth))
+  {
+    throw std::invalid_argument("The width of the bins must be positive and finite.");
+  }
+}
+
+void
+MedialVoxelHistogram::Add(const std::size_t bin, const std::uint64_t number)
+{
+  if (number == 0)
+  {
+    return;
+  }
+  if (bin >= m_Numbers.size())
+  {
+    m_Numbers.resize(bin + 1, 0);
+  }
+  m_Numbers[bin] += number;
+  m_Total += number;
+}
+
+void
+MedialVoxelHistogram::Add(const MedialVoxelHistogram & other)
+{
+  for (std::size_t bin = 0; bin < other.m_Numbers.size(); ++bin)
+  {
+    this->Add(bin, other.m_Numbers[bin]);
+  }
+}
+
+void
+MedialVoxelHistogram::Clear()
+{
+  m_Numbers.clear();
+  m_Total = 0;
+}
+
+double
+MedialVoxelHistogram::GetMean() const
+{
+  double sum = 0.0;
+  for (std::size_t bin = 0; bin < m_Numbers.size(); ++bin)
+  {
+    sum += static_cast<double>(m_Numbers[bin]) * static_cast<double>(bin);
+  }
+  return m_Total == 0 ? 0.0 : sum / static_cast<double>(m_Total) * m_BinWidth;
+}
+
+double
+MedialVoxelHistogram::GetStandardDeviation() const
+{
+  const double mean = this->GetMean() / m_BinWidth;
+  double       sum = 0.0;
+  for (std::size_t bin = 0; bin < m_Numbers.size(); ++bin)
+  {
+    const double deviation = static_cast<double>(bin) - mean;
+    sum += static_cast<double>(m_Numbers[bin]) * (deviation * deviation);
+  }
+  return m_Total == 0 ? 0.0 : std::sqrt(sum / static_cast<double>(m_Total)) * m_BinWidth;
+}
+
+double
+MedialVoxelHistogram::GetMinimum() const
+{
+  const auto first = std::find_if(m_Numbers.begin(), m_Numbers.end(), [](const auto number) { return number > 0; });
+  return m_Total == 0 ? 0.0 : static_cast<double>(first - m_Numbers.begin()) * m_BinWidth;
+}
+
+double
+MedialVoxelHistogram::GetMaximum() const
+{
+  return m_Total == 0 ? 0.0 : static_cast<double>(m_Numbers.size() - 1) * m_BinWidth;
+}
+
+double
+MedialVoxelHistogram::GetPercentile(const double percent) const
+{
+  if (!(percent >= 0.0) || percent > 100.0)
+  {
+    throw std::invalid_argument("A percentile is asked for by a number from 0 to 100.");
+  }
+  const double  wanted = std::max(1.0, std::ceil(percent * static_cast<double>(m_Total) / 100.0));
+  std::uint64_t below = 0;
+  for (std::size_t bin = 0; bin < m_Numbers.size(); ++bin)
+  {
+    below += m_Numbers[bin];
+    if (static_cast<double>(below) >= wanted)
+    {
+      return static_cast<double>(bin) * m_BinWidth;
+    }
+  }
+  return 0.0;
+}
+
+} // end namespace itk
