@@ -35,10 +35,14 @@ public:
     Undecided   // not for this class to say
   };
 
+  /** True for solid volumes with equal spacings and thresholds in the range of this class. */
+  static bool
+  Covers(const MedialVoxelGrid & grid, double epsilon);
+
   /** \a epsilon is the threshold in physical units, positive and finite. */
   MedialVoxelBitFlood(const MedialVoxelGrid & grid, double epsilon);
 
-  /** False when every pair is undecided. */
+  /** False when every pair is undecided: for what is not covered, and for thresholds that a path length meets. */
   bool
   IsAvailable() const
   {

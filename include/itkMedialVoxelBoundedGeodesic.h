@@ -54,10 +54,9 @@ public:
   bool
   ReachesThreshold(const MedialVoxelIndex & a, const MedialVoxelIndex & b, Workspace & workspace) const;
 
-  /** Bytes that a workspace grows to when an eighth of the voxels of the largest search box are boundary points.
-   * \param reach  voxels along each axis that have the physical length epsilon / 2 */
+  /** Bytes that a workspace grows to when an eighth of the voxels of the largest search box are boundary points. */
   static std::uint64_t
-  GetWorkspaceBytes(const MedialVoxelIndex & reach);
+  GetWorkspaceBytes(const MedialVoxelGrid & grid, double epsilon);
 
 private:
   enum class FloodResult

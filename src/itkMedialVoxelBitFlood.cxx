@@ -20,17 +20,21 @@ constexpr std::int64_t PlaneEdge = 8;
 
 } // namespace
 
+bool
+MedialVoxelBitFlood::Covers(const MedialVoxelGrid & grid, const double epsilon)
+{
+  const bool isSolid = grid.IsActive(0) && grid.IsActive(1) && grid.IsActive(2);
+  return isSolid && grid.HasEqualSpacing() && epsilon > grid.GetLongestEdge() &&
+         epsilon * (1.0 + Band) < static_cast<double>(Reach + 1) * grid.GetShortestEdge();
+}
+
 MedialVoxelBitFlood::MedialVoxelBitFlood(const MedialVoxelGrid & grid, const double epsilon)
 {
-  const double edge = grid.GetShortestEdge();
-  const bool   isSolid = grid.IsActive(0) && grid.IsActive(1) && grid.IsActive(2);
-  const bool   isInRange =
-    epsilon > grid.GetLongestEdge() && epsilon * (1.0 + Band) < static_cast<double>(Reach + 1) * edge;
-  if (!isSolid || !grid.HasEqualSpacing() || !isInRange || !this->FindLengths(grid, epsilon))
+  if (!Covers(grid, epsilon) || !this->FindLengths(grid, epsilon))
   {
     return;
   }
-  m_MostEdges = static_cast<std::int64_t>(epsilon / edge);
+  m_MostEdges = static_cast<std::int64_t>(epsilon / grid.GetShortestEdge());
   m_ShortEdges = static_cast<std::int64_t>(epsilon / grid.GetLongestEdge());
   this->FindWindows(grid, epsilon);
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelBoundedGeodesic.h"
 
+#include "itkMedialVoxelBitFlood.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,10 +50,20 @@ EighthOfVoxels(const MedialVoxelIndex & size, const MedialVoxelIndex & reach)
   return voxels / 8;
 }
 
-std::uint64_t
-MostNodesOfTile(const MedialVoxelIndex & reach)
+/** Voxels along each axis that have half of the length of the threshold. */
+MedialVoxelIndex
+ReachOf(const MedialVoxelGrid & grid, const double epsilon)
 {
-  return std::min(MostNodes, EighthOfVoxels(PlannedTile, reach));
+  return grid.MarginForMetricLength(0.5 * epsilon / grid.GetMetricUnit());
+}
+
+/** None where floods leave hardly anything to search. */
+std::uint64_t
+MostNodesOfTile(const MedialVoxelGrid & grid, const double epsilon)
+{
+  return MedialVoxelBitFlood::Covers(grid, epsilon)
+           ? 0
+           : std::min(MostNodes, EighthOfVoxels(PlannedTile, ReachOf(grid, epsilon)));
 }
 
 } // namespace
@@ -63,7 +75,7 @@ MedialVoxelBoundedGeodesic::MedialVoxelBoundedGeodesic(const MedialVoxelGrid & g
   , m_Lower(epsilon * (1.0 - Band))
   , m_Upper(epsilon * (1.0 + Band))
   , m_Radius(1.4 * m_Upper)
-  , m_MostNodesOfTile(MostNodesOfTile(grid.MarginForMetricLength(0.5 * epsilon / grid.GetMetricUnit())))
+  , m_MostNodesOfTile(MostNodesOfTile(grid, epsilon))
 {}
 
 MedialVoxelBox
@@ -103,7 +115,8 @@ MedialVoxelBoundedGeodesic::Begin(const MedialVoxelBits & boundary,
   // Pairs of a cell lie around it: half of epsilon for their paths, and half of that for oblique walls.
   const MedialVoxelIndex margin = m_Grid.MarginForMetricLength(0.75 * m_Epsilon / m_Grid.GetMetricUnit());
   workspace.m_Boundary = &boundary;
-  workspace.m_TileBox = tile.Expanded(margin).Intersection(boundary.GetBox());
+  workspace.m_TileBox =
+    m_MostNodesOfTile == 0 ? MedialVoxelBox{} : tile.Expanded(margin).Intersection(boundary.GetBox());
   workspace.m_MostNodesOfTile = m_MostNodesOfTile;
   workspace.m_Tile.graph.Clear();
   workspace.m_Elsewhere.graph.Clear();
@@ -287,12 +300,12 @@ MedialVoxelBoundedGeodesic::Search(const MedialVoxelIndex & a,
 }
 
 std::uint64_t
-MedialVoxelBoundedGeodesic::GetWorkspaceBytes(const MedialVoxelIndex & reach)
+MedialVoxelBoundedGeodesic::GetWorkspaceBytes(const MedialVoxelGrid & grid, const double epsilon)
 {
   constexpr std::uint64_t bytesPerRegionNode =
     MedialVoxelBoundaryGraph::BytesPerNode + MedialVoxelGeodesicLandmarks::BytesPerNode;
-  const std::uint64_t elsewhere = EighthOfVoxels({ { 1, 1, 1 } }, reach);
-  const std::uint64_t tile = MostNodesOfTile(reach);
+  const std::uint64_t elsewhere = EighthOfVoxels({ { 1, 1, 1 } }, ReachOf(grid, epsilon));
+  const std::uint64_t tile = MostNodesOfTile(grid, epsilon);
   return (tile + elsewhere) * bytesPerRegionNode +
          std::max(tile, elsewhere) * MedialVoxelBoundaryDistances::BytesPerNode;
 }

@@ -36,14 +36,12 @@ struct MedialVoxelClassifier::Cells
 namespace
 {
 
-/** Thresholds in voxels below which floods are complete, and the one for which they are cheap. */
-constexpr double CompleteFlood = 8.0;
-constexpr double CheapFlood = 4.75;
-
+/** The threshold itself, or that in voxels for which floods are cheap: paths below it are below larger ones too. */
 double
 FloodEpsilon(const MedialVoxelGrid & grid, const double epsilon)
 {
-  return epsilon < CompleteFlood * grid.GetMetricUnit() ? epsilon : CheapFlood * grid.GetMetricUnit();
+  constexpr double cheapFlood = 4.75;
+  return MedialVoxelBitFlood::Covers(grid, epsilon) ? epsilon : std::min(epsilon, cheapFlood * grid.GetMetricUnit());
 }
 
 } // namespace

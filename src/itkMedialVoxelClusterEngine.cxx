@@ -106,7 +106,7 @@ MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid & gr
     settings.halo[axis] += reach[axis];
   }
   settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel + sizeof(std::uint8_t);
-  settings.workerBytes = MedialVoxelBoundedGeodesic::GetWorkspaceBytes(reach);
+  settings.workerBytes = MedialVoxelBoundedGeodesic::GetWorkspaceBytes(grid, epsilon);
   return settings;
 }
 

@@ -12,11 +12,11 @@ set(L1
     SiteKey
     RowPass
     DualCell
+    BitFlood
     BoundaryGraph
     BoundaryDistances
     GeodesicLandmarks
     BoundedGeodesic
-    BitFlood
     PairChoice
     Thickness)
 set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileObserver)
