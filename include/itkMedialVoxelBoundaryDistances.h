@@ -29,11 +29,20 @@ public:
   static constexpr double NotReached = std::numeric_limits<double>::infinity();
 
   /** Bytes of memory for each point of the graph. */
-  static constexpr std::uint64_t BytesPerNode = sizeof(double) + 2 * sizeof(NodeType);
+  static constexpr std::uint64_t BytesPerNode = sizeof(double) + 3 * sizeof(NodeType);
 
   /** Find the points within \a radius, in physical units, of \a source. */
   void
   Compute(const MedialVoxelBoundaryGraph & graph, const MedialVoxelGrid & grid, NodeType source, double radius);
+
+  /** Find the length to \a target if it is at most \a radius; other points that cannot be on such a path are left out.
+   */
+  void
+  ComputeTowards(const MedialVoxelBoundaryGraph & graph,
+                 const MedialVoxelGrid &          grid,
+                 NodeType                         source,
+                 NodeType                         target,
+                 double                           radius);
 
   /** Lengths in physical units, by point; sums of edge lengths in floating point. */
   const std::vector<double> &
@@ -43,7 +52,17 @@ public:
   }
 
 private:
+  /** Leave out edges to points for which \a isOfUse(point, length) is false, and end when \a isDone(bucket) is true. */
+  template <typename TIsOfUse, typename TIsDone>
+  void
+  Search(const MedialVoxelBoundaryGraph & graph,
+         const MedialVoxelGrid &          grid,
+         NodeType                         source,
+         TIsOfUse &&                      isOfUse,
+         TIsDone &&                       isDone);
+
   std::vector<double>                m_Lengths;
+  std::vector<NodeType>              m_Reached; // points that have a length
   std::vector<std::vector<NodeType>> m_Buckets;
 };
 

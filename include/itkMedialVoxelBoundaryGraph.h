@@ -64,6 +64,18 @@ public:
     return this->NodeAt(this->PositionOf(index));
   }
 
+  /** The boundary point with a number. */
+  MedialVoxelIndex
+  IndexOf(const NodeType node) const
+  {
+    const auto position = static_cast<std::int64_t>(m_Positions[node]);
+    const auto row = position / m_BitsPerRow;
+    const auto slice = row / m_RowsPerSlice;
+    return { { m_Box.lower[0] - 1 + position - row * m_BitsPerRow,
+               m_Box.lower[1] - 1 + row - slice * m_RowsPerSlice,
+               m_Box.lower[2] - 1 + slice } };
+  }
+
   /** True when a path inside the box joins the two points. */
   bool
   AreConnected(const NodeType a, const NodeType b) const

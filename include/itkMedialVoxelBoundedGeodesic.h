@@ -92,7 +92,8 @@ private:
   double m_Lower;
   double m_Upper;
 
-  /** Searches go on to this length, so that their results serve other pairs too. */
+  /** Searches go on to a radius where their results are to serve other pairs too. */
+  bool   m_HasLandmarks;
   double m_Radius;
 
   /** Most boundary points in a graph for a whole tile. */

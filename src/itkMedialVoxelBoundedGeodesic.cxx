@@ -26,6 +26,9 @@ constexpr double Band = 1e-9;
 /** Edge of the box that fits a word per plane. */
 constexpr std::int64_t FloodSize = 8;
 
+/** Searches over fewer edges cost less than keeping their results. */
+constexpr double FewEdges = 8.0;
+
 /** Size of the tiles that the region around a tile is planned for. */
 constexpr MedialVoxelIndex PlannedTile{ { 128, 32, 32 } };
 
@@ -74,6 +77,7 @@ MedialVoxelBoundedGeodesic::MedialVoxelBoundedGeodesic(const MedialVoxelGrid & g
   , m_Epsilon(epsilon)
   , m_Lower(epsilon * (1.0 - Band))
   , m_Upper(epsilon * (1.0 + Band))
+  , m_HasLandmarks(epsilon > FewEdges * grid.GetShortestEdge())
   , m_Radius(1.4 * m_Upper)
   , m_MostNodesOfTile(MostNodesOfTile(grid, epsilon))
 {}
@@ -289,8 +293,15 @@ MedialVoxelBoundedGeodesic::Search(const MedialVoxelIndex & a,
   {
     return known == MedialVoxelGeodesicLandmarks::Result::Longer;
   }
-  workspace.m_Distances.Compute(region.graph, m_Grid, source, m_Radius);
-  region.landmarks.Add(workspace.m_Distances.GetLengths(), m_Radius);
+  if (m_HasLandmarks)
+  {
+    workspace.m_Distances.Compute(region.graph, m_Grid, source, m_Radius);
+    region.landmarks.Add(workspace.m_Distances.GetLengths(), m_Radius);
+  }
+  else
+  {
+    workspace.m_Distances.ComputeTowards(region.graph, m_Grid, source, target, m_Upper);
+  }
   const double length = workspace.m_Distances.GetLengths()[target];
   if (length < m_Lower || length > m_Upper)
   {

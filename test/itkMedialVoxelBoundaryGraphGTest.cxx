@@ -89,6 +89,7 @@ TEST(MedialVoxelBoundaryGraph, HasTheNeighborsAndComponentsOfTheBox)
     for (NodeType node = 0; node < sites.size(); ++node)
     {
       ASSERT_EQ(graph.NodeOf(KernelIndex(sites[node])), node);
+      ASSERT_EQ(graph.IndexOf(node), KernelIndex(sites[node]));
       const auto  distances = oracle.DistancesFrom(static_cast<int>(node));
       std::size_t neighbors = 0;
       for (NodeType other = 0; other < sites.size(); ++other)
@@ -152,6 +153,34 @@ TEST(MedialVoxelBoundaryDistances, AreThoseOfPlainDijkstra)
         {
           ASSERT_EQ(distances.GetLengths()[node], itk::MedialVoxelBoundaryDistances::NotReached);
         }
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelBoundaryDistances, EndAtTheTarget)
+{
+  unsigned int seed = 825;
+  for (const Case & testCase : Cases())
+  {
+    const Volume                      volume(Size, testCase.spacing);
+    const auto                        grid = GridOf(volume);
+    const auto                        sites = SitesIn(ScatteredSites(Size, testCase.oneIn, ++seed), testCase.box);
+    const BoundaryGraph               oracle(volume, sites);
+    itk::MedialVoxelBoundaryGraph     graph;
+    itk::MedialVoxelBoundaryDistances distances;
+    ASSERT_TRUE(graph.Build(SiteBits(sites, grid.GetVoxelBox()), testCase.box, sites.size()));
+    const auto expected = oracle.DistancesFrom(0);
+    for (NodeType target = 0; target < sites.size(); target += 3)
+    {
+      distances.ComputeTowards(graph, grid, 0, target, 9.0);
+      if (expected[target] <= 9.0)
+      {
+        ASSERT_NEAR(distances.GetLengths()[target], expected[target], 1e-12);
+      }
+      else
+      {
+        ASSERT_EQ(distances.GetLengths()[target], itk::MedialVoxelBoundaryDistances::NotReached);
       }
     }
   }
