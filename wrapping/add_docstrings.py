@@ -3,6 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Puts the Doxygen comments of the headers into the docstrings of the Python classes that SWIG made.
 
+Filters, which ITK offers as one object for all types of images, get a docstring on that object too.
+
 Usage: add_docstrings.py INCLUDE-FOLDER PYTHON-FOLDER
 The Python files named after the headers are rewritten; a second run changes nothing.
 """
@@ -12,11 +14,12 @@ import re
 import sys
 import textwrap
 
+BASE = "MedialVoxelImageFilterBase"
+FILTERS = ("MedialVoxelImageFilter", "VectorDistanceMapImageFilter")
 CLASSES = (
     "MedialVoxelEnums",
-    "MedialVoxelImageFilterBase",
-    "MedialVoxelImageFilter",
-    "VectorDistanceMapImageFilter",
+    BASE,
+    *FILTERS,
     "StreamingNrrdImageIO",
     "StreamingNrrdImageIOFactory",
     "StreamingRawImageIO",
@@ -76,6 +79,23 @@ def extend_docstring(code, header, text):
     return re.sub(pattern, replace, code, flags=re.DOTALL | re.MULTILINE)
 
 
+def describe_parameters(members, code):
+    """The arguments of the function, which are the setters that are wrapped, with the text that each has."""
+    for name, text in members.items():
+        if name.startswith("Set") and f"def {name}(" in code:
+            argument = re.sub(r"(?<!^)(?=[A-Z])", "_", name.removeprefix("Set")).lower()
+            yield textwrap.fill(" ".join(text.split()), 116, initial_indent=f"{argument}: ", subsequent_indent="    ")
+
+
+def template_docstring(name, class_text, parameters):
+    """Code that gives the object of all types its docstring, whoever makes the object first."""
+    text = "\n".join([class_text, "", "Parameters:", *parameters])
+    return (
+        "\n\nfrom itk.support.template_class import itkTemplate as _itkTemplate\n\n"
+        f'_itkTemplate("itk::{name}").__doc__ = r"""{text}\n"""\n'
+    )
+
+
 def main():
     if len(sys.argv) != 3:
         sys.exit(__doc__)
@@ -90,6 +110,10 @@ def main():
         if MARK.strip() in code and not name.endswith("Factory"):
             continue
         code = extend_docstring(code, rf"class itk{name}(?!Factory|Base)\w*\b", class_text)
+        if name in FILTERS:
+            all_members = {**members, **read_header(include / f"itk{BASE}.h")[1]}
+            all_code = code + (package / f"itk{BASE}Python.py").read_text(encoding="utf-8")
+            code += template_docstring(name, class_text, describe_parameters(all_members, all_code))
         for member, text in members.items():
             code = extend_docstring(code, rf"def {member}\(", text)
         if code != before:

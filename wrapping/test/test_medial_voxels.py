@@ -112,9 +112,13 @@ class MedialVoxels(unittest.TestCase):
         np.testing.assert_array_equal(itk.array_view_from_image(pieces.GetOutput()), expected)
 
     def test_help_tells_what_is_needed(self):
-        text = pydoc.render_doc(itk.MedialVoxelImageFilter[itk.Image[itk.UC, 3], itk.Image[itk.UC, 3]])
-        for words in ("dual cell", "physical units", "default 3", "Michikawa", "Object (default"):
-            self.assertIn(words.lower(), " ".join(text.split()).lower())
+        instantiated = itk.MedialVoxelImageFilter[itk.Image[itk.UC, 3], itk.Image[itk.UC, 3]]
+        for thing in (itk.MedialVoxelImageFilter, instantiated):
+            text = " ".join(pydoc.render_doc(thing).split()).lower()
+            for words in ("dual cell", "physical units", "default 3", "Michikawa", "Object (default"):
+                self.assertIn(words.lower(), text)
+        text = pydoc.render_doc(itk.VectorDistanceMapImageFilter)
+        self.assertIn("maximum_distance: ", text)
 
 
 class NothingToFind(unittest.TestCase):
