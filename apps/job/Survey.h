@@ -25,7 +25,7 @@ struct SurveySettings
   bool picture{ false };   ///< which slices to show, and the projection along the last axis
 
   /** Voxels of the largest volume of which all medial cells are measured. */
-  std::uint64_t fullyMeasuredVoxels{ std::uint64_t{ 1 } << 27 };
+  std::uint64_t fullyMeasuredVoxels{ std::uint64_t{ 1 } << 25 };
 };
 
 /** \class Survey

@@ -242,8 +242,8 @@ TEST(Survey, OfLargeVolumesEverySoManyCellIsMeasured)
       .GetStep();
   };
   EXPECT_EQ(stepOf(100), 1u);
-  EXPECT_EQ(stepOf(512), 1u);
-  EXPECT_EQ(stepOf(513), 2u);
+  EXPECT_EQ(stepOf(322), 1u);
+  EXPECT_EQ(stepOf(323), 2u);
   EXPECT_EQ(stepOf(4000), 64u);
 }
 
