@@ -10,7 +10,8 @@ also tell the CPU seconds of the call alone, without start and reading; plots an
 and the floor the whole process.
 
 A program that would take longer than --limit or more memory than there is, judged by its last smaller volume, and one
-that is not installed, is named under "skipped". Slow ones run in as many rounds as --budget allows, at least once.
+that is not installed, is named under "skipped" or "missing". Slow peers run in as many rounds as --budget allows, at
+least once; the program, its transform and the floor run in all.
 
 Usage: bench/compare_peers.py BUILD [options]
        bench/compare_peers.py BUILD --make-environment VENV     installs the peers of PyPI into VENV, then measures
@@ -18,6 +19,7 @@ Usage: bench/compare_peers.py BUILD [options]
 
 import argparse
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -31,6 +33,7 @@ import time
 import run_benchmarks as common
 
 NAME = "compare_peers.py"
+ALWAYS = {"floor", "extract_1", "extract_2", "vector_distance"}
 PEERS = pathlib.Path(__file__).resolve().with_name("peers.py")
 SYSTEM_PYTHON = "/usr/bin/python3"
 PYPI_PEERS = ("numpy", "scipy", "edt", "scikit-image", "itk-thickness3d", "matplotlib")
@@ -87,7 +90,7 @@ def parse_arguments():
                         help="volume of scripts/demo; default: build/demo-data/cranium.raw")  # fmt: skip
     parser.add_argument("--rounds", type=int, default=5, help="default 5")
     parser.add_argument("--limit", type=float, default=60, help="seconds that a run may take; default 60")
-    parser.add_argument("--budget", type=float, default=30, help="seconds of a program per volume; default 30")
+    parser.add_argument("--budget", type=float, default=30, help="seconds of a peer per volume; default 30")
     parser.add_argument("--python", help="interpreter that has the peers; Debian's is tried as well")
     parser.add_argument("--make-environment", type=pathlib.Path, metavar="VENV", help="make it, with the peers of PyPI")
     parser.add_argument("--scratch", type=pathlib.Path, help="folder of the volumes; default: a temporary one")
@@ -106,7 +109,7 @@ def make_environment(folder):
 def find_peers(interpreters):
     """Name to interpreter and version of the peers that can be imported, and why the others cannot."""
     found, missing = {}, {}
-    names = [name for name in TITLES if name not in ("floor", "extract_1", "extract_2", "vector_distance", "signed_maurer")]
+    names = [name for name in TITLES if name not in ALWAYS | {"signed_maurer"}]
     for name in names:
         for interpreter in interpreters:
             tried = subprocess.run([interpreter, PEERS, name], capture_output=True, text=True)
@@ -174,24 +177,22 @@ class Extraction:
         self.is_checked = labels is None
         self.command = [common.find_program(build, "medialvoxel"), "extract", volume, self.output, "--raw-size", size]
         self.command += ["--raw-type", pixel_type, "--thickness", thickness, "--threads", threads, *options]
-        self.command += ["--report", self.report, "--progress", "none", "--quiet", "--overwrite"]
-        self.counts = None
+        self.command += ["--progress", "none", "--overwrite"]
 
     def __call__(self, scratch, limit):
         self.output.unlink(missing_ok=True)
-        _, measured = run_child(self.command, scratch, limit)
+        text, measured = run_child(self.command, scratch, limit)
         if measured:
-            self._read_report(measured)
+            measured.update(common.parse_summary(text))
+            measured["peak_bytes"] = measured.pop("peak_memory_bytes")
             self._check_labels()
         self.output.unlink(missing_ok=True)
         return measured
 
-    def _read_report(self, measured):
-        report = json.loads(self.report.read_text(encoding="utf-8"))
-        self.counts = report["counts"]
-        measured["peak_bytes"] = report["peak_memory_bytes"]
-        for phase, seconds in report["seconds"].items():
-            measured[f"{phase}_seconds"] = seconds
+    def get_counts(self, scratch):
+        run_child([*self.command, "--report", self.report, "--quiet"], scratch, 3600)
+        self.output.unlink()
+        return json.loads(self.report.read_text(encoding="utf-8"))["counts"]
 
     def _check_labels(self):
         if not self.is_checked:
@@ -203,7 +204,7 @@ class Extraction:
     def trace(self, scratch):
         """Seconds inside system calls that read and that write, of one run."""
         table = scratch / "calls.txt"
-        subprocess.run(["strace", "-f", "-c", "-w", "-o", table, *map(str, self.command)], check=True)
+        subprocess.run(["strace", "-f", "-c", "-w", "-o", table, *map(str, self.command), "--quiet"], check=True)
         self.output.unlink()
         seconds = {"reading": 0.0, "writing": 0.0}
         for line in table.read_text(encoding="utf-8").splitlines():
@@ -221,7 +222,7 @@ def run_rounds(programs, scratch, rounds, limit, budget):
     for number in range(rounds):
         for name in names[number % len(names) :] + names[: number % len(names)]:
             last = runs[name][-1]["wall_seconds"] if runs[name] else 0
-            if name in skipped or spent[name] + last > budget:
+            if name in skipped or (name not in ALWAYS and spent[name] + last > budget):
                 continue
             measured = programs[name](scratch, limit)
             if measured is None:
@@ -308,7 +309,7 @@ def measure_volume(arguments, scratch, kind, size, peers, forecast):
         "voxels": voxels,
         "object_voxels": objects,
         "object_percent": phantom["object_percent"],
-        "counts": one.counts if one else None,
+        "counts": one.get_counts(scratch) if one else None,
         "skipped": {name: reason for name, reason in {**skipped, **stopped}.items() if reason},
         "results": results,
     }
@@ -324,10 +325,10 @@ def measure_variant(arguments, scratch, volume, size, extractions, pixel_type="u
         name: Extraction(arguments.build, volume, size, 2, *given, *options, pixel_type=pixel_type)
         for name, given in extractions.items()
     }
-    runs, skipped = run_rounds(programs, scratch, arguments.rounds, arguments.limit, arguments.budget)
+    runs, skipped = run_rounds(programs, scratch, arguments.rounds, arguments.limit, math.inf)
     results = {}
     for name, values in runs.items():
-        counts = programs[name].counts
+        counts = programs[name].get_counts(scratch)
         results[name] = summarize(values, volume.stat().st_size, counts["object_voxels"])
         results[name]["candidate_cells"] = counts["candidate_cells"]
         per_cell = 1e9 * results[name]["cpu_seconds"]["median"] / max(counts["candidate_cells"], 1)

@@ -13,7 +13,7 @@ import pathlib
 import matplotlib
 
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
+from matplotlib import pyplot, ticker  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 COLORS = {
@@ -76,6 +76,7 @@ def plot_peers(document, path):
         panel.grid(True, which="major", color="#e4e4e4")
         panel.set_axisbelow(True)
         panel.tick_params(labelleft=True)
+        panel.xaxis.set_minor_formatter(ticker.NullFormatter())
     for panel in panels[len(kinds) :]:
         panel.axis("off")
     for row in axes:

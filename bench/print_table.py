@@ -57,6 +57,7 @@ def peer_speeds(document):
     rows = [[volume["kind"], size_of(volume), *(cell(volume, name) for name in names)] for volume in document["volumes"]]
     yield "Mvoxel per CPU-second (-: skipped, the file says why)\n"
     yield table(["part", "voxels", *(document["titles"][name] for name in names)], rows)
+    yield from (f"not installed: {document['titles'][name]}: {reason}\n" for name, reason in document["missing"].items())
 
 
 def costs(document):
