@@ -88,8 +88,9 @@ def variants(document):
         for title, variant in document.get("variants", {}).items()
         for name, result in variant["results"].items()
     ]  # fmt: skip
-    yield "Other thicknesses and spacings, two threads\n"
-    yield table(["volume", "voxels", "run", "wall s", "CPU s", "ns per candidate cell"], rows)
+    if rows:
+        yield "Other thicknesses and spacings, two threads\n"
+        yield table(["volume", "voxels", "run", "wall s", "CPU s", "ns per candidate cell"], rows)
 
 
 def thread_bounds(document):
