@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Prints the committed results as Markdown tables: bench/print_table.py [FILE.json...]     default: bench/results/*.json
 
-Whole runs (run_benchmarks.py), peers (compare_peers.py) and bounds for threads (measure_tiles.py).
+Whole runs (run_benchmarks.py), peers (compare_peers.py), options (measure_options.py) and bounds for threads (measure_tiles.py).
 """
 
 import json
@@ -93,6 +93,16 @@ def variants(document):
         yield table(["volume", "voxels", "run", "wall s", "CPU s", "ns per candidate cell"], rows)
 
 
+def options(document):
+    rows = [
+        [way, f"{result['cpu_seconds']['median']:.2f}", f"{result['wall_seconds']['median']:.2f}",
+         f"{result['peak_bytes']['max'] / 2**20:.0f}"]
+        for way, result in document["results"].items()
+    ]  # fmt: skip
+    yield f"Options, side frame {size_of(document)}, one thread\n"
+    yield table(["run", "CPU s", "wall s", "peak MiB"], rows)
+
+
 def thread_bounds(document):
     rows = []
     for kind, volume in document["volumes"].items():
@@ -119,6 +129,8 @@ def main():
     for document in documents.values():
         if "titles" in document:
             print("\n".join([*costs(document), *peer_speeds(document), *variants(document)]))
+        elif "with `--report`" in document.get("results", {}):
+            print("\n".join(options(document)))
         elif any("tiles" in v for v in document.get("volumes", {}).values()):
             print("\n".join(thread_bounds(document)))
 
