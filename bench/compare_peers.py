@@ -62,7 +62,7 @@ VOLUMES = {
     "side-frame": ((), (*CUBES, "708,965,325")),
     "solids": ((), CUBES),
     "gyroid": ((), CUBES),
-    "plates": ((), CUBES),
+    "plates": ((), CUBES[:2]),
     "cover": ((), (*CUBES, "1500,1500,668")),
 }
 # Only the program, two threads. Name: kind, options of the phantom, size, extractions by name with their options.
