@@ -1,31 +1,39 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Prints the committed results of run_benchmarks.py as a Markdown table: bench/print_table.py [FILE.json...]"""
+"""Prints the committed results as Markdown tables: bench/print_table.py [FILE.json...]     default: bench/results/*.json
+
+Whole runs (run_benchmarks.py), peers (compare_peers.py), options (measure_options.py) and bounds for threads (measure_tiles.py).
+"""
 
 import json
 import pathlib
 import sys
 
-HEADER = ["part", "object", "tau", "threads", "wall s", "CPU s", "floor, wall s", "ratio", "peak MB", "SignedMaurer, wall s",
-          "CPU s", "load"]  # fmt: skip
+WHOLE_RUNS = ["part", "object", "tau", "threads", "wall s", "CPU s", "floor, wall s", "ratio", "peak MB",
+              "SignedMaurer, wall s", "CPU s", "load"]  # fmt: skip
 
 
 def spread(values):
     return f"{values['median']:.2f} ({values['min']:.2f}-{values['max']:.2f})"
 
 
-def rows_of(path):
-    document = json.loads(path.read_text(encoding="utf-8"))
-    if "phantom" not in document:
-        return
+def size_of(volume):
+    return " x ".join(str(n) for n in volume["size"])
+
+
+def table(header, rows):
+    lines = [header, ["---"] * len(header), *rows]
+    return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines) + "\n"
+
+
+def whole_runs(path, document):
     phantom, results = document["phantom"], document["results"]
-    size = " x ".join(str(n) for n in phantom["size"])
     maurer = results.get("signed_maurer")
     for name, ratio in document["wall_ratio_to_floor"].items():
         load = results[name]["load_before"]
         yield [
-            f"[{phantom['kind']}](bench/results/{path.name}) {size}",
+            f"[{phantom['kind']}](bench/results/{path.name}) {size_of(phantom)}",
             f"{phantom['object_percent']:.1f} %",
             f"{document['thickness']:g}",
             name.split("_")[1],
@@ -40,11 +48,91 @@ def rows_of(path):
         ]
 
 
+def peer_speeds(document):
+    names = [name for name in document["titles"] if name not in document["missing"]]
+
+    def cell(volume, name):
+        return f"{volume['results'][name]['mvoxel_per_cpu_second']:.3g}" if name in volume["results"] else "-"
+
+    rows = [[volume["kind"], size_of(volume), *(cell(volume, name) for name in names)] for volume in document["volumes"]]
+    yield "Mvoxel per CPU-second (-: skipped, the file says why)\n"
+    yield table(["part", "voxels", *(document["titles"][name] for name in names)], rows)
+    yield from (f"not installed: {document['titles'][name]}: {reason}\n" for name, reason in document["missing"].items())
+
+
+def costs(document):
+    rows = []
+    for volume in document["volumes"]:
+        runs = [volume["results"].get(name) for name in ("floor", "extract_1", "extract_2")]
+        if None in runs:
+            continue
+        floor, one, two = runs
+        rows.append([
+            volume["kind"], size_of(volume), f"{volume['object_percent']:.1f} %",
+            f"{one['cpu_seconds']['median']:.2f}", f"{one['wall_seconds']['median']:.2f}",
+            f"{two['wall_seconds']['median']:.2f}",
+            f"{one['wall_seconds']['median'] / two['wall_seconds']['median']:.2f}",
+            f"{two['wall_seconds']['median'] / floor['wall_seconds']['median']:.1f}",
+            f"{one['cpu_seconds']['median'] * 1e9 / volume['voxels']:.1f}", f"{one['ns_per_object_voxel']:.0f}",
+            f"{two['peak_bytes']['max'] / 1e6:.0f}", f"{two['load_before']['min']:.1f}-{two['load_before']['max']:.1f}",
+        ])  # fmt: skip
+    yield "Whole runs of medialvoxel extract, tau 3\n"
+    yield table(["part", "voxels", "object", "CPU s, 1 thread", "wall s, 1 thread", "wall s, 2 threads", "1 to 2 threads",
+                 "2 threads to floor", "ns per voxel", "ns per object voxel", "peak MB", "load"], rows)  # fmt: skip
+
+
+def variants(document):
+    rows = [
+        [title, variant["size"].replace(",", " x "), name, f"{result['wall_seconds']['median']:.2f}",
+         f"{result['cpu_seconds']['median']:.2f}", f"{result['ns_per_candidate_cell']:.0f}"]
+        for title, variant in document.get("variants", {}).items()
+        for name, result in variant["results"].items()
+    ]  # fmt: skip
+    if rows:
+        yield "Other thicknesses and spacings, two threads\n"
+        yield table(["volume", "voxels", "run", "wall s", "CPU s", "ns per candidate cell"], rows)
+
+
+def options(document):
+    rows = [
+        [way, f"{result['cpu_seconds']['median']:.2f}", f"{result['wall_seconds']['median']:.2f}",
+         f"{result['peak_bytes']['max'] / 2**20:.0f}"]
+        for way, result in document["results"].items()
+    ]  # fmt: skip
+    yield f"Options, side frame {size_of(document)}, one thread\n"
+    yield table(["run", "CPU s", "wall s", "peak MiB"], rows)
+
+
+def thread_bounds(document):
+    rows = []
+    for kind, volume in document["volumes"].items():
+        tile = volume["milliseconds_of_a_tile"]
+        bounds = volume["bound_of_speed_up"]
+        rows.append([
+            kind, size_of(volume), volume["tiles"], volume["layers"],
+            f"{tile['mean']:.2f} / {tile['median']:.2f} / {tile['largest']:.2f}",
+            f"{100 * volume['serial_cpu_seconds'] / (volume['serial_cpu_seconds'] + volume['tile_cpu_seconds']):.1f} %",
+            *(f"{bounds[n]['tiles']:.2f} / {bounds[n]['all']:.2f}" for n in ("2", "4", "8", "16")),
+        ])  # fmt: skip
+    yield "Bounds of the speed-up: of the tiles alone / with what one thread does between them\n"
+    yield table(["part", "voxels", "tiles", "layers", "ms of a tile: mean / median / largest", "one thread",
+                 "2 threads", "4", "8", "16"], rows)  # fmt: skip
+
+
 def main():
     folder = pathlib.Path(__file__).resolve().parent / "results"
     files = [pathlib.Path(name) for name in sys.argv[1:]] or sorted(folder.glob("*.json"))
-    rows = [HEADER, ["---"] * len(HEADER)] + [row for path in files for row in rows_of(path)]
-    print("\n".join("| " + " | ".join(row) + " |" for row in rows))
+    documents = {path: json.loads(path.read_text(encoding="utf-8")) for path in files}
+    rows = [row for path, document in documents.items() if "phantom" in document for row in whole_runs(path, document)]
+    if rows:
+        print(table(WHOLE_RUNS, rows))
+    for document in documents.values():
+        if "titles" in document:
+            print("\n".join([*costs(document), *peer_speeds(document), *variants(document)]))
+        elif "with `--report`" in document.get("results", {}):
+            print("\n".join(options(document)))
+        elif any("tiles" in v for v in document.get("volumes", {}).values()):
+            print("\n".join(thread_bounds(document)))
 
 
 if __name__ == "__main__":
