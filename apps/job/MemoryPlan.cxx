@@ -27,7 +27,7 @@ constexpr std::uint64_t BytesOfUnpacking = 3 * MiB;
 /** The filter pulls input in whole slices of at least this many bytes. */
 constexpr std::uint64_t BytesPerPull = 1 * MiB;
 
-/** Results of a piece when nothing else limits them; new memory for larger ones costs more than their fewer borders save. */
+/** Results of a piece when nothing else limits them; larger ones gain nothing. */
 constexpr std::uint64_t BytesOfPiece = 32 * MiB;
 
 /** What does not change while a fitting plan is looked for. */
