@@ -13,6 +13,11 @@ elseif(TARGET GTest::GTest)
 endif()
 target_link_libraries(MedialVoxelTestDump PRIVATE MedialVoxel ${ITK_LIBRARIES} ${_gtest})
 
+# Inside ITK the target of all that belongs to a module names the test driver, not this program.
+if(TARGET MedialVoxelGTestDriver)
+  add_dependencies(MedialVoxelGTestDriver MedialVoxelTestDump)
+endif()
+
 add_test(
   NAME MedialVoxelFixtures
   COMMAND
