@@ -10,7 +10,6 @@ Usage: bench/measure_options.py BUILD [--rounds 5] [--size X,Y,Z] [--output resu
 
 import argparse
 import json
-import os
 import pathlib
 import tempfile
 
@@ -62,13 +61,7 @@ def measure(arguments, scratch):
 
 def main():
     arguments = parse_arguments()
-    document = {
-        "machine": common.describe_machine(arguments.build),
-        "revision": common.describe_revision(),
-        "load_at_start": os.getloadavg()[0],
-        "thickness": 3,
-        "threads": 1,
-    }
+    document = common.describe_run(arguments.build, thickness=3, threads=1)
     with tempfile.TemporaryDirectory() as name:
         document.update(measure(arguments, pathlib.Path(name)))
     arguments.output.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")

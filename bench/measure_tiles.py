@@ -13,7 +13,6 @@ Usage: bench/measure_tiles.py BUILD [--output results/tiles.json]
 import argparse
 import heapq
 import json
-import os
 import pathlib
 import statistics
 import sys
@@ -80,12 +79,7 @@ def measure(arguments, folder, kind):
 
 def main():
     arguments = parse_arguments()
-    document = {
-        "machine": common.describe_machine(arguments.build),
-        "revision": common.describe_revision(),
-        "load_at_start": os.getloadavg()[0],
-        "thickness": 3,
-    }
+    document = common.describe_run(arguments.build, thickness=3)
     with tempfile.TemporaryDirectory() as folder:
         document["volumes"] = {kind: measure(arguments, pathlib.Path(folder), kind) for kind in arguments.kinds}
     arguments.output.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")

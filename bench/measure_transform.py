@@ -11,7 +11,6 @@ Usage: bench/measure_transform.py BUILD [--rounds 5] [--scale 1] [--output resul
 
 import argparse
 import json
-import os
 import pathlib
 import sys
 import tempfile
@@ -85,12 +84,7 @@ def measure(arguments, folder, name):
 
 def main():
     arguments = parse_arguments()
-    document = {
-        "machine": common.describe_machine(arguments.build),
-        "revision": common.describe_revision(),
-        "load_at_start": os.getloadavg()[0],
-        "rounds": arguments.rounds,
-    }
+    document = common.describe_run(arguments.build, rounds=arguments.rounds)
     with tempfile.TemporaryDirectory() as folder:
         document["volumes"] = {name: measure(arguments, pathlib.Path(folder), name) for name in VOLUMES}
     arguments.output.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")

@@ -75,6 +75,16 @@ def describe_machine(build):
     }
 
 
+def describe_run(build, **details):
+    """What a file of results begins with."""
+    return {
+        "machine": describe_machine(build),
+        "revision": describe_revision(),
+        "load_at_start": os.getloadavg()[0],
+        **details,
+    }
+
+
 def describe_revision():
     def git(*words):
         return subprocess.run(["git", "-C", BENCH, *words], capture_output=True, text=True, check=True).stdout.strip()

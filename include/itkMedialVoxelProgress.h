@@ -28,6 +28,20 @@ public:
   Advance(std::uint64_t voxels) = 0;
 };
 
+/** \class MedialVoxelNoProgress
+ * \brief For work that nobody watches or stops.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelNoProgress : public MedialVoxelProgress
+{
+public:
+  bool
+  IsAborted() const override;
+
+  void
+  Advance(std::uint64_t voxels) override;
+};
+
 } // end namespace itk
 
 #endif

@@ -7,4 +7,14 @@ namespace itk
 
 MedialVoxelProgress::~MedialVoxelProgress() = default;
 
+bool
+MedialVoxelNoProgress::IsAborted() const
+{
+  return false;
+}
+
+void
+MedialVoxelNoProgress::Advance(std::uint64_t)
+{}
+
 } // end namespace itk

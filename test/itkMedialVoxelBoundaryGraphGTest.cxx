@@ -125,34 +125,58 @@ TEST(MedialVoxelBoundaryGraph, RefusesMoreNodesThanAllowed)
   EXPECT_EQ(graph.GetBox(), bits.GetBox());
 }
 
+namespace
+{
+/** The scattered sites of a case as a graph, beside the oracle for it. */
+struct Scene
+{
+  Scene(const Case & testCase, unsigned int seed)
+    : volume(Size, testCase.spacing)
+    , grid(GridOf(volume))
+    , sites(SitesIn(ScatteredSites(Size, testCase.oneIn, seed), testCase.box))
+    , oracle(volume, sites)
+  {
+    EXPECT_TRUE(graph.Build(SiteBits(sites, grid.GetVoxelBox()), testCase.box, sites.size()));
+  }
+
+  Volume                        volume;
+  itk::MedialVoxelGrid          grid;
+  std::vector<Index3>           sites;
+  BoundaryGraph                 oracle;
+  itk::MedialVoxelBoundaryGraph graph;
+};
+
+/** Compares a length with that of the oracle, if it is within the radius. */
+void
+ExpectLength(double length, double expected, double radius)
+{
+  if (expected <= radius)
+  {
+    EXPECT_NEAR(length, expected, 1e-12);
+  }
+  else
+  {
+    EXPECT_EQ(length, itk::MedialVoxelBoundaryDistances::NotReached);
+  }
+}
+} // namespace
+
 TEST(MedialVoxelBoundaryDistances, AreThoseOfPlainDijkstra)
 {
   unsigned int seed = 820;
   for (const Case & testCase : Cases())
   {
-    const Volume                      volume(Size, testCase.spacing);
-    const auto                        grid = GridOf(volume);
-    const auto                        sites = SitesIn(ScatteredSites(Size, testCase.oneIn, ++seed), testCase.box);
-    const BoundaryGraph               oracle(volume, sites);
-    itk::MedialVoxelBoundaryGraph     graph;
+    const Scene                       scene(testCase, ++seed);
     itk::MedialVoxelBoundaryDistances distances;
-    ASSERT_TRUE(graph.Build(SiteBits(sites, grid.GetVoxelBox()), testCase.box, sites.size()));
     // The workspace serves one search after the other, with growing and shrinking radius.
     for (const double radius : { 3.0, 40.0, 7.0, 0.1 })
     {
-      const auto source = static_cast<NodeType>(++seed % sites.size());
-      const auto expected = oracle.DistancesFrom(static_cast<int>(source));
-      distances.Compute(graph, grid, source, radius);
-      for (NodeType node = 0; node < sites.size(); ++node)
+      const auto source = static_cast<NodeType>(++seed % scene.sites.size());
+      const auto expected = scene.oracle.DistancesFrom(static_cast<int>(source));
+      distances.Compute(scene.graph, scene.grid, source, radius);
+      for (NodeType node = 0; node < scene.sites.size(); ++node)
       {
-        if (expected[node] <= radius)
-        {
-          ASSERT_NEAR(distances.GetLengths()[node], expected[node], 1e-12);
-        }
-        else
-        {
-          ASSERT_EQ(distances.GetLengths()[node], itk::MedialVoxelBoundaryDistances::NotReached);
-        }
+        ExpectLength(distances.GetLengths()[node], expected[node], radius);
       }
     }
   }
@@ -163,25 +187,13 @@ TEST(MedialVoxelBoundaryDistances, EndAtTheTarget)
   unsigned int seed = 825;
   for (const Case & testCase : Cases())
   {
-    const Volume                      volume(Size, testCase.spacing);
-    const auto                        grid = GridOf(volume);
-    const auto                        sites = SitesIn(ScatteredSites(Size, testCase.oneIn, ++seed), testCase.box);
-    const BoundaryGraph               oracle(volume, sites);
-    itk::MedialVoxelBoundaryGraph     graph;
+    const Scene                       scene(testCase, ++seed);
     itk::MedialVoxelBoundaryDistances distances;
-    ASSERT_TRUE(graph.Build(SiteBits(sites, grid.GetVoxelBox()), testCase.box, sites.size()));
-    const auto expected = oracle.DistancesFrom(0);
-    for (NodeType target = 0; target < sites.size(); target += 3)
+    const auto                        expected = scene.oracle.DistancesFrom(0);
+    for (NodeType target = 0; target < scene.sites.size(); target += 3)
     {
-      distances.ComputeTowards(graph, grid, 0, target, 9.0);
-      if (expected[target] <= 9.0)
-      {
-        ASSERT_NEAR(distances.GetLengths()[target], expected[target], 1e-12);
-      }
-      else
-      {
-        ASSERT_EQ(distances.GetLengths()[target], itk::MedialVoxelBoundaryDistances::NotReached);
-      }
+      distances.ComputeTowards(scene.graph, scene.grid, 0, target, 9.0);
+      ExpectLength(distances.GetLengths()[target], expected[target], 9.0);
     }
   }
 }

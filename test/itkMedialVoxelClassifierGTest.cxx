@@ -12,19 +12,6 @@ namespace
 using namespace MedialVoxelTest;
 using itk::MedialVoxelClassifier;
 
-class NoProgress : public itk::MedialVoxelProgress
-{
-public:
-  bool
-  IsAborted() const override
-  {
-    return false;
-  }
-  void
-  Advance(std::uint64_t) override
-  {}
-};
-
 class AbortAfterRows : public itk::MedialVoxelProgress
 {
 public:
@@ -107,7 +94,7 @@ Cases()
 
 TEST(MedialVoxelClassifier, TilesAreTheDefinitions)
 {
-  const NoProgress                 progress;
+  const itk::MedialVoxelNoProgress progress;
   MedialVoxelClassifier::Workspace workspace;
   for (const Inputs & inputs : Cases())
   {
@@ -154,7 +141,7 @@ TEST(MedialVoxelClassifier, TilesAreTheDefinitions)
 
 TEST(MedialVoxelClassifier, SmallWindowsSayWhatTheyMiss)
 {
-  const NoProgress                 progress;
+  const itk::MedialVoxelNoProgress progress;
   MedialVoxelClassifier::Workspace workspace;
   const Inputs                     inputs(AxisPlate({ { 40, 40, 20 } }, UnitSpacing, 2, 8, 4));
   const auto                       image = GridOf(inputs.volume).GetVoxelBox();
@@ -187,7 +174,7 @@ TEST(MedialVoxelClassifier, StopsBeforeTheNextRowWhenAborted)
   itk::MedialVoxelCounts           counts;
   itk::MedialVoxelCounts           all;
   const AbortAfterRows             soon(3);
-  const NoProgress                 never;
+  const itk::MedialVoxelNoProgress never;
   classifier.Classify({ &object, &bits }, image, inputs.Features(image), soon, workspace, labels, counts);
   classifier.Classify({ &object, &bits }, image, inputs.Features(image), never, workspace, labels, all);
   EXPECT_EQ(soon.GetAsked(), 4);

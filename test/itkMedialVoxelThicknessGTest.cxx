@@ -14,19 +14,6 @@ namespace
 {
 using namespace MedialVoxelTest;
 
-class NoProgress : public itk::MedialVoxelProgress
-{
-public:
-  bool
-  IsAborted() const override
-  {
-    return false;
-  }
-  void
-  Advance(std::uint64_t) override
-  {}
-};
-
 /** Thicknesses at the medial cells whose index passes a test. */
 class Measurement
 {
@@ -53,7 +40,8 @@ public:
     itk::MedialVoxelClassifier::Workspace workspace;
     std::vector<std::uint8_t>             labels;
     itk::MedialVoxelCounts                counts;
-    EXPECT_TRUE(classifier.Classify(window, tile, features, NoProgress{}, workspace, labels, counts).IsEmpty());
+    EXPECT_TRUE(
+      classifier.Classify(window, tile, features, itk::MedialVoxelNoProgress{}, workspace, labels, counts).IsEmpty());
 
     const itk::MedialVoxelThickness thickness(grid);
     std::size_t                     i = 0;

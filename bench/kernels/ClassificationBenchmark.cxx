@@ -18,20 +18,6 @@ using itk::MedialVoxelIndex;
 
 const MedialVoxelBox middleTile{ { { 0, 80, 80 } }, { { 192, 112, 112 } } };
 
-class NeverAborted : public itk::MedialVoxelProgress
-{
-public:
-  bool
-  IsAborted() const override
-  {
-    return false;
-  }
-
-  void
-  Advance(std::uint64_t) override
-  {}
-};
-
 itk::MedialVoxelFeatures
 FeaturesOf(const KernelScene & scene, const MedialVoxelBox & box)
 {
@@ -62,7 +48,8 @@ ClassifyTile(benchmark::State & state)
   itk::MedialVoxelCounts                counts;
   for (auto _ : state)
   {
-    classifier.Classify(scene.GetWindow(), middleTile, features, NeverAborted(), workspace, labels, counts);
+    classifier.Classify(
+      scene.GetWindow(), middleTile, features, itk::MedialVoxelNoProgress(), workspace, labels, counts);
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(static_cast<std::int64_t>(counts.candidateCells));

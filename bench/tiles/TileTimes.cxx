@@ -37,20 +37,6 @@ ReadVolume(const std::string & name, const std::array<std::int64_t, 3> & size)
   return voxels;
 }
 
-class NeverAborted : public itk::MedialVoxelProgress
-{
-public:
-  bool
-  IsAborted() const override
-  {
-    return false;
-  }
-
-  void
-  Advance(std::uint64_t) override
-  {}
-};
-
 /** Processes tiles one by one, as the filter's workers do, and keeps their seconds. */
 class TileClock : public itk::MedialVoxelClusterClient
 {
@@ -138,7 +124,7 @@ private:
   itk::MedialVoxelClassifier                  m_Classifier;
   const std::vector<unsigned char> &          m_Voxels;
   const itk::MedialVoxelClusterEngine &       m_Engine;
-  NeverAborted                                m_Progress;
+  itk::MedialVoxelNoProgress                  m_Progress;
   itk::MedialVoxelFeatureTransform::Workspace m_TransformWorkspace;
   itk::MedialVoxelFeatures                    m_Features;
   itk::MedialVoxelClassifier::Workspace       m_Workspace;
