@@ -57,23 +57,31 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   OutputVolume * const distances = outputs.AddVolume(options.distanceFile, result.input.geometry, DistanceLayout);
   OutputFile * const   report = outputs.AddFile(options.reportFile);
 
+  WriteBehind writer(result.plan.writesBehind);
+  if (result.plan.writesBehind)
+  {
+    runner->KeepPreviousResults();
+  }
+
   loop.Prepare(*input);
+  const auto write = [=](const PieceLoop::Range & range, const PieceResults & results) {
+    vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
+    if (distances)
+    {
+      distances->Write(range.firstVoxel, range.numberOfVoxels, results.distances);
+    }
+  };
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
-    loop.Run(*runner, result.plan.GetPiece(piece), [&](const PieceLoop::Range & range, const PieceResults & results) {
-      vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
-      if (distances)
-      {
-        distances->Write(range.firstVoxel, range.numberOfVoxels, results.distances);
-      }
-    });
+    loop.Run(*runner, result.plan.GetPiece(piece), writer, write);
   }
+  writer.Wait();
   result.sums = runner->GetSums();
 
   const auto finishStart = JobClock::now();
   outputs.FinishVolumes();
   loop.ThrowIfStopRequested();
-  AddMeasurements(result, *input, loop.GetWriteSeconds() + SecondsSince(finishStart), start);
+  AddMeasurements(result, *input, writer.GetSeconds() + SecondsSince(finishStart), start);
   if (report)
   {
     WriteText(*report, MakeReport(options, result));

@@ -122,6 +122,7 @@ public:
     , m_Runner(MakeExtractRunner(*m_Input, result.input, options, GetCutSettings(result.plan), m_Loop.GetObserver()))
     , m_Survey(result.input.geometry, GetGrid(options, result.input), GetSurveySettings(options))
     , m_Outputs(options)
+    , m_Writer(result.plan.writesBehind)
   {
     const VolumeGeometry & geometry = result.input.geometry;
     m_Labels = m_Outputs.AddVolume(options.output, m_Runner->GetGeometry(), LabelLayout);
@@ -134,6 +135,10 @@ public:
     if (m_Preview || m_Html || m_Report)
     {
       m_Runner->SetTileObserver(&m_Survey);
+    }
+    if (result.plan.writesBehind)
+    {
+      m_Runner->KeepPreviousResults();
     }
     if (m_Distances)
     {
@@ -152,6 +157,7 @@ public:
     {
       this->RunPiece(m_Result.plan.GetPiece(piece));
     }
+    m_Writer.Wait();
     m_Result.sums = m_Runner->GetSums();
     if (m_DistanceRunner)
     {
@@ -167,7 +173,7 @@ private:
   void
   RunPiece(const SliceRange & piece)
   {
-    m_Loop.Run(*m_Runner, piece, [&](const PieceLoop::Range & range, const PieceResults & results) {
+    m_Loop.Run(*m_Runner, piece, m_Writer, [this](const PieceLoop::Range & range, const PieceResults & results) {
       if (results.isEmpty && m_Options.sparse)
       {
         return;
@@ -180,9 +186,10 @@ private:
     });
     if (m_DistanceRunner)
     {
-      m_Loop.Run(*m_DistanceRunner, piece, [&](const PieceLoop::Range & range, const PieceResults & results) {
-        m_Distances->Write(range.firstVoxel, range.numberOfVoxels, results.distances);
-      });
+      m_Loop.Run(
+        *m_DistanceRunner, piece, m_Writer, [this](const PieceLoop::Range & range, const PieceResults & results) {
+          m_Distances->Write(range.firstVoxel, range.numberOfVoxels, results.distances);
+        });
     }
   }
 
@@ -193,7 +200,7 @@ private:
     m_Outputs.FinishVolumes();
     const std::string picture = this->MakePicture();
     m_Loop.ThrowIfStopRequested();
-    AddMeasurements(m_Result, *m_Input, m_Loop.GetWriteSeconds() + SecondsSince(finishStart), start);
+    AddMeasurements(m_Result, *m_Input, m_Writer.GetSeconds() + SecondsSince(finishStart), start);
     if (m_Survey.GetSettings().thickness)
     {
       m_Result.thickness = Summarize(m_Survey.GetThickness(), m_Survey.GetStep());
@@ -244,6 +251,7 @@ private:
   OutputFile *                 m_Html{ nullptr };
   OutputFile *                 m_Report{ nullptr };
   OutputFile *                 m_ReturnParameters{ nullptr };
+  WriteBehind                  m_Writer; // ends before what it writes and where to
 };
 
 } // namespace

@@ -157,14 +157,14 @@ PieceLoop::Prepare(InputVolume & input)
 }
 
 void
-PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, const WriteFunction & write)
+PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write)
 {
   for (SliceRange slices{ piece.begin, 0 }; slices.begin < piece.end;)
   {
     slices.end = std::min(slices.begin + m_SlicesAtOnce, piece.end);
     try
     {
-      this->RunSlices(runner, slices, write);
+      this->RunSlices(runner, slices, writer, write);
       slices.begin = slices.end;
     }
     catch (const itk::MedialVoxelMemoryError & error)
@@ -175,6 +175,7 @@ PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, const WriteFuncti
       {
         throw;
       }
+      writer.Wait();
       runner.Release();
       runner.SetMemoryLimit(limit);
     }
@@ -182,7 +183,7 @@ PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, const WriteFuncti
 }
 
 void
-PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, const WriteFunction & write)
+PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write)
 {
   this->ThrowIfStopRequested();
   m_SlicesOfPiece = slices.end - slices.begin;
@@ -195,12 +196,12 @@ PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, const Writ
   {
     throw StoppedBySignal(GetStopSignal());
   }
-  const auto start = JobClock::now();
-  write({ slices, slices.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice }, results);
-  m_WriteSeconds += SecondsSince(start);
+  const Range range{ slices, slices.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice };
+  writer.Submit([write, range, results] { write(range, results); });
   // A single runner uses the memory of its results again, which is much cheaper than new memory for each piece.
   if (m_RunnersPerPiece > 1)
   {
+    writer.Wait();
     runner.Release();
   }
   m_DoneSlices += m_SlicesOfPiece;

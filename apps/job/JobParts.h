@@ -5,6 +5,7 @@
 
 #include "Text.h"
 #include "VolumeJob.h"
+#include "WriteBehind.h"
 
 #include "itkMacro.h"
 
@@ -50,7 +51,7 @@ constexpr VoxelLayout LabelLayout{ PixelType::UInt8, 1 };
 constexpr VoxelLayout DistanceLayout{ PixelType::Float32, 1 };
 
 /** \class PieceLoop
- * \brief Runs the pieces of a job, tells the sink, stops when asked, and measures what writing takes. */
+ * \brief Runs the pieces of a job, has them written, tells the sink, and stops when asked. */
 class PieceLoop
 {
 public:
@@ -69,7 +70,7 @@ public:
     std::uint64_t numberOfVoxels;
   };
 
-  /** Takes the results of a range. */
+  /** Takes the results of a range, in the thread of the writer. */
   using WriteFunction = std::function<void(const Range &, const PieceResults &)>;
 
   /** Prepares the input, which is a part of the job's progress when it takes long.
@@ -80,20 +81,14 @@ public:
   /** Runs a piece, in smaller ones when the walls need more memory than results of this size leave.
    * \throw StoppedBySignal when the sink asks to stop. */
   void
-  Run(PieceRunner & runner, const SliceRange & piece, const WriteFunction & write);
+  Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write);
 
   void
   ThrowIfStopRequested() const;
 
-  double
-  GetWriteSeconds() const
-  {
-    return m_WriteSeconds;
-  }
-
 private:
   void
-  RunSlices(PieceRunner & runner, const SliceRange & slices, const WriteFunction & write);
+  RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write);
 
   JobPlan        m_Plan;
   std::uint64_t  m_SlicesAtOnce;
@@ -103,7 +98,6 @@ private:
   double         m_ShareOfPreparation{ 0.0 };
   std::uint64_t  m_DoneSlices{ 0 };
   std::uint64_t  m_SlicesOfPiece{ 0 };
-  double         m_WriteSeconds{ 0.0 };
 };
 
 /** Fills in what the job took up to now. */

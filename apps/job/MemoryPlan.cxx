@@ -30,6 +30,9 @@ constexpr std::uint64_t BytesPerPull = 1 * MiB;
 /** Results of a piece when nothing else limits them; larger ones gain nothing. */
 constexpr std::uint64_t BytesOfPiece = 32 * MiB;
 
+/** The largest piece for which writing it in the background is worth a second one in memory. */
+constexpr std::uint64_t BytesWrittenBehind = 128 * MiB;
+
 /** What does not change while a fitting plan is looked for. */
 struct Request
 {
@@ -97,10 +100,12 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
   else
   {
     // Most of the rest is for the filters, should walls be thicker than planned.
-    const std::uint64_t slices = std::max(slab, std::min(rest / 8, BytesOfPiece) / plan.bytesPerSlice);
+    const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), BytesOfPiece);
+    const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
     plan.divisions = (plan.numberOfSlices - 1) / std::min(slices, plan.numberOfSlices) + 1;
   }
-  plan.memoryBytes = least + plan.GetMaximumSlices() * plan.bytesPerSlice;
+  plan.writesBehind = plan.writesBehind && plan.divisions > 1;
+  plan.memoryBytes = least + plan.GetResultBytes(plan.GetMaximumSlices());
   return plan.memoryBytes <= plan.memoryLimit;
 }
 
@@ -109,7 +114,15 @@ bool
 TrySlabs(JobPlan & plan, const Request & request)
 {
   plan.slabThickness = 0;
-  for (std::uint64_t slab = GetPreferredSlabThickness(plan, request);; slab /= 2)
+  const std::uint64_t preferred = GetPreferredSlabThickness(plan, request);
+  plan.writesBehind =
+    plan.threads > 1 && plan.numberOfFilters == 1 && preferred * plan.bytesPerSlice <= BytesWrittenBehind;
+  if (plan.writesBehind && TryDivisions(plan, request, preferred))
+  {
+    return true;
+  }
+  plan.writesBehind = false;
+  for (std::uint64_t slab = preferred;; slab /= 2)
   {
     if (TryDivisions(plan, request, slab))
     {

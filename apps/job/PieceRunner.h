@@ -49,9 +49,13 @@ public:
   virtual VolumeGeometry
   GetGeometry() const = 0;
 
-  /** Slices are indices along the last axis. The results are valid until Release(). */
+  /** Slices are indices along the last axis. The results are valid until the next run, or Release(). */
   virtual PieceResults
   Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices) = 0;
+
+  /** Makes results valid until the run after the next one begins, which takes their memory twice. */
+  virtual void
+  KeepPreviousResults() = 0;
 
   /** Lets someone see the tiles, in a runner of labels; others have none to show. Must outlive the runs. */
   virtual void

@@ -35,6 +35,33 @@ GetImageGeometry(const TImage & image)
   return geometry;
 }
 
+/** \class OtherBuffer
+ * \brief The memory of the results of an image that are kept while it gets new ones. */
+template <typename TImage>
+class OtherBuffer
+{
+public:
+  /** Keeps what the image has, and gives it the memory that was kept before. */
+  void
+  Exchange(TImage & image)
+  {
+    const ContainerPointer current = image.GetPixelContainer();
+    image.SetPixelContainer(m_Kept ? m_Kept : TImage::PixelContainer::New());
+    m_Kept = current;
+  }
+
+  void
+  Release()
+  {
+    m_Kept = nullptr;
+  }
+
+private:
+  using ContainerPointer = typename TImage::PixelContainer::Pointer;
+
+  ContainerPointer m_Kept;
+};
+
 /** \class FilterRunner
  * \brief What the runners of both filters share: input, object, threads, pieces, progress. */
 template <typename TFilter>
@@ -78,11 +105,21 @@ public:
     auto                   region = output.GetLargestPossibleRegion();
     region.SetIndex(last, region.GetIndex(last) + static_cast<itk::IndexValueType>(firstSlice));
     region.SetSize(last, numberOfSlices);
+    if (m_KeepsPreviousResults)
+    {
+      this->ExchangeBuffers();
+    }
     output.SetRequestedRegion(region);
     output.PropagateRequestedRegion();
     // Not Update(), which would begin the counts anew with each piece.
     output.UpdateOutputData();
     return this->GetResults();
+  }
+
+  void
+  KeepPreviousResults() override
+  {
+    m_KeepsPreviousResults = true;
   }
 
   void
@@ -98,6 +135,7 @@ public:
     {
       output->ReleaseData();
     }
+    this->ReleaseOtherBuffers();
   }
 
   RunnerSums
@@ -114,6 +152,13 @@ public:
 protected:
   virtual PieceResults
   GetResults() = 0;
+
+  /** Gives the outputs other memory, so that the last results stay. */
+  virtual void
+  ExchangeBuffers() = 0;
+
+  virtual void
+  ReleaseOtherBuffers() = 0;
 
   typename TFilter::Pointer m_Filter = TFilter::New();
 
@@ -144,6 +189,7 @@ private:
   InputVolume &        m_Input;
   itk::ProcessObject & m_Reader;
   unsigned long        m_ReaderTag{ 0 };
+  bool                 m_KeepsPreviousResults{ false };
 };
 
 template <typename TImage>
@@ -200,8 +246,29 @@ protected:
     return results;
   }
 
+  void
+  ExchangeBuffers() override
+  {
+    m_OtherLabels.Exchange(*this->m_Filter->GetOutput());
+    if (auto * const vectors = this->m_Filter->GetVectorDistanceOutput())
+    {
+      m_OtherVectors.Exchange(*vectors);
+    }
+  }
+
+  void
+  ReleaseOtherBuffers() override
+  {
+    m_OtherLabels.Release();
+    m_OtherVectors.Release();
+  }
+
 private:
-  std::uint64_t m_Seen{ 0 }; ///< cells and voxels of objects in all pieces so far
+  using FilterType = itk::MedialVoxelImageFilter<TImage>;
+
+  std::uint64_t                                     m_Seen{ 0 }; ///< cells and voxels of objects in all pieces so far
+  OtherBuffer<typename FilterType::OutputImageType> m_OtherLabels;
+  OtherBuffer<typename FilterType::VectorImageType> m_OtherVectors;
 };
 
 template <typename TImage>
@@ -238,6 +305,29 @@ protected:
     }
     return results;
   }
+
+  void
+  ExchangeBuffers() override
+  {
+    m_OtherVectors.Exchange(*this->m_Filter->GetOutput());
+    if (auto * const distances = this->m_Filter->GetDistanceOutput())
+    {
+      m_OtherDistances.Exchange(*distances);
+    }
+  }
+
+  void
+  ReleaseOtherBuffers() override
+  {
+    m_OtherVectors.Release();
+    m_OtherDistances.Release();
+  }
+
+private:
+  using FilterType = itk::VectorDistanceMapImageFilter<TImage>;
+
+  OtherBuffer<typename FilterType::OutputImageType>   m_OtherVectors;
+  OtherBuffer<typename FilterType::DistanceImageType> m_OtherDistances;
 };
 
 /** Calls function(integral_constant) with the dimension of the volume. */

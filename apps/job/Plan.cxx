@@ -63,7 +63,11 @@ RefuseLackOfSpace(const VolumeHeader & header, const std::vector<OutputRequest> 
 SliceRange
 JobPlan::GetPiece(std::uint64_t piece) const
 {
-  return { piece * numberOfSlices / divisions, (piece + 1) * numberOfSlices / divisions };
+  // None is larger than the one before, so that the memory of its results serves again.
+  const std::uint64_t slices = numberOfSlices / divisions;
+  const std::uint64_t largerPieces = numberOfSlices % divisions;
+  const std::uint64_t begin = piece * slices + std::min(piece, largerPieces);
+  return { begin, begin + slices + (piece < largerPieces ? 1 : 0) };
 }
 
 std::uint64_t
@@ -73,7 +77,7 @@ JobPlan::GetFilterLimit(std::uint64_t slices) const
   {
     return 0;
   }
-  const std::uint64_t other = fixedBytes + slices * bytesPerSlice;
+  const std::uint64_t other = fixedBytes + this->GetResultBytes(slices);
   return std::max<std::uint64_t>(1, (memoryLimit - std::min(memoryLimit, other)) / numberOfFilters);
 }
 

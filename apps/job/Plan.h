@@ -36,9 +36,10 @@ struct JobPlan
   std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
   std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
 
-  std::uint64_t fixedBytes{ 0 };      ///< memory that depends neither on pieces nor on windows
-  std::uint64_t bytesPerSlice{ 0 };   ///< results
-  std::uint64_t numberOfFilters{ 1 }; ///< that keep windows
+  std::uint64_t fixedBytes{ 0 };       ///< memory that depends neither on pieces nor on windows
+  std::uint64_t bytesPerSlice{ 0 };    ///< results
+  bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
+  std::uint64_t numberOfFilters{ 1 };  ///< that keep windows
 
   std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
   std::uint64_t         diskBytes{ 0 }; ///< of all outputs; with sparse outputs the most they can grow to
@@ -50,7 +51,14 @@ struct JobPlan
   std::uint64_t
   GetFilterLimit(std::uint64_t slices) const;
 
-  /** Slices of the largest piece. */
+  /** Memory of the results when pieces have so many slices. */
+  std::uint64_t
+  GetResultBytes(std::uint64_t slices) const
+  {
+    return slices * bytesPerSlice * (writesBehind ? 2 : 1);
+  }
+
+  /** Slices of the largest piece, which is the first one. */
   std::uint64_t
   GetMaximumSlices() const;
 };

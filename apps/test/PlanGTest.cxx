@@ -51,11 +51,15 @@ TEST(Plan, PiecesCoverEverySliceOnce)
       options.divisions = divisions;
       const JobPlan plan = MakePlanFor(options, MakeHeader({ 4, 5, slices }), 1);
       std::uint64_t next = 0;
+      std::uint64_t largest = plan.GetMaximumSlices();
       for (std::uint64_t piece = 0; piece < plan.divisions; ++piece)
       {
-        EXPECT_EQ(plan.GetPiece(piece).begin, next);
-        EXPECT_GT(plan.GetPiece(piece).end, next);
-        next = plan.GetPiece(piece).end;
+        const SliceRange range = plan.GetPiece(piece);
+        EXPECT_EQ(range.begin, next);
+        EXPECT_GT(range.end, next);
+        EXPECT_LE(range.end - range.begin, largest);
+        largest = range.end - range.begin;
+        next = range.end;
       }
       EXPECT_EQ(next, slices);
       EXPECT_EQ(plan.divisions, std::min(slices, divisions));
@@ -114,6 +118,43 @@ TEST(Plan, TheMaskOfACompressedVolumeIsInMemoryWhereItFits)
   EXPECT_LE(plan.memoryBytes, 100 * MiB);
   options.scratchFolder.clear();
   EXPECT_THROW(MakePlanFor(options, header, 1), JobError);
+}
+
+TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)
+{
+  const VolumeHeader header = MakeHeader({ 500, 500, 500 });
+  JobOptions         options;
+  options.threads = 2;
+  options.memoryBytes = 600 * MiB;
+  const JobPlan ample = MakePlanFor(options, header, 1);
+  EXPECT_TRUE(ample.writesBehind);
+  EXPECT_EQ(ample.GetResultBytes(3), 6 * ample.bytesPerSlice);
+  EXPECT_LE(ample.memoryBytes, 600 * MiB);
+
+  options.divisions = 1;
+  EXPECT_FALSE(MakePlanFor(options, header, 1).writesBehind);
+  options.divisions.reset();
+  options.threads = 1;
+  EXPECT_FALSE(MakePlanFor(options, header, 1).writesBehind);
+  options.threads = 2;
+
+  // Filters that take turns on a piece use each other's memory.
+  PieceFootprint two = MakeFootprint(header, 1);
+  two.engines.push_back(two.engines.front());
+  EXPECT_FALSE(MakePlan(options, header, {}, two).writesBehind);
+  // Not with pieces of hundreds of megabytes.
+  EXPECT_FALSE(MakePlanFor(options, header, 40).writesBehind);
+  // Rather one buffer than thinner slabs.
+  bool isSingle = false;
+  for (std::uint64_t memory = 600 * MiB; memory > 20 * MiB && !isSingle; memory -= MiB / 4)
+  {
+    options.memoryBytes = memory;
+    const JobPlan plan = MakePlanFor(options, header, 16);
+    EXPECT_LE(plan.memoryBytes, memory);
+    EXPECT_EQ(plan.slabThickness, 0u);
+    isSingle = !plan.writesBehind;
+  }
+  EXPECT_TRUE(isSingle);
 }
 
 TEST(Plan, ShorterPiecesLeaveMoreToTheFilters)
