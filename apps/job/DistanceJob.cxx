@@ -51,7 +51,7 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   PieceLoop  loop(result.plan, result.input, 1, sink);
   const auto runner =
     MakeDistanceRunner(*input, result.input, options, GetSettings(options, result.plan), loop.GetObserver());
-  OutputSet            outputs(options);
+  OutputSet            outputs(options, result.plan.writesBehind);
   OutputVolume * const vectors =
     outputs.AddVolume(options.output, result.input.geometry, GetVectorLayout(result.input));
   OutputVolume * const distances = outputs.AddVolume(options.distanceFile, result.input.geometry, DistanceLayout);

@@ -121,7 +121,7 @@ public:
     , m_Loop(result.plan, result.input, options.distanceFile.empty() ? 1 : 2, sink)
     , m_Runner(MakeExtractRunner(*m_Input, result.input, options, GetCutSettings(result.plan), m_Loop.GetObserver()))
     , m_Survey(result.input.geometry, GetGrid(options, result.input), GetSurveySettings(options))
-    , m_Outputs(options)
+    , m_Outputs(options, result.plan.writesBehind)
     , m_Writer(result.plan.writesBehind)
   {
     const VolumeGeometry & geometry = result.input.geometry;

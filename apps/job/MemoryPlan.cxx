@@ -33,6 +33,9 @@ constexpr std::uint64_t BytesOfPiece = 32 * MiB;
 /** The largest piece for which writing it in the background is worth a second one in memory. */
 constexpr std::uint64_t BytesWrittenBehind = 128 * MiB;
 
+/** Buffers of two volumes that are written past the page cache. */
+constexpr std::uint64_t BytesOfWriting = 4 * MiB;
+
 /** What does not change while a fitting plan is looked for. */
 struct Request
 {
@@ -52,8 +55,9 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t  pull = std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
   const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
-  return BytesOfProgram + BytesPerThread * plan.threads + std::min(pull, voxels * bytesPerVoxel) + mask + unpacking +
-         request.footprint.bytesBeside;
+  const std::uint64_t  writing = plan.writesBehind ? BytesOfWriting : 0;
+  return BytesOfProgram + BytesPerThread * plan.threads + writing + std::min(pull, voxels * bytesPerVoxel) + mask +
+         unpacking + request.footprint.bytesBeside;
 }
 
 itk::MedialVoxelClusterEngine

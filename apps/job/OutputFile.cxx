@@ -162,14 +162,57 @@ OutputFile::Reserve(std::uint64_t numberOfBytes)
 }
 
 void
+OutputFile::BypassPageCache()
+{
+  m_Uncached = std::make_unique<UncachedWriter>(m_TemporaryName);
+  if (!m_Uncached->IsOpen())
+  {
+    m_Uncached.reset();
+  }
+}
+
+void
 OutputFile::WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes)
 {
-  const auto *  position = static_cast<const char *>(data);
+  constexpr std::uint64_t block = UncachedWriter::BlockBytes;
+  const auto * const      bytes = static_cast<const char *>(data);
+  const std::uint64_t     head = std::min(numberOfBytes, (block - offset % block) % block);
+  const std::uint64_t     blocks = (numberOfBytes - head) / block * block;
+  if (m_Uncached && blocks > 0 && this->WriteUncachedAt(offset + head, bytes + head, blocks))
+  {
+    // A block that two pieces share waits in the cache for the second one.
+    const std::uint64_t tail = head + blocks;
+    this->WriteCachedAt(offset, bytes, head);
+    this->WriteCachedAt(offset + tail, bytes + tail, numberOfBytes - tail);
+  }
+  else
+  {
+    this->WriteCachedAt(offset, bytes, numberOfBytes);
+  }
+}
+
+bool
+OutputFile::WriteUncachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes)
+{
+  if (m_Uncached->WriteAt(offset, data, numberOfBytes))
+  {
+    return true;
+  }
+  if (errno != EINVAL)
+  {
+    FailWithErrno(ExitStatus::Failure, "write", m_FileName);
+  }
+  m_Uncached.reset();
+  return false;
+}
+
+void
+OutputFile::WriteCachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes)
+{
   std::uint64_t done = 0;
   while (done < numberOfBytes)
   {
-    const ssize_t count =
-      pwrite(m_Descriptor, position + done, numberOfBytes - done, static_cast<off_t>(offset + done));
+    const ssize_t count = pwrite(m_Descriptor, data + done, numberOfBytes - done, static_cast<off_t>(offset + done));
     if (count < 0 && errno == EINTR)
     {
       continue;

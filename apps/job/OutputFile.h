@@ -3,8 +3,11 @@
 #ifndef medialvoxelOutputFile_h
 #define medialvoxelOutputFile_h
 
+#include "UncachedWriter.h"
+
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string_view>
 
 namespace medialvoxel
@@ -34,6 +37,10 @@ public:
    * \throw JobError Refused when the folder cannot be written or has no space. */
   void
   Create(std::uint64_t numberOfBytes, bool reserve);
+
+  /** Lets WriteAt() go past the page cache from now on, where the file system can. */
+  void
+  BypassPageCache();
 
   /** \throw JobError Failure. */
   void
@@ -85,11 +92,20 @@ private:
   void
   Reserve(std::uint64_t numberOfBytes);
 
+  void
+  WriteCachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes);
+
+  /** False when the file system cannot after all, which is not tried again. */
+  bool
+  WriteUncachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes);
+
   std::filesystem::path m_FileName;
   std::filesystem::path m_TemporaryName;
   bool                  m_Overwrite;
   int                   m_Descriptor{ -1 };
   std::uint64_t         m_Size{ 0 };
+
+  std::unique_ptr<UncachedWriter> m_Uncached;
 };
 
 /** Fills a created, empty file with text and finishes it. */

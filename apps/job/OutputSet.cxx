@@ -14,6 +14,10 @@ OutputSet::AddVolume(const std::string & fileName, const VolumeGeometry & geomet
   }
   m_Volumes.push_back(std::make_unique<OutputVolume>(fileName, m_Overwrite, m_Sparse));
   m_Volumes.back()->Create(geometry, layout);
+  if (m_WritesBehind)
+  {
+    m_Volumes.back()->BypassPageCacheWhenLarge();
+  }
   return m_Volumes.back().get();
 }
 

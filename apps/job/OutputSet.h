@@ -17,9 +17,11 @@ namespace medialvoxel
 class OutputSet
 {
 public:
-  explicit OutputSet(const JobOptions & options)
+  /** \param writesBehind volumes are written in a thread of their own, which may wait for the disk */
+  OutputSet(const JobOptions & options, bool writesBehind)
     : m_Overwrite(options.overwrite)
     , m_Sparse(options.sparse)
+    , m_WritesBehind(writesBehind)
   {}
 
   /** Creates a volume; null when the name is empty. */
@@ -41,6 +43,7 @@ public:
 private:
   bool                                       m_Overwrite;
   bool                                       m_Sparse;
+  bool                                       m_WritesBehind;
   std::vector<std::unique_ptr<OutputVolume>> m_Volumes;
   std::vector<std::unique_ptr<OutputFile>>   m_Files;
 };

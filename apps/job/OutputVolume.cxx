@@ -12,6 +12,9 @@ namespace medialvoxel
 namespace
 {
 
+/** Of such a volume, the page cache would keep what is not needed soon, in place of what is. */
+constexpr std::uint64_t BytesOfLargeVolume = std::uint64_t{ 1 } << 29;
+
 std::filesystem::path
 DataName(const std::filesystem::path & headerName, unsigned int number)
 {
@@ -64,6 +67,16 @@ OutputVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout
   m_Offset = text.size();
   m_Header.Create(m_Offset + numberOfBytes, !m_Sparse);
   m_Header.WriteAt(0, text.data(), text.size());
+}
+
+void
+OutputVolume::BypassPageCacheWhenLarge()
+{
+  OutputFile & file = HasDataFile(m_Format) ? m_Data : m_Header;
+  if (!m_Sparse && file.GetSize() >= BytesOfLargeVolume)
+  {
+    file.BypassPageCache();
+  }
 }
 
 void

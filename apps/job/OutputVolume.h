@@ -29,6 +29,10 @@ public:
   void
   Create(const VolumeGeometry & geometry, const VoxelLayout & layout);
 
+  /** Writes a large volume past the page cache from now on; to be called after Create(). */
+  void
+  BypassPageCacheWhenLarge();
+
   /** Writes voxels that follow each other, x fastest. \throw JobError Failure. */
   void
   Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data);

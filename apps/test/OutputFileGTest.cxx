@@ -7,7 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
 #include <sys/stat.h>
+#include <unistd.h>
 #include <vector>
 
 using namespace medialvoxel;
@@ -113,4 +116,50 @@ TEST(OutputFile, RefusesAFolderThatCannotBeWritten)
   {
     EXPECT_EQ(error.GetStatus(), ExitStatus::Refused);
   }
+}
+
+TEST(OutputFile, IsTheSamePastThePageCache)
+{
+  const TemporaryFolder folder;
+  std::string           expected(600 * UncachedWriter::BlockBytes + 77, '\0');
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    expected[i] = static_cast<char>(i * 2654435761u >> 13);
+  }
+  // Lengths below, at and above a block, and so large that one buffer does not hold them.
+  for (const std::size_t piece : { std::size_t{ 1000 }, std::size_t{ 4096 }, std::size_t{ 12345 }, expected.size() })
+  {
+    OutputFile file(folder / "a", true);
+    file.Create(expected.size(), true);
+    file.BypassPageCache();
+    for (std::size_t begin = 0; begin < expected.size(); begin += piece)
+    {
+      file.WriteAt(begin, expected.data() + begin, std::min(piece, expected.size() - begin));
+    }
+    std::string back(expected.size(), '\0');
+    file.ReadAt(0, back.data(), back.size());
+    EXPECT_EQ(back, expected);
+    file.Finish();
+    file.Publish();
+    EXPECT_EQ(folder.Read("a"), expected);
+  }
+}
+
+TEST(OutputFile, IsWrittenWhereThePageCacheCannotBeBypassed)
+{
+  // This file system of the kernel has nothing but the page cache.
+  const char * const memory = "/dev/shm";
+  if (!std::filesystem::is_directory(memory))
+  {
+    GTEST_SKIP() << "no " << memory;
+  }
+  const std::string name = std::string(memory) + "/medialvoxel-" + std::to_string(getpid());
+  OutputFile        file(name, false);
+  file.Create(20000, true);
+  file.BypassPageCache();
+  const std::string expected(20000, 'x');
+  file.WriteAt(0, expected.data(), expected.size());
+  std::string back(expected.size(), '\0');
+  file.ReadAt(0, back.data(), back.size());
+  EXPECT_EQ(back, expected);
 }

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelUncachedWriter_h
+#define medialvoxelUncachedWriter_h
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+namespace medialvoxel
+{
+
+/** \class UncachedWriter
+ * \brief Writes whole blocks of a file past the page cache.
+ *
+ * A large result then does not push out of memory what other programs, and this one, still need, and costs no copy in
+ * the kernel. Not every file system can. */
+class UncachedWriter
+{
+public:
+  /** Positions and lengths are multiples of it. */
+  static constexpr std::uint64_t BlockBytes = 4096;
+
+  /** Opens an existing file. */
+  explicit UncachedWriter(const std::filesystem::path & fileName);
+  ~UncachedWriter();
+  UncachedWriter(const UncachedWriter &) = delete;
+  UncachedWriter &
+  operator=(const UncachedWriter &) = delete;
+
+  /** False where the file system cannot write past the page cache. */
+  bool
+  IsOpen() const
+  {
+    return m_Descriptor >= 0;
+  }
+
+  /** \return false on failure, with errno; EINVAL where the file system cannot after all */
+  bool
+  WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes);
+
+private:
+  struct Free
+  {
+    void
+    operator()(void * memory) const
+    {
+      std::free(memory);
+    }
+  };
+
+  int                         m_Descriptor{ -1 };
+  std::unique_ptr<char, Free> m_Buffer; ///< as the memory must be aligned, too
+};
+
+} // end namespace medialvoxel
+
+#endif
