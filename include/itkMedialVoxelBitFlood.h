@@ -98,7 +98,6 @@ private:
   };
 
   struct WordLayout;
-  struct PlaneLayout;
 
   bool
   FindLengths(const MedialVoxelGrid & grid, double epsilon);

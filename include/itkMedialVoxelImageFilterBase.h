@@ -128,6 +128,10 @@ public:
   /** Seconds that all threads together spent in the classification; summed like the counts. */
   itkGetConstMacro(ClassificationSeconds, double);
 
+  /** Seconds from the first to the last tile of each slab; summed like the counts. As many times the number of threads
+   * is what they could have spent; DistanceSeconds and ClassificationSeconds are what they spent. */
+  itkGetConstMacro(TileSeconds, double);
+
   void
   UpdateOutputInformation() override;
 
@@ -160,13 +164,14 @@ protected:
     virtual ~Workspace() = default;
   };
 
-  /** What a tile adds to the sums. */
+  /** What a tile, or all tiles of a slab, add to the sums. */
   struct TileSums
   {
     MedialVoxelCounts counts;
     std::uint64_t     recomputedVoxels{ 0 };
     double            distanceSeconds{ 0.0 };
     double            classificationSeconds{ 0.0 };
+    double            tileSeconds{ 0.0 };
   };
 
   /** What the engine has to keep for the derived class. */
@@ -254,6 +259,7 @@ private:
   SizeValueType m_NumberOfRecomputedVoxels{ 0 };
   double        m_DistanceSeconds{ 0.0 };
   double        m_ClassificationSeconds{ 0.0 };
+  double        m_TileSeconds{ 0.0 };
   bool          m_StartNewSum{ true };
 
   /** Keeps its window from piece to piece of a streamed update, so that shared input is pulled once. */

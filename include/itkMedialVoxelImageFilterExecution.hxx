@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -69,7 +70,9 @@ public:
     const SizeValueType       workers =
       std::max<SizeValueType>(1, std::min<SizeValueType>(m_Filter.GetNumberOfWorkers(), schedule.GetNumberOfTiles()));
     multiThreader->SetNumberOfWorkUnits(static_cast<ThreadIdType>(workers));
+    const auto start = std::chrono::steady_clock::now();
     multiThreader->ParallelizeArray(0, workers, [this](SizeValueType) { this->Work(); }, nullptr);
+    m_Sums.tileSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     // The next tiles may be smaller and their window larger.
     m_Workspaces.clear();
     schedule.RethrowFailure();

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelBitFlood.h"
 
+#include "itkMedialVoxelPlaneLayoutPrivate.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -14,9 +16,6 @@ namespace
 
 /** Relative width of the band around the threshold in which sums of rounded edge lengths decide nothing. */
 constexpr double Band = 1e-9;
-
-/** Rows of a plane and bits of a row where a window has a word per slice. */
-constexpr std::int64_t PlaneEdge = 8;
 
 } // namespace
 
@@ -164,7 +163,7 @@ MedialVoxelBitFlood::AddWindow(const MedialVoxelDisplacement & offset,
     const int slice = window.size[0] * window.size[1];
     window.fitsWord = slice < MedialVoxelBits::BitsPerWord && slice * window.size[2] <= MedialVoxelBits::BitsPerWord;
     window.shape = window.fitsWord ? this->ShapeOf(window.size) : std::uint8_t{ 0 };
-    const int  strideY = window.fitsWord ? window.size[0] : static_cast<int>(PlaneEdge);
+    const int  strideY = window.fitsWord ? window.size[0] : MedialVoxelPlaneLayout::Edge;
     const int  strideZ = window.fitsWord ? slice : static_cast<int>(MedialVoxelBits::BitsPerWord);
     const auto bitAt = [&](const int x, const int y, const int z) {
       return static_cast<std::uint16_t>(z * strideZ + y * strideY + x);
@@ -257,9 +256,14 @@ struct MedialVoxelBitFlood::WordLayout
     return WordType{ 1 } << bit;
   }
   static bool
-  Test(const Set & set, const std::uint16_t bit)
+  Meet(const Set & a, const Set & b)
   {
-    return ((set >> bit) & 1u) != 0;
+    return (a & b) != 0;
+  }
+  static bool
+  Equal(const Set & a, const Set & b)
+  {
+    return a == b;
   }
   Set
   AlongX(const Set & set) const
@@ -285,81 +289,6 @@ struct MedialVoxelBitFlood::WordLayout
   And(const Set & a, const Set & b)
   {
     return a & b;
-  }
-};
-
-/** A word per slice, eight rows of eight bits each. */
-struct MedialVoxelBitFlood::PlaneLayout
-{
-  using Set = std::array<WordType, PlaneEdge>;
-
-  static constexpr WordType FirstColumn = 0x0101010101010101u;
-
-  static Set
-  Point(const std::uint16_t bit)
-  {
-    Set set{};
-    set[bit >> 6] = WordType{ 1 } << (bit & 63);
-    return set;
-  }
-  static bool
-  Test(const Set & set, const std::uint16_t bit)
-  {
-    return ((set[bit >> 6] >> (bit & 63)) & 1u) != 0;
-  }
-  static Set
-  AlongX(const Set & set)
-  {
-    Set result;
-    for (std::size_t z = 0; z < set.size(); ++z)
-    {
-      result[z] = ((set[z] << 1) & ~FirstColumn) | ((set[z] & ~FirstColumn) >> 1);
-    }
-    return result;
-  }
-  static Set
-  AlongY(const Set & set)
-  {
-    Set result;
-    for (std::size_t z = 0; z < set.size(); ++z)
-    {
-      result[z] = (set[z] << PlaneEdge) | (set[z] >> PlaneEdge);
-    }
-    return result;
-  }
-  static Set
-  AlongZ(const Set & set)
-  {
-    Set result{};
-    for (std::size_t z = 1; z < set.size(); ++z)
-    {
-      result[z] = set[z - 1];
-    }
-    for (std::size_t z = 1; z < set.size(); ++z)
-    {
-      result[z - 1] |= set[z];
-    }
-    return result;
-  }
-  static Set
-  Or(const Set & a, const Set & b)
-  {
-    Set result;
-    for (std::size_t z = 0; z < a.size(); ++z)
-    {
-      result[z] = a[z] | b[z];
-    }
-    return result;
-  }
-  static Set
-  And(const Set & a, const Set & b)
-  {
-    Set result;
-    for (std::size_t z = 0; z < a.size(); ++z)
-    {
-      result[z] = a[z] & b[z];
-    }
-    return result;
   }
 };
 
@@ -406,28 +335,29 @@ MedialVoxelBitFlood::Decide(const MedialVoxelBits &         boundary,
     const unsigned int strideY = window.size[0];
     return this->Flood(WordLayout{ m_Shapes[window.shape], strideY, strideY * window.size[1] }, window, domain);
   }
-  PlaneLayout::Set domain{};
+  std::array<WordType, MedialVoxelPlaneLayout::Edge> domain{};
   VisitRows(boundary, lower, window.size, [&](const WordType bits, const unsigned int y, const unsigned int z) {
-    domain[z] |= bits << (PlaneEdge * y);
+    domain[z] |= bits << (static_cast<unsigned int>(MedialVoxelPlaneLayout::Edge) * y);
   });
-  return this->Flood(PlaneLayout{}, window, domain);
+  return this->Flood(MedialVoxelPlaneLayout{}, window, MedialVoxelPlaneLayout::Load(domain));
 }
 
 template <typename TLayout>
 MedialVoxelBitFlood::Result
 MedialVoxelBitFlood::Flood(const TLayout & layout, const Window & window, const typename TLayout::Set & domain) const
 {
-  auto reached = TLayout::Point(window.bitOfA);
+  auto       reached = TLayout::Point(window.bitOfA);
+  const auto target = TLayout::Point(window.bitOfB);
   for (std::int64_t edges = 1; edges <= m_MostEdges; ++edges)
   {
     auto next = TLayout::Or(reached, layout.AlongX(reached));
     next = TLayout::Or(next, layout.AlongY(next));
     next = TLayout::And(TLayout::Or(next, layout.AlongZ(next)), domain);
-    if (TLayout::Test(next, window.bitOfB))
+    if (TLayout::Meet(next, target))
     {
       return edges <= m_ShortEdges ? Result::FallsShort : this->FloodByLength(layout, window, domain);
     }
-    if (next == reached)
+    if (TLayout::Equal(next, reached))
     {
       break;
     }
@@ -446,6 +376,7 @@ MedialVoxelBitFlood::FloodByLength(const TLayout &               layout,
   // Left uninitialized but for what is read: every entry is written before those that need it.
   std::array<Set, MostLengths> reached;
   reached[0] = TLayout::Point(window.bitOfA);
+  const Set target = TLayout::Point(window.bitOfB);
   for (std::size_t i = 1; i < m_Lengths.size(); ++i)
   {
     const auto & shorter = m_Lengths[i].shorter;
@@ -467,7 +398,7 @@ MedialVoxelBitFlood::FloodByLength(const TLayout &               layout,
       next = TLayout::Or(next, layout.AlongZ(layout.AlongY(layout.AlongX(reached[shorter[2]]))));
     }
     reached[i] = TLayout::And(next, domain);
-    if (TLayout::Test(reached[i], window.bitOfB))
+    if (TLayout::Meet(reached[i], target))
     {
       return Result::FallsShort;
     }

@@ -12,6 +12,7 @@ set(L1
     SiteKey
     RowPass
     DualCell
+    PlaneLayout
     BitFlood
     BoundaryGraph
     BoundaryDistances

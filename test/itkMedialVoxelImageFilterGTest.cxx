@@ -208,6 +208,9 @@ TEST(MedialVoxelImageFilter, TimesAreMeasured)
   EXPECT_GT(filter->GetDistanceSeconds(), 0.0);
   EXPECT_GT(filter->GetClassificationSeconds(), 0.0);
   EXPECT_LT(filter->GetDistanceSeconds() + filter->GetClassificationSeconds(), 60.0);
+  // The threads cannot have been busy for longer than there were tiles.
+  const double threads = filter->GetNumberOfWorkUnits();
+  EXPECT_LE(filter->GetDistanceSeconds() + filter->GetClassificationSeconds(), threads * filter->GetTileSeconds());
 }
 
 TEST(MedialVoxelImageFilter, RefusesToRunWithoutInput)

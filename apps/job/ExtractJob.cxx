@@ -163,6 +163,7 @@ public:
     {
       const RunnerSums distances = m_DistanceRunner->GetSums();
       m_Result.sums.distanceSeconds += distances.distanceSeconds;
+      m_Result.sums.tileSeconds += distances.tileSeconds;
       m_Result.sums.recomputedVoxels += distances.recomputedVoxels;
     }
     CheckCounts(m_Result.sums.counts);

@@ -221,6 +221,7 @@ AddMeasurements(JobResult & result, const InputVolume & input, double writeSecon
 {
   result.seconds.distance = result.sums.distanceSeconds;
   result.seconds.classification = result.sums.classificationSeconds;
+  result.seconds.tiles = result.sums.tileSeconds;
   result.seconds.inputOutput = input.GetReadSeconds() + writeSeconds;
   result.seconds.total = SecondsSince(start);
   result.bytesRead = input.GetNumberOfBytesRead();

@@ -33,6 +33,7 @@ struct RunnerSums
   std::uint64_t          recomputedVoxels{ 0 }; ///< of tiles run again because they depended on more input
   double                 distanceSeconds{ 0.0 };
   double                 classificationSeconds{ 0.0 };
+  double                 tileSeconds{ 0.0 };
 };
 
 /** Hears the progress of a piece from 0 to 1, and answers true to stop. */

@@ -95,11 +95,20 @@ AddObject(Json & parameters, const JobOptions & options)
   parameters["units"] = options.voxelUnits ? "voxels" : "physical";
 }
 
+/** Share of the time of the threads, while there were tiles, that they worked on tiles. */
+Json
+GetThreadEfficiency(const JobResult & result)
+{
+  const double possible = result.plan.threads * result.seconds.tiles;
+  return possible > 0.0 ? Json((result.seconds.distance + result.seconds.classification) / possible) : Json(nullptr);
+}
+
 void
 AddRun(Json & report, const JobResult & result)
 {
   report["seconds"] = { { "distance", result.seconds.distance },
                         { "classification", result.seconds.classification },
+                        { "tiles", result.seconds.tiles },
                         { "input_output", result.seconds.inputOutput },
                         { "total", result.seconds.total } };
   report["peak_memory_bytes"] = result.peakMemoryBytes;
@@ -108,6 +117,7 @@ AddRun(Json & report, const JobResult & result)
   report["bytes_read"] = result.bytesRead;
   report["recomputed_voxels"] = result.sums.recomputedVoxels;
   report["threads"] = result.plan.threads;
+  report["thread_efficiency"] = GetThreadEfficiency(result);
   report["divisions"] = result.plan.divisions;
 }
 

@@ -20,6 +20,7 @@ struct JobSeconds
 {
   double distance{ 0.0 };
   double classification{ 0.0 };
+  double tiles{ 0.0 }; ///< while threads worked on tiles
   double inputOutput{ 0.0 };
   double total{ 0.0 };
 };

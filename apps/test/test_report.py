@@ -36,6 +36,7 @@ KEYS = [
     "recomputed_voxels",
     "threads",
     "divisions",
+    "thread_efficiency",
 ]
 COUNTS = [
     "object_voxels",
@@ -65,7 +66,7 @@ class ReportTest(ProgramTestCase):
         report, _ = self.report("--lower", 72, "--threads", 2, "--divisions", 3)
         self.assertEqual(list(report), KEYS)
         self.assertEqual(list(report["counts"]), COUNTS)
-        self.assertEqual(list(report["seconds"]), ["distance", "classification", "input_output", "total"])
+        self.assertEqual(list(report["seconds"]), ["distance", "classification", "tiles", "input_output", "total"])
         self.assertEqual(report["size"], [24, 20, 16])
         self.assertEqual(report["input"]["spacing"], [1, 1, 1.5])
         self.assertEqual(report["outputs"], {"labels": "out.mha", "report": "r.json"})
@@ -73,6 +74,9 @@ class ReportTest(ProgramTestCase):
         self.assertEqual(report["parameters"]["lower"], 72)
         self.assertIsNone(report["parameters"]["upper"])
         self.assertEqual((report["threads"], report["divisions"]), (2, 3))
+        busy = report["seconds"]["distance"] + report["seconds"]["classification"]
+        self.assertAlmostEqual(report["thread_efficiency"], busy / (2 * report["seconds"]["tiles"]))
+        self.assertLessEqual(report["thread_efficiency"], 1)
         self.assertEqual(report["counts"]["object_voxels"], self.volume.voxels.count(100))
         counts = report["counts"]
         decided = sum(counts[name] for name in ("trivial", "bound", "geodesic_medial", "geodesic_non_medial"))
