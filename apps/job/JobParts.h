@@ -48,6 +48,7 @@ GetVectorLayout(const VolumeHeader & header);
 
 constexpr VoxelLayout LabelLayout{ PixelType::UInt8, 1 };
 constexpr VoxelLayout DistanceLayout{ PixelType::Float32, 1 };
+constexpr VoxelLayout ThicknessLayout{ PixelType::Float32, 1 };
 
 /** \class PieceLoop
  * \brief Runs the pieces of a job, tells the sink, stops when asked, and measures what writing takes. */

@@ -160,6 +160,7 @@ public:
     this->m_Filter->SetPseudoGeodesicBound(options.bound);
     this->m_Filter->SetGenerateVectorDistance(!options.vectorFile.empty());
     this->m_Filter->SetVectorDistanceBoundary(options.vectorBoundary);
+    this->m_Filter->SetGenerateThickness(!options.thicknessFile.empty());
     this->m_Filter->UpdateOutputInformation();
   }
 
@@ -196,6 +197,10 @@ protected:
     if (auto * const vectors = this->m_Filter->GetVectorDistanceOutput())
     {
       results.vectors = vectors->GetBufferPointer();
+    }
+    if (auto * const thicknesses = this->m_Filter->GetThicknessOutput())
+    {
+      results.thicknesses = thicknesses->GetBufferPointer();
     }
     return results;
   }
