@@ -42,9 +42,9 @@ GetSurveySettings(const ExtractOptions & options)
 {
   SurveySettings settings;
   settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
-  settings.thickness = !options.reportFile.empty() || !options.htmlFile.empty() || !options.thicknessCsvFile.empty() ||
-                       (settings.picture && !options.thicknessFile.empty());
-  if (!options.thicknessFile.empty() || !options.thicknessCsvFile.empty())
+  const bool showsAll = !options.thicknessFile.empty() || !options.thicknessCsvFile.empty();
+  settings.thickness = showsAll || !options.reportFile.empty() || !options.htmlFile.empty();
+  if (showsAll)
   {
     settings.fullyMeasuredVoxels = std::numeric_limits<std::uint64_t>::max();
   }
@@ -85,7 +85,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   auto settings = itk::MedialVoxelClusterEngine::Settings::ForClassification(
     footprint.grid, itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness), withObjectVectors);
   const SurveySettings survey = GetSurveySettings(options);
-  if (survey.thickness || survey.picture || !options.thicknessFile.empty())
+  if (survey.thickness || survey.picture)
   {
     settings.workerBytesPerVoxel += itk::MedialVoxelTileWallsBytesPerVoxel;
   }
