@@ -30,6 +30,7 @@ struct MedialVoxelCellRow
   MedialVoxelBits::WordType candidates{ 0 }; ///< cells with an object corner
   MedialVoxelBits::WordType byBound{ 0 };    ///< of them: medial by the bound
   MedialVoxelBits::WordType byGeodesic{ 0 }; ///< of them: medial by the search
+  MedialVoxelBits::WordType measured{ 0 };   ///< of the medial ones: their walls are measured
 };
 
 /** \class MedialVoxelClassifier

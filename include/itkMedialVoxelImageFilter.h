@@ -45,7 +45,13 @@ namespace itk
  * \par Vectors
  * GenerateVectorDistanceOn() adds a second output, GetVectorDistanceOutput(): at object voxels the displacement to the
  * nearest boundary voxel, zero elsewhere, NaN at object voxels of an image that has no boundary. The geometry of this
- * image is the input's. Both outputs always have the same requested region.
+ * image is the input's. All outputs always have the same requested region.
+ *
+ * \par Thickness
+ * GenerateThicknessOn() adds an output, GetThicknessOutput(): at medial cells the thickness of the wall, zero
+ * elsewhere. The geometry of this image is that of the labels. MedialVoxelThickness tells how it is measured: walls
+ * parallel to an axis exactly, other walls of 2 voxels or more with a mean error of less than 0.2 voxels, 0.4 at 45
+ * degrees to two axes.
  *
  * \par Departures from the paper
  * - The boundary is the background border: background voxels with an object voxel among their 3^D-1 neighbors. With the
@@ -88,6 +94,8 @@ public:
   using OutputPixelType = typename OutputImageType::PixelType;
   using VectorImageType = Image<Vector<float, ImageDimension>, ImageDimension>;
 
+  using ThicknessImageType = Image<float, ImageDimension>;
+
   using PseudoGeodesicBoundEnum = MedialVoxelEnums::PseudoGeodesicBound;
   using BoundaryEnum = MedialVoxelEnums::Boundary;
 
@@ -120,6 +128,19 @@ public:
   GetVectorDistanceOutput();
   const VectorImageType *
   GetVectorDistanceOutput() const;
+
+  /** Produce the thickness output. Default off, which costs neither time nor memory. */
+  virtual void
+  SetGenerateThickness(bool generate);
+  itkGetConstMacro(GenerateThickness, bool);
+  itkBooleanMacro(GenerateThickness);
+
+  /** Thickness of the walls at medial cells, physical when UseImageSpacing is on, otherwise in voxels; zero elsewhere.
+   * Null unless GenerateThickness is on. */
+  ThicknessImageType *
+  GetThicknessOutput();
+  const ThicknessImageType *
+  GetThicknessOutput() const;
 
   /** Numbers of voxels and cells of the requested regions since the last UpdateOutputInformation() that was followed by
    * an execution. The pieces of a streamed update add up to the whole; an aborted execution adds nothing. */
@@ -181,6 +202,21 @@ private:
   struct TileWorkspace;
 
   static constexpr const char * VectorDistanceName = "VectorDistance";
+  static constexpr const char * ThicknessName = "Thickness";
+
+  /** Create a named output when it is switched on, remove it when it is switched off. */
+  void
+  SwitchOutput(bool & isOn, bool generate, const char * name);
+
+  /** Rows of cells are kept when walls are measured or shown to an observer. */
+  bool
+  KeepsRows() const
+  {
+    return m_GenerateThickness || m_TileObserver != nullptr;
+  }
+
+  void
+  MeasureWalls(const MedialVoxelWindow & window, TileWorkspace & workspace) const;
 
   void
   WriteEmptyTile(const MedialVoxelBox & tile);
@@ -188,10 +224,19 @@ private:
   void
   WriteLabels(const MedialVoxelBox & tile, const std::vector<std::uint8_t> & labels);
 
+  void
+  WriteThickness(const MedialVoxelBox & tile, const TileWorkspace & workspace);
+
+  /** Set all pixels of a tile to zero. */
+  template <typename TImage>
+  void
+  ClearTile(TImage & image, const MedialVoxelBox & tile) const;
+
   double                  m_Thickness{ 3.0 };
   PseudoGeodesicBoundEnum m_PseudoGeodesicBound{ PseudoGeodesicBoundEnum::FreeSpace };
   bool                    m_GenerateVectorDistance{ false };
   BoundaryEnum            m_VectorDistanceBoundary{ BoundaryEnum::Object };
+  bool                    m_GenerateThickness{ false };
 
   MedialVoxelTileObserver * m_TileObserver{ nullptr };
 
@@ -205,6 +250,7 @@ private:
 
   std::unique_ptr<const MedialVoxelFeatureTransform> m_Transform;
   std::unique_ptr<const MedialVoxelClassifier>       m_Classifier;
+  std::unique_ptr<const MedialVoxelThickness>        m_ThicknessKernel;
 };
 
 } // end namespace itk

@@ -20,24 +20,39 @@ struct MedialVoxelImageFilter<TInputImage, TOutputImage>::TileWorkspace : public
   MedialVoxelFeatures                    objectFeatures;
   MedialVoxelClassifier::Workspace       classifier;
   std::vector<std::uint8_t>              labels;
+  std::vector<MedialVoxelWall>           walls;
 };
 
 template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateVectorDistance(const bool generate)
 {
-  if (generate == m_GenerateVectorDistance)
+  this->SwitchOutput(m_GenerateVectorDistance, generate, VectorDistanceName);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateThickness(const bool generate)
+{
+  this->SwitchOutput(m_GenerateThickness, generate, ThicknessName);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SwitchOutput(bool & isOn, const bool generate, const char * name)
+{
+  if (generate == isOn)
   {
     return;
   }
-  m_GenerateVectorDistance = generate;
+  isOn = generate;
   if (generate)
   {
-    this->ProcessObject::SetOutput(VectorDistanceName, this->MakeOutput(VectorDistanceName));
+    this->ProcessObject::SetOutput(name, this->MakeOutput(name));
   }
   else
   {
-    this->ProcessObject::RemoveOutput(VectorDistanceName);
+    this->ProcessObject::RemoveOutput(name);
   }
   this->Modified();
 }
@@ -57,12 +72,30 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetVectorDistanceOutput() con
 }
 
 template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetThicknessOutput() -> ThicknessImageType *
+{
+  return dynamic_cast<ThicknessImageType *>(this->ProcessObject::GetOutput(ThicknessName));
+}
+
+template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetThicknessOutput() const -> const ThicknessImageType *
+{
+  return dynamic_cast<const ThicknessImageType *>(this->ProcessObject::GetOutput(ThicknessName));
+}
+
+template <typename TInputImage, typename TOutputImage>
 ProcessObject::DataObjectPointer
 MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeOutput(const ProcessObject::DataObjectIdentifierType & name)
 {
   if (name == VectorDistanceName)
   {
     return VectorImageType::New().GetPointer();
+  }
+  if (name == ThicknessName)
+  {
+    return ThicknessImageType::New().GetPointer();
   }
   return Superclass::MakeOutput(name);
 }
@@ -96,6 +129,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
     shift[axis] = grid.IsActive(axis) ? 0.5 * input->GetSpacing()[axis] : 0.0;
   }
   output->SetOrigin(input->GetOrigin() + input->GetDirection() * shift);
+  if (m_GenerateThickness)
+  {
+    this->GetThicknessOutput()->SetOrigin(output->GetOrigin());
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -106,9 +143,9 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const Media
     grid,
     MedialVoxelParameters::EpsilonFromThickness(m_Thickness),
     m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object);
-  if (m_TileObserver != nullptr)
+  if (this->KeepsRows())
   {
-    settings.workerBytesPerVoxel += MedialVoxelCellRow::BytesPerVoxel;
+    settings.workerBytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel;
   }
   return settings;
 }
@@ -122,6 +159,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::BeforeTiles(const MedialVoxel
   parameters.bound = m_PseudoGeodesicBound;
   m_Transform = std::make_unique<const MedialVoxelFeatureTransform>(grid);
   m_Classifier = std::make_unique<const MedialVoxelClassifier>(grid, parameters);
+  m_ThicknessKernel = std::make_unique<const MedialVoxelThickness>(grid);
   if (m_TileObserver != nullptr)
   {
     m_TileObserver->Begin();
@@ -134,7 +172,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeWorkspace() const
   -> std::unique_ptr<typename Superclass::Workspace>
 {
   auto workspace = std::make_unique<TileWorkspace>();
-  workspace->classifier.keepsRows = m_TileObserver != nullptr;
+  workspace->classifier.keepsRows = this->KeepsRows();
   return workspace;
 }
 
@@ -182,11 +220,20 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
     return missing;
   }
 
+  if (this->KeepsRows())
+  {
+    this->MeasureWalls(window, workspace);
+  }
   if (m_TileObserver != nullptr)
   {
-    m_TileObserver->Observe({ tile, window, workspace.features, *m_Classifier, workspace.classifier.rows });
+    m_TileObserver->Observe(
+      { tile, window, workspace.features, *m_Classifier, workspace.classifier.rows, workspace.walls });
   }
   this->WriteLabels(tile, workspace.labels);
+  if (m_GenerateThickness)
+  {
+    this->WriteThickness(tile, workspace);
+  }
   if (m_GenerateVectorDistance)
   {
     this->WriteVectors(
@@ -202,17 +249,26 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteEmptyTile(const MedialVoxelBox & tile)
 {
-  const auto clearRows = [&](auto & image) {
-    using PixelType = typename std::remove_reference_t<decltype(image)>::PixelType;
-    this->ForEachRow(image, tile, [](PixelType * const target, const MedialVoxelBox & row) {
-      std::fill_n(target, row.Extent(0), NumericTraits<PixelType>::ZeroValue());
-    });
-  };
-  clearRows(*this->GetOutput());
+  this->ClearTile(*this->GetOutput(), tile);
   if (m_GenerateVectorDistance)
   {
-    clearRows(*this->GetVectorDistanceOutput());
+    this->ClearTile(*this->GetVectorDistanceOutput(), tile);
   }
+  if (m_GenerateThickness)
+  {
+    this->ClearTile(*this->GetThicknessOutput(), tile);
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+template <typename TImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::ClearTile(TImage & image, const MedialVoxelBox & tile) const
+{
+  using PixelType = typename TImage::PixelType;
+  this->ForEachRow(image, tile, [](PixelType * const target, const MedialVoxelBox & row) {
+    std::fill_n(target, row.Extent(0), NumericTraits<PixelType>::ZeroValue());
+  });
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -227,6 +283,41 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteLabels(const MedialVoxel
     });
     source += row.Extent(0);
   });
+}
+
+/** All medial cells for the output, otherwise those that the observer selects. */
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::MeasureWalls(const MedialVoxelWindow & window,
+                                                                TileWorkspace &           workspace) const
+{
+  auto & rows = workspace.classifier.rows;
+  for (MedialVoxelCellRow & row : rows)
+  {
+    const MedialVoxelBits::WordType medial = row.byBound | row.byGeodesic;
+    row.measured = m_GenerateThickness || medial == 0 ? medial : medial & m_TileObserver->SelectCells(row);
+  }
+  MedialVoxelMeasureWalls(*m_ThicknessKernel, *m_Classifier, window, workspace.features, rows, workspace.walls);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteThickness(const MedialVoxelBox & tile,
+                                                                  const TileWorkspace &  workspace)
+{
+  ThicknessImageType & image = *this->GetThicknessOutput();
+  this->ClearTile(image, tile);
+  float * const                 first = image.GetBufferPointer() + image.ComputeOffset(this->RegionOf(tile).GetIndex());
+  const OffsetValueType * const strides = image.GetOffsetTable();
+  MedialVoxelForEachWall(
+    workspace.classifier.rows, workspace.walls, [&](const MedialVoxelIndex & cell, const MedialVoxelWall & wall) {
+      OffsetValueType offset = 0;
+      for (unsigned int axis = 0; axis < ImageDimension; ++axis)
+      {
+        offset += (cell[axis] - tile.lower[axis]) * strides[axis];
+      }
+      first[offset] = wall.thickness;
+    });
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -258,6 +349,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "PseudoGeodesicBound: " << m_PseudoGeodesicBound << std::endl;
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
+  os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
   os << indent << "NumberOfObjectVoxels: " << m_NumberOfObjectVoxels << std::endl;
   os << indent << "NumberOfBoundaryVoxels: " << m_NumberOfBoundaryVoxels << std::endl;
   os << indent << "NumberOfCandidateCells: " << m_NumberOfCandidateCells << std::endl;

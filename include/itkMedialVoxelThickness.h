@@ -26,6 +26,17 @@ struct MedialVoxel_EXPORT MedialVoxelWallPoints
   MedialVoxelIndex                b{};                  ///< N(vj), not equal to \a a
 };
 
+/** \struct MedialVoxelWall
+ * \brief What is measured of the wall at a medial cell.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxel_EXPORT MedialVoxelWall
+{
+  float         thickness{ 0.0f }; ///< in the units of the grid's spacing, not negative
+  float         area{ 0.0f };      ///< of the mid-surface that the cell stands for, in squared units; in 2-D a length
+  std::uint32_t axis{ 0 };         ///< the axis that the way through the wall is longest along
+};
+
 /** \class MedialVoxelThickness
  * \brief Thickness of a wall at a medial cell, measured on the binary object.
  *
@@ -37,6 +48,11 @@ struct MedialVoxel_EXPORT MedialVoxelWallPoints
  * for those at 45 degrees to two axes, whose layers of 0.71 voxels hide up to 0.36.
  *
  * Outside the image, where nothing is known, the outermost voxels are continued.
+ *
+ * A plane with the unit normal n passes through (|nx| sx + |ny| sy + |nz| sz) / (sx sy sz) cells of the size s for each
+ * unit of its area. The inverse, with the direction from one side to the other as the normal, is the area that a cell
+ * stands for. The areas of a wall parallel to an axis add up exactly; those of other walls to 1.1 times the area at 2
+ * voxels of thickness, where boundary points tell little of the direction, and to less than 1.05 times at 6 and more.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelThickness
@@ -44,10 +60,8 @@ class MedialVoxel_EXPORT MedialVoxelThickness
 public:
   explicit MedialVoxelThickness(const MedialVoxelGrid & grid);
 
-  /** Thickness in the units of the grid's spacing, not negative.
-   *
-   * \param object  bits of all voxels that are neighbors of the boundary points and in the image */
-  double
+  /** \param object  bits of all voxels that are neighbors of the boundary points and in the image */
+  MedialVoxelWall
   Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const;
 
   /** Object voxels among the 3^D voxels around \a point. */
@@ -59,7 +73,8 @@ private:
   CountAtFaceOfImage(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
 
   MedialVoxelGrid m_Grid;
-  int             m_BlockVoxels{ 1 }; // 3^D
+  int             m_BlockVoxels{ 1 };  // 3^D
+  double          m_CellVolume{ 1.0 }; // along the active axes
 };
 
 } // end namespace itk

@@ -4,6 +4,7 @@
 #define itkMedialVoxelTileObserver_h
 
 #include "itkMedialVoxelClassifier.h"
+#include "itkMedialVoxelTileWalls.h"
 
 #include "MedialVoxelExport.h"
 
@@ -23,6 +24,7 @@ struct MedialVoxelClassifiedTile
   const MedialVoxelFeatures &             features;   ///< displacements to the nearest boundary points
   const MedialVoxelClassifier &           classifier; ///< finds the pair of a cell again
   const std::vector<MedialVoxelCellRow> & rows;       ///< the cells with an object corner, by rows
+  const std::vector<MedialVoxelWall> &    walls;      ///< at the measured cells of the rows, in their order
 };
 
 /** \class MedialVoxelTileObserver
@@ -40,6 +42,11 @@ public:
 
   virtual void
   Begin() = 0;
+
+  /** The cells of a row whose walls are to be measured, of which the medial ones are. More are when the filter needs
+   * them for an output. Called from several threads at a time; default none. */
+  virtual MedialVoxelBits::WordType
+  SelectCells(const MedialVoxelCellRow & row) const;
 
   virtual void
   Observe(const MedialVoxelClassifiedTile & tile) = 0;

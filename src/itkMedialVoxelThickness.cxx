@@ -27,10 +27,11 @@ MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     m_BlockVoxels *= grid.IsActive(axis) ? 3 : 1;
+    m_CellVolume *= grid.IsActive(axis) ? grid.GetSpacing()[axis] : 1.0;
   }
 }
 
-double
+MedialVoxelWall
 MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const
 {
   const MedialVoxelIndex across{ { wall.b[0] - wall.a[0], wall.b[1] - wall.a[1], wall.b[2] - wall.a[2] } };
@@ -56,23 +57,32 @@ MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelW
     side.excess += m_BlockVoxels - 2 * this->CountObjectAround(object, point);
   }
 
-  const double numbers[2] = { static_cast<double>(sides[0].number), static_cast<double>(sides[1].number) };
-  const auto & spacing = m_Grid.GetSpacing();
-  double       squaredDistance = 0.0;
-  double       steepest = 0.0; // largest component of the direction in voxels, times the distance
+  const double    numbers[2] = { static_cast<double>(sides[0].number), static_cast<double>(sides[1].number) };
+  const auto &    spacing = m_Grid.GetSpacing();
+  double          squaredDistance = 0.0;
+  double          steepest = 0.0; // largest component of the direction in voxels, times the distance
+  double          longest = 0.0;
+  double          extent = 0.0; // of a cell across the wall, times the distance
+  MedialVoxelWall measured;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const double way =
       (static_cast<double>(sides[1].sum[axis]) / numbers[1] - static_cast<double>(sides[0].sum[axis]) / numbers[0]) *
       spacing[axis];
+    const double length = std::abs(way);
     squaredDistance += way * way;
-    steepest = std::max(steepest, std::abs(way) * spacing[axis]);
+    steepest = std::max(steepest, length * spacing[axis]);
+    extent += length * spacing[axis];
+    measured.axis = length > longest ? axis : measured.axis;
+    longest = std::max(longest, length);
   }
   const double distance = std::sqrt(squaredDistance);
   // The block is three voxels long; a share of one half puts the plane through its center.
   const double excess = sides[0].excess / numbers[0] + sides[1].excess / numbers[1];
   const double toFaces = 1.5 * excess / m_BlockVoxels * (steepest / distance);
-  return std::max(0.0, distance - toFaces);
+  measured.thickness = static_cast<float>(std::max(0.0, distance - toFaces));
+  measured.area = static_cast<float>(m_CellVolume * distance / extent);
+  return measured;
 }
 
 int

@@ -7,4 +7,10 @@ namespace itk
 
 MedialVoxelTileObserver::~MedialVoxelTileObserver() = default;
 
+MedialVoxelBits::WordType
+MedialVoxelTileObserver::SelectCells(const MedialVoxelCellRow &) const
+{
+  return 0;
+}
+
 } // end namespace itk

@@ -20,7 +20,7 @@ set(L1
     BoundedGeodesic
     PairChoice
     Thickness)
-set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileObserver)
+set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileWalls TileObserver)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)

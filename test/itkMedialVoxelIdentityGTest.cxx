@@ -36,6 +36,7 @@ Subjects()
 }
 
 using Vectors = MedialFilter<3>::VectorImageType;
+using Thicknesses = MedialFilter<3>::ThicknessImageType;
 
 MedialFilter<3>::Pointer
 MakeFilter(const Subject & subject)
@@ -43,6 +44,7 @@ MakeFilter(const Subject & subject)
   auto filter = MakeMedialFilter<3>(subject.volume, subject.thickness);
   filter->GenerateVectorDistanceOn();
   filter->SetVectorDistanceBoundary(itk::MedialVoxelBoundary::Background);
+  filter->GenerateThicknessOn();
   return filter;
 }
 
@@ -51,6 +53,7 @@ struct Outcome
 {
   std::vector<unsigned char>         labels;
   std::vector<itk::Vector<float, 3>> vectors;
+  std::vector<float>                 thicknesses;
   Counts                             counts;
 };
 
@@ -58,7 +61,10 @@ Outcome
 OutcomeOf(MedialFilter<3> * filter)
 {
   filter->UpdateLargestPossibleRegion();
-  return { PixelsOf(filter->GetOutput()), PixelsOf(filter->GetVectorDistanceOutput()), CountsOf(filter) };
+  return { PixelsOf(filter->GetOutput()),
+           PixelsOf(filter->GetVectorDistanceOutput()),
+           PixelsOf(filter->GetThicknessOutput()),
+           CountsOf(filter) };
 }
 
 void
@@ -66,6 +72,7 @@ ExpectSame(const Outcome & actual, const Outcome & expected)
 {
   EXPECT_TRUE(AreEqual(actual.labels, expected.labels));
   EXPECT_TRUE(VectorsAreEqual(actual.vectors, expected.vectors));
+  EXPECT_TRUE(AreEqual(actual.thicknesses, expected.thicknesses));
   EXPECT_EQ(actual.counts, expected.counts);
 }
 
@@ -100,12 +107,14 @@ CopyPiece(const MedialFilter<3> * filter, const Volume & volume, const itk::Imag
 {
   itk::ImageRegionConstIterator<MaskImage<3>> label(filter->GetOutput(), region);
   itk::ImageRegionConstIterator<Vectors>      vector(filter->GetVectorDistanceOutput(), region);
-  for (; !label.IsAtEnd(); ++label, ++vector)
+  itk::ImageRegionConstIterator<Thicknesses>  thickness(filter->GetThicknessOutput(), region);
+  for (; !label.IsAtEnd(); ++label, ++vector, ++thickness)
   {
     const auto   index = label.GetIndex();
     const Index3 v{ { static_cast<int>(index[0]), static_cast<int>(index[1]), static_cast<int>(index[2]) } };
     to.labels[volume.Offset(v)] = label.Get();
     to.vectors[volume.Offset(v)] = vector.Get();
+    to.thicknesses[volume.Offset(v)] = thickness.Get();
   }
 }
 } // namespace
@@ -169,6 +178,7 @@ TEST(MedialVoxelIdentity, DisjointRequestsInAnyOrderGiveTheWhole)
       auto    filter = MakeFilter(subject);
       Outcome actual = expected;
       std::fill(actual.labels.begin(), actual.labels.end(), 77);
+      std::fill(actual.thicknesses.begin(), actual.thicknesses.end(), -1.0f);
       filter->UpdateOutputInformation();
       for (const auto & piece : RandomPieces(filter->GetOutput()->GetLargestPossibleRegion(), 11, seed))
       {
@@ -197,6 +207,7 @@ TEST(MedialVoxelIdentity, SingleVoxelRequestsAgreeWithTheWhole)
     const Index3              v = subject.volume.IndexAt(i);
     const itk::ImageRegion<3> request({ { v[0], v[1], v[2] } }, { { 1, 1, 1 } });
     actual.labels[i] = 77;
+    actual.thicknesses[i] = -1.0f;
     filter->GetOutput()->SetRequestedRegion(request);
     filter->GetOutput()->PropagateRequestedRegion();
     filter->GetOutput()->UpdateOutputData();
@@ -204,6 +215,7 @@ TEST(MedialVoxelIdentity, SingleVoxelRequestsAgreeWithTheWhole)
   }
   EXPECT_TRUE(AreEqual(actual.labels, expected.labels));
   EXPECT_TRUE(VectorsAreEqual(actual.vectors, expected.vectors));
+  EXPECT_TRUE(AreEqual(actual.thicknesses, expected.thicknesses));
 }
 
 TEST(MedialVoxelIdentity, StreamedPiecesGiveTheWhole)

@@ -8,8 +8,10 @@
 #include "ReturnParameters.h"
 #include "Survey.h"
 #include "Text.h"
+#include "ThicknessPreview.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace medialvoxel
@@ -39,8 +41,13 @@ SurveySettings
 GetSurveySettings(const ExtractOptions & options)
 {
   SurveySettings settings;
-  settings.thickness = !options.reportFile.empty() || !options.htmlFile.empty();
   settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
+  const bool showsAll = !options.thicknessFile.empty() || !options.thicknessCsvFile.empty();
+  settings.thickness = showsAll || !options.reportFile.empty() || !options.htmlFile.empty();
+  if (showsAll)
+  {
+    settings.fullyMeasuredVoxels = std::numeric_limits<std::uint64_t>::max();
+  }
   return settings;
 }
 
@@ -54,18 +61,21 @@ ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
   return { { "labels", options.output, LabelLayout },
            { "vectors", options.vectorFile, GetVectorLayout(header) },
            { "distance", options.distanceFile, DistanceLayout },
+           { "thickness_map", options.thicknessFile, ThicknessLayout },
+           { "thickness_csv", options.thicknessCsvFile, std::nullopt },
            { "preview", options.previewFile, std::nullopt },
            { "html", options.htmlFile, std::nullopt },
            { "report", options.reportFile, std::nullopt },
            { "return_parameters", options.returnParameterFile, std::nullopt } };
 }
 
-/** Labels and vectors of a piece are kept together, and after them vectors and distances. */
+/** Labels, vectors and thicknesses of a piece are kept together, and after them vectors and distances. */
 PieceFootprint
 GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
   const std::uint64_t vectorBytes = GetVectorLayout(header).GetBytes();
-  const std::uint64_t labels = LabelLayout.GetBytes() + (options.vectorFile.empty() ? 0 : vectorBytes);
+  const std::uint64_t labels = LabelLayout.GetBytes() + (options.vectorFile.empty() ? 0 : vectorBytes) +
+                               (options.thicknessFile.empty() ? 0 : ThicknessLayout.GetBytes());
   const std::uint64_t distances = options.distanceFile.empty() ? 0 : vectorBytes + DistanceLayout.GetBytes();
   PieceFootprint      footprint;
   footprint.bytesPerVoxel = std::max(labels, distances);
@@ -77,9 +87,9 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   const SurveySettings survey = GetSurveySettings(options);
   if (survey.thickness || survey.picture)
   {
-    settings.workerBytesPerVoxel += itk::MedialVoxelCellRow::BytesPerVoxel;
-    footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
+    settings.workerBytesPerVoxel += itk::MedialVoxelTileWallsBytesPerVoxel;
   }
+  footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   AddEngine(footprint, header, settings);
   if (!options.distanceFile.empty())
   {
@@ -89,11 +99,13 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   if (survey.picture)
   {
     footprint.bytesBeside += GetPreviewBytes(header.geometry);
+    footprint.bytesBeside += options.thicknessFile.empty() ? 0 : GetThicknessPreviewBytes(header.geometry);
   }
   if (!options.htmlFile.empty())
   {
     const PreviewLayout layout = ArrangePreview(header.geometry);
-    footprint.bytesBeside += PageBytesPerPixel * layout.width * layout.height;
+    const unsigned int  pictures = options.thicknessFile.empty() ? 1 : 2;
+    footprint.bytesBeside += pictures * PageBytesPerPixel * layout.width * layout.height;
   }
   return footprint;
 }
@@ -128,11 +140,13 @@ public:
     m_Labels = m_Outputs.AddVolume(options.output, m_Runner->GetGeometry(), LabelLayout);
     m_Vectors = m_Outputs.AddVolume(options.vectorFile, geometry, GetVectorLayout(result.input));
     m_Distances = m_Outputs.AddVolume(options.distanceFile, geometry, DistanceLayout);
+    m_Thicknesses = m_Outputs.AddVolume(options.thicknessFile, m_Runner->GetGeometry(), ThicknessLayout);
+    m_ThicknessCsv = m_Outputs.AddFile(options.thicknessCsvFile);
     m_Preview = m_Outputs.AddFile(options.previewFile);
     m_Html = m_Outputs.AddFile(options.htmlFile);
     m_Report = m_Outputs.AddFile(options.reportFile);
     m_ReturnParameters = m_Outputs.AddFile(options.returnParameterFile);
-    if (m_Preview || m_Html || m_Report)
+    if (m_Survey.GetSettings().thickness || m_Survey.GetSettings().picture)
     {
       m_Runner->SetTileObserver(&m_Survey);
     }
@@ -184,6 +198,10 @@ private:
       {
         m_Vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
       }
+      if (m_Thicknesses)
+      {
+        m_Thicknesses->Write(range.firstVoxel, range.numberOfVoxels, results.thicknesses);
+      }
     });
     if (m_DistanceRunner)
     {
@@ -199,16 +217,22 @@ private:
   {
     const auto finishStart = JobClock::now();
     m_Outputs.FinishVolumes();
-    const std::string picture = this->MakePicture();
+    const Pictures pictures = this->MakePictures();
     m_Loop.ThrowIfStopRequested();
     AddMeasurements(m_Result, *m_Input, m_Writer.GetSeconds() + SecondsSince(finishStart), start);
     if (m_Survey.GetSettings().thickness)
     {
-      m_Result.thickness = Summarize(m_Survey.GetThickness(), m_Survey.GetStep());
+      m_Result.thickness =
+        Summarize(m_Survey.GetThickness(), m_Survey.GetThicknessByArea(), m_Survey.GetAreaUnit(), m_Survey.GetStep());
+    }
+    if (m_ThicknessCsv)
+    {
+      WriteText(*m_ThicknessCsv,
+                MakeThicknessCsv(m_Survey.GetThickness(), m_Survey.GetThicknessByArea(), m_Survey.GetAreaUnit()));
     }
     if (m_Html)
     {
-      WriteText(*m_Html, MakeHtmlReport(m_Options, m_Result, picture));
+      WriteText(*m_Html, MakeHtmlReport(m_Options, m_Result, pictures));
     }
     if (m_Report)
     {
@@ -221,20 +245,31 @@ private:
     m_Outputs.Publish();
   }
 
-  /** Writes the preview; returns its bytes, which a page has too. */
-  std::string
-  MakePicture()
+  /** Writes the preview; returns the pictures of a page, as the bytes of files. */
+  Pictures
+  MakePictures()
   {
+    Pictures pictures;
     if (!m_Preview && !m_Html)
     {
-      return {};
+      return pictures;
     }
-    const std::string bytes = DrawPreview(*m_Labels, m_Result.input.geometry, m_Survey).EncodePng();
+    const VolumeGeometry & geometry = m_Result.input.geometry;
+    const Canvas           labels = DrawPreview(*m_Labels, geometry, m_Survey);
+    pictures.labels = labels.EncodePng();
+    std::string preview = pictures.labels;
+    if (m_Thicknesses)
+    {
+      const Canvas thicknesses =
+        DrawThicknessPreview(*m_Labels, *m_Thicknesses, geometry, m_Survey, m_Options.voxelUnits ? "VOXELS" : "UNITS");
+      pictures.thicknesses = thicknesses.EncodePng();
+      preview = JoinCanvases(labels, thicknesses).EncodePng();
+    }
     if (m_Preview)
     {
-      WriteText(*m_Preview, bytes);
+      WriteText(*m_Preview, preview);
     }
-    return bytes;
+    return pictures;
   }
 
   const ExtractOptions &       m_Options;
@@ -248,6 +283,8 @@ private:
   OutputVolume *               m_Labels{ nullptr };
   OutputVolume *               m_Vectors{ nullptr };
   OutputVolume *               m_Distances{ nullptr };
+  OutputVolume *               m_Thicknesses{ nullptr };
+  OutputFile *                 m_ThicknessCsv{ nullptr };
   OutputFile *                 m_Preview{ nullptr };
   OutputFile *                 m_Html{ nullptr };
   OutputFile *                 m_Report{ nullptr };
@@ -262,6 +299,7 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
 {
   const auto start = JobClock::now();
   CheckOptions(options);
+  CheckExtension(options.thicknessCsvFile, { ".csv" }, "histogram");
   CheckExtension(options.previewFile, { ".png" }, "preview");
   CheckExtension(options.htmlFile, { ".html", ".htm" }, "page");
   GetVolumeFormat(options.output);

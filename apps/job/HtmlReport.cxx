@@ -118,20 +118,24 @@ MakeThickness(const ThicknessSummary & thickness, const std::string & unit)
                    { "smallest", FormatShort(thickness.minimum) },
                    { "largest", FormatShort(thickness.maximum) } };
   TextTable percentiles;
+  TextTable byArea{ { "area of the sheet", FormatShort(thickness.area) },
+                    { "mean over the area", FormatShort(thickness.byArea.mean) } };
   for (std::size_t i = 0; i < thickness.percentiles.size(); ++i)
   {
-    percentiles.emplace_back(std::to_string(ThicknessSummary::Percents[i]) + " % of the cells up to",
-                             FormatShort(thickness.percentiles[i]));
+    const std::string percent = std::to_string(ThicknessSummary::Percents[i]) + " % of the ";
+    percentiles.emplace_back(percent + "cells up to", FormatShort(thickness.percentiles[i]));
+    byArea.emplace_back(percent + "area up to", FormatShort(thickness.byArea.percentiles[i]));
   }
   std::string text = MakeHistogramSvg(thickness, unit) + "<div class=\"columns\">\n" + MakeRows(table, "number") +
-                     MakeRows(percentiles, "number") + "</div>\n<p class=\"muted\">Of " +
+                     MakeRows(percentiles, "number") + MakeRows(byArea, "number") + "</div>\n<p class=\"muted\">Of " +
                      std::to_string(thickness.cells) + " medial cells";
   if (thickness.step > 1)
   {
     text += ", one of " + std::to_string(thickness.step);
   }
   text += ", in " + unit + ", measured on the binary object; lengths are multiples of " +
-          FormatNumber(thickness.resolution) + ".";
+          FormatNumber(thickness.resolution) +
+          ". A cell counts for the area of the wall's middle that is in it, in squared units.";
   if (thickness.above > 0)
   {
     text += " " + std::to_string(thickness.above) + " cells are beyond the right end.";
@@ -190,7 +194,7 @@ MakeCitation()
 } // namespace
 
 std::string
-MakeHtmlReport(const ExtractOptions & options, const JobResult & result, std::string_view png)
+MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const Pictures & pictures)
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
   const std::string              name = Escape(result.input.fileName.filename().string());
@@ -204,10 +208,18 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, std::st
   page +=
     "<h2>Picture</h2>\n<img alt=\"Slices with the medial cells, and the projection along z\" "
     "src=\"data:image/png;base64," +
-    EncodeBase64(png) +
+    EncodeBase64(pictures.labels) +
     "\">\n<p class=\"muted\"><span class=\"object\"></span>object, <span class=\"bound\"></span>medial by the bound, "
     "<span class=\"geodesic\"></span>medial by the geodesic search. The scale bar is in units of the spacing.</p>\n";
-  page += "<h2>Thickness of the walls</h2>\n" + MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit);
+  page += "<h2>Thickness of the walls</h2>\n";
+  if (!pictures.thicknesses.empty())
+  {
+    page += "<img alt=\"The same views, colored by the thickness\" src=\"data:image/png;base64," +
+            EncodeBase64(pictures.thicknesses) +
+            "\">\n<p class=\"muted\">The colors go from the 1 % to the 99 % percentile, in " + unit +
+            "; where cells fall together the thickest counts.</p>\n";
+  }
+  page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit);
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);
   page += "<div class=\"columns\">\n<div><h2>Input</h2>\n" + MakeRows(DescribeInput(result.input), "text") +
           "</div>\n<div><h2>Parameters</h2>\n" + MakeRows(DescribeParameters(options), "text") +

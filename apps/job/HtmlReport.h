@@ -11,11 +11,17 @@
 namespace medialvoxel
 {
 
+/** Pictures as the bytes of PNG files; empty: there is none. */
+struct Pictures
+{
+  std::string labels;
+  std::string thicknesses;
+};
+
 /** The report of an extraction as one page that needs nothing beside itself: picture, phases, histogram of the
- * thickness, parameters, versions, how to cite. What depends on the run and the machine stands in its last section.
- * \param png the preview, as the bytes of a file */
+ * thickness, parameters, versions, how to cite. What depends on the run and the machine stands in its last section. */
 std::string
-MakeHtmlReport(const ExtractOptions & options, const JobResult & result, std::string_view png);
+MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const Pictures & pictures);
 
 /** A histogram as SVG, to stand in a page. Empty without cells. \param unit text behind the numbers of the axis */
 std::string

@@ -49,6 +49,7 @@ GetVectorLayout(const VolumeHeader & header);
 
 constexpr VoxelLayout LabelLayout{ PixelType::UInt8, 1 };
 constexpr VoxelLayout DistanceLayout{ PixelType::Float32, 1 };
+constexpr VoxelLayout ThicknessLayout{ PixelType::Float32, 1 };
 
 /** \class PieceLoop
  * \brief Runs the pieces of a job, has them written, tells the sink, and stops when asked. */

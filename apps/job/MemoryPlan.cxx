@@ -33,8 +33,8 @@ constexpr std::uint64_t BytesOfPiece = 32 * MiB;
 /** The largest piece for which writing it in the background is worth a second one in memory. */
 constexpr std::uint64_t BytesWrittenBehind = 128 * MiB;
 
-/** Buffers of two volumes that are written past the page cache. */
-constexpr std::uint64_t BytesOfWriting = 4 * MiB;
+/** Buffers of three volumes that are written past the page cache. */
+constexpr std::uint64_t BytesOfWriting = 6 * MiB;
 
 /** What does not change while a fitting plan is looked for. */
 struct Request

@@ -22,7 +22,8 @@ struct PieceResults
   const void * labels{ nullptr };
   const void * vectors{ nullptr };
   const void * distances{ nullptr };
-  bool         isEmpty{ false }; ///< true: labels and vectors are known to be zero
+  const void * thicknesses{ nullptr };
+  bool         isEmpty{ false }; ///< true: labels, vectors and thicknesses are known to be zero
 };
 
 /** What a filter counted and measured over all pieces. */

@@ -207,6 +207,7 @@ public:
     this->m_Filter->SetPseudoGeodesicBound(options.bound);
     this->m_Filter->SetGenerateVectorDistance(!options.vectorFile.empty());
     this->m_Filter->SetVectorDistanceBoundary(options.vectorBoundary);
+    this->m_Filter->SetGenerateThickness(!options.thicknessFile.empty());
     this->m_Filter->UpdateOutputInformation();
   }
 
@@ -244,6 +245,10 @@ protected:
     {
       results.vectors = vectors->GetBufferPointer();
     }
+    if (auto * const thicknesses = this->m_Filter->GetThicknessOutput())
+    {
+      results.thicknesses = thicknesses->GetBufferPointer();
+    }
     return results;
   }
 
@@ -255,6 +260,10 @@ protected:
     {
       m_OtherVectors.Exchange(*vectors);
     }
+    if (auto * const thickness = this->m_Filter->GetThicknessOutput())
+    {
+      m_OtherThickness.Exchange(*thickness);
+    }
   }
 
   void
@@ -262,6 +271,7 @@ protected:
   {
     m_OtherLabels.Release();
     m_OtherVectors.Release();
+    m_OtherThickness.Release();
   }
 
 private:
@@ -270,6 +280,7 @@ private:
   std::uint64_t                                     m_Seen{ 0 }; ///< cells and voxels of objects in all pieces so far
   OtherBuffer<typename FilterType::OutputImageType> m_OtherLabels;
   OtherBuffer<typename FilterType::VectorImageType> m_OtherVectors;
+  OtherBuffer<typename FilterType::ThicknessImageType> m_OtherThickness;
 };
 
 template <typename TImage>

@@ -22,15 +22,17 @@ constexpr unsigned int GlyphScale = TextHeight / GlyphHeight;
 /** Seven rows of five pixels, the leftmost in the highest of the five bits. */
 using Glyph = std::array<std::uint8_t, GlyphHeight>;
 
-constexpr std::array<std::pair<char, Glyph>, 31> Glyphs{ {
+constexpr std::array<std::pair<char, Glyph>, 34> Glyphs{ {
   { 'A', { 0b01110, 0b10001, 0b10001, 0b11111, 0b10001, 0b10001, 0b10001 } },
   { 'B', { 0b11110, 0b10001, 0b10001, 0b11110, 0b10001, 0b10001, 0b11110 } },
   { 'C', { 0b01110, 0b10001, 0b10000, 0b10000, 0b10000, 0b10001, 0b01110 } },
   { 'D', { 0b11110, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b11110 } },
   { 'E', { 0b11111, 0b10000, 0b10000, 0b11110, 0b10000, 0b10000, 0b11111 } },
   { 'G', { 0b01110, 0b10001, 0b10000, 0b10111, 0b10001, 0b10001, 0b01110 } },
+  { 'H', { 0b10001, 0b10001, 0b10001, 0b11111, 0b10001, 0b10001, 0b10001 } },
   { 'I', { 0b01110, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110 } },
   { 'J', { 0b00111, 0b00010, 0b00010, 0b00010, 0b00010, 0b10010, 0b01100 } },
+  { 'K', { 0b10001, 0b10010, 0b10100, 0b11000, 0b10100, 0b10010, 0b10001 } },
   { 'L', { 0b10000, 0b10000, 0b10000, 0b10000, 0b10000, 0b10000, 0b11111 } },
   { 'M', { 0b10001, 0b11011, 0b10101, 0b10101, 0b10001, 0b10001, 0b10001 } },
   { 'N', { 0b10001, 0b11001, 0b10101, 0b10011, 0b10001, 0b10001, 0b10001 } },
@@ -38,6 +40,7 @@ constexpr std::array<std::pair<char, Glyph>, 31> Glyphs{ {
   { 'S', { 0b01111, 0b10000, 0b10000, 0b01110, 0b00001, 0b00001, 0b11110 } },
   { 'T', { 0b11111, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100 } },
   { 'U', { 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b01110 } },
+  { 'V', { 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b01010, 0b00100 } },
   { 'X', { 0b10001, 0b10001, 0b01010, 0b00100, 0b01010, 0b10001, 0b10001 } },
   { 'Y', { 0b10001, 0b10001, 0b01010, 0b00100, 0b00100, 0b00100, 0b00100 } },
   { 'Z', { 0b11111, 0b00001, 0b00010, 0b00100, 0b01000, 0b10000, 0b11111 } },
@@ -148,6 +151,31 @@ Canvas::DrawText(unsigned int x, unsigned int y, const std::string & text, const
     }
     x += TextAdvance;
   }
+}
+
+void
+Canvas::DrawCanvas(unsigned int x, unsigned int y, const Canvas & other)
+{
+  for (unsigned int row = 0; row < other.m_Height; ++row)
+  {
+    for (unsigned int column = 0; column < other.m_Width; ++column)
+    {
+      const std::uint8_t * const pixel = &other.m_Pixels[3 * (size_t{ row } * other.m_Width + column)];
+      this->SetPixel(x + column, y + row, { pixel[0], pixel[1], pixel[2] });
+    }
+  }
+}
+
+Canvas
+JoinCanvases(const Canvas & first, const Canvas & second)
+{
+  const bool isBelow = first.GetWidth() > first.GetHeight();
+  const auto x = isBelow ? 0 : first.GetWidth();
+  const auto y = isBelow ? first.GetHeight() : 0;
+  Canvas joined(std::max(first.GetWidth(), x + second.GetWidth()), std::max(first.GetHeight(), y + second.GetHeight()));
+  joined.DrawCanvas(0, 0, first);
+  joined.DrawCanvas(x, y, second);
+  return joined;
 }
 
 std::string

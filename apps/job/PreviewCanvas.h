@@ -32,6 +32,18 @@ class Canvas
 public:
   Canvas(unsigned int width, unsigned int height);
 
+  unsigned int
+  GetWidth() const
+  {
+    return m_Width;
+  }
+
+  unsigned int
+  GetHeight() const
+  {
+    return m_Height;
+  }
+
   void
   SetPixel(unsigned int x, unsigned int y, const Color & color);
 
@@ -42,9 +54,13 @@ public:
   void
   DrawFrame(const Rectangle & area, const Color & color);
 
-  /** Capital letters, digits, '=', '.' and '-'; what else there is stays blank. */
+  /** Most capital letters, digits, '=', '.' and '-'; what else there is stays blank. */
   void
   DrawText(unsigned int x, unsigned int y, const std::string & text, const Color & color);
+
+  /** Another picture, with its corner at a point. */
+  void
+  DrawCanvas(unsigned int x, unsigned int y, const Canvas & other);
 
   /** The bytes of a PNG file. Not by way of ITK's writer, which closes its file twice when a disk is full. */
   std::string
@@ -55,6 +71,10 @@ private:
   unsigned int              m_Height;
   std::vector<std::uint8_t> m_Pixels;
 };
+
+/** Both pictures beside each other, or below when the first one is wider than high. */
+Canvas
+JoinCanvases(const Canvas & first, const Canvas & second);
 
 } // end namespace medialvoxel
 

@@ -64,16 +64,22 @@ MakePercent(const itk::MedialVoxelCounts & counts)
 }
 
 Json
+MakePercentiles(const ThicknessStatistics & statistics)
+{
+  Json percentiles = Json::object();
+  for (std::size_t i = 0; i < statistics.percentiles.size(); ++i)
+  {
+    percentiles[std::to_string(ThicknessStatistics::Percents[i])] = statistics.percentiles[i];
+  }
+  return percentiles;
+}
+
+Json
 MakeThickness(const std::optional<ThicknessSummary> & thickness)
 {
   if (!thickness)
   {
     return nullptr;
-  }
-  Json percentiles = Json::object();
-  for (std::size_t i = 0; i < thickness->percentiles.size(); ++i)
-  {
-    percentiles[std::to_string(ThicknessSummary::Percents[i])] = thickness->percentiles[i];
   }
   return { { "cells", thickness->cells },
            { "one_cell_of", thickness->step },
@@ -82,7 +88,12 @@ MakeThickness(const std::optional<ThicknessSummary> & thickness)
            { "standard_deviation", thickness->standardDeviation },
            { "minimum", thickness->minimum },
            { "maximum", thickness->maximum },
-           { "percentiles", percentiles },
+           { "percentiles", MakePercentiles(*thickness) },
+           { "area", thickness->area },
+           { "area_weighted",
+             { { "mean", thickness->byArea.mean },
+               { "standard_deviation", thickness->byArea.standardDeviation },
+               { "percentiles", MakePercentiles(thickness->byArea) } } },
            { "histogram",
              { { "bin_width", thickness->binWidth }, { "counts", thickness->bins }, { "above", thickness->above } } } };
 }
@@ -117,8 +128,8 @@ AddRun(Json & report, const JobResult & result)
   report["bytes_read"] = result.bytesRead;
   report["recomputed_voxels"] = result.sums.recomputedVoxels;
   report["threads"] = result.plan.threads;
-  report["thread_efficiency"] = GetThreadEfficiency(result);
   report["divisions"] = result.plan.divisions;
+  report["thread_efficiency"] = GetThreadEfficiency(result);
 }
 
 /** Names of files need not be valid UTF-8. */

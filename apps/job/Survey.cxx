@@ -13,9 +13,10 @@ namespace
 using WordType = itk::MedialVoxelBits::WordType;
 
 constexpr unsigned int BinsPerVoxel = 64;
+constexpr double       AreaUnitsPerFace = 1048576.0;
 
 double
-GetBinWidth(const itk::MedialVoxelGrid & grid)
+GetSmallestSpacing(const itk::MedialVoxelGrid & grid)
 {
   double smallest = 0.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -26,7 +27,25 @@ GetBinWidth(const itk::MedialVoxelGrid & grid)
       smallest = spacing;
     }
   }
-  return (smallest > 0.0 ? smallest : 1.0) / BinsPerVoxel;
+  return smallest > 0.0 ? smallest : 1.0;
+}
+
+double
+GetBinWidth(const itk::MedialVoxelGrid & grid)
+{
+  return GetSmallestSpacing(grid) / BinsPerVoxel;
+}
+
+/** Of the face of a voxel across the axis of the smallest spacing. */
+double
+GetLargestFace(const itk::MedialVoxelGrid & grid)
+{
+  double volume = 1.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    volume *= grid.IsActive(axis) ? grid.GetSpacing()[axis] : 1.0;
+  }
+  return volume / GetSmallestSpacing(grid);
 }
 
 unsigned int
@@ -48,24 +67,6 @@ GetPhase(const itk::MedialVoxelIndex & cell, unsigned int step)
   std::uint64_t mixed = static_cast<std::uint64_t>(cell[1]) * 0x9E3779B97F4A7C15u;
   mixed ^= static_cast<std::uint64_t>(cell[2]) * 0xC2B2AE3D27D4EB4Fu;
   return (mixed ^ (mixed >> 29)) * 0x165667B19E3779F9u >> 40 & (step - 1);
-}
-
-/** Bits of the cells of a row that are measured. */
-WordType
-GetMeasuredCells(const itk::MedialVoxelCellRow & row, unsigned int step)
-{
-  WordType medial = row.byBound | row.byGeodesic;
-  if (step > 1 && medial != 0)
-  {
-    WordType            pattern = 0;
-    const std::uint64_t shift = (GetPhase(row.first, step) - static_cast<std::uint64_t>(row.first[0])) & (step - 1);
-    for (unsigned int bit = static_cast<unsigned int>(shift); bit < 64; bit += step)
-    {
-      pattern |= WordType{ 1 } << bit;
-    }
-    medial &= pattern;
-  }
-  return medial;
 }
 
 template <typename TFunction>
@@ -110,17 +111,48 @@ struct Survey::TileSums
   {
     itk::MedialVoxelCellRow seen; // any of the cells of a column
     std::uint32_t           medialCells[64];
+    std::uint32_t           thickest[64]; // bin
   };
-  std::vector<std::size_t>              bins;
+  struct Measured
+  {
+    std::size_t   bin;
+    std::uint64_t area;
+  };
+
+  TileSums(const itk::MedialVoxelBox & box, bool withPicture)
+    : firstWord(box.lower[0] >> 6)
+    , wordsPerRow(((box.upper[0] - 1) >> 6) - firstWord + 1)
+    , lowerY(box.lower[1])
+  {
+    if (withPicture)
+    {
+      columns.resize(static_cast<std::size_t>(wordsPerRow * box.Extent(1)));
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        slices[axis].resize(static_cast<std::size_t>(box.Extent(axis)));
+      }
+    }
+  }
+
+  ColumnWord &
+  ColumnsAt(const itk::MedialVoxelIndex & cell)
+  {
+    return columns[static_cast<std::size_t>((cell[1] - lowerY) * wordsPerRow + ((cell[0] >> 6) - firstWord))];
+  }
+
+  std::int64_t                          firstWord;
+  std::int64_t                          wordsPerRow;
+  std::int64_t                          lowerY;
+  std::vector<Measured>                 measured;
   std::array<std::vector<SliceSums>, 3> slices;
   std::vector<ColumnWord>               columns;
 };
 
 Survey::Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings)
   : m_Grid(grid)
-  , m_Kernel(grid)
   , m_Settings(settings)
   , m_Step(GetStepFor(geometry.GetNumberOfVoxels(), settings.fullyMeasuredVoxels))
+  , m_AreaUnit(GetLargestFace(grid) / AreaUnitsPerFace)
   , m_Pending(GetBinWidth(grid))
   , m_Total(GetBinWidth(grid))
 {
@@ -160,35 +192,39 @@ void
 Survey::Begin()
 {
   m_Pending.thickness.Clear();
+  m_Pending.area.Clear();
   if (m_Settings.picture)
   {
     this->Resize(m_Pending);
   }
 }
 
+itk::MedialVoxelBits::WordType
+Survey::SelectCells(const itk::MedialVoxelCellRow & row) const
+{
+  if (m_Step == 1)
+  {
+    return ~WordType{ 0 };
+  }
+  WordType            pattern = 0;
+  const std::uint64_t shift = (GetPhase(row.first, m_Step) - static_cast<std::uint64_t>(row.first[0])) & (m_Step - 1);
+  for (unsigned int bit = static_cast<unsigned int>(shift); bit < 64; bit += m_Step)
+  {
+    pattern |= WordType{ 1 } << bit;
+  }
+  return pattern;
+}
+
 void
 Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
 {
-  const itk::MedialVoxelBox & box = tile.box;
-  const std::int64_t          firstWord = box.lower[0] >> 6;
-  const std::int64_t          wordsPerRow = ((box.upper[0] - 1) >> 6) - firstWord + 1;
-  TileSums                    sums;
+  TileSums sums(tile.box, m_Settings.picture);
+  sums.measured.reserve(tile.walls.size());
   if (m_Settings.picture)
   {
-    sums.columns.resize(static_cast<std::size_t>(wordsPerRow * box.Extent(1)));
-    for (unsigned int axis = 0; axis < 3; ++axis)
+    for (const itk::MedialVoxelCellRow & row : tile.rows)
     {
-      sums.slices[axis].resize(static_cast<std::size_t>(box.Extent(axis)));
-    }
-  }
-  for (const itk::MedialVoxelCellRow & row : tile.rows)
-  {
-    this->MeasureRow(tile, row, sums);
-    if (m_Settings.picture)
-    {
-      const std::int64_t     word = (row.first[0] >> 6) - firstWord;
-      TileSums::ColumnWord & columns =
-        sums.columns[static_cast<std::size_t>((row.first[1] - box.lower[1]) * wordsPerRow + word)];
+      TileSums::ColumnWord & columns = sums.ColumnsAt(row.first);
       columns.seen.first = row.first;
       columns.seen.candidates |= row.candidates;
       columns.seen.byBound |= row.byBound;
@@ -196,11 +232,46 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
       ForEachBit(row.byBound | row.byGeodesic, [&](int x) { ++columns.medialCells[x]; });
     }
   }
-
+  itk::MedialVoxelForEachWall(
+    tile.rows, tile.walls, [&](const auto & cell, const auto & wall) { this->AddWall(tile.box, cell, wall, sums); });
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  for (const std::size_t bin : sums.bins)
+  this->AddSums(tile, sums);
+}
+
+/** What the wall at a measured cell counts for the histograms, the slices and the projection. */
+void
+Survey::AddWall(const itk::MedialVoxelBox &   tile,
+                const itk::MedialVoxelIndex & cell,
+                const itk::MedialVoxelWall &  wall,
+                TileSums &                    sums) const
+{
+  const std::size_t bin = m_Total.thickness.GetBin(static_cast<double>(wall.thickness));
+  if (m_Settings.thickness)
   {
-    m_Pending.thickness.Add(bin);
+    sums.measured.push_back(
+      { bin, static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit)) });
+  }
+  if (m_Settings.picture)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      SliceSums & slice = sums.slices[axis][static_cast<std::size_t>(cell[axis] - tile.lower[axis])];
+      slice.score += axis == wall.axis ? -1 : 2;
+      ++slice.cells;
+    }
+    TileSums::ColumnWord & columns = sums.ColumnsAt(cell);
+    std::uint32_t &        thickest = columns.thickest[cell[0] - columns.seen.first[0]];
+    thickest = std::max(thickest, static_cast<std::uint32_t>(bin));
+  }
+}
+
+void
+Survey::AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & sums)
+{
+  for (const TileSums::Measured & measured : sums.measured)
+  {
+    m_Pending.thickness.Add(measured.bin);
+    m_Pending.area.Add(measured.bin, measured.area);
   }
   if (m_Settings.picture)
   {
@@ -208,7 +279,7 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
     {
       for (std::size_t i = 0; i < sums.slices[axis].size(); ++i)
       {
-        SliceSums & slice = m_Pending.slices[axis][static_cast<std::size_t>(box.lower[axis]) + i];
+        SliceSums & slice = m_Pending.slices[axis][static_cast<std::size_t>(tile.box.lower[axis]) + i];
         slice.score += sums.slices[axis][i].score;
         slice.cells += sums.slices[axis][i].cells;
       }
@@ -216,43 +287,6 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
     this->AddProjection(sums);
     std::for_each(tile.rows.begin(), tile.rows.end(), [this](const auto & row) { this->MarkBlock(row); });
   }
-}
-
-/** Thickness of the walls at the measured cells of a row, and what they count for the slices. */
-void
-Survey::MeasureRow(const itk::MedialVoxelClassifiedTile & tile,
-                   const itk::MedialVoxelCellRow &        row,
-                   TileSums &                             sums) const
-{
-  ForEachBit(GetMeasuredCells(row, m_Step), [&](int x) {
-    const itk::MedialVoxelIndex cell{ { row.first[0] + x, row.first[1], row.first[2] } };
-    itk::MedialVoxelWallPoints  wall;
-    if (!tile.classifier.GetWallPoints(tile.features, cell, wall))
-    {
-      return;
-    }
-    if (m_Settings.thickness)
-    {
-      sums.bins.push_back(m_Pending.thickness.GetBin(m_Kernel.Measure(*tile.window.object, wall)));
-    }
-    if (m_Settings.picture)
-    {
-      unsigned int across = 0;
-      double       longest = -1.0;
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        const double length = std::abs(static_cast<double>(wall.b[axis] - wall.a[axis])) * m_Grid.GetSpacing()[axis];
-        across = length > longest ? axis : across;
-        longest = std::max(longest, length);
-      }
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        SliceSums & slice = sums.slices[axis][static_cast<std::size_t>(cell[axis] - tile.box.lower[axis])];
-        slice.score += axis == across ? -1 : 2;
-        ++slice.cells;
-      }
-    }
-  });
 }
 
 void
@@ -271,6 +305,7 @@ Survey::AddProjection(const TileSums & sums)
       ProjectedPixel &   pixel = m_Pending.projection[std::size_t{ row } * m_ProjectionSize[0] + column];
       pixel.label = std::max(pixel.label, label);
       pixel.medialCells += columns.medialCells[x];
+      pixel.thickest = std::max(pixel.thickest, columns.thickest[x]);
     });
   }
 }
@@ -279,6 +314,7 @@ void
 Survey::Commit()
 {
   m_Total.thickness.Add(m_Pending.thickness);
+  m_Total.area.Add(m_Pending.area);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     for (std::size_t i = 0; i < m_Pending.slices[axis].size(); ++i)
@@ -293,6 +329,7 @@ Survey::Commit()
     ProjectedPixel &       total = m_Total.projection[i];
     total.label = std::max(total.label, pending.label);
     total.medialCells += pending.medialCells;
+    total.thickest = std::max(total.thickest, pending.thickest);
   }
 }
 
@@ -341,8 +378,8 @@ Survey::MayHaveLabels(std::uint64_t x, std::uint64_t y, std::uint64_t z) const
 std::uint64_t
 Survey::GetBytes(const VolumeGeometry & geometry, const SurveySettings & settings)
 {
-  // A histogram of walls as thick as the volume, and one that is copied as it grows.
-  constexpr std::uint64_t histograms = 4 * sizeof(std::uint64_t) * BinsPerVoxel;
+  // Histograms of walls as thick as the volume, and two that are copied as they grow.
+  constexpr std::uint64_t histograms = 8 * sizeof(std::uint64_t) * BinsPerVoxel;
   std::uint64_t           longest = 0;
   std::uint64_t           slices = 0;
   for (const std::uint64_t size : geometry.size)

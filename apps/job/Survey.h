@@ -7,7 +7,6 @@
 #include "VolumeHeader.h"
 
 #include "itkMedialVoxelHistogram.h"
-#include "itkMedialVoxelThickness.h"
 #include "itkMedialVoxelTileObserver.h"
 
 #include <array>
@@ -34,7 +33,8 @@ struct SurveySettings
  * All of it is sums of whole numbers and maxima, which do not depend on the order of the tiles. Memory depends on the
  * size of the picture and on the length of the axes, and for a map of blocks that have an object on one bit for 16384
  * voxels. Of larger volumes than the settings say only every n-th medial cell of a row is measured, n a power of two up
- * to 64 that leaves no more than they say; where a row begins to count is a fixed function of its place. */
+ * to 64 that leaves no more than they say; where a row begins to count is a fixed function of its place. What the
+ * filter measures for its thickness output is counted as well, which is all medial cells. */
 class Survey : public itk::MedialVoxelTileObserver
 {
 public:
@@ -49,6 +49,9 @@ public:
   void
   Commit() override;
 
+  itk::MedialVoxelBits::WordType
+  SelectCells(const itk::MedialVoxelCellRow & row) const override;
+
   const SurveySettings &
   GetSettings() const
   {
@@ -60,6 +63,20 @@ public:
   GetThickness() const
   {
     return m_Total.thickness;
+  }
+
+  /** The same with the areas that the cells stand for, in multiples of GetAreaUnit(), in place of their numbers. */
+  const itk::MedialVoxelHistogram &
+  GetThicknessByArea() const
+  {
+    return m_Total.area;
+  }
+
+  /** 2^-20 of the largest face of a voxel, in squared units of the lengths; of the longest edge in two dimensions. */
+  double
+  GetAreaUnit() const
+  {
+    return m_AreaUnit;
   }
 
   /** One of how many medial cells is measured. */
@@ -89,6 +106,7 @@ public:
   {
     std::uint8_t  label{ 0 };       ///< largest label of all cells that it covers
     std::uint32_t medialCells{ 0 }; ///< their number
+    std::uint32_t thickest{ 0 };    ///< largest bin of the measured ones among them
   };
   using Projection = std::vector<ProjectedPixel>;
 
@@ -120,8 +138,10 @@ private:
   {
     explicit Sums(double binWidth)
       : thickness(binWidth)
+      , area(binWidth)
     {}
     itk::MedialVoxelHistogram             thickness;
+    itk::MedialVoxelHistogram             area;
     std::array<std::vector<SliceSums>, 3> slices;
     Projection                            projection;
   };
@@ -132,7 +152,13 @@ private:
   Resize(Sums & sums) const;
 
   void
-  MeasureRow(const itk::MedialVoxelClassifiedTile & tile, const itk::MedialVoxelCellRow & row, TileSums & sums) const;
+  AddWall(const itk::MedialVoxelBox &   tile,
+          const itk::MedialVoxelIndex & cell,
+          const itk::MedialVoxelWall &  wall,
+          TileSums &                    sums) const;
+
+  void
+  AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & sums);
 
   void
   AddProjection(const TileSums & sums);
@@ -144,9 +170,9 @@ private:
   GetBlock(std::uint64_t x, std::uint64_t y, std::uint64_t z) const;
 
   itk::MedialVoxelGrid                     m_Grid;
-  itk::MedialVoxelThickness                m_Kernel;
   SurveySettings                           m_Settings;
   unsigned int                             m_Step{ 1 };
+  double                                   m_AreaUnit{ 1.0 };
   std::array<unsigned int, 2>              m_ProjectionSize{ { 0, 0 } };
   std::array<std::vector<unsigned int>, 2> m_PixelOf; ///< by axis and index
   std::vector<bool>                        m_Blocks;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ThicknessSummary.h"
 
+#include "Text.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -32,25 +34,53 @@ AddBins(ThicknessSummary & summary, const itk::MedialVoxelHistogram & histogram)
   }
 }
 
+ThicknessStatistics
+MakeStatistics(const itk::MedialVoxelHistogram & histogram)
+{
+  ThicknessStatistics statistics;
+  statistics.mean = histogram.GetMean();
+  statistics.standardDeviation = histogram.GetStandardDeviation();
+  std::transform(ThicknessStatistics::Percents.begin(),
+                 ThicknessStatistics::Percents.end(),
+                 statistics.percentiles.begin(),
+                 [&](unsigned int percent) { return histogram.GetPercentile(percent); });
+  return statistics;
+}
+
 } // namespace
 
 ThicknessSummary
-Summarize(const itk::MedialVoxelHistogram & histogram, unsigned int step)
+Summarize(const itk::MedialVoxelHistogram & histogram,
+          const itk::MedialVoxelHistogram & byArea,
+          double                            areaUnit,
+          unsigned int                      step)
 {
   ThicknessSummary summary;
+  static_cast<ThicknessStatistics &>(summary) = MakeStatistics(histogram);
   summary.cells = histogram.GetTotal();
   summary.step = step;
   summary.resolution = histogram.GetBinWidth();
-  summary.mean = histogram.GetMean();
-  summary.standardDeviation = histogram.GetStandardDeviation();
   summary.minimum = histogram.GetMinimum();
   summary.maximum = histogram.GetMaximum();
-  std::transform(ThicknessSummary::Percents.begin(),
-                 ThicknessSummary::Percents.end(),
-                 summary.percentiles.begin(),
-                 [&](unsigned int percent) { return histogram.GetPercentile(percent); });
+  summary.area = static_cast<double>(byArea.GetTotal()) * areaUnit;
+  summary.byArea = MakeStatistics(byArea);
   AddBins(summary, histogram);
   return summary;
+}
+
+std::string
+MakeThicknessCsv(const itk::MedialVoxelHistogram & histogram, const itk::MedialVoxelHistogram & byArea, double areaUnit)
+{
+  const std::vector<std::uint64_t> & numbers = histogram.GetNumbers();
+  const std::vector<std::uint64_t> & areas = byArea.GetNumbers();
+  std::string                        text = "thickness,cells,area\n";
+  for (std::size_t bin = histogram.GetBin(histogram.GetMinimum()); bin < numbers.size(); ++bin)
+  {
+    const std::uint64_t area = bin < areas.size() ? areas[bin] : 0;
+    text += FormatNumber(static_cast<double>(bin) * histogram.GetBinWidth()) + ',' + std::to_string(numbers[bin]) +
+            ',' + FormatNumber(static_cast<double>(area) * areaUnit) + '\n';
+  }
+  return text;
 }
 
 } // end namespace medialvoxel

@@ -7,30 +7,20 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace medialvoxel
 {
 
-/** Thickness of the walls at the medial cells, in the units of the job's lengths. Without cells all is 0. */
-struct ThicknessSummary
+/** What a histogram tells in short. */
+struct ThicknessStatistics
 {
   static constexpr std::array<unsigned int, 7> Percents{ 1, 5, 25, 50, 75, 95, 99 };
 
-  std::uint64_t                       cells{ 0 };        ///< measured ones
-  unsigned int                        step{ 1 };         ///< one of how many medial cells is measured
-  double                              resolution{ 0.0 }; ///< of the lengths below, but for mean and deviation
   double                              mean{ 0.0 };
   double                              standardDeviation{ 0.0 };
-  double                              minimum{ 0.0 };
-  double                              maximum{ 0.0 };
   std::array<double, Percents.size()> percentiles{};
-
-  /** Bin k has the lengths that are nearest to k times the width. There are at most 64 bins; what is longer than they
-   * reach, less than one of two hundred cells, is counted as above. */
-  double                     binWidth{ 0.0 };
-  std::vector<std::uint64_t> bins;
-  std::uint64_t              above{ 0 };
 
   double
   GetMedian() const
@@ -39,8 +29,40 @@ struct ThicknessSummary
   }
 };
 
+/** Thickness of the walls at the medial cells, in the units of the job's lengths. Without cells all is 0. */
+struct ThicknessSummary : ThicknessStatistics ///< every cell counts the same
+{
+  std::uint64_t cells{ 0 };        ///< measured ones
+  unsigned int  step{ 1 };         ///< one of how many medial cells is measured
+  double        resolution{ 0.0 }; ///< of the lengths below, but for mean and deviation
+  double        minimum{ 0.0 };
+  double        maximum{ 0.0 };
+
+  /** Of the mid-surface, as far as its cells are measured, in squared units; in two dimensions a length. */
+  double              area{ 0.0 };
+  ThicknessStatistics byArea; ///< cells count as much as the area that they stand for
+
+  /** Bin k has the lengths that are nearest to k times the width. There are at most 64 bins; what is longer than they
+   * reach, less than one of two hundred cells, is counted as above. */
+  double                     binWidth{ 0.0 };
+  std::vector<std::uint64_t> bins;
+  std::uint64_t              above{ 0 };
+};
+
+/** \param byArea    the histogram of the same lengths with areas in place of numbers
+ * \param areaUnit  area of 1 in it */
 ThicknessSummary
-Summarize(const itk::MedialVoxelHistogram & histogram, unsigned int step);
+Summarize(const itk::MedialVoxelHistogram & histogram,
+          const itk::MedialVoxelHistogram & byArea,
+          double                            areaUnit,
+          unsigned int                      step);
+
+/** The histograms as comma-separated values: a line with the names thickness, cells and area, and one for every bin
+ * from the smallest to the largest thickness, each with the length in the middle of the bin. */
+std::string
+MakeThicknessCsv(const itk::MedialVoxelHistogram & histogram,
+                 const itk::MedialVoxelHistogram & byArea,
+                 double                            areaUnit);
 
 } // end namespace medialvoxel
 

@@ -255,6 +255,8 @@ DefineExtract(CommandLine & line)
     line, app, "--vector-boundary", "Where they lead to", "KIND", options.vectorBoundary, Boundaries)
     ->group(group);
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
+  AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
+  AddFile(app, "--thickness-csv", "Its histogram (.csv)", options.thicknessCsvFile)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);

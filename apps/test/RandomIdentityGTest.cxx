@@ -117,6 +117,11 @@ public:
     {
       m_Options.previewFile = (folder / "preview.png").string();
     }
+    if (dice.OneIn(2))
+    {
+      m_Options.thicknessFile = (folder / "thickness.mha").string();
+      m_Options.thicknessCsvFile = (folder / "thickness.csv").string();
+    }
   }
 
   JobResult
@@ -132,6 +137,8 @@ public:
     std::vector<std::string> names{ "labels.mha" };
     for (const auto & [file, name] : { std::make_pair(m_Options.vectorFile, "vectors.mha"),
                                        { m_Options.distanceFile, "distance.mha" },
+                                       { m_Options.thicknessFile, "thickness.mha" },
+                                       { m_Options.thicknessCsvFile, "thickness.csv" },
                                        { m_Options.previewFile, "preview.png" } })
     {
       if (!file.empty())

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Survey.h"
 
+#include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkImageRegionIteratorWithIndex.h"
 #include "itkMedialVoxelImageFilter.h"
 
@@ -134,6 +135,7 @@ TEST(Survey, AnyCutGivesTheSame)
   {
     const SurveyedRun other(Size, IsWall, cut);
     EXPECT_EQ(other.GetSurvey().GetThickness().GetNumbers(), whole.GetSurvey().GetThickness().GetNumbers());
+    EXPECT_EQ(other.GetSurvey().GetThicknessByArea().GetNumbers(), whole.GetSurvey().GetThicknessByArea().GetNumbers());
     EXPECT_EQ(other.GetBestSlices(), whole.GetBestSlices());
     const auto & expected = whole.GetSurvey().GetProjection();
     const auto & projection = other.GetSurvey().GetProjection();
@@ -142,8 +144,49 @@ TEST(Survey, AnyCutGivesTheSame)
     {
       EXPECT_EQ(projection[i].label, expected[i].label);
       EXPECT_EQ(projection[i].medialCells, expected[i].medialCells);
+      EXPECT_EQ(projection[i].thickest, expected[i].thickest);
     }
   }
+}
+
+TEST(Survey, CountsWhatTheThicknessOutputHolds)
+{
+  Survey     survey(MakeGeometry(Size), { { 150, 41, 37 }, { 1.0, 1.0, 1.0 } }, { true, true, 30000 });
+  const auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
+  filter->SetInput(MakeImage(Size, IsWall));
+  filter->SetTileObserver(&survey);
+  filter->GenerateThicknessOn();
+  filter->Update();
+  // The output is of all cells, so that the survey sees all of them, though it asks for an eighth.
+  itk::MedialVoxelHistogram  expected(1.0 / 64);
+  std::vector<std::uint32_t> thickest(150 * 41, 0);
+  using ThicknessImageType = itk::MedialVoxelImageFilter<ImageType>::ThicknessImageType;
+  itk::ImageRegionConstIteratorWithIndex<ThicknessImageType> value(filter->GetThicknessOutput(),
+                                                                   filter->GetThicknessOutput()->GetBufferedRegion());
+  for (; !value.IsAtEnd(); ++value)
+  {
+    if (filter->GetOutput()->GetPixel(value.GetIndex()) >= 2)
+    {
+      const std::size_t bin = expected.GetBin(static_cast<double>(value.Get()));
+      expected.Add(bin);
+      std::uint32_t & most = thickest[static_cast<std::size_t>(value.GetIndex()[1] * 150 + value.GetIndex()[0])];
+      most = std::max(most, static_cast<std::uint32_t>(bin));
+    }
+  }
+  EXPECT_GT(expected.GetTotal(), 1000u);
+  EXPECT_EQ(survey.GetThickness().GetNumbers(), expected.GetNumbers());
+  for (std::size_t i = 0; i < thickest.size(); ++i)
+  {
+    EXPECT_EQ(survey.GetProjection()[i].thickest, thickest[i]) << i;
+  }
+}
+
+TEST(Survey, AreasOfPlatesAreExact)
+{
+  const SurveyedRun run({ 60, 50, 40 }, [](auto x, auto, auto z) { return (z >= 8 && z < 11) || x >= 70; });
+  const auto &      areas = run.GetSurvey().GetThicknessByArea();
+  EXPECT_EQ(static_cast<double>(areas.GetTotal()) * run.GetSurvey().GetAreaUnit(), 59.0 * 49.0);
+  EXPECT_EQ(areas.GetMean(), 3.0);
 }
 
 TEST(Survey, ProjectionIsTheLargestLabelAndCountsMedialCells)

@@ -38,6 +38,8 @@ class IdentityTest(ProgramTestCase):
             "v.mha",
             "--distance",
             "d.mha",
+            "--thickness-map",
+            "t.mha",
             "--report",
             "r.json",
             "--overwrite",
@@ -45,7 +47,7 @@ class IdentityTest(ProgramTestCase):
             thickness=2,
         )
         report = json.loads((self.folder / "r.json").read_text())
-        data = tuple(volumes.read_data(self.folder / name) for name in ("l.mha", "v.mha", "d.mha"))
+        data = tuple(volumes.read_data(self.folder / name) for name in ("l.mha", "v.mha", "d.mha", "t.mha"))
         return data, report["counts"], report["percent"]
 
     def test_divisions_and_threads(self):
@@ -74,16 +76,17 @@ class IdentityTest(ProgramTestCase):
         self.assertEqual(distance("--divisions", 7, "--threads", 5), expected)
 
     def test_distance_of_both_commands_is_the_same(self):
-        labels_vectors_distance = self.results()[0]
+        results = self.results()[0]
         self.run_program("distance", "in.mha", "v2.mha", "--distance", "d2.mha")
-        self.assertEqual(volumes.read_data(self.folder / "d2.mha"), labels_vectors_distance[2])
+        self.assertEqual(volumes.read_data(self.folder / "d2.mha"), results[2])
 
     def test_counts_are_those_of_the_labels(self):
-        (labels, _, _), counts, _ = self.results()
+        (labels, _, _, thicknesses), counts, _ = self.results()
         self.assertEqual(labels.count(2), counts["bound"])
         self.assertEqual(labels.count(3), counts["geodesic_medial"])
         self.assertEqual(labels.count(1), counts["trivial"] + counts["geodesic_non_medial"])
         self.assertEqual(sum(1 for label in labels if label), counts["candidate_cells"])
+        self.assertEqual([label >= 2 for label in labels], [value > 0 for value in memoryview(thicknesses).cast("f")])
         self.assertEqual(sum(self.volume.voxels), counts["object_voxels"])
         self.assertGreater(counts["bound"], 0)
         self.assertGreater(counts["geodesic_medial"], 0)

@@ -28,6 +28,8 @@ class OutputsTest(ProgramTestCase):
         options = {
             "--vectors": "v.mha",
             "--distance": "d.nrrd",
+            "--thickness-map": "t.mha",
+            "--thickness-csv": "t.csv",
             "--report": "r.json",
             "--preview": "p.png",
         }

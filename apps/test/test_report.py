@@ -102,6 +102,7 @@ class ReportTest(ProgramTestCase):
         jsonschema.Draft202012Validator.check_schema(schema)
         validator = jsonschema.Draft202012Validator(schema)
         everything = ["--vectors", "v.mha", "--distance", "d.mha", "--preview", "p.png", "--html", "h.html"]
+        everything += ["--thickness-map", "t.mha", "--thickness-csv", "t.csv"]
         reports = [
             self.report("--lower", 72, *everything)[0],
             self.report("--lower", 101)[0],
@@ -132,6 +133,9 @@ class ReportTest(ProgramTestCase):
                 self.assertEqual(thickness[name], 4 * unit)
             self.assertEqual(thickness["standard_deviation"], 0)
             self.assertEqual(set(thickness["percentiles"].values()), {4 * unit})
+            self.assertEqual(thickness["area"], (39 * unit) ** 2)
+            self.assertEqual(thickness["area_weighted"]["mean"], 4 * unit)
+            self.assertEqual(set(thickness["area_weighted"]["percentiles"].values()), {4 * unit})
             histogram = thickness["histogram"]
             self.assertEqual(sum(histogram["counts"]) + histogram["above"], thickness["cells"])
             self.assertEqual(histogram["counts"].index(39 * 39) * histogram["bin_width"], 4 * unit)

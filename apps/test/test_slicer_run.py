@@ -25,6 +25,7 @@ PAIRS = [
 OUTPUTS = {
     "vectorVolume": "vectors",
     "distanceVolume": "distance",
+    "thicknessMap": "thickness-map",
     "reportFile": "report",
     "previewFile": "preview",
     "vectorBoundary": "vector-boundary",
@@ -59,7 +60,8 @@ class RunTest(ModuleTestCase):
 
     def test_further_outputs_equal_those_of_the_program(self):
         def run(name, flag_of, runner):
-            files = {"vectorVolume": "v.mha", "distanceVolume": "d.mha", "reportFile": "r.json", "previewFile": "p.png"}
+            files = {"vectorVolume": "v.mha", "distanceVolume": "d.mha", "thicknessMap": "t.mha"}
+            files |= {"reportFile": "r.json", "previewFile": "p.png"}
             values = {flag: name + file for flag, file in files.items()} | {"vectorBoundary": "background"}
             runner(*(part for flag, value in values.items() for part in (f"--{flag_of(flag)}", value)))
             return {flag: (self.folder / values[flag]).read_bytes() for flag in files}

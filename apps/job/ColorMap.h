@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelColorMap_h
+#define medialvoxelColorMap_h
+
+#include "PreviewCanvas.h"
+
+namespace medialvoxel
+{
+
+/** Color of a share from 0 to 1: violet, blue, green, yellow, the lighter the larger. Equal steps of the share are
+ * steps of equal lightness in CIELAB, so that the order is seen without colors too. Shares outside are those of the
+ * ends. */
+Color
+GetMapColor(double share);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelThicknessPreview_h
+#define medialvoxelThicknessPreview_h
+
+#include "OutputVolume.h"
+#include "PreviewCanvas.h"
+#include "Survey.h"
+
+#include <cstdint>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** Memory that drawing takes beside the survey and GetPreviewBytes(). */
+std::uint64_t
+GetThicknessPreviewBytes(const VolumeGeometry & geometry);
+
+/** Draws a finished thickness map in the views of DrawPreview(): object gray, medial cells in colors from the first to
+ * the 99th percentile of the thickness, which the survey has measured at all cells. Where more cells fall together the
+ * thickest counts, in the projection the thickest along the ray.
+ * \param unit of the lengths, in capital letters */
+Canvas
+DrawThicknessPreview(const OutputVolume &   labels,
+                     const OutputVolume &   thicknesses,
+                     const VolumeGeometry & geometry,
+                     const Survey &         survey,
+                     const std::string &    unit);
+
+} // end namespace medialvoxel
+
+#endif

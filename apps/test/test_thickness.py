@@ -1,0 +1,187 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The thickness map and what is told about it: report, histogram, page and picture have the numbers of the map."""
+
+import csv
+import json
+import math
+import unittest
+
+import volumes
+from program import REFUSED, USAGE, ProgramTestCase
+from test_identity import rough_shell
+from test_preview import read_png
+
+PERCENTS = (1, 5, 25, 50, 75, 95, 99)
+
+
+def plate(thickness=4, spacing=(0.5, 0.75, 1.5), size=(40, 36, 20)):
+    volume = volumes.Volume(size, [], spacing)
+    volume.voxels = [1 if 8 <= z < 8 + thickness else 0 for _, _, z in volume.indices()]
+    return volume
+
+
+class ThicknessTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        volumes.write_meta(self.folder / "in.mha", rough_shell())
+
+    def map(self, *arguments, source="in.mha", name="t.mha", thickness=2):
+        self.extract(
+            source, "l.mha", "--thickness-map", name, "--overwrite", "--report", "r.json", *arguments, thickness=thickness
+        )
+        self.report = json.loads((self.folder / "r.json").read_text())
+        return volumes.read_floats(self.folder / name)
+
+    def test_plates_are_exact_in_both_units(self):
+        for thickness in range(1, 9):
+            volumes.write_meta(self.folder / "plate.mha", plate(thickness))
+            for arguments, unit, area in (([], 1.5, 0.5 * 0.75), (["--voxel-units"], 1.0, 1.0)):
+                values = self.map(*arguments, source="plate.mha", thickness=2)
+                labels = volumes.read_data(self.folder / "l.mha")
+                medial = [value for value, label in zip(values, labels) if label >= 2]
+                self.assertEqual(set(medial), {thickness * unit})
+                self.assertEqual(sum(1 for value in values if value), len(medial))
+                self.assertAlmostEqual(self.report["thickness"]["area"], 39 * 35 * area, delta=1e-3)
+
+    def test_map_has_the_geometry_of_the_labels(self):
+        self.map()
+        labels, thicknesses = (volumes.read_header(self.folder / name)[0] for name in ("l.mha", "t.mha"))
+        self.assertEqual(thicknesses.pop("ElementType"), "MET_FLOAT")
+        self.assertEqual(labels.pop("ElementType"), "MET_UCHAR")
+        self.assertEqual(thicknesses, labels)
+
+    def test_numbers_are_those_of_the_map(self):
+        values = self.map("--thickness-csv", "h.csv")
+        labels = volumes.read_data(self.folder / "l.mha")
+        told = self.report["thickness"]
+        width = told["resolution"]
+        self.assertEqual(width, 0.5 / 64)
+        bins = sorted(int(value / width + 0.5) for value, label in zip(values, labels) if label >= 2)
+        self.assertGreater(len(bins), 2000)
+        self.assertEqual(told["cells"], len(bins))
+        self.assertEqual(told["one_cell_of"], 1)
+        self.assertAlmostEqual(told["mean"], width * sum(bins) / len(bins))
+        self.assertEqual((told["minimum"], told["maximum"]), (width * bins[0], width * bins[-1]))
+        for percent in PERCENTS:
+            rank = max(1, math.ceil(percent * len(bins) / 100))
+            self.assertEqual(told["percentiles"][str(percent)], width * bins[rank - 1], percent)
+
+        rows = list(csv.DictReader((self.folder / "h.csv").read_text().splitlines()))
+        self.assertEqual(list(rows[0]), ["thickness", "cells", "area"])
+        self.assertEqual([float(row["thickness"]) / width for row in rows], list(range(bins[0], bins[-1] + 1)))
+        self.assertEqual([int(row["cells"]) for row in rows], [bins.count(b) for b in range(bins[0], bins[-1] + 1)])
+        areas = [(float(row["area"]), float(row["thickness"])) for row in rows]
+        area = sum(row[0] for row in areas)
+        self.assertAlmostEqual(told["area"], area, delta=1e-9 * area)
+        weighted = told["area_weighted"]
+        self.assertAlmostEqual(weighted["mean"], sum(a * t for a, t in areas) / area)
+        below = 0.0
+        for part, length in areas:
+            below += part
+            if below >= 0.5 * area * (1 - 1e-12):
+                break
+        self.assertEqual(weighted["percentiles"]["50"], length)
+
+    def test_any_division_gives_the_same_bytes(self):
+        files = ("l.mha", "t.mha", "h.csv", "p.png")
+
+        def run(*arguments):
+            self.map("--thickness-csv", "h.csv", "--preview", "p.png", *arguments)
+            return [(self.folder / name).read_bytes() for name in files] + [self.report["thickness"]]
+
+        expected = run("--divisions", 1, "--threads", 1)
+        for arguments in (("--divisions", 7, "--threads", 3), ("--divisions", 33, "--memory", "48M"), ("--sparse",)):
+            self.assertEqual(run(*arguments), expected, arguments)
+
+    def test_formats(self):
+        expected = self.map()
+        for name in ("t.mhd", "t.nrrd", "t.nhdr"):
+            self.assertEqual(self.map(name=name), expected, name)
+
+    def test_other_outputs_do_not_depend_on_it(self):
+        self.extract("in.mha", "plain.mha", "--report", "plain.json", "--preview", "plain.png", thickness=2)
+        self.map("--preview", "p.png")
+        self.assertEqual((self.folder / "l.mha").read_bytes(), (self.folder / "plain.mha").read_bytes())
+        self.assertEqual(self.report["thickness"], json.loads((self.folder / "plain.json").read_text())["thickness"])
+        labels, both = read_png(self.folder / "plain.png"), read_png(self.folder / "p.png")
+        self.assertEqual([row[: len(labels[0])] for row in both[: len(labels)]], labels)
+
+    def test_picture_has_the_colors_of_the_lengths(self):
+        """A thin wall and a thick one: dark and light in the second picture, with a bar from one to the other."""
+        volume = volumes.Volume((60, 60, 40), [])
+        volume.voxels = [1 if 8 <= x < 11 or 34 <= x < 44 and y > 5 else 0 for x, y, z in volume.indices()]
+        volumes.write_meta(self.folder / "walls.mha", volume)
+        self.map("--preview", "p.png", "--html", "r.html", source="walls.mha", thickness=5)
+        self.assertEqual((self.folder / "r.html").read_text().count("data:image/png;base64,"), 2)
+        rows = read_png(self.folder / "p.png")
+        below = rows[len(rows) // 2 :]
+        beside = [row[len(row) // 2 :] for row in rows]
+        second = below if len(rows) > len(rows[0]) else beside
+        self.assertEqual(max(len(rows), len(rows[0])) % 2, 0)
+        colored = {}
+        for row in second:
+            for color in row:
+                if max(color) - min(color) > 20:
+                    colored[color] = colored.get(color, 0) + 1
+        lightness = [sum(color) for color, count in colored.items() if count > 2000]
+        self.assertGreaterEqual(len(lightness), 2, "colors of the thin and of the thick wall")
+        self.assertGreater(max(lightness), 1.5 * min(lightness))
+        self.assertGreater(len(colored), 100, "colors of the bar")
+
+    def test_page_has_the_map_only_when_it_is_made(self):
+        self.extract("in.mha", "l.mha", "--html", "r.html")
+        text = (self.folder / "r.html").read_text()
+        self.assertEqual(text.count("data:image/png;base64,"), 1)
+        self.assertIn("mean over the area", text)
+
+    def test_of_large_volumes_all_cells_are_measured(self):
+        """More than 2^25 voxels: without a map or its histogram every second cell."""
+        size = (512, 512, 132)
+        volume = volumes.Volume(size, [])
+        row = bytes(1 if 40 <= x < 43 else 0 for x in range(size[0]))
+        volume.voxels = row * (size[1] * size[2])
+        volumes.write_raw(self.folder / "large.raw", volume)
+        cells = 511 * 131
+        for arguments, step in (([], 2), (["--thickness-csv", "h.csv"], 1), (["--thickness-map", "t.nrrd"], 1)):
+            options = [*arguments, "--report", "r.json", "--overwrite", *volumes.raw_options(volume)]
+            self.extract("large.raw", "l.mha", *options)
+            told = json.loads((self.folder / "r.json").read_text())["thickness"]
+            self.assertEqual(told["one_cell_of"], step)
+            self.assertAlmostEqual(told["cells"], cells / step, delta=0 if step == 1 else 0.02 * cells)
+            self.assertEqual((told["minimum"], told["maximum"]), (3, 3))
+
+    def test_nothing_to_measure(self):
+        values = self.map("--lower", 5, "--thickness-csv", "h.csv", "--preview", "p.png", "--html", "r.html")
+        self.assertEqual(set(values), {0})
+        self.assertEqual((self.folder / "h.csv").read_text(), "thickness,cells,area\n")
+        self.assertEqual(self.report["thickness"]["area"], 0)
+
+    def test_plane_images(self):
+        volume = volumes.Volume((40, 30), [], (0.5, 0.25))
+        volume.voxels = [1 if 8 <= y < 13 else 0 for _, y in volume.indices()]
+        volumes.write_meta(self.folder / "plane.mha", volume)
+        values = self.map("--preview", "p.png", source="plane.mha", thickness=1)
+        self.assertEqual(set(values), {0, 1.25})
+        self.assertEqual(self.report["thickness"]["area"], 39 * 0.5)
+
+    def test_memory_and_disk_are_planned(self):
+        for arguments in ([], ["--preview", "p.png", "--html", "h.html", "--thickness-csv", "h.csv"]):
+            self.map("--memory", "64M", *arguments)
+            self.assertLessEqual(self.report["peak_memory_bytes"], self.report["planned_peak_bytes"], arguments)
+        plan = self.extract("in.mha", "x.mha", "--thickness-map", "y.mha", "--dry-run").stdout
+        voxels = 40 * 36 * 33
+        self.assertRegex(plan, rf"disk +{voxels * 5 / 1024:.1f} KiB")
+        self.assertRegex(plan, r"thickness_map +y.mha")
+
+    def test_bad_names(self):
+        arguments = ("extract", "in.mha", "x.mha", "--thickness", 3)
+        self.assert_fails(USAGE, ["t.xyz", "unknown format"], *arguments, "--thickness-map", "t.xyz")
+        self.assert_fails(USAGE, ["h.txt", ".csv"], *arguments, "--thickness-csv", "h.txt")
+        self.assert_fails(USAGE, ["in.mha", "input"], *arguments, "--thickness-map", "in.mha", "--overwrite")
+        self.assert_fails(USAGE, ["x.mha", "thickness_map"], *arguments, "--thickness-map", "x.mha")
+        self.assert_fails(REFUSED, ["none"], *arguments, "--thickness-map", "none/t.mha")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelTileWalls.h"
+
+namespace itk
+{
+
+void
+MedialVoxelMeasureWalls(const MedialVoxelThickness &            thickness,
+                        const MedialVoxelClassifier &           classifier,
+                        const MedialVoxelWindow &               window,
+                        const MedialVoxelFeatures &             features,
+                        const std::vector<MedialVoxelCellRow> & rows,
+                        std::vector<MedialVoxelWall> &          walls)
+{
+  std::size_t number = 0;
+  for (const MedialVoxelCellRow & row : rows)
+  {
+    number += static_cast<std::size_t>(MedialVoxelPopulationCount(row.measured));
+  }
+  walls.clear();
+  walls.reserve(number);
+  MedialVoxelWallPoints points;
+  for (const MedialVoxelCellRow & row : rows)
+  {
+    for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
+    {
+      const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
+      classifier.GetWallPoints(features, cell, points);
+      walls.push_back(thickness.Measure(*window.object, points));
+    }
+  }
+}
+
+} // end namespace itk
