@@ -18,6 +18,7 @@ set(L1
     GeodesicLandmarks
     BoundedGeodesic
     PairChoice
+    PairDecision
     Thickness)
 set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileObserver)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
