@@ -184,7 +184,17 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
 
   if (m_TileObserver != nullptr)
   {
-    m_TileObserver->Observe({ tile, window, workspace.features, *m_Classifier, workspace.classifier.rows });
+    missing = m_TileObserver->Observe({ tile,
+                                        window,
+                                        workspace.features,
+                                        *m_Classifier,
+                                        workspace.classifier.rows,
+                                        workspace.classifier.geodesic,
+                                        progress });
+    if (!missing.IsEmpty())
+    {
+      return missing;
+    }
   }
   this->WriteLabels(tile, workspace.labels);
   if (m_GenerateVectorDistance)

@@ -19,9 +19,11 @@ set(L1
     BoundedGeodesic
     PairChoice
     PairDecision
-    Thickness)
-set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileObserver)
-set(L3 ClusterWindow TileSchedule ClusterEngine)
+    Thickness
+    SurfaceTopology
+    SurfaceFit)
+set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileObserver SurfaceCells)
+set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)
 set(units ${L0} ${Formats} ${L1} ${L2} ${L3} ${L4})

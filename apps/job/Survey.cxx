@@ -166,7 +166,7 @@ Survey::Begin()
   }
 }
 
-void
+itk::MedialVoxelBox
 Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
 {
   const itk::MedialVoxelBox & box = tile.box;
@@ -216,6 +216,7 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
     this->AddProjection(sums);
     std::for_each(tile.rows.begin(), tile.rows.end(), [this](const auto & row) { this->MarkBlock(row); });
   }
+  return {};
 }
 
 /** Thickness of the walls at the measured cells of a row, and what they count for the slices. */
