@@ -33,7 +33,7 @@ GetSurfaceFormat(const std::string & fileName);
 /** What the writers are told. */
 struct SurfaceWriteOptions
 {
-  /** Abaqus, Nastran: elements whose thickness falls in the same multiple of this width share a section, whose
+  /** Abaqus, Nastran: elements whose thickness has the same nearest multiple of this width share a section, whose
    * thickness is their mean by area. Physical units, > 0 and finite. The program takes a quarter of the smallest
    * spacing. */
   double thicknessClassWidth{ 1.0 };
@@ -41,6 +41,13 @@ struct SurfaceWriteOptions
   /** Called with the share done, 0 to 1, some times per second; may throw to stop. */
   std::function<void(double)> progress;
 };
+
+/** \throw JobError Refused when the format cannot hold so many elements, naming its limit. */
+void
+CheckSurfaceFits(SurfaceFormat format,
+                 std::uint64_t numberOfVertices,
+                 std::uint64_t numberOfTriangles,
+                 std::uint64_t numberOfQuads);
 
 /** Writes the surface to a file that was created, and finishes it, so that it can be published.
  * \throw JobError Refused when the format cannot hold a surface of this size, naming its limit
