@@ -8,9 +8,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Numbers of elements that are kept at once, 8 bytes each. */
-constexpr std::uint64_t MaximumKeptNumbers = std::uint64_t{ 1 } << 22;
-constexpr unsigned int  NumbersPerLine = 16;
+constexpr unsigned int NumbersPerLine = 16;
 
 /** \class SetLines
  * \brief A set of elements, which appears in the file with the first of them. */
@@ -92,14 +90,14 @@ WriteElements(SurfaceReader & reader, unsigned int numberOfVertices, const char 
 
 /** Ends of the runs of sections whose elements are kept at once; a section that is too large is a run of its own. */
 std::vector<size_t>
-GetRunEnds(const std::vector<SurfaceSection> & sections)
+GetRunEnds(const std::vector<SurfaceSection> & sections, std::uint64_t keptElements)
 {
   std::vector<size_t> ends;
   std::uint64_t       kept = 0;
   for (size_t section = 0; section < sections.size(); ++section)
   {
     kept += sections[section].numberOfFaces;
-    if (section > 0 && kept > MaximumKeptNumbers)
+    if (section > 0 && kept > keptElements)
     {
       ends.push_back(section);
       kept = sections[section].numberOfFaces;
@@ -182,8 +180,9 @@ WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, 
   reader.SetNumberOfPasses(1, 6);
   const SurfaceSections     sections(reader, options.thicknessClassWidth);
   const SurfaceSpool &      surface = reader.GetSurface();
-  const std::vector<size_t> ends = GetRunEnds(sections.GetSections());
-  reader.SetNumberOfPasses(1, 5 + ends.size());
+  const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptElements);
+  const std::uint64_t       elementPasses = (surface.GetNumberOfTriangles() > 0) + (surface.GetNumberOfQuads() > 0);
+  reader.SetNumberOfPasses(1, 3 + elementPasses + ends.size());
 
   output.Text("*HEADING\nMedial surface by MedialVoxel, lengths in the units of the image\n");
   WriteNodes(reader, output);

@@ -38,6 +38,9 @@ struct SurfaceWriteOptions
    * spacing. */
   double thicknessClassWidth{ 1.0 };
 
+  /** Abaqus: numbers of elements kept at once, 8 bytes each, while they are put into sections; no other influence. */
+  std::uint64_t keptElements{ std::uint64_t{ 1 } << 22 };
+
   /** Called with the share done, 0 to 1, some times per second; may throw to stop. */
   std::function<void(double)> progress;
 };

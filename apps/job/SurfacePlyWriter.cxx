@@ -13,8 +13,8 @@ WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOut
   output.Integer(reader.GetSurface().GetNumberOfVertices());
   output.Text("\nproperty float x\nproperty float y\nproperty float z\nproperty float thickness\nelement face ");
   output.Integer(reader.GetSurface().GetNumberOfFaces());
-  output.Text("\nproperty list uchar int vertex_indices\nproperty uchar rim_edges\nproperty uchar junction_edges\n"
-              "property float area\nend_header\n");
+  // Nothing more per face: not every reader skips it, that of meshio does not.
+  output.Text("\nproperty list uchar int vertex_indices\nend_header\n");
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
     for (const float coordinate : vertex.position)
     {
@@ -28,9 +28,6 @@ WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOut
     {
       output.LittleEndian(static_cast<std::uint32_t>(face.vertices[corner]));
     }
-    output.LittleEndian(face.rimEdges);
-    output.LittleEndian(face.junctionEdges);
-    output.LittleEndian(static_cast<float>(face.area));
   });
 }
 

@@ -37,8 +37,14 @@ WriteGeometry(SurfaceReader & reader, BufferedOutput & output)
       output.BigEndian(coordinate);
     }
   });
+  output.Text("\n");
+  // VTK reports an error for a list of no polygons.
+  if (surface.GetNumberOfFaces() == 0)
+  {
+    return;
+  }
   const std::uint64_t numbers = 4 * surface.GetNumberOfTriangles() + 5 * surface.GetNumberOfQuads();
-  output.Text("\nPOLYGONS ").Integer(surface.GetNumberOfFaces()).Text(" ").Integer(numbers).Text("\n");
+  output.Text("POLYGONS ").Integer(surface.GetNumberOfFaces()).Text(" ").Integer(numbers).Text("\n");
   reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
     output.BigEndian(std::uint32_t{ face.numberOfVertices });
     for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
