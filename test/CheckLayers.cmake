@@ -23,7 +23,7 @@ set(L1
     SurfaceTopology
     SurfaceFit)
 set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileObserver SurfaceCells)
-set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder)
+set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceObserver)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)
 set(units ${L0} ${Formats} ${L1} ${L2} ${L3} ${L4})
