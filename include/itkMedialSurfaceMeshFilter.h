@@ -126,6 +126,11 @@ public:
   itkGetConstMacro(MarkSides, bool);
   itkBooleanMacro(MarkSides);
 
+  /** Leave out connected pieces of fewer quadrilaterals than this. 0 (default) and 1 keep all. What is left is as
+   * without it but for the numbers of the points. */
+  itkSetMacro(SmallestPiece, SizeValueType);
+  itkGetConstMacro(SmallestPiece, SizeValueType);
+
 protected:
   MedialSurfaceMeshFilter() = default;
   ~MedialSurfaceMeshFilter() override = default;
@@ -144,6 +149,7 @@ private:
   using LabelImageType = typename LabelFilterType::OutputImageType;
 
   class MeshWriter;
+  class PieceFilter;
 
   /** Change a property of the label filter, and be modified when that one is. */
   template <typename TFunction>
@@ -168,6 +174,7 @@ private:
   unsigned int                      m_NumberOfSlicesPerPiece{ 0 };
   bool                              m_GenerateTriangles{ false };
   bool                              m_MarkSides{ false };
+  SizeValueType                     m_SmallestPiece{ 0 };
 };
 
 } // end namespace itk

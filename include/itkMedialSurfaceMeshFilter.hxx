@@ -4,11 +4,13 @@
 #define itkMedialSurfaceMeshFilter_hxx
 
 #include "itkMedialVoxelSurfaceObserver.h"
+#include "itkMedialVoxelSurfacePieces.h"
 
 #include "itkQuadrilateralCell.h"
 #include "itkTriangleCell.h"
 
 #include <algorithm>
+#include <array>
 
 namespace itk
 {
@@ -45,19 +47,15 @@ public:
   {
     for (const MedialVoxelSurfaceQuad & quad : quads)
     {
-      if (!m_AsTriangles)
+      if (m_AsTriangles)
       {
-        this->AddCell<QuadrilateralCell<CellInterfaceType>>(quad, { 0, 1, 2, 3 });
-      }
-      else if (quad.isSplitAlong13)
-      {
-        this->AddCell<TriangleCell<CellInterfaceType>>(quad, { 0, 1, 3 });
-        this->AddCell<TriangleCell<CellInterfaceType>>(quad, { 1, 2, 3 });
+        this->AddTriangle(quad, 0);
+        this->AddTriangle(quad, 1);
       }
       else
       {
-        this->AddCell<TriangleCell<CellInterfaceType>>(quad, { 0, 1, 2 });
-        this->AddCell<TriangleCell<CellInterfaceType>>(quad, { 0, 2, 3 });
+        const unsigned int marks = unsigned{ quad.rimSides } | unsigned{ quad.junctionSides } << 4;
+        this->AddCell<QuadrilateralCell<CellInterfaceType>>(quad.vertices, quad.GetArea(), marks);
       }
     }
   }
@@ -66,52 +64,38 @@ private:
   using CellInterfaceType = typename OutputMeshType::CellType;
   using CellPixelType = typename OutputMeshType::CellPixelType;
 
-  /** \param corners of the quadrilateral, in order */
-  template <typename TCell>
   void
-  AddCell(const MedialVoxelSurfaceQuad & quad, const std::vector<unsigned int> & corners)
+  AddTriangle(const MedialVoxelSurfaceQuad & quad, const unsigned int half)
+  {
+    const auto                   corners = quad.GetTriangle(half);
+    std::array<std::uint64_t, 3> vertices;
+    unsigned int                 marks = 0;
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      vertices[i] = quad.vertices[corners[i]];
+    }
+    for (unsigned int side = 0; side < 2; ++side)
+    {
+      marks |= ((unsigned{ quad.rimSides } >> corners[side]) & 1u) << side;
+      marks |= ((unsigned{ quad.junctionSides } >> corners[side]) & 1u) << (side + 4);
+    }
+    this->AddCell<TriangleCell<CellInterfaceType>>(vertices, quad.areas[half], marks);
+  }
+
+  template <typename TCell, typename TVertices>
+  void
+  AddCell(const TVertices & vertices, const double area, const unsigned int marks)
   {
     auto * const                             cell = new TCell;
     typename OutputMeshType::CellAutoPointer owner;
     owner.TakeOwnership(cell);
-    for (unsigned int i = 0; i < corners.size(); ++i)
+    for (unsigned int i = 0; i < vertices.size(); ++i)
     {
-      cell->SetPointId(static_cast<int>(i), static_cast<IdentifierType>(quad.vertices[corners[i]]));
+      cell->SetPointId(static_cast<int>(i), static_cast<IdentifierType>(vertices[i]));
     }
     m_Mesh.SetCell(m_NumberOfCells, owner);
-    m_Mesh.SetCellData(m_NumberOfCells,
-                       static_cast<CellPixelType>(m_WithMarks ? MarksOf(quad, corners) : this->AreaOf(quad, corners)));
+    m_Mesh.SetCellData(m_NumberOfCells, static_cast<CellPixelType>(m_WithMarks ? marks : area));
     ++m_NumberOfCells;
-  }
-
-  /** The sides of a cell that are sides of the quadrilateral keep their marks. */
-  static double
-  MarksOf(const MedialVoxelSurfaceQuad & quad, const std::vector<unsigned int> & corners)
-  {
-    unsigned int marks = 0;
-    for (unsigned int i = 0; i < corners.size(); ++i)
-    {
-      const unsigned int side = corners[i];
-      if (corners[(i + 1) % corners.size()] == (side + 1) % 4)
-      {
-        marks |= ((quad.rimSides >> side) & 1u) << i;
-        marks |= ((quad.junctionSides >> side) & 1u) << (i + 4);
-      }
-    }
-    return marks;
-  }
-
-  double
-  AreaOf(const MedialVoxelSurfaceQuad & quad, const std::vector<unsigned int> & corners) const
-  {
-    if (corners.size() == 4)
-    {
-      return quad.area;
-    }
-    const auto point = [&](const unsigned int i) {
-      return m_Mesh.GetPoint(static_cast<IdentifierType>(quad.vertices[corners[i]]));
-    };
-    return 0.5 * CrossProduct(point(1) - point(0), point(2) - point(0)).GetNorm();
   }
 
   OutputMeshType & m_Mesh;
@@ -119,6 +103,62 @@ private:
   bool             m_WithMarks;
   IdentifierType   m_NumberOfPoints{ 0 };
   IdentifierType   m_NumberOfCells{ 0 };
+};
+
+/** Keeps a surface until it is known which pieces of it are large enough. */
+template <typename TInputImage, typename TOutputMesh>
+class MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::PieceFilter : public MedialVoxelSurfaceConsumer
+{
+public:
+  void
+  AddVertices(const std::vector<MedialVoxelSurfaceVertex> & vertices) override
+  {
+    m_Pieces.AddVertices(vertices.size());
+    m_Vertices.insert(m_Vertices.end(), vertices.begin(), vertices.end());
+  }
+
+  void
+  AddQuads(const std::vector<MedialVoxelSurfaceQuad> & quads) override
+  {
+    for (const MedialVoxelSurfaceQuad & quad : quads)
+    {
+      m_Pieces.AddQuad(quad.vertices);
+    }
+    m_Quads.insert(m_Quads.end(), quads.begin(), quads.end());
+  }
+
+  void
+  HandOn(const SizeValueType smallest, MedialVoxelSurfaceConsumer & consumer)
+  {
+    m_Pieces.Keep(smallest);
+    std::vector<MedialVoxelSurfaceVertex> vertices;
+    for (std::size_t i = 0; i < m_Vertices.size(); ++i)
+    {
+      if (m_Pieces.IsKept(i))
+      {
+        vertices.push_back(m_Vertices[i]);
+      }
+    }
+    std::vector<MedialVoxelSurfaceQuad> quads;
+    for (MedialVoxelSurfaceQuad & quad : m_Quads)
+    {
+      if (m_Pieces.IsKept(quad.vertices[0]))
+      {
+        for (std::uint64_t & vertex : quad.vertices)
+        {
+          vertex = m_Pieces.NumberOf(vertex);
+        }
+        quads.push_back(quad);
+      }
+    }
+    consumer.AddVertices(vertices);
+    consumer.AddQuads(quads);
+  }
+
+private:
+  MedialVoxelSurfacePieces              m_Pieces;
+  std::vector<MedialVoxelSurfaceVertex> m_Vertices;
+  std::vector<MedialVoxelSurfaceQuad>   m_Quads;
 };
 
 template <typename TInputImage, typename TOutputMesh>
@@ -298,10 +338,13 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   }
   MedialVoxelParameters parameters;
   parameters.epsilon = MedialVoxelParameters::EpsilonFromThickness(this->GetThickness());
-  const MedialVoxelGrid      grid(size,
+  const MedialVoxelGrid        grid(size,
                              this->GetUseImageSpacing() ? spacing : MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } });
-  MeshWriter                 writer(mesh, m_GenerateTriangles, m_MarkSides);
-  MedialVoxelSurfaceObserver observer(grid, parameters, spacing, GetPlacement(input), writer);
+  MeshWriter                   writer(mesh, m_GenerateTriangles, m_MarkSides);
+  PieceFilter                  pieces;
+  const bool                   keepsAll = m_SmallestPiece <= 1;
+  MedialVoxelSurfaceConsumer & consumer = keepsAll ? static_cast<MedialVoxelSurfaceConsumer &>(writer) : pieces;
+  MedialVoxelSurfaceObserver   observer(grid, parameters, spacing, GetPlacement(input), consumer);
 
   m_LabelFilter->SetTileObserver(&observer);
   try
@@ -316,6 +359,10 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   }
   m_LabelFilter->SetTileObserver(nullptr);
   observer.Finish();
+  if (!keepsAll)
+  {
+    pieces.HandOn(m_SmallestPiece, writer);
+  }
   this->UpdateProgress(1.0f);
 }
 
@@ -369,6 +416,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream & os, 
   os << indent << "NumberOfSlicesPerPiece: " << m_NumberOfSlicesPerPiece << std::endl;
   os << indent << "GenerateTriangles: " << (m_GenerateTriangles ? "On" : "Off") << std::endl;
   os << indent << "MarkSides: " << (m_MarkSides ? "On" : "Off") << std::endl;
+  os << indent << "SmallestPiece: " << m_SmallestPiece << std::endl;
   itkPrintSelfObjectMacro(LabelFilter);
 }
 

@@ -39,9 +39,26 @@ struct MedialVoxelSurfaceQuad
   std::uint8_t rimSides{ 0 };
   std::uint8_t junctionSides{ 0 };
 
-  /** Sum of the two triangles along the shorter diagonal; 0-2 when both are as long. */
-  double area{ 0 };
-  bool   isSplitAlong13{ false }; ///< which one that is
+  /** Whether the diagonal 1-3 is the shorter one; 0-2 is it when both are as long. */
+  bool isSplitAlong13{ false };
+
+  /** Of the two triangles along the shorter diagonal. */
+  std::array<double, 2> areas{};
+
+  double
+  GetArea() const
+  {
+    return areas[0] + areas[1];
+  }
+
+  /** Numbers of the vertices of a triangle, 0 or 1: its first two sides are those of the quadrilateral that begin at
+   * the first two vertices, the third one is the diagonal. */
+  std::array<unsigned int, 3>
+  GetTriangle(const unsigned int half) const
+  {
+    const unsigned int first = (isSplitAlong13 ? 1u : 0u) + 2u * half;
+    return { { first, (first + 1) % 4, (first + 2) % 4 } };
+  }
 };
 
 /** \class MedialVoxelSurfaceConsumer

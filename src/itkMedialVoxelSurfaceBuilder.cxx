@@ -18,6 +18,8 @@ namespace
 constexpr double TowardsNeighbors = 0.6;
 constexpr double TowardsPlane = 0.15;
 
+constexpr std::uint32_t CellsHandedOnAtATime = 1u << 13;
+
 /** That no plane with rational coefficients holds. */
 constexpr std::array<double, 3> FrontDirection{ { 1.0, 1.4142135623730951, 1.7320508075688772 } };
 
@@ -233,26 +235,27 @@ void
 MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
 {
   const Slice & slice = m_Slices[at];
-  if (slice.cells.empty())
+  const auto    numberOfCells = static_cast<std::uint32_t>(slice.cells.size());
+  // A slice along a wall has many cells, whose results need not be in memory at the same time.
+  for (std::uint32_t begin = 0; begin < numberOfCells; begin += CellsHandedOnAtATime)
   {
-    return;
-  }
-  std::vector<MedialVoxelSurfaceVertex> vertices(slice.cells.size());
-  std::vector<MedialVoxelSurfaceQuad>   quads;
-  for (std::uint32_t cell = 0; cell < slice.cells.size(); ++cell)
-  {
-    vertices[cell].point = this->PointOf(slice, cell);
-    vertices[cell].thickness = static_cast<double>(slice.cells[cell].thickness);
-    for (unsigned int axis = 0; axis < 3; ++axis)
+    const std::uint32_t                   end = std::min(begin + CellsHandedOnAtATime, numberOfCells);
+    std::vector<MedialVoxelSurfaceVertex> vertices;
+    std::vector<MedialVoxelSurfaceQuad>   quads;
+    for (std::uint32_t cell = begin; cell < end; ++cell)
     {
-      if ((slice.cells[cell].quads >> Topology::EdgeOf(axis, 0, 0) & 1) != 0)
+      vertices.push_back({ this->PointOf(slice, cell), static_cast<double>(slice.cells[cell].thickness) });
+      for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        quads.push_back(this->MakeQuad(at, cell, axis));
+        if ((slice.cells[cell].quads >> Topology::EdgeOf(axis, 0, 0) & 1) != 0)
+        {
+          quads.push_back(this->MakeQuad(at, cell, axis));
+        }
       }
     }
+    m_Consumer.AddVertices(vertices);
+    m_Consumer.AddQuads(quads);
   }
-  m_Consumer.AddVertices(vertices);
-  m_Consumer.AddQuads(quads);
 }
 
 MedialVoxelSurfaceQuad
@@ -298,9 +301,16 @@ MedialVoxelSurfaceBuilder::MakeQuad(const std::size_t at, const std::uint32_t ce
     quad.junctionSides = static_cast<std::uint8_t>(quad.junctionSides | (number > 2 ? 1u << side : 0u));
   }
   quad.isSplitAlong13 = Dot(diagonal13, diagonal13) < Dot(diagonal02, diagonal02);
-  quad.area = quad.isSplitAlong13
-                ? AreaOfTriangle(points[0], points[1], points[3]) + AreaOfTriangle(points[1], points[2], points[3])
-                : AreaOfTriangle(points[0], points[1], points[2]) + AreaOfTriangle(points[0], points[2], points[3]);
+  for (unsigned int half = 0; half < 2; ++half)
+  {
+    Vector triangle[3];
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const unsigned int side = quad.GetTriangle(half)[i];
+      triangle[i] = points[isReversed ? (4 - side) % 4 : side];
+    }
+    quad.areas[half] = AreaOfTriangle(triangle[0], triangle[1], triangle[2]);
+  }
   return quad;
 }
 

@@ -21,7 +21,8 @@ set(L1
     PairDecision
     Thickness
     SurfaceTopology
-    SurfaceFit)
+    SurfaceFit
+    SurfacePieces)
 set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileObserver SurfaceCells)
 set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceObserver)
 # What the filters need for pixels of any type.

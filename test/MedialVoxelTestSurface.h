@@ -40,7 +40,7 @@ struct Surface : public itk::MedialVoxelSurfaceConsumer
   }
 };
 
-/** The cells of the surface in a tile, from a window that knows `known`. */
+/** The cells of the surface in a tile, from the sites in `known`; \return the box of sites that are missing. */
 inline itk::MedialVoxelBox
 FindSurfaceCells(const Volume &                             volume,
                  double                                     tau,
@@ -49,9 +49,9 @@ FindSurfaceCells(const Volume &                             volume,
                  std::vector<itk::MedialVoxelSurfaceCell> & cells)
 {
   const itk::MedialVoxelGrid grid = GridOf(volume);
-  const itk::MedialVoxelBits object =
-    ObjectBits(volume, known.Expanded({ { 1, 1, 1 } }).Intersection(grid.GetVoxelBox()));
-  const itk::MedialVoxelBits sites = SiteBits(BoundarySites(volume), known);
+  const itk::MedialVoxelBits object = ObjectBits(volume, grid.GetVoxelBox());
+  const itk::MedialVoxelBits sites = SiteBits(BoundarySites(volume), grid.GetVoxelBox());
+  const itk::MedialVoxelBits knownSites = SiteBits(BoundarySites(volume), known);
   itk::MedialVoxelParameters parameters;
   parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(tau);
   const itk::MedialVoxelClassifier            classifier(grid, parameters);
@@ -59,25 +59,21 @@ FindSurfaceCells(const Volume &                             volume,
   itk::MedialVoxelFeatureTransform::Workspace transformWorkspace;
   itk::MedialVoxelFeatures                    features;
   const itk::MedialVoxelWindow                window{ &object, &sites };
-  itk::MedialVoxelBox missing = transform.Compute(window, classifier.GetVoxelBox(tile), transformWorkspace, features);
-  if (!missing.IsEmpty())
-  {
-    return missing;
-  }
+  EXPECT_TRUE(transform.Compute(window, classifier.GetVoxelBox(tile), transformWorkspace, features).IsEmpty());
   itk::MedialVoxelClassifier::Workspace workspace;
   std::vector<std::uint8_t>             labels;
   itk::MedialVoxelCounts                counts;
   const itk::MedialVoxelNoProgress      progress;
   workspace.keepsRows = true;
-  missing = classifier.Classify(window, tile, features, progress, workspace, labels, counts);
-  if (!missing.IsEmpty())
-  {
-    return missing;
-  }
+  EXPECT_TRUE(classifier.Classify(window, tile, features, progress, workspace, labels, counts).IsEmpty());
+
   const itk::MedialVoxelSurfaceCells      kernel(grid, parameters, volume.spacing);
   itk::MedialVoxelSurfaceCells::Workspace surfaceWorkspace;
+  const itk::MedialVoxelWindow            knownWindow{ &object, &knownSites };
+  const itk::MedialVoxelPairDecision      decision(grid, parameters);
+  decision.Begin(knownSites, tile, workspace.geodesic);
   return kernel.Find(
-    { tile, window, features, classifier, workspace.rows, workspace.geodesic, progress }, surfaceWorkspace, cells);
+    { tile, knownWindow, features, classifier, workspace.rows, workspace.geodesic, progress }, surfaceWorkspace, cells);
 }
 
 /** Index i is at the point i * spacing. */
@@ -155,16 +151,16 @@ struct SurfaceQuality
   }
 };
 
-/** The two triangles of a quadrilateral. */
+/** The two triangles of a quadrilateral: from an end of the shorter diagonal to the other. */
 inline std::array<std::array<std::uint64_t, 3>, 2>
 TrianglesOf(const itk::MedialVoxelSurfaceQuad & quad)
 {
   const auto & v = quad.vertices;
   if (quad.isSplitAlong13)
   {
-    return { { { { v[0], v[1], v[3] } }, { { v[1], v[2], v[3] } } } };
+    return { { { { v[1], v[2], v[3] } }, { { v[3], v[0], v[1] } } } };
   }
-  return { { { { v[0], v[1], v[2] } }, { { v[0], v[2], v[3] } } } };
+  return { { { { v[0], v[1], v[2] } }, { { v[2], v[3], v[0] } } } };
 }
 
 /** Smallest angle of a triangle in degrees. */

@@ -72,7 +72,7 @@ NumbersOf(const Surface & surface)
   for (const auto & quad : surface.quads)
   {
     numbers.insert(numbers.end(), quad.vertices.begin(), quad.vertices.end());
-    numbers.push_back(static_cast<float>(quad.area));
+    numbers.push_back(static_cast<float>(quad.GetArea()));
   }
   return numbers;
 }
@@ -169,7 +169,6 @@ TEST(MedialSurfaceMeshFilter, SplitsQuadrilateralsAlongTheShorterDiagonal)
   ASSERT_EQ(mesh.GetNumberOfCells(), 2 * surface.quads.size());
   for (std::size_t i = 0; i < surface.quads.size(); ++i)
   {
-    float sum = 0.0f;
     for (std::size_t half = 0; half < 2; ++half)
     {
       MeshType::CellAutoPointer cell;
@@ -179,9 +178,8 @@ TEST(MedialSurfaceMeshFilter, SplitsQuadrilateralsAlongTheShorterDiagonal)
       ASSERT_EQ(cell->GetNumberOfPoints(), 3u);
       const auto expected = TrianglesOf(surface.quads[i])[half];
       EXPECT_TRUE(std::equal(expected.begin(), expected.end(), cell->PointIdsBegin()));
-      sum += area;
+      EXPECT_EQ(area, static_cast<float>(surface.quads[i].areas[half]));
     }
-    EXPECT_NEAR(sum, surface.quads[i].area, 1e-4);
   }
 }
 
@@ -320,6 +318,34 @@ TEST(MedialSurfaceMeshFilter, AnAbortLeavesItUsable)
   filter->RemoveObserver(tag);
   filter->Update();
   EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), NumbersOf(MakeSurface(volume, 3.0))));
+}
+
+TEST(MedialSurfaceMeshFilter, LeavesOutSmallPieces)
+{
+  const auto plates = [](bool withSmallOne) {
+    return MakeVolume({ { 30, 24, 20 } }, UnitSpacing, [=](const Index3 & v) {
+      const bool isLarge = v[0] < 18 && v[2] >= 4 && v[2] < 7;
+      const bool isSmall = v[0] >= 22 && v[1] < 10 && v[2] >= 10 && v[2] < 13;
+      return isLarge || (withSmallOne && isSmall);
+    });
+  };
+  const auto filter = MakeFilter(plates(true), 3.0);
+  filter->Update();
+  const auto all = NumbersOf(*filter->GetOutput());
+  const auto alone = MakeFilter(plates(false), 3.0);
+  alone->Update();
+  const auto expected = NumbersOf(*alone->GetOutput());
+  const auto size = alone->GetOutput()->GetNumberOfCells();
+  ASSERT_GT(all.size(), expected.size());
+  filter->SetSmallestPiece(size);
+  filter->Update();
+  EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), expected));
+  filter->SetSmallestPiece(size + 1);
+  filter->Update();
+  EXPECT_TRUE(NumbersOf(*filter->GetOutput()).empty());
+  filter->SetSmallestPiece(1);
+  filter->Update();
+  EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), all));
 }
 
 TEST(MedialSurfaceMeshFilter, PrintsItsProperties)

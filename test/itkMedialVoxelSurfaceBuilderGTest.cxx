@@ -234,20 +234,23 @@ TEST(MedialVoxelSurfaceBuilder, QuadrilateralsOfAWallFaceOneWay)
   }
 }
 
-TEST(MedialVoxelSurfaceBuilder, AreasAddUpToThoseOfTheTriangles)
+TEST(MedialVoxelSurfaceBuilder, TrianglesLieAlongTheShorterDiagonal)
 {
   const Surface surface = MakeSurface(TestVolume(), 3.0);
   int           splits[2] = { 0, 0 };
   for (const auto & quad : surface.quads)
   {
-    double area = 0.0;
-    for (const auto & t : TrianglesOf(quad))
+    for (unsigned int half = 0; half < 2; ++half)
     {
+      const auto    t = TrianglesOf(quad)[half];
       const Vector3 normal =
         Cross(surface.vertices[t[0]].point, surface.vertices[t[1]].point, surface.vertices[t[2]].point);
-      area += 0.5 * std::sqrt(Dot(normal, normal));
+      EXPECT_NEAR(quad.areas[half], 0.5 * std::sqrt(Dot(normal, normal)), 1e-9);
+      for (unsigned int corner = 0; corner < 3; ++corner)
+      {
+        EXPECT_EQ(quad.vertices[quad.GetTriangle(half)[corner]], t[corner]);
+      }
     }
-    EXPECT_NEAR(quad.area, area, 1e-9);
     const auto squaredLength = [&](int a, int b) {
       const Vector3 & p = surface.vertices[quad.vertices[a]].point;
       const Vector3 & q = surface.vertices[quad.vertices[b]].point;

@@ -195,7 +195,7 @@ TEST(MedialVoxelSurfaceQuality, AShellIsOneClosedSurface)
   double area = 0.0;
   for (const auto & quad : surface.quads)
   {
-    area += quad.area;
+    area += quad.GetArea();
   }
   const double sphere = 4.0 * 3.14159265358979323846 * 24.0 * 24.0;
   EXPECT_NEAR(area, sphere, 0.02 * sphere);

@@ -6,8 +6,10 @@
 #include "Preview.h"
 #include "Report.h"
 #include "ReturnParameters.h"
+#include "SurfaceMesh.h"
 #include "Survey.h"
 #include "Text.h"
+#include "TileObservers.h"
 
 #include <algorithm>
 #include <optional>
@@ -35,6 +37,21 @@ CheckExtension(const std::string & fileName, const std::vector<std::string> & al
   }
 }
 
+void
+CheckFormats(const ExtractOptions & options)
+{
+  CheckExtension(options.previewFile, { ".png" }, "preview");
+  CheckExtension(options.htmlFile, { ".html", ".htm" }, "page");
+  if (!options.meshFile.empty())
+  {
+    GetSurfaceFormat(options.meshFile);
+  }
+  if (!options.output.empty() || options.meshFile.empty())
+  {
+    GetVolumeFormat(options.output);
+  }
+}
+
 SurveySettings
 GetSurveySettings(const ExtractOptions & options)
 {
@@ -54,6 +71,7 @@ ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
   return { { "labels", options.output, LabelLayout },
            { "vectors", options.vectorFile, GetVectorLayout(header) },
            { "distance", options.distanceFile, DistanceLayout },
+           { "mesh", options.meshFile, std::nullopt },
            { "preview", options.previewFile, std::nullopt },
            { "html", options.htmlFile, std::nullopt },
            { "report", options.reportFile, std::nullopt },
@@ -79,6 +97,11 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   {
     settings.workerBytesPerVoxel += itk::MedialVoxelCellRow::BytesPerVoxel;
     footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
+  }
+  if (!options.meshFile.empty())
+  {
+    SurfaceMesh::AddWorkerBytes(settings);
+    footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
   }
   AddEngine(footprint, header, settings);
   if (!options.distanceFile.empty())
@@ -127,13 +150,23 @@ public:
     m_Labels = m_Outputs.AddVolume(options.output, m_Runner->GetGeometry(), LabelLayout);
     m_Vectors = m_Outputs.AddVolume(options.vectorFile, geometry, GetVectorLayout(result.input));
     m_Distances = m_Outputs.AddVolume(options.distanceFile, geometry, DistanceLayout);
+    m_MeshFile = m_Outputs.AddFile(options.meshFile);
     m_Preview = m_Outputs.AddFile(options.previewFile);
     m_Html = m_Outputs.AddFile(options.htmlFile);
     m_Report = m_Outputs.AddFile(options.reportFile);
     m_ReturnParameters = m_Outputs.AddFile(options.returnParameterFile);
+    if (m_MeshFile)
+    {
+      m_Mesh = std::make_unique<SurfaceMesh>(options, geometry, GetGrid(options, result.input));
+      m_Observers.Add(m_Mesh->GetObserver());
+    }
     if (m_Preview || m_Html || m_Report)
     {
-      m_Runner->SetTileObserver(&m_Survey);
+      m_Observers.Add(m_Survey);
+    }
+    if (!m_Observers.IsEmpty())
+    {
+      m_Runner->SetTileObserver(&m_Observers);
     }
     if (m_Distances)
     {
@@ -172,7 +205,10 @@ private:
       {
         return;
       }
-      m_Labels->Write(range.firstVoxel, range.numberOfVoxels, results.labels);
+      if (m_Labels)
+      {
+        m_Labels->Write(range.firstVoxel, range.numberOfVoxels, results.labels);
+      }
       if (m_Vectors)
       {
         m_Vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
@@ -192,6 +228,10 @@ private:
     const auto finishStart = JobClock::now();
     m_Outputs.FinishVolumes();
     const std::string picture = this->MakePicture();
+    if (m_Mesh)
+    {
+      m_Result.surface = m_Mesh->Write(*m_MeshFile, [this](double) { m_Loop.ThrowIfStopRequested(); });
+    }
     m_Loop.ThrowIfStopRequested();
     AddMeasurements(m_Result, *m_Input, m_Loop.GetWriteSeconds() + SecondsSince(finishStart), start);
     if (m_Survey.GetSettings().thickness)
@@ -236,10 +276,13 @@ private:
   std::unique_ptr<PieceRunner> m_Runner;
   std::unique_ptr<PieceRunner> m_DistanceRunner;
   Survey                       m_Survey;
+  std::unique_ptr<SurfaceMesh> m_Mesh;
+  TileObservers                m_Observers;
   OutputSet                    m_Outputs;
   OutputVolume *               m_Labels{ nullptr };
   OutputVolume *               m_Vectors{ nullptr };
   OutputVolume *               m_Distances{ nullptr };
+  OutputFile *                 m_MeshFile{ nullptr };
   OutputFile *                 m_Preview{ nullptr };
   OutputFile *                 m_Html{ nullptr };
   OutputFile *                 m_Report{ nullptr };
@@ -253,13 +296,15 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
 {
   const auto start = JobClock::now();
   CheckOptions(options);
-  CheckExtension(options.previewFile, { ".png" }, "preview");
-  CheckExtension(options.htmlFile, { ".html", ".htm" }, "page");
-  GetVolumeFormat(options.output);
+  CheckFormats(options);
   VolumeHeader header = ReadVolumeHeader(options.input, options.raw);
-  const auto   candidates = ListCandidates(options, header);
-  const auto   footprint = GetFootprint(options, header);
-  JobResult    result = PrepareJob(options, std::move(header), candidates, footprint);
+  if (!options.meshFile.empty())
+  {
+    CheckSurfaceInput(header);
+  }
+  const auto candidates = ListCandidates(options, header);
+  const auto footprint = GetFootprint(options, header);
+  JobResult  result = PrepareJob(options, std::move(header), candidates, footprint);
   if (options.dryRun)
   {
     return result;

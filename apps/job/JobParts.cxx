@@ -4,6 +4,7 @@
 
 #include "Text.h"
 
+#include "itkMedialVoxelSurfaceObserver.h"
 #include "itkMultiThreaderBase.h"
 #include "itkProcessObject.h"
 
@@ -177,6 +178,10 @@ PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, const WriteFuncti
       }
       runner.Release();
       runner.SetMemoryLimit(limit);
+    }
+    catch (const itk::MedialVoxelSurfacePieceError &)
+    {
+      m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
     }
   }
 }
