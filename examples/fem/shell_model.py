@@ -21,9 +21,10 @@ class ShellModel:
             for number, *coordinates in (line.split(",") for line in lines)
         }
 
-    def thicknesses(self):
-        """Thickness of each section."""
-        return [float(lines[0]) for keyword, lines in self.blocks if keyword.startswith("*SHELL SECTION")]
+    def sections(self):
+        """Thickness of each section by the name of its set of elements."""
+        heads = [(keyword, lines) for keyword, lines in self.blocks if keyword.startswith("*SHELL SECTION")]
+        return {keyword.split("ELSET=")[1].split(",")[0]: float(lines[0]) for keyword, lines in heads}
 
     def number_of_elements(self):
         return sum(len(lines) for keyword, lines in self.blocks if keyword.startswith("*ELEMENT"))
