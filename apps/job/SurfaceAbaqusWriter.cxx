@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "SurfaceParts.h"
 #include "SurfaceSections.h"
 #include "SurfaceWriters.h"
 
@@ -70,16 +71,16 @@ WriteNodes(SurfaceReader & reader, BufferedOutput & output)
   });
 }
 
-/** Triangles or quads; their numbers are those of the faces. */
+/** Triangles or quads, with the numbers that all elements have in the order of the faces. */
 void
 WriteElements(SurfaceReader & reader, unsigned int numberOfVertices, const char * head, BufferedOutput & output)
 {
   output.Text(head);
-  reader.ForEachFace([&](std::uint64_t number, const SurfaceFace & face) {
-    if (face.numberOfVertices == numberOfVertices)
+  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+    if (corners.size() == numberOfVertices)
     {
-      output.Integer(number + 1);
-      for (unsigned int corner = 0; corner < numberOfVertices; ++corner)
+      output.Integer(number);
+      for (const unsigned int corner : corners)
       {
         output.Text(", ").Integer(face.vertices[corner] + 1);
       }
@@ -96,11 +97,11 @@ GetRunEnds(const std::vector<SurfaceSection> & sections, std::uint64_t keptEleme
   std::uint64_t       kept = 0;
   for (size_t section = 0; section < sections.size(); ++section)
   {
-    kept += sections[section].numberOfFaces;
+    kept += sections[section].numberOfElements;
     if (section > 0 && kept > keptElements)
     {
       ends.push_back(section);
-      kept = sections[section].numberOfFaces;
+      kept = sections[section].numberOfElements;
     }
   }
   ends.push_back(sections.size());
@@ -118,21 +119,21 @@ WriteSectionSets(SurfaceReader &         reader,
   if (end - begin == 1)
   {
     SetLines lines(GetSetName(begin), output);
-    reader.ForEachFace([&](std::uint64_t number, const SurfaceFace & face) {
+    ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
       if (sections.GetSection(reader, face) == begin)
       {
-        lines.Add(number + 1);
+        lines.Add(number);
       }
     });
     lines.Finish();
     return;
   }
   std::vector<std::vector<std::uint64_t>> elements(end - begin);
-  reader.ForEachFace([&](std::uint64_t number, const SurfaceFace & face) {
+  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
     const size_t section = sections.GetSection(reader, face);
     if (section >= begin && section < end)
     {
-      elements[section - begin].push_back(number + 1);
+      elements[section - begin].push_back(number);
     }
   });
   for (size_t section = begin; section < end; ++section)
@@ -151,10 +152,10 @@ void
 WriteEdgeSet(SurfaceReader & reader, const char * name, std::uint8_t SurfaceFace::* edges, BufferedOutput & output)
 {
   SetLines lines(name, output);
-  reader.ForEachFace([&](std::uint64_t number, const SurfaceFace & face) {
+  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
     if (face.*edges != 0)
     {
-      lines.Add(number + 1);
+      lines.Add(number);
     }
   });
   lines.Finish();
@@ -178,19 +179,19 @@ void
 WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 6);
-  const SurfaceSections     sections(reader, options.thicknessClassWidth);
-  const SurfaceSpool &      surface = reader.GetSurface();
+  const SurfaceSections sections(reader, options.thicknessClassWidth);
+  CheckElementsFit(SurfaceFormat::Abaqus, reader, sections);
   const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptElements);
-  const std::uint64_t       elementPasses = (surface.GetNumberOfTriangles() > 0) + (surface.GetNumberOfQuads() > 0);
+  const std::uint64_t       elementPasses = (sections.GetNumberOfTriangles() > 0) + (sections.GetNumberOfQuads() > 0);
   reader.SetNumberOfPasses(1, 3 + elementPasses + ends.size());
 
   output.Text("*HEADING\nMedial surface by MedialVoxel, lengths in the units of the image\n");
   WriteNodes(reader, output);
-  if (surface.GetNumberOfTriangles() > 0)
+  if (sections.GetNumberOfTriangles() > 0)
   {
     WriteElements(reader, 3, "*ELEMENT, TYPE=S3, ELSET=TRIANGLES\n", output);
   }
-  if (surface.GetNumberOfQuads() > 0)
+  if (sections.GetNumberOfQuads() > 0)
   {
     WriteElements(reader, 4, "*ELEMENT, TYPE=S4, ELSET=QUADS\n", output);
   }

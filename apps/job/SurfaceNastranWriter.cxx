@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "SurfaceParts.h"
 #include "SurfaceSections.h"
 #include "SurfaceWriters.h"
 
@@ -71,11 +72,11 @@ WriteNodes(SurfaceReader & reader, BufferedOutput & output)
 void
 WriteElements(SurfaceReader & reader, const SurfaceSections & sections, BufferedOutput & output)
 {
-  reader.ForEachFace([&](std::uint64_t number, const SurfaceFace & face) {
-    output.Text(face.numberOfVertices == 3 ? "CTRIA3  " : "CQUAD4  ")
-      .Text(GetField(std::to_string(number + 1), SmallField))
+  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+    output.Text(corners.size() == 3 ? "CTRIA3  " : "CQUAD4  ")
+      .Text(GetField(std::to_string(number), SmallField))
       .Text(GetField(std::to_string(sections.GetSection(reader, face) + 1), SmallField));
-    for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
+    for (const unsigned int corner : corners)
     {
       output.Text(GetField(std::to_string(face.vertices[corner] + 1), SmallField));
     }
@@ -90,6 +91,7 @@ WriteSurfaceNastran(SurfaceReader & reader, const SurfaceWriteOptions & options,
 {
   reader.SetNumberOfPasses(1, 2);
   const SurfaceSections sections(reader, options.thicknessClassWidth);
+  CheckElementsFit(SurfaceFormat::Nastran, reader, sections);
   output.Text("$ Medial surface by MedialVoxel, lengths in the units of the image\nSOL 101\nCEND\nBEGIN BULK\n");
   WriteProperties(sections.GetSections(), output);
   WriteNodes(reader, output);

@@ -4,23 +4,6 @@
 
 namespace medialvoxel
 {
-namespace
-{
-
-double
-GetSquaredDistance(const std::array<float, 3> & a, const std::array<float, 3> & b)
-{
-  double sum = 0;
-  for (size_t axis = 0; axis < a.size(); ++axis)
-  {
-    const double difference = static_cast<double>(a[axis]) - static_cast<double>(b[axis]);
-    sum += difference * difference;
-  }
-  return sum;
-}
-
-} // namespace
-
 SurfaceReader::SurfaceReader(const SurfaceSpool & surface, const std::function<void(double)> & progress)
   : m_Surface(surface)
   , m_Progress(progress)
@@ -57,25 +40,6 @@ SurfaceReader::GetVertex(std::uint64_t number)
     slot.block = block;
   }
   return slot.vertices[number % BlockSize];
-}
-
-const SurfaceTriangles &
-GetTriangles(SurfaceReader & reader, const SurfaceFace & face)
-{
-  static const SurfaceTriangles triangle{ { 0, 1, 2 } };
-  static const SurfaceTriangles alongFirst{ { 0, 1, 2 }, { 0, 2, 3 } };
-  static const SurfaceTriangles alongSecond{ { 0, 1, 3 }, { 1, 2, 3 } };
-  if (face.numberOfVertices == 3)
-  {
-    return triangle;
-  }
-  std::array<std::array<float, 3>, 4> corners;
-  for (size_t corner = 0; corner < corners.size(); ++corner)
-  {
-    corners[corner] = reader.GetVertex(face.vertices[corner]).position;
-  }
-  const bool isSecondShorter = GetSquaredDistance(corners[1], corners[3]) < GetSquaredDistance(corners[0], corners[2]);
-  return isSecondShorter ? alongSecond : alongFirst;
 }
 
 } // end namespace medialvoxel

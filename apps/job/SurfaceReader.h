@@ -98,14 +98,6 @@ private:
   std::vector<Slot>           m_Slots;
 };
 
-/** Corners of the triangles that a face stands for, as places in its list. */
-using SurfaceTriangles = std::vector<std::array<unsigned int, 3>>;
-
-/** One for a triangle, two for a quad: split along its shorter diagonal; when both are equally long, along that from
- * the first corner to the third. */
-const SurfaceTriangles &
-GetTriangles(SurfaceReader & reader, const SurfaceFace & face);
-
 } // end namespace medialvoxel
 
 #endif

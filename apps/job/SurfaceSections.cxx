@@ -3,6 +3,7 @@
 #include "SurfaceSections.h"
 
 #include "Errors.h"
+#include "SurfaceParts.h"
 #include "Text.h"
 
 #include <cmath>
@@ -13,48 +14,56 @@ namespace medialvoxel
 namespace
 {
 
-/** Sums over faces, in the order of the file, so that they have the same bits in every run. */
+/** Sums over faces or corners, in the order of the file, so that they have the same bits in every run. */
 struct Sums
 {
-  std::uint64_t numberOfFaces{ 0 };
+  std::uint64_t number{ 0 };
   double        area{ 0 };
   double        areaTimesThickness{ 0 };
   double        thickness{ 0 };
 
   void
-  Add(double faceArea, double faceThickness)
+  Add(double addedArea, double addedThickness)
   {
-    ++numberOfFaces;
-    area += faceArea;
-    areaTimesThickness += faceArea * faceThickness;
-    thickness += faceThickness;
+    ++number;
+    area += addedArea;
+    areaTimesThickness += addedArea * addedThickness;
+    thickness += addedThickness;
   }
 
-  /** Weighted by area, or, of faces without area, the plain mean. */
+  /** Weighted by area, or, where there is none, the plain mean. */
   double
   GetMean() const
   {
-    return area > 0 ? areaTimesThickness / area : thickness / static_cast<double>(numberOfFaces);
+    return area > 0 ? areaTimesThickness / area : thickness / static_cast<double>(number);
   }
 };
+
+/** Whether one of the two edges of the corner is a rim. */
+bool
+IsAtRim(const SurfaceFace & face, unsigned int corner)
+{
+  const unsigned int before = (corner + face.numberOfVertices - 1U) % face.numberOfVertices;
+  return ((face.rimEdges >> corner | face.rimEdges >> before) & 1) != 0;
+}
 
 } // namespace
 
 std::optional<double>
 GetFaceThickness(SurfaceReader & reader, const SurfaceFace & face)
 {
-  double       sum = 0;
-  unsigned int number = 0;
+  Sums inside;
+  Sums atRim;
   for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
   {
     const double thickness = static_cast<double>(reader.GetVertex(face.vertices[corner]).thickness);
     if (std::isfinite(thickness) && thickness > 0)
     {
-      sum += thickness;
-      ++number;
+      (IsAtRim(face, corner) ? atRim : inside).Add(0, thickness);
     }
   }
-  return number > 0 ? std::optional<double>(sum / number) : std::nullopt;
+  const Sums & sums = inside.number > 0 ? inside : atRim;
+  return sums.number > 0 ? std::optional<double>(sums.GetMean()) : std::nullopt;
 }
 
 SurfaceSections::SurfaceSections(SurfaceReader & reader, double classWidth)
@@ -64,11 +73,18 @@ SurfaceSections::SurfaceSections(SurfaceReader & reader, double classWidth)
   {
     Fail(ExitStatus::Usage, "the width of thickness classes is ", FormatNumber(classWidth), ", it must be > 0");
   }
-  std::map<ClassType, Sums> classes;
-  Sums                      known;
+  std::map<ClassType, Sums>          classes;
+  std::map<ClassType, std::uint64_t> elements;
+  Sums                               known;
   reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
     const std::optional<double> thickness = GetFaceThickness(reader, face);
-    classes[this->GetClass(thickness)].Add(face.area, thickness.value_or(0));
+    const ClassType             thicknessClass = this->GetClass(thickness);
+    classes[thicknessClass].Add(face.area, thickness.value_or(0));
+    for (const auto & corners : GetElements(reader, face))
+    {
+      ++elements[thicknessClass];
+      ++(corners.size() == 3 ? m_NumberOfTriangles : m_NumberOfQuads);
+    }
     if (thickness)
     {
       known.Add(face.area, *thickness);
@@ -83,7 +99,7 @@ SurfaceSections::SurfaceSections(SurfaceReader & reader, double classWidth)
            " sections; take wider ones");
     }
   });
-  if (!classes.empty() && known.numberOfFaces == 0)
+  if (!classes.empty() && known.number == 0)
   {
     Fail(ExitStatus::Failure, "no vertex of the mesh has a thickness, which the sections of elements need");
   }
@@ -92,7 +108,7 @@ SurfaceSections::SurfaceSections(SurfaceReader & reader, double classWidth)
   {
     m_SectionOfClass[thicknessClass] = m_Sections.size();
     const double mean = thicknessClass == unknown ? known.GetMean() : sums.GetMean();
-    m_Sections.push_back({ static_cast<float>(mean), sums.numberOfFaces });
+    m_Sections.push_back({ static_cast<float>(mean), elements[thicknessClass] });
   }
 }
 
@@ -108,6 +124,13 @@ size_t
 SurfaceSections::GetSection(SurfaceReader & reader, const SurfaceFace & face) const
 {
   return m_SectionOfClass.at(this->GetClass(GetFaceThickness(reader, face)));
+}
+
+void
+CheckElementsFit(SurfaceFormat format, const SurfaceReader & reader, const SurfaceSections & sections)
+{
+  CheckSurfaceFits(
+    format, reader.GetSurface().GetNumberOfVertices(), sections.GetNumberOfTriangles(), sections.GetNumberOfQuads());
 }
 
 } // end namespace medialvoxel

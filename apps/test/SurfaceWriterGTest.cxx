@@ -271,6 +271,57 @@ TEST(SurfaceWriter, CornersWithoutThicknessDoNotCount)
   }
 }
 
+TEST(SurfaceWriter, CornersAtARimCountOnlyWithoutOthers)
+{
+  // A row of three squares: their corners at the outer sides are thin.
+  Surface surface = MakeSquares({ 2.0, 2.0, 2.0 });
+  surface.faces[0].rimEdges = 8;
+  surface.vertices[0].thickness = 1.0;
+  surface.vertices[3].thickness = 1.2;
+  surface.faces[1].rimEdges = 0;
+  surface.faces[2].rimEdges = 15;
+  surface.vertices[8].thickness = 1.6;
+  SurfaceWriteOptions options;
+  options.thicknessClassWidth = 0.05;
+  const std::string text = WriteFile(surface, ".inp", options);
+  EXPECT_EQ(GetLinesAfter(text, "*ELSET, ELSET=THICKNESS"), (std::vector<std::string>{ "3", "1, 2" }));
+  EXPECT_EQ(GetLinesAfter(text, "*SHELL SECTION"), (std::vector<std::string>{ "1.9", "2" }));
+}
+
+TEST(SurfaceWriter, BadQuadsBecomeTwoElements)
+{
+  struct Case
+  {
+    SurfaceVertex            third;
+    std::vector<std::string> triangles;
+  };
+  // The third corner of a square moves along its diagonal: a good quad, one that is nearly a triangle, one turned in.
+  const std::vector<Case> cases{ { { { 0.65, 0.65, 0 }, 1 }, {} },
+                                 { { { 0.52, 0.52, 0 }, 1 }, { "1, 1, 2, 3", "2, 1, 3, 4" } },
+                                 { { { 0.3, 0.3, 0 }, 1 }, { "1, 1, 2, 3", "2, 1, 3, 4" } } };
+  for (const auto & [third, triangles] : cases)
+  {
+    Surface surface = MakeSquares({ 1.0 });
+    surface.vertices[2] = third;
+    const std::string text = WriteFile(surface, ".inp");
+    EXPECT_EQ(GetLinesAfter(text, "*ELEMENT, TYPE=S4").size(), triangles.empty() ? 1U : 0U) << third.position[0];
+    const size_t begin = text.find("*ELEMENT, TYPE=S3, ELSET=TRIANGLES\n");
+    ASSERT_EQ(begin == std::string::npos, triangles.empty());
+    if (!triangles.empty())
+    {
+      const size_t end = text.find("*ELSET", begin);
+      EXPECT_EQ(text.substr(begin, end - begin),
+                "*ELEMENT, TYPE=S3, ELSET=TRIANGLES\n" + triangles[0] + "\n" + triangles[1] + "\n");
+      EXPECT_EQ(GetLinesAfter(text, "*ELSET, ELSET=THICKNESS"), std::vector<std::string>{ "1, 2" });
+      EXPECT_NE(WriteFile(surface, ".bdf").find("CTRIA3  2       1       1       3       4"), std::string::npos);
+    }
+  }
+  // The corner before it: split along the other diagonal.
+  Surface surface = MakeSquares({ 1.0 });
+  surface.vertices[1].position = { 0.4, 0.4, 0 };
+  EXPECT_NE(WriteFile(surface, ".inp").find("\n1, 1, 2, 4\n2, 2, 3, 4\n"), std::string::npos);
+}
+
 TEST(SurfaceWriter, RefusesClassWidthsThatMakeNoSense)
 {
   const Surface surface = MakeSquares({ 1.0, 2.0 });

@@ -92,6 +92,14 @@ def read_all(folder, reader):
     return json.loads((folder / f"{reader}.json").read_text(encoding="ascii"))
 
 
+def face_thickness(surface, face):
+    """Mean of the corners that are not at a rim, of all where there are no others."""
+    corners, edges = surface["faces"][face], surface["rim"][face]
+    at_rim = [edges >> place & 1 or edges >> (place - 1) % len(corners) & 1 for place in range(len(corners))]
+    inside = [corner for corner, rim in zip(corners, at_rim) if not rim] or corners
+    return sum(surface["thickness"][corner] for corner in inside) / len(inside)
+
+
 class SurfaceReadersTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -158,8 +166,8 @@ class SurfaceReadersTest(unittest.TestCase):
         """Thicknesses of the elements, in their order: none is far from its own, and the volume is right."""
         self.assertEqual(len(thickness), len(surface["faces"]))
         volume = expected_volume = 0
-        for face, area, found in zip(surface["faces"], surface["area"], thickness):
-            expected = sum(surface["thickness"][corner] for corner in face) / len(face)
+        for face, (area, found) in enumerate(zip(surface["area"], thickness)):
+            expected = face_thickness(surface, face)
             self.assertLessEqual(abs(found - expected), CLASS_WIDTH)
             volume += area * found
             expected_volume += area * expected
