@@ -7,6 +7,7 @@ itk_module(
   DEPENDS
   ITKCommon
   ITKIOImageBase
+  ITKMesh
   TEST_DEPENDS
   ITKGoogleTest
   ITKIOMeta

@@ -3,10 +3,9 @@
 #ifndef itkMedialVoxelClassifier_h
 #define itkMedialVoxelClassifier_h
 
-#include "itkMedialVoxelBitFlood.h"
-#include "itkMedialVoxelBoundedGeodesic.h"
 #include "itkMedialVoxelDualCell.h"
 #include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelPairDecision.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelThickness.h"
@@ -49,7 +48,7 @@ public:
    */
   struct Workspace
   {
-    MedialVoxelBoundedGeodesic::Workspace geodesic;
+    MedialVoxelPairDecision::Workspace geodesic;
 
     /** With keepsRows: the rows of the last tile that have candidates. */
     bool                            keepsRows{ false };
@@ -89,7 +88,7 @@ public:
                 MedialVoxelWallPoints &     wall) const;
 
 private:
-  struct Pair;
+  struct Diagonal;
   struct Cells;
 
   bool
@@ -105,22 +104,13 @@ private:
   SpreadCells(const Cells & cells) const;
 
   bool
-  ChoosePair(const MedialVoxelFeatures & features, const Cells & cells, int x, Pair & pair) const;
+  ChoosePair(const MedialVoxelFeatures & features, const Cells & cells, int x, Diagonal & widest) const;
 
-  std::uint8_t
-  ClassifyPair(const MedialVoxelBits &  boundary,
-               const MedialVoxelIndex & cell,
-               const Pair &             pair,
-               Workspace &              workspace,
-               MedialVoxelBox &         missing) const;
-
-  MedialVoxelGrid            m_Grid;
-  MedialVoxelParameters      m_Parameters;
-  MedialVoxelDualCell        m_Cell;
-  MedialVoxelBoundedGeodesic m_Geodesic;
-  MedialVoxelBitFlood        m_Flood;
-  bool                       m_FloodIsForEpsilon; // otherwise for less, so that only short paths are proved
-  bool                       m_HasCornerRows;
+  MedialVoxelGrid         m_Grid;
+  MedialVoxelParameters   m_Parameters;
+  MedialVoxelDualCell     m_Cell;
+  MedialVoxelPairDecision m_Decision;
+  bool                    m_HasCornerRows;
 };
 
 } // end namespace itk

@@ -226,8 +226,18 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
   }
   if (m_TileObserver != nullptr)
   {
-    m_TileObserver->Observe(
-      { tile, window, workspace.features, *m_Classifier, workspace.classifier.rows, workspace.walls });
+    missing = m_TileObserver->Observe({ tile,
+                                        window,
+                                        workspace.features,
+                                        *m_Classifier,
+                                        workspace.classifier.rows,
+                                        workspace.walls,
+                                        workspace.classifier.geodesic,
+                                        progress });
+    if (!missing.IsEmpty())
+    {
+      return missing;
+    }
   }
   this->WriteLabels(tile, workspace.labels);
   if (m_GenerateThickness)

@@ -25,6 +25,12 @@ struct MedialVoxelClassifiedTile
   const MedialVoxelClassifier &           classifier; ///< finds the pair of a cell again
   const std::vector<MedialVoxelCellRow> & rows;       ///< the cells with an object corner, by rows
   const std::vector<MedialVoxelWall> &    walls;      ///< at the measured cells of the rows, in their order
+
+  /** For more searches on the boundary with the threshold of the classification: begun for this tile. */
+  MedialVoxelBoundedGeodesic::Workspace & geodesic;
+
+  /** To be asked for an abort by an observer that takes long; what it observed is then discarded. */
+  const MedialVoxelProgress & progress;
 };
 
 /** \class MedialVoxelTileObserver
@@ -32,7 +38,8 @@ struct MedialVoxelClassifiedTile
  *
  * An execution tells Begin(), then Observe() for every tile with an object, in any order and from several threads at
  * a time, and at last Commit(). What was observed since Begin() counts only with Commit(): an execution that fails is
- * begun again with other regions.
+ * begun again with other regions. An observer that needs to know more sites takes nothing and says which; it gets the
+ * tile again when they are known.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelTileObserver
@@ -48,7 +55,8 @@ public:
   virtual MedialVoxelBits::WordType
   SelectCells(const MedialVoxelCellRow & row) const;
 
-  virtual void
+  /** \return an empty box, or the box of sites that must be known to observe \a tile, which was not. */
+  virtual MedialVoxelBox
   Observe(const MedialVoxelClassifiedTile & tile) = 0;
 
   virtual void

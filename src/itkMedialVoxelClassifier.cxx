@@ -14,12 +14,10 @@ namespace itk
 using WordType = MedialVoxelBits::WordType;
 
 /** The diagonal of a cell whose boundary points are seen under the widest angle. */
-struct MedialVoxelClassifier::Pair
+struct MedialVoxelClassifier::Diagonal
 {
-  unsigned int            diagonal;
-  MedialVoxelDisplacement displacement;
-  MedialVoxelDisplacement oppositeDisplacement;
-  MedialVoxelDisplacement difference;
+  unsigned int    number;
+  MedialVoxelPair pair;
 };
 
 /** Up to 64 cells of a row. */
@@ -33,26 +31,11 @@ struct MedialVoxelClassifier::Cells
   std::uint8_t *        labels;
 };
 
-namespace
-{
-
-/** The threshold itself, or that in voxels for which floods are cheap: paths below it are below larger ones too. */
-double
-FloodEpsilon(const MedialVoxelGrid & grid, const double epsilon)
-{
-  constexpr double cheapFlood = 4.75;
-  return MedialVoxelBitFlood::Covers(grid, epsilon) ? epsilon : std::min(epsilon, cheapFlood * grid.GetMetricUnit());
-}
-
-} // namespace
-
 MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
   : m_Grid(grid)
   , m_Parameters(parameters)
   , m_Cell(grid)
-  , m_Geodesic(grid, parameters.epsilon)
-  , m_Flood(grid, FloodEpsilon(grid, parameters.epsilon))
-  , m_FloodIsForEpsilon(FloodEpsilon(grid, parameters.epsilon) == parameters.epsilon)
+  , m_Decision(grid, parameters)
   , m_HasCornerRows(m_Cell.GetNumberOfCorners() == 8)
 {}
 
@@ -124,7 +107,7 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
   labels.assign(static_cast<std::size_t>(tile.NumberOfVoxels()), MedialVoxelLabel::NoObject);
   workspace.rows.clear();
   const MedialVoxelBox cells = tile.Intersection(m_Grid.GetCellBox());
-  m_Geodesic.Begin(*window.sites, tile, workspace.geodesic);
+  m_Decision.Begin(*window.sites, tile, workspace.geodesic);
   MedialVoxelBox missing;
   for (std::int64_t z = cells.lower[2]; z < cells.upper[2]; ++z)
   {
@@ -184,8 +167,8 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
   for (WordType rest = spread; rest != 0; rest &= rest - 1)
   {
     const int x = MedialVoxelLowestBit(rest);
-    Pair      pair;
-    if (!this->ChoosePair(features, cells, x, pair))
+    Diagonal  widest;
+    if (!this->ChoosePair(features, cells, x, widest))
     {
       ++counts.trivialCells;
       continue;
@@ -195,8 +178,7 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
     {
       return false;
     }
-    const MedialVoxelIndex cell{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
-    const std::uint8_t     label = this->ClassifyPair(*window.sites, cell, pair, workspace, missing);
+    const std::uint8_t label = m_Decision.Decide(*window.sites, widest.pair, workspace.geodesic, missing);
     counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
     counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
     counts.geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
@@ -223,8 +205,8 @@ MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
   {
     cells.corners = CornerRows(features, cells.offset);
   }
-  Pair pair;
-  if (!this->ChoosePair(features, cells, 0, pair))
+  Diagonal widest;
+  if (!this->ChoosePair(features, cells, 0, widest))
   {
     return false;
   }
@@ -237,8 +219,8 @@ MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
       { cell[0] + c[0] + features.dx[at], cell[1] + c[1] + features.dy[at], cell[2] + c[2] + features.dz[at] }
     };
   }
-  wall.a = wall.corners[pair.diagonal];
-  wall.b = wall.corners[m_Cell.GetOppositeCorner(pair.diagonal)];
+  wall.a = wall.corners[widest.number];
+  wall.b = wall.corners[m_Cell.GetOppositeCorner(widest.number)];
   return true;
 }
 
@@ -256,7 +238,7 @@ bool
 MedialVoxelClassifier::ChoosePair(const MedialVoxelFeatures & features,
                                   const Cells &               cells,
                                   const int                   x,
-                                  Pair &                      pair) const
+                                  Diagonal &                  widest) const
 {
   const auto nx = static_cast<std::size_t>(features.box.Extent(0));
   const auto ny = static_cast<std::size_t>(features.box.Extent(1));
@@ -274,14 +256,15 @@ MedialVoxelClassifier::ChoosePair(const MedialVoxelFeatures & features,
                            static_cast<std::size_t>(c[0]);
     return { { features.dx[at], features.dy[at], features.dz[at] } };
   };
-  const auto setDiagonal = [&](const unsigned int diagonal) {
-    pair.diagonal = diagonal;
+  MedialVoxelPair & pair = widest.pair;
+  const auto        setDiagonal = [&](const unsigned int diagonal) {
+    widest.number = diagonal;
     pair.displacement = displacementOf(diagonal);
     pair.oppositeDisplacement = displacementOf(m_Cell.GetOppositeCorner(diagonal));
   };
 
-  int widest = m_HasCornerRows && m_Grid.HasEqualSpacing() ? MedialVoxelWidestDiagonal(cells.corners, x) : -1;
-  if (widest < 0)
+  int number = m_HasCornerRows && m_Grid.HasEqualSpacing() ? MedialVoxelWidestDiagonal(cells.corners, x) : -1;
+  if (number < 0)
   {
     double smallest = std::numeric_limits<double>::infinity();
     for (unsigned int diagonal = 0; diagonal < m_Cell.GetNumberOfDiagonals(); ++diagonal)
@@ -296,80 +279,26 @@ MedialVoxelClassifier::ChoosePair(const MedialVoxelFeatures & features,
       if (key < smallest)
       {
         smallest = key;
-        widest = static_cast<int>(diagonal);
+        number = static_cast<int>(diagonal);
       }
     }
-    if (widest < 0)
+    if (number < 0)
     {
       return false;
     }
   }
-  setDiagonal(static_cast<unsigned int>(widest));
-  pair.difference = m_Cell.BoundaryDifference(pair.diagonal, pair.displacement, pair.oppositeDisplacement);
-  return !m_Cell.IsTrivial(pair.difference, m_Parameters.epsilon);
-}
-
-std::uint8_t
-MedialVoxelClassifier::ClassifyPair(const MedialVoxelBits &  boundary,
-                                    const MedialVoxelIndex & cell,
-                                    const Pair &             pair,
-                                    Workspace &              workspace,
-                                    MedialVoxelBox &         missing) const
-{
-  const MedialVoxelDisplacement & corner = m_Cell.GetCorner(pair.diagonal);
-  MedialVoxelIndex                a;
-  MedialVoxelIndex                b;
+  setDiagonal(static_cast<unsigned int>(number));
+  pair.difference = m_Cell.BoundaryDifference(widest.number, pair.displacement, pair.oppositeDisplacement);
+  if (m_Cell.IsTrivial(pair.difference, m_Parameters.epsilon))
+  {
+    return false;
+  }
+  const MedialVoxelDisplacement & corner = m_Cell.GetCorner(widest.number);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    a[axis] = cell[axis] + corner[axis] + pair.displacement[axis];
-    b[axis] = a[axis] - pair.difference[axis];
+    pair.a[axis] = cells.first[axis] + (axis == 0 ? x : 0) + corner[axis] + pair.displacement[axis];
   }
-  if (m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper)
-  {
-    auto result = m_Flood.Decide(boundary, a, pair.difference);
-    if (!m_FloodIsForEpsilon && result != MedialVoxelBitFlood::Result::FallsShort)
-    {
-      result = MedialVoxelBitFlood::Result::Undecided;
-    }
-    switch (result)
-    {
-      case MedialVoxelBitFlood::Result::Bounded:
-        return m_Parameters.bound == MedialVoxelPseudoGeodesicBound::FreeSpace ? MedialVoxelLabel::MedialByBound
-                                                                               : MedialVoxelLabel::MedialByGeodesic;
-      case MedialVoxelBitFlood::Result::Reaches:
-        return MedialVoxelLabel::MedialByGeodesic;
-      case MedialVoxelBitFlood::Result::FallsShort:
-        return MedialVoxelLabel::NonMedial;
-      case MedialVoxelBitFlood::Result::Undecided:
-        break;
-    }
-  }
-
-  double bound = 0.0;
-  switch (m_Parameters.bound)
-  {
-    case MedialVoxelPseudoGeodesicBound::FreeSpace:
-      bound = m_Cell.FreeSpaceLength(pair.difference);
-      break;
-    case MedialVoxelPseudoGeodesicBound::Paper:
-      bound = m_Cell.PseudoGeodesicDistance(pair.displacement, pair.oppositeDisplacement);
-      break;
-    case MedialVoxelPseudoGeodesicBound::Off:
-      break;
-  }
-  if (bound >= m_Parameters.epsilon)
-  {
-    return MedialVoxelLabel::MedialByBound;
-  }
-
-  const MedialVoxelBox searchBox = m_Geodesic.GetSearchBox(a, b);
-  if (!boundary.GetBox().Contains(searchBox))
-  {
-    missing = missing.Union(searchBox);
-    return MedialVoxelLabel::NonMedial;
-  }
-  return m_Geodesic.ReachesThreshold(a, b, workspace.geodesic) ? MedialVoxelLabel::MedialByGeodesic
-                                                               : MedialVoxelLabel::NonMedial;
+  return true;
 }
 
 } // end namespace itk

@@ -19,9 +19,13 @@ set(L1
     GeodesicLandmarks
     BoundedGeodesic
     PairChoice
-    Thickness)
-set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileWalls TileObserver)
-set(L3 ClusterWindow TileSchedule ClusterEngine)
+    PairDecision
+    Thickness
+    SurfaceTopology
+    SurfaceFit
+    SurfacePieces)
+set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileWalls TileObserver SurfaceCells)
+set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceObserver)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)
 set(units ${L0} ${Formats} ${L1} ${L2} ${L3} ${L4})

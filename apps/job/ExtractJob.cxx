@@ -6,9 +6,11 @@
 #include "Preview.h"
 #include "Report.h"
 #include "ReturnParameters.h"
+#include "SurfaceMesh.h"
 #include "Survey.h"
 #include "Text.h"
 #include "ThicknessPreview.h"
+#include "TileObservers.h"
 
 #include <algorithm>
 #include <limits>
@@ -34,6 +36,22 @@ CheckExtension(const std::string & fileName, const std::vector<std::string> & al
          what,
          " is written as ",
          Join(allowed, " or ", [](const std::string & name) { return name; }));
+  }
+}
+
+void
+CheckFormats(const ExtractOptions & options)
+{
+  CheckExtension(options.thicknessCsvFile, { ".csv" }, "histogram");
+  CheckExtension(options.previewFile, { ".png" }, "preview");
+  CheckExtension(options.htmlFile, { ".html", ".htm" }, "page");
+  if (!options.meshFile.empty())
+  {
+    GetSurfaceFormat(options.meshFile);
+  }
+  if (!options.output.empty() || options.meshFile.empty())
+  {
+    GetVolumeFormat(options.output);
   }
 }
 
@@ -63,6 +81,7 @@ ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
            { "distance", options.distanceFile, DistanceLayout },
            { "thickness_map", options.thicknessFile, ThicknessLayout },
            { "thickness_csv", options.thicknessCsvFile, std::nullopt },
+           { "mesh", options.meshFile, std::nullopt },
            { "preview", options.previewFile, std::nullopt },
            { "html", options.htmlFile, std::nullopt },
            { "report", options.reportFile, std::nullopt },
@@ -90,6 +109,11 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     settings.workerBytesPerVoxel += itk::MedialVoxelTileWallsBytesPerVoxel;
   }
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
+  if (!options.meshFile.empty())
+  {
+    SurfaceMesh::AddWorkerBytes(settings);
+    footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
+  }
   AddEngine(footprint, header, settings);
   if (!options.distanceFile.empty())
   {
@@ -142,13 +166,23 @@ public:
     m_Distances = m_Outputs.AddVolume(options.distanceFile, geometry, DistanceLayout);
     m_Thicknesses = m_Outputs.AddVolume(options.thicknessFile, m_Runner->GetGeometry(), ThicknessLayout);
     m_ThicknessCsv = m_Outputs.AddFile(options.thicknessCsvFile);
+    m_MeshFile = m_Outputs.AddFile(options.meshFile);
     m_Preview = m_Outputs.AddFile(options.previewFile);
     m_Html = m_Outputs.AddFile(options.htmlFile);
     m_Report = m_Outputs.AddFile(options.reportFile);
     m_ReturnParameters = m_Outputs.AddFile(options.returnParameterFile);
+    if (m_MeshFile)
+    {
+      m_Mesh = std::make_unique<SurfaceMesh>(options, geometry, GetGrid(options, result.input));
+      m_Observers.Add(m_Mesh->GetObserver());
+    }
     if (m_Survey.GetSettings().thickness || m_Survey.GetSettings().picture)
     {
-      m_Runner->SetTileObserver(&m_Survey);
+      m_Observers.Add(m_Survey);
+    }
+    if (!m_Observers.IsEmpty())
+    {
+      m_Runner->SetTileObserver(&m_Observers);
     }
     if (result.plan.writesBehind)
     {
@@ -193,7 +227,10 @@ private:
       {
         return;
       }
-      m_Labels->Write(range.firstVoxel, range.numberOfVoxels, results.labels);
+      if (m_Labels)
+      {
+        m_Labels->Write(range.firstVoxel, range.numberOfVoxels, results.labels);
+      }
       if (m_Vectors)
       {
         m_Vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
@@ -218,6 +255,10 @@ private:
     const auto finishStart = JobClock::now();
     m_Outputs.FinishVolumes();
     const Pictures pictures = this->MakePictures();
+    if (m_Mesh)
+    {
+      m_Result.surface = m_Mesh->Write(*m_MeshFile, [this](double) { m_Loop.ThrowIfStopRequested(); });
+    }
     m_Loop.ThrowIfStopRequested();
     AddMeasurements(m_Result, *m_Input, m_Writer.GetSeconds() + SecondsSince(finishStart), start);
     if (m_Survey.GetSettings().thickness)
@@ -279,12 +320,15 @@ private:
   std::unique_ptr<PieceRunner> m_Runner;
   std::unique_ptr<PieceRunner> m_DistanceRunner;
   Survey                       m_Survey;
+  std::unique_ptr<SurfaceMesh> m_Mesh;
+  TileObservers                m_Observers;
   OutputSet                    m_Outputs;
   OutputVolume *               m_Labels{ nullptr };
   OutputVolume *               m_Vectors{ nullptr };
   OutputVolume *               m_Distances{ nullptr };
   OutputVolume *               m_Thicknesses{ nullptr };
   OutputFile *                 m_ThicknessCsv{ nullptr };
+  OutputFile *                 m_MeshFile{ nullptr };
   OutputFile *                 m_Preview{ nullptr };
   OutputFile *                 m_Html{ nullptr };
   OutputFile *                 m_Report{ nullptr };
@@ -299,14 +343,15 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
 {
   const auto start = JobClock::now();
   CheckOptions(options);
-  CheckExtension(options.thicknessCsvFile, { ".csv" }, "histogram");
-  CheckExtension(options.previewFile, { ".png" }, "preview");
-  CheckExtension(options.htmlFile, { ".html", ".htm" }, "page");
-  GetVolumeFormat(options.output);
+  CheckFormats(options);
   VolumeHeader header = ReadVolumeHeader(options.input, options.raw);
-  const auto   candidates = ListCandidates(options, header);
-  const auto   footprint = GetFootprint(options, header);
-  JobResult    result = PrepareJob(options, std::move(header), candidates, footprint);
+  if (!options.meshFile.empty())
+  {
+    CheckSurfaceInput(header);
+  }
+  const auto candidates = ListCandidates(options, header);
+  const auto footprint = GetFootprint(options, header);
+  JobResult  result = PrepareJob(options, std::move(header), candidates, footprint);
   if (options.dryRun)
   {
     return result;

@@ -4,6 +4,7 @@
 
 #include "Text.h"
 
+#include "itkMedialVoxelSurfaceObserver.h"
 #include "itkMultiThreaderBase.h"
 #include "itkProcessObject.h"
 
@@ -178,6 +179,10 @@ PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & wri
       writer.Wait();
       runner.Release();
       runner.SetMemoryLimit(limit);
+    }
+    catch (const itk::MedialVoxelSurfacePieceError &)
+    {
+      m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
     }
   }
 }

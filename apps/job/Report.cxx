@@ -171,6 +171,12 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["counts"] = MakeCounts(result.sums);
   report["percent"] = MakePercent(result.sums.counts);
   report["thickness"] = MakeThickness(result.thickness);
+  if (result.surface)
+  {
+    report["mesh"] = { { "vertices", result.surface->vertices },
+                       { "faces", result.surface->faces },
+                       { "area", result.surface->area } };
+  }
   AddRun(report, result);
   return Dump(report);
 }

@@ -215,7 +215,7 @@ Survey::SelectCells(const itk::MedialVoxelCellRow & row) const
   return pattern;
 }
 
-void
+itk::MedialVoxelBox
 Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
 {
   TileSums sums(tile.box, m_Settings.picture);
@@ -236,6 +236,7 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
     tile.rows, tile.walls, [&](const auto & cell, const auto & wall) { this->AddWall(tile.box, cell, wall, sums); });
   const std::lock_guard<std::mutex> lock(m_Mutex);
   this->AddSums(tile, sums);
+  return {};
 }
 
 /** What the wall at a measured cell counts for the histograms, the slices and the projection. */

@@ -43,7 +43,7 @@ public:
   void
   Begin() override;
 
-  void
+  itk::MedialVoxelBox
   Observe(const itk::MedialVoxelClassifiedTile & tile) override;
 
   void

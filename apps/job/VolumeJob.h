@@ -7,6 +7,7 @@
 #include "PieceRunner.h"
 #include "Plan.h"
 #include "Progress.h"
+#include "SurfaceSummary.h"
 #include "ThicknessSummary.h"
 
 #include <cstdint>
@@ -33,6 +34,7 @@ struct JobResult
   JobPlan                         plan;
   RunnerSums                      sums;
   std::optional<ThicknessSummary> thickness; ///< when a report was asked for
+  std::optional<SurfaceSummary>   surface;   ///< when a mesh was asked for
   JobSeconds                      seconds;
   std::uint64_t                   peakMemoryBytes{ 0 }; ///< of the process
   std::uint64_t                   bytesRead{ 0 };

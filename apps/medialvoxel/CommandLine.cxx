@@ -185,7 +185,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
             }
           })
     ->group(group);
-  AddFile(app, "--scratch", "For what memory cannot hold of compressed input", options.scratchFolder)
+  AddFile(app, "--scratch", "For what memory cannot hold of input and mesh", options.scratchFolder)
     ->type_name("DIR")
     ->group(group);
   AddText(app, "--threads", "Threads (default: one per processor)", "N", [&](const std::string & text) {
@@ -224,6 +224,25 @@ const std::vector<std::pair<std::string, itk::MedialVoxelBoundary>> Boundaries{
   { GetName(itk::MedialVoxelBoundary::Background), itk::MedialVoxelBoundary::Background }
 };
 
+/** Adds the option or argument \a name. */
+CLI::Option *
+AddMesh(CLI::App & app, const std::string & name, ExtractOptions & options)
+{
+  return AddFile(app, name, "Surface: .vtp .vtu .vtk .ply .stl .obj .inp .bdf", options.meshFile);
+}
+
+void
+AddThickness(CLI::App & app, ExtractOptions & options)
+{
+  AddText(app,
+          "--thickness",
+          "Thickness tau of walls, in the units of the spacing",
+          "T",
+          [&](const std::string & text) { options.thickness = ToDouble(text); })
+    ->required();
+  app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels instead");
+}
+
 void
 DefineExtract(CommandLine & line)
 {
@@ -232,13 +251,7 @@ DefineExtract(CommandLine & line)
   using Bound = itk::MedialVoxelPseudoGeodesicBound;
   AddInput(app, options);
   AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr", options.output)->required();
-  AddText(app,
-          "--thickness",
-          "Thickness tau of walls, in the units of the spacing",
-          "T",
-          [&](const std::string & text) { options.thickness = ToDouble(text); })
-    ->required();
-  app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels instead");
+  AddThickness(app, options);
   AddChoice<Bound>(line,
                    app,
                    "--bound",
@@ -257,6 +270,7 @@ DefineExtract(CommandLine & line)
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
   AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
   AddFile(app, "--thickness-csv", "Its histogram (.csv)", options.thicknessCsvFile)->group(group);
+  AddMesh(app, "--mesh", options)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
@@ -268,6 +282,28 @@ DefineExtract(CommandLine & line)
     "    --raw-size 708,965,325 --raw-type uint16 --raw-spacing 0.5,0.5,0.8",
   };
   app.footer("Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by search.");
+}
+
+void
+DefineMesh(CommandLine & line)
+{
+  CLI::App &       app = *line.mesh;
+  ExtractOptions & options = line.meshOptions;
+  AddInput(app, options);
+  AddMesh(app, "OUTPUT", options)->required();
+  AddThickness(app, options);
+  AddObjectOptions(app, options);
+  const std::string group = "Mesh";
+  app.add_flag("--triangles", options.meshTriangles, "Split the quadrilaterals")->group(group);
+  AddText(app, "--smallest-piece", "Fewest quadrilaterals of a piece that stays", "N", [&](const std::string & text) {
+    options.smallestPiece = ToCount(text, 0, LargestCount);
+  })->group(group);
+  AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group("Further outputs");
+  AddRunOptions(line, app, options);
+  AddRawOptions(line, app, options);
+  line.examples[&app] = { "medialvoxel mesh part.mha part.vtp --thickness 3 --lower 72",
+                          "medialvoxel mesh part.mha shell.inp --thickness 3 --lower 72 --triangles" };
+  app.footer("Vertices have the thickness of the wall, in the units of the spacing.");
 }
 
 void
@@ -325,9 +361,11 @@ DefineCommandLine(CommandLine & line)
   app->set_version_flag("--version", "medialvoxel " + GetVersion());
   app->require_subcommand(1);
   line.extract = app->add_subcommand("extract", "Extract the medial voxels of an object");
+  line.mesh = app->add_subcommand("mesh", "Build the medial surface of an object");
   line.distance = app->add_subcommand("distance", "Compute vectors to the boundary and distances");
   line.info = app->add_subcommand("info", "Describe a volume");
   DefineExtract(line);
+  DefineMesh(line);
   DefineDistance(line);
   DefineInfo(line);
   line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");

@@ -20,9 +20,11 @@ namespace medialvoxel
 struct CommandLine
 {
   CLI::App *      extract{ nullptr };
+  CLI::App *      mesh{ nullptr };
   CLI::App *      distance{ nullptr };
   CLI::App *      info{ nullptr };
   ExtractOptions  extractOptions;
+  ExtractOptions  meshOptions;
   DistanceOptions distanceOptions;
   JobOptions      infoOptions;
   ProgressStyle   progress{ ProgressStyle::Auto };

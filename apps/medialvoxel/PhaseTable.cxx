@@ -88,6 +88,12 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("pseudo", percent ? FormatFixed(percent->pseudo, 2) + " %" : "-");
   table.emplace_back("correct", percent ? FormatFixed(percent->correct, 2) + " %" : "-");
   AddThickness(table, options, result);
+  if (result.surface)
+  {
+    table.emplace_back("mesh",
+                       std::to_string(result.surface->vertices) + " vertices, " +
+                         std::to_string(result.surface->faces) + " faces");
+  }
   const std::string threads =
     result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";
   table.emplace_back("distance", FormatFixed(result.seconds.distance, 2) + threads);

@@ -18,18 +18,19 @@ MakeSink(const CommandLine & line)
   return MakeProgressSink(line.quiet ? ProgressStyle::Quiet : line.progress);
 }
 
+/** Labels, a mesh, or both. */
 void
-Extract(const CommandLine & line)
+Extract(const CommandLine & line, const ExtractOptions & options)
 {
   const auto      sink = MakeSink(line);
-  const JobResult result = RunExtract(line.extractOptions, *sink);
-  if (line.extractOptions.dryRun)
+  const JobResult result = RunExtract(options, *sink);
+  if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
   }
   else if (!line.quiet)
   {
-    PrintPhaseTable(std::cout, line.extractOptions, result);
+    PrintPhaseTable(std::cout, options, result);
   }
 }
 
@@ -63,7 +64,11 @@ RunCommand(const CommandLine & line)
 {
   if (line.extract->parsed())
   {
-    Extract(line);
+    Extract(line, line.extractOptions);
+  }
+  else if (line.mesh->parsed())
+  {
+    Extract(line, line.meshOptions);
   }
   else if (line.distance->parsed())
   {

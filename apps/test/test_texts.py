@@ -10,7 +10,7 @@ import unittest
 
 from program import ProgramTestCase
 
-COMMANDS = ("extract", "distance", "info")
+COMMANDS = ("extract", "mesh", "distance", "info")
 
 
 class TextsTest(ProgramTestCase):
@@ -67,7 +67,7 @@ class TextsTest(ProgramTestCase):
 
     def test_bash_completes(self):
         self.assertEqual(self.complete("ex"), ["extract"])
-        self.assertEqual(self.complete(""), ["extract", "distance", "info", "-h", "--help", "--version"])
+        self.assertEqual(self.complete(""), ["extract", "mesh", "distance", "info", "-h", "--help", "--version"])
         self.assertEqual(self.complete("extract", "--th"), ["--thickness", "--thickness-map", "--thickness-csv", "--threads"])
         self.assertEqual(self.complete("distance", "--th"), ["--threads"])
         self.assertEqual(self.complete("extract", "--bound", ""), ["free-space", "paper", "off"])

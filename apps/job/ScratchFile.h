@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelScratchFile_h
+#define medialvoxelScratchFile_h
+
+#include <cstdint>
+#include <filesystem>
+
+namespace medialvoxel
+{
+
+/** \class ScratchFile
+ * \brief A file without a name, which vanishes with the process however it ends. */
+class ScratchFile
+{
+public:
+  /** \throw JobError Refused when the folder is missing or cannot be written. */
+  explicit ScratchFile(const std::filesystem::path & folder);
+  ~ScratchFile();
+  ScratchFile(const ScratchFile &) = delete;
+  ScratchFile &
+  operator=(const ScratchFile &) = delete;
+
+  /** Takes the space from the disk at once. \throw JobError Refused when there is none. */
+  void
+  Reserve(std::uint64_t numberOfBytes);
+
+  /** \throw JobError Failure. */
+  void
+  WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes);
+
+  /** Reads bytes that were written. \throw JobError Failure. */
+  void
+  ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfBytes) const;
+
+private:
+  std::filesystem::path m_Folder;
+  int                   m_Descriptor;
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSurfaceFormat_h
+#define medialvoxelSurfaceFormat_h
+
+#include "OutputFile.h"
+#include "SurfaceSpool.h"
+
+#include <functional>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** Files that hold a surface. */
+enum class SurfaceFormat
+{
+  Vtp,    ///< VTK XML PolyData, appended raw binary
+  Vtu,    ///< VTK XML UnstructuredGrid, appended raw binary
+  Vtk,    ///< VTK legacy PolyData, binary
+  Ply,    ///< binary, little endian
+  Stl,    ///< binary, triangles only, no thickness
+  Obj,    ///< text, no thickness
+  Abaqus, ///< .inp, S3 and S4 in sections by thickness
+  Nastran ///< .bdf, CTRIA3 and CQUAD4 in properties by thickness
+};
+
+/** The format that the extension stands for: .vtp .vtu .vtk .ply .stl .obj .inp .bdf, in any case.
+ * \throw JobError Usage for any other. */
+SurfaceFormat
+GetSurfaceFormat(const std::string & fileName);
+
+/** What the writers are told. */
+struct SurfaceWriteOptions
+{
+  /** Abaqus, Nastran: elements whose thickness has the same nearest multiple of this width share a section, whose
+   * thickness is their mean by area. Physical units, > 0 and finite. The program takes a quarter of the smallest
+   * spacing. */
+  double thicknessClassWidth{ 1.0 };
+
+  /** Abaqus: numbers of elements kept at once, 8 bytes each, while they are put into sections; no other influence. */
+  std::uint64_t keptElements{ std::uint64_t{ 1 } << 22 };
+
+  /** Called with the share done, 0 to 1, some times per second; may throw to stop. */
+  std::function<void(double)> progress;
+};
+
+/** \throw JobError Refused when the format cannot hold so many elements, naming its limit. */
+void
+CheckSurfaceFits(SurfaceFormat format,
+                 std::uint64_t numberOfVertices,
+                 std::uint64_t numberOfTriangles,
+                 std::uint64_t numberOfQuads);
+
+/** Writes the surface to a file that was created, and finishes it, so that it can be published.
+ * \throw JobError Refused when the format cannot hold a surface of this size, naming its limit
+ * \throw JobError Failure when the disk fails or a face names a vertex that is missing */
+void
+WriteSurface(SurfaceFormat               format,
+             const SurfaceSpool &        surface,
+             const SurfaceWriteOptions & options,
+             OutputFile &                file);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSurfaceMesh_h
+#define medialvoxelSurfaceMesh_h
+
+#include "Options.h"
+#include "SurfaceFormat.h"
+#include "SurfaceSpool.h"
+#include "SurfaceSummary.h"
+
+#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelSurfaceObserver.h"
+#include "itkMedialVoxelSurfacePieces.h"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class SurfaceMesh
+ * \brief The medial surface of a job, built while its pieces run, and kept in scratch files until it is written.
+ *
+ * The scratch files are in the scratch folder of the options, without one in the folder of the mesh. */
+class SurfaceMesh : private itk::MedialVoxelSurfaceConsumer
+{
+public:
+  /** \param grid  the image in the units of the options */
+  SurfaceMesh(const ExtractOptions & options, const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid);
+
+  /** Sees the tiles of the pieces; may ask for more sites. */
+  itk::MedialVoxelTileObserver &
+  GetObserver()
+  {
+    return m_Observer;
+  }
+
+  /** Writes the surface after the last piece, and finishes the file. \a progress may throw to stop.
+   * \throw JobError as WriteSurface() */
+  SurfaceSummary
+  Write(OutputFile & file, const std::function<void(double)> & progress);
+
+  /** Memory of a surface of thin walls that is built, beside that of the workers. */
+  static std::uint64_t
+  GetBytes(const ExtractOptions & options, const VolumeGeometry & geometry);
+
+  /** What a worker takes for it. */
+  static void
+  AddWorkerBytes(itk::MedialVoxelClusterEngine::Settings & settings);
+
+private:
+  void
+  AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertices) override;
+  void
+  AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads) override;
+
+  SurfaceSummary
+  WriteFrom(const SurfaceSpool & spool, const SurfaceWriteOptions & options, OutputFile & file) const;
+
+  /** The pieces that are large enough. */
+  void
+  CopyPieces(SurfaceSpool & kept);
+
+  void
+  AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);
+
+  SurfaceFormat                   m_Format;
+  bool                            m_AsTriangles;
+  std::uint64_t                   m_SmallestPiece;
+  double                          m_SmallestSpacing;
+  std::filesystem::path           m_ScratchFolder;
+  SurfaceSpool                    m_Spool;
+  itk::MedialVoxelSurfacePieces   m_Pieces;
+  std::vector<SurfaceVertex>      m_Vertices; // of one slice, for the spool
+  std::vector<SurfaceFace>        m_Faces;
+  double                          m_Area{ 0 };
+  itk::MedialVoxelSurfaceObserver m_Observer;
+};
+
+/** \throw JobError Usage for a volume that is not 3-D, which has no surface. */
+void
+CheckSurfaceInput(const VolumeHeader & header);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "SurfaceParts.h"
+#include "SurfaceSections.h"
+#include "SurfaceWriters.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr size_t SmallField = 8;
+constexpr size_t LargeField = 16;
+
+/** A field of a fixed width, filled with blanks at its right. */
+std::string
+GetField(std::string text, size_t width)
+{
+  text.resize(width, ' ');
+  return text;
+}
+
+/** Numbers with a point, which tells them from integers; at most 15 characters. */
+std::string
+GetReal(float value)
+{
+  std::string  text = FormatFloat(value);
+  const size_t exponent = text.find('e');
+  if (text.find('.') == std::string::npos)
+  {
+    text.insert(exponent == std::string::npos ? text.size() : exponent, ".");
+  }
+  return text;
+}
+
+void
+WriteProperties(const std::vector<SurfaceSection> & sections, BufferedOutput & output)
+{
+  output.Text("$ A placeholder (aluminum in N, mm, t): put in your material.\n"
+              "MAT1,1,70000.,,.33,2.7-9\n");
+  for (size_t section = 0; section < sections.size(); ++section)
+  {
+    const std::string material = GetField("1", LargeField);
+    output.Text("PSHELL* ")
+      .Text(GetField(std::to_string(section + 1), LargeField))
+      .Text(material)
+      .Text(GetField(GetReal(sections[section].thickness), LargeField))
+      .Text(material)
+      .Text("\n*       ")
+      .Text(GetField("", LargeField))
+      .Text("1\n");
+  }
+}
+
+void
+WriteNodes(SurfaceReader & reader, BufferedOutput & output)
+{
+  const std::string inBasicSystem = GetField("", LargeField);
+  reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
+    const auto & [x, y, z] = vertex.position;
+    output.Text("GRID*   ")
+      .Text(GetField(std::to_string(number + 1), LargeField))
+      .Text(inBasicSystem)
+      .Text(GetField(GetReal(x), LargeField))
+      .Text(GetField(GetReal(y), LargeField))
+      .Text("\n*       ")
+      .Text(GetReal(z))
+      .Text("\n");
+  });
+}
+
+void
+WriteElements(SurfaceReader & reader, const SurfaceSections & sections, BufferedOutput & output)
+{
+  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+    output.Text(corners.size() == 3 ? "CTRIA3  " : "CQUAD4  ")
+      .Text(GetField(std::to_string(number), SmallField))
+      .Text(GetField(std::to_string(sections.GetSection(reader, face) + 1), SmallField));
+    for (const unsigned int corner : corners)
+    {
+      output.Text(GetField(std::to_string(face.vertices[corner] + 1), SmallField));
+    }
+    output.Text("\n");
+  });
+}
+
+} // namespace
+
+void
+WriteSurfaceNastran(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+{
+  reader.SetNumberOfPasses(1, 2);
+  const SurfaceSections sections(reader, options.thicknessClassWidth);
+  CheckElementsFit(SurfaceFormat::Nastran, reader, sections);
+  output.Text("$ Medial surface by MedialVoxel, lengths in the units of the image\nSOL 101\nCEND\nBEGIN BULK\n");
+  WriteProperties(sections.GetSections(), output);
+  WriteNodes(reader, output);
+  WriteElements(reader, sections, output);
+  output.Text("ENDDATA\n");
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSurfaceReader_h
+#define medialvoxelSurfaceReader_h
+
+#include "SurfaceSpool.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace medialvoxel
+{
+
+/** \class SurfaceReader
+ * \brief Walks over the vertices and faces of a spooled surface, and tells how far the writing is. */
+class SurfaceReader
+{
+public:
+  using Vertex = SurfaceSpool::Vertex;
+
+  /** \param progress as in SurfaceWriteOptions */
+  SurfaceReader(const SurfaceSpool & surface, const std::function<void(double)> & progress);
+
+  const SurfaceSpool &
+  GetSurface() const
+  {
+    return m_Surface;
+  }
+
+  /** How often the writer walks over all vertices, and over all faces: for the progress. */
+  void
+  SetNumberOfPasses(std::uint64_t vertexPasses, std::uint64_t facePasses);
+
+  /** Calls function(number, vertex) for all vertices in their order. */
+  template <typename TFunction>
+  void
+  ForEachVertex(TFunction && function)
+  {
+    ForEach(
+      m_Surface.GetNumberOfVertices(),
+      [this](std::uint64_t first, std::uint64_t count) { m_Surface.ReadVertices(first, count, m_Vertices); },
+      [&](std::uint64_t first, std::uint64_t index) { function(first + index, m_Vertices[index]); });
+  }
+
+  /** Calls function(number, face) for all faces in their order. */
+  template <typename TFunction>
+  void
+  ForEachFace(TFunction && function)
+  {
+    ForEach(
+      m_Surface.GetNumberOfFaces(),
+      [this](std::uint64_t first, std::uint64_t count) { m_Surface.ReadFaces(first, count, m_Faces); },
+      [&](std::uint64_t first, std::uint64_t index) { function(first + index, m_Faces[index]); });
+  }
+
+  /** One vertex; fast when those asked for lie near each other, as those of successive faces do. */
+  const Vertex &
+  GetVertex(std::uint64_t number);
+
+private:
+  static constexpr std::uint64_t BlockSize = 1024;
+  static constexpr std::uint64_t NumberOfSlots = 1024;
+  static constexpr std::uint64_t NoBlock = ~std::uint64_t{ 0 };
+
+  template <typename TRead, typename TCall>
+  void
+  ForEach(std::uint64_t number, TRead && read, TCall && call)
+  {
+    for (std::uint64_t first = 0; first < number; first += BlockSize)
+    {
+      const std::uint64_t count = std::min(BlockSize, number - first);
+      read(first, count);
+      for (std::uint64_t index = 0; index < count; ++index)
+      {
+        call(first, index);
+      }
+      this->AddDone(count);
+    }
+  }
+
+  void
+  AddDone(std::uint64_t count);
+
+  /** Vertices of one block of numbers. */
+  struct Slot
+  {
+    std::uint64_t       block{ NoBlock };
+    std::vector<Vertex> vertices;
+  };
+
+  const SurfaceSpool &        m_Surface;
+  std::function<void(double)> m_Progress;
+  std::uint64_t               m_Expected{ 0 };
+  std::uint64_t               m_Done{ 0 };
+  double                      m_Fraction{ 0.0 };
+  std::vector<Vertex>         m_Vertices;
+  std::vector<SurfaceFace>    m_Faces;
+  std::vector<Slot>           m_Slots;
+};
+
+} // end namespace medialvoxel
+
+#endif

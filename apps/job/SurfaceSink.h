@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSurfaceSink_h
+#define medialvoxelSurfaceSink_h
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** A vertex of a surface. Files hold these numbers rounded to float32 once, so that all formats agree. */
+struct SurfaceVertex
+{
+  std::array<double, 3> position;       ///< physical units of the image
+  double                thickness{ 0 }; ///< of the wall, physical units; not finite or not above 0: unknown
+};
+
+/** A triangle or a quad of a surface. */
+struct SurfaceFace
+{
+  std::array<std::uint64_t, 4> vertices;              ///< counted from 0; a triangle ignores the last one
+  std::uint8_t                 numberOfVertices{ 4 }; ///< 3 or 4
+  std::uint8_t                 rimEdges{ 0 };         ///< bit k: the edge from corner k to the next is of no other face
+  std::uint8_t                 junctionEdges{ 0 };    ///< bit k: the edge from corner k to the next is of more than two
+  double                       area{ 0 };             ///< physical units squared
+};
+
+/** \class SurfaceSink
+ * \brief Takes a surface piece by piece.
+ *
+ * Vertices come in the order of their numbers, faces in the order they are to have in a file; a face may come before
+ * its vertices. How the pieces are cut makes no difference. */
+class SurfaceSink
+{
+public:
+  virtual ~SurfaceSink() = default;
+
+  /** \throw JobError Failure when they cannot be stored. */
+  virtual void
+  AddVertices(const std::vector<SurfaceVertex> & vertices) = 0;
+
+  /** \throw JobError Failure when they cannot be stored. */
+  virtual void
+  AddFaces(const std::vector<SurfaceFace> & faces) = 0;
+};
+
+} // end namespace medialvoxel
+
+#endif

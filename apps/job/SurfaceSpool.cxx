@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "SurfaceSpool.h"
+
+#include <algorithm>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** A face in the scratch file. */
+struct FaceRecord
+{
+  std::array<std::uint64_t, 4> vertices;
+  float                        area;
+  std::uint8_t                 numberOfVertices;
+  std::uint8_t                 rimEdges;
+  std::uint8_t                 junctionEdges;
+  std::uint8_t                 unused;
+};
+
+constexpr std::uint64_t VertexBytes = sizeof(SurfaceSpool::Vertex);
+constexpr std::uint64_t FaceBytes = sizeof(FaceRecord);
+static_assert(VertexBytes == 16 && FaceBytes == 40);
+
+SurfaceSpool::Vertex
+Pack(const SurfaceVertex & vertex)
+{
+  const auto & [x, y, z] = vertex.position;
+  return { { static_cast<float>(x), static_cast<float>(y), static_cast<float>(z) },
+           static_cast<float>(vertex.thickness) };
+}
+
+FaceRecord
+Pack(const SurfaceFace & face)
+{
+  return { face.vertices, static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges, 0 };
+}
+
+SurfaceFace
+Unpack(const FaceRecord & record)
+{
+  return { record.vertices, record.numberOfVertices, record.rimEdges, record.junctionEdges, record.area };
+}
+
+} // namespace
+
+SurfaceSpool::SurfaceSpool(const std::filesystem::path & folder)
+  : m_VertexFile(folder)
+  , m_FaceFile(folder)
+{}
+
+void
+SurfaceSpool::AddVertices(const std::vector<SurfaceVertex> & vertices)
+{
+  std::vector<Vertex> records(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), records.begin(), [](const auto & vertex) { return Pack(vertex); });
+  m_VertexFile.WriteAt(m_NumberOfVertices * VertexBytes, records.data(), records.size() * VertexBytes);
+  m_NumberOfVertices += records.size();
+}
+
+void
+SurfaceSpool::AddFaces(const std::vector<SurfaceFace> & faces)
+{
+  std::vector<FaceRecord> records(faces.size());
+  std::transform(faces.begin(), faces.end(), records.begin(), [](const auto & face) { return Pack(face); });
+  m_FaceFile.WriteAt(this->GetNumberOfFaces() * FaceBytes, records.data(), records.size() * FaceBytes);
+  for (const SurfaceFace & face : faces)
+  {
+    ++(face.numberOfVertices == 3 ? m_NumberOfTriangles : m_NumberOfQuads);
+    const auto end = face.vertices.begin() + face.numberOfVertices;
+    m_NumberOfNeededVertices = std::max(m_NumberOfNeededVertices, *std::max_element(face.vertices.begin(), end) + 1);
+  }
+}
+
+void
+SurfaceSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
+{
+  vertices.resize(count);
+  m_VertexFile.ReadAt(first * VertexBytes, vertices.data(), count * VertexBytes);
+}
+
+void
+SurfaceSpool::ReadFaces(std::uint64_t first, std::uint64_t count, std::vector<SurfaceFace> & faces) const
+{
+  std::vector<FaceRecord> records(count);
+  m_FaceFile.ReadAt(first * FaceBytes, records.data(), count * FaceBytes);
+  faces.resize(count);
+  std::transform(records.begin(), records.end(), faces.begin(), [](const auto & record) { return Unpack(record); });
+}
+
+} // end namespace medialvoxel

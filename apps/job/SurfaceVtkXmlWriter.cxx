@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "SurfaceWriters.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint8_t VtkTriangle = 5;
+constexpr std::uint8_t VtkQuad = 9;
+
+/** \class AppendedArrays
+ * \brief The arrays that an XML file of VTK names in its head and has as bytes at its end. */
+class AppendedArrays
+{
+public:
+  using Write = std::function<void(BufferedOutput & output)>;
+
+  /** Takes an array and returns the element that names it. */
+  std::string
+  Add(const char * name, const char * type, unsigned int components, std::uint64_t numberOfBytes, Write write)
+  {
+    std::string element = std::string("        <DataArray type=\"") + type + "\" Name=\"" + name + "\"";
+    if (components > 1)
+    {
+      element += " NumberOfComponents=\"" + std::to_string(components) + "\"";
+    }
+    element += " format=\"appended\" offset=\"" + std::to_string(m_Offset) + "\"/>\n";
+    m_Offset += sizeof(std::uint64_t) + numberOfBytes;
+    m_Arrays.push_back({ numberOfBytes, std::move(write) });
+    return element;
+  }
+
+  void
+  WriteAll(BufferedOutput & output) const
+  {
+    output.Text("  <AppendedData encoding=\"raw\">\n_");
+    for (const auto & [numberOfBytes, write] : m_Arrays)
+    {
+      output.LittleEndian(numberOfBytes);
+      write(output);
+    }
+    output.Text("\n  </AppendedData>\n");
+  }
+
+private:
+  std::vector<std::pair<std::uint64_t, Write>> m_Arrays;
+  std::uint64_t                                m_Offset{ 0 };
+};
+
+std::string
+AddPoints(SurfaceReader & reader, AppendedArrays & arrays)
+{
+  const std::uint64_t bytes = reader.GetSurface().GetNumberOfVertices() * 3 * sizeof(float);
+  return "      <Points>\n" + arrays.Add("Points", "Float32", 3, bytes, [&reader](BufferedOutput & output) {
+    reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
+      for (const float coordinate : vertex.position)
+      {
+        output.LittleEndian(coordinate);
+      }
+    });
+  }) + "      </Points>\n";
+}
+
+std::string
+AddPointData(SurfaceReader & reader, AppendedArrays & arrays)
+{
+  const std::uint64_t bytes = reader.GetSurface().GetNumberOfVertices() * sizeof(float);
+  return "      <PointData Scalars=\"Thickness\">\n" +
+         arrays.Add("Thickness",
+                    "Float32",
+                    1,
+                    bytes,
+                    [&reader](BufferedOutput & output) {
+                      reader.ForEachVertex(
+                        [&](std::uint64_t, const auto & vertex) { output.LittleEndian(vertex.thickness); });
+                    }) +
+         "      </PointData>\n";
+}
+
+/** An array with a number for each face. */
+template <typename TGet>
+std::string
+AddFaceArray(SurfaceReader & reader, AppendedArrays & arrays, const char * name, const char * type, TGet get)
+{
+  const std::uint64_t bytes = reader.GetSurface().GetNumberOfFaces() * sizeof(get(SurfaceFace{}));
+  return arrays.Add(name, type, 1, bytes, [&reader, get](BufferedOutput & output) mutable {
+    reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) { output.LittleEndian(get(face)); });
+  });
+}
+
+std::string
+AddCellData(SurfaceReader & reader, AppendedArrays & arrays)
+{
+  return "      <CellData>\n" +
+         AddFaceArray(reader, arrays, "RimEdges", "UInt8", [](const SurfaceFace & face) { return face.rimEdges; }) +
+         AddFaceArray(
+           reader, arrays, "JunctionEdges", "UInt8", [](const SurfaceFace & face) { return face.junctionEdges; }) +
+         AddFaceArray(
+           reader, arrays, "Area", "Float32", [](const SurfaceFace & face) { return static_cast<float>(face.area); }) +
+         "      </CellData>\n";
+}
+
+/** Corners of all faces, one after the other, and where each face ends. */
+std::string
+AddCorners(SurfaceReader & reader, AppendedArrays & arrays)
+{
+  const SurfaceSpool & surface = reader.GetSurface();
+  const std::uint64_t  corners = 3 * surface.GetNumberOfTriangles() + 4 * surface.GetNumberOfQuads();
+  const auto           writeCorners = [&reader](BufferedOutput & output) {
+    reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+      for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
+      {
+        output.LittleEndian(face.vertices[corner]);
+      }
+    });
+  };
+  return arrays.Add("connectivity", "Int64", 1, corners * sizeof(std::int64_t), writeCorners) +
+         AddFaceArray(reader, arrays, "offsets", "Int64", [end = std::uint64_t{ 0 }](const SurfaceFace & face) mutable {
+           return end += face.numberOfVertices;
+         });
+}
+
+/** The whole file. \param counts attributes of the piece beside the number of its points \param cells their element */
+void
+WriteFile(const char *           dataSet,
+          SurfaceReader &        reader,
+          const std::string &    counts,
+          const std::string &    content,
+          const AppendedArrays & arrays,
+          BufferedOutput &       output)
+{
+  const std::string name = dataSet;
+  output.Text("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + name +
+              "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <" + name +
+              ">\n    <Piece NumberOfPoints=\"");
+  output.Integer(reader.GetSurface().GetNumberOfVertices());
+  output.Text("\" " + counts + ">\n" + content + "    </Piece>\n  </" + name + ">\n");
+  arrays.WriteAll(output);
+  output.Text("</VTKFile>\n");
+}
+
+} // namespace
+
+void
+WriteSurfaceVtp(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOutput & output)
+{
+  reader.SetNumberOfPasses(2, 5);
+  AppendedArrays    arrays;
+  const std::string content = AddPointData(reader, arrays) + AddCellData(reader, arrays) + AddPoints(reader, arrays) +
+                              "      <Polys>\n" + AddCorners(reader, arrays) + "      </Polys>\n";
+  const std::string counts = R"(NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")" +
+                             std::to_string(reader.GetSurface().GetNumberOfFaces()) + "\"";
+  WriteFile("PolyData", reader, counts, content, arrays, output);
+}
+
+void
+WriteSurfaceVtu(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOutput & output)
+{
+  reader.SetNumberOfPasses(2, 6);
+  AppendedArrays    arrays;
+  const std::string content =
+    AddPointData(reader, arrays) + AddCellData(reader, arrays) + AddPoints(reader, arrays) + "      <Cells>\n" +
+    AddCorners(reader, arrays) +
+    AddFaceArray(reader,
+                 arrays,
+                 "types",
+                 "UInt8",
+                 [](const SurfaceFace & face) { return face.numberOfVertices == 3 ? VtkTriangle : VtkQuad; }) +
+    "      </Cells>\n";
+  const std::string counts = "NumberOfCells=\"" + std::to_string(reader.GetSurface().GetNumberOfFaces()) + "\"";
+  WriteFile("UnstructuredGrid", reader, counts, content, arrays, output);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Meshes of the medial surface: the same bytes for any division, where they lie, and what is refused."""
+
+import array
+import json
+import math
+import re
+import unittest
+
+import volumes
+from program import REFUSED, USAGE, ProgramTestCase
+from test_identity import rough_shell
+
+
+class Mesh:
+    """Vertices (x, y, z, thickness) and faces of a PLY file."""
+
+    def __init__(self, path):
+        header, data = path.read_bytes().split(b"end_header\n", 1)
+        vertices = int(re.search(rb"element vertex (\d+)", header)[1])
+        faces = int(re.search(rb"element face (\d+)", header)[1])
+        numbers = array.array("f", data[: 16 * vertices])
+        self.vertices = [tuple(numbers[i : i + 4]) for i in range(0, len(numbers), 4)]
+        self.faces = []
+        position = 16 * vertices
+        for _ in range(faces):
+            end = position + 1 + 4 * data[position]
+            self.faces.append(tuple(array.array("I", data[position + 1 : end])))
+            position = end
+        assert position == len(data), "bytes after the last face"
+
+
+def plate(size=(14, 13, 12), spacing=(0.5, 0.5, 0.5)):
+    """A plate of four voxels across z through the whole image."""
+    volume = volumes.Volume(size, [], spacing)
+    volume.voxels = [1 if 4 <= z < 8 else 0 for _, _, z in volume.indices()]
+    return volume
+
+
+class MeshTest(ProgramTestCase):
+    def mesh(self, source, target, *arguments, thickness=2, **options):
+        return self.run_program("mesh", source, target, "--thickness", thickness, *arguments, **options)
+
+    def write(self, volume, name="in.mha", **changes):
+        volumes.write_meta(self.folder / name, volume, **changes)
+
+    def test_divisions_threads_and_memory(self):
+        self.write(rough_shell())
+        for name in ("m.ply", "m.vtp", "m.inp"):
+            self.mesh("in.mha", name, "--divisions", 1, "--threads", 1)
+            expected = (self.folder / name).read_bytes()
+            for arguments in (("--divisions", 3), ("--divisions", 33, "--threads", 3), ("--memory", "60M")):
+                self.mesh("in.mha", name, "--overwrite", *arguments)
+                self.assertEqual((self.folder / name).read_bytes(), expected, (name, arguments))
+        self.assertGreater(len(Mesh(self.folder / "m.ply").faces), 1000)
+
+    def test_compressed_input_and_scratch_folder(self):
+        self.write(rough_shell())
+        self.write(rough_shell(), "packed.mha", compressed=True)
+        self.mesh("in.mha", "expected.ply")
+        (self.folder / "scratch").mkdir()
+        self.mesh("packed.mha", "m.ply", "--scratch", "scratch")
+        self.assertEqual((self.folder / "m.ply").read_bytes(), (self.folder / "expected.ply").read_bytes())
+        self.assertEqual(list((self.folder / "scratch").iterdir()), [])
+
+    def test_beside_the_labels(self):
+        self.write(rough_shell())
+        self.extract("in.mha", "labels.mha", thickness=2)
+        self.mesh("in.mha", "alone.ply")
+        self.extract("in.mha", "both.mha", "--mesh", "both.ply", "--report", "r.json", "--html", "r.html", thickness=2)
+        self.assertEqual((self.folder / "both.ply").read_bytes(), (self.folder / "alone.ply").read_bytes())
+        self.assertEqual((self.folder / "both.mha").read_bytes(), (self.folder / "labels.mha").read_bytes())
+        mesh = Mesh(self.folder / "both.ply")
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual(report["mesh"]["vertices"], len(mesh.vertices))
+        self.assertEqual(report["mesh"]["faces"], len(mesh.faces))
+        self.assertEqual(report["outputs"]["mesh"], "both.ply")
+
+    def test_a_plate_in_physical_space(self):
+        changes = {"Offset": "10 20 30", "TransformMatrix": "0 1 0 0 0 1 1 0 0"}
+        self.write(plate(), **changes)
+        result = self.mesh("in.mha", "m.ply", "--report", "r.json")
+        self.assertIn("156 vertices, 132 faces", result.stdout)
+        mesh = Mesh(self.folder / "m.ply")
+        for x, y, z, thickness in mesh.vertices:
+            # The axes of the image run along y, z and x.
+            self.assertAlmostEqual(x, 10 + 5.5 * 0.5, delta=0.01)
+            self.assertTrue(20 < y < 20 + 13 * 0.5)
+            self.assertTrue(30 < z < 30 + 12 * 0.5)
+            self.assertEqual(thickness, 2.0)
+        area = json.loads((self.folder / "r.json").read_text())["mesh"]["area"]
+        self.assertAlmostEqual(area, 12 * 11 * 0.25, delta=2)
+
+    def test_lengths_in_voxels(self):
+        self.write(plate())
+        self.mesh("in.mha", "physical.ply", thickness=2)
+        self.mesh("in.mha", "voxels.ply", "--voxel-units", thickness=4)
+        self.assertEqual((self.folder / "voxels.ply").read_bytes(), (self.folder / "physical.ply").read_bytes())
+
+    def test_triangles(self):
+        self.write(rough_shell())
+        self.mesh("in.mha", "quads.ply")
+        self.mesh("in.mha", "triangles.ply", "--triangles")
+        quads = Mesh(self.folder / "quads.ply")
+        triangles = Mesh(self.folder / "triangles.ply")
+        self.assertEqual(triangles.vertices, quads.vertices)
+        self.assertEqual(len(triangles.faces), 2 * len(quads.faces))
+
+        def length(a, b):
+            return math.dist(quads.vertices[a][:3], quads.vertices[b][:3])
+
+        for quad, one, other in zip(quads.faces, triangles.faces[::2], triangles.faces[1::2]):
+            self.assertEqual({*one, *other}, {*quad})
+            diagonal = {*one} & {*other}
+            self.assertEqual(len(diagonal), 2)
+            self.assertLessEqual(length(*diagonal), length(*({*quad} - diagonal)) + 1e-6)
+
+    def test_small_pieces_are_left_out(self):
+        def plates(with_small_one):
+            volume = volumes.Volume((30, 24, 20), [])
+            for x, y, z in volume.indices():
+                small = x >= 22 and y < 10 and 10 <= z < 13
+                volume.voxels.append(1 if (x < 18 and 4 <= z < 7) or (with_small_one and small) else 0)
+            return volume
+
+        self.write(plates(False), "one.mha")
+        self.write(plates(True), "both.mha")
+        self.mesh("one.mha", "one.ply", "--report", "r.json")
+        self.mesh("both.mha", "both.ply", "--smallest-piece", 100, "--divisions", 6, "--report", "both.json")
+        self.assertEqual((self.folder / "both.ply").read_bytes(), (self.folder / "one.ply").read_bytes())
+        one, both = (json.loads((self.folder / name).read_text())["mesh"] for name in ("r.json", "both.json"))
+        self.assertAlmostEqual(one.pop("area"), both.pop("area"), places=2)
+        self.assertEqual(one, both)
+        self.mesh("both.mha", "all.ply")
+        self.assertGreater(len(Mesh(self.folder / "all.ply").faces), one["faces"])
+        self.mesh("both.mha", "none.ply", "--smallest-piece", 100000)
+        self.assertEqual(Mesh(self.folder / "none.ply").faces, [])
+
+    def test_volumes_without_surface(self):
+        for name, volume in (
+            ("empty.mha", volumes.Volume((6, 5, 4), [0] * 120)),
+            ("full.mha", volumes.Volume((6, 5, 4), [1] * 120)),
+            ("slice.mha", volumes.Volume((6, 5, 1), [0, 1, 1, 1, 1, 0] * 5)),
+        ):
+            self.write(volume, name)
+            self.mesh(name, name + ".ply")
+            mesh = Mesh(self.folder / (name + ".ply"))
+            self.assertEqual((mesh.vertices, mesh.faces), ([], []), name)
+
+    def test_refusals(self):
+        self.write(plate())
+        self.write(volumes.Volume((6, 5), [0, 1, 1, 1, 1, 0] * 5), "flat.mha")
+        (self.folder / "there.ply").write_bytes(b"")
+        mesh = ("mesh", "in.mha")
+        tau = ("--thickness", 2)
+        self.assert_fails(USAGE, ["m.xyz", ".vtp"], *mesh, "m.xyz", *tau)
+        self.assert_fails(USAGE, ["flat.mha", "2 dimensions"], "mesh", "flat.mha", "m.ply", *tau)
+        self.assert_fails(USAGE, ["thickness", "0"], *mesh, "m.ply", "--thickness", 0)
+        self.assert_fails(USAGE, ["m.ply", "mesh", "report"], *mesh, "m.ply", *tau, "--report", "m.ply")
+        self.assert_fails(REFUSED, ["there.ply"], *mesh, "there.ply", *tau)
+        self.assert_fails(REFUSED, ["none"], *mesh, "none/m.ply", *tau)
+        self.assert_fails(REFUSED, ["nowhere"], *mesh, "m.ply", *tau, "--scratch", "nowhere")
+
+    def test_a_plan_writes_nothing(self):
+        self.write(plate())
+        plan = self.mesh("in.mha", "m.ply", "--dry-run")
+        self.assertIn("m.ply", plan.stdout)
+        self.assertFalse((self.folder / "m.ply").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

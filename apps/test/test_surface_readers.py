@@ -1,0 +1,218 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Mesh files of all formats hold what libraries of others read from them. Needs scripts/mesh-readers."""
+
+import collections
+import json
+import os
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+WRITE_SURFACE = os.environ["MEDIALVOXEL_WRITE_SURFACE"]
+READ_SURFACE = pathlib.Path(__file__).with_name("read_surface.py")
+CACHE = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache")
+PYTHONS = [str(CACHE / "medialvoxel/mesh-readers/bin/python"), sys.executable]
+
+SHAPES = ("plate", "mixed", "cylinder", "cube", "junction")
+EXTENSIONS = ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf")
+READERS = {
+    "pyvista": ("vtp", "vtu", "vtk", "ply", "stl", "obj"),
+    "meshio": ("vtu", "ply", "stl", "obj", "inp", "bdf"),
+    "gmsh": ("stl", "obj", "bdf"),
+    "pyNastran": ("bdf",),
+}
+MODULES = {"pyNastran": "pyNastran.bdf.bdf"}
+CLASS_WIDTH = 0.2
+
+
+def as_float32(value):
+    return struct.unpack("<f", struct.pack("<f", value))[0]
+
+
+def python_with(module):
+    """An interpreter that has the module, or None."""
+    for python in PYTHONS:
+        if pathlib.Path(python).exists():
+            if subprocess.run([python, "-c", f"import {module}"], capture_output=True, check=False).returncode == 0:
+                return python
+    return None
+
+
+def squared_distance(a, b):
+    return sum((x - y) ** 2 for x, y in zip(a, b))
+
+
+def split(points, face):
+    """A quad as two triangles, along its shorter diagonal; a tie takes the first."""
+    if len(face) == 3:
+        return [face]
+    a, b, c, d = face
+    if squared_distance(points[b], points[d]) < squared_distance(points[a], points[c]):
+        return [[a, b, d], [b, c, d]]
+    return [[a, b, c], [a, c, d]]
+
+
+def outline(points, face):
+    """Corners of a face as points, from the smallest on: the same for the same face with the same orientation."""
+    corners = [tuple(float(f"{coordinate:.7g}") for coordinate in points[corner]) for corner in face]
+    start = corners.index(min(corners))
+    return tuple(corners[start:] + corners[:start])
+
+
+def write_all(folder):
+    """Writes all shapes in all formats; the surfaces by shape, with numbers as files have them."""
+    surfaces = {}
+    for shape in (*SHAPES, "empty"):
+        command = [WRITE_SURFACE, shape, str(CLASS_WIDTH), *(f"{shape}.{extension}" for extension in EXTENSIONS)]
+        surface = json.loads(subprocess.run(command, capture_output=True, check=True, cwd=folder).stdout)
+        for key in ("thickness", "area"):
+            surface[key] = [as_float32(value) for value in surface[key]]
+        surface["points"] = [[as_float32(coordinate) for coordinate in point] for point in surface["points"]]
+        surfaces[shape] = surface
+    return surfaces
+
+
+def read_all(folder, reader):
+    """What the reader makes of all files of its formats, by name; None where it is not installed."""
+    python = python_with(MODULES.get(reader, reader))
+    if python is None:
+        return None
+    names = [f"{shape}.{extension}" for shape in SHAPES for extension in READERS[reader]]
+    if reader in ("pyvista", "pyNastran"):
+        names += [f"empty.{extension}" for extension in ("vtp", "vtu", "vtk", "bdf") if extension in READERS[reader]]
+    command = [python, "-B", READ_SURFACE, reader, f"{reader}.json", *names]
+    result = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
+    if result.returncode != 0:
+        raise AssertionError(f"{reader} does not read the files\n{result.stdout}{result.stderr}")
+    return json.loads((folder / f"{reader}.json").read_text(encoding="ascii"))
+
+
+def face_thickness(surface, face):
+    """Mean of the corners that are not at a rim, of all where there are no others."""
+    corners, edges = surface["faces"][face], surface["rim"][face]
+    at_rim = [edges >> place & 1 or edges >> (place - 1) % len(corners) & 1 for place in range(len(corners))]
+    inside = [corner for corner, rim in zip(corners, at_rim) if not rim] or corners
+    return sum(surface["thickness"][corner] for corner in inside) / len(inside)
+
+
+class SurfaceReadersTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        temporary = tempfile.TemporaryDirectory(prefix="medialvoxel-test-")
+        cls.addClassCleanup(temporary.cleanup)
+        cls.folder = pathlib.Path(temporary.name)
+        cls.surfaces = write_all(cls.folder)
+        cls.contents = {reader: read_all(cls.folder, reader) for reader in READERS}
+
+    def need(self, reader):
+        if self.contents[reader] is None:
+            self.skipTest(f"the Python package {reader} is not installed; scripts/mesh-readers does it")
+
+    def check_each(self, extensions, check):
+        """Calls check(surface, content, extension) with what each reader made of each file; one missing is a skip."""
+        for reader, known in READERS.items():
+            with self.subTest(reader):
+                self.need(reader)
+                for name in (f"{shape}.{extension}" for shape in SHAPES for extension in known if extension in extensions):
+                    with self.subTest(f"{name} with {reader}"):
+                        shape, extension = name.split(".")
+                        check(self.surfaces[shape], self.contents[reader][name], extension)
+
+    def test_faces_and_coordinates(self):
+        def check(surface, content, extension):
+            faces = surface["faces"]
+            if extension == "stl":
+                faces = [triangle for face in faces for triangle in split(surface["points"], face)]
+            expected = collections.Counter(outline(surface["points"], face) for face in faces)
+            found = collections.Counter(outline(content["points"], face) for face in content["faces"])
+            self.assertEqual(found, expected)
+            self.assertEqual(len(content["points"]), len(surface["points"]))
+
+        self.check_each(EXTENSIONS, check)
+
+    def test_order_of_vertices_and_faces(self):
+        def check(surface, content, _):
+            self.assertEqual(content["points"], surface["points"])
+            self.assertEqual(content["faces"], surface["faces"])
+
+        self.check_each(("vtp", "vtu", "vtk", "ply"), check)
+
+    def test_thickness_of_vertices(self):
+        found = collections.Counter()
+
+        def check(surface, content, extension):
+            # PyVista leaves out what it does not know of a PLY file, meshio does not.
+            if "thickness" in content:
+                self.assertEqual(content["thickness"], surface["thickness"])
+                found[extension] += 1
+
+        self.check_each(("vtp", "vtu", "vtk", "ply"), check)
+        if self.contents["meshio"] and self.contents["pyvista"]:
+            self.assertEqual(set(found), {"vtp", "vtu", "vtk", "ply"})
+
+    def test_data_of_faces(self):
+        def check(surface, content, _):
+            for key in ("area", "rim", "junction"):
+                self.assertEqual(content[key], surface[key], key)
+
+        self.check_each(("vtp", "vtu", "vtk"), check)
+
+    def check_sections(self, surface, thickness):
+        """Thicknesses of the elements, in their order: none is far from its own, and the volume is right."""
+        self.assertEqual(len(thickness), len(surface["faces"]))
+        volume = expected_volume = 0
+        for face, (area, found) in enumerate(zip(surface["area"], thickness)):
+            expected = face_thickness(surface, face)
+            self.assertLessEqual(abs(found - expected), CLASS_WIDTH)
+            volume += area * found
+            expected_volume += area * expected
+        self.assertAlmostEqual(volume / expected_volume, 1, delta=1e-6)
+        self.assertGreaterEqual(len(set(thickness)), 2)
+
+    def test_sections_of_nastran(self):
+        self.need("pyNastran")
+        for shape in SHAPES:
+            with self.subTest(shape):
+                surface = self.surfaces[shape]
+                self.check_sections(surface, self.contents["pyNastran"][f"{shape}.bdf"]["section_thickness"])
+
+    def test_sections_of_abaqus(self):
+        self.need("meshio")
+        for shape in SHAPES:
+            with self.subTest(shape):
+                surface = self.surfaces[shape]
+                content = self.contents["meshio"][f"{shape}.inp"]
+                text = (self.folder / f"{shape}.inp").read_text(encoding="ascii")
+                sections = dict(re.findall(r"^\*SHELL SECTION, ELSET=(\w+), MATERIAL=\w+\n(\S+)$", text, re.MULTILINE))
+                # meshio counts the triangles first, the file counts in the order of the surface.
+                place_of_face = {}
+                for size in (3, 4):
+                    for face, corners in enumerate(surface["faces"]):
+                        if len(corners) == size:
+                            place_of_face[len(place_of_face)] = face
+                thickness = [None] * len(surface["faces"])
+                for name, value in sections.items():
+                    for place in content["sets"][name]:
+                        self.assertIsNone(thickness[place_of_face[place]], "an element has two sections")
+                        thickness[place_of_face[place]] = float(value)
+                self.check_sections(surface, thickness)
+                for name, key in (("RIM", "rim"), ("JUNCTION", "junction")):
+                    members = {place_of_face[place] for place in content["sets"].get(name, [])}
+                    self.assertEqual(members, {face for face, edges in enumerate(surface[key]) if edges}, name)
+
+    def test_no_face(self):
+        for reader, extensions in (("pyvista", ("vtp", "vtu", "vtk")), ("pyNastran", ("bdf",))):
+            with self.subTest(reader):
+                self.need(reader)
+                for extension in extensions:
+                    content = self.contents[reader][f"empty.{extension}"]
+                    self.assertEqual((content["points"], content["faces"]), ([], []), extension)
+
+
+if __name__ == "__main__":
+    unittest.main()

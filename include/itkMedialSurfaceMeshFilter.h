@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialSurfaceMeshFilter_h
+#define itkMedialSurfaceMeshFilter_h
+
+#include "itkMedialVoxelImageFilter.h"
+#include "itkMedialVoxelSurfaceBuilder.h"
+
+#include "itkImageToMeshFilter.h"
+#include "itkMesh.h"
+
+namespace itk
+{
+
+/** \class MedialSurfaceMeshFilter
+ * \brief The medial surface of a binary or thresholded 3-D image as a mesh of quadrilaterals or triangles, with the
+ * thickness of the walls.
+ *
+ * The surface is dual to the voxels: an edge between two neighboring voxels of which at least one is object is crossed
+ * when their nearest boundary points are at least epsilon = pi Thickness / 2 apart along the boundary, as in
+ * MedialVoxelImageFilter. A crossed edge has one quadrilateral, which joins the four dual cells around it; the vertex
+ * of a cell is where the planes midway between the boundary points of its edges meet best. Five steps of smoothing
+ * follow, in which rims and junctions of sheets keep to themselves and all vertices to the middle of their wall. As
+ * edges and cells are shared, the surface has no cracks: it ends at rims and at the faces of the image, and more than
+ * two quadrilaterals meet at junctions.
+ *
+ * Points are physical, with spacing, origin and direction applied. The data of a point is the thickness of the wall in
+ * physical units, of MedialVoxelThickness at medial cells; other cells, which rims and junctions use, measure it
+ * between their two nearest boundary points. The data of a cell is its area, or with MarkSides a number that says which
+ * sides are rims and junctions.
+ *
+ * Points are in the order of their dual cells (z, y, x), cells in the order of the lower voxels of their edges and of
+ * the axes (x, y, z). Quadrilaterals begin at their lowest dual cell and are oriented so that their normal has a
+ * component along the direction (1, sqrt 2, sqrt 3) that is not negative: neighbors agree but where the surface turns
+ * its edge to that direction. Surfaces with junctions, or with one side only, have no common orientation. The mesh does
+ * not depend on threads or on the division of the work.
+ *
+ * An image in which an axis has a single voxel has no surface: the mesh is empty.
+ *
+ * \par Memory
+ * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled piece by piece.
+ *
+ * \par QuadEdgeMesh
+ * QuadEdgeMesh holds oriented manifolds only. A surface whose cells have no junction sides can be copied to one, cell
+ * by cell, after its cells were given a common orientation.
+ *
+ * \sa MedialVoxelImageFilter
+ * \ingroup MedialVoxel
+ */
+template <typename TInputImage, typename TOutputMesh = Mesh<float, 3>>
+class ITK_TEMPLATE_EXPORT MedialSurfaceMeshFilter : public ImageToMeshFilter<TInputImage, TOutputMesh>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(MedialSurfaceMeshFilter);
+
+  using Self = MedialSurfaceMeshFilter;
+  using Superclass = ImageToMeshFilter<TInputImage, TOutputMesh>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+#ifdef itkOverrideGetNameOfClassMacro
+  itkOverrideGetNameOfClassMacro(MedialSurfaceMeshFilter);
+#else
+  itkTypeMacro(MedialSurfaceMeshFilter, ImageToMeshFilter);
+#endif
+
+  using InputImageType = TInputImage;
+  using InputPixelType = typename InputImageType::PixelType;
+  using OutputMeshType = TOutputMesh;
+  static_assert(InputImageType::ImageDimension == 3 && OutputMeshType::PointDimension == 3, "Surfaces are in 3-D.");
+
+  /** Thickness tau of the walls that are sheets, as in MedialVoxelImageFilter. Positive and finite; default 3. */
+  void
+  SetThickness(double thickness);
+  double
+  GetThickness() const;
+
+  /** Value of the background as long as no threshold is set. Default 0. */
+  void
+  SetBackgroundValue(InputPixelType value);
+  InputPixelType
+  GetBackgroundValue() const;
+
+  /** Smallest and largest value of an object voxel; setting one replaces BackgroundValue. */
+  void
+  SetLowerThreshold(double threshold);
+  double
+  GetLowerThreshold() const;
+  void
+  SetUpperThreshold(double threshold);
+  double
+  GetUpperThreshold() const;
+  void
+  UnsetThresholds();
+
+  /** Whether Thickness and the nearest boundary points are physical (default) or in voxels. Points of the mesh and
+   * thicknesses of walls are physical in any case. */
+  void
+  SetUseImageSpacing(bool use);
+  bool
+  GetUseImageSpacing() const;
+  itkBooleanMacro(UseImageSpacing);
+
+  /** Bytes that the window on the input and the memory of all threads may take, as in MedialVoxelImageFilter; 0
+   * (default) is without limit. Has no influence on the mesh. */
+  void
+  SetWorkingMemoryLimit(SizeValueType bytes);
+  SizeValueType
+  GetWorkingMemoryLimit() const;
+
+  /** Slices of the image that are processed at a time; 0 (default) chooses. Has no influence on the mesh. */
+  itkSetMacro(NumberOfSlicesPerPiece, unsigned int);
+  itkGetConstMacro(NumberOfSlicesPerPiece, unsigned int);
+
+  /** Split each quadrilateral along its shorter diagonal, that from its first vertex when both are as long. Default
+   * off. */
+  itkSetMacro(GenerateTriangles, bool);
+  itkGetConstMacro(GenerateTriangles, bool);
+  itkBooleanMacro(GenerateTriangles);
+
+  /** Have marks of the sides as data of the cells instead of areas: bit k (value 2^k) for a side from vertex k to the
+   * next that belongs to this face alone, bit k + 4 for one of more than two. The diagonal of a split quadrilateral has
+   * no mark. Default off. */
+  itkSetMacro(MarkSides, bool);
+  itkGetConstMacro(MarkSides, bool);
+  itkBooleanMacro(MarkSides);
+
+  /** Leave out connected pieces of fewer quadrilaterals than this. 0 (default) and 1 keep all. What is left is as
+   * without it but for the numbers of the points. */
+  itkSetMacro(SmallestPiece, SizeValueType);
+  itkGetConstMacro(SmallestPiece, SizeValueType);
+
+protected:
+  MedialSurfaceMeshFilter() = default;
+  ~MedialSurfaceMeshFilter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  void
+  GenerateInputRequestedRegion() override;
+
+  void
+  GenerateData() override;
+
+private:
+  using LabelFilterType = MedialVoxelImageFilter<InputImageType>;
+  using LabelImageType = typename LabelFilterType::OutputImageType;
+
+  class MeshWriter;
+  class PieceFilter;
+
+  /** Change a property of the label filter, and be modified when that one is. */
+  template <typename TFunction>
+  void
+  Change(TFunction && function);
+
+  SizeValueType
+  GetSlicesPerPiece() const;
+
+  /** Has the pieces classified one after the other. */
+  void
+  RunPieces();
+
+  void
+  RequestPiece(IndexValueType firstSlice);
+
+  static MedialVoxelSurfaceBuilder::Placement
+  GetPlacement(const InputImageType & image);
+
+  /** Classifies the cells; the labels themselves are of no use. */
+  typename LabelFilterType::Pointer m_LabelFilter = LabelFilterType::New();
+  unsigned int                      m_NumberOfSlicesPerPiece{ 0 };
+  bool                              m_GenerateTriangles{ false };
+  bool                              m_MarkSides{ false };
+  SizeValueType                     m_SmallestPiece{ 0 };
+};
+
+} // end namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkMedialSurfaceMeshFilter.hxx"
+#endif
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSurfaceCells_h
+#define itkMedialVoxelSurfaceCells_h
+
+#include "itkMedialVoxelPairDecision.h"
+#include "itkMedialVoxelSurfaceTopology.h"
+#include "itkMedialVoxelThickness.h"
+#include "itkMedialVoxelTileObserver.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \struct MedialVoxelSurfaceCell
+ * \brief A cell that the medial surface has a vertex in, before smoothing; lengths in physical units.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelSurfaceCell
+{
+  std::array<std::int32_t, 3>          index{};       ///< of the cell
+  MedialVoxelSurfaceTopology::EdgeMask quads{ 0 };    ///< voxel edges that have a quadrilateral, at least one
+  std::array<float, 3>                 offset{};      ///< of the vertex from the center of the cell
+  std::array<float, 3>                 normal{};      ///< of the plane midway between the walls, of length 1
+  float                                distance{ 0 }; ///< of that plane from the center, along the normal
+  float                                thickness{ 0 };
+};
+
+/** \class MedialVoxelSurfaceCells
+ * \brief Finds the vertices and quadrilaterals of the medial surface at the cells of a tile.
+ *
+ * An edge of the voxel grid between neighbors v and w of which at least one is object is crossed when N(v) and N(w)
+ * are at least epsilon apart along the boundary, with epsilon the largest one of the cells around the edge; where N is
+ * not known there is no crossing. Each crossed edge with four cells around it has a quadrilateral, and every cell of a
+ * quadrilateral one vertex: the MedialVoxelSurfaceFit of the pairs N(v), N(w) of its crossed edges. All follows from
+ * the voxels of the cell alone, so that tiles agree on what they share.
+ *
+ * The thickness of a medial cell is that of MedialVoxelThickness. Of other cells, which rims and junctions use, it is
+ * measured between the two nearest points of a pair.
+ *
+ * Volumes in which an axis has a single voxel have no surface.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelSurfaceCells
+{
+public:
+  /** \class Workspace
+   * \brief Memory of one thread, kept from tile to tile.
+   * \ingroup MedialVoxel
+   */
+  struct Workspace
+  {
+    std::vector<MedialVoxelSurfaceTopology::EdgeMask> crossed;
+  };
+
+  /** Bytes of a workspace for each voxel of a tile, beside what the surface takes. */
+  static constexpr std::uint64_t BytesPerVoxel = sizeof(MedialVoxelSurfaceTopology::EdgeMask);
+
+  /** \param grid        the image in the units in which its cells are classified
+   *  \param parameters  those of the classification; whatever the bound, the surface is that of the geodesic distance
+   *  \param spacing     of the image in the units in which the surface is measured */
+  MedialVoxelSurfaceCells(const MedialVoxelGrid &              grid,
+                          const MedialVoxelParameters &        parameters,
+                          const MedialVoxelGrid::SpacingType & spacing);
+
+  /** The cells of \a tile, in the order z, y, x.
+   *
+   * \param cells  replaced; incomplete after an abort
+   * \return an empty box when all edges are decided, otherwise the box of sites that must be known to decide them */
+  MedialVoxelBox
+  Find(const MedialVoxelClassifiedTile &     tile,
+       Workspace &                           workspace,
+       std::vector<MedialVoxelSurfaceCell> & cells) const;
+
+private:
+  struct Tile;
+  struct Row;
+
+  MedialVoxelBox
+  FindCrossedEdges(const Tile & tile) const;
+
+  void
+  FindCrossedEdgesOfRow(const Tile & tile, const Row & row, MedialVoxelBox & missing) const;
+
+  bool
+  IsCrossed(const Tile & tile, const MedialVoxelPair & pair, MedialVoxelBox & missing) const;
+
+  void
+  MarkCells(const Tile & tile, const MedialVoxelIndex & voxel, unsigned int axis) const;
+
+  MedialVoxelSurfaceTopology::EdgeMask
+  GetPossibleQuads(const MedialVoxelIndex & cell) const;
+
+  MedialVoxelSurfaceCell
+  MakeCell(const Tile &                         tile,
+           const MedialVoxelIndex &             index,
+           MedialVoxelSurfaceTopology::EdgeMask crossed,
+           bool                                 isMedial) const;
+
+  MedialVoxelGrid         m_Grid;
+  MedialVoxelParameters   m_Parameters;
+  MedialVoxelDualCell     m_Cell;
+  MedialVoxelPairDecision m_Decision;
+  MedialVoxelGrid         m_PhysicalGrid;
+  MedialVoxelThickness    m_Thickness;
+  bool                    m_IsSolid;
+};
+
+} // end namespace itk
+
+#endif

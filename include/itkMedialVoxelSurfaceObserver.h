@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSurfaceObserver_h
+#define itkMedialVoxelSurfaceObserver_h
+
+#include "itkMedialVoxelSurfaceBuilder.h"
+#include "itkMedialVoxelTileObserver.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelSurfacePieceError
+ * \brief An execution found more cells of the surface than are to be kept; smaller ones find fewer.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelSurfacePieceError : public std::runtime_error
+{
+public:
+  MedialVoxelSurfacePieceError();
+};
+
+/** \class MedialVoxelSurfaceObserver
+ * \brief Builds the medial surface while an image is classified piece by piece.
+ *
+ * The pieces are whole slices and follow each other along the last axis. Their cells are kept until the piece is done;
+ * then a MedialVoxelSurfaceBuilder takes them.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelSurfaceObserver : public MedialVoxelTileObserver
+{
+public:
+  /** Bytes for each voxel of a tile that a worker takes, of thin walls and their noise. */
+  static constexpr std::uint64_t WorkerBytesPerVoxel =
+    MedialVoxelSurfaceCells::BytesPerVoxel + MedialVoxelCellRow::BytesPerVoxel + sizeof(MedialVoxelSurfaceCell) / 16;
+
+  /** The arguments are those of MedialVoxelSurfaceCells and MedialVoxelSurfaceBuilder. */
+  MedialVoxelSurfaceObserver(const MedialVoxelGrid &                      grid,
+                             const MedialVoxelParameters &                parameters,
+                             const MedialVoxelGrid::SpacingType &         spacing,
+                             const MedialVoxelSurfaceBuilder::Placement & placement,
+                             MedialVoxelSurfaceConsumer &                 consumer);
+
+  /** Cells that an execution over more than one slice may find before it fails with MedialVoxelSurfacePieceError; it
+   * can then be run again in smaller pieces. Default without limit. */
+  void
+  SetMaximumNumberOfCells(const std::uint64_t number)
+  {
+    m_MaximumNumberOfCells = number;
+  }
+
+  void
+  Begin() override;
+
+  MedialVoxelBox
+  Observe(const MedialVoxelClassifiedTile & tile) override;
+
+  void
+  Commit() override;
+
+  /** Hand on what is left, after the last piece. */
+  void
+  Finish();
+
+private:
+  /** Memory of one thread. */
+  struct Worker
+  {
+    MedialVoxelSurfaceCells::Workspace  workspace;
+    std::vector<MedialVoxelSurfaceCell> cells;
+  };
+
+  std::unique_ptr<Worker>
+  TakeWorker();
+
+  void
+  TakeOver(std::unique_ptr<Worker> worker);
+
+  MedialVoxelSurfaceCells              m_Kernel;
+  MedialVoxelSurfaceBuilder            m_Builder;
+  std::uint64_t                        m_MaximumNumberOfCells{ std::numeric_limits<std::uint64_t>::max() };
+  std::mutex                           m_Mutex;
+  std::vector<std::unique_ptr<Worker>> m_Workers;
+
+  /** Cells by slice, from m_FirstSlice on; of each slice in any order. */
+  std::vector<std::vector<MedialVoxelSurfaceCell>> m_Pending;
+  std::int32_t                                     m_FirstSlice{ 0 };
+  std::uint64_t                                    m_NumberOfPending{ 0 };
+};
+
+} // end namespace itk
+
+#endif

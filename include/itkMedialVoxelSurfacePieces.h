@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSurfacePieces_h
+#define itkMedialVoxelSurfacePieces_h
+
+#include "MedialVoxelExport.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelSurfacePieces
+ * \brief Finds the connected pieces of a surface while it comes in, and numbers the vertices of those that are kept.
+ *
+ * Quadrilaterals that share a vertex are of one piece. Memory is 4 bytes for each vertex, of which there can be
+ * 2^31 - 1.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelSurfacePieces
+{
+public:
+  /** Vertices that follow those known so far.
+   * \throw std::length_error when there are too many */
+  void
+  AddVertices(std::uint64_t number);
+
+  /** A quadrilateral of vertices that are known. */
+  void
+  AddQuad(const std::array<std::uint64_t, 4> & vertices);
+
+  /** Keep the pieces of at least \a smallest quadrilaterals, after the last one. */
+  void
+  Keep(std::uint64_t smallest);
+
+  /** After Keep(). */
+  bool
+  IsKept(const std::uint64_t vertex) const
+  {
+    return m_Entries[vertex] >= 0;
+  }
+
+  /** Number of a vertex that is kept among those that are. */
+  std::uint64_t
+  NumberOf(const std::uint64_t vertex) const
+  {
+    return static_cast<std::uint64_t>(m_Entries[vertex]);
+  }
+
+private:
+  std::int32_t
+  RootOf(std::int32_t vertex);
+
+  /** The parent in the tree of a piece, or of a root -1 less the quadrilaterals of its piece; after Keep() the new
+   * number, or -1. */
+  std::vector<std::int32_t> m_Entries;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,334 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelSurfaceBuilder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace itk
+{
+
+using Topology = MedialVoxelSurfaceTopology;
+
+namespace
+{
+
+constexpr double TowardsNeighbors = 0.6;
+constexpr double TowardsPlane = 0.15;
+
+constexpr std::uint32_t CellsHandedOnAtATime = 1u << 13;
+
+/** That no plane with rational coefficients holds. */
+constexpr std::array<double, 3> FrontDirection{ { 1.0, 1.4142135623730951, 1.7320508075688772 } };
+
+using Vector = std::array<double, 3>;
+
+Vector
+Difference(const Vector & a, const Vector & b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+
+double
+Dot(const Vector & a, const Vector & b)
+{
+  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+
+Vector
+Cross(const Vector & a, const Vector & b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+
+double
+AreaOfTriangle(const Vector & a, const Vector & b, const Vector & c)
+{
+  const Vector normal = Cross(Difference(b, a), Difference(c, a));
+  return 0.5 * std::sqrt(Dot(normal, normal));
+}
+
+/** Order of the cells of a slice; one more along y is 2^32 more. */
+std::int64_t
+KeyOf(const MedialVoxelSurfaceCell & cell)
+{
+  return (std::int64_t{ cell.index[1] } << 32) + cell.index[0];
+}
+
+/** From a cell to its neighbor in a direction, as a difference of keys. */
+std::int64_t
+KeyStep(const unsigned int direction)
+{
+  const std::int64_t step = direction / 2 == 0 ? 1 : (direction / 2 == 1 ? std::int64_t{ 1 } << 32 : 0);
+  return direction % 2 == 0 ? -step : step;
+}
+
+/** Find the neighbors of cells of \a from in a direction, which lie in \a to. */
+template <typename TNeighbors>
+void
+Link(const std::vector<MedialVoxelSurfaceCell> & from,
+     const std::vector<MedialVoxelSurfaceCell> & to,
+     const unsigned int                          direction,
+     TNeighbors &                                neighbors)
+{
+  std::size_t position = 0;
+  for (std::size_t cell = 0; cell < from.size(); ++cell)
+  {
+    if (Topology::QuadsTowards(from[cell].quads, direction) == 0)
+    {
+      continue;
+    }
+    const std::int64_t key = KeyOf(from[cell]) + KeyStep(direction);
+    while (position < to.size() && KeyOf(to[position]) < key)
+    {
+      ++position;
+    }
+    if (position == to.size() || KeyOf(to[position]) != key)
+    {
+      throw std::logic_error("A cell of the medial surface lacks a neighbor.");
+    }
+    neighbors[cell][direction] = static_cast<std::uint32_t>(position);
+  }
+}
+
+/** Topology::DirectionsToFollow() of all masks. */
+const std::vector<std::uint8_t> &
+DirectionsToFollow()
+{
+  static const std::vector<std::uint8_t> table = [] {
+    std::vector<std::uint8_t> directions(std::size_t{ 1 } << Topology::NumberOfEdges);
+    for (std::size_t mask = 0; mask < directions.size(); ++mask)
+    {
+      directions[mask] = Topology::DirectionsToFollow(static_cast<Topology::EdgeMask>(mask));
+    }
+    return directions;
+  }();
+  return table;
+}
+
+} // namespace
+
+MedialVoxelSurfaceConsumer::~MedialVoxelSurfaceConsumer() = default;
+
+MedialVoxelSurfaceBuilder::MedialVoxelSurfaceBuilder(const Placement &                    placement,
+                                                     const MedialVoxelGrid::SpacingType & spacing,
+                                                     MedialVoxelSurfaceConsumer &         consumer)
+  : m_Placement(placement)
+  , m_Spacing(spacing)
+  , m_Consumer(consumer)
+{}
+
+void
+MedialVoxelSurfaceBuilder::AddSlice(const std::int64_t z, std::vector<MedialVoxelSurfaceCell> cells)
+{
+  while (m_NextSlice < z)
+  {
+    this->Push({});
+  }
+  this->Push(std::move(cells));
+}
+
+void
+MedialVoxelSurfaceBuilder::Finish()
+{
+  for (unsigned int step = 0; step < NumberOfSteps; ++step)
+  {
+    this->Push({});
+  }
+  m_Slices.clear();
+}
+
+/** Append a slice, and move each of the ones before it one step on. */
+void
+MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
+{
+  Slice slice;
+  slice.firstVertex = m_NumberOfVertices;
+  m_NumberOfVertices += cells.size();
+  ++m_NextSlice;
+  slice.neighbors.resize(cells.size());
+  slice.offsets.reserve(cells.size());
+  for (const MedialVoxelSurfaceCell & cell : cells)
+  {
+    slice.offsets.push_back(cell.offset);
+  }
+  slice.previous.resize(cells.size());
+  slice.cells = std::move(cells);
+  for (unsigned int direction = 0; direction < 4; ++direction)
+  {
+    Link(slice.cells, slice.cells, direction, slice.neighbors);
+  }
+  if (!m_Slices.empty())
+  {
+    Slice & before = m_Slices.back();
+    Link(slice.cells, before.cells, 4, slice.neighbors);
+    Link(before.cells, slice.cells, 5, before.neighbors);
+  }
+  m_Slices.push_back(std::move(slice));
+
+  const std::size_t newest = m_Slices.size() - 1;
+  for (std::size_t step = 1; step <= std::min<std::size_t>(newest, NumberOfSteps); ++step)
+  {
+    this->Smooth(newest - step);
+  }
+  if (newest >= NumberOfSteps)
+  {
+    this->HandOn(newest - NumberOfSteps);
+  }
+  // Quadrilaterals of a slice and its last step need the slice before it.
+  if (newest > NumberOfSteps)
+  {
+    m_Slices.pop_front();
+  }
+}
+
+/** Move the vertices of a slice one step on. The slice after it is one step behind the result, that before it is as
+ * far as the result. */
+void
+MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
+{
+  Slice &         slice = m_Slices[at];
+  const Offsets * offsetsOf[3] = { at > 0 ? &m_Slices[at - 1].previous : nullptr,
+                                   &slice.offsets,
+                                   &m_Slices[at + 1].offsets };
+  const auto & follow = DirectionsToFollow();
+  for (std::size_t i = 0; i < slice.cells.size(); ++i)
+  {
+    const MedialVoxelSurfaceCell & cell = slice.cells[i];
+    Vector                         sum{};
+    double                         number = 0.0;
+    for (unsigned int rest = follow[cell.quads]; rest != 0; rest &= rest - 1)
+    {
+      const auto         direction = static_cast<unsigned int>(MedialVoxelLowestBit(rest));
+      const unsigned int axis = direction / 2;
+      const bool         isUpper = direction % 2 != 0;
+      const Offsets &    offsets = *offsetsOf[axis == 2 ? (isUpper ? 2 : 0) : 1];
+      const auto &       neighbor = offsets[slice.neighbors[i][direction]];
+      for (unsigned int component = 0; component < 3; ++component)
+      {
+        sum[component] += static_cast<double>(neighbor[component]);
+      }
+      sum[axis] += isUpper ? m_Spacing[axis] : -m_Spacing[axis];
+      number += 1.0;
+    }
+    Vector offset{ { slice.offsets[i][0], slice.offsets[i][1], slice.offsets[i][2] } };
+    if (number > 0.0)
+    {
+      for (unsigned int component = 0; component < 3; ++component)
+      {
+        offset[component] += TowardsNeighbors * (sum[component] / number - offset[component]);
+      }
+    }
+    const Vector normal{ { cell.normal[0], cell.normal[1], cell.normal[2] } };
+    const double toPlane = TowardsPlane * (static_cast<double>(cell.distance) - Dot(normal, offset));
+    for (unsigned int component = 0; component < 3; ++component)
+    {
+      slice.previous[i][component] = static_cast<float>(offset[component] + toPlane * normal[component]);
+    }
+  }
+  std::swap(slice.offsets, slice.previous);
+}
+
+void
+MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
+{
+  const Slice & slice = m_Slices[at];
+  const auto    numberOfCells = static_cast<std::uint32_t>(slice.cells.size());
+  // A slice along a wall has many cells, whose results need not be in memory at the same time.
+  for (std::uint32_t begin = 0; begin < numberOfCells; begin += CellsHandedOnAtATime)
+  {
+    const std::uint32_t                   end = std::min(begin + CellsHandedOnAtATime, numberOfCells);
+    std::vector<MedialVoxelSurfaceVertex> vertices;
+    std::vector<MedialVoxelSurfaceQuad>   quads;
+    for (std::uint32_t cell = begin; cell < end; ++cell)
+    {
+      vertices.push_back({ this->PointOf(slice, cell), static_cast<double>(slice.cells[cell].thickness) });
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        if ((slice.cells[cell].quads >> Topology::EdgeOf(axis, 0, 0) & 1) != 0)
+        {
+          quads.push_back(this->MakeQuad(at, cell, axis));
+        }
+      }
+    }
+    m_Consumer.AddVertices(vertices);
+    m_Consumer.AddQuads(quads);
+  }
+}
+
+MedialVoxelSurfaceQuad
+MedialVoxelSurfaceBuilder::MakeQuad(const std::size_t at, const std::uint32_t cell, const unsigned int axis) const
+{
+  struct Corner
+  {
+    const Slice * slice;
+    std::uint32_t cell;
+  };
+  const auto lowerOf = [&](const Corner & from, const unsigned int along) -> Corner {
+    return { along == 2 ? &m_Slices[at - 1] : from.slice, from.slice->neighbors[from.cell][2 * along] };
+  };
+  const auto quadsTowardsLower = [](const Corner & from, const unsigned int along) {
+    return Topology::QuadsTowards(from.slice->cells[from.cell].quads, 2 * along);
+  };
+  const unsigned int next = (axis + 1) % 3;
+  const unsigned int afterNext = (axis + 2) % 3;
+  const Corner       upper{ &m_Slices[at], cell };
+  const Corner       alongNext = lowerOf(upper, afterNext);
+  const Corner       alongAfterNext = lowerOf(upper, next);
+  const Corner       corners[4] = { lowerOf(alongNext, next), alongNext, upper, alongAfterNext };
+  const unsigned int meeting[4] = { quadsTowardsLower(alongNext, next),
+                                    quadsTowardsLower(upper, afterNext),
+                                    quadsTowardsLower(upper, next),
+                                    quadsTowardsLower(alongAfterNext, afterNext) };
+  Vector             points[4];
+  for (unsigned int corner = 0; corner < 4; ++corner)
+  {
+    points[corner] = this->PointOf(*corners[corner].slice, corners[corner].cell);
+  }
+
+  const Vector           diagonal02 = Difference(points[2], points[0]);
+  const Vector           diagonal13 = Difference(points[3], points[1]);
+  const bool             isReversed = Dot(Cross(diagonal02, diagonal13), FrontDirection) < 0.0;
+  MedialVoxelSurfaceQuad quad;
+  for (unsigned int side = 0; side < 4; ++side)
+  {
+    const Corner &     corner = corners[isReversed ? (4 - side) % 4 : side];
+    const unsigned int number = meeting[isReversed ? 3 - side : side];
+    quad.vertices[side] = corner.slice->firstVertex + corner.cell;
+    quad.rimSides = static_cast<std::uint8_t>(quad.rimSides | (number == 1 ? 1u << side : 0u));
+    quad.junctionSides = static_cast<std::uint8_t>(quad.junctionSides | (number > 2 ? 1u << side : 0u));
+  }
+  quad.isSplitAlong13 = Dot(diagonal13, diagonal13) < Dot(diagonal02, diagonal02);
+  for (unsigned int half = 0; half < 2; ++half)
+  {
+    Vector triangle[3];
+    for (unsigned int i = 0; i < 3; ++i)
+    {
+      const unsigned int side = quad.GetTriangle(half)[i];
+      triangle[i] = points[isReversed ? (4 - side) % 4 : side];
+    }
+    quad.areas[half] = AreaOfTriangle(triangle[0], triangle[1], triangle[2]);
+  }
+  return quad;
+}
+
+/** The physical point of a vertex. */
+Vector
+MedialVoxelSurfaceBuilder::PointOf(const Slice & slice, const std::uint32_t cell) const
+{
+  Vector point = m_Placement.origin;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double index = static_cast<double>(slice.cells[cell].index[axis]) + 0.5 +
+                         static_cast<double>(slice.offsets[cell][axis]) / m_Spacing[axis];
+    for (unsigned int component = 0; component < 3; ++component)
+    {
+      point[component] += index * m_Placement.steps[axis][component];
+    }
+  }
+  return point;
+}
+
+} // end namespace itk

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelSurfaceFit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+
+namespace
+{
+
+using PointType = MedialVoxelSurfaceFit::PointType;
+
+double
+Dot(const PointType & a, const PointType & b)
+{
+  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+}
+
+/** \a vector scaled to length 1; \a otherwise when it has none. */
+PointType
+Normalized(const PointType & vector, const PointType & otherwise)
+{
+  const double length = std::sqrt(Dot(vector, vector));
+  return length > 0.0 ? PointType{ { vector[0] / length, vector[1] / length, vector[2] / length } } : otherwise;
+}
+
+} // namespace
+
+void
+MedialVoxelSurfaceFit::AddPair(const PointType & a, const PointType & b)
+{
+  const PointType normal = Normalized({ { b[0] - a[0], b[1] - a[1], b[2] - a[2] } }, { { 0.0, 0.0, 1.0 } });
+  const PointType middle{ { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) } };
+  const double    distance = Dot(normal, middle);
+  // The two sides of a wall have no order; the normal that is nearer to the sum so far does not cancel it.
+  const double sign = Dot(normal, m_SumOfNormals) < 0.0 ? -1.0 : 1.0;
+  unsigned int entry = 0;
+  for (unsigned int row = 0; row < 3; ++row)
+  {
+    for (unsigned int column = row; column < 3; ++column)
+    {
+      m_Matrix[entry++] += normal[row] * normal[column];
+    }
+    m_Vector[row] += normal[row] * distance;
+    m_SumOfNormals[row] += sign * normal[row];
+    m_SumOfMiddles[row] += middle[row];
+  }
+  m_NumberOfPairs += 1.0;
+}
+
+PointType
+MedialVoxelSurfaceFit::GetPoint(const double pull, const PointType & reach) const
+{
+  // Positive definite, as the pull is positive: the inverse by cofactors exists.
+  const double xx = m_Matrix[0] + pull;
+  const double xy = m_Matrix[1];
+  const double xz = m_Matrix[2];
+  const double yy = m_Matrix[3] + pull;
+  const double yz = m_Matrix[4];
+  const double zz = m_Matrix[5] + pull;
+
+  const PointType firstRow{ { yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy } };
+  const PointType secondRow{ { firstRow[1], xx * zz - xz * xz, xy * xz - xx * yz } };
+  const PointType thirdRow{ { firstRow[2], secondRow[2], xx * yy - xy * xy } };
+  const double    determinant = Dot({ { xx, xy, xz } }, firstRow);
+
+  PointType point{ { Dot(firstRow, m_Vector), Dot(secondRow, m_Vector), Dot(thirdRow, m_Vector) } };
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    point[axis] = std::clamp(point[axis] / determinant, -reach[axis], reach[axis]);
+  }
+  return point;
+}
+
+MedialVoxelSurfaceFit::Plane
+MedialVoxelSurfaceFit::GetPlane() const
+{
+  Plane plane;
+  plane.normal = Normalized(m_SumOfNormals, plane.normal);
+  plane.distance = Dot(plane.normal, m_SumOfMiddles) / m_NumberOfPairs;
+  return plane;
+}
+
+} // end namespace itk

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelSurfacePieces.h"
+
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+namespace itk
+{
+
+void
+MedialVoxelSurfacePieces::AddVertices(const std::uint64_t number)
+{
+  constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
+  if (number > most - m_Entries.size())
+  {
+    throw std::length_error("The medial surface has more than 2147483647 vertices, too many to find its pieces.");
+  }
+  m_Entries.resize(m_Entries.size() + static_cast<std::size_t>(number), -1);
+}
+
+void
+MedialVoxelSurfacePieces::AddQuad(const std::array<std::uint64_t, 4> & vertices)
+{
+  std::int32_t root = this->RootOf(static_cast<std::int32_t>(vertices[0]));
+  for (unsigned int i = 1; i < 4; ++i)
+  {
+    std::int32_t other = this->RootOf(static_cast<std::int32_t>(vertices[i]));
+    if (other == root)
+    {
+      continue;
+    }
+    // The smaller piece goes below the larger one, so that the trees stay flat.
+    if (m_Entries[other] < m_Entries[root])
+    {
+      std::swap(root, other);
+    }
+    m_Entries[root] += m_Entries[other] + 1;
+    m_Entries[other] = root;
+  }
+  if (m_Entries[root] == std::numeric_limits<std::int32_t>::min())
+  {
+    throw std::length_error("A piece of the medial surface has more than 2147483647 faces, too many to count.");
+  }
+  --m_Entries[root];
+}
+
+void
+MedialVoxelSurfacePieces::Keep(const std::uint64_t smallest)
+{
+  std::vector<bool> kept(m_Entries.size());
+  for (std::size_t vertex = 0; vertex < kept.size(); ++vertex)
+  {
+    const std::int64_t entry = m_Entries[this->RootOf(static_cast<std::int32_t>(vertex))];
+    kept[vertex] = static_cast<std::uint64_t>(-1 - entry) >= smallest;
+  }
+  std::int32_t number = 0;
+  for (std::size_t vertex = 0; vertex < kept.size(); ++vertex)
+  {
+    m_Entries[vertex] = kept[vertex] ? number++ : -1;
+  }
+}
+
+std::int32_t
+MedialVoxelSurfacePieces::RootOf(std::int32_t vertex)
+{
+  while (m_Entries[vertex] >= 0)
+  {
+    const std::int32_t parent = m_Entries[vertex];
+    if (m_Entries[parent] >= 0)
+    {
+      m_Entries[vertex] = m_Entries[parent];
+    }
+    vertex = parent;
+  }
+  return vertex;
+}
+
+} // end namespace itk

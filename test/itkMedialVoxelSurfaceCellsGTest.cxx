@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "itkMedialVoxelSurfaceCells.h"
+
+#include "MedialVoxelTestSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace
+{
+using namespace MedialVoxelTest;
+using Topology = itk::MedialVoxelSurfaceTopology;
+
+/** Lower voxel and axis. */
+using Edge = std::pair<Index3, int>;
+
+Index3
+Moved(Index3 voxel, int axis, int by)
+{
+  voxel[axis] += by;
+  return voxel;
+}
+
+/** Whether all four cells around an edge exist. */
+bool
+HasFourCells(const Volume & volume, const Edge & edge)
+{
+  bool all = true;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const Index3 cell =
+      Moved(Moved(edge.first, (edge.second + 1) % 3, -(corner & 1)), (edge.second + 2) % 3, -(corner >> 1));
+    all = all && volume.Contains(cell) && IsCell(volume, cell);
+  }
+  return all;
+}
+
+/** The definition of a crossed edge to the letter. */
+std::set<Edge>
+CrossedEdges(const Volume & volume, double tau, PathSums sums = PathSums::Doubles)
+{
+  Classifier     oracle(volume, tau, sums);
+  std::set<Edge> edges;
+  for (std::size_t i = 0; i < volume.object.size(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Edge   edge{ volume.IndexAt(i), axis };
+      const Index3 other = Moved(edge.first, axis, 1);
+      if (!volume.Contains(other) || !(volume.IsObject(edge.first) || volume.IsObject(other)))
+      {
+        continue;
+      }
+      const long a = oracle.GetNearest()[i];
+      const long b = oracle.GetNearest()[volume.Offset(other)];
+      if (a >= 0 && b >= 0 && HasFourCells(volume, edge) && oracle.GeodesicDistance(a, b) >= oracle.GetEpsilon())
+      {
+        edges.insert(edge);
+      }
+    }
+  }
+  return edges;
+}
+
+/** The edges that the cells name, with the number of cells that name each. */
+std::map<Edge, int>
+EdgesOf(const std::vector<itk::MedialVoxelSurfaceCell> & cells)
+{
+  std::map<Edge, int> edges;
+  for (const auto & cell : cells)
+  {
+    for (unsigned int edge = 0; edge < Topology::NumberOfEdges; ++edge)
+    {
+      if ((cell.quads >> edge & 1) != 0)
+      {
+        const auto offset = Topology::OffsetOf(edge);
+        Index3     voxel;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          voxel[axis] = cell.index[axis] + static_cast<int>(offset[axis]);
+        }
+        ++edges[{ voxel, static_cast<int>(Topology::AxisOf(edge)) }];
+      }
+    }
+  }
+  return edges;
+}
+
+std::vector<itk::MedialVoxelSurfaceCell>
+CellsOf(const Volume & volume, double tau, const Index3 & tileSize)
+{
+  const itk::MedialVoxelBox                whole = GridOf(volume).GetVoxelBox();
+  std::vector<itk::MedialVoxelSurfaceCell> cells;
+  for (const itk::MedialVoxelBox & tile : itk::MedialVoxelCutIntoTiles(whole, KernelIndex(tileSize)))
+  {
+    std::vector<itk::MedialVoxelSurfaceCell> part;
+    EXPECT_TRUE(FindSurfaceCells(volume, tau, tile, whole, part).IsEmpty());
+    EXPECT_TRUE(std::is_sorted(part.begin(), part.end(), IsBefore));
+    cells.insert(cells.end(), part.begin(), part.end());
+  }
+  std::sort(cells.begin(), cells.end(), IsBefore);
+  return cells;
+}
+
+void
+ExpectDefinition(const Volume & volume, double tau, PathSums sums = PathSums::Doubles)
+{
+  const std::set<Edge>      expected = CrossedEdges(volume, tau, sums);
+  const std::map<Edge, int> found = EdgesOf(CellsOf(volume, tau, volume.size));
+  std::set<Edge>            edges;
+  for (const auto & edge : found)
+  {
+    edges.insert(edge.first);
+    EXPECT_EQ(edge.second, 4) << "cells that share an edge disagree";
+  }
+  EXPECT_EQ(edges, expected) << volume.size[0] << " tau " << tau;
+}
+
+bool
+AreEqual(const itk::MedialVoxelSurfaceCell & a, const itk::MedialVoxelSurfaceCell & b)
+{
+  return a.index == b.index && a.quads == b.quads && a.offset == b.offset && a.normal == b.normal &&
+         a.distance == b.distance && a.thickness == b.thickness;
+}
+} // namespace
+
+TEST(MedialVoxelSurfaceCells, AreThoseOfTheDefinition)
+{
+  std::size_t edges = 0;
+  for (unsigned int seed = 0; seed < 6; ++seed)
+  {
+    const Volume boxes = RandomBoxes({ { 22, 17, 15 } }, UnitSpacing, 14, 500 + seed);
+    for (const double tau : { 1.3, 3.0, 6.1 })
+    {
+      ExpectDefinition(boxes, tau);
+      edges += CrossedEdges(boxes, tau).size();
+    }
+  }
+  EXPECT_GT(edges, 2000u);
+  ExpectDefinition(RandomVolume({ { 16, 15, 14 } }, UnitSpacing, 0.7, 511), 3.0);
+  ExpectDefinition(SphericalShell({ { 24, 24, 24 } }, { { 11.4, 11.7, 11.5 } }, 8.0, 3.0), 3.0);
+  ExpectDefinition(LatticeOfHoles({ { 14, 14, 14 } }, UnitSpacing, 5), 2.0);
+}
+
+TEST(MedialVoxelSurfaceCells, AreThoseOfTheDefinitionForUnequalSpacing)
+{
+  for (const Vector3 & spacing : { Vector3{ { 0.5, 0.75, 1.5 } }, Vector3{ { 1.1, 0.3, 1.0 } } })
+  {
+    const Volume boxes = RandomBoxes({ { 22, 17, 15 } }, spacing, 14, 521);
+    ExpectDefinition(boxes, 1.7);
+    ExpectDefinition(boxes, 3.3);
+  }
+}
+
+TEST(MedialVoxelSurfaceCells, PathsAsLongAsTheThresholdReachIt)
+{
+  const double tau = ThicknessForEpsilon(2.0);
+  ASSERT_GT(tau, 0.0);
+  ExpectDefinition(RandomBoxes({ { 12, 11, 10 } }, UnitSpacing, 10, 531), tau, PathSums::Exact);
+}
+
+TEST(MedialVoxelSurfaceCells, DoNotDependOnTheTiles)
+{
+  const Volume volume = RandomBoxes({ { 70, 25, 21 } }, { { 1.0, 1.2, 0.8 } }, 25, 541);
+  const auto   whole = CellsOf(volume, 3.0, volume.size);
+  ASSERT_GT(whole.size(), 500u);
+  for (const Index3 & tileSize : { Index3{ { 70, 25, 1 } }, Index3{ { 7, 5, 3 } }, Index3{ { 64, 8, 8 } } })
+  {
+    const auto parts = CellsOf(volume, 3.0, tileSize);
+    ASSERT_EQ(parts.size(), whole.size());
+    EXPECT_TRUE(std::equal(parts.begin(), parts.end(), whole.begin(), AreEqual));
+  }
+}
+
+TEST(MedialVoxelSurfaceCells, AskForTheSitesThatAnEdgeNeeds)
+{
+  // The paths around the end of a wall leave the tile.
+  const Volume volume =
+    MakeVolume({ { 40, 20, 20 } }, UnitSpacing, [](const Index3 & v) { return v[0] < 24 && v[2] > 5 && v[2] < 14; });
+  const itk::MedialVoxelBox                whole = GridOf(volume).GetVoxelBox();
+  const itk::MedialVoxelBox                tile = MakeBox({ { 16, 8, 8 } }, { { 20, 12, 12 } });
+  std::vector<itk::MedialVoxelSurfaceCell> expected;
+  ASSERT_TRUE(FindSurfaceCells(volume, 8.0, tile, whole, expected).IsEmpty());
+  ASSERT_FALSE(expected.empty());
+
+  itk::MedialVoxelBox                      known = tile;
+  std::vector<itk::MedialVoxelSurfaceCell> cells;
+  const itk::MedialVoxelBox                missing = FindSurfaceCells(volume, 8.0, tile, known, cells);
+  ASSERT_FALSE(missing.IsEmpty());
+  EXPECT_TRUE(whole.Contains(missing));
+  EXPECT_FALSE(known.Contains(missing));
+  known = known.Union(missing);
+  EXPECT_TRUE(FindSurfaceCells(volume, 8.0, tile, known, cells).IsEmpty());
+  ASSERT_EQ(cells.size(), expected.size());
+  EXPECT_TRUE(std::equal(cells.begin(), cells.end(), expected.begin(), AreEqual));
+}
+
+TEST(MedialVoxelSurfaceCells, VolumesWithoutSurfaceHaveNone)
+{
+  EXPECT_TRUE(CellsOf(Volume({ { 9, 8, 7 } }, UnitSpacing), 3.0, { { 9, 8, 7 } }).empty());
+  const auto full = MakeVolume({ { 9, 8, 7 } }, UnitSpacing, [](const Index3 &) { return true; });
+  EXPECT_TRUE(CellsOf(full, 3.0, full.size).empty());
+  EXPECT_TRUE(CellsOf(AxisPlate({ { 20, 20, 1 } }, UnitSpacing, 0, 6, 5), 3.0, { { 20, 20, 1 } }).empty());
+  EXPECT_TRUE(CellsOf(AxisPlate({ { 20, 1, 20 } }, UnitSpacing, 0, 6, 5), 3.0, { { 20, 1, 20 } }).empty());
+  const auto one = MakeVolume({ { 1, 1, 1 } }, UnitSpacing, [](const Index3 &) { return true; });
+  EXPECT_TRUE(CellsOf(one, 3.0, one.size).empty());
+}
+
+TEST(MedialVoxelSurfaceCells, ThicknessIsThatOfTheWall)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int thickness = 1; thickness <= 8; ++thickness)
+    {
+      const Vector3 spacing{ { 0.5, 0.75, 1.5 } };
+      const Volume  volume = AxisPlate({ { 16, 16, 16 } }, spacing, axis, 4, thickness);
+      const auto    cells = CellsOf(volume, 1.5, volume.size);
+      EXPECT_EQ(cells.size(), 15u * 15u);
+      for (const auto & cell : cells)
+      {
+        EXPECT_NEAR(cell.thickness, thickness * spacing[axis], 1e-6);
+      }
+    }
+  }
+}

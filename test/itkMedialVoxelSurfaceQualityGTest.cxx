@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "MedialVoxelTestPhantoms.h"
+#include "MedialVoxelTestSurface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+using namespace MedialVoxelTest;
+
+constexpr double Goal = 0.06;          // mean distance to the true mid-surface, in voxels
+constexpr double SmallestAngle99 = 26; // of which only one triangle in a hundred has less, in degrees
+
+bool
+Nowhere(const Vector3 &)
+{
+  return false;
+}
+
+bool
+Everywhere(const Vector3 &)
+{
+  return true;
+}
+
+/** The axes of a plate that is turned about all axes of the image. */
+struct Frame
+{
+  Vector3                center;
+  std::array<Vector3, 3> axes{
+    { { { 0.6544, -0.5868, 0.4769 } }, { { 0.7469, 0.6255, -0.2255 } }, { { -0.1660, 0.5038, 0.8477 } } }
+  };
+
+  Vector3
+  ToLocal(const Vector3 & point) const
+  {
+    const Vector3 r{ { point[0] - center[0], point[1] - center[1], point[2] - center[2] } };
+    return { { Dot(axes[0], r), Dot(axes[1], r), Dot(axes[2], r) } };
+  }
+
+  Vector3
+  ToLocal(const Index3 & voxel) const
+  {
+    return this->ToLocal(Vector3{ { double(voxel[0]), double(voxel[1]), double(voxel[2]) } });
+  }
+};
+
+constexpr double HalfWidth = 22.0;
+constexpr double HalfThickness = 2.0;
+const Frame      Turned{ { { 32.6, 32.8, 32.3 } } };
+const Index3     TurnedSize{ { 66, 66, 66 } };
+
+/** A square plate 4 voxels thick. */
+Volume
+TurnedPlate()
+{
+  return MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
+    const Vector3 p = Turned.ToLocal(v);
+    return std::max(std::abs(p[0]), std::abs(p[1])) <= HalfWidth && std::abs(p[2]) <= HalfThickness;
+  });
+}
+
+/** The sheet begins half a thickness from the sides of the plate; within three voxels of that it may end. */
+bool
+IsRimOfPlate(const Vector3 & point)
+{
+  const Vector3 p = Turned.ToLocal(point);
+  return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - HalfThickness - 3.0;
+}
+
+double
+DistanceToPlate(const Vector3 & point)
+{
+  return std::abs(Turned.ToLocal(point)[2]);
+}
+
+/** A rib as thick as the plate it stands on. */
+Volume
+TurnedTee()
+{
+  return MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
+    const Vector3 p = Turned.ToLocal(v);
+    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= HalfThickness;
+    const bool    inRib = std::abs(p[0]) <= HalfThickness && p[2] >= -8.0 && p[2] <= 18.0;
+    return std::abs(p[1]) <= HalfWidth && (inPlate || inRib);
+  });
+}
+
+double
+DistanceToTeeAxis(const Vector3 & point)
+{
+  const Vector3 p = Turned.ToLocal(point);
+  return std::hypot(p[0], p[2] + 8.0);
+}
+
+bool
+IsJunctionOfTee(const Vector3 & point)
+{
+  return DistanceToTeeAxis(point) < 3.0;
+}
+
+bool
+IsRimOfTee(const Vector3 & point)
+{
+  const Vector3 p = Turned.ToLocal(point);
+  return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - HalfThickness - 3.0 ||
+         p[2] > 18.0 - HalfThickness - 3.0;
+}
+
+double
+DistanceToTee(const Vector3 & point)
+{
+  const Vector3 p = Turned.ToLocal(point);
+  const double  toPlate = std::abs(p[2] + 8.0);
+  return p[2] > -8.0 ? std::min(toPlate, std::abs(p[0])) : toPlate;
+}
+
+constexpr Vector3 ShellCenter{ { 29.4, 29.7, 29.5 } };
+
+double
+DistanceToShell(const Vector3 & point)
+{
+  const Vector3 r{ { point[0] - ShellCenter[0], point[1] - ShellCenter[1], point[2] - ShellCenter[2] } };
+  return std::abs(std::sqrt(Dot(r, r)) - 24.0);
+}
+
+/** The gyroid function for a period of 64 voxels. */
+double
+Gyroid(const Vector3 & p)
+{
+  constexpr double k = 2.0 * 3.14159265358979323846 / 64.0;
+  return std::sin(k * p[0]) * std::cos(k * p[1]) + std::sin(k * p[1]) * std::cos(k * p[2]) +
+         std::sin(k * p[2]) * std::cos(k * p[0]);
+}
+
+double
+DistanceToGyroid(const Vector3 & p)
+{
+  constexpr double step = 1e-4;
+  Vector3          gradient;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Vector3 lower = p;
+    Vector3 upper = p;
+    lower[axis] -= step;
+    upper[axis] += step;
+    gradient[axis] = (Gyroid(upper) - Gyroid(lower)) / (2.0 * step);
+  }
+  return std::abs(Gyroid(p)) / std::sqrt(Dot(gradient, gradient));
+}
+
+/** Every tenth voxel next to the surface, on both sides, inverted. */
+Volume
+Flipped(const Volume & volume, unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  return MakeVolume(volume.size, volume.spacing, [&](const Index3 & v) {
+    bool isNext = false;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (int by = -1; by <= 1; by += 2)
+      {
+        Index3 other = v;
+        other[axis] += by;
+        isNext = isNext || (volume.Contains(other) && volume.IsObject(other) != volume.IsObject(v));
+      }
+    }
+    return volume.IsObject(v) != (isNext && generator() < 429496730u);
+  });
+}
+
+void
+ExpectGoodTriangles(const SurfaceQuality & quality)
+{
+  EXPECT_GE(quality.AngleOfOneInHundred(), SmallestAngle99);
+}
+} // namespace
+
+TEST(MedialVoxelSurfaceQuality, AShellIsOneClosedSurface)
+{
+  const Surface surface = MakeSurface(SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0), 3.0);
+  const auto    quality = MeasureQuality(surface, Nowhere, Nowhere);
+  EXPECT_EQ(quality.boundarySides, 0u);
+  EXPECT_EQ(quality.nonManifoldSides, 0u);
+  EXPECT_EQ(quality.pieces, 1u);
+  // Euler characteristic of a sphere.
+  EXPECT_EQ(surface.vertices.size() + surface.quads.size(), CountSides(surface).size() + 2);
+  EXPECT_LE(MeanDistance(surface, DistanceToShell, Everywhere), Goal);
+  ExpectGoodTriangles(quality);
+
+  double area = 0.0;
+  for (const auto & quad : surface.quads)
+  {
+    area += quad.GetArea();
+  }
+  const double sphere = 4.0 * 3.14159265358979323846 * 24.0 * 24.0;
+  EXPECT_NEAR(area, sphere, 0.02 * sphere);
+}
+
+TEST(MedialVoxelSurfaceQuality, APlateEndsAtItsRimAlone)
+{
+  const Surface surface = MakeSurface(TurnedPlate(), 5.0);
+  const auto    quality = MeasureQuality(surface, IsRimOfPlate, Nowhere);
+  EXPECT_EQ(quality.boundarySides, 0u);
+  EXPECT_EQ(quality.nonManifoldSides, 0u);
+  EXPECT_EQ(quality.pieces, 1u);
+  EXPECT_LE(MeanDistance(surface, DistanceToPlate, Everywhere), Goal);
+  ExpectGoodTriangles(quality);
+}
+
+TEST(MedialVoxelSurfaceQuality, SheetsMeetAtAJunctionAlone)
+{
+  const Surface surface = MakeSurface(TurnedTee(), 5.0);
+  const auto    quality = MeasureQuality(surface, IsRimOfTee, IsJunctionOfTee);
+  EXPECT_EQ(quality.boundarySides, 0u);
+  EXPECT_EQ(quality.nonManifoldSides, 0u);
+  EXPECT_EQ(quality.pieces, 1u);
+  ExpectGoodTriangles(quality);
+  // At the junction the medial surface leaves the planes of the walls.
+  const auto isAway = [](const Vector3 & point) { return DistanceToTeeAxis(point) > 2.0 * HalfThickness; };
+  EXPECT_LE(MeanDistance(surface, DistanceToTee, isAway), Goal);
+  EXPECT_LE(MeanDistance(surface, DistanceToTee, Everywhere), 0.08);
+  std::size_t junctions = 0;
+  for (const auto & quad : surface.quads)
+  {
+    junctions += quad.junctionSides != 0 ? 1 : 0;
+  }
+  EXPECT_GT(junctions, static_cast<std::size_t>(2.0 * HalfWidth)) << "the line of the junction has gaps";
+}
+
+TEST(MedialVoxelSurfaceQuality, AGyroidEndsAtTheFacesOfTheImageAlone)
+{
+  constexpr int size = 84;
+  const Volume  volume = MakeVolume({ { size, size, size } }, UnitSpacing, [](const Index3 & v) {
+    return std::abs(Gyroid({ { double(v[0]), double(v[1]), double(v[2]) } })) < 0.4;
+  });
+  const auto    isAtFace = [](const Vector3 & point) {
+    return std::any_of(point.begin(), point.end(), [](double c) { return c < 3.0 || c > size - 4.0; });
+  };
+  const Surface surface = MakeSurface(volume, 3.0);
+  const auto    quality = MeasureQuality(surface, isAtFace, Nowhere);
+  EXPECT_EQ(quality.boundarySides, 0u);
+  EXPECT_EQ(quality.nonManifoldSides, 0u);
+  EXPECT_LE(MeanDistance(surface, DistanceToGyroid, Everywhere), Goal);
+  ExpectGoodTriangles(quality);
+}
+
+TEST(MedialVoxelSurfaceQuality, NoiseMakesNoHoles)
+{
+  const Volume  shell = SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0);
+  const Surface noisyShell = MakeSurface(Flipped(shell, 1), 5.0);
+  EXPECT_EQ(MeasureQuality(noisyShell, Nowhere, Everywhere).boundarySides, 0u);
+  EXPECT_LE(MeanDistance(noisyShell, DistanceToShell, Everywhere), 0.15);
+
+  const Surface noisyPlate = MakeSurface(Flipped(TurnedPlate(), 2), 5.0);
+  EXPECT_EQ(MeasureQuality(noisyPlate, IsRimOfPlate, Everywhere).boundarySides, 0u);
+  EXPECT_LE(MeanDistance(noisyPlate, DistanceToPlate, Everywhere), 0.15);
+}
+
+TEST(MedialVoxelSurfaceQuality, UnequalSpacingIsMeasuredInItsUnits)
+{
+  const Vector3 spacing{ { 0.4, 0.5, 0.7 } };
+  const Vector3 center{ { 14.1, 14.3, 14.2 } };
+  const auto    distance = [&](const Vector3 & point) {
+    const Vector3 r{ { point[0] - center[0], point[1] - center[1], point[2] - center[2] } };
+    return std::abs(std::sqrt(Dot(r, r)) - 11.0);
+  };
+  const Volume  volume = MakeVolume({ { 72, 58, 42 } }, spacing, [&](const Index3 & v) {
+    return distance({ { v[0] * spacing[0], v[1] * spacing[1], v[2] * spacing[2] } }) <= 1.0;
+  });
+  const Surface surface = MakeSurface(volume, 1.5);
+  const auto    quality = MeasureQuality(surface, Nowhere, Nowhere);
+  EXPECT_EQ(quality.boundarySides, 0u);
+  EXPECT_EQ(quality.nonManifoldSides, 0u);
+  EXPECT_EQ(quality.pieces, 1u);
+  EXPECT_LE(MeanDistance(surface, distance, Everywhere), Goal * (spacing[0] + spacing[1] + spacing[2]) / 3.0);
+  double thickness = 0.0;
+  for (const auto & vertex : surface.vertices)
+  {
+    thickness += vertex.thickness / static_cast<double>(surface.vertices.size());
+  }
+  EXPECT_NEAR(thickness, 2.0, 0.2 * spacing[1]);
+}
