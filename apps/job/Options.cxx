@@ -101,6 +101,10 @@ CheckOptions(const ExtractOptions & options)
 {
   CheckJobOptions(options);
   CheckPositive("thickness", options.thickness, false);
+  if (options.sectionWidth)
+  {
+    CheckPositive("the width of sections", *options.sectionWidth, false);
+  }
 }
 
 void

@@ -53,6 +53,7 @@ struct ExtractOptions : JobOptions
   std::string                         meshFile;               ///< medial surface; then the labels may be empty too
   bool                                meshTriangles{ false }; ///< split its quadrilaterals
   std::uint64_t                       smallestPiece{ 0 };     ///< quadrilaterals of pieces that stay in the mesh
+  std::optional<double>               sectionWidth; ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 
 /** Vector and signed distances. */

@@ -88,7 +88,8 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   : m_Format(GetSurfaceFormat(options.meshFile))
   , m_AsTriangles(options.meshTriangles)
   , m_SmallestPiece(options.smallestPiece)
-  , m_SmallestSpacing(*std::min_element(geometry.spacing.begin(), geometry.spacing.end()))
+  , m_SectionWidth(
+      options.sectionWidth.value_or(0.25 * *std::min_element(geometry.spacing.begin(), geometry.spacing.end())))
   , m_ScratchFolder(GetScratchFolder(options))
   , m_Spool(m_ScratchFolder)
   , m_Observer(grid, GetParameters(options), GetSpacing(geometry), GetPlacement(geometry), *this)
@@ -101,7 +102,7 @@ SurfaceMesh::Write(OutputFile & file, const std::function<void(double)> & progre
 {
   m_Observer.Finish();
   SurfaceWriteOptions options;
-  options.thicknessClassWidth = 0.25 * m_SmallestSpacing;
+  options.thicknessClassWidth = m_SectionWidth;
   options.progress = progress;
   if (m_SmallestPiece <= 1)
   {

@@ -68,7 +68,7 @@ private:
   SurfaceFormat                   m_Format;
   bool                            m_AsTriangles;
   std::uint64_t                   m_SmallestPiece;
-  double                          m_SmallestSpacing;
+  double                          m_SectionWidth;
   std::filesystem::path           m_ScratchFolder;
   SurfaceSpool                    m_Spool;
   itk::MedialVoxelSurfacePieces   m_Pieces;

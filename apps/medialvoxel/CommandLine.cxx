@@ -298,6 +298,9 @@ DefineMesh(CommandLine & line)
   AddText(app, "--smallest-piece", "Fewest quadrilaterals of a piece that stays", "N", [&](const std::string & text) {
     options.smallestPiece = ToCount(text, 0, LargestCount);
   })->group(group);
+  AddText(app, "--section-width", "Thickness that sections of .inp and .bdf span", "W", [&](const std::string & text) {
+    options.sectionWidth = ToDouble(text);
+  })->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group("Further outputs");
   AddRunOptions(line, app, options);
   AddRawOptions(line, app, options);
