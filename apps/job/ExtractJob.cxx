@@ -73,7 +73,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   const bool withObjectVectors =
     !options.vectorFile.empty() && options.vectorBoundary == itk::MedialVoxelBoundary::Object;
   auto settings = itk::MedialVoxelClusterEngine::Settings::ForClassification(
-    footprint.grid, itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness), withObjectVectors);
+    footprint.grid, GetParameters(options, footprint.grid), withObjectVectors);
   const SurveySettings survey = GetSurveySettings(options);
   if (survey.thickness || survey.picture)
   {
