@@ -70,6 +70,23 @@ public:
   using OutputMeshType = TOutputMesh;
   static_assert(InputImageType::ImageDimension == 3 && OutputMeshType::PointDimension == 3, "Surfaces are in 3-D.");
 
+  using ThicknessModeEnum = MedialVoxelEnums::ThicknessMode;
+
+  /** Whether Thickness holds everywhere (Fixed, default) or the walls set it themselves (Automatic), within
+   * MinimumThickness and MaximumThickness, as in MedialVoxelImageFilter. */
+  void
+  SetThicknessMode(ThicknessModeEnum mode);
+  ThicknessModeEnum
+  GetThicknessMode() const;
+  void
+  SetMinimumThickness(double thickness);
+  double
+  GetMinimumThickness() const;
+  void
+  SetMaximumThickness(double thickness);
+  double
+  GetMaximumThickness() const;
+
   /** Thickness tau of the walls that are sheets, as in MedialVoxelImageFilter. Positive and finite; default 3. */
   void
   SetThickness(double thickness);
@@ -165,6 +182,10 @@ private:
 
   void
   RequestPiece(IndexValueType firstSlice);
+
+  /** Those of the label filter, which has checked them. */
+  MedialVoxelParameters
+  GetParameters(const MedialVoxelGrid & grid) const;
 
   static MedialVoxelSurfaceBuilder::Placement
   GetPlacement(const InputImageType & image);

@@ -176,6 +176,48 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::Change(TFunction && function)
 
 template <typename TInputImage, typename TOutputMesh>
 void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetThicknessMode(const ThicknessModeEnum mode)
+{
+  this->Change([=](LabelFilterType & filter) { filter.SetThicknessMode(mode); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+auto
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetThicknessMode() const -> ThicknessModeEnum
+{
+  return m_LabelFilter->GetThicknessMode();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetMinimumThickness(const double thickness)
+{
+  this->Change([=](LabelFilterType & filter) { filter.SetMinimumThickness(thickness); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+double
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetMinimumThickness() const
+{
+  return m_LabelFilter->GetMinimumThickness();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetMaximumThickness(const double thickness)
+{
+  this->Change([=](LabelFilterType & filter) { filter.SetMaximumThickness(thickness); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+double
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetMaximumThickness() const
+{
+  return m_LabelFilter->GetMaximumThickness();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetThickness(const double thickness)
 {
   this->Change([=](LabelFilterType & filter) { filter.SetThickness(thickness); });
@@ -300,6 +342,20 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSlicesPerPiece() const
 }
 
 template <typename TInputImage, typename TOutputMesh>
+MedialVoxelParameters
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetParameters(const MedialVoxelGrid & grid) const
+{
+  constexpr auto bound = MedialVoxelPseudoGeodesicBound::FreeSpace;
+  if (this->GetThicknessMode() == ThicknessModeEnum::Fixed)
+  {
+    return MedialVoxelParameters::ForThickness(this->GetThickness(), bound);
+  }
+  const auto limits =
+    MedialVoxelParameters::LimitsOfWalls(grid, this->GetMinimumThickness(), this->GetMaximumThickness());
+  return MedialVoxelParameters::ForWalls(limits.minimum, limits.maximum, bound);
+}
+
+template <typename TInputImage, typename TOutputMesh>
 MedialVoxelSurfaceBuilder::Placement
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetPlacement(const InputImageType & image)
 {
@@ -336,15 +392,13 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     size[axis] = static_cast<std::int64_t>(input.GetLargestPossibleRegion().GetSize(axis));
     spacing[axis] = input.GetSpacing()[axis];
   }
-  MedialVoxelParameters parameters;
-  parameters.epsilon = MedialVoxelParameters::EpsilonFromThickness(this->GetThickness());
   const MedialVoxelGrid        grid(size,
                              this->GetUseImageSpacing() ? spacing : MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } });
   MeshWriter                   writer(mesh, m_GenerateTriangles, m_MarkSides);
   PieceFilter                  pieces;
   const bool                   keepsAll = m_SmallestPiece <= 1;
   MedialVoxelSurfaceConsumer & consumer = keepsAll ? static_cast<MedialVoxelSurfaceConsumer &>(writer) : pieces;
-  MedialVoxelSurfaceObserver   observer(grid, parameters, spacing, GetPlacement(input), consumer);
+  MedialVoxelSurfaceObserver   observer(grid, this->GetParameters(grid), spacing, GetPlacement(input), consumer);
 
   m_LabelFilter->SetTileObserver(&observer);
   try

@@ -40,6 +40,11 @@ public:
   /** \a epsilon is the threshold in physical units, positive and finite. */
   MedialVoxelBoundedGeodesic(const MedialVoxelGrid & grid, double epsilon);
 
+  /** Box of all points on paths from \a a to \a b that are not longer than \a length, in the image. It holds both
+   * points whenever there may be such a path; their order does not matter. */
+  static MedialVoxelBox
+  SearchBoxOf(const MedialVoxelGrid & grid, const MedialVoxelIndex & a, const MedialVoxelIndex & b, double length);
+
   /** Voxels that ReachesThreshold() reads. */
   MedialVoxelBox
   GetSearchBox(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;

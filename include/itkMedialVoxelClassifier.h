@@ -3,7 +3,8 @@
 #ifndef itkMedialVoxelClassifier_h
 #define itkMedialVoxelClassifier_h
 
-#include "itkMedialVoxelDualCell.h"
+#include "itkMedialVoxelAutomaticClassifier.h"
+#include "itkMedialVoxelCellPairs.h"
 #include "itkMedialVoxelFeatureTransform.h"
 #include "itkMedialVoxelPairDecision.h"
 #include "itkMedialVoxelParameters.h"
@@ -36,7 +37,8 @@ struct MedialVoxelCellRow
  * \brief Labels the dual cells of one tile from the nearest boundary points of its voxels.
  *
  * Each candidate cell is decided by the first phase that can (Michikawa and Suzuki, Sec. 3.3): trivial pairs, the bound
- * of the parameters, the geodesic search. Cells are independent of each other.
+ * of the parameters, the geodesic search. Cells are independent of each other. With an automatic thickness each cell
+ * has a threshold of its own, see MedialVoxelLocalThreshold.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelClassifier
@@ -48,7 +50,8 @@ public:
    */
   struct Workspace
   {
-    MedialVoxelPairDecision::Workspace geodesic;
+    MedialVoxelPairDecision::Workspace        geodesic;
+    MedialVoxelAutomaticClassifier::Workspace automatic;
 
     /** With keepsRows: the rows of the last tile that have candidates. */
     bool                            keepsRows{ false };
@@ -56,6 +59,10 @@ public:
   };
 
   MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+
+  /** Corners of the cells of \a tile. */
+  MedialVoxelBox
+  GetCornerBox(const MedialVoxelBox & tile) const;
 
   /** Voxels whose features the labels of \a tile depend on. */
   MedialVoxelBox
@@ -87,30 +94,53 @@ public:
                 const MedialVoxelIndex &    cell,
                 MedialVoxelWallPoints &     wall) const;
 
-private:
-  struct Diagonal;
-  struct Cells;
+  /** The thresholds that cells have with an automatic thickness. */
+  const MedialVoxelLocalThreshold &
+  GetThreshold() const
+  {
+    return m_Automatic.GetThreshold();
+  }
 
-  bool
-  ClassifyCells(const MedialVoxelWindow &   window,
-                const Cells &               cells,
+  /** Bytes of a workspace, beside those of each voxel of a tile and of the margin around it. */
+  static std::uint64_t
+  GetWorkspaceBytes(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+
+  /** Bytes of a workspace for each voxel of a tile and of the margin around it. */
+  static std::uint64_t
+  GetWorkspaceBytesPerVoxel(const MedialVoxelParameters & parameters);
+
+private:
+  MedialVoxelBox
+  ClassifyFixed(const MedialVoxelWindow &   window,
+                const MedialVoxelBox &      tile,
                 const MedialVoxelFeatures & features,
                 const MedialVoxelProgress & progress,
                 Workspace &                 workspace,
+                std::vector<std::uint8_t> & labels,
+                MedialVoxelCounts &         counts) const;
+
+  bool
+  ClassifyCells(const MedialVoxelWindow &   window,
+                const MedialVoxelCells &    cells,
+                const MedialVoxelFeatures & features,
+                const MedialVoxelProgress & progress,
+                Workspace &                 workspace,
+                std::uint8_t *              labels,
                 MedialVoxelCounts &         counts,
                 MedialVoxelBox &            missing) const;
 
-  MedialVoxelBits::WordType
-  SpreadCells(const Cells & cells) const;
+  void
+  KeepRows(const MedialVoxelWindow &         window,
+           const MedialVoxelBox &            tile,
+           const MedialVoxelFeatures &       features,
+           const std::vector<std::uint8_t> & labels,
+           std::vector<MedialVoxelCellRow> & rows) const;
 
-  bool
-  ChoosePair(const MedialVoxelFeatures & features, const Cells & cells, int x, Diagonal & widest) const;
-
-  MedialVoxelGrid         m_Grid;
-  MedialVoxelParameters   m_Parameters;
-  MedialVoxelDualCell     m_Cell;
-  MedialVoxelPairDecision m_Decision;
-  bool                    m_HasCornerRows;
+  MedialVoxelGrid                m_Grid;
+  MedialVoxelParameters          m_Parameters;
+  MedialVoxelCellPairs           m_Pairs;
+  MedialVoxelPairDecision        m_Decision;
+  MedialVoxelAutomaticClassifier m_Automatic;
 };
 
 } // end namespace itk

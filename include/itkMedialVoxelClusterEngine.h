@@ -4,6 +4,7 @@
 #define itkMedialVoxelClusterEngine_h
 
 #include "itkMedialVoxelClusterWindow.h"
+#include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelTileSchedule.h"
 
 #include <cstdint>
@@ -83,6 +84,9 @@ public:
     /** Voxels around the indices of a region, upwards, that belong to them. */
     MedialVoxelIndex upperMargin{ { 0, 0, 0 } };
 
+    /** Voxels around a tile, within the halo, that are worked on together with it. */
+    MedialVoxelIndex tileMargin{ { 0, 0, 0 } };
+
     /** Edge of the tiles; 0 chooses. */
     std::int64_t tileSize{ 0 };
 
@@ -100,9 +104,9 @@ public:
     std::uint64_t workerBytesPerVoxel{ 0 };
     std::uint64_t workerBytes{ 0 };
 
-    /** For the classification with a threshold, and for the nearest points of the object's border too if wanted. */
+    /** For the classification, and for the nearest points of the object's border too if wanted. */
     static Settings
-    ForClassification(const MedialVoxelGrid & grid, double epsilon, bool withObjectBoundary);
+    ForClassification(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters, bool withObjectBoundary);
 
     /** For the nearest points of one boundary. */
     static Settings

@@ -54,11 +54,24 @@ public:
     Outside = 1,
     Both = 2
   };
+
+  /** \class ThicknessMode
+   * \ingroup MedialVoxel
+   * Where the threshold on the geodesic distance comes from.
+   *
+   * Fixed: one thickness for the whole image (Michikawa and Suzuki, Eq. 1).
+   * Automatic: at each cell from the largest inscribed ball that covers it. */
+  enum class ThicknessMode : std::uint8_t
+  {
+    Fixed = 0,
+    Automatic = 1
+  };
 };
 
 using MedialVoxelPseudoGeodesicBound = MedialVoxelEnums::PseudoGeodesicBound;
 using MedialVoxelBoundary = MedialVoxelEnums::Boundary;
 using MedialVoxelRegion = MedialVoxelEnums::Region;
+using MedialVoxelThicknessMode = MedialVoxelEnums::ThicknessMode;
 
 /** Print the name of an enumerator. */
 extern MedialVoxel_EXPORT std::ostream &
@@ -67,6 +80,8 @@ extern MedialVoxel_EXPORT std::ostream &
                           operator<<(std::ostream & out, MedialVoxelEnums::Boundary value);
 extern MedialVoxel_EXPORT std::ostream &
                           operator<<(std::ostream & out, MedialVoxelEnums::Region value);
+extern MedialVoxel_EXPORT std::ostream &
+                          operator<<(std::ostream & out, MedialVoxelEnums::ThicknessMode value);
 
 } // end namespace itk
 

@@ -42,6 +42,17 @@ namespace itk
  *
  * The filter streams: any requested region gives the same labels as the whole image, for any number of threads.
  *
+ * \par Automatic thickness
+ * One thickness does not fit a part with thin and thick walls: a small one leaves branches in the thick walls, a large
+ * one shortens the sheets of thin ones. With ThicknessMode Automatic each cell p has a threshold of its own,
+ * epsilon(p) = max(pi MinimumThickness / 2, 3 min(LT(p), MaximumThickness / 2)). LT(p) is the radius of the largest
+ * inscribed ball that covers p. Balls are centered at cells whose pair is neither equal nor adjacent, with the radius
+ * d(p) = (|N(vi) - p| + |N(vj) - p|) / 2; that of p itself counts whatever its size, others up to MaximumThickness / 2
+ * and if |q - p| <= d(q). Only the threshold differs: the cell is medial when the geodesic distance of its pair is at
+ * least epsilon(p), with label 2 where the bound says so. MedialVoxelLocalThreshold states the arithmetic. Results do
+ * not depend on tiles, threads or requested regions here either; a larger MinimumThickness or MaximumThickness never
+ * adds medial cells.
+ *
  * \par Vectors
  * GenerateVectorDistanceOn() adds a second output, GetVectorDistanceOutput(): at object voxels the displacement to the
  * nearest boundary voxel, zero elsewhere, NaN at object voxels of an image that has no boundary. The geometry of this
@@ -96,16 +107,38 @@ public:
 
   using ThicknessImageType = Image<float, ImageDimension>;
 
+  using ThicknessModeEnum = MedialVoxelEnums::ThicknessMode;
   using PseudoGeodesicBoundEnum = MedialVoxelEnums::PseudoGeodesicBound;
   using BoundaryEnum = MedialVoxelEnums::Boundary;
+
+  /** Where the threshold on the geodesic distance comes from: Fixed (default), the same for all cells from Thickness,
+   * or Automatic, for each cell from the wall that it is in. See "Automatic thickness" above. */
+  itkSetEnumMacro(ThicknessMode, ThicknessModeEnum);
+  itkGetEnumMacro(ThicknessMode, ThicknessModeEnum);
 
   /** Thickness tau of the walls that are sheets, which sets the threshold epsilon = pi tau / 2 on the geodesic
    * distance.
    *
    * In physical units when UseImageSpacing is on, otherwise in voxels. Positive and finite; default 3. A larger value
-   * removes branches and shrinks the sheet at its rims. */
+   * removes branches and shrinks the sheet at its rims. Used when ThicknessMode is Fixed. */
   itkSetMacro(Thickness, double);
   itkGetConstMacro(Thickness, double);
+
+  /** Smallest thickness that sets a threshold when ThicknessMode is Automatic: walls that are thinner get that of
+   * this thickness. A smaller value keeps more of thin walls in noise, and more of their branches.
+   *
+   * In the units of Thickness, positive and finite, or 0 (default) for 3 voxels, by the smallest spacing of the axes
+   * longer than 1. */
+  itkSetMacro(MinimumThickness, double);
+  itkGetConstMacro(MinimumThickness, double);
+
+  /** Largest thickness of a wall that is meant to be a sheet when ThicknessMode is Automatic. Thicker parts show the
+   * branches towards their edges too. Time and memory grow with it.
+   *
+   * In the units of Thickness, finite and not smaller than MinimumThickness, or 0 (default) for 16 voxels, by the
+   * smallest spacing of the axes longer than 1. */
+  itkSetMacro(MaximumThickness, double);
+  itkGetConstMacro(MaximumThickness, double);
 
   /** Bound that decides cells without a search. Default FreeSpace. */
   itkSetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
@@ -232,7 +265,13 @@ private:
   void
   ClearTile(TImage & image, const MedialVoxelBox & tile) const;
 
+  MedialVoxelParameters
+  GetParameters(const MedialVoxelGrid & grid) const;
+
+  ThicknessModeEnum       m_ThicknessMode{ ThicknessModeEnum::Fixed };
   double                  m_Thickness{ 3.0 };
+  double                  m_MinimumThickness{ 0.0 };
+  double                  m_MaximumThickness{ 0.0 };
   PseudoGeodesicBoundEnum m_PseudoGeodesicBound{ PseudoGeodesicBoundEnum::FreeSpace };
   bool                    m_GenerateVectorDistance{ false };
   BoundaryEnum            m_VectorDistanceBoundary{ BoundaryEnum::Object };

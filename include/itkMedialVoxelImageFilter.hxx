@@ -109,6 +109,14 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("Thickness is " << m_Thickness << "; it must be positive and finite.");
   }
+  if (!(m_MinimumThickness >= 0.0) || !std::isfinite(m_MinimumThickness))
+  {
+    itkExceptionMacro("MinimumThickness is " << m_MinimumThickness << "; it must not be negative, and finite.");
+  }
+  if (!(m_MaximumThickness >= 0.0) || !std::isfinite(m_MaximumThickness))
+  {
+    itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must not be negative, and finite.");
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -122,7 +130,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   {
     return;
   }
-  const MedialVoxelGrid                         grid = this->GetGrid();
+  const MedialVoxelGrid grid = this->GetGrid();
+  this->GetParameters(grid);
   typename TInputImage::SpacingType::VectorType shift;
   for (unsigned int axis = 0; axis < ImageDimension; ++axis)
   {
@@ -141,7 +150,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const Media
 {
   auto settings = MedialVoxelClusterEngine::Settings::ForClassification(
     grid,
-    MedialVoxelParameters::EpsilonFromThickness(m_Thickness),
+    this->GetParameters(grid),
     m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object);
   if (this->KeepsRows())
   {
@@ -151,14 +160,28 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const Media
 }
 
 template <typename TInputImage, typename TOutputImage>
+MedialVoxelParameters
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetParameters(const MedialVoxelGrid & grid) const
+{
+  if (m_ThicknessMode == ThicknessModeEnum::Fixed)
+  {
+    return MedialVoxelParameters::ForThickness(m_Thickness, m_PseudoGeodesicBound);
+  }
+  const auto limits = MedialVoxelParameters::LimitsOfWalls(grid, m_MinimumThickness, m_MaximumThickness);
+  if (limits.minimum > limits.maximum)
+  {
+    itkExceptionMacro("MinimumThickness is " << limits.minimum << "; it must not be larger than MaximumThickness, "
+                                             << limits.maximum << '.');
+  }
+  return MedialVoxelParameters::ForWalls(limits.minimum, limits.maximum, m_PseudoGeodesicBound);
+}
+
+template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::BeforeTiles(const MedialVoxelGrid & grid)
 {
-  MedialVoxelParameters parameters;
-  parameters.epsilon = MedialVoxelParameters::EpsilonFromThickness(m_Thickness);
-  parameters.bound = m_PseudoGeodesicBound;
   m_Transform = std::make_unique<const MedialVoxelFeatureTransform>(grid);
-  m_Classifier = std::make_unique<const MedialVoxelClassifier>(grid, parameters);
+  m_Classifier = std::make_unique<const MedialVoxelClassifier>(grid, this->GetParameters(grid));
   m_ThicknessKernel = std::make_unique<const MedialVoxelThickness>(grid);
   if (m_TileObserver != nullptr)
   {
@@ -190,7 +213,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
   const bool withObjectVectors = m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object;
   const MedialVoxelWindow window = clusterWindow.GetWindow(MedialVoxelBoundary::Background);
 
-  if (!window.object->Any(m_Classifier->GetVoxelBox(tile)))
+  if (!window.object->Any(m_Classifier->GetCornerBox(tile)))
   {
     this->WriteEmptyTile(tile);
     // Objects of the neighboring tiles have their boundary here.
@@ -355,7 +378,10 @@ void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
+  os << indent << "ThicknessMode: " << m_ThicknessMode << std::endl;
   os << indent << "Thickness: " << m_Thickness << std::endl;
+  os << indent << "MinimumThickness: " << m_MinimumThickness << std::endl;
+  os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
   os << indent << "PseudoGeodesicBound: " << m_PseudoGeodesicBound << std::endl;
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;

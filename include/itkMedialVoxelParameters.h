@@ -4,6 +4,7 @@
 #define itkMedialVoxelParameters_h
 
 #include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelGrid.h"
 
 #include "MedialVoxelExport.h"
 
@@ -27,10 +28,46 @@ constexpr std::uint8_t MedialByGeodesic = 3;
  */
 struct MedialVoxel_EXPORT MedialVoxelParameters
 {
-  /** Threshold on the geodesic distance; a cell is medial when its distance is not below it. */
+  /** Threshold on the geodesic distance; a cell is medial when its distance is not below it. With an automatic
+   * thickness: the smallest one. */
   double epsilon{ 0.0 };
 
   MedialVoxelPseudoGeodesicBound bound{ MedialVoxelPseudoGeodesicBound::FreeSpace };
+
+  MedialVoxelThicknessMode mode{ MedialVoxelThicknessMode::Fixed };
+
+  /** For an automatic thickness: the threshold is this many times the radius of the largest ball that covers the cell,
+   * where balls larger than \a largestRadius count as that. */
+  double thicknessFactor{ ThicknessFactor };
+  double largestRadius{ 0.0 };
+
+  /** Between pi, which is Eq. 1 with the thickness of the wall, and 2.3, which an edge of a plate stays below on the
+   * grid. */
+  static constexpr double ThicknessFactor = 3.0;
+
+  /** One \a thickness everywhere. */
+  static MedialVoxelParameters
+  ForThickness(double thickness, MedialVoxelPseudoGeodesicBound bound);
+
+  /** Thickness of the thinnest and thickest walls that set their own threshold. */
+  struct Limits
+  {
+    double minimum;
+    double maximum;
+  };
+
+  /** The limits of the user, in the units of the spacing; where they are 0: 3 and 16 voxels of the smallest spacing of
+   * the axes longer than 1. */
+  static Limits
+  LimitsOfWalls(const MedialVoxelGrid & grid, double minimum, double maximum);
+
+  /** The thickness of the walls themselves, from \a minimum on; walls up to \a maximum are to be sheets. */
+  static MedialVoxelParameters
+  ForWalls(double minimum, double maximum, MedialVoxelPseudoGeodesicBound bound);
+
+  /** The largest threshold that a cell can have. */
+  double
+  GetLargestEpsilon() const;
 
   /** epsilon = pi * thickness / 2 (Michikawa and Suzuki, Eq. 1). */
   static double

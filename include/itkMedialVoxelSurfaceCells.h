@@ -3,7 +3,7 @@
 #ifndef itkMedialVoxelSurfaceCells_h
 #define itkMedialVoxelSurfaceCells_h
 
-#include "itkMedialVoxelPairDecision.h"
+#include "itkMedialVoxelSurfaceCrossings.h"
 #include "itkMedialVoxelSurfaceTopology.h"
 #include "itkMedialVoxelThickness.h"
 #include "itkMedialVoxelTileObserver.h"
@@ -32,9 +32,7 @@ struct MedialVoxelSurfaceCell
 /** \class MedialVoxelSurfaceCells
  * \brief Finds the vertices and quadrilaterals of the medial surface at the cells of a tile.
  *
- * An edge of the voxel grid between neighbors v and w of which at least one is object is crossed when N(v) and N(w)
- * are at least epsilon apart along the boundary, with epsilon the largest one of the cells around the edge; where N is
- * not known there is no crossing. Each crossed edge with four cells around it has a quadrilateral, and every cell of a
+ * Each crossed edge of MedialVoxelSurfaceCrossings with four cells around it has a quadrilateral, and every cell of a
  * quadrilateral one vertex: the MedialVoxelSurfaceFit of the pairs N(v), N(w) of its crossed edges. All follows from
  * the voxels of the cell alone, so that tiles agree on what they share.
  *
@@ -53,11 +51,8 @@ public:
    */
   struct Workspace
   {
-    std::vector<MedialVoxelSurfaceTopology::EdgeMask> crossed;
+    MedialVoxelSurfaceCrossings::Workspace crossings;
   };
-
-  /** Bytes of a workspace for each voxel of a tile, beside what the surface takes. */
-  static constexpr std::uint64_t BytesPerVoxel = sizeof(MedialVoxelSurfaceTopology::EdgeMask);
 
   /** \param grid        the image in the units in which its cells are classified
    *  \param parameters  those of the classification; whatever the bound, the surface is that of the geodesic distance
@@ -76,37 +71,21 @@ public:
        std::vector<MedialVoxelSurfaceCell> & cells) const;
 
 private:
-  struct Tile;
-  struct Row;
-
-  MedialVoxelBox
-  FindCrossedEdges(const Tile & tile) const;
-
-  void
-  FindCrossedEdgesOfRow(const Tile & tile, const Row & row, MedialVoxelBox & missing) const;
-
-  bool
-  IsCrossed(const Tile & tile, const MedialVoxelPair & pair, MedialVoxelBox & missing) const;
-
-  void
-  MarkCells(const Tile & tile, const MedialVoxelIndex & voxel, unsigned int axis) const;
-
   MedialVoxelSurfaceTopology::EdgeMask
   GetPossibleQuads(const MedialVoxelIndex & cell) const;
 
   MedialVoxelSurfaceCell
-  MakeCell(const Tile &                         tile,
+  MakeCell(const MedialVoxelClassifiedTile &    tile,
            const MedialVoxelIndex &             index,
            MedialVoxelSurfaceTopology::EdgeMask crossed,
            bool                                 isMedial) const;
 
-  MedialVoxelGrid         m_Grid;
-  MedialVoxelParameters   m_Parameters;
-  MedialVoxelDualCell     m_Cell;
-  MedialVoxelPairDecision m_Decision;
-  MedialVoxelGrid         m_PhysicalGrid;
-  MedialVoxelThickness    m_Thickness;
-  bool                    m_IsSolid;
+  MedialVoxelGrid             m_Grid;
+  MedialVoxelDualCell         m_Cell;
+  MedialVoxelSurfaceCrossings m_Crossings;
+  MedialVoxelGrid             m_PhysicalGrid;
+  MedialVoxelThickness        m_Thickness;
+  bool                        m_IsSolid;
 };
 
 } // end namespace itk

@@ -36,9 +36,9 @@ public:
 class MedialVoxel_EXPORT MedialVoxelSurfaceObserver : public MedialVoxelTileObserver
 {
 public:
-  /** Bytes for each voxel of a tile that a worker takes, of thin walls and their noise. */
-  static constexpr std::uint64_t WorkerBytesPerVoxel =
-    MedialVoxelSurfaceCells::BytesPerVoxel + MedialVoxelCellRow::BytesPerVoxel + sizeof(MedialVoxelSurfaceCell) / 16;
+  /** Bytes for each voxel of a tile that a worker takes for thin walls and their noise. */
+  static std::uint64_t
+  GetWorkerBytesPerVoxel(const MedialVoxelParameters & parameters);
 
   /** The arguments are those of MedialVoxelSurfaceCells and MedialVoxelSurfaceBuilder. */
   MedialVoxelSurfaceObserver(const MedialVoxelGrid &                      grid,

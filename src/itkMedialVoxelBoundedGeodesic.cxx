@@ -82,32 +82,39 @@ MedialVoxelBoundedGeodesic::MedialVoxelBoundedGeodesic(const MedialVoxelGrid & g
 {}
 
 MedialVoxelBox
-MedialVoxelBoundedGeodesic::GetSearchBox(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
+MedialVoxelBoundedGeodesic::SearchBoxOf(const MedialVoxelGrid &  grid,
+                                        const MedialVoxelIndex & a,
+                                        const MedialVoxelIndex & b,
+                                        const double             length)
 {
+  // Sums of rounded edges may fall a little short of what they should be.
+  const double                  longest = length * (1.0 + Band);
   const MedialVoxelDisplacement difference = Difference(a, b);
-  if (m_Cell.FreeSpaceLength(difference) > m_Upper)
-  {
-    return {};
-  }
-  const auto &          spacing = m_Grid.GetSpacing();
-  std::array<double, 3> focus;
+  const auto &                  spacing = grid.GetSpacing();
+  std::array<double, 3>         focus;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     focus[axis] = 0.5 * static_cast<double>(difference[axis]) * spacing[axis];
   }
   const double squaredFocus = focus[0] * focus[0] + focus[1] * focus[1] + focus[2] * focus[2];
-  const double squaredMinor = std::max(0.0, 0.25 * m_Upper * m_Upper - squaredFocus);
+  const double squaredMinor = std::max(0.0, 0.25 * longest * longest - squaredFocus);
 
   MedialVoxelBox box;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const double center = 0.5 * static_cast<double>(a[axis] + b[axis]);
     const double extent = std::sqrt(squaredMinor + focus[axis] * focus[axis]) / spacing[axis] * (1.0 + Band);
-    const double size = static_cast<double>(m_Grid.GetSize()[axis]);
+    const double size = static_cast<double>(grid.GetSize()[axis]);
     box.lower[axis] = static_cast<std::int64_t>(std::ceil(std::max(0.0, center - extent)));
     box.upper[axis] = static_cast<std::int64_t>(std::floor(std::min(size - 1.0, center + extent))) + 1;
   }
   return box;
+}
+
+MedialVoxelBox
+MedialVoxelBoundedGeodesic::GetSearchBox(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
+{
+  return m_Cell.FreeSpaceLength(Difference(a, b)) > m_Upper ? MedialVoxelBox{} : SearchBoxOf(m_Grid, a, b, m_Epsilon);
 }
 
 void

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelClusterEngine.h"
 
-#include "itkMedialVoxelBoundedGeodesic.h"
+#include "itkMedialVoxelClassifier.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -22,6 +22,9 @@ constexpr std::int64_t EnoughTiles = 64;
 constexpr std::int64_t SmallestTileEdge = 32;
 constexpr std::int64_t LargestTileEdge = 96;
 constexpr std::int64_t NarrowTile = 128;
+
+/** Edge of tiles that share the work of a margin around them. */
+constexpr std::int64_t SmallestEdgeWithMargin = 64;
 
 /** Halo from which walls are thick. */
 constexpr std::int64_t ThickHalo = 64;
@@ -88,9 +91,9 @@ MedialVoxelMemoryError::MedialVoxelMemoryError(const std::uint64_t neededBytes, 
 {}
 
 MedialVoxelClusterEngine::Settings
-MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid & grid,
-                                                      const double            epsilon,
-                                                      const bool              withObjectBoundary)
+MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid &       grid,
+                                                      const MedialVoxelParameters & parameters,
+                                                      const bool                    withObjectBoundary)
 {
   Settings settings;
   settings.boundaries = { MedialVoxelBoundary::Background };
@@ -100,13 +103,19 @@ MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid & gr
   }
   settings.upperMargin = grid.GetUnitMargin();
   // Boundary points of thin walls and the paths between them; thicker walls ask for more.
+  const double           epsilon = parameters.GetLargestEpsilon();
   const MedialVoxelIndex reach = grid.MarginForMetricLength(0.5 * epsilon / grid.GetMetricUnit());
+  if (parameters.mode == MedialVoxelThicknessMode::Automatic)
+  {
+    settings.tileMargin = MedialVoxelLocalThreshold(grid, parameters).GetMargin();
+  }
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    settings.halo[axis] += reach[axis];
+    settings.halo[axis] += std::max(reach[axis], settings.tileMargin[axis]);
   }
-  settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel + sizeof(std::uint8_t);
-  settings.workerBytes = MedialVoxelBoundedGeodesic::GetWorkspaceBytes(grid, epsilon);
+  settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel +
+                                 sizeof(std::uint8_t) + MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(parameters);
+  settings.workerBytes = MedialVoxelClassifier::GetWorkspaceBytes(grid, parameters);
   return settings;
 }
 
@@ -143,8 +152,9 @@ MedialVoxelClusterEngine::PreferredCut(const MedialVoxelBox & region, const Medi
   {
     // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
     // halo, as a tile repeats the work of the halo around it.
+    const std::int64_t smallest = m_Settings.tileMargin[1] > 0 ? SmallestEdgeWithMargin : SmallestTileEdge;
     const std::int64_t edge =
-      std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, SmallestTileEdge, LargestTileEdge);
+      std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, smallest, LargestTileEdge);
     cut.tileSize = { { NarrowTile, edge, edge } };
   }
   if (cut.slabThickness <= 0)
@@ -250,7 +260,7 @@ MedialVoxelClusterEngine::BytesOfWorkers(const MedialVoxelBox & sites, const Cut
   {
     const std::int64_t edge =
       axis == m_SlowestAxis ? std::min(cut.tileSize[axis], cut.slabThickness) : cut.tileSize[axis];
-    tile[axis] = std::min(edge + m_Settings.upperMargin[axis], sites.Extent(axis));
+    tile[axis] = std::min(edge + m_Settings.upperMargin[axis] + 2 * m_Settings.tileMargin[axis], sites.Extent(axis));
     tileVoxels *= static_cast<std::uint64_t>(tile[axis]);
   }
   // Beside the end of the image a tile can search as far as the window reaches on its other side.

@@ -48,4 +48,17 @@ operator<<(std::ostream & out, const MedialVoxelEnums::Region value)
   return out << "INVALID VALUE FOR itk::MedialVoxelEnums::Region";
 }
 
+std::ostream &
+operator<<(std::ostream & out, const MedialVoxelEnums::ThicknessMode value)
+{
+  switch (value)
+  {
+    case MedialVoxelEnums::ThicknessMode::Fixed:
+      return out << "itk::MedialVoxelEnums::ThicknessMode::Fixed";
+    case MedialVoxelEnums::ThicknessMode::Automatic:
+      return out << "itk::MedialVoxelEnums::ThicknessMode::Automatic";
+  }
+  return out << "INVALID VALUE FOR itk::MedialVoxelEnums::ThicknessMode";
+}
+
 } // end namespace itk

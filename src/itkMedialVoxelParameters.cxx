@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelParameters.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace itk
 {
 
@@ -10,6 +13,40 @@ MedialVoxelParameters::EpsilonFromThickness(const double thickness)
 {
   constexpr double pi = 3.14159265358979323846;
   return pi * thickness / 2.0;
+}
+
+MedialVoxelParameters
+MedialVoxelParameters::ForThickness(const double thickness, const MedialVoxelPseudoGeodesicBound bound)
+{
+  MedialVoxelParameters parameters;
+  parameters.epsilon = EpsilonFromThickness(thickness);
+  parameters.bound = bound;
+  return parameters;
+}
+
+MedialVoxelParameters::Limits
+MedialVoxelParameters::LimitsOfWalls(const MedialVoxelGrid & grid, const double minimum, const double maximum)
+{
+  constexpr double fewestVoxels = 3.0;
+  constexpr double mostVoxels = 16.0;
+  // The shortest edge runs along the axis with the smallest spacing; a grid of one voxel has none, and no cell.
+  const double voxel = std::isfinite(grid.GetShortestEdge()) ? grid.GetShortestEdge() : 1.0;
+  return { minimum > 0.0 ? minimum : fewestVoxels * voxel, maximum > 0.0 ? maximum : mostVoxels * voxel };
+}
+
+MedialVoxelParameters
+MedialVoxelParameters::ForWalls(const double minimum, const double maximum, const MedialVoxelPseudoGeodesicBound bound)
+{
+  MedialVoxelParameters parameters = ForThickness(minimum, bound);
+  parameters.mode = MedialVoxelThicknessMode::Automatic;
+  parameters.largestRadius = maximum / 2.0;
+  return parameters;
+}
+
+double
+MedialVoxelParameters::GetLargestEpsilon() const
+{
+  return mode == MedialVoxelThicknessMode::Fixed ? epsilon : std::max(epsilon, thicknessFactor * largestRadius);
 }
 
 MedialVoxelCounts &

@@ -4,8 +4,6 @@
 
 #include "itkMedialVoxelSurfaceFit.h"
 
-#include <algorithm>
-#include <cstdlib>
 #include <limits>
 
 namespace itk
@@ -21,30 +19,11 @@ namespace
 constexpr double Pull = 0.1;
 constexpr double Reach = 1.0;
 
-MedialVoxelParameters
-WithProvedBound(MedialVoxelParameters parameters)
-{
-  parameters.bound = MedialVoxelPseudoGeodesicBound::FreeSpace;
-  return parameters;
-}
-
-MedialVoxelDisplacement
-DisplacementAt(const MedialVoxelFeatures & features, const std::size_t at)
-{
-  return { { features.dx[at], features.dy[at], features.dz[at] } };
-}
-
 MedialVoxelIndex
 NearestPoint(const MedialVoxelFeatures & features, const MedialVoxelIndex & voxel)
 {
   const std::size_t at = features.OffsetOf(voxel[0], voxel[1], voxel[2]);
   return { { voxel[0] + features.dx[at], voxel[1] + features.dy[at], voxel[2] + features.dz[at] } };
-}
-
-bool
-IsAdjacent(const MedialVoxelDisplacement & difference)
-{
-  return std::abs(difference[0]) <= 1 && std::abs(difference[1]) <= 1 && std::abs(difference[2]) <= 1;
 }
 
 /** The two ends of a voxel edge of a cell. */
@@ -67,38 +46,12 @@ struct EdgeEnds
 
 } // namespace
 
-/** A tile, the cells of it that the image has, and the masks of their crossed edges. */
-struct MedialVoxelSurfaceCells::Tile
-{
-  const MedialVoxelClassifiedTile & classified;
-  MedialVoxelBox                    cells;
-  MedialVoxelBox                    voxels;
-  std::vector<EdgeMask> &           crossed;
-
-  EdgeMask &
-  At(const MedialVoxelIndex & cell) const
-  {
-    return crossed[static_cast<std::size_t>(
-      ((cell[2] - cells.lower[2]) * cells.Extent(1) + (cell[1] - cells.lower[1])) * cells.Extent(0) +
-      (cell[0] - cells.lower[0]))];
-  }
-};
-
-/** Voxels of which the edges along an axis are looked at. */
-struct MedialVoxelSurfaceCells::Row
-{
-  unsigned int axis;
-  std::int64_t y;
-  std::int64_t z;
-};
-
 MedialVoxelSurfaceCells::MedialVoxelSurfaceCells(const MedialVoxelGrid &              grid,
                                                  const MedialVoxelParameters &        parameters,
                                                  const MedialVoxelGrid::SpacingType & spacing)
   : m_Grid(grid)
-  , m_Parameters(WithProvedBound(parameters))
   , m_Cell(grid)
-  , m_Decision(grid, m_Parameters)
+  , m_Crossings(grid, parameters)
   , m_PhysicalGrid(grid.GetSize(), spacing)
   , m_Thickness(m_PhysicalGrid)
   , m_IsSolid(grid.IsActive(0) && grid.IsActive(1) && grid.IsActive(2))
@@ -114,11 +67,7 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   {
     return {};
   }
-  const Tile own{
-    tile, tile.box.Intersection(m_Grid.GetCellBox()), tile.classifier.GetVoxelBox(tile.box), workspace.crossed
-  };
-  workspace.crossed.assign(static_cast<std::size_t>(own.cells.NumberOfVoxels()), 0);
-  const MedialVoxelBox missing = this->FindCrossedEdges(own);
+  const MedialVoxelBox missing = m_Crossings.Find(tile, workspace.crossings);
   if (!missing.IsEmpty())
   {
     return missing;
@@ -130,113 +79,15 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
     {
       const int              x = MedialVoxelLowestBit(rest);
       const MedialVoxelIndex index{ { row.first[0] + x, row.first[1], row.first[2] } };
-      const EdgeMask         crossed = own.At(index);
+      const EdgeMask         crossed = workspace.crossings.GetCrossedEdges(index);
       if ((crossed & this->GetPossibleQuads(index)) != 0)
       {
         const bool isMedial = (((row.byBound | row.byGeodesic) >> x) & 1) != 0;
-        cells.push_back(this->MakeCell(own, index, crossed, isMedial));
+        cells.push_back(this->MakeCell(tile, index, crossed, isMedial));
       }
     }
   }
   return {};
-}
-
-MedialVoxelBox
-MedialVoxelSurfaceCells::FindCrossedEdges(const Tile & tile) const
-{
-  MedialVoxelBox missing;
-  for (std::int64_t z = tile.voxels.lower[2]; z < tile.voxels.upper[2]; ++z)
-  {
-    for (std::int64_t y = tile.voxels.lower[1]; y < tile.voxels.upper[1]; ++y)
-    {
-      if (tile.classified.progress.IsAborted())
-      {
-        return {};
-      }
-      this->FindCrossedEdgesOfRow(tile, { 0, y, z }, missing);
-      if (y + 1 < tile.voxels.upper[1])
-      {
-        this->FindCrossedEdgesOfRow(tile, { 1, y, z }, missing);
-      }
-      if (z + 1 < tile.voxels.upper[2])
-      {
-        this->FindCrossedEdgesOfRow(tile, { 2, y, z }, missing);
-      }
-    }
-  }
-  return missing;
-}
-
-void
-MedialVoxelSurfaceCells::FindCrossedEdgesOfRow(const Tile & tile, const Row & row, MedialVoxelBox & missing) const
-{
-  const MedialVoxelFeatures & features = tile.classified.features;
-  const MedialVoxelBits &     object = *tile.classified.window.object;
-  const WordType * const      words = object.GetRow(row.y, row.z) - object.GetFirstWord();
-  const WordType * const      otherWords =
-    object.GetRow(row.y + (row.axis == 1 ? 1 : 0), row.z + (row.axis == 2 ? 1 : 0)) - object.GetFirstWord();
-  const MedialVoxelIndex step{ { row.axis == 0 ? 1 : 0, row.axis == 1 ? 1 : 0, row.axis == 2 ? 1 : 0 } };
-  const std::size_t      first = features.OffsetOf(tile.voxels.lower[0], row.y, row.z);
-  const std::size_t      toOther =
-    features.OffsetOf(tile.voxels.lower[0] + step[0], row.y + step[1], row.z + step[2]) - first;
-  const std::int64_t end = tile.voxels.upper[0] - step[0];
-  const bool         edgesAreTrivial = m_Grid.GetLongestEdge() < m_Parameters.epsilon;
-
-  for (std::int64_t word = tile.voxels.lower[0] >> 6; word <= (tile.voxels.upper[0] - 1) >> 6; ++word)
-  {
-    const WordType others =
-      row.axis == 0 ? (words[word] >> 1) | (words[word + 1] << (MedialVoxelBits::BitsPerWord - 1)) : otherWords[word];
-    for (WordType rest = (words[word] | others) & MedialVoxelBits::RangeMask(word, tile.voxels.lower[0], end);
-         rest != 0;
-         rest &= rest - 1)
-    {
-      const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(rest);
-      const std::size_t  at = first + static_cast<std::size_t>(x - tile.voxels.lower[0]);
-      MedialVoxelPair    pair;
-      pair.displacement = DisplacementAt(features, at);
-      pair.oppositeDisplacement = DisplacementAt(features, at + toOther);
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        pair.difference[axis] = pair.displacement[axis] - pair.oppositeDisplacement[axis] - step[axis];
-      }
-      if ((edgesAreTrivial && IsAdjacent(pair.difference)) || !features.HasSite(at) || !features.HasSite(at + toOther))
-      {
-        continue;
-      }
-      pair.a = { { x + pair.displacement[0], row.y + pair.displacement[1], row.z + pair.displacement[2] } };
-      if (this->IsCrossed(tile, pair, missing))
-      {
-        this->MarkCells(tile, { { x, row.y, row.z } }, row.axis);
-      }
-    }
-  }
-}
-
-bool
-MedialVoxelSurfaceCells::IsCrossed(const Tile & tile, const MedialVoxelPair & pair, MedialVoxelBox & missing) const
-{
-  return !m_Cell.IsTrivial(pair.difference, m_Parameters.epsilon) &&
-         m_Decision.Decide(*tile.classified.window.sites, pair, tile.classified.geodesic, missing) !=
-           MedialVoxelLabel::NonMedial;
-}
-
-/** Set the bit of a crossed edge at the cells around it that the tile has. */
-void
-MedialVoxelSurfaceCells::MarkCells(const Tile & tile, const MedialVoxelIndex & voxel, const unsigned int axis) const
-{
-  for (unsigned int corner = 0; corner < 4; ++corner)
-  {
-    const unsigned int edge = 4 * axis + corner;
-    MedialVoxelIndex   cell = MedialVoxelSurfaceTopology::OffsetOf(edge);
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      cell[i] = voxel[i] - cell[i];
-    }
-    if (tile.cells.Contains(cell))
-    {
-      tile.At(cell) = static_cast<EdgeMask>(tile.At(cell) | (1u << edge));
-    }
-  }
 }
 
 /** The edges of a cell that have four cells around them: those that do not lie in a face of the image. */
@@ -259,12 +110,12 @@ MedialVoxelSurfaceCells::GetPossibleQuads(const MedialVoxelIndex & cell) const
 }
 
 MedialVoxelSurfaceCell
-MedialVoxelSurfaceCells::MakeCell(const Tile &             tile,
-                                  const MedialVoxelIndex & index,
-                                  const EdgeMask           crossed,
-                                  const bool               isMedial) const
+MedialVoxelSurfaceCells::MakeCell(const MedialVoxelClassifiedTile & tile,
+                                  const MedialVoxelIndex &          index,
+                                  const EdgeMask                    crossed,
+                                  const bool                        isMedial) const
 {
-  const MedialVoxelFeatures & features = tile.classified.features;
+  const MedialVoxelFeatures & features = tile.features;
   const auto &                spacing = m_PhysicalGrid.GetSpacing();
   const auto                  fromCenter = [&](const MedialVoxelIndex & point) {
     MedialVoxelSurfaceFit::PointType result;
@@ -306,7 +157,7 @@ MedialVoxelSurfaceCells::MakeCell(const Tile &             tile,
   cell.quads = static_cast<EdgeMask>(crossed & this->GetPossibleQuads(index));
 
   MedialVoxelWallPoints wall;
-  if (!isMedial || !tile.classified.classifier.GetWallPoints(features, index, wall))
+  if (!isMedial || !tile.classifier.GetWallPoints(features, index, wall))
   {
     wall = nearest;
     wall.numberOfCorners = m_Cell.GetNumberOfCorners();
@@ -316,7 +167,7 @@ MedialVoxelSurfaceCells::MakeCell(const Tile &             tile,
       wall.corners[corner] = NearestPoint(features, { { index[0] + c[0], index[1] + c[1], index[2] + c[2] } });
     }
   }
-  cell.thickness = m_Thickness.Measure(*tile.classified.window.object, wall).thickness;
+  cell.thickness = m_Thickness.Measure(*tile.window.object, wall).thickness;
   return cell;
 }
 

@@ -21,6 +21,13 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
   , m_Builder(placement, spacing, consumer)
 {}
 
+std::uint64_t
+MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(const MedialVoxelParameters & parameters)
+{
+  return MedialVoxelSurfaceCrossings::GetBytesPerVoxel(parameters) + MedialVoxelCellRow::BytesPerVoxel +
+         sizeof(MedialVoxelSurfaceCell) / 16;
+}
+
 void
 MedialVoxelSurfaceObserver::Begin()
 {

@@ -3,7 +3,7 @@
 
 # Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A unit includes only units that stand before it in this table, and no header of ITK.
-set(L0 Enums Parameters Progress Grid Bits Text FileRegion Histogram)
+set(L0 Enums Grid Parameters Progress Bits RankedBits Text FileRegion Histogram)
 # The header formats that are parsed by the module itself.
 set(Formats HeaderText NrrdHeader NrrdDataFiles NrrdGeometry NrrdText)
 set(L1
@@ -18,13 +18,18 @@ set(L1
     BoundaryDistances
     GeodesicLandmarks
     BoundedGeodesic
+    BoxComponents
+    PathSearch
+    PairSeparation
+    InscribedBalls
     PairChoice
     PairDecision
     Thickness
     SurfaceTopology
     SurfaceFit
     SurfacePieces)
-set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileWalls TileObserver SurfaceCells)
+set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices CellPairs LocalThreshold AutomaticClassifier Classifier
+    TileWalls TileObserver SurfaceCrossings SurfaceCells)
 set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceObserver)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)

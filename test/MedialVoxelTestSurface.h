@@ -40,20 +40,25 @@ struct Surface : public itk::MedialVoxelSurfaceConsumer
   }
 };
 
+/** One thickness everywhere. */
+inline itk::MedialVoxelParameters
+FixedThickness(double tau)
+{
+  return itk::MedialVoxelParameters::ForThickness(tau, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
+}
+
 /** The cells of the surface in a tile, from the sites in `known`; \return the box of sites that are missing. */
 inline itk::MedialVoxelBox
 FindSurfaceCells(const Volume &                             volume,
-                 double                                     tau,
+                 const itk::MedialVoxelParameters &         parameters,
                  const itk::MedialVoxelBox &                tile,
                  const itk::MedialVoxelBox &                known,
                  std::vector<itk::MedialVoxelSurfaceCell> & cells)
 {
-  const itk::MedialVoxelGrid grid = GridOf(volume);
-  const itk::MedialVoxelBits object = ObjectBits(volume, grid.GetVoxelBox());
-  const itk::MedialVoxelBits sites = SiteBits(BoundarySites(volume), grid.GetVoxelBox());
-  const itk::MedialVoxelBits knownSites = SiteBits(BoundarySites(volume), known);
-  itk::MedialVoxelParameters parameters;
-  parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(tau);
+  const itk::MedialVoxelGrid                  grid = GridOf(volume);
+  const itk::MedialVoxelBits                  object = ObjectBits(volume, grid.GetVoxelBox());
+  const itk::MedialVoxelBits                  sites = SiteBits(BoundarySites(volume), grid.GetVoxelBox());
+  const itk::MedialVoxelBits                  knownSites = SiteBits(BoundarySites(volume), known);
   const itk::MedialVoxelClassifier            classifier(grid, parameters);
   const itk::MedialVoxelFeatureTransform      transform(grid);
   itk::MedialVoxelFeatureTransform::Workspace transformWorkspace;
@@ -116,14 +121,20 @@ FillSurface(const itk::MedialVoxelSurfaceBuilder::Placement & placement,
 
 /** The surface of a volume. */
 inline Surface
-MakeSurface(const Volume & volume, double tau)
+MakeSurface(const Volume & volume, const itk::MedialVoxelParameters & parameters)
 {
   const itk::MedialVoxelBox                whole = GridOf(volume).GetVoxelBox();
   std::vector<itk::MedialVoxelSurfaceCell> cells;
-  EXPECT_TRUE(FindSurfaceCells(volume, tau, whole, whole, cells).IsEmpty());
+  EXPECT_TRUE(FindSurfaceCells(volume, parameters, whole, whole, cells).IsEmpty());
   Surface surface;
   FillSurface(PlacementOf(volume), volume.spacing, cells, surface);
   return surface;
+}
+
+inline Surface
+MakeSurface(const Volume & volume, double tau)
+{
+  return MakeSurface(volume, FixedThickness(tau));
 }
 
 /** Whether a point counts. */

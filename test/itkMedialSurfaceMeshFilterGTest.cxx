@@ -125,6 +125,25 @@ TEST(MedialSurfaceMeshFilter, PiecesThreadsAndMemoryHaveNoInfluence)
   }
 }
 
+TEST(MedialSurfaceMeshFilter, AutomaticThicknessIsThatOfTheKernels)
+{
+  const Volume volume = TestVolume();
+  const auto   filter = MakeFilter(volume, 3.0);
+  filter->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
+  filter->SetMinimumThickness(2.0);
+  filter->SetMaximumThickness(11.0);
+  filter->Update();
+  const auto parameters =
+    itk::MedialVoxelParameters::ForWalls(2.0, 11.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
+  const auto expected = NumbersOf(MakeSurface(volume, parameters));
+  ASSERT_GT(expected.size(), 1000u);
+  EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), expected));
+  filter->SetNumberOfSlicesPerPiece(4);
+  filter->SetNumberOfWorkUnits(3);
+  filter->Update();
+  EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), expected));
+}
+
 TEST(MedialSurfaceMeshFilter, PullsTheInputPieceByPiece)
 {
   const Volume volume = RandomBoxes({ { 30, 24, 140 } }, UnitSpacing, 60, 651);

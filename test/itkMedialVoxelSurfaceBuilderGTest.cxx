@@ -20,7 +20,7 @@ SortedCells(const Volume & volume, double tau)
 {
   std::vector<Cell>         cells;
   const itk::MedialVoxelBox whole = GridOf(volume).GetVoxelBox();
-  EXPECT_TRUE(FindSurfaceCells(volume, tau, whole, whole, cells).IsEmpty());
+  EXPECT_TRUE(FindSurfaceCells(volume, FixedThickness(tau), whole, whole, cells).IsEmpty());
   return cells;
 }
 

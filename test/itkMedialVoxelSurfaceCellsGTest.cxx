@@ -3,6 +3,7 @@
 
 #include "itkMedialVoxelSurfaceCells.h"
 
+#include "MedialVoxelTestAutomatic.h"
 #include "MedialVoxelTestSurface.h"
 
 #include <gtest/gtest.h>
@@ -90,15 +91,58 @@ EdgesOf(const std::vector<itk::MedialVoxelSurfaceCell> & cells)
   return edges;
 }
 
+/** The largest threshold of the cells around an edge. */
+double
+EpsilonOf(const Volume & volume, const AutomaticClassifier & oracle, const Edge & edge)
+{
+  double epsilon = 0.0;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    const Index3 cell =
+      Moved(Moved(edge.first, (edge.second + 1) % 3, -(corner & 1)), (edge.second + 2) % 3, -(corner >> 1));
+    epsilon = std::max(epsilon, oracle.EpsilonOf(volume.Offset(cell)));
+  }
+  return epsilon;
+}
+
+/** The same with an automatic thickness. */
+std::set<Edge>
+CrossedEdges(const Volume & volume, const WallLimits & limits)
+{
+  const AutomaticClassifier thresholds(volume, limits);
+  Classifier                oracle(volume, limits.maximum);
+  std::set<Edge>            edges;
+  for (std::size_t i = 0; i < volume.object.size(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Edge   edge{ volume.IndexAt(i), axis };
+      const Index3 other = Moved(edge.first, axis, 1);
+      if (!volume.Contains(other) || !(volume.IsObject(edge.first) || volume.IsObject(other)) ||
+          !HasFourCells(volume, edge))
+      {
+        continue;
+      }
+      const long a = oracle.GetNearest()[i];
+      const long b = oracle.GetNearest()[volume.Offset(other)];
+      if (a >= 0 && b >= 0 && oracle.GeodesicDistance(a, b) >= EpsilonOf(volume, thresholds, edge))
+      {
+        edges.insert(edge);
+      }
+    }
+  }
+  return edges;
+}
+
 std::vector<itk::MedialVoxelSurfaceCell>
-CellsOf(const Volume & volume, double tau, const Index3 & tileSize)
+CellsOf(const Volume & volume, const itk::MedialVoxelParameters & parameters, const Index3 & tileSize)
 {
   const itk::MedialVoxelBox                whole = GridOf(volume).GetVoxelBox();
   std::vector<itk::MedialVoxelSurfaceCell> cells;
   for (const itk::MedialVoxelBox & tile : itk::MedialVoxelCutIntoTiles(whole, KernelIndex(tileSize)))
   {
     std::vector<itk::MedialVoxelSurfaceCell> part;
-    EXPECT_TRUE(FindSurfaceCells(volume, tau, tile, whole, part).IsEmpty());
+    EXPECT_TRUE(FindSurfaceCells(volume, parameters, tile, whole, part).IsEmpty());
     EXPECT_TRUE(std::is_sorted(part.begin(), part.end(), IsBefore));
     cells.insert(cells.end(), part.begin(), part.end());
   }
@@ -106,18 +150,37 @@ CellsOf(const Volume & volume, double tau, const Index3 & tileSize)
   return cells;
 }
 
-void
-ExpectDefinition(const Volume & volume, double tau, PathSums sums = PathSums::Doubles)
+std::vector<itk::MedialVoxelSurfaceCell>
+CellsOf(const Volume & volume, double tau, const Index3 & tileSize)
 {
-  const std::set<Edge>      expected = CrossedEdges(volume, tau, sums);
-  const std::map<Edge, int> found = EdgesOf(CellsOf(volume, tau, volume.size));
+  return CellsOf(volume, FixedThickness(tau), tileSize);
+}
+
+void
+ExpectEdges(const std::vector<itk::MedialVoxelSurfaceCell> & cells, const std::set<Edge> & expected)
+{
+  const std::map<Edge, int> found = EdgesOf(cells);
   std::set<Edge>            edges;
   for (const auto & edge : found)
   {
     edges.insert(edge.first);
     EXPECT_EQ(edge.second, 4) << "cells that share an edge disagree";
   }
-  EXPECT_EQ(edges, expected) << volume.size[0] << " tau " << tau;
+  EXPECT_EQ(edges, expected);
+}
+
+void
+ExpectDefinition(const Volume & volume, double tau, PathSums sums = PathSums::Doubles)
+{
+  SCOPED_TRACE(tau);
+  ExpectEdges(CellsOf(volume, tau, volume.size), CrossedEdges(volume, tau, sums));
+}
+
+itk::MedialVoxelParameters
+ParametersOf(const WallLimits & limits)
+{
+  return itk::MedialVoxelParameters::ForWalls(
+    limits.minimum, limits.maximum, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
 }
 
 bool
@@ -163,16 +226,38 @@ TEST(MedialVoxelSurfaceCells, PathsAsLongAsTheThresholdReachIt)
   ExpectDefinition(RandomBoxes({ { 12, 11, 10 } }, UnitSpacing, 10, 531), tau, PathSums::Exact);
 }
 
+TEST(MedialVoxelSurfaceCells, AreThoseOfTheDefinitionForAnAutomaticThickness)
+{
+  std::size_t edges = 0;
+  for (const Vector3 & spacing : { UnitSpacing, Vector3{ { 0.9, 1.1, 1.3 } } })
+  {
+    for (unsigned int seed = 0; seed < 3; ++seed)
+    {
+      const Volume boxes = RandomBoxes({ { 24, 19, 17 } }, spacing, 12, 551 + seed);
+      for (const WallLimits & limits : { WallLimits{ 1.4, 9.0 }, WallLimits{ 3.0, 6.0 } })
+      {
+        const std::set<Edge> expected = CrossedEdges(boxes, limits);
+        ExpectEdges(CellsOf(boxes, ParametersOf(limits), boxes.size), expected);
+        edges += expected.size();
+      }
+    }
+  }
+  EXPECT_GT(edges, 1000u);
+}
+
 TEST(MedialVoxelSurfaceCells, DoNotDependOnTheTiles)
 {
   const Volume volume = RandomBoxes({ { 70, 25, 21 } }, { { 1.0, 1.2, 0.8 } }, 25, 541);
-  const auto   whole = CellsOf(volume, 3.0, volume.size);
-  ASSERT_GT(whole.size(), 500u);
-  for (const Index3 & tileSize : { Index3{ { 70, 25, 1 } }, Index3{ { 7, 5, 3 } }, Index3{ { 64, 8, 8 } } })
+  for (const auto & parameters : { FixedThickness(3.0), ParametersOf({ 2.0, 12.0 }) })
   {
-    const auto parts = CellsOf(volume, 3.0, tileSize);
-    ASSERT_EQ(parts.size(), whole.size());
-    EXPECT_TRUE(std::equal(parts.begin(), parts.end(), whole.begin(), AreEqual));
+    const auto whole = CellsOf(volume, parameters, volume.size);
+    ASSERT_GT(whole.size(), 500u);
+    for (const Index3 & tileSize : { Index3{ { 70, 25, 1 } }, Index3{ { 7, 5, 3 } }, Index3{ { 64, 8, 8 } } })
+    {
+      const auto parts = CellsOf(volume, parameters, tileSize);
+      ASSERT_EQ(parts.size(), whole.size());
+      EXPECT_TRUE(std::equal(parts.begin(), parts.end(), whole.begin(), AreEqual));
+    }
   }
 }
 
@@ -184,17 +269,17 @@ TEST(MedialVoxelSurfaceCells, AskForTheSitesThatAnEdgeNeeds)
   const itk::MedialVoxelBox                whole = GridOf(volume).GetVoxelBox();
   const itk::MedialVoxelBox                tile = MakeBox({ { 16, 8, 8 } }, { { 20, 12, 12 } });
   std::vector<itk::MedialVoxelSurfaceCell> expected;
-  ASSERT_TRUE(FindSurfaceCells(volume, 8.0, tile, whole, expected).IsEmpty());
+  ASSERT_TRUE(FindSurfaceCells(volume, FixedThickness(8.0), tile, whole, expected).IsEmpty());
   ASSERT_FALSE(expected.empty());
 
   itk::MedialVoxelBox                      known = tile;
   std::vector<itk::MedialVoxelSurfaceCell> cells;
-  const itk::MedialVoxelBox                missing = FindSurfaceCells(volume, 8.0, tile, known, cells);
+  const itk::MedialVoxelBox                missing = FindSurfaceCells(volume, FixedThickness(8.0), tile, known, cells);
   ASSERT_FALSE(missing.IsEmpty());
   EXPECT_TRUE(whole.Contains(missing));
   EXPECT_FALSE(known.Contains(missing));
   known = known.Union(missing);
-  EXPECT_TRUE(FindSurfaceCells(volume, 8.0, tile, known, cells).IsEmpty());
+  EXPECT_TRUE(FindSurfaceCells(volume, FixedThickness(8.0), tile, known, cells).IsEmpty());
   ASSERT_EQ(cells.size(), expected.size());
   EXPECT_TRUE(std::equal(cells.begin(), cells.end(), expected.begin(), AreEqual));
 }

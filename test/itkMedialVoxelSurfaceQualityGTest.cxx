@@ -232,6 +232,29 @@ TEST(MedialVoxelSurfaceQuality, SheetsMeetAtAJunctionAlone)
   EXPECT_GT(junctions, static_cast<std::size_t>(2.0 * HalfWidth)) << "the line of the junction has gaps";
 }
 
+TEST(MedialVoxelSurfaceQuality, AutomaticThicknessSuitsThickAndThinWallsTogether)
+{
+  // A rib of 8 voxels on a plate of 3.
+  const Volume  volume = MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
+    const Vector3 p = Turned.ToLocal(v);
+    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= 1.5;
+    const bool    inRib = std::abs(p[0]) <= 4.0 && p[2] >= -8.0 && p[2] <= 18.0;
+    return std::abs(p[1]) <= HalfWidth && (inPlate || inRib);
+  });
+  const Surface surface = MakeSurface(
+    volume, itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace));
+  const auto isRim = [](const Vector3 & point) {
+    const Vector3 p = Turned.ToLocal(point);
+    return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - 7.0 || p[2] > 18.0 - 7.0;
+  };
+  const auto isJunction = [](const Vector3 & point) { return DistanceToTeeAxis(point) < 7.0; };
+  const auto quality = MeasureQuality(surface, isRim, isJunction);
+  EXPECT_EQ(quality.boundarySides, 0u);
+  EXPECT_EQ(quality.nonManifoldSides, 0u);
+  EXPECT_LE(MeanDistance(surface, DistanceToTee, [&](const Vector3 & p) { return !isJunction(p); }), Goal);
+  ExpectGoodTriangles(quality);
+}
+
 TEST(MedialVoxelSurfaceQuality, AGyroidEndsAtTheFacesOfTheImageAlone)
 {
   constexpr int size = 84;

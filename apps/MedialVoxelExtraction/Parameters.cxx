@@ -101,8 +101,13 @@ AddObjectParameters(ParameterTable & table, ModuleOptions & options)
                               Limits::min(),
                               Limits::max(),
                               [&options](std::int64_t value) { options.labelValue = value; }));
-  table.push_back(MakeDouble(
-    "thickness", "Thickness of walls that become sheets, in the units of the spacing", options.job.thickness));
+  using Mode = itk::MedialVoxelThicknessMode;
+  table.push_back(MakeEnumeration<Mode>("thicknessMode",
+                                        "Thickness of walls that become sheets: their own, or a fixed one",
+                                        options.thicknessMode,
+                                        { Mode::Automatic, Mode::Fixed }));
+  table.push_back(
+    MakeDouble("thickness", "The fixed thickness of walls, in the units of the spacing", options.thickness));
   table.push_back(MakeBoolean("voxelUnits", "Take lengths in voxels", options.job.voxelUnits));
 }
 
@@ -215,6 +220,12 @@ GetName(ObjectSelection selection)
   return "unknown";
 }
 
+std::string
+GetName(const itk::MedialVoxelThicknessMode mode)
+{
+  return mode == itk::MedialVoxelThicknessMode::Automatic ? "Automatic" : "Fixed";
+}
+
 ParameterTable
 DefineParameters(ModuleOptions & options)
 {
@@ -291,6 +302,16 @@ ApplyObjectSelection(const ParameterTable & table, ModuleOptions & options)
   {
     options.job.lowerThreshold = static_cast<double>(options.labelValue);
     options.job.upperThreshold = options.job.lowerThreshold;
+  }
+}
+
+void
+ApplyThickness(const ParameterTable & table, ModuleOptions & options)
+{
+  const bool isImplied = IsGiven(table, "thickness") && !IsGiven(table, "thicknessMode");
+  if (isImplied || options.thicknessMode == itk::MedialVoxelThicknessMode::Fixed)
+  {
+    options.job.thickness = options.thickness;
   }
 }
 

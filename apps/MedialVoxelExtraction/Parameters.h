@@ -28,7 +28,11 @@ enum class ObjectSelection
 std::string
 GetName(ObjectSelection selection);
 
-/** What the command line of the module says. The thresholds of the job stay unset until ApplyObjectSelection(). */
+std::string
+GetName(itk::MedialVoxelThicknessMode mode);
+
+/** What the command line of the module says. The thresholds of the job stay unset until ApplyObjectSelection(), its
+ * thickness until ApplyThickness(). */
 struct ModuleOptions
 {
   ExtractOptions  job;
@@ -36,7 +40,11 @@ struct ModuleOptions
   double          lowerThreshold{ 1 };
   double          upperThreshold{ 65535 };
   std::int64_t    labelValue{ 1 };
-  bool            echo{ false };
+  double          thickness{ 3 };
+
+  itk::MedialVoxelThicknessMode thicknessMode{ itk::MedialVoxelThicknessMode::Automatic };
+
+  bool echo{ false };
 };
 
 /** Kinds of values, as the elements of the module's XML name them. Empty texts are allowed for String and Path. */
@@ -78,6 +86,10 @@ SetValue(Parameter & parameter, const std::string & text);
  * it. */
 void
 ApplyObjectSelection(const ParameterTable & table, ModuleOptions & options);
+
+/** Sets the thickness of the job, when it is fixed: as the mode says, or as a thickness implies without one. */
+void
+ApplyThickness(const ParameterTable & table, ModuleOptions & options);
 
 } // end namespace medialvoxel
 

@@ -17,6 +17,7 @@ void
 Extract(const ParameterTable & table, ModuleOptions & options)
 {
   ApplyObjectSelection(table, options);
+  ApplyThickness(table, options);
   // 3D Slicer names the same temporary files in each run.
   options.job.overwrite = true;
   if (options.echo)

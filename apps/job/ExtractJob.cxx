@@ -102,7 +102,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   const bool withObjectVectors =
     !options.vectorFile.empty() && options.vectorBoundary == itk::MedialVoxelBoundary::Object;
   auto settings = itk::MedialVoxelClusterEngine::Settings::ForClassification(
-    footprint.grid, itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness), withObjectVectors);
+    footprint.grid, GetParameters(options, footprint.grid), withObjectVectors);
   const SurveySettings survey = GetSurveySettings(options);
   if (survey.thickness || survey.picture)
   {
@@ -111,7 +111,8 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   if (!options.meshFile.empty())
   {
-    SurfaceMesh::AddWorkerBytes(settings);
+    settings.workerBytesPerVoxel +=
+      itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(GetParameters(options, footprint.grid));
     footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
   }
   AddEngine(footprint, header, settings);

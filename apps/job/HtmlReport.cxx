@@ -162,7 +162,7 @@ DescribeInput(const VolumeHeader & header)
 TextTable
 DescribeParameters(const ExtractOptions & options)
 {
-  return { { "thickness (tau)", FormatNumber(options.thickness) },
+  return { { "thickness (tau)", DescribeThickness(options, "") },
            { "lengths in", options.voxelUnits ? "voxels" : "units of the spacing" },
            { "lower threshold", FormatLimit(options.lowerThreshold) },
            { "upper threshold", FormatLimit(options.upperThreshold) },
@@ -204,7 +204,7 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
   page += "<h1>Medial voxels of " + name + "</h1>\n<p>" +
           std::to_string(counts.boundCells + counts.geodesicMedialCells) + " medial cells in " +
           std::to_string(counts.objectVoxels) + " object voxels of " + FormatSize(result.input.geometry.size) +
-          ", thickness " + FormatNumber(options.thickness) + " " + unit + ".</p>\n";
+          ", thickness " + DescribeThickness(options, " " + unit) + ".</p>\n";
   page +=
     "<h2>Picture</h2>\n<img alt=\"Slices with the medial cells, and the projection along z\" "
     "src=\"data:image/png;base64," +

@@ -100,11 +100,58 @@ void
 CheckOptions(const ExtractOptions & options)
 {
   CheckJobOptions(options);
-  CheckPositive("thickness", options.thickness, false);
+  if (options.thickness)
+  {
+    CheckPositive("thickness", *options.thickness, false);
+    if (options.minimumThickness || options.maximumThickness)
+    {
+      Fail(ExitStatus::Usage,
+           "the thickness is ",
+           FormatNumber(*options.thickness),
+           "; minimum and maximum thickness need the thickness ",
+           AutomaticThickness);
+    }
+  }
+  if (options.minimumThickness)
+  {
+    CheckPositive("minimum thickness", *options.minimumThickness, false);
+  }
+  if (options.maximumThickness)
+  {
+    CheckPositive("maximum thickness", *options.maximumThickness, false);
+  }
   if (options.sectionWidth)
   {
     CheckPositive("the width of sections", *options.sectionWidth, false);
   }
+}
+
+itk::MedialVoxelParameters
+GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
+{
+  using Parameters = itk::MedialVoxelParameters;
+  if (options.thickness)
+  {
+    return Parameters::ForThickness(*options.thickness, options.bound);
+  }
+  const Parameters::Limits limits =
+    Parameters::LimitsOfWalls(grid, options.minimumThickness.value_or(0.0), options.maximumThickness.value_or(0.0));
+  if (limits.minimum > limits.maximum)
+  {
+    Fail(ExitStatus::Usage,
+         "minimum thickness ",
+         FormatNumber(limits.minimum),
+         " is greater than maximum thickness ",
+         FormatNumber(limits.maximum),
+         "; it must not be");
+  }
+  return Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
+}
+
+std::string
+DescribeThickness(const ExtractOptions & options, const std::string & unit)
+{
+  return options.thickness ? FormatNumber(*options.thickness) + unit : AutomaticThickness;
 }
 
 void

@@ -6,6 +6,7 @@
 #include "VolumeHeader.h"
 
 #include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelParameters.h"
 
 #include <cstdint>
 #include <optional>
@@ -40,8 +41,13 @@ struct JobOptions
 /** Medial voxels. */
 struct ExtractOptions : JobOptions
 {
-  std::string                         output;         ///< labels, unsigned char
-  double                              thickness{ 3 }; ///< tau, > 0 and finite, in the units of voxelUnits
+  std::string output; ///< labels, unsigned char
+
+  /** Lengths > 0 and finite, in the units of voxelUnits. The limits belong to the automatic thickness. */
+  std::optional<double> thickness;        ///< tau; unset: automatic
+  std::optional<double> minimumThickness; ///< unset: 3 voxels of the smallest spacing
+  std::optional<double> maximumThickness; ///< unset: 16 voxels of the smallest spacing
+
   itk::MedialVoxelPseudoGeodesicBound bound{ itk::MedialVoxelPseudoGeodesicBound::FreeSpace };
   std::string                         vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary            vectorBoundary{ itk::MedialVoxelBoundary::Object };
@@ -74,6 +80,18 @@ void
 CheckOptions(const DistanceOptions & options);
 void
 CheckOptions(const RawDescription & raw);
+
+/** What decides the thickness, with the limits in effect on \a grid.
+ * \throw JobError Usage when the limits contradict each other. */
+itk::MedialVoxelParameters
+GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
+
+/** What stands for the automatic thickness on the command line and in reports. */
+constexpr const char * AutomaticThickness = "auto";
+
+/** The thickness and its unit for a reader. */
+std::string
+DescribeThickness(const ExtractOptions & options, const std::string & unit);
 
 /** Names of the enumerators on the command line and in reports. */
 std::string

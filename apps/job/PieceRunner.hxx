@@ -203,7 +203,16 @@ public:
                 const PieceObserver &  observer)
     : FilterRunner<itk::MedialVoxelImageFilter<TImage>>(input, options, cut, observer)
   {
-    this->m_Filter->SetThickness(options.thickness);
+    if (options.thickness)
+    {
+      this->m_Filter->SetThickness(*options.thickness);
+    }
+    else
+    {
+      this->m_Filter->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
+      this->m_Filter->SetMinimumThickness(options.minimumThickness.value_or(0.0));
+      this->m_Filter->SetMaximumThickness(options.maximumThickness.value_or(0.0));
+    }
     this->m_Filter->SetPseudoGeodesicBound(options.bound);
     this->m_Filter->SetGenerateVectorDistance(!options.vectorFile.empty());
     this->m_Filter->SetVectorDistanceBoundary(options.vectorBoundary);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Report.h"
 
+#include "JobParts.h"
+
 #include "itkVersion.h"
 
 #include <nlohmann/json.hpp>
@@ -156,7 +158,19 @@ GetPhasePercent(const itk::MedialVoxelCounts & counts)
 std::string
 MakeReport(const ExtractOptions & options, const JobResult & result)
 {
-  Json parameters = { { "thickness", options.thickness } };
+  Json parameters;
+  if (options.thickness)
+  {
+    parameters["thickness"] = *options.thickness;
+  }
+  else
+  {
+    const auto limits = itk::MedialVoxelParameters::LimitsOfWalls(
+      GetGrid(options, result.input), options.minimumThickness.value_or(0.0), options.maximumThickness.value_or(0.0));
+    parameters["thickness"] = AutomaticThickness;
+    parameters["minimum_thickness"] = limits.minimum;
+    parameters["maximum_thickness"] = limits.maximum;
+  }
   AddObject(parameters, options);
   parameters["bound"] = GetName(options.bound);
   parameters["vector_boundary"] = GetName(options.vectorBoundary);

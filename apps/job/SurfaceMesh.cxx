@@ -39,14 +39,6 @@ GetPendingCells(const VolumeGeometry & geometry)
   return std::max(least, geometry.GetVoxelsPerSlice() / 8);
 }
 
-itk::MedialVoxelParameters
-GetParameters(const ExtractOptions & options)
-{
-  itk::MedialVoxelParameters parameters;
-  parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(options.thickness);
-  return parameters;
-}
-
 itk::MedialVoxelGrid::SpacingType
 GetSpacing(const VolumeGeometry & geometry)
 {
@@ -92,7 +84,7 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
       options.sectionWidth.value_or(0.25 * *std::min_element(geometry.spacing.begin(), geometry.spacing.end())))
   , m_ScratchFolder(GetScratchFolder(options))
   , m_Spool(m_ScratchFolder)
-  , m_Observer(grid, GetParameters(options), GetSpacing(geometry), GetPlacement(geometry), *this)
+  , m_Observer(grid, GetParameters(options, grid), GetSpacing(geometry), GetPlacement(geometry), *this)
 {
   m_Observer.SetMaximumNumberOfCells(GetPendingCells(geometry));
 }
@@ -224,12 +216,6 @@ SurfaceMesh::GetBytes(const ExtractOptions & options, const VolumeGeometry & geo
   const std::uint64_t pieces = options.smallestPiece > 1 ? geometry.GetNumberOfVoxels() / VoxelsPerByteOfPieces : 0;
   return geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * BytesPerCellInWork +
          GetPendingCells(geometry) * BytesPerPendingCell + BytesOfWriting + pieces;
-}
-
-void
-SurfaceMesh::AddWorkerBytes(itk::MedialVoxelClusterEngine::Settings & settings)
-{
-  settings.workerBytesPerVoxel += itk::MedialVoxelSurfaceObserver::WorkerBytesPerVoxel;
 }
 
 void

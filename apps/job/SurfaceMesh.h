@@ -8,7 +8,6 @@
 #include "SurfaceSpool.h"
 #include "SurfaceSummary.h"
 
-#include "itkMedialVoxelClusterEngine.h"
 #include "itkMedialVoxelSurfaceObserver.h"
 #include "itkMedialVoxelSurfacePieces.h"
 
@@ -44,10 +43,6 @@ public:
   /** Memory of a surface of thin walls that is built, beside that of the workers. */
   static std::uint64_t
   GetBytes(const ExtractOptions & options, const VolumeGeometry & geometry);
-
-  /** What a worker takes for it. */
-  static void
-  AddWorkerBytes(itk::MedialVoxelClusterEngine::Settings & settings);
 
 private:
   void

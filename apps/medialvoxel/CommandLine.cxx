@@ -236,10 +236,21 @@ AddThickness(CLI::App & app, ExtractOptions & options)
 {
   AddText(app,
           "--thickness",
-          "Thickness tau of walls, in the units of the spacing",
+          "Thickness tau of walls, in the units of the spacing; default: auto, that of each wall",
           "T",
-          [&](const std::string & text) { options.thickness = ToDouble(text); })
-    ->required();
+          [&](const std::string & text) {
+            options.thickness = text == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
+          });
+  AddText(app,
+          "--minimum-thickness",
+          "With auto: thinner walls count as this; default: 3 voxels",
+          "T",
+          [&](const std::string & text) { options.minimumThickness = ToDouble(text); });
+  AddText(app,
+          "--maximum-thickness",
+          "With auto: largest wall that is to be a sheet; default: 16 voxels",
+          "T",
+          [&](const std::string & text) { options.maximumThickness = ToDouble(text); });
   app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels instead");
 }
 

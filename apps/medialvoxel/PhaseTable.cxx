@@ -76,7 +76,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   const std::optional<PhasePercent> percent = GetPhasePercent(counts);
   TextTable                         table;
   table.emplace_back("resolution", FormatSize(result.input.geometry.size));
-  table.emplace_back("tau", FormatNumber(options.thickness) + (options.voxelUnits ? " voxels" : ""));
+  table.emplace_back("tau", DescribeThickness(options, options.voxelUnits ? " voxels" : ""));
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
   AddNotANumber(table, result.sums);
   table.emplace_back("candidate cells", std::to_string(counts.candidateCells));

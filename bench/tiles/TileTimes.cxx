@@ -162,7 +162,7 @@ Measure(const std::string & name, const std::array<std::int64_t, 3> & size, cons
   itk::MedialVoxelParameters       parameters;
   parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(thickness);
   itk::MedialVoxelClusterEngine engine(
-    grid, itk::MedialVoxelClusterEngine::Settings::ForClassification(grid, parameters.epsilon, false));
+    grid, itk::MedialVoxelClusterEngine::Settings::ForClassification(grid, parameters, false));
   TileClock clock(grid, parameters, voxels, engine);
   engine.Run(grid.GetVoxelBox(), clock);
   PrintLayers(clock.GetLayers());

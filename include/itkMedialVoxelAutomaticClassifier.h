@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelAutomaticClassifier_h
+#define itkMedialVoxelAutomaticClassifier_h
+
+#include "itkMedialVoxelBitFlood.h"
+#include "itkMedialVoxelLocalThreshold.h"
+#include "itkMedialVoxelPairSeparation.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelAutomaticClassifier
+ * \brief Labels the dual cells of one tile, each with the threshold of MedialVoxelLocalThreshold.
+ *
+ * All pairs of the tile are found first, with the inscribed balls in and around it. Pairs that fall short of the
+ * smallest threshold are decided by that, the others get their own. What no bound decides is not medial when the way
+ * along the pair of a neighboring cell is short, and medial when the points are in different components of the
+ * boundary around them; only what is left is searched.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelAutomaticClassifier
+{
+private:
+  /** A cell of the tile that is not trivial. */
+  struct Cell
+  {
+    MedialVoxelIndex center;
+    MedialVoxelIndex a;
+    MedialVoxelIndex b;
+    std::size_t      label;     // position in the labels of the tile
+    double           radius;    // of its own ball, or 0
+    double           longest;   // at least the geodesic distance
+    bool             isAtFloor; // known to reach the smallest threshold
+  };
+
+public:
+  /** \class Workspace
+   * \brief Memory of one thread, kept from tile to tile.
+   * \ingroup MedialVoxel
+   */
+  class Workspace
+  {
+  private:
+    friend class MedialVoxelAutomaticClassifier;
+
+    MedialVoxelLocalThreshold::Workspace    m_Threshold;
+    MedialVoxelRankedBits                   m_Ranks; // of the cells
+    std::vector<Cell>                       m_Cells;
+    std::vector<MedialVoxelPair>            m_Pairs; // of the cells that wait for their threshold
+    std::vector<MedialVoxelSeparationQuery> m_Queries;
+    MedialVoxelPairSeparation::Workspace    m_Separation;
+  };
+
+  /** Memory of a workspace for each voxel of a tile and the margin around it when an eighth of them are waiting. */
+  static constexpr std::uint64_t BytesPerVoxel =
+    (sizeof(Cell) + sizeof(MedialVoxelPair) + sizeof(MedialVoxelSeparationQuery) + sizeof(MedialVoxelInscribedBall) +
+     128) /
+    8;
+
+  MedialVoxelAutomaticClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+
+  const MedialVoxelLocalThreshold &
+  GetThreshold() const
+  {
+    return m_Threshold;
+  }
+
+  /** As MedialVoxelClassifier::Classify(), with \a labels that have the size of the tile and are NoObject. */
+  MedialVoxelBox
+  Classify(const MedialVoxelWindow &   window,
+           const MedialVoxelBox &      tile,
+           const MedialVoxelFeatures & features,
+           const MedialVoxelProgress & progress,
+           Workspace &                 workspace,
+           std::vector<std::uint8_t> & labels,
+           MedialVoxelCounts &         counts) const;
+
+private:
+  bool
+  Collect(const MedialVoxelWindow &   window,
+          const MedialVoxelBox &      tile,
+          const MedialVoxelFeatures & features,
+          const MedialVoxelProgress & progress,
+          Workspace &                 workspace,
+          std::vector<std::uint8_t> & labels,
+          MedialVoxelCounts &         counts) const;
+
+  void
+  LabelAtOnce(Workspace & workspace, std::vector<std::uint8_t> & labels, MedialVoxelCounts & counts) const;
+
+  void
+  FollowNeighbors(const Workspace & workspace, Cell & cell) const;
+
+  double
+  EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;
+
+  double
+  BoundOf(const MedialVoxelPair & pair) const;
+
+  MedialVoxelGrid           m_Grid;
+  MedialVoxelParameters     m_Parameters;
+  MedialVoxelCellPairs      m_Pairs;
+  MedialVoxelLocalThreshold m_Threshold;
+  MedialVoxelBitFlood       m_Flood;
+  MedialVoxelPairSeparation m_Separation;
+};
+
+} // end namespace itk
+
+#endif

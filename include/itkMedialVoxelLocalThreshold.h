@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelLocalThreshold_h
+#define itkMedialVoxelLocalThreshold_h
+
+#include "itkMedialVoxelCellPairs.h"
+#include "itkMedialVoxelInscribedBalls.h"
+#include "itkMedialVoxelParameters.h"
+
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelLocalThreshold
+ * \brief The threshold of each cell, from the thickness of the wall that it is in.
+ *
+ * A cell whose pair (N(vi), N(vj)) is neither equal nor adjacent is the center p of an inscribed ball with the radius
+ * d(p) = (|N(vi) - p| + |N(vj) - p|) / 2. The thickness of the wall at a cell p shows in the largest ball that covers
+ * its center: LT(p) is the largest of d(p), if p has a ball, and of all d(q) <= R with |q - p| <= d(q); 0 where there
+ * is none. The threshold is epsilon(p) = max(E, k min(LT(p), R)), with E the epsilon, R the largestRadius and k the
+ * thicknessFactor of the parameters. A small branch in a thick wall is covered by the balls of the wall, which is why
+ * the threshold that removes it does not remove thin walls.
+ *
+ * All of this is evaluated in double: |N(vi) - p| is the square root of ((x sx)^2 + (y sy)^2) + (z sz)^2, d is 0.5
+ * times the sum of both, |q - p| <= d(q) is compared as squares, all in metric units, which are voxels where spacings
+ * are equal; then d times the metric unit is a physical length. The maximum does not depend on an order, and the
+ * threshold grows with E, k and R.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelLocalThreshold
+{
+public:
+  /** \class Workspace
+   * \brief Memory of one thread.
+   * \ingroup MedialVoxel
+   */
+  struct Workspace
+  {
+    std::vector<MedialVoxelInscribedBall> balls;
+    MedialVoxelRankedBits                 cells;
+    std::vector<double>                   ownRadii;
+    std::vector<double>                   coveringRadii;
+    MedialVoxelInscribedBalls::Workspace  cover;
+  };
+
+  MedialVoxelLocalThreshold(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+
+  /** Cells whose balls can cover a cell of \a cells. */
+  MedialVoxelBox
+  GetCellBox(const MedialVoxelBox & cells) const;
+
+  /** Cells along each axis that a ball reaches, and one more: those around the cells of a tile have thresholds too. */
+  MedialVoxelIndex
+  GetMargin() const;
+
+  /** d(p) in metric units, of a cell with \a widest; 0 when the pair makes no ball. */
+  double
+  RadiusOf(const MedialVoxelDiagonal & widest) const;
+
+  /** True when a ball of this radius can raise a threshold of another cell. */
+  bool
+  CanRaise(const double radius) const
+  {
+    return radius * m_Unit <= m_Parameters.largestRadius &&
+           m_Parameters.thicknessFactor * (radius * m_Unit) > m_Parameters.epsilon;
+  }
+
+  /** Radii in metric units of the balls of \a balls that cover each of \a cells, as MedialVoxelInscribedBalls does. */
+  const MedialVoxelInscribedBalls &
+  GetCover() const
+  {
+    return m_Cover;
+  }
+
+  /** epsilon(p) from d(p), or 0, and the radius of the largest ball that covers p, or 0; radii in metric units. */
+  double
+  EpsilonOf(double ownRadius, double coveringRadius) const;
+
+  /** epsilon(p) of all cells of \a box, x fastest; the smallest one at indices without a cell.
+   *
+   * \param object    bits of the corners of all cells of GetCellBox(box)
+   * \param features  displacements of these corners */
+  void
+  Compute(const MedialVoxelBits &     object,
+          const MedialVoxelFeatures & features,
+          const MedialVoxelBox &      box,
+          Workspace &                 workspace,
+          std::vector<double> &       epsilons) const;
+
+private:
+  /** Cells along each axis that a ball reaches. */
+  MedialVoxelIndex
+  GetReach() const;
+
+  MedialVoxelGrid           m_Grid;
+  MedialVoxelParameters     m_Parameters;
+  MedialVoxelCellPairs      m_Pairs;
+  MedialVoxelInscribedBalls m_Cover;
+  double                    m_Unit;
+};
+
+} // end namespace itk
+
+#endif

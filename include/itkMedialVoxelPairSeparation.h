@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelPairSeparation_h
+#define itkMedialVoxelPairSeparation_h
+
+#include "itkMedialVoxelBoundedGeodesic.h"
+#include "itkMedialVoxelBoxComponents.h"
+#include "itkMedialVoxelPathSearch.h"
+#include "itkMedialVoxelProgress.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \struct MedialVoxelSeparationQuery
+ * \brief Two boundary points, their own threshold, and what is known of them.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelSeparationQuery
+{
+  MedialVoxelIndex a;
+  MedialVoxelIndex b;
+  double           epsilon;              ///< in physical units, positive and finite
+  std::size_t      cell;                 ///< for the user
+  bool             isSeparated{ false }; ///< no path that is shorter than \a epsilon joins the points
+};
+
+/** \class MedialVoxelPairSeparation
+ * \brief Decides for many pairs of boundary points, each with a threshold of its own, whether their geodesic distance
+ * reaches it.
+ *
+ * Pairs that are near each other are judged together: paths below the thresholds stay in one box, and points in
+ * different components of the boundary in that box are apart. What is joined is tried again in smaller groups. This
+ * decides most pairs on either side of a wall; what is left is searched one by one. The answers are those of
+ * MedialVoxelBoundedGeodesic.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelPairSeparation
+{
+public:
+  /** \class Workspace
+   * \brief Memory of one thread.
+   * \ingroup MedialVoxel
+   */
+  class Workspace
+  {
+  private:
+    friend class MedialVoxelPairSeparation;
+
+    struct Entry
+    {
+      std::size_t    query;
+      std::uint64_t  group;
+      MedialVoxelBox box;
+    };
+
+    std::vector<Entry>                    m_Entries;
+    MedialVoxelBoxComponents              m_Components;
+    MedialVoxelPathSearch::Workspace      m_Search;
+    MedialVoxelBoundedGeodesic::Workspace m_Geodesic;
+  };
+
+  explicit MedialVoxelPairSeparation(const MedialVoxelGrid & grid);
+
+  /** Find the \a queries whose points are separated, as far as components tell.
+   *
+   * \param progress  asked for an abort before each group, after which the answers are incomplete
+   * \return an empty box, or the box of boundary bits that must be known to judge and search all */
+  MedialVoxelBox
+  FindSeparated(const MedialVoxelBits &                   boundary,
+                const MedialVoxelProgress &               progress,
+                Workspace &                               workspace,
+                std::vector<MedialVoxelSeparationQuery> & queries) const;
+
+  /** A length at or above the geodesic distance of the points, below epsilon when that is and otherwise not.
+   *
+   * The box of \a boundary holds MedialVoxelBoundedGeodesic::SearchBoxOf() the query. */
+  double
+  BoundLength(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
+
+private:
+  using Entries = std::vector<Workspace::Entry>::iterator;
+
+  void
+  JudgeGroup(const MedialVoxelBits &                   boundary,
+             Entries                                   first,
+             Entries                                   last,
+             unsigned int                              level,
+             Workspace &                               workspace,
+             std::vector<MedialVoxelSeparationQuery> & queries) const;
+
+  MedialVoxelGrid       m_Grid;
+  MedialVoxelPathSearch m_Search;
+};
+
+} // end namespace itk
+
+#endif

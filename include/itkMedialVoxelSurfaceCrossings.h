@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSurfaceCrossings_h
+#define itkMedialVoxelSurfaceCrossings_h
+
+#include "itkMedialVoxelLocalThreshold.h"
+#include "itkMedialVoxelPairDecision.h"
+#include "itkMedialVoxelPairSeparation.h"
+#include "itkMedialVoxelSurfaceTopology.h"
+#include "itkMedialVoxelTileObserver.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelSurfaceCrossings
+ * \brief Finds the voxel edges that the medial surface crosses, for the cells of a tile.
+ *
+ * An edge of the voxel grid between neighbors v and w of which at least one is object is crossed when N(v) and N(w)
+ * are at least epsilon apart along the boundary, with epsilon the largest one of the cells around the edge; where N is
+ * not known there is no crossing.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelSurfaceCrossings
+{
+public:
+  using EdgeMask = MedialVoxelSurfaceTopology::EdgeMask;
+
+  /** \class Workspace
+   * \brief Memory of one thread, kept from tile to tile.
+   * \ingroup MedialVoxel
+   */
+  class Workspace
+  {
+  public:
+    /** Crossed edges of a cell of the last tile, which the image has. */
+    EdgeMask
+    GetCrossedEdges(const MedialVoxelIndex & cell) const
+    {
+      return m_Masks[this->OffsetOf(cell)];
+    }
+
+  private:
+    friend class MedialVoxelSurfaceCrossings;
+
+    /** The edge of a query. */
+    struct Edge
+    {
+      MedialVoxelIndex voxel;
+      unsigned int     axis;
+    };
+
+    std::size_t
+    OffsetOf(const MedialVoxelIndex & cell) const
+    {
+      return static_cast<std::size_t>(
+        ((cell[2] - m_Cells.lower[2]) * m_Cells.Extent(1) + (cell[1] - m_Cells.lower[1])) * m_Cells.Extent(0) +
+        (cell[0] - m_Cells.lower[0]));
+    }
+
+    MedialVoxelBox        m_Cells;
+    std::vector<EdgeMask> m_Masks;
+
+    /** With an automatic thickness: the thresholds of the cells of the tile and around it, and the edges that no bound
+     * decides. */
+    MedialVoxelBox                          m_EpsilonBox;
+    std::vector<double>                     m_Epsilons;
+    MedialVoxelLocalThreshold::Workspace    m_Threshold;
+    std::vector<Edge>                       m_Edges;
+    std::vector<MedialVoxelSeparationQuery> m_Queries;
+    MedialVoxelPairSeparation::Workspace    m_Separation;
+  };
+
+  /** \param grid        the image in the units in which its cells are classified
+   *  \param parameters  those of the classification; whatever the bound, crossings are those of the geodesic distance
+   */
+  MedialVoxelSurfaceCrossings(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+
+  /** Find the crossed edges of the cells of \a tile; incomplete after an abort.
+   *
+   * \return an empty box when all edges are decided, otherwise the box of sites that must be known to decide them */
+  MedialVoxelBox
+  Find(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+
+  /** Bytes of a workspace for each voxel of a tile when an eighth of them are near a surface. */
+  static std::uint64_t
+  GetBytesPerVoxel(const MedialVoxelParameters & parameters);
+
+private:
+  /** A row of voxels, and the axis of the edges that begin there. */
+  struct Row
+  {
+    unsigned int axis;
+    std::int64_t y;
+    std::int64_t z;
+  };
+
+  void
+  FindInRow(const MedialVoxelClassifiedTile & tile,
+            const Row &                       row,
+            Workspace &                       workspace,
+            MedialVoxelBox &                  missing) const;
+
+  void
+  DecideFixed(const MedialVoxelClassifiedTile & tile,
+              const Workspace::Edge &           edge,
+              const MedialVoxelPair &           pair,
+              Workspace &                       workspace,
+              MedialVoxelBox &                  missing) const;
+
+  void
+  DecideAutomatic(const MedialVoxelClassifiedTile & tile,
+                  const Workspace::Edge &           edge,
+                  const MedialVoxelPair &           pair,
+                  Workspace &                       workspace) const;
+
+  MedialVoxelBox
+  DecideQueries(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+
+  static void
+  Mark(const Workspace::Edge & edge, Workspace & workspace);
+
+  double
+  EpsilonOf(const Workspace::Edge & edge, const Workspace & workspace) const;
+
+  MedialVoxelGrid           m_Grid;
+  MedialVoxelParameters     m_Parameters;
+  MedialVoxelDualCell       m_Cell;
+  MedialVoxelPairDecision   m_Decision;
+  MedialVoxelLocalThreshold m_Threshold;
+  MedialVoxelBitFlood       m_Flood;
+  MedialVoxelPairSeparation m_Separation;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,294 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelAutomaticClassifier.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+
+namespace itk
+{
+
+namespace
+{
+
+/** Relative width of the band below a threshold in which sums in floating point are not trusted. */
+constexpr double Band = 1e-9;
+
+/** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
+constexpr double LargestBranch = 0.85;
+
+void
+Count(const std::uint8_t label, MedialVoxelCounts & counts)
+{
+  counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
+  counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
+  counts.geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
+}
+
+} // namespace
+
+MedialVoxelAutomaticClassifier::MedialVoxelAutomaticClassifier(const MedialVoxelGrid &       grid,
+                                                               const MedialVoxelParameters & parameters)
+  : m_Grid(grid)
+  , m_Parameters(parameters)
+  , m_Pairs(grid, parameters.epsilon)
+  , m_Threshold(grid, parameters)
+  , m_Flood(grid, parameters.epsilon)
+  , m_Separation(grid)
+{}
+
+MedialVoxelBox
+MedialVoxelAutomaticClassifier::Classify(const MedialVoxelWindow &   window,
+                                         const MedialVoxelBox &      tile,
+                                         const MedialVoxelFeatures & features,
+                                         const MedialVoxelProgress & progress,
+                                         Workspace &                 workspace,
+                                         std::vector<std::uint8_t> & labels,
+                                         MedialVoxelCounts &         counts) const
+{
+  if (!this->Collect(window, tile, features, progress, workspace, labels, counts))
+  {
+    return {};
+  }
+  auto & threshold = workspace.m_Threshold;
+  threshold.cells.Rank();
+  workspace.m_Ranks.Rank();
+  m_Threshold.GetCover().Cover(threshold.balls, threshold.cells, threshold.cover, threshold.coveringRadii);
+  this->LabelAtOnce(workspace, labels, counts);
+
+  auto &     queries = workspace.m_Queries;
+  auto &     cells = workspace.m_Cells;
+  const auto decide = [&](const MedialVoxelSeparationQuery & query, const std::uint8_t label) {
+    labels[cells[query.cell].label] = label;
+    Count(label, counts);
+  };
+  const auto fallsShort = [&](const MedialVoxelSeparationQuery & query) {
+    Cell & cell = cells[query.cell];
+    this->FollowNeighbors(workspace, cell);
+    if (cell.longest >= query.epsilon * (1.0 - Band))
+    {
+      return false;
+    }
+    decide(query, MedialVoxelLabel::NonMedial);
+    return true;
+  };
+  // From the edges of walls inwards, as each cell may follow the one before.
+  const auto isNearerToWalls = [&](const MedialVoxelSeparationQuery & i, const MedialVoxelSeparationQuery & j) {
+    return cells[i.cell].radius < cells[j.cell].radius;
+  };
+  // Branches are in walls that are thicker than they are.
+  const auto isInSheet = [&](const MedialVoxelSeparationQuery & query) {
+    return m_Threshold.EpsilonOf(cells[query.cell].radius, 0.0) > LargestBranch * query.epsilon;
+  };
+  const auto branches = std::partition(queries.begin(), queries.end(), isInSheet);
+  std::sort(branches, queries.end(), isNearerToWalls);
+  queries.erase(std::remove_if(branches, queries.end(), fallsShort), queries.end());
+
+  const MedialVoxelBox missing = m_Separation.FindSeparated(*window.sites, progress, workspace.m_Separation, queries);
+  if (!missing.IsEmpty())
+  {
+    return missing;
+  }
+  const auto joined =
+    std::partition(queries.begin(), queries.end(), [&](const MedialVoxelSeparationQuery & q) { return q.isSeparated; });
+  std::for_each(queries.begin(), joined, [&](const MedialVoxelSeparationQuery & query) {
+    decide(query, MedialVoxelLabel::MedialByGeodesic);
+  });
+  std::sort(joined, queries.end(), isNearerToWalls);
+  for (auto query = joined; query != queries.end() && !progress.IsAborted(); ++query)
+  {
+    if (!fallsShort(*query))
+    {
+      Cell & cell = cells[query->cell];
+      cell.longest = std::min(cell.longest, m_Separation.BoundLength(*window.sites, *query, workspace.m_Separation));
+      decide(*query, cell.longest < query->epsilon ? MedialVoxelLabel::NonMedial : MedialVoxelLabel::MedialByGeodesic);
+    }
+  }
+  return {};
+}
+
+/** Label what needs no search, and make queries of the rest. */
+void
+MedialVoxelAutomaticClassifier::LabelAtOnce(Workspace &                 workspace,
+                                            std::vector<std::uint8_t> & labels,
+                                            MedialVoxelCounts &         counts) const
+{
+  workspace.m_Queries.clear();
+  std::size_t waiting = 0;
+  for (std::size_t i = 0; i < workspace.m_Cells.size(); ++i)
+  {
+    const Cell & cell = workspace.m_Cells[i];
+    if (cell.longest <= m_Parameters.epsilon)
+    {
+      continue;
+    }
+    const MedialVoxelPair & pair = workspace.m_Pairs[waiting];
+    const double            epsilon = m_Threshold.EpsilonOf(cell.radius, workspace.m_Threshold.coveringRadii[waiting]);
+    ++waiting;
+    if (m_Pairs.GetCell().IsTrivial(pair.difference, epsilon))
+    {
+      ++counts.trivialCells;
+    }
+    else if (this->BoundOf(pair) >= epsilon)
+    {
+      labels[cell.label] = MedialVoxelLabel::MedialByBound;
+      ++counts.boundCells;
+    }
+    else if ((cell.isAtFloor && epsilon == m_Parameters.epsilon) ||
+             m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon)
+    {
+      labels[cell.label] = MedialVoxelLabel::MedialByGeodesic;
+      ++counts.geodesicMedialCells;
+    }
+    else
+    {
+      workspace.m_Queries.push_back({ cell.a, cell.b, epsilon, i });
+    }
+  }
+}
+
+/** Length of the edge between two boundary points, 0 when they are the same; infinite when there is none. */
+double
+MedialVoxelAutomaticClassifier::EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
+{
+  unsigned int mask = 0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t steps = std::abs(a[axis] - b[axis]);
+    if (steps > 1)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    mask |= static_cast<unsigned int>(steps) << axis;
+  }
+  return m_Grid.GetEdgeLength(mask);
+}
+
+/** Bound the geodesic distance of a cell by ways over the pairs of its neighbors. */
+void
+MedialVoxelAutomaticClassifier::FollowNeighbors(const Workspace & workspace, Cell & cell) const
+{
+  const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
+  const std::int64_t      x = cell.center[0];
+  for (std::int64_t z = cell.center[2] - 1; z <= cell.center[2] + 1; ++z)
+  {
+    for (std::int64_t y = cell.center[1] - 1; y <= cell.center[1] + 1; ++y)
+    {
+      if (!bits.HasRow(y, z))
+      {
+        continue;
+      }
+      for (auto rest = bits.Extract(x - 1, y, z) & 7u; rest != 0; rest &= rest - 1)
+      {
+        const std::int64_t neighborX = x - 1 + MedialVoxelLowestBit(rest);
+        const auto         bit = MedialVoxelBits::WordType{ 1 } << (neighborX & 63);
+        const Cell &       neighbor =
+          workspace.m_Cells[workspace.m_Ranks.RankOf((neighborX >> 6) - bits.GetFirstWord(), y, z, bit)];
+        if (neighbor.longest < cell.longest)
+        {
+          const double straight = this->EdgeBetween(cell.a, neighbor.a) + this->EdgeBetween(cell.b, neighbor.b);
+          const double crossed = this->EdgeBetween(cell.a, neighbor.b) + this->EdgeBetween(cell.b, neighbor.a);
+          cell.longest = std::min(cell.longest, neighbor.longest + std::min(straight, crossed));
+        }
+      }
+    }
+  }
+}
+
+/** Find the cells of the tile that are not trivial, those that fall short of the smallest threshold as far as a flood
+ * can tell, and the balls in and around the tile. False when aborted. */
+bool
+MedialVoxelAutomaticClassifier::Collect(const MedialVoxelWindow &   window,
+                                        const MedialVoxelBox &      tile,
+                                        const MedialVoxelFeatures & features,
+                                        const MedialVoxelProgress & progress,
+                                        Workspace &                 workspace,
+                                        std::vector<std::uint8_t> & labels,
+                                        MedialVoxelCounts &         counts) const
+{
+  auto & threshold = workspace.m_Threshold;
+  threshold.balls.clear();
+  MedialVoxelBits & waiting = threshold.cells.Reshape(tile);
+  MedialVoxelBits & all = workspace.m_Ranks.Reshape(tile);
+  workspace.m_Cells.clear();
+  workspace.m_Pairs.clear();
+  const bool usesFlood = m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper;
+  return m_Pairs.Visit(*window.object, features, m_Threshold.GetCellBox(tile), [&](const MedialVoxelCells & cells) {
+    const MedialVoxelBits::WordType spread = m_Pairs.Spread(cells);
+    const bool                      isRowOfTile = cells.first[1] >= tile.lower[1] && cells.first[1] < tile.upper[1] &&
+                             cells.first[2] >= tile.lower[2] && cells.first[2] < tile.upper[2];
+    const MedialVoxelBits::WordType inTile =
+      isRowOfTile ? cells.candidates &
+                      MedialVoxelBits::RangeMask(0, tile.lower[0] - cells.first[0], tile.upper[0] - cells.first[0])
+                  : 0;
+    const std::size_t firstLabel = static_cast<std::size_t>(
+      ((cells.first[2] - tile.lower[2]) * tile.Extent(1) + (cells.first[1] - tile.lower[1])) * tile.Extent(0) +
+      (cells.first[0] - tile.lower[0]));
+    counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(inTile));
+    counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(inTile & ~spread));
+    for (auto rest = inTile; rest != 0; rest &= rest - 1)
+    {
+      labels[firstLabel + static_cast<std::size_t>(MedialVoxelLowestBit(rest))] = MedialVoxelLabel::NonMedial;
+    }
+    for (auto rest = spread; rest != 0; rest &= rest - 1)
+    {
+      const int           x = MedialVoxelLowestBit(rest);
+      const bool          isInTile = ((inTile >> x) & 1u) != 0;
+      MedialVoxelDiagonal widest;
+      if (!m_Pairs.Choose(features, cells, x, widest))
+      {
+        counts.trivialCells += isInTile ? 1 : 0;
+        continue;
+      }
+      const MedialVoxelIndex center{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
+      const double           radius = m_Threshold.RadiusOf(widest);
+      if (m_Threshold.CanRaise(radius))
+      {
+        threshold.balls.push_back({ center, radius });
+      }
+      if (!isInTile)
+      {
+        continue;
+      }
+      const auto              result = usesFlood ? m_Flood.Decide(*window.sites, widest.pair.a, widest.pair.difference)
+                                                 : MedialVoxelBitFlood::Result::Undecided;
+      const MedialVoxelPair & pair = widest.pair;
+      const bool              isShort = result == MedialVoxelBitFlood::Result::FallsShort;
+      all.Set(center);
+      workspace.m_Cells.push_back(
+        { center,
+          pair.a,
+          { { pair.a[0] - pair.difference[0], pair.a[1] - pair.difference[1], pair.a[2] - pair.difference[2] } },
+          firstLabel + static_cast<std::size_t>(x),
+          radius,
+          isShort ? m_Parameters.epsilon : std::numeric_limits<double>::infinity(),
+          !isShort && result != MedialVoxelBitFlood::Result::Undecided });
+      if (isShort)
+      {
+        ++counts.geodesicNonMedialCells;
+        continue;
+      }
+      waiting.Set(center);
+      workspace.m_Pairs.push_back(pair);
+    }
+    return !progress.IsAborted();
+  });
+}
+
+double
+MedialVoxelAutomaticClassifier::BoundOf(const MedialVoxelPair & pair) const
+{
+  switch (m_Parameters.bound)
+  {
+    case MedialVoxelPseudoGeodesicBound::FreeSpace:
+      return m_Pairs.GetCell().FreeSpaceLength(pair.difference);
+    case MedialVoxelPseudoGeodesicBound::Paper:
+      return m_Pairs.GetCell().PseudoGeodesicDistance(pair.displacement, pair.oppositeDisplacement);
+    case MedialVoxelPseudoGeodesicBound::Off:
+      break;
+  }
+  return 0.0;
+}
+
+} // end namespace itk

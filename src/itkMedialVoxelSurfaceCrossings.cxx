@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelSurfaceCrossings.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace itk
+{
+
+using WordType = MedialVoxelBits::WordType;
+using Topology = MedialVoxelSurfaceTopology;
+
+namespace
+{
+
+MedialVoxelParameters
+WithProvedBound(MedialVoxelParameters parameters)
+{
+  parameters.bound = MedialVoxelPseudoGeodesicBound::FreeSpace;
+  return parameters;
+}
+
+MedialVoxelDisplacement
+DisplacementAt(const MedialVoxelFeatures & features, const std::size_t at)
+{
+  return { { features.dx[at], features.dy[at], features.dz[at] } };
+}
+
+bool
+IsAdjacent(const MedialVoxelDisplacement & difference)
+{
+  return std::abs(difference[0]) <= 1 && std::abs(difference[1]) <= 1 && std::abs(difference[2]) <= 1;
+}
+
+/** The cell around an edge whose own edge with this number it is. */
+MedialVoxelIndex
+CellAt(const MedialVoxelIndex & voxel, const unsigned int edge)
+{
+  const MedialVoxelIndex offset = Topology::OffsetOf(edge);
+  return { { voxel[0] - offset[0], voxel[1] - offset[1], voxel[2] - offset[2] } };
+}
+
+} // namespace
+
+MedialVoxelSurfaceCrossings::MedialVoxelSurfaceCrossings(const MedialVoxelGrid &       grid,
+                                                         const MedialVoxelParameters & parameters)
+  : m_Grid(grid)
+  , m_Parameters(WithProvedBound(parameters))
+  , m_Cell(grid)
+  , m_Decision(grid, m_Parameters)
+  , m_Threshold(grid, m_Parameters)
+  , m_Flood(grid, m_Parameters.epsilon)
+  , m_Separation(grid)
+{}
+
+MedialVoxelBox
+MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
+{
+  workspace.m_Cells = tile.box.Intersection(m_Grid.GetCellBox());
+  workspace.m_Masks.assign(static_cast<std::size_t>(workspace.m_Cells.NumberOfVoxels()), 0);
+  workspace.m_Edges.clear();
+  workspace.m_Queries.clear();
+  const bool isAutomatic = m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
+  if (isAutomatic)
+  {
+    workspace.m_EpsilonBox = workspace.m_Cells.Expanded({ { 1, 1, 1 } }).Intersection(m_Grid.GetCellBox());
+    m_Threshold.Compute(
+      *tile.window.object, tile.features, workspace.m_EpsilonBox, workspace.m_Threshold, workspace.m_Epsilons);
+  }
+  const MedialVoxelBox voxels = tile.classifier.GetCornerBox(tile.box);
+  MedialVoxelBox       missing;
+  for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
+  {
+    for (std::int64_t y = voxels.lower[1]; y < voxels.upper[1] && !tile.progress.IsAborted(); ++y)
+    {
+      this->FindInRow(tile, { 0, y, z }, workspace, missing);
+      if (y + 1 < voxels.upper[1])
+      {
+        this->FindInRow(tile, { 1, y, z }, workspace, missing);
+      }
+      if (z + 1 < voxels.upper[2])
+      {
+        this->FindInRow(tile, { 2, y, z }, workspace, missing);
+      }
+    }
+  }
+  return isAutomatic ? this->DecideQueries(tile, workspace) : missing;
+}
+
+void
+MedialVoxelSurfaceCrossings::FindInRow(const MedialVoxelClassifiedTile & tile,
+                                       const Row &                       row,
+                                       Workspace &                       workspace,
+                                       MedialVoxelBox &                  missing) const
+{
+  const MedialVoxelFeatures & features = tile.features;
+  const MedialVoxelBits &     object = *tile.window.object;
+  const MedialVoxelBox        voxels = tile.classifier.GetCornerBox(tile.box);
+  const MedialVoxelIndex      step{ { row.axis == 0 ? 1 : 0, row.axis == 1 ? 1 : 0, row.axis == 2 ? 1 : 0 } };
+  const WordType * const      words = object.GetRow(row.y, row.z) - object.GetFirstWord();
+  const WordType * const      otherWords = object.GetRow(row.y + step[1], row.z + step[2]) - object.GetFirstWord();
+  const std::size_t           first = features.OffsetOf(voxels.lower[0], row.y, row.z);
+  const std::size_t  toOther = features.OffsetOf(voxels.lower[0] + step[0], row.y + step[1], row.z + step[2]) - first;
+  const std::int64_t end = voxels.upper[0] - step[0];
+  const bool         edgesAreTrivial = m_Grid.GetLongestEdge() < m_Parameters.epsilon;
+  const bool         isAutomatic = m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
+
+  for (std::int64_t word = voxels.lower[0] >> 6; word <= (voxels.upper[0] - 1) >> 6; ++word)
+  {
+    const WordType others =
+      row.axis == 0 ? (words[word] >> 1) | (words[word + 1] << (MedialVoxelBits::BitsPerWord - 1)) : otherWords[word];
+    for (WordType rest = (words[word] | others) & MedialVoxelBits::RangeMask(word, voxels.lower[0], end); rest != 0;
+         rest &= rest - 1)
+    {
+      const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(rest);
+      const std::size_t  at = first + static_cast<std::size_t>(x - voxels.lower[0]);
+      MedialVoxelPair    pair;
+      pair.displacement = DisplacementAt(features, at);
+      pair.oppositeDisplacement = DisplacementAt(features, at + toOther);
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        pair.difference[axis] = pair.displacement[axis] - pair.oppositeDisplacement[axis] - step[axis];
+      }
+      if ((edgesAreTrivial && IsAdjacent(pair.difference)) || !features.HasSite(at) || !features.HasSite(at + toOther))
+      {
+        continue;
+      }
+      pair.a = { { x + pair.displacement[0], row.y + pair.displacement[1], row.z + pair.displacement[2] } };
+      const Workspace::Edge edge{ { { x, row.y, row.z } }, row.axis };
+      if (isAutomatic)
+      {
+        this->DecideAutomatic(tile, edge, pair, workspace);
+      }
+      else
+      {
+        this->DecideFixed(tile, edge, pair, workspace, missing);
+      }
+    }
+  }
+}
+
+void
+MedialVoxelSurfaceCrossings::DecideFixed(const MedialVoxelClassifiedTile & tile,
+                                         const Workspace::Edge &           edge,
+                                         const MedialVoxelPair &           pair,
+                                         Workspace &                       workspace,
+                                         MedialVoxelBox &                  missing) const
+{
+  if (!m_Cell.IsTrivial(pair.difference, m_Parameters.epsilon) &&
+      m_Decision.Decide(*tile.window.sites, pair, tile.geodesic, missing) != MedialVoxelLabel::NonMedial)
+  {
+    Mark(edge, workspace);
+  }
+}
+
+/** Decide an edge by the smallest threshold and by bounds, or make a query of it. */
+void
+MedialVoxelSurfaceCrossings::DecideAutomatic(const MedialVoxelClassifiedTile & tile,
+                                             const Workspace::Edge &           edge,
+                                             const MedialVoxelPair &           pair,
+                                             Workspace &                       workspace) const
+{
+  const double epsilon = this->EpsilonOf(edge, workspace);
+  if (m_Cell.IsTrivial(pair.difference, epsilon))
+  {
+    return;
+  }
+  const auto atFloor = m_Flood.Decide(*tile.window.sites, pair.a, pair.difference);
+  if (atFloor == MedialVoxelBitFlood::Result::FallsShort)
+  {
+    return;
+  }
+  const bool isDecided = epsilon == m_Parameters.epsilon && atFloor != MedialVoxelBitFlood::Result::Undecided;
+  if (isDecided || m_Cell.FreeSpaceLength(pair.difference) >= epsilon)
+  {
+    Mark(edge, workspace);
+    return;
+  }
+  MedialVoxelSeparationQuery query;
+  query.a = pair.a;
+  query.b = { { pair.a[0] - pair.difference[0], pair.a[1] - pair.difference[1], pair.a[2] - pair.difference[2] } };
+  query.epsilon = epsilon;
+  query.cell = workspace.m_Edges.size();
+  workspace.m_Edges.push_back(edge);
+  workspace.m_Queries.push_back(query);
+}
+
+MedialVoxelBox
+MedialVoxelSurfaceCrossings::DecideQueries(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
+{
+  const MedialVoxelBits & sites = *tile.window.sites;
+  const MedialVoxelBox    missing =
+    m_Separation.FindSeparated(sites, tile.progress, workspace.m_Separation, workspace.m_Queries);
+  if (!missing.IsEmpty())
+  {
+    return missing;
+  }
+  for (const MedialVoxelSeparationQuery & query : workspace.m_Queries)
+  {
+    if (tile.progress.IsAborted())
+    {
+      break;
+    }
+    if (query.isSeparated || m_Separation.BoundLength(sites, query, workspace.m_Separation) >= query.epsilon)
+    {
+      Mark(workspace.m_Edges[query.cell], workspace);
+    }
+  }
+  return {};
+}
+
+/** Set the bit of a crossed edge at the cells around it that the tile has. */
+void
+MedialVoxelSurfaceCrossings::Mark(const Workspace::Edge & edge, Workspace & workspace)
+{
+  for (unsigned int number = 4 * edge.axis; number < 4 * edge.axis + 4; ++number)
+  {
+    const MedialVoxelIndex cell = CellAt(edge.voxel, number);
+    if (workspace.m_Cells.Contains(cell))
+    {
+      EdgeMask & mask = workspace.m_Masks[workspace.OffsetOf(cell)];
+      mask = static_cast<EdgeMask>(mask | (1u << number));
+    }
+  }
+}
+
+/** The largest threshold of the cells around an edge. */
+double
+MedialVoxelSurfaceCrossings::EpsilonOf(const Workspace::Edge & edge, const Workspace & workspace) const
+{
+  const MedialVoxelBox & box = workspace.m_EpsilonBox;
+  double                 epsilon = m_Parameters.epsilon;
+  for (unsigned int number = 4 * edge.axis; number < 4 * edge.axis + 4; ++number)
+  {
+    const MedialVoxelIndex cell = CellAt(edge.voxel, number);
+    if (box.Contains(cell))
+    {
+      const std::int64_t row = (cell[2] - box.lower[2]) * box.Extent(1) + (cell[1] - box.lower[1]);
+      epsilon =
+        std::max(epsilon, workspace.m_Epsilons[static_cast<std::size_t>(row * box.Extent(0) + cell[0] - box.lower[0])]);
+    }
+  }
+  return epsilon;
+}
+
+std::uint64_t
+MedialVoxelSurfaceCrossings::GetBytesPerVoxel(const MedialVoxelParameters & parameters)
+{
+  constexpr std::uint64_t bytesOfQuery = sizeof(Workspace::Edge) + sizeof(MedialVoxelSeparationQuery) + 128;
+  return parameters.mode == MedialVoxelThicknessMode::Automatic
+           ? sizeof(EdgeMask) + 3 * sizeof(double) + (sizeof(MedialVoxelInscribedBall) + bytesOfQuery) / 8
+           : sizeof(EdgeMask);
+}
+
+} // end namespace itk

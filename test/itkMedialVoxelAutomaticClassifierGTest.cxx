@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "itkMedialVoxelClassifier.h"
+
+#include "MedialVoxelTestAutomatic.h"
+#include "MedialVoxelTestKernels.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace MedialVoxelTest;
+using itk::MedialVoxelClassifier;
+using BoundEnum = itk::MedialVoxelPseudoGeodesicBound;
+using Labels = std::vector<unsigned char>;
+
+itk::MedialVoxelParameters
+ParametersOf(const WallLimits & limits, BoundEnum bound)
+{
+  auto parameters = itk::MedialVoxelParameters::ForWalls(limits.minimum, limits.maximum, bound);
+  parameters.thicknessFactor = limits.factor;
+  return parameters;
+}
+
+/** Everything that a classifier reads of a volume. */
+struct Inputs
+{
+  Volume               volume;
+  itk::MedialVoxelGrid grid;
+  itk::MedialVoxelBits object;
+  itk::MedialVoxelBits sites;
+
+  explicit Inputs(Volume v)
+    : volume(std::move(v))
+    , grid(GridOf(volume))
+    , object(ObjectBits(volume, grid.GetVoxelBox()))
+    , sites(SiteBits(BoundarySites(volume), grid.GetVoxelBox()))
+  {}
+
+  itk::MedialVoxelFeatures
+  Features(const itk::MedialVoxelBox & box) const
+  {
+    const itk::MedialVoxelFeatureTransform      transform(grid);
+    itk::MedialVoxelFeatureTransform::Workspace workspace;
+    itk::MedialVoxelFeatures                    features;
+    EXPECT_TRUE(transform.Compute({ &object, &sites }, box, workspace, features).IsEmpty());
+    return features;
+  }
+
+  Labels
+  Classify(const MedialVoxelClassifier & classifier,
+           const itk::MedialVoxelBox &   tile,
+           itk::MedialVoxelCounts &      counts) const
+  {
+    const itk::MedialVoxelNoProgress progress;
+    MedialVoxelClassifier::Workspace workspace;
+    Labels                           labels;
+    EXPECT_TRUE(
+      classifier
+        .Classify(
+          { &object, &sites }, tile, Features(classifier.GetVoxelBox(tile)), progress, workspace, labels, counts)
+        .IsEmpty());
+    return labels;
+  }
+
+  Labels
+  Classify(const WallLimits & limits, BoundEnum bound = BoundEnum::FreeSpace) const
+  {
+    itk::MedialVoxelCounts counts;
+    return Classify(MedialVoxelClassifier(grid, ParametersOf(limits, bound)), grid.GetVoxelBox(), counts);
+  }
+};
+
+struct Case
+{
+  Inputs     inputs;
+  WallLimits limits;
+};
+
+/** Thin and thick walls, corners, cavities and noise; the factors keep thresholds away from path lengths. */
+std::vector<Case>
+Cases()
+{
+  const Vector3     unequal{ { 0.7, 1.1, 1.3 } };
+  std::vector<Case> cases;
+  cases.push_back({ Inputs(RandomBoxes({ { 30, 19, 18 } }, UnitSpacing, 14, 501)), { 3.0, 9.0, 2.9 } });
+  cases.push_back({ Inputs(RandomBoxes({ { 24, 21, 20 } }, { { 0.5, 0.5, 0.5 } }, 11, 502)), { 1.0, 16.0, 2.3 } });
+  cases.push_back({ Inputs(RandomBoxes({ { 21, 18, 15 } }, unequal, 11, 503)), { 2.1, 9.0, 2.9 } });
+  cases.push_back({ Inputs(RandomVolume({ { 18, 15, 14 } }, UnitSpacing, 0.93, 504)), { 1.5, 6.0, 2.9 } });
+  cases.push_back({ Inputs(RandomVolume({ { 12, 11, 10 } }, unequal, 0.9, 505)), { 0.4, 4.0, 1.9 } });
+  cases.push_back({ Inputs(RandomBoxes({ { 70, 61, 1 } }, UnitSpacing, 21, 506)), { 3.0, 16.0, 2.9 } });
+  cases.push_back({ Inputs(RandomVolume({ { 30, 1, 25 } }, UnitSpacing, 0.85, 507)), { 2.0, 9.0, 2.7 } });
+  cases.push_back({ Inputs(RandomVolume({ { 30, 25, 1 } }, unequal, 0.9, 508)), { 0.5, 9.0, 2.9 } });
+  cases.push_back({ Inputs(RandomVolume({ { 60, 1, 1 } }, UnitSpacing, 0.8, 509)), { 3.0, 16.0, 2.9 } });
+  cases.push_back({ Inputs(Complement(Volume({ { 9, 8, 7 } }, UnitSpacing))), { 3.0, 16.0, 3.0 } });
+  return cases;
+}
+
+const std::vector<Case> &
+AllCases()
+{
+  static const std::vector<Case> cases = Cases();
+  return cases;
+}
+
+bool
+IsMedial(unsigned char label)
+{
+  return label >= itk::MedialVoxelLabel::MedialByBound;
+}
+} // namespace
+
+TEST(MedialVoxelAutomaticClassifier, TilesAreTheDefinitions)
+{
+  std::array<std::uint64_t, 4> seen{};
+  for (const Case & c : AllCases())
+  {
+    const auto image = c.inputs.grid.GetVoxelBox();
+    for (const auto & bound : { std::make_pair(Bound::FreeSpace, BoundEnum::FreeSpace),
+                                { Bound::Paper, BoundEnum::Paper },
+                                { Bound::Off, BoundEnum::Off } })
+    {
+      const auto expected = MedialVoxelTest::AutomaticClassifier(c.inputs.volume, c.limits).Run(bound.first);
+      const MedialVoxelClassifier classifier(c.inputs.grid, ParametersOf(c.limits, bound.second));
+      std::mt19937                generator(7);
+      for (const auto & tile :
+           { image, RandomBox(c.inputs.volume.size, generator), RandomBox(c.inputs.volume.size, generator) })
+      {
+        itk::MedialVoxelCounts counts;
+        const auto             labels = c.inputs.Classify(classifier, tile, counts);
+        Labels                 wanted;
+        ForEachVoxel(tile, [&](const itk::MedialVoxelIndex & v) {
+          wanted.push_back(expected.labels[c.inputs.volume.Offset(OracleIndex(v))]);
+        });
+        ASSERT_EQ(labels, wanted) << "size " << c.inputs.volume.size[0] << ", bound " << static_cast<int>(bound.first);
+        EXPECT_EQ(counts.candidateCells,
+                  counts.trivialCells + counts.boundCells + counts.geodesicMedialCells + counts.geodesicNonMedialCells);
+        if (tile == image)
+        {
+          EXPECT_EQ(counts.trivialCells, expected.counts.trivialCells);
+          EXPECT_EQ(counts.boundCells, expected.counts.boundCells);
+          EXPECT_EQ(counts.geodesicMedialCells, expected.counts.geodesicMedialCells);
+          EXPECT_EQ(counts.geodesicNonMedialCells, expected.counts.geodesicNonMedialCells);
+          seen[0] += counts.trivialCells;
+          seen[1] += counts.boundCells;
+          seen[2] += counts.geodesicMedialCells;
+          seen[3] += counts.geodesicNonMedialCells;
+        }
+      }
+    }
+  }
+  for (const std::uint64_t cells : seen)
+  {
+    EXPECT_GT(cells, 100u);
+  }
+}
+
+TEST(MedialVoxelAutomaticClassifier, ThresholdsAreThoseOfBruteForce)
+{
+  std::size_t raised = 0;
+  for (const Case & c : AllCases())
+  {
+    const MedialVoxelTest::AutomaticClassifier oracle(c.inputs.volume, c.limits);
+    const MedialVoxelClassifier                classifier(c.inputs.grid, ParametersOf(c.limits, BoundEnum::FreeSpace));
+    const auto &                               threshold = classifier.GetThreshold();
+    std::mt19937                               generator(8);
+    const auto                                 box =
+      RandomBox(c.inputs.volume.size, generator).Expanded({ { 6, 6, 6 } }).Intersection(c.inputs.grid.GetVoxelBox());
+    std::vector<double>                       epsilons;
+    itk::MedialVoxelLocalThreshold::Workspace workspace;
+    threshold.Compute(c.inputs.object, c.inputs.Features(classifier.GetVoxelBox(box)), box, workspace, epsilons);
+    std::size_t i = 0;
+    ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
+      const bool   isCell = IsCandidate(c.inputs.volume, OracleIndex(v));
+      const double floor = EpsilonOf(c.limits.minimum);
+      EXPECT_EQ(epsilons[i], isCell ? oracle.EpsilonOf(c.inputs.volume.Offset(OracleIndex(v))) : floor);
+      raised += epsilons[i] > floor ? 1 : 0;
+      ++i;
+    });
+  }
+  EXPECT_GT(raised, 1000u);
+}
+
+TEST(MedialVoxelAutomaticClassifier, LargerLimitsNeverAddMedialCells)
+{
+  for (const Case & c : AllCases())
+  {
+    const auto labels = c.inputs.Classify(c.limits);
+    for (const WallLimits & larger : { WallLimits{ 1.4 * c.limits.minimum, c.limits.maximum, c.limits.factor },
+                                       WallLimits{ c.limits.minimum, 1.6 * c.limits.maximum, c.limits.factor },
+                                       WallLimits{ c.limits.minimum, c.limits.maximum, 1.3 * c.limits.factor } })
+    {
+      const auto fewer = c.inputs.Classify(larger);
+      for (std::size_t i = 0; i < labels.size(); ++i)
+      {
+        ASSERT_LE(IsMedial(fewer[i]), IsMedial(labels[i]));
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelAutomaticClassifier, WallsAreDecidedWithTheirOwnThickness)
+{
+  // A plate of 2 and one of 10 voxels: one cell per column away from the rims, and none at the edges of the thick one.
+  const Inputs inputs(MakeVolume({ { 48, 48, 40 } }, UnitSpacing, [](const Index3 & v) {
+    const bool isInside = v[0] >= 3 && v[0] < 45 && v[1] >= 3 && v[1] < 45;
+    return isInside && ((v[2] >= 4 && v[2] < 6) || (v[2] >= 14 && v[2] < 24));
+  }));
+  const auto   labels = inputs.Classify({ 3.0, 16.0 });
+  for (int y = 0; y < 48; ++y)
+  {
+    for (int x = 0; x < 48; ++x)
+    {
+      for (int z = 0; z < 40; ++z)
+      {
+        const bool isMiddle = z == 4 || z == 18;
+        const int  inner = z < 10 ? 5 : 12;
+        const bool isInner = x >= inner && y >= inner && x < 47 - inner && y < 47 - inner;
+        const bool isSheet = IsMedial(labels[inputs.volume.Offset({ { x, y, z } })]);
+        ASSERT_TRUE(isMiddle ? (isSheet || !isInner) : !isSheet) << x << ' ' << y << ' ' << z;
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelAutomaticClassifier, SmallWindowsSayWhatTheyMiss)
+{
+  const itk::MedialVoxelNoProgress progress;
+  MedialVoxelClassifier::Workspace workspace;
+  const Inputs                     inputs(AxisPlate({ { 60, 60, 30 } }, UnitSpacing, 2, 9, 10));
+  const auto                       tile = MakeBox({ { 26, 26, 13 } }, { { 34, 34, 15 } });
+  const MedialVoxelClassifier      classifier(inputs.grid, ParametersOf({ 3.0, 16.0 }, BoundEnum::Off));
+  const auto                       features = inputs.Features(classifier.GetVoxelBox(tile));
+  const auto                       small = SiteBits(BoundarySites(inputs.volume), tile.Expanded({ { 4, 4, 8 } }));
+  Labels                           labels;
+  itk::MedialVoxelCounts           counts;
+  const auto                       missing =
+    classifier.Classify({ &inputs.object, &small }, tile, features, progress, workspace, labels, counts);
+  ASSERT_FALSE(missing.IsEmpty());
+  const auto enough =
+    SiteBits(BoundarySites(inputs.volume), missing.Union(small.GetBox()).Intersection(inputs.grid.GetVoxelBox()));
+  itk::MedialVoxelCounts second;
+  EXPECT_TRUE(
+    classifier.Classify({ &inputs.object, &enough }, tile, features, progress, workspace, labels, second).IsEmpty());
+  EXPECT_EQ(second.geodesicMedialCells, 64u); // the mid-plane of ten layers lies between z = 13 and 14
+}

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+#include "itkMedialVoxelBoundary.h"
+#include "itkMedialVoxelClassifier.h"
+
+#include "MedialVoxelTestKernels.h"
+#include "MedialVoxelTestWalls.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace
+{
+using namespace MedialVoxelTest;
+using itk::MedialVoxelParameters;
+
+constexpr auto FreeSpace = itk::MedialVoxelPseudoGeodesicBound::FreeSpace;
+
+/** Farther from the mid-surface than this a medial cell is spurious, and a point of it is not covered. */
+constexpr double Far = 1.5;
+
+/** What a sheet is worth, in percent of its cells and of the points that it must cover. */
+struct Quality
+{
+  double      spurious;
+  double      uncovered;
+  std::size_t cells;
+};
+
+std::vector<unsigned char>
+Classify(const Volume & volume, const MedialVoxelParameters & parameters)
+{
+  const itk::MedialVoxelGrid grid = GridOf(volume);
+  const itk::MedialVoxelBox  image = grid.GetVoxelBox();
+  const auto                 object = ObjectBits(volume, image);
+  itk::MedialVoxelBits       sites(image);
+  itk::MedialVoxelComputeBoundary(object, image, itk::MedialVoxelBoundary::Background, image, sites);
+  const itk::MedialVoxelFeatureTransform      transform(grid);
+  itk::MedialVoxelFeatureTransform::Workspace transformWorkspace;
+  itk::MedialVoxelFeatures                    features;
+  EXPECT_TRUE(transform.Compute({ &object, &sites }, image, transformWorkspace, features).IsEmpty());
+  const itk::MedialVoxelClassifier      classifier(grid, parameters);
+  const itk::MedialVoxelNoProgress      progress;
+  itk::MedialVoxelClassifier::Workspace workspace;
+  std::vector<unsigned char>            labels;
+  itk::MedialVoxelCounts                counts;
+  EXPECT_TRUE(classifier.Classify({ &object, &sites }, image, features, progress, workspace, labels, counts).IsEmpty());
+  return labels;
+}
+
+Quality
+Judge(const Part & part, const Volume & volume, const std::vector<unsigned char> & labels)
+{
+  std::size_t                cells = 0;
+  std::size_t                spurious = 0;
+  std::vector<unsigned char> isNear(labels.size(), 0);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+  {
+    if (labels[i] < itk::MedialVoxelLabel::MedialByBound)
+    {
+      continue;
+    }
+    const Index3 v = volume.IndexAt(i);
+    ++cells;
+    spurious += part.middle(PositionIn(part, { { v[0] + 0.5, v[1] + 0.5, v[2] + 0.5 } })) > Far ? 1 : 0;
+    isNear[i] = 1;
+  }
+  std::size_t   uncovered = 0;
+  const Vector3 center = CenterOf(part);
+  for (const Vector3 & sample : part.samples)
+  {
+    bool   covered = false;
+    Index3 lower;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      lower[axis] = static_cast<int>(std::floor(sample[axis] + center[axis] - 0.5)) - 1;
+    }
+    for (int move = 0; move < 64 && !covered; ++move)
+    {
+      const Index3 v{ { lower[0] + move % 4, lower[1] + move / 4 % 4, lower[2] + move / 16 } };
+      if (volume.Contains(v) && isNear[volume.Offset(v)])
+      {
+        const Vector3 way{
+          { v[0] + 0.5 - center[0] - sample[0], v[1] + 0.5 - center[1] - sample[1], v[2] + 0.5 - center[2] - sample[2] }
+        };
+        covered = Dot(way, way) <= Far * Far;
+      }
+    }
+    uncovered += covered ? 0 : 1;
+  }
+  return { 100.0 * static_cast<double>(spurious) / static_cast<double>(std::max<std::size_t>(1, cells)),
+           100.0 * static_cast<double>(uncovered) / static_cast<double>(part.samples.size()),
+           cells };
+}
+
+Quality
+Judge(const Part & part, Noise noise, const MedialVoxelParameters & parameters)
+{
+  const Volume volume = Voxelize(part, noise, 77);
+  return Judge(part, volume, Classify(volume, parameters));
+}
+
+MedialVoxelParameters
+Automatic()
+{
+  return MedialVoxelParameters::ForWalls(3.0, 16.0, FreeSpace);
+}
+} // namespace
+
+TEST(MedialVoxelAutomaticQuality, PlatesHaveOneCellPerColumn)
+{
+  for (int thickness = 1; thickness <= 8; ++thickness)
+  {
+    const int    lower = 5;
+    const Volume plate = MakeVolume(
+      { { 40, 40, 20 } }, UnitSpacing, [&](const Index3 & v) { return v[2] >= lower && v[2] < lower + thickness; });
+    const auto labels = Classify(plate, Automatic());
+    for (int y = 0; y < 39; ++y)
+    {
+      for (int x = 0; x < 39; ++x)
+      {
+        int cells = 0;
+        for (int z = 0; z < 20; ++z)
+        {
+          cells += labels[plate.Offset({ { x, y, z } })] >= itk::MedialVoxelLabel::MedialByBound ? 1 : 0;
+        }
+        ASSERT_EQ(cells, 1) << "thickness " << thickness;
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelAutomaticQuality, StepsHaveNoBranches)
+{
+  const Part part = StepsPart();
+  const auto clean = Judge(part, Noise::None, Automatic());
+  const auto flipped = Judge(part, Noise::Flip, Automatic());
+  const auto fixed = Judge(part, Noise::None, MedialVoxelParameters::ForThickness(3.0, FreeSpace));
+  EXPECT_LE(clean.spurious, 0.5);
+  EXPECT_LE(clean.uncovered, 1.5);
+  EXPECT_LE(flipped.spurious, 0.5);
+  EXPECT_LE(flipped.uncovered, 1.5);
+  EXPECT_GT(fixed.spurious, 10.0);
+}
+
+TEST(MedialVoxelAutomaticQuality, RibsAndBendsKeepTheirSheets)
+{
+  for (const Part & part : { TeePart(), BendPart() })
+  {
+    for (const Noise noise : { Noise::None, Noise::Flip, Noise::Scan })
+    {
+      const auto quality = Judge(part, noise, Automatic());
+      EXPECT_LE(quality.spurious, 0.5) << part.name;
+      EXPECT_LE(quality.uncovered, 1.5) << part.name;
+    }
+  }
+}
+
+TEST(MedialVoxelAutomaticQuality, ClosedShellsHaveNoHoles)
+{
+  for (const double thickness : { 4.0, 10.0 })
+  {
+    const Part part = ShellPart(thickness);
+    for (const Noise noise : { Noise::None, Noise::Flip })
+    {
+      const auto quality = Judge(part, noise, Automatic());
+      EXPECT_LE(quality.spurious, 0.5) << part.name;
+      EXPECT_EQ(quality.uncovered, 0.0) << part.name;
+    }
+  }
+}
+
+/** The table of doc/thickness.md, as Markdown; takes a minute. */
+TEST(MedialVoxelAutomaticQuality, DISABLED_Table)
+{
+  const std::pair<const char *, Noise> noises[] = {
+    { "clean", Noise::None }, { "flip", Noise::Flip }, { "shift", Noise::Shift }, { "scan", Noise::Scan }
+  };
+  std::printf("| part | noise | automatic | fixed 3 | fixed 5 |\n| --- | --- | --- | --- | --- |\n");
+  for (const Part & part :
+       { StepsPart(), RibsPart(), TeePart(), BendPart(), GyroidPart(), ShellPart(4.0), ShellPart(10.0) })
+  {
+    for (const auto & noise : noises)
+    {
+      const Volume volume = Voxelize(part, noise.second, 77);
+      std::printf("| %s | %s |", part.name.c_str(), noise.first);
+      for (const auto & parameters : { Automatic(),
+                                       MedialVoxelParameters::ForThickness(3.0, FreeSpace),
+                                       MedialVoxelParameters::ForThickness(5.0, FreeSpace) })
+      {
+        const Quality quality = Judge(part, volume, Classify(volume, parameters));
+        EXPECT_GT(quality.cells, 0u);
+        std::printf(" %.2f / %.2f |", quality.spurious, quality.uncovered);
+      }
+      std::printf("\n");
+    }
+  }
+}
