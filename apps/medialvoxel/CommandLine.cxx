@@ -234,24 +234,20 @@ AddMesh(CLI::App & app, const std::string & name, ExtractOptions & options)
 void
 AddThickness(CLI::App & app, ExtractOptions & options)
 {
-  AddText(app,
-          "--thickness",
-          "Thickness tau of walls, in the units of the spacing; default: auto, that of each wall",
-          "T",
-          [&](const std::string & text) {
-            options.thickness = text == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
-          });
+  AddText(
+    app, "--thickness", "Thickness tau of the walls (default: auto, their own)", "T", [&](const std::string & text) {
+      options.thickness = text == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
+    });
   AddText(app,
           "--minimum-thickness",
-          "With auto: thinner walls count as this; default: 3 voxels",
+          "auto: thinner walls count as this (default: 3 voxels)",
           "T",
           [&](const std::string & text) { options.minimumThickness = ToDouble(text); });
-  AddText(app,
-          "--maximum-thickness",
-          "With auto: largest wall that is to be a sheet; default: 16 voxels",
-          "T",
-          [&](const std::string & text) { options.maximumThickness = ToDouble(text); });
-  app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels instead");
+  AddText(
+    app, "--maximum-thickness", "auto: thickest wall to be a sheet (default: 16)", "T", [&](const std::string & text) {
+      options.maximumThickness = ToDouble(text);
+    });
+  app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels, not in units of the spacing");
 }
 
 void
@@ -289,8 +285,7 @@ DefineExtract(CommandLine & line)
   AddRawOptions(line, app, options);
   line.examples[&app] = {
     "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html",
-    "medialvoxel extract scan.raw medial.nrrd --thickness 2.5 --lower 200 \\\n"
-    "    --raw-size 708,965,325 --raw-type uint16 --raw-spacing 0.5,0.5,0.8",
+    "medialvoxel extract scan.raw out.nrrd --raw-size 708,965,325 --raw-type uint16",
   };
   app.footer("Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by search.");
 }

@@ -117,6 +117,27 @@ class ReportTest(ProgramTestCase):
                 change(changed)
                 self.assertFalse(validator.is_valid(changed))
 
+    def test_automatic_thickness(self):
+        default, table = self.report()
+        self.assertEqual(default["parameters"]["thickness"], 3)
+        labels = {}
+        for name, options in {
+            "none": [],
+            "auto": ["--thickness", "auto"],
+            "limits": ["--minimum-thickness", 3, "--maximum-thickness", 16],
+            "divided": ["--divisions", 3, "--threads", 2],
+        }.items():
+            self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--report", "r.json", *options)
+            report = json.loads((self.folder / "r.json").read_text())
+            self.assertEqual(report["parameters"]["thickness"], "auto")
+            self.assertEqual(report["parameters"]["minimum_thickness"], 3)
+            self.assertEqual(report["parameters"]["maximum_thickness"], 16)
+            labels[name] = (self.folder / "out.mha").read_bytes()
+        self.assertEqual(len(set(labels.values())), 1)
+        self.assertRegex(self.run_program("extract", "in.mha", "out.mha", "--overwrite").stdout, r"tau +auto\n")
+        self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--report", "r.json", "--minimum-thickness", 9)
+        self.assertEqual(json.loads((self.folder / "r.json").read_text())["parameters"]["minimum_thickness"], 9)
+
     def test_thickness(self):
         """A plate of 4 voxels: every cell away from its rims tells 4, in units of the spacing."""
         volume = volumes.Volume((40, 40, 20), [], (0.5, 0.5, 0.5))

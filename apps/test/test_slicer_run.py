@@ -20,6 +20,8 @@ PAIRS = [
     (["--objectSelection=Label", "--labelValue", "100", "--bound", "off"], ["--lower", "100", "--upper", "100", "--bound", "off"]),
     (["--objectSelection=Label", "--labelValue=100", "--bound", "paper", "--voxelUnits"],
      ["--lower", "100", "--upper", "100", "--bound", "paper", "--voxel-units"]),
+    (["--thicknessMode", "Automatic"], []),
+    (["--thicknessMode=Fixed", "--thickness", "3"], []),
     (["--numberOfThreads", "1", "--memory", "300M"], ["--threads", "1", "--memory", "300M"]),
 ]  # fmt: skip
 OUTPUTS = {
@@ -40,7 +42,9 @@ class RunTest(ModuleTestCase):
 
     def extract_both(self, module_arguments, program_arguments, extension=".mha"):
         """The labels of module and program."""
-        thickness = module_arguments[module_arguments.index("--thickness") + 1] if "--thickness" in module_arguments else 3
+        thickness = "auto"
+        if "--thickness" in module_arguments:
+            thickness = module_arguments[module_arguments.index("--thickness") + 1]
         self.run_module(*module_arguments, "in.mha", f"module{extension}")
         self.extract("in.mha", f"program{extension}", "--overwrite", *program_arguments, thickness=thickness)
         return [(self.folder / f"{name}{extension}").read_bytes() for name in ("module", "program")]
@@ -67,7 +71,7 @@ class RunTest(ModuleTestCase):
             return {flag: (self.folder / values[flag]).read_bytes() for flag in files}
 
         module = run("m", lambda flag: flag, lambda *arguments: self.run_module(*arguments, "in.mha", "m.mha"))
-        program = run("p", OUTPUTS.get, lambda *arguments: self.extract("in.mha", "p.mha", *arguments))
+        program = run("p", OUTPUTS.get, lambda *arguments: self.extract("in.mha", "p.mha", *arguments, thickness="auto"))
         reports = [json.loads(outputs.pop("reportFile")) for outputs in (module, program)]
         self.assertEqual(module, program)
         for key in ("version", "input", "parameters", "size", "counts", "percent", "threads", "divisions"):

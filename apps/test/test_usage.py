@@ -33,7 +33,6 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["subcommand"])
         self.assert_usage(["INPUT"], "extract", "--thickness", 3)
         self.assert_usage(["OUTPUT"], "extract", "in.mha", "--thickness", 3)
-        self.assert_usage(["--thickness"], "extract", "in.mha", "out.mha")
         self.assert_extract_usage(["--bogus"], "--bogus")
         self.assert_extract_usage(["extra"], "extra")
         self.assert_extract_usage(["--lower"], "--lower")
@@ -43,8 +42,17 @@ class UsageTest(ProgramTestCase):
             self.assert_usage(
                 ["thickness", value, "finite number greater than 0"], "extract", "in.mha", "out.mha", "--thickness", value
             )
-        for value in ("3x", "", "three", "0x3"):
+        for value in ("3x", "", "three", "0x3", "Auto"):
             self.assert_usage(["--thickness", f"'{value}'"], "extract", "in.mha", "out.mha", "--thickness", value)
+
+    def test_limits_of_the_automatic_thickness(self):
+        command = ["extract", "in.mha", "out.mha"]
+        for name in ("minimum", "maximum"):
+            for value in ("0", "-2", "nan", "inf"):
+                self.assert_usage([f"{name} thickness", "greater than 0"], *command, f"--{name}-thickness", value)
+            self.assert_extract_usage(["thickness is 3", "auto"], f"--{name}-thickness", 2)
+        limits = ["--minimum-thickness", 5, "--maximum-thickness", 4]
+        self.assert_usage(["minimum thickness 5", "maximum thickness 4"], *command, *limits)
 
     def test_thresholds(self):
         for command in (["extract", "in.mha", "out.mha", "--thickness", 3], ["distance", "in.mha", "out.mha"]):

@@ -19,6 +19,11 @@ class BadInput(unittest.TestCase):
             self.assertIn(word, str(caught.exception))
         self.assertTrue(itk.medial_voxel_image_filter(blobs(), thickness=3.0).any())
 
+    def test_automatic_thickness(self):
+        automatic = itk.MedialVoxelEnums.ThicknessMode_Automatic
+        self.assert_refused("MinimumThickness is 17", thickness_mode=automatic, minimum_thickness=17.0)
+        self.assert_refused("MaximumThickness is -1", thickness_mode=automatic, maximum_thickness=-1.0)
+
     def test_thickness(self):
         for thickness in (-1.0, 0.0, float("nan"), float("inf")):
             with self.subTest(thickness=thickness):

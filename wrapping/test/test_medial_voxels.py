@@ -103,6 +103,24 @@ class MedialVoxels(unittest.TestCase):
         np.testing.assert_array_equal(cells["FreeSpace"] >= 2, cells["Off"] >= 2)
         self.assertFalse((cells["Off"] == 2).any())
 
+    def test_automatic_thickness(self):
+        automatic = itk.MedialVoxelEnums.ThicknessMode_Automatic
+        mask = np.zeros((40, 60, 60), "uint8")
+        mask[6:8, 4:56, 4:56] = 1
+        mask[16:26, 4:56, 4:56] = 1
+        medial = itk.MedialVoxelImageFilter.New(image_of(mask), thickness_mode=automatic)
+        medial.Update()
+        cells = itk.array_from_image(medial.GetOutput()) >= 2
+        self.assertEqual(medial.GetThicknessMode(), automatic)
+        self.assertTrue(cells[6, 20:40, 20:40].all())
+        self.assertTrue(cells[20, 20:40, 20:40].all())
+        self.assertFalse(cells[[z for z in range(40) if z not in (6, 20)]].any())
+        fixed = itk.array_from_image(itk.medial_voxel_image_filter(image_of(mask), thickness=3.0)) >= 2
+        self.assertTrue(fixed[17].any(), "branches towards the edges of the thick plate")
+        limits = {"minimum_thickness": 3.0, "maximum_thickness": 16.0}
+        same = itk.medial_voxel_image_filter(image_of(mask), thickness_mode=automatic, **limits)
+        np.testing.assert_array_equal(itk.array_from_image(same) >= 2, cells)
+
     def test_streamed_pieces_are_the_whole(self):
         image = image_of(blobs())
         expected = itk.array_from_image(itk.medial_voxel_image_filter(image, thickness=3.0))

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+// What decides pairs with thresholds of their own: components of a box, the search on bits, and both together.
+
+#include "itkMedialVoxelBoxComponents.h"
+#include "itkMedialVoxelPairSeparation.h"
+#include "itkMedialVoxelPathSearch.h"
+
+#include "MedialVoxelTestKernels.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+using namespace MedialVoxelTest;
+
+struct Scene
+{
+  Volume               volume;
+  std::vector<Index3>  sites;
+  itk::MedialVoxelBits bits;
+
+  explicit Scene(Volume v)
+    : volume(std::move(v))
+    , sites(BoundarySites(volume))
+    , bits(SiteBits(sites, GridOf(volume).GetVoxelBox()))
+  {}
+};
+
+std::vector<Scene>
+Scenes()
+{
+  std::vector<Scene> scenes;
+  scenes.emplace_back(RandomBoxes({ { 26, 21, 20 } }, UnitSpacing, 12, 701));
+  scenes.emplace_back(RandomVolume({ { 20, 17, 15 } }, UnitSpacing, 0.03, 702));
+  scenes.emplace_back(RandomBoxes({ { 20, 21, 16 } }, { { 0.7, 1.1, 1.3 } }, 10, 703));
+  scenes.emplace_back(RandomBoxes({ { 45, 40, 1 } }, UnitSpacing, 11, 704));
+  return scenes;
+}
+} // namespace
+
+TEST(MedialVoxelBoxComponents, PointsAreConnectedWhenAPathInTheBoxJoinsThem)
+{
+  std::size_t joined = 0;
+  std::size_t apart = 0;
+  for (const Scene & scene : Scenes())
+  {
+    std::mt19937 generator(9);
+    for (int trial = 0; trial < 6; ++trial)
+    {
+      const auto          box = RandomBox(scene.volume.size, generator);
+      std::vector<Index3> inside;
+      std::copy_if(scene.sites.begin(), scene.sites.end(), std::back_inserter(inside), [&](const Index3 & site) {
+        return box.Contains(KernelIndex(site));
+      });
+      itk::MedialVoxelBoxComponents components;
+      components.Label(scene.bits, box);
+      const BoundaryGraph graph(scene.volume, inside);
+      for (std::size_t i = 0; i < inside.size(); i += 17)
+      {
+        const auto distances = graph.DistancesFrom(static_cast<int>(i));
+        for (std::size_t j = 0; j < inside.size(); ++j)
+        {
+          const bool isJoined = distances[j] < std::numeric_limits<double>::infinity();
+          ++(isJoined ? joined : apart);
+          ASSERT_EQ(components.AreConnected(KernelIndex(inside[i]), KernelIndex(inside[j])), isJoined);
+        }
+      }
+    }
+  }
+  EXPECT_GT(joined, 1000u);
+  EXPECT_GT(apart, 100u);
+}
+
+TEST(MedialVoxelPathSearch, LengthsAreThoseOfDijkstra)
+{
+  for (const Scene & scene : Scenes())
+  {
+    const BoundaryGraph                   graph(scene.volume, scene.sites);
+    const itk::MedialVoxelPathSearch      search(GridOf(scene.volume));
+    itk::MedialVoxelPathSearch::Workspace workspace;
+    const auto                            image = GridOf(scene.volume).GetVoxelBox();
+    const double                          most = 14.0;
+    for (std::size_t i = 0; i < scene.sites.size(); i += scene.sites.size() / 6 + 1)
+    {
+      const auto distances = graph.DistancesFrom(static_cast<int>(i));
+      for (std::size_t j = 0; j < scene.sites.size(); j += 9)
+      {
+        if (i == j)
+        {
+          continue;
+        }
+        const auto a = KernelIndex(scene.sites[i]);
+        const auto b = KernelIndex(scene.sites[j]);
+        const auto length = search.FindLength(scene.bits, image, a, b, 0.0, most, workspace);
+        if (distances[j] > most)
+        {
+          ASSERT_GT(length, most);
+        }
+        else
+        {
+          ASSERT_NEAR(length, distances[j], 1e-9);
+        }
+        const auto any = search.FindLength(scene.bits, image, a, b, 9.0, most, workspace);
+        ASSERT_EQ(any < 9.0, distances[j] < 9.0);
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelPairSeparation, PairsWithTheirOwnThresholdAreDecidedLikeByDijkstra)
+{
+  std::size_t separated = 0;
+  std::size_t shorter = 0;
+  for (const Scene & scene : Scenes())
+  {
+    const BoundaryGraph                          graph(scene.volume, scene.sites);
+    const itk::MedialVoxelDualCell               cell(GridOf(scene.volume));
+    const itk::MedialVoxelPairSeparation         separation(GridOf(scene.volume));
+    itk::MedialVoxelPairSeparation::Workspace    workspace;
+    const itk::MedialVoxelNoProgress             progress;
+    std::vector<itk::MedialVoxelSeparationQuery> queries;
+    std::vector<double>                          distances;
+    std::mt19937                                 generator(10);
+    for (std::size_t i = 0; i < scene.sites.size(); i += scene.sites.size() / 25 + 1)
+    {
+      const auto fromHere = graph.DistancesFrom(static_cast<int>(i));
+      for (std::size_t j = 0; j < scene.sites.size(); j += 7)
+      {
+        const double epsilon = 3.05 + 0.1 * static_cast<double>(generator() % 130);
+        const auto   a = KernelIndex(scene.sites[i]);
+        const auto   b = KernelIndex(scene.sites[j]);
+        if (i != j && cell.FreeSpaceLength({ { a[0] - b[0], a[1] - b[1], a[2] - b[2] } }) < epsilon)
+        {
+          queries.push_back({ a, b, epsilon, distances.size() });
+          distances.push_back(fromHere[j]);
+        }
+      }
+    }
+    EXPECT_TRUE(separation.FindSeparated(scene.bits, progress, workspace, queries).IsEmpty());
+    for (const auto & query : queries)
+    {
+      const bool reaches = distances[query.cell] >= query.epsilon;
+      ASSERT_TRUE(reaches || !query.isSeparated);
+      ASSERT_EQ(separation.BoundLength(scene.bits, query, workspace) >= query.epsilon, reaches);
+      separated += query.isSeparated ? 1 : 0;
+      shorter += reaches ? 0 : 1;
+    }
+  }
+  EXPECT_GT(separated, 100u);
+  EXPECT_GT(shorter, 100u);
+}
+
+TEST(MedialVoxelPairSeparation, SmallBoundariesSayWhatTheyMiss)
+{
+  const Scene                          plate(AxisPlate({ { 40, 40, 20 } }, UnitSpacing, 2, 8, 6));
+  const auto                           small = SiteBits(plate.sites, MakeBox({ { 17, 17, 6 } }, { { 23, 23, 16 } }));
+  const itk::MedialVoxelPairSeparation separation(GridOf(plate.volume));
+  itk::MedialVoxelPairSeparation::Workspace    workspace;
+  const itk::MedialVoxelNoProgress             progress;
+  std::vector<itk::MedialVoxelSeparationQuery> queries{ { { { 20, 20, 7 } }, { { 20, 20, 14 } }, 10.5, 0 } };
+  const auto                                   missing = separation.FindSeparated(small, progress, workspace, queries);
+  ASSERT_FALSE(missing.IsEmpty());
+  const auto enough = SiteBits(plate.sites, missing);
+  EXPECT_TRUE(separation.FindSeparated(enough, progress, workspace, queries).IsEmpty());
+  EXPECT_TRUE(queries[0].isSeparated);
+}
