@@ -99,12 +99,12 @@ CheckOptions(const RawDescription & raw)
 void
 CheckOptions(const ExtractOptions & options)
 {
-  CheckJobOptions(options);
-  CheckPositive("thickness", options.thickness, false);
   if (options.sectionWidth)
   {
     CheckPositive("the width of sections", *options.sectionWidth, false);
   }
+  CheckJobOptions(options);
+  CheckPositive("thickness", options.thickness, false);
 }
 
 void
