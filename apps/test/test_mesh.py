@@ -55,6 +55,15 @@ class MeshTest(ProgramTestCase):
                 self.assertEqual((self.folder / name).read_bytes(), expected, (name, arguments))
         self.assertGreater(len(Mesh(self.folder / "m.ply").faces), 1000)
 
+    def test_automatic_thickness(self):
+        self.write(rough_shell())
+        self.mesh("in.mha", "m.ply", "--divisions", 1, thickness="auto")
+        expected = (self.folder / "m.ply").read_bytes()
+        for arguments in (("--divisions", 5), ("--threads", 3)):
+            self.mesh("in.mha", "m.ply", "--overwrite", *arguments, thickness="auto")
+            self.assertEqual((self.folder / "m.ply").read_bytes(), expected, arguments)
+        self.assertGreater(len(Mesh(self.folder / "m.ply").faces), 1000)
+
     def test_compressed_input_and_scratch_folder(self):
         self.write(rough_shell())
         self.write(rough_shell(), "packed.mha", compressed=True)
