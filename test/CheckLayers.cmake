@@ -3,7 +3,7 @@
 
 # Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A unit includes only units that stand before it in this table, and no header of ITK.
-set(L0 Enums Parameters Progress Grid Bits Text FileRegion Histogram)
+set(L0 Enums Parameters Progress Grid Bits Gray Text FileRegion Histogram)
 # The header formats that are parsed by the module itself.
 set(Formats HeaderText NrrdHeader NrrdDataFiles NrrdGeometry NrrdText)
 set(L1
@@ -18,7 +18,8 @@ set(L1
     GeodesicLandmarks
     BoundedGeodesic
     PairChoice
-    Thickness)
+    Thickness
+    GrayThickness)
 set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices Classifier TileWalls TileObserver)
 set(L3 ClusterWindow TileSchedule ClusterEngine)
 # What the filters need for pixels of any type.

@@ -37,6 +37,20 @@ CheckExtension(const std::string & fileName, const std::vector<std::string> & al
   }
 }
 
+/** \throw JobError Refused when the values are to be measured on but are read only once, for the mask. */
+void
+CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
+{
+  if (options.subVoxel && !header.CanStream())
+  {
+    Fail(ExitStatus::Refused,
+         header.fileName.string(),
+         ": the sub-voxel thickness needs values that can be read in pieces, but the file is read once, to a mask (",
+         header.DescribeReading(),
+         "); unpack it first");
+  }
+}
+
 SurveySettings
 GetSurveySettings(const ExtractOptions & options)
 {
@@ -88,6 +102,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   if (survey.thickness || survey.picture)
   {
     settings.workerBytesPerVoxel += itk::MedialVoxelTileWallsBytesPerVoxel;
+    settings.keepsGray = options.subVoxel;
   }
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   AddEngine(footprint, header, settings);
@@ -295,9 +310,10 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
   CheckExtension(options.htmlFile, { ".html", ".htm" }, "page");
   GetVolumeFormat(options.output);
   VolumeHeader header = ReadVolumeHeader(options.input, options.raw);
-  const auto   candidates = ListCandidates(options, header);
-  const auto   footprint = GetFootprint(options, header);
-  JobResult    result = PrepareJob(options, std::move(header), candidates, footprint);
+  CheckGrayValues(options, header);
+  const auto candidates = ListCandidates(options, header);
+  const auto footprint = GetFootprint(options, header);
+  JobResult  result = PrepareJob(options, std::move(header), candidates, footprint);
   if (options.dryRun)
   {
     return result;

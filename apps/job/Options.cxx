@@ -101,6 +101,10 @@ CheckOptions(const ExtractOptions & options)
 {
   CheckJobOptions(options);
   CheckPositive("thickness", options.thickness, false);
+  if (options.subVoxel && !options.lowerThreshold && !options.upperThreshold)
+  {
+    Fail(ExitStatus::Usage, "the sub-voxel thickness is measured at a threshold; none is given");
+  }
 }
 
 void

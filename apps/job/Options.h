@@ -46,6 +46,7 @@ struct ExtractOptions : JobOptions
   std::string                         vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary            vectorBoundary{ itk::MedialVoxelBoundary::Object };
   std::string                         thicknessFile;       ///< thickness at medial cells, float32
+  bool                                subVoxel{ false };   ///< measure the thickness on gray values; needs a threshold
   std::string                         thicknessCsvFile;    ///< histogram of the thickness, comma-separated values
   std::string                         previewFile;         ///< PNG
   std::string                         htmlFile;            ///< report as a page with the preview

@@ -149,6 +149,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   Json parameters = { { "thickness", options.thickness } };
   AddObject(parameters, options);
   parameters["bound"] = GetName(options.bound);
+  parameters["sub_voxel"] = options.subVoxel;
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
 
   Json report;

@@ -20,6 +20,7 @@ PAIRS = [
     (["--objectSelection=Label", "--labelValue", "100", "--bound", "off"], ["--lower", "100", "--upper", "100", "--bound", "off"]),
     (["--objectSelection=Label", "--labelValue=100", "--bound", "paper", "--voxelUnits"],
      ["--lower", "100", "--upper", "100", "--bound", "paper", "--voxel-units"]),
+    (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5", "--subVoxel"], ["--lower", "72.5", "--sub-voxel"]),
     (["--numberOfThreads", "1", "--memory", "300M"], ["--threads", "1", "--memory", "300M"]),
 ]  # fmt: skip
 OUTPUTS = {
