@@ -77,6 +77,7 @@ public:
   {
     std::vector<MedialVoxelBoundary> boundaries;
     bool                             keepsNotANumber{ false };
+    bool                             keepsGray{ false }; ///< the values of the voxels in the window
 
     /** Voxels around a tile that are known from the start. */
     MedialVoxelIndex halo{ { 8, 8, 8 } };

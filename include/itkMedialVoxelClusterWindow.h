@@ -6,6 +6,7 @@
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelGray.h"
 
 #include <cstdint>
 #include <vector>
@@ -34,6 +35,13 @@ public:
    * the voxels whose value is not a number. */
   virtual void
   FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * notANumber) = 0;
+
+  /** The same, and set the values of \a box. Sources that have none fail. */
+  virtual void
+  FillObjectAndGray(const MedialVoxelBox & box,
+                    MedialVoxelBits &      object,
+                    MedialVoxelBits *      notANumber,
+                    MedialVoxelGray &      gray);
 };
 
 /** \class MedialVoxelClusterWindow
@@ -46,10 +54,12 @@ public:
 class MedialVoxel_EXPORT MedialVoxelClusterWindow
 {
 public:
-  /** \a kinds lists the boundaries that are kept; \a keepsNotANumber says whether voxels that are not a number are. */
+  /** \a kinds lists the boundaries that are kept; \a keepsNotANumber says whether voxels that are not a number are, and
+   * \a keepsGray whether the values of voxels are. */
   MedialVoxelClusterWindow(const MedialVoxelGrid &          grid,
                            std::vector<MedialVoxelBoundary> kinds,
-                           bool                             keepsNotANumber = false);
+                           bool                             keepsNotANumber = false,
+                           bool                             keepsGray = false);
 
   /** Voxels whose object bits are needed to know the boundaries in \a sites. */
   MedialVoxelBox
@@ -89,6 +99,13 @@ public:
     return m_NotANumber;
   }
 
+  /** Values of the voxels whose object bits are known; empty unless they are kept. */
+  const MedialVoxelGray &
+  GetGray() const
+  {
+    return m_Gray;
+  }
+
 private:
   /** Calls visit(bits, margin) for all bits that are kept, with the voxels that each has around the sites. */
   template <typename TVisitor>
@@ -98,8 +115,10 @@ private:
   MedialVoxelGrid                  m_Grid;
   std::vector<MedialVoxelBoundary> m_Kinds;
   bool                             m_KeepsNotANumber;
+  bool                             m_KeepsGray;
   MedialVoxelBits                  m_Object;
   MedialVoxelBits                  m_NotANumber;
+  MedialVoxelGray                  m_Gray;
   std::vector<MedialVoxelBits>     m_Boundaries;
 };
 

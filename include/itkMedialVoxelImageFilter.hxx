@@ -117,6 +117,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must not be negative, and finite.");
   }
+  if (m_SubvoxelThickness && !this->GetUseThresholds())
+  {
+    itkExceptionMacro("SubvoxelThickness is on; LowerThreshold or UpperThreshold must be set for it.");
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -155,6 +159,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const Media
   if (this->KeepsRows())
   {
     settings.workerBytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel;
+    settings.keepsGray = m_SubvoxelThickness;
   }
   return settings;
 }
@@ -183,6 +188,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::BeforeTiles(const MedialVoxel
   m_Transform = std::make_unique<const MedialVoxelFeatureTransform>(grid);
   m_Classifier = std::make_unique<const MedialVoxelClassifier>(grid, this->GetParameters(grid));
   m_ThicknessKernel = std::make_unique<const MedialVoxelThickness>(grid);
+  m_GrayThicknessKernel =
+    m_SubvoxelThickness
+      ? std::make_unique<const MedialVoxelGrayThickness>(grid, this->GetLowerThreshold(), this->GetUpperThreshold())
+      : nullptr;
   if (m_TileObserver != nullptr)
   {
     m_TileObserver->Begin();
@@ -245,7 +254,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
 
   if (this->KeepsRows())
   {
-    this->MeasureWalls(window, workspace);
+    missing = this->MeasureWalls(clusterWindow, workspace);
+    if (!missing.IsEmpty())
+    {
+      return missing;
+    }
   }
   if (m_TileObserver != nullptr)
   {
@@ -320,17 +333,25 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteLabels(const MedialVoxel
 
 /** All medial cells for the output, otherwise those that the observer selects. */
 template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::MeasureWalls(const MedialVoxelWindow & window,
-                                                                TileWorkspace &           workspace) const
+MedialVoxelBox
+MedialVoxelImageFilter<TInputImage, TOutputImage>::MeasureWalls(const MedialVoxelClusterWindow & clusterWindow,
+                                                                TileWorkspace &                  workspace) const
 {
-  auto & rows = workspace.classifier.rows;
+  const MedialVoxelWindow window = clusterWindow.GetWindow(MedialVoxelBoundary::Background);
+  auto &                  rows = workspace.classifier.rows;
   for (MedialVoxelCellRow & row : rows)
   {
     const MedialVoxelBits::WordType medial = row.byBound | row.byGeodesic;
     row.measured = m_GenerateThickness || medial == 0 ? medial : medial & m_TileObserver->SelectCells(row);
   }
   MedialVoxelMeasureWalls(*m_ThicknessKernel, *m_Classifier, window, workspace.features, rows, workspace.walls);
+  return m_GrayThicknessKernel == nullptr ? MedialVoxelBox{}
+                                          : MedialVoxelRefineWalls(*m_GrayThicknessKernel,
+                                                                   *m_Classifier,
+                                                                   clusterWindow.GetGray(),
+                                                                   workspace.features,
+                                                                   rows,
+                                                                   workspace.walls);
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -386,6 +407,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
+  os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
   os << indent << "NumberOfObjectVoxels: " << m_NumberOfObjectVoxels << std::endl;
   os << indent << "NumberOfBoundaryVoxels: " << m_NumberOfBoundaryVoxels << std::endl;
   os << indent << "NumberOfCandidateCells: " << m_NumberOfCandidateCells << std::endl;

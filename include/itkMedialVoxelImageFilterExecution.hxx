@@ -50,16 +50,16 @@ public:
   void
   FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * const notANumber) override
   {
-    for (const MedialVoxelBox & piece : CutForPull(box))
-    {
-      this->ThrowIfAborted();
-      this->Pull(piece);
-      this->Pack(piece, m_Predicate, object);
-      if (notANumber != nullptr)
-      {
-        this->Pack(piece, [](const InputPixelType value) { return value != value; }, *notANumber);
-      }
-    }
+    this->Fill(box, object, notANumber, nullptr);
+  }
+
+  void
+  FillObjectAndGray(const MedialVoxelBox &  box,
+                    MedialVoxelBits &       object,
+                    MedialVoxelBits * const notANumber,
+                    MedialVoxelGray &       gray) override
+  {
+    this->Fill(box, object, notANumber, &gray);
   }
 
   void
@@ -198,6 +198,40 @@ private:
       itkGenericExceptionMacro("The input image holds " << input->GetBufferedRegion() << " but " << region
                                                         << " is needed.");
     }
+  }
+
+  void
+  Fill(const MedialVoxelBox &  box,
+       MedialVoxelBits &       object,
+       MedialVoxelBits * const notANumber,
+       MedialVoxelGray * const gray)
+  {
+    for (const MedialVoxelBox & piece : CutForPull(box))
+    {
+      this->ThrowIfAborted();
+      this->Pull(piece);
+      this->Pack(piece, m_Predicate, object);
+      if (notANumber != nullptr)
+      {
+        this->Pack(piece, [](const InputPixelType value) { return value != value; }, *notANumber);
+      }
+      if (gray != nullptr)
+      {
+        this->Copy(piece, *gray);
+      }
+    }
+  }
+
+  void
+  Copy(const MedialVoxelBox & piece, MedialVoxelGray & gray) const
+  {
+    m_Filter.ForEachRow(
+      *m_Filter.GetInput(), piece, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
+        std::transform(pixels,
+                       pixels + row.Extent(0),
+                       gray.GetRow(row.lower[1], row.lower[2]) + (row.lower[0] - gray.GetBox().lower[0]),
+                       [](const InputPixelType value) { return static_cast<float>(value); });
+      });
   }
 
   template <typename TPredicate>

@@ -4,6 +4,7 @@
 #define itkMedialVoxelTileWalls_h
 
 #include "itkMedialVoxelClassifier.h"
+#include "itkMedialVoxelGrayThickness.h"
 #include "itkMedialVoxelThickness.h"
 
 #include "MedialVoxelExport.h"
@@ -33,6 +34,21 @@ MedialVoxelMeasureWalls(const MedialVoxelThickness &            thickness,
                         const MedialVoxelFeatures &             features,
                         const std::vector<MedialVoxelCellRow> & rows,
                         std::vector<MedialVoxelWall> &          walls);
+
+/** \brief Measures them once more on gray values.
+ *
+ * \param gray    values that the window of the features knows
+ * \param walls   measured on the object
+ * \return an empty box, or the box of sites that a window must know so that all values are there, in which case the
+ * walls are not complete
+ * \ingroup MedialVoxel */
+MedialVoxel_EXPORT MedialVoxelBox
+MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
+                       const MedialVoxelClassifier &           classifier,
+                       const MedialVoxelGray &                 gray,
+                       const MedialVoxelFeatures &             features,
+                       const std::vector<MedialVoxelCellRow> & rows,
+                       std::vector<MedialVoxelWall> &          walls);
 
 /** \brief Calls function(cell, wall) for the measured cells of rows.
  * \ingroup MedialVoxel */

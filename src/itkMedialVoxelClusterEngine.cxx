@@ -133,7 +133,7 @@ MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid,
   , m_SlowestAxis(MedialVoxelSlowestAxis(grid.GetVoxelBox()))
   , m_Settings(std::move(settings))
   , m_Halo(m_Settings.halo)
-  , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber)
+  , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber, m_Settings.keepsGray)
 {}
 
 MedialVoxelClusterEngine::Cut

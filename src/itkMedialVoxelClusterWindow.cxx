@@ -43,12 +43,23 @@ MedialVoxelSubtractBox(const MedialVoxelBox & wanted, const MedialVoxelBox & pre
 
 MedialVoxelObjectSource::~MedialVoxelObjectSource() = default;
 
+void
+MedialVoxelObjectSource::FillObjectAndGray(const MedialVoxelBox &,
+                                           MedialVoxelBits &,
+                                           MedialVoxelBits *,
+                                           MedialVoxelGray &)
+{
+  throw std::logic_error("MedialVoxelObjectSource: this source has no values");
+}
+
 MedialVoxelClusterWindow::MedialVoxelClusterWindow(const MedialVoxelGrid &          grid,
                                                    std::vector<MedialVoxelBoundary> kinds,
-                                                   const bool                       keepsNotANumber)
+                                                   const bool                       keepsNotANumber,
+                                                   const bool                       keepsGray)
   : m_Grid(grid)
   , m_Kinds(std::move(kinds))
   , m_KeepsNotANumber(keepsNotANumber)
+  , m_KeepsGray(keepsGray)
   , m_Boundaries(m_Kinds.size())
 {}
 
@@ -76,7 +87,7 @@ MedialVoxelClusterWindow::VisitBits(TVisitor && visit) const
 std::uint64_t
 MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
 {
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = m_KeepsGray ? MedialVoxelGray::GetBytes(this->GetObjectBox(sites)) : 0;
   this->VisitBits([&](const MedialVoxelBits &, const MedialVoxelIndex & margin) {
     bytes += MedialVoxelBits::GetBytes(sites.Expanded(margin).Intersection(m_Grid.GetVoxelBox()));
   });
@@ -86,7 +97,7 @@ MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
 std::uint64_t
 MedialVoxelClusterWindow::GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
 {
-  std::uint64_t bytes = 0;
+  std::uint64_t bytes = m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
   std::uint64_t copy = 0; // of one after the other
   this->VisitBits([&](const MedialVoxelBits & bits, const MedialVoxelIndex & margin) {
     const auto boxOf = [&](const MedialVoxelBox & box) {
@@ -111,6 +122,7 @@ MedialVoxelClusterWindow::Clear()
 {
   m_Object = {};
   m_NotANumber = {};
+  m_Gray = {};
   m_Boundaries = std::vector<MedialVoxelBits>(m_Kinds.size());
 }
 
@@ -127,9 +139,21 @@ MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox &    sites,
   {
     m_NotANumber.Reframe(objectBox, objectRoom);
   }
+  if (m_KeepsGray)
+  {
+    m_Gray.Reframe(objectBox, objectRoom);
+  }
+  MedialVoxelBits * const notANumber = m_KeepsNotANumber ? &m_NotANumber : nullptr;
   for (const MedialVoxelBox & part : parts)
   {
-    source.FillObject(part, m_Object, m_KeepsNotANumber ? &m_NotANumber : nullptr);
+    if (m_KeepsGray)
+    {
+      source.FillObjectAndGray(part, m_Object, notANumber, m_Gray);
+    }
+    else
+    {
+      source.FillObject(part, m_Object, notANumber);
+    }
   }
   for (std::size_t i = 0; i < m_Kinds.size(); ++i)
   {

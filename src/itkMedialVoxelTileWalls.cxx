@@ -32,4 +32,36 @@ MedialVoxelMeasureWalls(const MedialVoxelThickness &            thickness,
   }
 }
 
+MedialVoxelBox
+MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
+                       const MedialVoxelClassifier &           classifier,
+                       const MedialVoxelGray &                 gray,
+                       const MedialVoxelFeatures &             features,
+                       const std::vector<MedialVoxelCellRow> & rows,
+                       std::vector<MedialVoxelWall> &          walls)
+{
+  MedialVoxelBox        missing;
+  MedialVoxelWallPoints points;
+  auto                  wall = walls.begin();
+  for (const MedialVoxelCellRow & row : rows)
+  {
+    for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
+    {
+      const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
+      classifier.GetWallPoints(features, cell, points);
+      const MedialVoxelBox needed = thickness.GetReadBox(points);
+      if (gray.GetBox().Contains(needed))
+      {
+        thickness.Refine(gray, points, *wall);
+      }
+      else
+      {
+        missing = missing.Union(needed);
+      }
+      ++wall;
+    }
+  }
+  return missing;
+}
+
 } // end namespace itk

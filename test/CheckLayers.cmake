@@ -3,7 +3,7 @@
 
 # Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A unit includes only units that stand before it in this table, and no header of ITK.
-set(L0 Enums Grid Parameters Progress Bits RankedBits Text FileRegion Histogram)
+set(L0 Enums Grid Parameters Progress Bits RankedBits Gray Text FileRegion Histogram)
 # The header formats that are parsed by the module itself.
 set(Formats HeaderText NrrdHeader NrrdDataFiles NrrdGeometry NrrdText)
 set(L1
@@ -25,6 +25,7 @@ set(L1
     PairChoice
     PairDecision
     Thickness
+    GrayThickness
     SurfaceTopology
     SurfaceFit
     SurfacePieces)

@@ -229,3 +229,47 @@ TEST(MedialVoxelClusterWindow, OnlyListedBoundariesAreKept)
   EXPECT_NO_THROW(window.GetWindow(itk::MedialVoxelBoundary::Object));
   EXPECT_THROW(window.GetWindow(itk::MedialVoxelBoundary::Background), std::invalid_argument);
 }
+
+TEST(MedialVoxelClusterWindow, KeepsValuesWithTheObject)
+{
+  class GraySource : public CountingSource
+  {
+  public:
+    using CountingSource::CountingSource;
+    void
+    FillObjectAndGray(const itk::MedialVoxelBox & box,
+                      itk::MedialVoxelBits &      object,
+                      itk::MedialVoxelBits *      notANumber,
+                      itk::MedialVoxelGray &      gray) override
+    {
+      this->FillObject(box, object, notANumber);
+      ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
+        gray.GetRow(v[1], v[2])[v[0] - gray.GetBox().lower[0]] = static_cast<float>(v[0] + 100 * v[1] + 10000 * v[2]);
+      });
+    }
+  };
+  const Volume                  volume = RandomVolume({ { 70, 20, 40 } }, UnitSpacing, 0.5, 31);
+  const itk::MedialVoxelGrid    grid = GridOf(volume);
+  GraySource                    source(volume);
+  itk::MedialVoxelClusterWindow window(grid, BothKinds, false, true);
+  itk::MedialVoxelClusterWindow bits(grid, BothKinds);
+  for (const auto & sites : { MakeBox({ { 0, 0, 0 } }, { { 70, 20, 9 } }),
+                              MakeBox({ { 0, 0, 5 } }, { { 70, 20, 16 } }),
+                              MakeBox({ { 3, 2, 14 } }, { { 60, 19, 33 } }),
+                              MakeBox({ { 0, 0, 30 } }, { { 70, 20, 40 } }) })
+  {
+    const itk::MedialVoxelBox objectBox = window.GetObjectBox(sites);
+    EXPECT_EQ(window.GetBytes(sites), bits.GetBytes(sites) + itk::MedialVoxelGray::GetBytes(objectBox));
+    EXPECT_GE(window.GetBytesToMove(sites, sites), window.GetBytes(sites));
+    window.MoveTo(sites, sites, source);
+    EXPECT_EQ(window.GetGray().GetBox().lower, objectBox.lower);
+    EXPECT_EQ(window.GetGray().GetBox().upper, objectBox.upper);
+    ForEachVoxel(objectBox, [&](const itk::MedialVoxelIndex & v) {
+      ASSERT_EQ(window.GetGray().Get(v), static_cast<float>(v[0] + 100 * v[1] + 10000 * v[2]));
+    });
+  }
+  window.Clear();
+  EXPECT_TRUE(window.GetGray().GetBox().IsEmpty());
+  CountingSource withoutValues(volume);
+  EXPECT_THROW(window.MoveTo(MakeBox({ { 0, 0, 0 } }, { { 9, 9, 9 } }), {}, withoutValues), std::logic_error);
+}

@@ -55,6 +55,20 @@ CheckFormats(const ExtractOptions & options)
   }
 }
 
+/** \throw JobError Refused when the values are to be measured on but are read only once, for the mask. */
+void
+CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
+{
+  if (options.subVoxel && !header.CanStream())
+  {
+    Fail(ExitStatus::Refused,
+         header.fileName.string(),
+         ": the sub-voxel thickness needs values that can be read in pieces, but the file is read once, to a mask (",
+         header.DescribeReading(),
+         "); unpack it first");
+  }
+}
+
 SurveySettings
 GetSurveySettings(const ExtractOptions & options)
 {
@@ -107,6 +121,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   if (survey.thickness || survey.picture)
   {
     settings.workerBytesPerVoxel += itk::MedialVoxelTileWallsBytesPerVoxel;
+    settings.keepsGray = options.subVoxel;
   }
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   if (!options.meshFile.empty())
@@ -350,6 +365,7 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
   {
     CheckSurfaceInput(header);
   }
+  CheckGrayValues(options, header);
   const auto candidates = ListCandidates(options, header);
   const auto footprint = GetFootprint(options, header);
   JobResult  result = PrepareJob(options, std::move(header), candidates, footprint);

@@ -107,7 +107,7 @@ MakePhaseTable(const itk::MedialVoxelCounts & counts)
 }
 
 std::string
-MakeThickness(const ThicknessSummary & thickness, const std::string & unit)
+MakeThickness(const ThicknessSummary & thickness, const std::string & unit, bool subVoxel)
 {
   if (thickness.cells == 0)
   {
@@ -133,8 +133,8 @@ MakeThickness(const ThicknessSummary & thickness, const std::string & unit)
   {
     text += ", one of " + std::to_string(thickness.step);
   }
-  text += ", in " + unit + ", measured on the binary object; lengths are multiples of " +
-          FormatNumber(thickness.resolution) +
+  text += ", in " + unit + ", measured on the " + (subVoxel ? "gray values" : "binary object") +
+          "; lengths are multiples of " + FormatNumber(thickness.resolution) +
           ". A cell counts for the area of the wall's middle that is in it, in squared units.";
   if (thickness.above > 0)
   {
@@ -219,7 +219,7 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
             "\">\n<p class=\"muted\">The colors go from the 1 % to the 99 % percentile, in " + unit +
             "; where cells fall together the thickest counts.</p>\n";
   }
-  page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit);
+  page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, options.subVoxel);
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);
   page += "<div class=\"columns\">\n<div><h2>Input</h2>\n" + MakeRows(DescribeInput(result.input), "text") +
           "</div>\n<div><h2>Parameters</h2>\n" + MakeRows(DescribeParameters(options), "text") +

@@ -124,6 +124,10 @@ CheckOptions(const ExtractOptions & options)
   {
     CheckPositive("the width of sections", *options.sectionWidth, false);
   }
+  if (options.subVoxel && !options.lowerThreshold && !options.upperThreshold)
+  {
+    Fail(ExitStatus::Usage, "the sub-voxel thickness is measured at a threshold; none is given");
+  }
 }
 
 itk::MedialVoxelParameters

@@ -217,6 +217,7 @@ public:
     this->m_Filter->SetGenerateVectorDistance(!options.vectorFile.empty());
     this->m_Filter->SetVectorDistanceBoundary(options.vectorBoundary);
     this->m_Filter->SetGenerateThickness(!options.thicknessFile.empty());
+    this->m_Filter->SetSubvoxelThickness(options.subVoxel);
     this->m_Filter->UpdateOutputInformation();
   }
 

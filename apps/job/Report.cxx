@@ -173,6 +173,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   AddObject(parameters, options);
   parameters["bound"] = GetName(options.bound);
+  parameters["sub_voxel"] = options.subVoxel;
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
 
   Json report;

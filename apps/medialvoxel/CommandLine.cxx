@@ -276,6 +276,7 @@ DefineExtract(CommandLine & line)
     ->group(group);
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
   AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
+  app.add_flag("--sub-voxel", options.subVoxel, "Measure it on gray values, at the threshold")->group(group);
   AddFile(app, "--thickness-csv", "Its histogram (.csv)", options.thicknessCsvFile)->group(group);
   AddMesh(app, "--mesh", options)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);

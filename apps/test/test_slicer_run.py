@@ -22,6 +22,7 @@ PAIRS = [
      ["--lower", "100", "--upper", "100", "--bound", "paper", "--voxel-units"]),
     (["--thicknessMode", "Automatic"], []),
     (["--thicknessMode=Fixed", "--thickness", "3"], []),
+    (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5", "--subVoxel"], ["--lower", "72.5", "--sub-voxel"]),
     (["--numberOfThreads", "1", "--memory", "300M"], ["--threads", "1", "--memory", "300M"]),
 ]  # fmt: skip
 OUTPUTS = {

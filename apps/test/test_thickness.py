@@ -157,6 +157,60 @@ class ThicknessTest(ProgramTestCase):
         self.assertEqual((self.folder / "h.csv").read_text(), "thickness,cells,area\n")
         self.assertEqual(self.report["thickness"]["area"], 0)
 
+    def write_blurred(self, thickness=4.3, size=(40, 36, 34), **changes):
+        """A tilted wall of metal in air, with voxels that hold a part of both; the threshold is 1000."""
+        normal = (0.2, 0.37, 0.91)
+        volume = volumes.Volume(size, [], (1, 1, 1), "int16")
+        for index in volume.indices():
+            distance = sum(n * (i - s / 2.1) for n, i, s in zip(normal, index, size))
+            share = (math.erf((thickness / 2 - distance) / 0.9) + math.erf((thickness / 2 + distance) / 0.9)) / 2
+            volume.voxels.append(round(-1000 + 4000 * share))
+        return volumes.write_meta(self.folder / "gray.mha", volume, **changes)
+
+    def test_gray_values_tell_more(self):
+        self.write_blurred()
+        options = ["--lower", 1000, "--thickness-csv", "h.csv"]
+
+        def run(*arguments):
+            values = self.map(*options, *arguments, source="gray.mha", thickness=3)
+            return values.tobytes(), (self.folder / "h.csv").read_bytes(), (self.folder / "l.mha").read_bytes()
+
+        binary = run()
+        spread = self.report["thickness"]["standard_deviation"]
+        self.assertFalse(self.report["parameters"]["sub_voxel"])
+        gray = run("--sub-voxel", "--divisions", 1, "--threads", 1)
+        self.assertTrue(self.report["parameters"]["sub_voxel"])
+        self.assertEqual(gray[2], binary[2])
+        self.assertNotEqual(gray[0], binary[0])
+        thickness = self.report["thickness"]
+        self.assertLess(abs(thickness["percentiles"]["50"] - 4.3), 0.05)
+        self.assertLess(thickness["percentiles"]["95"] - thickness["percentiles"]["25"], spread)
+        for arguments in (("--divisions", 7, "--threads", 3), ("--divisions", 34), ("--memory", "40M")):
+            self.assertEqual(run("--sub-voxel", *arguments), gray, arguments)
+            self.assertLessEqual(self.report["peak_memory_bytes"], self.report["planned_peak_bytes"], arguments)
+        self.extract("gray.mha", "l.mha", *options[:2], "--sub-voxel", "--html", "r.html", "--overwrite")
+        self.assertIn("measured on the gray values", (self.folder / "r.html").read_text())
+
+    def test_gray_values_are_planned_for(self):
+        """Four bytes for each voxel of the window."""
+        volume = volumes.Volume((400, 400, 60), [], kind="int16")
+        row = volumes.array.array("h", [900 if 40 <= x < 43 else 0 for x in range(400)])
+        volume.voxels = row * (400 * 60)
+        volumes.write_meta(self.folder / "large.mha", volume)
+        planned = []
+        for arguments in ([], ["--sub-voxel"]):
+            self.map("--lower", 450, "--threads", 1, "--divisions", 6, *arguments, source="large.mha", thickness=3)
+            planned.append(self.report["planned_peak_bytes"])
+            self.assertLessEqual(self.report["peak_memory_bytes"], planned[-1])
+            self.assertEqual(self.report["bytes_read"], 2 * 400 * 400 * 60)
+        self.assertGreater(planned[1] - planned[0], 4 * 400 * 400 * 50)
+
+    def test_gray_values_that_cannot_be_had(self):
+        self.write_blurred(compressed=True)
+        arguments = ("extract", "gray.mha", "x.mha", "--thickness", 3, "--thickness-map", "t.mha", "--sub-voxel")
+        self.assert_fails(REFUSED, ["gray.mha", "compressed", "sub-voxel"], *arguments, "--lower", 1000)
+        self.assert_fails(USAGE, ["threshold"], *arguments)
+
     def test_plane_images(self):
         volume = volumes.Volume((40, 30), [], (0.5, 0.25))
         volume.voxels = [1 if 8 <= y < 13 else 0 for _, y in volume.indices()]

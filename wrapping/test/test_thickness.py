@@ -63,6 +63,21 @@ class Thickness(unittest.TestCase):
         pieces.Update()
         np.testing.assert_array_equal(itk.array_view_from_image(pieces.GetOutput()), expected)
 
+    def test_gray_values(self):
+        """A wall of 4.5 voxels: the outer ones hold a part of it, which only gray values tell."""
+        values = np.zeros((20, 24, 28), "int16")
+        values[:, 10:14] = 1000
+        values[:, 9] = values[:, 14] = 250
+        image = image_of(values)
+        options = {"thickness": 3.0, "lower_threshold": 500}
+        labels, binary = measured(image, **options)
+        same, gray = measured(image, subvoxel_thickness=True, **options)
+        np.testing.assert_array_equal(labels, same)
+        self.assertEqual(set(binary[labels >= 2]), {4.0})
+        # Linear between 250 and 1000: a third of a voxel outside of the middle of the outer voxels, on both sides.
+        np.testing.assert_allclose(gray[labels >= 2], 5 - 2 / 3, atol=1e-5)
+        self.assertFalse(gray[labels < 2].any())
+
     def test_plane_images(self):
         mask = np.zeros((30, 40), "uint8")
         mask[8:13] = 1
