@@ -312,7 +312,7 @@ DefineMesh(CommandLine & line)
   AddRunOptions(line, app, options);
   AddRawOptions(line, app, options);
   line.examples[&app] = { "medialvoxel mesh part.mha part.vtp --thickness 3 --lower 72",
-                          "medialvoxel mesh part.mha shell.inp --thickness 3 --lower 72 --triangles" };
+                          "medialvoxel mesh part.mha shell.inp --lower 72 --section-width 0.1" };
   app.footer("Vertices have the thickness of the wall, in the units of the spacing.");
 }
 
