@@ -5,6 +5,7 @@
 import os
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
 import tempfile
@@ -19,6 +20,9 @@ class LargeSurfaceTest(unittest.TestCase):
         temporary = tempfile.TemporaryDirectory(prefix="medialvoxel-test-", dir=os.environ.get("TMPDIR"))
         self.addCleanup(temporary.cleanup)
         self.folder = pathlib.Path(temporary.name)
+        free = shutil.disk_usage(self.folder).free
+        if free < 12 * 10**9:
+            self.skipTest(f"12 GB of disk are needed, {self.folder.parent} has {free / 1e9:.1f} GB")
 
     def write(self, side, name):
         """A square of so many quads along each side; the file, and the peak of the memory."""
