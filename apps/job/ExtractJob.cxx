@@ -227,6 +227,7 @@ public:
     {
       const RunnerSums distances = m_DistanceRunner->GetSums();
       m_Result.sums.distanceSeconds += distances.distanceSeconds;
+      m_Result.sums.threadSeconds += distances.threadSeconds;
       m_Result.sums.tileSeconds += distances.tileSeconds;
       m_Result.sums.recomputedVoxels += distances.recomputedVoxels;
     }

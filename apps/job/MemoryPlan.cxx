@@ -108,9 +108,15 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
     const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
     plan.divisions = (plan.numberOfSlices - 1) / std::min(slices, plan.numberOfSlices) + 1;
   }
-  plan.writesBehind = plan.writesBehind && plan.divisions > 1;
   plan.memoryBytes = least + plan.GetResultBytes(plan.GetMaximumSlices());
   return plan.memoryBytes <= plan.memoryLimit;
+}
+
+/** True for pieces of moderate size, of which another one follows. */
+bool
+GainsFromWritingBehind(const JobPlan & plan)
+{
+  return plan.divisions > 1 && plan.GetMaximumSlices() * plan.bytesPerSlice <= BytesWrittenBehind;
 }
 
 /** Thinner slabs read and do more twice, so that the thickest that fit are taken. */
@@ -119,9 +125,8 @@ TrySlabs(JobPlan & plan, const Request & request)
 {
   plan.slabThickness = 0;
   const std::uint64_t preferred = GetPreferredSlabThickness(plan, request);
-  plan.writesBehind =
-    plan.threads > 1 && plan.numberOfFilters == 1 && preferred * plan.bytesPerSlice <= BytesWrittenBehind;
-  if (plan.writesBehind && TryDivisions(plan, request, preferred))
+  plan.writesBehind = plan.threads > 1 && plan.numberOfFilters == 1;
+  if (plan.writesBehind && TryDivisions(plan, request, preferred) && GainsFromWritingBehind(plan))
   {
     return true;
   }

@@ -3,6 +3,7 @@
 #include "OutputFile.h"
 
 #include "Errors.h"
+#include "FileTransfer.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -145,9 +146,7 @@ OutputFile::Create(std::uint64_t numberOfBytes, bool reserve)
 void
 OutputFile::Reserve(std::uint64_t numberOfBytes)
 {
-  const int error = posix_fallocate(m_Descriptor, 0, static_cast<off_t>(numberOfBytes));
-  // A file system that cannot reserve is asked again with every write.
-  if (error != 0 && error != EOPNOTSUPP && error != EINVAL)
+  if (!ReserveSpace(m_Descriptor, numberOfBytes))
   {
     Fail(ExitStatus::Refused,
          "cannot reserve ",
@@ -157,7 +156,7 @@ OutputFile::Reserve(std::uint64_t numberOfBytes)
          ") for ",
          m_FileName.string(),
          ": ",
-         std::strerror(error));
+         std::strerror(errno));
   }
 }
 
@@ -209,19 +208,9 @@ OutputFile::WriteUncachedAt(std::uint64_t offset, const char * data, std::uint64
 void
 OutputFile::WriteCachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes)
 {
-  std::uint64_t done = 0;
-  while (done < numberOfBytes)
+  if (!WriteFully(m_Descriptor, offset, data, numberOfBytes))
   {
-    const ssize_t count = pwrite(m_Descriptor, data + done, numberOfBytes - done, static_cast<off_t>(offset + done));
-    if (count < 0 && errno == EINTR)
-    {
-      continue;
-    }
-    if (count <= 0)
-    {
-      FailWithErrno(ExitStatus::Failure, "write", m_FileName);
-    }
-    done += static_cast<std::uint64_t>(count);
+    FailWithErrno(ExitStatus::Failure, "write", m_FileName);
   }
   StartWriteBack(m_Descriptor, offset, numberOfBytes);
 }
@@ -246,20 +235,9 @@ OutputFile::WriteSparseAt(std::uint64_t offset, const void * data, std::uint64_t
 void
 OutputFile::ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfBytes) const
 {
-  auto *        position = static_cast<char *>(data);
-  std::uint64_t done = 0;
-  while (done < numberOfBytes)
+  if (!ReadFully(m_Descriptor, offset, static_cast<char *>(data), numberOfBytes))
   {
-    const ssize_t count = pread(m_Descriptor, position + done, numberOfBytes - done, static_cast<off_t>(offset + done));
-    if (count < 0 && errno == EINTR)
-    {
-      continue;
-    }
-    if (count <= 0)
-    {
-      FailWithErrno(ExitStatus::Failure, "read back", m_TemporaryName);
-    }
-    done += static_cast<std::uint64_t>(count);
+    FailWithErrno(ExitStatus::Failure, "read back", m_TemporaryName);
   }
 }
 

@@ -34,6 +34,7 @@ struct RunnerSums
   std::uint64_t          recomputedVoxels{ 0 }; ///< of tiles run again because they depended on more input
   double                 distanceSeconds{ 0.0 };
   double                 classificationSeconds{ 0.0 };
+  double                 threadSeconds{ 0.0 };
   double                 tileSeconds{ 0.0 };
 };
 

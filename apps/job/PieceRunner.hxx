@@ -146,6 +146,7 @@ public:
     sums.recomputedVoxels = m_Filter->GetNumberOfRecomputedVoxels();
     sums.distanceSeconds = m_Filter->GetDistanceSeconds();
     sums.classificationSeconds = m_Filter->GetClassificationSeconds();
+    sums.threadSeconds = m_Filter->GetThreadSeconds();
     sums.tileSeconds = m_Filter->GetTileSeconds();
     return sums;
   }

@@ -113,7 +113,7 @@ Json
 GetThreadEfficiency(const JobResult & result)
 {
   const double possible = result.plan.threads * result.seconds.tiles;
-  return possible > 0.0 ? Json((result.seconds.distance + result.seconds.classification) / possible) : Json(nullptr);
+  return possible > 0.0 ? Json(result.sums.threadSeconds / possible) : Json(nullptr);
 }
 
 void

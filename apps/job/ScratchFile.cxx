@@ -3,6 +3,7 @@
 #include "ScratchFile.h"
 
 #include "Errors.h"
+#include "FileTransfer.h"
 #include "Text.h"
 
 #include <cerrno>
@@ -37,36 +38,6 @@ OpenNamelessFile(const std::filesystem::path & folder)
   return named;
 }
 
-/** Repeats a call of the system until all bytes are through. */
-template <typename TByte, typename TCall>
-void
-Transfer(TByte *                       data,
-         std::uint64_t                 numberOfBytes,
-         std::uint64_t                 offset,
-         const char *                  action,
-         const std::filesystem::path & folder,
-         TCall                         call)
-{
-  for (std::uint64_t done = 0; done < numberOfBytes;)
-  {
-    const ssize_t count = call(data + done, numberOfBytes - done, static_cast<off_t>(offset + done));
-    if (count > 0)
-    {
-      done += static_cast<std::uint64_t>(count);
-    }
-    else if (count == 0 || errno != EINTR)
-    {
-      Fail(ExitStatus::Failure,
-           "cannot ",
-           action,
-           " the scratch file in ",
-           folder.string(),
-           ": ",
-           count == 0 ? "it ends early" : std::strerror(errno));
-    }
-  }
-}
-
 } // namespace
 
 ScratchFile::ScratchFile(const std::filesystem::path & folder)
@@ -87,9 +58,7 @@ ScratchFile::~ScratchFile()
 void
 ScratchFile::Reserve(std::uint64_t numberOfBytes)
 {
-  const int error = posix_fallocate(m_Descriptor, 0, static_cast<off_t>(numberOfBytes));
-  // A file system that cannot reserve is asked again with every write.
-  if (error != 0 && error != EOPNOTSUPP && error != EINVAL)
+  if (!ReserveSpace(m_Descriptor, numberOfBytes))
   {
     Fail(ExitStatus::Refused,
          "cannot reserve ",
@@ -97,24 +66,26 @@ ScratchFile::Reserve(std::uint64_t numberOfBytes)
          " for the scratch file in ",
          m_Folder.string(),
          ": ",
-         std::strerror(error));
+         std::strerror(errno));
   }
 }
 
 void
 ScratchFile::WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes)
 {
-  Transfer(static_cast<const char *>(data), numberOfBytes, offset, "write", m_Folder, [this](auto... arguments) {
-    return pwrite(m_Descriptor, arguments...);
-  });
+  if (!WriteFully(m_Descriptor, offset, static_cast<const char *>(data), numberOfBytes))
+  {
+    Fail(ExitStatus::Failure, "cannot write the scratch file in ", m_Folder.string(), ": ", std::strerror(errno));
+  }
 }
 
 void
 ScratchFile::ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfBytes) const
 {
-  Transfer(static_cast<char *>(data), numberOfBytes, offset, "read", m_Folder, [this](auto... arguments) {
-    return pread(m_Descriptor, arguments...);
-  });
+  if (!ReadFully(m_Descriptor, offset, static_cast<char *>(data), numberOfBytes))
+  {
+    Fail(ExitStatus::Failure, "cannot read the scratch file in ", m_Folder.string(), ": ", std::strerror(errno));
+  }
 }
 
 } // end namespace medialvoxel

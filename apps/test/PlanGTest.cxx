@@ -142,7 +142,11 @@ TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)
   PieceFootprint two = MakeFootprint(header, 1);
   two.engines.push_back(two.engines.front());
   EXPECT_FALSE(MakePlan(options, header, {}, two).writesBehind);
-  // Not with pieces of hundreds of megabytes.
+  // Not with pieces of hundreds of megabytes, whoever chose them.
+  options.divisions = 3;
+  EXPECT_FALSE(MakePlanFor(options, header, 8).writesBehind);
+  EXPECT_TRUE(MakePlanFor(options, header, 1).writesBehind);
+  options.divisions.reset();
   EXPECT_FALSE(MakePlanFor(options, header, 40).writesBehind);
   // Rather one buffer than thinner slabs.
   bool isSingle = false;

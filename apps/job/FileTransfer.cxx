@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "FileTransfer.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** Repeats a call of the system until all bytes are through. */
+template <typename TByte, typename TCall>
+bool
+Transfer(std::uint64_t offset, TByte * data, std::uint64_t numberOfBytes, TCall call)
+{
+  for (std::uint64_t done = 0; done < numberOfBytes;)
+  {
+    const ssize_t count = call(data + done, numberOfBytes - done, static_cast<off_t>(offset + done));
+    if (count > 0)
+    {
+      done += static_cast<std::uint64_t>(count);
+    }
+    else if (count == 0)
+    {
+      errno = ENODATA;
+      return false;
+    }
+    else if (errno != EINTR)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+bool
+WriteFully(int descriptor, std::uint64_t offset, const char * data, std::uint64_t numberOfBytes)
+{
+  return Transfer(
+    offset, data, numberOfBytes, [descriptor](auto... arguments) { return pwrite(descriptor, arguments...); });
+}
+
+bool
+ReadFully(int descriptor, std::uint64_t offset, char * data, std::uint64_t numberOfBytes)
+{
+  return Transfer(
+    offset, data, numberOfBytes, [descriptor](auto... arguments) { return pread(descriptor, arguments...); });
+}
+
+bool
+ReserveSpace(int descriptor, std::uint64_t numberOfBytes)
+{
+  const int error = posix_fallocate(descriptor, 0, static_cast<off_t>(numberOfBytes));
+  errno = error;
+  return error == 0 || error == EOPNOTSUPP || error == EINVAL;
+}
+
+} // end namespace medialvoxel
