@@ -12,6 +12,7 @@
 #include "itkMedialVoxelThickness.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace itk
@@ -94,11 +95,11 @@ public:
                 const MedialVoxelIndex &    cell,
                 MedialVoxelWallPoints &     wall) const;
 
-  /** The thresholds that cells have with an automatic thickness. */
+  /** The thresholds of cells; only with an automatic thickness. */
   const MedialVoxelLocalThreshold &
   GetThreshold() const
   {
-    return m_Automatic.GetThreshold();
+    return m_Automatic->GetThreshold();
   }
 
   /** Bytes of a workspace, beside those of each voxel of a tile and of the margin around it. */
@@ -136,11 +137,11 @@ private:
            const std::vector<std::uint8_t> & labels,
            std::vector<MedialVoxelCellRow> & rows) const;
 
-  MedialVoxelGrid                m_Grid;
-  MedialVoxelParameters          m_Parameters;
-  MedialVoxelCellPairs           m_Pairs;
-  MedialVoxelPairDecision        m_Decision;
-  MedialVoxelAutomaticClassifier m_Automatic;
+  MedialVoxelGrid                               m_Grid;
+  MedialVoxelParameters                         m_Parameters;
+  MedialVoxelCellPairs                          m_Pairs;
+  MedialVoxelPairDecision                       m_Decision;
+  std::optional<MedialVoxelAutomaticClassifier> m_Automatic; // where the thickness is
 };
 
 } // end namespace itk

@@ -128,8 +128,11 @@ public:
   /** Seconds that all threads together spent in the classification; summed like the counts. */
   itkGetConstMacro(ClassificationSeconds, double);
 
-  /** Seconds from the first to the last tile of each slab; summed like the counts. As many times the number of threads
-   * is what they could have spent; DistanceSeconds and ClassificationSeconds are what they spent. */
+  /** Seconds that all threads together spent on tiles, also on writing them to the outputs; summed like the counts. */
+  itkGetConstMacro(ThreadSeconds, double);
+
+  /** Seconds from the first to the last tile of each slab; summed like the counts. Times the number of threads it is
+   * what ThreadSeconds could be. */
   itkGetConstMacro(TileSeconds, double);
 
   void
@@ -171,6 +174,7 @@ protected:
     std::uint64_t     recomputedVoxels{ 0 };
     double            distanceSeconds{ 0.0 };
     double            classificationSeconds{ 0.0 };
+    double            threadSeconds{ 0.0 };
     double            tileSeconds{ 0.0 };
   };
 
@@ -259,6 +263,7 @@ private:
   SizeValueType m_NumberOfRecomputedVoxels{ 0 };
   double        m_DistanceSeconds{ 0.0 };
   double        m_ClassificationSeconds{ 0.0 };
+  double        m_ThreadSeconds{ 0.0 };
   double        m_TileSeconds{ 0.0 };
   bool          m_StartNewSum{ true };
 

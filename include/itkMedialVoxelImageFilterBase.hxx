@@ -215,6 +215,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   m_NumberOfRecomputedVoxels = (isNewSum ? 0 : m_NumberOfRecomputedVoxels) + sums.recomputedVoxels;
   m_DistanceSeconds = (isNewSum ? 0.0 : m_DistanceSeconds) + sums.distanceSeconds;
   m_ClassificationSeconds = (isNewSum ? 0.0 : m_ClassificationSeconds) + sums.classificationSeconds;
+  m_ThreadSeconds = (isNewSum ? 0.0 : m_ThreadSeconds) + sums.threadSeconds;
   m_TileSeconds = (isNewSum ? 0.0 : m_TileSeconds) + sums.tileSeconds;
   this->AddCounts(sums.counts, isNewSum);
   this->UpdateProgress(1.0f);
@@ -359,6 +360,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrintSelf(std::ostream & 
   os << indent << "NumberOfRecomputedVoxels: " << m_NumberOfRecomputedVoxels << std::endl;
   os << indent << "DistanceSeconds: " << m_DistanceSeconds << std::endl;
   os << indent << "ClassificationSeconds: " << m_ClassificationSeconds << std::endl;
+  os << indent << "ThreadSeconds: " << m_ThreadSeconds << std::endl;
   os << indent << "TileSeconds: " << m_TileSeconds << std::endl;
 }
 

@@ -85,7 +85,9 @@ public:
   {
     std::unique_ptr<Workspace> workspace = this->TakeWorkspace();
     TileSums                   sums;
+    const auto                 start = std::chrono::steady_clock::now();
     const MedialVoxelBox       missing = m_Filter.ProcessTile(tile, m_Engine.GetWindow(), *this, *workspace, sums);
+    sums.threadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (missing.IsEmpty())
     {
       sums.counts.notANumberVoxels = m_Engine.GetWindow().GetNotANumber().Count(tile);
@@ -102,6 +104,7 @@ public:
     m_Sums.recomputedVoxels += sums.recomputedVoxels;
     m_Sums.distanceSeconds += sums.distanceSeconds;
     m_Sums.classificationSeconds += sums.classificationSeconds;
+    m_Sums.threadSeconds += sums.threadSeconds;
     m_Workspaces.push_back(std::move(workspace));
   }
 

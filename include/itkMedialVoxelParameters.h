@@ -91,6 +91,15 @@ struct MedialVoxel_EXPORT MedialVoxelCounts
   std::uint64_t geodesicMedialCells{ 0 };
   std::uint64_t geodesicNonMedialCells{ 0 };
 
+  /** Count a cell that is not trivial by the label it got. */
+  void
+  AddDecision(std::uint8_t label)
+  {
+    boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
+    geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
+    geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
+  }
+
   MedialVoxelCounts &
   operator+=(const MedialVoxelCounts & other);
 };

@@ -18,14 +18,6 @@ constexpr double Band = 1e-9;
 /** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
 constexpr double LargestBranch = 0.85;
 
-void
-Count(const std::uint8_t label, MedialVoxelCounts & counts)
-{
-  counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
-  counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
-  counts.geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
-}
-
 } // namespace
 
 MedialVoxelAutomaticClassifier::MedialVoxelAutomaticClassifier(const MedialVoxelGrid &       grid,
@@ -61,7 +53,7 @@ MedialVoxelAutomaticClassifier::Classify(const MedialVoxelWindow &   window,
   auto &     cells = workspace.m_Cells;
   const auto decide = [&](const MedialVoxelSeparationQuery & query, const std::uint8_t label) {
     labels[cells[query.cell].label] = label;
-    Count(label, counts);
+    counts.AddDecision(label);
   };
   const auto fallsShort = [&](const MedialVoxelSeparationQuery & query) {
     Cell & cell = cells[query.cell];

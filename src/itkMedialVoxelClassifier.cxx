@@ -25,15 +25,17 @@ MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const
   , m_Parameters(parameters)
   , m_Pairs(grid, parameters.epsilon)
   , m_Decision(grid, parameters)
-  , m_Automatic(grid, parameters)
-{}
+{
+  if (parameters.mode == MedialVoxelThicknessMode::Automatic)
+  {
+    m_Automatic.emplace(grid, parameters);
+  }
+}
 
 MedialVoxelBox
 MedialVoxelClassifier::GetVoxelBox(const MedialVoxelBox & tile) const
 {
-  return this->GetCornerBox(m_Parameters.mode == MedialVoxelThicknessMode::Automatic
-                              ? tile.Expanded(m_Automatic.GetThreshold().GetMargin())
-                              : tile);
+  return this->GetCornerBox(m_Automatic ? tile.Expanded(m_Automatic->GetThreshold().GetMargin()) : tile);
 }
 
 MedialVoxelBox
@@ -59,12 +61,12 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
 {
   labels.assign(static_cast<std::size_t>(tile.NumberOfVoxels()), MedialVoxelLabel::NoObject);
   workspace.rows.clear();
-  if (m_Parameters.mode == MedialVoxelThicknessMode::Fixed)
+  if (!m_Automatic)
   {
     return this->ClassifyFixed(window, tile, features, progress, workspace, labels, counts);
   }
   const MedialVoxelBox missing =
-    m_Automatic.Classify(window, tile, features, progress, workspace.automatic, labels, counts);
+    m_Automatic->Classify(window, tile, features, progress, workspace.automatic, labels, counts);
   if (workspace.keepsRows && missing.IsEmpty())
   {
     this->KeepRows(window, tile, features, labels, workspace.rows);
@@ -125,9 +127,7 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
       return false;
     }
     const std::uint8_t label = m_Decision.Decide(*window.sites, widest.pair, workspace.geodesic, missing);
-    counts.boundCells += (label == MedialVoxelLabel::MedialByBound) ? 1 : 0;
-    counts.geodesicMedialCells += (label == MedialVoxelLabel::MedialByGeodesic) ? 1 : 0;
-    counts.geodesicNonMedialCells += (label == MedialVoxelLabel::NonMedial) ? 1 : 0;
+    counts.AddDecision(label);
     byBound |= WordType{ label == MedialVoxelLabel::MedialByBound } << x;
     byGeodesic |= WordType{ label == MedialVoxelLabel::MedialByGeodesic } << x;
     labels[x] = label;
