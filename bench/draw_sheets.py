@@ -33,7 +33,7 @@ def draw_slice(axes, mask, thickness, shift, marker):
 
 
 def make_axes(rows, titles, size):
-    figure, grid = pyplot.subplots(rows, len(titles), figsize=size, squeeze=False)
+    figure, grid = pyplot.subplots(rows, len(titles), figsize=size, squeeze=False, layout="constrained")
     for axes in grid.flat:
         axes.set_xticks([])
         axes.set_yticks([])
@@ -51,7 +51,6 @@ def draw_parts(masks, maps, titles, path):
         row[0].set_ylabel(part, fontsize=11)
         for axes, name in zip(row, titles):
             draw_slice(axes, masks[part][z], maps[part][name][z], 0.5 if name == "extract" else 0, 5)
-    figure.tight_layout()
     figure.savefig(path, dpi=100)
 
 
@@ -65,8 +64,7 @@ def draw_engine(mask, maps, titles, path):
         (bottom, top), (left, right) = crop(mask.any(axis=0))
         shown = numpy.ma.masked_less(known, 0)[bottom:top, left:right]
         image = grid[1][column].imshow(shown, cmap="viridis", vmin=0, vmax=24, origin="lower", interpolation="nearest")
-    figure.tight_layout()
-    bar = figure.colorbar(image, ax=grid[1], fraction=0.02, pad=0.01)
+    bar = figure.colorbar(image, ax=grid[:, -1], fraction=0.05, pad=0.02)
     bar.set_label("thickness, voxels")
     figure.savefig(path, dpi=100)
 

@@ -48,7 +48,6 @@ def main():
                 middle = mask.shape[1] // 2
                 draw_sheets.draw_slice(row[column], noisy[:, middle], cells[:, middle], 0.5, 2.5)
                 grid[list(CHOICES).index(label)][0].set_ylabel(label, fontsize=10)
-    figure.tight_layout()
     figure.savefig(output, dpi=110)
 
 
