@@ -114,7 +114,8 @@ MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid &   
     settings.halo[axis] += std::max(reach[axis], settings.tileMargin[axis]);
   }
   settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel +
-                                 sizeof(std::uint8_t) + MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(parameters);
+                                 sizeof(std::uint8_t) +
+                                 MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(grid, parameters);
   settings.workerBytes = MedialVoxelClassifier::GetWorkspaceBytes(grid, parameters);
   return settings;
 }
