@@ -90,6 +90,8 @@ class Runner:
         labels, walls = self.scratch / "labels.mha", self.scratch / "thickness.mha"
         command = [self.program, "extract", volume, labels, "--raw-size", ",".join(map(str, size)), "--raw-type", "uint8"]
         command += ["--thickness", thickness, "--thickness-map", walls, "--threads", 1, "--quiet", "--overwrite"]
+        # All programs get the volume as it is.
+        command += ["--max-pore-size", 0]
         measured = compare_peers.run_child(command, self.scratch, math.inf)[1]
         medial = read_voxels(labels, numpy.uint8, size) >= 2
         return numpy.where(medial, read_voxels(walls, numpy.float32, size), numpy.nan), measured["cpu_seconds"]
