@@ -54,13 +54,13 @@ namespace itk
  * adds medial cells.
  *
  * \par Pores and dust
- * Noise leaves small cavities in walls, and grains beside them, each with a boundary of its own. With MaximumPoreSize K,
- * each connected component of the background of at most K voxels becomes object first, then each component of the
+ * Noise leaves small cavities in walls, and grains beside them, each with a boundary of its own. With MaximumPoreSize
+ * K, each connected component of the background of at most K voxels becomes object first, then each component of the
  * object of at most K voxels background; all that follows is of this object. Voxels are connected when they differ by
  * at most 1 along each axis, object and background alike: paths on the boundary run through the background this way,
- * and walls and gaps of one voxel that are tilted do not fall apart. A component that touches a face of the image stays,
- * as it may go on outside. NaN counts as background here too. GetNumberOfFilledVoxels() and GetNumberOfRemovedVoxels()
- * tell how many voxels have changed sides.
+ * and walls and gaps of one voxel that are tilted do not fall apart. A component that touches a face of the image
+ * stays, as it may go on outside. NaN counts as background here too. GetNumberOfFilledVoxels() and
+ * GetNumberOfRemovedVoxels() tell how many voxels have changed sides.
  *
  * \par Vectors
  * GenerateVectorDistanceOn() adds a second output, GetVectorDistanceOutput(): at object voxels the displacement to the

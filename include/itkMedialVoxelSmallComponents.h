@@ -27,8 +27,8 @@ namespace itk
  * be: its surroundings are connected, so that such a pore would be around all of it, and too large as well. A row of
  * voxels has two sides that are not connected, and twice the margin.
  *
- * Bits may be changed part by part in any order, and new ones come to the parts that are done: filling a pore leaves all
- * other background components as they are, and removing dust only enlarges a component that stays.
+ * Bits may be changed part by part in any order, and new ones come to the parts that are done: filling a pore leaves
+ * all other background components as they are, and removing dust only enlarges a component that stays.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSmallComponents

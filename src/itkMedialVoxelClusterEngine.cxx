@@ -134,11 +134,7 @@ MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid,
   , m_SlowestAxis(MedialVoxelSlowestAxis(grid.GetVoxelBox()))
   , m_Settings(std::move(settings))
   , m_Halo(m_Settings.halo)
-  , m_Window(grid,
-             m_Settings.boundaries,
-             m_Settings.keepsNotANumber,
-             m_Settings.keepsGray,
-             m_Settings.maximumPoreSize)
+  , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber, m_Settings.keepsGray, m_Settings.maximumPoreSize)
 {}
 
 MedialVoxelClusterEngine::Cut
@@ -295,8 +291,7 @@ MedialVoxelClusterEngine::GetMissingObjectBoxes(const MedialVoxelBox & region) c
 {
   const Cut            cut = this->ChooseCut(region);
   const MedialVoxelBox slab = this->GetSlab(region, region.lower[m_SlowestAxis], cut.slabThickness);
-  return MedialVoxelSubtractBox(m_Window.GetInputBox(this->GetSitesBox(slab, cut.halo)),
-                                m_Window.GetObject().GetBox());
+  return MedialVoxelSubtractBox(m_Window.GetInputBox(this->GetSitesBox(slab, cut.halo)), m_Window.GetObject().GetBox());
 }
 
 void

@@ -252,8 +252,7 @@ MedialVoxelClusterWindow::CountChanged(const MedialVoxelBox & box, const bool is
            ++word)
       {
         const std::uint64_t mask = MedialVoxelBits::RangeMask(word, counted.lower[0], counted.upper[0]);
-        count +=
-          static_cast<std::uint64_t>(MedialVoxelPopulationCount(changed[word] & (object[word] ^ flip) & mask));
+        count += static_cast<std::uint64_t>(MedialVoxelPopulationCount(changed[word] & (object[word] ^ flip) & mask));
       }
     }
   }

@@ -158,8 +158,7 @@ private:
     for (std::int64_t word = box.lower[0] / MedialVoxelBits::BitsPerWord; word <= lastWord; ++word)
     {
       const std::int64_t w = word - firstWord;
-      WordType           firsts =
-        m_Bits.GetWord(w, ownY, ownZ) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
+      WordType firsts = m_Bits.GetWord(w, ownY, ownZ) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
       if (firsts != 0)
       {
         firsts &= ~this->BitsAfterOthers(w, ownY, ownZ);
@@ -263,7 +262,8 @@ private:
   Meets(const MedialVoxelBox & box) const
   {
     return std::any_of(m_Component.begin(), m_Component.end(), [&](const Voxel & voxel) {
-      return box.Contains(MedialVoxelIndex{ { m_FirstX + voxel.x, m_Box.lower[1] + voxel.y, m_Box.lower[2] + voxel.z } });
+      return box.Contains(
+        MedialVoxelIndex{ { m_FirstX + voxel.x, m_Box.lower[1] + voxel.y, m_Box.lower[2] + voxel.z } });
     });
   }
 

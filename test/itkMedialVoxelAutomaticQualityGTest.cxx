@@ -193,7 +193,7 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_Table)
   const std::pair<const char *, Noise> noises[] = { { "clean", Noise::None },  { "flip", Noise::Flip },
                                                     { "shift", Noise::Shift }, { "scan", Noise::Scan },
                                                     { "pores", Noise::Pores }, { "pores, flip", Noise::PoresAndFlip } };
-  const auto print = [](const Quality & quality) {
+  const auto                           print = [](const Quality & quality) {
     EXPECT_GT(quality.cells, 0u);
     std::printf(" %.2f / %.2f |", quality.spurious, quality.uncovered);
   };

@@ -215,7 +215,8 @@ TEST(MedialVoxelSmallComponents, AMovingWindowAsksOnceForEachVoxel)
   for (int z = 0; z + 4 <= 60; z += 4)
   {
     const auto sites = MakeBox({ { 0, 0, z } }, { { 70, 13, z + 4 } });
-    EXPECT_EQ(window.GetInputBox(sites), MakeBox({ { 0, 0, std::max(0, z - 10) } }, { { 70, 13, std::min(60, z + 14) } }));
+    EXPECT_EQ(window.GetInputBox(sites),
+              MakeBox({ { 0, 0, std::max(0, z - 10) } }, { { 70, 13, std::min(60, z + 14) } }));
     window.MoveTo(sites, sites, source);
     EXPECT_EQ(Differences(window, sites, volume, expected), 0u) << "z " << z;
   }

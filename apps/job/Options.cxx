@@ -145,9 +145,8 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
          FormatNumber(limits.maximum),
          "; it must not be");
   }
-  Parameters parameters = options.thickness
-                            ? Parameters::ForThickness(*options.thickness, options.bound)
-                            : Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
+  Parameters parameters = options.thickness ? Parameters::ForThickness(*options.thickness, options.bound)
+                                            : Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
   parameters.maximumPoreSize =
     options.maximumPoreSize.value_or(options.thickness ? 0 : Parameters::AutomaticMaximumPoreSize);
   return parameters;

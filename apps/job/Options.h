@@ -52,8 +52,8 @@ struct ExtractOptions : JobOptions
   std::optional<double> minimumThickness; ///< unset: 3 voxels of the smallest spacing
   std::optional<double> maximumThickness; ///< unset: 16 voxels of the smallest spacing
 
-  /** Voxels of the largest pores and grains that are taken for noise, up to LargestPoreSize; unset: 32 with the automatic thickness, otherwise
-   * 0, for none. */
+  /** Voxels of the largest pores and grains that are taken for noise, up to LargestPoreSize; unset: 32 with the
+   * automatic thickness, otherwise 0, for none. */
   std::optional<std::uint64_t> maximumPoreSize;
 
   itk::MedialVoxelPseudoGeodesicBound bound{ itk::MedialVoxelPseudoGeodesicBound::FreeSpace };
