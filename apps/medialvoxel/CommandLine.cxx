@@ -247,6 +247,10 @@ AddThickness(CLI::App & app, ExtractOptions & options)
     app, "--maximum-thickness", "auto: thickest wall to be a sheet (default: 16)", "T", [&](const std::string & text) {
       options.maximumThickness = ToDouble(text);
     });
+  AddText(
+    app, "--max-pore-size", "Pores, grains to leave out (auto: 32 voxels, else 0)", "K", [&](const std::string & text) {
+      options.maximumPoreSize = ToCount(text, 0, LargestPoreSize);
+    });
   app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels, not in units of the spacing");
 }
 
