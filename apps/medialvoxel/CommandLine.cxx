@@ -170,33 +170,34 @@ AddObjectOptions(CLI::App & app, JobOptions & options)
 }
 
 void
-AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
+AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
 {
-  const std::string group = "Run";
   AddText(app,
           "--memory",
           "Most memory, such as 2G (default: half of the free)",
           "SIZE",
-          [&](const std::string & text) {
-            options.memoryBytes = ParseByteSize(text);
-            if (!options.memoryBytes)
+          [&target](const std::string & text) {
+            target = ParseByteSize(text);
+            if (!target)
             {
               throw CLI::ValidationError("'" + text + "' is not a size such as 500M or 2G");
             }
           })
-    ->group(group);
-  AddFile(app, "--scratch", "For what memory cannot hold of input and mesh", options.scratchFolder)
-    ->type_name("DIR")
-    ->group(group);
-  AddText(app, "--threads", "Threads (default: one per processor)", "N", [&](const std::string & text) {
-    options.threads = static_cast<unsigned int>(ToCount(text, 1, itk::ITK_MAX_THREADS));
-  })->group(group);
-  AddText(app, "--divisions", "Pieces that are done in turn (default: chosen)", "N", [&](const std::string & text) {
-    options.divisions = ToCount(text, 1, LargestCount);
-  })->group(group);
-  app.add_flag("--dry-run", options.dryRun, "Check everything, print the plan and stop")->group(group);
-  app.add_flag("--sparse", options.sparse, "Leave zeros as holes in the files, reserve no space")->group(group);
-  app.add_flag("--overwrite", options.overwrite, "Replace existing outputs")->group(group);
+    ->group("Run");
+}
+
+void
+AddThreads(CLI::App & app, std::optional<unsigned int> & target)
+{
+  AddText(app, "--threads", "Threads (default: one per processor)", "N", [&target](const std::string & text) {
+    target = static_cast<unsigned int>(ToCount(text, 1, itk::ITK_MAX_THREADS));
+  })->group("Run");
+}
+
+void
+AddProgress(CommandLine & line, CLI::App & app)
+{
+  const std::string group = "Run";
   AddChoice<ProgressStyle>(line,
                            app,
                            "--progress",
@@ -211,6 +212,24 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
                              { "none", ProgressStyle::None } })
     ->group(group);
   app.add_flag("--quiet", line.quiet, "Print errors only")->group(group);
+}
+
+void
+AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
+{
+  const std::string group = "Run";
+  AddMemory(app, options.memoryBytes);
+  AddFile(app, "--scratch", "For what memory cannot hold of input and mesh", options.scratchFolder)
+    ->type_name("DIR")
+    ->group(group);
+  AddThreads(app, options.threads);
+  AddText(app, "--divisions", "Pieces that are done in turn (default: chosen)", "N", [&](const std::string & text) {
+    options.divisions = ToCount(text, 1, LargestCount);
+  })->group(group);
+  app.add_flag("--dry-run", options.dryRun, "Check everything, print the plan and stop")->group(group);
+  app.add_flag("--sparse", options.sparse, "Leave zeros as holes in the files, reserve no space")->group(group);
+  app.add_flag("--overwrite", options.overwrite, "Replace existing outputs")->group(group);
+  AddProgress(line, app);
 }
 
 void
@@ -251,13 +270,16 @@ AddThickness(CLI::App & app, ExtractOptions & options)
 }
 
 void
-DefineExtract(CommandLine & line)
+AddLabels(CLI::App & app, ExtractOptions & options)
 {
-  CLI::App &       app = *line.extract;
-  ExtractOptions & options = line.extractOptions;
-  using Bound = itk::MedialVoxelPseudoGeodesicBound;
-  AddInput(app, options);
   AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr", options.output)->required();
+}
+
+/** All but the arguments. */
+void
+AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
+{
+  using Bound = itk::MedialVoxelPseudoGeodesicBound;
   AddThickness(app, options);
   AddChoice<Bound>(line,
                    app,
@@ -284,6 +306,17 @@ DefineExtract(CommandLine & line)
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
   AddRawOptions(line, app, options);
+}
+
+void
+DefineExtract(CommandLine & line)
+{
+  CLI::App &       app = *line.extract;
+  ExtractOptions & options = line.extractOptions;
+  AddInput(app, options);
+  AddLabels(app, options);
+  AddExtractOptions(line, app, options);
+  app.add_flag("--resume", line.resumes, "Continue where a run with it was stopped")->group("Run");
   line.examples[&app] = {
     "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html",
     "medialvoxel extract scan.raw out.nrrd --raw-size 708,965,325 --raw-type uint16",
@@ -361,6 +394,66 @@ DefineInfo(CommandLine & line)
                                "medialvoxel info scan.raw --raw-size 708,965,325 --raw-type uint16" };
 }
 
+void
+AddJobFolder(CLI::App & app, std::string & target, const std::string & help)
+{
+  app.add_option("JOBDIR", target, help)->type_name("DIR")->required();
+}
+
+void
+DefinePlan(CommandLine & line)
+{
+  CLI::App &    app = *line.plan;
+  PlanOptions & options = line.planOptions;
+  AddInput(app, options);
+  AddLabels(app, options);
+  AddJobFolder(app, options.jobFolder, "Folder of the job, new or empty");
+  AddExtractOptions(line, app, options);
+  app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end")->group("Run");
+  line.examples[&app] = { "medialvoxel plan part.mha out.mha job --thickness 3 --lower 72",
+                          "medialvoxel plan part.mha out.mha job --divisions 64 --report r.json" };
+}
+
+void
+DefineWork(CommandLine & line)
+{
+  CLI::App & app = *line.work;
+  AddJobFolder(app, line.workOptions.jobFolder, "Folder that medialvoxel plan has made");
+  AddText(app, "--clusters", "Which, such as 7 or 0-3,9 (default: all)", "RANGES", [&](const std::string & text) {
+    const auto ranges = ParseClusters(text);
+    if (!ranges)
+    {
+      throw CLI::ValidationError("'" + text + "' is not a list of clusters such as 7 or 0-3,9");
+    }
+    line.workOptions.clusters = *ranges;
+  });
+  AddMemory(app, line.workOptions.memoryBytes);
+  AddThreads(app, line.workOptions.threads);
+  AddProgress(line, app);
+  line.examples[&app] = { "medialvoxel work job", "medialvoxel work job --clusters 0-9 --threads 4" };
+  app.footer("Clusters that are done are skipped; any number of processes may work at once.");
+}
+
+void
+DefineFinalize(CommandLine & line)
+{
+  CLI::App & app = *line.finalize;
+  AddJobFolder(app, line.finalizeOptions.jobFolder, "Folder that medialvoxel plan has made");
+  app.add_flag_callback(
+    "--no-verify", [&] { line.finalizeOptions.verifies = false; }, "Do not read the outputs again for their checksums");
+  AddProgress(line, app);
+  line.examples[&app] = { "medialvoxel finalize job", "medialvoxel finalize job --no-verify" };
+}
+
+void
+DefineStatus(CommandLine & line)
+{
+  CLI::App & app = *line.status;
+  AddJobFolder(app, line.statusFolder, "Folder that medialvoxel plan has made");
+  app.add_flag("--json", line.statusAsJson, "Print it as JSON");
+  line.examples[&app] = { "medialvoxel status job", "medialvoxel status job --json" };
+}
+
 } // namespace
 
 std::unique_ptr<CLI::App>
@@ -374,10 +467,18 @@ DefineCommandLine(CommandLine & line)
   line.mesh = app->add_subcommand("mesh", "Build the medial surface of an object");
   line.distance = app->add_subcommand("distance", "Compute vectors to the boundary and distances");
   line.info = app->add_subcommand("info", "Describe a volume");
+  line.plan = app->add_subcommand("plan", "Prepare an extraction that several processes do");
+  line.work = app->add_subcommand("work", "Do clusters of a planned extraction");
+  line.finalize = app->add_subcommand("finalize", "Verify and publish an extraction that is done");
+  line.status = app->add_subcommand("status", "Tell how far a planned extraction is");
   DefineExtract(line);
   DefineMesh(line);
   DefineDistance(line);
   DefineInfo(line);
+  DefinePlan(line);
+  DefineWork(line);
+  DefineFinalize(line);
+  DefineStatus(line);
   line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");
   line.generate->add_option("FOLDER", line.generateFolder, "An existing folder")->required();
   line.examples[app.get()] = { "medialvoxel info part.mha",
