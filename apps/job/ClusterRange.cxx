@@ -101,4 +101,25 @@ ListClusters(const std::vector<ClusterRange> & ranges, std::uint64_t numberOfClu
   return clusters;
 }
 
+std::uint64_t
+ChooseCluster(const std::set<std::uint64_t> &      free,
+              const std::set<std::uint64_t> &      busy,
+              const std::optional<std::uint64_t> & last)
+{
+  if (last && free.count(*last + 1) > 0)
+  {
+    return *last + 1;
+  }
+  ClusterRange longest{ *free.begin(), *free.begin() };
+  ClusterRange run = longest;
+  for (const std::uint64_t cluster : free)
+  {
+    run.first = cluster > run.last + 1 ? cluster : run.first;
+    run.last = cluster;
+    longest = run.last - run.first > longest.last - longest.first ? run : longest;
+  }
+  const bool isApproached = longest.first > 0 && busy.count(longest.first - 1) > 0;
+  return isApproached ? longest.first + (longest.last - longest.first + 1) / 2 : longest.first;
+}
+
 } // end namespace medialvoxel

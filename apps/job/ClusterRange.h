@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,17 @@ FormatClusters(const std::vector<std::uint64_t> & clusters);
  * \throw JobError Usage for a cluster that the job does not have. */
 std::vector<std::uint64_t>
 ListClusters(const std::vector<ClusterRange> & ranges, std::uint64_t numberOfClusters);
+
+/** The cluster that a process should do next, so that clusters which follow each other are done by one process, which
+ * reads their common neighborhood once: the one behind its last one if it is free; otherwise the longest run of free
+ * ones, from its begin, or from its middle when another process is coming from there.
+ * \param free not empty
+ * \param busy clusters that other processes are at
+ * \param last that this process has done */
+std::uint64_t
+ChooseCluster(const std::set<std::uint64_t> &      free,
+              const std::set<std::uint64_t> &      busy,
+              const std::optional<std::uint64_t> & last);
 
 } // end namespace medialvoxel
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <thread>
 
 namespace medialvoxel
@@ -71,44 +72,46 @@ WorkResult
 ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
 {
   WorkResult                                 result;
-  std::vector<std::uint64_t>                 pending = clusters;
+  std::set<std::uint64_t>                    free(clusters.begin(), clusters.end());
+  std::set<std::uint64_t>                    busy;
+  std::optional<std::uint64_t>               last;
   std::optional<itk::MedialVoxelMemoryError> lackOfMemory;
   m_Run.SetSlicesToDo(CountSlices(m_Job.manifest, clusters));
   m_Run.Prepare();
-  while (!pending.empty())
+  while (!free.empty() || !busy.empty())
   {
-    std::vector<std::uint64_t> busy;
-    for (const std::uint64_t cluster : pending)
+    m_Run.ThrowIfStopRequested();
+    if (free.empty())
     {
-      m_Run.ThrowIfStopRequested();
-      try
-      {
-        switch (this->TryCluster(cluster))
-        {
-          case Outcome::Done:
-            result.done.push_back(cluster);
-            break;
-          case Outcome::Skipped:
-            ++result.skipped;
-            break;
-          case Outcome::Busy:
-            busy.push_back(cluster);
-            break;
-        }
-      }
-      catch (const itk::MedialVoxelMemoryError & error)
-      {
-        // Thick walls in one place do not keep the others from being done.
-        lackOfMemory = error;
-        m_Run.Wait();
-        m_Run.Release();
-      }
-    }
-    if (busy.size() == pending.size())
-    {
+      // Those who are at the others may die, so they are asked for again until they are done.
       this->WaitAMoment();
+      std::swap(free, busy);
     }
-    pending = std::move(busy);
+    const std::uint64_t cluster = ChooseCluster(free, busy, last);
+    free.erase(cluster);
+    try
+    {
+      switch (this->TryCluster(cluster))
+      {
+        case Outcome::Done:
+          result.done.push_back(cluster);
+          last = cluster;
+          break;
+        case Outcome::Skipped:
+          ++result.skipped;
+          break;
+        case Outcome::Busy:
+          busy.insert(cluster);
+          break;
+      }
+    }
+    catch (const itk::MedialVoxelMemoryError & error)
+    {
+      // Thick walls in one place do not keep the others from being done.
+      lackOfMemory = error;
+      m_Run.Wait();
+      m_Run.Release();
+    }
   }
   if (lackOfMemory)
   {

@@ -255,8 +255,10 @@ PrepareExtract(const ExtractOptions & options)
 JobResult
 PrepareSharedExtract(const ExtractOptions & options)
 {
-  JobResult job = DescribeExtract(options);
-  job.plan = FitToMemory(options, job.input, GetFootprint(options, job.input));
+  JobResult      job = DescribeExtract(options);
+  PieceFootprint footprint = GetFootprint(options, job.input);
+  footprint.bytesBeside += Survey::GetBytes(job.input.geometry, GetSurveySettings(options)); // as it is saved
+  job.plan = FitToMemory(options, job.input, footprint);
   PrepareProcess(job.plan);
   return job;
 }

@@ -3,6 +3,7 @@
 #include "FileIdentity.h"
 
 #include "Errors.h"
+#include "Progress.h"
 #include "Sha256.h"
 
 #include <cerrno>
@@ -42,6 +43,10 @@ HashFile(const std::filesystem::path & fileName)
   Sha256                hash;
   while (file)
   {
+    if (GetStopSignal() != 0)
+    {
+      throw StoppedBySignal(GetStopSignal());
+    }
     file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     hash.Add(buffer.data(), static_cast<std::uint64_t>(file.gcount()));
   }

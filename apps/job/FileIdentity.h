@@ -24,7 +24,9 @@ struct FileIdentity
 FileIdentity
 IdentifyFile(const std::filesystem::path & fileName);
 
-/** SHA-256 of the content of a file. \throw JobError Failure when it cannot be read. */
+/** SHA-256 of the content of a file.
+ * \throw JobError Failure when it cannot be read.
+ * \throw StoppedBySignal */
 std::string
 HashFile(const std::filesystem::path & fileName);
 
@@ -32,7 +34,9 @@ HashFile(const std::filesystem::path & fileName);
 void
 CheckUnchanged(const std::vector<FileIdentity> & files);
 
-/** Compares the content of those files that have a hash; reads them whole. \throw JobError Failure */
+/** Compares the content of those files that have a hash; reads them whole.
+ * \throw JobError Failure
+ * \throw StoppedBySignal */
 void
 CheckContent(const std::vector<FileIdentity> & files);
 

@@ -180,8 +180,15 @@ Survey::Save() const
     numbers.Add(pixel.medialCells);
     numbers.Add(pixel.thickest);
   }
+  // Blocks as lengths of runs, first of those without labels.
   numbers.Add(m_Blocks.size());
-  std::for_each(m_Blocks.begin(), m_Blocks.end(), [&numbers](bool block) { numbers.Add(block ? 1 : 0); });
+  bool value = false;
+  for (auto begin = m_Blocks.begin(); begin != m_Blocks.end(); value = !value)
+  {
+    const auto end = std::find(begin, m_Blocks.end(), !value);
+    numbers.Add(static_cast<std::uint64_t>(end - begin));
+    begin = end;
+  }
   return numbers.Pack();
 }
 
@@ -224,8 +231,16 @@ Survey::Merge(const std::string & bytes)
     pixel.thickest = static_cast<std::uint32_t>(numbers.Get());
   }
   requireSize(m_Blocks.size());
-  std::vector<bool> blocks(m_Blocks.size());
-  std::generate(blocks.begin(), blocks.end(), [&numbers] { return numbers.Get() != 0; });
+  std::vector<bool> blocks;
+  for (bool value = false; blocks.size() < m_Blocks.size(); value = !value)
+  {
+    const std::uint64_t length = numbers.Get();
+    if (length > m_Blocks.size() - blocks.size() || (length == 0 && !blocks.empty()))
+    {
+      RefusePart();
+    }
+    blocks.insert(blocks.end(), length, value);
+  }
   numbers.CheckEnd();
   this->AddToTotal(part);
   std::transform(m_Blocks.begin(), m_Blocks.end(), blocks.begin(), m_Blocks.begin(), std::logical_or<>());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandLine.h"
 
+#include "CommandParts.h"
 #include "CommandText.h"
 #include "Report.h"
 #include "Text.h"
@@ -169,6 +170,8 @@ AddObjectOptions(CLI::App & app, JobOptions & options)
   });
 }
 
+} // namespace
+
 void
 AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
 {
@@ -214,6 +217,9 @@ AddProgress(CommandLine & line, CLI::App & app)
   app.add_flag("--quiet", line.quiet, "Print errors only")->group(group);
 }
 
+namespace
+{
+
 void
 AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
@@ -232,11 +238,16 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   AddProgress(line, app);
 }
 
+} // namespace
+
 void
 AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii .nii.gz .tif, raw", options.input)->required();
 }
+
+namespace
+{
 
 const std::vector<std::pair<std::string, itk::MedialVoxelBoundary>> Boundaries{
   { GetName(itk::MedialVoxelBoundary::Object), itk::MedialVoxelBoundary::Object },
@@ -268,6 +279,8 @@ AddThickness(CLI::App & app, ExtractOptions & options)
     });
   app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels, not in units of the spacing");
 }
+
+} // namespace
 
 void
 AddLabels(CLI::App & app, ExtractOptions & options)
@@ -307,6 +320,9 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
   AddRunOptions(line, app, options);
   AddRawOptions(line, app, options);
 }
+
+namespace
+{
 
 void
 DefineExtract(CommandLine & line)
@@ -394,66 +410,6 @@ DefineInfo(CommandLine & line)
                                "medialvoxel info scan.raw --raw-size 708,965,325 --raw-type uint16" };
 }
 
-void
-AddJobFolder(CLI::App & app, std::string & target, const std::string & help)
-{
-  app.add_option("JOBDIR", target, help)->type_name("DIR")->required();
-}
-
-void
-DefinePlan(CommandLine & line)
-{
-  CLI::App &    app = *line.plan;
-  PlanOptions & options = line.planOptions;
-  AddInput(app, options);
-  AddLabels(app, options);
-  AddJobFolder(app, options.jobFolder, "Folder of the job, new or empty");
-  AddExtractOptions(line, app, options);
-  app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end")->group("Run");
-  line.examples[&app] = { "medialvoxel plan part.mha out.mha job --thickness 3 --lower 72",
-                          "medialvoxel plan part.mha out.mha job --divisions 64 --report r.json" };
-}
-
-void
-DefineWork(CommandLine & line)
-{
-  CLI::App & app = *line.work;
-  AddJobFolder(app, line.workOptions.jobFolder, "Folder that medialvoxel plan has made");
-  AddText(app, "--clusters", "Which, such as 7 or 0-3,9 (default: all)", "RANGES", [&](const std::string & text) {
-    const auto ranges = ParseClusters(text);
-    if (!ranges)
-    {
-      throw CLI::ValidationError("'" + text + "' is not a list of clusters such as 7 or 0-3,9");
-    }
-    line.workOptions.clusters = *ranges;
-  });
-  AddMemory(app, line.workOptions.memoryBytes);
-  AddThreads(app, line.workOptions.threads);
-  AddProgress(line, app);
-  line.examples[&app] = { "medialvoxel work job", "medialvoxel work job --clusters 0-9 --threads 4" };
-  app.footer("Clusters that are done are skipped; any number of processes may work at once.");
-}
-
-void
-DefineFinalize(CommandLine & line)
-{
-  CLI::App & app = *line.finalize;
-  AddJobFolder(app, line.finalizeOptions.jobFolder, "Folder that medialvoxel plan has made");
-  app.add_flag_callback(
-    "--no-verify", [&] { line.finalizeOptions.verifies = false; }, "Do not read the outputs again for their checksums");
-  AddProgress(line, app);
-  line.examples[&app] = { "medialvoxel finalize job", "medialvoxel finalize job --no-verify" };
-}
-
-void
-DefineStatus(CommandLine & line)
-{
-  CLI::App & app = *line.status;
-  AddJobFolder(app, line.statusFolder, "Folder that medialvoxel plan has made");
-  app.add_flag("--json", line.statusAsJson, "Print it as JSON");
-  line.examples[&app] = { "medialvoxel status job", "medialvoxel status job --json" };
-}
-
 } // namespace
 
 std::unique_ptr<CLI::App>
@@ -475,10 +431,7 @@ DefineCommandLine(CommandLine & line)
   DefineMesh(line);
   DefineDistance(line);
   DefineInfo(line);
-  DefinePlan(line);
-  DefineWork(line);
-  DefineFinalize(line);
-  DefineStatus(line);
+  DefineJobCommands(line);
   line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");
   line.generate->add_option("FOLDER", line.generateFolder, "An existing folder")->required();
   line.examples[app.get()] = { "medialvoxel info part.mha",

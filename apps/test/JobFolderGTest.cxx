@@ -15,6 +15,7 @@
 #include <cctype>
 #include <fcntl.h>
 #include <limits>
+#include <set>
 #include <vector>
 
 using namespace medialvoxel;
@@ -78,6 +79,47 @@ TEST(ClusterRange, Formats)
   EXPECT_EQ(FormatClusters({}), "");
   EXPECT_EQ(FormatClusters({ 5 }), "5");
   EXPECT_EQ(FormatClusters({ 0, 1, 2, 4, 7, 8 }), "0-2,4,7-8");
+}
+
+TEST(ClusterRange, ChoosesWhatFollows)
+{
+  using Set = std::set<std::uint64_t>;
+  EXPECT_EQ(ChooseCluster({ 0, 1, 2, 3 }, {}, std::nullopt), 0u);
+  EXPECT_EQ(ChooseCluster({ 0, 1, 2, 3 }, {}, 2), 3u);
+  EXPECT_EQ(ChooseCluster({ 0, 1, 4, 5, 6, 9 }, {}, 2), 4u);
+  EXPECT_EQ(ChooseCluster({ 1, 2, 3, 4 }, { 0 }, std::nullopt), 3u);
+  EXPECT_EQ(ChooseCluster({ 5 }, { 4, 6 }, std::nullopt), 5u);
+  // Processes that take turns take runs of their own.
+  Set                                       free;
+  std::vector<std::optional<std::uint64_t>> last(3);
+  std::vector<std::vector<std::uint64_t>>   done(3);
+  for (std::uint64_t cluster = 0; cluster < 30; ++cluster)
+  {
+    free.insert(cluster);
+  }
+  while (!free.empty())
+  {
+    for (std::size_t process = 0; process < 3 && !free.empty(); ++process)
+    {
+      Set busy;
+      for (const auto & other : last)
+      {
+        busy.insert(other.value_or(1000));
+      }
+      last[process] = ChooseCluster(free, busy, last[process]);
+      free.erase(*last[process]);
+      done[process].push_back(*last[process]);
+    }
+  }
+  std::size_t starts = 0;
+  for (const auto & clusters : done)
+  {
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+    {
+      starts += i == 0 || clusters[i] != clusters[i - 1] + 1 ? 1 : 0;
+    }
+  }
+  EXPECT_LE(starts, 8u);
 }
 
 TEST(Sha256, OfTheStandard)

@@ -104,18 +104,32 @@ TEST(SurveyPart, OfNothingChangesNothing)
 
 TEST(SurveyPart, RefusesOtherBytes)
 {
-  Survey survey = MakeSurvey();
+  Survey            survey = MakeSurvey();
+  const std::string nothing = survey.Save();
   RunSlices(MakeImage(), survey, 0, Size);
   const std::string good = survey.Save();
   for (const std::size_t length : { std::size_t{ 0 }, std::size_t{ 7 }, std::size_t{ 8 }, good.size() - 1 })
   {
     EXPECT_THROW(survey.Merge(good.substr(0, length)), JobError) << length;
   }
+  EXPECT_EQ(survey.Save(), good);
+  std::size_t refused = 0;
   for (std::size_t i = 0; i < good.size(); ++i)
   {
+    // Some bits of packed bytes do not matter: then all comes out right.
     std::string bad = good;
     bad[i] = static_cast<char>(bad[i] ^ 4);
-    EXPECT_THROW(survey.Merge(bad), JobError) << i;
+    Survey other = MakeSurvey();
+    try
+    {
+      other.Merge(bad);
+      EXPECT_EQ(other.Save(), good) << i;
+    }
+    catch (const JobError &)
+    {
+      EXPECT_EQ(other.Save(), nothing) << i;
+      ++refused;
+    }
   }
-  EXPECT_EQ(survey.Save(), good);
+  EXPECT_GT(refused, good.size() * 9 / 10);
 }
