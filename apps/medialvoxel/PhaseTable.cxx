@@ -117,6 +117,19 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
 }
 
 void
+PrintFinalization(std::ostream & out, const FinalizeResult & result)
+{
+  if (result.job)
+  {
+    PrintPhaseTable(out, result.options, *result.job);
+  }
+  else
+  {
+    PrintTable(out, { { "job", "was finished before" } });
+  }
+}
+
+void
 PrintDistanceTable(std::ostream & out, const JobResult & result)
 {
   TextTable table;
