@@ -19,6 +19,7 @@ set(L1
     GeodesicLandmarks
     BoundedGeodesic
     BoxComponents
+    SmallComponents
     PathSearch
     PairSeparation
     InscribedBalls

@@ -162,10 +162,10 @@ TEST(MedialVoxelJointClassifier, ThresholdsAreThoseOfBruteForce)
   for (const Case & c : AllCases())
   {
     const MedialVoxelTest::JointClassifier oracle(c.inputs.volume, c.limits);
-    const MedialVoxelClassifier                classifier(c.inputs.grid, ParametersOf(c.limits, BoundEnum::FreeSpace));
-    const auto &                               threshold = classifier.GetThreshold();
-    std::mt19937                               generator(8);
-    const auto                                 box =
+    const MedialVoxelClassifier            classifier(c.inputs.grid, ParametersOf(c.limits, BoundEnum::FreeSpace));
+    const auto &                           threshold = classifier.GetThreshold();
+    std::mt19937                           generator(8);
+    const auto                             box =
       RandomBox(c.inputs.volume.size, generator).Expanded({ { 6, 6, 6 } }).Intersection(c.inputs.grid.GetVoxelBox());
     std::vector<double>                       epsilons;
     itk::MedialVoxelLocalThreshold::Workspace workspace;

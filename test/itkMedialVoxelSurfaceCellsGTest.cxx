@@ -110,8 +110,8 @@ std::set<Edge>
 CrossedEdges(const Volume & volume, const WallLimits & limits)
 {
   const JointClassifier thresholds(volume, limits);
-  Classifier                oracle(volume, limits.maximum);
-  std::set<Edge>            edges;
+  Classifier            oracle(volume, limits.maximum);
+  std::set<Edge>        edges;
   for (std::size_t i = 0; i < volume.object.size(); ++i)
   {
     for (int axis = 0; axis < 3; ++axis)

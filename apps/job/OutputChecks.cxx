@@ -4,10 +4,20 @@
 
 #include "OutputVolume.h"
 
-#include <set>
-
 namespace medialvoxel
 {
+
+std::set<std::filesystem::path>
+ListInputFiles(const VolumeHeader & input)
+{
+  std::set<std::filesystem::path> files{ input.fileName, input.dataFile };
+  for (const itk::MedialVoxelFileSegment & segment : input.segments)
+  {
+    files.insert(segment.fileName);
+  }
+  return files;
+}
+
 namespace
 {
 
@@ -28,18 +38,6 @@ AreSameFile(const std::filesystem::path & a, const std::filesystem::path & b)
     return true;
   }
   return GetPlace(a) == GetPlace(b);
-}
-
-/** Every file that the volume is read from. */
-std::set<std::filesystem::path>
-ListInputFiles(const VolumeHeader & input)
-{
-  std::set<std::filesystem::path> files{ input.fileName, input.dataFile };
-  for (const itk::MedialVoxelFileSegment & segment : input.segments)
-  {
-    files.insert(segment.fileName);
-  }
-  return files;
 }
 
 void

@@ -21,6 +21,16 @@ OutputSet::AddVolume(const std::string & fileName, const VolumeGeometry & geomet
   return m_Volumes.back().get();
 }
 
+OutputVolume *
+OutputSet::AddCompletedVolume(const VolumeRequest &         request,
+                              const std::string &           suffix,
+                              const std::filesystem::path & dataName)
+{
+  m_Volumes.push_back(std::make_unique<OutputVolume>(request.fileName, m_Overwrite, false));
+  m_Volumes.back()->OpenToPublish(request.geometry, request.layout, suffix, dataName);
+  return m_Volumes.back().get();
+}
+
 OutputFile *
 OutputSet::AddFile(const std::string & fileName)
 {

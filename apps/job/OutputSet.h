@@ -12,6 +12,15 @@
 namespace medialvoxel
 {
 
+/** A volume that a job writes. */
+struct VolumeRequest
+{
+  std::string    role;
+  std::string    fileName;
+  VolumeGeometry geometry;
+  VoxelLayout    layout;
+};
+
 /** \class OutputSet
  * \brief The outputs of a job, which appear together: the one added first appears last and stands for all. */
 class OutputSet
@@ -27,6 +36,10 @@ public:
   /** Creates a volume; null when the name is empty. */
   OutputVolume *
   AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
+
+  /** Opens a volume that other processes have completed; see OutputVolume::OpenToPublish(). */
+  OutputVolume *
+  AddCompletedVolume(const VolumeRequest & request, const std::string & suffix, const std::filesystem::path & dataName);
 
   /** Creates an empty file of another kind; null when the name is empty. */
   OutputFile *
