@@ -10,6 +10,17 @@
 
 namespace MedialVoxelTest
 {
+/** A strip of a plate, one voxel wide, that runs inwards from a square rim. Coordinates are turned ones. */
+struct RimStrip
+{
+  Vector3 edge;   ///< where the mid-plane meets the face of the rim
+  int     inward; ///< axis
+  double  sign;   ///< of the way inwards along it
+  int     along;  ///< axis of the rim
+  int     across; ///< axis of the thickness
+  double  half;   ///< half the thickness of the plate: the medial axis of a square rim begins so far inwards
+};
+
 /** A part around the origin. Lengths are voxels. */
 struct Part
 {
@@ -24,6 +35,9 @@ struct Part
 
   /** Points of the mid-surface that a sheet must cover: farther from rims than where the sheet begins. */
   std::vector<Vector3> samples;
+
+  /** Of free rims, one for each voxel of their length; none near corners and junctions. */
+  std::vector<RimStrip> rims;
 };
 
 enum class Noise
@@ -93,6 +107,42 @@ struct Plate
   Vector3 half;
 };
 
+/** The strips of all rims that keep off other rims and plates. */
+inline std::vector<RimStrip>
+RimsOf(const std::vector<Plate> & plates)
+{
+  constexpr double      margin = 2.5;
+  std::vector<RimStrip> rims;
+  for (std::size_t k = 0; k < plates.size(); ++k)
+  {
+    const Plate & plate = plates[k];
+    const int    across = static_cast<int>(std::min_element(plate.half.begin(), plate.half.end()) - plate.half.begin());
+    const double clear = plate.half[across] + margin;
+    for (int side = 0; side < 4; ++side)
+    {
+      const int    inward = (across + 1 + side % 2) % 3;
+      const int    along = (across + 2 - side % 2) % 3;
+      const double sign = side < 2 ? 1.0 : -1.0;
+      for (double place = clear - plate.half[along]; place <= plate.half[along] - clear; place += 1.0)
+      {
+        Vector3 edge = plate.center;
+        edge[inward] -= sign * plate.half[inward];
+        edge[along] += place;
+        bool isFree = true;
+        for (std::size_t other = 0; other < plates.size(); ++other)
+        {
+          isFree = isFree && (other == k || BoxDistance(edge, plates[other].center, plates[other].half) > clear);
+        }
+        if (isFree)
+        {
+          rims.push_back({ edge, inward, sign, along, across, plate.half[across] });
+        }
+      }
+    }
+  }
+  return rims;
+}
+
 /** Plates together, turned; samples keep off the rims that are not covered by other plates. */
 inline Part
 PartOfPlates(const std::string & name, int size, const std::vector<Plate> & plates)
@@ -108,6 +158,7 @@ PartOfPlates(const std::string & name, int size, const std::vector<Plate> & plat
     }
     return distance;
   };
+  part.rims = RimsOf(plates);
   const auto across = [](const Plate & plate) {
     return static_cast<int>(std::min_element(plate.half.begin(), plate.half.end()) - plate.half.begin());
   };
