@@ -25,6 +25,7 @@ set(L1
     PairChoice
     PairDecision
     Thickness
+    GrayBoundary
     GrayThickness
     SurfaceTopology
     SurfaceFit
