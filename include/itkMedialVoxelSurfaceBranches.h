@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -38,17 +37,18 @@ public:
  * \brief Finds the short branches of a surface, and tells what is left without them.
  *
  * Sides of more than two faces, the junctions, cut the surface into sheets: faces that share a side with one other face
- * are of one sheet. The distance of a vertex is that to the nearest vertex of any junction, along sides and diagonals
- * of faces. A sheet is a branch when it has both junctions and rims, its junctions are connected with each other, and
- * all of its vertices are nearer than the length. All branches are found on the surface as it is and leave it together,
- * so that what is found depends on no order:
+ * are of one sheet, but for sides at a vertex where a junction ends. Junctions mostly end a side before the rims of
+ * their sheets, which are rough; that side would join them. The distance of a vertex is that to the nearest vertex of
+ * any junction, along sides and diagonals of faces. A sheet is a branch when it has both junctions and rims, its
+ * junctions are connected with each other, and all of its vertices are nearer than the length. All branches are found
+ * on the surface as it is and leave it together, so that what is found depends on no order:
  * - A sheet without a rim lies between junctions, one without a junction is all of its piece: both stay.
  * - A sheet between junctions that do not touch connects them and stays, however narrow it is.
  * - Where all sheets of a junction are short, all go.
  *
  * Sheets that a branch parted are one afterwards; branches of what is left are not looked for again.
  *
- * Memory is 5 bytes for each face, 4 for each vertex and 48 for each side of a face that is a junction; there can be
+ * Memory is 7 bytes for each face, 5 for each vertex and 48 for each side of a face that is a junction; there can be
  * 2^32 - 1 faces and vertices.
  * \ingroup MedialVoxel
  */
@@ -120,7 +120,8 @@ private:
     HasJunction = 2,
     IsLong = 4,
     IsBridge = 8,
-    IsBranch = 16
+    IsBranch = 16,
+    IsBesideEnd = 32 // a face alone: it has a side that would join sheets
   };
 
   struct SideHash
@@ -132,7 +133,7 @@ private:
     }
   };
 
-  /** A side of a face that is a junction. */
+  /** A side of a face that is a junction, or at the end of one. */
   struct JunctionSide
   {
     SideType     side;
@@ -141,11 +142,17 @@ private:
     std::uint8_t numberOfKeptFaces{ 0 }; ///< of all that have the side
   };
 
+  static SideType
+  SideOf(const VerticesType & vertices, unsigned int number);
+
   IndexType
   RootOf(IndexType face);
 
   void
   Join(IndexType face, IndexType other);
+
+  void
+  JoinSheets(const MedialVoxelSurfaceFaces & faces);
 
   void
   MeasureDistances(float length, const MedialVoxelSurfaceFaces & faces, std::vector<float> & distances) const;
@@ -165,12 +172,17 @@ private:
   void
   NumberVertices(const MedialVoxelSurfaceFaces & faces);
 
-  std::uint64_t                                     m_NumberOfVertices{ 0 };
-  std::vector<IndexType>                            m_Parents;   // of faces; the root of a sheet is its own one
-  std::vector<std::uint8_t>                         m_Flags;     // of faces, of sheets at their roots
-  std::unordered_map<SideType, IndexType, SideHash> m_OpenSides; // of two faces, of which one has come
-  std::vector<JunctionSide>                         m_Junctions;
-  std::vector<IndexType>                            m_Numbers; // of vertices among those that are kept
+  /** Of vertices, whether exactly one side at it is a junction. */
+  std::vector<bool>
+  FindEndsOfJunctions();
+
+  std::uint64_t             m_NumberOfVertices{ 0 };
+  std::vector<Marks>        m_Marks;   // of faces
+  std::vector<IndexType>    m_Parents; // of faces; the root of a sheet is its own one
+  std::vector<std::uint8_t> m_Flags;   // of faces, of sheets at their roots
+  std::vector<JunctionSide> m_Junctions;
+  std::vector<JunctionSide> m_EndSides; // of two faces, at the ends of junctions
+  std::vector<IndexType>    m_Numbers;  // of vertices among those that are kept
 };
 
 } // end namespace itk

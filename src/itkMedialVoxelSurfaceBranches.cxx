@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 #include <tuple>
+#include <unordered_map>
 
 namespace itk
 {
@@ -32,6 +33,12 @@ DistanceOf(const PointType & a, const PointType & b)
 
 } // namespace
 
+auto
+MedialVoxelSurfaceBranches::SideOf(const VerticesType & vertices, const unsigned int number) -> SideType
+{
+  return std::minmax(static_cast<IndexType>(vertices[number]), static_cast<IndexType>(vertices[(number + 1) % 4]));
+}
+
 MedialVoxelSurfaceFaces::~MedialVoxelSurfaceFaces() = default;
 
 std::uint64_t
@@ -40,7 +47,7 @@ MedialVoxelSurfaceBranches::GetBytes(const std::uint64_t vertices,
                                      const std::uint64_t junctionSides)
 {
   // The sides are sorted by sheet in a second table.
-  return vertices * sizeof(IndexType) + faces * (sizeof(IndexType) + 1) + junctionSides * 2 * 24;
+  return vertices * (sizeof(IndexType) + 1) + faces * (sizeof(IndexType) + sizeof(Marks) + 1) + junctionSides * 2 * 24;
 }
 
 void
@@ -56,30 +63,17 @@ MedialVoxelSurfaceBranches::AddVertices(const std::uint64_t number)
 void
 MedialVoxelSurfaceBranches::AddFace(const VerticesType & vertices, const Marks & marks)
 {
-  if (m_Parents.size() == Most)
+  if (m_Marks.size() == Most)
   {
     throw std::length_error("The medial surface has more than 4294967295 faces, too many to find its branches.");
   }
-  const auto face = static_cast<IndexType>(m_Parents.size());
-  m_Parents.push_back(face);
-  m_Flags.push_back(
-    static_cast<std::uint8_t>((marks.rimSides != 0 ? HasRim : 0) | (marks.junctionSides != 0 ? HasJunction : 0)));
+  const auto face = static_cast<IndexType>(m_Marks.size());
+  m_Marks.push_back(marks);
   for (unsigned int number = 0; number < 4; ++number)
   {
-    const SideType side =
-      std::minmax(static_cast<IndexType>(vertices[number]), static_cast<IndexType>(vertices[(number + 1) % 4]));
     if ((marks.junctionSides >> number & 1u) != 0)
     {
-      m_Junctions.push_back({ side, face, static_cast<std::uint8_t>(number) });
-    }
-    else if ((marks.rimSides >> number & 1u) == 0)
-    {
-      const auto [open, isNew] = m_OpenSides.emplace(side, face);
-      if (!isNew)
-      {
-        this->Join(face, open->second);
-        m_OpenSides.erase(open);
-      }
+      m_Junctions.push_back({ SideOf(vertices, number), face, static_cast<std::uint8_t>(number) });
     }
   }
 }
@@ -87,6 +81,7 @@ MedialVoxelSurfaceBranches::AddFace(const VerticesType & vertices, const Marks &
 void
 MedialVoxelSurfaceBranches::Find(const double length, const MedialVoxelSurfaceFaces & faces)
 {
+  this->JoinSheets(faces);
   {
     std::vector<float> distances(static_cast<std::size_t>(m_NumberOfVertices), std::numeric_limits<float>::infinity());
     this->MeasureDistances(static_cast<float>(length), faces, distances);
@@ -96,6 +91,70 @@ MedialVoxelSurfaceBranches::Find(const double length, const MedialVoxelSurfaceFa
   this->MarkBranches();
   this->CountKeptFaces();
   this->NumberVertices(faces);
+}
+
+/** Sorts the junctions by side. */
+std::vector<bool>
+MedialVoxelSurfaceBranches::FindEndsOfJunctions()
+{
+  std::sort(m_Junctions.begin(), m_Junctions.end(), [](const JunctionSide & a, const JunctionSide & b) {
+    return a.side < b.side;
+  });
+  std::vector<bool> isEnd(static_cast<std::size_t>(m_NumberOfVertices), false);
+  std::vector<bool> isInside(isEnd.size(), false);
+  for (std::size_t i = 0; i < m_Junctions.size(); ++i)
+  {
+    const SideType & side = m_Junctions[i].side;
+    if (i > 0 && m_Junctions[i - 1].side == side)
+    {
+      continue;
+    }
+    for (const IndexType vertex : { side.first, side.second })
+    {
+      isInside[vertex] = isInside[vertex] || isEnd[vertex];
+      isEnd[vertex] = !isInside[vertex];
+    }
+  }
+  return isEnd;
+}
+
+/** Join faces that share a side, as soon as the second one comes. */
+void
+MedialVoxelSurfaceBranches::JoinSheets(const MedialVoxelSurfaceFaces & faces)
+{
+  const std::vector<bool>                           isEnd = this->FindEndsOfJunctions();
+  std::unordered_map<SideType, IndexType, SideHash> open; // sides of which one face has come
+  m_Flags.assign(m_Marks.size(), 0);
+  m_Parents.resize(m_Marks.size());
+  for (std::size_t i = 0; i < m_Parents.size(); ++i)
+  {
+    m_Parents[i] = static_cast<IndexType>(i);
+  }
+  IndexType face = 0;
+  faces.ForEachFace(false, [&](const VerticesType & vertices, const std::array<PointType, 4> &) {
+    const Marks & marks = m_Marks[face];
+    for (unsigned int number = 0; number < 4; ++number)
+    {
+      const SideType side = SideOf(vertices, number);
+      if (((marks.rimSides | marks.junctionSides) >> number & 1) != 0)
+      {
+        continue;
+      }
+      if (isEnd[side.first] || isEnd[side.second])
+      {
+        m_EndSides.push_back({ side, face, static_cast<std::uint8_t>(number) });
+        m_Flags[face] = IsBesideEnd;
+        continue;
+      }
+      const auto [other, isNew] = open.emplace(side, face);
+      if (!isNew)
+      {
+        this->Join(face, other->second);
+        open.erase(other);
+      }
+    }
+    ++face;
+  });
 }
 
 /** Distances below the length; the others stay infinite. The shortest sums do not depend on the order of the faces, so
@@ -146,7 +205,8 @@ MedialVoxelSurfaceBranches::CollectFlags(const std::vector<float> & distances, c
     const bool isLong = std::any_of(
       vertices.begin(), vertices.end(), [&](const std::uint64_t vertex) { return std::isinf(distances[vertex]); });
     std::uint8_t & flags = m_Flags[this->RootOf(face)];
-    flags = static_cast<std::uint8_t>(flags | m_Flags[face] | (isLong ? IsLong : 0));
+    flags = static_cast<std::uint8_t>(flags | (isLong ? IsLong : 0) | (m_Marks[face].rimSides != 0 ? HasRim : 0) |
+                                      (m_Marks[face].junctionSides != 0 ? HasJunction : 0));
     ++face;
   });
 }
@@ -207,6 +267,8 @@ MedialVoxelSurfaceBranches::MarkBranches()
 void
 MedialVoxelSurfaceBranches::CountKeptFaces()
 {
+  m_Junctions.insert(m_Junctions.end(), m_EndSides.begin(), m_EndSides.end());
+  m_EndSides = {};
   std::sort(m_Junctions.begin(), m_Junctions.end(), [](const JunctionSide & a, const JunctionSide & b) {
     return a.side < b.side;
   });
@@ -250,7 +312,7 @@ auto
 MedialVoxelSurfaceBranches::GetMarks(const std::uint64_t face, const Marks & before) const -> Marks
 {
   Marks marks{ before.rimSides, 0 };
-  if (before.junctionSides != 0)
+  if (before.junctionSides != 0 || (m_Flags[face] & IsBesideEnd) != 0)
   {
     auto junction = std::lower_bound(
       m_Junctions.begin(), m_Junctions.end(), face, [](const JunctionSide & side, const std::uint64_t wanted) {

@@ -135,11 +135,33 @@ FacesOf(const Surface & surface)
   return faces;
 }
 
+/** Vertices at which exactly one side is a junction. */
+std::set<std::uint64_t>
+EndsOf(const std::map<Side, int> & counts)
+{
+  std::map<std::uint64_t, int> junctions;
+  for (const auto & side : counts)
+  {
+    junctions[side.first.first] += side.second > 2 ? 1 : 0;
+    junctions[side.first.second] += side.second > 2 ? 1 : 0;
+  }
+  std::set<std::uint64_t> ends;
+  for (const auto & vertex : junctions)
+  {
+    if (vertex.second == 1)
+    {
+      ends.insert(vertex.first);
+    }
+  }
+  return ends;
+}
+
 /** Numbers of the sheets of the faces: the smallest number spreads over sides of two faces. */
 std::vector<std::size_t>
 SheetsOf(const Surface & surface)
 {
   const auto               counts = CountSides(surface);
+  const auto               ends = EndsOf(counts);
   std::vector<std::size_t> sheets(surface.quads.size());
   for (std::size_t i = 0; i < sheets.size(); ++i)
   {
@@ -155,7 +177,7 @@ SheetsOf(const Surface & surface)
       {
         for (const Side & side : SidesOf(surface.quads[i]))
         {
-          if (counts.at(side) == 2)
+          if (counts.at(side) == 2 && ends.count(side.first) + ends.count(side.second) == 0)
           {
             auto & number = lowest.emplace(side, sheets[i]).first->second;
             isChanged = isChanged || number != sheets[i];
@@ -315,6 +337,26 @@ TEST(MedialVoxelSurfaceBranches, TheLengthIsThatOfTheFarthestVertex)
   EXPECT_EQ(Cut(tee, std::nextafter(3.0f, 4.0f)).quads.size(), 72u);
   EXPECT_EQ(Cut(tee, 6.0).quads.size(), 72u);
   EXPECT_TRUE(Cut(tee, 6.5).quads.empty()) << "all sheets of the junction are short";
+}
+
+TEST(MedialVoxelSurfaceBranches, ARoughRimDoesNotJoinARibToItsPlate)
+{
+  // The plate lacks a square beside the end of the rib, so that the junction ends a side before the rim.
+  Squares rough;
+  rough.AddSheet(2, { { 0, 0, 0 } }, { { 6, 6, 0 } });
+  rough.AddSheet(2, { { 6, 0, 0 } }, { { 12, 5, 0 } });
+  rough.AddSheet(0, { { 6, 0, 0 } }, { { 6, 6, 3 } });
+  const Surface surface = rough.MakeSurface();
+  const Surface rest = Cut(surface, 3.5);
+  EXPECT_EQ(rest.quads.size(), surface.quads.size() - 18);
+  ExpectWhole(rest);
+  // By two sides they are one.
+  Squares rougher;
+  rougher.AddSheet(2, { { 0, 0, 0 } }, { { 6, 6, 0 } });
+  rougher.AddSheet(2, { { 6, 0, 0 } }, { { 12, 4, 0 } });
+  rougher.AddSheet(0, { { 6, 0, 0 } }, { { 6, 6, 3 } });
+  const Surface joined = rougher.MakeSurface();
+  EXPECT_EQ(Cut(joined, 3.5).quads.size(), joined.quads.size());
 }
 
 TEST(MedialVoxelSurfaceBranches, ABendHasNone)
