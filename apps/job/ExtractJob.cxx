@@ -63,7 +63,7 @@ CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
   {
     Fail(ExitStatus::Refused,
          header.fileName.string(),
-         ": the sub-voxel thickness needs values that can be read in pieces, but the file is read once, to a mask (",
+         ": sub-voxel measures need values that can be read in pieces, but the file is read once, to a mask (",
          header.DescribeReading(),
          "); unpack it first");
   }
@@ -126,9 +126,11 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   if (!options.meshFile.empty())
   {
+    settings.keepsGray = options.subVoxel;
     settings.workerBytesPerVoxel +=
       itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(GetParameters(options, footprint.grid));
     footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
+    footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
   }
   AddEngine(footprint, header, settings);
   if (!options.distanceFile.empty())
@@ -274,7 +276,13 @@ private:
     const Pictures pictures = this->MakePictures();
     if (m_Mesh)
     {
-      m_Result.surface = m_Mesh->Write(*m_MeshFile, [this](double) { m_Loop.ThrowIfStopRequested(); });
+      // The mesh takes the memory of the windows and results.
+      m_Runner.reset();
+      m_DistanceRunner.reset();
+      const JobPlan & plan = m_Result.plan;
+      m_Result.surface = m_Mesh->Write(*m_MeshFile,
+                                       plan.memoryLimit - std::min(plan.memoryLimit, plan.fixedBytes),
+                                       [this](double) { m_Loop.ThrowIfStopRequested(); });
     }
     m_Loop.ThrowIfStopRequested();
     AddMeasurements(m_Result, *m_Input, m_Writer.GetSeconds() + SecondsSince(finishStart), start);
