@@ -128,6 +128,15 @@ public:
   GetUseImageSpacing() const;
   itkBooleanMacro(UseImageSpacing);
 
+  /** Measure on the gray values that the thresholds cut the object from: boundary points are moved to where the values
+   * cross the threshold, as MedialVoxelGrayBoundary tells, for the points of the mesh and for the thickness. Needs a
+   * threshold. Default off. */
+  void
+  SetSubvoxelThickness(bool use);
+  bool
+  GetSubvoxelThickness() const;
+  itkBooleanMacro(SubvoxelThickness);
+
   /** Bytes that the window on the input and the memory of all threads may take, as in MedialVoxelImageFilter; 0
    * (default) is without limit. Has no influence on the mesh. */
   void
@@ -152,8 +161,14 @@ public:
   itkGetConstMacro(MarkSides, bool);
   itkBooleanMacro(MarkSides);
 
+  /** Leave out branches of the surface that are shorter than this, in physical units: MedialVoxelSurfaceBranches tells
+   * what they are. 0 (default) keeps all; must be finite and not negative. What is left is as without it but for the
+   * numbers of the points and the marks of sides where a branch was. It takes the surface in memory a second time. */
+  itkSetMacro(MinimumBranchLength, double);
+  itkGetConstMacro(MinimumBranchLength, double);
+
   /** Leave out connected pieces of fewer quadrilaterals than this. 0 (default) and 1 keep all. What is left is as
-   * without it but for the numbers of the points. */
+   * without it but for the numbers of the points. Pieces are those that remain without branches. */
   itkSetMacro(SmallestPiece, SizeValueType);
   itkGetConstMacro(SmallestPiece, SizeValueType);
 
@@ -163,6 +178,9 @@ protected:
 
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override;
 
   void
   GenerateInputRequestedRegion() override;
@@ -175,7 +193,6 @@ private:
   using LabelImageType = typename LabelFilterType::OutputImageType;
 
   class MeshWriter;
-  class PieceFilter;
 
   /** Change a property of the label filter, and be modified when that one is. */
   template <typename TFunction>
@@ -204,6 +221,7 @@ private:
   unsigned int                      m_NumberOfSlicesPerPiece{ 0 };
   bool                              m_GenerateTriangles{ false };
   bool                              m_MarkSides{ false };
+  double                            m_MinimumBranchLength{ 0.0 };
   SizeValueType                     m_SmallestPiece{ 0 };
 };
 

@@ -4,13 +4,14 @@
 #define itkMedialSurfaceMeshFilter_hxx
 
 #include "itkMedialVoxelSurfaceObserver.h"
-#include "itkMedialVoxelSurfacePieces.h"
+#include "itkMedialVoxelSurfaceStore.h"
 
 #include "itkQuadrilateralCell.h"
 #include "itkTriangleCell.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace itk
 {
@@ -103,62 +104,6 @@ private:
   bool             m_WithMarks;
   IdentifierType   m_NumberOfPoints{ 0 };
   IdentifierType   m_NumberOfCells{ 0 };
-};
-
-/** Keeps a surface until it is known which pieces of it are large enough. */
-template <typename TInputImage, typename TOutputMesh>
-class MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::PieceFilter : public MedialVoxelSurfaceConsumer
-{
-public:
-  void
-  AddVertices(const std::vector<MedialVoxelSurfaceVertex> & vertices) override
-  {
-    m_Pieces.AddVertices(vertices.size());
-    m_Vertices.insert(m_Vertices.end(), vertices.begin(), vertices.end());
-  }
-
-  void
-  AddQuads(const std::vector<MedialVoxelSurfaceQuad> & quads) override
-  {
-    for (const MedialVoxelSurfaceQuad & quad : quads)
-    {
-      m_Pieces.AddQuad(quad.vertices);
-    }
-    m_Quads.insert(m_Quads.end(), quads.begin(), quads.end());
-  }
-
-  void
-  HandOn(const SizeValueType smallest, MedialVoxelSurfaceConsumer & consumer)
-  {
-    m_Pieces.Keep(smallest);
-    std::vector<MedialVoxelSurfaceVertex> vertices;
-    for (std::size_t i = 0; i < m_Vertices.size(); ++i)
-    {
-      if (m_Pieces.IsKept(i))
-      {
-        vertices.push_back(m_Vertices[i]);
-      }
-    }
-    std::vector<MedialVoxelSurfaceQuad> quads;
-    for (MedialVoxelSurfaceQuad & quad : m_Quads)
-    {
-      if (m_Pieces.IsKept(quad.vertices[0]))
-      {
-        for (std::uint64_t & vertex : quad.vertices)
-        {
-          vertex = m_Pieces.NumberOf(vertex);
-        }
-        quads.push_back(quad);
-      }
-    }
-    consumer.AddVertices(vertices);
-    consumer.AddQuads(quads);
-  }
-
-private:
-  MedialVoxelSurfacePieces              m_Pieces;
-  std::vector<MedialVoxelSurfaceVertex> m_Vertices;
-  std::vector<MedialVoxelSurfaceQuad>   m_Quads;
 };
 
 template <typename TInputImage, typename TOutputMesh>
@@ -316,6 +261,20 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetUseImageSpacing() const
 
 template <typename TInputImage, typename TOutputMesh>
 void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetSubvoxelThickness(const bool use)
+{
+  this->Change([=](LabelFilterType & filter) { filter.SetSubvoxelThickness(use); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+bool
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSubvoxelThickness() const
+{
+  return m_LabelFilter->GetSubvoxelThickness();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetWorkingMemoryLimit(const SizeValueType bytes)
 {
   this->Change([=](LabelFilterType & filter) { filter.SetWorkingMemoryLimit(bytes); });
@@ -339,6 +298,17 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::RequestPiece(const IndexValue
   region.SetSize(2, std::min(this->GetSlicesPerPiece(), static_cast<SizeValueType>(end - firstSlice)));
   labels.SetRequestedRegion(region);
   labels.PropagateRequestedRegion();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (!(m_MinimumBranchLength >= 0.0) || !std::isfinite(m_MinimumBranchLength))
+  {
+    itkExceptionMacro("MinimumBranchLength is " << m_MinimumBranchLength << "; it must not be negative, and finite.");
+  }
 }
 
 /** What the label filter asks for to begin with; it pulls the rest. */
@@ -416,11 +386,15 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   const MedialVoxelGrid        grid(size,
                              this->GetUseImageSpacing() ? spacing : MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } });
   MeshWriter                   writer(mesh, m_GenerateTriangles, m_MarkSides);
-  PieceFilter                  pieces;
-  const bool                   keepsAll = m_SmallestPiece <= 1;
-  MedialVoxelSurfaceConsumer & consumer = keepsAll ? static_cast<MedialVoxelSurfaceConsumer &>(writer) : pieces;
+  MedialVoxelSurfaceStore      store;
+  const bool                   keepsAll = m_SmallestPiece <= 1 && !(m_MinimumBranchLength > 0.0);
+  MedialVoxelSurfaceConsumer & consumer = keepsAll ? static_cast<MedialVoxelSurfaceConsumer &>(writer) : store;
   MedialVoxelSurfaceObserver   observer(grid, this->GetParameters(grid), spacing, GetPlacement(input), consumer);
 
+  if (this->GetSubvoxelThickness())
+  {
+    observer.MeasureOnGrayValues(this->GetLowerThreshold(), this->GetUpperThreshold());
+  }
   m_LabelFilter->SetTileObserver(&observer);
   try
   {
@@ -434,10 +408,15 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   }
   m_LabelFilter->SetTileObserver(nullptr);
   observer.Finish();
-  if (!keepsAll)
+  if (m_MinimumBranchLength > 0.0)
   {
-    pieces.HandOn(m_SmallestPiece, writer);
+    store.RemoveBranches(m_MinimumBranchLength);
   }
+  if (m_SmallestPiece > 1)
+  {
+    store.RemoveSmallPieces(m_SmallestPiece);
+  }
+  store.HandOn(writer);
   this->UpdateProgress(1.0f);
 }
 
@@ -491,6 +470,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream & os, 
   os << indent << "NumberOfSlicesPerPiece: " << m_NumberOfSlicesPerPiece << std::endl;
   os << indent << "GenerateTriangles: " << (m_GenerateTriangles ? "On" : "Off") << std::endl;
   os << indent << "MarkSides: " << (m_MarkSides ? "On" : "Off") << std::endl;
+  os << indent << "MinimumBranchLength: " << m_MinimumBranchLength << std::endl;
   os << indent << "SmallestPiece: " << m_SmallestPiece << std::endl;
   itkPrintSelfObjectMacro(LabelFilter);
 }

@@ -308,7 +308,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxel
                                         workspace.classifier.rows,
                                         workspace.walls,
                                         workspace.classifier.geodesic,
-                                        progress });
+                                        progress,
+                                        clusterWindow.GetGray() });
     if (!missing.IsEmpty())
     {
       return missing;

@@ -84,8 +84,8 @@ public:
  * Vertices are numbered in the order of their cells (z, y, x), quadrilaterals follow in the order of the lower voxels
  * of their edges and of the axes. In each of five steps a vertex moves by 0.6 of the way to the mean of those that
  * MedialVoxelSurfaceTopology::DirectionsToFollow() names, then by 0.15 of the way to the plane midway between its
- * walls. A step at a slice needs the step before at the two slices beside it, so that a dozen slices are in memory, and
- * how the cells come in pieces has no influence.
+ * walls, or by the weight that is set. A step at a slice needs the step before at the two slices beside it, so that a
+ * dozen slices are in memory, and how the cells come in pieces has no influence.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceBuilder
@@ -103,10 +103,21 @@ public:
 
   static constexpr unsigned int NumberOfSteps = 5;
 
+  /** For SetWeightOfPlane() with planes measured on gray values. */
+  static constexpr double WeightOfGrayPlane = 0.7;
+
   /** \param spacing  lengths of the steps of the placement, as the cells were measured with */
   MedialVoxelSurfaceBuilder(const Placement &                    placement,
                             const MedialVoxelGrid::SpacingType & spacing,
                             MedialVoxelSurfaceConsumer &         consumer);
+
+  /** Of the way to the plane midway between its walls, the part that a vertex goes in each step: 0 to 1, before the
+   * first slice. Default 0.15, for planes that are as rough as voxels. */
+  void
+  SetWeightOfPlane(const double weight)
+  {
+    m_WeightOfPlane = weight;
+  }
 
   /** Take all cells of slice \a z, in order; slices come in order, and those that are left out have none. */
   void
@@ -148,6 +159,7 @@ private:
   Placement                    m_Placement;
   MedialVoxelGrid::SpacingType m_Spacing;
   MedialVoxelSurfaceConsumer & m_Consumer;
+  double                       m_WeightOfPlane{ 0.15 };
   std::deque<Slice>            m_Slices;
   std::int64_t                 m_NextSlice{ 0 };
   std::uint64_t                m_NumberOfVertices{ 0 };

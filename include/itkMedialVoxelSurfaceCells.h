@@ -3,13 +3,16 @@
 #ifndef itkMedialVoxelSurfaceCells_h
 #define itkMedialVoxelSurfaceCells_h
 
+#include "itkMedialVoxelGrayThickness.h"
 #include "itkMedialVoxelSurfaceCrossings.h"
+#include "itkMedialVoxelSurfaceFit.h"
 #include "itkMedialVoxelSurfaceTopology.h"
 #include "itkMedialVoxelThickness.h"
 #include "itkMedialVoxelTileObserver.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace itk
@@ -39,6 +42,9 @@ struct MedialVoxelSurfaceCell
  * The thickness of a medial cell is that of MedialVoxelThickness. Of other cells, which rims and junctions use, it is
  * measured between the two nearest points of a pair.
  *
+ * On gray values MedialVoxelGrayBoundary moves the points of the pairs, of which the plane that is as far from both
+ * walls counts, and the thickness is that of MedialVoxelGrayThickness.
+ *
  * Volumes in which an axis has a single voxel have no surface.
  * \ingroup MedialVoxel
  */
@@ -61,10 +67,16 @@ public:
                           const MedialVoxelParameters &        parameters,
                           const MedialVoxelGrid::SpacingType & spacing);
 
+  /** Measure on the gray values that the tiles have, of an object of the values from \a lower to \a upper, of which one
+   * may be infinite. */
+  void
+  MeasureOnGrayValues(double lower, double upper);
+
   /** The cells of \a tile, in the order z, y, x.
    *
    * \param cells  replaced; incomplete after an abort
-   * \return an empty box when all edges are decided, otherwise the box of sites that must be known to decide them */
+   * \return an empty box when all edges are decided, otherwise the box of sites that must be known to decide them, or
+   * to have all gray values */
   MedialVoxelBox
   Find(const MedialVoxelClassifiedTile &     tile,
        Workspace &                           workspace,
@@ -74,18 +86,36 @@ private:
   MedialVoxelSurfaceTopology::EdgeMask
   GetPossibleQuads(const MedialVoxelIndex & cell) const;
 
+  MedialVoxelWallPoints
+  GetWallPoints(const MedialVoxelClassifiedTile &    tile,
+                const MedialVoxelIndex &             index,
+                MedialVoxelSurfaceTopology::EdgeMask crossed,
+                bool                                 isMedial) const;
+
   MedialVoxelSurfaceCell
   MakeCell(const MedialVoxelClassifiedTile &    tile,
            const MedialVoxelIndex &             index,
            MedialVoxelSurfaceTopology::EdgeMask crossed,
-           bool                                 isMedial) const;
+           const MedialVoxelWallPoints &        points) const;
 
-  MedialVoxelGrid             m_Grid;
-  MedialVoxelDualCell         m_Cell;
-  MedialVoxelSurfaceCrossings m_Crossings;
-  MedialVoxelGrid             m_PhysicalGrid;
-  MedialVoxelThickness        m_Thickness;
-  bool                        m_IsSolid;
+  void
+  FitToGrayValues(const MedialVoxelGray &                     gray,
+                  const MedialVoxelIndex &                    index,
+                  MedialVoxelSurfaceTopology::EdgeMask        crossed,
+                  const MedialVoxelWallPoints &               points,
+                  const MedialVoxelGrayThickness::Crossings & crossings,
+                  MedialVoxelSurfaceFit &                     fit) const;
+
+  MedialVoxelSurfaceFit::PointType
+  FromCenter(const MedialVoxelIndex & index, const MedialVoxelIndex & voxel) const;
+
+  MedialVoxelGrid                         m_Grid;
+  MedialVoxelDualCell                     m_Cell;
+  MedialVoxelSurfaceCrossings             m_Crossings;
+  MedialVoxelGrid                         m_PhysicalGrid;
+  MedialVoxelThickness                    m_Thickness;
+  std::optional<MedialVoxelGrayThickness> m_Gray; // empty: measured on the object
+  bool                                    m_IsSolid;
 };
 
 } // end namespace itk

@@ -26,6 +26,18 @@ public:
   void
   AddPair(const PointType & a, const PointType & b);
 
+  /** A point of a wall and its normal, of length 1. */
+  struct Tangent
+  {
+    PointType point;
+    PointType normal;
+  };
+
+  /** Count in the plane as far from the tangent plane at \a a as from that at \a b. Normals point into the wall from
+   * both of its sides, and differ. */
+  void
+  AddTangents(const Tangent & a, const Tangent & b);
+
   /** The best point, within \a reach of the center along each axis.
    *
    * \param pull  weight of the center, positive; 1 is that of a plane */
@@ -45,13 +57,16 @@ public:
   GetPlane() const;
 
 private:
-  /** Sums of n n^T (xx, xy, xz, yy, yz, zz) and n (n m) for the unit normals n and the middles m. */
+  void
+  AddPlane(const PointType & normal, const PointType & point);
+
+  /** Sums of n n^T (xx, xy, xz, yy, yz, zz) and n (n m) for the unit normals n and the points m of the planes. */
   std::array<double, 6> m_Matrix{};
   PointType             m_Vector{};
 
   PointType m_SumOfNormals{};
-  PointType m_SumOfMiddles{};
-  double    m_NumberOfPairs{ 0.0 };
+  PointType m_SumOfPoints{};
+  double    m_NumberOfPlanes{ 0.0 };
 };
 
 } // end namespace itk

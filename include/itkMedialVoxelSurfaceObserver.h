@@ -47,6 +47,10 @@ public:
                              const MedialVoxelSurfaceBuilder::Placement & placement,
                              MedialVoxelSurfaceConsumer &                 consumer);
 
+  /** Measure on the gray values of the tiles, as MedialVoxelSurfaceCells; vertices keep closer to the middle then. */
+  void
+  MeasureOnGrayValues(double lower, double upper);
+
   /** Cells that an execution over more than one slice may find before it fails with MedialVoxelSurfacePieceError; it
    * can then be run again in smaller pieces. Default without limit. */
   void

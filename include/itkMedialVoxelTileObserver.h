@@ -31,6 +31,8 @@ struct MedialVoxelClassifiedTile
 
   /** To be asked for an abort by an observer that takes long; what it observed is then discarded. */
   const MedialVoxelProgress & progress;
+
+  const MedialVoxelGray & gray; ///< values around the tile; empty unless the filter measures on them
 };
 
 /** \class MedialVoxelTileObserver

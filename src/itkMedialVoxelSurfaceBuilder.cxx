@@ -16,7 +16,6 @@ namespace
 {
 
 constexpr double TowardsNeighbors = 0.6;
-constexpr double TowardsPlane = 0.15;
 
 constexpr std::uint32_t CellsHandedOnAtATime = 1u << 13;
 
@@ -222,7 +221,7 @@ MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
       }
     }
     const Vector normal{ { cell.normal[0], cell.normal[1], cell.normal[2] } };
-    const double toPlane = TowardsPlane * (static_cast<double>(cell.distance) - Dot(normal, offset));
+    const double toPlane = m_WeightOfPlane * (static_cast<double>(cell.distance) - Dot(normal, offset));
     for (unsigned int component = 0; component < 3; ++component)
     {
       slice.previous[i][component] = static_cast<float>(offset[component] + toPlane * normal[component]);

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceCells.h"
 
-#include "itkMedialVoxelSurfaceFit.h"
-
+#include <algorithm>
 #include <limits>
 
 namespace itk
@@ -19,6 +18,9 @@ namespace
 constexpr double Pull = 0.1;
 constexpr double Reach = 1.0;
 
+/** Cosine of the normals of two walls from which they no longer lie across from each other. */
+constexpr double SameSide = 0.5;
+
 MedialVoxelIndex
 NearestPoint(const MedialVoxelFeatures & features, const MedialVoxelIndex & voxel)
 {
@@ -26,23 +28,33 @@ NearestPoint(const MedialVoxelFeatures & features, const MedialVoxelIndex & voxe
   return { { voxel[0] + features.dx[at], voxel[1] + features.dy[at], voxel[2] + features.dz[at] } };
 }
 
-/** The two ends of a voxel edge of a cell. */
+/** Numbers of the corners of a cell at the ends of one of its voxel edges. */
 struct EdgeEnds
 {
-  EdgeEnds(const MedialVoxelIndex & cell, const unsigned int edge)
-    : lower(MedialVoxelSurfaceTopology::OffsetOf(edge))
+  explicit EdgeEnds(const unsigned int edge)
   {
+    const MedialVoxelIndex offset = MedialVoxelSurfaceTopology::OffsetOf(edge);
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      lower[axis] += cell[axis];
+      lower |= static_cast<unsigned int>(offset[axis]) << axis;
     }
-    upper = lower;
-    ++upper[MedialVoxelSurfaceTopology::AxisOf(edge)];
+    upper = lower | 1u << MedialVoxelSurfaceTopology::AxisOf(edge);
   }
 
-  MedialVoxelIndex lower;
-  MedialVoxelIndex upper;
+  unsigned int lower{ 0 };
+  unsigned int upper;
 };
+
+/** Calls visit(ends) for the edges of a mask. */
+template <typename TVisitor>
+void
+ForEachEdge(const EdgeMask edges, TVisitor && visit)
+{
+  for (unsigned int rest = edges; rest != 0; rest &= rest - 1)
+  {
+    visit(EdgeEnds(static_cast<unsigned int>(MedialVoxelLowestBit(rest))));
+  }
+}
 
 } // namespace
 
@@ -57,6 +69,12 @@ MedialVoxelSurfaceCells::MedialVoxelSurfaceCells(const MedialVoxelGrid &        
   , m_IsSolid(grid.IsActive(0) && grid.IsActive(1) && grid.IsActive(2))
 {}
 
+void
+MedialVoxelSurfaceCells::MeasureOnGrayValues(const double lower, const double upper)
+{
+  m_Gray.emplace(m_PhysicalGrid, lower, upper);
+}
+
 MedialVoxelBox
 MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
                               Workspace &                           workspace,
@@ -67,7 +85,7 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   {
     return {};
   }
-  const MedialVoxelBox missing = m_Crossings.Find(tile, workspace.crossings);
+  MedialVoxelBox missing = m_Crossings.Find(tile, workspace.crossings);
   if (!missing.IsEmpty())
   {
     return missing;
@@ -82,12 +100,21 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
       const EdgeMask         crossed = workspace.crossings.GetCrossedEdges(index);
       if ((crossed & this->GetPossibleQuads(index)) != 0)
       {
-        const bool isMedial = (((row.byBound | row.byGeodesic) >> x) & 1) != 0;
-        cells.push_back(this->MakeCell(tile, index, crossed, isMedial));
+        const bool                  isMedial = (((row.byBound | row.byGeodesic) >> x) & 1) != 0;
+        const MedialVoxelWallPoints points = this->GetWallPoints(tile, index, crossed, isMedial);
+        const MedialVoxelBox        values = m_Gray ? m_Gray->GetReadBox(points) : MedialVoxelBox{};
+        if (tile.gray.GetBox().Contains(values))
+        {
+          cells.push_back(this->MakeCell(tile, index, crossed, points));
+        }
+        else
+        {
+          missing = missing.Union(values);
+        }
       }
     }
   }
-  return {};
+  return missing;
 }
 
 /** The edges of a cell that have four cells around them: those that do not lie in a face of the image. */
@@ -109,42 +136,63 @@ MedialVoxelSurfaceCells::GetPossibleQuads(const MedialVoxelIndex & cell) const
   return static_cast<EdgeMask>(mask);
 }
 
+/** Those of a medial cell; around others the two that are nearest to each other stand for the pair. */
+MedialVoxelWallPoints
+MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
+                                       const MedialVoxelIndex &          index,
+                                       const EdgeMask                    crossed,
+                                       const bool                        isMedial) const
+{
+  MedialVoxelWallPoints points;
+  if (isMedial && tile.classifier.GetWallPoints(tile.features, index, points))
+  {
+    return points;
+  }
+  points.numberOfCorners = m_Cell.GetNumberOfCorners();
+  for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
+  {
+    const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
+    points.corners[corner] = NearestPoint(tile.features, { { index[0] + c[0], index[1] + c[1], index[2] + c[2] } });
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  ForEachEdge(crossed, [&](const EdgeEnds & ends) {
+    const MedialVoxelIndex & a = points.corners[ends.lower];
+    const MedialVoxelIndex & b = points.corners[ends.upper];
+    const double             squared = m_PhysicalGrid.SquaredMetricLength(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+    if (squared < smallest)
+    {
+      smallest = squared;
+      points.a = a;
+      points.b = b;
+    }
+  });
+  return points;
+}
+
 MedialVoxelSurfaceCell
 MedialVoxelSurfaceCells::MakeCell(const MedialVoxelClassifiedTile & tile,
                                   const MedialVoxelIndex &          index,
                                   const EdgeMask                    crossed,
-                                  const bool                        isMedial) const
+                                  const MedialVoxelWallPoints &     points) const
 {
-  const MedialVoxelFeatures & features = tile.features;
-  const auto &                spacing = m_PhysicalGrid.GetSpacing();
-  const auto                  fromCenter = [&](const MedialVoxelIndex & point) {
-    MedialVoxelSurfaceFit::PointType result;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      result[axis] = (static_cast<double>(point[axis] - index[axis]) - 0.5) * spacing[axis];
-    }
-    return result;
-  };
-
   MedialVoxelSurfaceFit fit;
-  MedialVoxelWallPoints nearest;
-  double                smallest = std::numeric_limits<double>::infinity();
-  for (unsigned int rest = crossed; rest != 0; rest &= rest - 1)
+  MedialVoxelWall       wall = m_Thickness.Measure(*tile.window.object, points);
+  if (m_Gray)
   {
-    const EdgeEnds         ends(index, static_cast<unsigned int>(MedialVoxelLowestBit(rest)));
-    const MedialVoxelIndex a = NearestPoint(features, ends.lower);
-    const MedialVoxelIndex b = NearestPoint(features, ends.upper);
-    fit.AddPair(fromCenter(a), fromCenter(b));
-    const double squared = m_PhysicalGrid.SquaredMetricLength(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
-    if (squared < smallest)
-    {
-      smallest = squared;
-      nearest.a = a;
-      nearest.b = b;
-    }
+    const auto crossings = m_Gray->FindCrossings(tile.gray, points);
+    m_Gray->Refine(points, crossings, wall);
+    this->FitToGrayValues(tile.gray, index, crossed, points, crossings, fit);
+  }
+  else
+  {
+    ForEachEdge(crossed, [&](const EdgeEnds & ends) {
+      fit.AddPair(this->FromCenter(index, points.corners[ends.lower]),
+                  this->FromCenter(index, points.corners[ends.upper]));
+    });
   }
 
   MedialVoxelSurfaceCell cell;
+  const auto &           spacing = m_PhysicalGrid.GetSpacing();
   const auto             point = fit.GetPoint(Pull, { { Reach * spacing[0], Reach * spacing[1], Reach * spacing[2] } });
   const auto             plane = fit.GetPlane();
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -155,20 +203,64 @@ MedialVoxelSurfaceCells::MakeCell(const MedialVoxelClassifiedTile & tile,
   }
   cell.distance = static_cast<float>(plane.distance);
   cell.quads = static_cast<EdgeMask>(crossed & this->GetPossibleQuads(index));
-
-  MedialVoxelWallPoints wall;
-  if (!isMedial || !tile.classifier.GetWallPoints(features, index, wall))
-  {
-    wall = nearest;
-    wall.numberOfCorners = m_Cell.GetNumberOfCorners();
-    for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
-    {
-      const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
-      wall.corners[corner] = NearestPoint(features, { { index[0] + c[0], index[1] + c[1], index[2] + c[2] } });
-    }
-  }
-  cell.thickness = m_Thickness.Measure(*tile.window.object, wall).thickness;
+  cell.thickness = wall.thickness;
   return cell;
+}
+
+/** Counts in the crossed edges with their boundary points moved; without one next to a point, with both as they are. */
+void
+MedialVoxelSurfaceCells::FitToGrayValues(const MedialVoxelGray &                     gray,
+                                         const MedialVoxelIndex &                    index,
+                                         const EdgeMask                              crossed,
+                                         const MedialVoxelWallPoints &               points,
+                                         const MedialVoxelGrayThickness::Crossings & crossings,
+                                         MedialVoxelSurfaceFit &                     fit) const
+{
+  using Crossing = MedialVoxelGrayBoundary::Crossing;
+  const auto tangentOf = [&](const Crossing & crossing) {
+    MedialVoxelSurfaceFit::Tangent tangent{ crossing.position, crossing.normal };
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      tangent.point[axis] -= (static_cast<double>(index[axis]) + 0.5) * m_PhysicalGrid.GetSpacing()[axis];
+    }
+    return tangent;
+  };
+  ForEachEdge(crossed, [&](const EdgeEnds & ends) {
+    const MedialVoxelSurfaceFit::PointType a = this->FromCenter(index, points.corners[ends.lower]);
+    const MedialVoxelSurfaceFit::PointType b = this->FromCenter(index, points.corners[ends.upper]);
+    // Where several walls meet, a point may lie on neither side of the wall of the cell.
+    const auto crossingOf = [&](const unsigned int corner, const double sign) {
+      return crossings[corner].numberOfLines > 0.0
+               ? crossings[corner]
+               : m_Gray->GetBoundary().Find(gray,
+                                            points.corners[corner],
+                                            { { sign * (b[0] - a[0]), sign * (b[1] - a[1]), sign * (b[2] - a[2]) } });
+    };
+    const Crossing lower = crossingOf(ends.lower, 1.0);
+    const Crossing upper = crossingOf(ends.upper, -1.0);
+    const double   cosine =
+      (lower.normal[0] * upper.normal[0] + lower.normal[1] * upper.normal[1]) + lower.normal[2] * upper.normal[2];
+    if (std::min(lower.numberOfLines, upper.numberOfLines) > 0.0 && cosine < SameSide)
+    {
+      fit.AddTangents(tangentOf(lower), tangentOf(upper));
+    }
+    else
+    {
+      fit.AddPair(a, b);
+    }
+  });
+}
+
+/** A voxel as a position relative to the center of a cell. */
+MedialVoxelSurfaceFit::PointType
+MedialVoxelSurfaceCells::FromCenter(const MedialVoxelIndex & index, const MedialVoxelIndex & voxel) const
+{
+  MedialVoxelSurfaceFit::PointType result;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    result[axis] = (static_cast<double>(voxel[axis] - index[axis]) - 0.5) * m_PhysicalGrid.GetSpacing()[axis];
+  }
+  return result;
 }
 
 } // end namespace itk

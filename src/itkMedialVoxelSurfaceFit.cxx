@@ -33,8 +33,31 @@ void
 MedialVoxelSurfaceFit::AddPair(const PointType & a, const PointType & b)
 {
   const PointType normal = Normalized({ { b[0] - a[0], b[1] - a[1], b[2] - a[2] } }, { { 0.0, 0.0, 1.0 } });
-  const PointType middle{ { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) } };
-  const double    distance = Dot(normal, middle);
+  this->AddPlane(normal, { { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) } });
+}
+
+void
+MedialVoxelSurfaceFit::AddTangents(const Tangent & a, const Tangent & b)
+{
+  const PointType between{ { a.normal[0] - b.normal[0], a.normal[1] - b.normal[1], a.normal[2] - b.normal[2] } };
+  const double    length = std::sqrt(Dot(between, between));
+  const PointType normal{ { between[0] / length, between[1] / length, between[2] / length } };
+  const double    distance = (Dot(a.normal, a.point) - Dot(b.normal, b.point)) / length;
+  PointType       middle{
+          { 0.5 * (a.point[0] + b.point[0]), 0.5 * (a.point[1] + b.point[1]), 0.5 * (a.point[2] + b.point[2]) }
+  };
+  const double toPlane = distance - Dot(normal, middle);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] += toPlane * normal[axis];
+  }
+  this->AddPlane(normal, middle);
+}
+
+void
+MedialVoxelSurfaceFit::AddPlane(const PointType & normal, const PointType & point)
+{
+  const double distance = Dot(normal, point);
   // The two sides of a wall have no order; the normal that is nearer to the sum so far does not cancel it.
   const double sign = Dot(normal, m_SumOfNormals) < 0.0 ? -1.0 : 1.0;
   unsigned int entry = 0;
@@ -46,9 +69,9 @@ MedialVoxelSurfaceFit::AddPair(const PointType & a, const PointType & b)
     }
     m_Vector[row] += normal[row] * distance;
     m_SumOfNormals[row] += sign * normal[row];
-    m_SumOfMiddles[row] += middle[row];
+    m_SumOfPoints[row] += point[row];
   }
-  m_NumberOfPairs += 1.0;
+  m_NumberOfPlanes += 1.0;
 }
 
 PointType
@@ -80,7 +103,7 @@ MedialVoxelSurfaceFit::GetPlane() const
 {
   Plane plane;
   plane.normal = Normalized(m_SumOfNormals, plane.normal);
-  plane.distance = Dot(plane.normal, m_SumOfMiddles) / m_NumberOfPairs;
+  plane.distance = Dot(plane.normal, m_SumOfPoints) / m_NumberOfPlanes;
   return plane;
 }
 

@@ -21,6 +21,13 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
   , m_Builder(placement, spacing, consumer)
 {}
 
+void
+MedialVoxelSurfaceObserver::MeasureOnGrayValues(const double lower, const double upper)
+{
+  m_Kernel.MeasureOnGrayValues(lower, upper);
+  m_Builder.SetWeightOfPlane(MedialVoxelSurfaceBuilder::WeightOfGrayPlane);
+}
+
 std::uint64_t
 MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(const MedialVoxelParameters & parameters)
 {

@@ -52,7 +52,7 @@ MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
       const MedialVoxelBox needed = thickness.GetReadBox(points);
       if (gray.GetBox().Contains(needed))
       {
-        thickness.Refine(gray, points, *wall);
+        thickness.Refine(points, thickness.FindCrossings(gray, points), *wall);
       }
       else
       {

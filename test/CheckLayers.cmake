@@ -26,13 +26,15 @@ set(L1
     PairChoice
     PairDecision
     Thickness
+    GrayBoundary
     GrayThickness
     SurfaceTopology
     SurfaceFit
-    SurfacePieces)
+    SurfacePieces
+    SurfaceBranches)
 set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices CellPairs LocalThreshold JointClassifier Classifier
     TileWalls TileObserver SurfaceCrossings SurfaceCells)
-set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceObserver)
+set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceObserver SurfaceStore)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)
 set(units ${L0} ${Formats} ${L1} ${L2} ${L3} ${L4})

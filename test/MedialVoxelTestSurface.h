@@ -78,9 +78,11 @@ FindSurfaceCells(const Volume &                             volume,
   const itk::MedialVoxelPairDecision      decision(grid, parameters);
   decision.Begin(knownSites, tile, workspace.geodesic);
   const std::vector<itk::MedialVoxelWall> noWalls;
-  return kernel.Find({ tile, knownWindow, features, classifier, workspace.rows, noWalls, workspace.geodesic, progress },
-                     surfaceWorkspace,
-                     cells);
+  const itk::MedialVoxelGray              noGray;
+  return kernel.Find(
+    { tile, knownWindow, features, classifier, workspace.rows, noWalls, workspace.geodesic, progress, noGray },
+    surfaceWorkspace,
+    cells);
 }
 
 /** Index i is at the point i * spacing. */

@@ -367,6 +367,46 @@ TEST(MedialSurfaceMeshFilter, LeavesOutSmallPieces)
   EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), all));
 }
 
+TEST(MedialSurfaceMeshFilter, LeavesOutShortBranches)
+{
+  // A rib on a plate, both of three voxels; their sheets begin one and a half voxels from their ends.
+  const auto part = [](int height) {
+    return MakeVolume({ { 40, 30, 24 } }, { { 0.5, 0.5, 0.5 } }, [=](const Index3 & v) {
+      const bool inPlate = v[0] >= 4 && v[0] < 36 && v[2] >= 4 && v[2] < 7;
+      const bool inRib = v[0] >= 18 && v[0] < 21 && v[2] >= 7 && v[2] < 7 + height;
+      return v[1] >= 4 && v[1] < 26 && (inPlate || inRib);
+    });
+  };
+  const auto filter = MakeFilter(part(10), 1.5);
+  filter->Update();
+  const auto all = NumbersOf(*filter->GetOutput());
+  const auto faces = filter->GetOutput()->GetNumberOfCells();
+  filter->SetMinimumBranchLength(3.0);
+  filter->Update();
+  EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), all)) << "the rib is longer";
+  filter->SetMinimumBranchLength(6.5);
+  filter->MarkSidesOn();
+  filter->Update();
+  const auto cut = NumbersOf(*filter->GetOutput());
+  EXPECT_LT(filter->GetOutput()->GetNumberOfCells(), faces - 100);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 400u);
+  for (itk::IdentifierType i = 0; i < filter->GetOutput()->GetNumberOfCells(); ++i)
+  {
+    float marks = 0.0f;
+    EXPECT_TRUE(filter->GetOutput()->GetCellData(i, &marks));
+    EXPECT_LT(marks, 16.0f) << "a junction of nothing";
+  }
+  filter->SetNumberOfSlicesPerPiece(3);
+  filter->SetNumberOfWorkUnits(3);
+  filter->Update();
+  EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), cut));
+  for (const double length : { -1.0, std::numeric_limits<double>::infinity() })
+  {
+    filter->SetMinimumBranchLength(length);
+    EXPECT_THROW(filter->Update(), itk::ExceptionObject) << length;
+  }
+}
+
 TEST(MedialSurfaceMeshFilter, PrintsItsProperties)
 {
   const auto filter = MaskMeshFilter::New();

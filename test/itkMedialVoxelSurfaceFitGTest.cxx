@@ -55,6 +55,24 @@ TEST(MedialVoxelSurfaceFit, ThreePlanesMeetInAPoint)
   EXPECT_NEAR(point[2], -0.25, 1e-6);
 }
 
+TEST(MedialVoxelSurfaceFit, TangentsOfAWedgeMeetInThePlaneBetweenThem)
+{
+  // Walls that open by 60 degrees, touched at unlike distances from where they meet.
+  const double               s = std::sqrt(0.75);
+  itk::MedialVoxelSurfaceFit fit;
+  fit.AddTangents({ { { 4.0 * s, 2.0, 1.0 } }, { { 0.5, -s, 0.0 } } },
+                  { { { 2.0 * s, -1.0, 7.0 } }, { { 0.5, s, 0.0 } } });
+  const auto plane = fit.GetPlane();
+  EXPECT_NEAR(std::abs(plane.normal[1]), 1.0, 1e-12);
+  EXPECT_NEAR(plane.distance, 0.0, 1e-12);
+  // Walls that are parallel have it in their middle.
+  itk::MedialVoxelSurfaceFit parallel;
+  parallel.AddTangents({ { { 9.0, -1.0, 0.0 } }, { { 0.0, 1.0, 0.0 } } },
+                       { { { 3.0, 2.5, 0.0 } }, { { 0.0, -1.0, 0.0 } } });
+  EXPECT_EQ(parallel.GetPlane().distance, 0.75);
+  EXPECT_EQ(parallel.GetPoint(1e-9, Far)[0], 0.0);
+}
+
 TEST(MedialVoxelSurfaceFit, OnePlanePullsAlongItsNormalAlone)
 {
   itk::MedialVoxelSurfaceFit fit;

@@ -134,7 +134,9 @@ AddOutputParameters(ParameterTable & table, ExtractOptions & job)
                                             { Boundary::Object, Boundary::Background }));
   table.push_back(MakePath("distanceVolume", "Signed distance, negative inside the object", job.distanceFile));
   table.push_back(MakePath("thicknessMap", "Thickness of the walls at medial cells", job.thicknessFile));
-  table.push_back(MakeBoolean("subVoxel", "Measure the thickness on gray values, at the thresholds", job.subVoxel));
+  table.push_back(MakeBoolean("subVoxel", "Measure on gray values, at the thresholds", job.subVoxel));
+  table.push_back(MakePath("meshModel", "Medial surface", job.meshFile));
+  table.push_back(MakeDouble("minimumBranchLength", "Shorter branches are left out of it", job.minimumBranchLength));
   table.push_back(MakePath("reportFile", "Report as JSON", job.reportFile));
   table.push_back(MakePath("previewFile", "Picture of three slices as PNG", job.previewFile));
 }

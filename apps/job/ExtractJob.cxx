@@ -60,7 +60,7 @@ CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
   {
     Fail(ExitStatus::Refused,
          header.fileName.string(),
-         ": the sub-voxel thickness needs values that can be read in pieces, but the file is read once, to a mask (",
+         ": sub-voxel measures need values that can be read in pieces, but the file is read once, to a mask (",
          header.DescribeReading(),
          "); unpack it first");
   }
@@ -109,9 +109,11 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   if (!options.meshFile.empty())
   {
+    settings.keepsGray = options.subVoxel;
     settings.workerBytesPerVoxel +=
       itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(GetParameters(options, footprint.grid));
     footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
+    footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
   }
   AddEngine(footprint, header, settings);
   if (!options.distanceFile.empty())
@@ -182,7 +184,12 @@ private:
     m_Summary->Draw(m_Result.input.geometry, m_Run.GetSurvey(), m_Labels, m_Thicknesses);
     if (m_Mesh)
     {
-      m_Result.surface = m_Mesh->Write(*m_MeshFile, [this](double) { m_Run.ThrowIfStopRequested(); });
+      // The mesh takes the memory of the windows and results.
+      m_Run.DropFilters();
+      const JobPlan & plan = m_Result.plan;
+      m_Result.surface = m_Mesh->Write(*m_MeshFile,
+                                       plan.memoryLimit - std::min(plan.memoryLimit, plan.fixedBytes),
+                                       [this](double) { m_Run.ThrowIfStopRequested(); });
     }
     m_Run.ThrowIfStopRequested();
     AddMeasurements(m_Result, m_Run.GetInput(), m_Run.GetWriteSeconds() + SecondsSince(finishStart), start);

@@ -132,6 +132,13 @@ ExtractRun::Wait()
 }
 
 void
+ExtractRun::DropFilters()
+{
+  m_Runner.reset();
+  m_DistanceRunner.reset();
+}
+
+void
 ExtractRun::Release()
 {
   m_Runner->Release();

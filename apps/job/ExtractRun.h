@@ -69,6 +69,10 @@ public:
   void
   Release();
 
+  /** Gives back all memory of the filters, of which nothing can be asked any more. */
+  void
+  DropFilters();
+
   /** Of all filters and ranges so far. */
   RunnerSums
   GetSums() const;

@@ -124,9 +124,13 @@ CheckOptions(const ExtractOptions & options)
   {
     CheckPositive("the width of sections", *options.sectionWidth, false);
   }
+  if (options.minimumBranchLength != 0)
+  {
+    CheckPositive("the minimum branch length", options.minimumBranchLength, false);
+  }
   if (options.subVoxel && !options.lowerThreshold && !options.upperThreshold)
   {
-    Fail(ExitStatus::Usage, "the sub-voxel thickness is measured at a threshold; none is given");
+    Fail(ExitStatus::Usage, "sub-voxel measures are taken at a threshold; none is given");
   }
 }
 

@@ -59,16 +59,17 @@ struct ExtractOptions : JobOptions
   itk::MedialVoxelPseudoGeodesicBound bound{ itk::MedialVoxelPseudoGeodesicBound::FreeSpace };
   std::string                         vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary            vectorBoundary{ itk::MedialVoxelBoundary::Object };
-  std::string                         thicknessFile;       ///< thickness at medial cells, float32
-  bool                                subVoxel{ false };   ///< measure the thickness on gray values; needs a threshold
-  std::string                         thicknessCsvFile;    ///< histogram of the thickness, comma-separated values
-  std::string                         previewFile;         ///< PNG
-  std::string                         htmlFile;            ///< report as a page with the preview
-  std::string                         returnParameterFile; ///< counts and seconds for 3D Slicer, a line each
-  std::string                         meshFile;            ///< medial surface; then the labels may be empty too
+  std::string                         thicknessFile;          ///< thickness at medial cells, float32
+  bool                                subVoxel{ false };      ///< measure on gray values; needs a threshold
+  std::string                         thicknessCsvFile;       ///< histogram of the thickness, comma-separated values
+  std::string                         previewFile;            ///< PNG
+  std::string                         htmlFile;               ///< report as a page with the preview
+  std::string                         returnParameterFile;    ///< counts and seconds for 3D Slicer, a line each
+  std::string                         meshFile;               ///< medial surface; then the labels may be empty too
   bool                                meshTriangles{ false }; ///< split its quadrilaterals
-  std::uint64_t                       smallestPiece{ 0 };     ///< quadrilaterals of pieces that stay in the mesh
-  std::optional<double>               sectionWidth; ///< as SurfaceWriteOptions; unset: a quarter of the spacing
+  double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
+  std::uint64_t         smallestPiece{ 0 };       ///< quadrilaterals of pieces that stay in the mesh
+  std::optional<double> sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 
 /** Vector and signed distances. */

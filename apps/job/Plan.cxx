@@ -29,33 +29,44 @@ GetFolder(const std::filesystem::path & fileName)
   return fileName.has_parent_path() ? fileName.parent_path() : std::filesystem::path(".");
 }
 
-/** Outputs on one disk share its free space. */
+/** Outputs and scratch files on one disk share its free space. */
 void
-RefuseLackOfSpace(const VolumeHeader & header, const std::vector<OutputRequest> & outputs)
+RefuseLackOfSpace(const VolumeHeader & header, const std::vector<OutputRequest> & outputs, const ScratchSpace & scratch)
 {
-  std::map<dev_t, std::uint64_t> needed;
+  std::vector<ScratchSpace> files;
   for (const OutputRequest & output : outputs)
   {
-    const std::filesystem::path folder = GetFolder(output.fileName);
-    struct stat                 status = {};
-    std::error_code             error;
-    const auto                  space = std::filesystem::space(folder, error);
+    files.push_back({ GetFolder(output.fileName), GetOutputBytes(header, output) });
+  }
+  if (scratch.bytes > 0)
+  {
+    files.push_back(scratch);
+  }
+  std::map<dev_t, std::uint64_t> needed;
+  for (const auto & [folder, bytes] : files)
+  {
+    struct stat     status = {};
+    std::error_code error;
+    const auto      space = std::filesystem::space(folder, error);
     if (error || stat(folder.c_str(), &status) != 0)
     {
       continue; // creating the file will tell
     }
     std::uint64_t & sum = needed[status.st_dev];
-    sum += GetOutputBytes(header, output);
+    sum += bytes;
     if (sum > space.free)
     {
       Fail(ExitStatus::Refused,
-           "no space for the outputs in ",
+           "no space for the ",
+           scratch.bytes > 0 ? "outputs and the scratch files of the mesh" : "outputs",
+           " in ",
            folder.string(),
            ": they need ",
            FormatBytes(sum),
            ", ",
            FormatBytes(space.free),
-           " are free");
+           " are free",
+           scratch.bytes > 0 ? "; with --sparse this is not checked" : "");
     }
   }
 }
@@ -96,6 +107,7 @@ MakePlan(const JobOptions &                 options,
          const PieceFootprint &             footprint)
 {
   JobPlan plan = FitToMemory(options, header, footprint);
+  plan.growingScratch = footprint.scratch;
 
   for (const OutputRequest & output : outputs)
   {
@@ -103,7 +115,7 @@ MakePlan(const JobOptions &                 options,
   }
   if (!options.sparse)
   {
-    RefuseLackOfSpace(header, outputs);
+    RefuseLackOfSpace(header, outputs, footprint.scratch);
   }
   return plan;
 }
@@ -127,6 +139,11 @@ DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vecto
                        mask + (plan.scratchFolder.empty() ? " in memory" : " in " + plan.scratchFolder.string()));
   }
   table.emplace_back("disk", FormatBytes(plan.diskBytes));
+  if (plan.growingScratch.bytes > 0)
+  {
+    table.emplace_back(
+      "scratch", "about " + FormatBytes(plan.growingScratch.bytes) + " in " + plan.growingScratch.folder.string());
+  }
   for (const OutputRequest & output : outputs)
   {
     table.emplace_back(output.role, output.fileName.string());

@@ -26,6 +26,13 @@ struct SliceRange
 
 constexpr std::uint64_t NoMemoryLimit = std::numeric_limits<std::uint64_t>::max();
 
+/** Space that files without a name take beside the outputs. */
+struct ScratchSpace
+{
+  std::filesystem::path folder;
+  std::uint64_t         bytes{ 0 };
+};
+
 /** How a job will be done, decided before it starts. */
 struct JobPlan
 {
@@ -42,6 +49,7 @@ struct JobPlan
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
   std::uint64_t numberOfFilters{ 1 };  ///< that keep windows
 
+  ScratchSpace          growingScratch; ///< of files that grow with the results, as planned
   std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
   std::uint64_t         diskBytes{ 0 }; ///< of all outputs; with sparse outputs the most they can grow to
 
@@ -67,12 +75,13 @@ struct JobPlan
 /** Walls, in voxels, whose distances the planned windows hold. Thicker ones take what memoryLimit leaves. */
 constexpr unsigned int PlannedWallThickness = 16;
 
-/** What a job keeps in memory at the same time. */
+/** What a job keeps in memory at the same time, and on the disk beside its outputs. */
 struct PieceFootprint
 {
   std::uint64_t        bytesPerVoxel{ 1 }; ///< results of a piece
   std::uint64_t        bytesBeside{ 0 };   ///< what does not depend on pieces
   itk::MedialVoxelGrid grid;
+  ScratchSpace         scratch; ///< of files that grow with the results
 
   /** Of the filters that take turns on each piece and keep their windows. */
   std::vector<itk::MedialVoxelClusterEngine::Settings> engines;

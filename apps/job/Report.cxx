@@ -178,6 +178,11 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   parameters["bound"] = GetName(options.bound);
   parameters["sub_voxel"] = options.subVoxel;
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
+  if (!options.meshFile.empty())
+  {
+    parameters["minimum_branch_length"] = options.minimumBranchLength;
+    parameters["smallest_piece"] = options.smallestPiece;
+  }
 
   Json report;
   report["version"] = GetVersion();

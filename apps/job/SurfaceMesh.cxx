@@ -3,9 +3,11 @@
 #include "SurfaceMesh.h"
 
 #include "Errors.h"
+#include "SurfaceReader.h"
 #include "VolumeText.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace medialvoxel
 {
@@ -25,11 +27,8 @@ constexpr std::uint64_t BytesPerPendingCell = 2 * sizeof(itk::MedialVoxelSurface
 /** What reading the scratch files for a writer takes. */
 constexpr std::uint64_t BytesOfWriting = 8 * MiB;
 
-/** Of the table of pieces: a vertex for each 64 voxels, in a vector that grows. */
-constexpr std::uint64_t VoxelsPerByteOfPieces = 8;
-
-/** Vertices or faces that are copied at a time. */
-constexpr std::uint64_t CopiedAtATime = std::uint64_t{ 1 } << 14;
+/** Of surfaces that are planned for, whose tables and scratch files hold all vertices; there are as many faces. */
+constexpr std::uint64_t VoxelsPerVertex = 64;
 
 /** Cells that may wait; pieces that find more are done in smaller ones. */
 std::uint64_t
@@ -60,6 +59,13 @@ GetPlacement(const VolumeGeometry & geometry)
   return placement;
 }
 
+/** Vertices of a surface that is planned for. */
+std::uint64_t
+GetPlannedVertices(const VolumeGeometry & geometry)
+{
+  return geometry.GetNumberOfVoxels() / VoxelsPerVertex;
+}
+
 /** Folder of the scratch files. */
 std::filesystem::path
 GetScratchFolder(const ExtractOptions & options)
@@ -72,6 +78,16 @@ GetScratchFolder(const ExtractOptions & options)
   return folder.empty() ? "." : folder;
 }
 
+SurfaceCleaning
+GetCleaning(const ExtractOptions & options)
+{
+  SurfaceCleaning cleaning;
+  cleaning.minimumBranchLength = options.minimumBranchLength;
+  cleaning.smallestPiece = options.smallestPiece;
+  cleaning.scratchFolder = GetScratchFolder(options);
+  return cleaning;
+}
+
 } // namespace
 
 SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
@@ -79,78 +95,43 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
                          const itk::MedialVoxelGrid & grid)
   : m_Format(GetSurfaceFormat(options.meshFile))
   , m_AsTriangles(options.meshTriangles)
-  , m_SmallestPiece(options.smallestPiece)
   , m_SectionWidth(
       options.sectionWidth.value_or(0.25 * *std::min_element(geometry.spacing.begin(), geometry.spacing.end())))
-  , m_ScratchFolder(GetScratchFolder(options))
-  , m_Spool(m_ScratchFolder)
+  , m_Cleaning(GetCleaning(options))
+  , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder))
   , m_Observer(grid, GetParameters(options, grid), GetSpacing(geometry), GetPlacement(geometry), *this)
 {
   m_Observer.SetMaximumNumberOfCells(GetPendingCells(geometry));
+  m_Cleaning.memoryBytes = GetCleaningBytes(m_Cleaning, GetPlannedVertices(geometry));
+  if (options.subVoxel)
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    m_Observer.MeasureOnGrayValues(options.lowerThreshold.value_or(-infinity),
+                                   options.upperThreshold.value_or(infinity));
+  }
 }
 
 SurfaceSummary
-SurfaceMesh::Write(OutputFile & file, const std::function<void(double)> & progress)
+SurfaceMesh::Write(OutputFile & file, std::uint64_t memoryBytes, const std::function<void(double)> & progress)
 {
   m_Observer.Finish();
+  if (m_Cleaning.IsOn())
+  {
+    m_Cleaning.memoryBytes += memoryBytes;
+    m_Cleaning.progress = progress;
+    m_Spool = CleanSurface(std::move(m_Spool), m_Cleaning);
+    m_Area = 0.0;
+    SurfaceReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const SurfaceFace & face) { m_Area += face.area; });
+  }
   SurfaceWriteOptions options;
   options.thicknessClassWidth = m_SectionWidth;
   options.progress = progress;
-  if (m_SmallestPiece <= 1)
-  {
-    return this->WriteFrom(m_Spool, options, file);
-  }
-  SurfaceSpool kept(m_ScratchFolder);
-  this->CopyPieces(kept);
-  return this->WriteFrom(kept, options, file);
-}
-
-SurfaceSummary
-SurfaceMesh::WriteFrom(const SurfaceSpool & spool, const SurfaceWriteOptions & options, OutputFile & file) const
-{
-  WriteSurface(m_Format, spool, options, file);
+  WriteSurface(m_Format, *m_Spool, options, file);
   SurfaceSummary summary;
-  summary.vertices = spool.GetNumberOfVertices();
-  summary.faces = spool.GetNumberOfFaces();
+  summary.vertices = m_Spool->GetNumberOfVertices();
+  summary.faces = m_Spool->GetNumberOfFaces();
   summary.area = m_Area;
   return summary;
-}
-
-void
-SurfaceMesh::CopyPieces(SurfaceSpool & kept)
-{
-  m_Pieces.Keep(m_SmallestPiece);
-  m_Area = 0.0;
-  std::vector<SurfaceSpool::Vertex> vertices;
-  for (std::uint64_t first = 0; first < m_Spool.GetNumberOfVertices(); first += CopiedAtATime)
-  {
-    m_Spool.ReadVertices(first, std::min(CopiedAtATime, m_Spool.GetNumberOfVertices() - first), vertices);
-    m_Vertices.clear();
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      if (m_Pieces.IsKept(first + i))
-      {
-        const auto & [x, y, z] = vertices[i].position;
-        m_Vertices.push_back({ { { x, y, z } }, vertices[i].thickness });
-      }
-    }
-    kept.AddVertices(m_Vertices);
-  }
-  for (std::uint64_t first = 0; first < m_Spool.GetNumberOfFaces(); first += CopiedAtATime)
-  {
-    m_Spool.ReadFaces(first, std::min(CopiedAtATime, m_Spool.GetNumberOfFaces() - first), m_Faces);
-    const auto isDropped = [this](const SurfaceFace & face) { return !m_Pieces.IsKept(face.vertices[0]); };
-    m_Faces.erase(std::remove_if(m_Faces.begin(), m_Faces.end(), isDropped), m_Faces.end());
-    for (SurfaceFace & face : m_Faces)
-    {
-      m_Area += face.area;
-      for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
-      {
-        face.vertices[corner] = m_Pieces.NumberOf(face.vertices[corner]);
-      }
-    }
-    kept.AddFaces(m_Faces);
-  }
 }
 
 void
@@ -160,11 +141,7 @@ SurfaceMesh::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vert
   std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [](const auto & vertex) {
     return SurfaceVertex{ vertex.point, vertex.thickness };
   });
-  m_Spool.AddVertices(m_Vertices);
-  if (m_SmallestPiece > 1)
-  {
-    m_Pieces.AddVertices(vertices.size());
-  }
+  m_Spool->AddVertices(m_Vertices);
 }
 
 void
@@ -174,10 +151,6 @@ SurfaceMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
   for (const itk::MedialVoxelSurfaceQuad & quad : quads)
   {
     m_Area += quad.GetArea();
-    if (m_SmallestPiece > 1)
-    {
-      m_Pieces.AddQuad(quad.vertices);
-    }
     if (m_AsTriangles)
     {
       this->AddTriangles(quad);
@@ -187,7 +160,7 @@ SurfaceMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
       m_Faces.push_back({ quad.vertices, 4, quad.rimSides, quad.junctionSides, quad.GetArea() });
     }
   }
-  m_Spool.AddFaces(m_Faces);
+  m_Spool->AddFaces(m_Faces);
 }
 
 /** The halves along the shorter diagonal, which has no mark. */
@@ -213,9 +186,18 @@ SurfaceMesh::AddTriangles(const itk::MedialVoxelSurfaceQuad & quad)
 std::uint64_t
 SurfaceMesh::GetBytes(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
-  const std::uint64_t pieces = options.smallestPiece > 1 ? geometry.GetNumberOfVoxels() / VoxelsPerByteOfPieces : 0;
   return geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * BytesPerCellInWork +
-         GetPendingCells(geometry) * BytesPerPendingCell + BytesOfWriting + pieces;
+         GetPendingCells(geometry) * BytesPerPendingCell + BytesOfWriting +
+         GetCleaningBytes(GetCleaning(options), GetPlannedVertices(geometry));
+}
+
+ScratchSpace
+SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry)
+{
+  const SurfaceCleaning cleaning = GetCleaning(options);
+  const std::uint64_t   spools = cleaning.IsOn() ? 2 : 1;
+  return { cleaning.scratchFolder,
+           spools * GetPlannedVertices(geometry) * (SurfaceSpool::BytesPerVertex + SurfaceSpool::BytesPerFace) };
 }
 
 void

@@ -4,15 +4,17 @@
 #define medialvoxelSurfaceMesh_h
 
 #include "Options.h"
+#include "Plan.h"
+#include "SurfaceCleaning.h"
 #include "SurfaceFormat.h"
 #include "SurfaceSpool.h"
 #include "SurfaceSummary.h"
 
 #include "itkMedialVoxelSurfaceObserver.h"
-#include "itkMedialVoxelSurfacePieces.h"
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace medialvoxel
@@ -36,13 +38,19 @@ public:
   }
 
   /** Writes the surface after the last piece, and finishes the file. \a progress may throw to stop.
-   * \throw JobError as WriteSurface() */
+   * \param memoryBytes what may be taken beside GetBytes()
+   * \throw JobError as CleanSurface() and WriteSurface() */
   SurfaceSummary
-  Write(OutputFile & file, const std::function<void(double)> & progress);
+  Write(OutputFile & file, std::uint64_t memoryBytes, const std::function<void(double)> & progress);
 
   /** Memory of a surface of thin walls that is built, beside that of the workers. */
   static std::uint64_t
   GetBytes(const ExtractOptions & options, const VolumeGeometry & geometry);
+
+  /** Space for the scratch files of a surface that has a vertex and a face for each 64 voxels. Denser ones take more.
+   */
+  static ScratchSpace
+  GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry);
 
 private:
   void
@@ -50,23 +58,14 @@ private:
   void
   AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads) override;
 
-  SurfaceSummary
-  WriteFrom(const SurfaceSpool & spool, const SurfaceWriteOptions & options, OutputFile & file) const;
-
-  /** The pieces that are large enough. */
-  void
-  CopyPieces(SurfaceSpool & kept);
-
   void
   AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);
 
   SurfaceFormat                   m_Format;
   bool                            m_AsTriangles;
-  std::uint64_t                   m_SmallestPiece;
   double                          m_SectionWidth;
-  std::filesystem::path           m_ScratchFolder;
-  SurfaceSpool                    m_Spool;
-  itk::MedialVoxelSurfacePieces   m_Pieces;
+  SurfaceCleaning                 m_Cleaning;
+  std::unique_ptr<SurfaceSpool>   m_Spool;
   std::vector<SurfaceVertex>      m_Vertices; // of one slice, for the spool
   std::vector<SurfaceFace>        m_Faces;
   double                          m_Area{ 0 };

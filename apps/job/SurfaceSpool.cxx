@@ -20,9 +20,8 @@ struct FaceRecord
   std::uint8_t                 unused;
 };
 
-constexpr std::uint64_t VertexBytes = sizeof(SurfaceSpool::Vertex);
-constexpr std::uint64_t FaceBytes = sizeof(FaceRecord);
-static_assert(VertexBytes == 16 && FaceBytes == 40);
+static_assert(SurfaceSpool::BytesPerVertex == sizeof(SurfaceSpool::Vertex));
+static_assert(SurfaceSpool::BytesPerFace == sizeof(FaceRecord));
 
 SurfaceSpool::Vertex
 Pack(const SurfaceVertex & vertex)
@@ -56,7 +55,7 @@ SurfaceSpool::AddVertices(const std::vector<SurfaceVertex> & vertices)
 {
   std::vector<Vertex> records(vertices.size());
   std::transform(vertices.begin(), vertices.end(), records.begin(), [](const auto & vertex) { return Pack(vertex); });
-  m_VertexFile.WriteAt(m_NumberOfVertices * VertexBytes, records.data(), records.size() * VertexBytes);
+  m_VertexFile.WriteAt(m_NumberOfVertices * BytesPerVertex, records.data(), records.size() * BytesPerVertex);
   m_NumberOfVertices += records.size();
 }
 
@@ -65,7 +64,7 @@ SurfaceSpool::AddFaces(const std::vector<SurfaceFace> & faces)
 {
   std::vector<FaceRecord> records(faces.size());
   std::transform(faces.begin(), faces.end(), records.begin(), [](const auto & face) { return Pack(face); });
-  m_FaceFile.WriteAt(this->GetNumberOfFaces() * FaceBytes, records.data(), records.size() * FaceBytes);
+  m_FaceFile.WriteAt(this->GetNumberOfFaces() * BytesPerFace, records.data(), records.size() * BytesPerFace);
   for (const SurfaceFace & face : faces)
   {
     ++(face.numberOfVertices == 3 ? m_NumberOfTriangles : m_NumberOfQuads);
@@ -78,14 +77,14 @@ void
 SurfaceSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
 {
   vertices.resize(count);
-  m_VertexFile.ReadAt(first * VertexBytes, vertices.data(), count * VertexBytes);
+  m_VertexFile.ReadAt(first * BytesPerVertex, vertices.data(), count * BytesPerVertex);
 }
 
 void
 SurfaceSpool::ReadFaces(std::uint64_t first, std::uint64_t count, std::vector<SurfaceFace> & faces) const
 {
   std::vector<FaceRecord> records(count);
-  m_FaceFile.ReadAt(first * FaceBytes, records.data(), count * FaceBytes);
+  m_FaceFile.ReadAt(first * BytesPerFace, records.data(), count * BytesPerFace);
   faces.resize(count);
   std::transform(records.begin(), records.end(), faces.begin(), [](const auto & record) { return Unpack(record); });
 }

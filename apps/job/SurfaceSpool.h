@@ -18,6 +18,10 @@ namespace medialvoxel
 class SurfaceSpool : public SurfaceSink
 {
 public:
+  /** In the scratch files. */
+  static constexpr std::uint64_t BytesPerVertex = 16;
+  static constexpr std::uint64_t BytesPerFace = 40;
+
   /** Numbers of a vertex as files have them. */
   struct Vertex
   {

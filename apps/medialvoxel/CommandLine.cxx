@@ -261,6 +261,21 @@ AddMesh(CLI::App & app, const std::string & name, ExtractOptions & options)
   return AddFile(app, name, "Surface: .vtp .vtu .vtk .ply .stl .obj .inp .bdf", options.meshFile);
 }
 
+CLI::Option *
+AddSectionWidth(CLI::App & app, ExtractOptions & options)
+{
+  return AddText(
+    app, "--section-width", "Thickness that sections of .inp and .bdf span", "W", [&](const std::string & text) {
+      options.sectionWidth = ToDouble(text);
+    });
+}
+
+CLI::Option *
+AddSubVoxel(CLI::App & app, ExtractOptions & options)
+{
+  return app.add_flag("--sub-voxel", options.subVoxel, "Measure on gray values, at the threshold");
+}
+
 void
 AddThickness(CLI::App & app, ExtractOptions & options)
 {
@@ -315,9 +330,10 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
     ->group(group);
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
   AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
-  app.add_flag("--sub-voxel", options.subVoxel, "Measure it on gray values, at the threshold")->group(group);
+  AddSubVoxel(app, options)->group(group);
   AddFile(app, "--thickness-csv", "Its histogram (.csv)", options.thicknessCsvFile)->group(group);
   AddMesh(app, "--mesh", options)->group(group);
+  AddSectionWidth(app, options)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
@@ -358,9 +374,11 @@ DefineMesh(CommandLine & line)
   AddText(app, "--smallest-piece", "Fewest quadrilaterals of a piece that stays", "N", [&](const std::string & text) {
     options.smallestPiece = ToCount(text, 0, LargestCount);
   })->group(group);
-  AddText(app, "--section-width", "Thickness that sections of .inp and .bdf span", "W", [&](const std::string & text) {
-    options.sectionWidth = ToDouble(text);
+  AddSectionWidth(app, options)->group(group);
+  AddText(app, "--min-branch-length", "Shorter branches are left out", "L", [&](const std::string & text) {
+    options.minimumBranchLength = ToDouble(text);
   })->group(group);
+  AddSubVoxel(app, options)->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group("Further outputs");
   AddRunOptions(line, app, options);
   AddRawOptions(line, app, options);

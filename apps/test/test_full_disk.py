@@ -49,6 +49,18 @@ class FullDiskTest(ProgramTestCase):
         self.assert_no_space(REFUSED, "disk/out.mha", "--vectors", "disk/v.mhd")
         self.assert_no_space(REFUSED, "disk/out.mha", "--vectors", "disk/v.mhd", "--dry-run")
 
+    def test_no_space_for_the_scratch_files_of_a_mesh(self):
+        self.mount_small_disk()
+        # 56 bytes for each 64 voxels, a megabyte of labels, and the mesh itself takes less.
+        (self.disk / "filler").write_bytes(b"x" * (11 * MEGABYTE // 4))
+        arguments = ("mesh", "in.mha", "m.ply", "--thickness", 3, "--scratch", "disk")
+        self.assert_fails(REFUSED, ["scratch files of the mesh", "896.0 KiB", "disk"], *arguments)
+        self.assert_fails(REFUSED, ["1.8 MiB"], *arguments, "--min-branch-length", 3)
+        self.assert_fails(REFUSED, ["scratch"], *arguments, "--dry-run")
+        self.run_program(*arguments, "--sparse", status=FAILURE)
+        (self.disk / "filler").unlink()
+        self.run_program(*arguments)
+
     def test_disk_fills_up_on_the_way(self):
         self.mount_small_disk()
         for name in ("disk/v.mha", "disk/v.mhd", "disk/v.nrrd"):

@@ -146,6 +146,89 @@ class MeshTest(ProgramTestCase):
         self.mesh("both.mha", "none.ply", "--smallest-piece", 100000)
         self.assertEqual(Mesh(self.folder / "none.ply").faces, [])
 
+    def write_rib(self):
+        """A plate with a rib, both of three voxels, and a small plate by itself."""
+        volume = volumes.Volume((34, 26, 24), [])
+        for x, y, z in volume.indices():
+            part = 3 <= y < 23 and ((3 <= x < 31 and 3 <= z < 6) or (16 <= x < 19 and 6 <= z < 16))
+            volume.voxels.append(1 if part or (x < 6 and y < 8 and 14 <= z < 17) else 0)
+        self.write(volume)
+
+    def test_short_branches_are_left_out(self):
+        self.write_rib()
+        report = ("--report", "r.json", "--overwrite")
+        sizes = []
+        for arguments in ([], ["--min-branch-length", 5], ["--min-branch-length", 12], ["--smallest-piece", 60]):
+            self.mesh("in.mha", "m.ply", *arguments, *report, thickness=3)
+            mesh = Mesh(self.folder / "m.ply")
+            told = json.loads((self.folder / "r.json").read_text())
+            self.assertEqual(told["mesh"]["faces"], len(mesh.faces))
+            self.assertEqual({v for face in mesh.faces for v in face}, set(range(len(mesh.vertices))))
+            sizes.append(len(mesh.faces))
+        self.assertEqual(told["parameters"]["minimum_branch_length"], 0)
+        self.assertEqual(sizes[1], sizes[0])
+        self.assertLess(sizes[2], sizes[0] - 100)
+        both = ("--min-branch-length", 12, "--smallest-piece", 60)
+        self.mesh("in.mha", "both.vtp", *both, thickness=3)
+        expected = (self.folder / "both.vtp").read_bytes()
+        for arguments in (("--divisions", 7, "--threads", 3), ("--divisions", 24), ("--memory", "60M")):
+            self.mesh("in.mha", "m.vtp", *both, *arguments, "--overwrite", thickness=3)
+            self.assertEqual((self.folder / "m.vtp").read_bytes(), expected, arguments)
+        self.mesh("in.mha", "quads.ply", *both, thickness=3)
+        self.mesh("in.mha", "triangles.ply", *both, "--triangles", thickness=3)
+        quads, triangles = (Mesh(self.folder / f"{name}.ply") for name in ("quads", "triangles"))
+        self.assertEqual(triangles.vertices, quads.vertices)
+        self.assertEqual(len(quads.faces), sizes[2] - (sizes[0] - sizes[3]))
+        for quad, one, other in zip(quads.faces, triangles.faces[::2], triangles.faces[1::2]):
+            self.assertEqual({*one, *other}, {*quad})
+
+    def test_surfaces_that_are_too_large_to_be_cut(self):
+        """Sheets on every third slice have many more vertices than are planned for."""
+        size = 200
+        data = (b"\1" * size**2 + bytes(2 * size**2)) * (size // 3)
+        (self.folder / "in.raw").write_bytes(data)
+        raw = ("--raw-size", f"{size},{size},{len(data) // size**2}", "--raw-type", "uint8")
+        self.mesh("in.raw", "m.ply", *raw, "--memory", "48M")
+        (self.folder / "m.ply").unlink()
+        arguments = ("mesh", "in.raw", "m.ply", *raw, "--thickness", 1)
+        parts = ["vertices", "of memory", "--memory"]
+        for cleaning in (("--min-branch-length", 1, "--memory", "48M"), ("--smallest-piece", 10, "--memory", "40M")):
+            self.assert_fails(REFUSED, parts, *arguments, *cleaning)
+
+    def test_gray_values_move_the_surface(self):
+        self.write(volumes.blurred_wall(), "gray.mha")
+
+        def mesh(*arguments):
+            self.mesh("gray.mha", "m.ply", "--lower", 1000, "--overwrite", *arguments, thickness=3)
+            return (self.folder / "m.ply").read_bytes()
+
+        def mean_distance():
+            """To the middle of the wall, further than three voxels from the faces of the volume."""
+            normal, size = (0.2, 0.37, 0.91), (40, 36, 34)
+            length = math.hypot(*normal)
+            inside = [
+                point
+                for *point, _ in Mesh(self.folder / "m.ply").vertices
+                if all(3 < c < s - 4 for c, s in zip(point, size))
+            ]
+            self.assertGreater(len(inside), 500)
+            distances = (sum(n * (c - s / 2.1) for n, c, s in zip(normal, point, size)) for point in inside)
+            return sum(map(abs, distances)) / length / len(inside)
+
+        binary = mesh()
+        self.assertGreater(mean_distance(), 0.015)
+        gray = mesh("--sub-voxel", "--divisions", 1, "--threads", 1)
+        self.assertLess(mean_distance(), 0.005)
+        self.assertNotEqual(gray, binary)
+        for arguments in (("--divisions", 7, "--threads", 3), ("--divisions", 34), ("--memory", "50M")):
+            self.assertEqual(mesh("--sub-voxel", *arguments), gray, arguments)
+        self.extract("gray.mha", "l.mha", "--mesh", "beside.ply", "--sub-voxel", "--lower", 1000, thickness=3)
+        self.assertEqual((self.folder / "beside.ply").read_bytes(), gray)
+        self.write(volumes.blurred_wall(), "packed.mha", compressed=True)
+        arguments = ("packed.mha", "x.ply", "--thickness", 3, "--sub-voxel")
+        self.assert_fails(REFUSED, ["packed.mha", "compressed", "sub-voxel"], "mesh", *arguments, "--lower", 1000)
+        self.assert_fails(USAGE, ["threshold"], "mesh", *arguments)
+
     def test_volumes_without_surface(self):
         for name, volume in (
             ("empty.mha", volumes.Volume((6, 5, 4), [0] * 120)),
@@ -166,6 +249,8 @@ class MeshTest(ProgramTestCase):
         self.assert_fails(USAGE, ["m.xyz", ".vtp"], *mesh, "m.xyz", *tau)
         self.assert_fails(USAGE, ["flat.mha", "2 dimensions"], "mesh", "flat.mha", "m.ply", *tau)
         self.assert_fails(USAGE, ["thickness", "0"], *mesh, "m.ply", "--thickness", 0)
+        for length in ("-1", "nan", "inf", "x"):
+            self.assert_fails(USAGE, [length], *mesh, "m.ply", *tau, f"--min-branch-length={length}")
         self.assert_fails(USAGE, ["m.ply", "mesh", "report"], *mesh, "m.ply", *tau, "--report", "m.ply")
         self.assert_fails(REFUSED, ["there.ply"], *mesh, "there.ply", *tau)
         self.assert_fails(REFUSED, ["none"], *mesh, "none/m.ply", *tau)
@@ -175,6 +260,7 @@ class MeshTest(ProgramTestCase):
         self.write(plate())
         plan = self.mesh("in.mha", "m.ply", "--dry-run")
         self.assertIn("m.ply", plan.stdout)
+        self.assertRegex(plan.stdout, r"scratch +about .* in \.")
         self.assertFalse((self.folder / "m.ply").exists())
 
 

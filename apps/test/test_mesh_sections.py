@@ -45,6 +45,15 @@ class MeshSectionsTest(ProgramTestCase):
         (one,) = self.thicknesses("--section-width", 100)
         self.assertTrue(1 < one < 2, one)
 
+    def test_beside_the_labels(self):
+        one = self.mesh("m.inp", "--section-width", 0.5)
+        arguments = ("--mesh", "beside.inp", "--section-width", 0.5)
+        self.extract("in.mha", "labels.mha", *arguments, thickness=1)
+        self.assertEqual((self.folder / "beside.inp").read_text(encoding="ascii"), one)
+        self.assert_fails(
+            USAGE, ["width"], "extract", "in.mha", "x.mha", "--mesh", "x.inp", "--thickness", 1, "--section-width=0"
+        )
+
     def test_widths_that_make_no_sense(self):
         for width in ("0", "-1", "nan", "inf", "x"):
             self.assert_fails(

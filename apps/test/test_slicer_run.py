@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs of the module for 3D Slicer: the files of the terminal's program, tags of progress, results in a file."""
 
+import array
 import json
 import re
 import subprocess
 import unittest
 
 import volumes
-from program import PROGRAM
-from slicer_module import MODULE, ModuleTestCase
+from program import PROGRAM, USAGE
+from slicer_module import MODULE, Description, ModuleTestCase
 
 # Arguments of the module, and of the program.
 PAIRS = [
@@ -28,10 +29,12 @@ PAIRS = [
     (["--maximumPoreSize=200", "--thickness", "2"], ["--max-pore-size", "200"]),
     (["--numberOfThreads", "1", "--memory", "300M"], ["--threads", "1", "--memory", "300M"]),
 ]  # fmt: skip
+LABEL_100 = ("--objectSelection", "Label", "--labelValue", "100")
 OUTPUTS = {
     "vectorVolume": "vectors",
     "distanceVolume": "distance",
     "thicknessMap": "thickness-map",
+    "meshModel": "mesh",
     "reportFile": "report",
     "previewFile": "preview",
     "vectorBoundary": "vector-boundary",
@@ -68,7 +71,7 @@ class RunTest(ModuleTestCase):
 
     def test_further_outputs_equal_those_of_the_program(self):
         def run(name, flag_of, runner):
-            files = {"vectorVolume": "v.mha", "distanceVolume": "d.mha", "thicknessMap": "t.mha"}
+            files = {"vectorVolume": "v.mha", "distanceVolume": "d.mha", "thicknessMap": "t.mha", "meshModel": "s.vtp"}
             files |= {"reportFile": "r.json", "previewFile": "p.png"}
             values = {flag: name + file for flag, file in files.items()} | {"vectorBoundary": "background"}
             runner(*(part for flag, value in values.items() for part in (f"--{flag_of(flag)}", value)))
@@ -80,6 +83,31 @@ class RunTest(ModuleTestCase):
         self.assertEqual(module, program)
         for key in ("version", "input", "parameters", "size", "counts", "percent", "threads", "divisions"):
             self.assertEqual(reports[0][key], reports[1][key], key)
+
+    def test_the_model_has_points_in_the_coordinates_of_the_files(self):
+        """Of ITK, which the description says too: Slicer turns them."""
+        volumes.write_meta(self.folder / "in.mha", self.volume, Offset="10 200 3000")
+        self.run_module("--meshModel", "model.ply", *LABEL_100, "in.mha", "out.mha")
+        header, data = (self.folder / "model.ply").read_bytes().split(b"end_header\n", 1)
+        number = int(re.search(rb"element vertex (\d+)", header)[1])
+        points = list(zip(*[iter(array.array("f", data[: 16 * number]))] * 4))
+        self.assertGreater(number, 20)
+        for axis, origin in enumerate((10, 200, 3000)):
+            self.assertTrue(all(origin < point[axis] < origin + 100 for point in points), axis)
+        (element,) = Description().root.iter("geometry")
+        self.assertEqual(element.get("coordinateSystem"), "lps")
+        self.assertTrue(element.get("fileExtensions").startswith(".vtp"))
+
+    def test_branches_of_the_model(self):
+        arguments = ("--thicknessMode", "Fixed", "--thickness", "1", *LABEL_100, "in.mha", "out.mha")
+        self.run_module("--meshModel", "all.vtp", *arguments)
+        self.run_module("--meshModel", "cut.vtp", "--minimumBranchLength", "2", *arguments)
+        selection = ("--lower", 100, "--upper", 100, "--thickness", 1)
+        self.run_program("mesh", "in.mha", "program.vtp", *selection, "--min-branch-length", 2)
+        cut = (self.folder / "cut.vtp").read_bytes()
+        self.assertEqual(cut, (self.folder / "program.vtp").read_bytes())
+        self.assertNotEqual(cut, (self.folder / "all.vtp").read_bytes())
+        self.assert_module_fails(USAGE, ["branch length is -1"], "--minimumBranchLength=-1", *arguments)
 
     def test_progress(self):
         for arguments in ([], ["--distanceVolume", "d.mha"]):

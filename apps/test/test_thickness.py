@@ -157,15 +157,8 @@ class ThicknessTest(ProgramTestCase):
         self.assertEqual((self.folder / "h.csv").read_text(), "thickness,cells,area\n")
         self.assertEqual(self.report["thickness"]["area"], 0)
 
-    def write_blurred(self, thickness=4.3, size=(40, 36, 34), **changes):
-        """A tilted wall of metal in air, with voxels that hold a part of both; the threshold is 1000."""
-        normal = (0.2, 0.37, 0.91)
-        volume = volumes.Volume(size, [], (1, 1, 1), "int16")
-        for index in volume.indices():
-            distance = sum(n * (i - s / 2.1) for n, i, s in zip(normal, index, size))
-            share = (math.erf((thickness / 2 - distance) / 0.9) + math.erf((thickness / 2 + distance) / 0.9)) / 2
-            volume.voxels.append(round(-1000 + 4000 * share))
-        return volumes.write_meta(self.folder / "gray.mha", volume, **changes)
+    def write_blurred(self, **changes):
+        volumes.write_meta(self.folder / "gray.mha", volumes.blurred_wall(), **changes)
 
     def test_gray_values_tell_more(self):
         self.write_blurred()

@@ -4,6 +4,7 @@
 
 import array
 import itertools
+import math
 import pathlib
 import struct
 import zlib
@@ -57,6 +58,16 @@ def box_with_plate(size=(24, 20, 16), spacing=None, kind="uint8"):
 
     volume = Volume(size, [], spacing, kind)
     volume.voxels = [value(*index) for index in volume.indices()]
+    return volume
+
+
+def blurred_wall(thickness=4.3, size=(40, 36, 34), normal=(0.2, 0.37, 0.91)):
+    """A tilted wall of metal in air, with voxels that hold a part of both; the threshold is 1000."""
+    volume = Volume(size, [], (1, 1, 1), "int16")
+    for index in volume.indices():
+        distance = sum(n * (i - s / 2.1) for n, i, s in zip(normal, index, size))
+        share = (math.erf((thickness / 2 - distance) / 0.9) + math.erf((thickness / 2 + distance) / 0.9)) / 2
+        volume.voxels.append(round(-1000 + 4000 * share))
     return volume
 
 

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelGrayBoundary.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+
+namespace
+{
+
+using PositionType = MedialVoxelGrayBoundary::PositionType;
+
+double
+Dot(const PositionType & a, const PositionType & b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+PositionType
+Along(const PositionType & start, const PositionType & way, const double times)
+{
+  return { { start[0] + times * way[0], start[1] + times * way[1], start[2] + times * way[2] } };
+}
+
+} // namespace
+
+struct MedialVoxelGrayBoundary::Field
+{
+  const MedialVoxelGray & gray;
+  const MedialVoxelGrid & grid;
+  double                  level;
+  double                  sign; // positive values are object
+
+  /** Trilinear; axes of one voxel drop out. */
+  double
+  At(const PositionType & position) const
+  {
+    MedialVoxelIndex below;
+    MedialVoxelIndex above;
+    PositionType     share;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const double       floor = std::floor(position[axis]);
+      const auto         index = static_cast<std::int64_t>(floor);
+      const std::int64_t last = grid.GetSize()[axis] - 1;
+      share[axis] = position[axis] - floor;
+      below[axis] = std::clamp<std::int64_t>(index, 0, last);
+      above[axis] = share[axis] > 0.0 ? std::clamp<std::int64_t>(index + 1, 0, last) : below[axis];
+    }
+    double sum = 0.0;
+    for (unsigned int corner = 0; corner < 8; ++corner)
+    {
+      double           weight = 1.0;
+      MedialVoxelIndex voxel;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        const bool isAbove = ((corner >> axis) & 1u) != 0;
+        weight *= isAbove ? share[axis] : 1.0 - share[axis];
+        voxel[axis] = isAbove ? above[axis] : below[axis];
+      }
+      sum += weight > 0.0 ? weight * static_cast<double>(gray.Get(voxel)) : 0.0;
+    }
+    return sign * (sum - level);
+  }
+
+  /** Of the voxels around a position, smoothed across each axis so that steep components count as much as others
+   * (Scharr). */
+  PositionType
+  GetGradient(const PositionType & position) const
+  {
+    constexpr double       smooth[3] = { 3.0 / 16, 10.0 / 16, 3.0 / 16 };
+    PositionType           gradient{ { 0.0, 0.0, 0.0 } };
+    const MedialVoxelIndex margin = grid.GetUnitMargin();
+    for (std::int64_t z = -margin[2]; z <= margin[2]; ++z)
+    {
+      for (std::int64_t y = -margin[1]; y <= margin[1]; ++y)
+      {
+        for (std::int64_t x = -margin[0]; x <= margin[0]; ++x)
+        {
+          const double value = this->At({ { position[0] + static_cast<double>(x),
+                                            position[1] + static_cast<double>(y),
+                                            position[2] + static_cast<double>(z) } });
+          gradient[0] += static_cast<double>(x) * smooth[y + 1] * smooth[z + 1] * value;
+          gradient[1] += static_cast<double>(y) * smooth[x + 1] * smooth[z + 1] * value;
+          gradient[2] += static_cast<double>(z) * smooth[x + 1] * smooth[y + 1] * value;
+        }
+      }
+    }
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      gradient[axis] /= grid.GetSpacing()[axis];
+    }
+    return gradient;
+  }
+
+  /** Where the values rise through the threshold along a line, in multiples of \a way; false when they do not. */
+  bool
+  FindCrossing(const PositionType & start, const PositionType & way, double & times) const
+  {
+    constexpr double step = 0.25;
+    constexpr int    first = -3;
+    constexpr int    last = 8;
+    double           outside = this->At(Along(start, way, first * step));
+    if (!(outside < 0.0))
+    {
+      return false;
+    }
+    for (int i = first + 1; i <= last; ++i)
+    {
+      const double inside = this->At(Along(start, way, i * step));
+      if (inside >= 0.0)
+      {
+        times = step * (i - inside / (inside - outside));
+        return std::isfinite(times);
+      }
+      outside = inside;
+    }
+    return false;
+  }
+};
+
+MedialVoxelGrayBoundary::MedialVoxelGrayBoundary(const MedialVoxelGrid & grid, const double lower, const double upper)
+  : m_Grid(grid)
+  , m_Lower(lower)
+  , m_Upper(upper)
+{}
+
+/** The mean of where the values cross the threshold on four lines along their gradient around the point. What a line
+ * sees depends on where it passes between the voxels; half a voxel further it errs the other way. */
+auto
+MedialVoxelGrayBoundary::Find(const MedialVoxelGray &  gray,
+                              const MedialVoxelIndex & point,
+                              const PositionType &     inwards) const -> Crossing
+{
+  const bool         isBelow = static_cast<double>(gray.Get(point)) < m_Lower;
+  const Field        field{ gray, m_Grid, isBelow ? m_Lower : m_Upper, isBelow ? 1.0 : -1.0 };
+  const PositionType start{
+    { static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2]) }
+  };
+  const PositionType gradient = field.GetGradient(Along(start, this->ToVoxels(inwards), 0.5));
+  const double       length = std::sqrt(Dot(gradient, gradient));
+  Crossing           mean;
+  if (!(length > 0.0) || !std::isfinite(length) || !(Dot(gradient, inwards) > 0.0))
+  {
+    return mean;
+  }
+  const PositionType way = this->ToVoxels(gradient);
+  PositionType       across[2];
+  this->GetTangents(gradient, across);
+  for (const double first : { -0.25, 0.25 })
+  {
+    for (const double second : { -0.25, 0.25 })
+    {
+      const PositionType beside = Along(Along(start, across[0], first), across[1], second);
+      double             times = 0.0;
+      if (field.FindCrossing(beside, way, times))
+      {
+        mean.position = Along(mean.position, Along(beside, way, times), 1.0);
+        mean.numberOfLines += 1.0;
+      }
+    }
+  }
+  for (unsigned int axis = 0; axis < 3 && mean.numberOfLines > 0.0; ++axis)
+  {
+    mean.position[axis] *= m_Grid.GetSpacing()[axis] / mean.numberOfLines;
+    mean.normal[axis] = gradient[axis] / length;
+  }
+  return mean;
+}
+
+auto
+MedialVoxelGrayBoundary::ToVoxels(const PositionType & direction) const -> PositionType
+{
+  PositionType voxels;
+  double       largest = 0.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    voxels[axis] = direction[axis] / m_Grid.GetSpacing()[axis];
+    largest = std::max(largest, std::abs(voxels[axis]));
+  }
+  return Along({ { 0.0, 0.0, 0.0 } }, voxels, 1.0 / largest);
+}
+
+/** Two directions in voxels along which the values do not change, the largest component of each 1, or 0 where an image
+ * has no such direction. */
+void
+MedialVoxelGrayBoundary::GetTangents(const PositionType & gradient, PositionType (&tangents)[2]) const
+{
+  PositionType steep; // in voxels
+  unsigned int steepest = 0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    steep[axis] = gradient[axis] * m_Grid.GetSpacing()[axis];
+    steepest = std::abs(steep[axis]) > std::abs(steep[steepest]) ? axis : steepest;
+  }
+  for (unsigned int i = 0; i < 2; ++i)
+  {
+    const unsigned int axis = (steepest + 1 + i) % 3;
+    tangents[i] = { { 0.0, 0.0, 0.0 } };
+    if (m_Grid.IsActive(axis))
+    {
+      tangents[i][axis] = 1.0;
+      tangents[i][steepest] = -steep[axis] / steep[steepest];
+    }
+  }
+}
+
+} // end namespace itk
