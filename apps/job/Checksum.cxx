@@ -5,19 +5,37 @@
 #include "itk_zlib.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 
 namespace medialvoxel
 {
+namespace
+{
 
+constexpr std::uint64_t BlockBytes = 4096;
+
+std::uint32_t
+GetChecksumOfZeros()
+{
+  constexpr std::array<Bytef, BlockBytes> zeros{};
+  return static_cast<std::uint32_t>(crc32(0, zeros.data(), BlockBytes));
+}
+
+} // namespace
+
+/** What a block of zeros does to a checksum is known, and most of a label volume is zeros. */
 void
 Checksum::Add(const void * data, std::uint64_t numberOfBytes)
 {
-  constexpr std::uint64_t most = std::uint64_t{ 1 } << 30; // zlib counts in 32 bits
-  const auto *            bytes = static_cast<const Bytef *>(data);
+  static const std::uint32_t ofZeros = GetChecksumOfZeros();
+  const auto *               bytes = static_cast<const Bytef *>(data);
   while (numberOfBytes > 0)
   {
-    const std::uint64_t part = std::min(numberOfBytes, most);
-    m_Value = static_cast<std::uint32_t>(crc32(m_Value, bytes, static_cast<uInt>(part)));
+    const std::uint64_t part = std::min(numberOfBytes, BlockBytes);
+    const bool isZeros = part == BlockBytes && bytes[0] == 0 && std::memcmp(bytes, bytes + 1, BlockBytes - 1) == 0;
+    m_Value = static_cast<std::uint32_t>(isZeros ? crc32_combine(m_Value, ofZeros, BlockBytes)
+                                                 : crc32(m_Value, bytes, static_cast<uInt>(part)));
     bytes += part;
     numberOfBytes -= part;
   }

@@ -4,6 +4,7 @@
 #define medialvoxelJobCommands_h
 
 #include "ClusterRange.h"
+#include "SlurmScript.h"
 #include "VolumeJob.h"
 
 #include <cstdint>
@@ -40,6 +41,14 @@ struct PlanOptions : ExtractOptions
 {
   std::string jobFolder;
   bool        hashesInput{ false }; ///< remember the SHA-256 of the input, and compare it at the end
+
+  std::optional<SlurmOptions> slurm; ///< set: write a script for Slurm
+};
+
+/** How an extraction will be done; the divisions of its plan are the clusters. */
+struct PlanResult : JobResult
+{
+  std::optional<SlurmArray> slurm; ///< when a script was asked for
 };
 
 /** What one process does of a job. */
@@ -84,9 +93,8 @@ struct JobStatus
 
 /** Checks everything as RunExtract() does, creates the volumes under temporary names and fills the job folder, which
  * must not be there or be empty. With dryRun nothing is written.
- * \return what RunExtract() would; the divisions of its plan are the clusters
  * \throw JobError */
-JobResult
+PlanResult
 RunPlan(const PlanOptions & options);
 
 /** Does the clusters that are not done; any number of processes may do this at the same time, and each cluster is done

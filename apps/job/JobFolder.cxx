@@ -4,6 +4,7 @@
 
 #include "Checksum.h"
 #include "SealedJson.h"
+#include "SlurmScript.h"
 #include "Text.h"
 
 #include <fstream>
@@ -27,7 +28,7 @@ IsOurs(const std::filesystem::path & fileName)
 {
   const std::string name = fileName.filename().string();
   const std::string stem = name.substr(0, name.find('.'));
-  for (const char * const ours : { ManifestName, PlannedName, PublishingName, FinishedName })
+  for (const char * const ours : { ManifestName, PlannedName, PublishingName, FinishedName, SlurmScriptName })
   {
     if (name.rfind(ours, 0) == 0)
     {

@@ -140,15 +140,19 @@ CreateVolumes(const Manifest & manifest, const std::vector<VolumeRequest> & volu
 
 } // namespace
 
-JobResult
+PlanResult
 RunPlan(const PlanOptions & options)
 {
   RefuseUnsupported(options);
-  JobResult job = PrepareExtract(options);
+  PlanResult job{ PrepareExtract(options), std::nullopt };
   RefusePacked(job.input);
   const JobFolder folder(options.jobFolder);
   folder.CheckFree();
   job.plan.divisions = ChooseNumberOfClusters(options, job);
+  if (options.slurm)
+  {
+    job.slurm = PlanSlurmArray(*options.slurm, options, job, folder.GetPath());
+  }
   if (options.dryRun)
   {
     return job;
@@ -167,8 +171,13 @@ RunPlan(const PlanOptions & options)
     {
       RemoveUnfinished(folder);
       folder.WriteUnfinishedPlan(manifest);
+      const auto script = job.slurm ? WriteSlurmScript(*job.slurm, options.overwrite) : nullptr;
       CreateVolumes(manifest, volumes);
       folder.FinishPlan(manifest);
+      if (script)
+      {
+        script->Publish();
+      }
     }
     catch (...)
     {

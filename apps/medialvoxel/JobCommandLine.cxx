@@ -14,6 +14,33 @@ AddJobFolder(CLI::App & app, std::string & target, const std::string & help)
 }
 
 void
+AddSlurm(CLI::App & app, std::optional<SlurmOptions> & target)
+{
+  const auto getTarget = [&target]() -> SlurmOptions & { return target ? *target : target.emplace(); };
+  const auto setFile = [getTarget](const CLI::results_t & results) {
+    const std::string flagWithoutValue = "true"; // as the parser has it
+    getTarget().fileName = results.front() == flagWithoutValue ? "" : results.front();
+    return true;
+  };
+  const auto setClusters = [getTarget](const CLI::results_t & results) {
+    if (!ParseSlurmClusters(results.front(), getTarget()))
+    {
+      throw CLI::ValidationError("--slurm-clusters",
+                                 "'" + results.front() + "' is not a number of clusters such as 4, or 4%8");
+    }
+    return true;
+  };
+  // A value stands behind an equals sign only, so that no argument is taken for it.
+  auto * const slurm = app.add_option("--slurm", setFile, "Write a Slurm job array: JOBDIR/slurm.sh, or =FILE");
+  slurm->expected(0);
+  app.add_option("--slurm-clusters", setClusters, "Clusters of its tasks; N%M: M tasks at once")
+    ->type_name("N")
+    ->type_size(1)
+    ->expected(1)
+    ->needs(slurm);
+}
+
+void
 DefinePlan(CommandLine & line)
 {
   CLI::App &    app = *line.plan;
@@ -21,10 +48,11 @@ DefinePlan(CommandLine & line)
   AddInput(app, options);
   AddLabels(app, options);
   AddJobFolder(app, options.jobFolder, "Folder of the job, new or empty");
+  AddSlurm(app, options.slurm);
+  app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end");
   AddExtractOptions(line, app, options);
-  app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end")->group("Run");
   line.examples[&app] = { "medialvoxel plan part.mha out.mha job --thickness 3 --lower 72",
-                          "medialvoxel plan part.mha out.mha job --divisions 64 --report r.json" };
+                          "medialvoxel plan part.mha out.mha job --divisions 64 --threads 8 --slurm" };
 }
 
 void

@@ -65,14 +65,16 @@ ExtractWithResume(const CommandLine & line, const std::string & command)
 void
 Plan(const CommandLine & line)
 {
-  const JobResult result = RunPlan(line.planOptions);
+  const PlanResult result = RunPlan(line.planOptions);
   if (line.planOptions.dryRun || !line.quiet)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
   }
   if (!line.planOptions.dryRun && !line.quiet)
   {
-    PrintTable(std::cout, DescribeNextSteps(line.planOptions.jobFolder, result.plan.divisions));
+    PrintTable(std::cout,
+               result.slurm ? DescribeSlurmSteps(*result.slurm)
+                            : DescribeNextSteps(line.planOptions.jobFolder, result.plan.divisions));
   }
 }
 

@@ -162,6 +162,18 @@ TEST(Checksum, IsThatOfZlib)
   EXPECT_EQ(parts.GetValue(), 0xcbf43926u);
 }
 
+TEST(Checksum, OfZerosIsNoOther)
+{
+  std::string text(50000, '\0');
+  text[20000] = 'x';
+  Checksum bytes;
+  for (const char byte : text)
+  {
+    bytes.Add(&byte, 1);
+  }
+  EXPECT_EQ(GetChecksum(text), bytes.GetValue());
+}
+
 TEST(Manifest, ComesBackAsItWas)
 {
   const TemporaryFolder folder;

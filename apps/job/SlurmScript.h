@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSlurmScript_h
+#define medialvoxelSlurmScript_h
+
+#include "OutputFile.h"
+#include "VolumeJob.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** Name of the script in the folder of its job. */
+constexpr const char * SlurmScriptName = "slurm.sh";
+
+/** What is wanted of a Slurm job array that does the clusters of a job. */
+struct SlurmOptions
+{
+  std::string                  fileName;        ///< of the script; empty: SlurmScriptName in the folder of the job
+  std::optional<std::uint64_t> clustersPerTask; ///< 1 or more; unset: as few as give at most 64 tasks
+  std::optional<std::uint64_t> tasksAtOnce;     ///< 1 or more; unset: as Slurm decides
+};
+
+/** Sets clusters and tasks from "4" or "4%8"; false for other texts. */
+bool
+ParseSlurmClusters(const std::string & text, SlurmOptions & options);
+
+/** A job array with all that its script tells. */
+struct SlurmArray
+{
+  std::filesystem::path        jobFolder; ///< absolute
+  std::filesystem::path        script;
+  std::uint64_t                clusters{ 1 };
+  std::uint64_t                clustersPerTask{ 1 };
+  std::optional<std::uint64_t> tasksAtOnce;
+  unsigned int                 threads{ 1 };     ///< of a task
+  std::uint64_t                memoryBytes{ 0 }; ///< that the process of a task may take
+
+  std::uint64_t
+  GetTasks() const;
+
+  /** Megabytes that Slurm is asked for: a ninth is for what the process does not count. */
+  std::uint64_t
+  GetMegabytes() const;
+};
+
+/** The array for a job that is planned as \a job tells, or would be. Without an option for the memory a process may
+ * take twice what is planned for walls of PlannedWallThickness, and 1 GiB at least.
+ * \throw JobError Usage or Refused when the script is to get a name that CheckOutputs() refuses */
+SlurmArray
+PlanSlurmArray(const SlurmOptions &          slurm,
+               const ExtractOptions &        options,
+               const JobResult &             job,
+               const std::filesystem::path & jobFolder);
+
+/** The script for sbatch. Submitted again, unchanged, it does what is missing. */
+std::string
+MakeSlurmScript(const SlurmArray & array);
+
+/** Writes the script, which gets its name by OutputFile::Publish(). \throw JobError Refused or Failure */
+std::unique_ptr<OutputFile>
+WriteSlurmScript(const SlurmArray & array, bool overwrite);
+
+/** What is to be typed after a plan. */
+TextTable
+DescribeSlurmSteps(const SlurmArray & array);
+
+} // end namespace medialvoxel
+
+#endif
