@@ -13,10 +13,9 @@ std::optional<Classification>
 AnswerByBruteForce(const Question & question)
 try
 {
-  return question.thickness
-           ? Classify(question.volume, *question.thickness, question.bound)
-           : AutomaticClassifier(question.volume, { question.minimumThickness, question.maximumThickness })
-               .Run(question.bound);
+  return question.thickness ? Classify(question.volume, *question.thickness, question.bound)
+                            : JointClassifier(question.volume, { question.minimumThickness, question.maximumThickness })
+                                .Run(question.bound);
 }
 catch (const std::logic_error &)
 {

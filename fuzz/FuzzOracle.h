@@ -18,6 +18,9 @@ struct Question
   std::optional<double>   thickness; ///< unset: automatic
   double                  minimumThickness{ 3.0 };
   double                  maximumThickness{ 16.0 };
+
+  /** Brute force knows no pores: with them only the pieces are compared with the whole. */
+  int maximumPoreSize{ 0 };
 };
 
 /** Labels and counts by brute force; nothing where a path has, but for rounding, the length that decides. */
