@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputChecks.h"
 
+#include "FileNames.h"
 #include "OutputVolume.h"
 
 #include <set>
