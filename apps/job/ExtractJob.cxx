@@ -131,6 +131,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
   }
   AddEngine(footprint, header, settings);
+  AddOutputs(footprint, options, header, ListCandidates(options, header));
   if (!options.distanceFile.empty())
   {
     AddEngine(
@@ -340,10 +341,10 @@ private:
   std::unique_ptr<SurfaceMesh> m_Mesh;
   TileObservers                m_Observers;
   OutputSet                    m_Outputs;
-  OutputVolume *               m_Labels{ nullptr };
-  OutputVolume *               m_Vectors{ nullptr };
-  OutputVolume *               m_Distances{ nullptr };
-  OutputVolume *               m_Thicknesses{ nullptr };
+  VoxelOutput *                m_Labels{ nullptr };
+  VoxelOutput *                m_Vectors{ nullptr };
+  VoxelOutput *                m_Distances{ nullptr };
+  VoxelOutput *                m_Thicknesses{ nullptr };
   OutputFile *                 m_ThicknessCsv{ nullptr };
   OutputFile *                 m_MeshFile{ nullptr };
   OutputFile *                 m_Preview{ nullptr };

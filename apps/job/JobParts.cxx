@@ -3,6 +3,7 @@
 #include "JobParts.h"
 
 #include "Text.h"
+#include "ZarrVolume.h"
 
 #include "itkMedialVoxelSurfaceObserver.h"
 #include "itkMultiThreaderBase.h"
@@ -106,6 +107,22 @@ AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVo
   const bool isReal = header.pixelType == PixelType::Float32 || header.pixelType == PixelType::Float64;
   settings.keepsNotANumber = isReal && header.CanStream();
   footprint.engines.push_back(std::move(settings));
+}
+
+void
+AddOutputs(PieceFootprint &                   footprint,
+           const JobOptions &                 options,
+           const VolumeHeader &               header,
+           const std::vector<OutputRequest> & candidates)
+{
+  for (const OutputRequest & output : candidates)
+  {
+    if (output.layout && !output.fileName.empty() && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr)
+    {
+      footprint.bytesBeside += ZarrVolume::GetMemoryBytes(header.geometry, *output.layout, options.zarrCompression);
+      footprint.preferredSlices = ZarrGrid::ForVolume(header.geometry, *output.layout).chunk[2];
+    }
+  }
 }
 
 CutSettings

@@ -40,6 +40,13 @@ GetGrid(const JobOptions & options, const VolumeHeader & header);
 void
 AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings);
 
+/** Counts in what outputs take beside the results of a piece. */
+void
+AddOutputs(PieceFootprint &                   footprint,
+           const JobOptions &                 options,
+           const VolumeHeader &               header,
+           const std::vector<OutputRequest> & candidates);
+
 CutSettings
 GetCutSettings(const JobPlan & plan);
 

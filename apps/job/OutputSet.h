@@ -4,7 +4,8 @@
 #define medialvoxelOutputSet_h
 
 #include "Options.h"
-#include "OutputVolume.h"
+#include "OutputFile.h"
+#include "VoxelOutput.h"
 
 #include <memory>
 #include <vector>
@@ -17,15 +18,15 @@ namespace medialvoxel
 class OutputSet
 {
 public:
-  /** \param writesBehind volumes are written in a thread of their own, which may wait for the disk */
+  /** \param options must outlive the set
+   * \param writesBehind volumes are written in a thread of their own, which may wait for the disk */
   OutputSet(const JobOptions & options, bool writesBehind)
-    : m_Overwrite(options.overwrite)
-    , m_Sparse(options.sparse)
+    : m_Options(options)
     , m_WritesBehind(writesBehind)
   {}
 
   /** Creates a volume; null when the name is empty. */
-  OutputVolume *
+  VoxelOutput *
   AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
 
   /** Creates an empty file of another kind; null when the name is empty. */
@@ -41,11 +42,10 @@ public:
   Publish();
 
 private:
-  bool                                       m_Overwrite;
-  bool                                       m_Sparse;
-  bool                                       m_WritesBehind;
-  std::vector<std::unique_ptr<OutputVolume>> m_Volumes;
-  std::vector<std::unique_ptr<OutputFile>>   m_Files;
+  const JobOptions &                        m_Options;
+  bool                                      m_WritesBehind;
+  std::vector<std::unique_ptr<VoxelOutput>> m_Volumes;
+  std::vector<std::unique_ptr<OutputFile>>  m_Files;
 };
 
 } // end namespace medialvoxel

@@ -27,9 +27,17 @@ GetFolder(const std::filesystem::path & fileName)
   return fileName.has_parent_path() ? fileName.parent_path() : std::filesystem::path(".");
 }
 
+/** True for outputs whose space is taken from the disk before the start. */
+bool
+IsReserved(const JobOptions & options, const OutputRequest & output)
+{
+  const bool isZarr = output.layout && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr;
+  return !options.sparse && (!isZarr || options.zarrCompression == ZarrCompression::None);
+}
+
 /** Outputs on one disk share its free space. */
 void
-RefuseLackOfSpace(const VolumeHeader & header, const std::vector<OutputRequest> & outputs)
+RefuseLackOfSpace(const JobOptions & options, const VolumeHeader & header, const std::vector<OutputRequest> & outputs)
 {
   std::map<dev_t, std::uint64_t> needed;
   for (const OutputRequest & output : outputs)
@@ -43,7 +51,7 @@ RefuseLackOfSpace(const VolumeHeader & header, const std::vector<OutputRequest> 
       continue; // creating the file will tell
     }
     std::uint64_t & sum = needed[status.st_dev];
-    sum += GetOutputBytes(header, output);
+    sum += IsReserved(options, output) ? GetOutputBytes(header, output) : 0;
     if (sum > space.free)
     {
       Fail(ExitStatus::Refused,
@@ -64,10 +72,12 @@ SliceRange
 JobPlan::GetPiece(std::uint64_t piece) const
 {
   // None is larger than the one before, so that the memory of its results serves again.
-  const std::uint64_t slices = numberOfSlices / divisions;
-  const std::uint64_t largerPieces = numberOfSlices % divisions;
-  const std::uint64_t begin = piece * slices + std::min(piece, largerPieces);
-  return { begin, begin + slices + (piece < largerPieces ? 1 : 0) };
+  const std::uint64_t units = this->GetNumberOfUnits();
+  const std::uint64_t perPiece = units / divisions;
+  const std::uint64_t largerPieces = units % divisions;
+  const std::uint64_t begin = piece * perPiece + std::min(piece, largerPieces);
+  const std::uint64_t end = begin + perPiece + (piece < largerPieces ? 1 : 0);
+  return { begin * sliceUnit, std::min(end * sliceUnit, numberOfSlices) };
 }
 
 std::uint64_t
@@ -84,7 +94,7 @@ JobPlan::GetFilterLimit(std::uint64_t slices) const
 std::uint64_t
 JobPlan::GetMaximumSlices() const
 {
-  return (numberOfSlices + divisions - 1) / divisions;
+  return this->GetPiece(0).end;
 }
 
 JobPlan
@@ -99,10 +109,7 @@ MakePlan(const JobOptions &                 options,
   {
     plan.diskBytes += GetOutputBytes(header, output);
   }
-  if (!options.sparse)
-  {
-    RefuseLackOfSpace(header, outputs);
-  }
+  RefuseLackOfSpace(options, header, outputs);
   return plan;
 }
 

@@ -62,11 +62,18 @@ AddText(CLI::App & app, const std::string & name, const std::string & help, cons
   return app.add_option(name, parse, help)->type_name(unit)->type_size(1)->expected(1);
 }
 
-/** Adds an option, or an argument, that names a file. */
+/** Adds an option, or an argument, that names a file or a folder, which a shell completes with a slash. */
 CLI::Option *
 AddFile(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
 {
-  return app.add_option(name, target, help)->type_name("FILE");
+  const auto withoutSlash = [](std::string fileName) {
+    while (fileName.size() > 1 && fileName.back() == '/')
+    {
+      fileName.pop_back();
+    }
+    return fileName;
+  };
+  return app.add_option(name, target, help)->type_name("FILE")->transform(withoutSlash, "", "");
 }
 
 /** Adds an option whose value is one of some names; the first is the default. */
@@ -213,10 +220,24 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   app.add_flag("--quiet", line.quiet, "Print errors only")->group(group);
 }
 
+/** To be called after AddRunOptions(). */
+void
+AddZarrCompression(CommandLine & line, CLI::App & app, JobOptions & options)
+{
+  AddChoice<ZarrCompression>(line,
+                             app,
+                             "--zarr-compression",
+                             "Of .zarr outputs",
+                             "KIND",
+                             options.zarrCompression,
+                             { { "none", ZarrCompression::None }, { "gzip", ZarrCompression::Gzip } })
+    ->group("Run");
+}
+
 void
 AddInput(CLI::App & app, JobOptions & options)
 {
-  AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii .nii.gz .tif, raw", options.input)->required();
+  AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii[.gz] .tif .zarr", options.input)->required();
 }
 
 const std::vector<std::pair<std::string, itk::MedialVoxelBoundary>> Boundaries{
@@ -257,7 +278,7 @@ DefineExtract(CommandLine & line)
   ExtractOptions & options = line.extractOptions;
   using Bound = itk::MedialVoxelPseudoGeodesicBound;
   AddInput(app, options);
-  AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr", options.output)->required();
+  AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr .zarr", options.output)->required();
   AddThickness(app, options);
   AddChoice<Bound>(line,
                    app,
@@ -283,6 +304,7 @@ DefineExtract(CommandLine & line)
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
+  AddZarrCompression(line, app, options);
   AddRawOptions(line, app, options);
   line.examples[&app] = {
     "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html",
@@ -323,7 +345,7 @@ DefineDistance(CommandLine & line)
   DistanceOptions & options = line.distanceOptions;
   using Region = itk::MedialVoxelRegion;
   AddInput(app, options);
-  AddFile(app, "VECTORS", "Vectors to the boundary: .mha .mhd .nrrd .nhdr", options.output)->required();
+  AddFile(app, "VECTORS", "Vectors to the boundary: .mha .mhd .nrrd .nhdr .zarr", options.output)->required();
   AddChoice<itk::MedialVoxelBoundary>(
     line, app, "--boundary", "Where the vectors lead to", "KIND", options.boundary, Boundaries);
   AddChoice<Region>(line,
@@ -347,6 +369,7 @@ DefineDistance(CommandLine & line)
   app.add_flag("--inside-positive", options.insideIsPositive, "Make the signed distance positive inside")->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
+  AddZarrCompression(line, app, options);
   AddRawOptions(line, app, options);
   line.examples[&app] = { "medialvoxel distance part.mha vectors.mha --lower 72 --distance distance.mha",
                           "medialvoxel distance mask.nrrd out.nrrd --region inside --boundary background" };
