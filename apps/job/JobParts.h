@@ -98,11 +98,19 @@ private:
   void
   RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write);
 
+  void
+  RecordPiece(const PieceRunner & runner, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
+
+  /** Halves the slices that are done at once. */
+  void
+  ShortenPieces(const PieceRunner & runner, const char * reason);
+
   JobPlan        m_Plan;
   std::uint64_t  m_SlicesAtOnce;
   std::uint64_t  m_VoxelsPerSlice;
   unsigned int   m_RunnersPerPiece;
   ProgressSink & m_Sink;
+  InputVolume *  m_Input{ nullptr };
   double         m_ShareOfPreparation{ 0.0 };
   std::uint64_t  m_DoneSlices{ 0 };
   std::uint64_t  m_SlicesOfPiece{ 0 };

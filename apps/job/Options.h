@@ -28,6 +28,7 @@ struct JobOptions
 
   std::string distanceFile; ///< signed distance, float32
   std::string reportFile;   ///< JSON
+  std::string logFile;      ///< gets a line for each step; existing ones stay
 
   std::string scratchFolder; ///< for the mask of a compressed volume that does not fit the memory; empty: none
 

@@ -121,6 +121,10 @@ RefuseExisting(const OutputRequest & output, bool overwrite)
   {
     return;
   }
+  if (output.appends)
+  {
+    return;
+  }
   if (IsZarrOutput(output) && !IsZarrFolder(output.fileName))
   {
     Fail(ExitStatus::Refused, output.fileName.string(), " exists and is not a Zarr folder");

@@ -18,7 +18,8 @@ struct OutputRequest
 {
   std::string                role;
   std::filesystem::path      fileName;
-  std::optional<VoxelLayout> layout; ///< set for volumes
+  std::optional<VoxelLayout> layout;           ///< set for volumes
+  bool                       appends{ false }; ///< what the file has stays
 };
 
 /** Refuses outputs that cannot be written or would destroy something.

@@ -222,6 +222,12 @@ public:
     this->m_Filter->UpdateOutputInformation();
   }
 
+  const char *
+  GetName() const override
+  {
+    return "labels";
+  }
+
   void
   SetTileObserver(itk::MedialVoxelTileObserver * observer) override
   {
@@ -314,6 +320,12 @@ public:
       this->m_Filter->SetMaximumDistance(*settings.maximumDistance);
     }
     this->m_Filter->UpdateOutputInformation();
+  }
+
+  const char *
+  GetName() const override
+  {
+    return "distances";
   }
 
 protected:

@@ -218,6 +218,19 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
                              { "none", ProgressStyle::None } })
     ->group(group);
   app.add_flag("--quiet", line.quiet, "Print errors only")->group(group);
+  auto * const log = AddFile(app, "--log-file", "Add a line for each step to a log", options.logFile)->group(group);
+  AddChoice<LogLevel>(line,
+                      app,
+                      "--log-level",
+                      "Which lines",
+                      "LEVEL",
+                      line.logLevel,
+                      { { "info", LogLevel::Info },
+                        { "error", LogLevel::Error },
+                        { "warning", LogLevel::Warning },
+                        { "debug", LogLevel::Debug } })
+    ->group(group)
+    ->needs(log);
 }
 
 /** To be called after AddRunOptions(). */

@@ -29,6 +29,7 @@ struct CommandLine
   JobOptions      infoOptions;
   ProgressStyle   progress{ ProgressStyle::Auto };
   bool            quiet{ false };
+  LogLevel        logLevel{ LogLevel::Info };
 
   CLI::App *  generate{ nullptr }; ///< not shown: what the build calls
   std::string generateFolder;
