@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace itk
@@ -91,7 +92,13 @@ private:
           MedialVoxelCounts &         counts) const;
 
   void
-  LabelAtOnce(Workspace & workspace, std::vector<std::uint8_t> & labels, MedialVoxelCounts & counts) const;
+  LabelAtOnce(const MedialVoxelBits &     sites,
+              Workspace &                 workspace,
+              std::vector<std::uint8_t> & labels,
+              MedialVoxelCounts &         counts) const;
+
+  std::optional<std::uint8_t>
+  LabelByLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
 
   void
   FollowNeighbors(const Workspace & workspace, Cell & cell) const;
@@ -106,7 +113,8 @@ private:
   MedialVoxelParameters     m_Parameters;
   MedialVoxelCellPairs      m_Pairs;
   MedialVoxelLocalThreshold m_Threshold;
-  MedialVoxelBitFlood       m_Flood;
+  MedialVoxelBitFlood       m_Flood;       // for the smallest threshold
+  MedialVoxelBitFlood       m_LengthFlood; // for the longest paths it can find
   MedialVoxelPairSeparation m_Separation;
 };
 

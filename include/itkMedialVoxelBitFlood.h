@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace itk
@@ -49,12 +50,26 @@ public:
     return !m_WindowOf.empty();
   }
 
+  /** The threshold in physical units; 0 when every pair is undecided. */
+  double
+  GetThreshold() const
+  {
+    return m_Epsilon;
+  }
+
   /** Judge the boundary points \a a and a - \a difference; undecided too when \a boundary does not hold the points that
    * a path below the threshold can use. */
   Result
   Decide(const MedialVoxelBits &         boundary,
          const MedialVoxelIndex &        a,
          const MedialVoxelDisplacement & difference) const;
+
+  /** Length of the shortest path between different points \a a and a - \a difference, rounded; infinite when it reaches
+   * the threshold, or when there is no path. Nothing where Decide() is undecided. */
+  std::optional<double>
+  FindLength(const MedialVoxelBits &         boundary,
+             const MedialVoxelIndex &        a,
+             const MedialVoxelDisplacement & difference) const;
 
 private:
   using WordType = MedialVoxelBits::WordType;
@@ -113,12 +128,26 @@ private:
   std::uint8_t
   ShapeOf(const std::array<std::uint8_t, 3> & size);
 
+  const Window *
+  FindWindow(const MedialVoxelBits &         boundary,
+             const MedialVoxelIndex &        a,
+             const MedialVoxelDisplacement & difference,
+             MedialVoxelIndex &              lower,
+             bool &                          isUndecided) const;
+
+  template <typename TVisitor>
+  auto
+  WithDomain(const MedialVoxelBits &  boundary,
+             const Window &           window,
+             const MedialVoxelIndex & lower,
+             TVisitor &&              visit) const;
+
   template <typename TLayout>
   Result
   Flood(const TLayout & layout, const Window & window, const typename TLayout::Set & domain) const;
 
   template <typename TLayout>
-  Result
+  double
   FloodByLength(const TLayout & layout, const Window & window, const typename TLayout::Set & domain) const;
 
   static std::size_t
@@ -129,6 +158,7 @@ private:
                                     Reach);
   }
 
+  double                     m_Epsilon{ 0.0 };
   std::int64_t               m_MostEdges{ 0 };
   std::int64_t               m_ShortEdges{ 0 };
   std::vector<std::uint16_t> m_WindowOf;

@@ -5,7 +5,7 @@
 
 #include "MedialVoxelExport.h"
 
-#include "itkMedialVoxelFileRegion.h"
+#include "itkMedialVoxelSequentialReader.h"
 #include "itkStreamingImageIOBase.h"
 
 #include <cstdint>
@@ -69,7 +69,11 @@ public:
   itkBooleanMacro(ReserveSpace);
 
   /** Bytes of voxels read since construction. */
-  itkGetConstMacro(NumberOfBytesRead, std::uint64_t);
+  std::uint64_t
+  GetNumberOfBytesRead() const
+  {
+    return m_Reader.GetNumberOfBytesRead();
+  }
 
   /** True for 2 and 3. */
   bool
@@ -139,7 +143,7 @@ private:
   RefuseWriting(const std::runtime_error & cause);
 
   bool                                m_ReserveSpace{ true };
-  std::uint64_t                       m_NumberOfBytesRead{ 0 };
+  MedialVoxelSequentialReader         m_Reader;
   std::vector<MedialVoxelFileSegment> m_Segments;
   std::string                         m_CreatedFile;
 };

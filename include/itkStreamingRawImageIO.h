@@ -5,7 +5,7 @@
 
 #include "MedialVoxelExport.h"
 
-#include "itkMedialVoxelFileRegion.h"
+#include "itkMedialVoxelSequentialReader.h"
 #include "itkStreamingImageIOBase.h"
 
 #include <cstdint>
@@ -68,7 +68,11 @@ public:
   SetSegments(const std::vector<MedialVoxelFileSegment> & segments);
 
   /** Bytes of voxels handed out since construction; those of holes in the file count. */
-  itkGetConstMacro(NumberOfBytesRead, std::uint64_t);
+  std::uint64_t
+  GetNumberOfBytesRead() const
+  {
+    return m_Reader.GetNumberOfBytesRead();
+  }
 
   bool
   SupportsDimension(unsigned long dimension) override;
@@ -111,7 +115,7 @@ private:
 
   SizeType                            m_HeaderSize{ 0 };
   bool                                m_RefuseTrailingBytes{ true };
-  std::uint64_t                       m_NumberOfBytesRead{ 0 };
+  MedialVoxelSequentialReader         m_Reader;
   std::vector<MedialVoxelFileSegment> m_Segments;
 };
 

@@ -15,6 +15,9 @@ namespace
 /** Relative width of the band below a threshold in which sums in floating point are not trusted. */
 constexpr double Band = 1e-9;
 
+/** Thickness in voxels of the threshold of the second flood; more does not fit its words. */
+constexpr double ThicknessOfFlood = 5.0;
+
 /** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
 constexpr double LargestBranch = 0.85;
 
@@ -27,6 +30,7 @@ MedialVoxelAutomaticClassifier::MedialVoxelAutomaticClassifier(const MedialVoxel
   , m_Pairs(grid, parameters.epsilon)
   , m_Threshold(grid, parameters)
   , m_Flood(grid, parameters.epsilon)
+  , m_LengthFlood(grid, MedialVoxelParameters::EpsilonFromThickness(ThicknessOfFlood * grid.GetShortestEdge()))
   , m_Separation(grid)
 {}
 
@@ -47,7 +51,7 @@ MedialVoxelAutomaticClassifier::Classify(const MedialVoxelWindow &   window,
   threshold.cells.Rank();
   workspace.m_Ranks.Rank();
   m_Threshold.GetCover().Cover(threshold.balls, threshold.cells, threshold.cover, threshold.coveringRadii);
-  this->LabelAtOnce(workspace, labels, counts);
+  this->LabelAtOnce(*window.sites, workspace, labels, counts);
 
   auto &     queries = workspace.m_Queries;
   auto &     cells = workspace.m_Cells;
@@ -102,7 +106,8 @@ MedialVoxelAutomaticClassifier::Classify(const MedialVoxelWindow &   window,
 
 /** Label what needs no search, and make queries of the rest. */
 void
-MedialVoxelAutomaticClassifier::LabelAtOnce(Workspace &                 workspace,
+MedialVoxelAutomaticClassifier::LabelAtOnce(const MedialVoxelBits &     sites,
+                                            Workspace &                 workspace,
                                             std::vector<std::uint8_t> & labels,
                                             MedialVoxelCounts &         counts) const
 {
@@ -110,7 +115,7 @@ MedialVoxelAutomaticClassifier::LabelAtOnce(Workspace &                 workspac
   std::size_t waiting = 0;
   for (std::size_t i = 0; i < workspace.m_Cells.size(); ++i)
   {
-    const Cell & cell = workspace.m_Cells[i];
+    Cell & cell = workspace.m_Cells[i];
     if (cell.longest <= m_Parameters.epsilon)
     {
       continue;
@@ -133,11 +138,38 @@ MedialVoxelAutomaticClassifier::LabelAtOnce(Workspace &                 workspac
       labels[cell.label] = MedialVoxelLabel::MedialByGeodesic;
       ++counts.geodesicMedialCells;
     }
+    else if (const auto label = this->LabelByLength(sites, pair, epsilon, cell))
+    {
+      labels[cell.label] = *label;
+      counts.AddDecision(*label);
+    }
     else
     {
       workspace.m_Queries.push_back({ cell.a, cell.b, epsilon, i });
     }
   }
+}
+
+/** The label of a cell when a flood finds the geodesic distance, or that it is longer than the threshold. */
+std::optional<std::uint8_t>
+MedialVoxelAutomaticClassifier::LabelByLength(const MedialVoxelBits & sites,
+                                              const MedialVoxelPair & pair,
+                                              const double            epsilon,
+                                              Cell &                  cell) const
+{
+  const auto length = m_LengthFlood.FindLength(sites, pair.a, pair.difference);
+  if (!length)
+  {
+    return std::nullopt;
+  }
+  if (*length < epsilon * (1.0 - Band))
+  {
+    cell.longest = *length;
+    return MedialVoxelLabel::NonMedial;
+  }
+  const double known = std::min(*length, m_LengthFlood.GetThreshold());
+  return known > epsilon * (1.0 + Band) ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic)
+                                        : std::nullopt;
 }
 
 /** Length of the edge between two boundary points, 0 when they are the same; infinite when there is none. */

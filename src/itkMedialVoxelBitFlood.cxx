@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 namespace itk
 {
@@ -33,6 +34,7 @@ MedialVoxelBitFlood::MedialVoxelBitFlood(const MedialVoxelGrid & grid, const dou
   {
     return;
   }
+  m_Epsilon = epsilon;
   m_MostEdges = static_cast<std::int64_t>(epsilon / grid.GetShortestEdge());
   m_ShortEdges = static_cast<std::int64_t>(epsilon / grid.GetLongestEdge());
   this->FindWindows(grid, epsilon);
@@ -292,38 +294,50 @@ struct MedialVoxelBitFlood::WordLayout
   }
 };
 
-MedialVoxelBitFlood::Result
-MedialVoxelBitFlood::Decide(const MedialVoxelBits &         boundary,
-                            const MedialVoxelIndex &        a,
-                            const MedialVoxelDisplacement & difference) const
+/** The window of a pair and its first voxel; nothing when the free-space length alone reaches the threshold, or when
+ * the boundary does not hold all of the window, which \a isUndecided tells. */
+const MedialVoxelBitFlood::Window *
+MedialVoxelBitFlood::FindWindow(const MedialVoxelBits &         boundary,
+                                const MedialVoxelIndex &        a,
+                                const MedialVoxelDisplacement & difference,
+                                MedialVoxelIndex &              lower,
+                                bool &                          isUndecided) const
 {
-  if (!this->IsAvailable())
-  {
-    return Result::Undecided;
-  }
+  isUndecided = false;
   for (const std::int64_t steps : difference)
   {
     if (std::abs(steps) > Reach)
     {
-      return Result::Bounded;
+      return nullptr;
     }
   }
   const std::uint16_t number = m_WindowOf[IndexOf(difference)];
   if (number == BoundedWindow)
   {
-    return Result::Bounded;
+    return nullptr;
   }
   const Window &         window = m_Windows[number];
   const MedialVoxelBox & known = boundary.GetBox();
-  MedialVoxelIndex       lower;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     lower[axis] = a[axis] + window.lower[axis];
     if (lower[axis] < known.lower[axis] || lower[axis] + window.size[axis] > known.upper[axis])
     {
-      return Result::Undecided;
+      isUndecided = true;
+      return nullptr;
     }
   }
+  return &window;
+}
+
+/** Call \a visit(layout, domain) with the boundary in a window. */
+template <typename TVisitor>
+auto
+MedialVoxelBitFlood::WithDomain(const MedialVoxelBits &  boundary,
+                                const Window &           window,
+                                const MedialVoxelIndex & lower,
+                                TVisitor &&              visit) const
+{
   if (window.fitsWord)
   {
     WordType     domain = 0;
@@ -333,13 +347,57 @@ MedialVoxelBitFlood::Decide(const MedialVoxelBits &         boundary,
       shift += window.size[0];
     });
     const unsigned int strideY = window.size[0];
-    return this->Flood(WordLayout{ m_Shapes[window.shape], strideY, strideY * window.size[1] }, window, domain);
+    return visit(WordLayout{ m_Shapes[window.shape], strideY, strideY * window.size[1] }, domain);
   }
   std::array<WordType, MedialVoxelPlaneLayout::Edge> domain{};
   VisitRows(boundary, lower, window.size, [&](const WordType bits, const unsigned int y, const unsigned int z) {
     domain[z] |= bits << (static_cast<unsigned int>(MedialVoxelPlaneLayout::Edge) * y);
   });
-  return this->Flood(MedialVoxelPlaneLayout{}, window, MedialVoxelPlaneLayout::Load(domain));
+  return visit(MedialVoxelPlaneLayout{}, MedialVoxelPlaneLayout::Load(domain));
+}
+
+MedialVoxelBitFlood::Result
+MedialVoxelBitFlood::Decide(const MedialVoxelBits &         boundary,
+                            const MedialVoxelIndex &        a,
+                            const MedialVoxelDisplacement & difference) const
+{
+  if (!this->IsAvailable())
+  {
+    return Result::Undecided;
+  }
+  MedialVoxelIndex     lower;
+  bool                 isUndecided = false;
+  const Window * const window = this->FindWindow(boundary, a, difference, lower, isUndecided);
+  if (window == nullptr)
+  {
+    return isUndecided ? Result::Undecided : Result::Bounded;
+  }
+  return this->WithDomain(boundary, *window, lower, [&](const auto & layout, const auto & domain) {
+    return this->Flood(layout, *window, domain);
+  });
+}
+
+std::optional<double>
+MedialVoxelBitFlood::FindLength(const MedialVoxelBits &         boundary,
+                                const MedialVoxelIndex &        a,
+                                const MedialVoxelDisplacement & difference) const
+{
+  if (!this->IsAvailable())
+  {
+    return std::nullopt;
+  }
+  MedialVoxelIndex     lower;
+  bool                 isUndecided = false;
+  const Window * const window = this->FindWindow(boundary, a, difference, lower, isUndecided);
+  if (window == nullptr)
+  {
+    return isUndecided ? std::nullopt : std::optional<double>(std::numeric_limits<double>::infinity());
+  }
+  return this->WithDomain(boundary, *window, lower, [&](const auto & layout, const auto & domain) {
+    // The number of edges shows at once what is out of reach.
+    return this->Flood(layout, *window, domain) == Result::Reaches ? std::numeric_limits<double>::infinity()
+                                                                   : this->FloodByLength(layout, *window, domain);
+  });
 }
 
 template <typename TLayout>
@@ -355,7 +413,8 @@ MedialVoxelBitFlood::Flood(const TLayout & layout, const Window & window, const 
     next = TLayout::And(TLayout::Or(next, layout.AlongZ(next)), domain);
     if (TLayout::Meet(next, target))
     {
-      return edges <= m_ShortEdges ? Result::FallsShort : this->FloodByLength(layout, window, domain);
+      return edges <= m_ShortEdges || this->FloodByLength(layout, window, domain) < m_Epsilon ? Result::FallsShort
+                                                                                              : Result::Reaches;
     }
     if (TLayout::Equal(next, reached))
     {
@@ -366,8 +425,9 @@ MedialVoxelBitFlood::Flood(const TLayout & layout, const Window & window, const 
   return Result::Reaches;
 }
 
+/** The length of the shortest path; infinite when it reaches the threshold. */
 template <typename TLayout>
-MedialVoxelBitFlood::Result
+double
 MedialVoxelBitFlood::FloodByLength(const TLayout &               layout,
                                    const Window &                window,
                                    const typename TLayout::Set & domain) const
@@ -400,10 +460,10 @@ MedialVoxelBitFlood::FloodByLength(const TLayout &               layout,
     reached[i] = TLayout::And(next, domain);
     if (TLayout::Meet(reached[i], target))
     {
-      return Result::FallsShort;
+      return m_Lengths[i].length;
     }
   }
-  return Result::Reaches;
+  return std::numeric_limits<double>::infinity();
 }
 
 } // end namespace itk

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelFileRegion.h"
 
+#include "itkMedialVoxelHoleFinder.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -36,99 +38,6 @@ Fail(const TParts &... parts)
   (message << ... << parts);
   throw std::runtime_error(message.str());
 }
-
-/** Requests for less are read without asking for holes. */
-constexpr std::uint64_t MinimumBytesOfHole = std::uint64_t{ 1 } << 16;
-
-/** Bytes of a file that are alike: in a hole, which reads as zeros, or not. */
-struct FileStretch
-{
-  bool          isHole{ false };
-  std::uint64_t numberOfBytes{ 0 };
-};
-
-/** \class HoleFinder
- * \brief Tells which bytes of a file lie in holes, where the system knows: reading them would fill its cache. */
-class HoleFinder
-{
-public:
-  explicit HoleFinder(const std::filesystem::path & fileName)
-    : m_FileName(fileName)
-  {}
-  HoleFinder(const HoleFinder &) = delete;
-  HoleFinder &
-  operator=(const HoleFinder &) = delete;
-
-#ifdef SEEK_HOLE
-  ~HoleFinder()
-  {
-    if (m_Descriptor >= 0)
-    {
-      close(m_Descriptor);
-    }
-  }
-
-  /** The stretch at an offset, cut off after a number of bytes. */
-  FileStretch
-  Find(std::uint64_t offset, std::uint64_t numberOfBytes)
-  {
-    if (numberOfBytes < MinimumBytesOfHole || !this->Open())
-    {
-      return { false, numberOfBytes };
-    }
-    if (offset < m_DataBegin || offset >= m_DataEnd)
-    {
-      m_DataBegin = this->Seek(offset, SEEK_DATA);
-      m_DataEnd = this->Seek(m_DataBegin, SEEK_HOLE);
-    }
-    const bool          isHole = offset < m_DataBegin;
-    const std::uint64_t end = isHole ? m_DataBegin : m_DataEnd;
-    // Behind the end of the file there is nothing, which reading will tell.
-    return { isHole, end > offset ? std::min(numberOfBytes, end - offset) : numberOfBytes };
-  }
-
-private:
-  bool
-  Open()
-  {
-    if (m_Descriptor < 0)
-    {
-      m_Descriptor = open(m_FileName.c_str(), O_RDONLY | O_CLOEXEC);
-    }
-    return m_Descriptor >= 0;
-  }
-
-  /** What follows an offset; the end of the file, but not less than the offset, when nothing does. */
-  std::uint64_t
-  Seek(std::uint64_t offset, int what) const
-  {
-    off_t found = lseek(m_Descriptor, static_cast<off_t>(offset), what);
-    if (found < 0 && errno == ENXIO)
-    {
-      found = lseek(m_Descriptor, 0, SEEK_END);
-    }
-    else if (found < 0 && what == SEEK_HOLE)
-    {
-      // Nothing is known of holes: the rest is read.
-      found = std::numeric_limits<off_t>::max();
-    }
-    return std::max(offset, static_cast<std::uint64_t>(std::max<off_t>(found, 0)));
-  }
-
-  int           m_Descriptor{ -1 };
-  std::uint64_t m_DataBegin{ 0 };
-  std::uint64_t m_DataEnd{ 0 };
-#else
-  FileStretch
-  Find(std::uint64_t, std::uint64_t numberOfBytes) const
-  {
-    return { false, numberOfBytes };
-  }
-
-private:
-#endif
-  std::filesystem::path m_FileName;
-};
 
 /** \class PositionedFile
  * \brief A file without a buffer of its own, so that a short run does not move a buffer full. */

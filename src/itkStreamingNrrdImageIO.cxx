@@ -212,13 +212,12 @@ StreamingNrrdImageIO::Read(void * buffer)
   const MedialVoxelFileRegion region = MakeFileRegion(*this);
   try
   {
-    region.Read(m_Segments, buffer);
+    m_Reader.Read(region, m_Segments, buffer);
   }
   catch (const std::runtime_error & error)
   {
     itkExceptionMacro(<< m_FileName << ": " << error.what());
   }
-  m_NumberOfBytesRead += region.GetNumberOfBytes();
   if ((this->GetByteOrder() == IOByteOrderEnum::BigEndian) != MachineIsBigEndian())
   {
     SwapComponentBytes(buffer, region.GetNumberOfBytes(), this->GetComponentSize());
@@ -421,7 +420,7 @@ StreamingNrrdImageIO::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "ReserveSpace: " << m_ReserveSpace << std::endl;
-  os << indent << "NumberOfBytesRead: " << m_NumberOfBytesRead << std::endl;
+  os << indent << "NumberOfBytesRead: " << m_Reader.GetNumberOfBytesRead() << std::endl;
   os << indent << "NumberOfDataFiles: " << m_Segments.size() << std::endl;
   os << indent << "CreatedFile: " << m_CreatedFile << std::endl;
 }

@@ -140,13 +140,12 @@ StreamingRawImageIO::Read(void * buffer)
   const MedialVoxelFileSegment whole{ m_FileName, static_cast<std::uint64_t>(m_HeaderSize), toTheEnd };
   try
   {
-    region.Read(m_Segments.empty() ? std::vector<MedialVoxelFileSegment>{ whole } : m_Segments, buffer);
+    m_Reader.Read(region, m_Segments.empty() ? std::vector<MedialVoxelFileSegment>{ whole } : m_Segments, buffer);
   }
   catch (const std::runtime_error & error)
   {
     itkExceptionMacro(<< error.what());
   }
-  m_NumberOfBytesRead += region.GetNumberOfBytes();
   if ((this->GetByteOrder() == IOByteOrderEnum::BigEndian) != MachineIsBigEndian())
   {
     SwapComponentBytes(buffer, region.GetNumberOfBytes(), this->GetComponentSize());
@@ -183,7 +182,7 @@ StreamingRawImageIO::PrintSelf(std::ostream & os, Indent indent) const
   Superclass::PrintSelf(os, indent);
   os << indent << "HeaderSize: " << m_HeaderSize << std::endl;
   os << indent << "RefuseTrailingBytes: " << m_RefuseTrailingBytes << std::endl;
-  os << indent << "NumberOfBytesRead: " << m_NumberOfBytesRead << std::endl;
+  os << indent << "NumberOfBytesRead: " << m_Reader.GetNumberOfBytesRead() << std::endl;
   os << indent << "NumberOfSegments: " << m_Segments.size() << std::endl;
 }
 

@@ -3,7 +3,7 @@
 
 # Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A unit includes only units that stand before it in this table, and no header of ITK.
-set(L0 Enums Grid Parameters Progress Bits RankedBits Gray Text FileRegion Histogram)
+set(L0 Enums Grid Parameters Progress Bits RankedBits Gray Text HoleFinder FileRegion SequentialReader Histogram)
 # The header formats that are parsed by the module itself.
 set(Formats HeaderText NrrdHeader NrrdDataFiles NrrdGeometry NrrdText)
 set(L1

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace
 {
 using namespace MedialVoxelTest;
@@ -124,6 +126,17 @@ TEST(MedialVoxelBitFlood, JudgesLikePlainDijkstra)
         {
           ++decided;
           ASSERT_EQ(result != Result::FallsShort, distances[target] >= epsilon) << "thickness " << thickness;
+        }
+        const auto length =
+          flood.FindLength(bits, KernelIndex(sites[source]), Difference(sites[source], sites[target]));
+        ASSERT_EQ(length.has_value(), result != Result::Undecided);
+        if (length && target != source && distances[target] < epsilon)
+        {
+          ASSERT_NEAR(*length, distances[target], 1e-9) << "thickness " << thickness;
+        }
+        else if (length && target != source)
+        {
+          ASSERT_EQ(*length, std::numeric_limits<double>::infinity()) << "thickness " << thickness;
         }
       }
     }
