@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The log: a line for each step, added to what is there."""
 
+import json
 import re
 import unittest
 
@@ -85,7 +86,8 @@ class LogTest(ProgramTestCase):
 
     def test_results_do_not_depend_on_it(self):
         self.extract("in.mha", "a.mha")
-        self.extract("in.mha", "b.mha", "--log-file", "a.log", "--log-level", "debug")
+        self.extract("in.mha", "b.mha", "--log-file", "a.log", "--log-level", "debug", "--report", "r.json")
+        self.assertEqual(json.loads((self.folder / "r.json").read_text())["outputs"]["log"], "a.log")
         self.assertEqual((self.folder / "a.mha").read_bytes(), (self.folder / "b.mha").read_bytes())
 
 
