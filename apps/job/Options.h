@@ -36,7 +36,7 @@ struct JobOptions
   std::optional<unsigned int>  threads;         ///< 1 or more; unset: as ITK decides
   std::optional<std::uint64_t> divisions;       ///< pieces along the last axis, 1 or more; unset: chosen
   bool                         sparse{ false }; ///< blocks of zeros stay holes of the files, nothing is reserved
-  ZarrCompression              zarrCompression{ ZarrCompression::None }; ///< of .zarr outputs
+  ZarrCompression              zarrCompression{ ZarrCompression::Gzip }; ///< of .zarr outputs
   bool                         overwrite{ false };                       ///< replace existing outputs
   bool                         dryRun{ false };                          ///< plan and check only
 };

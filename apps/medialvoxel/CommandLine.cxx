@@ -243,7 +243,7 @@ AddZarrCompression(CommandLine & line, CLI::App & app, JobOptions & options)
                              "Of .zarr outputs",
                              "KIND",
                              options.zarrCompression,
-                             { { "none", ZarrCompression::None }, { "gzip", ZarrCompression::Gzip } })
+                             { { "gzip", ZarrCompression::Gzip }, { "none", ZarrCompression::None } })
     ->group("Run");
 }
 

@@ -55,8 +55,8 @@ def read_data(folder, array_path="0"):
     return bytes(data)
 
 
-def write_image(folder, volume, chunks, compressor=None, big_endian=False, leading=0, separator=".", **changes):
-    """Writes a volume as other programs may; changes replace fields of .zarray, or remove those that are None."""
+def write_image(folder, volume, chunks, packer=None, big_endian=False, leading=0, separator=".", **changes):
+    """Writes a volume as other programs may; changes replace fields of .zarray."""
     folder = pathlib.Path(folder)
     (folder / "s0").mkdir(parents=True)
     size = volume.size[::-1]
@@ -67,14 +67,14 @@ def write_image(folder, volume, chunks, compressor=None, big_endian=False, leadi
         "shape": [1] * leading + list(size),
         "chunks": [1] * leading + list(chunks),
         "dtype": ("|" if item == 1 else order) + TYPES[volume.kind],
-        "compressor": compressor,
+        "compressor": packer,
         "fill_value": 0,
         "order": "C",
         "filters": None,
         "dimension_separator": separator,
     }
     description.update(changes)
-    (folder / "s0" / ".zarray").write_text(json.dumps({k: v for k, v in description.items() if v != "missing"}))
+    (folder / "s0" / ".zarray").write_text(json.dumps(description))
     (folder / ".zgroup").write_text('{"zarr_format": 2}')
     names = ["t", "c"][2 - leading :] + ["z", "y", "x"][3 - len(size) :]
     kinds = ["time", "channel"][2 - leading :] + ["space"] * len(size)
@@ -96,7 +96,7 @@ def write_image(folder, volume, chunks, compressor=None, big_endian=False, leadi
             values.append(volume.voxels[offset] if inside else 0)
         if any(values):
             data = struct.pack(f"{order}{len(values)}{volumes.TYPES[volume.kind][0]}", *values)
-            packed = {None: bytes, "zlib": zlib.compress, "gzip": gzip.compress}[compressor and compressor["id"]](data)
+            packed = {None: bytes, "zlib": zlib.compress, "gzip": gzip.compress}[packer and packer["id"]](data)
             path = folder / "s0" / separator.join(map(str, (0,) * leading + index))
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(packed)
