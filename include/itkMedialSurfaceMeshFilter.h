@@ -93,6 +93,15 @@ public:
   double
   GetThickness() const;
 
+  /** Largest number of voxels of a pore, or of a grain of dust, that is taken for noise, as in MedialVoxelImageFilter:
+   * at most 1000000, 0 for none; until a value is set, 0 when ThicknessMode is Fixed and 32 when it is Automatic. */
+  void
+  SetMaximumPoreSize(SizeValueType numberOfVoxels);
+  SizeValueType
+  GetMaximumPoreSize() const;
+  void
+  UnsetMaximumPoreSize();
+
   /** Value of the background as long as no threshold is set. Default 0. */
   void
   SetBackgroundValue(InputPixelType value);

@@ -218,6 +218,27 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetMaximumThickness() const
 
 template <typename TInputImage, typename TOutputMesh>
 void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetMaximumPoreSize(const SizeValueType numberOfVoxels)
+{
+  this->Change([=](LabelFilterType & filter) { filter.SetMaximumPoreSize(numberOfVoxels); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+SizeValueType
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetMaximumPoreSize() const
+{
+  return m_LabelFilter->GetMaximumPoreSize();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::UnsetMaximumPoreSize()
+{
+  this->Change([](LabelFilterType & filter) { filter.UnsetMaximumPoreSize(); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetThickness(const double thickness)
 {
   this->Change([=](LabelFilterType & filter) { filter.SetThickness(thickness); });

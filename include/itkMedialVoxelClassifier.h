@@ -3,7 +3,7 @@
 #ifndef itkMedialVoxelClassifier_h
 #define itkMedialVoxelClassifier_h
 
-#include "itkMedialVoxelAutomaticClassifier.h"
+#include "itkMedialVoxelJointClassifier.h"
 #include "itkMedialVoxelCellPairs.h"
 #include "itkMedialVoxelFeatureTransform.h"
 #include "itkMedialVoxelPairDecision.h"
@@ -38,8 +38,8 @@ struct MedialVoxelCellRow
  * \brief Labels the dual cells of one tile from the nearest boundary points of its voxels.
  *
  * Each candidate cell is decided by the first phase that can (Michikawa and Suzuki, Sec. 3.3): trivial pairs, the bound
- * of the parameters, the geodesic search. Cells are independent of each other. With an automatic thickness each cell
- * has a threshold of its own, see MedialVoxelLocalThreshold.
+ * of the parameters, the geodesic search. With an automatic thickness each cell has a threshold of its own, see
+ * MedialVoxelLocalThreshold. Those and long thresholds are decided together, others one after the other.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelClassifier
@@ -51,8 +51,8 @@ public:
    */
   struct Workspace
   {
-    MedialVoxelPairDecision::Workspace        geodesic;
-    MedialVoxelAutomaticClassifier::Workspace automatic;
+    MedialVoxelPairDecision::Workspace    geodesic;
+    MedialVoxelJointClassifier::Workspace joint;
 
     /** With keepsRows: the rows of the last tile that have candidates. */
     bool                            keepsRows{ false };
@@ -99,7 +99,7 @@ public:
   const MedialVoxelLocalThreshold &
   GetThreshold() const
   {
-    return m_Automatic->GetThreshold();
+    return m_Joint->GetThreshold();
   }
 
   /** Bytes of a workspace, beside those of each voxel of a tile and of the margin around it. */
@@ -108,7 +108,7 @@ public:
 
   /** Bytes of a workspace for each voxel of a tile and of the margin around it. */
   static std::uint64_t
-  GetWorkspaceBytesPerVoxel(const MedialVoxelParameters & parameters);
+  GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
 private:
   MedialVoxelBox
@@ -137,11 +137,11 @@ private:
            const std::vector<std::uint8_t> & labels,
            std::vector<MedialVoxelCellRow> & rows) const;
 
-  MedialVoxelGrid                               m_Grid;
-  MedialVoxelParameters                         m_Parameters;
-  MedialVoxelCellPairs                          m_Pairs;
-  MedialVoxelPairDecision                       m_Decision;
-  std::optional<MedialVoxelAutomaticClassifier> m_Automatic; // where the thickness is
+  MedialVoxelGrid                           m_Grid;
+  MedialVoxelParameters                     m_Parameters;
+  MedialVoxelCellPairs                      m_Pairs;
+  MedialVoxelPairDecision                   m_Decision;
+  std::optional<MedialVoxelJointClassifier> m_Joint; // for what is decided together
 };
 
 } // end namespace itk

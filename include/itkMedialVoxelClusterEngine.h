@@ -79,6 +79,9 @@ public:
     bool                             keepsNotANumber{ false };
     bool                             keepsGray{ false }; ///< the values of the voxels in the window
 
+    /** Voxels of the largest components of the object and of the background that change sides; 0 for none. */
+    std::uint64_t maximumPoreSize{ 0 };
+
     /** Voxels around a tile that are known from the start. */
     MedialVoxelIndex halo{ { 8, 8, 8 } };
 

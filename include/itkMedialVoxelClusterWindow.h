@@ -7,6 +7,7 @@
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelFeatureTransform.h"
 #include "itkMedialVoxelGray.h"
+#include "itkMedialVoxelSmallComponents.h"
 
 #include <cstdint>
 #include <vector>
@@ -42,28 +43,43 @@ public:
                     MedialVoxelBits &      object,
                     MedialVoxelBits *      notANumber,
                     MedialVoxelGray &      gray);
+
+  /** Set the values of \a box, whose object bits are there. Sources that have none fail. */
+  virtual void
+  FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray);
+
+  /** Throws to stop; called while the window works on the bits. */
+  virtual void
+  ThrowIfAborted() const;
 };
 
 /** \class MedialVoxelClusterWindow
  * \brief Object and boundary bits of a box that moves over the image.
  *
  * Bits that the old box and the new one share are kept, so that the source is asked once for a voxel as long as the
- * window does not return to it.
+ * window does not return to it. When small components are changed, the object bits reach farther than the rest, by
+ * the margin that this depends on; the source is asked for values, which do not, on their own.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelClusterWindow
 {
 public:
   /** \a kinds lists the boundaries that are kept; \a keepsNotANumber says whether voxels that are not a number are, and
-   * \a keepsGray whether the values of voxels are. */
+   * \a keepsGray whether the values of voxels are. Components of at most \a maximumPoreSize voxels change sides, as
+   * MedialVoxelSmallComponents tells. */
   MedialVoxelClusterWindow(const MedialVoxelGrid &          grid,
                            std::vector<MedialVoxelBoundary> kinds,
                            bool                             keepsNotANumber = false,
-                           bool                             keepsGray = false);
+                           bool                             keepsGray = false,
+                           std::uint64_t                    maximumPoreSize = 0);
 
   /** Voxels whose object bits are needed to know the boundaries in \a sites. */
   MedialVoxelBox
   GetObjectBox(const MedialVoxelBox & sites) const;
+
+  /** Voxels that the source is asked for to know the object bits that are needed in \a sites. */
+  MedialVoxelBox
+  GetInputBox(const MedialVoxelBox & sites) const;
 
   /** Bytes of a window on \a sites. */
   std::uint64_t
@@ -86,11 +102,17 @@ public:
   MedialVoxelWindow
   GetWindow(MedialVoxelBoundary kind) const;
 
+  /** Object bits; final in GetObjectBox(), and around it as far as GetInputBox() as the source gave them, but for
+   * components that have changed. */
   const MedialVoxelBits &
   GetObject() const
   {
     return m_Object;
   }
+
+  /** Voxels of \a box, which is within the sites, that have changed sides, and are now object, or background. */
+  std::uint64_t
+  CountChanged(const MedialVoxelBox & box, bool isObject) const;
 
   /** Voxels that are not a number; empty unless they are kept. */
   const MedialVoxelBits &
@@ -112,11 +134,22 @@ private:
   void
   VisitBits(TVisitor && visit) const;
 
+  /** Have the source fill what is new, bits and values. */
+  void
+  FillObject(const MedialVoxelBox & sites, const MedialVoxelBox & room, MedialVoxelObjectSource & source);
+
+  /** Make the object bits final where they are needed. */
+  void
+  ChangeSmallComponents(const MedialVoxelBox & sites, MedialVoxelObjectSource & source);
+
   MedialVoxelGrid                  m_Grid;
   std::vector<MedialVoxelBoundary> m_Kinds;
   bool                             m_KeepsNotANumber;
   bool                             m_KeepsGray;
+  MedialVoxelSmallComponents       m_SmallComponents;
   MedialVoxelBits                  m_Object;
+  MedialVoxelBits                  m_Changed; // voxels that are no longer what the source gave; empty if none can be
+  MedialVoxelBox                   m_FinalBox;
   MedialVoxelBits                  m_NotANumber;
   MedialVoxelGray                  m_Gray;
   std::vector<MedialVoxelBits>     m_Boundaries;

@@ -19,6 +19,10 @@ namespace itk
 namespace MedialVoxelText
 {
 
+/** What a terminal can show of a text from a file: control characters, which can steer it, become question marks. */
+MedialVoxel_EXPORT std::string
+                   MakePrintable(std::string text);
+
 /** \class HeaderError
  * \brief What is wrong with the header of a volume; the text names the file.
  * \ingroup MedialVoxel */
@@ -32,10 +36,7 @@ public:
     Unsupported ///< a variant of the format that is valid but not read
   };
 
-  HeaderError(Kind kind, const std::string & message)
-    : std::runtime_error(message)
-    , m_Kind(kind)
-  {}
+  HeaderError(Kind kind, const std::string & message);
 
   Kind
   GetKind() const
@@ -99,7 +100,7 @@ MedialVoxel_EXPORT std::ifstream
 MedialVoxel_EXPORT std::uint64_t
                    GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem::path & dataFile);
 
-/** \throw HeaderError Corrupt with the name of the file. */
+/** \throw HeaderError Corrupt with the name of the file; of long values in \a what the middle is left out. */
 [[noreturn]] MedialVoxel_EXPORT void
 RefuseHeader(const std::filesystem::path & fileName,
              const std::string &           what,

@@ -53,6 +53,15 @@ namespace itk
  * not depend on tiles, threads or requested regions here either; a larger MinimumThickness or MaximumThickness never
  * adds medial cells.
  *
+ * \par Pores and dust
+ * Noise leaves small cavities in walls, and grains beside them, each with a boundary of its own. With MaximumPoreSize
+ * K, each connected component of the background of at most K voxels becomes object first, then each component of the
+ * object of at most K voxels background; all that follows is of this object. Voxels are connected when they differ by
+ * at most 1 along each axis, object and background alike: paths on the boundary run through the background this way,
+ * and walls and gaps of one voxel that are tilted do not fall apart. A component that touches a face of the image
+ * stays, as it may go on outside. NaN counts as background here too. GetNumberOfFilledVoxels() and
+ * GetNumberOfRemovedVoxels() tell how many voxels have changed sides.
+ *
  * \par Vectors
  * GenerateVectorDistanceOn() adds a second output, GetVectorDistanceOutput(): at object voxels the displacement to the
  * nearest boundary voxel, zero elsewhere, NaN at object voxels of an image that has no boundary. The geometry of this
@@ -74,6 +83,7 @@ namespace itk
  *   pseudo-geodesic distance (Eq. 2) is available as Paper.
  * - Clusters are independent, each in a window that is certain to hold what it depends on; nothing is propagated
  * between them.
+ * - Pores and dust can be left out, see MaximumPoreSize; by default they are with an automatic thickness.
  * - Paths are searched in the ellipsoid with the boundary points as foci, not in the box of its bounding sphere.
  *
  * \par Reference
@@ -141,6 +151,21 @@ public:
   itkSetMacro(MaximumThickness, double);
   itkGetConstMacro(MaximumThickness, double);
 
+  /** Largest number of voxels of a pore, or of a grain of dust, that is taken for noise. See "Pores and dust" above.
+   *
+   * At most 1000000; 0 takes none. The default is 0 when ThicknessMode is Fixed and 32 when it is Automatic, until a
+   * value is set. The window on the input grows by so many voxels on each side. */
+  virtual void
+  SetMaximumPoreSize(SizeValueType numberOfVoxels);
+
+  /** The value that was set, otherwise the default of the ThicknessMode. */
+  virtual SizeValueType
+  GetMaximumPoreSize() const;
+
+  /** Return to the default. */
+  virtual void
+  UnsetMaximumPoreSize();
+
   /** Bound that decides cells without a search. Default FreeSpace. */
   itkSetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
   itkGetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
@@ -186,6 +211,8 @@ public:
    * an execution. The pieces of a streamed update add up to the whole; an aborted execution adds nothing. */
   itkGetConstMacro(NumberOfObjectVoxels, SizeValueType);
   itkGetConstMacro(NumberOfBoundaryVoxels, SizeValueType);
+  itkGetConstMacro(NumberOfFilledVoxels, SizeValueType);
+  itkGetConstMacro(NumberOfRemovedVoxels, SizeValueType);
   itkGetConstMacro(NumberOfCandidateCells, SizeValueType);
   itkGetConstMacro(NumberOfTrivialCells, SizeValueType);
   itkGetConstMacro(NumberOfBoundCells, SizeValueType);
@@ -280,6 +307,8 @@ private:
   double                  m_Thickness{ 3.0 };
   double                  m_MinimumThickness{ 0.0 };
   double                  m_MaximumThickness{ 0.0 };
+  SizeValueType           m_MaximumPoreSize{ 0 };
+  bool                    m_HasMaximumPoreSize{ false };
   PseudoGeodesicBoundEnum m_PseudoGeodesicBound{ PseudoGeodesicBoundEnum::FreeSpace };
   bool                    m_GenerateVectorDistance{ false };
   BoundaryEnum            m_VectorDistanceBoundary{ BoundaryEnum::Object };
@@ -290,6 +319,8 @@ private:
 
   SizeValueType m_NumberOfObjectVoxels{ 0 };
   SizeValueType m_NumberOfBoundaryVoxels{ 0 };
+  SizeValueType m_NumberOfFilledVoxels{ 0 };
+  SizeValueType m_NumberOfRemovedVoxels{ 0 };
   SizeValueType m_NumberOfCandidateCells{ 0 };
   SizeValueType m_NumberOfTrivialCells{ 0 };
   SizeValueType m_NumberOfBoundCells{ 0 };

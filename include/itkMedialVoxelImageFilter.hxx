@@ -25,6 +25,40 @@ struct MedialVoxelImageFilter<TInputImage, TOutputImage>::TileWorkspace : public
 
 template <typename TInputImage, typename TOutputImage>
 void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetMaximumPoreSize(const SizeValueType numberOfVoxels)
+{
+  if (!m_HasMaximumPoreSize || m_MaximumPoreSize != numberOfVoxels)
+  {
+    m_HasMaximumPoreSize = true;
+    m_MaximumPoreSize = numberOfVoxels;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+SizeValueType
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetMaximumPoreSize() const
+{
+  if (m_HasMaximumPoreSize)
+  {
+    return m_MaximumPoreSize;
+  }
+  return m_ThicknessMode == ThicknessModeEnum::Fixed ? 0 : MedialVoxelParameters::AutomaticMaximumPoreSize;
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::UnsetMaximumPoreSize()
+{
+  if (m_HasMaximumPoreSize)
+  {
+    m_HasMaximumPoreSize = false;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateVectorDistance(const bool generate)
 {
   this->SwitchOutput(m_GenerateVectorDistance, generate, VectorDistanceName);
@@ -117,6 +151,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must not be negative, and finite.");
   }
+  if (this->GetMaximumPoreSize() > MedialVoxelSmallComponents::LargestMaximumSize)
+  {
+    itkExceptionMacro("MaximumPoreSize is " << this->GetMaximumPoreSize() << "; it must not exceed "
+                                            << MedialVoxelSmallComponents::LargestMaximumSize << '.');
+  }
   if (m_SubvoxelThickness && !this->GetUseThresholds())
   {
     itkExceptionMacro("SubvoxelThickness is on; LowerThreshold or UpperThreshold must be set for it.");
@@ -168,17 +207,17 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelParameters
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetParameters(const MedialVoxelGrid & grid) const
 {
-  if (m_ThicknessMode == ThicknessModeEnum::Fixed)
-  {
-    return MedialVoxelParameters::ForThickness(m_Thickness, m_PseudoGeodesicBound);
-  }
   const auto limits = MedialVoxelParameters::LimitsOfWalls(grid, m_MinimumThickness, m_MaximumThickness);
-  if (limits.minimum > limits.maximum)
+  if (m_ThicknessMode == ThicknessModeEnum::Automatic && limits.minimum > limits.maximum)
   {
     itkExceptionMacro("MinimumThickness is " << limits.minimum << "; it must not be larger than MaximumThickness, "
                                              << limits.maximum << '.');
   }
-  return MedialVoxelParameters::ForWalls(limits.minimum, limits.maximum, m_PseudoGeodesicBound);
+  auto parameters = m_ThicknessMode == ThicknessModeEnum::Fixed
+                      ? MedialVoxelParameters::ForThickness(m_Thickness, m_PseudoGeodesicBound)
+                      : MedialVoxelParameters::ForWalls(limits.minimum, limits.maximum, m_PseudoGeodesicBound);
+  parameters.maximumPoreSize = this->GetMaximumPoreSize();
+  return parameters;
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -383,6 +422,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::AddCounts(const MedialVoxelCo
   };
   add(m_NumberOfObjectVoxels, counts.objectVoxels);
   add(m_NumberOfBoundaryVoxels, counts.boundaryVoxels);
+  add(m_NumberOfFilledVoxels, counts.filledVoxels);
+  add(m_NumberOfRemovedVoxels, counts.removedVoxels);
   add(m_NumberOfCandidateCells, counts.candidateCells);
   add(m_NumberOfTrivialCells, counts.trivialCells);
   add(m_NumberOfBoundCells, counts.boundCells);
@@ -403,6 +444,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "Thickness: " << m_Thickness << std::endl;
   os << indent << "MinimumThickness: " << m_MinimumThickness << std::endl;
   os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
+  os << indent << "MaximumPoreSize: " << this->GetMaximumPoreSize() << std::endl;
   os << indent << "PseudoGeodesicBound: " << m_PseudoGeodesicBound << std::endl;
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
@@ -410,6 +452,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
   os << indent << "NumberOfObjectVoxels: " << m_NumberOfObjectVoxels << std::endl;
   os << indent << "NumberOfBoundaryVoxels: " << m_NumberOfBoundaryVoxels << std::endl;
+  os << indent << "NumberOfFilledVoxels: " << m_NumberOfFilledVoxels << std::endl;
+  os << indent << "NumberOfRemovedVoxels: " << m_NumberOfRemovedVoxels << std::endl;
   os << indent << "NumberOfCandidateCells: " << m_NumberOfCandidateCells << std::endl;
   os << indent << "NumberOfTrivialCells: " << m_NumberOfTrivialCells << std::endl;
   os << indent << "NumberOfBoundCells: " << m_NumberOfBoundCells << std::endl;

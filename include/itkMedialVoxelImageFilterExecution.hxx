@@ -63,6 +63,28 @@ public:
   }
 
   void
+  FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray) override
+  {
+    for (const MedialVoxelBox & piece : CutForPull(box))
+    {
+      this->ThrowIfAborted();
+      this->Pull(piece);
+      this->Copy(piece, gray);
+    }
+  }
+
+  void
+  ThrowIfAborted() const override
+  {
+    if (this->IsAborted())
+    {
+      ProcessAborted exception(__FILE__, __LINE__);
+      exception.SetDescription("Filter execution was aborted by an external request");
+      throw exception;
+    }
+  }
+
+  void
   RunTiles(MedialVoxelTileSchedule & schedule) override
   {
     m_Schedule = &schedule;
@@ -90,7 +112,10 @@ public:
     sums.threadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (missing.IsEmpty())
     {
-      sums.counts.notANumberVoxels = m_Engine.GetWindow().GetNotANumber().Count(tile);
+      const MedialVoxelClusterWindow & window = m_Engine.GetWindow();
+      sums.counts.notANumberVoxels = window.GetNotANumber().Count(tile);
+      sums.counts.filledVoxels = window.CountChanged(tile, true);
+      sums.counts.removedVoxels = window.CountChanged(tile, false);
       this->Advance(static_cast<std::uint64_t>(tile.NumberOfVoxels()));
     }
     else
@@ -144,17 +169,6 @@ public:
   }
 
 private:
-  void
-  ThrowIfAborted() const
-  {
-    if (this->IsAborted())
-    {
-      ProcessAborted exception(__FILE__, __LINE__);
-      exception.SetDescription("Filter execution was aborted by an external request");
-      throw exception;
-    }
-  }
-
   void
   Work()
   {

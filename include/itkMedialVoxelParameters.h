@@ -41,6 +41,12 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
   double thicknessFactor{ ThicknessFactor };
   double largestRadius{ 0.0 };
 
+  /** Voxels of the largest components that MedialVoxelSmallComponents changes before anything else; 0 for none. */
+  std::uint64_t maximumPoreSize{ 0 };
+
+  /** The default of maximumPoreSize with an automatic thickness; with a fixed one it is 0. */
+  static constexpr std::uint64_t AutomaticMaximumPoreSize = 32;
+
   /** Between pi, which is Eq. 1 with the thickness of the wall, and 2.3, which an edge of a plate stays below on the
    * grid. */
   static constexpr double ThicknessFactor = 3.0;
@@ -85,6 +91,8 @@ struct MedialVoxel_EXPORT MedialVoxelCounts
   std::uint64_t objectVoxels{ 0 };
   std::uint64_t boundaryVoxels{ 0 };
   std::uint64_t notANumberVoxels{ 0 };
+  std::uint64_t filledVoxels{ 0 };  ///< of pores that became object
+  std::uint64_t removedVoxels{ 0 }; ///< of small components that became background
   std::uint64_t candidateCells{ 0 };
   std::uint64_t trivialCells{ 0 };
   std::uint64_t boundCells{ 0 };

@@ -18,6 +18,16 @@ OffsetIn(const MedialVoxelBox & tile, const MedialVoxelIndex & index)
                                   (index[0] - tile.lower[0]));
 }
 
+/** Thresholds in edges from which on single searches are long; below, each cell is decided on its own. */
+constexpr double LongEpsilon = 8.0;
+
+bool
+DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
+{
+  return parameters.mode == MedialVoxelThicknessMode::Automatic ||
+         parameters.epsilon >= LongEpsilon * grid.GetShortestEdge();
+}
+
 } // namespace
 
 MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
@@ -26,16 +36,17 @@ MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const
   , m_Pairs(grid, parameters.epsilon)
   , m_Decision(grid, parameters)
 {
-  if (parameters.mode == MedialVoxelThicknessMode::Automatic)
+  if (DecidesTogether(grid, parameters))
   {
-    m_Automatic.emplace(grid, parameters);
+    m_Joint.emplace(grid, parameters);
   }
 }
 
 MedialVoxelBox
 MedialVoxelClassifier::GetVoxelBox(const MedialVoxelBox & tile) const
 {
-  return this->GetCornerBox(m_Automatic ? tile.Expanded(m_Automatic->GetThreshold().GetMargin()) : tile);
+  const bool isAutomatic = m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
+  return this->GetCornerBox(isAutomatic ? tile.Expanded(m_Joint->GetThreshold().GetMargin()) : tile);
 }
 
 MedialVoxelBox
@@ -61,14 +72,15 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
 {
   labels.assign(static_cast<std::size_t>(tile.NumberOfVoxels()), MedialVoxelLabel::NoObject);
   workspace.rows.clear();
-  if (!m_Automatic)
+  if (!m_Joint)
   {
     return this->ClassifyFixed(window, tile, features, progress, workspace, labels, counts);
   }
-  const MedialVoxelBox missing =
-    m_Automatic->Classify(window, tile, features, progress, workspace.automatic, labels, counts);
+  const MedialVoxelBox missing = m_Joint->Classify(window, tile, features, progress, workspace.joint, labels, counts);
   if (workspace.keepsRows && missing.IsEmpty())
   {
+    // Observers go on with decisions around the same tile.
+    m_Decision.Begin(*window.sites, tile, workspace.geodesic);
     this->KeepRows(window, tile, features, labels, workspace.rows);
   }
   return missing;
@@ -193,9 +205,9 @@ MedialVoxelClassifier::GetWorkspaceBytes(const MedialVoxelGrid & grid, const Med
 }
 
 std::uint64_t
-MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(const MedialVoxelParameters & parameters)
+MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
-  return parameters.mode == MedialVoxelThicknessMode::Automatic ? MedialVoxelAutomaticClassifier::BytesPerVoxel : 0;
+  return DecidesTogether(grid, parameters) ? MedialVoxelJointClassifier::BytesPerVoxel : 0;
 }
 
 } // end namespace itk

@@ -101,6 +101,7 @@ MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid &   
   {
     settings.boundaries.push_back(MedialVoxelBoundary::Object);
   }
+  settings.maximumPoreSize = parameters.maximumPoreSize;
   settings.upperMargin = grid.GetUnitMargin();
   // Boundary points of thin walls and the paths between them; thicker walls ask for more.
   const double           epsilon = parameters.GetLargestEpsilon();
@@ -114,7 +115,8 @@ MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid &   
     settings.halo[axis] += std::max(reach[axis], settings.tileMargin[axis]);
   }
   settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel +
-                                 sizeof(std::uint8_t) + MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(parameters);
+                                 sizeof(std::uint8_t) +
+                                 MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(grid, parameters);
   settings.workerBytes = MedialVoxelClassifier::GetWorkspaceBytes(grid, parameters);
   return settings;
 }
@@ -133,7 +135,7 @@ MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid,
   , m_SlowestAxis(MedialVoxelSlowestAxis(grid.GetVoxelBox()))
   , m_Settings(std::move(settings))
   , m_Halo(m_Settings.halo)
-  , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber, m_Settings.keepsGray)
+  , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber, m_Settings.keepsGray, m_Settings.maximumPoreSize)
 {}
 
 MedialVoxelClusterEngine::Cut
@@ -290,8 +292,7 @@ MedialVoxelClusterEngine::GetMissingObjectBoxes(const MedialVoxelBox & region) c
 {
   const Cut            cut = this->ChooseCut(region);
   const MedialVoxelBox slab = this->GetSlab(region, region.lower[m_SlowestAxis], cut.slabThickness);
-  return MedialVoxelSubtractBox(m_Window.GetObjectBox(this->GetSitesBox(slab, cut.halo)),
-                                m_Window.GetObject().GetBox());
+  return MedialVoxelSubtractBox(m_Window.GetInputBox(this->GetSitesBox(slab, cut.halo)), m_Window.GetObject().GetBox());
 }
 
 void

@@ -52,14 +52,26 @@ MedialVoxelObjectSource::FillObjectAndGray(const MedialVoxelBox &,
   throw std::logic_error("MedialVoxelObjectSource: this source has no values");
 }
 
+void
+MedialVoxelObjectSource::FillGray(const MedialVoxelBox &, MedialVoxelGray &)
+{
+  throw std::logic_error("MedialVoxelObjectSource: this source has no values");
+}
+
+void
+MedialVoxelObjectSource::ThrowIfAborted() const
+{}
+
 MedialVoxelClusterWindow::MedialVoxelClusterWindow(const MedialVoxelGrid &          grid,
                                                    std::vector<MedialVoxelBoundary> kinds,
                                                    const bool                       keepsNotANumber,
-                                                   const bool                       keepsGray)
+                                                   const bool                       keepsGray,
+                                                   const std::uint64_t              maximumPoreSize)
   : m_Grid(grid)
   , m_Kinds(std::move(kinds))
   , m_KeepsNotANumber(keepsNotANumber)
   , m_KeepsGray(keepsGray)
+  , m_SmallComponents(grid, maximumPoreSize)
   , m_Boundaries(m_Kinds.size())
 {}
 
@@ -69,14 +81,29 @@ MedialVoxelClusterWindow::GetObjectBox(const MedialVoxelBox & sites) const
   return sites.Expanded(m_Grid.GetUnitMargin()).Intersection(m_Grid.GetVoxelBox());
 }
 
+MedialVoxelBox
+MedialVoxelClusterWindow::GetInputBox(const MedialVoxelBox & sites) const
+{
+  return this->GetObjectBox(sites).Expanded(m_SmallComponents.GetMargin()).Intersection(m_Grid.GetVoxelBox());
+}
+
 template <typename TVisitor>
 void
 MedialVoxelClusterWindow::VisitBits(TVisitor && visit) const
 {
-  visit(m_Object, m_Grid.GetUnitMargin());
+  MedialVoxelIndex inputMargin = m_Grid.GetUnitMargin();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    inputMargin[axis] += m_SmallComponents.GetMargin()[axis];
+  }
+  visit(m_Object, inputMargin);
+  if (m_SmallComponents.IsOn())
+  {
+    visit(m_Changed, inputMargin);
+  }
   if (m_KeepsNotANumber)
   {
-    visit(m_NotANumber, m_Grid.GetUnitMargin());
+    visit(m_NotANumber, inputMargin);
   }
   for (const MedialVoxelBits & boundary : m_Boundaries)
   {
@@ -87,7 +114,8 @@ MedialVoxelClusterWindow::VisitBits(TVisitor && visit) const
 std::uint64_t
 MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
 {
-  std::uint64_t bytes = m_KeepsGray ? MedialVoxelGray::GetBytes(this->GetObjectBox(sites)) : 0;
+  std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
+  bytes += m_KeepsGray ? MedialVoxelGray::GetBytes(this->GetObjectBox(sites)) : 0;
   this->VisitBits([&](const MedialVoxelBits &, const MedialVoxelIndex & margin) {
     bytes += MedialVoxelBits::GetBytes(sites.Expanded(margin).Intersection(m_Grid.GetVoxelBox()));
   });
@@ -97,7 +125,8 @@ MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
 std::uint64_t
 MedialVoxelClusterWindow::GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
 {
-  std::uint64_t bytes = m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
+  std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
+  bytes += m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
   std::uint64_t copy = 0; // of one after the other
   this->VisitBits([&](const MedialVoxelBits & bits, const MedialVoxelIndex & margin) {
     const auto boxOf = [&](const MedialVoxelBox & box) {
@@ -121,6 +150,8 @@ void
 MedialVoxelClusterWindow::Clear()
 {
   m_Object = {};
+  m_Changed = {};
+  m_FinalBox = {};
   m_NotANumber = {};
   m_Gray = {};
   m_Boundaries = std::vector<MedialVoxelBits>(m_Kinds.size());
@@ -131,30 +162,8 @@ MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox &    sites,
                                  const MedialVoxelBox &    room,
                                  MedialVoxelObjectSource & source)
 {
-  const MedialVoxelBox objectBox = this->GetObjectBox(sites);
-  const auto           parts = MedialVoxelSubtractBox(objectBox, m_Object.GetBox());
-  const MedialVoxelBox objectRoom = this->GetObjectBox(room);
-  m_Object.Reframe(objectBox, objectRoom);
-  if (m_KeepsNotANumber)
-  {
-    m_NotANumber.Reframe(objectBox, objectRoom);
-  }
-  if (m_KeepsGray)
-  {
-    m_Gray.Reframe(objectBox, objectRoom);
-  }
-  MedialVoxelBits * const notANumber = m_KeepsNotANumber ? &m_NotANumber : nullptr;
-  for (const MedialVoxelBox & part : parts)
-  {
-    if (m_KeepsGray)
-    {
-      source.FillObjectAndGray(part, m_Object, notANumber, m_Gray);
-    }
-    else
-    {
-      source.FillObject(part, m_Object, notANumber);
-    }
-  }
+  this->FillObject(sites, room, source);
+  this->ChangeSmallComponents(sites, source);
   for (std::size_t i = 0; i < m_Kinds.size(); ++i)
   {
     const auto newParts = MedialVoxelSubtractBox(sites, m_Boundaries[i].GetBox());
@@ -164,6 +173,90 @@ MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox &    sites,
       MedialVoxelComputeBoundary(m_Object, m_Grid.GetVoxelBox(), m_Kinds[i], part, m_Boundaries[i]);
     }
   }
+}
+
+void
+MedialVoxelClusterWindow::FillObject(const MedialVoxelBox &    sites,
+                                     const MedialVoxelBox &    room,
+                                     MedialVoxelObjectSource & source)
+{
+  const MedialVoxelBox inputBox = this->GetInputBox(sites);
+  const MedialVoxelBox inputRoom = this->GetInputBox(room);
+  const auto           parts = MedialVoxelSubtractBox(inputBox, m_Object.GetBox());
+  const auto           grayParts = MedialVoxelSubtractBox(this->GetObjectBox(sites), m_Gray.GetBox());
+  m_Object.Reframe(inputBox, inputRoom);
+  if (m_SmallComponents.IsOn())
+  {
+    m_Changed.Reframe(inputBox, inputRoom);
+  }
+  if (m_KeepsNotANumber)
+  {
+    m_NotANumber.Reframe(inputBox, inputRoom);
+  }
+  if (m_KeepsGray)
+  {
+    m_Gray.Reframe(this->GetObjectBox(sites), this->GetObjectBox(room));
+  }
+  // Where both reach equally far, the source is asked once for both.
+  const bool              isTogether = m_KeepsGray && !m_SmallComponents.IsOn();
+  MedialVoxelBits * const notANumber = m_KeepsNotANumber ? &m_NotANumber : nullptr;
+  for (const MedialVoxelBox & part : parts)
+  {
+    if (isTogether)
+    {
+      source.FillObjectAndGray(part, m_Object, notANumber, m_Gray);
+    }
+    else
+    {
+      source.FillObject(part, m_Object, notANumber);
+    }
+  }
+  for (const MedialVoxelBox & part : grayParts)
+  {
+    if (m_KeepsGray && !isTogether)
+    {
+      source.FillGray(part, m_Gray);
+    }
+  }
+}
+
+void
+MedialVoxelClusterWindow::ChangeSmallComponents(const MedialVoxelBox & sites, MedialVoxelObjectSource & source)
+{
+  const MedialVoxelBox objectBox = this->GetObjectBox(sites);
+  if (m_SmallComponents.IsOn())
+  {
+    for (const MedialVoxelBox & part : MedialVoxelSubtractBox(objectBox, m_FinalBox))
+    {
+      m_SmallComponents.Change(part, m_Object, m_Changed, [&source]() { source.ThrowIfAborted(); });
+    }
+  }
+  m_FinalBox = objectBox;
+}
+
+std::uint64_t
+MedialVoxelClusterWindow::CountChanged(const MedialVoxelBox & box, const bool isObject) const
+{
+  const MedialVoxelBox counted = box.Intersection(m_Changed.GetBox());
+  const std::uint64_t  flip = isObject ? 0 : ~std::uint64_t{ 0 };
+  std::uint64_t        count = 0;
+  for (std::int64_t z = counted.lower[2]; z < counted.upper[2]; ++z)
+  {
+    for (std::int64_t y = counted.lower[1]; y < counted.upper[1]; ++y)
+    {
+      // Both have the same box.
+      const auto * const changed = m_Changed.GetRow(y, z) - m_Changed.GetFirstWord();
+      const auto * const object = m_Object.GetRow(y, z) - m_Object.GetFirstWord();
+      for (std::int64_t word = counted.lower[0] / MedialVoxelBits::BitsPerWord;
+           word * MedialVoxelBits::BitsPerWord < counted.upper[0];
+           ++word)
+      {
+        const std::uint64_t mask = MedialVoxelBits::RangeMask(word, counted.lower[0], counted.upper[0]);
+        count += static_cast<std::uint64_t>(MedialVoxelPopulationCount(changed[word] & (object[word] ^ flip) & mask));
+      }
+    }
+  }
+  return count;
 }
 
 MedialVoxelWindow

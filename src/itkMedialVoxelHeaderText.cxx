@@ -25,7 +25,48 @@ Fail(HeaderError::Kind kind, const TParts &... parts)
   throw HeaderError(kind, message.str());
 }
 
+/** A message stays readable however long the values are that a header has. */
+std::string
+LeaveOutMiddle(const std::string & text)
+{
+  constexpr size_t longest = 400;
+  constexpr size_t beginning = 200;
+  constexpr size_t end = 150;
+  return text.size() <= longest ? text : text.substr(0, beginning) + " ... " + text.substr(text.size() - end);
+}
+
+/** Whether the byte at \a position begins one of the control characters from U+0080 to U+009F. */
+bool
+IsLongControl(const std::string & text, size_t position)
+{
+  const auto byte = [&text](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  return byte(position) == 0xc2 && byte(position + 1) >= 0x80 && byte(position + 1) <= 0x9f;
+}
+
 } // namespace
+
+std::string
+MakePrintable(std::string text)
+{
+  for (size_t i = 0; i < text.size(); ++i)
+  {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (IsLongControl(text, i))
+    {
+      text.replace(i, 2, "?");
+    }
+    else if (byte < 0x20 || byte == 0x7f)
+    {
+      text[i] = '?';
+    }
+  }
+  return text;
+}
+
+HeaderError::HeaderError(Kind kind, const std::string & message)
+  : std::runtime_error(MakePrintable(message))
+  , m_Kind(kind)
+{}
 
 std::optional<std::string>
 HeaderFields::Find(const std::string & name) const
@@ -103,7 +144,7 @@ GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem:
   std::error_code error;
   if (!std::filesystem::is_regular_file(dataFile, error))
   {
-    Fail(HeaderError::Kind::Corrupt, headerName.string(), ": its data file ", dataFile.string(), " is missing");
+    RefuseHeader(headerName, "its data file " + dataFile.string() + " is missing");
   }
   const std::uintmax_t size = std::filesystem::file_size(dataFile, error);
   if (error)
@@ -116,7 +157,7 @@ GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem:
 void
 RefuseHeader(const std::filesystem::path & fileName, const std::string & what, HeaderError::Kind kind)
 {
-  Fail(kind, fileName.string(), ": ", what);
+  Fail(kind, fileName.string(), ": ", LeaveOutMiddle(what));
 }
 
 std::string

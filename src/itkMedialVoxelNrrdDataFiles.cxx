@@ -16,7 +16,8 @@ using namespace MedialVoxelText;
 namespace
 {
 
-constexpr std::uint64_t MaximumDataFiles = std::uint64_t{ 1 } << 20;
+// A short header must not make a long list of names.
+constexpr std::uint64_t MaximumDataFiles = std::uint64_t{ 1 } << 16;
 constexpr unsigned int  MaximumDigitsOfWidth = 3;
 
 /** \class FileNamePattern
@@ -115,6 +116,12 @@ CheckNumberOfFiles(const std::filesystem::path &      fileName,
                    size_t                             axesPerFile,
                    std::uint64_t                      files)
 {
+  if (files > MaximumDataFiles)
+  {
+    RefuseHeader(fileName,
+                 "data file names " + std::to_string(files) + " files; there may be " +
+                   std::to_string(MaximumDataFiles));
+  }
   std::uint64_t pieces = 1;
   for (size_t axis = axesPerFile; axis < sizes.size(); ++axis)
   {

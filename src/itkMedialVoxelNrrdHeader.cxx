@@ -22,6 +22,7 @@ namespace
 
 constexpr size_t        MaximumBytesPerLine = size_t{ 1 } << 20;
 constexpr std::uint64_t MaximumBytesOfHeader = std::uint64_t{ 1 } << 24;
+constexpr std::uint64_t MaximumLines = std::uint64_t{ 1 } << 17;
 constexpr std::int64_t  MaximumAxes = 16;
 
 /** Kinds of axes of components; the masked one, whose mask is no component, is not among them. */
@@ -189,7 +190,7 @@ ReadText(const std::filesystem::path & fileName)
     RefuseHeader(fileName, "it does not begin with 'NRRD000', as a NRRD file does");
   }
   bool inList = false;
-  while (lines.GetPosition() < MaximumBytesOfHeader && lines.Next(line))
+  while (lines.GetPosition() < MaximumBytesOfHeader && lines.GetLineNumber() < MaximumLines && lines.Next(line))
   {
     if (line.empty())
     {
@@ -207,6 +208,10 @@ ReadText(const std::filesystem::path & fileName)
   if (lines.GetPosition() >= MaximumBytesOfHeader)
   {
     RefuseHeader(fileName, "its header is longer than " + std::to_string(MaximumBytesOfHeader) + " bytes");
+  }
+  if (lines.GetLineNumber() >= MaximumLines)
+  {
+    RefuseHeader(fileName, "its header has more than " + std::to_string(MaximumLines) + " lines");
   }
   // A detached header may end with the file instead of an empty line.
   text.fields.endOfHeader = lines.GetPosition();

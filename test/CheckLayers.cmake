@@ -19,6 +19,7 @@ set(L1
     GeodesicLandmarks
     BoundedGeodesic
     BoxComponents
+    SmallComponents
     PathSearch
     PairSeparation
     InscribedBalls
@@ -29,7 +30,7 @@ set(L1
     SurfaceTopology
     SurfaceFit
     SurfacePieces)
-set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices CellPairs LocalThreshold AutomaticClassifier Classifier
+set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices CellPairs LocalThreshold JointClassifier Classifier
     TileWalls TileObserver SurfaceCrossings SurfaceCells)
 set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceObserver)
 # What the filters need for pixels of any type.

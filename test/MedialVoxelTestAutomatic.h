@@ -18,10 +18,10 @@ struct WallLimits
   double factor{ 3.0 };
 };
 
-class AutomaticClassifier
+class JointClassifier
 {
 public:
-  AutomaticClassifier(const Volume & volume, const WallLimits & limits)
+  JointClassifier(const Volume & volume, const WallLimits & limits)
     : m_Volume(volume)
     , m_Limits(limits)
     , m_Sites(BoundarySites(volume))

@@ -6,10 +6,21 @@
 
 // Parts with walls of several thicknesses, whose mid-surface is known, and the noise of scans.
 
-#include "MedialVoxelTestPhantoms.h"
+#include "MedialVoxelTestPores.h"
 
 namespace MedialVoxelTest
 {
+/** A strip of a plate, one voxel wide, that runs inwards from a square rim. Coordinates are turned ones. */
+struct RimStrip
+{
+  Vector3 edge;   ///< where the mid-plane meets the face of the rim
+  int     inward; ///< axis
+  double  sign;   ///< of the way inwards along it
+  int     along;  ///< axis of the rim
+  int     across; ///< axis of the thickness
+  double  half;   ///< half the thickness of the plate: the medial axis of a square rim begins so far inwards
+};
+
 /** A part around the origin. Lengths are voxels. */
 struct Part
 {
@@ -24,6 +35,9 @@ struct Part
 
   /** Points of the mid-surface that a sheet must cover: farther from rims than where the sheet begins. */
   std::vector<Vector3> samples;
+
+  /** Of free rims, one for each voxel of their length; none near corners and junctions. */
+  std::vector<RimStrip> rims;
 };
 
 enum class Noise
@@ -31,7 +45,9 @@ enum class Noise
   None,
   Shift, // the surface of each voxel is shifted by up to 1
   Flip,  // a tenth of the voxels next to the surface changes sides
-  Scan   // blurred, with noise of 18 % of the contrast
+  Scan,  // blurred, with noise of 18 % of the contrast
+  Pores, // cavities of 1 to 8 voxels begin at 0.2 % of the voxels that are deeper than 2
+  PoresAndFlip
 };
 
 /** Center of the volume, in voxels. */
@@ -91,6 +107,42 @@ struct Plate
   Vector3 half;
 };
 
+/** The strips of all rims that keep off other rims and plates. */
+inline std::vector<RimStrip>
+RimsOf(const std::vector<Plate> & plates)
+{
+  constexpr double      margin = 2.5;
+  std::vector<RimStrip> rims;
+  for (std::size_t k = 0; k < plates.size(); ++k)
+  {
+    const Plate & plate = plates[k];
+    const int    across = static_cast<int>(std::min_element(plate.half.begin(), plate.half.end()) - plate.half.begin());
+    const double clear = plate.half[across] + margin;
+    for (int side = 0; side < 4; ++side)
+    {
+      const int    inward = (across + 1 + side % 2) % 3;
+      const int    along = (across + 2 - side % 2) % 3;
+      const double sign = side < 2 ? 1.0 : -1.0;
+      for (double place = clear - plate.half[along]; place <= plate.half[along] - clear; place += 1.0)
+      {
+        Vector3 edge = plate.center;
+        edge[inward] -= sign * plate.half[inward];
+        edge[along] += place;
+        bool isFree = true;
+        for (std::size_t other = 0; other < plates.size(); ++other)
+        {
+          isFree = isFree && (other == k || BoxDistance(edge, plates[other].center, plates[other].half) > clear);
+        }
+        if (isFree)
+        {
+          rims.push_back({ edge, inward, sign, along, across, plate.half[across] });
+        }
+      }
+    }
+  }
+  return rims;
+}
+
 /** Plates together, turned; samples keep off the rims that are not covered by other plates. */
 inline Part
 PartOfPlates(const std::string & name, int size, const std::vector<Plate> & plates)
@@ -106,6 +158,7 @@ PartOfPlates(const std::string & name, int size, const std::vector<Plate> & plat
     }
     return distance;
   };
+  part.rims = RimsOf(plates);
   const auto across = [](const Plate & plate) {
     return static_cast<int>(std::min_element(plate.half.begin(), plate.half.end()) - plate.half.begin());
   };
@@ -264,51 +317,6 @@ GyroidPart()
   return part;
 }
 
-/** Background components of at most 32 voxels become object, then object components of at most 32 voxels vanish. */
-inline void
-FillPores(Volume & volume)
-{
-  constexpr std::size_t most = 32;
-  for (const unsigned char kind : { 0, 1 })
-  {
-    std::vector<unsigned char> seen(volume.object.size(), 0);
-    for (std::size_t i = 0; i < volume.object.size(); ++i)
-    {
-      if (seen[i] || volume.object[i] != kind)
-      {
-        continue;
-      }
-      std::vector<std::size_t> component{ i };
-      bool                     touchesFace = false;
-      seen[i] = 1;
-      for (std::size_t k = 0; k < component.size(); ++k)
-      {
-        const Index3 v = volume.IndexAt(component[k]);
-        for (int move = 0; move < 27; ++move)
-        {
-          const Index3 n{ { v[0] + move % 3 - 1, v[1] + move / 3 % 3 - 1, v[2] + move / 9 - 1 } };
-          if (!volume.Contains(n))
-          {
-            touchesFace = true;
-          }
-          else if (!seen[volume.Offset(n)] && volume.object[volume.Offset(n)] == kind)
-          {
-            seen[volume.Offset(n)] = 1;
-            component.push_back(volume.Offset(n));
-          }
-        }
-      }
-      if (component.size() <= most && (kind == 1 || !touchesFace))
-      {
-        for (const std::size_t voxel : component)
-        {
-          volume.object[voxel] = 1 - kind;
-        }
-      }
-    }
-  }
-}
-
 /** Gray values of the part, one inside and zero outside, blurred by a Gaussian of 0.76 voxels. */
 inline std::vector<double>
 BlurredValues(const Volume & volume)
@@ -334,9 +342,58 @@ BlurredValues(const Volume & volume)
   return values;
 }
 
-/** The voxels of a part, after noise and the filling of pores that comes with it. */
+/** Cavities of 1 to 8 voxels; some merge, or open to the surface. */
+template <typename TDepth, typename TUniform>
+void
+AddPores(Volume & volume, TDepth && depth, TUniform && uniform)
+{
+  for (std::size_t i = 0; i < volume.object.size(); ++i)
+  {
+    Index3 v = volume.IndexAt(i);
+    if (depth(v) > -2.0 || uniform() >= 0.002)
+    {
+      continue;
+    }
+    const int voxels = 1 + static_cast<int>(8 * uniform());
+    for (int voxel = 0; voxel < voxels; ++voxel)
+    {
+      volume.Set(v, false);
+      const int side = static_cast<int>(6 * uniform());
+      v[side / 2] += side % 2 == 0 ? -1 : 1;
+      if (!volume.Contains(v))
+      {
+        break;
+      }
+    }
+  }
+}
+
+/** A tenth of the voxels next to the surface changes sides. */
+template <typename TUniform>
+void
+FlipSurface(Volume & volume, TUniform && uniform)
+{
+  const Volume clean = volume;
+  for (std::size_t i = 0; i < clean.object.size(); ++i)
+  {
+    const Index3 v = clean.IndexAt(i);
+    bool         isNext = false;
+    for (int side = 0; side < 6; ++side)
+    {
+      Index3 n = v;
+      n[side / 2] += side % 2 == 0 ? -1 : 1;
+      isNext = isNext || (clean.Contains(n) && clean.IsObject(n) != clean.IsObject(v));
+    }
+    volume.object[i] = isNext && uniform() < 0.1 ? 1 - clean.object[i] : clean.object[i];
+  }
+}
+
+/** The size of pores and grains that an automatic thickness leaves out. */
+constexpr std::size_t AutomaticPoreSize = 32;
+
+/** The voxels of a part, after noise, without pores and grains of up to so many voxels. */
 inline Volume
-Voxelize(const Part & part, Noise noise, unsigned int seed)
+Voxelize(const Part & part, Noise noise, unsigned int seed, std::size_t poreSize = AutomaticPoreSize)
 {
   std::mt19937 generator(seed);
   const auto   uniform = [&generator]() { return generator() / 4294967296.0; };
@@ -346,21 +403,13 @@ Voxelize(const Part & part, Noise noise, unsigned int seed)
   Volume volume = MakeVolume(part.size, UnitSpacing, [&](const Index3 & v) {
     return depth(v) < (noise == Noise::Shift ? 2.0 * uniform() - 1.0 : 0.0);
   });
-  if (noise == Noise::Flip)
+  if (noise == Noise::Pores || noise == Noise::PoresAndFlip)
   {
-    const Volume clean = volume;
-    for (std::size_t i = 0; i < clean.object.size(); ++i)
-    {
-      const Index3 v = clean.IndexAt(i);
-      bool         isNext = false;
-      for (int side = 0; side < 6; ++side)
-      {
-        Index3 n = v;
-        n[side / 2] += side % 2 == 0 ? -1 : 1;
-        isNext = isNext || (clean.Contains(n) && clean.IsObject(n) != clean.IsObject(v));
-      }
-      volume.object[i] = isNext && uniform() < 0.1 ? 1 - clean.object[i] : clean.object[i];
-    }
+    AddPores(volume, depth, uniform);
+  }
+  if (noise == Noise::Flip || noise == Noise::PoresAndFlip)
+  {
+    FlipSurface(volume, uniform);
   }
   if (noise == Noise::Scan)
   {
@@ -375,11 +424,7 @@ Voxelize(const Part & part, Noise noise, unsigned int seed)
       volume.object[i] = values[i] + 0.18 * sum > 0.5 ? 1 : 0;
     }
   }
-  if (noise != Noise::None)
-  {
-    FillPores(volume);
-  }
-  return volume;
+  return noise == Noise::None ? volume : WithoutPores(volume, poreSize);
 }
 } // namespace MedialVoxelTest
 

@@ -4,6 +4,7 @@
 // The automatic thickness of the filter: definition, units, divisions, mirrored inputs.
 
 #include "MedialVoxelTestAutomatic.h"
+#include "MedialVoxelTestPores.h"
 #include "MedialVoxelTestRuns.h"
 
 #include "itkStreamingImageFilter.h"
@@ -89,11 +90,13 @@ ExpectLabelsMirrored(const Volume & volume, double minimum, double maximum)
 TEST(MedialVoxelAutomaticThickness, TheFilterFollowsTheDefinition)
 {
   const Volume boxes = RandomBoxes({ { 30, 25, 21 } }, SkewSpacing, 13, 601);
-  const auto   solid = AutomaticClassifier(boxes, { 2.1, 8.3 }).Run(Bound::FreeSpace);
+  const Volume cleanBoxes = WithoutPores(boxes, 32);
+  const auto   solid = JointClassifier(cleanBoxes, { 2.1, 8.3 }).Run(Bound::FreeSpace);
   EXPECT_TRUE(AreEqual(RunAutomatically<3>(boxes, 2.1, 8.3).labels, solid.labels));
   EXPECT_EQ(RunAutomatically<3>(boxes, 2.1, 8.3).counts, solid.counts);
   const Volume flat = RandomBoxes({ { 60, 55, 1 } }, UnitSpacing, 17, 602);
-  const auto   plane = AutomaticClassifier(flat, { 3.0, 16.0 }).Run(Bound::FreeSpace);
+  const Volume cleanFlat = WithoutPores(flat, 32);
+  const auto   plane = JointClassifier(cleanFlat, { 3.0, 16.0 }).Run(Bound::FreeSpace);
   EXPECT_TRUE(AreEqual(RunAutomatically<2>(flat).labels, plane.labels));
   EXPECT_GT(plane.counts.geodesicMedialCells, 50u);
 }

@@ -29,7 +29,7 @@ constexpr std::uint64_t Slice = std::uint64_t{ 1 } << 16;
 class MedialVoxelSequentialReaderTest : public ::testing::Test
 {
 protected:
-  static constexpr std::uint64_t NumberOfSlices = 1024;
+  static constexpr std::uint64_t NumberOfSlices = 2048;
 
   void
   SetUp() override
@@ -127,10 +127,10 @@ TEST_F(MedialVoxelSequentialReaderTest, BringsWhatFollowsIntoTheCache)
     GTEST_SKIP() << "the file system of this folder keeps files in memory";
   }
   // Far more than the system reads ahead by itself; the end of it lies in the second file.
-  this->Read(0, 340);
-  EXPECT_TRUE(BecomesCached(m_First, 511));
-  EXPECT_TRUE(BecomesCached(m_Second, 340 + 339 - 512));
-  EXPECT_FALSE(IsCached(m_Second, 511));
+  this->Read(0, 680);
+  EXPECT_TRUE(BecomesCached(m_First, 1023));
+  EXPECT_TRUE(BecomesCached(m_Second, 680 + 679 - 1024));
+  EXPECT_FALSE(IsCached(m_Second, 1023));
 }
 
 TEST_F(MedialVoxelSequentialReaderTest, BringsNothingForJumps)
@@ -139,11 +139,11 @@ TEST_F(MedialVoxelSequentialReaderTest, BringsNothingForJumps)
   {
     GTEST_SKIP() << "the file system of this folder keeps files in memory";
   }
-  this->Read(1, 250);
-  EXPECT_FALSE(IsCached(m_First, 500));
+  this->Read(1, 400);
+  EXPECT_FALSE(IsCached(m_First, 790));
   // The jump ends where the next one begins.
-  this->Read(251, 10);
-  EXPECT_TRUE(BecomesCached(m_First, 270));
-  EXPECT_FALSE(IsCached(m_First, 500));
+  this->Read(401, 10);
+  EXPECT_TRUE(BecomesCached(m_First, 420));
+  EXPECT_FALSE(IsCached(m_First, 790));
 }
 #endif

@@ -93,7 +93,7 @@ EdgesOf(const std::vector<itk::MedialVoxelSurfaceCell> & cells)
 
 /** The largest threshold of the cells around an edge. */
 double
-EpsilonOf(const Volume & volume, const AutomaticClassifier & oracle, const Edge & edge)
+EpsilonOf(const Volume & volume, const JointClassifier & oracle, const Edge & edge)
 {
   double epsilon = 0.0;
   for (int corner = 0; corner < 4; ++corner)
@@ -109,9 +109,9 @@ EpsilonOf(const Volume & volume, const AutomaticClassifier & oracle, const Edge 
 std::set<Edge>
 CrossedEdges(const Volume & volume, const WallLimits & limits)
 {
-  const AutomaticClassifier thresholds(volume, limits);
-  Classifier                oracle(volume, limits.maximum);
-  std::set<Edge>            edges;
+  const JointClassifier thresholds(volume, limits);
+  Classifier            oracle(volume, limits.maximum);
+  std::set<Edge>        edges;
   for (std::size_t i = 0; i < volume.object.size(); ++i)
   {
     for (int axis = 0; axis < 3; ++axis)

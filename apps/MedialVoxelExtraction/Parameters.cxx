@@ -109,6 +109,18 @@ AddObjectParameters(ParameterTable & table, ModuleOptions & options)
   table.push_back(
     MakeDouble("thickness", "The fixed thickness of walls, in the units of the spacing", options.thickness));
   table.push_back(MakeBoolean("voxelUnits", "Take lengths in voxels", options.job.voxelUnits));
+  table.push_back(MakeInteger("maximumPoreSize",
+                              "Voxels of pores and grains to leave out; -1 for 32 with Automatic and 0 with Fixed",
+                              -1,
+                              -1,
+                              static_cast<std::int64_t>(LargestPoreSize),
+                              [&options](std::int64_t value) {
+                                options.job.maximumPoreSize.reset();
+                                if (value >= 0)
+                                {
+                                  options.job.maximumPoreSize = static_cast<std::uint64_t>(value);
+                                }
+                              }));
 }
 
 void

@@ -22,23 +22,6 @@ namespace medialvoxel
 namespace
 {
 
-/** Peak of the memory that the process kept resident; 0 where the system does not tell. */
-std::uint64_t
-GetPeakMemoryBytes()
-{
-  std::ifstream status("/proc/self/status");
-  std::string   line;
-  while (std::getline(status, line))
-  {
-    const std::vector<std::string> parts = SplitAtBlanks(line);
-    if (parts.size() >= 2 && parts[0] == "VmHWM:")
-    {
-      return static_cast<std::uint64_t>(ParseInteger(parts[1]).value_or(0)) * 1024;
-    }
-  }
-  return 0;
-}
-
 /** Lets large blocks leave the process when they are freed, so that the peak is the one that was planned. */
 void
 GiveLargeBlocksBack()
@@ -90,6 +73,16 @@ SetNumberOfThreads(unsigned int threads)
 
 } // namespace
 
+std::vector<OutputRequest>
+SelectOutputs(const std::vector<OutputRequest> & candidates)
+{
+  std::vector<OutputRequest> outputs;
+  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(outputs), [](const OutputRequest & candidate) {
+    return !candidate.fileName.empty();
+  });
+  return outputs;
+}
+
 JobResult
 PrepareJob(const JobOptions &                 options,
            VolumeHeader                       header,
@@ -98,10 +91,7 @@ PrepareJob(const JobOptions &                 options,
 {
   JobResult result;
   result.input = std::move(header);
-  std::copy_if(candidates.begin(),
-               candidates.end(),
-               std::back_inserter(result.outputs),
-               [](const OutputRequest & candidate) { return !candidate.fileName.empty(); });
+  result.outputs = SelectOutputs(candidates);
   if (!options.logFile.empty())
   {
     result.outputs.push_back({ "log", options.logFile, std::nullopt, true });
@@ -109,9 +99,15 @@ PrepareJob(const JobOptions &                 options,
   CheckOutputs(result.outputs, result.input, options.overwrite);
   CheckScratchFolder(options);
   result.plan = MakePlan(options, result.input, result.outputs, footprint);
-  SetNumberOfThreads(result.plan.threads);
-  GiveLargeBlocksBack();
+  PrepareProcess(result.plan);
   return result;
+}
+
+void
+PrepareProcess(const JobPlan & plan)
+{
+  SetNumberOfThreads(plan.threads);
+  GiveLargeBlocksBack();
 }
 
 itk::MedialVoxelGrid
@@ -169,6 +165,7 @@ PieceLoop::PieceLoop(const JobPlan &      plan,
                      ProgressSink &       sink)
   : m_Plan(plan)
   , m_SlicesAtOnce(plan.GetMaximumSlices())
+  , m_SlicesToDo(plan.numberOfSlices)
   , m_VoxelsPerSlice(header.geometry.GetVoxelsPerSlice())
   , m_RunnersPerPiece(runnersPerPiece)
   , m_Sink(sink)
@@ -181,7 +178,7 @@ PieceLoop::GetObserver()
 {
   return [this](double fraction) {
     const double slices = static_cast<double>(m_DoneSlices) + fraction * static_cast<double>(m_SlicesOfPiece);
-    const double done = slices / static_cast<double>(m_Plan.numberOfSlices * m_RunnersPerPiece);
+    const double done = slices / static_cast<double>(m_SlicesToDo * m_RunnersPerPiece);
     m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation) * done);
     return m_Sink.IsStopRequested();
   };
@@ -300,6 +297,22 @@ PieceLoop::ThrowIfStopRequested() const
   {
     throw StoppedBySignal(GetStopSignal());
   }
+}
+
+std::uint64_t
+GetPeakMemoryBytes()
+{
+  std::ifstream status("/proc/self/status");
+  std::string   line;
+  while (std::getline(status, line))
+  {
+    const std::vector<std::string> parts = SplitAtBlanks(line);
+    if (parts.size() >= 2 && parts[0] == "VmHWM:")
+    {
+      return static_cast<std::uint64_t>(ParseInteger(parts[1]).value_or(0)) * 1024;
+    }
+  }
+  return 0;
 }
 
 void

@@ -25,12 +25,20 @@ SecondsSince(JobClock::time_point start)
   return std::chrono::duration<double>(JobClock::now() - start).count();
 }
 
+/** The candidates that have a name. */
+std::vector<OutputRequest>
+SelectOutputs(const std::vector<OutputRequest> & candidates);
+
 /** What all jobs do before their work begins: header, outputs, plan, threads. Candidates without a name drop out. */
 JobResult
 PrepareJob(const JobOptions &                 options,
            VolumeHeader                       header,
            const std::vector<OutputRequest> & candidates,
            const PieceFootprint &             footprint);
+
+/** Lets the process keep to the plan: its threads, and memory that is given back. */
+void
+PrepareProcess(const JobPlan & plan);
 
 /** The image of the header in the units of the options. */
 itk::MedialVoxelGrid
@@ -94,6 +102,13 @@ public:
   void
   ThrowIfStopRequested() const;
 
+  /** Slices of which the progress is the part done; all of them by default. */
+  void
+  SetSlicesToDo(std::uint64_t slices)
+  {
+    m_SlicesToDo = slices;
+  }
+
 private:
   void
   RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write);
@@ -107,6 +122,7 @@ private:
 
   JobPlan        m_Plan;
   std::uint64_t  m_SlicesAtOnce;
+  std::uint64_t  m_SlicesToDo;
   std::uint64_t  m_VoxelsPerSlice;
   unsigned int   m_RunnersPerPiece;
   ProgressSink & m_Sink;
@@ -115,6 +131,10 @@ private:
   std::uint64_t  m_DoneSlices{ 0 };
   std::uint64_t  m_SlicesOfPiece{ 0 };
 };
+
+/** Peak of the memory that the process kept resident; 0 where the system does not tell. */
+std::uint64_t
+GetPeakMemoryBytes();
 
 /** Fills in what the job took up to now. */
 void

@@ -15,6 +15,7 @@ namespace
 
 constexpr size_t MaximumBytesPerLine = 1 << 16;
 constexpr size_t MaximumLines = 100000;
+constexpr size_t MaximumBytesOfHeader = 1 << 24;
 
 HeaderFields
 ReadFields(const std::filesystem::path & fileName)
@@ -22,7 +23,7 @@ ReadFields(const std::filesystem::path & fileName)
   HeaderLines  lines(fileName, MaximumBytesPerLine);
   HeaderFields fields;
   std::string  line;
-  while (lines.GetLineNumber() < MaximumLines && lines.Next(line))
+  while (lines.GetLineNumber() < MaximumLines && lines.GetPosition() < MaximumBytesOfHeader && lines.Next(line))
   {
     const size_t separator = line.find('=');
     if (separator == std::string::npos)

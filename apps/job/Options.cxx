@@ -134,13 +134,9 @@ itk::MedialVoxelParameters
 GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
 {
   using Parameters = itk::MedialVoxelParameters;
-  if (options.thickness)
-  {
-    return Parameters::ForThickness(*options.thickness, options.bound);
-  }
   const Parameters::Limits limits =
     Parameters::LimitsOfWalls(grid, options.minimumThickness.value_or(0.0), options.maximumThickness.value_or(0.0));
-  if (limits.minimum > limits.maximum)
+  if (!options.thickness && limits.minimum > limits.maximum)
   {
     Fail(ExitStatus::Usage,
          "minimum thickness ",
@@ -149,7 +145,11 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
          FormatNumber(limits.maximum),
          "; it must not be");
   }
-  return Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
+  Parameters parameters = options.thickness ? Parameters::ForThickness(*options.thickness, options.bound)
+                                            : Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
+  parameters.maximumPoreSize =
+    options.maximumPoreSize.value_or(options.thickness ? 0 : Parameters::AutomaticMaximumPoreSize);
+  return parameters;
 }
 
 std::string

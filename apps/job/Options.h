@@ -8,6 +8,7 @@
 
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelParameters.h"
+#include "itkMedialVoxelSmallComponents.h"
 
 #include <cstdint>
 #include <optional>
@@ -41,6 +42,9 @@ struct JobOptions
   bool                         dryRun{ false };                          ///< plan and check only
 };
 
+/** Largest value of ExtractOptions::maximumPoreSize. */
+constexpr std::uint64_t LargestPoreSize = itk::MedialVoxelSmallComponents::LargestMaximumSize;
+
 /** Medial voxels. */
 struct ExtractOptions : JobOptions
 {
@@ -50,6 +54,10 @@ struct ExtractOptions : JobOptions
   std::optional<double> thickness;        ///< tau; unset: automatic
   std::optional<double> minimumThickness; ///< unset: 3 voxels of the smallest spacing
   std::optional<double> maximumThickness; ///< unset: 16 voxels of the smallest spacing
+
+  /** Voxels of the largest pores and grains that are taken for noise, up to LargestPoreSize; unset: 32 with the
+   * automatic thickness, otherwise 0, for none. */
+  std::optional<std::uint64_t> maximumPoreSize;
 
   itk::MedialVoxelPseudoGeodesicBound bound{ itk::MedialVoxelPseudoGeodesicBound::FreeSpace };
   std::string                         vectorFile; ///< vectors to the nearest boundary point, float32

@@ -8,10 +8,21 @@
 #include "ZarrMetadata.h"
 
 #include <algorithm>
-#include <set>
 
 namespace medialvoxel
 {
+
+std::set<std::filesystem::path>
+ListInputFiles(const VolumeHeader & input)
+{
+  std::set<std::filesystem::path> files{ input.fileName, input.dataFile };
+  for (const itk::MedialVoxelFileSegment & segment : input.segments)
+  {
+    files.insert(segment.fileName);
+  }
+  return files;
+}
+
 namespace
 {
 
@@ -32,18 +43,6 @@ AreSameFile(const std::filesystem::path & a, const std::filesystem::path & b)
     return true;
   }
   return GetPlace(a) == GetPlace(b);
-}
-
-/** Every file that the volume is read from. */
-std::set<std::filesystem::path>
-ListInputFiles(const VolumeHeader & input)
-{
-  std::set<std::filesystem::path> files{ input.fileName, input.dataFile };
-  for (const itk::MedialVoxelFileSegment & segment : input.segments)
-  {
-    files.insert(segment.fileName);
-  }
-  return files;
 }
 
 /** True for names below a folder, which need not exist. */

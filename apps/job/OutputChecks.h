@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct OutputRequest
   std::optional<VoxelLayout> layout;           ///< set for volumes
   bool                       appends{ false }; ///< what the file has stays
 };
+
+/** Every file that the volume is read from. */
+std::set<std::filesystem::path>
+ListInputFiles(const VolumeHeader & input);
 
 /** Refuses outputs that cannot be written or would destroy something.
  * \throw JobError Usage for an output that is the input or another output, or has an unknown extension; Refused for

@@ -49,7 +49,7 @@ OutputFile::~OutputFile()
   {
     close(m_Descriptor);
   }
-  if (!m_TemporaryName.empty())
+  if (!m_TemporaryName.empty() && !m_IsShared)
   {
     unlink(m_TemporaryName.c_str());
   }
@@ -72,6 +72,69 @@ OutputFile::Create(std::uint64_t numberOfBytes, bool reserve)
       FailWithErrno(ExitStatus::Refused, "create a file in the folder of", m_FileName);
     }
   }
+  this->SetSize(numberOfBytes, reserve);
+}
+
+void
+OutputFile::CreateShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes)
+{
+  m_Descriptor = open(temporaryName.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (m_Descriptor < 0)
+  {
+    FailWithErrno(ExitStatus::Refused, "create", temporaryName);
+  }
+  m_TemporaryName = temporaryName;
+  this->SetSize(numberOfBytes, true);
+  m_IsShared = true; // not before: a file without space is of no use to others
+}
+
+void
+OutputFile::OpenShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes, bool forWriting)
+{
+  this->OpenExisting(temporaryName, numberOfBytes, forWriting ? O_WRONLY : O_RDONLY);
+  m_TemporaryName = temporaryName;
+  m_IsShared = true;
+}
+
+void
+OutputFile::OpenPublished(std::uint64_t numberOfBytes)
+{
+  this->OpenExisting(m_FileName, numberOfBytes, O_RDONLY);
+}
+
+void
+OutputFile::OpenExisting(const std::filesystem::path & name, std::uint64_t numberOfBytes, int flags)
+{
+  m_Descriptor = open(name.c_str(), flags | O_CLOEXEC);
+  struct stat status = {};
+  if (m_Descriptor < 0 || fstat(m_Descriptor, &status) != 0)
+  {
+    FailWithErrno(ExitStatus::Failure, "open", name);
+  }
+  if (static_cast<std::uint64_t>(status.st_size) != numberOfBytes)
+  {
+    Fail(ExitStatus::Failure, name.string(), " has ", status.st_size, " bytes, not ", numberOfBytes);
+  }
+  m_Size = numberOfBytes;
+}
+
+void
+OutputFile::Sync()
+{
+#ifdef __APPLE__
+  const int result = fsync(m_Descriptor);
+#else
+  const int result = fdatasync(m_Descriptor);
+#endif
+  if (result != 0)
+  {
+    FailWithErrno(ExitStatus::Failure, "bring to the disk", m_FileName);
+  }
+}
+
+void
+OutputFile::SetSize(std::uint64_t numberOfBytes, bool reserve)
+{
   m_Size = numberOfBytes;
   if (reserve && numberOfBytes > 0)
   {
@@ -209,6 +272,10 @@ OutputFile::Finish()
 void
 OutputFile::Publish()
 {
+  if (m_TemporaryName.empty())
+  {
+    return;
+  }
   const int result = m_Overwrite ? rename(m_TemporaryName.c_str(), m_FileName.c_str())
                                  : RenameToFreeName(m_TemporaryName.c_str(), m_FileName.c_str());
   if (result != 0)

@@ -34,6 +34,25 @@ public:
   void
   Create(std::uint64_t numberOfBytes, bool reserve);
 
+  /** As Create() with its space reserved, under a temporary name that other processes know, which stays after this
+   * object. \throw JobError Refused, also when there is such a file. */
+  void
+  CreateShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes);
+
+  /** Opens what CreateShared() made, for writing only or for reading only: a file system of a network then sends other
+   * machines no more than the bytes that are written.
+   * \throw JobError Failure when it is not there or has another size. */
+  void
+  OpenShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes, bool forWriting);
+
+  /** Opens for reading what another process has published already. \throw JobError Failure, as OpenShared() */
+  void
+  OpenPublished(std::uint64_t numberOfBytes);
+
+  /** Brings the bytes written so far to the disk. \throw JobError Failure */
+  void
+  Sync();
+
   /** Lets WriteAt() go past the page cache from now on, where the file system can. */
   void
   BypassPageCache();
@@ -57,7 +76,8 @@ public:
   void
   Finish();
 
-  /** Gives the finished file its name. \throw JobError Refused when a file of that name has come up meanwhile. */
+  /** Gives the finished file its name, unless it has it. \throw JobError Refused when a file of that name has come up
+   * meanwhile. */
   void
   Publish();
 
@@ -89,6 +109,12 @@ private:
   Reserve(std::uint64_t numberOfBytes);
 
   void
+  SetSize(std::uint64_t numberOfBytes, bool reserve);
+
+  void
+  OpenExisting(const std::filesystem::path & name, std::uint64_t numberOfBytes, int flags);
+
+  void
   WriteCachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes);
 
   /** False when the file system cannot after all, which is not tried again. */
@@ -98,6 +124,7 @@ private:
   std::filesystem::path m_FileName;
   std::filesystem::path m_TemporaryName;
   bool                  m_Overwrite;
+  bool                  m_IsShared{ false }; ///< the temporary file stays for other processes
   int                   m_Descriptor{ -1 };
   std::uint64_t         m_Size{ 0 };
 

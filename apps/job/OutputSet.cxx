@@ -21,6 +21,18 @@ OutputSet::AddVolume(const std::string & fileName, const VolumeGeometry & geomet
   return m_Volumes.back().get();
 }
 
+OutputVolume *
+OutputSet::AddCompletedVolume(const VolumeRequest &         request,
+                              const std::string &           suffix,
+                              const std::filesystem::path & dataName)
+{
+  auto                 volume = std::make_unique<OutputVolume>(request.fileName, m_Options.overwrite, false);
+  OutputVolume * const completed = volume.get();
+  completed->OpenToPublish(request.geometry, request.layout, suffix, dataName);
+  m_Volumes.push_back(std::move(volume));
+  return completed;
+}
+
 OutputFile *
 OutputSet::AddFile(const std::string & fileName)
 {

@@ -5,6 +5,7 @@
 
 #include "Options.h"
 #include "OutputFile.h"
+#include "OutputVolume.h"
 #include "VoxelOutput.h"
 
 #include <memory>
@@ -12,6 +13,15 @@
 
 namespace medialvoxel
 {
+
+/** A volume that a job writes. */
+struct VolumeRequest
+{
+  std::string    role;
+  std::string    fileName;
+  VolumeGeometry geometry;
+  VoxelLayout    layout;
+};
 
 /** \class OutputSet
  * \brief The outputs of a job, which appear together: the one added first appears last and stands for all. */
@@ -28,6 +38,10 @@ public:
   /** Creates a volume; null when the name is empty. */
   VoxelOutput *
   AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
+
+  /** Opens a volume that other processes have completed; see OutputVolume::OpenToPublish(). */
+  OutputVolume *
+  AddCompletedVolume(const VolumeRequest & request, const std::string & suffix, const std::filesystem::path & dataName);
 
   /** Creates an empty file of another kind; null when the name is empty. */
   OutputFile *

@@ -5,7 +5,9 @@
 #include "HeaderParsing.h"
 #include "Text.h"
 
+#include <algorithm>
 #include <regex>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -50,29 +52,146 @@ OutputVolume::OutputVolume(const std::filesystem::path & fileName, bool overwrit
   , m_Data(DataName(m_Header.GetFileName(), 0), false)
 {}
 
-void
-OutputVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout)
+std::string
+OutputVolume::GetPreamble() const
+{
+  return HasDataFile(m_Format) ? "" : MakeHeaderText(m_Format, m_Geometry, m_Layout, "");
+}
+
+std::uint64_t
+OutputVolume::Describe(const VolumeGeometry & geometry, const VoxelLayout & layout)
 {
   m_Geometry = geometry;
   m_Layout = layout;
-  const std::uint64_t numberOfBytes = geometry.GetNumberOfVoxels() * layout.GetBytes();
+  m_Offset = this->GetPreamble().size();
+  return m_Offset + geometry.GetNumberOfVoxels() * layout.GetBytes();
+}
+
+void
+OutputVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout)
+{
+  const std::uint64_t numberOfBytes = this->Describe(geometry, layout);
   if (HasDataFile(m_Format))
   {
     // The header is written when the name of the voxels is known; its creation now shows that it can be.
     m_Header.Create(0, false);
-    m_Data.Create(numberOfBytes, !m_Sparse);
-    return;
   }
-  const std::string text = MakeHeaderText(m_Format, geometry, layout, "");
-  m_Offset = text.size();
-  m_Header.Create(m_Offset + numberOfBytes, !m_Sparse);
-  m_Header.WriteAt(0, text.data(), text.size());
+  this->GetVoxelFile().Create(numberOfBytes, !m_Sparse);
+  const std::string text = this->GetPreamble();
+  this->GetVoxelFile().WriteAt(0, text.data(), text.size());
+}
+
+std::filesystem::path
+OutputVolume::GetSharedName(const std::string & suffix) const
+{
+  return this->GetVoxelFile().GetFileName().string() + suffix;
+}
+
+void
+OutputVolume::RemoveShared(const std::string & suffix) const
+{
+  std::error_code error;
+  std::filesystem::remove(this->GetSharedName(suffix), error);
+}
+
+void
+OutputVolume::CreateShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix)
+{
+  const std::uint64_t numberOfBytes = this->Describe(geometry, layout);
+  OutputFile &        file = this->GetVoxelFile();
+  file.CreateShared(this->GetSharedName(suffix), numberOfBytes);
+  const std::string text = this->GetPreamble();
+  file.WriteAt(0, text.data(), text.size());
+  file.Finish();
+}
+
+void
+OutputVolume::OpenShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix)
+{
+  const std::uint64_t numberOfBytes = this->Describe(geometry, layout);
+  this->GetVoxelFile().OpenShared(this->GetSharedName(suffix), numberOfBytes, true);
+}
+
+void
+OutputVolume::OpenToPublish(const VolumeGeometry &        geometry,
+                            const VoxelLayout &           layout,
+                            const std::string &           suffix,
+                            const std::filesystem::path & dataName)
+{
+  const std::uint64_t         numberOfBytes = this->Describe(geometry, layout);
+  OutputFile &                file = this->GetVoxelFile();
+  const std::filesystem::path temporaryName = this->GetSharedName(suffix);
+  if (HasDataFile(m_Format))
+  {
+    m_Header.Create(0, false);
+    m_Data.SetFileName(dataName);
+    m_HasDataName = true;
+  }
+  std::error_code error;
+  if (std::filesystem::exists(temporaryName, error))
+  {
+    file.OpenShared(temporaryName, numberOfBytes, false);
+  }
+  else
+  {
+    file.OpenPublished(numberOfBytes);
+  }
+  std::string found(m_Offset, '\0');
+  file.ReadAt(0, found.data(), found.size());
+  if (found != this->GetPreamble())
+  {
+    Fail(ExitStatus::Failure, file.GetFileName().string(), ": its header was changed while it was written");
+  }
+}
+
+std::filesystem::path
+OutputVolume::FindFreeDataName() const
+{
+  if (!HasDataFile(m_Format))
+  {
+    return {};
+  }
+  constexpr unsigned int maximumNames = 10000;
+  for (unsigned int number = 0; number < maximumNames; ++number)
+  {
+    const std::filesystem::path name = DataName(m_Header.GetFileName(), number);
+    std::error_code             error;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(name, error)))
+    {
+      return name;
+    }
+  }
+  Fail(ExitStatus::Failure, "no free name for the voxels of ", m_Header.GetFileName().string());
+}
+
+void
+OutputVolume::Sync()
+{
+  this->GetVoxelFile().Sync();
+}
+
+std::uint32_t
+OutputVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const
+{
+  constexpr std::uint64_t bufferBytes = std::uint64_t{ 1 } << 20;
+  const std::uint64_t     voxelsAtOnce = bufferBytes / m_Layout.GetBytes();
+  std::vector<char>       buffer(voxelsAtOnce * m_Layout.GetBytes());
+  Checksum                checksum;
+  while (numberOfVoxels > 0)
+  {
+    const std::uint64_t voxels = std::min(numberOfVoxels, voxelsAtOnce);
+    this->Read(firstVoxel, voxels, buffer.data());
+    checksum.Add(buffer.data(), voxels * m_Layout.GetBytes());
+    firstVoxel += voxels;
+    numberOfVoxels -= voxels;
+  }
+  return checksum.GetValue();
 }
 
 void
 OutputVolume::BypassPageCacheWhenLarge()
 {
-  OutputFile & file = HasDataFile(m_Format) ? m_Data : m_Header;
+  OutputFile & file = this->GetVoxelFile();
   if (!m_Sparse && file.GetSize() >= BytesOfLargeVolume)
   {
     file.BypassPageCache();
@@ -82,9 +201,13 @@ OutputVolume::BypassPageCacheWhenLarge()
 void
 OutputVolume::Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data)
 {
-  OutputFile &        file = HasDataFile(m_Format) ? m_Data : m_Header;
+  OutputFile &        file = this->GetVoxelFile();
   const std::uint64_t offset = m_Offset + firstVoxel * m_Layout.GetBytes();
   const std::uint64_t numberOfBytes = numberOfVoxels * m_Layout.GetBytes();
+  if (m_Checksum)
+  {
+    m_Checksum->Add(data, numberOfBytes);
+  }
   if (m_Sparse)
   {
     file.WriteSparseAt(offset, data, numberOfBytes);
@@ -98,8 +221,7 @@ OutputVolume::Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, cons
 void
 OutputVolume::Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const
 {
-  const OutputFile & file = HasDataFile(m_Format) ? m_Data : m_Header;
-  file.ReadAt(m_Offset + firstVoxel * m_Layout.GetBytes(), data, numberOfVoxels * m_Layout.GetBytes());
+  this->GetVoxelFile().ReadAt(m_Offset + firstVoxel * m_Layout.GetBytes(), data, numberOfVoxels * m_Layout.GetBytes());
 }
 
 bool
@@ -138,23 +260,15 @@ OutputVolume::Publish()
   }
 }
 
-/** Takes the first name that no file has; another program may take it in the meantime. */
+/** Takes the first name that no file has, unless one was chosen; another program may take it in the meantime. */
 void
 OutputVolume::PublishDataFile()
 {
-  constexpr unsigned int maximumNames = 10000;
-  for (unsigned int number = 0; number < maximumNames; ++number)
+  if (!m_HasDataName)
   {
-    m_Data.SetFileName(DataName(m_Header.GetFileName(), number));
-    std::error_code error;
-    if (std::filesystem::exists(std::filesystem::symlink_status(m_Data.GetFileName(), error)))
-    {
-      continue;
-    }
-    m_Data.Publish();
-    return;
+    m_Data.SetFileName(this->FindFreeDataName());
   }
-  Fail(ExitStatus::Failure, "no free name for the voxels of ", m_Header.GetFileName().string());
+  m_Data.Publish();
 }
 
 std::filesystem::path

@@ -3,17 +3,19 @@
 #ifndef medialvoxelOutputVolume_h
 #define medialvoxelOutputVolume_h
 
+#include "Checksum.h"
 #include "OutputFile.h"
 #include "VoxelOutput.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace medialvoxel
 {
 
-/** \class OutputVolume : public VoxelOutput
+/** \class OutputVolume
  * \brief An uncompressed volume file that is written in parts and appears only when it is complete.
  *
  * Formats of two files: the voxels take a name that no file has, then the header takes its place, and then the
@@ -28,6 +30,54 @@ public:
   /** Creates the files and, unless sparse, takes their space from the disk. \throw JobError Refused. */
   void
   Create(const VolumeGeometry & geometry, const VoxelLayout & layout) override;
+
+  /** Creates the file of the voxels, with its space reserved, for other processes to open: its temporary name is its
+   * name with \a suffix. \throw JobError Refused. */
+  void
+  CreateShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix);
+
+  /** Removes what CreateShared() made, if it is there. */
+  void
+  RemoveShared(const std::string & suffix) const;
+
+  /** Opens what CreateShared() made, to write parts of it. \throw JobError Failure when it is not as it was made. */
+  void
+  OpenShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix);
+
+  /** Opens what CreateShared() made when it is complete, to publish it: the same again when that was interrupted.
+   * \param dataName name of the voxels in formats of two files, as FindFreeDataName() gives it
+   * \throw JobError Failure when it is not as it was made. */
+  void
+  OpenToPublish(const VolumeGeometry &        geometry,
+                const VoxelLayout &           layout,
+                const std::string &           suffix,
+                const std::filesystem::path & dataName);
+
+  /** A name for the voxels that no file has; empty in formats of one file. */
+  std::filesystem::path
+  FindFreeDataName() const;
+
+  /** Brings the voxels written so far to the disk. \throw JobError Failure. */
+  void
+  Sync();
+
+  /** Lets Write() sum up from now on the voxels that it is given. */
+  void
+  StartChecksum()
+  {
+    m_Checksum = Checksum();
+  }
+
+  /** Of all voxels written since StartChecksum(). */
+  std::uint32_t
+  GetChecksum() const
+  {
+    return m_Checksum ? m_Checksum->GetValue() : 0;
+  }
+
+  /** The same of voxels in the file, read anew. */
+  std::uint32_t
+  ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const;
 
   /** Writes a large volume past the page cache from now on; to be called after Create(). */
   void
@@ -59,6 +109,28 @@ public:
   }
 
 private:
+  OutputFile &
+  GetVoxelFile()
+  {
+    return HasDataFile(m_Format) ? m_Data : m_Header;
+  }
+  const OutputFile &
+  GetVoxelFile() const
+  {
+    return HasDataFile(m_Format) ? m_Data : m_Header;
+  }
+
+  std::filesystem::path
+  GetSharedName(const std::string & suffix) const;
+
+  /** Sets what is to be in the files; returns the bytes of the one with the voxels. */
+  std::uint64_t
+  Describe(const VolumeGeometry & geometry, const VoxelLayout & layout);
+
+  /** The bytes before the voxels in their file. */
+  std::string
+  GetPreamble() const;
+
   void
   PublishDataFile();
 
@@ -69,6 +141,9 @@ private:
   OutputFile     m_Header; ///< the only file in formats of one file
   OutputFile     m_Data;
   std::uint64_t  m_Offset{ 0 }; ///< of the first voxel in its file
+  bool           m_HasDataName{ false };
+
+  std::optional<Checksum> m_Checksum;
 };
 
 /** The file of voxels that an existing header names; empty when it names none or is not such a header. */

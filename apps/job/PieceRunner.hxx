@@ -214,6 +214,10 @@ public:
       this->m_Filter->SetMinimumThickness(options.minimumThickness.value_or(0.0));
       this->m_Filter->SetMaximumThickness(options.maximumThickness.value_or(0.0));
     }
+    if (options.maximumPoreSize)
+    {
+      this->m_Filter->SetMaximumPoreSize(*options.maximumPoreSize);
+    }
     this->m_Filter->SetPseudoGeodesicBound(options.bound);
     this->m_Filter->SetGenerateVectorDistance(!options.vectorFile.empty());
     this->m_Filter->SetVectorDistanceBoundary(options.vectorBoundary);
@@ -241,6 +245,8 @@ public:
     RunnerSums   sums = FilterRunner<itk::MedialVoxelImageFilter<TImage>>::GetSums();
     sums.counts.objectVoxels = filter.GetNumberOfObjectVoxels();
     sums.counts.boundaryVoxels = filter.GetNumberOfBoundaryVoxels();
+    sums.counts.filledVoxels = filter.GetNumberOfFilledVoxels();
+    sums.counts.removedVoxels = filter.GetNumberOfRemovedVoxels();
     sums.counts.candidateCells = filter.GetNumberOfCandidateCells();
     sums.counts.trivialCells = filter.GetNumberOfTrivialCells();
     sums.counts.boundCells = filter.GetNumberOfBoundCells();

@@ -6,6 +6,8 @@
 #include "MemoryPlan.h"
 #include "Text.h"
 
+#include "itkMedialVoxelHeaderText.h"
+
 #include <algorithm>
 #include <map>
 #include <sys/stat.h>
@@ -154,7 +156,7 @@ DescribeHeader(const VolumeHeader & header)
                      std::to_string(header.GetVoxelBytes()) + " (" + FormatBytes(header.GetVoxelBytes()) + ")");
   if (header.dataFile != header.fileName)
   {
-    table.emplace_back("data file", header.dataFile.string());
+    table.emplace_back("data file", itk::MedialVoxelText::MakePrintable(header.dataFile.string()));
   }
   table.emplace_back("reading", header.DescribeReading());
   return table;

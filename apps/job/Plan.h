@@ -34,6 +34,7 @@ struct JobPlan
   std::uint64_t sliceUnit{ 1 }; ///< pieces, but the last one, have a multiple of it
   unsigned int  threads{ 1 };
   std::uint64_t slabThickness{ 0 }; ///< slices that the filters process between two pulls of input; 0: they choose
+  std::uint64_t slabSlices{ 1 };    ///< the same, or what they choose
   std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
   std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
 

@@ -5,6 +5,8 @@
 #include "Errors.h"
 #include "Progress.h"
 
+#include "itkMedialVoxelHeaderText.h"
+
 #include <exception>
 #include <iostream>
 
@@ -15,7 +17,7 @@ int
 RunProgram(const std::string & name, const std::function<int()> & body)
 {
   const auto report = [&name](const std::exception & error, int status) {
-    std::cerr << name << ": " << error.what() << std::endl;
+    std::cerr << name << ": " << itk::MedialVoxelText::MakePrintable(error.what()) << std::endl;
     return status;
   };
   CatchSignals();

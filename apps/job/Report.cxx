@@ -49,6 +49,8 @@ MakeCounts(const RunnerSums & sums)
   return { { "object_voxels", counts.objectVoxels },
            { "boundary_voxels", counts.boundaryVoxels },
            { "not_a_number_voxels", sums.notANumberVoxels },
+           { "filled_voxels", counts.filledVoxels },
+           { "removed_voxels", counts.removedVoxels },
            { "candidate_cells", counts.candidateCells },
            { "trivial", counts.trivialCells },
            { "bound", counts.boundCells },
@@ -172,6 +174,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
     parameters["maximum_thickness"] = limits.maximum;
   }
   AddObject(parameters, options);
+  parameters["maximum_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
   parameters["bound"] = GetName(options.bound);
   parameters["sub_voxel"] = options.subVoxel;
   parameters["vector_boundary"] = GetName(options.vectorBoundary);

@@ -189,6 +189,18 @@ Survey::Resize(Sums & sums) const
 }
 
 void
+Survey::Clear()
+{
+  m_Total.thickness.Clear();
+  m_Total.area.Clear();
+  if (m_Settings.picture)
+  {
+    this->Resize(m_Total);
+    std::fill(m_Blocks.begin(), m_Blocks.end(), false);
+  }
+}
+
+void
 Survey::Begin()
 {
   m_Pending.thickness.Clear();
@@ -314,23 +326,29 @@ Survey::AddProjection(const TileSums & sums)
 void
 Survey::Commit()
 {
-  m_Total.thickness.Add(m_Pending.thickness);
-  m_Total.area.Add(m_Pending.area);
+  this->AddToTotal(m_Pending);
+}
+
+void
+Survey::AddToTotal(const Sums & sums)
+{
+  m_Total.thickness.Add(sums.thickness);
+  m_Total.area.Add(sums.area);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    for (std::size_t i = 0; i < m_Pending.slices[axis].size(); ++i)
+    for (std::size_t i = 0; i < sums.slices[axis].size(); ++i)
     {
-      m_Total.slices[axis][i].score += m_Pending.slices[axis][i].score;
-      m_Total.slices[axis][i].cells += m_Pending.slices[axis][i].cells;
+      m_Total.slices[axis][i].score += sums.slices[axis][i].score;
+      m_Total.slices[axis][i].cells += sums.slices[axis][i].cells;
     }
   }
-  for (std::size_t i = 0; i < m_Pending.projection.size(); ++i)
+  for (std::size_t i = 0; i < sums.projection.size(); ++i)
   {
-    const ProjectedPixel & pending = m_Pending.projection[i];
+    const ProjectedPixel & added = sums.projection[i];
     ProjectedPixel &       total = m_Total.projection[i];
-    total.label = std::max(total.label, pending.label);
-    total.medialCells += pending.medialCells;
-    total.thickest = std::max(total.thickest, pending.thickest);
+    total.label = std::max(total.label, added.label);
+    total.medialCells += added.medialCells;
+    total.thickest = std::max(total.thickest, added.thickest);
   }
 }
 

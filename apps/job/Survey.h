@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace medialvoxel
@@ -51,6 +52,19 @@ public:
 
   itk::MedialVoxelBits::WordType
   SelectCells(const itk::MedialVoxelCellRow & row) const override;
+
+  /** Forgets all tiles. */
+  void
+  Clear();
+
+  /** All that was found, as bytes that any machine reads. */
+  std::string
+  Save() const;
+
+  /** Adds what another survey with the same arguments has found. \throw JobError Failure when these are not its bytes
+   */
+  void
+  Merge(const std::string & bytes);
 
   const SurveySettings &
   GetSettings() const
@@ -156,6 +170,9 @@ private:
           const itk::MedialVoxelIndex & cell,
           const itk::MedialVoxelWall &  wall,
           TileSums &                    sums) const;
+
+  void
+  AddToTotal(const Sums & sums);
 
   void
   AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & sums);

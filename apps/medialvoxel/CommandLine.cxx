@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandLine.h"
 
+#include "CommandParts.h"
 #include "CommandText.h"
 #include "Report.h"
 #include "Text.h"
@@ -176,34 +177,37 @@ AddObjectOptions(CLI::App & app, JobOptions & options)
   });
 }
 
+} // namespace
+
 void
-AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
+AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
 {
-  const std::string group = "Run";
   AddText(app,
           "--memory",
           "Most memory, such as 2G (default: half of the free)",
           "SIZE",
-          [&](const std::string & text) {
-            options.memoryBytes = ParseByteSize(text);
-            if (!options.memoryBytes)
+          [&target](const std::string & text) {
+            target = ParseByteSize(text);
+            if (!target)
             {
               throw CLI::ValidationError("'" + text + "' is not a size such as 500M or 2G");
             }
           })
-    ->group(group);
-  AddFile(app, "--scratch", "For what memory cannot hold of input and mesh", options.scratchFolder)
-    ->type_name("DIR")
-    ->group(group);
-  AddText(app, "--threads", "Threads (default: one per processor)", "N", [&](const std::string & text) {
-    options.threads = static_cast<unsigned int>(ToCount(text, 1, itk::ITK_MAX_THREADS));
-  })->group(group);
-  AddText(app, "--divisions", "Pieces that are done in turn (default: chosen)", "N", [&](const std::string & text) {
-    options.divisions = ToCount(text, 1, LargestCount);
-  })->group(group);
-  app.add_flag("--dry-run", options.dryRun, "Check everything, print the plan and stop")->group(group);
-  app.add_flag("--sparse", options.sparse, "Leave zeros as holes in the files, reserve no space")->group(group);
-  app.add_flag("--overwrite", options.overwrite, "Replace existing outputs")->group(group);
+    ->group("Run");
+}
+
+void
+AddThreads(CLI::App & app, std::optional<unsigned int> & target)
+{
+  AddText(app, "--threads", "Threads (default: one per processor)", "N", [&target](const std::string & text) {
+    target = static_cast<unsigned int>(ToCount(text, 1, itk::ITK_MAX_THREADS));
+  })->group("Run");
+}
+
+void
+AddProgress(CommandLine & line, CLI::App & app)
+{
+  const std::string group = "Run";
   AddChoice<ProgressStyle>(line,
                            app,
                            "--progress",
@@ -218,6 +222,15 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
                              { "none", ProgressStyle::None } })
     ->group(group);
   app.add_flag("--quiet", line.quiet, "Print errors only")->group(group);
+}
+
+namespace
+{
+
+void
+AddLog(CommandLine & line, CLI::App & app, JobOptions & options)
+{
+  const std::string group = "Run";
   auto * const log = AddFile(app, "--log-file", "Add a line for each step to a log", options.logFile)->group(group);
   AddChoice<LogLevel>(line,
                       app,
@@ -248,10 +261,34 @@ AddZarrCompression(CommandLine & line, CLI::App & app, JobOptions & options)
 }
 
 void
+AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
+{
+  const std::string group = "Run";
+  AddMemory(app, options.memoryBytes);
+  AddFile(app, "--scratch", "For what memory cannot hold of input and mesh", options.scratchFolder)
+    ->type_name("DIR")
+    ->group(group);
+  AddThreads(app, options.threads);
+  AddText(app, "--divisions", "Pieces that are done in turn (default: chosen)", "N", [&](const std::string & text) {
+    options.divisions = ToCount(text, 1, LargestCount);
+  })->group(group);
+  app.add_flag("--dry-run", options.dryRun, "Check everything, print the plan and stop")->group(group);
+  app.add_flag("--sparse", options.sparse, "Leave zeros as holes in the files, reserve no space")->group(group);
+  app.add_flag("--overwrite", options.overwrite, "Replace existing outputs")->group(group);
+  AddProgress(line, app);
+  AddLog(line, app, options);
+}
+
+} // namespace
+
+void
 AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii[.gz] .tif .zarr", options.input)->required();
 }
+
+namespace
+{
 
 const std::vector<std::pair<std::string, itk::MedialVoxelBoundary>> Boundaries{
   { GetName(itk::MedialVoxelBoundary::Object), itk::MedialVoxelBoundary::Object },
@@ -281,17 +318,26 @@ AddThickness(CLI::App & app, ExtractOptions & options)
     app, "--maximum-thickness", "auto: thickest wall to be a sheet (default: 16)", "T", [&](const std::string & text) {
       options.maximumThickness = ToDouble(text);
     });
+  AddText(
+    app, "--max-pore-size", "Pores, grains to leave out (auto: 32 voxels, else 0)", "K", [&](const std::string & text) {
+      options.maximumPoreSize = ToCount(text, 0, LargestPoreSize);
+    });
   app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels, not in units of the spacing");
 }
 
+} // namespace
+
 void
-DefineExtract(CommandLine & line)
+AddLabels(CLI::App & app, ExtractOptions & options)
 {
-  CLI::App &       app = *line.extract;
-  ExtractOptions & options = line.extractOptions;
-  using Bound = itk::MedialVoxelPseudoGeodesicBound;
-  AddInput(app, options);
   AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr .zarr", options.output)->required();
+}
+
+/** All but the arguments. */
+void
+AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
+{
+  using Bound = itk::MedialVoxelPseudoGeodesicBound;
   AddThickness(app, options);
   AddChoice<Bound>(line,
                    app,
@@ -319,6 +365,20 @@ DefineExtract(CommandLine & line)
   AddRunOptions(line, app, options);
   AddZarrCompression(line, app, options);
   AddRawOptions(line, app, options);
+}
+
+namespace
+{
+
+void
+DefineExtract(CommandLine & line)
+{
+  CLI::App &       app = *line.extract;
+  ExtractOptions & options = line.extractOptions;
+  AddInput(app, options);
+  AddLabels(app, options);
+  AddExtractOptions(line, app, options);
+  app.add_flag("--resume", line.resumes, "Continue where a run with it was stopped")->group("Run");
   line.examples[&app] = {
     "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html",
     "medialvoxel extract scan.raw out.nrrd --raw-size 708,965,325 --raw-type uint16",
@@ -410,10 +470,15 @@ DefineCommandLine(CommandLine & line)
   line.mesh = app->add_subcommand("mesh", "Build the medial surface of an object");
   line.distance = app->add_subcommand("distance", "Compute vectors to the boundary and distances");
   line.info = app->add_subcommand("info", "Describe a volume");
+  line.plan = app->add_subcommand("plan", "Prepare an extraction that several processes do");
+  line.work = app->add_subcommand("work", "Do clusters of a planned extraction");
+  line.finalize = app->add_subcommand("finalize", "Verify and publish an extraction that is done");
+  line.status = app->add_subcommand("status", "Tell how far a planned extraction is");
   DefineExtract(line);
   DefineMesh(line);
   DefineDistance(line);
   DefineInfo(line);
+  DefineJobCommands(line);
   line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");
   line.generate->add_option("FOLDER", line.generateFolder, "An existing folder")->required();
   line.examples[app.get()] = { "medialvoxel info part.mha",

@@ -3,6 +3,7 @@
 #ifndef medialvoxelCommandLine_h
 #define medialvoxelCommandLine_h
 
+#include "JobCommands.h"
 #include "Options.h"
 #include "Progress.h"
 
@@ -23,10 +24,20 @@ struct CommandLine
   CLI::App *      mesh{ nullptr };
   CLI::App *      distance{ nullptr };
   CLI::App *      info{ nullptr };
+  CLI::App *      plan{ nullptr };
+  CLI::App *      work{ nullptr };
+  CLI::App *      finalize{ nullptr };
+  CLI::App *      status{ nullptr };
   ExtractOptions  extractOptions;
   ExtractOptions  meshOptions;
   DistanceOptions distanceOptions;
   JobOptions      infoOptions;
+  bool            resumes{ false }; ///< the extraction
+  PlanOptions     planOptions;
+  WorkOptions     workOptions;
+  FinalizeOptions finalizeOptions;
+  std::string     statusFolder;
+  bool            statusAsJson{ false };
   ProgressStyle   progress{ ProgressStyle::Auto };
   bool            quiet{ false };
   LogLevel        logLevel{ LogLevel::Info };

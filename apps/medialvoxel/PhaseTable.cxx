@@ -28,6 +28,19 @@ AddNotANumber(TextTable & table, const RunnerSums & sums)
 }
 
 void
+AddSmallComponents(TextTable & table, const itk::MedialVoxelCounts & counts)
+{
+  if (counts.filledVoxels > 0)
+  {
+    table.emplace_back("pores", std::to_string(counts.filledVoxels) + " voxels, taken as object");
+  }
+  if (counts.removedVoxels > 0)
+  {
+    table.emplace_back("dust", std::to_string(counts.removedVoxels) + " voxels, taken as background");
+  }
+}
+
+void
 AddThickness(TextTable & table, const ExtractOptions & options, const JobResult & result)
 {
   if (result.thickness && result.thickness->cells > 0)
@@ -79,6 +92,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("tau", DescribeThickness(options, options.voxelUnits ? " voxels" : ""));
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
   AddNotANumber(table, result.sums);
+  AddSmallComponents(table, counts);
   table.emplace_back("candidate cells", std::to_string(counts.candidateCells));
   table.emplace_back("  trivial", FormatCount(counts.trivialCells, counts.candidateCells));
   table.emplace_back("  medial by bound", FormatCount(counts.boundCells, counts.candidateCells));
@@ -100,6 +114,19 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("classification", FormatFixed(result.seconds.classification, 2) + threads);
   AddRun(table, result);
   PrintTable(out, table);
+}
+
+void
+PrintFinalization(std::ostream & out, const FinalizeResult & result)
+{
+  if (result.job)
+  {
+    PrintPhaseTable(out, result.options, *result.job);
+  }
+  else
+  {
+    PrintTable(out, { { "job", "was finished before" } });
+  }
 }
 
 void

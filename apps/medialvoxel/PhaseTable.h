@@ -3,7 +3,7 @@
 #ifndef medialvoxelPhaseTable_h
 #define medialvoxelPhaseTable_h
 
-#include "VolumeJob.h"
+#include "JobCommands.h"
 
 #include <ostream>
 
@@ -18,6 +18,10 @@ PrintTable(std::ostream & out, const TextTable & table);
  * decided. */
 void
 PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobResult & result);
+
+/** The same of a job, or that it was finished before. */
+void
+PrintFinalization(std::ostream & out, const FinalizeResult & result);
 
 /** The like for distances. */
 void

@@ -5,6 +5,7 @@
 #include "Log.h"
 #include "PhaseTable.h"
 #include "Program.h"
+#include "SharedJob.h"
 
 #include <iostream>
 
@@ -57,6 +58,85 @@ Extract(const CommandLine & line, const ExtractOptions & options)
   }
 }
 
+/** The command that was typed, to be typed again. */
+std::string
+JoinCommand(int argc, char * argv[])
+{
+  std::string command = "medialvoxel";
+  for (int i = 1; i < argc; ++i)
+  {
+    command += " " + Quote(argv[i]);
+  }
+  return command;
+}
+
+void
+ExtractWithResume(const CommandLine & line, const std::string & command)
+{
+  const auto           sink = MakeSink(line);
+  const FinalizeResult result = RunResumable(line.extractOptions, command, *sink);
+  if (line.extractOptions.dryRun)
+  {
+    PrintTable(std::cout, DescribePlan(result.job->plan, result.job->input, result.job->outputs));
+  }
+  else if (!line.quiet)
+  {
+    PrintFinalization(std::cout, result);
+  }
+}
+
+void
+Plan(const CommandLine & line)
+{
+  const JobResult result = RunPlan(line.planOptions);
+  if (line.planOptions.dryRun || !line.quiet)
+  {
+    PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
+  }
+  if (!line.planOptions.dryRun && !line.quiet)
+  {
+    PrintTable(std::cout, DescribeNextSteps(line.planOptions.jobFolder, result.plan.divisions));
+  }
+}
+
+void
+Work(const CommandLine & line)
+{
+  const auto       sink = MakeSink(line);
+  const WorkResult result = RunWork(line.workOptions, *sink);
+  if (!line.quiet)
+  {
+    PrintTable(std::cout,
+               { { "clusters done", std::to_string(result.done.size()) },
+                 { "clusters skipped", std::to_string(result.skipped) } });
+  }
+}
+
+void
+Finalize(const CommandLine & line)
+{
+  const auto           sink = MakeSink(line);
+  const FinalizeResult result = RunFinalize(line.finalizeOptions, *sink);
+  if (!line.quiet)
+  {
+    PrintFinalization(std::cout, result);
+  }
+}
+
+void
+ShowStatus(const CommandLine & line)
+{
+  const JobStatus status = GetJobStatus(line.statusFolder);
+  if (line.statusAsJson)
+  {
+    std::cout << MakeStatusJson(status);
+  }
+  else
+  {
+    PrintTable(std::cout, DescribeStatus(status));
+  }
+}
+
 void
 ComputeDistance(const CommandLine & line)
 {
@@ -84,11 +164,31 @@ DescribeInput(const CommandLine & line)
 }
 
 void
-RunCommand(const CommandLine & line)
+RunCommand(const CommandLine & line, const std::string & command)
 {
-  if (line.extract->parsed())
+  if (line.extract->parsed() && line.resumes)
+  {
+    ExtractWithResume(line, command);
+  }
+  else if (line.extract->parsed())
   {
     Extract(line, line.extractOptions);
+  }
+  else if (line.plan->parsed())
+  {
+    Plan(line);
+  }
+  else if (line.work->parsed())
+  {
+    Work(line);
+  }
+  else if (line.finalize->parsed())
+  {
+    Finalize(line);
+  }
+  else if (line.status->parsed())
+  {
+    ShowStatus(line);
   }
   else if (line.mesh->parsed())
   {
@@ -137,7 +237,7 @@ main(int argc, char * argv[])
       WriteCommandTexts(line, *app);
       return static_cast<int>(ExitStatus::Done);
     }
-    RunCommand(line);
+    RunCommand(line, JoinCommand(argc, argv));
     return static_cast<int>(ExitStatus::Done);
   });
 }

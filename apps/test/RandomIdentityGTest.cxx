@@ -43,9 +43,10 @@ Collect(const TemporaryFolder & folder, const std::vector<std::string> & names, 
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
   Outcome                        outcome;
-  outcome.counts = { counts.objectVoxels,           counts.boundaryVoxels,       counts.candidateCells,
-                     counts.trivialCells,           counts.boundCells,           counts.geodesicMedialCells,
-                     counts.geodesicNonMedialCells, result.sums.notANumberVoxels };
+  outcome.counts = { counts.objectVoxels,           counts.boundaryVoxels, counts.candidateCells,
+                     counts.trivialCells,           counts.boundCells,     counts.geodesicMedialCells,
+                     counts.geodesicNonMedialCells, counts.filledVoxels,   counts.removedVoxels,
+                     result.sums.notANumberVoxels };
   for (const std::string & name : names)
   {
     outcome.volumes[name] = folder.Read(name);
@@ -121,6 +122,10 @@ public:
     {
       m_Options.thicknessFile = (folder / "thickness.mha").string();
       m_Options.thicknessCsvFile = (folder / "thickness.csv").string();
+    }
+    if (dice.OneIn(2))
+    {
+      m_Options.maximumPoreSize = dice.Pick<std::uint64_t>({ 1, 8, 40 });
     }
   }
 

@@ -42,6 +42,8 @@ COUNTS = [
     "object_voxels",
     "boundary_voxels",
     "not_a_number_voxels",
+    "filled_voxels",
+    "removed_voxels",
     "candidate_cells",
     "trivial",
     "bound",

@@ -82,7 +82,7 @@ class DriftTest(ModuleTestCase):
 
     def test_constraints(self):
         constrained = [flag for flag, element in self.description.flagged.items() if element.find("constraints") is not None]
-        self.assertEqual(constrained, ["numberOfThreads"])
+        self.assertEqual(constrained, ["maximumPoreSize", "numberOfThreads"])
         for flag in constrained:
             minimum = int(self.description.flagged[flag].findtext("constraints/minimum"))
             maximum = int(self.description.flagged[flag].findtext("constraints/maximum"))

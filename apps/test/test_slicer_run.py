@@ -23,6 +23,9 @@ PAIRS = [
     (["--thicknessMode", "Automatic"], []),
     (["--thicknessMode=Fixed", "--thickness", "3"], []),
     (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5", "--subVoxel"], ["--lower", "72.5", "--sub-voxel"]),
+    (["--maximumPoreSize", "0"], ["--max-pore-size", "0"]),
+    (["--maximumPoreSize=-1", "--thickness", "2"], []),
+    (["--maximumPoreSize=200", "--thickness", "2"], ["--max-pore-size", "200"]),
     (["--numberOfThreads", "1", "--memory", "300M"], ["--threads", "1", "--memory", "300M"]),
 ]  # fmt: skip
 OUTPUTS = {

@@ -10,7 +10,8 @@ import unittest
 
 from program import ProgramTestCase
 
-COMMANDS = ("extract", "mesh", "distance", "info")
+VOLUME_COMMANDS = ("extract", "mesh", "distance", "info", "plan")
+COMMANDS = (*VOLUME_COMMANDS, "work", "finalize", "status")
 
 
 class TextsTest(ProgramTestCase):
@@ -50,13 +51,13 @@ class TextsTest(ProgramTestCase):
             text = self.help(command).replace("\\\n", " ")
             for example in re.findall(r"^  medialvoxel (.*)$", text, re.MULTILINE):
                 message = self.run_program(*example.split(), status=1).stderr
-                self.assertRegex(message, r"(part\.mha|scan\.raw|mask\.nrrd)")
+                self.assertRegex(message, r"(part\.mha|scan\.raw|mask\.nrrd|job is not)")
 
     def test_each_option_is_everywhere(self):
         bash, zsh = ((self.folder / name).read_text() for name in ("medialvoxel.bash", "_medialvoxel"))
         for command in COMMANDS:
             options = self.options(command)
-            self.assertIn("--raw-size", options)
+            self.assertEqual("--raw-size" in options, command in VOLUME_COMMANDS)
             page = (self.folder / f"medialvoxel-{command}.1").read_text().replace("\\-", "-")
             in_bash = re.search(rf"^    {command}\)\n      options='(.*)'", bash, re.MULTILINE)[1].split()
             in_zsh = re.search(rf"^    {command}\)\n(.*?);;", zsh, re.MULTILINE | re.DOTALL)[1]
@@ -67,7 +68,7 @@ class TextsTest(ProgramTestCase):
 
     def test_bash_completes(self):
         self.assertEqual(self.complete("ex"), ["extract"])
-        self.assertEqual(self.complete(""), ["extract", "mesh", "distance", "info", "-h", "--help", "--version"])
+        self.assertEqual(self.complete(""), [*COMMANDS, "-h", "--help", "--version"])
         self.assertEqual(self.complete("extract", "--th"), ["--thickness", "--thickness-map", "--thickness-csv", "--threads"])
         self.assertEqual(self.complete("distance", "--th"), ["--threads"])
         self.assertEqual(self.complete("extract", "--bound", ""), ["free-space", "paper", "off"])

@@ -54,6 +54,12 @@ class UsageTest(ProgramTestCase):
         limits = ["--minimum-thickness", 5, "--maximum-thickness", 4]
         self.assert_usage(["minimum thickness 5", "maximum thickness 4"], *command, *limits)
 
+    def test_pore_size_out_of_range(self):
+        for value in ("-1", "1000001", "2.5", "x"):
+            self.assert_extract_usage(["--max-pore-size", f"'{value}'", "0 to 1000000"], "--max-pore-size", value)
+            self.assert_usage(["--max-pore-size"], "mesh", "in.mha", "out.vtp", "--max-pore-size", value)
+        self.assert_usage(["--max-pore-size"], "distance", "in.mha", "out.mha", "--max-pore-size", 3)
+
     def test_thresholds(self):
         for command in (["extract", "in.mha", "out.mha", "--thickness", 3], ["distance", "in.mha", "out.mha"]):
             self.assert_usage(["72.5", "greater than", "72"], *command, "--lower", 72.5, "--upper", 72)

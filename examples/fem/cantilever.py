@@ -56,19 +56,19 @@ class Plate:
         x, y, z = vector
         return x * self.cosine - z * self.sine, y, x * self.sine + z * self.cosine
 
-    def grey_value(self, x, z):
-        """255 times the share of a voxel that is in the plate, in a section across its width."""
-        steps = 4
+    def share(self, x, z):
+        """Of a voxel that is in the plate, in a section across its width."""
+        steps = 8
         offsets = [((step + 0.5) / steps - 0.5) * self.spacing for step in range(steps)]
         inside = 0
         for dx in offsets:
             for dz in offsets:
                 u, _, w = self.to_plate((x * self.spacing + dx, 0, z * self.spacing + dz))
                 inside += 0 <= u <= self.size[0] and 0 <= w <= self.size[2]
-        return round(255 * inside / steps**2)
+        return inside / steps**2
 
-    def write(self, path):
-        """As MetaImage; each section across the width is the same."""
+    def write(self, path, blur):
+        """As MetaImage with 255 for metal, blurred by a Gaussian of so many voxels."""
         columns, rows, slices = self.image_size
         margin = (rows - self.voxels[1]) // 2
         header = (
@@ -76,12 +76,27 @@ class Plate:
             f"ElementSpacing = {self.spacing} {self.spacing} {self.spacing}\nDimSize = {columns} {rows} {slices}\n"
             "ElementType = MET_UCHAR\nElementDataFile = LOCAL\n"
         )
+        # A section across the width, and a line along it, make the plate: their products are its values.
+        section = [blurred([self.share(x, z) for x in range(columns)], blur) for z in range(slices)]
+        section = list(zip(*(blurred(line, blur) for line in zip(*section))))
+        width = blurred([0.0] * margin + [1.0] * self.voxels[1] + [0.0] * margin, blur)
         with open(path, "wb") as file:
             file.write(header.encode("ascii"))
-            for z in range(slices):
-                row = bytes(self.grey_value(x, z) for x in range(columns))
-                empty = bytes(columns)
-                file.write(b"".join([empty] * margin + [row] * self.voxels[1] + [empty] * margin))
+            for line in section:
+                file.write(b"".join(bytes(round(255 * share * value) for value in line) for share in width))
+
+
+def blurred(values, sigma):
+    """A line of values after a Gaussian; beyond its ends they are zero."""
+    if sigma == 0:
+        return list(values)
+    reach = math.ceil(4 * sigma)
+    weights = [math.exp(-0.5 * (step / sigma) ** 2) for step in range(-reach, reach + 1)]
+    padded = [0.0] * reach + list(values) + [0.0] * reach
+    return [
+        sum(weight * value for weight, value in zip(weights, padded[place:])) / sum(weights)
+        for place in range(len(values))
+    ]
 
 
 def beam_deflection(force_at, seen_at, rigidity):
@@ -119,7 +134,9 @@ def parse_arguments():
     parser.add_argument("--size", default="160,100,4", help="length, width and thickness in voxels (%(default)s)")
     parser.add_argument("--spacing", type=float, default=0.5, help="of the voxels in mm (%(default)s)")
     parser.add_argument("--tilt", type=float, default=0.0, help="of the plate against the voxels, in degrees")
-    parser.add_argument("--tau", default="3", help="option --thickness of medialvoxel, in voxels (%(default)s)")
+    parser.add_argument("--blur", type=float, default=0.0, help="of the scan, sigma in voxels (%(default)s)")
+    parser.add_argument("--tau", default="auto", help="option --thickness of medialvoxel, in voxels (%(default)s)")
+    parser.add_argument("--sub-voxel", action="store_true", help="measure on the gray values")
     parser.add_argument("--folder", help="keep all files here")
     return parser.parse_args()
 
@@ -132,9 +149,10 @@ def main():
         mesh = arguments.mesh
         if mesh is None:
             mesh = folder / "plate.inp"
-            plate.write(folder / "plate.mha")
+            plate.write(folder / "plate.mha", arguments.blur)
             command = [arguments.program, "mesh", folder / "plate.mha", mesh, "--lower", str(THRESHOLD)]
             command += ["--thickness", arguments.tau, "--voxel-units", "--overwrite", "--quiet"]
+            command += ["--sub-voxel"] if arguments.sub_voxel else []
             subprocess.run(command, check=True)
         model = ShellModel(mesh)
         deflection, theory, width = bend(model, plate, folder)

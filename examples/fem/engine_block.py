@@ -15,6 +15,7 @@ import subprocess
 import meshio
 import numpy as np
 import pyvista
+from PIL import Image
 
 from shell_model import ShellModel
 
@@ -43,20 +44,22 @@ def read_sections(path):
 
 def draw(meshes, path):
     """Meshes side by side in the colors of a quantity, without a screen; the scale leaves out the outer 2 percent."""
-    plotter = pyvista.Plotter(off_screen=True, shape=(1, len(meshes)), border=False, window_size=(1040, 480))
+    plotter = pyvista.Plotter(off_screen=True, shape=(1, len(meshes)), border=False, window_size=(1040, 520))
     for column, (name, mesh) in enumerate(meshes.items()):
         plotter.subplot(0, column)
         plotter.set_background("white")
         values = mesh[name]
         limits = [float(limit) for limit in np.percentile(values[np.isfinite(values)], (2, 98))]
         bar = {"title": name, "color": "black", "fmt": "%.1f", "n_labels": 3, "title_font_size": 16, "label_font_size": 14}
-        bar |= {"position_x": 0.3, "position_y": 0.02, "width": 0.4, "height": 0.1}
+        bar |= {"position_x": 0.3, "position_y": 0.01, "width": 0.4, "height": 0.1}
         plotter.add_mesh(mesh, scalars=name, cmap="viridis", clim=limits, scalar_bar_args=bar)
         plotter.camera_position = "xz"
         plotter.camera.azimuth = 35
         plotter.camera.elevation = 30
         plotter.reset_camera()
-    plotter.screenshot(path)
+        # Room for the scale.
+        plotter.camera.zoom(0.92)
+    Image.fromarray(plotter.screenshot()).quantize(256, method=Image.Quantize.FASTOCTREE).save(path, optimize=True)
 
 
 def main():
@@ -64,7 +67,7 @@ def main():
     parser.add_argument("volume", type=pathlib.Path)
     parser.add_argument("folder", type=pathlib.Path)
     parser.add_argument("--program", default="medialvoxel", help="the program medialvoxel")
-    parser.add_argument("--thickness", default="8", help="of the walls, in voxels (%(default)s)")
+    parser.add_argument("--thickness", default="auto", help="of the walls, in voxels (%(default)s)")
     arguments = parser.parse_args()
 
     mesh = pyvista.read(make_mesh(arguments, "engine.vtp"))

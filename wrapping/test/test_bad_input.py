@@ -24,6 +24,9 @@ class BadInput(unittest.TestCase):
         self.assert_refused("MinimumThickness is 17", thickness_mode=automatic, minimum_thickness=17.0)
         self.assert_refused("MaximumThickness is -1", thickness_mode=automatic, maximum_thickness=-1.0)
 
+    def test_pore_size(self):
+        self.assert_refused("MaximumPoreSize is 1000001", thickness=3.0, maximum_pore_size=1000001)
+
     def test_thickness(self):
         for thickness in (-1.0, 0.0, float("nan"), float("inf")):
             with self.subTest(thickness=thickness):

@@ -121,6 +121,21 @@ class MedialVoxels(unittest.TestCase):
         same = itk.medial_voxel_image_filter(image_of(mask), thickness_mode=automatic, **limits)
         np.testing.assert_array_equal(itk.array_from_image(same) >= 2, cells)
 
+    def test_pores_and_dust(self):
+        mask = np.zeros((30, 40, 40), "uint8")
+        mask[10:20, 4:36, 4:36] = 1
+        expected = itk.array_from_image(itk.medial_voxel_image_filter(image_of(mask), thickness=3.0))
+        mask[14, 20, 20:23] = 0
+        mask[5, 20, 20] = 1
+        medial = itk.MedialVoxelImageFilter.New(image_of(mask), thickness=3.0, maximum_pore_size=3)
+        medial.Update()
+        np.testing.assert_array_equal(itk.array_from_image(medial.GetOutput()), expected)
+        self.assertEqual((medial.GetNumberOfFilledVoxels(), medial.GetNumberOfRemovedVoxels()), (3, 1))
+        medial.UnsetMaximumPoreSize()
+        self.assertEqual(medial.GetMaximumPoreSize(), 0)
+        medial.SetThicknessMode(itk.MedialVoxelEnums.ThicknessMode_Automatic)
+        self.assertEqual(medial.GetMaximumPoreSize(), 32)
+
     def test_streamed_pieces_are_the_whole(self):
         image = image_of(blobs())
         expected = itk.array_from_image(itk.medial_voxel_image_filter(image, thickness=3.0))

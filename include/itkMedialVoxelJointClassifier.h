@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelAutomaticClassifier_h
-#define itkMedialVoxelAutomaticClassifier_h
+#ifndef itkMedialVoxelJointClassifier_h
+#define itkMedialVoxelJointClassifier_h
 
 #include "itkMedialVoxelBitFlood.h"
 #include "itkMedialVoxelLocalThreshold.h"
@@ -15,16 +15,17 @@
 namespace itk
 {
 
-/** \class MedialVoxelAutomaticClassifier
- * \brief Labels the dual cells of one tile, each with the threshold of MedialVoxelLocalThreshold.
+/** \class MedialVoxelJointClassifier
+ * \brief Labels the dual cells of one tile together, each with the threshold of MedialVoxelLocalThreshold or all with
+ * that of the parameters.
  *
- * All pairs of the tile are found first, with the inscribed balls in and around it. Pairs that fall short of the
- * smallest threshold are decided by that, the others get their own. What no bound decides is not medial when the way
- * along the pair of a neighboring cell is short, and medial when the points are in different components of the
- * boundary around them; only what is left is searched.
+ * All pairs of the tile are found first, with an automatic thickness also the inscribed balls in and around it. Pairs
+ * that fall short of the smallest threshold are decided by that. What no bound decides is not medial when the way along
+ * the pair of a neighboring cell is short, and medial when the points are in different components of the boundary
+ * around them; only what is left is searched.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelAutomaticClassifier
+class MedialVoxel_EXPORT MedialVoxelJointClassifier
 {
 private:
   /** A cell of the tile that is not trivial. */
@@ -47,7 +48,7 @@ public:
   class Workspace
   {
   private:
-    friend class MedialVoxelAutomaticClassifier;
+    friend class MedialVoxelJointClassifier;
 
     MedialVoxelLocalThreshold::Workspace    m_Threshold;
     MedialVoxelRankedBits                   m_Ranks; // of the cells
@@ -63,7 +64,7 @@ public:
      128) /
     8;
 
-  MedialVoxelAutomaticClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+  MedialVoxelJointClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
   const MedialVoxelLocalThreshold &
   GetThreshold() const
@@ -99,6 +100,34 @@ private:
 
   std::optional<std::uint8_t>
   LabelByLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
+
+  using Queries = std::vector<MedialVoxelSeparationQuery>::iterator;
+
+  void
+  Decide(const Workspace &                  workspace,
+         const MedialVoxelSeparationQuery & query,
+         std::uint8_t                       label,
+         std::vector<std::uint8_t> &        labels,
+         MedialVoxelCounts &                counts) const;
+
+  bool
+  FallsShort(Workspace &                        workspace,
+             const MedialVoxelSeparationQuery & query,
+             std::vector<std::uint8_t> &        labels,
+             MedialVoxelCounts &                counts) const;
+
+  static void
+  SortInwards(const Workspace & workspace, Queries first, Queries last);
+
+  void
+  LeaveOutBranches(Workspace & workspace, std::vector<std::uint8_t> & labels, MedialVoxelCounts & counts) const;
+
+  void
+  Search(const MedialVoxelBits &     sites,
+         const MedialVoxelProgress & progress,
+         Workspace &                 workspace,
+         std::vector<std::uint8_t> & labels,
+         MedialVoxelCounts &         counts) const;
 
   void
   FollowNeighbors(const Workspace & workspace, Cell & cell) const;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelAutomaticClassifier.h"
+#include "itkMedialVoxelJointClassifier.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -23,8 +23,8 @@ constexpr double LargestBranch = 0.85;
 
 } // namespace
 
-MedialVoxelAutomaticClassifier::MedialVoxelAutomaticClassifier(const MedialVoxelGrid &       grid,
-                                                               const MedialVoxelParameters & parameters)
+MedialVoxelJointClassifier::MedialVoxelJointClassifier(const MedialVoxelGrid &       grid,
+                                                       const MedialVoxelParameters & parameters)
   : m_Grid(grid)
   , m_Parameters(parameters)
   , m_Pairs(grid, parameters.epsilon)
@@ -35,13 +35,13 @@ MedialVoxelAutomaticClassifier::MedialVoxelAutomaticClassifier(const MedialVoxel
 {}
 
 MedialVoxelBox
-MedialVoxelAutomaticClassifier::Classify(const MedialVoxelWindow &   window,
-                                         const MedialVoxelBox &      tile,
-                                         const MedialVoxelFeatures & features,
-                                         const MedialVoxelProgress & progress,
-                                         Workspace &                 workspace,
-                                         std::vector<std::uint8_t> & labels,
-                                         MedialVoxelCounts &         counts) const
+MedialVoxelJointClassifier::Classify(const MedialVoxelWindow &   window,
+                                     const MedialVoxelBox &      tile,
+                                     const MedialVoxelFeatures & features,
+                                     const MedialVoxelProgress & progress,
+                                     Workspace &                 workspace,
+                                     std::vector<std::uint8_t> & labels,
+                                     MedialVoxelCounts &         counts) const
 {
   if (!this->Collect(window, tile, features, progress, workspace, labels, counts))
   {
@@ -53,63 +53,106 @@ MedialVoxelAutomaticClassifier::Classify(const MedialVoxelWindow &   window,
   m_Threshold.GetCover().Cover(threshold.balls, threshold.cells, threshold.cover, threshold.coveringRadii);
   this->LabelAtOnce(*window.sites, workspace, labels, counts);
 
-  auto &     queries = workspace.m_Queries;
-  auto &     cells = workspace.m_Cells;
-  const auto decide = [&](const MedialVoxelSeparationQuery & query, const std::uint8_t label) {
-    labels[cells[query.cell].label] = label;
-    counts.AddDecision(label);
-  };
-  const auto fallsShort = [&](const MedialVoxelSeparationQuery & query) {
-    Cell & cell = cells[query.cell];
-    this->FollowNeighbors(workspace, cell);
-    if (cell.longest >= query.epsilon * (1.0 - Band))
-    {
-      return false;
-    }
-    decide(query, MedialVoxelLabel::NonMedial);
-    return true;
-  };
-  // From the edges of walls inwards, as each cell may follow the one before.
-  const auto isNearerToWalls = [&](const MedialVoxelSeparationQuery & i, const MedialVoxelSeparationQuery & j) {
+  this->LeaveOutBranches(workspace, labels, counts);
+  const MedialVoxelBox missing =
+    m_Separation.FindSeparated(*window.sites, progress, workspace.m_Separation, workspace.m_Queries);
+  if (missing.IsEmpty())
+  {
+    this->Search(*window.sites, progress, workspace, labels, counts);
+  }
+  return missing;
+}
+
+void
+MedialVoxelJointClassifier::Decide(const Workspace &                  workspace,
+                                   const MedialVoxelSeparationQuery & query,
+                                   const std::uint8_t                 label,
+                                   std::vector<std::uint8_t> &        labels,
+                                   MedialVoxelCounts &                counts) const
+{
+  labels[workspace.m_Cells[query.cell].label] = label;
+  counts.AddDecision(label);
+}
+
+/** Decide a query when a way along the pair of a neighbor is short. */
+bool
+MedialVoxelJointClassifier::FallsShort(Workspace &                        workspace,
+                                       const MedialVoxelSeparationQuery & query,
+                                       std::vector<std::uint8_t> &        labels,
+                                       MedialVoxelCounts &                counts) const
+{
+  Cell & cell = workspace.m_Cells[query.cell];
+  this->FollowNeighbors(workspace, cell);
+  if (cell.longest >= query.epsilon * (1.0 - Band))
+  {
+    return false;
+  }
+  this->Decide(workspace, query, MedialVoxelLabel::NonMedial, labels, counts);
+  return true;
+}
+
+/** From the edges of walls inwards, as each cell may follow the one before. */
+void
+MedialVoxelJointClassifier::SortInwards(const Workspace & workspace, const Queries first, const Queries last)
+{
+  const auto & cells = workspace.m_Cells;
+  std::sort(first, last, [&](const MedialVoxelSeparationQuery & i, const MedialVoxelSeparationQuery & j) {
     return cells[i.cell].radius < cells[j.cell].radius;
-  };
-  // Branches are in walls that are thicker than they are.
+  });
+}
+
+/** Decide the cells of branches that follow others; branches are in walls that are thicker than they are. */
+void
+MedialVoxelJointClassifier::LeaveOutBranches(Workspace &                 workspace,
+                                             std::vector<std::uint8_t> & labels,
+                                             MedialVoxelCounts &         counts) const
+{
+  auto &     queries = workspace.m_Queries;
   const auto isInSheet = [&](const MedialVoxelSeparationQuery & query) {
-    return m_Threshold.EpsilonOf(cells[query.cell].radius, 0.0) > LargestBranch * query.epsilon;
+    return m_Threshold.EpsilonOf(workspace.m_Cells[query.cell].radius, 0.0) > LargestBranch * query.epsilon;
   };
   const auto branches = std::partition(queries.begin(), queries.end(), isInSheet);
-  std::sort(branches, queries.end(), isNearerToWalls);
+  SortInwards(workspace, branches, queries.end());
+  const auto fallsShort = [&](const MedialVoxelSeparationQuery & query) {
+    return this->FallsShort(workspace, query, labels, counts);
+  };
   queries.erase(std::remove_if(branches, queries.end(), fallsShort), queries.end());
+}
 
-  const MedialVoxelBox missing = m_Separation.FindSeparated(*window.sites, progress, workspace.m_Separation, queries);
-  if (!missing.IsEmpty())
-  {
-    return missing;
-  }
+/** Decide the queries whose points are separated, then the others one after the other. */
+void
+MedialVoxelJointClassifier::Search(const MedialVoxelBits &     sites,
+                                   const MedialVoxelProgress & progress,
+                                   Workspace &                 workspace,
+                                   std::vector<std::uint8_t> & labels,
+                                   MedialVoxelCounts &         counts) const
+{
+  auto &     queries = workspace.m_Queries;
   const auto joined =
-    std::partition(queries.begin(), queries.end(), [&](const MedialVoxelSeparationQuery & q) { return q.isSeparated; });
+    std::partition(queries.begin(), queries.end(), [](const MedialVoxelSeparationQuery & q) { return q.isSeparated; });
   std::for_each(queries.begin(), joined, [&](const MedialVoxelSeparationQuery & query) {
-    decide(query, MedialVoxelLabel::MedialByGeodesic);
+    this->Decide(workspace, query, MedialVoxelLabel::MedialByGeodesic, labels, counts);
   });
-  std::sort(joined, queries.end(), isNearerToWalls);
+  SortInwards(workspace, joined, queries.end());
   for (auto query = joined; query != queries.end() && !progress.IsAborted(); ++query)
   {
-    if (!fallsShort(*query))
+    if (!this->FallsShort(workspace, *query, labels, counts))
     {
-      Cell & cell = cells[query->cell];
-      cell.longest = std::min(cell.longest, m_Separation.BoundLength(*window.sites, *query, workspace.m_Separation));
-      decide(*query, cell.longest < query->epsilon ? MedialVoxelLabel::NonMedial : MedialVoxelLabel::MedialByGeodesic);
+      Cell & cell = workspace.m_Cells[query->cell];
+      cell.longest = std::min(cell.longest, m_Separation.BoundLength(sites, *query, workspace.m_Separation));
+      const bool isShort = cell.longest < query->epsilon;
+      this->Decide(
+        workspace, *query, isShort ? MedialVoxelLabel::NonMedial : MedialVoxelLabel::MedialByGeodesic, labels, counts);
     }
   }
-  return {};
 }
 
 /** Label what needs no search, and make queries of the rest. */
 void
-MedialVoxelAutomaticClassifier::LabelAtOnce(const MedialVoxelBits &     sites,
-                                            Workspace &                 workspace,
-                                            std::vector<std::uint8_t> & labels,
-                                            MedialVoxelCounts &         counts) const
+MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits &     sites,
+                                        Workspace &                 workspace,
+                                        std::vector<std::uint8_t> & labels,
+                                        MedialVoxelCounts &         counts) const
 {
   workspace.m_Queries.clear();
   std::size_t waiting = 0;
@@ -152,10 +195,10 @@ MedialVoxelAutomaticClassifier::LabelAtOnce(const MedialVoxelBits &     sites,
 
 /** The label of a cell when a flood finds the geodesic distance, or that it is longer than the threshold. */
 std::optional<std::uint8_t>
-MedialVoxelAutomaticClassifier::LabelByLength(const MedialVoxelBits & sites,
-                                              const MedialVoxelPair & pair,
-                                              const double            epsilon,
-                                              Cell &                  cell) const
+MedialVoxelJointClassifier::LabelByLength(const MedialVoxelBits & sites,
+                                          const MedialVoxelPair & pair,
+                                          const double            epsilon,
+                                          Cell &                  cell) const
 {
   const auto length = m_LengthFlood.FindLength(sites, pair.a, pair.difference);
   if (!length)
@@ -174,7 +217,7 @@ MedialVoxelAutomaticClassifier::LabelByLength(const MedialVoxelBits & sites,
 
 /** Length of the edge between two boundary points, 0 when they are the same; infinite when there is none. */
 double
-MedialVoxelAutomaticClassifier::EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
+MedialVoxelJointClassifier::EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
 {
   unsigned int mask = 0;
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -191,7 +234,7 @@ MedialVoxelAutomaticClassifier::EdgeBetween(const MedialVoxelIndex & a, const Me
 
 /** Bound the geodesic distance of a cell by ways over the pairs of its neighbors. */
 void
-MedialVoxelAutomaticClassifier::FollowNeighbors(const Workspace & workspace, Cell & cell) const
+MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, Cell & cell) const
 {
   const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
   const std::int64_t      x = cell.center[0];
@@ -223,13 +266,13 @@ MedialVoxelAutomaticClassifier::FollowNeighbors(const Workspace & workspace, Cel
 /** Find the cells of the tile that are not trivial, those that fall short of the smallest threshold as far as a flood
  * can tell, and the balls in and around the tile. False when aborted. */
 bool
-MedialVoxelAutomaticClassifier::Collect(const MedialVoxelWindow &   window,
-                                        const MedialVoxelBox &      tile,
-                                        const MedialVoxelFeatures & features,
-                                        const MedialVoxelProgress & progress,
-                                        Workspace &                 workspace,
-                                        std::vector<std::uint8_t> & labels,
-                                        MedialVoxelCounts &         counts) const
+MedialVoxelJointClassifier::Collect(const MedialVoxelWindow &   window,
+                                    const MedialVoxelBox &      tile,
+                                    const MedialVoxelFeatures & features,
+                                    const MedialVoxelProgress & progress,
+                                    Workspace &                 workspace,
+                                    std::vector<std::uint8_t> & labels,
+                                    MedialVoxelCounts &         counts) const
 {
   auto & threshold = workspace.m_Threshold;
   threshold.balls.clear();
@@ -301,7 +344,7 @@ MedialVoxelAutomaticClassifier::Collect(const MedialVoxelWindow &   window,
 }
 
 double
-MedialVoxelAutomaticClassifier::BoundOf(const MedialVoxelPair & pair) const
+MedialVoxelJointClassifier::BoundOf(const MedialVoxelPair & pair) const
 {
   switch (m_Parameters.bound)
   {

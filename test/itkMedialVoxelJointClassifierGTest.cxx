@@ -111,7 +111,7 @@ IsMedial(unsigned char label)
 }
 } // namespace
 
-TEST(MedialVoxelAutomaticClassifier, TilesAreTheDefinitions)
+TEST(MedialVoxelJointClassifier, TilesAreTheDefinitions)
 {
   std::array<std::uint64_t, 4> seen{};
   for (const Case & c : AllCases())
@@ -121,7 +121,7 @@ TEST(MedialVoxelAutomaticClassifier, TilesAreTheDefinitions)
                                 { Bound::Paper, BoundEnum::Paper },
                                 { Bound::Off, BoundEnum::Off } })
     {
-      const auto expected = MedialVoxelTest::AutomaticClassifier(c.inputs.volume, c.limits).Run(bound.first);
+      const auto expected = MedialVoxelTest::JointClassifier(c.inputs.volume, c.limits).Run(bound.first);
       const MedialVoxelClassifier classifier(c.inputs.grid, ParametersOf(c.limits, bound.second));
       std::mt19937                generator(7);
       for (const auto & tile :
@@ -156,16 +156,16 @@ TEST(MedialVoxelAutomaticClassifier, TilesAreTheDefinitions)
   }
 }
 
-TEST(MedialVoxelAutomaticClassifier, ThresholdsAreThoseOfBruteForce)
+TEST(MedialVoxelJointClassifier, ThresholdsAreThoseOfBruteForce)
 {
   std::size_t raised = 0;
   for (const Case & c : AllCases())
   {
-    const MedialVoxelTest::AutomaticClassifier oracle(c.inputs.volume, c.limits);
-    const MedialVoxelClassifier                classifier(c.inputs.grid, ParametersOf(c.limits, BoundEnum::FreeSpace));
-    const auto &                               threshold = classifier.GetThreshold();
-    std::mt19937                               generator(8);
-    const auto                                 box =
+    const MedialVoxelTest::JointClassifier oracle(c.inputs.volume, c.limits);
+    const MedialVoxelClassifier            classifier(c.inputs.grid, ParametersOf(c.limits, BoundEnum::FreeSpace));
+    const auto &                           threshold = classifier.GetThreshold();
+    std::mt19937                           generator(8);
+    const auto                             box =
       RandomBox(c.inputs.volume.size, generator).Expanded({ { 6, 6, 6 } }).Intersection(c.inputs.grid.GetVoxelBox());
     std::vector<double>                       epsilons;
     itk::MedialVoxelLocalThreshold::Workspace workspace;
@@ -182,7 +182,7 @@ TEST(MedialVoxelAutomaticClassifier, ThresholdsAreThoseOfBruteForce)
   EXPECT_GT(raised, 1000u);
 }
 
-TEST(MedialVoxelAutomaticClassifier, LargerLimitsNeverAddMedialCells)
+TEST(MedialVoxelJointClassifier, LargerLimitsNeverAddMedialCells)
 {
   for (const Case & c : AllCases())
   {
@@ -200,7 +200,7 @@ TEST(MedialVoxelAutomaticClassifier, LargerLimitsNeverAddMedialCells)
   }
 }
 
-TEST(MedialVoxelAutomaticClassifier, WallsAreDecidedWithTheirOwnThickness)
+TEST(MedialVoxelJointClassifier, WallsAreDecidedWithTheirOwnThickness)
 {
   // A plate of 2 and one of 10 voxels: one cell per column away from the rims, and none at the edges of the thick one.
   const Inputs inputs(MakeVolume({ { 48, 48, 40 } }, UnitSpacing, [](const Index3 & v) {
@@ -224,7 +224,7 @@ TEST(MedialVoxelAutomaticClassifier, WallsAreDecidedWithTheirOwnThickness)
   }
 }
 
-TEST(MedialVoxelAutomaticClassifier, SmallWindowsSayWhatTheyMiss)
+TEST(MedialVoxelJointClassifier, SmallWindowsSayWhatTheyMiss)
 {
   const itk::MedialVoxelNoProgress progress;
   MedialVoxelClassifier::Workspace workspace;

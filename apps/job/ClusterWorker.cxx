@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ClusterWorker.h"
+
+#include "ExtractParts.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <thread>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** What came in between. */
+RunnerSums
+Subtract(const RunnerSums & after, const RunnerSums & before)
+{
+  RunnerSums sums = after;
+  sums.counts.objectVoxels -= before.counts.objectVoxels;
+  sums.counts.boundaryVoxels -= before.counts.boundaryVoxels;
+  sums.counts.candidateCells -= before.counts.candidateCells;
+  sums.counts.trivialCells -= before.counts.trivialCells;
+  sums.counts.boundCells -= before.counts.boundCells;
+  sums.counts.geodesicMedialCells -= before.counts.geodesicMedialCells;
+  sums.counts.geodesicNonMedialCells -= before.counts.geodesicNonMedialCells;
+  sums.notANumberVoxels -= before.notANumberVoxels;
+  sums.recomputedVoxels -= before.recomputedVoxels;
+  sums.distanceSeconds -= before.distanceSeconds;
+  sums.classificationSeconds -= before.classificationSeconds;
+  sums.threadSeconds -= before.threadSeconds;
+  sums.tileSeconds -= before.tileSeconds;
+  return sums;
+}
+
+std::uint64_t
+CountSlices(const Manifest & manifest, const std::vector<std::uint64_t> & clusters)
+{
+  std::uint64_t slices = 0;
+  for (const std::uint64_t cluster : clusters)
+  {
+    const SliceRange range = manifest.GetCluster(cluster);
+    slices += range.end - range.begin;
+  }
+  return slices;
+}
+
+} // namespace
+
+ClusterWorker::ClusterWorker(const SharedJob & job, const JobResult & plan, ProgressSink & sink)
+  : m_Job(job)
+  , m_Plan(plan)
+  , m_Locks(job.folder.GetLocksName())
+  , m_Run(job.manifest.options, plan, sink)
+{
+  m_Requests = ListVolumes(job.manifest.options, plan.input, m_Run.GetLabelGeometry());
+  for (const VolumeRequest & request : m_Requests)
+  {
+    m_Volumes.push_back(std::make_unique<OutputVolume>(request.fileName, false, false));
+    m_Volumes.back()->OpenShared(request.geometry, request.layout, job.manifest.GetSuffix());
+    if (plan.plan.writesBehind)
+    {
+      m_Volumes.back()->BypassPageCacheWhenLarge();
+    }
+    m_Run.SetVolume(request.role, m_Volumes.back().get());
+  }
+}
+
+WorkResult
+ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
+{
+  WorkResult                                 result;
+  std::set<std::uint64_t>                    free(clusters.begin(), clusters.end());
+  std::set<std::uint64_t>                    busy;
+  std::optional<std::uint64_t>               last;
+  std::optional<itk::MedialVoxelMemoryError> lackOfMemory;
+  m_Run.SetSlicesToDo(CountSlices(m_Job.manifest, clusters));
+  m_Run.Prepare();
+  while (!free.empty() || !busy.empty())
+  {
+    m_Run.ThrowIfStopRequested();
+    if (free.empty())
+    {
+      // Those who are at the others may die, so they are asked for again until they are done.
+      this->WaitAMoment();
+      std::swap(free, busy);
+    }
+    const std::uint64_t cluster = ChooseCluster(free, busy, last);
+    free.erase(cluster);
+    try
+    {
+      switch (this->TryCluster(cluster))
+      {
+        case Outcome::Done:
+          result.done.push_back(cluster);
+          last = cluster;
+          break;
+        case Outcome::Skipped:
+          ++result.skipped;
+          break;
+        case Outcome::Busy:
+          busy.insert(cluster);
+          break;
+      }
+    }
+    catch (const itk::MedialVoxelMemoryError & error)
+    {
+      // Thick walls in one place do not keep the others from being done.
+      lackOfMemory = error;
+      m_Run.Wait();
+      m_Run.Release();
+    }
+  }
+  if (lackOfMemory)
+  {
+    throw *lackOfMemory;
+  }
+  return result;
+}
+
+ClusterWorker::Outcome
+ClusterWorker::TryCluster(std::uint64_t cluster)
+{
+  if (m_Job.folder.ReadMarker(m_Job.manifest, cluster))
+  {
+    return Outcome::Skipped;
+  }
+  const auto lock = m_Locks.TryLock(cluster);
+  if (!lock)
+  {
+    return Outcome::Busy;
+  }
+  // It may have been done between the question and the lock.
+  if (m_Job.folder.ReadMarker(m_Job.manifest, cluster))
+  {
+    return Outcome::Skipped;
+  }
+  this->DoCluster(cluster);
+  return Outcome::Done;
+}
+
+/** The marker comes when the bytes are on the disk, so that one that is there is true whatever happens. */
+void
+ClusterWorker::DoCluster(std::uint64_t cluster)
+{
+  const ClusterMarker marker = this->Compute(m_Job.manifest.GetCluster(cluster));
+  for (const auto & volume : m_Volumes)
+  {
+    volume->Sync();
+  }
+  CheckUnchanged(m_Job.manifest.input);
+  const SurveySettings & settings = m_Run.GetSurvey().GetSettings();
+  const bool             hasSurvey = settings.thickness || settings.picture;
+  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, hasSurvey ? m_Run.GetSurvey().Save() : "");
+}
+
+ClusterMarker
+ClusterWorker::Compute(const SliceRange & range)
+{
+  const auto       start = JobClock::now();
+  const RunnerSums before = m_Run.GetSums();
+  const double     readBefore = m_Run.GetInput().GetReadSeconds();
+  const double     writtenBefore = m_Run.GetWriteSeconds();
+  const auto       bytesBefore = m_Run.GetInput().GetNumberOfBytesRead();
+  m_Run.GetSurvey().Clear();
+  for (const auto & volume : m_Volumes)
+  {
+    volume->StartChecksum();
+  }
+  m_Run.Run(range);
+  m_Run.Wait();
+  ClusterMarker marker;
+  for (std::size_t i = 0; i < m_Volumes.size(); ++i)
+  {
+    marker.checksums[m_Requests[i].role] = m_Volumes[i]->GetChecksum();
+  }
+  marker.sums = Subtract(m_Run.GetSums(), before);
+  CheckCounts(marker.sums.counts);
+  marker.seconds.distance = marker.sums.distanceSeconds;
+  marker.seconds.classification = marker.sums.classificationSeconds;
+  marker.seconds.tiles = marker.sums.tileSeconds;
+  marker.seconds.inputOutput = m_Run.GetInput().GetReadSeconds() - readBefore + m_Run.GetWriteSeconds() - writtenBefore;
+  marker.seconds.total = SecondsSince(start);
+  marker.bytesRead = m_Run.GetInput().GetNumberOfBytesRead() - bytesBefore;
+  marker.peakMemoryBytes = GetPeakMemoryBytes();
+  marker.plannedMemoryBytes = m_Plan.plan.memoryBytes;
+  marker.memoryLimit = m_Plan.plan.memoryLimit;
+  marker.threads = m_Plan.plan.threads;
+  return marker;
+}
+
+/** For others to get on. */
+void
+ClusterWorker::WaitAMoment() const
+{
+  constexpr auto moment = std::chrono::milliseconds(200);
+  std::this_thread::sleep_for(moment);
+  m_Run.ThrowIfStopRequested();
+}
+
+} // end namespace medialvoxel

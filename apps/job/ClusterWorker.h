@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelClusterWorker_h
+#define medialvoxelClusterWorker_h
+
+#include "ExtractRun.h"
+#include "JobCommands.h"
+#include "SharedJob.h"
+
+#include <memory>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class ClusterWorker
+ * \brief Does clusters of a job in this process, those that no other process does. */
+class ClusterWorker
+{
+public:
+  /** \param job  must stay
+   * \param plan header and plan for this process; must stay
+   * \throw JobError Failure when a volume is not as it was planned */
+  ClusterWorker(const SharedJob & job, const JobResult & plan, ProgressSink & sink);
+
+  /** Returns when all these clusters are done, by whomever.
+   * \throw JobError for a failure, at once; for lack of memory, when all others are done
+   * \throw StoppedBySignal when the sink asks to stop */
+  WorkResult
+  Run(const std::vector<std::uint64_t> & clusters);
+
+private:
+  /** Whether a cluster is to be asked for again. */
+  enum class Outcome
+  {
+    Done,
+    Skipped,
+    Busy ///< another process does it
+  };
+
+  Outcome
+  TryCluster(std::uint64_t cluster);
+
+  void
+  DoCluster(std::uint64_t cluster);
+
+  ClusterMarker
+  Compute(const SliceRange & range);
+
+  void
+  WaitAMoment() const;
+
+  const SharedJob &                          m_Job;
+  const JobResult &                          m_Plan;
+  JobLocks                                   m_Locks;
+  std::vector<VolumeRequest>                 m_Requests;
+  std::vector<std::unique_ptr<OutputVolume>> m_Volumes;
+  ExtractRun                                 m_Run;
+};
+
+} // end namespace medialvoxel
+
+#endif

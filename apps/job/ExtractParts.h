@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelExtractParts_h
+#define medialvoxelExtractParts_h
+
+#include "Survey.h"
+#include "VolumeJob.h"
+
+namespace medialvoxel
+{
+
+/** Checks everything that an extraction needs and plans it, before anything is written.
+ * \throw JobError */
+JobResult
+PrepareExtract(const ExtractOptions & options);
+
+/** The same without the outputs, which exist already and are being written: header, plan for this machine, threads.
+ * \throw JobError */
+JobResult
+PrepareSharedExtract(const ExtractOptions & options);
+
+/** The header of the input, and the outputs that are asked for. */
+JobResult
+DescribeExtract(const ExtractOptions & options);
+
+/** What the outputs need to know about the medial cells. */
+SurveySettings
+GetSurveySettings(const ExtractOptions & options);
+
+/** Each cell must have been decided once. \throw JobError Failure */
+void
+CheckCounts(const itk::MedialVoxelCounts & counts);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelExtractRun_h
+#define medialvoxelExtractRun_h
+
+#include "JobParts.h"
+#include "OutputSet.h"
+#include "Survey.h"
+#include "TileObservers.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** The volumes that an extraction writes, the labels first if they are wanted.
+ * \param header of the input
+ * \param labels geometry of the labels */
+std::vector<VolumeRequest>
+ListVolumes(const ExtractOptions & options, const VolumeHeader & header, const VolumeGeometry & labels);
+
+/** Opens the input to find out. */
+VolumeGeometry
+FindLabelGeometry(const ExtractOptions & options, const VolumeHeader & header);
+
+/** \class ExtractRun
+ * \brief Computes ranges of slices of an opened volume and has them written to the volumes of a job. */
+class ExtractRun
+{
+public:
+  /** \param job header and plan */
+  ExtractRun(const ExtractOptions & options, const JobResult & job, ProgressSink & sink);
+
+  VolumeGeometry
+  GetLabelGeometry() const
+  {
+    return m_Runner->GetGeometry();
+  }
+
+  /** Sets where results go; null where they are not wanted. */
+  void
+  SetVolume(const std::string & role, VoxelOutput * volume);
+
+  /** Lets someone see the tiles, before the survey does. */
+  void
+  AddObserver(itk::MedialVoxelTileObserver & observer);
+
+  /** For the progress, when not all of the slices are to be done. */
+  void
+  SetSlicesToDo(std::uint64_t slices);
+
+  /** To be called once before the first range, when the volumes and observers are set.
+   * \throw StoppedBySignal when the sink asks to stop. */
+  void
+  Prepare();
+
+  /** Computes a range; writing it may still be under way.
+   * \throw StoppedBySignal when the sink asks to stop. */
+  void
+  Run(const SliceRange & range);
+
+  /** Waits until all is written; throws what failed. */
+  void
+  Wait();
+
+  /** Gives back the memory of results, after an error as well. */
+  void
+  Release();
+
+  /** Of all filters and ranges so far. */
+  RunnerSums
+  GetSums() const;
+
+  Survey &
+  GetSurvey()
+  {
+    return m_Survey;
+  }
+
+  const InputVolume &
+  GetInput() const
+  {
+    return *m_Input;
+  }
+
+  /** Seconds that writing took; to be asked when nothing is under way. */
+  double
+  GetWriteSeconds() const
+  {
+    return m_Writer.GetSeconds();
+  }
+
+  void
+  ThrowIfStopRequested() const
+  {
+    m_Loop.ThrowIfStopRequested();
+  }
+
+private:
+  void
+  Write(const PieceLoop::Range & range, const PieceResults & results);
+
+  const ExtractOptions &       m_Options;
+  std::unique_ptr<InputVolume> m_Input;
+  PieceLoop                    m_Loop;
+  std::unique_ptr<PieceRunner> m_Runner;
+  std::unique_ptr<PieceRunner> m_DistanceRunner;
+  Survey                       m_Survey;
+  TileObservers                m_Observers;
+  VoxelOutput *                m_Labels{ nullptr };
+  VoxelOutput *                m_Vectors{ nullptr };
+  VoxelOutput *                m_Distances{ nullptr };
+  VoxelOutput *                m_Thicknesses{ nullptr };
+  WriteBehind                  m_Writer; // ends before what it writes
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelFileIdentity_h
+#define medialvoxelFileIdentity_h
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** What tells whether a file is still the one that a job began with. */
+struct FileIdentity
+{
+  std::filesystem::path fileName;
+  std::uint64_t         numberOfBytes{ 0 };
+  std::int64_t          modified{ 0 }; ///< nanoseconds since 1970
+  std::string           sha256;        ///< of the content; empty: not asked for
+};
+
+/** Size and time of a file, without reading it. \throw JobError Failure when it cannot be found. */
+FileIdentity
+IdentifyFile(const std::filesystem::path & fileName);
+
+/** SHA-256 of the content of a file.
+ * \throw JobError Failure when it cannot be read.
+ * \throw StoppedBySignal */
+std::string
+HashFile(const std::filesystem::path & fileName);
+
+/** Compares size and time of the files with what they were. \throw JobError Failure that names the difference. */
+void
+CheckUnchanged(const std::vector<FileIdentity> & files);
+
+/** Compares the content of those files that have a hash; reads them whole.
+ * \throw JobError Failure
+ * \throw StoppedBySignal */
+void
+CheckContent(const std::vector<FileIdentity> & files);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ClusterRange.h"
+#include "ExtractParts.h"
+#include "ExtractRun.h"
+#include "ExtractSummary.h"
+#include "JobCommands.h"
+#include "JobParts.h"
+#include "SharedJob.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using DataNames = std::map<std::string, std::string>;
+
+[[noreturn]] void
+RefuseMissing(const SharedJob & job, const std::vector<std::uint64_t> & missing)
+{
+  Fail(ExitStatus::Failure,
+       missing.size(),
+       " of ",
+       job.manifest.numberOfClusters,
+       " clusters are not done: ",
+       FormatClusters(missing),
+       "; to do them: ",
+       MakeWorkCommand(job.folder, missing, job.manifest.numberOfClusters));
+}
+
+std::vector<ClusterMarker>
+ReadMarkers(const SharedJob & job)
+{
+  std::vector<ClusterMarker> markers;
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t cluster = 0; cluster < job.manifest.numberOfClusters; ++cluster)
+  {
+    std::optional<ClusterMarker> marker = job.folder.ReadMarker(job.manifest, cluster);
+    if (marker)
+    {
+      markers.push_back(*std::move(marker));
+    }
+    else
+    {
+      missing.push_back(cluster);
+    }
+  }
+  if (!missing.empty())
+  {
+    RefuseMissing(job, missing);
+  }
+  return markers;
+}
+
+void
+AddSums(RunnerSums & total, const RunnerSums & part)
+{
+  total.counts.objectVoxels += part.counts.objectVoxels;
+  total.counts.boundaryVoxels += part.counts.boundaryVoxels;
+  total.counts.candidateCells += part.counts.candidateCells;
+  total.counts.trivialCells += part.counts.trivialCells;
+  total.counts.boundCells += part.counts.boundCells;
+  total.counts.geodesicMedialCells += part.counts.geodesicMedialCells;
+  total.counts.geodesicNonMedialCells += part.counts.geodesicNonMedialCells;
+  total.notANumberVoxels += part.notANumberVoxels;
+  total.recomputedVoxels += part.recomputedVoxels;
+  total.threadSeconds += part.threadSeconds;
+}
+
+/** Times and bytes are sums over the clusters; memory and threads those of the largest process. */
+void
+AddMarker(JobResult & job, const ClusterMarker & marker)
+{
+  AddSums(job.sums, marker.sums);
+  job.seconds.distance += marker.seconds.distance;
+  job.seconds.classification += marker.seconds.classification;
+  job.seconds.tiles += marker.seconds.tiles;
+  job.seconds.inputOutput += marker.seconds.inputOutput;
+  job.seconds.total += marker.seconds.total;
+  job.bytesRead += marker.bytesRead;
+  job.peakMemoryBytes = std::max(job.peakMemoryBytes, marker.peakMemoryBytes);
+  job.plan.memoryBytes = std::max(job.plan.memoryBytes, marker.plannedMemoryBytes);
+  job.plan.memoryLimit = std::max(job.plan.memoryLimit, marker.memoryLimit);
+  job.plan.threads = std::max(job.plan.threads, marker.threads);
+}
+
+/** \class Finalization
+ * \brief From the parts of a job that is done to its outputs. */
+class Finalization
+{
+public:
+  Finalization(const SharedJob & shared, ProgressSink & sink)
+    : m_Shared(shared)
+    , m_Options(shared.manifest.options)
+    , m_Sink(sink)
+    , m_Markers(ReadMarkers(shared))
+    , m_Job(DescribeExtract(m_Options))
+    , m_Survey(m_Job.input.geometry, GetGrid(m_Options, m_Job.input), GetSurveySettings(m_Options))
+  {
+    m_Job.plan.numberOfSlices = shared.manifest.numberOfSlices;
+    m_Job.plan.divisions = shared.manifest.numberOfClusters;
+  }
+
+  JobResult
+  Run(bool verifies)
+  {
+    const auto start = JobClock::now();
+    this->OpenOutputs();
+    if (verifies)
+    {
+      CheckContent(m_Shared.manifest.input);
+      this->VerifyVolumes();
+    }
+    this->MergeParts();
+    ExtractSummary summary(m_Options, *m_Outputs);
+    m_Outputs->FinishVolumes();
+    summary.Draw(m_Job.input.geometry, m_Survey, this->FindVolume("labels"), this->FindVolume("thickness_map"));
+    this->ThrowIfStopRequested();
+    m_Job.seconds.total += SecondsSince(start);
+    summary.Write(m_Survey, m_Job);
+    this->Publish();
+    return std::move(m_Job);
+  }
+
+private:
+  /** An interrupted publication left names of ours, which are to be replaced then. */
+  void
+  OpenOutputs()
+  {
+    m_Requests = ListVolumes(m_Options, m_Job.input, FindLabelGeometry(m_Options, m_Job.input));
+    const std::optional<DataNames> begun = m_Shared.folder.ReadDataNames(m_Shared.manifest);
+    m_Options.overwrite = m_Options.overwrite || begun;
+    CheckOutputs(m_Job.outputs, m_Job.input, m_Options.overwrite);
+    m_DataNames = begun ? *begun : this->ChooseDataNames();
+    m_Outputs = std::make_unique<OutputSet>(m_Options, false);
+    for (const VolumeRequest & request : m_Requests)
+    {
+      m_Volumes.push_back(
+        m_Outputs->AddCompletedVolume(request, m_Shared.manifest.GetSuffix(), m_DataNames[request.role]));
+    }
+  }
+
+  DataNames
+  ChooseDataNames() const
+  {
+    DataNames names;
+    for (const VolumeRequest & request : m_Requests)
+    {
+      names[request.role] = OutputVolume(request.fileName, false, false).FindFreeDataName().string();
+    }
+    return names;
+  }
+
+  const OutputVolume *
+  FindVolume(const std::string & role) const
+  {
+    for (std::size_t i = 0; i < m_Requests.size(); ++i)
+    {
+      if (m_Requests[i].role == role)
+      {
+        return m_Volumes[i];
+      }
+    }
+    return nullptr;
+  }
+
+  void
+  VerifyVolumes()
+  {
+    std::vector<std::uint64_t> damaged;
+    const std::uint64_t        perSlice = m_Job.input.geometry.GetVoxelsPerSlice();
+    for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
+    {
+      this->ThrowIfStopRequested();
+      const SliceRange range = m_Shared.manifest.GetCluster(cluster);
+      for (std::size_t i = 0; i < m_Volumes.size(); ++i)
+      {
+        const auto checksum = m_Markers[cluster].checksums.find(m_Requests[i].role);
+        if (checksum == m_Markers[cluster].checksums.end() ||
+            m_Volumes[i]->ReadChecksum(range.begin * perSlice, (range.end - range.begin) * perSlice) !=
+              checksum->second)
+        {
+          damaged.push_back(cluster);
+          break;
+        }
+      }
+      m_Sink.Report(static_cast<double>(cluster + 1) / static_cast<double>(m_Markers.size()));
+    }
+    this->RefuseDamaged(damaged);
+  }
+
+  void
+  MergeParts()
+  {
+    std::vector<std::uint64_t> damaged;
+    for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
+    {
+      AddMarker(m_Job, m_Markers[cluster]);
+      const SurveySettings & settings = m_Survey.GetSettings();
+      if (settings.thickness || settings.picture)
+      {
+        const std::optional<std::string> part = m_Shared.folder.ReadSurvey(cluster, m_Markers[cluster]);
+        if (part)
+        {
+          m_Survey.Merge(*part);
+        }
+        else
+        {
+          damaged.push_back(cluster);
+        }
+      }
+    }
+    this->RefuseDamaged(damaged);
+    CheckCounts(m_Job.sums.counts);
+  }
+
+  /** Lets damaged clusters be done again. */
+  void
+  RefuseDamaged(const std::vector<std::uint64_t> & damaged) const
+  {
+    if (damaged.empty())
+    {
+      return;
+    }
+    std::for_each(
+      damaged.begin(), damaged.end(), [this](std::uint64_t cluster) { m_Shared.folder.RemoveMarker(cluster); });
+    Fail(ExitStatus::Failure,
+         "the files of ",
+         damaged.size(),
+         " clusters do not have the checksums that they were written with: ",
+         FormatClusters(damaged),
+         "; they have to be done again: ",
+         MakeWorkCommand(m_Shared.folder, damaged, m_Shared.manifest.numberOfClusters));
+  }
+
+  void
+  Publish()
+  {
+    CheckOutputs(m_Job.outputs, m_Job.input, m_Options.overwrite);
+    m_Shared.folder.WriteDataNames(m_Shared.manifest, m_DataNames);
+    m_Outputs->Publish();
+    m_Shared.folder.WriteFinished(m_Shared.manifest);
+  }
+
+  void
+  ThrowIfStopRequested() const
+  {
+    if (m_Sink.IsStopRequested())
+    {
+      throw ResumableStop(GetStopSignal(), "medialvoxel finalize " + Quote(m_Shared.folder.GetPath().string()));
+    }
+  }
+
+  const SharedJob &           m_Shared;
+  ExtractOptions              m_Options;
+  ProgressSink &              m_Sink;
+  std::vector<ClusterMarker>  m_Markers;
+  JobResult                   m_Job;
+  Survey                      m_Survey;
+  std::vector<VolumeRequest>  m_Requests;
+  DataNames                   m_DataNames;
+  std::unique_ptr<OutputSet>  m_Outputs;
+  std::vector<OutputVolume *> m_Volumes;
+};
+
+} // namespace
+
+FinalizeResult
+RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
+{
+  const SharedJob job = OpenSharedJob(options.jobFolder);
+  FinalizeResult  result{ job.manifest.options, std::nullopt };
+  JobLocks        locks(job.folder.GetLocksName());
+  const auto      lock = locks.TryLock(JobLocks::Finalizing);
+  if (!lock)
+  {
+    Fail(ExitStatus::Failure, job.folder.GetPath().string(), ": another process is finalizing this job");
+  }
+  if (!job.folder.IsFinished(job.manifest))
+  {
+    WithPipelineErrors([&] {
+      sink.Start("medialvoxel", "verifying and publishing");
+      result.job = Finalization(job, sink).Run(options.verifies);
+      sink.Finish(result.job->seconds.total);
+    });
+  }
+  return result;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelJobFolder_h
+#define medialvoxelJobFolder_h
+
+#include "ClusterMarker.h"
+#include "JobLocks.h"
+#include "Manifest.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** \class JobFolder
+ * \brief The files by which the processes of a job know of each other.
+ *
+ * manifest.json is what they agree on; clusters/NNNNNN.json is there when a cluster is done and its bytes are on the
+ * disk, with a checksum of them; NNNNNN.survey is its part of the statistics; publishing.json is there once outputs
+ * may have got their names, finished.json when all have. planned.json stands for a manifest whose outputs are still
+ * being created. Each appears complete, by a rename. The file locks is empty and serves only to be locked. */
+class JobFolder
+{
+public:
+  explicit JobFolder(const std::filesystem::path & folder);
+
+  const std::filesystem::path &
+  GetPath() const
+  {
+    return m_Path;
+  }
+
+  std::filesystem::path
+  GetLocksName() const;
+
+  /** True when there is a manifest. */
+  bool
+  IsPlanned() const;
+
+  /** True when all outputs of the job have their names. */
+  bool
+  IsFinished(const Manifest & manifest) const;
+
+  /** \throw JobError Failure when there is none, or as medialvoxel::ReadManifest() */
+  Manifest
+  ReadManifest() const;
+
+  /** \throw JobError Refused when the folder is there and has more in it than what a job left that has no manifest. */
+  void
+  CheckFree() const;
+
+  /** Creates the folder unless it is there. \throw JobError Refused, also as CheckFree() */
+  void
+  Create() const;
+
+  /** The manifest of a plan that ended early, or nothing. */
+  std::optional<Manifest>
+  ReadUnfinishedPlan() const;
+
+  /** To be called before the first output is created, so that they are found if this ends early. */
+  void
+  WriteUnfinishedPlan(const Manifest & manifest) const;
+
+  /** Makes it the manifest. */
+  void
+  FinishPlan(const Manifest & manifest) const;
+
+  std::optional<ClusterMarker>
+  ReadMarker(const Manifest & manifest, std::uint64_t cluster) const;
+
+  /** Makes a cluster done. \param survey its part of the survey; empty: it has none */
+  void
+  WriteMarker(const Manifest & manifest, std::uint64_t cluster, ClusterMarker marker, const std::string & survey) const;
+
+  /** Makes a cluster that was done one that is to be done. */
+  void
+  RemoveMarker(std::uint64_t cluster) const;
+
+  /** Nothing when it is missing or its checksum is not the marker's. */
+  std::optional<std::string>
+  ReadSurvey(std::uint64_t cluster, const ClusterMarker & marker) const;
+
+  /** Names of the data files of the volumes by role, once WriteDataNames() was called. */
+  std::optional<std::map<std::string, std::string>>
+  ReadDataNames(const Manifest & manifest) const;
+  void
+  WriteDataNames(const Manifest & manifest, const std::map<std::string, std::string> & names) const;
+
+  void
+  WriteFinished(const Manifest & manifest) const;
+
+  /** Removes the files that this class knows, but for the locks. */
+  void
+  Clear() const;
+
+  /** Removes these files and the locks, and the folder when it is empty then. */
+  void
+  Remove() const;
+
+private:
+  std::filesystem::path
+  GetClusterName(std::uint64_t cluster, const char * extension) const;
+
+  std::filesystem::path m_Path; ///< absolute
+};
+
+} // end namespace medialvoxel
+
+#endif

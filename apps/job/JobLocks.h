@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelJobLocks_h
+#define medialvoxelJobLocks_h
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+namespace medialvoxel
+{
+
+/** \class JobLocks
+ * \brief Tells the processes of a job which of them does what: a byte of a file for each thing that is to be done once.
+ *
+ * The system gives a lock back when its process ends, however it ends, so that neither clocks nor times matter. Where
+ * the file system has no locks everyone gets them: then two processes may do the same work and write the same bytes. */
+class JobLocks
+{
+public:
+  /** Things that are no clusters. */
+  static constexpr std::uint64_t Planning = std::uint64_t{ 1 } << 40;
+  static constexpr std::uint64_t Finalizing = Planning + 1;
+
+  /** \class Lock
+   * \brief Is held until it ends. */
+  class Lock
+  {
+  public:
+    Lock(int descriptor, std::uint64_t thing)
+      : m_Descriptor(descriptor)
+      , m_Thing(thing)
+    {}
+    ~Lock();
+    Lock(Lock && other) noexcept
+      : m_Descriptor(other.m_Descriptor)
+      , m_Thing(other.m_Thing)
+    {
+      other.m_Descriptor = -1;
+    }
+    Lock &
+    operator=(Lock &&) = delete;
+
+  private:
+    int           m_Descriptor;
+    std::uint64_t m_Thing;
+  };
+
+  /** Opens the file, which is created when it is not there. \throw JobError Failure */
+  explicit JobLocks(const std::filesystem::path & fileName);
+  ~JobLocks();
+  JobLocks(const JobLocks &) = delete;
+  JobLocks &
+  operator=(const JobLocks &) = delete;
+
+  /** Nothing when another process has it. Must not outlive this object. */
+  std::optional<Lock>
+  TryLock(std::uint64_t thing);
+
+private:
+  int m_Descriptor;
+};
+
+/** True when a process has it; false when none has or the file is not there. */
+bool
+IsLocked(const std::filesystem::path & fileName, std::uint64_t thing);
+
+} // end namespace medialvoxel
+
+#endif

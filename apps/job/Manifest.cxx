@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Manifest.h"
+
+#include "Report.h"
+#include "SealedJson.h"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** To be raised with every change of what the files of a job mean. */
+constexpr int ManifestFormat = 1;
+
+using FileOption = std::pair<const char *, std::string ExtractOptions::*>;
+using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
+
+const std::array<FileOption, 9> FileOptions{ { { "output", &ExtractOptions::output },
+                                               { "input", &ExtractOptions::input },
+                                               { "vectors", &ExtractOptions::vectorFile },
+                                               { "distance", &ExtractOptions::distanceFile },
+                                               { "thickness_map", &ExtractOptions::thicknessFile },
+                                               { "thickness_csv", &ExtractOptions::thicknessCsvFile },
+                                               { "preview", &ExtractOptions::previewFile },
+                                               { "html", &ExtractOptions::htmlFile },
+                                               { "report", &ExtractOptions::reportFile } } };
+
+const std::array<NumberOption, 5> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
+                                                   { "minimum_thickness", &ExtractOptions::minimumThickness },
+                                                   { "maximum_thickness", &ExtractOptions::maximumThickness },
+                                                   { "lower", &ExtractOptions::lowerThreshold },
+                                                   { "upper", &ExtractOptions::upperThreshold } } };
+
+constexpr std::array<itk::MedialVoxelPseudoGeodesicBound, 3> Bounds{ { itk::MedialVoxelPseudoGeodesicBound::FreeSpace,
+                                                                       itk::MedialVoxelPseudoGeodesicBound::Paper,
+                                                                       itk::MedialVoxelPseudoGeodesicBound::Off } };
+constexpr std::array<itk::MedialVoxelBoundary, 2>            Boundaries{ { itk::MedialVoxelBoundary::Object,
+                                                                           itk::MedialVoxelBoundary::Background } };
+
+template <typename TEnum, std::size_t VSize>
+TEnum
+EnumFromJson(const Json & name, const std::array<TEnum, VSize> & values)
+{
+  for (const TEnum value : values)
+  {
+    if (name == GetName(value))
+    {
+      return value;
+    }
+  }
+  throw std::invalid_argument("it has the unknown choice " + name.dump());
+}
+
+Json
+RawToJson(const std::optional<RawDescription> & raw)
+{
+  if (!raw)
+  {
+    return nullptr;
+  }
+  return { { "size", raw->size },
+           { "type", std::string(GetTraits(raw->pixelType).name) },
+           { "spacing", raw->spacing },
+           { "header_bytes", raw->headerBytes },
+           { "big_endian", raw->bigEndian } };
+}
+
+std::optional<RawDescription>
+RawFromJson(const Json & json)
+{
+  if (json.is_null())
+  {
+    return std::nullopt;
+  }
+  RawDescription raw;
+  json.at("size").get_to(raw.size);
+  const auto type = PixelTypeFromName(json.at("type").get<std::string>());
+  if (!type)
+  {
+    throw std::invalid_argument("it has the unknown type of voxels " + json.at("type").dump());
+  }
+  raw.pixelType = *type;
+  json.at("spacing").get_to(raw.spacing);
+  json.at("header_bytes").get_to(raw.headerBytes);
+  json.at("big_endian").get_to(raw.bigEndian);
+  return raw;
+}
+
+Json
+OptionsToJson(const ExtractOptions & options)
+{
+  Json json = Json::object();
+  for (const auto & [name, member] : FileOptions)
+  {
+    json[name] = options.*member;
+  }
+  for (const auto & [name, member] : NumberOptions)
+  {
+    json[name] = NumberToJson(options.*member);
+  }
+  json["bound"] = GetName(options.bound);
+  json["vector_boundary"] = GetName(options.vectorBoundary);
+  json["voxel_units"] = options.voxelUnits;
+  json["sub_voxel"] = options.subVoxel;
+  json["overwrite"] = options.overwrite;
+  json["raw"] = RawToJson(options.raw);
+  return json;
+}
+
+ExtractOptions
+OptionsFromJson(const Json & json)
+{
+  ExtractOptions options;
+  for (const auto & [name, member] : FileOptions)
+  {
+    json.at(name).get_to(options.*member);
+  }
+  for (const auto & [name, member] : NumberOptions)
+  {
+    options.*member = NumberFromJson(json.at(name));
+  }
+  options.bound = EnumFromJson(json.at("bound"), Bounds);
+  options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
+  json.at("voxel_units").get_to(options.voxelUnits);
+  json.at("sub_voxel").get_to(options.subVoxel);
+  json.at("overwrite").get_to(options.overwrite);
+  options.raw = RawFromJson(json.at("raw"));
+  return options;
+}
+
+template <typename TValue>
+Json
+OptionalToJson(const std::optional<TValue> & value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <typename TValue>
+std::optional<TValue>
+OptionalFromJson(const Json & value)
+{
+  return value.is_null() ? std::nullopt : std::optional<TValue>(value.get<TValue>());
+}
+
+Json
+InputToJson(const std::vector<FileIdentity> & files)
+{
+  Json json = Json::array();
+  for (const FileIdentity & file : files)
+  {
+    json.push_back({ { "file", file.fileName.string() },
+                     { "bytes", file.numberOfBytes },
+                     { "modified_ns", file.modified },
+                     { "sha256", file.sha256.empty() ? Json(nullptr) : Json(file.sha256) } });
+  }
+  return json;
+}
+
+std::vector<FileIdentity>
+InputFromJson(const Json & json)
+{
+  std::vector<FileIdentity> files;
+  for (const Json & file : json)
+  {
+    files.push_back({ file.at("file").get<std::string>(),
+                      file.at("bytes").get<std::uint64_t>(),
+                      file.at("modified_ns").get<std::int64_t>(),
+                      OptionalFromJson<std::string>(file.at("sha256")).value_or("") });
+  }
+  return files;
+}
+
+Manifest
+FromJson(const Json & json)
+{
+  Manifest manifest;
+  json.at("version").get_to(manifest.version);
+  json.at("job").get_to(manifest.jobId);
+  manifest.folder = json.at("folder").get<std::string>();
+  manifest.options = OptionsFromJson(json.at("parameters"));
+  manifest.options.memoryBytes = OptionalFromJson<std::uint64_t>(json.at("run").at("memory_bytes"));
+  manifest.options.threads = OptionalFromJson<unsigned int>(json.at("run").at("threads"));
+  manifest.input = InputFromJson(json.at("input"));
+  json.at("clusters").at("slices").get_to(manifest.numberOfSlices);
+  json.at("clusters").at("number").get_to(manifest.numberOfClusters);
+  json.at("clusters").at("bytes_per_slice").get_to(manifest.bytesPerSlice);
+  manifest.options.divisions = manifest.numberOfClusters;
+  const bool isId =
+    manifest.jobId.size() == 16 && manifest.jobId.find_first_not_of("0123456789abcdef") == std::string::npos;
+  if (!isId || manifest.numberOfClusters == 0 || manifest.numberOfClusters > manifest.numberOfSlices)
+  {
+    throw std::invalid_argument("its identity or its clusters are out of range");
+  }
+  return manifest;
+}
+
+} // namespace
+
+SliceRange
+Manifest::GetCluster(std::uint64_t cluster) const
+{
+  JobPlan plan;
+  plan.numberOfSlices = numberOfSlices;
+  plan.divisions = numberOfClusters;
+  return plan.GetPiece(cluster);
+}
+
+std::string
+Manifest::GetSuffix() const
+{
+  return "." + jobId + ".partial";
+}
+
+void
+WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest)
+{
+  Json json;
+  json["format"] = ManifestFormat;
+  json["version"] = manifest.version;
+  json["job"] = manifest.jobId;
+  json["folder"] = manifest.folder.string();
+  json["parameters"] = OptionsToJson(manifest.options);
+  json["run"] = { { "memory_bytes", OptionalToJson(manifest.options.memoryBytes) },
+                  { "threads", OptionalToJson(manifest.options.threads) } };
+  json["input"] = InputToJson(manifest.input);
+  json["clusters"] = { { "number", manifest.numberOfClusters },
+                       { "slices", manifest.numberOfSlices },
+                       { "bytes_per_slice", manifest.bytesPerSlice } };
+  WriteSealed(fileName, json);
+}
+
+std::optional<Manifest>
+ReadManifest(const std::filesystem::path & fileName)
+{
+  const std::optional<Json> json = ReadSealed(fileName);
+  if (!json)
+  {
+    return std::nullopt;
+  }
+  if (json->value("version", "") != GetVersion() || json->value("format", 0) != ManifestFormat)
+  {
+    Fail(ExitStatus::Failure,
+         fileName.string(),
+         " is of version ",
+         json->value("version", "unknown"),
+         " of medialvoxel, this is version ",
+         GetVersion(),
+         "; continue the job with that version, or plan it again");
+  }
+  try
+  {
+    return FromJson(*json);
+  }
+  catch (const Json::exception & error)
+  {
+    Fail(ExitStatus::Failure, fileName.string(), " is not a manifest: ", error.what());
+  }
+  catch (const std::invalid_argument & error)
+  {
+    Fail(ExitStatus::Failure, fileName.string(), " is not a manifest: ", error.what());
+  }
+}
+
+std::vector<std::string>
+ListVolumeNames(const ExtractOptions & options)
+{
+  std::vector<std::string> names;
+  for (const std::string & name : { options.output, options.vectorFile, options.distanceFile, options.thicknessFile })
+  {
+    if (!name.empty())
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+ExtractOptions
+WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder)
+{
+  for (const auto & option : FileOptions)
+  {
+    std::string & name = options.*option.second;
+    name = name.empty() ? "" : (folder / name).lexically_normal().string();
+  }
+  return options;
+}
+
+std::string
+FindDifference(const ExtractOptions & wanted, const ExtractOptions & present)
+{
+  const Json a = OptionsToJson(wanted);
+  const Json b = OptionsToJson(present);
+  for (const auto & [name, value] : a.items())
+  {
+    if (value != b.at(name))
+    {
+      return name + " is " + value.dump() + ", not " + b.at(name).dump();
+    }
+  }
+  if (wanted.divisions && wanted.divisions != present.divisions)
+  {
+    return "divisions is " + std::to_string(*wanted.divisions) + ", not " + std::to_string(*present.divisions);
+  }
+  return "";
+}
+
+} // end namespace medialvoxel

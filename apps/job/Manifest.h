@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelManifest_h
+#define medialvoxelManifest_h
+
+#include "FileIdentity.h"
+#include "Plan.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** What the processes of a job agree on: everything that decides a byte of the result, and where it is written. */
+struct Manifest
+{
+  std::string           version; ///< of the program
+  std::string           jobId;   ///< 16 hexadecimal digits that no other job has
+  std::filesystem::path folder;  ///< absolute; relative names of files are meant from here
+  ExtractOptions        options; ///< names of files as they were given
+
+  std::vector<FileIdentity> input; ///< all files of the volume
+
+  std::uint64_t numberOfSlices{ 0 };
+  std::uint64_t numberOfClusters{ 0 };
+  std::uint64_t bytesPerSlice{ 0 }; ///< of all volumes that are written
+
+  SliceRange
+  GetCluster(std::uint64_t cluster) const;
+
+  /** What the temporary names of the outputs have behind their final names. */
+  std::string
+  GetSuffix() const;
+};
+
+/** \throw JobError Failure, or Usage for names that are not UTF-8 */
+void
+WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest);
+
+/** Nothing when there is no such file.
+ * \throw JobError Failure when it is damaged or changed, or of another version of the program. */
+std::optional<Manifest>
+ReadManifest(const std::filesystem::path & fileName);
+
+/** Names of the volumes that the options ask for, as they were given. */
+std::vector<std::string>
+ListVolumeNames(const ExtractOptions & options);
+
+/** The options with absolute names of files. \param folder from which the names are meant */
+ExtractOptions
+WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder);
+
+/** The first parameter in which two jobs differ, and its values, as "lower is 72, not 70"; empty: none. Threads and
+ * memory, which change no byte, may differ; divisions only count when \a wanted has them. */
+std::string
+FindDifference(const ExtractOptions & wanted, const ExtractOptions & present);
+
+} // end namespace medialvoxel
+
+#endif

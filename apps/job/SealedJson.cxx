@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "SealedJson.h"
+
+#include "Checksum.h"
+#include "Errors.h"
+#include "OutputFile.h"
+#include "Text.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr const char * SealName = "checksum";
+
+/** Far above any file of a job, so that no other file fills the memory. */
+constexpr std::uint64_t MostBytes = std::uint64_t{ 1 } << 26;
+
+std::uint32_t
+GetSeal(const Json & object)
+{
+  return GetChecksum(object.dump());
+}
+
+} // namespace
+
+void
+WriteDurably(const std::filesystem::path & fileName, const std::string & text)
+{
+  try
+  {
+    OutputFile file(fileName, true);
+    file.Create(0, false);
+    WriteText(file, text);
+    file.Publish();
+  }
+  catch (const JobError & error)
+  {
+    throw JobError(ExitStatus::Failure, error.what());
+  }
+}
+
+void
+WriteSealed(const std::filesystem::path & fileName, Json object)
+{
+  try
+  {
+    object[SealName] = GetSeal(object);
+    WriteDurably(fileName, object.dump(2) + "\n");
+  }
+  catch (const Json::type_error &)
+  {
+    Fail(ExitStatus::Usage, fileName.string(), ": the names of the files of a job must be valid UTF-8");
+  }
+}
+
+std::optional<Json>
+ReadSealed(const std::filesystem::path & fileName)
+{
+  std::error_code error;
+  if (!std::filesystem::exists(fileName, error) && (!error || error == std::errc::no_such_file_or_directory))
+  {
+    return std::nullopt;
+  }
+  std::ifstream       file(fileName, std::ios::binary);
+  const std::uint64_t size = std::filesystem::file_size(fileName, error);
+  if (!file || error)
+  {
+    Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": ", std::strerror(errno));
+  }
+  if (size <= MostBytes)
+  {
+    const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+    Json              object = Json::parse(text, nullptr, false);
+    if (object.is_object() && object.contains(SealName) && object[SealName].is_number_unsigned())
+    {
+      const auto seal = object[SealName].get<std::uint64_t>();
+      object.erase(SealName);
+      if (seal == GetSeal(object))
+      {
+        return object;
+      }
+    }
+  }
+  Fail(ExitStatus::Failure, fileName.string(), " is damaged or was changed: its checksum does not fit");
+}
+
+Json
+NumberToJson(const std::optional<double> & value)
+{
+  if (!value)
+  {
+    return nullptr;
+  }
+  return std::isfinite(*value) ? Json(*value) : Json(FormatNumber(*value));
+}
+
+std::optional<double>
+NumberFromJson(const Json & value)
+{
+  if (value.is_null())
+  {
+    return std::nullopt;
+  }
+  return value.is_string() ? ParseDouble(value.get<std::string>()) : value.get<double>();
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSharedJob_h
+#define medialvoxelSharedJob_h
+
+#include "JobFolder.h"
+#include "OutputSet.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** A job folder that a process works in. */
+struct SharedJob
+{
+  JobFolder folder;
+  Manifest  manifest;
+};
+
+/** Reads the manifest, makes the folder of the plan the current one when names are relative to it, and compares the
+ * input with what it was. \throw JobError Failure */
+SharedJob
+OpenSharedJob(const std::string & jobFolder);
+
+/** Clusters without a valid marker. */
+std::vector<std::uint64_t>
+ListMissing(const SharedJob & job);
+
+/** "medialvoxel work JOBDIR --clusters I-J". */
+std::string
+MakeWorkCommand(const JobFolder & folder, const std::vector<std::uint64_t> & clusters, std::uint64_t numberOfClusters);
+
+/** A name as a shell takes it. */
+std::string
+Quote(const std::string & text);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelCommandParts_h
+#define medialvoxelCommandParts_h
+
+#include "CommandLine.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace medialvoxel
+{
+
+/** Parts that several commands have. */
+void
+AddInput(CLI::App & app, JobOptions & options);
+void
+AddLabels(CLI::App & app, ExtractOptions & options);
+void
+AddMemory(CLI::App & app, std::optional<std::uint64_t> & target);
+void
+AddThreads(CLI::App & app, std::optional<unsigned int> & target);
+void
+AddProgress(CommandLine & line, CLI::App & app);
+
+/** All but the arguments. */
+void
+AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options);
+
+/** Defines plan, work, finalize and status. */
+void
+DefineJobCommands(CommandLine & line);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "CommandParts.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+void
+AddJobFolder(CLI::App & app, std::string & target, const std::string & help)
+{
+  app.add_option("JOBDIR", target, help)->type_name("DIR")->required();
+}
+
+void
+DefinePlan(CommandLine & line)
+{
+  CLI::App &    app = *line.plan;
+  PlanOptions & options = line.planOptions;
+  AddInput(app, options);
+  AddLabels(app, options);
+  AddJobFolder(app, options.jobFolder, "Folder of the job, new or empty");
+  AddExtractOptions(line, app, options);
+  app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end")->group("Run");
+  line.examples[&app] = { "medialvoxel plan part.mha out.mha job --thickness 3 --lower 72",
+                          "medialvoxel plan part.mha out.mha job --divisions 64 --report r.json" };
+}
+
+void
+DefineWork(CommandLine & line)
+{
+  CLI::App & app = *line.work;
+  AddJobFolder(app, line.workOptions.jobFolder, "Folder that medialvoxel plan has made");
+  const auto parse = [&line](const CLI::results_t & results) {
+    const auto ranges = ParseClusters(results.front());
+    if (!ranges)
+    {
+      throw CLI::ValidationError("--clusters",
+                                 "'" + results.front() + "' is not a list of clusters such as 7 or 0-3,9");
+    }
+    line.workOptions.clusters = *ranges;
+    return true;
+  };
+  app.add_option("--clusters", parse, "Which, such as 7 or 0-3,9 (default: all)")
+    ->type_name("RANGES")
+    ->type_size(1)
+    ->expected(1);
+  AddMemory(app, line.workOptions.memoryBytes);
+  AddThreads(app, line.workOptions.threads);
+  AddProgress(line, app);
+  line.examples[&app] = { "medialvoxel work job", "medialvoxel work job --clusters 0-9 --threads 4" };
+  app.footer("Clusters that are done are skipped; any number of processes may work at once.");
+}
+
+void
+DefineFinalize(CommandLine & line)
+{
+  CLI::App & app = *line.finalize;
+  AddJobFolder(app, line.finalizeOptions.jobFolder, "Folder that medialvoxel plan has made");
+  app.add_flag_callback(
+    "--no-verify", [&] { line.finalizeOptions.verifies = false; }, "Do not read the outputs again for their checksums");
+  AddProgress(line, app);
+  line.examples[&app] = { "medialvoxel finalize job", "medialvoxel finalize job --no-verify" };
+}
+
+void
+DefineStatus(CommandLine & line)
+{
+  CLI::App & app = *line.status;
+  AddJobFolder(app, line.statusFolder, "Folder that medialvoxel plan has made");
+  app.add_flag("--json", line.statusAsJson, "Print it as JSON");
+  line.examples[&app] = { "medialvoxel status job", "medialvoxel status job --json" };
+}
+
+} // namespace
+
+void
+DefineJobCommands(CommandLine & line)
+{
+  DefinePlan(line);
+  DefineWork(line);
+  DefineFinalize(line);
+  DefineStatus(line);
+}
+
+} // end namespace medialvoxel

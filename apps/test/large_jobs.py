@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""A job on the cover phantom, 1.5 billion voxels: killed twenty times, and done by four processes. 6 GB of disk."""
+
+import filecmp
+import json
+import os
+import pathlib
+import random
+import resource
+import shutil
+import signal
+import subprocess
+import time
+import unittest
+
+import jobs
+from program import PROGRAM, ProgramTestCase
+
+PHANTOM = pathlib.Path(os.environ["MEDIALVOXEL_BUILD"]) / "bench/phantom/medialvoxel-phantom"
+SIZE = "1500,1500,668"
+KILLS = 20
+
+
+class LargeJobTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        if not PHANTOM.exists():
+            self.skipTest("the benchmarks, which make the volume, were not built")
+        if shutil.disk_usage(self.folder).free < 6 * 10**9:
+            self.skipTest("6 GB of disk are needed")
+        subprocess.run([PHANTOM, "cover", self.folder / "in.raw", "--size", SIZE], check=True, capture_output=True)
+        (self.folder / "expected").mkdir()
+        self.options = ["--raw-size", SIZE, "--raw-type", "uint8", "--thickness", 3, "--progress", "none"]
+        self.options += ["--report", "r.json", "--preview", "p.png"]
+        self.seconds = self.run_in("expected", "extract", "../in.raw", "out.mha", *self.options, "--threads", 2)
+        (self.folder / "target").mkdir()
+
+    def start(self, *arguments):
+        process = subprocess.Popen(
+            [PROGRAM, *map(str, arguments)], cwd=self.folder / "target", stdout=subprocess.DEVNULL
+        )
+        self.addCleanup(process.kill)
+        return process
+
+    def run_in(self, folder, *arguments):
+        """Seconds of the processor in user mode."""
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder / folder, check=True, capture_output=True)
+        return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+    def assert_same_outputs(self):
+        target, expected = self.folder / "target", self.folder / "expected"
+        for name in ("out.mha", "p.png"):
+            self.assertTrue(filecmp.cmp(target / name, expected / name, shallow=False), name)
+        reports = [json.loads((folder / "r.json").read_text()) for folder in (target, expected)]
+        for report in reports:
+            for key in jobs.RUN_KEYS:
+                del report[key]
+        self.assertEqual(*reports)
+
+    def test_killed_twenty_times(self):
+        noise = random.Random(11)
+        folder = self.folder / "target" / "out.mha.job"
+        command = ["extract", "../in.raw", "out.mha", *self.options, "--threads", 1, "--resume"]
+        wasted, done = 0, set()
+        for _ in range(KILLS):
+            process = self.start(*command)
+            time.sleep(noise.uniform(0.05, 0.9))
+            # While it is stopped, its locks tell what it is at.
+            process.send_signal(signal.SIGSTOP)
+            status = {"running": {"number": 0}}
+            if (folder / "manifest.json").exists():
+                text = subprocess.run([PROGRAM, "status", folder, "--json"], check=True, capture_output=True).stdout
+                status = json.loads(text)
+            process.send_signal(signal.SIGKILL)
+            self.assertEqual(process.wait(), -signal.SIGKILL, "the job ended before it was killed often enough")
+            self.assertLessEqual(status["running"]["number"], 1)
+            wasted += status["running"]["number"]
+            markers = {(path.name, path.stat().st_mtime_ns) for path in folder.glob("clusters/*.json")}
+            self.assertLessEqual(done, markers, "a cluster that was done was done again")
+            done = markers
+        self.assertFalse((self.folder / "target" / "out.mha").exists())
+        self.run_in("target", *command)
+        print(f"{KILLS} kills, {len(done)} clusters done before the last one, {wasted} begun in vain", flush=True)
+        self.assertLessEqual(wasted, KILLS)
+        self.assert_same_outputs()
+
+    def test_four_processes(self):
+        seconds = self.run_in("target", "plan", "../in.raw", "out.mha", "job", *self.options)
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        workers = [self.start("work", "job", "--threads", 1, "--progress", "none") for _ in range(4)]
+        for worker in workers:
+            self.assertEqual(worker.wait(), 0)
+        seconds += resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        finalization = self.run_in("target", "finalize", "job")
+        print(
+            f"one process with two threads {self.seconds:.2f} s, four processes {seconds:.2f} s of the processor, "
+            f"and {finalization:.2f} s to verify and publish",
+            flush=True,
+        )
+        self.assertGreaterEqual(self.seconds / seconds, 0.9)
+        self.assert_same_outputs()
+
+
+if __name__ == "__main__":
+    unittest.main()

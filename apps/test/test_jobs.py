@@ -1,0 +1,335 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""A job that several processes do has the bytes of one run, whoever does what when, and wherever they are stopped."""
+
+import math
+import random
+import signal
+import struct
+import time
+import unittest
+
+import jobs
+import volumes
+from jobs import ALL_OUTPUTS, JobTestCase
+from program import FAILURE, REFUSED, USAGE
+from test_identity import rough_shell
+
+CLUSTERS = 7
+OPTIONS = ["--thickness", 2, *ALL_OUTPUTS]
+
+
+class SmallJobTest(JobTestCase):
+    """Jobs on a small volume with all outputs."""
+
+    def setUp(self):
+        super().setUp()
+        volumes.write_meta(self.folder / "in.mha", rough_shell())
+
+    def expected(self, *options):
+        """What one run makes of it."""
+        return self.expect("extract", "../in.mha", "out.mha", *(options or OPTIONS))
+
+    def plan(self, *options, clusters=CLUSTERS):
+        return self.in_target("plan", "../in.mha", "out.mha", "job", *(options or OPTIONS), "--divisions", clusters)
+
+    def assert_finished(self, expected):
+        self.in_target("finalize", "job")
+        self.assertEqual(jobs.results(self.target), expected)
+
+    def test_any_order_and_several_processes(self):
+        expected = self.expected()
+        order = list(range(CLUSTERS))
+        for seed in range(3):
+            self.plan()
+            random.Random(seed).shuffle(order)
+            for cluster in order[:3]:
+                self.in_target("work", "job", "--clusters", cluster, "--threads", 1 + seed)
+            workers = [self.start("work", "job", "--memory", memory) for memory in ("2G", "60M", "100M")]
+            for worker in workers:
+                self.assertEqual(worker.wait(), 0, worker.stderr.read())
+            self.assert_finished(expected)
+            self.clear_target()
+
+    def test_clusters_of_any_number(self):
+        expected = self.expected()
+        for clusters in (1, 33, 1000):
+            self.plan(clusters=clusters)
+            self.in_target("work", "job")
+            self.assert_finished(expected)
+            self.assertEqual(self.status()["clusters"], min(clusters, 33))
+            self.clear_target()
+
+    def test_without_a_survey_there_are_no_parts(self):
+        options = ["--thickness", 2]
+        expected = self.expected(*options)
+        self.plan(*options)
+        self.in_target("work", "job")
+        self.assertFalse(list(self.job.rglob("*.survey")))
+        self.assert_finished(expected)
+
+    def test_values_that_are_no_numbers_are_counted_once(self):
+        volume = rough_shell()
+        values = [math.nan if i % 11 == 0 else float(v) for i, v in enumerate(volume.voxels)]
+        path = self.folder / "in.mha"
+        header = volumes.meta_header(volume, ElementType="MET_FLOAT")
+        path.write_bytes(header + struct.pack(f"<{len(values)}f", *values))
+        expected = self.expected()
+        self.plan()
+        self.in_target("work", "job")
+        self.assert_finished(expected)
+        self.assertGreater(expected["r.json"]["counts"]["not_a_number_voxels"], 0)
+
+    def test_two_dimensions(self):
+        flat = volumes.Volume((60, 50), [1 if 10 <= i % 60 < 14 or 20 <= i // 60 < 24 else 0 for i in range(3000)])
+        volumes.write_meta(self.folder / "in.mha", flat)
+        expected = self.expected()
+        self.plan()
+        self.in_target("work", "job")
+        self.assert_finished(expected)
+
+    def test_names_are_meant_from_the_folder_of_the_plan(self):
+        expected = self.expected()
+        self.plan()
+        self.run_program("work", "target/job")
+        self.run_program("finalize", self.job)
+        self.assertEqual(jobs.results(self.target), expected)
+
+    def test_status(self):
+        self.plan()
+        status = self.status()
+        self.assertEqual((status["clusters"], status["missing"]["clusters"], status["finished"]), (7, "0-6", False))
+        self.in_target("work", "job", "--clusters", "0-1,4")
+        status = self.status()
+        self.assertEqual((status["done"]["clusters"], status["done"]["number"]), ("0-1,4", 3))
+        self.assertEqual(status["missing"]["clusters"], "2-3,5-6")
+        self.assertTrue(0 < status["bytes_done"] < status["bytes"] == 40 * 36 * 33 * (1 + 12 + 4 + 4))
+        self.assertIn("missing   4: 2-3,5-6", self.in_target("status", "job").stdout)
+        self.assertEqual(status["next_command"], f"medialvoxel work {self.job} --clusters 2-3,5-6")
+        self.in_target(*status["next_command"].split()[1:])
+        self.assertEqual(self.status()["next_command"], f"medialvoxel finalize {self.job}")
+        self.in_target("finalize", "job")
+        status = self.status()
+        self.assertEqual((status["finished"], status["next_command"]), (True, ""))
+
+    def test_what_is_done_is_skipped(self):
+        self.plan()
+        self.assertIn("clusters done     3\n", self.in_target("work", "job", "--clusters", "2-4").stdout)
+        before = self.markers()
+        out = self.in_target("work", "job").stdout
+        self.assertIn("clusters done     4\n", out)
+        self.assertIn("clusters skipped  3\n", out)
+        after = self.markers()
+        self.assertEqual({name: after[name] for name in before}, before)
+
+    def test_finalize_lacks_clusters(self):
+        self.plan()
+        self.in_target("work", "job", "--clusters", "1-2,6")
+        message = self.in_target("finalize", "job", status=FAILURE).stderr
+        self.assertIn("4 of 7 clusters are not done: 0,3-5; to do them: medialvoxel work ", message)
+        self.assert_nothing_published()
+
+    def test_finalize_twice(self):
+        expected = self.expected()
+        self.plan()
+        self.in_target("work", "job")
+        self.assert_finished(expected)
+        self.assertIn("finished before", self.in_target("finalize", "job").stdout)
+        self.assertIn("clusters skipped  7\n", self.in_target("work", "job").stdout)
+        self.assertEqual(jobs.results(self.target), expected)
+
+    def test_publication_that_was_interrupted(self):
+        """Some outputs have their names, the labels do not, and no record says that all is done."""
+        expected = self.expected()
+        self.plan()
+        temporary = next(self.target.glob("out.mha.*.partial")).name
+        self.in_target("work", "job")
+        self.assert_finished(expected)
+        (self.job / "finished.json").unlink()
+        (self.target / "out.mha").rename(self.target / temporary)
+        (self.target / "v.nhdr").unlink()
+        (self.target / "p.png").unlink()
+        self.assert_finished(expected)
+
+    def test_output_that_comes_up_meanwhile(self):
+        self.plan()
+        self.in_target("work", "job")
+        (self.target / "out.mha").write_bytes(b"precious")
+        self.assertIn("out.mha exists", self.in_target("finalize", "job", status=REFUSED).stderr)
+        self.assertEqual((self.target / "out.mha").read_bytes(), b"precious")
+        self.assertFalse((self.target / "r.json").exists())
+        (self.target / "out.mha").unlink()
+        self.in_target("finalize", "job")
+
+    def test_plan_checks_as_extract_does(self):
+        self.in_target("plan", "../none.mha", "out.mha", "job", status=FAILURE)
+        self.in_target("plan", "../in.mha", "out.png", "job", status=USAGE)
+        self.in_target("plan", "../in.mha", "../in.mha", "job", status=USAGE)
+        self.in_target("plan", "../in.mha", "out.mha", "job", "--memory", "1M", status=REFUSED)
+        (self.target / "out.mha").touch()
+        self.assertIn("exists", self.in_target("plan", "../in.mha", "out.mha", "job", status=REFUSED).stderr)
+        self.assertFalse(self.job.exists())
+        self.in_target("plan", "../in.mha", "out.mha", "job", "--overwrite", "--dry-run")
+        self.assertEqual([path.name for path in self.target.iterdir()], ["out.mha"])
+
+    def test_what_jobs_do_not_do(self):
+        volumes.write_nrrd(self.folder / "packed.nrrd", rough_shell(), compressed=True)
+        for command in (["plan", "../in.mha", "out.mha", "job"], ["extract", "../in.mha", "out.mha", "--resume"]):
+            self.assertIn("medialvoxel mesh", self.in_target(*command, "--mesh", "m.vtp", status=REFUSED).stderr)
+            self.assertIn("--sparse", self.in_target(*command, "--sparse", status=REFUSED).stderr)
+            command[1] = "../packed.nrrd"
+            self.assertIn("unpacked", self.in_target(*command, status=REFUSED).stderr)
+        self.assertEqual(list(self.target.iterdir()), [])
+
+    def test_folders_that_are_no_job(self):
+        for command in ("work", "finalize", "status"):
+            for folder in ("none", "."):
+                self.assertIn("not a job folder", self.in_target(command, folder, status=FAILURE).stderr)
+        (self.target / "full").mkdir()
+        (self.target / "full" / "notes.txt").touch()
+        (self.target / "file").touch()
+        for folder, reason in (("full", "not empty"), ("file", "not a folder"), ("none/job", "none")):
+            self.assertIn(reason, self.in_target("plan", "../in.mha", "out.mha", folder, status=REFUSED).stderr)
+        self.plan()
+        self.assertIn("not empty", self.in_target("plan", "../in.mha", "o.mha", "job", status=REFUSED).stderr)
+
+    def test_clusters_that_are_none(self):
+        self.plan()
+        for text in ("", "x", "3-", "-3", "4-2", "1,,2", "1;2", "0x1", "1.5"):
+            self.assertIn("--clusters", self.in_target("work", "job", f"--clusters={text}", status=USAGE).stderr)
+        message = self.in_target("work", "job", "--clusters", "0-7", status=USAGE).stderr
+        self.assertIn("no cluster 7; the job has 7 clusters, 0 to 6", message)
+        self.in_target("work", "job", "--clusters", f"0-{2**62}", status=USAGE)
+
+    def test_plan_that_was_interrupted(self):
+        """Its files are found and taken away by the next plan in its folder."""
+        self.plan()
+        (self.job / "manifest.json").rename(self.job / "planned.json")
+        old = {path.name for path in self.target.glob("*.partial")}
+        self.plan()
+        new = {path.name for path in self.target.glob("*.partial")}
+        self.assertEqual(len(new), len(old))
+        self.assertFalse(old & new)
+
+
+class StoppedJobTest(JobTestCase):
+    """Jobs of some seconds, that are stopped while they are at work."""
+
+    SIZE = 200
+
+    def setUp(self):
+        super().setUp()
+        # Solids with holes: distances that take their time, and labels everywhere.
+        noise = random.Random(3)
+        with open(self.folder / "in.raw", "wb") as file:
+            for _ in range(self.SIZE):
+                file.write(bytes(self.SIZE * self.SIZE))
+            for _ in range(60):
+                file.seek(noise.randrange(self.SIZE**3))
+                file.write(b"\1")
+        size = f"{self.SIZE},{self.SIZE},{self.SIZE}"
+        self.input = ["../in.raw", "out.mha"]
+        self.options = ["--raw-size", size, "--raw-type", "uint8", "--upper", 0, "--thickness", 3, "--divisions", 20]
+        self.options += ["--report", "r.json", "--preview", "p.png"]
+
+    def expected(self):
+        return self.expect("extract", *self.input, *self.options)
+
+    def wait_for_markers(self, number, process, folder=None):
+        deadline = time.monotonic() + 60
+        while process.poll() is None and time.monotonic() < deadline:
+            if len(list(((folder or self.job) / "clusters").glob("*.json"))) >= number:
+                return
+            time.sleep(0.005)
+
+    def test_killed_at_any_moment(self):
+        expected = self.expected()
+        noise = random.Random(5)
+        self.in_target("plan", *self.input, "job", *self.options)
+        kills = 0
+        while kills < 6 and len(self.markers()) < 20:
+            before = self.markers()
+            workers = [self.start("work", "job", "--threads", 1) for _ in range(2)]
+            self.wait_for_markers(len(before) + 1, workers[0])
+            time.sleep(noise.uniform(0, 0.2))
+            for worker in workers:
+                worker.send_signal(signal.SIGKILL)
+                worker.wait()
+            kills += 1
+            # No cluster that was done is done again.
+            after = self.markers()
+            self.assertEqual({name: after[name] for name in before}, before)
+        self.assertGreater(kills, 1)
+        before = self.markers()
+        self.in_target("work", "job")
+        after = self.markers()
+        self.assertEqual({name: after[name] for name in before}, before)
+        self.in_target("finalize", "job")
+        self.assertEqual(jobs.results(self.target), expected)
+
+    def test_resume_after_kills(self):
+        expected = self.expected()
+        command = ["extract", *self.input, *self.options, "--resume"]
+        folder = self.target / "out.mha.job"
+        for number in (1, 4, 9):
+            process = self.start(*command)
+            self.wait_for_markers(number, process, folder)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            self.assertFalse((self.target / "out.mha").exists())
+        self.assertIn("medial cells", self.in_target(*command).stdout)
+        self.assertEqual(jobs.results(self.target), expected)
+        self.assertFalse(folder.exists())
+
+    def test_signals(self):
+        expected = self.expected()
+        self.in_target("plan", *self.input, "job", *self.options)
+        for number in (signal.SIGINT, signal.SIGTERM):
+            before = len(self.markers())
+            process = self.start("work", "job")
+            self.wait_for_markers(before + 1, process)
+            sent = time.monotonic()
+            process.send_signal(number)
+            out, error = process.communicate(timeout=60)
+            self.assertLess(time.monotonic() - sent, 5)
+            self.assertEqual((process.returncode, out), (128 + number, ""), error)
+            self.assertIn(f"stopped; what is done stays, to continue: medialvoxel work {self.job}\n", error)
+        self.assert_nothing_published()
+        self.in_target("work", "job")
+        self.in_target("finalize", "job")
+        self.assertEqual(jobs.results(self.target), expected)
+
+    def test_resume_after_a_signal(self):
+        expected = self.expected()
+        command = ["extract", *self.input, *self.options, "--resume"]
+        process = self.start(*command)
+        self.wait_for_markers(2, process, self.target / "out.mha.job")
+        process.send_signal(signal.SIGTERM)
+        error = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 143, error)
+        again = error.split("to continue: ")[1]
+        self.assertEqual(again, " ".join(["medialvoxel", *map(str, command)]) + "\n")
+        self.in_target(*again.split()[1:])
+        self.assertEqual(jobs.results(self.target), expected)
+        self.assertEqual(sorted(path.name for path in self.target.iterdir()), sorted(expected))
+
+    def test_resume_with_other_options(self):
+        command = ["extract", *self.input, *self.options, "--resume"]
+        process = self.start(*command)
+        self.wait_for_markers(1, process, self.target / "out.mha.job")
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        for change, difference in (
+            (["--thickness", 4], "thickness is 4.0, not 3.0"),
+            (["--upper", 1], "upper is 1.0, not 0.0"),
+            (["--divisions", 19], "divisions is 19, not 20"),
+            (["--raw-size", "200,100,400"], "raw is "),
+        ):
+            other = [part for part in map(str, command)]
+            other[other.index(change[0]) + 1] = str(change[1])
+            self.assertIn(difference, self.in_target(*other, status=REFUSED).stderr)
+        self.in_target(*command, "--threads", 1, "--memory", "1G")
+
+
+if __name__ == "__main__":
+    unittest.main()

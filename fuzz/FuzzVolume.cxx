@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "FuzzVolume.h"
+
+#include "HeaderParsing.h"
+#include "VolumeText.h"
+#include "VoxelStream.h"
+
+#include <cmath>
+
+namespace MedialVoxelFuzz
+{
+namespace
+{
+
+using namespace medialvoxel;
+
+/** No way of packing that is read makes one byte out of more than this many. */
+constexpr std::uint64_t MaximumRatio = 4096;
+
+constexpr std::uint64_t MaximumBytesToRead = 1 << 20;
+
+void
+CheckHeader(const VolumeHeader & header)
+{
+  const VolumeGeometry & geometry = header.geometry;
+  const std::size_t      dimension = geometry.size.size();
+  Require(dimension == 2 || dimension == 3, "the dimension is neither 2 nor 3");
+  Require(geometry.spacing.size() == dimension && geometry.origin.size() == dimension &&
+            geometry.direction.size() == dimension,
+          "the geometry does not fit the dimension");
+  for (std::size_t axis = 0; axis < dimension; ++axis)
+  {
+    Require(geometry.size[axis] > 0, "a size is 0");
+    Require(geometry.spacing[axis] > 0 && std::isfinite(geometry.spacing[axis]), "a spacing is no length");
+    Require(std::isfinite(geometry.origin[axis]), "an origin is not finite");
+    Require(geometry.direction[axis].size() == dimension, "a direction does not fit the dimension");
+  }
+  std::uint64_t available = 0;
+  for (const auto & [fileName, bytes] : GetNeededFileSizes(header))
+  {
+    available += std::filesystem::file_size(fileName);
+    Require(header.compressed || bytes <= std::filesystem::file_size(fileName), "a file is shorter than its voxels");
+  }
+  // Several headers of slices may share their voxels.
+  const std::uint64_t places = std::max<std::uint64_t>(1, header.segments.size());
+  Require(header.GetVoxelBytes() / MaximumRatio <= available * places, "more voxels than the file can hold");
+}
+
+/** The header of an output has the geometry of the input, to the last bit. */
+void
+CheckOutputHeader(const VolumeHeader & header)
+{
+  static const InputFile copy("copy.mha");
+  const std::string      text = MakeHeaderText(VolumeFormat::MetaImage, header.geometry, { header.pixelType, 1 }, "");
+  copy.Write(reinterpret_cast<const std::uint8_t *>(text.data()), text.size());
+  const VolumeHeader again = ReadMetaImageHeader(copy.GetPath());
+  Require(again.geometry.size == header.geometry.size && again.geometry.spacing == header.geometry.spacing &&
+            again.geometry.origin == header.geometry.origin && again.pixelType == header.pixelType,
+          "another geometry after writing and reading it:\n" + text);
+}
+
+void
+ReadVoxels(const VolumeHeader & header)
+{
+  const std::uint64_t bytes = header.GetVoxelBytes();
+  if (bytes > MaximumBytesToRead)
+  {
+    return;
+  }
+  std::vector<unsigned char> voxels(bytes);
+  if (!header.CanStream())
+  {
+    const std::unique_ptr<VoxelStream> stream = OpenVoxelStream(header);
+    stream->Read(voxels.data(), bytes);
+    stream->CheckEnd();
+    return;
+  }
+  const std::vector<std::uint64_t>               first(header.geometry.size.size(), 0);
+  const std::vector<itk::MedialVoxelFileSegment> whole{ { header.dataFile, header.dataOffset, bytes } };
+  const itk::MedialVoxelFileRegion               region(
+    header.geometry.size, first, header.geometry.size, GetTraits(header.pixelType).bytes);
+  region.Read(header.segments.empty() ? whole : header.segments, voxels.data());
+}
+
+} // namespace
+
+void
+ReadVolume(const InputFile & file, const std::optional<RawDescription> & raw)
+try
+{
+  const VolumeHeader header = ReadVolumeHeader(file.GetPath(), raw);
+  CheckHeader(header);
+  CheckOutputHeader(header);
+  ReadVoxels(header);
+}
+catch (const JobError & error)
+{
+  Require(error.GetStatus() == ExitStatus::CorruptInput || error.GetStatus() == ExitStatus::Failure,
+          "an unexpected status");
+  file.RequireClearError(error.what());
+}
+
+} // namespace MedialVoxelFuzz

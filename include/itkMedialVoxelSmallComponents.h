@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSmallComponents_h
+#define itkMedialVoxelSmallComponents_h
+
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelGrid.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace itk
+{
+
+/** \class MedialVoxelSmallComponents
+ * \brief Fills pores and removes dust: components of at most so many voxels change sides.
+ *
+ * Voxels of one kind, object or background, are connected when they differ by at most 1 along each axis. First each
+ * background component of at most the given number of voxels becomes object, then each object component of at most
+ * that number becomes background. A component with a voxel at a face of the image stays: it may go on outside. Axes of
+ * length 1 have no faces, and an image of a single voxel stays as it is.
+ *
+ * What becomes of a voxel depends on the voxels within GetMargin() alone. Two facts make that so. A component that
+ * reaches farther is too large. And an object component next to pores that reach farther, without being that, cannot
+ * be: its surroundings are connected, so that such a pore would be around all of it, and too large as well. A row of
+ * voxels has two sides that are not connected, and twice the margin.
+ *
+ * Bits may be changed part by part in any order, and new ones come to the parts that are done: filling a pore leaves
+ * all other background components as they are, and removing dust only enlarges a component that stays.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelSmallComponents
+{
+public:
+  /** Largest size; a list of so many voxels is kept. */
+  static constexpr std::uint64_t LargestMaximumSize = 1000000;
+
+  /** Changes components of at most \a maximumSize voxels, which is at most LargestMaximumSize; 0 changes nothing. */
+  MedialVoxelSmallComponents(const MedialVoxelGrid & grid, std::uint64_t maximumSize);
+
+  /** False when nothing is ever changed. */
+  bool
+  IsOn() const
+  {
+    return m_MaximumSize > 0;
+  }
+
+  /** Voxels around a box that must be known, as far as the image has them. */
+  const MedialVoxelIndex &
+  GetMargin() const
+  {
+    return m_Margin;
+  }
+
+  /** Bytes taken meanwhile, beside the bits, for bits of \a box. */
+  std::uint64_t
+  GetWorkspaceBytes(const MedialVoxelBox & box) const;
+
+  /** Change what is to be changed in \a box, with what it depends on in the margin; the bits hold both.
+   *
+   * \param changed has the box of \a object; the bits of the voxels that change are inverted
+   * \param beforeSlice is called now and then, and may throw to stop */
+  void
+  Change(const MedialVoxelBox &        box,
+         MedialVoxelBits &             object,
+         MedialVoxelBits &             changed,
+         const std::function<void()> & beforeSlice) const;
+
+private:
+  MedialVoxelGrid  m_Grid;
+  std::uint64_t    m_MaximumSize;
+  MedialVoxelIndex m_Margin;
+};
+
+} // end namespace itk
+
+#endif
