@@ -68,7 +68,7 @@ public:
   SetSegments(const std::vector<MedialVoxelFileSegment> & segments);
 
   /** Bytes of voxels handed out since construction; those of holes in the file count. */
-  std::uint64_t
+  virtual std::uint64_t
   GetNumberOfBytesRead() const
   {
     return m_Reader.GetNumberOfBytesRead();

@@ -27,6 +27,7 @@ GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
     GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes());
   footprint.grid = GetGrid(options, header);
   AddEngine(footprint, header, itk::MedialVoxelClusterEngine::Settings::ForDistances(options.boundary));
+  AddOutputs(footprint, options, header, ListCandidates(options, header));
   return footprint;
 }
 
@@ -51,11 +52,10 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   PieceLoop  loop(result.plan, result.input, 1, sink);
   const auto runner =
     MakeDistanceRunner(*input, result.input, options, GetSettings(options, result.plan), loop.GetObserver());
-  OutputSet            outputs(options, result.plan.writesBehind);
-  OutputVolume * const vectors =
-    outputs.AddVolume(options.output, result.input.geometry, GetVectorLayout(result.input));
-  OutputVolume * const distances = outputs.AddVolume(options.distanceFile, result.input.geometry, DistanceLayout);
-  OutputFile * const   report = outputs.AddFile(options.reportFile);
+  OutputSet           outputs(options, result.plan.writesBehind);
+  VoxelOutput * const vectors = outputs.AddVolume(options.output, result.input.geometry, GetVectorLayout(result.input));
+  VoxelOutput * const distances = outputs.AddVolume(options.distanceFile, result.input.geometry, DistanceLayout);
+  OutputFile * const  report = outputs.AddFile(options.reportFile);
 
   WriteBehind writer(result.plan.writesBehind);
   if (result.plan.writesBehind)

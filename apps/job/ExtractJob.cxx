@@ -116,6 +116,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
   }
   AddEngine(footprint, header, settings);
+  AddOutputs(footprint, options, header, ListCandidates(options, header));
   if (!options.distanceFile.empty())
   {
     AddEngine(
@@ -147,7 +148,7 @@ public:
     const VolumeGeometry & geometry = result.input.geometry;
     for (const VolumeRequest & request : ListVolumes(options, result.input, m_Run.GetLabelGeometry()))
     {
-      OutputVolume * const volume = m_Outputs.AddVolume(request.fileName, request.geometry, request.layout);
+      VoxelOutput * const volume = m_Outputs.AddVolume(request.fileName, request.geometry, request.layout);
       m_Run.SetVolume(request.role, volume);
       m_Labels = request.role == "labels" ? volume : m_Labels;
       m_Thicknesses = request.role == "thickness_map" ? volume : m_Thicknesses;
@@ -202,8 +203,8 @@ private:
   OutputFile *                    m_MeshFile{ nullptr };
   std::unique_ptr<ExtractSummary> m_Summary;
   std::unique_ptr<SurfaceMesh>    m_Mesh;
-  OutputVolume *                  m_Labels{ nullptr };
-  OutputVolume *                  m_Thicknesses{ nullptr };
+  VoxelOutput *                   m_Labels{ nullptr };
+  VoxelOutput *                   m_Thicknesses{ nullptr };
   ExtractRun                      m_Run; // ends before what it writes to and who observes it
 };
 

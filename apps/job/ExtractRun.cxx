@@ -55,7 +55,7 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
 }
 
 void
-ExtractRun::SetVolume(const std::string & role, OutputVolume * volume)
+ExtractRun::SetVolume(const std::string & role, VoxelOutput * volume)
 {
   (role == "labels"     ? m_Labels
    : role == "vectors"  ? m_Vectors

@@ -41,7 +41,7 @@ public:
 
   /** Sets where results go; null where they are not wanted. */
   void
-  SetVolume(const std::string & role, OutputVolume * volume);
+  SetVolume(const std::string & role, VoxelOutput * volume);
 
   /** Lets someone see the tiles, before the survey does. */
   void
@@ -113,10 +113,10 @@ private:
   std::unique_ptr<PieceRunner> m_DistanceRunner;
   Survey                       m_Survey;
   TileObservers                m_Observers;
-  OutputVolume *               m_Labels{ nullptr };
-  OutputVolume *               m_Vectors{ nullptr };
-  OutputVolume *               m_Distances{ nullptr };
-  OutputVolume *               m_Thicknesses{ nullptr };
+  VoxelOutput *                m_Labels{ nullptr };
+  VoxelOutput *                m_Vectors{ nullptr };
+  VoxelOutput *                m_Distances{ nullptr };
+  VoxelOutput *                m_Thicknesses{ nullptr };
   WriteBehind                  m_Writer; // ends before what it writes
 };
 

@@ -22,8 +22,8 @@ ExtractSummary::ExtractSummary(const ExtractOptions & options, OutputSet & outpu
 void
 ExtractSummary::Draw(const VolumeGeometry & geometry,
                      const Survey &         survey,
-                     const OutputVolume *   labels,
-                     const OutputVolume *   thicknesses)
+                     const VoxelOutput *    labels,
+                     const VoxelOutput *    thicknesses)
 {
   if (!m_Preview && !m_Html)
   {

@@ -23,8 +23,8 @@ public:
   void
   Draw(const VolumeGeometry & geometry,
        const Survey &         survey,
-       const OutputVolume *   labels,
-       const OutputVolume *   thicknesses);
+       const VoxelOutput *    labels,
+       const VoxelOutput *    thicknesses);
 
   /** Adds the thickness to the result and writes all but the preview. */
   void

@@ -60,4 +60,14 @@ ReserveSpace(int descriptor, std::uint64_t numberOfBytes)
   return error == 0 || error == EOPNOTSUPP || error == EINVAL;
 }
 
+void
+StartWriteBack([[maybe_unused]] int           descriptor,
+               [[maybe_unused]] std::uint64_t offset,
+               [[maybe_unused]] std::uint64_t numberOfBytes)
+{
+#ifdef SYNC_FILE_RANGE_WRITE
+  sync_file_range(descriptor, static_cast<off64_t>(offset), static_cast<off64_t>(numberOfBytes), SYNC_FILE_RANGE_WRITE);
+#endif
+}
+
 } // end namespace medialvoxel

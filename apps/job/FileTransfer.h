@@ -21,6 +21,10 @@ ReadFully(int descriptor, std::uint64_t offset, char * data, std::uint64_t numbe
 bool
 ReserveSpace(int descriptor, std::uint64_t numberOfBytes);
 
+/** Starts the transfer of what was written to the disk, so that the final wait for it is short. */
+void
+StartWriteBack(int descriptor, std::uint64_t offset, std::uint64_t numberOfBytes);
+
 } // end namespace medialvoxel
 
 #endif

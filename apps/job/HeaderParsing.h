@@ -24,6 +24,9 @@ using itk::MedialVoxelText::RequireField;
 /** VolumeHeader::format of TIFF files, whose packed voxels are not one stream. */
 constexpr const char * TiffFormat = "TIFF";
 
+/** VolumeHeader::format of Zarr folders, whose voxels are in the files of their chunks. */
+constexpr const char * ZarrFormat = "Zarr";
+
 /** \throw HeaderError */
 VolumeHeader
 ReadMetaImageHeader(const std::filesystem::path & fileName);
@@ -31,6 +34,9 @@ VolumeHeader
 ReadNrrdHeader(const std::filesystem::path & fileName);
 VolumeHeader
 ReadNiftiHeader(const std::filesystem::path & fileName);
+/** Of a group of OME-Zarr 0.4, or of an array. \throw HeaderError; JobError for files that are not JSON */
+VolumeHeader
+ReadZarrHeader(const std::filesystem::path & folder);
 #ifdef MEDIALVOXEL_WITH_TIFF
 VolumeHeader
 ReadTiffHeader(const std::filesystem::path & fileName);

@@ -7,6 +7,7 @@
 
 #include "itkImageBase.h"
 #include "itkProcessObject.h"
+#include "itkStreamingRawImageIO.h"
 
 #include <chrono>
 #include <cstdint>
@@ -75,6 +76,10 @@ protected:
 private:
   std::chrono::steady_clock::time_point m_Start;
 };
+
+/** What reads the parts of an uncompressed volume that ReadVolumeHeader() has checked. */
+itk::StreamingRawImageIO::Pointer
+MakeVoxelReader(const VolumeHeader & header);
 
 /** \class ImageInput
  * \brief An opened volume whose pixel type and dimension are known. */

@@ -3,6 +3,7 @@
 #include "JobParts.h"
 
 #include "Text.h"
+#include "ZarrVolume.h"
 
 #include "itkMedialVoxelSurfaceObserver.h"
 #include "itkMultiThreaderBase.h"
@@ -29,6 +30,28 @@ GiveLargeBlocksBack()
   constexpr int largeBlock = 1 << 20;
   mallopt(M_MMAP_THRESHOLD, largeBlock);
 #endif
+}
+
+/** First and last slice. */
+std::string
+FormatSlices(const SliceRange & slices)
+{
+  return std::to_string(slices.begin) + "-" + std::to_string(slices.end - 1);
+}
+
+LogRecord
+MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
+{
+  return { LogLevel::Info,
+           "plan",
+           { { "input", header.fileName.string() },
+             { "format", header.format },
+             { "size", FormatSize(header.geometry.size) },
+             { "type", std::string(GetTraits(header.pixelType).name) },
+             { "pieces", std::to_string(plan.divisions) },
+             { "slices_of_piece", std::to_string(plan.GetMaximumSlices()) },
+             { "threads", std::to_string(plan.threads) },
+             { "planned_memory_bytes", std::to_string(plan.memoryBytes) } } };
 }
 
 void
@@ -69,6 +92,10 @@ PrepareJob(const JobOptions &                 options,
   JobResult result;
   result.input = std::move(header);
   result.outputs = SelectOutputs(candidates);
+  if (!options.logFile.empty())
+  {
+    result.outputs.push_back({ "log", options.logFile, std::nullopt, true });
+  }
   CheckOutputs(result.outputs, result.input, options.overwrite);
   CheckScratchFolder(options);
   result.plan = MakePlan(options, result.input, result.outputs, footprint);
@@ -104,6 +131,22 @@ AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVo
   footprint.engines.push_back(std::move(settings));
 }
 
+void
+AddOutputs(PieceFootprint &                   footprint,
+           const JobOptions &                 options,
+           const VolumeHeader &               header,
+           const std::vector<OutputRequest> & candidates)
+{
+  for (const OutputRequest & output : candidates)
+  {
+    if (output.layout && !output.fileName.empty() && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr)
+    {
+      footprint.bytesBeside += ZarrVolume::GetMemoryBytes(header.geometry, *output.layout, options.zarrCompression);
+      footprint.preferredSlices = ZarrGrid::ForVolume(header.geometry, *output.layout).chunk[2];
+    }
+  }
+}
+
 CutSettings
 GetCutSettings(const JobPlan & plan)
 {
@@ -126,7 +169,9 @@ PieceLoop::PieceLoop(const JobPlan &      plan,
   , m_VoxelsPerSlice(header.geometry.GetVoxelsPerSlice())
   , m_RunnersPerPiece(runnersPerPiece)
   , m_Sink(sink)
-{}
+{
+  m_Sink.Record(MakePlanRecord(plan, header));
+}
 
 PieceObserver
 PieceLoop::GetObserver()
@@ -142,6 +187,7 @@ PieceLoop::GetObserver()
 void
 PieceLoop::Prepare(InputVolume & input)
 {
+  m_Input = &input;
   constexpr double  share = 0.3;
   const std::string note = input.Prepare([this](double fraction) {
     m_ShareOfPreparation = share;
@@ -167,7 +213,7 @@ PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & wri
     }
     catch (const itk::MedialVoxelMemoryError & error)
     {
-      m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
+      this->ShortenPieces(runner, "memory of windows");
       const std::uint64_t limit = m_Plan.GetFilterLimit(m_SlicesAtOnce);
       if (limit <= error.GetAllowedBytes())
       {
@@ -179,9 +225,19 @@ PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & wri
     }
     catch (const itk::MedialVoxelSurfacePieceError &)
     {
-      m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
+      this->ShortenPieces(runner, "memory of the surface");
     }
   }
+}
+
+void
+PieceLoop::ShortenPieces(const PieceRunner & runner, const char * reason)
+{
+  m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
+  m_Sink.Record(
+    { LogLevel::Warning,
+      "shorten",
+      { { "of", runner.GetName() }, { "slices_at_once", std::to_string(m_SlicesAtOnce) }, { "reason", reason } } });
 }
 
 void
@@ -189,7 +245,9 @@ PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehin
 {
   this->ThrowIfStopRequested();
   m_SlicesOfPiece = slices.end - slices.begin;
-  PieceResults results;
+  const auto          start = JobClock::now();
+  const std::uint64_t recomputed = runner.GetSums().recomputedVoxels;
+  PieceResults        results;
   try
   {
     results = runner.Run(slices.begin, m_SlicesOfPiece);
@@ -198,8 +256,15 @@ PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehin
   {
     throw StoppedBySignal(GetStopSignal());
   }
+  this->RecordPiece(runner, slices, SecondsSince(start), runner.GetSums().recomputedVoxels - recomputed);
+  const auto  computed = JobClock::now();
   const Range range{ slices, slices.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice };
   writer.Submit([write, range, results] { write(range, results); });
+  m_Sink.Record({ LogLevel::Debug,
+                  "write",
+                  { { "of", runner.GetName() },
+                    { "slices", FormatSlices(slices) },
+                    { "seconds_waited", FormatFixed(SecondsSince(computed), 3) } } });
   // A single runner uses the memory of its results again, which is much cheaper than new memory for each piece.
   if (m_RunnersPerPiece > 1)
   {
@@ -207,6 +272,22 @@ PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehin
     runner.Release();
   }
   m_DoneSlices += m_SlicesOfPiece;
+}
+
+void
+PieceLoop::RecordPiece(const PieceRunner & runner,
+                       const SliceRange &  slices,
+                       double              seconds,
+                       std::uint64_t       recomputedVoxels)
+{
+  m_Sink.Record({ LogLevel::Info,
+                  "piece",
+                  { { "of", runner.GetName() },
+                    { "slices", FormatSlices(slices) },
+                    { "seconds", FormatFixed(seconds, 3) },
+                    { "recomputed_voxels", std::to_string(recomputedVoxels) },
+                    { "bytes_read", std::to_string(m_Input->GetNumberOfBytesRead()) },
+                    { "peak_memory_bytes", std::to_string(GetPeakMemoryBytes()) } } });
 }
 
 void

@@ -48,6 +48,13 @@ GetGrid(const JobOptions & options, const VolumeHeader & header);
 void
 AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings);
 
+/** Counts in what outputs take beside the results of a piece. */
+void
+AddOutputs(PieceFootprint &                   footprint,
+           const JobOptions &                 options,
+           const VolumeHeader &               header,
+           const std::vector<OutputRequest> & candidates);
+
 CutSettings
 GetCutSettings(const JobPlan & plan);
 
@@ -106,12 +113,20 @@ private:
   void
   RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write);
 
+  void
+  RecordPiece(const PieceRunner & runner, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
+
+  /** Halves the slices that are done at once. */
+  void
+  ShortenPieces(const PieceRunner & runner, const char * reason);
+
   JobPlan        m_Plan;
   std::uint64_t  m_SlicesAtOnce;
   std::uint64_t  m_SlicesToDo;
   std::uint64_t  m_VoxelsPerSlice;
   unsigned int   m_RunnersPerPiece;
   ProgressSink & m_Sink;
+  InputVolume *  m_Input{ nullptr };
   double         m_ShareOfPreparation{ 0.0 };
   std::uint64_t  m_DoneSlices{ 0 };
   std::uint64_t  m_SlicesOfPiece{ 0 };

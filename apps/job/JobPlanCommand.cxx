@@ -40,6 +40,13 @@ RefuseUnsupported(const ExtractOptions & options)
     refuse("sparse outputs, whose space is not reserved and may be missing when most is done,",
            "leave out --sparse, or run medialvoxel extract without --resume");
   }
+  const auto volumes = { options.output, options.vectorFile, options.distanceFile, options.thicknessFile };
+  if (std::any_of(volumes.begin(), volumes.end(), [](const std::string & name) {
+        return !name.empty() && GetVolumeFormat(name) == VolumeFormat::Zarr;
+      }))
+  {
+    refuse("a Zarr folder", "write .mha or .nrrd, or run medialvoxel extract without --resume");
+  }
   if (!options.returnParameterFile.empty())
   {
     refuse("return parameters", "use the report");

@@ -106,7 +106,9 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
     // Most of the rest is for the filters, should walls be thicker than planned.
     const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), BytesOfPiece);
     const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
-    plan.divisions = (plan.numberOfSlices - 1) / std::min(slices, plan.numberOfSlices) + 1;
+    plan.sliceUnit = slices < request.footprint.preferredSlices ? 1 : request.footprint.preferredSlices;
+    const std::uint64_t unitsPerPiece = std::min(slices / plan.sliceUnit, plan.GetNumberOfUnits());
+    plan.divisions = (plan.GetNumberOfUnits() - 1) / unitsPerPiece + 1;
   }
   plan.memoryBytes = least + plan.GetResultBytes(plan.GetMaximumSlices());
   return plan.memoryBytes <= plan.memoryLimit;

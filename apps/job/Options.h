@@ -4,6 +4,7 @@
 #define medialvoxelOptions_h
 
 #include "VolumeHeader.h"
+#include "ZarrCompression.h"
 
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelParameters.h"
@@ -28,15 +29,17 @@ struct JobOptions
 
   std::string distanceFile; ///< signed distance, float32
   std::string reportFile;   ///< JSON
+  std::string logFile;      ///< gets a line for each step; existing ones stay
 
   std::string scratchFolder; ///< for the mask of a compressed volume that does not fit the memory; empty: none
 
-  std::optional<std::uint64_t> memoryBytes;        ///< cap on the memory; unset: half of what is free
-  std::optional<unsigned int>  threads;            ///< 1 or more; unset: as ITK decides
-  std::optional<std::uint64_t> divisions;          ///< pieces along the last axis, 1 or more; unset: chosen
-  bool                         sparse{ false };    ///< blocks of zeros stay holes of the files, nothing is reserved
-  bool                         overwrite{ false }; ///< replace existing outputs
-  bool                         dryRun{ false };    ///< plan and check only
+  std::optional<std::uint64_t> memoryBytes;     ///< cap on the memory; unset: half of what is free
+  std::optional<unsigned int>  threads;         ///< 1 or more; unset: as ITK decides
+  std::optional<std::uint64_t> divisions;       ///< pieces along the last axis, 1 or more; unset: chosen
+  bool                         sparse{ false }; ///< blocks of zeros stay holes of the files, nothing is reserved
+  ZarrCompression              zarrCompression{ ZarrCompression::Gzip }; ///< of .zarr outputs
+  bool                         overwrite{ false };                       ///< replace existing outputs
+  bool                         dryRun{ false };                          ///< plan and check only
 };
 
 /** Largest value of ExtractOptions::maximumPoreSize. */

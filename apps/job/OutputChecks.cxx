@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputChecks.h"
 
+#include "FileNames.h"
+#include "HeaderParsing.h"
 #include "OutputVolume.h"
+#include "ZarrMetadata.h"
+
+#include <algorithm>
 
 namespace medialvoxel
 {
@@ -40,9 +45,48 @@ AreSameFile(const std::filesystem::path & a, const std::filesystem::path & b)
   return GetPlace(a) == GetPlace(b);
 }
 
+/** True for names below a folder, which need not exist. */
+bool
+IsInside(const std::filesystem::path & fileName, const std::filesystem::path & folder)
+{
+  const std::filesystem::path inner = GetPlace(fileName);
+  const std::filesystem::path outer = GetPlace(folder);
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+bool
+IsZarrOutput(const OutputRequest & output)
+{
+  return output.layout && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr;
+}
+
+/** An input in a folder that is to be replaced, or an output in the folder of the input. */
+bool
+SharesFolder(const OutputRequest & output, const VolumeHeader & input)
+{
+  return (IsZarrOutput(output) && IsInside(input.dataFile, output.fileName)) ||
+         (input.format == ZarrFormat && IsInside(output.fileName, input.fileName));
+}
+
+bool
+SharesFolder(const OutputRequest & a, const OutputRequest & b)
+{
+  return (IsZarrOutput(a) && IsInside(b.fileName, a.fileName)) || (IsZarrOutput(b) && IsInside(a.fileName, b.fileName));
+}
+
 void
 RefuseInput(const OutputRequest & output, const VolumeHeader & input)
 {
+  if (SharesFolder(output, input))
+  {
+    Fail(ExitStatus::Usage,
+         output.fileName.string(),
+         ": the ",
+         output.role,
+         " and the input ",
+         input.fileName.string(),
+         " are in one Zarr folder");
+  }
   const std::filesystem::path dataFile = FindDataFile(output.fileName);
   for (const std::filesystem::path & inputFile : ListInputFiles(input))
   {
@@ -76,7 +120,15 @@ RefuseExisting(const OutputRequest & output, bool overwrite)
   {
     return;
   }
-  if (!std::filesystem::is_regular_file(status))
+  if (output.appends)
+  {
+    return;
+  }
+  if (IsZarrOutput(output) && !IsZarrFolder(output.fileName))
+  {
+    Fail(ExitStatus::Refused, output.fileName.string(), " exists and is not a Zarr folder");
+  }
+  if (!IsZarrOutput(output) && !std::filesystem::is_regular_file(status))
   {
     Fail(ExitStatus::Refused, output.fileName.string(), " exists and is not a regular file");
   }
@@ -103,6 +155,16 @@ CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & in
       if (AreSameFile(other->fileName, output->fileName))
       {
         Fail(ExitStatus::Usage, output->fileName.string(), " is named for both ", other->role, " and ", output->role);
+      }
+      if (SharesFolder(*output, *other))
+      {
+        Fail(ExitStatus::Usage,
+             output->fileName.string(),
+             ": the ",
+             output->role,
+             " and the ",
+             other->role,
+             " are in one Zarr folder");
       }
     }
   }

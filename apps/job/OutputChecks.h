@@ -19,7 +19,8 @@ struct OutputRequest
 {
   std::string                role;
   std::filesystem::path      fileName;
-  std::optional<VoxelLayout> layout; ///< set for volumes
+  std::optional<VoxelLayout> layout;           ///< set for volumes
+  bool                       appends{ false }; ///< what the file has stays
 };
 
 /** Every file that the volume is read from. */

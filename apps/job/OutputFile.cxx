@@ -3,6 +3,7 @@
 #include "OutputFile.h"
 
 #include "Errors.h"
+#include "FileNames.h"
 #include "FileTransfer.h"
 #include "Text.h"
 
@@ -35,68 +36,7 @@ IsAllZero(const char * data, std::uint64_t numberOfBytes)
   return data[0] == 0 && std::memcmp(data, data + 1, numberOfBytes - 1) == 0;
 }
 
-/** Starts the transfer to the disk, so that the final wait for it is short. */
-void
-StartWriteBack([[maybe_unused]] int           descriptor,
-               [[maybe_unused]] std::uint64_t offset,
-               [[maybe_unused]] std::uint64_t numberOfBytes)
-{
-#ifdef SYNC_FILE_RANGE_WRITE
-  sync_file_range(descriptor, static_cast<off64_t>(offset), static_cast<off64_t>(numberOfBytes), SYNC_FILE_RANGE_WRITE);
-#endif
-}
-
-/** Renames; a file that exists under the new name stops it. */
-int
-RenameToFreeName(const char * from, const char * to)
-{
-#ifdef RENAME_NOREPLACE
-  const int result = renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE);
-  if (result == 0 || (errno != EINVAL && errno != ENOSYS))
-  {
-    return result;
-  }
-#endif
-  // File systems without such a rename: a moment remains between the question and the answer.
-  if (access(to, F_OK) == 0)
-  {
-    errno = EEXIST;
-    return -1;
-  }
-  return rename(from, to);
-}
-
-void
-SyncFolder(const std::filesystem::path & folder)
-{
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor >= 0)
-  {
-    fsync(descriptor);
-    close(descriptor);
-  }
-}
-
-std::filesystem::path
-FolderOf(const std::filesystem::path & fileName)
-{
-  return fileName.has_parent_path() ? fileName.parent_path() : std::filesystem::path(".");
-}
-
 } // namespace
-
-std::filesystem::path
-FollowLinks(const std::filesystem::path & fileName)
-{
-  constexpr int         maximumLinks = 40;
-  std::filesystem::path target = fileName;
-  std::error_code       error;
-  for (int link = 0; link < maximumLinks && std::filesystem::is_symlink(target, error); ++link)
-  {
-    target = target.parent_path() / std::filesystem::read_symlink(target, error);
-  }
-  return target;
-}
 
 OutputFile::OutputFile(const std::filesystem::path & fileName, bool overwrite)
   : m_FileName(FollowLinks(fileName))

@@ -13,10 +13,6 @@
 namespace medialvoxel
 {
 
-/** The file that a symbolic link leads to, whether it exists or not; other names stay as they are. */
-std::filesystem::path
-FollowLinks(const std::filesystem::path & fileName);
-
 /** \class OutputFile
  * \brief A file that appears under its name only when it is complete.
  *

@@ -5,14 +5,14 @@
 namespace medialvoxel
 {
 
-OutputVolume *
+VoxelOutput *
 OutputSet::AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout)
 {
   if (fileName.empty())
   {
     return nullptr;
   }
-  m_Volumes.push_back(std::make_unique<OutputVolume>(fileName, m_Overwrite, m_Sparse));
+  m_Volumes.push_back(MakeVoxelOutput(fileName, m_Options));
   m_Volumes.back()->Create(geometry, layout);
   if (m_WritesBehind)
   {
@@ -26,9 +26,11 @@ OutputSet::AddCompletedVolume(const VolumeRequest &         request,
                               const std::string &           suffix,
                               const std::filesystem::path & dataName)
 {
-  m_Volumes.push_back(std::make_unique<OutputVolume>(request.fileName, m_Overwrite, false));
-  m_Volumes.back()->OpenToPublish(request.geometry, request.layout, suffix, dataName);
-  return m_Volumes.back().get();
+  auto                 volume = std::make_unique<OutputVolume>(request.fileName, m_Options.overwrite, false);
+  OutputVolume * const completed = volume.get();
+  completed->OpenToPublish(request.geometry, request.layout, suffix, dataName);
+  m_Volumes.push_back(std::move(volume));
+  return completed;
 }
 
 OutputFile *
@@ -38,7 +40,7 @@ OutputSet::AddFile(const std::string & fileName)
   {
     return nullptr;
   }
-  m_Files.push_back(std::make_unique<OutputFile>(fileName, m_Overwrite));
+  m_Files.push_back(std::make_unique<OutputFile>(fileName, m_Options.overwrite));
   m_Files.back()->Create(0, false);
   return m_Files.back().get();
 }

@@ -4,7 +4,9 @@
 #define medialvoxelOutputSet_h
 
 #include "Options.h"
+#include "OutputFile.h"
 #include "OutputVolume.h"
+#include "VoxelOutput.h"
 
 #include <memory>
 #include <vector>
@@ -26,15 +28,15 @@ struct VolumeRequest
 class OutputSet
 {
 public:
-  /** \param writesBehind volumes are written in a thread of their own, which may wait for the disk */
+  /** \param options must outlive the set
+   * \param writesBehind volumes are written in a thread of their own, which may wait for the disk */
   OutputSet(const JobOptions & options, bool writesBehind)
-    : m_Overwrite(options.overwrite)
-    , m_Sparse(options.sparse)
+    : m_Options(options)
     , m_WritesBehind(writesBehind)
   {}
 
   /** Creates a volume; null when the name is empty. */
-  OutputVolume *
+  VoxelOutput *
   AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
 
   /** Opens a volume that other processes have completed; see OutputVolume::OpenToPublish(). */
@@ -54,11 +56,10 @@ public:
   Publish();
 
 private:
-  bool                                       m_Overwrite;
-  bool                                       m_Sparse;
-  bool                                       m_WritesBehind;
-  std::vector<std::unique_ptr<OutputVolume>> m_Volumes;
-  std::vector<std::unique_ptr<OutputFile>>   m_Files;
+  const JobOptions &                        m_Options;
+  bool                                      m_WritesBehind;
+  std::vector<std::unique_ptr<VoxelOutput>> m_Volumes;
+  std::vector<std::unique_ptr<OutputFile>>  m_Files;
 };
 
 } // end namespace medialvoxel

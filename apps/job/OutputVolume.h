@@ -5,7 +5,7 @@
 
 #include "Checksum.h"
 #include "OutputFile.h"
-#include "VolumeText.h"
+#include "VoxelOutput.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +21,7 @@ namespace medialvoxel
  * Formats of two files: the voxels take a name that no file has, then the header takes its place, and then the
  * voxels that the replaced header named are removed, so that at any moment the header's name stands for one complete
  * volume, the old or the new one. */
-class OutputVolume
+class OutputVolume : public VoxelOutput
 {
 public:
   /** \throw JobError Usage for an extension that is not written. */
@@ -29,7 +29,7 @@ public:
 
   /** Creates the files and, unless sparse, takes their space from the disk. \throw JobError Refused. */
   void
-  Create(const VolumeGeometry & geometry, const VoxelLayout & layout);
+  Create(const VolumeGeometry & geometry, const VoxelLayout & layout) override;
 
   /** Creates the file of the voxels, with its space reserved, for other processes to open: its temporary name is its
    * name with \a suffix. \throw JobError Refused. */
@@ -81,23 +81,26 @@ public:
 
   /** Writes a large volume past the page cache from now on; to be called after Create(). */
   void
-  BypassPageCacheWhenLarge();
+  BypassPageCacheWhenLarge() override;
 
   /** Writes voxels that follow each other, x fastest. \throw JobError Failure. */
   void
-  Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data);
+  Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) override;
 
   /** Reads back voxels written before. */
   void
-  Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const;
+  Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const override;
+
+  bool
+  ReadPlane(unsigned int axis, std::uint64_t index, void * data) const override;
 
   /** Brings the files to the disk and compares their sizes. \throw JobError Failure. */
   void
-  Finish();
+  Finish() override;
 
   /** Gives the files their names. */
   void
-  Publish();
+  Publish() override;
 
   const std::filesystem::path &
   GetFileName() const

@@ -48,6 +48,10 @@ class PieceRunner
 public:
   virtual ~PieceRunner() = default;
 
+  /** What it computes, in one word. */
+  virtual const char *
+  GetName() const = 0;
+
   /** Geometry of the labels, or of the vectors for a runner without labels. */
   virtual VolumeGeometry
   GetGeometry() const = 0;

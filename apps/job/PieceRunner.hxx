@@ -226,6 +226,12 @@ public:
     this->m_Filter->UpdateOutputInformation();
   }
 
+  const char *
+  GetName() const override
+  {
+    return "labels";
+  }
+
   void
   SetTileObserver(itk::MedialVoxelTileObserver * observer) override
   {
@@ -320,6 +326,12 @@ public:
       this->m_Filter->SetMaximumDistance(*settings.maximumDistance);
     }
     this->m_Filter->UpdateOutputInformation();
+  }
+
+  const char *
+  GetName() const override
+  {
+    return "distances";
   }
 
 protected:

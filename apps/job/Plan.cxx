@@ -29,16 +29,28 @@ GetFolder(const std::filesystem::path & fileName)
   return fileName.has_parent_path() ? fileName.parent_path() : std::filesystem::path(".");
 }
 
+/** True for outputs whose space is taken from the disk before the start. */
+bool
+IsReserved(const JobOptions & options, const OutputRequest & output)
+{
+  const bool isZarr = output.layout && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr;
+  return !options.sparse && (!isZarr || options.zarrCompression == ZarrCompression::None);
+}
+
 /** Outputs and scratch files on one disk share its free space. */
 void
-RefuseLackOfSpace(const VolumeHeader & header, const std::vector<OutputRequest> & outputs, const ScratchSpace & scratch)
+RefuseLackOfSpace(const JobOptions &                 options,
+                  const VolumeHeader &               header,
+                  const std::vector<OutputRequest> & outputs,
+                  const ScratchSpace &               scratch)
 {
   std::vector<ScratchSpace> files;
   for (const OutputRequest & output : outputs)
   {
-    files.push_back({ GetFolder(output.fileName), GetOutputBytes(header, output) });
+    const std::uint64_t bytes = IsReserved(options, output) ? GetOutputBytes(header, output) : 0;
+    files.push_back({ GetFolder(output.fileName), bytes });
   }
-  if (scratch.bytes > 0)
+  if (scratch.bytes > 0 && !options.sparse)
   {
     files.push_back(scratch);
   }
@@ -77,10 +89,12 @@ SliceRange
 JobPlan::GetPiece(std::uint64_t piece) const
 {
   // None is larger than the one before, so that the memory of its results serves again.
-  const std::uint64_t slices = numberOfSlices / divisions;
-  const std::uint64_t largerPieces = numberOfSlices % divisions;
-  const std::uint64_t begin = piece * slices + std::min(piece, largerPieces);
-  return { begin, begin + slices + (piece < largerPieces ? 1 : 0) };
+  const std::uint64_t units = this->GetNumberOfUnits();
+  const std::uint64_t perPiece = units / divisions;
+  const std::uint64_t largerPieces = units % divisions;
+  const std::uint64_t begin = piece * perPiece + std::min(piece, largerPieces);
+  const std::uint64_t end = begin + perPiece + (piece < largerPieces ? 1 : 0);
+  return { begin * sliceUnit, std::min(end * sliceUnit, numberOfSlices) };
 }
 
 std::uint64_t
@@ -97,7 +111,7 @@ JobPlan::GetFilterLimit(std::uint64_t slices) const
 std::uint64_t
 JobPlan::GetMaximumSlices() const
 {
-  return (numberOfSlices + divisions - 1) / divisions;
+  return this->GetPiece(0).end;
 }
 
 JobPlan
@@ -113,10 +127,7 @@ MakePlan(const JobOptions &                 options,
   {
     plan.diskBytes += GetOutputBytes(header, output);
   }
-  if (!options.sparse)
-  {
-    RefuseLackOfSpace(header, outputs, footprint.scratch);
-  }
+  RefuseLackOfSpace(options, header, outputs, footprint.scratch);
   return plan;
 }
 

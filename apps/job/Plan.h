@@ -38,6 +38,7 @@ struct JobPlan
 {
   std::uint64_t numberOfSlices{ 0 };
   std::uint64_t divisions{ 1 };
+  std::uint64_t sliceUnit{ 1 }; ///< pieces, but the last one, have a multiple of it
   unsigned int  threads{ 1 };
   std::uint64_t slabThickness{ 0 }; ///< slices that the filters process between two pulls of input; 0: they choose
   std::uint64_t slabSlices{ 1 };    ///< the same, or what they choose
@@ -67,6 +68,12 @@ struct JobPlan
     return slices * bytesPerSlice * (writesBehind ? 2 : 1);
   }
 
+  std::uint64_t
+  GetNumberOfUnits() const
+  {
+    return (numberOfSlices + sliceUnit - 1) / sliceUnit;
+  }
+
   /** Slices of the largest piece, which is the first one. */
   std::uint64_t
   GetMaximumSlices() const;
@@ -78,8 +85,9 @@ constexpr unsigned int PlannedWallThickness = 16;
 /** What a job keeps in memory at the same time, and on the disk beside its outputs. */
 struct PieceFootprint
 {
-  std::uint64_t        bytesPerVoxel{ 1 }; ///< results of a piece
-  std::uint64_t        bytesBeside{ 0 };   ///< what does not depend on pieces
+  std::uint64_t        bytesPerVoxel{ 1 };   ///< results of a piece
+  std::uint64_t        bytesBeside{ 0 };     ///< what does not depend on pieces
+  std::uint64_t        preferredSlices{ 1 }; ///< pieces have a multiple of it where they can: a layer of chunks
   itk::MedialVoxelGrid grid;
   ScratchSpace         scratch; ///< of files that grow with the results
 

@@ -84,7 +84,7 @@ GetPreviewBytes(const VolumeGeometry & geometry)
 }
 
 Canvas
-DrawPreview(const OutputVolume & labels, const VolumeGeometry & geometry, const Survey & survey)
+DrawPreview(const VoxelOutput & labels, const VolumeGeometry & geometry, const Survey & survey)
 {
   const PreviewLayout     layout = ArrangePreview(geometry);
   const std::vector<View> views = ChooseViews(geometry, survey);

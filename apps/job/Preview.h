@@ -3,7 +3,7 @@
 #ifndef medialvoxelPreview_h
 #define medialvoxelPreview_h
 
-#include "OutputVolume.h"
+#include "VoxelOutput.h"
 #include "PreviewCanvas.h"
 #include "Survey.h"
 
@@ -21,7 +21,7 @@ GetPreviewBytes(const VolumeGeometry & geometry);
  * along the ray, the brighter the more medial cells there are on it. The scale is the same in all views and directions.
  * Only the labels of these slices are read. A volume of two dimensions is one view. */
 Canvas
-DrawPreview(const OutputVolume & labels, const VolumeGeometry & geometry, const Survey & survey);
+DrawPreview(const VoxelOutput & labels, const VolumeGeometry & geometry, const Survey & survey);
 
 } // end namespace medialvoxel
 

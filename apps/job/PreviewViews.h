@@ -3,7 +3,7 @@
 #ifndef medialvoxelPreviewViews_h
 #define medialvoxelPreviewViews_h
 
-#include "OutputVolume.h"
+#include "VoxelOutput.h"
 #include "PreviewCanvas.h"
 #include "PreviewLayout.h"
 #include "Survey.h"
@@ -53,7 +53,7 @@ struct Slice
  * what lies between. */
 template <typename TValue>
 void
-ReadColumn(const OutputVolume &   volume,
+ReadColumn(const VoxelOutput &    volume,
            const VolumeGeometry & geometry,
            const Survey &         survey,
            std::uint64_t          z,
@@ -80,12 +80,16 @@ ReadColumn(const OutputVolume &   volume,
 
 template <typename TValue>
 Slice<TValue>
-ReadSlice(const OutputVolume & volume, const VolumeGeometry & geometry, const Survey & survey, const View & view)
+ReadSlice(const VoxelOutput & volume, const VolumeGeometry & geometry, const Survey & survey, const View & view)
 {
   Slice<TValue> slice;
   slice.width = geometry.size[view.horizontal];
   slice.height = geometry.size[view.vertical];
   slice.values.resize(slice.width * slice.height);
+  if (volume.ReadPlane(view.normal, view.index, slice.values.data()))
+  {
+    return slice;
+  }
   const std::uint64_t sizeX = geometry.size[0];
   const std::uint64_t perSlice = sizeX * geometry.size[1];
   if (view.normal == 2)

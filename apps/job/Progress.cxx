@@ -277,6 +277,10 @@ void
 ProgressSink::Note(const std::string &)
 {}
 
+void
+ProgressSink::Record(const LogRecord &)
+{}
+
 bool
 ProgressSink::IsStopRequested() const
 {

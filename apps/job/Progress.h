@@ -3,11 +3,31 @@
 #ifndef medialvoxelProgress_h
 #define medialvoxelProgress_h
 
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace medialvoxel
 {
+
+/** How urgent a line of a log is, the most urgent first. */
+enum class LogLevel : std::uint8_t
+{
+  Error,
+  Warning,
+  Info,
+  Debug
+};
+
+/** A step of a job: one line of a log. */
+struct LogRecord
+{
+  LogLevel                                         level{ LogLevel::Info };
+  std::string                                      event; ///< one word
+  std::vector<std::pair<std::string, std::string>> values;
+};
 
 /** \class ProgressSink
  * \brief Hears how far a job is, and may stop it.
@@ -28,6 +48,10 @@ public:
   /** Hears one line about what the job did, such as that it unpacked a volume. */
   virtual void
   Note(const std::string & text);
+
+  /** Hears of each step; only a log shows it. */
+  virtual void
+  Record(const LogRecord & record);
 
   /** Asked several times a second. By default true once the process got SIGINT, SIGTERM or SIGHUP. */
   virtual bool

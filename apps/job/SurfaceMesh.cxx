@@ -3,6 +3,7 @@
 #include "SurfaceMesh.h"
 
 #include "Errors.h"
+#include "FileNames.h"
 #include "SurfaceReader.h"
 #include "VolumeText.h"
 

@@ -112,8 +112,8 @@ GetThicknessPreviewBytes(const VolumeGeometry & geometry)
 }
 
 Canvas
-DrawThicknessPreview(const OutputVolume &   labels,
-                     const OutputVolume &   thicknesses,
+DrawThicknessPreview(const VoxelOutput &    labels,
+                     const VoxelOutput &    thicknesses,
                      const VolumeGeometry & geometry,
                      const Survey &         survey,
                      const std::string &    unit)

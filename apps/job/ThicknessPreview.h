@@ -3,7 +3,7 @@
 #ifndef medialvoxelThicknessPreview_h
 #define medialvoxelThicknessPreview_h
 
-#include "OutputVolume.h"
+#include "VoxelOutput.h"
 #include "PreviewCanvas.h"
 #include "Survey.h"
 
@@ -22,8 +22,8 @@ GetThicknessPreviewBytes(const VolumeGeometry & geometry);
  * thickest counts, in the projection the thickest along the ray.
  * \param unit of the lengths, in capital letters */
 Canvas
-DrawThicknessPreview(const OutputVolume &   labels,
-                     const OutputVolume &   thicknesses,
+DrawThicknessPreview(const VoxelOutput &    labels,
+                     const VoxelOutput &    thicknesses,
                      const VolumeGeometry & geometry,
                      const Survey &         survey,
                      const std::string &    unit);

@@ -4,6 +4,7 @@
 
 #include "HeaderParsing.h"
 #include "Text.h"
+#include "ZarrMetadata.h"
 
 #include <vnl/vnl_det.h>
 #include <vnl/vnl_matrix_fixed.h>
@@ -81,9 +82,9 @@ CheckGeometry(const VolumeHeader & header)
 void
 CheckDataSize(const VolumeHeader & header)
 {
-  if (!header.segments.empty() || header.format == TiffFormat)
+  if (!header.segments.empty() || header.format == TiffFormat || header.format == ZarrFormat)
   {
-    return; // each stretch was compared with its file when it was located
+    return; // each stretch was compared with its file when it was located; each chunk is when it is read
   }
   const std::uint64_t voxelBytes = header.GetVoxelBytes();
   const std::uint64_t available = header.dataFileSize < header.dataOffset ? 0 : header.dataFileSize - header.dataOffset;
@@ -115,6 +116,7 @@ using Format = std::pair<const char *, HeaderReader>;
 constexpr std::array Formats{
   Format{ ".mha", ReadMetaImageHeader }, Format{ ".mhd", ReadMetaImageHeader }, Format{ ".nrrd", ReadNrrdHeader },
   Format{ ".nhdr", ReadNrrdHeader },     Format{ ".nii", ReadNiftiHeader },     Format{ ".nii.gz", ReadNiftiHeader },
+  Format{ ".zarr", ReadZarrHeader },
 #ifdef MEDIALVOXEL_WITH_TIFF
   Format{ ".tif", ReadTiffHeader },      Format{ ".tiff", ReadTiffHeader },
 #endif
@@ -123,6 +125,10 @@ constexpr std::array Formats{
 HeaderReader
 FindHeaderReader(const std::filesystem::path & fileName)
 {
+  if (IsZarrFolder(fileName))
+  {
+    return ReadZarrHeader;
+  }
   const std::string name = ToLower(fileName.filename().string());
   std::string       known;
   for (const auto & [extension, reader] : Formats)

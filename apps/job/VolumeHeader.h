@@ -81,7 +81,7 @@ struct VolumeHeader
   std::vector<itk::MedialVoxelFileSegment> segments;
   std::optional<ValueScale>                scale; ///< of the numbers in the file; none: they are the values
 
-  /** Memory that unpacking takes beside the bits and a few MiB: the largest strip of a TIFF. */
+  /** Memory that unpacking takes beside the bits and a few MiB: the largest strip of a TIFF, a layer of a Zarr. */
   std::uint64_t unpackBytes{ 0 };
 
   std::uint64_t
@@ -107,8 +107,8 @@ struct VolumeHeader
 std::map<std::filesystem::path, std::uint64_t>
 GetNeededFileSizes(const VolumeHeader & header);
 
-/** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), TIFF
- * (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
+/** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), Zarr
+ * (.zarr), TIFF (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
  *
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
  * ones: may be), and spacings are positive and finite.

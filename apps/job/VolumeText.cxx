@@ -15,11 +15,12 @@ namespace medialvoxel
 namespace
 {
 
-constexpr std::array<std::pair<const char *, VolumeFormat>, 4> Extensions{ {
+constexpr std::array<std::pair<const char *, VolumeFormat>, 5> Extensions{ {
   { ".mha", VolumeFormat::MetaImage },
   { ".mhd", VolumeFormat::MetaImageDetached },
   { ".nrrd", VolumeFormat::Nrrd },
   { ".nhdr", VolumeFormat::NrrdDetached },
+  { ".zarr", VolumeFormat::Zarr },
 } };
 
 std::string
@@ -88,7 +89,7 @@ GetVolumeFormat(const std::filesystem::path & fileName)
        fileName.string(),
        ": unknown format '",
        extension,
-       "'; volumes are written as .mha, .mhd, .nrrd or .nhdr");
+       "'; volumes are written as .mha, .mhd, .nrrd, .nhdr or .zarr");
 }
 
 bool

@@ -16,7 +16,8 @@ enum class VolumeFormat
   MetaImage,         ///< .mha: header and voxels in one file
   MetaImageDetached, ///< .mhd: voxels in a file of their own
   Nrrd,              ///< .nrrd
-  NrrdDetached       ///< .nhdr
+  NrrdDetached,      ///< .nhdr
+  Zarr               ///< .zarr: a folder
 };
 
 /** What the voxels of an output are: \a components values of one type each. */
@@ -39,7 +40,7 @@ GetVolumeFormat(const std::filesystem::path & fileName);
 bool
 HasDataFile(VolumeFormat format);
 
-/** Header of a volume of uncompressed voxels in the byte order of this machine; numbers read back exactly.
+/** Header of a file with a volume of uncompressed voxels in the byte order of this machine; numbers read back exactly.
  * \param dataFile name of the voxels' file beside the header; empty for formats of one file */
 std::string
 MakeHeaderText(VolumeFormat           format,

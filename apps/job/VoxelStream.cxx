@@ -4,6 +4,7 @@
 
 #include "HeaderParsing.h"
 #include "InflateReader.h"
+#include "ZarrStream.h"
 #ifdef MEDIALVOXEL_WITH_TIFF
 #  include "TiffStream.h"
 #endif
@@ -94,6 +95,10 @@ OpenVoxelStream(const VolumeHeader & header)
     return OpenTiffStream(header);
   }
 #endif
+  if (header.format == ZarrFormat)
+  {
+    return OpenZarrStream(header);
+  }
   return std::make_unique<InflatedStream>(header);
 }
 

@@ -63,11 +63,18 @@ AddText(CLI::App & app, const std::string & name, const std::string & help, cons
   return app.add_option(name, parse, help)->type_name(unit)->type_size(1)->expected(1);
 }
 
-/** Adds an option, or an argument, that names a file. */
+/** Adds an option, or an argument, that names a file or a folder, which a shell completes with a slash. */
 CLI::Option *
 AddFile(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
 {
-  return app.add_option(name, target, help)->type_name("FILE");
+  const auto withoutSlash = [](std::string fileName) {
+    while (fileName.size() > 1 && fileName.back() == '/')
+    {
+      fileName.pop_back();
+    }
+    return fileName;
+  };
+  return app.add_option(name, target, help)->type_name("FILE")->transform(withoutSlash, "", "");
 }
 
 /** Adds an option whose value is one of some names; the first is the default. */
@@ -221,6 +228,39 @@ namespace
 {
 
 void
+AddLog(CommandLine & line, CLI::App & app, JobOptions & options)
+{
+  const std::string group = "Run";
+  auto * const log = AddFile(app, "--log-file", "Add a line for each step to a log", options.logFile)->group(group);
+  AddChoice<LogLevel>(line,
+                      app,
+                      "--log-level",
+                      "Which lines",
+                      "LEVEL",
+                      line.logLevel,
+                      { { "info", LogLevel::Info },
+                        { "error", LogLevel::Error },
+                        { "warning", LogLevel::Warning },
+                        { "debug", LogLevel::Debug } })
+    ->group(group)
+    ->needs(log);
+}
+
+/** To be called after AddRunOptions(). */
+void
+AddZarrCompression(CommandLine & line, CLI::App & app, JobOptions & options)
+{
+  AddChoice<ZarrCompression>(line,
+                             app,
+                             "--zarr-compression",
+                             "Of .zarr outputs",
+                             "KIND",
+                             options.zarrCompression,
+                             { { "gzip", ZarrCompression::Gzip }, { "none", ZarrCompression::None } })
+    ->group("Run");
+}
+
+void
 AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
   const std::string group = "Run";
@@ -236,6 +276,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   app.add_flag("--sparse", options.sparse, "Leave zeros as holes in the files, reserve no space")->group(group);
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs")->group(group);
   AddProgress(line, app);
+  AddLog(line, app, options);
 }
 
 } // namespace
@@ -243,7 +284,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 void
 AddInput(CLI::App & app, JobOptions & options)
 {
-  AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii .nii.gz .tif, raw", options.input)->required();
+  AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii[.gz] .tif .zarr", options.input)->required();
 }
 
 namespace
@@ -304,7 +345,7 @@ AddThickness(CLI::App & app, ExtractOptions & options)
 void
 AddLabels(CLI::App & app, ExtractOptions & options)
 {
-  AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr", options.output)->required();
+  AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr .zarr", options.output)->required();
 }
 
 /** All but the arguments. */
@@ -338,6 +379,7 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
+  AddZarrCompression(line, app, options);
   AddRawOptions(line, app, options);
 }
 
@@ -394,7 +436,7 @@ DefineDistance(CommandLine & line)
   DistanceOptions & options = line.distanceOptions;
   using Region = itk::MedialVoxelRegion;
   AddInput(app, options);
-  AddFile(app, "VECTORS", "Vectors to the boundary: .mha .mhd .nrrd .nhdr", options.output)->required();
+  AddFile(app, "VECTORS", "Vectors to the boundary: .mha .mhd .nrrd .nhdr .zarr", options.output)->required();
   AddChoice<itk::MedialVoxelBoundary>(
     line, app, "--boundary", "Where the vectors lead to", "KIND", options.boundary, Boundaries);
   AddChoice<Region>(line,
@@ -418,6 +460,7 @@ DefineDistance(CommandLine & line)
   app.add_flag("--inside-positive", options.insideIsPositive, "Make the signed distance positive inside")->group(group);
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
+  AddZarrCompression(line, app, options);
   AddRawOptions(line, app, options);
   line.examples[&app] = { "medialvoxel distance part.mha vectors.mha --lower 72 --distance distance.mha",
                           "medialvoxel distance mask.nrrd out.nrrd --region inside --boundary background" };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandLine.h"
 #include "CommandText.h"
+#include "Log.h"
 #include "PhaseTable.h"
 #include "Program.h"
 #include "SharedJob.h"
@@ -19,12 +20,34 @@ MakeSink(const CommandLine & line)
   return MakeProgressSink(line.quiet ? ProgressStyle::Quiet : line.progress);
 }
 
+/** Calls work(sink), and tells a log, if one was asked for, what it does and why it fails. */
+template <typename TWork>
+JobResult
+RunLogged(const CommandLine & line, const JobOptions & options, TWork && work)
+{
+  if (options.logFile.empty())
+  {
+    return work(*MakeSink(line));
+  }
+  Log        log(options.logFile, line.logLevel);
+  const auto sink = MakeLogSink(log, MakeSink(line));
+  try
+  {
+    return work(*sink);
+  }
+  catch (const std::exception & error)
+  {
+    log.Write({ LogLevel::Error, "failed", { { "message", error.what() } } });
+    throw;
+  }
+}
+
 /** Labels, a mesh, or both. */
 void
 Extract(const CommandLine & line, const ExtractOptions & options)
 {
-  const auto      sink = MakeSink(line);
-  const JobResult result = RunExtract(options, *sink);
+  const JobResult result =
+    RunLogged(line, options, [&options](ProgressSink & sink) { return RunExtract(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
@@ -119,9 +142,10 @@ ShowStatus(const CommandLine & line)
 void
 ComputeDistance(const CommandLine & line)
 {
-  const auto      sink = MakeSink(line);
-  const JobResult result = RunDistance(line.distanceOptions, *sink);
-  if (line.distanceOptions.dryRun)
+  const DistanceOptions & options = line.distanceOptions;
+  const JobResult         result =
+    RunLogged(line, options, [&options](ProgressSink & sink) { return RunDistance(options, sink); });
+  if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
   }

@@ -67,6 +67,33 @@ TEST(Plan, PiecesCoverEverySliceOnce)
   }
 }
 
+TEST(Plan, PiecesAreWholeLayersOfChunksWhereTheyFit)
+{
+  const VolumeHeader header = MakeHeader({ 500, 500, 670 });
+  PieceFootprint     footprint = MakeFootprint(header, 1);
+  footprint.preferredSlices = 31;
+  JobOptions options;
+  options.threads = 2;
+  const JobPlan plan = MakePlan(options, header, {}, footprint);
+  std::uint64_t next = 0;
+  for (std::uint64_t piece = 0; piece < plan.divisions; ++piece)
+  {
+    const SliceRange range = plan.GetPiece(piece);
+    EXPECT_EQ(range.begin, next);
+    EXPECT_EQ(range.begin % 31, 0u);
+    EXPECT_LE(range.end - range.begin, plan.GetMaximumSlices());
+    next = range.end;
+  }
+  EXPECT_GT(plan.divisions, 1u);
+  EXPECT_EQ(next, 670u);
+
+  footprint.preferredSlices = 600;
+  EXPECT_EQ(MakePlan(options, header, {}, footprint).sliceUnit, 1u);
+  footprint.preferredSlices = 31;
+  options.divisions = 670;
+  EXPECT_EQ(MakePlan(options, header, {}, footprint).divisions, 670u);
+}
+
 TEST(Plan, LargeResultsAreDivided)
 {
   JobOptions options;

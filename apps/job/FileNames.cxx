@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "FileNames.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace medialvoxel
+{
+
+std::filesystem::path
+FollowLinks(const std::filesystem::path & fileName)
+{
+  constexpr int         maximumLinks = 40;
+  std::filesystem::path target = fileName;
+  std::error_code       error;
+  for (int link = 0; link < maximumLinks && std::filesystem::is_symlink(target, error); ++link)
+  {
+    target = target.parent_path() / std::filesystem::read_symlink(target, error);
+  }
+  return target;
+}
+
+std::filesystem::path
+FolderOf(const std::filesystem::path & fileName)
+{
+  return fileName.has_parent_path() ? fileName.parent_path() : std::filesystem::path(".");
+}
+
+int
+RenameToFreeName(const char * from, const char * to)
+{
+#ifdef RENAME_NOREPLACE
+  const int result = renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE);
+  if (result == 0 || (errno != EINVAL && errno != ENOSYS))
+  {
+    return result;
+  }
+#endif
+  // File systems without such a rename: a moment remains between the question and the answer.
+  if (access(to, F_OK) == 0)
+  {
+    errno = EEXIST;
+    return -1;
+  }
+  return rename(from, to);
+}
+
+void
+SyncFolder(const std::filesystem::path & folder)
+{
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor >= 0)
+  {
+    fsync(descriptor);
+    close(descriptor);
+  }
+}
+
+} // end namespace medialvoxel

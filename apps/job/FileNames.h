@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelFileNames_h
+#define medialvoxelFileNames_h
+
+#include <filesystem>
+
+namespace medialvoxel
+{
+
+/** The file that a symbolic link leads to, whether it exists or not; other names stay as they are. */
+std::filesystem::path
+FollowLinks(const std::filesystem::path & fileName);
+
+/** The folder that a file is in, also of a name without one. */
+std::filesystem::path
+FolderOf(const std::filesystem::path & fileName);
+
+/** Renames a file or folder; one that exists under the new name stops it. \return 0, or -1 with errno */
+int
+RenameToFreeName(const char * from, const char * to);
+
+/** Brings the names in a folder to the disk, where the file system can. */
+void
+SyncFolder(const std::filesystem::path & folder);
+
+} // end namespace medialvoxel
+
+#endif

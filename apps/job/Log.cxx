@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Log.h"
+
+#include "Errors.h"
+#include "FileTransfer.h"
+#include "Text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr size_t BytesOfTime = 24; // 2026-11-22T01:02:03.456Z
+
+std::string
+GetTime()
+{
+  const auto           now = std::chrono::system_clock::now().time_since_epoch();
+  const auto           milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+  const std::time_t    seconds = milliseconds / 1000;
+  std::tm              parts{};
+  std::array<char, 32> text{};
+  gmtime_r(&seconds, &parts);
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.", &parts);
+  const std::string fraction = std::to_string(1000 + milliseconds % 1000);
+  return text.data() + fraction.substr(1) + "Z";
+}
+
+/** Compares with the shape of the time that a line begins with. */
+bool
+BeginsWithTime(const std::string & text)
+{
+  const std::string shape = "0000-00-00T00:00:00.000Z";
+  for (size_t i = 0; i < shape.size(); ++i)
+  {
+    const bool isDigit = i < text.size() && text[i] >= '0' && text[i] <= '9';
+    if (i >= text.size() || (shape[i] == '0' ? !isDigit : text[i] != shape[i]))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** A regular file must be empty or a log; what is not a file, such as a terminal, takes any lines. */
+bool
+TakesLines(int descriptor)
+{
+  struct stat status = {};
+  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0)
+  {
+    return true;
+  }
+  std::string begin(BytesOfTime, '\0');
+  return ReadFully(descriptor, 0, begin.data(), begin.size()) && BeginsWithTime(begin);
+}
+
+const char *
+GetName(LogLevel level)
+{
+  switch (level)
+  {
+    case LogLevel::Error:
+      return "error";
+    case LogLevel::Warning:
+      return "warning";
+    case LogLevel::Info:
+      return "info";
+    case LogLevel::Debug:
+      break;
+  }
+  return "debug";
+}
+
+/** Values with blanks, quotes or line ends become a string of JSON. */
+std::string
+Quote(const std::string & value)
+{
+  const bool isPlain = !value.empty() && value.find_first_of(" \"\\=\t\r\n") == std::string::npos;
+  return isPlain ? value : nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/** \class LogSink
+ * \brief What MakeLogSink() makes. */
+class LogSink : public ProgressSink
+{
+public:
+  LogSink(Log & log, std::unique_ptr<ProgressSink> next)
+    : m_Log(log)
+    , m_Next(std::move(next))
+  {}
+
+  void
+  Start(const std::string & name, const std::string & comment) override
+  {
+    m_Log.Write({ LogLevel::Info, "start", { { "work", comment } } });
+    m_Next->Start(name, comment);
+  }
+
+  void
+  Report(double fraction) override
+  {
+    m_Next->Report(fraction);
+  }
+
+  void
+  Finish(double seconds) override
+  {
+    m_Log.Write({ LogLevel::Info, "end", { { "seconds", FormatFixed(seconds, 3) } } });
+    m_Next->Finish(seconds);
+  }
+
+  void
+  Note(const std::string & text) override
+  {
+    m_Log.Write({ LogLevel::Info, "note", { { "text", text } } });
+    m_Next->Note(text);
+  }
+
+  void
+  Record(const LogRecord & record) override
+  {
+    m_Log.Write(record);
+    m_Next->Record(record);
+  }
+
+  bool
+  IsStopRequested() const override
+  {
+    return m_Next->IsStopRequested();
+  }
+
+private:
+  Log &                         m_Log;
+  std::unique_ptr<ProgressSink> m_Next;
+};
+
+} // namespace
+
+Log::Log(const std::filesystem::path & fileName, LogLevel level)
+  : m_Descriptor(open(fileName.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOCTTY, 0666))
+  , m_Level(level)
+{
+  if (m_Descriptor < 0)
+  {
+    Fail(ExitStatus::Refused, "cannot write the log ", fileName.string(), ": ", std::strerror(errno));
+  }
+  if (!TakesLines(m_Descriptor))
+  {
+    close(m_Descriptor);
+    Fail(ExitStatus::Refused, fileName.string(), " is not a log; lines are added to logs and empty files only");
+  }
+}
+
+Log::~Log()
+{
+  close(m_Descriptor);
+}
+
+void
+Log::Write(const LogRecord & record)
+{
+  if (record.level > m_Level)
+  {
+    return;
+  }
+  std::string line = GetTime() + " " + GetName(record.level) + " " + std::to_string(getpid()) + " " + record.event;
+  for (const auto & [name, value] : record.values)
+  {
+    line += " " + name + "=" + Quote(value);
+  }
+  line += "\n";
+  // Whatever becomes of it, the work goes on.
+  [[maybe_unused]] const ssize_t written = write(m_Descriptor, line.data(), line.size());
+}
+
+std::unique_ptr<ProgressSink>
+MakeLogSink(Log & log, std::unique_ptr<ProgressSink> next)
+{
+  return std::make_unique<LogSink>(log, std::move(next));
+}
+
+} // end namespace medialvoxel

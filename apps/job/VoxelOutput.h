@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelVoxelOutput_h
+#define medialvoxelVoxelOutput_h
+
+#include "Options.h"
+#include "VolumeText.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace medialvoxel
+{
+
+/** \class VoxelOutput
+ * \brief A volume that is written in parts, from its first slice to its last, and appears only when it is complete. */
+class VoxelOutput
+{
+public:
+  virtual ~VoxelOutput() = default;
+
+  /** Creates it under a temporary name and, unless sparse or packed, takes its space from the disk.
+   * \throw JobError Refused. */
+  virtual void
+  Create(const VolumeGeometry & geometry, const VoxelLayout & layout) = 0;
+
+  /** Writes a large volume past the page cache from now on, where it can; to be called after Create(). */
+  virtual void
+  BypassPageCacheWhenLarge()
+  {}
+
+  /** Writes voxels that follow each other, x fastest: whole slices. \throw JobError Failure. */
+  virtual void
+  Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) = 0;
+
+  /** Brings everything to the disk and compares sizes. \throw JobError Failure. */
+  virtual void
+  Finish() = 0;
+
+  /** Reads back voxels that follow each other, after Finish(). */
+  virtual void
+  Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const = 0;
+
+  /** Reads back the voxels whose index along \a axis is \a index, x fastest, after Finish().
+   * \return false where that is not faster than to read what is needed of it row by row, and nothing was read */
+  virtual bool
+  ReadPlane(unsigned int axis, std::uint64_t index, void * data) const = 0;
+
+  /** Gives it its name. */
+  virtual void
+  Publish() = 0;
+};
+
+/** The output for the extension of a file name. \throw JobError Usage for an extension that is not written. */
+std::unique_ptr<VoxelOutput>
+MakeVoxelOutput(const std::filesystem::path & fileName, const JobOptions & options);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ZarrChunkFile.h"
+
+#include "FileNames.h"
+#include "FileTransfer.h"
+#include "InflateReader.h"
+
+#include "itkByteSwapper.h"
+#include "itk_zlib.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <memory>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+// Window of 2^15 bytes and gzip's header, whose time is left out.
+constexpr int WindowBitsOfGzip = 15 + 16;
+constexpr int MemoryLevel = 8;
+
+/** Bytes of a packed chunk at most. */
+std::uint64_t
+GetPackedBytes(ZarrCompression compression, std::uint64_t numberOfBytes)
+{
+  constexpr std::uint64_t bytesOfGzipHeader = 32;
+  return compression == ZarrCompression::Gzip ? compressBound(numberOfBytes) + bytesOfGzipHeader : 0;
+}
+
+[[noreturn]] void
+FailWithErrno(const char * action, const std::filesystem::path & file)
+{
+  Fail(ExitStatus::Failure, "cannot ", action, " ", file.string(), ": ", std::strerror(errno));
+}
+
+/** \class Descriptor
+ * \brief An open file. */
+class Descriptor
+{
+public:
+  Descriptor(const std::filesystem::path & file, int flags)
+    : m_Number(open(file.c_str(), flags | O_CLOEXEC, 0666))
+  {}
+
+  ~Descriptor()
+  {
+    if (m_Number >= 0)
+    {
+      close(m_Number);
+    }
+  }
+
+  Descriptor(const Descriptor &) = delete;
+  Descriptor &
+  operator=(const Descriptor &) = delete;
+
+  int
+  Get() const
+  {
+    return m_Number;
+  }
+
+  std::uint64_t
+  GetSize() const
+  {
+    struct stat status = {};
+    return fstat(m_Number, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+  }
+
+private:
+  int m_Number;
+};
+
+/** Opens a file to be written, and makes the folder that it is the first one of. */
+class NewFile : public Descriptor
+{
+public:
+  NewFile(const std::filesystem::path & file, int flags)
+    : Descriptor((MakeFolder(file), file), flags | O_RDWR | O_CREAT)
+  {
+    if (this->Get() < 0)
+    {
+      FailWithErrno("create", file);
+    }
+  }
+
+private:
+  static void
+  MakeFolder(const std::filesystem::path & file)
+  {
+    std::error_code error;
+    std::filesystem::create_directories(file.parent_path(), error);
+    if (error)
+    {
+      errno = error.value();
+      FailWithErrno("create the folder of", file);
+    }
+  }
+};
+
+/** Opens a chunk to be read; null when it has no file. */
+std::unique_ptr<Descriptor>
+OpenChunk(const std::filesystem::path & chunkFile)
+{
+  auto file = std::make_unique<Descriptor>(chunkFile, O_RDONLY);
+  if (file->Get() < 0 && errno != ENOENT)
+  {
+    FailWithErrno("read", chunkFile);
+  }
+  return file->Get() < 0 ? nullptr : std::move(file);
+}
+
+void
+GiveName(const std::filesystem::path & chunkFile)
+{
+  if (rename(GetPartialName(chunkFile).c_str(), chunkFile.c_str()) != 0)
+  {
+    FailWithErrno("give its name to", chunkFile);
+  }
+}
+
+} // namespace
+
+std::filesystem::path
+GetPartialName(const std::filesystem::path & chunkFile)
+{
+  return chunkFile.string() + ".partial";
+}
+
+ZarrChunkWriter::ZarrChunkWriter(ZarrCompression compression, std::uint64_t numberOfBytes)
+  : m_Compression(compression)
+  , m_NumberOfBytes(numberOfBytes)
+  , m_Packed(GetPackedBytes(compression, numberOfBytes))
+{}
+
+std::uint64_t
+ZarrChunkWriter::GetMemoryBytes(ZarrCompression compression, std::uint64_t numberOfBytes)
+{
+  constexpr std::uint64_t bytesOfZlib = std::uint64_t{ 1 } << 18;
+  return compression == ZarrCompression::Gzip ? GetPackedBytes(compression, numberOfBytes) + bytesOfZlib : 0;
+}
+
+std::pair<const char *, std::uint64_t>
+ZarrChunkWriter::Pack(const std::filesystem::path & chunkFile, const char * chunk)
+{
+  if (m_Compression == ZarrCompression::None)
+  {
+    return { chunk, m_NumberOfBytes };
+  }
+  // Chunks are far from the 4 GiB that zlib takes at once.
+  z_stream stream = {};
+  stream.next_in = reinterpret_cast<Bytef *>(const_cast<char *>(chunk));
+  stream.avail_in = static_cast<uInt>(m_NumberOfBytes);
+  stream.next_out = reinterpret_cast<Bytef *>(m_Packed.data());
+  stream.avail_out = static_cast<uInt>(m_Packed.size());
+  const bool isReady =
+    deflateInit2(&stream, ZarrGzipLevel, Z_DEFLATED, WindowBitsOfGzip, MemoryLevel, Z_DEFAULT_STRATEGY) == Z_OK;
+  const bool isPacked = isReady && deflate(&stream, Z_FINISH) == Z_STREAM_END;
+  deflateEnd(&stream);
+  if (!isPacked)
+  {
+    Fail(ExitStatus::Failure, "cannot pack ", chunkFile.string(), ": out of memory");
+  }
+  return { m_Packed.data(), stream.total_out };
+}
+
+void
+ZarrChunkWriter::Write(const std::filesystem::path & chunkFile, const char * chunk)
+{
+  const auto [bytes, numberOfBytes] = this->Pack(chunkFile, chunk);
+  {
+    const NewFile file(GetPartialName(chunkFile), O_TRUNC);
+    if (!WriteFully(file.Get(), 0, bytes, numberOfBytes))
+    {
+      FailWithErrno("write", chunkFile);
+    }
+    StartWriteBack(file.Get(), 0, numberOfBytes);
+  }
+  GiveName(chunkFile);
+}
+
+void
+ZarrChunkWriter::WritePart(const std::filesystem::path & chunkFile,
+                           std::uint64_t                 offset,
+                           const char *                  bytes,
+                           std::uint64_t                 numberOfBytes) const
+{
+  const NewFile file(GetPartialName(chunkFile), 0);
+  const bool    isNew = file.GetSize() == 0;
+  if ((isNew && ftruncate(file.Get(), static_cast<off_t>(m_NumberOfBytes)) != 0) ||
+      !WriteFully(file.Get(), offset, bytes, numberOfBytes))
+  {
+    FailWithErrno("write", chunkFile);
+  }
+}
+
+void
+ZarrChunkWriter::CompleteParts(const std::filesystem::path & chunkFile, char * chunk)
+{
+  const bool isPacked = m_Compression != ZarrCompression::None;
+  {
+    const Descriptor parts(GetPartialName(chunkFile), O_RDWR);
+    if (parts.Get() < 0 || (isPacked && !ReadFully(parts.Get(), 0, chunk, m_NumberOfBytes)))
+    {
+      FailWithErrno("read back", chunkFile);
+    }
+    if (!isPacked)
+    {
+      StartWriteBack(parts.Get(), 0, m_NumberOfBytes);
+    }
+  }
+  isPacked ? this->Write(chunkFile, chunk) : GiveName(chunkFile);
+}
+
+bool
+ReadZarrChunk(const std::filesystem::path & chunkFile,
+              ZarrCompression               compression,
+              void *                        chunk,
+              std::uint64_t                 numberOfBytes)
+{
+  if (compression == ZarrCompression::None)
+  {
+    return ReadZarrChunkPart(chunkFile, { 0, numberOfBytes, numberOfBytes }, chunk);
+  }
+  if (!OpenChunk(chunkFile))
+  {
+    return false;
+  }
+  InflateReader reader(chunkFile, 0);
+  reader.Read(chunk, numberOfBytes);
+  reader.CheckEnd();
+  return true;
+}
+
+bool
+ReadZarrChunkPart(const std::filesystem::path & chunkFile, const ZarrChunkPart & part, void * bytes)
+{
+  const auto file = OpenChunk(chunkFile);
+  if (!file)
+  {
+    return false;
+  }
+  if (file->GetSize() != part.chunkBytes)
+  {
+    Fail(ExitStatus::CorruptInput,
+         chunkFile.string(),
+         " has ",
+         file->GetSize(),
+         " bytes; the chunks of its array have ",
+         part.chunkBytes);
+  }
+  if (!ReadFully(file->Get(), part.offset, static_cast<char *>(bytes), part.numberOfBytes))
+  {
+    FailWithErrno("read", chunkFile);
+  }
+  return true;
+}
+
+void
+FillChunk(const ZarrArray & array, std::vector<char> & voxels)
+{
+  DispatchPixelType(array.grid.layout.pixelType, [&](auto zero) {
+    using ValueType = decltype(zero);
+    auto * const values = reinterpret_cast<ValueType *>(voxels.data());
+    std::fill_n(values, voxels.size() / sizeof(ValueType), static_cast<ValueType>(array.fillValue));
+  });
+}
+
+void
+SwapToMachineOrder(const ZarrArray & array, std::vector<char> & voxels)
+{
+  DispatchPixelType(array.grid.layout.pixelType, [&](auto zero) {
+    using ValueType = decltype(zero);
+    using Swapper = itk::ByteSwapper<ValueType>;
+    auto * const values = reinterpret_cast<ValueType *>(voxels.data());
+    const auto   count = voxels.size() / sizeof(ValueType);
+    array.bigEndian ? Swapper::SwapRangeFromSystemToBigEndian(values, count)
+                      : Swapper::SwapRangeFromSystemToLittleEndian(values, count);
+  });
+}
+
+} // end namespace medialvoxel
