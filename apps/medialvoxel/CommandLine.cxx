@@ -4,6 +4,7 @@
 
 #include "CommandParts.h"
 #include "CommandText.h"
+#include "CommandValues.h"
 #include "Report.h"
 #include "Text.h"
 
@@ -17,100 +18,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-/** A number, the whole number, and nothing but the number. */
-double
-ToDouble(const std::string & text)
-{
-  const std::optional<double> value = ParseDouble(text);
-  if (!value)
-  {
-    throw CLI::ValidationError("'" + text + "' is not a number");
-  }
-  return *value;
-}
-
-std::uint64_t
-ToCount(const std::string & text, std::uint64_t least, std::uint64_t most)
-{
-  const std::optional<std::int64_t> value = ParseInteger(text);
-  if (!value || *value < 0 || static_cast<std::uint64_t>(*value) < least || static_cast<std::uint64_t>(*value) > most)
-  {
-    throw CLI::ValidationError("'" + text + "' is not a whole number from " + std::to_string(least) + " to " +
-                               std::to_string(most));
-  }
-  return static_cast<std::uint64_t>(*value);
-}
-
-constexpr std::uint64_t LargestCount = std::uint64_t{ 1 } << 62;
-
-/** Adds an option with one value that \a assign takes as text; what it throws names the option. */
-template <typename TAssign>
-CLI::Option *
-AddText(CLI::App & app, const std::string & name, const std::string & help, const std::string & unit, TAssign assign)
-{
-  const auto parse = [name, assign](const CLI::results_t & results) {
-    try
-    {
-      assign(results.front());
-    }
-    catch (const CLI::ValidationError & error)
-    {
-      throw CLI::ValidationError(name, error.what());
-    }
-    return true;
-  };
-  return app.add_option(name, parse, help)->type_name(unit)->type_size(1)->expected(1);
-}
-
-/** Adds an option, or an argument, that names a file or a folder, which a shell completes with a slash. */
-CLI::Option *
-AddFile(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
-{
-  const auto withoutSlash = [](std::string fileName) {
-    while (fileName.size() > 1 && fileName.back() == '/')
-    {
-      fileName.pop_back();
-    }
-    return fileName;
-  };
-  return app.add_option(name, target, help)->type_name("FILE")->transform(withoutSlash, "", "");
-}
-
-/** Adds an option whose value is one of some names; the first is the default. */
-template <typename TEnum>
-CLI::Option *
-AddChoice(CommandLine &                                      line,
-          CLI::App &                                         app,
-          const std::string &                                name,
-          const std::string &                                help,
-          const std::string &                                unit,
-          TEnum &                                            target,
-          const std::vector<std::pair<std::string, TEnum>> & choices)
-{
-  std::vector<std::string> names;
-  for (const auto & choice : choices)
-  {
-    names.push_back(choice.first);
-  }
-  CLI::Option * const option = AddText(app, name, help, unit, [&target, choices, names](const std::string & text) {
-    const auto found =
-      std::find_if(choices.begin(), choices.end(), [&](const auto & choice) { return choice.first == text; });
-    if (found == choices.end())
-    {
-      throw CLI::ValidationError("'" + text + "' is not one of " + CLI::detail::join(names, "|"));
-    }
-    target = found->second;
-  });
-  line.choices[option] = names;
-  return option;
-}
-
-std::vector<std::string>
-SplitAtCommas(const std::string & text)
-{
-  return CLI::detail::split(text, ',');
-}
 
 /** The description of a headerless file comes to life with the first option that belongs to it. */
 RawDescription &
@@ -350,7 +257,7 @@ AddLabels(CLI::App & app, ExtractOptions & options)
 
 /** All but the arguments. */
 void
-AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
+AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, bool * const resumes)
 {
   using Bound = itk::MedialVoxelPseudoGeodesicBound;
   AddThickness(app, options);
@@ -380,6 +287,10 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
   AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
   AddZarrCompression(line, app, options);
+  if (resumes != nullptr)
+  {
+    app.add_flag("--resume", *resumes, "Continue where a run with it was stopped")->group("Run");
+  }
   AddRawOptions(line, app, options);
 }
 
@@ -393,8 +304,7 @@ DefineExtract(CommandLine & line)
   ExtractOptions & options = line.extractOptions;
   AddInput(app, options);
   AddLabels(app, options);
-  AddExtractOptions(line, app, options);
-  app.add_flag("--resume", line.resumes, "Continue where a run with it was stopped")->group("Run");
+  AddExtractOptions(line, app, options, &line.resumes);
   line.examples[&app] = {
     "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html",
     "medialvoxel extract scan.raw out.nrrd --raw-size 708,965,325 --raw-type uint16",

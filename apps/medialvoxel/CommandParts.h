@@ -23,9 +23,9 @@ AddThreads(CLI::App & app, std::optional<unsigned int> & target);
 void
 AddProgress(CommandLine & line, CLI::App & app);
 
-/** All but the arguments. */
+/** All but the arguments. \param resumes of the option --resume; null for commands without it */
 void
-AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options);
+AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, bool * resumes);
 
 /** Defines plan, work, finalize and status. */
 void

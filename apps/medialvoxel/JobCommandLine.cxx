@@ -50,7 +50,7 @@ DefinePlan(CommandLine & line)
   AddJobFolder(app, options.jobFolder, "Folder of the job, new or empty");
   AddSlurm(app, options.slurm);
   app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end");
-  AddExtractOptions(line, app, options);
+  AddExtractOptions(line, app, options, nullptr);
   line.examples[&app] = { "medialvoxel plan part.mha out.mha job --thickness 3 --lower 72",
                           "medialvoxel plan part.mha out.mha job --divisions 64 --threads 8 --slurm" };
 }
