@@ -59,13 +59,6 @@ Fill(const std::string & text, const Values & values)
   return filled;
 }
 
-std::optional<std::uint64_t>
-ParsePositive(std::string_view text)
-{
-  const std::optional<std::int64_t> number = ParseInteger(text);
-  return number && *number > 0 ? std::optional<std::uint64_t>(*number) : std::nullopt;
-}
-
 /** Of one process, which divides its clusters as it likes. */
 std::uint64_t
 ChooseMemory(ExtractOptions options)
@@ -79,15 +72,6 @@ ChooseMemory(ExtractOptions options)
 }
 
 } // namespace
-
-bool
-ParseSlurmClusters(const std::string & text, SlurmOptions & options)
-{
-  const std::size_t percent = text.find('%');
-  options.clustersPerTask = ParsePositive(std::string_view(text).substr(0, percent));
-  options.tasksAtOnce = percent == std::string::npos ? std::nullopt : ParsePositive(text.substr(percent + 1));
-  return options.clustersPerTask && (percent == std::string::npos || options.tasksAtOnce);
-}
 
 std::uint64_t
 SlurmArray::GetTasks() const
