@@ -153,6 +153,7 @@ TEST(MedialVoxelAutomaticQuality, WhatPoresLeaveIsBesidePits)
 {
   const Part   part = ShellPart(10.0);
   const Volume volume = Voxelize(part, Noise::Pores, 77);
+  EXPECT_EQ(WithoutPores(volume, 1000).object, volume.object) << "a larger size leaves out no more";
   EXPECT_GT(Judge(part, volume, Automatic()).spurious, 0.5);
   EXPECT_EQ(Judge(part, WithoutPits(part, volume), Automatic()).spurious, 0.0);
 }
@@ -187,7 +188,7 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_Table)
   }
 }
 
-/** The table of single walls of doc/thickness.md, as Markdown, without those where nothing is wrong. */
+/** The table of single walls of doc/thickness.md, as Markdown: those that are not covered everywhere. */
 TEST(MedialVoxelAutomaticQuality, DISABLED_WallTable)
 {
   std::printf(
@@ -201,7 +202,7 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_WallTable)
       for (const auto & [thickness, wall] : JudgeWalls(part, volume, Classify(volume, Automatic())))
       {
         EXPECT_GT(wall.cells, 0u);
-        if (wall.spurious + wall.uncovered > 0)
+        if (wall.uncovered > 0)
         {
           std::printf("| %s | %s | %g | %.2f | %.2f | %.2f | %.1f | %.2f |\n",
                       part.name.c_str(),
