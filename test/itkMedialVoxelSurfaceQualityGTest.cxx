@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 namespace
 {
@@ -78,14 +79,14 @@ DistanceToPlate(const Vector3 & point)
   return std::abs(Turned.ToLocal(point)[2]);
 }
 
-/** A rib as thick as the plate it stands on. */
+/** A rib on a plate. */
 Volume
-TurnedTee()
+TurnedTee(double halfPlate, double halfRib)
 {
-  return MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
+  return MakeVolume(TurnedSize, UnitSpacing, [=](const Index3 & v) {
     const Vector3 p = Turned.ToLocal(v);
-    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= HalfThickness;
-    const bool    inRib = std::abs(p[0]) <= HalfThickness && p[2] >= -8.0 && p[2] <= 18.0;
+    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= halfPlate;
+    const bool    inRib = std::abs(p[0]) <= halfRib && p[2] >= -8.0 && p[2] <= 18.0;
     return std::abs(p[1]) <= HalfWidth && (inPlate || inRib);
   });
 }
@@ -173,6 +174,34 @@ Flipped(const Volume & volume, unsigned int seed)
   });
 }
 
+constexpr int GyroidSize = 84;
+
+Volume
+GyroidWall()
+{
+  return MakeVolume({ { GyroidSize, GyroidSize, GyroidSize } }, UnitSpacing, [](const Index3 & v) {
+    return std::abs(Gyroid({ { double(v[0]), double(v[1]), double(v[2]) } })) < 0.4;
+  });
+}
+
+bool
+IsAtFaceOfGyroid(const Vector3 & point)
+{
+  return std::any_of(point.begin(), point.end(), [](double c) { return c < 3.0 || c > GyroidSize - 4.0; });
+}
+
+Volume
+Shell()
+{
+  return SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0);
+}
+
+itk::MedialVoxelParameters
+Automatic()
+{
+  return itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
+}
+
 void
 ExpectGoodTriangles(const SurfaceQuality & quality)
 {
@@ -182,7 +211,7 @@ ExpectGoodTriangles(const SurfaceQuality & quality)
 
 TEST(MedialVoxelSurfaceQuality, AShellIsOneClosedSurface)
 {
-  const Surface surface = MakeSurface(SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0), 3.0);
+  const Surface surface = MakeSurface(Shell(), 3.0);
   const auto    quality = MeasureQuality(surface, Nowhere, Nowhere);
   EXPECT_EQ(quality.boundarySides, 0u);
   EXPECT_EQ(quality.nonManifoldSides, 0u);
@@ -214,7 +243,7 @@ TEST(MedialVoxelSurfaceQuality, APlateEndsAtItsRimAlone)
 
 TEST(MedialVoxelSurfaceQuality, SheetsMeetAtAJunctionAlone)
 {
-  const Surface surface = MakeSurface(TurnedTee(), 5.0);
+  const Surface surface = MakeSurface(TurnedTee(HalfThickness, HalfThickness), 5.0);
   const auto    quality = MeasureQuality(surface, IsRimOfTee, IsJunctionOfTee);
   EXPECT_EQ(quality.boundarySides, 0u);
   EXPECT_EQ(quality.nonManifoldSides, 0u);
@@ -234,16 +263,8 @@ TEST(MedialVoxelSurfaceQuality, SheetsMeetAtAJunctionAlone)
 
 TEST(MedialVoxelSurfaceQuality, AutomaticThicknessSuitsThickAndThinWallsTogether)
 {
-  // A rib of 8 voxels on a plate of 3.
-  const Volume  volume = MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
-    const Vector3 p = Turned.ToLocal(v);
-    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= 1.5;
-    const bool    inRib = std::abs(p[0]) <= 4.0 && p[2] >= -8.0 && p[2] <= 18.0;
-    return std::abs(p[1]) <= HalfWidth && (inPlate || inRib);
-  });
-  const Surface surface = MakeSurface(
-    volume, itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace));
-  const auto isRim = [](const Vector3 & point) {
+  const Surface surface = MakeSurface(TurnedTee(1.5, 4.0), Automatic());
+  const auto    isRim = [](const Vector3 & point) {
     const Vector3 p = Turned.ToLocal(point);
     return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - 7.0 || p[2] > 18.0 - 7.0;
   };
@@ -257,15 +278,8 @@ TEST(MedialVoxelSurfaceQuality, AutomaticThicknessSuitsThickAndThinWallsTogether
 
 TEST(MedialVoxelSurfaceQuality, AGyroidEndsAtTheFacesOfTheImageAlone)
 {
-  constexpr int size = 84;
-  const Volume  volume = MakeVolume({ { size, size, size } }, UnitSpacing, [](const Index3 & v) {
-    return std::abs(Gyroid({ { double(v[0]), double(v[1]), double(v[2]) } })) < 0.4;
-  });
-  const auto    isAtFace = [](const Vector3 & point) {
-    return std::any_of(point.begin(), point.end(), [](double c) { return c < 3.0 || c > size - 4.0; });
-  };
-  const Surface surface = MakeSurface(volume, 3.0);
-  const auto    quality = MeasureQuality(surface, isAtFace, Nowhere);
+  const Surface surface = MakeSurface(GyroidWall(), 3.0);
+  const auto    quality = MeasureQuality(surface, IsAtFaceOfGyroid, Nowhere);
   EXPECT_EQ(quality.boundarySides, 0u);
   EXPECT_EQ(quality.nonManifoldSides, 0u);
   EXPECT_LE(MeanDistance(surface, DistanceToGyroid, Everywhere), Goal);
@@ -274,8 +288,7 @@ TEST(MedialVoxelSurfaceQuality, AGyroidEndsAtTheFacesOfTheImageAlone)
 
 TEST(MedialVoxelSurfaceQuality, NoiseMakesNoHoles)
 {
-  const Volume  shell = SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0);
-  const Surface noisyShell = MakeSurface(Flipped(shell, 1), 5.0);
+  const Surface noisyShell = MakeSurface(Flipped(Shell(), 1), 5.0);
   EXPECT_EQ(MeasureQuality(noisyShell, Nowhere, Everywhere).boundarySides, 0u);
   EXPECT_LE(MeanDistance(noisyShell, DistanceToShell, Everywhere), 0.15);
 
@@ -307,4 +320,59 @@ TEST(MedialVoxelSurfaceQuality, UnequalSpacingIsMeasuredInItsUnits)
     thickness += vertex.thickness / static_cast<double>(surface.vertices.size());
   }
   EXPECT_NEAR(thickness, 2.0, 0.2 * spacing[1]);
+}
+
+/** The table of binary objects of doc/mesh.md, as Markdown. */
+TEST(MedialVoxelSurfaceQuality, DISABLED_Table)
+{
+  std::printf("| object | tau | faces | mean | 95 %% | angle | ends | meetings |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  const auto print = [](const std::string &                            name,
+                        const Volume &                                 volume,
+                        double                                         tau,
+                        const std::function<double(const Vector3 &)> & distance,
+                        const PointTest &                              mayEnd,
+                        const PointTest &                              mayMeet) {
+    for (const bool isAutomatic : { false, true })
+    {
+      const Surface surface = isAutomatic ? MakeSurface(volume, Automatic()) : MakeSurface(volume, tau);
+      const auto    quality = MeasureQuality(surface, mayEnd, mayMeet);
+      ASSERT_FALSE(surface.vertices.empty());
+      std::vector<double> distances;
+      for (const auto & vertex : surface.vertices)
+      {
+        distances.push_back(distance(vertex.point));
+      }
+      std::sort(distances.begin(), distances.end());
+      std::printf("| %s | %s | %zu | %.3f | %.2f | %.1f° | %zu | %zu |\n",
+                  name.c_str(),
+                  isAutomatic ? "auto" : std::to_string(static_cast<int>(tau)).c_str(),
+                  surface.quads.size(),
+                  MeanDistance(surface, distance, Everywhere),
+                  distances[distances.size() * 95 / 100],
+                  quality.AngleOfOneInHundred(),
+                  quality.boundarySides,
+                  quality.nonManifoldSides);
+    }
+  };
+  print("shell, radius 24, wall 4", Shell(), 3.0, DistanceToShell, Nowhere, Nowhere);
+  print("plate, wall 4, turned about all axes", TurnedPlate(), 5.0, DistanceToPlate, IsRimOfPlate, Nowhere);
+  for (const double rib : { 4.0, 2.0, 8.0 })
+  {
+    const double widest = std::max(rib / 2.0, HalfThickness);
+    const auto   mayEnd = [widest](const Vector3 & point) {
+      const Vector3 p = Turned.ToLocal(point);
+      return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - widest - 3.0 || p[2] > 18.0 - widest - 3.0;
+    };
+    print("T, " + std::to_string(static_cast<int>(rib)) + " on 4, turned",
+          TurnedTee(HalfThickness, rib / 2.0),
+          5.0,
+          DistanceToTee,
+          mayEnd,
+          IsJunctionOfTee);
+  }
+  print("gyroid 84³, period 64", GyroidWall(), 3.0, DistanceToGyroid, IsAtFaceOfGyroid, Nowhere);
+  print("shell, flips", Flipped(Shell(), 1), 5.0, DistanceToShell, Nowhere, Nowhere);
+  print("plate, flips", Flipped(TurnedPlate(), 2), 5.0, DistanceToPlate, IsRimOfPlate, Nowhere);
+  print("gyroid, flips", Flipped(GyroidWall(), 3), 5.0, DistanceToGyroid, IsAtFaceOfGyroid, Nowhere);
 }
