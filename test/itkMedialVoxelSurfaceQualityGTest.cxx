@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "MedialVoxelTestPhantoms.h"
 #include "MedialVoxelTestSurface.h"
+#include "MedialVoxelTestWalls.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ struct Frame
 
 constexpr double HalfWidth = 22.0;
 constexpr double HalfThickness = 2.0;
-const Frame      Turned{ { { 32.6, 32.8, 32.3 } } };
+const Frame      TurnedFrame{ { { 32.6, 32.8, 32.3 } } };
 const Index3     TurnedSize{ { 66, 66, 66 } };
 
 /** A square plate 4 voxels thick. */
@@ -60,7 +60,7 @@ Volume
 TurnedPlate()
 {
   return MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
-    const Vector3 p = Turned.ToLocal(v);
+    const Vector3 p = TurnedFrame.ToLocal(v);
     return std::max(std::abs(p[0]), std::abs(p[1])) <= HalfWidth && std::abs(p[2]) <= HalfThickness;
   });
 }
@@ -69,14 +69,14 @@ TurnedPlate()
 bool
 IsRimOfPlate(const Vector3 & point)
 {
-  const Vector3 p = Turned.ToLocal(point);
+  const Vector3 p = TurnedFrame.ToLocal(point);
   return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - HalfThickness - 3.0;
 }
 
 double
 DistanceToPlate(const Vector3 & point)
 {
-  return std::abs(Turned.ToLocal(point)[2]);
+  return std::abs(TurnedFrame.ToLocal(point)[2]);
 }
 
 /** A rib on a plate. */
@@ -84,7 +84,7 @@ Volume
 TurnedTee(double halfPlate, double halfRib)
 {
   return MakeVolume(TurnedSize, UnitSpacing, [=](const Index3 & v) {
-    const Vector3 p = Turned.ToLocal(v);
+    const Vector3 p = TurnedFrame.ToLocal(v);
     const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= halfPlate;
     const bool    inRib = std::abs(p[0]) <= halfRib && p[2] >= -8.0 && p[2] <= 18.0;
     return std::abs(p[1]) <= HalfWidth && (inPlate || inRib);
@@ -94,7 +94,7 @@ TurnedTee(double halfPlate, double halfRib)
 double
 DistanceToTeeAxis(const Vector3 & point)
 {
-  const Vector3 p = Turned.ToLocal(point);
+  const Vector3 p = TurnedFrame.ToLocal(point);
   return std::hypot(p[0], p[2] + 8.0);
 }
 
@@ -107,7 +107,7 @@ IsJunctionOfTee(const Vector3 & point)
 bool
 IsRimOfTee(const Vector3 & point)
 {
-  const Vector3 p = Turned.ToLocal(point);
+  const Vector3 p = TurnedFrame.ToLocal(point);
   return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - HalfThickness - 3.0 ||
          p[2] > 18.0 - HalfThickness - 3.0;
 }
@@ -115,7 +115,7 @@ IsRimOfTee(const Vector3 & point)
 double
 DistanceToTee(const Vector3 & point)
 {
-  const Vector3 p = Turned.ToLocal(point);
+  const Vector3 p = TurnedFrame.ToLocal(point);
   const double  toPlate = std::abs(p[2] + 8.0);
   return p[2] > -8.0 ? std::min(toPlate, std::abs(p[0])) : toPlate;
 }
@@ -154,24 +154,13 @@ DistanceToGyroid(const Vector3 & p)
   return std::abs(Gyroid(p)) / std::sqrt(Dot(gradient, gradient));
 }
 
-/** Every tenth voxel next to the surface, on both sides, inverted. */
+/** A tenth of the voxels next to the surface changes sides. */
 Volume
-Flipped(const Volume & volume, unsigned int seed)
+Flipped(Volume volume, unsigned int seed)
 {
   std::mt19937 generator(seed);
-  return MakeVolume(volume.size, volume.spacing, [&](const Index3 & v) {
-    bool isNext = false;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (int by = -1; by <= 1; by += 2)
-      {
-        Index3 other = v;
-        other[axis] += by;
-        isNext = isNext || (volume.Contains(other) && volume.IsObject(other) != volume.IsObject(v));
-      }
-    }
-    return volume.IsObject(v) != (isNext && generator() < 429496730u);
-  });
+  FlipSurface(volume, [&generator]() { return generator() / 4294967296.0; });
+  return volume;
 }
 
 constexpr int GyroidSize = 84;
@@ -265,7 +254,7 @@ TEST(MedialVoxelSurfaceQuality, AutomaticThicknessSuitsThickAndThinWallsTogether
 {
   const Surface surface = MakeSurface(TurnedTee(1.5, 4.0), Automatic());
   const auto    isRim = [](const Vector3 & point) {
-    const Vector3 p = Turned.ToLocal(point);
+    const Vector3 p = TurnedFrame.ToLocal(point);
     return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - 7.0 || p[2] > 18.0 - 7.0;
   };
   const auto isJunction = [](const Vector3 & point) { return DistanceToTeeAxis(point) < 7.0; };
@@ -361,7 +350,7 @@ TEST(MedialVoxelSurfaceQuality, DISABLED_Table)
   {
     const double widest = std::max(rib / 2.0, HalfThickness);
     const auto   mayEnd = [widest](const Vector3 & point) {
-      const Vector3 p = Turned.ToLocal(point);
+      const Vector3 p = TurnedFrame.ToLocal(point);
       return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - widest - 3.0 || p[2] > 18.0 - widest - 3.0;
     };
     print("T, " + std::to_string(static_cast<int>(rib)) + " on 4, turned",
