@@ -14,27 +14,6 @@ namespace medialvoxel
 namespace
 {
 
-/** What came in between. */
-RunnerSums
-Subtract(const RunnerSums & after, const RunnerSums & before)
-{
-  RunnerSums sums = after;
-  sums.counts.objectVoxels -= before.counts.objectVoxels;
-  sums.counts.boundaryVoxels -= before.counts.boundaryVoxels;
-  sums.counts.candidateCells -= before.counts.candidateCells;
-  sums.counts.trivialCells -= before.counts.trivialCells;
-  sums.counts.boundCells -= before.counts.boundCells;
-  sums.counts.geodesicMedialCells -= before.counts.geodesicMedialCells;
-  sums.counts.geodesicNonMedialCells -= before.counts.geodesicNonMedialCells;
-  sums.notANumberVoxels -= before.notANumberVoxels;
-  sums.recomputedVoxels -= before.recomputedVoxels;
-  sums.distanceSeconds -= before.distanceSeconds;
-  sums.classificationSeconds -= before.classificationSeconds;
-  sums.threadSeconds -= before.threadSeconds;
-  sums.tileSeconds -= before.tileSeconds;
-  return sums;
-}
-
 std::uint64_t
 CountSlices(const Manifest & manifest, const std::vector<std::uint64_t> & clusters)
 {
@@ -176,7 +155,7 @@ ClusterWorker::Compute(const SliceRange & range)
   {
     marker.checksums[m_Requests[i].role] = m_Volumes[i]->GetChecksum();
   }
-  marker.sums = Subtract(m_Run.GetSums(), before);
+  marker.sums = m_Run.GetSums().Since(before);
   CheckCounts(marker.sums.counts);
   marker.seconds.distance = marker.sums.distanceSeconds;
   marker.seconds.classification = marker.sums.classificationSeconds;

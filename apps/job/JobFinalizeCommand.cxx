@@ -55,26 +55,11 @@ ReadMarkers(const SharedJob & job)
   return markers;
 }
 
-void
-AddSums(RunnerSums & total, const RunnerSums & part)
-{
-  total.counts.objectVoxels += part.counts.objectVoxels;
-  total.counts.boundaryVoxels += part.counts.boundaryVoxels;
-  total.counts.candidateCells += part.counts.candidateCells;
-  total.counts.trivialCells += part.counts.trivialCells;
-  total.counts.boundCells += part.counts.boundCells;
-  total.counts.geodesicMedialCells += part.counts.geodesicMedialCells;
-  total.counts.geodesicNonMedialCells += part.counts.geodesicNonMedialCells;
-  total.notANumberVoxels += part.notANumberVoxels;
-  total.recomputedVoxels += part.recomputedVoxels;
-  total.threadSeconds += part.threadSeconds;
-}
-
 /** Times and bytes are sums over the clusters; memory and threads those of the largest process. */
 void
 AddMarker(JobResult & job, const ClusterMarker & marker)
 {
-  AddSums(job.sums, marker.sums);
+  job.sums += marker.sums;
   job.seconds.distance += marker.seconds.distance;
   job.seconds.classification += marker.seconds.classification;
   job.seconds.tiles += marker.seconds.tiles;

@@ -15,7 +15,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 1;
+constexpr int ManifestFormat = 2;
 
 using FileOption = std::pair<const char *, std::string ExtractOptions::*>;
 using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
@@ -54,6 +54,20 @@ EnumFromJson(const Json & name, const std::array<TEnum, VSize> & values)
     }
   }
   throw std::invalid_argument("it has the unknown choice " + name.dump());
+}
+
+template <typename TValue>
+Json
+OptionalToJson(const std::optional<TValue> & value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <typename TValue>
+std::optional<TValue>
+OptionalFromJson(const Json & value)
+{
+  return value.is_null() ? std::nullopt : std::optional<TValue>(value.get<TValue>());
 }
 
 Json
@@ -103,6 +117,7 @@ OptionsToJson(const ExtractOptions & options)
   {
     json[name] = NumberToJson(options.*member);
   }
+  json["maximum_pore_size"] = OptionalToJson(options.maximumPoreSize);
   json["bound"] = GetName(options.bound);
   json["vector_boundary"] = GetName(options.vectorBoundary);
   json["voxel_units"] = options.voxelUnits;
@@ -124,6 +139,7 @@ OptionsFromJson(const Json & json)
   {
     options.*member = NumberFromJson(json.at(name));
   }
+  options.maximumPoreSize = OptionalFromJson<std::uint64_t>(json.at("maximum_pore_size"));
   options.bound = EnumFromJson(json.at("bound"), Bounds);
   options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
   json.at("voxel_units").get_to(options.voxelUnits);
@@ -131,20 +147,6 @@ OptionsFromJson(const Json & json)
   json.at("overwrite").get_to(options.overwrite);
   options.raw = RawFromJson(json.at("raw"));
   return options;
-}
-
-template <typename TValue>
-Json
-OptionalToJson(const std::optional<TValue> & value)
-{
-  return value ? Json(*value) : Json(nullptr);
-}
-
-template <typename TValue>
-std::optional<TValue>
-OptionalFromJson(const Json & value)
-{
-  return value.is_null() ? std::nullopt : std::optional<TValue>(value.get<TValue>());
 }
 
 Json

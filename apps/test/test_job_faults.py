@@ -122,7 +122,7 @@ class JobFaultTest(JobTestCase):
         content = json.loads(path.read_text())
         for name, value, part in (
             ("version", "0.0.1", "version 0.0.1"),
-            ("format", 2, "version"),
+            ("format", 1, "version"),
             ("job", 5, "not a manifest"),
             ("parameters", {}, "not a manifest"),
             ("parameters", {**content["parameters"], "bound": "tight"}, "tight"),
