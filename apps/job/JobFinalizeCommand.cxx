@@ -123,8 +123,8 @@ private:
     m_Outputs = std::make_unique<OutputSet>(m_Options, false);
     for (const VolumeRequest & request : m_Requests)
     {
-      m_Volumes.push_back(
-        m_Outputs->AddCompletedVolume(request, m_Shared.manifest.GetSuffix(), m_DataNames[request.role]));
+      m_Volumes.push_back(m_Outputs->AddCompletedVolume(
+        request, m_Shared.manifest.GetSuffix(), { m_DataNames[request.role], begun.has_value() }));
     }
   }
 
@@ -134,12 +134,12 @@ private:
     DataNames names;
     for (const VolumeRequest & request : m_Requests)
     {
-      names[request.role] = OutputVolume(request.fileName, false, false).FindFreeDataName().string();
+      names[request.role] = MakeSharedVolume(request.fileName, m_Options)->FindFreeDataName().string();
     }
     return names;
   }
 
-  const OutputVolume *
+  const SharedVolume *
   FindVolume(const std::string & role) const
   {
     for (std::size_t i = 0; i < m_Requests.size(); ++i)
@@ -155,6 +155,7 @@ private:
   void
   VerifyVolumes()
   {
+    const auto                 start = JobClock::now();
     std::vector<std::uint64_t> damaged;
     const std::uint64_t        perSlice = m_Job.input.geometry.GetVoxelsPerSlice();
     for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
@@ -175,6 +176,11 @@ private:
       m_Sink.Report(static_cast<double>(cluster + 1) / static_cast<double>(m_Markers.size()));
     }
     this->RefuseDamaged(damaged);
+    m_Sink.Record({ LogLevel::Info,
+                    "verified",
+                    { { "clusters", std::to_string(m_Markers.size()) },
+                      { "bytes", std::to_string(m_Shared.manifest.bytesPerSlice * m_Shared.manifest.numberOfSlices) },
+                      { "seconds", FormatFixed(SecondsSince(start), 3) } } });
   }
 
   void
@@ -228,6 +234,7 @@ private:
     m_Shared.folder.WriteDataNames(m_Shared.manifest, m_DataNames);
     m_Outputs->Publish();
     m_Shared.folder.WriteFinished(m_Shared.manifest);
+    m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });
   }
 
   void
@@ -248,7 +255,7 @@ private:
   std::vector<VolumeRequest>  m_Requests;
   DataNames                   m_DataNames;
   std::unique_ptr<OutputSet>  m_Outputs;
-  std::vector<OutputVolume *> m_Volumes;
+  std::vector<SharedVolume *> m_Volumes;
 };
 
 } // namespace

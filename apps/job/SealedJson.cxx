@@ -36,10 +36,7 @@ WriteDurably(const std::filesystem::path & fileName, const std::string & text)
 {
   try
   {
-    OutputFile file(fileName, true);
-    file.Create(0, false);
-    WriteText(file, text);
-    file.Publish();
+    WriteTextFile(fileName, text, true);
   }
   catch (const JobError & error)
   {

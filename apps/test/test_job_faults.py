@@ -235,20 +235,9 @@ class JobFaultTest(JobTestCase):
         self.in_target("work", "job")
         self.assert_finishes()
 
-    def mount_small_disk(self, folder):
-        folder.mkdir(exist_ok=True)
-        command = ["mount", "-t", "tmpfs", "-o", "size=256k", "tmpfs", str(folder)]
-        try:
-            mounted = subprocess.run(command, capture_output=True, check=False).returncode == 0
-        except OSError:
-            mounted = False
-        if not mounted:
-            self.skipTest("mounting a small disk is not permitted here")
-        self.addCleanup(subprocess.run, ["umount", str(folder)], check=True)
-
     def test_disk_of_the_outputs_is_full(self):
         disk = self.target / "disk"
-        self.mount_small_disk(disk)
+        self.mount_small_disk(disk, "256k")
         message = self.in_target(
             "plan", "../in.mha", "disk/out.mha", "job", "--vectors", "disk/v.mha", status=REFUSED
         ).stderr
@@ -256,7 +245,7 @@ class JobFaultTest(JobTestCase):
         self.assertEqual((list(disk.iterdir()), self.job.exists()), ([], False))
 
     def test_disk_of_the_job_is_full(self):
-        self.mount_small_disk(self.job)
+        self.mount_small_disk(self.job, "256k")
         self.plan()
         self.in_target("work", "job", "--clusters", "0-1")
         filler = self.job / "filler"
