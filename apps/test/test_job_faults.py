@@ -91,6 +91,29 @@ class JobFaultTest(JobTestCase):
             self.assert_finishes()
             self.clear_target()
 
+    def test_input_of_many_files(self):
+        """Chunks of a Zarr folder; the folder itself does not tell when one of them changes."""
+        self.in_target("distance", "../in.mha", "v.mha", "--distance", "../z.zarr", "--zarr-compression", "none")
+        command = ["../z.zarr", "out.mha", "--upper", 0, "--thickness", 2]
+        self.in_target("extract", *command)
+        expected = (self.target / "out.mha").read_bytes()
+        chunk = next(path for path in (self.folder / "z.zarr/0").rglob("0") if path.is_file())
+        times, content = chunk.stat(), chunk.read_bytes()
+        for hashes in ([], ["--hash"]):
+            self.clear_target()
+            self.in_target("plan", *command[:2], "job", *command[2:], *hashes)
+            self.in_target("work", "job")
+            chunk.write_bytes(content[:-1] + bytes([content[-1] ^ 1]))
+            if hashes:
+                os.utime(chunk, ns=(times.st_atime_ns, times.st_mtime_ns))
+            self.assert_refused("z.zarr has changed", "SHA-256" if hashes else "another time", commands=["finalize"])
+            chunk.unlink()
+            self.assert_refused("z.zarr has changed", "bytes, it had", commands=["finalize"])
+            chunk.write_bytes(content)
+            os.utime(chunk, ns=(times.st_atime_ns, times.st_mtime_ns))
+            self.in_target("finalize", "job")
+            self.assertEqual((self.target / "out.mha").read_bytes(), expected)
+
     # The files of the job
 
     def test_manifest_was_changed(self):
