@@ -3,19 +3,20 @@
 #include "ZarrVolume.h"
 
 #include "FileNames.h"
+#include "JsonFile.h"
 #include "OutputFile.h"
 #include "Text.h"
 #include "Zeros.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 namespace medialvoxel
 {
 namespace
 {
+
+constexpr std::uint64_t MostMetadataBytes = std::uint64_t{ 1 } << 22;
 
 /** The name without its extensions. */
 std::string
@@ -68,9 +69,8 @@ ZarrVolume::CheckMetadata() const
   for (const MetadataFile & file : m_Metadata)
   {
     const std::filesystem::path fileName = m_Folder.GetPath() / file.name;
-    std::ifstream               stream(fileName, std::ios::binary);
-    const std::string           text{ std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>() };
-    if (text != file.text)
+    std::error_code             error;
+    if (!std::filesystem::exists(fileName, error) || ReadTextFile(fileName, MostMetadataBytes) != file.text)
     {
       Fail(ExitStatus::Failure, fileName.string(), " is gone or was changed while the volume was written");
     }
