@@ -39,8 +39,9 @@ def seal(content):
 
 def results(folder):
     """Names and contents of the outputs in a folder, without what depends on the run."""
-    files = (path for path in folder.rglob("*") if path.is_file() and folder / "job" not in path.parents)
-    found = {str(path.relative_to(folder)): path.read_bytes() for path in files}
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    outputs = (path for path in files if path.parent == folder or any(parent.suffix == ".zarr" for parent in path.parents))
+    found = {str(path.relative_to(folder)): path.read_bytes() for path in outputs}
     for name in found:
         if name.endswith(".json"):
             report = json.loads(found[name])
