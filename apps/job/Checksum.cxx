@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Checksum.h"
 
+#include "Zeros.h"
+
 #include "itk_zlib.h"
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace medialvoxel
 {
@@ -33,7 +34,7 @@ Checksum::Add(const void * data, std::uint64_t numberOfBytes)
   while (numberOfBytes > 0)
   {
     const std::uint64_t part = std::min(numberOfBytes, BlockBytes);
-    const bool isZeros = part == BlockBytes && bytes[0] == 0 && std::memcmp(bytes, bytes + 1, BlockBytes - 1) == 0;
+    const bool          isZeros = part == BlockBytes && IsAllZero(reinterpret_cast<const char *>(bytes), part);
     m_Value = static_cast<std::uint32_t>(isZeros ? crc32_combine(m_Value, ofZeros, BlockBytes)
                                                  : crc32(m_Value, bytes, static_cast<uInt>(part)));
     bytes += part;

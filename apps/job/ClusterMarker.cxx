@@ -4,35 +4,19 @@
 
 #include "SealedJson.h"
 
-#include <array>
-#include <utility>
-
 namespace medialvoxel
 {
 namespace
 {
 
-using Counts = itk::MedialVoxelCounts;
-
-const std::array<std::pair<const char *, std::uint64_t Counts::*>, 7> CountNames{
-  { { "object_voxels", &Counts::objectVoxels },
-    { "boundary_voxels", &Counts::boundaryVoxels },
-    { "candidate_cells", &Counts::candidateCells },
-    { "trivial", &Counts::trivialCells },
-    { "bound", &Counts::boundCells },
-    { "geodesic_medial", &Counts::geodesicMedialCells },
-    { "geodesic_non_medial", &Counts::geodesicNonMedialCells } }
-};
-
 Json
 SumsToJson(const RunnerSums & sums)
 {
   Json json;
-  for (const auto & [name, member] : CountNames)
+  for (const NamedCount & count : NamedCounts)
   {
-    json[name] = sums.counts.*member;
+    json[count.name] = sums.counts.*count.member;
   }
-  json["not_a_number_voxels"] = sums.notANumberVoxels;
   json["recomputed_voxels"] = sums.recomputedVoxels;
   return json;
 }
@@ -41,11 +25,10 @@ RunnerSums
 SumsFromJson(const Json & json)
 {
   RunnerSums sums;
-  for (const auto & [name, member] : CountNames)
+  for (const NamedCount & count : NamedCounts)
   {
-    json.at(name).get_to(sums.counts.*member);
+    json.at(count.name).get_to(sums.counts.*count.member);
   }
-  json.at("not_a_number_voxels").get_to(sums.notANumberVoxels);
   json.at("recomputed_voxels").get_to(sums.recomputedVoxels);
   return sums;
 }

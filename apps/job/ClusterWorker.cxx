@@ -14,27 +14,6 @@ namespace medialvoxel
 namespace
 {
 
-/** What came in between. */
-RunnerSums
-Subtract(const RunnerSums & after, const RunnerSums & before)
-{
-  RunnerSums sums = after;
-  sums.counts.objectVoxels -= before.counts.objectVoxels;
-  sums.counts.boundaryVoxels -= before.counts.boundaryVoxels;
-  sums.counts.candidateCells -= before.counts.candidateCells;
-  sums.counts.trivialCells -= before.counts.trivialCells;
-  sums.counts.boundCells -= before.counts.boundCells;
-  sums.counts.geodesicMedialCells -= before.counts.geodesicMedialCells;
-  sums.counts.geodesicNonMedialCells -= before.counts.geodesicNonMedialCells;
-  sums.notANumberVoxels -= before.notANumberVoxels;
-  sums.recomputedVoxels -= before.recomputedVoxels;
-  sums.distanceSeconds -= before.distanceSeconds;
-  sums.classificationSeconds -= before.classificationSeconds;
-  sums.threadSeconds -= before.threadSeconds;
-  sums.tileSeconds -= before.tileSeconds;
-  return sums;
-}
-
 std::uint64_t
 CountSlices(const Manifest & manifest, const std::vector<std::uint64_t> & clusters)
 {
@@ -52,13 +31,14 @@ CountSlices(const Manifest & manifest, const std::vector<std::uint64_t> & cluste
 ClusterWorker::ClusterWorker(const SharedJob & job, const JobResult & plan, ProgressSink & sink)
   : m_Job(job)
   , m_Plan(plan)
+  , m_Sink(sink)
   , m_Locks(job.folder.GetLocksName())
   , m_Run(job.manifest.options, plan, sink)
 {
   m_Requests = ListVolumes(job.manifest.options, plan.input, m_Run.GetLabelGeometry());
   for (const VolumeRequest & request : m_Requests)
   {
-    m_Volumes.push_back(std::make_unique<OutputVolume>(request.fileName, false, false));
+    m_Volumes.push_back(MakeSharedVolume(request.fileName, job.manifest.options));
     m_Volumes.back()->OpenShared(request.geometry, request.layout, job.manifest.GetSuffix());
     if (plan.plan.writesBehind)
     {
@@ -154,6 +134,21 @@ ClusterWorker::DoCluster(std::uint64_t cluster)
   const SurveySettings & settings = m_Run.GetSurvey().GetSettings();
   const bool             hasSurvey = settings.thickness || settings.picture;
   m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, hasSurvey ? m_Run.GetSurvey().Save() : "");
+  this->RecordCluster(cluster, marker);
+}
+
+void
+ClusterWorker::RecordCluster(std::uint64_t cluster, const ClusterMarker & marker) const
+{
+  m_Sink.Record({ LogLevel::Info,
+                  "cluster",
+                  { { "job", m_Job.manifest.jobId },
+                    { "cluster", std::to_string(cluster) },
+                    { "slices", FormatSlices(m_Job.manifest.GetCluster(cluster)) },
+                    { "seconds", FormatFixed(marker.seconds.total, 3) },
+                    { "recomputed_voxels", std::to_string(marker.sums.recomputedVoxels) },
+                    { "bytes_read", std::to_string(marker.bytesRead) },
+                    { "peak_memory_bytes", std::to_string(marker.peakMemoryBytes) } } });
 }
 
 ClusterMarker
@@ -167,7 +162,7 @@ ClusterWorker::Compute(const SliceRange & range)
   m_Run.GetSurvey().Clear();
   for (const auto & volume : m_Volumes)
   {
-    volume->StartChecksum();
+    volume->StartCluster();
   }
   m_Run.Run(range);
   m_Run.Wait();
@@ -176,7 +171,7 @@ ClusterWorker::Compute(const SliceRange & range)
   {
     marker.checksums[m_Requests[i].role] = m_Volumes[i]->GetChecksum();
   }
-  marker.sums = Subtract(m_Run.GetSums(), before);
+  marker.sums = m_Run.GetSums().Since(before);
   CheckCounts(marker.sums.counts);
   marker.seconds.distance = marker.sums.distanceSeconds;
   marker.seconds.classification = marker.sums.classificationSeconds;

@@ -48,13 +48,17 @@ private:
   Compute(const SliceRange & range);
 
   void
+  RecordCluster(std::uint64_t cluster, const ClusterMarker & marker) const;
+
+  void
   WaitAMoment() const;
 
   const SharedJob &                          m_Job;
   const JobResult &                          m_Plan;
+  ProgressSink &                             m_Sink;
   JobLocks                                   m_Locks;
   std::vector<VolumeRequest>                 m_Requests;
-  std::vector<std::unique_ptr<OutputVolume>> m_Volumes;
+  std::vector<std::unique_ptr<SharedVolume>> m_Volumes;
   ExtractRun                                 m_Run;
 };
 

@@ -6,16 +6,47 @@
 #include "Progress.h"
 #include "Sha256.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sys/stat.h>
+#include <utility>
 
 namespace medialvoxel
 {
+namespace
+{
 
-FileIdentity
-IdentifyFile(const std::filesystem::path & fileName)
+/** The file itself, or all files in a folder, in order. */
+std::vector<std::filesystem::path>
+ListFiles(const std::filesystem::path & name)
+{
+  std::error_code error;
+  if (!std::filesystem::is_directory(name, error))
+  {
+    return { name };
+  }
+  std::vector<std::filesystem::path> files;
+  for (std::filesystem::recursive_directory_iterator entry(name, error), end; !error && entry != end;)
+  {
+    if (!entry->is_directory(error))
+    {
+      files.push_back(entry->path());
+    }
+    entry.increment(error);
+  }
+  if (error)
+  {
+    Fail(ExitStatus::Failure, "cannot read ", name.string(), ": ", error.message());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/** Bytes, and nanoseconds since 1970. */
+std::pair<std::uint64_t, std::int64_t>
+GetSizeAndTime(const std::filesystem::path & fileName)
 {
   struct stat status = {};
   if (stat(fileName.c_str(), &status) != 0)
@@ -28,19 +59,16 @@ IdentifyFile(const std::filesystem::path & fileName)
   const timespec & time = status.st_mtim;
 #endif
   constexpr std::int64_t perSecond = 1000000000;
-  return { fileName,
-           static_cast<std::uint64_t>(status.st_size),
-           static_cast<std::int64_t>(time.tv_sec) * perSecond + static_cast<std::int64_t>(time.tv_nsec),
-           "" };
+  return { static_cast<std::uint64_t>(status.st_size),
+           static_cast<std::int64_t>(time.tv_sec) * perSecond + static_cast<std::int64_t>(time.tv_nsec) };
 }
 
-std::string
-HashFile(const std::filesystem::path & fileName)
+void
+AddFile(const std::filesystem::path & fileName, Sha256 & hash)
 {
   constexpr std::size_t bufferBytes = std::size_t{ 1 } << 20;
   std::ifstream         file(fileName, std::ios::binary);
   std::vector<char>     buffer(bufferBytes);
-  Sha256                hash;
   while (file)
   {
     if (GetStopSignal() != 0)
@@ -53,6 +81,31 @@ HashFile(const std::filesystem::path & fileName)
   if (!file.eof())
   {
     Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": ", std::strerror(errno));
+  }
+}
+
+} // namespace
+
+FileIdentity
+IdentifyFile(const std::filesystem::path & name)
+{
+  FileIdentity identity{ name, 0, 0, "" };
+  for (const std::filesystem::path & file : ListFiles(name))
+  {
+    const auto [numberOfBytes, modified] = GetSizeAndTime(file);
+    identity.numberOfBytes += numberOfBytes;
+    identity.modified = std::max(identity.modified, modified);
+  }
+  return identity;
+}
+
+std::string
+HashFile(const std::filesystem::path & name)
+{
+  Sha256 hash;
+  for (const std::filesystem::path & file : ListFiles(name))
+  {
+    AddFile(file, hash);
   }
   return hash.Finish();
 }

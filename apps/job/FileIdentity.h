@@ -11,24 +11,24 @@
 namespace medialvoxel
 {
 
-/** What tells whether a file is still the one that a job began with. */
+/** What tells whether a file, or a folder with all files in it, is still the one that a job began with. */
 struct FileIdentity
 {
   std::filesystem::path fileName;
-  std::uint64_t         numberOfBytes{ 0 };
-  std::int64_t          modified{ 0 }; ///< nanoseconds since 1970
-  std::string           sha256;        ///< of the content; empty: not asked for
+  std::uint64_t         numberOfBytes{ 0 }; ///< of all files
+  std::int64_t          modified{ 0 };      ///< the last one, in nanoseconds since 1970
+  std::string           sha256;             ///< of the content, in order; empty: not asked for
 };
 
-/** Size and time of a file, without reading it. \throw JobError Failure when it cannot be found. */
+/** Size and time of a file or folder, without reading it. \throw JobError Failure when it cannot be found. */
 FileIdentity
-IdentifyFile(const std::filesystem::path & fileName);
+IdentifyFile(const std::filesystem::path & name);
 
-/** SHA-256 of the content of a file.
+/** SHA-256 of the content of a file or folder.
  * \throw JobError Failure when it cannot be read.
  * \throw StoppedBySignal */
 std::string
-HashFile(const std::filesystem::path & fileName);
+HashFile(const std::filesystem::path & name);
 
 /** Compares size and time of the files with what they were. \throw JobError Failure that names the difference. */
 void

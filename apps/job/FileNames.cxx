@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FileNames.h"
 
+#include "Errors.h"
+
+#include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fcntl.h>
+#include <random>
 #include <unistd.h>
 
 namespace medialvoxel
@@ -46,6 +51,36 @@ RenameToFreeName(const char * from, const char * to)
     return -1;
   }
   return rename(from, to);
+}
+
+std::string
+MakeUniqueDigits()
+{
+  std::random_device  source;
+  std::array<char, 9> digits{};
+  std::string         text;
+  for (int half = 0; half < 2; ++half)
+  {
+    std::snprintf(digits.data(), digits.size(), "%08x", source() & 0xffffffffu);
+    text += digits.data();
+  }
+  return text;
+}
+
+void
+SyncFile(const std::filesystem::path & file)
+{
+  const int  descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool isSynced = descriptor >= 0 && fsync(descriptor) == 0;
+  const int  error = errno;
+  if (descriptor >= 0)
+  {
+    close(descriptor);
+  }
+  if (!isSynced)
+  {
+    Fail(ExitStatus::Failure, "cannot bring to the disk ", file.string(), ": ", std::strerror(error));
+  }
 }
 
 void

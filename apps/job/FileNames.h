@@ -4,6 +4,7 @@
 #define medialvoxelFileNames_h
 
 #include <filesystem>
+#include <string>
 
 namespace medialvoxel
 {
@@ -19,6 +20,14 @@ FolderOf(const std::filesystem::path & fileName);
 /** Renames a file or folder; one that exists under the new name stops it. \return 0, or -1 with errno */
 int
 RenameToFreeName(const char * from, const char * to);
+
+/** 16 hexadecimal digits that no other process has. */
+std::string
+MakeUniqueDigits();
+
+/** Brings the bytes of a file to the disk. \throw JobError Failure */
+void
+SyncFile(const std::filesystem::path & file);
 
 /** Brings the names in a folder to the disk, where the file system can. */
 void

@@ -95,7 +95,7 @@ struct JobStatus
  * must not be there or be empty. With dryRun nothing is written.
  * \throw JobError */
 PlanResult
-RunPlan(const PlanOptions & options);
+RunPlan(const PlanOptions & options, ProgressSink & sink);
 
 /** Does the clusters that are not done; any number of processes may do this at the same time, and each cluster is done
  * by one of them. Returns when the wanted clusters are done, by whomever.

@@ -55,26 +55,11 @@ ReadMarkers(const SharedJob & job)
   return markers;
 }
 
-void
-AddSums(RunnerSums & total, const RunnerSums & part)
-{
-  total.counts.objectVoxels += part.counts.objectVoxels;
-  total.counts.boundaryVoxels += part.counts.boundaryVoxels;
-  total.counts.candidateCells += part.counts.candidateCells;
-  total.counts.trivialCells += part.counts.trivialCells;
-  total.counts.boundCells += part.counts.boundCells;
-  total.counts.geodesicMedialCells += part.counts.geodesicMedialCells;
-  total.counts.geodesicNonMedialCells += part.counts.geodesicNonMedialCells;
-  total.notANumberVoxels += part.notANumberVoxels;
-  total.recomputedVoxels += part.recomputedVoxels;
-  total.threadSeconds += part.threadSeconds;
-}
-
 /** Times and bytes are sums over the clusters; memory and threads those of the largest process. */
 void
 AddMarker(JobResult & job, const ClusterMarker & marker)
 {
-  AddSums(job.sums, marker.sums);
+  job.sums += marker.sums;
   job.seconds.distance += marker.seconds.distance;
   job.seconds.classification += marker.seconds.classification;
   job.seconds.tiles += marker.seconds.tiles;
@@ -138,8 +123,8 @@ private:
     m_Outputs = std::make_unique<OutputSet>(m_Options, false);
     for (const VolumeRequest & request : m_Requests)
     {
-      m_Volumes.push_back(
-        m_Outputs->AddCompletedVolume(request, m_Shared.manifest.GetSuffix(), m_DataNames[request.role]));
+      m_Volumes.push_back(m_Outputs->AddCompletedVolume(
+        request, m_Shared.manifest.GetSuffix(), { m_DataNames[request.role], begun.has_value() }));
     }
   }
 
@@ -149,12 +134,12 @@ private:
     DataNames names;
     for (const VolumeRequest & request : m_Requests)
     {
-      names[request.role] = OutputVolume(request.fileName, false, false).FindFreeDataName().string();
+      names[request.role] = MakeSharedVolume(request.fileName, m_Options)->FindFreeDataName().string();
     }
     return names;
   }
 
-  const OutputVolume *
+  const SharedVolume *
   FindVolume(const std::string & role) const
   {
     for (std::size_t i = 0; i < m_Requests.size(); ++i)
@@ -170,6 +155,7 @@ private:
   void
   VerifyVolumes()
   {
+    const auto                 start = JobClock::now();
     std::vector<std::uint64_t> damaged;
     const std::uint64_t        perSlice = m_Job.input.geometry.GetVoxelsPerSlice();
     for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
@@ -190,6 +176,11 @@ private:
       m_Sink.Report(static_cast<double>(cluster + 1) / static_cast<double>(m_Markers.size()));
     }
     this->RefuseDamaged(damaged);
+    m_Sink.Record({ LogLevel::Info,
+                    "verified",
+                    { { "clusters", std::to_string(m_Markers.size()) },
+                      { "bytes", std::to_string(m_Shared.manifest.bytesPerSlice * m_Shared.manifest.numberOfSlices) },
+                      { "seconds", FormatFixed(SecondsSince(start), 3) } } });
   }
 
   void
@@ -243,6 +234,7 @@ private:
     m_Shared.folder.WriteDataNames(m_Shared.manifest, m_DataNames);
     m_Outputs->Publish();
     m_Shared.folder.WriteFinished(m_Shared.manifest);
+    m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });
   }
 
   void
@@ -263,7 +255,7 @@ private:
   std::vector<VolumeRequest>  m_Requests;
   DataNames                   m_DataNames;
   std::unique_ptr<OutputSet>  m_Outputs;
-  std::vector<OutputVolume *> m_Volumes;
+  std::vector<SharedVolume *> m_Volumes;
 };
 
 } // namespace

@@ -32,13 +32,6 @@ GiveLargeBlocksBack()
 #endif
 }
 
-/** First and last slice. */
-std::string
-FormatSlices(const SliceRange & slices)
-{
-  return std::to_string(slices.begin) + "-" + std::to_string(slices.end - 1);
-}
-
 LogRecord
 MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
 {
@@ -131,6 +124,14 @@ AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVo
   footprint.engines.push_back(std::move(settings));
 }
 
+/** All volumes of a job have as many slices, and so have their layers. */
+std::uint64_t
+GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & candidates)
+{
+  const auto output = std::find_if(candidates.begin(), candidates.end(), IsZarrOutput);
+  return output == candidates.end() ? 1 : ZarrGrid::ForVolume(header.geometry, *output->layout).chunk[2];
+}
+
 void
 AddOutputs(PieceFootprint &                   footprint,
            const JobOptions &                 options,
@@ -139,12 +140,12 @@ AddOutputs(PieceFootprint &                   footprint,
 {
   for (const OutputRequest & output : candidates)
   {
-    if (output.layout && !output.fileName.empty() && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr)
+    if (IsZarrOutput(output))
     {
       footprint.bytesBeside += ZarrVolume::GetMemoryBytes(header.geometry, *output.layout, options.zarrCompression);
-      footprint.preferredSlices = ZarrGrid::ForVolume(header.geometry, *output.layout).chunk[2];
     }
   }
+  footprint.preferredSlices = GetSlicesOfLayer(header, candidates);
 }
 
 CutSettings
@@ -157,6 +158,12 @@ VoxelLayout
 GetVectorLayout(const VolumeHeader & header)
 {
   return { PixelType::Float32, header.geometry.GetDimension() };
+}
+
+std::string
+FormatSlices(const SliceRange & slices)
+{
+  return std::to_string(slices.begin) + "-" + std::to_string(slices.end - 1);
 }
 
 PieceLoop::PieceLoop(const JobPlan &      plan,

@@ -48,6 +48,10 @@ GetGrid(const JobOptions & options, const VolumeHeader & header);
 void
 AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings);
 
+/** Slices of a layer of chunks of the .zarr outputs; 1 without any. */
+std::uint64_t
+GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & candidates);
+
 /** Counts in what outputs take beside the results of a piece. */
 void
 AddOutputs(PieceFootprint &                   footprint,
@@ -65,6 +69,10 @@ GetVectorLayout(const VolumeHeader & header);
 constexpr VoxelLayout LabelLayout{ PixelType::UInt8, 1 };
 constexpr VoxelLayout DistanceLayout{ PixelType::Float32, 1 };
 constexpr VoxelLayout ThicknessLayout{ PixelType::Float32, 1 };
+
+/** First and last slice. */
+std::string
+FormatSlices(const SliceRange & slices);
 
 /** \class PieceLoop
  * \brief Runs the pieces of a job, has them written, tells the sink, and stops when asked. */

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ExtractParts.h"
 #include "ExtractRun.h"
+#include "FileNames.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
 #include "JobParts.h"
@@ -9,9 +10,6 @@
 #include "SharedJob.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <random>
 
 namespace medialvoxel
 {
@@ -40,13 +38,6 @@ RefuseUnsupported(const ExtractOptions & options)
     refuse("sparse outputs, whose space is not reserved and may be missing when most is done,",
            "leave out --sparse, or run medialvoxel extract without --resume");
   }
-  const auto volumes = { options.output, options.vectorFile, options.distanceFile, options.thicknessFile };
-  if (std::any_of(volumes.begin(), volumes.end(), [](const std::string & name) {
-        return !name.empty() && GetVolumeFormat(name) == VolumeFormat::Zarr;
-      }))
-  {
-    refuse("a Zarr folder", "write .mha or .nrrd, or run medialvoxel extract without --resume");
-  }
   if (!options.returnParameterFile.empty())
   {
     refuse("return parameters", "use the report");
@@ -66,34 +57,25 @@ RefusePacked(const VolumeHeader & header)
   }
 }
 
-/** As many slices as BytesPerCluster, in whole slabs, which are the pieces that cost the least. */
-std::uint64_t
-ChooseNumberOfClusters(const ExtractOptions & options, const JobResult & job)
+/** Clusters of about BytesPerCluster, in whole slabs, which are the pieces that cost the least, and whole layers of
+ * chunks, which no two processes share. */
+void
+DivideIntoClusters(const ExtractOptions & options, JobResult & job)
 {
+  JobPlan & plan = job.plan;
+  plan.sliceUnit = GetSlicesOfLayer(job.input, job.outputs);
+  const std::uint64_t units = plan.GetNumberOfUnits();
   if (options.divisions)
   {
-    return std::min(*options.divisions, job.plan.numberOfSlices);
+    plan.divisions = std::min(*options.divisions, units);
+    return;
   }
-  const std::uint64_t bytes = (job.input.GetVoxelBytes() + job.plan.diskBytes) / job.plan.numberOfSlices;
+  const std::uint64_t bytes = (job.input.GetVoxelBytes() + plan.diskBytes) / plan.numberOfSlices;
   const std::uint64_t most =
-    std::min(BytesPerCluster / std::max<std::uint64_t>(bytes, 1), job.plan.numberOfSlices / FewestClusters);
-  const std::uint64_t slab = job.plan.slabSlices;
-  const std::uint64_t slices = std::max(slab, most / slab * slab);
-  return (job.plan.numberOfSlices - 1) / slices + 1;
-}
-
-std::string
-MakeJobId()
-{
-  std::random_device  source;
-  std::array<char, 9> digits{};
-  std::string         id;
-  for (int half = 0; half < 2; ++half)
-  {
-    std::snprintf(digits.data(), digits.size(), "%08x", source() & 0xffffffffu);
-    id += digits.data();
-  }
-  return id;
+    std::min(BytesPerCluster / std::max<std::uint64_t>(bytes, 1), plan.numberOfSlices / FewestClusters);
+  const std::uint64_t slabUnits = (plan.slabSlices - 1) / plan.sliceUnit + 1;
+  const std::uint64_t clusterUnits = std::max(slabUnits, most / (slabUnits * plan.sliceUnit) * slabUnits);
+  plan.divisions = (units - 1) / clusterUnits + 1;
 }
 
 Manifest
@@ -101,7 +83,7 @@ MakeManifest(const PlanOptions & options, const JobResult & job)
 {
   Manifest manifest;
   manifest.version = GetVersion();
-  manifest.jobId = MakeJobId();
+  manifest.jobId = MakeUniqueDigits();
   manifest.folder = std::filesystem::current_path();
   manifest.options = options;
   for (const std::filesystem::path & fileName : ListInputFiles(job.input))
@@ -111,6 +93,7 @@ MakeManifest(const PlanOptions & options, const JobResult & job)
   }
   manifest.numberOfSlices = job.plan.numberOfSlices;
   manifest.numberOfClusters = job.plan.divisions;
+  manifest.sliceUnit = job.plan.sliceUnit;
   manifest.bytesPerSlice = job.plan.diskBytes / job.plan.numberOfSlices;
   return manifest;
 }
@@ -120,7 +103,7 @@ RemoveVolumes(const Manifest & manifest)
 {
   for (const std::string & name : ListVolumeNames(WithAbsoluteNames(manifest.options, manifest.folder)))
   {
-    OutputVolume(name, false, false).RemoveShared(manifest.GetSuffix());
+    MakeSharedVolume(name, manifest.options)->RemoveShared(manifest.GetSuffix());
   }
 }
 
@@ -141,21 +124,25 @@ CreateVolumes(const Manifest & manifest, const std::vector<VolumeRequest> & volu
 {
   for (const VolumeRequest & volume : volumes)
   {
-    OutputVolume(volume.fileName, false, false).CreateShared(volume.geometry, volume.layout, manifest.GetSuffix());
+    MakeSharedVolume(volume.fileName, manifest.options)
+      ->CreateShared(volume.geometry, volume.layout, manifest.GetSuffix());
   }
 }
 
 } // namespace
 
 PlanResult
-RunPlan(const PlanOptions & options)
+RunPlan(const PlanOptions & options, ProgressSink & sink)
 {
   RefuseUnsupported(options);
-  PlanResult job{ PrepareExtract(options), std::nullopt };
+  ExtractOptions ofProcess = options;
+  ofProcess.divisions.reset(); // those are clusters, which each process divides for its memory
+  PlanResult job{ PrepareExtract(ofProcess), std::nullopt };
   RefusePacked(job.input);
   const JobFolder folder(options.jobFolder);
   folder.CheckFree();
-  job.plan.divisions = ChooseNumberOfClusters(options, job);
+  CheckJobFolder(folder.GetPath(), job.outputs);
+  DivideIntoClusters(options, job);
   if (options.slurm)
   {
     job.slurm = PlanSlurmArray(*options.slurm, options, job, folder.GetPath());
@@ -181,6 +168,13 @@ RunPlan(const PlanOptions & options)
       const auto script = job.slurm ? WriteSlurmScript(*job.slurm, options.overwrite) : nullptr;
       CreateVolumes(manifest, volumes);
       folder.FinishPlan(manifest);
+      sink.Record({ LogLevel::Info,
+                    "planned",
+                    { { "job", manifest.jobId },
+                      { "folder", folder.GetPath().string() },
+                      { "clusters", std::to_string(manifest.numberOfClusters) },
+                      { "slices_of_cluster", std::to_string(job.plan.GetMaximumSlices()) },
+                      { "planned_memory_bytes", std::to_string(job.plan.memoryBytes) } } });
       if (script)
       {
         script->Publish();

@@ -17,7 +17,7 @@ RefuseOtherJob(ExtractOptions options, const JobFolder & folder)
   const Manifest manifest = folder.ReadManifest();
   if (options.divisions)
   {
-    options.divisions = std::min(*options.divisions, manifest.numberOfSlices);
+    options.divisions = std::min(*options.divisions, manifest.GetMostClusters());
   }
   const std::string difference = FindDifference(WithAbsoluteNames(options, std::filesystem::current_path()),
                                                 WithAbsoluteNames(manifest.options, manifest.folder));
@@ -57,7 +57,7 @@ RunResumable(const ExtractOptions & options, const std::string & command, Progre
     PlanOptions plan;
     static_cast<ExtractOptions &>(plan) = options;
     plan.jobFolder = name;
-    JobResult job = RunPlan(plan);
+    JobResult job = RunPlan(plan, sink);
     if (options.dryRun)
     {
       return { options, std::move(job) };

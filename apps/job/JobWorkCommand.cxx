@@ -5,6 +5,9 @@
 #include "JobCommands.h"
 #include "SharedJob.h"
 
+#include <array>
+#include <unistd.h>
+
 namespace medialvoxel
 {
 namespace
@@ -18,6 +21,26 @@ GetOptions(const Manifest & manifest, const WorkOptions & options)
   own.threads = options.threads ? options.threads : own.threads;
   own.divisions.reset(); // the pieces of a cluster are for the memory of this machine to decide
   return own;
+}
+
+std::string
+GetHostName()
+{
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
+}
+
+/** Which of several processes, on which machine, the following lines of a log are of. */
+void
+RecordJob(const SharedJob & job, const std::vector<std::uint64_t> & clusters, ProgressSink & sink)
+{
+  sink.Record({ LogLevel::Info,
+                "job",
+                { { "job", job.manifest.jobId },
+                  { "folder", job.folder.GetPath().string() },
+                  { "host", GetHostName() },
+                  { "clusters", FormatClusters(clusters) } } });
 }
 
 } // namespace
@@ -39,6 +62,7 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
     WithPipelineErrors([&] {
       const JobResult plan = PrepareSharedExtract(GetOptions(job.manifest, options));
       sink.Start("medialvoxel", "extracting medial voxels");
+      RecordJob(job, clusters, sink);
       ClusterWorker worker(job, plan, sink);
       result = worker.Run(clusters);
     });
@@ -47,6 +71,9 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
   {
     throw ResumableStop(stop.GetSignalNumber(), MakeWorkCommand(job.folder, clusters, job.manifest.numberOfClusters));
   }
+  sink.Record({ LogLevel::Info,
+                "clusters",
+                { { "done", std::to_string(result.done.size()) }, { "skipped", std::to_string(result.skipped) } } });
   sink.Finish(SecondsSince(start));
   return result;
 }

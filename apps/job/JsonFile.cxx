@@ -10,12 +10,13 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace medialvoxel
 {
 
-nlohmann::json
-ReadJsonFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
+std::string
+ReadTextFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
 {
   std::error_code error;
   std::ifstream   file;
@@ -27,13 +28,24 @@ ReadJsonFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
   {
     Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": ", std::strerror(errno));
   }
-  std::string text(maximumBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<size_t>(file.gcount()));
+  std::string       text;
+  std::vector<char> buffer(std::size_t{ 1 } << 16);
+  while (text.size() <= maximumBytes && file)
+  {
+    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    text.append(buffer.data(), static_cast<size_t>(file.gcount()));
+  }
   if (text.size() > maximumBytes)
   {
     Fail(ExitStatus::CorruptInput, fileName.string(), " has more than the ", maximumBytes, " bytes allowed for it");
   }
+  return text;
+}
+
+nlohmann::json
+ReadJsonFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
+{
+  const std::string text = ReadTextFile(fileName, maximumBytes);
   try
   {
     return nlohmann::json::parse(text);

@@ -4,6 +4,7 @@
 
 #include "Report.h"
 #include "SealedJson.h"
+#include "ZarrMetadata.h"
 
 #include <array>
 #include <stdexcept>
@@ -15,7 +16,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 1;
+constexpr int ManifestFormat = 2;
 
 using FileOption = std::pair<const char *, std::string ExtractOptions::*>;
 using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
@@ -42,6 +43,8 @@ constexpr std::array<itk::MedialVoxelPseudoGeodesicBound, 3> Bounds{ { itk::Medi
 constexpr std::array<itk::MedialVoxelBoundary, 2>            Boundaries{ { itk::MedialVoxelBoundary::Object,
                                                                            itk::MedialVoxelBoundary::Background } };
 
+constexpr std::array<ZarrCompression, 2> Compressions{ { ZarrCompression::None, ZarrCompression::Gzip } };
+
 template <typename TEnum, std::size_t VSize>
 TEnum
 EnumFromJson(const Json & name, const std::array<TEnum, VSize> & values)
@@ -54,6 +57,20 @@ EnumFromJson(const Json & name, const std::array<TEnum, VSize> & values)
     }
   }
   throw std::invalid_argument("it has the unknown choice " + name.dump());
+}
+
+template <typename TValue>
+Json
+OptionalToJson(const std::optional<TValue> & value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <typename TValue>
+std::optional<TValue>
+OptionalFromJson(const Json & value)
+{
+  return value.is_null() ? std::nullopt : std::optional<TValue>(value.get<TValue>());
 }
 
 Json
@@ -103,8 +120,10 @@ OptionsToJson(const ExtractOptions & options)
   {
     json[name] = NumberToJson(options.*member);
   }
+  json["maximum_pore_size"] = OptionalToJson(options.maximumPoreSize);
   json["bound"] = GetName(options.bound);
   json["vector_boundary"] = GetName(options.vectorBoundary);
+  json["zarr_compression"] = GetName(options.zarrCompression);
   json["voxel_units"] = options.voxelUnits;
   json["sub_voxel"] = options.subVoxel;
   json["overwrite"] = options.overwrite;
@@ -124,27 +143,15 @@ OptionsFromJson(const Json & json)
   {
     options.*member = NumberFromJson(json.at(name));
   }
+  options.maximumPoreSize = OptionalFromJson<std::uint64_t>(json.at("maximum_pore_size"));
   options.bound = EnumFromJson(json.at("bound"), Bounds);
   options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
+  options.zarrCompression = EnumFromJson(json.at("zarr_compression"), Compressions);
   json.at("voxel_units").get_to(options.voxelUnits);
   json.at("sub_voxel").get_to(options.subVoxel);
   json.at("overwrite").get_to(options.overwrite);
   options.raw = RawFromJson(json.at("raw"));
   return options;
-}
-
-template <typename TValue>
-Json
-OptionalToJson(const std::optional<TValue> & value)
-{
-  return value ? Json(*value) : Json(nullptr);
-}
-
-template <typename TValue>
-std::optional<TValue>
-OptionalFromJson(const Json & value)
-{
-  return value.is_null() ? std::nullopt : std::optional<TValue>(value.get<TValue>());
 }
 
 Json
@@ -190,9 +197,11 @@ FromJson(const Json & json)
   json.at("clusters").at("number").get_to(manifest.numberOfClusters);
   json.at("clusters").at("bytes_per_slice").get_to(manifest.bytesPerSlice);
   manifest.options.divisions = manifest.numberOfClusters;
+  json.at("clusters").at("slice_unit").get_to(manifest.sliceUnit);
   const bool isId =
     manifest.jobId.size() == 16 && manifest.jobId.find_first_not_of("0123456789abcdef") == std::string::npos;
-  if (!isId || manifest.numberOfClusters == 0 || manifest.numberOfClusters > manifest.numberOfSlices)
+  if (!isId || manifest.sliceUnit == 0 || manifest.numberOfClusters == 0 ||
+      manifest.numberOfClusters > manifest.GetMostClusters())
   {
     throw std::invalid_argument("its identity or its clusters are out of range");
   }
@@ -201,13 +210,20 @@ FromJson(const Json & json)
 
 } // namespace
 
-SliceRange
-Manifest::GetCluster(std::uint64_t cluster) const
+JobPlan
+Manifest::GetPlan() const
 {
   JobPlan plan;
   plan.numberOfSlices = numberOfSlices;
+  plan.sliceUnit = sliceUnit;
   plan.divisions = numberOfClusters;
-  return plan.GetPiece(cluster);
+  return plan;
+}
+
+SliceRange
+Manifest::GetCluster(std::uint64_t cluster) const
+{
+  return this->GetPlan().GetPiece(cluster);
 }
 
 std::string
@@ -230,6 +246,7 @@ WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest)
   json["input"] = InputToJson(manifest.input);
   json["clusters"] = { { "number", manifest.numberOfClusters },
                        { "slices", manifest.numberOfSlices },
+                       { "slice_unit", manifest.sliceUnit },
                        { "bytes_per_slice", manifest.bytesPerSlice } };
   WriteSealed(fileName, json);
 }

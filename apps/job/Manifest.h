@@ -27,14 +27,26 @@ struct Manifest
 
   std::uint64_t numberOfSlices{ 0 };
   std::uint64_t numberOfClusters{ 0 };
+  std::uint64_t sliceUnit{ 1 };     ///< clusters, but the last one, have a multiple of it: a layer of chunks
   std::uint64_t bytesPerSlice{ 0 }; ///< of all volumes that are written
 
   SliceRange
   GetCluster(std::uint64_t cluster) const;
 
+  /** As many clusters there can be. */
+  std::uint64_t
+  GetMostClusters() const
+  {
+    return this->GetPlan().GetNumberOfUnits();
+  }
+
   /** What the temporary names of the outputs have behind their final names. */
   std::string
   GetSuffix() const;
+
+private:
+  JobPlan
+  GetPlan() const;
 };
 
 /** \throw JobError Failure, or Usage for names that are not UTF-8 */

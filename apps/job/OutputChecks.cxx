@@ -12,6 +12,12 @@
 namespace medialvoxel
 {
 
+bool
+IsZarrOutput(const OutputRequest & output)
+{
+  return output.layout && !output.fileName.empty() && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr;
+}
+
 std::set<std::filesystem::path>
 ListInputFiles(const VolumeHeader & input)
 {
@@ -52,12 +58,6 @@ IsInside(const std::filesystem::path & fileName, const std::filesystem::path & f
   const std::filesystem::path inner = GetPlace(fileName);
   const std::filesystem::path outer = GetPlace(folder);
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
-}
-
-bool
-IsZarrOutput(const OutputRequest & output)
-{
-  return output.layout && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr;
 }
 
 /** An input in a folder that is to be replaced, or an output in the folder of the input. */
@@ -171,6 +171,18 @@ CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & in
   for (const OutputRequest & output : outputs)
   {
     RefuseExisting(output, overwrite);
+  }
+}
+
+void
+CheckJobFolder(const std::filesystem::path & folder, const std::vector<OutputRequest> & outputs)
+{
+  for (const OutputRequest & output : outputs)
+  {
+    if (IsZarrOutput(output) && IsInside(folder, output.fileName))
+    {
+      Fail(ExitStatus::Usage, folder.string(), ": the folder of the job is in the Zarr folder of the ", output.role);
+    }
   }
 }
 

@@ -23,6 +23,10 @@ struct OutputRequest
   bool                       appends{ false }; ///< what the file has stays
 };
 
+/** True for a volume that is wanted as a Zarr folder. */
+bool
+IsZarrOutput(const OutputRequest & output);
+
 /** Every file that the volume is read from. */
 std::set<std::filesystem::path>
 ListInputFiles(const VolumeHeader & input);
@@ -32,6 +36,10 @@ ListInputFiles(const VolumeHeader & input);
  * one that exists, unless \a overwrite, or whose folder is missing. */
 void
 CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & input, bool overwrite);
+
+/** Refuses a folder that would be removed with a Zarr folder that is replaced. \throw JobError Usage */
+void
+CheckJobFolder(const std::filesystem::path & folder, const std::vector<OutputRequest> & outputs);
 
 } // end namespace medialvoxel
 

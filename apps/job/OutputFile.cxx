@@ -6,6 +6,7 @@
 #include "FileNames.h"
 #include "FileTransfer.h"
 #include "Text.h"
+#include "Zeros.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -27,13 +28,6 @@ constexpr int           MaximumTemporaryNames = 1000;
 FailWithErrno(ExitStatus status, const char * action, const std::filesystem::path & file)
 {
   Fail(status, "cannot ", action, " ", file.string(), ": ", std::strerror(errno));
-}
-
-bool
-IsAllZero(const char * data, std::uint64_t numberOfBytes)
-{
-  // Every byte equals its successor and the first one is zero: one call that runs at the speed of memory.
-  return data[0] == 0 && std::memcmp(data, data + 1, numberOfBytes - 1) == 0;
 }
 
 } // namespace
@@ -298,6 +292,15 @@ WriteText(OutputFile & file, std::string_view text)
   file.WriteAt(0, text.data(), text.size());
   file.AcceptSize();
   file.Finish();
+}
+
+void
+WriteTextFile(const std::filesystem::path & fileName, std::string_view text, bool overwrite)
+{
+  OutputFile file(fileName, overwrite);
+  file.Create(0, false);
+  WriteText(file, text);
+  file.Publish();
 }
 
 } // end namespace medialvoxel

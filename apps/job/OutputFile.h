@@ -135,6 +135,10 @@ private:
 void
 WriteText(OutputFile & file, std::string_view text);
 
+/** Makes a file of text, which is on the disk when it appears. \throw JobError as OutputFile */
+void
+WriteTextFile(const std::filesystem::path & fileName, std::string_view text, bool overwrite);
+
 } // end namespace medialvoxel
 
 #endif

@@ -37,23 +37,6 @@ ExchangeNames([[maybe_unused]] const std::filesystem::path & a, [[maybe_unused]]
 #endif
 }
 
-void
-SyncFile(const std::filesystem::path & file)
-{
-  const int  descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool isSynced = descriptor >= 0 && fsync(descriptor) == 0;
-  const int  error = errno;
-  if (descriptor >= 0)
-  {
-    close(descriptor);
-  }
-  if (!isSynced)
-  {
-    errno = error;
-    FailWithErrno(ExitStatus::Failure, "bring to the disk", file);
-  }
-}
-
 } // namespace
 
 OutputFolder::OutputFolder(const std::filesystem::path & name, bool overwrite)
@@ -63,11 +46,29 @@ OutputFolder::OutputFolder(const std::filesystem::path & name, bool overwrite)
 
 OutputFolder::~OutputFolder()
 {
-  if (!m_TemporaryName.empty())
+  std::error_code error;
+  if (m_RemovesReplaced)
   {
-    std::error_code error;
+    // The folder that was replaced, under one name or the other.
+    std::filesystem::remove_all(m_TemporaryName, error);
+    std::filesystem::remove_all(this->GetNameAside(), error);
+  }
+  else if (!m_IsPublished && m_Suffix.empty() && !m_TemporaryName.empty())
+  {
     std::filesystem::remove_all(m_TemporaryName, error);
   }
+}
+
+std::filesystem::path
+OutputFolder::GetSharedName(const std::string & suffix) const
+{
+  return m_Name.string() + suffix;
+}
+
+std::filesystem::path
+OutputFolder::GetNameAside() const
+{
+  return m_TemporaryName.string() + ".old";
 }
 
 void
@@ -89,34 +90,98 @@ OutputFolder::Create()
 }
 
 void
+OutputFolder::CreateShared(const std::string & suffix)
+{
+  const std::filesystem::path name = this->GetSharedName(suffix);
+  if (mkdir(name.c_str(), 0777) != 0)
+  {
+    FailWithErrno(ExitStatus::Refused, "create the folder", name);
+  }
+  m_TemporaryName = name;
+  m_Suffix = suffix;
+  const int mark = open((name / suffix).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (mark < 0)
+  {
+    FailWithErrno(ExitStatus::Refused, "create a file in", name);
+  }
+  close(mark);
+}
+
+void
+OutputFolder::RemoveShared(const std::string & suffix) const
+{
+  std::error_code error;
+  std::filesystem::remove_all(this->GetSharedName(suffix), error);
+}
+
+void
+OutputFolder::OpenShared(const std::string & suffix)
+{
+  m_TemporaryName = this->GetSharedName(suffix);
+  m_Suffix = suffix;
+  if (access((m_TemporaryName / suffix).c_str(), F_OK) != 0)
+  {
+    FailWithErrno(ExitStatus::Failure, "open", m_TemporaryName);
+  }
+}
+
+void
+OutputFolder::OpenToPublish(const std::string & suffix, bool hasBegun)
+{
+  std::error_code error;
+  if (hasBegun && !std::filesystem::exists(this->GetSharedName(suffix) / suffix, error))
+  {
+    m_TemporaryName = this->GetSharedName(suffix);
+    m_Suffix = suffix;
+    m_IsPublished = true;
+  }
+  else
+  {
+    this->OpenShared(suffix);
+  }
+}
+
+void
 OutputFolder::Finish()
 {
-  for (const auto & entry : std::filesystem::recursive_directory_iterator(m_TemporaryName))
+  for (const auto & entry : std::filesystem::recursive_directory_iterator(this->GetPath()))
   {
     entry.is_directory() ? SyncFolder(entry.path()) : SyncFile(entry.path());
   }
-  SyncFolder(m_TemporaryName);
+  SyncFolder(this->GetPath());
 }
 
 void
 OutputFolder::Publish()
 {
+  if (!m_IsPublished)
+  {
+    this->GiveName();
+    m_IsPublished = true;
+    SyncFolder(FolderOf(m_Name));
+  }
+  if (!m_Suffix.empty())
+  {
+    std::error_code error;
+    std::filesystem::remove(m_Name / m_Suffix, error);
+  }
+  m_RemovesReplaced = true;
+}
+
+void
+OutputFolder::GiveName()
+{
   if (RenameToFreeName(m_TemporaryName.c_str(), m_Name.c_str()) == 0)
   {
-    m_TemporaryName.clear();
+    return;
   }
-  else if (errno == EEXIST && m_Overwrite)
-  {
-    this->Replace();
-  }
-  else
+  if (errno != EEXIST || !m_Overwrite)
   {
     FailWithErrno(errno == EEXIST ? ExitStatus::Refused : ExitStatus::Failure, "give its name to", m_Name);
   }
-  SyncFolder(FolderOf(m_Name));
+  this->Replace();
 }
 
-/** The destructor removes the replaced folder, which then has the temporary name. */
 void
 OutputFolder::Replace()
 {
@@ -124,8 +189,7 @@ OutputFolder::Replace()
   {
     return;
   }
-  std::filesystem::path aside = m_TemporaryName;
-  aside += ".old";
+  const std::filesystem::path aside = this->GetNameAside();
   if ((errno != EINVAL && errno != ENOSYS) || rename(m_Name.c_str(), aside.c_str()) != 0)
   {
     FailWithErrno(ExitStatus::Failure, "replace", m_Name);
@@ -137,7 +201,6 @@ OutputFolder::Replace()
     errno = error;
     FailWithErrno(ExitStatus::Failure, "replace", m_Name);
   }
-  m_TemporaryName = aside;
 }
 
 } // end namespace medialvoxel

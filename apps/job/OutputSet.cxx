@@ -21,14 +21,14 @@ OutputSet::AddVolume(const std::string & fileName, const VolumeGeometry & geomet
   return m_Volumes.back().get();
 }
 
-OutputVolume *
-OutputSet::AddCompletedVolume(const VolumeRequest &         request,
-                              const std::string &           suffix,
-                              const std::filesystem::path & dataName)
+SharedVolume *
+OutputSet::AddCompletedVolume(const VolumeRequest & request,
+                              const std::string &   suffix,
+                              const Publication &   publication)
 {
-  auto                 volume = std::make_unique<OutputVolume>(request.fileName, m_Options.overwrite, false);
-  OutputVolume * const completed = volume.get();
-  completed->OpenToPublish(request.geometry, request.layout, suffix, dataName);
+  auto                 volume = MakeSharedVolume(request.fileName, m_Options);
+  SharedVolume * const completed = volume.get();
+  completed->OpenToPublish(request.geometry, request.layout, suffix, publication);
   m_Volumes.push_back(std::move(volume));
   return completed;
 }

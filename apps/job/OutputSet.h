@@ -5,23 +5,13 @@
 
 #include "Options.h"
 #include "OutputFile.h"
-#include "OutputVolume.h"
-#include "VoxelOutput.h"
+#include "SharedVolume.h"
 
 #include <memory>
 #include <vector>
 
 namespace medialvoxel
 {
-
-/** A volume that a job writes. */
-struct VolumeRequest
-{
-  std::string    role;
-  std::string    fileName;
-  VolumeGeometry geometry;
-  VoxelLayout    layout;
-};
 
 /** \class OutputSet
  * \brief The outputs of a job, which appear together: the one added first appears last and stands for all. */
@@ -39,9 +29,9 @@ public:
   VoxelOutput *
   AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
 
-  /** Opens a volume that other processes have completed; see OutputVolume::OpenToPublish(). */
-  OutputVolume *
-  AddCompletedVolume(const VolumeRequest & request, const std::string & suffix, const std::filesystem::path & dataName);
+  /** Opens a volume that other processes have completed; see SharedVolume::OpenToPublish(). */
+  SharedVolume *
+  AddCompletedVolume(const VolumeRequest & request, const std::string & suffix, const Publication & publication);
 
   /** Creates an empty file of another kind; null when the name is empty. */
   OutputFile *

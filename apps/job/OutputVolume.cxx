@@ -113,10 +113,10 @@ OutputVolume::OpenShared(const VolumeGeometry & geometry, const VoxelLayout & la
 }
 
 void
-OutputVolume::OpenToPublish(const VolumeGeometry &        geometry,
-                            const VoxelLayout &           layout,
-                            const std::string &           suffix,
-                            const std::filesystem::path & dataName)
+OutputVolume::OpenToPublish(const VolumeGeometry & geometry,
+                            const VoxelLayout &    layout,
+                            const std::string &    suffix,
+                            const Publication &    publication)
 {
   const std::uint64_t         numberOfBytes = this->Describe(geometry, layout);
   OutputFile &                file = this->GetVoxelFile();
@@ -124,17 +124,17 @@ OutputVolume::OpenToPublish(const VolumeGeometry &        geometry,
   if (HasDataFile(m_Format))
   {
     m_Header.Create(0, false);
-    m_Data.SetFileName(dataName);
+    m_Data.SetFileName(publication.dataName);
     m_HasDataName = true;
   }
   std::error_code error;
-  if (std::filesystem::exists(temporaryName, error))
+  if (publication.hasBegun && !std::filesystem::exists(temporaryName, error))
   {
-    file.OpenShared(temporaryName, numberOfBytes, false);
+    file.OpenPublished(numberOfBytes);
   }
   else
   {
-    file.OpenPublished(numberOfBytes);
+    file.OpenShared(temporaryName, numberOfBytes, false);
   }
   std::string found(m_Offset, '\0');
   file.ReadAt(0, found.data(), found.size());
@@ -168,6 +168,18 @@ void
 OutputVolume::Sync()
 {
   this->GetVoxelFile().Sync();
+}
+
+void
+OutputVolume::StartCluster()
+{
+  m_Checksum = Checksum();
+}
+
+std::uint32_t
+OutputVolume::GetChecksum() const
+{
+  return m_Checksum ? m_Checksum->GetValue() : 0;
 }
 
 std::uint32_t

@@ -5,7 +5,7 @@
 
 #include "Checksum.h"
 #include "OutputFile.h"
-#include "VoxelOutput.h"
+#include "SharedVolume.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +21,7 @@ namespace medialvoxel
  * Formats of two files: the voxels take a name that no file has, then the header takes its place, and then the
  * voxels that the replaced header named are removed, so that at any moment the header's name stands for one complete
  * volume, the old or the new one. */
-class OutputVolume : public VoxelOutput
+class OutputVolume : public SharedVolume
 {
 public:
   /** \throw JobError Usage for an extension that is not written. */
@@ -31,53 +31,35 @@ public:
   void
   Create(const VolumeGeometry & geometry, const VoxelLayout & layout) override;
 
-  /** Creates the file of the voxels, with its space reserved, for other processes to open: its temporary name is its
-   * name with \a suffix. \throw JobError Refused. */
   void
-  CreateShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix);
+  CreateShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix) override;
 
-  /** Removes what CreateShared() made, if it is there. */
   void
-  RemoveShared(const std::string & suffix) const;
+  RemoveShared(const std::string & suffix) const override;
 
-  /** Opens what CreateShared() made, to write parts of it. \throw JobError Failure when it is not as it was made. */
   void
-  OpenShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix);
+  OpenShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix) override;
 
-  /** Opens what CreateShared() made when it is complete, to publish it: the same again when that was interrupted.
-   * \param dataName name of the voxels in formats of two files, as FindFreeDataName() gives it
-   * \throw JobError Failure when it is not as it was made. */
   void
-  OpenToPublish(const VolumeGeometry &        geometry,
-                const VoxelLayout &           layout,
-                const std::string &           suffix,
-                const std::filesystem::path & dataName);
+  OpenToPublish(const VolumeGeometry & geometry,
+                const VoxelLayout &    layout,
+                const std::string &    suffix,
+                const Publication &    publication) override;
 
-  /** A name for the voxels that no file has; empty in formats of one file. */
   std::filesystem::path
-  FindFreeDataName() const;
+  FindFreeDataName() const override;
 
-  /** Brings the voxels written so far to the disk. \throw JobError Failure. */
   void
-  Sync();
+  StartCluster() override;
 
-  /** Lets Write() sum up from now on the voxels that it is given. */
+  std::uint32_t
+  GetChecksum() const override;
+
+  std::uint32_t
+  ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const override;
+
   void
-  StartChecksum()
-  {
-    m_Checksum = Checksum();
-  }
-
-  /** Of all voxels written since StartChecksum(). */
-  std::uint32_t
-  GetChecksum() const
-  {
-    return m_Checksum ? m_Checksum->GetValue() : 0;
-  }
-
-  /** The same of voxels in the file, read anew. */
-  std::uint32_t
-  ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const;
+  Sync() override;
 
   /** Writes a large volume past the page cache from now on; to be called after Create(). */
   void
@@ -143,7 +125,7 @@ private:
   std::uint64_t  m_Offset{ 0 }; ///< of the first voxel in its file
   bool           m_HasDataName{ false };
 
-  std::optional<Checksum> m_Checksum;
+  std::optional<Checksum> m_Checksum; ///< of the voxels of a cluster
 };
 
 /** The file of voxels that an existing header names; empty when it names none or is not such a header. */

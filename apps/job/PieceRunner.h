@@ -5,8 +5,8 @@
 
 #include "InputVolume.h"
 #include "Options.h"
+#include "RunnerSums.h"
 
-#include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelTileObserver.h"
 
 #include <cstdint>
@@ -24,18 +24,6 @@ struct PieceResults
   const void * distances{ nullptr };
   const void * thicknesses{ nullptr };
   bool         isEmpty{ false }; ///< true: labels, vectors and thicknesses are known to be zero
-};
-
-/** What a filter counted and measured over all pieces. */
-struct RunnerSums
-{
-  itk::MedialVoxelCounts counts;
-  std::uint64_t          notANumberVoxels{ 0 };
-  std::uint64_t          recomputedVoxels{ 0 }; ///< of tiles run again because they depended on more input
-  double                 distanceSeconds{ 0.0 };
-  double                 classificationSeconds{ 0.0 };
-  double                 threadSeconds{ 0.0 };
-  double                 tileSeconds{ 0.0 };
 };
 
 /** Hears the progress of a piece from 0 to 1, and answers true to stop. */

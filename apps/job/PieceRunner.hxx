@@ -142,7 +142,7 @@ public:
   GetSums() const override
   {
     RunnerSums sums;
-    sums.notANumberVoxels = m_Input.GetNumberOfNotANumberVoxels() + m_Filter->GetNumberOfNotANumberVoxels();
+    sums.counts.notANumberVoxels = m_Input.GetNumberOfNotANumberVoxels() + m_Filter->GetNumberOfNotANumberVoxels();
     sums.recomputedVoxels = m_Filter->GetNumberOfRecomputedVoxels();
     sums.distanceSeconds = m_Filter->GetDistanceSeconds();
     sums.classificationSeconds = m_Filter->GetClassificationSeconds();

@@ -33,8 +33,7 @@ GetFolder(const std::filesystem::path & fileName)
 bool
 IsReserved(const JobOptions & options, const OutputRequest & output)
 {
-  const bool isZarr = output.layout && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr;
-  return !options.sparse && (!isZarr || options.zarrCompression == ZarrCompression::None);
+  return !options.sparse && (!IsZarrOutput(output) || options.zarrCompression == ZarrCompression::None);
 }
 
 /** Outputs and scratch files on one disk share its free space. */

@@ -43,20 +43,15 @@ MakeOutputs(const JobResult & result)
 }
 
 Json
-MakeCounts(const RunnerSums & sums)
+MakeCounts(const itk::MedialVoxelCounts & counts)
 {
-  const itk::MedialVoxelCounts & counts = sums.counts;
-  return { { "object_voxels", counts.objectVoxels },
-           { "boundary_voxels", counts.boundaryVoxels },
-           { "not_a_number_voxels", sums.notANumberVoxels },
-           { "filled_voxels", counts.filledVoxels },
-           { "removed_voxels", counts.removedVoxels },
-           { "candidate_cells", counts.candidateCells },
-           { "trivial", counts.trivialCells },
-           { "bound", counts.boundCells },
-           { "geodesic_medial", counts.geodesicMedialCells },
-           { "geodesic_non_medial", counts.geodesicNonMedialCells },
-           { "medial_cells", counts.boundCells + counts.geodesicMedialCells } };
+  Json json;
+  for (const NamedCount & count : NamedCounts)
+  {
+    json[count.name] = counts.*count.member;
+  }
+  json["medial_cells"] = counts.boundCells + counts.geodesicMedialCells;
+  return json;
 }
 
 Json
@@ -191,7 +186,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["outputs"] = MakeOutputs(result);
   report["parameters"] = parameters;
   report["size"] = result.input.geometry.size;
-  report["counts"] = MakeCounts(result.sums);
+  report["counts"] = MakeCounts(result.sums.counts);
   report["percent"] = MakePercent(result.sums.counts);
   report["thickness"] = MakeThickness(result.thickness);
   if (result.surface)
@@ -222,7 +217,7 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
   report["outputs"] = MakeOutputs(result);
   report["parameters"] = parameters;
   report["size"] = result.input.geometry.size;
-  report["counts"] = { { "not_a_number_voxels", result.sums.notANumberVoxels } };
+  report["counts"] = { { "not_a_number_voxels", result.sums.counts.notANumberVoxels } };
   AddRun(report, result);
   return Dump(report);
 }

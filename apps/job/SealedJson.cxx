@@ -4,14 +4,11 @@
 
 #include "Checksum.h"
 #include "Errors.h"
+#include "JsonFile.h"
 #include "OutputFile.h"
 #include "Text.h"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
 namespace medialvoxel
 {
@@ -36,10 +33,7 @@ WriteDurably(const std::filesystem::path & fileName, const std::string & text)
 {
   try
   {
-    OutputFile file(fileName, true);
-    file.Create(0, false);
-    WriteText(file, text);
-    file.Publish();
+    WriteTextFile(fileName, text, true);
   }
   catch (const JobError & error)
   {
@@ -69,24 +63,14 @@ ReadSealed(const std::filesystem::path & fileName)
   {
     return std::nullopt;
   }
-  std::ifstream       file(fileName, std::ios::binary);
-  const std::uint64_t size = std::filesystem::file_size(fileName, error);
-  if (!file || error)
+  Json object = Json::parse(ReadTextFile(fileName, MostBytes), nullptr, false);
+  if (object.is_object() && object.contains(SealName) && object[SealName].is_number_unsigned())
   {
-    Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": ", std::strerror(errno));
-  }
-  if (size <= MostBytes)
-  {
-    const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-    Json              object = Json::parse(text, nullptr, false);
-    if (object.is_object() && object.contains(SealName) && object[SealName].is_number_unsigned())
+    const auto seal = object[SealName].get<std::uint64_t>();
+    object.erase(SealName);
+    if (seal == GetSeal(object))
     {
-      const auto seal = object[SealName].get<std::uint64_t>();
-      object.erase(SealName);
-      if (seal == GetSeal(object))
-      {
-        return object;
-      }
+      return object;
     }
   }
   Fail(ExitStatus::Failure, fileName.string(), " is damaged or was changed: its checksum does not fit");

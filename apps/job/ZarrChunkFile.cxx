@@ -119,28 +119,29 @@ OpenChunk(const std::filesystem::path & chunkFile)
   return file->Get() < 0 ? nullptr : std::move(file);
 }
 
-void
-GiveName(const std::filesystem::path & chunkFile)
+} // namespace
+
+ZarrChunkWriter::ZarrChunkWriter(ZarrCompression compression, std::uint64_t numberOfBytes, const std::string & process)
+  : m_Compression(compression)
+  , m_NumberOfBytes(numberOfBytes)
+  , m_PartialExtension((process.empty() ? "" : "." + process) + PartialExtension)
+  , m_Packed(GetPackedBytes(compression, numberOfBytes))
+{}
+
+std::filesystem::path
+ZarrChunkWriter::GetPartialName(const std::filesystem::path & chunkFile) const
 {
-  if (rename(GetPartialName(chunkFile).c_str(), chunkFile.c_str()) != 0)
+  return chunkFile.string() + m_PartialExtension;
+}
+
+void
+ZarrChunkWriter::GiveName(const std::filesystem::path & chunkFile) const
+{
+  if (rename(this->GetPartialName(chunkFile).c_str(), chunkFile.c_str()) != 0)
   {
     FailWithErrno("give its name to", chunkFile);
   }
 }
-
-} // namespace
-
-std::filesystem::path
-GetPartialName(const std::filesystem::path & chunkFile)
-{
-  return chunkFile.string() + ".partial";
-}
-
-ZarrChunkWriter::ZarrChunkWriter(ZarrCompression compression, std::uint64_t numberOfBytes)
-  : m_Compression(compression)
-  , m_NumberOfBytes(numberOfBytes)
-  , m_Packed(GetPackedBytes(compression, numberOfBytes))
-{}
 
 std::uint64_t
 ZarrChunkWriter::GetMemoryBytes(ZarrCompression compression, std::uint64_t numberOfBytes)
@@ -178,26 +179,29 @@ ZarrChunkWriter::Write(const std::filesystem::path & chunkFile, const char * chu
 {
   const auto [bytes, numberOfBytes] = this->Pack(chunkFile, chunk);
   {
-    const NewFile file(GetPartialName(chunkFile), O_TRUNC);
+    const NewFile file(this->GetPartialName(chunkFile), O_TRUNC);
     if (!WriteFully(file.Get(), 0, bytes, numberOfBytes))
     {
       FailWithErrno("write", chunkFile);
     }
     StartWriteBack(file.Get(), 0, numberOfBytes);
   }
-  GiveName(chunkFile);
+  this->GiveName(chunkFile);
+  if (m_Checksum)
+  {
+    m_Checksum->Add(bytes, numberOfBytes);
+  }
 }
 
 void
 ZarrChunkWriter::WritePart(const std::filesystem::path & chunkFile,
-                           std::uint64_t                 offset,
+                           const ZarrChunkPart &         part,
                            const char *                  bytes,
-                           std::uint64_t                 numberOfBytes) const
+                           bool                          isFirst) const
 {
-  const NewFile file(GetPartialName(chunkFile), 0);
-  const bool    isNew = file.GetSize() == 0;
-  if ((isNew && ftruncate(file.Get(), static_cast<off_t>(m_NumberOfBytes)) != 0) ||
-      !WriteFully(file.Get(), offset, bytes, numberOfBytes))
+  const NewFile file(this->GetPartialName(chunkFile), isFirst ? O_TRUNC : 0);
+  if ((isFirst && ftruncate(file.Get(), static_cast<off_t>(part.chunkBytes)) != 0) ||
+      !WriteFully(file.Get(), part.offset, bytes, part.numberOfBytes))
   {
     FailWithErrno("write", chunkFile);
   }
@@ -208,8 +212,8 @@ ZarrChunkWriter::CompleteParts(const std::filesystem::path & chunkFile, char * c
 {
   const bool isPacked = m_Compression != ZarrCompression::None;
   {
-    const Descriptor parts(GetPartialName(chunkFile), O_RDWR);
-    if (parts.Get() < 0 || (isPacked && !ReadFully(parts.Get(), 0, chunk, m_NumberOfBytes)))
+    const Descriptor parts(this->GetPartialName(chunkFile), O_RDWR);
+    if (parts.Get() < 0 || ((isPacked || m_Checksum) && !ReadFully(parts.Get(), 0, chunk, m_NumberOfBytes)))
     {
       FailWithErrno("read back", chunkFile);
     }
@@ -218,7 +222,34 @@ ZarrChunkWriter::CompleteParts(const std::filesystem::path & chunkFile, char * c
       StartWriteBack(parts.Get(), 0, m_NumberOfBytes);
     }
   }
-  isPacked ? this->Write(chunkFile, chunk) : GiveName(chunkFile);
+  if (isPacked)
+  {
+    this->Write(chunkFile, chunk);
+    return;
+  }
+  this->GiveName(chunkFile);
+  if (m_Checksum)
+  {
+    m_Checksum->Add(chunk, m_NumberOfBytes);
+  }
+}
+
+void
+AddZarrChunk(const std::filesystem::path & chunkFile, Checksum & checksum)
+{
+  constexpr std::uint64_t bufferBytes = std::uint64_t{ 1 } << 20;
+  const auto              file = OpenChunk(chunkFile);
+  const std::uint64_t     numberOfBytes = file ? file->GetSize() : 0;
+  std::vector<char>       buffer(std::min(numberOfBytes, bufferBytes));
+  for (std::uint64_t offset = 0; offset < numberOfBytes; offset += buffer.size())
+  {
+    const std::uint64_t count = std::min<std::uint64_t>(buffer.size(), numberOfBytes - offset);
+    if (!ReadFully(file->Get(), offset, buffer.data(), count))
+    {
+      FailWithErrno("read", chunkFile);
+    }
+    checksum.Add(buffer.data(), count);
+  }
 }
 
 bool

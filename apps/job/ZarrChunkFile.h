@@ -3,18 +3,28 @@
 #ifndef medialvoxelZarrChunkFile_h
 #define medialvoxelZarrChunkFile_h
 
+#include "Checksum.h"
 #include "ZarrMetadata.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace medialvoxel
 {
 
-/** The name that a chunk has while it is written. */
-std::filesystem::path
-GetPartialName(const std::filesystem::path & chunkFile);
+/** Extension of the names that chunks have while they are written. */
+constexpr const char * PartialExtension = ".partial";
+
+/** Some bytes of a chunk that is not packed. */
+struct ZarrChunkPart
+{
+  std::uint64_t offset{ 0 };
+  std::uint64_t numberOfBytes{ 0 };
+  std::uint64_t chunkBytes{ 0 }; ///< of the whole chunk
+};
 
 /** \class ZarrChunkWriter
  * \brief Writes chunks that appear under their names only when they are complete.
@@ -24,8 +34,9 @@ GetPartialName(const std::filesystem::path & chunkFile);
 class ZarrChunkWriter
 {
 public:
-  /** \param numberOfBytes of a chunk, not packed */
-  ZarrChunkWriter(ZarrCompression compression, std::uint64_t numberOfBytes);
+  /** \param numberOfBytes of a chunk, not packed
+   * \param process a text that differs where several processes might write a chunk at the same time */
+  ZarrChunkWriter(ZarrCompression compression, std::uint64_t numberOfBytes, const std::string & process);
 
   /** Memory that a writer takes. */
   static std::uint64_t
@@ -35,26 +46,54 @@ public:
   void
   Write(const std::filesystem::path & chunkFile, const char * chunk);
 
-  /** Writes some bytes of a chunk that is completed later; bytes that are not written are 0. */
+  /** Writes some bytes of a chunk that is completed later; bytes that are not written are 0.
+   * \param isFirst what an earlier process left of the chunk is dropped */
   void
   WritePart(const std::filesystem::path & chunkFile,
-            std::uint64_t                 offset,
+            const ZarrChunkPart &         part,
             const char *                  bytes,
-            std::uint64_t                 numberOfBytes) const;
+            bool                          isFirst) const;
 
   /** Makes a chunk of the parts written. \param chunk memory for one */
   void
   CompleteParts(const std::filesystem::path & chunkFile, char * chunk);
 
+  /** Sums up the bytes of the files that get their names from now on. */
+  void
+  StartChecksum()
+  {
+    m_Checksum = Checksum();
+  }
+
+  std::uint32_t
+  GetChecksum() const
+  {
+    return m_Checksum ? m_Checksum->GetValue() : 0;
+  }
+
 private:
+  /** The name that a chunk has while it is written. */
+  std::filesystem::path
+  GetPartialName(const std::filesystem::path & chunkFile) const;
+
+  void
+  GiveName(const std::filesystem::path & chunkFile) const;
+
   /** The bytes of a file, which are those of the chunk when nothing is packed. */
   std::pair<const char *, std::uint64_t>
   Pack(const std::filesystem::path & chunkFile, const char * chunk);
 
   ZarrCompression   m_Compression;
   std::uint64_t     m_NumberOfBytes;
+  std::string       m_PartialExtension;
   std::vector<char> m_Packed;
+
+  std::optional<Checksum> m_Checksum;
 };
+
+/** Adds the bytes of the file of a chunk, if there is one. */
+void
+AddZarrChunk(const std::filesystem::path & chunkFile, Checksum & checksum);
 
 /** Reads a chunk. \return false when it has no file
  * \throw JobError CorruptInput when the file has another number of bytes, or is damaged */
@@ -63,14 +102,6 @@ ReadZarrChunk(const std::filesystem::path & chunkFile,
               ZarrCompression               compression,
               void *                        chunk,
               std::uint64_t                 numberOfBytes);
-
-/** Some bytes of a chunk that is not packed. */
-struct ZarrChunkPart
-{
-  std::uint64_t offset{ 0 };
-  std::uint64_t numberOfBytes{ 0 };
-  std::uint64_t chunkBytes{ 0 }; ///< of the whole chunk
-};
 
 /** Reads a part of a chunk that is not packed; otherwise as ReadZarrChunk(). */
 bool

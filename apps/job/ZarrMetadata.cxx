@@ -81,6 +81,12 @@ IsIdentity(const std::vector<std::vector<double>> & direction)
 } // namespace
 
 std::string
+GetName(ZarrCompression compression)
+{
+  return compression == ZarrCompression::Gzip ? "gzip" : "none";
+}
+
+std::string
 MakeZarrGroupText()
 {
   return MakeText({ { "zarr_format", 2 } });
@@ -91,7 +97,7 @@ MakeZarrArrayText(const ZarrGrid & grid, ZarrCompression compression)
 {
   const PixelType type = grid.layout.pixelType;
   const bool      isReal = type == PixelType::Float32 || type == PixelType::Float64;
-  const Json      gzip{ { "id", "gzip" }, { "level", ZarrGzipLevel } };
+  const Json      gzip{ { "id", GetName(compression) }, { "level", ZarrGzipLevel } };
   return MakeText({ { "chunks", GetArrayLengths(grid, grid.chunk, 1) },
                     { "compressor", compression == ZarrCompression::Gzip ? gzip : Json() },
                     { "dimension_separator", std::string(1, grid.separator) },

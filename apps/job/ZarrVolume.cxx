@@ -2,36 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ZarrVolume.h"
 
-#include "FileTransfer.h"
+#include "FileNames.h"
+#include "JsonFile.h"
 #include "OutputFile.h"
 #include "Text.h"
+#include "Zeros.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
-#include <unistd.h>
+#include <set>
 
 namespace medialvoxel
 {
 namespace
 {
 
-bool
-IsAllZero(const char * data, std::uint64_t numberOfBytes)
-{
-  // Every byte equals its successor and the first one is zero: one call that runs at the speed of memory.
-  return data[0] == 0 && std::memcmp(data, data + 1, numberOfBytes - 1) == 0;
-}
-
-void
-WriteTextFile(const std::filesystem::path & fileName, const std::string & text)
-{
-  OutputFile file(fileName, false);
-  file.Create(0, false);
-  WriteText(file, text);
-  file.Publish();
-}
+constexpr std::uint64_t MostMetadataBytes = std::uint64_t{ 1 } << 22;
 
 /** The name without its extensions. */
 std::string
@@ -42,44 +27,6 @@ GetImageName(const std::filesystem::path & folder)
 }
 
 } // namespace
-
-SpaceReserve::SpaceReserve(const std::filesystem::path & fileName, std::uint64_t numberOfBytes)
-  : m_FileName(fileName)
-  , m_NumberOfBytes(numberOfBytes)
-  , m_Descriptor(open(fileName.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
-{
-  if (m_Descriptor < 0 || !ReserveSpace(m_Descriptor, numberOfBytes))
-  {
-    const int error = errno;
-    close(m_Descriptor);
-    Fail(ExitStatus::Refused,
-         "cannot reserve ",
-         numberOfBytes,
-         " bytes (",
-         FormatBytes(numberOfBytes),
-         ") in ",
-         fileName.parent_path().string(),
-         ": ",
-         std::strerror(error));
-  }
-}
-
-SpaceReserve::~SpaceReserve()
-{
-  close(m_Descriptor);
-  std::error_code error;
-  std::filesystem::remove(m_FileName, error);
-}
-
-void
-SpaceReserve::GiveBack(std::uint64_t numberOfBytes)
-{
-  m_NumberOfBytes -= std::min(m_NumberOfBytes, numberOfBytes);
-  if (ftruncate(m_Descriptor, static_cast<off_t>(m_NumberOfBytes)) != 0)
-  {
-    Fail(ExitStatus::Failure, "cannot set the size of ", m_FileName.string(), ": ", std::strerror(errno));
-  }
-}
 
 ZarrVolume::ZarrVolume(const std::filesystem::path & name, bool overwrite, bool sparse, ZarrCompression compression)
   : m_Folder(name, overwrite)
@@ -95,23 +42,159 @@ ZarrVolume::GetMemoryBytes(const VolumeGeometry & geometry, const VoxelLayout & 
 }
 
 void
-ZarrVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout)
+ZarrVolume::Describe(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & process)
 {
   m_Grid = ZarrGrid::ForVolume(geometry, layout);
-  m_Writer.emplace(m_Compression, m_Grid.GetChunkBytes());
+  m_Writer.emplace(m_Compression, m_Grid.GetChunkBytes(), process);
   m_Chunk.resize(m_Grid.GetChunkBytes());
+  const std::string name = GetImageName(m_Folder.GetName());
+  m_Metadata = { { ".zgroup", MakeZarrGroupText() },
+                 { ".zattrs", MakeZarrAttributesText(name, geometry, m_Grid.leadingAxes) },
+                 { std::filesystem::path(ZarrArrayFolder) / ".zarray", MakeZarrArrayText(m_Grid, m_Compression) } };
+}
+
+void
+ZarrVolume::WriteMetadata() const
+{
+  std::filesystem::create_directory(m_Folder.GetPath() / ZarrArrayFolder);
+  for (const MetadataFile & file : m_Metadata)
+  {
+    WriteTextFile(m_Folder.GetPath() / file.name, file.text, false);
+  }
+}
+
+void
+ZarrVolume::CheckMetadata() const
+{
+  for (const MetadataFile & file : m_Metadata)
+  {
+    const std::filesystem::path fileName = m_Folder.GetPath() / file.name;
+    std::error_code             error;
+    if (!std::filesystem::exists(fileName, error) || ReadTextFile(fileName, MostMetadataBytes) != file.text)
+    {
+      Fail(ExitStatus::Failure, fileName.string(), " is gone or was changed while the volume was written");
+    }
+  }
+}
+
+void
+ZarrVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout)
+{
+  this->Describe(geometry, layout);
   m_Folder.Create();
-  const std::filesystem::path & group = m_Folder.GetTemporaryName();
-  const std::filesystem::path   array = group / ZarrArrayFolder;
-  std::filesystem::create_directory(array);
-  WriteTextFile(group / ".zgroup", MakeZarrGroupText());
-  WriteTextFile(group / ".zattrs",
-                MakeZarrAttributesText(GetImageName(m_Folder.GetName()), geometry, m_Grid.leadingAxes));
-  WriteTextFile(array / ".zarray", MakeZarrArrayText(m_Grid, m_Compression));
+  this->WriteMetadata();
   if (!m_Sparse && m_Compression == ZarrCompression::None)
   {
-    m_Reserve.emplace(group / ".reserve", m_Grid.GetNumberOfAllChunks() * m_Grid.GetChunkBytes());
+    m_Reserve.emplace(m_Folder.GetPath() / ".reserve", m_Grid.GetNumberOfAllChunks() * m_Grid.GetChunkBytes());
   }
+}
+
+void
+ZarrVolume::CreateShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix)
+{
+  this->Describe(geometry, layout);
+  m_Folder.CreateShared(suffix);
+  this->WriteMetadata();
+  m_Folder.Finish();
+}
+
+void
+ZarrVolume::RemoveShared(const std::string & suffix) const
+{
+  m_Folder.RemoveShared(suffix);
+}
+
+void
+ZarrVolume::OpenShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix)
+{
+  this->Describe(geometry, layout, MakeUniqueDigits());
+  m_Folder.OpenShared(suffix);
+  this->CheckMetadata();
+}
+
+void
+ZarrVolume::OpenToPublish(const VolumeGeometry & geometry,
+                          const VoxelLayout &    layout,
+                          const std::string &    suffix,
+                          const Publication &    publication)
+{
+  this->Describe(geometry, layout);
+  m_Folder.OpenToPublish(suffix, publication.hasBegun);
+  this->CheckMetadata();
+  this->RemovePartialChunks();
+}
+
+/** Those of processes that ended early. */
+void
+ZarrVolume::RemovePartialChunks() const
+{
+  std::vector<std::filesystem::path> files;
+  for (const auto & entry : std::filesystem::recursive_directory_iterator(m_Folder.GetPath() / ZarrArrayFolder))
+  {
+    if (entry.path().extension() == PartialExtension)
+    {
+      files.push_back(entry.path());
+    }
+  }
+  for (const std::filesystem::path & file : files)
+  {
+    std::filesystem::remove(file);
+  }
+}
+
+std::filesystem::path
+ZarrVolume::FindFreeDataName() const
+{
+  return {};
+}
+
+/** An open layer is that of a cluster that was given up. */
+void
+ZarrVolume::StartCluster()
+{
+  m_OpenLayer.reset();
+  m_LayersOfCluster.clear();
+  m_Writer->StartChecksum();
+}
+
+std::uint32_t
+ZarrVolume::GetChecksum() const
+{
+  return m_Writer->GetChecksum();
+}
+
+/** A chunk that is gone adds nothing, as if it had no bytes. */
+std::uint32_t
+ZarrVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const
+{
+  const Slices slices = this->ToSlices(firstVoxel, numberOfVoxels);
+  Checksum     checksum;
+  for (std::uint64_t layer = slices.begin / m_Grid.chunk[2]; layer * m_Grid.chunk[2] < slices.end; ++layer)
+  {
+    this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t) {
+      AddZarrChunk(this->GetChunkFile(component, index), checksum);
+    });
+  }
+  return checksum.GetValue();
+}
+
+void
+ZarrVolume::Sync()
+{
+  const std::filesystem::path     top = m_Folder.GetPath();
+  std::set<std::filesystem::path> folders;
+  for (const std::uint64_t layer : m_LayersOfCluster)
+  {
+    this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t) {
+      const std::filesystem::path chunkFile = this->GetChunkFile(component, index);
+      SyncFile(chunkFile);
+      for (auto folder = chunkFile.parent_path(); folder != top && folders.insert(folder).second;)
+      {
+        folder = folder.parent_path();
+      }
+    });
+  }
+  std::for_each(folders.begin(), folders.end(), SyncFolder);
 }
 
 void
@@ -157,13 +240,13 @@ ZarrVolume::ToSlices(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) con
 std::filesystem::path
 ZarrVolume::GetChunkFile(std::uint64_t component, const ZarrIndex & index) const
 {
-  return m_Folder.GetTemporaryName() / ZarrArrayFolder / m_Grid.GetChunkName(component, index);
+  return m_Folder.GetPath() / ZarrArrayFolder / m_Grid.GetChunkName(component, index);
 }
 
 /** Calls function(component, index, number of the chunk in its layer). */
 template <typename TFunction>
 void
-ZarrVolume::ForEachChunkOfLayer(std::uint64_t layer, TFunction && function)
+ZarrVolume::ForEachChunkOfLayer(std::uint64_t layer, TFunction && function) const
 {
   std::uint64_t number = 0;
   ForEachChunk(m_Grid,
@@ -186,6 +269,7 @@ ZarrVolume::WriteLayer(std::uint64_t layer, const char * voxels)
     this->GiveSpaceBack(m_Chunk.size());
     this->WriteChunk(this->GetChunkFile(component, index));
   });
+  m_LayersOfCluster.push_back(layer);
 }
 
 void
@@ -204,7 +288,8 @@ ZarrVolume::WritePart(std::uint64_t layer, const Slices & slices, const char * v
     if (!IsAllZero(m_Chunk.data(), bytes))
     {
       this->GiveSpaceBack(m_HasPart[number] ? 0 : m_Chunk.size());
-      m_Writer->WritePart(this->GetChunkFile(component, index), offset, m_Chunk.data(), bytes);
+      m_Writer->WritePart(
+        this->GetChunkFile(component, index), { offset, bytes, m_Chunk.size() }, m_Chunk.data(), !m_HasPart[number]);
       m_HasPart[number] = true;
     }
   });
@@ -234,6 +319,7 @@ ZarrVolume::CompleteOpenLayer()
                                 this->WriteChunk(chunkFile);
                               }
                             });
+  m_LayersOfCluster.push_back(*m_OpenLayer);
   m_OpenLayer.reset();
 }
 
@@ -269,7 +355,7 @@ ZarrVolume::Finish()
 void
 ZarrVolume::CheckChunkFiles() const
 {
-  const std::filesystem::path array = m_Folder.GetTemporaryName() / ZarrArrayFolder;
+  const std::filesystem::path array = m_Folder.GetPath() / ZarrArrayFolder;
   std::uint64_t               files = 0;
   for (const auto & entry : std::filesystem::recursive_directory_iterator(array))
   {

@@ -4,7 +4,8 @@
 #define medialvoxelZarrVolume_h
 
 #include "OutputFolder.h"
-#include "VoxelOutput.h"
+#include "SharedVolume.h"
+#include "SpaceReserve.h"
 #include "ZarrChunkFile.h"
 
 #include <memory>
@@ -14,36 +15,12 @@
 namespace medialvoxel
 {
 
-/** \class SpaceReserve
- * \brief A file that keeps space on the disk for others, and gives it back as they are written. */
-class SpaceReserve
-{
-public:
-  /** \throw JobError Refused when the disk has no space. */
-  SpaceReserve(const std::filesystem::path & fileName, std::uint64_t numberOfBytes);
-
-  /** Removes the file. */
-  ~SpaceReserve();
-
-  SpaceReserve(const SpaceReserve &) = delete;
-  SpaceReserve &
-  operator=(const SpaceReserve &) = delete;
-
-  void
-  GiveBack(std::uint64_t numberOfBytes);
-
-private:
-  std::filesystem::path m_FileName;
-  std::uint64_t         m_NumberOfBytes;
-  int                   m_Descriptor;
-};
-
 /** \class ZarrVolume
  * \brief A folder with a volume as OME-Zarr 0.4: an array of Zarr's version 2, its chunks in files.
  *
  * Slices come in any division. Those that do not fill a layer of chunks wait in the files of their chunks, so that the
- * memory is that of one chunk. */
-class ZarrVolume : public VoxelOutput
+ * memory is that of one chunk. Clusters must be whole layers. */
+class ZarrVolume : public SharedVolume
 {
 public:
   /** \param sparse chunks of zeros have no file */
@@ -55,6 +32,36 @@ public:
 
   void
   Create(const VolumeGeometry & geometry, const VoxelLayout & layout) override;
+
+  void
+  CreateShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix) override;
+
+  void
+  RemoveShared(const std::string & suffix) const override;
+
+  void
+  OpenShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix) override;
+
+  void
+  OpenToPublish(const VolumeGeometry & geometry,
+                const VoxelLayout &    layout,
+                const std::string &    suffix,
+                const Publication &    publication) override;
+
+  std::filesystem::path
+  FindFreeDataName() const override;
+
+  void
+  StartCluster() override;
+
+  std::uint32_t
+  GetChecksum() const override;
+
+  std::uint32_t
+  ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const override;
+
+  void
+  Sync() override;
 
   void
   Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) override;
@@ -72,11 +79,29 @@ public:
   Publish() override;
 
 private:
+  struct MetadataFile
+  {
+    std::filesystem::path name; ///< in the folder
+    std::string           text;
+  };
+
   struct Slices
   {
     std::uint64_t begin;
     std::uint64_t end;
   };
+
+  void
+  Describe(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & process = "");
+
+  void
+  WriteMetadata() const;
+
+  void
+  CheckMetadata() const;
+
+  void
+  RemovePartialChunks() const;
 
   Slices
   ToSlices(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const;
@@ -86,7 +111,7 @@ private:
 
   template <typename TFunction>
   void
-  ForEachChunkOfLayer(std::uint64_t layer, TFunction && function);
+  ForEachChunkOfLayer(std::uint64_t layer, TFunction && function) const;
 
   void
   WriteLayer(std::uint64_t layer, const char * voxels);
@@ -113,12 +138,14 @@ private:
   bool                           m_Sparse;
   ZarrCompression                m_Compression;
   ZarrGrid                       m_Grid;
+  std::vector<MetadataFile>      m_Metadata;
   std::optional<ZarrChunkWriter> m_Writer;
   std::optional<SpaceReserve>    m_Reserve;
   mutable std::vector<char>      m_Chunk;           ///< memory for one
   std::optional<std::uint64_t>   m_OpenLayer;       ///< some of its slices are written
   std::vector<bool>              m_HasPart;         ///< of each of its chunks
   std::uint64_t                  m_ChunkFiles{ 0 }; ///< complete ones
+  std::vector<std::uint64_t>     m_LayersOfCluster; ///< complete ones
 };
 
 } // end namespace medialvoxel

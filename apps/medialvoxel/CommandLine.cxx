@@ -7,6 +7,7 @@
 #include "CommandValues.h"
 #include "Report.h"
 #include "Text.h"
+#include "ZarrMetadata.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -131,14 +132,11 @@ AddProgress(CommandLine & line, CLI::App & app)
   app.add_flag("--quiet", line.quiet, "Print errors only")->group(group);
 }
 
-namespace
-{
-
 void
-AddLog(CommandLine & line, CLI::App & app, JobOptions & options)
+AddLog(CommandLine & line, CLI::App & app, std::string & target)
 {
   const std::string group = "Run";
-  auto * const log = AddFile(app, "--log-file", "Add a line for each step to a log", options.logFile)->group(group);
+  auto * const      log = AddFile(app, "--log-file", "Add a line for each step to a log", target)->group(group);
   AddChoice<LogLevel>(line,
                       app,
                       "--log-level",
@@ -153,6 +151,9 @@ AddLog(CommandLine & line, CLI::App & app, JobOptions & options)
     ->needs(log);
 }
 
+namespace
+{
+
 /** To be called after AddRunOptions(). */
 void
 AddZarrCompression(CommandLine & line, CLI::App & app, JobOptions & options)
@@ -163,7 +164,8 @@ AddZarrCompression(CommandLine & line, CLI::App & app, JobOptions & options)
                              "Of .zarr outputs",
                              "KIND",
                              options.zarrCompression,
-                             { { "gzip", ZarrCompression::Gzip }, { "none", ZarrCompression::None } })
+                             { { GetName(ZarrCompression::Gzip), ZarrCompression::Gzip },
+                               { GetName(ZarrCompression::None), ZarrCompression::None } })
     ->group("Run");
 }
 
@@ -183,7 +185,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   app.add_flag("--sparse", options.sparse, "Leave zeros as holes in the files, reserve no space")->group(group);
   app.add_flag("--overwrite", options.overwrite, "Replace existing outputs")->group(group);
   AddProgress(line, app);
-  AddLog(line, app, options);
+  AddLog(line, app, options.logFile);
 }
 
 } // namespace

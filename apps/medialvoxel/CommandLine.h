@@ -40,6 +40,7 @@ struct CommandLine
   bool            statusAsJson{ false };
   ProgressStyle   progress{ ProgressStyle::Auto };
   bool            quiet{ false };
+  std::string     logFile; ///< of commands without JobOptions
   LogLevel        logLevel{ LogLevel::Info };
 
   CLI::App *  generate{ nullptr }; ///< not shown: what the build calls

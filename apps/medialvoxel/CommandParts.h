@@ -22,6 +22,8 @@ void
 AddThreads(CLI::App & app, std::optional<unsigned int> & target);
 void
 AddProgress(CommandLine & line, CLI::App & app);
+void
+AddLog(CommandLine & line, CLI::App & app, std::string & target);
 
 /** All but the arguments. \param resumes of the option --resume; null for commands without it */
 void

@@ -25,11 +25,13 @@ GetChoices(const CommandLine & line, const CLI::Option & option)
   return found == line.choices.end() ? none : found->second;
 }
 
-/** Positional arguments, or the others, in the order of their definition. */
+/** Positional arguments, or the others, in the order of their definition, without those that are not shown. */
 Options
 GetOptions(const CLI::App & app, bool positional)
 {
-  return app.get_options([positional](const CLI::Option * option) { return option->get_positional() == positional; });
+  return app.get_options([positional](const CLI::Option * option) {
+    return option->get_positional() == positional && !option->get_group().empty();
+  });
 }
 
 /** "--threads N". */

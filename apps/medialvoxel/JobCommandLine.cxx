@@ -51,6 +51,10 @@ DefinePlan(CommandLine & line)
   AddSlurm(app, options.slurm);
   app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end");
   AddExtractOptions(line, app, options, nullptr);
+  for (const char * const refused : { "--mesh", "--section-width", "--scratch", "--sparse" })
+  {
+    app.get_option(refused)->group(""); // not shown; RunPlan() says what to do instead
+  }
   line.examples[&app] = { "medialvoxel plan part.mha out.mha job --thickness 3 --lower 72",
                           "medialvoxel plan part.mha out.mha job --divisions 64 --threads 8 --slurm" };
 }
@@ -77,6 +81,7 @@ DefineWork(CommandLine & line)
   AddMemory(app, line.workOptions.memoryBytes);
   AddThreads(app, line.workOptions.threads);
   AddProgress(line, app);
+  AddLog(line, app, line.logFile);
   line.examples[&app] = { "medialvoxel work job", "medialvoxel work job --clusters 0-9 --threads 4" };
   app.footer("Clusters that are done are skipped; any number of processes may work at once.");
 }
@@ -89,6 +94,7 @@ DefineFinalize(CommandLine & line)
   app.add_flag_callback(
     "--no-verify", [&] { line.finalizeOptions.verifies = false; }, "Do not read the outputs again for their checksums");
   AddProgress(line, app);
+  AddLog(line, app, line.logFile);
   line.examples[&app] = { "medialvoxel finalize job", "medialvoxel finalize job --no-verify" };
 }
 

@@ -19,11 +19,11 @@ FormatCount(std::uint64_t count, std::uint64_t all)
 }
 
 void
-AddNotANumber(TextTable & table, const RunnerSums & sums)
+AddNotANumber(TextTable & table, const itk::MedialVoxelCounts & counts)
 {
-  if (sums.notANumberVoxels > 0)
+  if (counts.notANumberVoxels > 0)
   {
-    table.emplace_back("not a number", std::to_string(sums.notANumberVoxels) + " voxels, taken as background");
+    table.emplace_back("not a number", std::to_string(counts.notANumberVoxels) + " voxels, taken as background");
   }
 }
 
@@ -91,7 +91,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("resolution", FormatSize(result.input.geometry.size));
   table.emplace_back("tau", DescribeThickness(options, options.voxelUnits ? " voxels" : ""));
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
-  AddNotANumber(table, result.sums);
+  AddNotANumber(table, result.sums.counts);
   AddSmallComponents(table, counts);
   table.emplace_back("candidate cells", std::to_string(counts.candidateCells));
   table.emplace_back("  trivial", FormatCount(counts.trivialCells, counts.candidateCells));
@@ -134,7 +134,7 @@ PrintDistanceTable(std::ostream & out, const JobResult & result)
 {
   TextTable table;
   table.emplace_back("resolution", FormatSize(result.input.geometry.size));
-  AddNotANumber(table, result.sums);
+  AddNotANumber(table, result.sums.counts);
   const std::string threads =
     result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";
   table.emplace_back("distance", FormatFixed(result.seconds.distance, 2) + threads);

@@ -22,14 +22,14 @@ MakeSink(const CommandLine & line)
 
 /** Calls work(sink), and tells a log, if one was asked for, what it does and why it fails. */
 template <typename TWork>
-JobResult
-RunLogged(const CommandLine & line, const JobOptions & options, TWork && work)
+auto
+RunLogged(const CommandLine & line, const std::string & logFile, TWork && work)
 {
-  if (options.logFile.empty())
+  if (logFile.empty())
   {
     return work(*MakeSink(line));
   }
-  Log        log(options.logFile, line.logLevel);
+  Log        log(logFile, line.logLevel);
   const auto sink = MakeLogSink(log, MakeSink(line));
   try
   {
@@ -47,7 +47,7 @@ void
 Extract(const CommandLine & line, const ExtractOptions & options)
 {
   const JobResult result =
-    RunLogged(line, options, [&options](ProgressSink & sink) { return RunExtract(options, sink); });
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunExtract(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
@@ -73,8 +73,9 @@ JoinCommand(int argc, char * argv[])
 void
 ExtractWithResume(const CommandLine & line, const std::string & command)
 {
-  const auto           sink = MakeSink(line);
-  const FinalizeResult result = RunResumable(line.extractOptions, command, *sink);
+  const FinalizeResult result = RunLogged(line, line.extractOptions.logFile, [&](ProgressSink & sink) {
+    return RunResumable(line.extractOptions, command, sink);
+  });
   if (line.extractOptions.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.job->plan, result.job->input, result.job->outputs));
@@ -88,24 +89,26 @@ ExtractWithResume(const CommandLine & line, const std::string & command)
 void
 Plan(const CommandLine & line)
 {
-  const PlanResult result = RunPlan(line.planOptions);
-  if (line.planOptions.dryRun || !line.quiet)
+  const PlanOptions & options = line.planOptions;
+  const PlanResult    result =
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunPlan(options, sink); });
+  if (options.dryRun || !line.quiet)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
   }
-  if (!line.planOptions.dryRun && !line.quiet)
+  if (!options.dryRun && !line.quiet)
   {
     PrintTable(std::cout,
                result.slurm ? DescribeSlurmSteps(*result.slurm)
-                            : DescribeNextSteps(line.planOptions.jobFolder, result.plan.divisions));
+                            : DescribeNextSteps(options.jobFolder, result.plan.divisions));
   }
 }
 
 void
 Work(const CommandLine & line)
 {
-  const auto       sink = MakeSink(line);
-  const WorkResult result = RunWork(line.workOptions, *sink);
+  const WorkResult result =
+    RunLogged(line, line.logFile, [&line](ProgressSink & sink) { return RunWork(line.workOptions, sink); });
   if (!line.quiet)
   {
     PrintTable(std::cout,
@@ -117,8 +120,8 @@ Work(const CommandLine & line)
 void
 Finalize(const CommandLine & line)
 {
-  const auto           sink = MakeSink(line);
-  const FinalizeResult result = RunFinalize(line.finalizeOptions, *sink);
+  const FinalizeResult result =
+    RunLogged(line, line.logFile, [&line](ProgressSink & sink) { return RunFinalize(line.finalizeOptions, sink); });
   if (!line.quiet)
   {
     PrintFinalization(std::cout, result);
@@ -144,7 +147,7 @@ ComputeDistance(const CommandLine & line)
 {
   const DistanceOptions & options = line.distanceOptions;
   const JobResult         result =
-    RunLogged(line, options, [&options](ProgressSink & sink) { return RunDistance(options, sink); });
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunDistance(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));

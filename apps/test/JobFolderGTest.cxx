@@ -256,6 +256,17 @@ TEST(JobLocks, BelongToOne)
   EXPECT_TRUE(one.TryLock(3));
 }
 
+TEST(SharedVolume, AnotherFileIsNotTakenForOneThatIsPublished)
+{
+  const TemporaryFolder folder;
+  OutputVolume          other(folder / "a.mha", false, false);
+  other.Create(MakeGeometry(), Bytes);
+  other.Finish();
+  other.Publish();
+  OutputVolume volume(folder / "a.mha", true, false);
+  EXPECT_THROW(volume.OpenToPublish(MakeGeometry(), Bytes, ".job", { "", false }), JobError);
+}
+
 TEST(SharedVolume, IsWrittenByManyAndPublishedByOne)
 {
   for (const char * const name : { "a.mha", "a.mhd", "a.nrrd", "a.nhdr" })
@@ -274,7 +285,7 @@ TEST(SharedVolume, IsWrittenByManyAndPublishedByOne)
     {
       OutputVolume worker(folder / name, false, false);
       worker.OpenShared(MakeGeometry(), Bytes, ".job");
-      worker.StartChecksum();
+      worker.StartCluster();
       worker.Write(first, 2, content.data() + first);
       worker.Write(first + 2, 4, content.data() + first + 2);
       worker.Sync();
@@ -284,7 +295,7 @@ TEST(SharedVolume, IsWrittenByManyAndPublishedByOne)
     for (int round = 0; round < 2; ++round) // the second one as after an interruption
     {
       OutputVolume last(folder / name, round > 0, false);
-      last.OpenToPublish(MakeGeometry(), Bytes, ".job", dataName);
+      last.OpenToPublish(MakeGeometry(), Bytes, ".job", { dataName, round > 0 });
       EXPECT_EQ(last.ReadChecksum(6, 20), GetChecksum(content.substr(6, 20)));
       last.Finish();
       last.Publish();

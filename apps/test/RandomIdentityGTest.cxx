@@ -41,12 +41,11 @@ struct Outcome
 Outcome
 Collect(const TemporaryFolder & folder, const std::vector<std::string> & names, const JobResult & result)
 {
-  const itk::MedialVoxelCounts & counts = result.sums.counts;
-  Outcome                        outcome;
-  outcome.counts = { counts.objectVoxels,           counts.boundaryVoxels, counts.candidateCells,
-                     counts.trivialCells,           counts.boundCells,     counts.geodesicMedialCells,
-                     counts.geodesicNonMedialCells, counts.filledVoxels,   counts.removedVoxels,
-                     result.sums.notANumberVoxels };
+  Outcome outcome;
+  for (const NamedCount & count : NamedCounts)
+  {
+    outcome.counts.push_back(result.sums.counts.*count.member);
+  }
   for (const std::string & name : names)
   {
     outcome.volumes[name] = folder.Read(name);

@@ -86,6 +86,40 @@ WriteFloats(const VolumeGeometry & geometry, unsigned int components, const Writ
   return ReadFolder(folder, "a.zarr");
 }
 
+constexpr const char * Suffix = ".job.partial";
+
+/** Opens the volume of a job as a process does that writes clusters of it. */
+std::unique_ptr<ZarrVolume>
+OpenWorker(const TemporaryFolder & folder, const VolumeGeometry & geometry, ZarrCompression compression)
+{
+  auto volume = std::make_unique<ZarrVolume>(folder / "a.zarr", false, false, compression);
+  volume->OpenShared(geometry, { PixelType::Float32, 1 }, Suffix);
+  return volume;
+}
+
+/** Writes slices, some at once. */
+void
+WriteSlices(ZarrVolume & volume, const VolumeGeometry & geometry, const std::array<std::uint64_t, 3> & beginEndStep)
+{
+  const std::vector<float> values = MakeValues(geometry, 1);
+  const std::uint64_t      perSlice = geometry.GetVoxelsPerSlice();
+  const auto [begin, end, step] = beginEndStep;
+  for (std::uint64_t slice = begin; slice < end; slice += step)
+  {
+    const std::uint64_t slices = std::min(step, end - slice);
+    volume.Write(slice * perSlice, slices * perSlice, values.data() + slice * perSlice);
+  }
+}
+
+void
+Publish(const TemporaryFolder & folder, const VolumeGeometry & geometry, ZarrCompression compression, bool hasBegun)
+{
+  ZarrVolume last(folder / "a.zarr", true, false, compression);
+  last.OpenToPublish(geometry, { PixelType::Float32, 1 }, Suffix, { "", hasBegun });
+  last.Finish();
+  last.Publish();
+}
+
 } // namespace
 
 TEST(ZarrGrid, ChunksLeaveLittleOutside)
@@ -212,4 +246,64 @@ TEST(ZarrVolume, MissesChunksThatAreGone)
   volume.Write(0, 120, values.data());
   EXPECT_THROW(volume.Finish(), JobError);
   EXPECT_THROW(volume.Write(5, 12, values.data()), JobError);
+}
+
+TEST(ZarrVolume, IsWrittenByManyAndPublishedByOne)
+{
+  const VolumeGeometry geometry = MakeGeometry({ 300, 9, 70 }); // layers of 24 slices
+  for (const ZarrCompression compression : { ZarrCompression::None, ZarrCompression::Gzip })
+  {
+    const TemporaryFolder folder;
+    ZarrVolume(folder / "a.zarr", false, false, compression).CreateShared(geometry, { PixelType::Float32, 1 }, Suffix);
+    std::map<std::uint64_t, std::uint32_t> checksums;
+    for (const std::uint64_t begin : { 48, 0, 24 })
+    {
+      const auto worker = OpenWorker(folder, geometry, compression);
+      // One that is given up leaves nothing behind.
+      worker->StartCluster();
+      WriteSlices(*worker, geometry, { 28, 33, 5 });
+      worker->StartCluster();
+      WriteSlices(*worker, geometry, { begin, std::min<std::uint64_t>(begin + 24, 70), begin / 8 + 5 });
+      worker->Sync();
+      checksums[begin] = worker->GetChecksum();
+      EXPECT_EQ(worker->ReadChecksum(begin * 2700, (std::min<std::uint64_t>(begin + 24, 70) - begin) * 2700),
+                checksums[begin]);
+    }
+    EXPECT_NE(checksums[24], checksums[48]);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.zarr"));
+    Publish(folder, geometry, compression, false);
+    EXPECT_EQ(ReadFolder(folder, "a.zarr"), WriteFloats(geometry, 1, { false, compression, 70 }));
+    EXPECT_EQ(folder.GetNumberOfFiles(), 1);
+  }
+}
+
+TEST(ZarrVolume, PublicationThatWasInterruptedIsEnded)
+{
+  const VolumeGeometry geometry = MakeGeometry({ 300, 9, 70 });
+  const auto           compression = ZarrCompression::Gzip;
+  const auto           expected = WriteFloats(geometry, 1, { false, compression, 70 });
+  for (const bool isExchanged : { true, false })
+  {
+    const TemporaryFolder       folder;
+    const std::filesystem::path name = folder / "a.zarr";
+    const std::filesystem::path temporary = name.string() + Suffix;
+    const std::filesystem::path old = temporary.string() + ".old";
+    ZarrVolume(name, false, false, compression).CreateShared(geometry, { PixelType::Float32, 1 }, Suffix);
+    const auto worker = OpenWorker(folder, geometry, compression);
+    worker->StartCluster();
+    WriteSlices(*worker, geometry, { 0, 70, 70 });
+    std::filesystem::create_directory(old);
+    std::ofstream(old / ".zgroup") << "what is to be replaced";
+    if (isExchanged)
+    {
+      std::filesystem::rename(temporary, name);
+      std::filesystem::rename(old, temporary);
+      EXPECT_THROW(Publish(folder, geometry, compression, false), JobError);
+    }
+    Publish(folder, geometry, compression, true);
+    EXPECT_EQ(ReadFolder(folder, "a.zarr"), expected) << isExchanged;
+    EXPECT_EQ(folder.GetNumberOfFiles(), 1) << isExchanged;
+    Publish(folder, geometry, compression, true);
+    EXPECT_EQ(ReadFolder(folder, "a.zarr"), expected) << isExchanged;
+  }
 }

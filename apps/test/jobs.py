@@ -39,7 +39,9 @@ def seal(content):
 
 def results(folder):
     """Names and contents of the outputs in a folder, without what depends on the run."""
-    found = {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+    files = [path for path in folder.rglob("*") if path.is_file()]
+    outputs = (path for path in files if path.parent == folder or any(parent.suffix == ".zarr" for parent in path.parents))
+    found = {str(path.relative_to(folder)): path.read_bytes() for path in outputs}
     for name in found:
         if name.endswith(".json"):
             report = json.loads(found[name])
@@ -104,5 +106,5 @@ class JobTestCase(ProgramTestCase):
         return {path.name: path.stat().st_mtime_ns for path in (self.job / "clusters").glob("*.json")}
 
     def assert_nothing_published(self):
-        names = {path.name for path in self.target.iterdir() if path.is_file()}
+        names = {path.name for path in self.target.iterdir() if path != self.job}
         self.assertFalse({name for name in names if not name.endswith(".partial")})

@@ -54,6 +54,18 @@ class ProgramTestCase(unittest.TestCase):
             "extract", source, target, "--thickness", thickness, *arguments, status=status, **options
         )
 
+    def mount_small_disk(self, folder, size):
+        """Skips the test where that is not permitted."""
+        folder.mkdir(exist_ok=True)
+        command = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(folder)]
+        try:
+            mounted = subprocess.run(command, capture_output=True, check=False).returncode == 0
+        except OSError:
+            mounted = False
+        if not mounted:
+            self.skipTest("mounting a small disk is not permitted here")
+        self.addCleanup(subprocess.run, ["umount", str(folder)], check=True)
+
     def snapshot(self):
         """Names and contents of all files."""
         return {path.name: path.read_bytes() for path in self.folder.rglob("*") if path.is_file()}

@@ -17,7 +17,7 @@ CLUSTERS = 20
 class ScheduledJobTestCase(JobTestCase):
     """A job of some seconds in self.job."""
 
-    SIZE = 200
+    SIZE = 150
 
     def setUp(self):
         super().setUp()

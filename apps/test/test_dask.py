@@ -4,24 +4,16 @@
 
 import pathlib
 import subprocess
-import sys
 import unittest
+
+from interpreters import python_with
 
 FOLDER = pathlib.Path(__file__).parent
 
 
-def python_with_dask():
-    """This Python or that of the system, or None."""
-    for python in (sys.executable, "/usr/bin/python3"):
-        if pathlib.Path(python).exists():
-            if subprocess.run([python, "-c", "import distributed"], capture_output=True, check=False).returncode == 0:
-                return python
-    return None
-
-
 class DaskTest(unittest.TestCase):
     def test_jobs(self):
-        python = python_with_dask()
+        python = python_with("distributed")
         if python is None:
             self.skipTest("Dask is not installed: scripts/install-packages schedulers, Debian package python3-distributed")
         command = [python, "-B", "-m", "unittest", "--verbose", "dask_jobs"]

@@ -291,16 +291,7 @@ class RunningTest(ProgramTestCase):
 class ScratchDiskTest(ProgramTestCase):
     def test_scratch_folder_without_space(self):
         """The mask of 3.4 MB does not fit a disk of one."""
-        disk = self.folder / "disk"
-        disk.mkdir()
-        command = ["mount", "-t", "tmpfs", "-o", "size=1M", "tmpfs", str(disk)]
-        try:
-            mounted = subprocess.run(command, capture_output=True, check=False).returncode == 0
-        except OSError:
-            mounted = False
-        if not mounted:
-            self.skipTest("mounting a small disk is not permitted here")
-        self.addCleanup(subprocess.run, ["umount", str(disk)], check=True)
+        self.mount_small_disk(self.folder / "disk", "1M")
         volume = volumes.Volume((300, 300, 300), [])
         volume.voxels = bytes(300**3)
         source = volumes.write_nrrd(self.folder / "in.nrrd", volume, compressed=True)

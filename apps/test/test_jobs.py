@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """A job that several processes do has the bytes of one run, whoever does what when, and wherever they are stopped."""
 
+import json
 import math
 import random
+import re
+import shutil
 import signal
 import struct
 import time
@@ -14,6 +17,7 @@ import volumes
 from jobs import ALL_OUTPUTS, JobTestCase
 from program import FAILURE, REFUSED, USAGE
 from test_identity import rough_shell
+from test_pores import solid, with_noise
 
 CLUSTERS = 7
 OPTIONS = ["--thickness", 2, *ALL_OUTPUTS]
@@ -94,6 +98,50 @@ class SmallJobTest(JobTestCase):
         self.run_program("work", "target/job")
         self.run_program("finalize", self.job)
         self.assertEqual(jobs.results(self.target), expected)
+
+    def test_pores_and_their_counts(self):
+        volumes.write_meta(self.folder / "in.mha", with_noise(solid())[0])
+        for fills, *options in ((True, "--thickness", 3, "--max-pore-size", 8), (False, "--thickness", 3), (True,)):
+            options = [*options, "--report", "r.json"]
+            expected = self.expected(*options)
+            self.plan(*options)
+            self.in_target("work", "job")
+            self.assert_finished(expected)
+            self.assertEqual(expected["r.json"]["counts"]["filled_voxels"] > 0, fills)
+            self.clear_target()
+            shutil.rmtree(self.folder / "expected")
+
+    def test_every_option_of_plan_is_kept(self):
+        """What changes a byte is in the manifest; what is not must be known here to change none."""
+        help_text = self.run_program("plan", "--help").stdout
+        of_run = {"--memory", "--threads", "--divisions", "--dry-run", "--progress", "--quiet", "--log-file"}
+        of_run |= {"--log-level", "--slurm", "--slurm-clusters", "--hash"}
+        raw = "--raw-size 40,36,33 --raw-type uint8 --raw-spacing 1,2,3 --raw-header 5 --raw-big-endian"
+        values = {
+            "--thickness": 2, "--minimum-thickness": 2, "--maximum-thickness": 7, "--max-pore-size": 3,
+            "--voxel-units": None, "--bound": "off", "--lower": 1, "--upper": 1, "--vectors": "v.mha",
+            "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
+            "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
+            "--overwrite": None, "--zarr-compression": "none",
+        }  # fmt: skip
+        of_raw = {word for word in raw.split() if word.startswith("--")}
+        self.assertEqual(set(re.findall(r"^  (--[a-z-]+)", help_text, re.MULTILINE)), of_run | of_raw | set(values))
+
+        def parameters(source, *options):
+            self.in_target("plan", source, "out.mha", "job", *options)
+            found = json.loads((self.job / "manifest.json").read_text())["parameters"]
+            self.clear_target()
+            return found
+
+        plain = parameters("../in.mha")
+        for option, value in values.items():
+            needed = ["--lower", 50] if option == "--sub-voxel" else []
+            before = parameters("../in.mha", *needed) if needed else plain
+            found = parameters("../in.mha", option, *([] if value is None else [value]), *needed)
+            self.assertEqual(len([name for name in found if found[name] != before[name]]), 1, option)
+        (self.folder / "in.raw").write_bytes(bytes(5 + 40 * 36 * 33))
+        expected = {"size": [40, 36, 33], "type": "uint8", "spacing": [1, 2, 3], "header_bytes": 5, "big_endian": True}
+        self.assertEqual(parameters("../in.raw", *raw.split())["raw"], expected)
 
     def test_status(self):
         self.plan()

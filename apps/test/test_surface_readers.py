@@ -9,14 +9,13 @@ import pathlib
 import re
 import struct
 import subprocess
-import sys
 import tempfile
 import unittest
 
+from interpreters import python_with
+
 WRITE_SURFACE = os.environ["MEDIALVOXEL_WRITE_SURFACE"]
 READ_SURFACE = pathlib.Path(__file__).with_name("read_surface.py")
-CACHE = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache")
-PYTHONS = [str(CACHE / "medialvoxel/mesh-readers/bin/python"), sys.executable]
 
 SHAPES = ("plate", "mixed", "cylinder", "cube", "junction")
 EXTENSIONS = ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf")
@@ -32,15 +31,6 @@ CLASS_WIDTH = 0.2
 
 def as_float32(value):
     return struct.unpack("<f", struct.pack("<f", value))[0]
-
-
-def python_with(module):
-    """An interpreter that has the module, or None."""
-    for python in PYTHONS:
-        if pathlib.Path(python).exists():
-            if subprocess.run([python, "-c", f"import {module}"], capture_output=True, check=False).returncode == 0:
-                return python
-    return None
 
 
 def squared_distance(a, b):

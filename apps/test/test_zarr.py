@@ -6,26 +6,15 @@ import json
 import pathlib
 import signal
 import subprocess
-import sys
 import time
 import unittest
 
 import volumes
 import zarr_folder
+from interpreters import python_with
 from program import PROGRAM, REFUSED, USAGE, ProgramTestCase, unprivileged
-from test_surface_readers import CACHE
 
 READ_ZARR = pathlib.Path(__file__).with_name("read_zarr.py")
-PYTHONS = [str(CACHE / "medialvoxel/zarr-readers/bin/python"), "/usr/bin/python3", sys.executable]
-
-
-def python_with(module):
-    """An interpreter that has the module, or None."""
-    for python in PYTHONS:
-        if pathlib.Path(python).exists():
-            if subprocess.run([python, "-c", f"import {module}"], capture_output=True, check=False).returncode == 0:
-                return python
-    return None
 
 
 def make_part(size=(300, 70, 80)):
@@ -180,11 +169,7 @@ class ZarrFolderTest(ProgramTestCase):
 
     def test_disk_without_space(self):
         disk = self.folder / "disk"
-        disk.mkdir()
-        command = ["mount", "-t", "tmpfs", "-o", "size=64K", "tmpfs", str(disk)]
-        if subprocess.run(command, capture_output=True, check=False).returncode != 0:
-            self.skipTest("mounting a small disk is not permitted here")
-        self.addCleanup(subprocess.run, ["umount", str(disk)], check=True)
+        self.mount_small_disk(disk, "64K")
         volumes.write_meta(self.folder / "big.mha", make_part((300, 70, 80)))
         (disk / "old.zarr").mkdir()
         (disk / "old.zarr/.zgroup").write_text("{}")

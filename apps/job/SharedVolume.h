@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSharedVolume_h
+#define medialvoxelSharedVolume_h
+
+#include "VoxelOutput.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** A volume that a job writes. */
+struct VolumeRequest
+{
+  std::string    role;
+  std::string    fileName;
+  VolumeGeometry geometry;
+  VoxelLayout    layout;
+};
+
+/** How far the publication of a job's volume is. */
+struct Publication
+{
+  std::filesystem::path dataName;          ///< of the voxels in formats of two files, as FindFreeDataName() gives it
+  bool                  hasBegun{ false }; ///< an interrupted one may have given it its name already
+};
+
+/** \class SharedVolume
+ * \brief A volume that several processes write, each its clusters, under a temporary name that they know: the final one
+ * with a suffix of the job. */
+class SharedVolume : public VoxelOutput
+{
+public:
+  /** Creates it, and takes its space from the disk where that is known, for other processes to open.
+   * \throw JobError Refused. */
+  virtual void
+  CreateShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix) = 0;
+
+  /** Removes what CreateShared() made, if it is there. */
+  virtual void
+  RemoveShared(const std::string & suffix) const = 0;
+
+  /** Opens what CreateShared() made, to write clusters. \throw JobError Failure when it is not as it was made. */
+  virtual void
+  OpenShared(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & suffix) = 0;
+
+  /** Opens what CreateShared() made when all clusters are written, to publish it: the same again when that was
+   * interrupted. \throw JobError Failure when it is not as it was made. */
+  virtual void
+  OpenToPublish(const VolumeGeometry & geometry,
+                const VoxelLayout &    layout,
+                const std::string &    suffix,
+                const Publication &    publication) = 0;
+
+  /** A name for the voxels that no file has; empty in formats without a file of their own for them. */
+  virtual std::filesystem::path
+  FindFreeDataName() const = 0;
+
+  /** To be called before the first slice of a cluster is written, also after one that was given up. */
+  virtual void
+  StartCluster() = 0;
+
+  /** Of what was written for the cluster, as it is stored. */
+  virtual std::uint32_t
+  GetChecksum() const = 0;
+
+  /** The same of what is stored, read anew. */
+  virtual std::uint32_t
+  ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const = 0;
+
+  /** Brings the cluster to the disk. \throw JobError Failure. */
+  virtual void
+  Sync() = 0;
+};
+
+/** The volume for the extension of a file name. \throw JobError Usage for an extension that is not written. */
+std::unique_ptr<SharedVolume>
+MakeSharedVolume(const std::filesystem::path & fileName, const JobOptions & options);
+
+} // end namespace medialvoxel
+
+#endif
