@@ -6,10 +6,12 @@ seconds of the processor and 100 MB of memory, and without a file that looks lik
 import os
 import pathlib
 import resource
+import shutil
 import subprocess
 import unittest
 
 import volumes
+import zarr_folder
 from program import CORRUPT, DONE, FAILURE, PROGRAM, READS_TIFF, USAGE, ProgramTestCase
 
 CORPUS = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"]) / "fuzz" / "corpus"
@@ -189,6 +191,21 @@ class HostileTest(ProgramTestCase):
         os.mkfifo(self.folder / "voxels.img")
         self.write_nrrd(volumes.box_with_plate(), data_file="voxels.img")
         self.assert_clear("in.nrrd", (FAILURE, CORRUPT), "data file that is a pipe")
+
+    def test_pipes_in_zarr_folders(self):
+        for packer in (None, {"id": "gzip", "level": 1}):
+            for name in (".zattrs", "s0/.zarray", "s0/0.0.0"):
+                folder = self.folder / "in.zarr"
+                zarr_folder.write_image(folder, volumes.box_with_plate(), (20, 20, 24), packer)
+                (folder / name).unlink()
+                os.mkfifo(folder / name)
+                # A chunk is not opened before its voxels are needed.
+                statuses = (DONE, FAILURE) if name.endswith("0.0") else (FAILURE, CORRUPT)
+                self.assert_clear("in.zarr", statuses, name)
+                status, message = self.run_limited("extract", "in.zarr", "out.mha", "--thickness", 3)
+                self.assertNotEqual(status, DONE, name)
+                self.assertIn(name, message)
+                shutil.rmtree(folder)
 
 
 if __name__ == "__main__":
