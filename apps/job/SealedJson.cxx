@@ -4,6 +4,7 @@
 
 #include "Checksum.h"
 #include "Errors.h"
+#include "JsonLimits.h"
 #include "OutputFile.h"
 #include "Text.h"
 
@@ -12,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -27,6 +29,29 @@ std::uint32_t
 GetSeal(const Json & object)
 {
   return GetChecksum(object.dump());
+}
+
+/** The object without its seal; nothing when there is none that fits. */
+std::optional<Json>
+Unseal(const std::string & text)
+try
+{
+  Json object = ParseJson<Json>(text, text.size());
+  if (!object.is_object() || !object.contains(SealName) || !object[SealName].is_number_unsigned())
+  {
+    return std::nullopt;
+  }
+  const auto seal = object[SealName].get<std::uint64_t>();
+  object.erase(SealName);
+  return seal == GetSeal(object) ? std::optional<Json>(std::move(object)) : std::nullopt;
+}
+catch (const Json::exception &)
+{
+  return std::nullopt;
+}
+catch (const std::length_error &)
+{
+  return std::nullopt;
 }
 
 } // namespace
@@ -78,15 +103,9 @@ ReadSealed(const std::filesystem::path & fileName)
   if (size <= MostBytes)
   {
     const std::string text{ std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
-    Json              object = Json::parse(text, nullptr, false);
-    if (object.is_object() && object.contains(SealName) && object[SealName].is_number_unsigned())
+    if (std::optional<Json> object = Unseal(text))
     {
-      const auto seal = object[SealName].get<std::uint64_t>();
-      object.erase(SealName);
-      if (seal == GetSeal(object))
-      {
-        return object;
-      }
+      return object;
     }
   }
   Fail(ExitStatus::Failure, fileName.string(), " is damaged or was changed: its checksum does not fit");
