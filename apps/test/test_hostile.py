@@ -152,6 +152,17 @@ class HostileTest(ProgramTestCase):
                 self.assert_clear(file_name, (DONE, CORRUPT), f"{format_name}/{path.name}")
             (self.folder / file_name).unlink()
 
+    def test_zarr_corpus_of_the_fuzzers(self):
+        folder = self.folder / "in.zarr"
+        for path in sorted((CORPUS / "ZarrFolder").iterdir()):
+            (folder / "0/0/0").mkdir(parents=True)
+            (folder / ".zgroup").write_text("{}")
+            for part in (b"\n" + path.read_bytes()).split(b"\n@")[1:]:
+                name, _, content = part.partition(b"\n")
+                (folder / name.decode()).write_bytes(content)
+            self.assert_clear("in.zarr", (DONE, CORRUPT), path.name)
+            shutil.rmtree(folder)
+
     def test_meta_image(self):
         (self.folder / "in.mha").write_bytes(meta([]))
         self.assert_clear("in.mha", (DONE,), "the one that the others are made from")
