@@ -3,13 +3,14 @@
 #ifndef itkMedialVoxelClassifier_h
 #define itkMedialVoxelClassifier_h
 
-#include "itkMedialVoxelJointClassifier.h"
 #include "itkMedialVoxelCellPairs.h"
 #include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelJointClassifier.h"
 #include "itkMedialVoxelPairDecision.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelThickness.h"
+#include "itkMedialVoxelTileLabels.h"
 
 #include <cstdint>
 #include <optional>
@@ -17,22 +18,6 @@
 
 namespace itk
 {
-
-/** \struct MedialVoxelCellRow
- * \brief Up to 64 cells of a row as bits, bit 0 the first one.
- * \ingroup MedialVoxel
- */
-struct MedialVoxelCellRow
-{
-  /** Memory of all rows of a tile, for each of its voxels, at most. */
-  static constexpr std::uint64_t BytesPerVoxel = 2;
-
-  MedialVoxelIndex          first{};         ///< index of the cell of bit 0
-  MedialVoxelBits::WordType candidates{ 0 }; ///< cells with an object corner
-  MedialVoxelBits::WordType byBound{ 0 };    ///< of them: medial by the bound
-  MedialVoxelBits::WordType byGeodesic{ 0 }; ///< of them: medial by the search
-  MedialVoxelBits::WordType measured{ 0 };   ///< of the medial ones: their walls are measured
-};
 
 /** \class MedialVoxelClassifier
  * \brief Labels the dual cells of one tile from the nearest boundary points of its voxels.
@@ -111,31 +96,18 @@ public:
   GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
 private:
+  /** Decide one cell after the other. */
   MedialVoxelBox
-  ClassifyFixed(const MedialVoxelWindow &   window,
-                const MedialVoxelBox &      tile,
-                const MedialVoxelFeatures & features,
-                const MedialVoxelProgress & progress,
-                Workspace &                 workspace,
-                std::vector<std::uint8_t> & labels,
-                MedialVoxelCounts &         counts) const;
+  ClassifyEach(const MedialVoxelTileInput &         input,
+               MedialVoxelPairDecision::Workspace & workspace,
+               MedialVoxelTileLabels &              labels) const;
 
   bool
-  ClassifyCells(const MedialVoxelWindow &   window,
-                const MedialVoxelCells &    cells,
-                const MedialVoxelFeatures & features,
-                const MedialVoxelProgress & progress,
-                Workspace &                 workspace,
-                std::uint8_t *              labels,
-                MedialVoxelCounts &         counts,
-                MedialVoxelBox &            missing) const;
-
-  void
-  KeepRows(const MedialVoxelWindow &         window,
-           const MedialVoxelBox &            tile,
-           const MedialVoxelFeatures &       features,
-           const std::vector<std::uint8_t> & labels,
-           std::vector<MedialVoxelCellRow> & rows) const;
+  ClassifyCells(const MedialVoxelTileInput &         input,
+                const MedialVoxelCells &             cells,
+                MedialVoxelPairDecision::Workspace & workspace,
+                MedialVoxelTileLabels &              labels,
+                MedialVoxelBox &                     missing) const;
 
   MedialVoxelGrid                           m_Grid;
   MedialVoxelParameters                     m_Parameters;

@@ -110,9 +110,19 @@ public:
     return m_Object;
   }
 
-  /** Voxels of \a box, which is within the sites, that have changed sides, and are now object, or background. */
-  std::uint64_t
-  CountChanged(const MedialVoxelBox & box, bool isObject) const;
+  /** \struct Changes
+   * \brief Numbers of voxels that have changed sides.
+   * \ingroup MedialVoxel
+   */
+  struct Changes
+  {
+    std::uint64_t filled{ 0 };  ///< now object
+    std::uint64_t removed{ 0 }; ///< now background
+  };
+
+  /** Changes in \a box, which is within the sites. */
+  Changes
+  CountChanges(const MedialVoxelBox & box) const;
 
   /** Voxels that are not a number; empty unless they are kept. */
   const MedialVoxelBits &

@@ -40,8 +40,7 @@ struct MedialVoxel_EXPORT MedialVoxelFeatures
   std::size_t
   OffsetOf(std::int64_t x, std::int64_t y, std::int64_t z) const
   {
-    return static_cast<std::size_t>(((z - box.lower[2]) * box.Extent(1) + (y - box.lower[1])) * box.Extent(0) +
-                                    (x - box.lower[0]));
+    return box.OffsetOf({ { x, y, z } });
   }
 
   bool

@@ -6,6 +6,7 @@
 #include "MedialVoxelExport.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace itk
@@ -47,6 +48,14 @@ struct MedialVoxel_EXPORT MedialVoxelBox
 
   bool
   Contains(const MedialVoxelIndex & index) const;
+
+  /** Position of a voxel in an array of all voxels of the box, x fastest. */
+  std::size_t
+  OffsetOf(const MedialVoxelIndex & index) const
+  {
+    return static_cast<std::size_t>(((index[2] - lower[2]) * Extent(1) + (index[1] - lower[1])) * Extent(0) +
+                                    (index[0] - lower[0]));
+  }
 
   /** Box grown by \a margin voxels on both sides of each axis. */
   MedialVoxelBox

@@ -75,16 +75,16 @@ namespace itk
  * MedialVoxelGrayThickness tells: walls of 3 voxels or more with a mean error of less than 0.06 voxels.
  *
  * \par Departures from the paper
- * - The boundary is the background border: background voxels with an object voxel among their 3^D-1 neighbors. With the
- *   object border, walls of one and two voxels vanish. Background corners of a cell are their own nearest boundary
- * point.
- * - The angle of a pair is measured at the center of the cell, where it exists for every cell.
- * - The default bound is the length of the shortest path in the complete voxel grid, which is proved; the paper's
- *   pseudo-geodesic distance (Eq. 2) is available as Paper.
- * - Clusters are independent, each in a window that is certain to hold what it depends on; nothing is propagated
- * between them.
+ * - The boundary is the background border: background voxels with an object voxel among their 3^D-1 neighbors. Walls of
+ *   1 and 2 voxels vanish with the object border. Background corners of a cell are their own nearest boundary point.
+ * - The angle of a pair is measured at the center of the cell, where it exists for every cell; ties have a rule.
+ * - The default bound is the length of the shortest path in the complete grid, which is proved; Eq. 2 is Paper.
+ * - Clusters are independent, each in a window that is certain to hold what it depends on; nothing is propagated.
  * - Pores and dust can be left out, see MaximumPoreSize; by default they are with an automatic thickness.
- * - Paths are searched in the ellipsoid with the boundary points as foci, not in the box of its bounding sphere.
+ * - The threshold can be that of each wall (automatic thickness). Any spacing is allowed, equal or not.
+ * - Paths are searched in the box of the ellipsoid with the boundary points as foci, not of its bounding sphere. The
+ *   edges of a path are counted by kind and summed in one order.
+ * - The thickness of walls is measured, on the mask or on gray values; MedialSurfaceMeshFilter makes a surface.
  *
  * \par Reference
  * T. Michikawa, H. Suzuki: Efficient Medial Voxel Extraction for Large Volumetric Models.

@@ -114,8 +114,9 @@ public:
     {
       const MedialVoxelClusterWindow & window = m_Engine.GetWindow();
       sums.counts.notANumberVoxels = window.GetNotANumber().Count(tile);
-      sums.counts.filledVoxels = window.CountChanged(tile, true);
-      sums.counts.removedVoxels = window.CountChanged(tile, false);
+      const auto changes = window.CountChanges(tile);
+      sums.counts.filledVoxels = changes.filled;
+      sums.counts.removedVoxels = changes.removed;
       this->Advance(static_cast<std::uint64_t>(tile.NumberOfVoxels()));
     }
     else

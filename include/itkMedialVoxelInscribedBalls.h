@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelInscribedBalls_h
 #define itkMedialVoxelInscribedBalls_h
 
+#include "itkMedialVoxelBallSieve.h"
 #include "itkMedialVoxelRankedBits.h"
 
 #include "MedialVoxelExport.h"
@@ -13,16 +14,6 @@
 
 namespace itk
 {
-
-/** \struct MedialVoxelInscribedBall
- * \brief A ball between opposite walls, around the center of a cell.
- * \ingroup MedialVoxel
- */
-struct MedialVoxelInscribedBall
-{
-  MedialVoxelIndex center; ///< index of the cell
-  double           radius; ///< in metric units, positive
-};
 
 /** \class MedialVoxelInscribedBalls
  * \brief Finds the largest of many balls that covers each cell.
@@ -41,24 +32,28 @@ public:
    */
   struct Workspace
   {
-    MedialVoxelBits                        uncovered;
-    std::vector<MedialVoxelBits::WordType> rows; // a bit for each row that has uncovered cells, y fastest
+    MedialVoxelBallSieve::Workspace        sieve;
+    MedialVoxelBits                        open; // cells that no ball covers yet
+    std::vector<MedialVoxelBits::WordType> rows; // bits of the parts of rows that have open cells
   };
 
   explicit MedialVoxelInscribedBalls(const MedialVoxelGrid & grid);
 
-  /** Radius of the largest ball that covers each cell of \a cells, 0 where none does.
+  /** Raise the radius of each cell of \a cells to that of the largest ball that covers it.
    *
-   * \param balls  left in another order
+   * \param balls  replaced by some of them
    * \param cells  bits by index of the cell, ranked
-   * \param radii  in metric units, in the order x, y, z of the bits that are set */
+   * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set; 0 where a cell has none
+   */
   void
-  Cover(std::vector<MedialVoxelInscribedBall> & balls,
+  Raise(std::vector<MedialVoxelInscribedBall> & balls,
         const MedialVoxelRankedBits &           cells,
         Workspace &                             workspace,
         std::vector<double> &                   radii) const;
 
 private:
+  class Sweep;
+
   /** The shape of a ball: of its cells in a row at (dy, dz), dx is from -reach to reach. */
   struct Shape
   {
@@ -70,7 +65,8 @@ private:
   void
   FindShape(double squaredRadius, Shape & shape) const;
 
-  MedialVoxelGrid m_Grid;
+  MedialVoxelGrid      m_Grid;
+  MedialVoxelBallSieve m_Sieve;
 };
 
 } // end namespace itk

@@ -6,6 +6,8 @@
 #include "itkMedialVoxelBitFlood.h"
 #include "itkMedialVoxelLocalThreshold.h"
 #include "itkMedialVoxelPairSeparation.h"
+#include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelTileLabels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +16,17 @@
 
 namespace itk
 {
+
+/** \struct MedialVoxelTileInput
+ * \brief What the labels of a tile are found from.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelTileInput
+{
+  const MedialVoxelWindow &   window;   ///< object bits, and the background border as sites
+  const MedialVoxelFeatures & features; ///< displacements of MedialVoxelClassifier::GetVoxelBox()
+  const MedialVoxelProgress & progress; ///< asked for an abort, after which labels and counts are incomplete
+};
 
 /** \class MedialVoxelJointClassifier
  * \brief Labels the dual cells of one tile together, each with the threshold of MedialVoxelLocalThreshold or all with
@@ -72,71 +85,53 @@ public:
     return m_Threshold;
   }
 
-  /** As MedialVoxelClassifier::Classify(), with \a labels that have the size of the tile and are NoObject. */
+  /** Decide all cells of the tile of \a labels.
+   *
+   * \return an empty box, or as MedialVoxelClassifier::Classify() the box of sites that must be known */
   MedialVoxelBox
-  Classify(const MedialVoxelWindow &   window,
-           const MedialVoxelBox &      tile,
-           const MedialVoxelFeatures & features,
-           const MedialVoxelProgress & progress,
-           Workspace &                 workspace,
-           std::vector<std::uint8_t> & labels,
-           MedialVoxelCounts &         counts) const;
+  Classify(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
 private:
+  using Query = MedialVoxelSeparationQuery;
+  using QueryIterator = std::vector<Query>::iterator;
+
   bool
-  Collect(const MedialVoxelWindow &   window,
-          const MedialVoxelBox &      tile,
-          const MedialVoxelFeatures & features,
-          const MedialVoxelProgress & progress,
-          Workspace &                 workspace,
-          std::vector<std::uint8_t> & labels,
-          MedialVoxelCounts &         counts) const;
+  Collect(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   void
-  LabelAtOnce(const MedialVoxelBits &     sites,
-              Workspace &                 workspace,
-              std::vector<std::uint8_t> & labels,
-              MedialVoxelCounts &         counts) const;
+  AddCell(const MedialVoxelBits &  sites,
+          const MedialVoxelIndex & center,
+          const MedialVoxelPair &  pair,
+          double                   radius,
+          Workspace &              workspace,
+          MedialVoxelTileLabels &  labels) const;
+
+  void
+  LabelAtOnce(const MedialVoxelBits & sites, Workspace & workspace, MedialVoxelTileLabels & labels) const;
+
+  std::optional<std::uint8_t>
+  LabelByBound(const MedialVoxelPair & pair, double epsilon, const Cell & cell) const;
 
   std::optional<std::uint8_t>
   LabelByLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
 
-  using Queries = std::vector<MedialVoxelSeparationQuery>::iterator;
-
-  void
-  Decide(const Workspace &                  workspace,
-         const MedialVoxelSeparationQuery & query,
-         std::uint8_t                       label,
-         std::vector<std::uint8_t> &        labels,
-         MedialVoxelCounts &                counts) const;
-
   bool
-  FallsShort(Workspace &                        workspace,
-             const MedialVoxelSeparationQuery & query,
-             std::vector<std::uint8_t> &        labels,
-             MedialVoxelCounts &                counts) const;
+  FallsShort(const Query & query, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   static void
-  SortInwards(const Workspace & workspace, Queries first, Queries last);
+  SortInwards(const Workspace & workspace, QueryIterator first, QueryIterator last);
 
   void
-  LeaveOutBranches(Workspace & workspace, std::vector<std::uint8_t> & labels, MedialVoxelCounts & counts) const;
+  LeaveOutBranches(Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   void
-  Search(const MedialVoxelBits &     sites,
-         const MedialVoxelProgress & progress,
-         Workspace &                 workspace,
-         std::vector<std::uint8_t> & labels,
-         MedialVoxelCounts &         counts) const;
+  Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   void
   FollowNeighbors(const Workspace & workspace, Cell & cell) const;
 
   double
   EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;
-
-  double
-  BoundOf(const MedialVoxelPair & pair) const;
 
   MedialVoxelGrid           m_Grid;
   MedialVoxelParameters     m_Parameters;

@@ -39,8 +39,8 @@ public:
   {
     std::vector<MedialVoxelInscribedBall> balls;
     MedialVoxelRankedBits                 cells;
-    std::vector<double>                   ownRadii;
-    std::vector<double>                   coveringRadii;
+    std::vector<double>                   radii;   // of the cells
+    std::vector<std::size_t>              offsets; // of the cells in the box that Compute() is asked for
     MedialVoxelInscribedBalls::Workspace  cover;
   };
 
@@ -66,16 +66,16 @@ public:
            m_Parameters.thicknessFactor * (radius * m_Unit) > m_Parameters.epsilon;
   }
 
-  /** Radii in metric units of the balls of \a balls that cover each of \a cells, as MedialVoxelInscribedBalls does. */
-  const MedialVoxelInscribedBalls &
-  GetCover() const
+  /** Raise the radii of the cells of a workspace, d(p) or 0 at first, to LT(p) in metric units. */
+  void
+  RaiseRadii(Workspace & workspace) const
   {
-    return m_Cover;
+    m_Cover.Raise(workspace.balls, workspace.cells, workspace.cover, workspace.radii);
   }
 
-  /** epsilon(p) from d(p), or 0, and the radius of the largest ball that covers p, or 0; radii in metric units. */
+  /** epsilon(p) from LT(p) in metric units. */
   double
-  EpsilonOf(double ownRadius, double coveringRadius) const;
+  EpsilonOf(double radius) const;
 
   /** epsilon(p) of all cells of \a box, x fastest; the smallest one at indices without a cell.
    *

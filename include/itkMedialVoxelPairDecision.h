@@ -23,7 +23,18 @@ struct MedialVoxelPair
   MedialVoxelDisplacement difference;           ///< from that of the second voxel to \a a
   MedialVoxelDisplacement displacement;         ///< from the first voxel to \a a; for the bound Paper alone
   MedialVoxelDisplacement oppositeDisplacement; ///< from the second voxel to its point; for the bound Paper alone
+
+  /** Nearest boundary point of the second voxel. */
+  MedialVoxelIndex
+  GetB() const
+  {
+    return { { a[0] - difference[0], a[1] - difference[1], a[2] - difference[2] } };
+  }
 };
+
+/** A lower bound of the geodesic distance of a pair, in physical units; 0 for Off. */
+MedialVoxel_EXPORT double
+MedialVoxelBoundOf(const MedialVoxelPair & pair, const MedialVoxelDualCell & cell, MedialVoxelPseudoGeodesicBound kind);
 
 /** \class MedialVoxelPairDecision
  * \brief Decides whether the boundary points of a pair are at least a threshold apart along the boundary.

@@ -22,8 +22,14 @@ public:
   using WordType = MedialVoxelBits::WordType;
 
   /** Set the box and clear all bits; then set bits, then call Rank(). */
-  MedialVoxelBits &
+  void
   Reshape(const MedialVoxelBox & box);
+
+  void
+  Set(const MedialVoxelIndex & index)
+  {
+    m_Bits.Set(index);
+  }
 
   /** Number the bits. */
   void

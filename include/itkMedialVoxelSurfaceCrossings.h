@@ -55,9 +55,7 @@ public:
     std::size_t
     OffsetOf(const MedialVoxelIndex & cell) const
     {
-      return static_cast<std::size_t>(
-        ((cell[2] - m_Cells.lower[2]) * m_Cells.Extent(1) + (cell[1] - m_Cells.lower[1])) * m_Cells.Extent(0) +
-        (cell[0] - m_Cells.lower[0]));
+      return m_Cells.OffsetOf(cell);
     }
 
     MedialVoxelBox        m_Cells;

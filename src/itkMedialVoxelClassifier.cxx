@@ -10,17 +10,10 @@ using WordType = MedialVoxelBits::WordType;
 namespace
 {
 
-std::size_t
-OffsetIn(const MedialVoxelBox & tile, const MedialVoxelIndex & index)
-{
-  return static_cast<std::size_t>(((index[2] - tile.lower[2]) * tile.Extent(1) + (index[1] - tile.lower[1])) *
-                                    tile.Extent(0) +
-                                  (index[0] - tile.lower[0]));
-}
-
 /** Thresholds in edges from which on single searches are long; below, each cell is decided on its own. */
 constexpr double LongEpsilon = 8.0;
 
+/** Whether cells of a tile are decided together: each threshold depends on the cells around, or searches are long. */
 bool
 DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
@@ -70,107 +63,60 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
                                 std::vector<std::uint8_t> & labels,
                                 MedialVoxelCounts &         counts) const
 {
-  labels.assign(static_cast<std::size_t>(tile.NumberOfVoxels()), MedialVoxelLabel::NoObject);
-  workspace.rows.clear();
-  if (!m_Joint)
+  const MedialVoxelTileInput input{ window, features, progress };
+  MedialVoxelTileLabels      tileLabels(tile, labels, counts, workspace.keepsRows ? &workspace.rows : nullptr);
+  if (!m_Joint || workspace.keepsRows)
   {
-    return this->ClassifyFixed(window, tile, features, progress, workspace, labels, counts);
-  }
-  const MedialVoxelBox missing = m_Joint->Classify(window, tile, features, progress, workspace.joint, labels, counts);
-  if (workspace.keepsRows && missing.IsEmpty())
-  {
-    // Observers go on with decisions around the same tile.
+    // Observers, who get the rows, go on with searches around the same tile.
     m_Decision.Begin(*window.sites, tile, workspace.geodesic);
-    this->KeepRows(window, tile, features, labels, workspace.rows);
   }
+  const MedialVoxelBox missing = m_Joint ? m_Joint->Classify(input, workspace.joint, tileLabels)
+                                         : this->ClassifyEach(input, workspace.geodesic, tileLabels);
+  tileLabels.FinishRows();
   return missing;
 }
 
 MedialVoxelBox
-MedialVoxelClassifier::ClassifyFixed(const MedialVoxelWindow &   window,
-                                     const MedialVoxelBox &      tile,
-                                     const MedialVoxelFeatures & features,
-                                     const MedialVoxelProgress & progress,
-                                     Workspace &                 workspace,
-                                     std::vector<std::uint8_t> & labels,
-                                     MedialVoxelCounts &         counts) const
+MedialVoxelClassifier::ClassifyEach(const MedialVoxelTileInput &         input,
+                                    MedialVoxelPairDecision::Workspace & workspace,
+                                    MedialVoxelTileLabels &              labels) const
 {
-  m_Decision.Begin(*window.sites, tile, workspace.geodesic);
   MedialVoxelBox missing;
-  m_Pairs.Visit(*window.object, features, tile, [&](const MedialVoxelCells & cells) {
-    std::uint8_t * const labelsOfCells = labels.data() + OffsetIn(tile, cells.first);
-    return this->ClassifyCells(window, cells, features, progress, workspace, labelsOfCells, counts, missing);
+  m_Pairs.Visit(*input.window.object, input.features, labels.GetTile(), [&](const MedialVoxelCells & cells) {
+    return this->ClassifyCells(input, cells, workspace, labels, missing);
   });
   return missing;
 }
 
 /** False when aborted. */
 bool
-MedialVoxelClassifier::ClassifyCells(const MedialVoxelWindow &   window,
-                                     const MedialVoxelCells &    cells,
-                                     const MedialVoxelFeatures & features,
-                                     const MedialVoxelProgress & progress,
-                                     Workspace &                 workspace,
-                                     std::uint8_t * const        labels,
-                                     MedialVoxelCounts &         counts,
-                                     MedialVoxelBox &            missing) const
+MedialVoxelClassifier::ClassifyCells(const MedialVoxelTileInput &         input,
+                                     const MedialVoxelCells &             cells,
+                                     MedialVoxelPairDecision::Workspace & workspace,
+                                     MedialVoxelTileLabels &              labels,
+                                     MedialVoxelBox &                     missing) const
 {
   const WordType spread = m_Pairs.Spread(cells);
-  counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(cells.candidates));
-  counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(cells.candidates & ~spread));
-  for (WordType rest = cells.candidates; rest != 0; rest &= rest - 1)
-  {
-    labels[MedialVoxelLowestBit(rest)] = MedialVoxelLabel::NonMedial;
-  }
-  WordType byBound = 0;
-  WordType byGeodesic = 0;
+  labels.AddCandidates(cells.first, cells.candidates, spread);
+  const std::size_t offset = labels.OffsetOf(cells.first);
   for (WordType rest = spread; rest != 0; rest &= rest - 1)
   {
     const int           x = MedialVoxelLowestBit(rest);
     MedialVoxelDiagonal widest;
-    if (!m_Pairs.Choose(features, cells, x, widest))
+    if (!m_Pairs.Choose(input.features, cells, x, widest))
     {
-      ++counts.trivialCells;
+      labels.CountTrivialCell();
       continue;
     }
     // A single search can be long where epsilon is large.
-    if (progress.IsAborted())
+    if (input.progress.IsAborted())
     {
       return false;
     }
-    const std::uint8_t label = m_Decision.Decide(*window.sites, widest.pair, workspace.geodesic, missing);
-    counts.AddDecision(label);
-    byBound |= WordType{ label == MedialVoxelLabel::MedialByBound } << x;
-    byGeodesic |= WordType{ label == MedialVoxelLabel::MedialByGeodesic } << x;
-    labels[x] = label;
-  }
-  if (workspace.keepsRows)
-  {
-    workspace.rows.push_back({ cells.first, cells.candidates, byBound, byGeodesic });
+    labels.Decide(offset + static_cast<std::size_t>(x),
+                  m_Decision.Decide(*input.window.sites, widest.pair, workspace, missing));
   }
   return true;
-}
-
-/** The rows that have candidates, from the labels. */
-void
-MedialVoxelClassifier::KeepRows(const MedialVoxelWindow &         window,
-                                const MedialVoxelBox &            tile,
-                                const MedialVoxelFeatures &       features,
-                                const std::vector<std::uint8_t> & labels,
-                                std::vector<MedialVoxelCellRow> & rows) const
-{
-  m_Pairs.Visit(*window.object, features, tile, [&](const MedialVoxelCells & cells) {
-    MedialVoxelCellRow         row{ cells.first, cells.candidates };
-    const std::uint8_t * const labelsOfCells = labels.data() + OffsetIn(tile, cells.first);
-    for (WordType rest = cells.candidates; rest != 0; rest &= rest - 1)
-    {
-      const int x = MedialVoxelLowestBit(rest);
-      row.byBound |= WordType{ labelsOfCells[x] == MedialVoxelLabel::MedialByBound } << x;
-      row.byGeodesic |= WordType{ labelsOfCells[x] == MedialVoxelLabel::MedialByGeodesic } << x;
-    }
-    rows.push_back(row);
-    return true;
-  });
 }
 
 bool

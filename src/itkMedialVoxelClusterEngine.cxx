@@ -23,9 +23,6 @@ constexpr std::int64_t SmallestTileEdge = 32;
 constexpr std::int64_t LargestTileEdge = 96;
 constexpr std::int64_t NarrowTile = 128;
 
-/** Edge of tiles that share the work of a margin around them. */
-constexpr std::int64_t SmallestEdgeWithMargin = 64;
-
 /** Halo from which walls are thick. */
 constexpr std::int64_t ThickHalo = 64;
 
@@ -153,8 +150,8 @@ MedialVoxelClusterEngine::PreferredCut(const MedialVoxelBox & region, const Medi
   else if (m_Grid.IsActive(2))
   {
     // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
-    // halo, as a tile repeats the work of the halo around it.
-    const std::int64_t smallest = m_Settings.tileMargin[1] > 0 ? SmallestEdgeWithMargin : SmallestTileEdge;
+    // halo, as a tile repeats the work of the halo around it, and those with a margin all the more.
+    const std::int64_t smallest = m_Settings.tileMargin[1] > 0 ? LargestTileEdge : SmallestTileEdge;
     const std::int64_t edge =
       std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, smallest, LargestTileEdge);
     cut.tileSize = { { NarrowTile, edge, edge } };

@@ -234,12 +234,11 @@ MedialVoxelClusterWindow::ChangeSmallComponents(const MedialVoxelBox & sites, Me
   m_FinalBox = objectBox;
 }
 
-std::uint64_t
-MedialVoxelClusterWindow::CountChanged(const MedialVoxelBox & box, const bool isObject) const
+auto
+MedialVoxelClusterWindow::CountChanges(const MedialVoxelBox & box) const -> Changes
 {
+  Changes              changes;
   const MedialVoxelBox counted = box.Intersection(m_Changed.GetBox());
-  const std::uint64_t  flip = isObject ? 0 : ~std::uint64_t{ 0 };
-  std::uint64_t        count = 0;
   for (std::int64_t z = counted.lower[2]; z < counted.upper[2]; ++z)
   {
     for (std::int64_t y = counted.lower[1]; y < counted.upper[1]; ++y)
@@ -247,16 +246,18 @@ MedialVoxelClusterWindow::CountChanged(const MedialVoxelBox & box, const bool is
       // Both have the same box.
       const auto * const changed = m_Changed.GetRow(y, z) - m_Changed.GetFirstWord();
       const auto * const object = m_Object.GetRow(y, z) - m_Object.GetFirstWord();
-      for (std::int64_t word = counted.lower[0] / MedialVoxelBits::BitsPerWord;
-           word * MedialVoxelBits::BitsPerWord < counted.upper[0];
-           ++word)
+      for (std::int64_t word = counted.lower[0] >> 6; word <= (counted.upper[0] - 1) >> 6; ++word)
       {
-        const std::uint64_t mask = MedialVoxelBits::RangeMask(word, counted.lower[0], counted.upper[0]);
-        count += static_cast<std::uint64_t>(MedialVoxelPopulationCount(changed[word] & (object[word] ^ flip) & mask));
+        if (changed[word] != 0)
+        {
+          const auto bits = changed[word] & MedialVoxelBits::RangeMask(word, counted.lower[0], counted.upper[0]);
+          changes.filled += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits & object[word]));
+          changes.removed += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits & ~object[word]));
+        }
       }
     }
   }
-  return count;
+  return changes;
 }
 
 MedialVoxelWindow

@@ -12,6 +12,7 @@ using WordType = MedialVoxelBits::WordType;
 
 MedialVoxelInscribedBalls::MedialVoxelInscribedBalls(const MedialVoxelGrid & grid)
   : m_Grid(grid)
+  , m_Sieve(grid)
 {}
 
 void
@@ -38,112 +39,182 @@ MedialVoxelInscribedBalls::FindShape(const double squaredRadius, Shape & shape) 
   }
 }
 
-namespace
+/** Balls take the open cells that they cover, the largest ball first. */
+class MedialVoxelInscribedBalls::Sweep
 {
-
-/** Set a bit for each row of \a bits that has one. */
-void
-FindRows(const MedialVoxelBits & bits, const std::size_t wordsPerSlice, std::vector<WordType> & rows)
-{
-  const MedialVoxelBox & box = bits.GetBox();
-  rows.assign(wordsPerSlice * static_cast<std::size_t>(box.Extent(2)), 0);
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+public:
+  Sweep(const MedialVoxelRankedBits & cells,
+        MedialVoxelBits &             open,
+        std::vector<WordType> &       rows,
+        std::vector<double> &         radii)
+    : m_Cells(cells)
+    , m_Open(open)
+    , m_Rows(rows)
+    , m_Radii(radii)
+    , m_Box(open.GetBox())
+    , m_NumberOfOpenCells(open.Count(m_Box))
+    , m_FirstPart(open.GetFirstWord() * PartsPerWord)
+    , m_Parts(open.GetWordsPerRow() * PartsPerWord)
+    , m_Groups((m_Box.Extent(1) + MedialVoxelBits::BitsPerWord - 1) / MedialVoxelBits::BitsPerWord)
   {
-    WordType * const slice = rows.data() + static_cast<std::size_t>(z - box.lower[2]) * wordsPerSlice;
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    m_Rows.assign(static_cast<std::size_t>(m_Box.Extent(2) * m_Parts * m_Groups), 0);
+    for (std::int64_t z = m_Box.lower[2]; z < m_Box.upper[2]; ++z)
     {
-      const WordType * const row = bits.GetRow(y, z);
-      const bool         any = std::any_of(row, row + bits.GetWordsPerRow(), [](const WordType w) { return w != 0; });
-      const std::int64_t dy = y - box.lower[1];
-      slice[dy >> 6] |= WordType{ any } << (dy & 63);
+      for (std::int64_t y = m_Box.lower[1]; y < m_Box.upper[1]; ++y)
+      {
+        for (std::int64_t part = m_FirstPart; part < m_FirstPart + m_Parts; ++part)
+        {
+          this->GroupOf(part, y, z) |= WordType{ this->HasOpenCells(part, y, z) } << ((y - m_Box.lower[1]) & 63);
+        }
+      }
     }
   }
-}
 
-} // namespace
+  bool
+  IsDone() const
+  {
+    return m_NumberOfOpenCells == 0;
+  }
+
+  void
+  Take(const MedialVoxelInscribedBall & ball, const Shape & shape)
+  {
+    const std::int64_t lowerZ = std::max(ball.center[2] - shape.margin[2], m_Box.lower[2]);
+    const std::int64_t upperZ = std::min(ball.center[2] + shape.margin[2] + 1, m_Box.upper[2]);
+    for (std::int64_t z = lowerZ; z < upperZ; ++z)
+    {
+      this->TakeSlice(ball, shape, z);
+    }
+  }
+
+private:
+  // Cells of the part of a row that has a bit: balls are mostly narrower.
+  static constexpr std::int64_t BitsPerPart = 16;
+  static constexpr std::int64_t PartsPerWord = MedialVoxelBits::BitsPerWord / BitsPerPart;
+
+  /** Bits of 64 rows along y, of a part along x. */
+  WordType &
+  GroupOf(const std::int64_t part, const std::int64_t y, const std::int64_t z)
+  {
+    const std::int64_t partOfSlice = (z - m_Box.lower[2]) * m_Parts + part - m_FirstPart;
+    return m_Rows[static_cast<std::size_t>(partOfSlice * m_Groups + ((y - m_Box.lower[1]) >> 6))];
+  }
+
+  bool
+  HasOpenCells(const std::int64_t part, const std::int64_t y, const std::int64_t z) const
+  {
+    const WordType word = m_Open.GetRow(y, z)[part / PartsPerWord - m_Open.GetFirstWord()];
+    return ((word >> (BitsPerPart * (part % PartsPerWord))) & ((WordType{ 1 } << BitsPerPart) - 1)) != 0;
+  }
+
+  void
+  TakeSlice(const MedialVoxelInscribedBall & ball, const Shape & shape, const std::int64_t z)
+  {
+    const std::int64_t slice = z - ball.center[2] + shape.margin[2];
+    const std::int64_t width = shape.widths[static_cast<std::size_t>(slice)];
+    const std::int64_t lowerX = std::max(ball.center[0] - shape.margin[0], m_Box.lower[0]);
+    const std::int64_t upperX = std::min(ball.center[0] + shape.margin[0] + 1, m_Box.upper[0]);
+    const std::int64_t lowerY = std::max(ball.center[1] - width, m_Box.lower[1]);
+    const std::int64_t upperY = std::min(ball.center[1] + width + 1, m_Box.upper[1]);
+    if (lowerX >= upperX || lowerY >= upperY)
+    {
+      return;
+    }
+    for (std::int64_t y = lowerY; y < upperY; y = m_Box.lower[1] + (((y - m_Box.lower[1]) | 63) + 1))
+    {
+      WordType rows = 0;
+      for (std::int64_t part = lowerX / BitsPerPart; part <= (upperX - 1) / BitsPerPart; ++part)
+      {
+        rows |= this->GroupOf(part, y, z);
+      }
+      const std::int64_t group = (y - m_Box.lower[1]) >> 6;
+      rows &= MedialVoxelBits::RangeMask(group, lowerY - m_Box.lower[1], upperY - m_Box.lower[1]);
+      for (; rows != 0; rows &= rows - 1)
+      {
+        const std::int64_t rowY = m_Box.lower[1] + 64 * group + MedialVoxelLowestBit(rows);
+        const std::int64_t row = slice * (2 * shape.margin[1] + 1) + rowY - ball.center[1] + shape.margin[1];
+        const std::int64_t reach = shape.reaches[static_cast<std::size_t>(row)];
+        this->TakeRow(std::max(ball.center[0] - reach, m_Box.lower[0]),
+                      std::min(ball.center[0] + reach + 1, m_Box.upper[0]),
+                      rowY,
+                      z,
+                      ball.radius);
+      }
+    }
+  }
+
+  void
+  TakeRow(const std::int64_t lower,
+          const std::int64_t upper,
+          const std::int64_t y,
+          const std::int64_t z,
+          const double       radius)
+  {
+    if (lower >= upper)
+    {
+      return;
+    }
+    WordType * const open = m_Open.GetRow(y, z);
+    WordType         any = 0;
+    for (std::int64_t word = lower >> 6; word <= (upper - 1) >> 6; ++word)
+    {
+      const std::int64_t i = word - m_Open.GetFirstWord();
+      WordType           hits = open[i] & MedialVoxelBits::RangeMask(word, lower, upper);
+      any |= hits;
+      open[i] &= ~hits;
+      for (; hits != 0; hits &= hits - 1)
+      {
+        double & own = m_Radii[m_Cells.RankOf(i, y, z, hits & (~hits + 1))];
+        own = std::max(own, radius);
+        --m_NumberOfOpenCells;
+      }
+    }
+    for (std::int64_t part = lower / BitsPerPart; any != 0 && part <= (upper - 1) / BitsPerPart; ++part)
+    {
+      if (!this->HasOpenCells(part, y, z))
+      {
+        this->GroupOf(part, y, z) &= ~(WordType{ 1 } << ((y - m_Box.lower[1]) & 63));
+      }
+    }
+  }
+
+  const MedialVoxelRankedBits & m_Cells;
+  MedialVoxelBits &             m_Open;
+  std::vector<WordType> &       m_Rows;
+  std::vector<double> &         m_Radii;
+  MedialVoxelBox                m_Box;
+  std::uint64_t                 m_NumberOfOpenCells;
+  std::int64_t                  m_FirstPart;
+  std::int64_t                  m_Parts;
+  std::int64_t                  m_Groups;
+};
 
 void
-MedialVoxelInscribedBalls::Cover(std::vector<MedialVoxelInscribedBall> & balls,
+MedialVoxelInscribedBalls::Raise(std::vector<MedialVoxelInscribedBall> & balls,
                                  const MedialVoxelRankedBits &           cells,
                                  Workspace &                             workspace,
                                  std::vector<double> &                   radii) const
 {
-  radii.assign(cells.GetNumberOfBits(), 0.0);
-  std::size_t left = cells.GetNumberOfBits();
+  if (balls.empty() || radii.empty())
+  {
+    return;
+  }
+  m_Sieve.Sieve(cells, radii, workspace.sieve, balls, workspace.open);
   // The first ball that covers a cell is the largest.
   std::sort(balls.begin(), balls.end(), [](const MedialVoxelInscribedBall & a, const MedialVoxelInscribedBall & b) {
     return a.radius > b.radius;
   });
-  workspace.uncovered = cells.GetBits();
-  MedialVoxelBits &      uncovered = workspace.uncovered;
-  const MedialVoxelBox & box = uncovered.GetBox();
-  const std::int64_t     firstWord = uncovered.GetFirstWord();
-  const std::int64_t     wordsPerRow = uncovered.GetWordsPerRow();
-  const auto             wordsPerSlice = static_cast<std::size_t>((box.Extent(1) + 63) >> 6);
-  FindRows(uncovered, wordsPerSlice, workspace.rows);
-
+  Sweep  sweep(cells, workspace.open, workspace.rows, radii);
   Shape  shape;
   double radiusOfShape = 0.0;
-  for (const MedialVoxelInscribedBall & ball : balls)
+  for (auto ball = balls.begin(); ball != balls.end() && !sweep.IsDone(); ++ball)
   {
-    if (left == 0)
+    if (ball->radius != radiusOfShape)
     {
-      return;
+      radiusOfShape = ball->radius;
+      this->FindShape(ball->radius * ball->radius, shape);
     }
-    if (ball.radius != radiusOfShape)
-    {
-      radiusOfShape = ball.radius;
-      this->FindShape(ball.radius * ball.radius, shape);
-    }
-    const std::int64_t rowsOfShape = 2 * shape.margin[1] + 1;
-    const std::int64_t lowerZ = std::max(ball.center[2] - shape.margin[2], box.lower[2]);
-    const std::int64_t upperZ = std::min(ball.center[2] + shape.margin[2] + 1, box.upper[2]);
-    for (std::int64_t z = lowerZ; z < upperZ; ++z)
-    {
-      const std::int64_t slice = z - ball.center[2] + shape.margin[2];
-      const std::int64_t width = shape.widths[static_cast<std::size_t>(slice)];
-      const std::int64_t lowerY = std::max(ball.center[1] - width, box.lower[1]) - box.lower[1];
-      const std::int64_t upperY = std::min(ball.center[1] + width + 1, box.upper[1]) - box.lower[1];
-      if (lowerY >= upperY)
-      {
-        continue;
-      }
-      WordType * const rows = workspace.rows.data() + static_cast<std::size_t>(z - box.lower[2]) * wordsPerSlice;
-      for (std::int64_t group = lowerY >> 6; group <= (upperY - 1) >> 6; ++group)
-      {
-        for (WordType rest = rows[group] & MedialVoxelBits::RangeMask(group, lowerY, upperY); rest != 0;
-             rest &= rest - 1)
-        {
-          const std::int64_t y = box.lower[1] + 64 * group + MedialVoxelLowestBit(rest);
-          const std::int64_t row = slice * rowsOfShape + y - ball.center[1] + shape.margin[1];
-          const std::int64_t reach = shape.reaches[static_cast<std::size_t>(row)];
-          const std::int64_t lower = std::max(ball.center[0] - reach, box.lower[0]);
-          const std::int64_t upper = std::min(ball.center[0] + reach + 1, box.upper[0]);
-          if (lower >= upper)
-          {
-            continue;
-          }
-          WordType * const bits = uncovered.GetRow(y, z);
-          bool             any = false;
-          for (std::int64_t word = lower >> 6; word <= (upper - 1) >> 6; ++word)
-          {
-            const std::int64_t i = word - firstWord;
-            WordType           hits = bits[i] & MedialVoxelBits::RangeMask(word, lower, upper);
-            any = any || hits != 0;
-            bits[i] &= ~hits;
-            for (; hits != 0; hits &= hits - 1)
-            {
-              radii[cells.RankOf(i, y, z, hits & (~hits + 1))] = ball.radius;
-              --left;
-            }
-          }
-          if (any && std::all_of(bits, bits + wordsPerRow, [](const WordType w) { return w == 0; }))
-          {
-            rows[group] &= ~(rest & (~rest + 1));
-          }
-        }
-      }
-    }
+    sweep.Take(*ball, shape);
   }
 }
 

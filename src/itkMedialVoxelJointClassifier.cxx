@@ -21,6 +21,19 @@ constexpr double ThicknessOfFlood = 5.0;
 /** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
 constexpr double LargestBranch = 0.85;
 
+/** The candidates that are in a tile. */
+MedialVoxelBits::WordType
+CellsWithin(const MedialVoxelBox & tile, const MedialVoxelCells & cells)
+{
+  if (cells.first[1] < tile.lower[1] || cells.first[1] >= tile.upper[1] || cells.first[2] < tile.lower[2] ||
+      cells.first[2] >= tile.upper[2])
+  {
+    return 0;
+  }
+  return cells.candidates &
+         MedialVoxelBits::RangeMask(0, tile.lower[0] - cells.first[0], tile.upper[0] - cells.first[0]);
+}
+
 } // namespace
 
 MedialVoxelJointClassifier::MedialVoxelJointClassifier(const MedialVoxelGrid &       grid,
@@ -35,51 +48,30 @@ MedialVoxelJointClassifier::MedialVoxelJointClassifier(const MedialVoxelGrid &  
 {}
 
 MedialVoxelBox
-MedialVoxelJointClassifier::Classify(const MedialVoxelWindow &   window,
-                                     const MedialVoxelBox &      tile,
-                                     const MedialVoxelFeatures & features,
-                                     const MedialVoxelProgress & progress,
-                                     Workspace &                 workspace,
-                                     std::vector<std::uint8_t> & labels,
-                                     MedialVoxelCounts &         counts) const
+MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
+                                     Workspace &                  workspace,
+                                     MedialVoxelTileLabels &      labels) const
 {
-  if (!this->Collect(window, tile, features, progress, workspace, labels, counts))
+  const MedialVoxelBits & sites = *input.window.sites;
+  if (!this->Collect(input, workspace, labels))
   {
     return {};
   }
-  auto & threshold = workspace.m_Threshold;
-  threshold.cells.Rank();
-  workspace.m_Ranks.Rank();
-  m_Threshold.GetCover().Cover(threshold.balls, threshold.cells, threshold.cover, threshold.coveringRadii);
-  this->LabelAtOnce(*window.sites, workspace, labels, counts);
-
-  this->LeaveOutBranches(workspace, labels, counts);
+  m_Threshold.RaiseRadii(workspace.m_Threshold);
+  this->LabelAtOnce(sites, workspace, labels);
+  this->LeaveOutBranches(workspace, labels);
   const MedialVoxelBox missing =
-    m_Separation.FindSeparated(*window.sites, progress, workspace.m_Separation, workspace.m_Queries);
+    m_Separation.FindSeparated(sites, input.progress, workspace.m_Separation, workspace.m_Queries);
   if (missing.IsEmpty())
   {
-    this->Search(*window.sites, progress, workspace, labels, counts);
+    this->Search(input, workspace, labels);
   }
   return missing;
 }
 
-void
-MedialVoxelJointClassifier::Decide(const Workspace &                  workspace,
-                                   const MedialVoxelSeparationQuery & query,
-                                   const std::uint8_t                 label,
-                                   std::vector<std::uint8_t> &        labels,
-                                   MedialVoxelCounts &                counts) const
-{
-  labels[workspace.m_Cells[query.cell].label] = label;
-  counts.AddDecision(label);
-}
-
 /** Decide a query when a way along the pair of a neighbor is short. */
 bool
-MedialVoxelJointClassifier::FallsShort(Workspace &                        workspace,
-                                       const MedialVoxelSeparationQuery & query,
-                                       std::vector<std::uint8_t> &        labels,
-                                       MedialVoxelCounts &                counts) const
+MedialVoxelJointClassifier::FallsShort(const Query & query, Workspace & workspace, MedialVoxelTileLabels & labels) const
 {
   Cell & cell = workspace.m_Cells[query.cell];
   this->FollowNeighbors(workspace, cell);
@@ -87,72 +79,65 @@ MedialVoxelJointClassifier::FallsShort(Workspace &                        worksp
   {
     return false;
   }
-  this->Decide(workspace, query, MedialVoxelLabel::NonMedial, labels, counts);
+  labels.Decide(cell.label, MedialVoxelLabel::NonMedial);
   return true;
 }
 
 /** From the edges of walls inwards, as each cell may follow the one before. */
 void
-MedialVoxelJointClassifier::SortInwards(const Workspace & workspace, const Queries first, const Queries last)
+MedialVoxelJointClassifier::SortInwards(const Workspace &   workspace,
+                                        const QueryIterator first,
+                                        const QueryIterator last)
 {
   const auto & cells = workspace.m_Cells;
-  std::sort(first, last, [&](const MedialVoxelSeparationQuery & i, const MedialVoxelSeparationQuery & j) {
-    return cells[i.cell].radius < cells[j.cell].radius;
-  });
+  std::sort(first, last, [&](const Query & i, const Query & j) { return cells[i.cell].radius < cells[j.cell].radius; });
 }
 
 /** Decide the cells of branches that follow others; branches are in walls that are thicker than they are. */
 void
-MedialVoxelJointClassifier::LeaveOutBranches(Workspace &                 workspace,
-                                             std::vector<std::uint8_t> & labels,
-                                             MedialVoxelCounts &         counts) const
+MedialVoxelJointClassifier::LeaveOutBranches(Workspace & workspace, MedialVoxelTileLabels & labels) const
 {
   auto &     queries = workspace.m_Queries;
-  const auto isInSheet = [&](const MedialVoxelSeparationQuery & query) {
-    return m_Threshold.EpsilonOf(workspace.m_Cells[query.cell].radius, 0.0) > LargestBranch * query.epsilon;
+  const auto isInSheet = [&](const Query & query) {
+    return m_Threshold.EpsilonOf(workspace.m_Cells[query.cell].radius) > LargestBranch * query.epsilon;
   };
   const auto branches = std::partition(queries.begin(), queries.end(), isInSheet);
   SortInwards(workspace, branches, queries.end());
-  const auto fallsShort = [&](const MedialVoxelSeparationQuery & query) {
-    return this->FallsShort(workspace, query, labels, counts);
-  };
+  const auto fallsShort = [&](const Query & query) { return this->FallsShort(query, workspace, labels); };
   queries.erase(std::remove_if(branches, queries.end(), fallsShort), queries.end());
 }
 
 /** Decide the queries whose points are separated, then the others one after the other. */
 void
-MedialVoxelJointClassifier::Search(const MedialVoxelBits &     sites,
-                                   const MedialVoxelProgress & progress,
-                                   Workspace &                 workspace,
-                                   std::vector<std::uint8_t> & labels,
-                                   MedialVoxelCounts &         counts) const
+MedialVoxelJointClassifier::Search(const MedialVoxelTileInput & input,
+                                   Workspace &                  workspace,
+                                   MedialVoxelTileLabels &      labels) const
 {
   auto &     queries = workspace.m_Queries;
   const auto joined =
-    std::partition(queries.begin(), queries.end(), [](const MedialVoxelSeparationQuery & q) { return q.isSeparated; });
-  std::for_each(queries.begin(), joined, [&](const MedialVoxelSeparationQuery & query) {
-    this->Decide(workspace, query, MedialVoxelLabel::MedialByGeodesic, labels, counts);
+    std::partition(queries.begin(), queries.end(), [](const Query & query) { return query.isSeparated; });
+  std::for_each(queries.begin(), joined, [&](const Query & query) {
+    labels.Decide(workspace.m_Cells[query.cell].label, MedialVoxelLabel::MedialByGeodesic);
   });
   SortInwards(workspace, joined, queries.end());
-  for (auto query = joined; query != queries.end() && !progress.IsAborted(); ++query)
+  for (auto query = joined; query != queries.end() && !input.progress.IsAborted(); ++query)
   {
-    if (!this->FallsShort(workspace, *query, labels, counts))
+    if (!this->FallsShort(*query, workspace, labels))
     {
       Cell & cell = workspace.m_Cells[query->cell];
-      cell.longest = std::min(cell.longest, m_Separation.BoundLength(sites, *query, workspace.m_Separation));
+      cell.longest =
+        std::min(cell.longest, m_Separation.BoundLength(*input.window.sites, *query, workspace.m_Separation));
       const bool isShort = cell.longest < query->epsilon;
-      this->Decide(
-        workspace, *query, isShort ? MedialVoxelLabel::NonMedial : MedialVoxelLabel::MedialByGeodesic, labels, counts);
+      labels.Decide(cell.label, isShort ? MedialVoxelLabel::NonMedial : MedialVoxelLabel::MedialByGeodesic);
     }
   }
 }
 
 /** Label what needs no search, and make queries of the rest. */
 void
-MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits &     sites,
-                                        Workspace &                 workspace,
-                                        std::vector<std::uint8_t> & labels,
-                                        MedialVoxelCounts &         counts) const
+MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits & sites,
+                                        Workspace &             workspace,
+                                        MedialVoxelTileLabels & labels) const
 {
   workspace.m_Queries.clear();
   std::size_t waiting = 0;
@@ -164,33 +149,40 @@ MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits &     sites,
       continue;
     }
     const MedialVoxelPair & pair = workspace.m_Pairs[waiting];
-    const double            epsilon = m_Threshold.EpsilonOf(cell.radius, workspace.m_Threshold.coveringRadii[waiting]);
+    const double            epsilon = m_Threshold.EpsilonOf(workspace.m_Threshold.radii[waiting]);
     ++waiting;
     if (m_Pairs.GetCell().IsTrivial(pair.difference, epsilon))
     {
-      ++counts.trivialCells;
+      labels.CountTrivialCell();
+      continue;
     }
-    else if (this->BoundOf(pair) >= epsilon)
+    auto label = this->LabelByBound(pair, epsilon, cell);
+    if (!label)
     {
-      labels[cell.label] = MedialVoxelLabel::MedialByBound;
-      ++counts.boundCells;
+      label = this->LabelByLength(sites, pair, epsilon, cell);
     }
-    else if ((cell.isAtFloor && epsilon == m_Parameters.epsilon) ||
-             m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon)
+    if (label)
     {
-      labels[cell.label] = MedialVoxelLabel::MedialByGeodesic;
-      ++counts.geodesicMedialCells;
-    }
-    else if (const auto label = this->LabelByLength(sites, pair, epsilon, cell))
-    {
-      labels[cell.label] = *label;
-      counts.AddDecision(*label);
+      labels.Decide(cell.label, *label);
     }
     else
     {
-      workspace.m_Queries.push_back({ cell.a, cell.b, epsilon, i });
+      workspace.m_Queries.push_back({ pair.a, pair.GetB(), epsilon, i });
     }
   }
+}
+
+/** The label of a cell that is known to be medial before any path is searched for its threshold. */
+std::optional<std::uint8_t>
+MedialVoxelJointClassifier::LabelByBound(const MedialVoxelPair & pair, const double epsilon, const Cell & cell) const
+{
+  if (MedialVoxelBoundOf(pair, m_Pairs.GetCell(), m_Parameters.bound) >= epsilon)
+  {
+    return MedialVoxelLabel::MedialByBound;
+  }
+  const bool isMedial = (cell.isAtFloor && epsilon == m_Parameters.epsilon) ||
+                        m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
+  return isMedial ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic) : std::nullopt;
 }
 
 /** The label of a cell when a flood finds the geodesic distance, or that it is longer than the threshold. */
@@ -266,46 +258,36 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, Cell & 
 /** Find the cells of the tile that are not trivial, those that fall short of the smallest threshold as far as a flood
  * can tell, and the balls in and around the tile. False when aborted. */
 bool
-MedialVoxelJointClassifier::Collect(const MedialVoxelWindow &   window,
-                                    const MedialVoxelBox &      tile,
-                                    const MedialVoxelFeatures & features,
-                                    const MedialVoxelProgress & progress,
-                                    Workspace &                 workspace,
-                                    std::vector<std::uint8_t> & labels,
-                                    MedialVoxelCounts &         counts) const
+MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
+                                    Workspace &                  workspace,
+                                    MedialVoxelTileLabels &      labels) const
 {
-  auto & threshold = workspace.m_Threshold;
+  const MedialVoxelBox & tile = labels.GetTile();
+  auto &                 threshold = workspace.m_Threshold;
   threshold.balls.clear();
-  MedialVoxelBits & waiting = threshold.cells.Reshape(tile);
-  MedialVoxelBits & all = workspace.m_Ranks.Reshape(tile);
+  threshold.radii.clear();
+  threshold.cells.Reshape(tile);
+  workspace.m_Ranks.Reshape(tile);
   workspace.m_Cells.clear();
   workspace.m_Pairs.clear();
-  const bool usesFlood = m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper;
-  return m_Pairs.Visit(*window.object, features, m_Threshold.GetCellBox(tile), [&](const MedialVoxelCells & cells) {
+  const auto visit = [&](const MedialVoxelCells & cells) {
     const MedialVoxelBits::WordType spread = m_Pairs.Spread(cells);
-    const bool                      isRowOfTile = cells.first[1] >= tile.lower[1] && cells.first[1] < tile.upper[1] &&
-                             cells.first[2] >= tile.lower[2] && cells.first[2] < tile.upper[2];
-    const MedialVoxelBits::WordType inTile =
-      isRowOfTile ? cells.candidates &
-                      MedialVoxelBits::RangeMask(0, tile.lower[0] - cells.first[0], tile.upper[0] - cells.first[0])
-                  : 0;
-    const std::size_t firstLabel = static_cast<std::size_t>(
-      ((cells.first[2] - tile.lower[2]) * tile.Extent(1) + (cells.first[1] - tile.lower[1])) * tile.Extent(0) +
-      (cells.first[0] - tile.lower[0]));
-    counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(inTile));
-    counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(inTile & ~spread));
-    for (auto rest = inTile; rest != 0; rest &= rest - 1)
+    const MedialVoxelBits::WordType inTile = CellsWithin(tile, cells);
+    if (inTile != 0)
     {
-      labels[firstLabel + static_cast<std::size_t>(MedialVoxelLowestBit(rest))] = MedialVoxelLabel::NonMedial;
+      labels.AddCandidates(cells.first, inTile, spread);
     }
     for (auto rest = spread; rest != 0; rest &= rest - 1)
     {
       const int           x = MedialVoxelLowestBit(rest);
       const bool          isInTile = ((inTile >> x) & 1u) != 0;
       MedialVoxelDiagonal widest;
-      if (!m_Pairs.Choose(features, cells, x, widest))
+      if (!m_Pairs.Choose(input.features, cells, x, widest))
       {
-        counts.trivialCells += isInTile ? 1 : 0;
+        if (isInTile)
+        {
+          labels.CountTrivialCell();
+        }
         continue;
       }
       const MedialVoxelIndex center{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
@@ -314,48 +296,53 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelWindow &   window,
       {
         threshold.balls.push_back({ center, radius });
       }
-      if (!isInTile)
+      if (isInTile)
       {
-        continue;
+        this->AddCell(*input.window.sites, center, widest.pair, radius, workspace, labels);
       }
-      const auto              result = usesFlood ? m_Flood.Decide(*window.sites, widest.pair.a, widest.pair.difference)
-                                                 : MedialVoxelBitFlood::Result::Undecided;
-      const MedialVoxelPair & pair = widest.pair;
-      const bool              isShort = result == MedialVoxelBitFlood::Result::FallsShort;
-      all.Set(center);
-      workspace.m_Cells.push_back(
-        { center,
-          pair.a,
-          { { pair.a[0] - pair.difference[0], pair.a[1] - pair.difference[1], pair.a[2] - pair.difference[2] } },
-          firstLabel + static_cast<std::size_t>(x),
-          radius,
-          isShort ? m_Parameters.epsilon : std::numeric_limits<double>::infinity(),
-          !isShort && result != MedialVoxelBitFlood::Result::Undecided });
-      if (isShort)
-      {
-        ++counts.geodesicNonMedialCells;
-        continue;
-      }
-      waiting.Set(center);
-      workspace.m_Pairs.push_back(pair);
     }
-    return !progress.IsAborted();
-  });
+    return !input.progress.IsAborted();
+  };
+  if (!m_Pairs.Visit(*input.window.object, input.features, m_Threshold.GetCellBox(tile), visit))
+  {
+    return false;
+  }
+  threshold.cells.Rank();
+  workspace.m_Ranks.Rank();
+  return true;
 }
 
-double
-MedialVoxelJointClassifier::BoundOf(const MedialVoxelPair & pair) const
+/** Take a cell of the tile that is not trivial; it waits for its threshold unless it falls short of the smallest. */
+void
+MedialVoxelJointClassifier::AddCell(const MedialVoxelBits &  sites,
+                                    const MedialVoxelIndex & center,
+                                    const MedialVoxelPair &  pair,
+                                    const double             radius,
+                                    Workspace &              workspace,
+                                    MedialVoxelTileLabels &  labels) const
 {
-  switch (m_Parameters.bound)
+  using Result = MedialVoxelBitFlood::Result;
+  const std::size_t offset = labels.OffsetOf(center);
+  const Result      result = m_Parameters.bound == MedialVoxelPseudoGeodesicBound::Paper
+                               ? Result::Undecided
+                               : m_Flood.Decide(sites, pair.a, pair.difference);
+  const bool        isShort = result == Result::FallsShort;
+  workspace.m_Ranks.Set(center);
+  workspace.m_Cells.push_back({ center,
+                                pair.a,
+                                pair.GetB(),
+                                offset,
+                                radius,
+                                isShort ? m_Parameters.epsilon : std::numeric_limits<double>::infinity(),
+                                !isShort && result != Result::Undecided });
+  if (isShort)
   {
-    case MedialVoxelPseudoGeodesicBound::FreeSpace:
-      return m_Pairs.GetCell().FreeSpaceLength(pair.difference);
-    case MedialVoxelPseudoGeodesicBound::Paper:
-      return m_Pairs.GetCell().PseudoGeodesicDistance(pair.displacement, pair.oppositeDisplacement);
-    case MedialVoxelPseudoGeodesicBound::Off:
-      break;
+    labels.Decide(offset, MedialVoxelLabel::NonMedial);
+    return;
   }
-  return 0.0;
+  workspace.m_Threshold.cells.Set(center);
+  workspace.m_Threshold.radii.push_back(radius);
+  workspace.m_Pairs.push_back(pair);
 }
 
 } // end namespace itk

@@ -66,10 +66,10 @@ MedialVoxelLocalThreshold::RadiusOf(const MedialVoxelDiagonal & widest) const
 }
 
 double
-MedialVoxelLocalThreshold::EpsilonOf(const double ownRadius, const double coveringRadius) const
+MedialVoxelLocalThreshold::EpsilonOf(const double radius) const
 {
-  const double thickness = std::max(ownRadius, coveringRadius) * m_Unit;
-  return std::max(m_Parameters.epsilon, m_Parameters.thicknessFactor * std::min(thickness, m_Parameters.largestRadius));
+  return std::max(m_Parameters.epsilon,
+                  m_Parameters.thicknessFactor * std::min(radius * m_Unit, m_Parameters.largestRadius));
 }
 
 void
@@ -79,54 +79,39 @@ MedialVoxelLocalThreshold::Compute(const MedialVoxelBits &     object,
                                    Workspace &                 workspace,
                                    std::vector<double> &       epsilons) const
 {
-  epsilons.assign(static_cast<std::size_t>(box.NumberOfVoxels()), m_Parameters.epsilon);
   workspace.balls.clear();
-  MedialVoxelBits & asked = workspace.cells.Reshape(box);
-  workspace.ownRadii.assign(epsilons.size(), 0.0);
-  const auto offsetOf = [&](const MedialVoxelIndex & cell) {
-    return static_cast<std::size_t>(
-      ((cell[2] - box.lower[2]) * box.Extent(1) + (cell[1] - box.lower[1])) * box.Extent(0) + (cell[0] - box.lower[0]));
-  };
+  workspace.radii.clear();
+  workspace.offsets.clear();
+  workspace.cells.Reshape(box);
   m_Pairs.Visit(object, features, this->GetCellBox(box), [&](const MedialVoxelCells & cells) {
     const auto spread = m_Pairs.Spread(cells);
     for (auto rest = cells.candidates; rest != 0; rest &= rest - 1)
     {
       const int              x = MedialVoxelLowestBit(rest);
       const MedialVoxelIndex cell{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
-      const bool             isAsked = box.Contains(cell);
-      if (isAsked)
-      {
-        asked.Set(cell);
-      }
-      MedialVoxelDiagonal widest;
-      if (((spread >> x) & 1u) == 0 || !m_Pairs.Choose(features, cells, x, widest))
-      {
-        continue;
-      }
-      const double radius = this->RadiusOf(widest);
-      if (isAsked)
-      {
-        workspace.ownRadii[offsetOf(cell)] = radius;
-      }
+      MedialVoxelDiagonal    widest;
+      const bool             hasPair = ((spread >> x) & 1u) != 0 && m_Pairs.Choose(features, cells, x, widest);
+      const double           radius = hasPair ? this->RadiusOf(widest) : 0.0;
       if (this->CanRaise(radius))
       {
         workspace.balls.push_back({ cell, radius });
+      }
+      if (box.Contains(cell))
+      {
+        workspace.cells.Set(cell);
+        workspace.offsets.push_back(box.OffsetOf(cell));
+        workspace.radii.push_back(radius);
       }
     }
     return true;
   });
   workspace.cells.Rank();
-  m_Cover.Cover(workspace.balls, workspace.cells, workspace.cover, workspace.coveringRadii);
-  std::size_t position = 0;
-  m_Pairs.Visit(object, features, box, [&](const MedialVoxelCells & cells) {
-    for (auto rest = cells.candidates; rest != 0; rest &= rest - 1)
-    {
-      const MedialVoxelIndex cell{ { cells.first[0] + MedialVoxelLowestBit(rest), cells.first[1], cells.first[2] } };
-      const std::size_t      offset = offsetOf(cell);
-      epsilons[offset] = this->EpsilonOf(workspace.ownRadii[offset], workspace.coveringRadii[position++]);
-    }
-    return true;
-  });
+  this->RaiseRadii(workspace);
+  epsilons.assign(static_cast<std::size_t>(box.NumberOfVoxels()), m_Parameters.epsilon);
+  for (std::size_t i = 0; i < workspace.offsets.size(); ++i)
+  {
+    epsilons[workspace.offsets[i]] = this->EpsilonOf(workspace.radii[i]);
+  }
 }
 
 } // end namespace itk

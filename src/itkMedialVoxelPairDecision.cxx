@@ -20,6 +20,23 @@ FloodEpsilon(const MedialVoxelGrid & grid, const double epsilon)
 
 } // namespace
 
+double
+MedialVoxelBoundOf(const MedialVoxelPair &              pair,
+                   const MedialVoxelDualCell &          cell,
+                   const MedialVoxelPseudoGeodesicBound kind)
+{
+  switch (kind)
+  {
+    case MedialVoxelPseudoGeodesicBound::FreeSpace:
+      return cell.FreeSpaceLength(pair.difference);
+    case MedialVoxelPseudoGeodesicBound::Paper:
+      return cell.PseudoGeodesicDistance(pair.displacement, pair.oppositeDisplacement);
+    case MedialVoxelPseudoGeodesicBound::Off:
+      break;
+  }
+  return 0.0;
+}
+
 MedialVoxelPairDecision::MedialVoxelPairDecision(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
   : m_Parameters(parameters)
   , m_Cell(grid)
@@ -63,27 +80,13 @@ MedialVoxelPairDecision::Decide(const MedialVoxelBits & boundary,
     }
   }
 
-  double bound = 0.0;
-  switch (m_Parameters.bound)
-  {
-    case MedialVoxelPseudoGeodesicBound::FreeSpace:
-      bound = m_Cell.FreeSpaceLength(pair.difference);
-      break;
-    case MedialVoxelPseudoGeodesicBound::Paper:
-      bound = m_Cell.PseudoGeodesicDistance(pair.displacement, pair.oppositeDisplacement);
-      break;
-    case MedialVoxelPseudoGeodesicBound::Off:
-      break;
-  }
-  if (bound >= m_Parameters.epsilon)
+  if (MedialVoxelBoundOf(pair, m_Cell, m_Parameters.bound) >= m_Parameters.epsilon)
   {
     return MedialVoxelLabel::MedialByBound;
   }
 
-  const MedialVoxelIndex b{
-    { pair.a[0] - pair.difference[0], pair.a[1] - pair.difference[1], pair.a[2] - pair.difference[2] }
-  };
-  const MedialVoxelBox searchBox = m_Geodesic.GetSearchBox(pair.a, b);
+  const MedialVoxelIndex b = pair.GetB();
+  const MedialVoxelBox   searchBox = m_Geodesic.GetSearchBox(pair.a, b);
   if (!boundary.GetBox().Contains(searchBox))
   {
     missing = missing.Union(searchBox);

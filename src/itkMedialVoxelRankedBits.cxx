@@ -5,12 +5,11 @@
 namespace itk
 {
 
-MedialVoxelBits &
+void
 MedialVoxelRankedBits::Reshape(const MedialVoxelBox & box)
 {
   m_Bits.Reshape(box);
   m_NumberOfBits = 0;
-  return m_Bits;
 }
 
 void

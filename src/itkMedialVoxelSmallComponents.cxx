@@ -159,9 +159,11 @@ private:
     {
       const std::int64_t w = word - firstWord;
       WordType firsts = m_Bits.GetWord(w, ownY, ownZ) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
+      // Long runs of one kind have at most one bit left for the look at other rows.
+      firsts &= ~this->BitsAfterOthersInRow(w, ownY, ownZ);
       if (firsts != 0)
       {
-        firsts &= ~this->BitsAfterOthers(w, ownY, ownZ);
+        firsts &= ~this->BitsAfterOtherRows(w, ownY, ownZ);
       }
       for (; firsts != 0; firsts &= firsts - 1)
       {
@@ -171,9 +173,16 @@ private:
     }
   }
 
-  /** Bits of a word with a neighbor of their kind before them. */
+  /** Bits of a word with a neighbor of their kind before them in the row. */
   WordType
-  BitsAfterOthers(const std::int64_t w, const std::int64_t y, const std::int64_t z) const
+  BitsAfterOthersInRow(const std::int64_t w, const std::int64_t y, const std::int64_t z) const
+  {
+    return m_Unit[0] == 0 ? 0 : (m_Bits.GetWord(w, y, z) << 1) | (m_Bits.GetWord(w - 1, y, z) >> 63);
+  }
+
+  /** Bits of a word with a neighbor of their kind in a row before theirs. */
+  WordType
+  BitsAfterOtherRows(const std::int64_t w, const std::int64_t y, const std::int64_t z) const
   {
     const auto rowsBefore = [&](const std::int64_t word) {
       WordType sum = 0;
@@ -188,10 +197,7 @@ private:
     {
       return before;
     }
-    const WordType left = rowsBefore(w - 1);
-    const WordType right = rowsBefore(w + 1);
-    const WordType own = (m_Bits.GetWord(w, y, z) << 1) | (m_Bits.GetWord(w - 1, y, z) >> 63);
-    return before | (before << 1) | (left >> 63) | (before >> 1) | (right << 63) | own;
+    return before | (before << 1) | (rowsBefore(w - 1) >> 63) | (before >> 1) | (rowsBefore(w + 1) << 63);
   }
 
   void

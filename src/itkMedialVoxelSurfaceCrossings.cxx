@@ -236,9 +236,7 @@ MedialVoxelSurfaceCrossings::EpsilonOf(const Workspace::Edge & edge, const Works
     const MedialVoxelIndex cell = CellAt(edge.voxel, number);
     if (box.Contains(cell))
     {
-      const std::int64_t row = (cell[2] - box.lower[2]) * box.Extent(1) + (cell[1] - box.lower[1]);
-      epsilon =
-        std::max(epsilon, workspace.m_Epsilons[static_cast<std::size_t>(row * box.Extent(0) + cell[0] - box.lower[0])]);
+      epsilon = std::max(epsilon, workspace.m_Epsilons[box.OffsetOf(cell)]);
     }
   }
   return epsilon;

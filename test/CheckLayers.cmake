@@ -22,6 +22,7 @@ set(L1
     SmallComponents
     PathSearch
     PairSeparation
+    BallSieve
     InscribedBalls
     PairChoice
     PairDecision
@@ -32,8 +33,8 @@ set(L1
     SurfaceFit
     SurfacePieces
     SurfaceBranches)
-set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices CellPairs LocalThreshold JointClassifier Classifier
-    TileWalls TileObserver SurfaceCrossings SurfaceCells)
+set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices CellPairs TileLabels LocalThreshold JointClassifier
+    Classifier TileWalls TileObserver SurfaceCrossings SurfaceCells)
 set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceObserver SurfaceStore)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)

@@ -21,6 +21,13 @@ struct RimStrip
   double  half;   ///< half the thickness of the plate: the medial axis of a square rim begins so far inwards
 };
 
+/** A point of a mid-surface, and the thickness of its wall. */
+struct SheetPoint
+{
+  Vector3 place;
+  double  wall;
+};
+
 /** A part around the origin. Lengths are voxels. */
 struct Part
 {
@@ -34,7 +41,7 @@ struct Part
   std::function<double(const Vector3 &)> middle;
 
   /** Points of the mid-surface that a sheet must cover: farther from rims than where the sheet begins. */
-  std::vector<Vector3> samples;
+  std::vector<SheetPoint> samples;
 
   /** Of free rims, one for each voxel of their length; none near corners and junctions. */
   std::vector<RimStrip> rims;
@@ -143,6 +150,18 @@ RimsOf(const std::vector<Plate> & plates)
   return rims;
 }
 
+/** Distance of a point of the volume to turned plates together; right inside too where they overlap enough. */
+inline double
+DistanceTo(const std::vector<Plate> & plates, const Vector3 & p)
+{
+  double distance = std::numeric_limits<double>::infinity();
+  for (const Plate & plate : plates)
+  {
+    distance = std::min(distance, BoxDistance(Turned(p), plate.center, plate.half));
+  }
+  return distance;
+}
+
 /** Plates together, turned; samples keep off the rims that are not covered by other plates. */
 inline Part
 PartOfPlates(const std::string & name, int size, const std::vector<Plate> & plates)
@@ -150,14 +169,7 @@ PartOfPlates(const std::string & name, int size, const std::vector<Plate> & plat
   Part part;
   part.name = name;
   part.size = { { size, size, size } };
-  part.surface = [plates](const Vector3 & p) {
-    double distance = std::numeric_limits<double>::infinity();
-    for (const Plate & plate : plates)
-    {
-      distance = std::min(distance, BoxDistance(Turned(p), plate.center, plate.half));
-    }
-    return distance;
-  };
+  part.surface = [plates](const Vector3 & p) { return DistanceTo(plates, p); };
   part.rims = RimsOf(plates);
   const auto across = [](const Plate & plate) {
     return static_cast<int>(std::min_element(plate.half.begin(), plate.half.end()) - plate.half.begin());
@@ -185,7 +197,7 @@ PartOfPlates(const std::string & name, int size, const std::vector<Plate> & plat
         Vector3 sample = plate.center;
         sample[i] += s;
         sample[j] += t;
-        part.samples.push_back(TurnedBack(sample));
+        part.samples.push_back({ TurnedBack(sample), 2.0 * plate.half[axis] });
       }
     }
   }
@@ -205,7 +217,16 @@ StepsPart()
     u += width;
   }
   Part part = PartOfPlates("steps", 124, plates);
-  // The sheets of neighboring plates are one.
+  // Neighboring plates are one: where they touch is no surface. So each goes on inside the thicker ones.
+  std::vector<Plate> nested = plates;
+  for (Plate & plate : nested)
+  {
+    const double left = plate.center[0] - plate.half[0];
+    plate.center[0] = (left + u) / 2;
+    plate.half[0] = (u - left) / 2;
+  }
+  part.surface = [nested](const Vector3 & p) { return DistanceTo(nested, p); };
+  // Their sheets are one too.
   part.samples.clear();
   for (std::size_t k = 0; k < plates.size(); ++k)
   {
@@ -216,7 +237,7 @@ StepsPart()
     {
       for (double t = rim - 22.0; t <= 22.0 - rim; t += 0.7)
       {
-        part.samples.push_back(TurnedBack({ { s, t, 0.0 } }));
+        part.samples.push_back({ TurnedBack({ { s, t, 0.0 } }), 2.0 * plates[k].half[2] });
       }
     }
   }
@@ -270,10 +291,11 @@ ShellPart(double thickness)
   part.middle = [=](const Vector3 & p) { return std::abs(std::sqrt(Dot(p, p)) - radius); };
   for (int i = 0; i < 4000; ++i)
   {
-    const double z = 1.0 - (2.0 * i + 1.0) / 4000.0;
-    const double angle = 2.399963229728653 * i;
-    const double ring = std::sqrt(1.0 - z * z);
-    part.samples.push_back({ { radius * ring * std::cos(angle), radius * ring * std::sin(angle), radius * z } });
+    const double  z = 1.0 - (2.0 * i + 1.0) / 4000.0;
+    const double  angle = 2.399963229728653 * i;
+    const double  ring = std::sqrt(1.0 - z * z);
+    const Vector3 place{ { radius * ring * std::cos(angle), radius * ring * std::sin(angle), radius * z } };
+    part.samples.push_back({ place, thickness });
   }
   return part;
 }
@@ -309,7 +331,8 @@ GyroidPart()
         const double next = value({ { x + 1.0, y, z } });
         if ((here < 0.0) != (next < 0.0))
         {
-          part.samples.push_back({ { x + here / (here - next), y, z } });
+          const Vector3 place{ { x + here / (here - next), y, z } };
+          part.samples.push_back({ place, 0.8 / slope(place) });
         }
       }
     }

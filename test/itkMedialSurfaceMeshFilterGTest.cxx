@@ -3,6 +3,7 @@
 
 #include "itkMedialSurfaceMeshFilter.h"
 
+#include "MedialVoxelTestMesh.h"
 #include "MedialVoxelTestRuns.h"
 #include "MedialVoxelTestSurface.h"
 
@@ -13,7 +14,6 @@
 namespace
 {
 using namespace MedialVoxelTest;
-using MeshType = itk::Mesh<float, 3>;
 template <typename TPixel>
 using MeshFilter = itk::MedialSurfaceMeshFilter<itk::Image<TPixel, 3>, MeshType>;
 using MaskMeshFilter = MeshFilter<unsigned char>;
@@ -33,31 +33,7 @@ MakeFilter(const Volume & volume, double thickness)
   return filter;
 }
 
-/** All that a mesh holds, as numbers. */
-std::vector<double>
-NumbersOf(const MeshType & mesh)
-{
-  std::vector<double> numbers;
-  for (itk::IdentifierType i = 0; i < mesh.GetNumberOfPoints(); ++i)
-  {
-    const auto point = mesh.GetPoint(i);
-    float      thickness = -1.0f;
-    EXPECT_TRUE(mesh.GetPointData(i, &thickness));
-    numbers.insert(numbers.end(), { point[0], point[1], point[2], thickness });
-  }
-  for (itk::IdentifierType i = 0; i < mesh.GetNumberOfCells(); ++i)
-  {
-    MeshType::CellAutoPointer cell;
-    EXPECT_TRUE(mesh.GetCell(i, cell));
-    numbers.insert(numbers.end(), cell->PointIdsBegin(), cell->PointIdsEnd());
-    float data = -1.0f;
-    EXPECT_TRUE(mesh.GetCellData(i, &data));
-    numbers.push_back(data);
-  }
-  return numbers;
-}
-
-/** The same of a surface of the kernels. */
+/** The numbers of the mesh that a surface of the kernels becomes. */
 std::vector<double>
 NumbersOf(const Surface & surface)
 {

@@ -5,6 +5,7 @@
 
 #include "itkMedialSurfaceMeshFilter.h"
 
+#include "MedialVoxelTestMesh.h"
 #include "MedialVoxelTestPores.h"
 #include "MedialVoxelTestRuns.h"
 
@@ -284,8 +285,8 @@ TEST(MedialVoxelPores, ThicknessOnGrayValuesDoesNotDependOnDivisions)
 TEST(MedialVoxelPores, MeshesAreThoseOfTheCleanVolume)
 {
   const Volume volume = VolumeWithPores({ { 50, 40, 30 } }, UnitSpacing, 20, 995);
-  const auto   pointsOf = [](const Volume & input, itk::SizeValueType poreSize, unsigned int slices) {
-    using FilterType = itk::MedialSurfaceMeshFilter<MaskImage<3>>;
+  const auto   numbersOf = [](const Volume & input, itk::SizeValueType poreSize, unsigned int slices) {
+    using FilterType = itk::MedialSurfaceMeshFilter<MaskImage<3>, MeshType>;
     const auto filter = FilterType::New();
     filter->SetThicknessMode(Mode::Automatic);
     EXPECT_EQ(filter->GetMaximumPoreSize(), 32u);
@@ -293,19 +294,15 @@ TEST(MedialVoxelPores, MeshesAreThoseOfTheCleanVolume)
     filter->SetInput(MakeImage<MaskImage<3>>(input));
     filter->SetNumberOfSlicesPerPiece(slices);
     filter->Update();
-    std::vector<float> numbers;
-    for (const auto & point : filter->GetOutput()->GetPoints()->CastToSTLConstContainer())
-    {
-      numbers.insert(numbers.end(), point.Begin(), point.End());
-    }
+    auto numbers = NumbersOf(*filter->GetOutput());
     EXPECT_EQ(filter->GetMaximumPoreSize(), poreSize);
     filter->UnsetMaximumPoreSize();
     EXPECT_EQ(filter->GetMaximumPoreSize(), 32u);
     return numbers;
   };
-  const auto expected = pointsOf(WithoutPores(volume, 20), 0, 0);
+  const auto expected = numbersOf(WithoutPores(volume, 20), 0, 0);
   EXPECT_GT(expected.size(), 300u);
-  EXPECT_TRUE(AreEqual(pointsOf(volume, 20, 0), expected));
-  EXPECT_TRUE(AreEqual(pointsOf(volume, 20, 3), expected));
-  EXPECT_FALSE(AreEqual(pointsOf(volume, 0, 0), expected));
+  EXPECT_TRUE(AreEqual(numbersOf(volume, 20, 0), expected));
+  EXPECT_TRUE(AreEqual(numbersOf(volume, 20, 3), expected));
+  EXPECT_FALSE(AreEqual(numbersOf(volume, 0, 0), expected));
 }

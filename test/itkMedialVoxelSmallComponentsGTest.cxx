@@ -89,8 +89,9 @@ Differences(const itk::MedialVoxelClusterWindow & window,
     removed += was && !is ? 1 : 0;
     differences += window.GetWindow(Background[0]).sites->Test(v) != boundary.Test(v) ? 1 : 0;
   });
-  differences += window.CountChanged(sites, true) != static_cast<std::uint64_t>(filled) ? 1 : 0;
-  differences += window.CountChanged(sites, false) != static_cast<std::uint64_t>(removed) ? 1 : 0;
+  const auto changes = window.CountChanges(sites);
+  differences += changes.filled != static_cast<std::uint64_t>(filled) ? 1 : 0;
+  differences += changes.removed != static_cast<std::uint64_t>(removed) ? 1 : 0;
   return differences;
 }
 } // namespace

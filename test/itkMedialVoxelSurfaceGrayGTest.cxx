@@ -5,6 +5,7 @@
 
 #include "itkMedialSurfaceMeshFilter.h"
 
+#include "MedialVoxelTestMesh.h"
 #include "MedialVoxelTestRuns.h"
 #include "MedialVoxelTestSurface.h"
 #include "MedialVoxelTestWalls.h"
@@ -14,7 +15,6 @@ namespace
 using namespace MedialVoxelTest;
 
 using GrayImage = itk::Image<float, 3>;
-using MeshType = itk::Mesh<float, 3>;
 using GrayFilter = itk::MedialSurfaceMeshFilter<GrayImage, MeshType>;
 
 constexpr double Goal = 0.02; // mean distance to the true mid-surface, in voxels
@@ -85,27 +85,6 @@ AngleOfOneInHundred(const MeshType & mesh)
   }
   std::sort(angles.begin(), angles.end());
   return angles.at(angles.size() / 100);
-}
-
-/** All that a mesh holds, as numbers. */
-std::vector<double>
-NumbersOf(const MeshType & mesh)
-{
-  std::vector<double> numbers;
-  for (itk::IdentifierType i = 0; i < mesh.GetNumberOfPoints(); ++i)
-  {
-    const auto point = mesh.GetPoint(i);
-    float      thickness = -1.0f;
-    EXPECT_TRUE(mesh.GetPointData(i, &thickness));
-    numbers.insert(numbers.end(), { point[0], point[1], point[2], thickness });
-  }
-  for (itk::IdentifierType i = 0; i < mesh.GetNumberOfCells(); ++i)
-  {
-    MeshType::CellAutoPointer cell;
-    EXPECT_TRUE(mesh.GetCell(i, cell));
-    numbers.insert(numbers.end(), cell->PointIdsBegin(), cell->PointIdsEnd());
-  }
-  return numbers;
 }
 
 bool

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "MedialVoxelTestPhantoms.h"
 #include "MedialVoxelTestSurface.h"
+#include "MedialVoxelTestWalls.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 namespace
 {
@@ -51,7 +52,7 @@ struct Frame
 
 constexpr double HalfWidth = 22.0;
 constexpr double HalfThickness = 2.0;
-const Frame      Turned{ { { 32.6, 32.8, 32.3 } } };
+const Frame      TurnedFrame{ { { 32.6, 32.8, 32.3 } } };
 const Index3     TurnedSize{ { 66, 66, 66 } };
 
 /** A square plate 4 voxels thick. */
@@ -59,7 +60,7 @@ Volume
 TurnedPlate()
 {
   return MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
-    const Vector3 p = Turned.ToLocal(v);
+    const Vector3 p = TurnedFrame.ToLocal(v);
     return std::max(std::abs(p[0]), std::abs(p[1])) <= HalfWidth && std::abs(p[2]) <= HalfThickness;
   });
 }
@@ -68,24 +69,24 @@ TurnedPlate()
 bool
 IsRimOfPlate(const Vector3 & point)
 {
-  const Vector3 p = Turned.ToLocal(point);
+  const Vector3 p = TurnedFrame.ToLocal(point);
   return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - HalfThickness - 3.0;
 }
 
 double
 DistanceToPlate(const Vector3 & point)
 {
-  return std::abs(Turned.ToLocal(point)[2]);
+  return std::abs(TurnedFrame.ToLocal(point)[2]);
 }
 
-/** A rib as thick as the plate it stands on. */
+/** A rib on a plate. */
 Volume
-TurnedTee()
+TurnedTee(double halfPlate, double halfRib)
 {
-  return MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
-    const Vector3 p = Turned.ToLocal(v);
-    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= HalfThickness;
-    const bool    inRib = std::abs(p[0]) <= HalfThickness && p[2] >= -8.0 && p[2] <= 18.0;
+  return MakeVolume(TurnedSize, UnitSpacing, [=](const Index3 & v) {
+    const Vector3 p = TurnedFrame.ToLocal(v);
+    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= halfPlate;
+    const bool    inRib = std::abs(p[0]) <= halfRib && p[2] >= -8.0 && p[2] <= 18.0;
     return std::abs(p[1]) <= HalfWidth && (inPlate || inRib);
   });
 }
@@ -93,7 +94,7 @@ TurnedTee()
 double
 DistanceToTeeAxis(const Vector3 & point)
 {
-  const Vector3 p = Turned.ToLocal(point);
+  const Vector3 p = TurnedFrame.ToLocal(point);
   return std::hypot(p[0], p[2] + 8.0);
 }
 
@@ -106,7 +107,7 @@ IsJunctionOfTee(const Vector3 & point)
 bool
 IsRimOfTee(const Vector3 & point)
 {
-  const Vector3 p = Turned.ToLocal(point);
+  const Vector3 p = TurnedFrame.ToLocal(point);
   return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - HalfThickness - 3.0 ||
          p[2] > 18.0 - HalfThickness - 3.0;
 }
@@ -114,7 +115,7 @@ IsRimOfTee(const Vector3 & point)
 double
 DistanceToTee(const Vector3 & point)
 {
-  const Vector3 p = Turned.ToLocal(point);
+  const Vector3 p = TurnedFrame.ToLocal(point);
   const double  toPlate = std::abs(p[2] + 8.0);
   return p[2] > -8.0 ? std::min(toPlate, std::abs(p[0])) : toPlate;
 }
@@ -153,24 +154,41 @@ DistanceToGyroid(const Vector3 & p)
   return std::abs(Gyroid(p)) / std::sqrt(Dot(gradient, gradient));
 }
 
-/** Every tenth voxel next to the surface, on both sides, inverted. */
+/** A tenth of the voxels next to the surface changes sides. */
 Volume
-Flipped(const Volume & volume, unsigned int seed)
+Flipped(Volume volume, unsigned int seed)
 {
   std::mt19937 generator(seed);
-  return MakeVolume(volume.size, volume.spacing, [&](const Index3 & v) {
-    bool isNext = false;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (int by = -1; by <= 1; by += 2)
-      {
-        Index3 other = v;
-        other[axis] += by;
-        isNext = isNext || (volume.Contains(other) && volume.IsObject(other) != volume.IsObject(v));
-      }
-    }
-    return volume.IsObject(v) != (isNext && generator() < 429496730u);
+  FlipSurface(volume, [&generator]() { return generator() / 4294967296.0; });
+  return volume;
+}
+
+constexpr int GyroidSize = 84;
+
+Volume
+GyroidWall()
+{
+  return MakeVolume({ { GyroidSize, GyroidSize, GyroidSize } }, UnitSpacing, [](const Index3 & v) {
+    return std::abs(Gyroid({ { double(v[0]), double(v[1]), double(v[2]) } })) < 0.4;
   });
+}
+
+bool
+IsAtFaceOfGyroid(const Vector3 & point)
+{
+  return std::any_of(point.begin(), point.end(), [](double c) { return c < 3.0 || c > GyroidSize - 4.0; });
+}
+
+Volume
+Shell()
+{
+  return SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0);
+}
+
+itk::MedialVoxelParameters
+Automatic()
+{
+  return itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
 }
 
 void
@@ -182,7 +200,7 @@ ExpectGoodTriangles(const SurfaceQuality & quality)
 
 TEST(MedialVoxelSurfaceQuality, AShellIsOneClosedSurface)
 {
-  const Surface surface = MakeSurface(SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0), 3.0);
+  const Surface surface = MakeSurface(Shell(), 3.0);
   const auto    quality = MeasureQuality(surface, Nowhere, Nowhere);
   EXPECT_EQ(quality.boundarySides, 0u);
   EXPECT_EQ(quality.nonManifoldSides, 0u);
@@ -214,7 +232,7 @@ TEST(MedialVoxelSurfaceQuality, APlateEndsAtItsRimAlone)
 
 TEST(MedialVoxelSurfaceQuality, SheetsMeetAtAJunctionAlone)
 {
-  const Surface surface = MakeSurface(TurnedTee(), 5.0);
+  const Surface surface = MakeSurface(TurnedTee(HalfThickness, HalfThickness), 5.0);
   const auto    quality = MeasureQuality(surface, IsRimOfTee, IsJunctionOfTee);
   EXPECT_EQ(quality.boundarySides, 0u);
   EXPECT_EQ(quality.nonManifoldSides, 0u);
@@ -234,17 +252,9 @@ TEST(MedialVoxelSurfaceQuality, SheetsMeetAtAJunctionAlone)
 
 TEST(MedialVoxelSurfaceQuality, AutomaticThicknessSuitsThickAndThinWallsTogether)
 {
-  // A rib of 8 voxels on a plate of 3.
-  const Volume  volume = MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
-    const Vector3 p = Turned.ToLocal(v);
-    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= 1.5;
-    const bool    inRib = std::abs(p[0]) <= 4.0 && p[2] >= -8.0 && p[2] <= 18.0;
-    return std::abs(p[1]) <= HalfWidth && (inPlate || inRib);
-  });
-  const Surface surface = MakeSurface(
-    volume, itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace));
-  const auto isRim = [](const Vector3 & point) {
-    const Vector3 p = Turned.ToLocal(point);
+  const Surface surface = MakeSurface(TurnedTee(1.5, 4.0), Automatic());
+  const auto    isRim = [](const Vector3 & point) {
+    const Vector3 p = TurnedFrame.ToLocal(point);
     return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - 7.0 || p[2] > 18.0 - 7.0;
   };
   const auto isJunction = [](const Vector3 & point) { return DistanceToTeeAxis(point) < 7.0; };
@@ -257,15 +267,8 @@ TEST(MedialVoxelSurfaceQuality, AutomaticThicknessSuitsThickAndThinWallsTogether
 
 TEST(MedialVoxelSurfaceQuality, AGyroidEndsAtTheFacesOfTheImageAlone)
 {
-  constexpr int size = 84;
-  const Volume  volume = MakeVolume({ { size, size, size } }, UnitSpacing, [](const Index3 & v) {
-    return std::abs(Gyroid({ { double(v[0]), double(v[1]), double(v[2]) } })) < 0.4;
-  });
-  const auto    isAtFace = [](const Vector3 & point) {
-    return std::any_of(point.begin(), point.end(), [](double c) { return c < 3.0 || c > size - 4.0; });
-  };
-  const Surface surface = MakeSurface(volume, 3.0);
-  const auto    quality = MeasureQuality(surface, isAtFace, Nowhere);
+  const Surface surface = MakeSurface(GyroidWall(), 3.0);
+  const auto    quality = MeasureQuality(surface, IsAtFaceOfGyroid, Nowhere);
   EXPECT_EQ(quality.boundarySides, 0u);
   EXPECT_EQ(quality.nonManifoldSides, 0u);
   EXPECT_LE(MeanDistance(surface, DistanceToGyroid, Everywhere), Goal);
@@ -274,8 +277,7 @@ TEST(MedialVoxelSurfaceQuality, AGyroidEndsAtTheFacesOfTheImageAlone)
 
 TEST(MedialVoxelSurfaceQuality, NoiseMakesNoHoles)
 {
-  const Volume  shell = SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0);
-  const Surface noisyShell = MakeSurface(Flipped(shell, 1), 5.0);
+  const Surface noisyShell = MakeSurface(Flipped(Shell(), 1), 5.0);
   EXPECT_EQ(MeasureQuality(noisyShell, Nowhere, Everywhere).boundarySides, 0u);
   EXPECT_LE(MeanDistance(noisyShell, DistanceToShell, Everywhere), 0.15);
 
@@ -307,4 +309,59 @@ TEST(MedialVoxelSurfaceQuality, UnequalSpacingIsMeasuredInItsUnits)
     thickness += vertex.thickness / static_cast<double>(surface.vertices.size());
   }
   EXPECT_NEAR(thickness, 2.0, 0.2 * spacing[1]);
+}
+
+/** The table of binary objects of doc/mesh.md, as Markdown. */
+TEST(MedialVoxelSurfaceQuality, DISABLED_Table)
+{
+  std::printf("| object | tau | faces | mean | 95 %% | angle | ends | meetings |\n"
+              "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
+  const auto print = [](const std::string &                            name,
+                        const Volume &                                 volume,
+                        double                                         tau,
+                        const std::function<double(const Vector3 &)> & distance,
+                        const PointTest &                              mayEnd,
+                        const PointTest &                              mayMeet) {
+    for (const bool isAutomatic : { false, true })
+    {
+      const Surface surface = isAutomatic ? MakeSurface(volume, Automatic()) : MakeSurface(volume, tau);
+      const auto    quality = MeasureQuality(surface, mayEnd, mayMeet);
+      ASSERT_FALSE(surface.vertices.empty());
+      std::vector<double> distances;
+      for (const auto & vertex : surface.vertices)
+      {
+        distances.push_back(distance(vertex.point));
+      }
+      std::sort(distances.begin(), distances.end());
+      std::printf("| %s | %s | %zu | %.3f | %.2f | %.1f° | %zu | %zu |\n",
+                  name.c_str(),
+                  isAutomatic ? "auto" : std::to_string(static_cast<int>(tau)).c_str(),
+                  surface.quads.size(),
+                  MeanDistance(surface, distance, Everywhere),
+                  distances[distances.size() * 95 / 100],
+                  quality.AngleOfOneInHundred(),
+                  quality.boundarySides,
+                  quality.nonManifoldSides);
+    }
+  };
+  print("shell, radius 24, wall 4", Shell(), 3.0, DistanceToShell, Nowhere, Nowhere);
+  print("plate, wall 4, turned about all axes", TurnedPlate(), 5.0, DistanceToPlate, IsRimOfPlate, Nowhere);
+  for (const double rib : { 4.0, 2.0, 8.0 })
+  {
+    const double widest = std::max(rib / 2.0, HalfThickness);
+    const auto   mayEnd = [widest](const Vector3 & point) {
+      const Vector3 p = TurnedFrame.ToLocal(point);
+      return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - widest - 3.0 || p[2] > 18.0 - widest - 3.0;
+    };
+    print("T, " + std::to_string(static_cast<int>(rib)) + " on 4, turned",
+          TurnedTee(HalfThickness, rib / 2.0),
+          5.0,
+          DistanceToTee,
+          mayEnd,
+          IsJunctionOfTee);
+  }
+  print("gyroid 84³, period 64", GyroidWall(), 3.0, DistanceToGyroid, IsAtFaceOfGyroid, Nowhere);
+  print("shell, flips", Flipped(Shell(), 1), 5.0, DistanceToShell, Nowhere, Nowhere);
+  print("plate, flips", Flipped(TurnedPlate(), 2), 5.0, DistanceToPlate, IsRimOfPlate, Nowhere);
+  print("gyroid, flips", Flipped(GyroidWall(), 3), 5.0, DistanceToGyroid, IsAtFaceOfGyroid, Nowhere);
 }

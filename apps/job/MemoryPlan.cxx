@@ -31,7 +31,7 @@ constexpr std::uint64_t BytesPerPull = 1 * MiB;
 constexpr std::uint64_t BytesOfPiece = 32 * MiB;
 
 /** The largest piece for which writing it in the background is worth a second one in memory. */
-constexpr std::uint64_t BytesWrittenBehind = 128 * MiB;
+constexpr std::uint64_t BytesWrittenBehind = 256 * MiB;
 
 /** Buffers of three volumes that are written past the page cache. */
 constexpr std::uint64_t BytesOfWriting = 6 * MiB;

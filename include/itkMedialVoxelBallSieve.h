@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelBallSieve_h
+#define itkMedialVoxelBallSieve_h
+
+#include "itkMedialVoxelGrid.h"
+#include "itkMedialVoxelRankedBits.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \struct MedialVoxelInscribedBall
+ * \brief A ball between opposite walls, around the center of a cell.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelInscribedBall
+{
+  MedialVoxelIndex center; ///< index of the cell
+  double           radius; ///< in metric units, positive
+};
+
+/** \class MedialVoxelBallSieve
+ * \brief Leaves out most balls that raise the radius of no cell, and the cells that no ball raises.
+ *
+ * Cells are looked at in blocks: in walls of one thickness no ball around is larger than those of the cells themselves,
+ * and most balls are smaller than those of all cells that they reach.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelBallSieve
+{
+public:
+  /** \class Workspace
+   * \brief Memory of one thread.
+   * \ingroup MedialVoxel
+   */
+  struct Workspace
+  {
+    std::vector<std::vector<double>> layers; // of values of blocks, by the blocks that balls reach
+    std::vector<double>              spread;
+  };
+
+  explicit MedialVoxelBallSieve(const MedialVoxelGrid & grid);
+
+  /** Keeps what may matter; balls and cells of \a open stay in their order.
+   *
+   * \param cells  bits by index of the cell, ranked
+   * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set
+   * \param balls  of them those stay that may be larger than the radius of a cell which they cover
+   * \param open   replaced by the cells that a larger ball may cover */
+  void
+  Sieve(const MedialVoxelRankedBits &           cells,
+        const std::vector<double> &             radii,
+        Workspace &                             workspace,
+        std::vector<MedialVoxelInscribedBall> & balls,
+        MedialVoxelBits &                       open) const;
+
+private:
+  /** Blocks around that of its center in which a ball may have cells. */
+  std::size_t
+  ReachOf(double radius) const;
+
+  double m_BlockLength; // along the axis where it is shortest
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelTileLabels.h"
+
+namespace itk
+{
+
+MedialVoxelTileLabels::MedialVoxelTileLabels(const MedialVoxelBox &            tile,
+                                             std::vector<std::uint8_t> &       labels,
+                                             MedialVoxelCounts &               counts,
+                                             std::vector<MedialVoxelCellRow> * rows)
+  : m_Tile(tile)
+  , m_Labels(labels)
+  , m_Counts(counts)
+  , m_Rows(rows)
+{
+  m_Labels.assign(static_cast<std::size_t>(tile.NumberOfVoxels()), MedialVoxelLabel::NoObject);
+  if (m_Rows != nullptr)
+  {
+    m_Rows->clear();
+  }
+}
+
+void
+MedialVoxelTileLabels::AddCandidates(const MedialVoxelIndex & first, const WordType candidates, const WordType spread)
+{
+  m_Counts.candidateCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(candidates));
+  m_Counts.trivialCells += static_cast<std::uint64_t>(MedialVoxelPopulationCount(candidates & ~spread));
+  // The first cells of a row may be beside the tile.
+  const std::size_t offset = m_Tile.OffsetOf(first);
+  for (WordType rest = candidates; rest != 0; rest &= rest - 1)
+  {
+    m_Labels[offset + static_cast<std::size_t>(MedialVoxelLowestBit(rest))] = MedialVoxelLabel::NonMedial;
+  }
+  if (m_Rows != nullptr)
+  {
+    m_Rows->push_back({ first, candidates });
+  }
+}
+
+void
+MedialVoxelTileLabels::FinishRows()
+{
+  if (m_Rows == nullptr)
+  {
+    return;
+  }
+  for (MedialVoxelCellRow & row : *m_Rows)
+  {
+    const std::size_t offset = m_Tile.OffsetOf(row.first);
+    for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
+    {
+      const int          x = MedialVoxelLowestBit(rest);
+      const std::uint8_t label = m_Labels[offset + static_cast<std::size_t>(x)];
+      row.byBound |= WordType{ label == MedialVoxelLabel::MedialByBound } << x;
+      row.byGeodesic |= WordType{ label == MedialVoxelLabel::MedialByGeodesic } << x;
+    }
+  }
+}
+
+} // end namespace itk
