@@ -6,18 +6,6 @@
 
 #include <sstream>
 
-namespace medialvoxel
-{
-
-// Stands for that of the report, which would bring in all of the job.
-std::string
-GetVersion()
-{
-  return "fuzzed";
-}
-
-} // namespace medialvoxel
-
 namespace MedialVoxelFuzz
 {
 

@@ -5,6 +5,9 @@
 #include "HeaderParsing.h"
 #include "VolumeText.h"
 #include "VoxelStream.h"
+#include "ZarrChunkFile.h"
+#include "ZarrImageIO.h"
+#include "ZarrStream.h"
 
 #include <cmath>
 
@@ -19,6 +22,9 @@ using namespace medialvoxel;
 constexpr std::uint64_t MaximumRatio = 4096;
 
 constexpr std::uint64_t MaximumBytesToRead = 1 << 20;
+
+/** Each voxel may be a chunk, which is looked for. */
+constexpr std::uint64_t MaximumBytesOfChunks = 1 << 12;
 
 void
 CheckHeader(const VolumeHeader & header)
@@ -36,6 +42,12 @@ CheckHeader(const VolumeHeader & header)
     Require(std::isfinite(geometry.origin[axis]), "an origin is not finite");
     Require(geometry.direction[axis].size() == dimension, "a direction does not fit the dimension");
   }
+}
+
+/** The voxels are in the files, or could be. */
+void
+CheckFiles(const VolumeHeader & header)
+{
   std::uint64_t available = 0;
   for (const auto & [fileName, bytes] : GetNeededFileSizes(header))
   {
@@ -58,6 +70,36 @@ CheckOutputHeader(const VolumeHeader & header)
   Require(again.geometry.size == header.geometry.size && again.geometry.spacing == header.geometry.spacing &&
             again.geometry.origin == header.geometry.origin && again.pixelType == header.pixelType,
           "another geometry after writing and reading it:\n" + text);
+}
+
+/** From front to back, as packed chunks are read, and by regions, as others are. */
+void
+ReadZarrVoxels(const VolumeHeader & header)
+{
+  const ZarrArray     array = ReadZarrArray(header.dataFile, header.geometry.GetDimension());
+  const std::uint64_t bytes = header.GetVoxelBytes();
+  if (bytes > MaximumBytesOfChunks || array.grid.GetChunkBytes() > MaximumBytesToRead)
+  {
+    return;
+  }
+  std::vector<char>                  inFileOrder(bytes);
+  const std::unique_ptr<VoxelStream> stream = OpenZarrStream(header);
+  stream->Read(inFileOrder.data(), bytes);
+  stream->CheckEnd();
+  if (header.CanStream())
+  {
+    const auto         imageIO = MakeZarrImageIO(header);
+    itk::ImageIORegion region(header.geometry.GetDimension());
+    for (unsigned int axis = 0; axis < header.geometry.GetDimension(); ++axis)
+    {
+      region.SetSize(axis, header.geometry.size[axis]);
+    }
+    std::vector<char> voxels(bytes);
+    imageIO->SetIORegion(region);
+    imageIO->Read(voxels.data());
+    SwapToMachineOrder(array, inFileOrder);
+    Require(voxels == inFileOrder, "regions differ from what is read from front to back");
+  }
 }
 
 void
@@ -92,6 +134,12 @@ try
   const VolumeHeader header = ReadVolumeHeader(file.GetPath(), raw);
   CheckHeader(header);
   CheckOutputHeader(header);
+  if (header.format == ZarrFormat)
+  {
+    ReadZarrVoxels(header);
+    return;
+  }
+  CheckFiles(header);
   ReadVoxels(header);
 }
 catch (const JobError & error)

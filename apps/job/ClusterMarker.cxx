@@ -4,6 +4,8 @@
 
 #include "SealedJson.h"
 
+#include <stdexcept>
+
 namespace medialvoxel
 {
 namespace
@@ -27,9 +29,9 @@ SumsFromJson(const Json & json)
   RunnerSums sums;
   for (const NamedCount & count : NamedCounts)
   {
-    json.at(count.name).get_to(sums.counts.*count.member);
+    ReadWhole(json.at(count.name), sums.counts.*count.member);
   }
-  json.at("recomputed_voxels").get_to(sums.recomputedVoxels);
+  ReadWhole(json.at("recomputed_voxels"), sums.recomputedVoxels);
   return sums;
 }
 
@@ -37,11 +39,11 @@ ClusterMarker
 FromJson(const Json & json)
 {
   ClusterMarker marker;
-  json.at("checksums").get_to(marker.checksums);
-  if (!json.at("survey").is_null())
+  for (const auto & [role, checksum] : json.at("checksums").get<std::map<std::string, Json>>())
   {
-    marker.survey = json.at("survey").get<std::uint32_t>();
+    ReadWhole(checksum, marker.checksums[role]);
   }
+  ReadWhole(json.at("survey"), marker.survey);
   marker.sums = SumsFromJson(json.at("counts"));
   const Json & seconds = json.at("seconds");
   seconds.at("distance").get_to(marker.seconds.distance);
@@ -50,11 +52,11 @@ FromJson(const Json & json)
   seconds.at("threads").get_to(marker.sums.threadSeconds);
   seconds.at("input_output").get_to(marker.seconds.inputOutput);
   seconds.at("total").get_to(marker.seconds.total);
-  json.at("bytes_read").get_to(marker.bytesRead);
-  json.at("peak_memory_bytes").get_to(marker.peakMemoryBytes);
-  json.at("planned_peak_bytes").get_to(marker.plannedMemoryBytes);
-  json.at("memory_limit_bytes").get_to(marker.memoryLimit);
-  json.at("threads").get_to(marker.threads);
+  ReadWhole(json.at("bytes_read"), marker.bytesRead);
+  ReadWhole(json.at("peak_memory_bytes"), marker.peakMemoryBytes);
+  ReadWhole(json.at("planned_peak_bytes"), marker.plannedMemoryBytes);
+  ReadWhole(json.at("memory_limit_bytes"), marker.memoryLimit);
+  ReadWhole(json.at("threads"), marker.threads);
   return marker;
 }
 
@@ -106,6 +108,10 @@ ReadMarker(const std::filesystem::path & fileName, const Manifest & manifest, st
   catch (const Json::exception &)
   {
     // Of another form: the same.
+  }
+  catch (const std::invalid_argument &)
+  {
+    // With other numbers: the same.
   }
   return std::nullopt;
 }

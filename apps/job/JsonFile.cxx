@@ -3,9 +3,9 @@
 #include "JsonFile.h"
 
 #include "Errors.h"
+#include "JsonLimits.h"
 
-#include <nlohmann/json.hpp>
-
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -14,16 +14,30 @@
 
 namespace medialvoxel
 {
+namespace
+{
+
+/** A message of the parser without what it quotes of the file, which may be all of it. */
+std::string
+WithoutQuotation(const std::string & message)
+{
+  constexpr std::size_t longest = 200;
+  return message.substr(0, std::min(message.find("; last read"), longest));
+}
+
+} // namespace
 
 std::string
 ReadTextFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
 {
   std::error_code error;
-  std::ifstream   file;
-  if (!std::filesystem::is_directory(fileName, error))
+  if (const auto status = std::filesystem::status(fileName, error);
+      std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
-    file.open(fileName, std::ios::binary);
+    // A pipe would be waited for.
+    Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": it is not a regular file");
   }
+  std::ifstream file(fileName, std::ios::binary);
   if (!file.is_open())
   {
     Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": ", std::strerror(errno));
@@ -48,11 +62,16 @@ ReadJsonFile(const std::filesystem::path & fileName, std::uint64_t maximumBytes)
   const std::string text = ReadTextFile(fileName, maximumBytes);
   try
   {
-    return nlohmann::json::parse(text);
+    constexpr std::uint64_t mostValues = 100000;
+    return ParseJson<nlohmann::json>(text, mostValues);
   }
-  catch (const nlohmann::json::parse_error & parseError)
+  catch (const nlohmann::json::exception & parseError)
   {
-    Fail(ExitStatus::CorruptInput, fileName.string(), " is not JSON: ", parseError.what());
+    Fail(ExitStatus::CorruptInput, fileName.string(), " is not JSON: ", WithoutQuotation(parseError.what()));
+  }
+  catch (const std::length_error & limit)
+  {
+    Fail(ExitStatus::CorruptInput, fileName.string(), " has ", limit.what(), ", which no metadata have");
   }
 }
 

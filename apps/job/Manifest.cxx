@@ -66,13 +66,6 @@ OptionalToJson(const std::optional<TValue> & value)
   return value ? Json(*value) : Json(nullptr);
 }
 
-template <typename TValue>
-std::optional<TValue>
-OptionalFromJson(const Json & value)
-{
-  return value.is_null() ? std::nullopt : std::optional<TValue>(value.get<TValue>());
-}
-
 Json
 RawToJson(const std::optional<RawDescription> & raw)
 {
@@ -95,7 +88,10 @@ RawFromJson(const Json & json)
     return std::nullopt;
   }
   RawDescription raw;
-  json.at("size").get_to(raw.size);
+  for (const Json & length : json.at("size"))
+  {
+    ReadWhole(length, raw.size.emplace_back());
+  }
   const auto type = PixelTypeFromName(json.at("type").get<std::string>());
   if (!type)
   {
@@ -103,7 +99,7 @@ RawFromJson(const Json & json)
   }
   raw.pixelType = *type;
   json.at("spacing").get_to(raw.spacing);
-  json.at("header_bytes").get_to(raw.headerBytes);
+  ReadWhole(json.at("header_bytes"), raw.headerBytes);
   json.at("big_endian").get_to(raw.bigEndian);
   return raw;
 }
@@ -143,7 +139,7 @@ OptionsFromJson(const Json & json)
   {
     options.*member = NumberFromJson(json.at(name));
   }
-  options.maximumPoreSize = OptionalFromJson<std::uint64_t>(json.at("maximum_pore_size"));
+  ReadWhole(json.at("maximum_pore_size"), options.maximumPoreSize);
   options.bound = EnumFromJson(json.at("bound"), Bounds);
   options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
   options.zarrCompression = EnumFromJson(json.at("zarr_compression"), Compressions);
@@ -174,10 +170,11 @@ InputFromJson(const Json & json)
   std::vector<FileIdentity> files;
   for (const Json & file : json)
   {
-    files.push_back({ file.at("file").get<std::string>(),
-                      file.at("bytes").get<std::uint64_t>(),
-                      file.at("modified_ns").get<std::int64_t>(),
-                      OptionalFromJson<std::string>(file.at("sha256")).value_or("") });
+    FileIdentity & identity = files.emplace_back();
+    identity.fileName = file.at("file").get<std::string>();
+    ReadWhole(file.at("bytes"), identity.numberOfBytes);
+    ReadWhole(file.at("modified_ns"), identity.modified);
+    identity.sha256 = file.at("sha256").is_null() ? "" : file.at("sha256").get<std::string>();
   }
   return files;
 }
@@ -190,14 +187,14 @@ FromJson(const Json & json)
   json.at("job").get_to(manifest.jobId);
   manifest.folder = json.at("folder").get<std::string>();
   manifest.options = OptionsFromJson(json.at("parameters"));
-  manifest.options.memoryBytes = OptionalFromJson<std::uint64_t>(json.at("run").at("memory_bytes"));
-  manifest.options.threads = OptionalFromJson<unsigned int>(json.at("run").at("threads"));
+  ReadWhole(json.at("run").at("memory_bytes"), manifest.options.memoryBytes);
+  ReadWhole(json.at("run").at("threads"), manifest.options.threads);
   manifest.input = InputFromJson(json.at("input"));
-  json.at("clusters").at("slices").get_to(manifest.numberOfSlices);
-  json.at("clusters").at("number").get_to(manifest.numberOfClusters);
-  json.at("clusters").at("bytes_per_slice").get_to(manifest.bytesPerSlice);
+  ReadWhole(json.at("clusters").at("slices"), manifest.numberOfSlices);
+  ReadWhole(json.at("clusters").at("number"), manifest.numberOfClusters);
+  ReadWhole(json.at("clusters").at("bytes_per_slice"), manifest.bytesPerSlice);
   manifest.options.divisions = manifest.numberOfClusters;
-  json.at("clusters").at("slice_unit").get_to(manifest.sliceUnit);
+  ReadWhole(json.at("clusters").at("slice_unit"), manifest.sliceUnit);
   const bool isId =
     manifest.jobId.size() == 16 && manifest.jobId.find_first_not_of("0123456789abcdef") == std::string::npos;
   if (!isId || manifest.sliceUnit == 0 || manifest.numberOfClusters == 0 ||
@@ -259,18 +256,18 @@ ReadManifest(const std::filesystem::path & fileName)
   {
     return std::nullopt;
   }
-  if (json->value("version", "") != GetVersion() || json->value("format", 0) != ManifestFormat)
-  {
-    Fail(ExitStatus::Failure,
-         fileName.string(),
-         " is of version ",
-         json->value("version", "unknown"),
-         " of medialvoxel, this is version ",
-         GetVersion(),
-         "; continue the job with that version, or plan it again");
-  }
   try
   {
+    if (json->value("version", "") != GetVersion() || json->value("format", 0) != ManifestFormat)
+    {
+      Fail(ExitStatus::Failure,
+           fileName.string(),
+           " is of version ",
+           json->value("version", "unknown"),
+           " of medialvoxel, this is version ",
+           GetVersion(),
+           "; continue the job with that version, or plan it again");
+    }
     return FromJson(*json);
   }
   catch (const Json::exception & error)

@@ -5,10 +5,12 @@
 #include "Checksum.h"
 #include "Errors.h"
 #include "JsonFile.h"
+#include "JsonLimits.h"
 #include "OutputFile.h"
 #include "Text.h"
 
 #include <cmath>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -24,6 +26,29 @@ std::uint32_t
 GetSeal(const Json & object)
 {
   return GetChecksum(object.dump());
+}
+
+/** The object without its seal; nothing when there is none that fits. */
+std::optional<Json>
+Unseal(const std::string & text)
+try
+{
+  Json object = ParseJson<Json>(text, text.size());
+  if (!object.is_object() || !object.contains(SealName) || !object[SealName].is_number_unsigned())
+  {
+    return std::nullopt;
+  }
+  const auto seal = object[SealName].get<std::uint64_t>();
+  object.erase(SealName);
+  return seal == GetSeal(object) ? std::optional<Json>(std::move(object)) : std::nullopt;
+}
+catch (const Json::exception &)
+{
+  return std::nullopt;
+}
+catch (const std::length_error &)
+{
+  return std::nullopt;
 }
 
 } // namespace
@@ -63,15 +88,9 @@ ReadSealed(const std::filesystem::path & fileName)
   {
     return std::nullopt;
   }
-  Json object = Json::parse(ReadTextFile(fileName, MostBytes), nullptr, false);
-  if (object.is_object() && object.contains(SealName) && object[SealName].is_number_unsigned())
+  if (std::optional<Json> object = Unseal(ReadTextFile(fileName, MostBytes)))
   {
-    const auto seal = object[SealName].get<std::uint64_t>();
-    object.erase(SealName);
-    if (seal == GetSeal(object))
-    {
-      return object;
-    }
+    return object;
   }
   Fail(ExitStatus::Failure, fileName.string(), " is damaged or was changed: its checksum does not fit");
 }

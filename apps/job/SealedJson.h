@@ -5,8 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,6 +38,37 @@ Json
 NumberToJson(const std::optional<double> & value);
 std::optional<double>
 NumberFromJson(const Json & value);
+
+/** A whole number of JSON, which the library would convert from others without a word.
+ * \throw std::invalid_argument for what is none, or none of the type */
+template <typename TInteger>
+void
+ReadWhole(const Json & value, TInteger & number)
+{
+  using Limits = std::numeric_limits<TInteger>;
+  const auto fitsUp = [](std::uint64_t whole) { return whole <= static_cast<std::uint64_t>(Limits::max()); };
+  const auto fitsDown = [](std::int64_t whole) { return whole >= static_cast<std::int64_t>(Limits::lowest()); };
+  const bool isWhole = value.is_number_integer();
+  const bool isNegative = isWhole && !value.is_number_unsigned() && value.get<std::int64_t>() < 0;
+  const bool fits = isWhole && (isNegative ? fitsDown(value.get<std::int64_t>()) : fitsUp(value.get<std::uint64_t>()));
+  if (!fits)
+  {
+    throw std::invalid_argument(value.dump() + " is not a whole number in range");
+  }
+  number = value.get<TInteger>();
+}
+
+/** The same of a value that may be null. */
+template <typename TInteger>
+void
+ReadWhole(const Json & value, std::optional<TInteger> & number)
+{
+  number.reset();
+  if (!value.is_null())
+  {
+    ReadWhole(value, number.emplace());
+  }
+}
 
 } // end namespace medialvoxel
 

@@ -62,6 +62,14 @@ CheckGeometry(const VolumeHeader & header)
            FormatNumbers(header.geometry.spacing, " "),
            "; each must be a finite number greater than 0");
     }
+    if (!std::isfinite(header.geometry.origin[axis]))
+    {
+      Fail(ExitStatus::CorruptInput,
+           header.fileName.string(),
+           ": origin is ",
+           FormatNumbers(header.geometry.origin, " "),
+           "; each must be a finite number");
+    }
     for (unsigned int row = 0; row < dimension; ++row)
     {
       matrix(row, axis) = header.geometry.direction[axis][row];

@@ -69,14 +69,28 @@ public:
     return m_Number;
   }
 
+  bool
+  IsRegular() const
+  {
+    return S_ISREG(this->GetStatus().st_mode);
+  }
+
   std::uint64_t
   GetSize() const
   {
-    struct stat status = {};
-    return fstat(m_Number, &status) == 0 ? static_cast<std::uint64_t>(status.st_size) : 0;
+    return static_cast<std::uint64_t>(this->GetStatus().st_size);
   }
 
 private:
+  /** Zeros when the system does not tell. */
+  struct stat
+  GetStatus() const
+  {
+    struct stat status = {};
+    fstat(m_Number, &status);
+    return status;
+  }
+
   int m_Number;
 };
 
@@ -111,10 +125,15 @@ private:
 std::unique_ptr<Descriptor>
 OpenChunk(const std::filesystem::path & chunkFile)
 {
-  auto file = std::make_unique<Descriptor>(chunkFile, O_RDONLY);
+  // A pipe would be waited for.
+  auto file = std::make_unique<Descriptor>(chunkFile, O_RDONLY | O_NONBLOCK);
   if (file->Get() < 0 && errno != ENOENT)
   {
     FailWithErrno("read", chunkFile);
+  }
+  if (file->Get() >= 0 && !file->IsRegular())
+  {
+    Fail(ExitStatus::Failure, "cannot read ", chunkFile.string(), ": it is not a regular file");
   }
   return file->Get() < 0 ? nullptr : std::move(file);
 }

@@ -157,6 +157,26 @@ ReadSeparator(const Path & fileName, const Json & json)
   return separator.get<std::string>().front();
 }
 
+/** Memory is taken for whole chunks, also for those without a file: they must not be much larger than the array. */
+void
+RefuseLargeChunks(const Path & fileName, const ZarrGrid & grid)
+{
+  constexpr std::uint64_t alwaysAllowed = std::uint64_t{ 1 } << 26;
+  constexpr std::uint64_t allowedRatio = 8;
+  std::uint64_t           usedBytes = GetTraits(grid.layout.pixelType).bytes;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    usedBytes *= std::min(grid.chunk[axis], grid.size[axis]);
+  }
+  if (grid.GetChunkBytes() > alwaysAllowed && grid.GetChunkBytes() / allowedRatio > usedBytes)
+  {
+    RefuseHeader(fileName,
+                 "its chunks have " + std::to_string(grid.GetChunkBytes()) + " bytes, of which the array uses " +
+                   std::to_string(usedBytes) +
+                   "; chunks above 64 MiB must be at most 8 times as large as what is used");
+  }
+}
+
 /** Places of space among the lengths of the file, whose last one is x. */
 ZarrIndex
 GetSpatialLengths(const std::vector<std::uint64_t> & lengths, unsigned int dimension)
@@ -370,6 +390,7 @@ ReadZarrArray(const Path & arrayFile, unsigned int dimension)
     ReadType(arrayFile, json, array);
     array.compression = ReadCompression(arrayFile, json);
     array.fillValue = ReadFillValue(arrayFile, json, array.grid.layout.pixelType);
+    RefuseLargeChunks(arrayFile, array.grid);
     return array;
   });
 }

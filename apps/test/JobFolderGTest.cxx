@@ -6,6 +6,7 @@
 #include "JobFolder.h"
 #include "OutputVolume.h"
 #include "Report.h"
+#include "SealedJson.h"
 #include "Sha256.h"
 #include "TemporaryFolder.h"
 
@@ -16,6 +17,7 @@
 #include <fcntl.h>
 #include <limits>
 #include <set>
+#include <utility>
 #include <vector>
 
 using namespace medialvoxel;
@@ -207,6 +209,51 @@ TEST(Manifest, EveryByteCounts)
       EXPECT_THROW(ReadManifest(folder / "m.json"), JobError) << i;
     }
   }
+}
+
+TEST(Manifest, RefusesWhatHasTheChecksumButAnotherForm)
+{
+  const TemporaryFolder folder;
+  Json                  deep = 0;
+  for (int depth = 0; depth < 100; ++depth)
+  {
+    deep = Json::array({ std::move(deep) });
+  }
+  for (const Json & object : { Json{ { "version", 7 } },
+                               Json{ { "version", GetVersion() }, { "format", "1" } },
+                               Json{ { "version", GetVersion() }, { "format", 1 } },
+                               Json{ { "version", deep } } })
+  {
+    WriteSealed(folder / "m.json", object);
+    try
+    {
+      ReadManifest(folder / "m.json");
+      ADD_FAILURE() << object;
+    }
+    catch (const JobError & error)
+    {
+      EXPECT_EQ(error.GetStatus(), ExitStatus::Failure);
+      EXPECT_NE(std::string(error.what()).find("m.json"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(SealedJson, WholeNumbersAreNotConverted)
+{
+  const auto read = [](const char * text, auto number) {
+    ReadWhole(Json::parse(text), number);
+    return number;
+  };
+  EXPECT_EQ(read("18446744073709551615", std::uint64_t{}), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(read("-9223372036854775808", std::int64_t{}), std::numeric_limits<std::int64_t>::min());
+  EXPECT_EQ(read("4294967295", std::uint32_t{}), 4294967295u);
+  EXPECT_EQ(read("null", std::optional<unsigned int>(3)), std::nullopt);
+  for (const char * const text : { "-1", "4294967296", "1.0", "1e300", "true", "\"1\"", "null", "[1]" })
+  {
+    EXPECT_THROW(read(text, std::uint32_t{}), std::invalid_argument) << text;
+  }
+  EXPECT_THROW(read("9223372036854775808", std::int64_t{}), std::invalid_argument);
+  EXPECT_THROW(read("-1", std::optional<std::uint64_t>()), std::invalid_argument);
 }
 
 TEST(Manifest, NamesTheDifference)

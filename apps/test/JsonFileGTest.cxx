@@ -5,9 +5,13 @@
 #include "Errors.h"
 #include "TemporaryFolder.h"
 
+#include "itkMedialVoxelHeaderText.h"
+
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
+
+#include <sys/stat.h>
 
 using namespace medialvoxel;
 
@@ -51,6 +55,20 @@ TEST(JsonFile, RefusesWhatIsNotJson)
   }
 }
 
+TEST(JsonFile, DoesNotQuoteWhatIsNotJson)
+{
+  const TemporaryFolder folder;
+  const std::string     digits(100000, '1');
+  for (const std::string & content :
+       { std::string("\x7f"), std::string("\xc2\x85"), '"' + digits + '\n', digits + "e999" })
+  {
+    const std::string message = FailToRead(folder, content).second;
+    EXPECT_EQ(message, itk::MedialVoxelText::MakePrintable(message));
+    EXPECT_NE(message.find("a.json is not JSON"), std::string::npos);
+    EXPECT_LT(message.size(), 400u);
+  }
+}
+
 TEST(JsonFile, RefusesDeepNestingAndLongFilesWithoutHarm)
 {
   const TemporaryFolder folder;
@@ -60,10 +78,39 @@ TEST(JsonFile, RefusesDeepNestingAndLongFilesWithoutHarm)
   EXPECT_NE(message.find("more than the 1048576 bytes"), std::string::npos) << message;
 }
 
+TEST(JsonFile, RefusesWhatWouldTakeStackOrMemory)
+{
+  const TemporaryFolder folder;
+  const auto            nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  EXPECT_EQ(FailToRead(folder, nested(64)).first, ExitStatus::Done);
+  for (const std::size_t depth : { 65, 100000 })
+  {
+    const auto [status, message] = FailToRead(folder, nested(depth));
+    EXPECT_EQ(status, ExitStatus::CorruptInput);
+    EXPECT_NE(message.find("more than 64 values within each other"), std::string::npos) << message;
+  }
+  std::string many = "[0";
+  for (int i = 0; i < 100000; ++i)
+  {
+    many += ",0";
+  }
+  const auto [status, message] = FailToRead(folder, many + "]");
+  EXPECT_EQ(status, ExitStatus::CorruptInput);
+  EXPECT_NE(message.find("more than 100000 values"), std::string::npos) << message;
+}
+
+TEST(JsonFile, RefusesNumbersOutOfRange)
+{
+  const auto [status, message] = FailToRead(TemporaryFolder(), "1e999");
+  EXPECT_EQ(status, ExitStatus::CorruptInput);
+  EXPECT_NE(message.find("a.json is not JSON"), std::string::npos) << message;
+}
+
 TEST(JsonFile, TellsWhatCannotBeRead)
 {
   const TemporaryFolder folder;
-  for (const auto & name : { folder / "missing.json", folder / "" })
+  ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);
+  for (const auto & name : { folder / "missing.json", folder / "", folder / "pipe.json" })
   {
     try
     {

@@ -6,10 +6,12 @@ seconds of the processor and 100 MB of memory, and without a file that looks lik
 import os
 import pathlib
 import resource
+import shutil
 import subprocess
 import unittest
 
 import volumes
+import zarr_folder
 from program import CORRUPT, DONE, FAILURE, PROGRAM, READS_TIFF, USAGE, ProgramTestCase
 
 CORPUS = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"]) / "fuzz" / "corpus"
@@ -150,6 +152,17 @@ class HostileTest(ProgramTestCase):
                 self.assert_clear(file_name, (DONE, CORRUPT), f"{format_name}/{path.name}")
             (self.folder / file_name).unlink()
 
+    def test_zarr_corpus_of_the_fuzzers(self):
+        folder = self.folder / "in.zarr"
+        for path in sorted((CORPUS / "ZarrFolder").iterdir()):
+            (folder / "0/0/0").mkdir(parents=True)
+            (folder / ".zgroup").write_text("{}")
+            for part in (b"\n" + path.read_bytes()).split(b"\n@")[1:]:
+                name, _, content = part.partition(b"\n")
+                (folder / name.decode()).write_bytes(content)
+            self.assert_clear("in.zarr", (DONE, CORRUPT), path.name)
+            shutil.rmtree(folder)
+
     def test_meta_image(self):
         (self.folder / "in.mha").write_bytes(meta([]))
         self.assert_clear("in.mha", (DONE,), "the one that the others are made from")
@@ -189,6 +202,21 @@ class HostileTest(ProgramTestCase):
         os.mkfifo(self.folder / "voxels.img")
         self.write_nrrd(volumes.box_with_plate(), data_file="voxels.img")
         self.assert_clear("in.nrrd", (FAILURE, CORRUPT), "data file that is a pipe")
+
+    def test_pipes_in_zarr_folders(self):
+        for packer in (None, {"id": "gzip", "level": 1}):
+            for name in (".zattrs", "s0/.zarray", "s0/0.0.0"):
+                folder = self.folder / "in.zarr"
+                zarr_folder.write_image(folder, volumes.box_with_plate(), (20, 20, 24), packer)
+                (folder / name).unlink()
+                os.mkfifo(folder / name)
+                # A chunk is not opened before its voxels are needed.
+                statuses = (DONE, FAILURE) if name.endswith("0.0") else (FAILURE, CORRUPT)
+                self.assert_clear("in.zarr", statuses, name)
+                status, message = self.run_limited("extract", "in.zarr", "out.mha", "--thickness", 3)
+                self.assertNotEqual(status, DONE, name)
+                self.assertIn(name, message)
+                shutil.rmtree(folder)
 
 
 if __name__ == "__main__":

@@ -137,7 +137,13 @@ class BadZarrTest(ProgramTestCase):
             self.refuse([name], **{name: "missing"})
         self.refuse(["not JSON"], description=lambda _: "{")
         self.refuse(["not the metadata"], description=lambda _: "[]")
-        self.refuse(["not JSON"], description=lambda _: "[" * 100000)
+        self.refuse(["within each other"], description=lambda _: "[" * 100000)
+        self.refuse(["within each other"], description=lambda _: "[" * 100000 + "]" * 100000)
+        self.refuse(["not JSON"], description=lambda _: "[" + "1" * 100000 + "x")
+        self.refuse(["100000 values"], description=lambda _: "[" + "[]," * 10**6 + "[]]")
+        self.refuse(["not JSON"], description=lambda _: "1e999")
+        self.refuse(["64 MiB"], chunks=[1, 1 << 20, 1 << 20])
+        self.refuse(["64 MiB"], chunks=[1, 1 << 20, 1 << 20], compressor={"id": "gzip"})
         self.refuse(["bytes allowed"], description=lambda _: " " * (5 << 20))
         self.refuse(["id"], compressor={})
 
@@ -158,6 +164,7 @@ class BadZarrTest(ProgramTestCase):
             [{"type": "scale"}],
             [{"type": "scale", "scale": [1.0, -1.0, 1.0]}],
             [{"type": "scale", "scale": [1.0, 0.0, 1.0]}],
+            [{"type": "translation", "translation": [1e308, 0.0, 0.0]}] * 2,
         ]
         for transform in transforms:
             self.refuse([], attributes=change(datasets=[{"path": "s0", "coordinateTransformations": transform}]))
