@@ -3,6 +3,7 @@
 #include "TiffStream.h"
 
 #include "HeaderParsing.h"
+#include "PartStream.h"
 #include "TiffFile.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace
 
 /** \class TiffStream
  * \brief Unpacks one strip after the other. */
-class TiffStream : public VoxelStream
+class TiffStream : public PartStream
 {
 public:
   explicit TiffStream(const VolumeHeader & header)
@@ -23,41 +24,10 @@ public:
     , m_RowBytes(header.geometry.size.front() * GetTraits(header.pixelType).bytes)
   {}
 
-  void
-  Read(void * destination, std::uint64_t numberOfBytes) override
-  try
-  {
-    auto * position = static_cast<unsigned char *>(destination);
-    while (numberOfBytes > 0)
-    {
-      if (m_Done == m_Voxels.size())
-      {
-        this->NextStrip();
-      }
-      const std::uint64_t count = std::min<std::uint64_t>(numberOfBytes, m_Voxels.size() - m_Done);
-      position = std::copy_n(m_Voxels.data() + m_Done, count, position);
-      m_Done += count;
-      numberOfBytes -= count;
-    }
-  }
-  catch (const HeaderError & error)
-  {
-    Fail(ExitStatus::CorruptInput, error.what());
-  }
-
-  void
-  CheckEnd() override
-  {}
-
-  std::uint64_t
-  GetNumberOfBytesRead() const override
-  {
-    return m_BytesRead;
-  }
-
 private:
-  void
-  NextStrip()
+  std::uint64_t
+  ReadPart(std::vector<char> & voxels) override
+  try
   {
     if (m_NextStrip == TIFFNumberOfStrips(m_File.GetHandle()))
     {
@@ -73,20 +43,19 @@ private:
     {
       m_File.Refuse("its strips became larger while it was read");
     }
-    m_Voxels.resize(bytes);
-    m_File.ReadStrip(m_NextStrip, m_Voxels.data(), bytes);
-    m_Done = 0;
-    m_BytesRead += packedBytes;
-    ++m_NextStrip;
+    voxels.resize(bytes);
+    m_File.ReadStrip(m_NextStrip++, voxels.data(), bytes);
+    return packedBytes;
+  }
+  catch (const HeaderError & error)
+  {
+    Fail(ExitStatus::CorruptInput, error.what());
   }
 
-  TiffFile                   m_File;
-  std::uint64_t              m_MaximumBytes;
-  std::uint64_t              m_RowBytes;
-  std::uint32_t              m_NextStrip{ 0 };
-  std::vector<unsigned char> m_Voxels; ///< of one strip
-  std::uint64_t              m_Done{ 0 };
-  std::uint64_t              m_BytesRead{ 0 };
+  TiffFile      m_File;
+  std::uint64_t m_MaximumBytes;
+  std::uint64_t m_RowBytes;
+  std::uint32_t m_NextStrip{ 0 };
 };
 
 } // namespace
