@@ -120,10 +120,14 @@ RemoveUnfinished(const JobFolder & folder)
 }
 
 void
-CreateVolumes(const Manifest & manifest, const std::vector<VolumeRequest> & volumes)
+CreateVolumes(const Manifest & manifest, const std::vector<VolumeRequest> & volumes, const ProgressSink & sink)
 {
   for (const VolumeRequest & volume : volumes)
   {
+    if (sink.IsStopRequested())
+    {
+      throw StoppedBySignal(GetStopSignal());
+    }
     MakeSharedVolume(volume.fileName, manifest.options)
       ->CreateShared(volume.geometry, volume.layout, manifest.GetSuffix());
   }
@@ -166,7 +170,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
       RemoveUnfinished(folder);
       folder.WriteUnfinishedPlan(manifest);
       const auto script = job.slurm ? WriteSlurmScript(*job.slurm, options.overwrite) : nullptr;
-      CreateVolumes(manifest, volumes);
+      CreateVolumes(manifest, volumes, sink);
       folder.FinishPlan(manifest);
       sink.Record({ LogLevel::Info,
                     "planned",

@@ -5,6 +5,7 @@
 #include "JobCommands.h"
 #include "SharedJob.h"
 
+#include <algorithm>
 #include <array>
 #include <unistd.h>
 
@@ -31,6 +32,14 @@ GetHostName()
   return name.data();
 }
 
+bool
+AreDone(const SharedJob & job, const std::vector<std::uint64_t> & clusters)
+{
+  return std::all_of(clusters.begin(), clusters.end(), [&job](std::uint64_t cluster) {
+    return job.folder.ReadMarker(job.manifest, cluster).has_value();
+  });
+}
+
 /** Which of several processes, on which machine, the following lines of a log are of. */
 void
 RecordJob(const SharedJob & job, const std::vector<std::uint64_t> & clusters, ProgressSink & sink)
@@ -51,7 +60,8 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
   const SharedJob job = OpenSharedJob(options.jobFolder);
   const auto      clusters = ListClusters(options.clusters, job.manifest.numberOfClusters);
   WorkResult      result;
-  if (job.folder.IsFinished(job.manifest))
+  // Volumes whose clusters are done may have got their names.
+  if (job.folder.IsFinished(job.manifest) || AreDone(job, clusters))
   {
     result.skipped = clusters.size();
     return result;

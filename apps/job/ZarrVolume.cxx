@@ -5,6 +5,7 @@
 #include "FileNames.h"
 #include "JsonFile.h"
 #include "OutputFile.h"
+#include "Progress.h"
 #include "Text.h"
 #include "Zeros.h"
 
@@ -172,6 +173,7 @@ ZarrVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels)
   for (std::uint64_t layer = slices.begin / m_Grid.chunk[2]; layer * m_Grid.chunk[2] < slices.end; ++layer)
   {
     this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t) {
+      ThrowIfSignaled();
       AddZarrChunk(this->GetChunkFile(component, index), checksum);
     });
   }

@@ -241,6 +241,20 @@ class SmallJobTest(JobTestCase):
         self.plan()
         self.assertIn("not empty", self.in_target("plan", "../in.mha", "o.mha", "job", status=REFUSED).stderr)
 
+    def test_files_of_others_in_a_folder_for_a_job(self):
+        """Such as slices with numbers for names, which are those of clusters, too."""
+        for name in ("000001.tif", "000001.json", "1.survey", "manifest.json.old", "slurm.sh", "clusters/7.json"):
+            path = self.target / "mine" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(b"precious")
+            for command in (["plan", "../in.mha", "out.mha", "mine"], ["extract", "../in.mha", "mine", "--resume"]):
+                if command[0] == "extract":
+                    path.parents[name.count("/")].rename(self.target / "mine.mha.job")
+                    command[2], path = "mine.mha", self.target / "mine.mha.job" / name
+                self.assertIn("not empty", self.in_target(*command, status=REFUSED).stderr)
+                self.assertEqual(path.read_bytes(), b"precious", name)
+            self.clear_target()
+
     def test_clusters_that_are_none(self):
         self.plan()
         for text in ("", "x", "3-", "-3", "4-2", "1,,2", "1;2", "0x1", "1.5"):
