@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Jobs that are killed, stopped or fail at a chosen call of the system; large_job_kills.py has all calls."""
+
+import signal
+import unittest
+
+from job_kills import JOB_OPTIONS, WORK, JobKillCase
+from jobs import results
+from program import FAILURE
+from system_calls import needs_strace, run_with
+
+PLAN = ["plan", "../in.mha", "out.mha", "job", *JOB_OPTIONS]
+
+
+@needs_strace
+class JobCallTest(JobKillCase):
+    def test_killed_when_names_change(self):
+        """One process that plans, works and finalizes, over the outputs of another run."""
+        self.assertGreater(self.check_resume(["renameat2", "rename", "unlink"], "--overwrite"), 25)
+
+    def assert_stopped(self, injection, command, message, path=None):
+        result = run_with(injection + ":signal=SIGTERM:when=1", command, self.target, path)
+        self.assertEqual((result.returncode, result.stdout), (128 + signal.SIGTERM, ""), result.stderr)
+        self.assertIn(message, result.stderr)
+
+    def test_plan_is_stopped(self):
+        self.assert_stopped("fallocate", PLAN, "stopped, no output was written")
+        self.assertEqual(list(self.target.iterdir()), [])
+
+    def test_finalize_is_stopped(self):
+        """While it hashes the input, and while it verifies the first cluster."""
+        start = self.prepare([], [*PLAN, "--hash"], WORK)
+        for call in ("read", "pread64"):
+            start.restore()
+            path = self.folder / "in.mha" if call == "read" else next(self.target.glob("out.mha.*.partial"))
+            self.assert_stopped(call, ["finalize", "job"], f"to continue: medialvoxel finalize {self.job}", path)
+            self.assert_nothing_published()
+            self.in_target("finalize", "job")
+            self.assertEqual(results(self.target), self.expected)
+
+    def test_reserving_space_is_interrupted(self):
+        """As when a process is halted and goes on."""
+        result = run_with("fallocate:error=EINTR:when=1..2", PLAN, self.target)
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_disk_fails(self):
+        """The message names the file; what was done before counts."""
+        start = self.prepare([], PLAN)
+        for call, error, reason in (
+            ("pwrite64:when=2", "EDQUOT", "Disk quota exceeded"),
+            ("fdatasync:when=2", "EIO", "Input/output error"),
+            ("fsync:when=1", "ENOSPC", "No space left on device"),
+            ("rename:when=3", "EIO", "Input/output error"),
+        ):
+            start.restore()
+            result = run_with(f"{call}:error={error}", WORK, self.target)
+            self.assertEqual((result.returncode, result.stdout), (FAILURE, ""), call)
+            self.assertRegex(result.stderr, rf"\Amedialvoxel: cannot .* \S+: {reason}\n\Z")
+            self.in_target(*WORK)
+            self.in_target("finalize", "job")
+            self.assertEqual(results(self.target), self.expected)
+
+    def test_disk_that_lies(self):
+        """It says that it has written voxels, and has not."""
+        self.prepare([], PLAN)
+        result = run_with("pwrite64:retval=15840:when=1", WORK, self.target)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        message = self.in_target("finalize", "job", status=FAILURE).stderr
+        self.assertIn("do not have the checksums that they were written with: 0; they have to be done again", message)
+        self.assert_nothing_published()
+        self.in_target(*WORK)
+        self.in_target("finalize", "job")
+        self.assertEqual(results(self.target), self.expected)
+
+
+if __name__ == "__main__":
+    unittest.main()
