@@ -109,6 +109,15 @@ OutputFile::RemoveLeftovers(const std::string & suffix) const
 void
 OutputFile::OpenShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes, bool forWriting)
 {
+  if (access(temporaryName.c_str(), F_OK) != 0)
+  {
+    Fail(ExitStatus::Failure,
+         "cannot open ",
+         temporaryName.string(),
+         ": ",
+         std::strerror(errno),
+         "; it is not where the job was planned to have it; plan the job again unless it can be put back");
+  }
   this->OpenExisting(temporaryName, numberOfBytes, forWriting ? O_WRONLY : O_RDONLY);
   m_TemporaryName = temporaryName;
   m_IsShared = true;

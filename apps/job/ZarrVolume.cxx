@@ -57,7 +57,13 @@ ZarrVolume::Describe(const VolumeGeometry & geometry, const VoxelLayout & layout
 void
 ZarrVolume::WriteMetadata() const
 {
-  std::filesystem::create_directory(m_Folder.GetPath() / ZarrArrayFolder);
+  const std::filesystem::path array = m_Folder.GetPath() / ZarrArrayFolder;
+  std::error_code             error;
+  std::filesystem::create_directory(array, error);
+  if (error)
+  {
+    Fail(ExitStatus::Refused, "cannot create the folder ", array.string(), ": ", error.message());
+  }
   for (const MetadataFile & file : m_Metadata)
   {
     WriteTextFile(m_Folder.GetPath() / file.name, file.text, false);

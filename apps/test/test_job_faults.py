@@ -221,7 +221,7 @@ class JobFaultTest(JobTestCase):
         path.write_bytes(content[:-1])
         self.assert_refused(f"has {len(content) - 1} bytes, not {len(content)}", commands=["work"])
         path.unlink()
-        self.assert_refused(path.name, "No such file", commands=["work"])
+        self.assert_refused(path.name, "No such file", "plan the job again", commands=["work"])
         path.write_bytes(content)
         self.in_target("work", "job")
         content = path.read_bytes()

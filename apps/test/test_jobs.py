@@ -183,6 +183,8 @@ class SmallJobTest(JobTestCase):
         self.in_target("work", "job")
         self.assert_finished(expected)
         self.assertIn("finished before", self.in_target("finalize", "job").stdout)
+        (self.folder / "in.mha").unlink()
+        self.assertIn("finished before", self.in_target("finalize", "job").stdout)
         self.assertIn("clusters skipped  7\n", self.in_target("work", "job").stdout)
         self.assertEqual(jobs.results(self.target), expected)
 
@@ -272,6 +274,10 @@ class SmallJobTest(JobTestCase):
         new = {path.name for path in self.target.glob("*.partial")}
         self.assertEqual(len(new), len(old))
         self.assertFalse(old & new)
+        (self.job / "manifest.json").rename(self.job / "planned.json")
+        (self.job / "planned.json").write_text("{}")
+        refused = self.in_target("plan", "../in.mha", "out.mha", "job", status=REFUSED)
+        self.assertIn("its checksum does not fit; a plan that ended early left it: remove the folder", refused.stderr)
 
 
 class StoppedJobTest(JobTestCase):
