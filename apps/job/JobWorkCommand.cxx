@@ -60,8 +60,7 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
   const SharedJob job = OpenSharedJob(options.jobFolder);
   const auto      clusters = ListClusters(options.clusters, job.manifest.numberOfClusters);
   WorkResult      result;
-  // Volumes whose clusters are done may have got their names.
-  if (job.folder.IsFinished(job.manifest) || AreDone(job, clusters))
+  if (job.folder.IsFinished(job.manifest))
   {
     result.skipped = clusters.size();
     return result;
@@ -73,8 +72,9 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
       const JobResult plan = PrepareSharedExtract(GetOptions(job.manifest, options));
       sink.Start("medialvoxel", "extracting medial voxels");
       RecordJob(job, clusters, sink);
-      ClusterWorker worker(job, plan, sink);
-      result = worker.Run(clusters);
+      // Volumes whose clusters are done may have got their names.
+      result =
+        AreDone(job, clusters) ? WorkResult{ {}, clusters.size() } : ClusterWorker(job, plan, sink).Run(clusters);
     });
   }
   catch (const StoppedBySignal & stop)
