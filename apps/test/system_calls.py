@@ -24,11 +24,16 @@ def _is_missing():
 needs_strace = unittest.skipIf(_is_missing(), _is_missing() or "")
 
 
-def run_with(injection, arguments, folder, path=None):
-    """Runs the program with an injection of strace, such as "rename:error=EIO:when=2", in calls for a file."""
+def command_with(injection, arguments, path=None):
+    """The program with an injection of strace, such as "rename:error=EIO:when=2", in calls for a file."""
     command = ["strace", "-f", "-o", os.devnull, "-e", "trace=" + injection.split(":")[0], "-e", "inject=" + injection]
     command += ["-P", path] if path else []
-    command += [PROGRAM, *map(str, arguments)]
+    return [*command, PROGRAM, *map(str, arguments)]
+
+
+def run_with(injection, arguments, folder, path=None):
+    """Runs command_with()."""
+    command = command_with(injection, arguments, path)
     return subprocess.run(command, capture_output=True, text=True, cwd=folder, check=False)
 
 

@@ -2,13 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Jobs that are killed, stopped or fail at a chosen call of the system; large_job_kills.py has all calls."""
 
+import os
+import pathlib
 import signal
+import subprocess
+import time
 import unittest
 
 from job_kills import JOB_OPTIONS, WORK, JobKillCase
 from jobs import results
 from program import FAILURE
-from system_calls import needs_strace, run_with
+from system_calls import command_with, needs_strace, run_with
 
 PLAN = ["plan", "../in.mha", "out.mha", "job", *JOB_OPTIONS]
 
@@ -38,6 +42,23 @@ class JobCallTest(JobKillCase):
             self.assert_nothing_published()
             self.in_target("finalize", "job")
             self.assertEqual(results(self.target), self.expected)
+
+    def test_finalize_is_stopped_within_a_cluster(self):
+        """Of 12 MB, each of which takes a second to read."""
+        path = self.folder / "in.raw"
+        path.write_bytes(bytes(10**6 - 1) + b"\1")
+        options = ["--raw-size", "100,100,100", "--raw-type", "uint8", "--divisions", 1, "--vectors", "v.mha"]
+        self.in_target("plan", path, "out.mha", "job", *options)
+        self.in_target(*WORK)
+        slow = ["pread64:delay_enter=1000000", ["finalize", "job"], next(self.target.glob("v.mha.*.partial"))]
+        with subprocess.Popen(command_with(*slow), cwd=self.target, stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(3)
+            child = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()[0]
+            begin = time.monotonic()
+            os.kill(int(child), signal.SIGTERM)
+            error = process.communicate()[1]
+        self.assertEqual(process.returncode, 128 + signal.SIGTERM, error)
+        self.assertLess(time.monotonic() - begin, 4)
 
     def test_reserving_space_is_interrupted(self):
         """As when a process is halted and goes on."""
