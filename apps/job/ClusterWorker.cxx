@@ -125,12 +125,15 @@ ClusterWorker::TryCluster(std::uint64_t cluster)
 void
 ClusterWorker::DoCluster(std::uint64_t cluster)
 {
+  // Not before: its volumes may have got their names, or another job its folder, while this process waited.
+  m_Job.folder.CheckStillOf(m_Job.manifest);
   const ClusterMarker marker = this->Compute(m_Job.manifest.GetCluster(cluster));
   for (const auto & volume : m_Volumes)
   {
     volume->Sync();
   }
   CheckUnchanged(m_Job.manifest.input);
+  m_Job.folder.CheckStillOf(m_Job.manifest);
   const SurveySettings & settings = m_Run.GetSurvey().GetSettings();
   const bool             hasSurvey = settings.thickness || settings.picture;
   m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, hasSurvey ? m_Run.GetSurvey().Save() : "");

@@ -71,10 +71,7 @@ AddFile(const std::filesystem::path & fileName, Sha256 & hash)
   std::vector<char>     buffer(bufferBytes);
   while (file)
   {
-    if (GetStopSignal() != 0)
-    {
-      throw StoppedBySignal(GetStopSignal());
-    }
+    ThrowIfSignaled();
     file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     hash.Add(buffer.data(), static_cast<std::uint64_t>(file.gcount()));
   }

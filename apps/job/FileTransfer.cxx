@@ -55,7 +55,11 @@ ReadFully(int descriptor, std::uint64_t offset, char * data, std::uint64_t numbe
 bool
 ReserveSpace(int descriptor, std::uint64_t numberOfBytes)
 {
-  const int error = posix_fallocate(descriptor, 0, static_cast<off_t>(numberOfBytes));
+  int error = EINTR;
+  while (error == EINTR) // also of a process that was halted and goes on
+  {
+    error = posix_fallocate(descriptor, 0, static_cast<off_t>(numberOfBytes));
+  }
   errno = error;
   return error == 0 || error == EOPNOTSUPP || error == EINVAL;
 }

@@ -4,8 +4,10 @@
 #include "ExtractParts.h"
 #include "ExtractRun.h"
 #include "ExtractSummary.h"
+#include "FileNames.h"
 #include "JobCommands.h"
 #include "JobParts.h"
+#include "OutputVolume.h"
 #include "SharedJob.h"
 
 #include <algorithm>
@@ -15,8 +17,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-using DataNames = std::map<std::string, std::string>;
 
 [[noreturn]] void
 RefuseMissing(const SharedJob & job, const std::vector<std::uint64_t> & missing)
@@ -120,11 +120,11 @@ private:
     m_Options.overwrite = m_Options.overwrite || begun;
     CheckOutputs(m_Job.outputs, m_Job.input, m_Options.overwrite);
     m_DataNames = begun ? *begun : this->ChooseDataNames();
-    m_Outputs = std::make_unique<OutputSet>(m_Options, false);
+    m_Outputs = std::make_unique<OutputSet>(m_Options, false, m_Shared.manifest.GetSuffix());
     for (const VolumeRequest & request : m_Requests)
     {
       m_Volumes.push_back(m_Outputs->AddCompletedVolume(
-        request, m_Shared.manifest.GetSuffix(), { m_DataNames[request.role], begun.has_value() }));
+        request, { m_DataNames.chosen[request.role], begun.has_value(), m_DataNames.replaced[request.role] }));
     }
   }
 
@@ -134,7 +134,8 @@ private:
     DataNames names;
     for (const VolumeRequest & request : m_Requests)
     {
-      names[request.role] = MakeSharedVolume(request.fileName, m_Options)->FindFreeDataName().string();
+      names.chosen[request.role] = MakeSharedVolume(request.fileName, m_Options)->FindFreeDataName().string();
+      names.replaced[request.role] = FindDataFile(FollowLinks(request.fileName)).string();
     }
     return names;
   }
@@ -189,6 +190,7 @@ private:
     std::vector<std::uint64_t> damaged;
     for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
     {
+      this->ThrowIfStopRequested();
       AddMarker(m_Job, m_Markers[cluster]);
       const SurveySettings & settings = m_Survey.GetSettings();
       if (settings.thickness || settings.picture)
@@ -233,6 +235,9 @@ private:
     CheckOutputs(m_Job.outputs, m_Job.input, m_Options.overwrite);
     m_Shared.folder.WriteDataNames(m_Shared.manifest, m_DataNames);
     m_Outputs->Publish();
+    // What was replaced goes before the job counts as finished, or nobody would remove it.
+    m_Volumes.clear();
+    m_Outputs.reset();
     m_Shared.folder.WriteFinished(m_Shared.manifest);
     m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });
   }
@@ -242,7 +247,7 @@ private:
   {
     if (m_Sink.IsStopRequested())
     {
-      throw ResumableStop(GetStopSignal(), "medialvoxel finalize " + Quote(m_Shared.folder.GetPath().string()));
+      throw StoppedBySignal(GetStopSignal());
     }
   }
 
@@ -271,13 +276,21 @@ RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
   {
     Fail(ExitStatus::Failure, job.folder.GetPath().string(), ": another process is finalizing this job");
   }
-  if (!job.folder.IsFinished(job.manifest))
+  if (job.folder.IsFinished(job.manifest))
+  {
+    return result;
+  }
+  try
   {
     WithPipelineErrors([&] {
       sink.Start("medialvoxel", "verifying and publishing");
       result.job = Finalization(job, sink).Run(options.verifies);
       sink.Finish(result.job->seconds.total);
     });
+  }
+  catch (const StoppedBySignal & stop)
+  {
+    throw ResumableStop(stop.GetSignalNumber(), "medialvoxel finalize " + Quote(job.folder.GetPath().string()));
   }
   return result;
 }

@@ -4,11 +4,12 @@
 
 #include "Checksum.h"
 #include "SealedJson.h"
-#include "SlurmScript.h"
 #include "Text.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 namespace medialvoxel
 {
@@ -22,48 +23,60 @@ constexpr const char * FinishedName = "finished.json";
 constexpr const char * ClustersName = "clusters";
 constexpr const char * LocksName = "locks";
 
-/** Files of ours, and those that a process which was killed left while it wrote one of ours. */
+/** Names of files that a job without a manifest may have left, and what a process leaves that is killed while it writes
+ * one of them or the Slurm script. */
 bool
-IsOurs(const std::filesystem::path & fileName)
+IsOurs(const std::string & name)
 {
-  const std::string name = fileName.filename().string();
-  const std::string stem = name.substr(0, name.find('.'));
-  for (const char * const ours : { ManifestName, PlannedName, PublishingName, FinishedName, SlurmScriptName })
-  {
-    if (name.rfind(ours, 0) == 0)
-    {
-      return true;
-    }
-  }
-  return !stem.empty() && stem.find_first_not_of("0123456789") == std::string::npos;
+  static const std::regex pattern(R"((planned|publishing|finished)\.json|)"
+                                  R"((manifest|planned|publishing|finished)\.json\.[0-9]+-[0-9]+\.partial|)"
+                                  R"(slurm\.sh\.[0-9]+-[0-9]+\.partial)");
+  return std::regex_match(name, pattern);
 }
 
+/** The same in the folder of the clusters. */
+bool
+IsOfCluster(const std::string & name)
+{
+  static const std::regex pattern(R"([0-9]{6,}\.(json|survey)(\.[0-9]+-[0-9]+\.partial)?)");
+  return std::regex_match(name, pattern);
+}
+
+template <typename TCondition>
 void
-RemoveOurs(const std::filesystem::path & folder)
+RemoveFiles(const std::filesystem::path & folder, TCondition condition)
 {
   std::error_code error;
   for (const auto & entry : std::filesystem::directory_iterator(folder, error))
   {
-    if (IsOurs(entry.path()))
+    if (condition(entry.path().filename().string()))
     {
       std::filesystem::remove(entry.path(), error);
     }
   }
 }
 
+/** True for a folder that cannot be read: nothing in it is to be touched. */
+template <typename TCondition>
+bool
+HasOthers(const std::filesystem::path & folder, TCondition condition)
+{
+  std::error_code                           error;
+  const std::filesystem::directory_iterator entries(folder, error);
+  return error || std::any_of(begin(entries), end(entries), [&](const auto & entry) {
+           return !condition(entry.path().filename().string());
+         });
+}
+
 bool
 HasOnlyLeftovers(const std::filesystem::path & folder)
 {
+  const auto isLeftover = [](const std::string & name) {
+    return name == LocksName || name == ClustersName || IsOurs(name);
+  };
   std::error_code error;
-  for (const auto & entry : std::filesystem::directory_iterator(folder, error))
-  {
-    const std::string name = entry.path().filename().string();
-    if (name == ManifestName || (name != LocksName && name != ClustersName && !IsOurs(entry.path())))
-    {
-      return false;
-    }
-  }
-  return !error;
+  const bool      hasClusters = std::filesystem::exists(folder / ClustersName, error);
+  return !HasOthers(folder, isLeftover) && !(hasClusters && HasOthers(folder / ClustersName, IsOfCluster));
 }
 
 } // namespace
@@ -108,6 +121,17 @@ JobFolder::ReadManifest() const
 }
 
 void
+JobFolder::CheckStillOf(const Manifest & manifest) const
+{
+  if (!this->IsPlanned() || this->ReadManifest().jobId != manifest.jobId)
+  {
+    Fail(ExitStatus::Failure,
+         m_Path.string(),
+         " is no longer the folder of this job, which was finished or given up meanwhile");
+  }
+}
+
+void
 JobFolder::CheckFree() const
 {
   std::error_code error;
@@ -118,6 +142,12 @@ JobFolder::CheckFree() const
   if (!std::filesystem::is_directory(m_Path, error))
   {
     Fail(ExitStatus::Refused, m_Path.string(), " is not a folder; a job needs one of its own");
+  }
+  if (this->IsPlanned())
+  {
+    Fail(ExitStatus::Refused,
+         m_Path.string(),
+         " is not empty, it has a job; medialvoxel status tells how far it is; a new job needs a folder of its own");
   }
   if (!HasOnlyLeftovers(m_Path))
   {
@@ -194,8 +224,13 @@ JobFolder::WriteMarker(const Manifest &    manifest,
 void
 JobFolder::RemoveMarker(std::uint64_t cluster) const
 {
-  std::error_code error;
-  std::filesystem::remove(this->GetClusterName(cluster, ".json"), error);
+  const std::filesystem::path name = this->GetClusterName(cluster, ".json");
+  std::error_code             error;
+  std::filesystem::remove(name, error);
+  if (error)
+  {
+    Fail(ExitStatus::Failure, "cannot remove ", name.string(), ", whose cluster is damaged: ", error.message());
+  }
 }
 
 std::optional<std::string>
@@ -210,7 +245,7 @@ JobFolder::ReadSurvey(std::uint64_t cluster, const ClusterMarker & marker) const
   return bytes;
 }
 
-std::optional<std::map<std::string, std::string>>
+std::optional<DataNames>
 JobFolder::ReadDataNames(const Manifest & manifest) const
 {
   const std::optional<Json> record = ReadSealed(m_Path / PublishingName);
@@ -218,13 +253,15 @@ JobFolder::ReadDataNames(const Manifest & manifest) const
   {
     return std::nullopt;
   }
-  return record->at("data_files").get<std::map<std::string, std::string>>();
+  using Names = std::map<std::string, std::string>;
+  return DataNames{ record->at("data_files").get<Names>(), record->at("replaced_files").get<Names>() };
 }
 
 void
-JobFolder::WriteDataNames(const Manifest & manifest, const std::map<std::string, std::string> & names) const
+JobFolder::WriteDataNames(const Manifest & manifest, const DataNames & names) const
 {
-  WriteSealed(m_Path / PublishingName, { { "job", manifest.jobId }, { "data_files", names } });
+  WriteSealed(m_Path / PublishingName,
+              { { "job", manifest.jobId }, { "data_files", names.chosen }, { "replaced_files", names.replaced } });
 }
 
 void
@@ -239,8 +276,20 @@ JobFolder::Clear() const
   // The manifest first: what else is there then belongs to no job.
   std::error_code error;
   std::filesystem::remove(m_Path / ManifestName, error);
-  RemoveOurs(m_Path / ClustersName);
-  RemoveOurs(m_Path);
+  RemoveFiles(m_Path / ClustersName, IsOfCluster);
+  RemoveFiles(m_Path, IsOurs);
+}
+
+void
+JobFolder::RemoveFinished() const
+{
+  // While the manifest and the record are there, the job counts as finished.
+  std::error_code error;
+  RemoveFiles(m_Path / ClustersName, IsOfCluster);
+  std::filesystem::remove(m_Path / ClustersName, error);
+  std::filesystem::remove(m_Path / LocksName, error);
+  RemoveFiles(m_Path, [](const std::string & name) { return name != FinishedName && IsOurs(name); });
+  this->Remove();
 }
 
 void

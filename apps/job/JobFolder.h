@@ -16,6 +16,13 @@
 namespace medialvoxel
 {
 
+/** Files with the voxels of volumes that have a header of their own, by the role of the volume. */
+struct DataNames
+{
+  std::map<std::string, std::string> chosen;   ///< to be given to the new ones
+  std::map<std::string, std::string> replaced; ///< to be removed then
+};
+
 /** \class JobFolder
  * \brief The files by which the processes of a job know of each other.
  *
@@ -49,6 +56,11 @@ public:
   Manifest
   ReadManifest() const;
 
+  /** To be called before the folder is written to: it may have been removed, or given to another job.
+   * \throw JobError Failure when its manifest is not that of the job */
+  void
+  CheckStillOf(const Manifest & manifest) const;
+
   /** \throw JobError Refused when the folder is there and has more in it than what a job left that has no manifest. */
   void
   CheckFree() const;
@@ -76,7 +88,7 @@ public:
   void
   WriteMarker(const Manifest & manifest, std::uint64_t cluster, ClusterMarker marker, const std::string & survey) const;
 
-  /** Makes a cluster that was done one that is to be done. */
+  /** Makes a cluster that was done one that is to be done. \throw JobError Failure */
   void
   RemoveMarker(std::uint64_t cluster) const;
 
@@ -84,11 +96,11 @@ public:
   std::optional<std::string>
   ReadSurvey(std::uint64_t cluster, const ClusterMarker & marker) const;
 
-  /** Names of the data files of the volumes by role, once WriteDataNames() was called. */
-  std::optional<std::map<std::string, std::string>>
+  /** Once WriteDataNames() was called. */
+  std::optional<DataNames>
   ReadDataNames(const Manifest & manifest) const;
   void
-  WriteDataNames(const Manifest & manifest, const std::map<std::string, std::string> & names) const;
+  WriteDataNames(const Manifest & manifest, const DataNames & names) const;
 
   void
   WriteFinished(const Manifest & manifest) const;
@@ -100,6 +112,10 @@ public:
   /** Removes these files and the locks, and the folder when it is empty then. */
   void
   Remove() const;
+
+  /** The same of a job that is finished, which it stays when this is interrupted. */
+  void
+  RemoveFinished() const;
 
 private:
   std::filesystem::path

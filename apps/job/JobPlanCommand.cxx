@@ -111,19 +111,32 @@ RemoveVolumes(const Manifest & manifest)
 void
 RemoveUnfinished(const JobFolder & folder)
 {
-  const std::optional<Manifest> manifest = folder.ReadUnfinishedPlan();
-  if (manifest)
+  try
   {
-    RemoveVolumes(*manifest);
+    const std::optional<Manifest> manifest = folder.ReadUnfinishedPlan();
+    if (manifest)
+    {
+      RemoveVolumes(*manifest);
+    }
+  }
+  catch (const JobError & error)
+  {
+    Fail(ExitStatus::Refused,
+         error.what(),
+         "; a plan that ended early left it: remove the folder, and what ends with .partial beside the outputs");
   }
   folder.Clear();
 }
 
 void
-CreateVolumes(const Manifest & manifest, const std::vector<VolumeRequest> & volumes)
+CreateVolumes(const Manifest & manifest, const std::vector<VolumeRequest> & volumes, const ProgressSink & sink)
 {
   for (const VolumeRequest & volume : volumes)
   {
+    if (sink.IsStopRequested())
+    {
+      throw StoppedBySignal(GetStopSignal());
+    }
     MakeSharedVolume(volume.fileName, manifest.options)
       ->CreateShared(volume.geometry, volume.layout, manifest.GetSuffix());
   }
@@ -161,12 +174,12 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     {
       Fail(ExitStatus::Refused, folder.GetPath().string(), ": another process has just planned a job in this folder");
     }
+    RemoveUnfinished(folder);
     try
     {
-      RemoveUnfinished(folder);
       folder.WriteUnfinishedPlan(manifest);
       const auto script = job.slurm ? WriteSlurmScript(*job.slurm, options.overwrite) : nullptr;
-      CreateVolumes(manifest, volumes);
+      CreateVolumes(manifest, volumes, sink);
       folder.FinishPlan(manifest);
       sink.Record({ LogLevel::Info,
                     "planned",

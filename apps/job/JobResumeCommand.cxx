@@ -68,7 +68,7 @@ RunResumable(const ExtractOptions & options, const std::string & command, Progre
     RunWork({ name, {}, options.memoryBytes, options.threads }, sink);
     // What this process has just written needs no second look.
     FinalizeResult result = RunFinalize({ name, continues }, sink);
-    folder.Remove();
+    folder.RemoveFinished();
     return result;
   }
   catch (const StoppedBySignal & stop)

@@ -5,6 +5,7 @@
 #include "JobCommands.h"
 #include "SharedJob.h"
 
+#include <algorithm>
 #include <array>
 #include <unistd.h>
 
@@ -29,6 +30,14 @@ GetHostName()
   std::array<char, 256> name{};
   gethostname(name.data(), name.size() - 1);
   return name.data();
+}
+
+bool
+AreDone(const SharedJob & job, const std::vector<std::uint64_t> & clusters)
+{
+  return std::all_of(clusters.begin(), clusters.end(), [&job](std::uint64_t cluster) {
+    return job.folder.ReadMarker(job.manifest, cluster).has_value();
+  });
 }
 
 /** Which of several processes, on which machine, the following lines of a log are of. */
@@ -63,8 +72,9 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
       const JobResult plan = PrepareSharedExtract(GetOptions(job.manifest, options));
       sink.Start("medialvoxel", "extracting medial voxels");
       RecordJob(job, clusters, sink);
-      ClusterWorker worker(job, plan, sink);
-      result = worker.Run(clusters);
+      // Volumes whose clusters are done may have got their names.
+      result =
+        AreDone(job, clusters) ? WorkResult{ {}, clusters.size() } : ClusterWorker(job, plan, sink).Run(clusters);
     });
   }
   catch (const StoppedBySignal & stop)

@@ -16,7 +16,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 2;
+constexpr int ManifestFormat = 3;
 
 using FileOption = std::pair<const char *, std::string ExtractOptions::*>;
 using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
@@ -57,13 +57,6 @@ EnumFromJson(const Json & name, const std::array<TEnum, VSize> & values)
     }
   }
   throw std::invalid_argument("it has the unknown choice " + name.dump());
-}
-
-template <typename TValue>
-Json
-OptionalToJson(const std::optional<TValue> & value)
-{
-  return value ? Json(*value) : Json(nullptr);
 }
 
 Json
@@ -310,11 +303,13 @@ FindDifference(const ExtractOptions & wanted, const ExtractOptions & present)
 {
   const Json a = OptionsToJson(wanted);
   const Json b = OptionsToJson(present);
+  // A name that is not UTF-8 is to be shown, too.
+  const auto show = [](const Json & value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); };
   for (const auto & [name, value] : a.items())
   {
     if (value != b.at(name))
     {
-      return name + " is " + value.dump() + ", not " + b.at(name).dump();
+      return name + " is " + show(value) + ", not " + show(b.at(name));
     }
   }
   if (wanted.divisions && wanted.divisions != present.divisions)

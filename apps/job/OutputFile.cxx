@@ -15,6 +15,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -50,12 +51,12 @@ OutputFile::~OutputFile()
 }
 
 void
-OutputFile::Create(std::uint64_t numberOfBytes, bool reserve)
+OutputFile::Create(std::uint64_t numberOfBytes, bool reserve, const std::string & suffix)
 {
   for (int attempt = 0; m_Descriptor < 0; ++attempt)
   {
     std::filesystem::path name = m_FileName;
-    name += "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".partial";
+    name += "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + suffix;
     m_Descriptor = open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (m_Descriptor >= 0)
     {
@@ -83,8 +84,40 @@ OutputFile::CreateShared(const std::filesystem::path & temporaryName, std::uint6
 }
 
 void
+OutputFile::RemoveLeftovers(const std::string & suffix) const
+{
+  const std::string                         begin = m_FileName.filename().string() + ".";
+  std::error_code                           error;
+  std::filesystem::directory_iterator       entry(FolderOf(m_FileName), error);
+  const std::filesystem::directory_iterator end;
+  std::vector<std::filesystem::path>        leftovers;
+  for (; !error && entry != end; entry.increment(error))
+  {
+    const std::string name = entry->path().filename().string();
+    const bool        isLonger = name.size() > begin.size() + suffix.size();
+    const std::size_t numbers = isLonger ? name.size() - begin.size() - suffix.size() : 0;
+    if (isLonger && name.compare(0, begin.size(), begin) == 0 &&
+        name.compare(begin.size() + numbers, suffix.size(), suffix) == 0 &&
+        name.substr(begin.size(), numbers).find_first_not_of("0123456789-") == std::string::npos)
+    {
+      leftovers.push_back(entry->path());
+    }
+  }
+  std::for_each(leftovers.begin(), leftovers.end(), [](const auto & name) { unlink(name.c_str()); });
+}
+
+void
 OutputFile::OpenShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes, bool forWriting)
 {
+  if (access(temporaryName.c_str(), F_OK) != 0)
+  {
+    Fail(ExitStatus::Failure,
+         "cannot open ",
+         temporaryName.string(),
+         ": ",
+         std::strerror(errno),
+         "; it is not where the job was planned to have it; plan the job again unless it can be put back");
+  }
   this->OpenExisting(temporaryName, numberOfBytes, forWriting ? O_WRONLY : O_RDONLY);
   m_TemporaryName = temporaryName;
   m_IsShared = true;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace medialvoxel
@@ -30,9 +31,14 @@ public:
 
   /** Creates the temporary file with a size of \a numberOfBytes zeros.
    * With \a reserve the space for them is taken from the disk at once.
+   * \param suffix end of its name, behind the final name and the number of the process
    * \throw JobError Refused when the folder cannot be written or has no space. */
   void
-  Create(std::uint64_t numberOfBytes, bool reserve);
+  Create(std::uint64_t numberOfBytes, bool reserve, const std::string & suffix = ".partial");
+
+  /** Removes what processes that were killed left of Create() with this suffix. */
+  void
+  RemoveLeftovers(const std::string & suffix) const;
 
   /** As Create() with its space reserved, under a temporary name that other processes know, which stays after this
    * object. \throw JobError Refused, also when there is such a file. */

@@ -22,13 +22,11 @@ OutputSet::AddVolume(const std::string & fileName, const VolumeGeometry & geomet
 }
 
 SharedVolume *
-OutputSet::AddCompletedVolume(const VolumeRequest & request,
-                              const std::string &   suffix,
-                              const Publication &   publication)
+OutputSet::AddCompletedVolume(const VolumeRequest & request, const Publication & publication)
 {
   auto                 volume = MakeSharedVolume(request.fileName, m_Options);
   SharedVolume * const completed = volume.get();
-  completed->OpenToPublish(request.geometry, request.layout, suffix, publication);
+  completed->OpenToPublish(request.geometry, request.layout, m_Suffix, publication);
   m_Volumes.push_back(std::move(volume));
   return completed;
 }
@@ -41,8 +39,17 @@ OutputSet::AddFile(const std::string & fileName)
     return nullptr;
   }
   m_Files.push_back(std::make_unique<OutputFile>(fileName, m_Options.overwrite));
-  m_Files.back()->Create(0, false);
-  return m_Files.back().get();
+  OutputFile & file = *m_Files.back();
+  if (m_Suffix.empty())
+  {
+    file.Create(0, false);
+  }
+  else
+  {
+    file.RemoveLeftovers(m_Suffix);
+    file.Create(0, false, m_Suffix);
+  }
+  return &file;
 }
 
 void

@@ -8,6 +8,7 @@
 #include "SharedVolume.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace medialvoxel
@@ -19,10 +20,13 @@ class OutputSet
 {
 public:
   /** \param options must outlive the set
-   * \param writesBehind volumes are written in a thread of their own, which may wait for the disk */
-  OutputSet(const JobOptions & options, bool writesBehind)
+   * \param writesBehind volumes are written in a thread of their own, which may wait for the disk
+   * \param suffix end of the temporary names of files, when one process at a time has such a set: what one left that
+   * was killed is removed */
+  OutputSet(const JobOptions & options, bool writesBehind, const std::string & suffix = "")
     : m_Options(options)
     , m_WritesBehind(writesBehind)
+    , m_Suffix(suffix)
   {}
 
   /** Creates a volume; null when the name is empty. */
@@ -31,7 +35,7 @@ public:
 
   /** Opens a volume that other processes have completed; see SharedVolume::OpenToPublish(). */
   SharedVolume *
-  AddCompletedVolume(const VolumeRequest & request, const std::string & suffix, const Publication & publication);
+  AddCompletedVolume(const VolumeRequest & request, const Publication & publication);
 
   /** Creates an empty file of another kind; null when the name is empty. */
   OutputFile *
@@ -48,6 +52,7 @@ public:
 private:
   const JobOptions &                        m_Options;
   bool                                      m_WritesBehind;
+  std::string                               m_Suffix;
   std::vector<std::unique_ptr<VoxelOutput>> m_Volumes;
   std::vector<std::unique_ptr<OutputFile>>  m_Files;
 };

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputVolume.h"
 
+#include "FileNames.h"
 #include "HeaderParsing.h"
+#include "Progress.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -103,6 +105,7 @@ OutputVolume::CreateShared(const VolumeGeometry & geometry, const VoxelLayout & 
   const std::string text = this->GetPreamble();
   file.WriteAt(0, text.data(), text.size());
   file.Finish();
+  SyncFolder(FolderOf(file.GetFileName()));
 }
 
 void
@@ -123,9 +126,11 @@ OutputVolume::OpenToPublish(const VolumeGeometry & geometry,
   const std::filesystem::path temporaryName = this->GetSharedName(suffix);
   if (HasDataFile(m_Format))
   {
-    m_Header.Create(0, false);
+    m_Header.RemoveLeftovers(suffix);
+    m_Header.Create(0, false, suffix);
     m_Data.SetFileName(publication.dataName);
     m_HasDataName = true;
+    m_Replaced = publication.replacedName;
   }
   std::error_code error;
   if (publication.hasBegun && !std::filesystem::exists(temporaryName, error))
@@ -191,6 +196,7 @@ OutputVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxel
   Checksum                checksum;
   while (numberOfVoxels > 0)
   {
+    ThrowIfSignaled();
     const std::uint64_t voxels = std::min(numberOfVoxels, voxelsAtOnce);
     this->Read(firstVoxel, voxels, buffer.data());
     checksum.Add(buffer.data(), voxels * m_Layout.GetBytes());
@@ -260,7 +266,7 @@ OutputVolume::Publish()
     m_Header.Publish();
     return;
   }
-  const std::filesystem::path replaced = FindDataFile(m_Header.GetFileName());
+  const std::filesystem::path replaced = m_HasDataName ? m_Replaced : FindDataFile(m_Header.GetFileName());
   this->PublishDataFile();
   const std::string text = MakeHeaderText(m_Format, m_Geometry, m_Layout, m_Data.GetFileName().filename().string());
   WriteText(m_Header, text);

@@ -125,6 +125,8 @@ private:
   std::uint64_t  m_Offset{ 0 }; ///< of the first voxel in its file
   bool           m_HasDataName{ false };
 
+  std::filesystem::path m_Replaced; ///< file with the voxels of the volume that is to be replaced, when known before
+
   std::optional<Checksum> m_Checksum; ///< of the voxels of a cluster
 };
 

@@ -82,6 +82,10 @@ CatchSignals();
 int
 GetStopSignal();
 
+/** For long work without a ProgressSink. \throw StoppedBySignal when there is one. */
+void
+ThrowIfSignaled();
+
 } // end namespace medialvoxel
 
 #endif

@@ -3,23 +3,14 @@
 #include "Report.h"
 
 #include "JobParts.h"
+#include "SealedJson.h"
 
 #include "itkVersion.h"
-
-#include <nlohmann/json.hpp>
 
 namespace medialvoxel
 {
 namespace
 {
-
-using Json = nlohmann::ordered_json;
-
-Json
-OptionalToJson(const std::optional<double> & value)
-{
-  return value ? Json(*value) : Json(nullptr);
-}
 
 Json
 MakeInput(const VolumeHeader & header)

@@ -33,6 +33,14 @@ WriteSealed(const std::filesystem::path & fileName, Json object);
 std::optional<Json>
 ReadSealed(const std::filesystem::path & fileName);
 
+/** Null for a value that is not set. */
+template <typename TValue>
+Json
+OptionalToJson(const std::optional<TValue> & value)
+{
+  return value ? Json(*value) : Json(nullptr);
+}
+
 /** Numbers of JSON are finite; others become text. */
 Json
 NumberToJson(const std::optional<double> & value);

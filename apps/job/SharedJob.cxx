@@ -37,7 +37,10 @@ OpenSharedJob(const std::string & jobFolder)
            "; plan the job with absolute names");
     }
   }
-  CheckUnchanged(job.manifest.input);
+  if (!folder.IsFinished(job.manifest))
+  {
+    CheckUnchanged(job.manifest.input);
+  }
   return job;
 }
 

@@ -21,7 +21,7 @@ struct SharedJob
 };
 
 /** Reads the manifest, makes the folder of the plan the current one when names are relative to it, and compares the
- * input with what it was. \throw JobError Failure */
+ * input of a job that is not finished with what it was. \throw JobError Failure */
 SharedJob
 OpenSharedJob(const std::string & jobFolder);
 

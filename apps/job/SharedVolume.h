@@ -27,6 +27,9 @@ struct Publication
 {
   std::filesystem::path dataName;          ///< of the voxels in formats of two files, as FindFreeDataName() gives it
   bool                  hasBegun{ false }; ///< an interrupted one may have given it its name already
+
+  std::filesystem::path
+    replacedName{}; ///< of the voxels of a volume that is to be replaced, as FindDataFile() gives it
 };
 
 /** \class SharedVolume

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "Errors.h"
 #include "Progress.h"
 
 #include <csignal>
@@ -48,6 +49,15 @@ int
 GetStopSignal()
 {
   return stopSignal;
+}
+
+void
+ThrowIfSignaled()
+{
+  if (stopSignal != 0)
+  {
+    throw StoppedBySignal(stopSignal);
+  }
 }
 
 } // end namespace medialvoxel

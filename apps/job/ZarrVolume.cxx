@@ -5,6 +5,7 @@
 #include "FileNames.h"
 #include "JsonFile.h"
 #include "OutputFile.h"
+#include "Progress.h"
 #include "Text.h"
 #include "Zeros.h"
 
@@ -56,7 +57,13 @@ ZarrVolume::Describe(const VolumeGeometry & geometry, const VoxelLayout & layout
 void
 ZarrVolume::WriteMetadata() const
 {
-  std::filesystem::create_directory(m_Folder.GetPath() / ZarrArrayFolder);
+  const std::filesystem::path array = m_Folder.GetPath() / ZarrArrayFolder;
+  std::error_code             error;
+  std::filesystem::create_directory(array, error);
+  if (error)
+  {
+    Fail(ExitStatus::Refused, "cannot create the folder ", array.string(), ": ", error.message());
+  }
   for (const MetadataFile & file : m_Metadata)
   {
     WriteTextFile(m_Folder.GetPath() / file.name, file.text, false);
@@ -172,6 +179,7 @@ ZarrVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels)
   for (std::uint64_t layer = slices.begin / m_Grid.chunk[2]; layer * m_Grid.chunk[2] < slices.end; ++layer)
   {
     this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t) {
+      ThrowIfSignaled();
       AddZarrChunk(this->GetChunkFile(component, index), checksum);
     });
   }

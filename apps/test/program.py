@@ -39,8 +39,10 @@ def unprivileged():
 class ProgramTestCase(unittest.TestCase):
     """Each test has a folder of its own, self.folder."""
 
+    PLACE = None  # folder for them; None: that of all temporary files
+
     def setUp(self):
-        temporary = tempfile.TemporaryDirectory(prefix="medialvoxel-test-")
+        temporary = tempfile.TemporaryDirectory(prefix="medialvoxel-test-", dir=self.PLACE)
         self.addCleanup(temporary.cleanup)
         self.folder = pathlib.Path(temporary.name)
 

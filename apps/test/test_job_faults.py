@@ -221,7 +221,7 @@ class JobFaultTest(JobTestCase):
         path.write_bytes(content[:-1])
         self.assert_refused(f"has {len(content) - 1} bytes, not {len(content)}", commands=["work"])
         path.unlink()
-        self.assert_refused(path.name, "No such file", commands=["work"])
+        self.assert_refused(path.name, "No such file", "plan the job again", commands=["work"])
         path.write_bytes(content)
         self.in_target("work", "job")
         content = path.read_bytes()
@@ -320,6 +320,49 @@ class JobFaultTest(JobTestCase):
         self.assertEqual(self.status()["running"]["number"], 0)
         self.in_target("work", "job")
         self.assert_finishes()
+
+    def test_old_worker_of_a_job_that_was_given_up(self):
+        """It is halted in a cluster, and goes on when there is another job in its folder."""
+        self.plan()
+        worker = self.halt_in_a_cluster()
+        self.clear_target()
+        self.plan()
+        self.in_target("work", "job", "--clusters", "0-5")
+        before = self.markers()
+        worker.send_signal(signal.SIGCONT)
+        out, error = worker.communicate(timeout=60)
+        self.assertEqual((worker.returncode, out), (FAILURE, ""))
+        self.assertIn(f"{self.job} is no longer the folder of this job", error)
+        self.assertEqual(self.markers(), before)
+        self.in_target("work", "job")
+        self.assert_finishes()
+
+    def test_worker_that_is_late_without_locks(self):
+        """It is halted in a cluster that others do, and goes on when all outputs have their names."""
+        self.plan()
+        worker = self.halt_in_a_cluster()
+        (self.job / "locks").unlink()
+        self.in_target("work", "job")
+        self.assert_finishes()
+        worker.send_signal(signal.SIGCONT)
+        worker.communicate(timeout=60)
+        self.assertEqual(worker.returncode, 0)
+        self.assertEqual(jobs.results(self.target), self.expected)
+
+    def halt_in_a_cluster(self):
+        """Starts a worker and stops it while it computes a cluster."""
+        for _ in range(50):
+            worker = self.start("work", "job", "--threads", 1, "--clusters", "0-6")
+            while worker.poll() is None:
+                worker.send_signal(signal.SIGSTOP)
+                running = self.status()["running"]["clusters"]
+                if running and not list(self.job.glob(f"clusters/{int(running):06}.*")):
+                    return worker
+                worker.send_signal(signal.SIGCONT)
+                time.sleep(0.001)
+            self.clear_target()  # it was faster
+            self.plan()
+        self.fail("no worker was found at work")
 
     def test_clock_that_is_wrong(self):
         """Markers and locks of another time, past or future, are as good."""

@@ -183,6 +183,8 @@ class SmallJobTest(JobTestCase):
         self.in_target("work", "job")
         self.assert_finished(expected)
         self.assertIn("finished before", self.in_target("finalize", "job").stdout)
+        (self.folder / "in.mha").unlink()
+        self.assertIn("finished before", self.in_target("finalize", "job").stdout)
         self.assertIn("clusters skipped  7\n", self.in_target("work", "job").stdout)
         self.assertEqual(jobs.results(self.target), expected)
 
@@ -241,6 +243,20 @@ class SmallJobTest(JobTestCase):
         self.plan()
         self.assertIn("not empty", self.in_target("plan", "../in.mha", "o.mha", "job", status=REFUSED).stderr)
 
+    def test_files_of_others_in_a_folder_for_a_job(self):
+        """Such as slices with numbers for names, which are those of clusters, too."""
+        for name in ("000001.tif", "000001.json", "1.survey", "manifest.json.old", "slurm.sh", "clusters/7.json"):
+            path = self.target / "mine" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(b"precious")
+            for command in (["plan", "../in.mha", "out.mha", "mine"], ["extract", "../in.mha", "mine", "--resume"]):
+                if command[0] == "extract":
+                    path.parents[name.count("/")].rename(self.target / "mine.mha.job")
+                    command[2], path = "mine.mha", self.target / "mine.mha.job" / name
+                self.assertIn("not empty", self.in_target(*command, status=REFUSED).stderr)
+                self.assertEqual(path.read_bytes(), b"precious", name)
+            self.clear_target()
+
     def test_clusters_that_are_none(self):
         self.plan()
         for text in ("", "x", "3-", "-3", "4-2", "1,,2", "1;2", "0x1", "1.5"):
@@ -258,6 +274,10 @@ class SmallJobTest(JobTestCase):
         new = {path.name for path in self.target.glob("*.partial")}
         self.assertEqual(len(new), len(old))
         self.assertFalse(old & new)
+        (self.job / "manifest.json").rename(self.job / "planned.json")
+        (self.job / "planned.json").write_text("{}")
+        refused = self.in_target("plan", "../in.mha", "out.mha", "job", status=REFUSED)
+        self.assertIn("its checksum does not fit; a plan that ended early left it: remove the folder", refused.stderr)
 
 
 class StoppedJobTest(JobTestCase):

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Jobs that are refused tell which file, which value, and what to do."""
+
+import contextlib
+import fcntl
+import os
+import subprocess
+import unittest
+
+import volumes
+from jobs import JobTestCase
+from program import FAILURE, PROGRAM, REFUSED, USAGE
+from test_identity import rough_shell
+
+# Bytes of the file of locks that stand for these.
+PLANNING = 1 << 40
+FINALIZING = PLANNING + 1
+
+PLAN = ["plan", "../in.mha", "out.mha", "job", "--thickness", 2, "--divisions", 3]
+
+
+class JobMessageTest(JobTestCase):
+    def setUp(self):
+        super().setUp()
+        volumes.write_meta(self.folder / "in.mha", rough_shell())
+
+    def assert_message(self, part, *command, status=FAILURE):
+        self.assertIn(part, self.in_target(*command, status=status).stderr)
+
+    @contextlib.contextmanager
+    def lock(self, thing):
+        with open(self.job / "locks", "r+b") as file:
+            fcntl.lockf(file, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, thing)
+            yield
+
+    def test_two_that_plan(self):
+        self.job.mkdir()
+        (self.job / "locks").touch()
+        with self.lock(PLANNING):
+            self.assert_message("job: another process has just planned a job in this folder", *PLAN, status=REFUSED)
+        self.assert_nothing_published()
+        self.in_target(*PLAN)
+        self.assert_message("job is not empty, it has a job; medialvoxel status tells", *PLAN, status=REFUSED)
+
+    def test_two_that_finalize(self):
+        self.in_target(*PLAN)
+        self.in_target("work", "job")
+        with self.lock(FINALIZING):
+            self.assert_message("job: another process is finalizing this job", "finalize", "job")
+        self.in_target("finalize", "job")
+
+    def test_resume_with_other_options(self):
+        command = ["extract", *PLAN[1:3], *PLAN[4:], "--resume"]
+        self.in_target(*PLAN[:3], "out.mha.job", *PLAN[4:])
+        for options, difference in (
+            (["--lower", 72], "lower is 72.0, not null"),
+            (["--vectors", "v.mha"], f'vectors is "{self.target}/v.mha", not ""'),
+            (["--overwrite"], "overwrite is true, not false"),
+        ):
+            part = f"out.mha.job is of a job with other options: {difference}; remove the folder, and the files"
+            self.assert_message(part, *command, *options, status=REFUSED)
+        raw = os.fsencode(PROGRAM), *(os.fsencode(str(word)) for word in command), b"--vectors", b"\xff.mha"
+        result = subprocess.run(raw, capture_output=True, cwd=self.target, check=False)
+        self.assertEqual(result.returncode, REFUSED)
+        self.assertIn(b"of a job with other options: vectors is", result.stderr)
+        self.in_target(*command)
+        self.assertEqual([path.name for path in self.target.iterdir()], ["out.mha"])
+
+    def test_names_that_are_not_text(self):
+        raw = [PROGRAM, "plan", "../in.mha", b"\xff.mha", "job"]
+        result = subprocess.run(raw, capture_output=True, cwd=self.target, check=False)
+        self.assertEqual(result.returncode, USAGE)
+        self.assertIn(b"the names of the files of a job must be valid UTF-8", result.stderr)
+        self.assertEqual(list(self.target.iterdir()), [])
+
+    def test_folder_of_the_plan_is_gone(self):
+        self.in_target(*PLAN)
+        self.target.rename(self.folder / "moved")
+        (self.folder / "moved/job").rename(self.job.parent.with_name("job"))
+        result = self.run_program("work", "job", status=FAILURE)
+        self.assertIn("from which the names of the job's files are meant: No such file", result.stderr)
+        self.assertIn("plan the job with absolute names", result.stderr)
+
+    def test_output_is_a_link_that_leads_elsewhere_now(self):
+        (self.target / "a").mkdir()
+        (self.target / "out.mha").symlink_to("a/out.mha")
+        self.in_target(*PLAN)
+        (self.target / "out.mha").unlink()
+        (self.target / "out.mha").symlink_to("out2.mha")
+        self.assert_message("No such file or directory; it is not where the job was planned to have it", "work", "job")
+
+    def test_other_folder_comes_up_in_place_of_a_zarr_folder(self):
+        self.in_target("plan", "../in.mha", "out.zarr", "job", "--overwrite")
+        self.in_target("work", "job")
+        (self.target / "out.zarr").mkdir()
+        (self.target / "out.zarr/notes.txt").touch()
+        self.assert_message("out.zarr exists and is not a Zarr folder", "finalize", "job", status=REFUSED)
+        self.assertTrue((self.target / "out.zarr/notes.txt").exists())
+
+    def test_outputs_in_one_zarr_folder(self):
+        command = ["plan", "../in.mha", "out.zarr", "job", "--vectors", "out.zarr/v.mha"]
+        self.assert_message("the vectors and the labels are in one Zarr folder", *command, status=USAGE)
+
+
+if __name__ == "__main__":
+    unittest.main()
