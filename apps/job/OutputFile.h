@@ -108,6 +108,9 @@ private:
   void
   Reserve(std::uint64_t numberOfBytes);
 
+  bool
+  SyncUncached() const;
+
   void
   SetSize(std::uint64_t numberOfBytes, bool reserve);
 
