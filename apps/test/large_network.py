@@ -49,7 +49,7 @@ class GlusterTest(NetworkTestCase):
         alpha, beta, gamma = self.clients
         command = ["extract", "../in.raw", "out.mha", *OPTIONS, *OUTPUTS, "--resume"]
         processes = [self.start_on(host, *command) for host in (alpha, beta)]
-        messages = [process.communicate(timeout=30)[1] for process in processes]
+        messages = [process.communicate(timeout=100)[1] for process in processes]
         statuses = sorted(process.returncode for process in processes)
         print(statuses, messages, flush=True)
         self.assertEqual(statuses[0], DONE)

@@ -116,7 +116,7 @@ def send(process, number):
     os.kill(child_of(process.pid), number)
 
 
-def wait_for(condition, what, seconds=30):
+def wait_for(condition, what, seconds=60):
     deadline = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > deadline:

@@ -10,7 +10,7 @@ import jobs
 import network_hosts
 from jobs import JobTestCase
 from network_hosts import wait_for
-from program import DONE, PROGRAM
+from program import DONE, PATIENCE, PROGRAM
 
 SIZE = (48, 48, 640)
 CLUSTERS = 20
@@ -47,7 +47,7 @@ class NetworkTestCase(JobTestCase):
         return host.start(PROGRAM, *arguments, cwd=self.target)
 
     def assert_ends(self, process, status, *messages):
-        out, error = process.communicate(timeout=100)
+        out, error = process.communicate(timeout=100 * PATIENCE)
         self.assertEqual(process.returncode, status, out + error)
         for message in messages:
             self.assertIn(message, out + error)
