@@ -63,6 +63,22 @@ GetSizeAndTime(const std::filesystem::path & fileName)
            static_cast<std::int64_t>(time.tv_sec) * perSecond + static_cast<std::int64_t>(time.tv_nsec) };
 }
 
+/** True when both may be the time of one file: some file systems of networks keep less than the disk behind them does,
+ * in whole seconds, microseconds or units of 100 ns, rounded down. */
+bool
+IsSameTime(std::int64_t a, std::int64_t b)
+{
+  const auto [early, late] = std::minmax(a, b);
+  for (const std::int64_t unit : { 1, 100, 1000, 1000000000 })
+  {
+    if (early % unit == 0 && late - early < unit)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void
 AddFile(const std::filesystem::path & fileName, Sha256 & hash)
 {
@@ -123,7 +139,7 @@ CheckUnchanged(const std::vector<FileIdentity> & files)
            " bytes, it had ",
            file.numberOfBytes);
     }
-    if (now.modified != file.modified)
+    if (!IsSameTime(now.modified, file.modified))
     {
       Fail(ExitStatus::Failure,
            "the input ",

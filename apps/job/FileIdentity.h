@@ -30,7 +30,8 @@ IdentifyFile(const std::filesystem::path & name);
 std::string
 HashFile(const std::filesystem::path & name);
 
-/** Compares size and time of the files with what they were. \throw JobError Failure that names the difference. */
+/** Compares size and time of the files with what they were; a time that lacks digits, as another machine may see it, is
+ * the same. \throw JobError Failure that names the difference. */
 void
 CheckUnchanged(const std::vector<FileIdentity> & files);
 

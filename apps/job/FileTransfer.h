@@ -16,8 +16,8 @@ WriteFully(int descriptor, std::uint64_t offset, const char * data, std::uint64_
 bool
 ReadFully(int descriptor, std::uint64_t offset, char * data, std::uint64_t numberOfBytes);
 
-/** Takes the space from the disk at once; false when there is none, with errno. A file system that cannot reserve is
- * asked again with every write. */
+/** Takes the space from the disk at once; false when there is none, with errno. A file system that cannot reserve, as
+ * some of networks, is asked again with every write. */
 bool
 ReserveSpace(int descriptor, std::uint64_t numberOfBytes);
 

@@ -34,6 +34,13 @@ DescribeByte(int type, std::uint64_t thing)
   return lock;
 }
 
+/** True when the file system has no locks; other errors are those of a server that cannot be reached. */
+bool
+HasNoLocks(int error)
+{
+  return error == ENOLCK || error == ENOSYS || error == EOPNOTSUPP || error == EINVAL;
+}
+
 } // namespace
 
 JobLocks::Lock::~Lock()
@@ -46,7 +53,8 @@ JobLocks::Lock::~Lock()
 }
 
 JobLocks::JobLocks(const std::filesystem::path & fileName)
-  : m_Descriptor(open(fileName.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
+  : m_FileName(fileName)
+  , m_Descriptor(open(fileName.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
 {
   if (m_Descriptor < 0)
   {
@@ -63,13 +71,22 @@ std::optional<JobLocks::Lock>
 JobLocks::TryLock(std::uint64_t thing)
 {
   struct flock lock = DescribeByte(F_WRLCK, thing);
-  if (fcntl(m_Descriptor, SetLock, &lock) == 0)
+  int          result = 0;
+  do
+  {
+    result = fcntl(m_Descriptor, SetLock, &lock);
+  } while (result != 0 && errno == EINTR);
+  if (result == 0)
   {
     return Lock(m_Descriptor, thing);
   }
   if (errno == EAGAIN || errno == EACCES)
   {
     return std::nullopt;
+  }
+  if (!HasNoLocks(errno))
+  {
+    Fail(ExitStatus::Failure, "cannot lock ", m_FileName.string(), ": ", std::strerror(errno));
   }
   return Lock(-1, thing);
 }

@@ -53,12 +53,14 @@ public:
   JobLocks &
   operator=(const JobLocks &) = delete;
 
-  /** Nothing when another process has it. Must not outlive this object. */
+  /** Nothing when another process has it. Must not outlive this object.
+   * \throw JobError Failure when it is not known whether another has it */
   std::optional<Lock>
   TryLock(std::uint64_t thing);
 
 private:
-  int m_Descriptor;
+  std::filesystem::path m_FileName;
+  int                   m_Descriptor;
 };
 
 /** True when a process has it; false when none has or the file is not there. */

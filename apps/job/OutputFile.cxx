@@ -153,10 +153,17 @@ OutputFile::Sync()
 #else
   const int result = fdatasync(m_Descriptor);
 #endif
-  if (result != 0)
+  if (result != 0 || !this->SyncUncached())
   {
     FailWithErrno(ExitStatus::Failure, "bring to the disk", m_FileName);
   }
+}
+
+/** Some file systems tell of bytes that they lost only there where they were written. */
+bool
+OutputFile::SyncUncached() const
+{
+  return !m_Uncached || m_Uncached->Sync();
 }
 
 void
@@ -227,7 +234,7 @@ OutputFile::WriteUncachedAt(std::uint64_t offset, const char * data, std::uint64
   {
     return true;
   }
-  if (errno != EINVAL)
+  if (errno != EINVAL || !m_Uncached->Sync())
   {
     FailWithErrno(ExitStatus::Failure, "write", m_FileName);
   }
@@ -285,7 +292,7 @@ OutputFile::AcceptSize()
 void
 OutputFile::Finish()
 {
-  if (fsync(m_Descriptor) != 0)
+  if (fsync(m_Descriptor) != 0 || !this->SyncUncached())
   {
     FailWithErrno(ExitStatus::Failure, "bring to the disk", m_FileName);
   }

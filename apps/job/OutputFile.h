@@ -114,6 +114,9 @@ private:
   void
   Reserve(std::uint64_t numberOfBytes);
 
+  bool
+  SyncUncached() const;
+
   void
   SetSize(std::uint64_t numberOfBytes, bool reserve);
 

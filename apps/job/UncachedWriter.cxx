@@ -37,6 +37,12 @@ UncachedWriter::~UncachedWriter()
 }
 
 bool
+UncachedWriter::Sync() const
+{
+  return fsync(m_Descriptor) == 0;
+}
+
+bool
 UncachedWriter::WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes)
 {
   const auto * bytes = static_cast<const char *>(data);

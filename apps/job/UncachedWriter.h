@@ -40,6 +40,10 @@ public:
   bool
   WriteAt(std::uint64_t offset, const void * data, std::uint64_t numberOfBytes);
 
+  /** Waits for what the file system kept for later all the same. \return false on failure, with errno */
+  bool
+  Sync() const;
+
 private:
   struct Free
   {

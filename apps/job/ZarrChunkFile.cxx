@@ -69,6 +69,13 @@ public:
     return m_Number;
   }
 
+  /** False when bytes were lost that seemed to be written, with errno: file systems of a network may tell only now. */
+  bool
+  Close()
+  {
+    return close(std::exchange(m_Number, -1)) == 0;
+  }
+
   bool
   IsRegular() const
   {
@@ -94,29 +101,35 @@ private:
   int m_Number;
 };
 
+bool
+MakeOneFolder(const std::filesystem::path & folder)
+{
+  return mkdir(folder.c_str(), 0777) == 0 || errno == EEXIST;
+}
+
+/** Makes a folder and those that it is in; false on failure, with errno. The folder of the whole volume is not made:
+ * when it is gone, another process has published or removed it, and it must not come back. */
+bool
+MakeFolder(const std::filesystem::path & folder)
+{
+  if (MakeOneFolder(folder))
+  {
+    return true;
+  }
+  const auto parent = errno == ENOENT ? folder.parent_path() : std::filesystem::path();
+  return !parent.empty() && parent.extension() != PartialExtension && MakeFolder(parent) && MakeOneFolder(folder);
+}
+
 /** Opens a file to be written, and makes the folder that it is the first one of. */
 class NewFile : public Descriptor
 {
 public:
   NewFile(const std::filesystem::path & file, int flags)
-    : Descriptor((MakeFolder(file), file), flags | O_RDWR | O_CREAT)
+    : Descriptor((MakeFolder(file.parent_path()), file), flags | O_RDWR | O_CREAT) // fails where the folder does
   {
     if (this->Get() < 0)
     {
       FailWithErrno("create", file);
-    }
-  }
-
-private:
-  static void
-  MakeFolder(const std::filesystem::path & file)
-  {
-    std::error_code error;
-    std::filesystem::create_directories(file.parent_path(), error);
-    if (error)
-    {
-      errno = error.value();
-      FailWithErrno("create the folder of", file);
     }
   }
 };
@@ -198,12 +211,16 @@ ZarrChunkWriter::Write(const std::filesystem::path & chunkFile, const char * chu
 {
   const auto [bytes, numberOfBytes] = this->Pack(chunkFile, chunk);
   {
-    const NewFile file(this->GetPartialName(chunkFile), O_TRUNC);
+    NewFile file(this->GetPartialName(chunkFile), O_TRUNC);
     if (!WriteFully(file.Get(), 0, bytes, numberOfBytes))
     {
       FailWithErrno("write", chunkFile);
     }
     StartWriteBack(file.Get(), 0, numberOfBytes);
+    if (!file.Close())
+    {
+      FailWithErrno("write", chunkFile);
+    }
   }
   this->GiveName(chunkFile);
   if (m_Checksum)
@@ -218,9 +235,9 @@ ZarrChunkWriter::WritePart(const std::filesystem::path & chunkFile,
                            const char *                  bytes,
                            bool                          isFirst) const
 {
-  const NewFile file(this->GetPartialName(chunkFile), isFirst ? O_TRUNC : 0);
+  NewFile file(this->GetPartialName(chunkFile), isFirst ? O_TRUNC : 0);
   if ((isFirst && ftruncate(file.Get(), static_cast<off_t>(part.chunkBytes)) != 0) ||
-      !WriteFully(file.Get(), part.offset, bytes, part.numberOfBytes))
+      !WriteFully(file.Get(), part.offset, bytes, part.numberOfBytes) || !file.Close())
   {
     FailWithErrno("write", chunkFile);
   }

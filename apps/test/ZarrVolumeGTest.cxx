@@ -277,6 +277,23 @@ TEST(ZarrVolume, IsWrittenByManyAndPublishedByOne)
   }
 }
 
+TEST(ZarrVolume, DoesNotComeBackForOneWhoWritesAfterItsPublication)
+{
+  const VolumeGeometry geometry = MakeGeometry({ 300, 9, 70 });
+  for (const std::uint64_t slicesAtOnce : { 24, 5 })
+  {
+    const TemporaryFolder folder;
+    const auto            compression = ZarrCompression::Gzip;
+    ZarrVolume(folder / "a.zarr", false, false, compression).CreateShared(geometry, { PixelType::Float32, 1 }, Suffix);
+    const auto worker = OpenWorker(folder, geometry, compression);
+    WriteSlices(*worker, geometry, { 0, 70, 70 });
+    const auto late = OpenWorker(folder, geometry, compression);
+    Publish(folder, geometry, compression, false);
+    EXPECT_THROW(WriteSlices(*late, geometry, { 24, 48, slicesAtOnce }), JobError);
+    EXPECT_EQ(folder.GetNumberOfFiles(), 1);
+  }
+}
+
 TEST(ZarrVolume, PublicationThatWasInterruptedIsEnded)
 {
   const VolumeGeometry geometry = MakeGeometry({ 300, 9, 70 });

@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Hosts of a network that wait, stop for long, or resume the same extraction."""
+
+import os
+import shutil
+import signal
+import sys
+import time
+import unittest
+
+import network_hosts
+from network_hosts import wait_for
+from network_jobs import CLUSTERS, OPTIONS, OUTPUTS, NetworkTestCase
+from program import DONE, FAILURE
+
+# Locks a byte of a file until it is killed.
+HOLD_LOCK = """
+import fcntl, sys, time
+with open(sys.argv[1], "r+b") as file:
+    fcntl.lockf(file, fcntl.LOCK_EX, 1, int(sys.argv[2]))
+    print("locked", flush=True)
+    time.sleep(1000)
+"""
+
+
+class GlusterTest(NetworkTestCase):
+    """A file system with locks that all hosts see."""
+
+    def setUp(self):
+        super().setUp()
+        self.network.share_by_gluster(self.shared)
+
+    def test_one_that_waits_is_cut_off(self):
+        """Who cannot be told whether another has a cluster does not take it."""
+        alpha, beta, gamma = self.clients
+        self.plan_on(gamma)
+        holder = alpha.start(sys.executable, "-c", HOLD_LOCK, self.job / "locks", 3)
+        self.assertEqual(holder.stdout.readline(), "locked\n")
+        self.assertIn("\nrunning   1: 3\n", self.on(gamma, "status", "job"))
+        log = self.folder / "beta.log"
+        worker = self.start_on(beta, "work", "job", "--clusters", 3, "--log-file", log)
+        wait_for(lambda: log.exists() and " plan " in log.read_text(), "the start")
+        time.sleep(0.5)
+        beta.cut_off()
+        self.assert_ends(worker, FAILURE, "cannot lock")
+
+    def test_resumed_on_two_hosts_at_once(self):
+        alpha, beta, gamma = self.clients
+        command = ["extract", "../in.raw", "out.mha", *OPTIONS, *OUTPUTS, "--resume"]
+        processes = [self.start_on(host, *command) for host in (alpha, beta)]
+        messages = [process.communicate(timeout=100)[1] for process in processes]
+        statuses = sorted(process.returncode for process in processes)
+        print(statuses, messages, flush=True)
+        self.assertEqual(statuses[0], DONE)
+        self.assert_same_bytes_on_all()
+
+
+class SftpTest(NetworkTestCase):
+    """A file system without locks between hosts, with times in whole seconds."""
+
+    def test_late_writer_changes_nothing(self):
+        self.network.share_by_sftp(self.shared)
+        alpha, beta, gamma = self.clients
+        # By the server itself, which knows the time of the input to the nanosecond.
+        self.in_target("plan", "../in.raw", "out.mha", "job", *OPTIONS, *OUTPUTS, "--divisions", CLUSTERS)
+        log = self.folder / "late.log"
+        late = self.start_on(beta, "work", "job", "--log-file", log)
+        wait_for(lambda: log.exists() and "piece of=labels slices=32-" in log.read_text(), "the second cluster")
+        os.kill(network_hosts.child_of(late.pid), signal.SIGSTOP)
+        self.on(alpha, "work", "job")
+        self.on(gamma, "finalize", "job")
+        self.assert_same_bytes_on_all()
+        shutil.rmtree(self.folder / "expected")
+        os.kill(late.pid, signal.SIGCONT)
+        self.assert_ends(late, FAILURE, "d.zarr.", "No such file or directory")
+        self.assert_same_bytes_on_all()
+
+
+if __name__ == "__main__":
+    unittest.main()
