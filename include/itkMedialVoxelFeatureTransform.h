@@ -33,9 +33,13 @@ struct MedialVoxel_EXPORT MedialVoxelFeatures
   std::vector<std::int32_t> dy;
   std::vector<std::int32_t> dz;
 
-  /** Set the box and all displacements to zero. */
+  /** Set the box and all displacements to zero. Takes as long as what was announced since the last time is large. */
   void
   Reset(const MedialVoxelBox & newBox);
+
+  /** Announce displacements of \a number voxels from \a offset on; all others stay zero. */
+  void
+  Announce(std::size_t offset, std::size_t number);
 
   std::size_t
   OffsetOf(std::int64_t x, std::int64_t y, std::int64_t z) const
@@ -48,6 +52,15 @@ struct MedialVoxel_EXPORT MedialVoxelFeatures
   {
     return dx[offset] != MedialVoxelNoDisplacement;
   }
+
+private:
+  struct Run
+  {
+    std::size_t offset;
+    std::size_t number;
+  };
+
+  std::vector<Run> m_Announced; ///< in ascending order
 };
 
 /** \struct MedialVoxelWindow

@@ -76,8 +76,28 @@ MedialVoxelFeatures::Reset(const MedialVoxelBox & newBox)
     {
       // Freed before more is taken, so that both are never there at the same time.
       std::vector<std::int32_t>().swap(*component);
+      component->resize(size);
+      continue;
     }
-    component->assign(size, 0);
+    for (const Run & run : m_Announced)
+    {
+      std::fill_n(component->begin() + static_cast<std::ptrdiff_t>(run.offset), run.number, 0);
+    }
+    component->resize(size);
+  }
+  m_Announced.clear();
+}
+
+void
+MedialVoxelFeatures::Announce(const std::size_t offset, const std::size_t number)
+{
+  if (!m_Announced.empty() && m_Announced.back().offset + m_Announced.back().number == offset)
+  {
+    m_Announced.back().number += number;
+  }
+  else
+  {
+    m_Announced.push_back({ offset, number });
   }
 }
 
@@ -161,6 +181,12 @@ MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) cons
       const WordType query =
         ((object[word] ^ flip) | all) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
       tile.Remaining(word, y, z) = query;
+      if (query != 0)
+      {
+        const std::int64_t first = std::max(word * MedialVoxelBits::BitsPerWord, box.lower[0]);
+        const std::int64_t end = std::min((word + 1) * MedialVoxelBits::BitsPerWord, box.upper[0]);
+        tile.features.Announce(tile.features.OffsetOf(first, y, z), static_cast<std::size_t>(end - first));
+      }
       voxels += static_cast<std::uint64_t>(MedialVoxelPopulationCount(query));
     }
   }

@@ -351,6 +351,30 @@ TEST(MedialVoxelFeatureTransform, DenseSitesDoNotLimitTheSlicesOfATile)
   EXPECT_EQ(DifferencesInTiles(volume, BoundarySites(volume), volume.size, itk::MedialVoxelRegion::Inside), 0u);
 }
 
+TEST(MedialVoxelFeatureTransform, NothingStaysOfTheTilesBefore)
+{
+  // Tiles that grow and shrink, some with objects all over and some with few, one after the other in the same memory.
+  const itk::MedialVoxelBox              tiles[] = { MakeBox({ { 0, 0, 0 } }, { { 150, 9, 8 } }),
+                                                     MakeBox({ { 70, 2, 1 } }, { { 75, 5, 4 } }),
+                                                     MakeBox({ { 3, 0, 0 } }, { { 140, 9, 7 } }),
+                                                     MakeBox({ { 0, 0, 0 } }, { { 150, 10, 9 } }) };
+  MedialVoxelFeatureTransform::Workspace workspace;
+  itk::MedialVoxelFeatures               features;
+  for (const double density : { 0.9, 0.01, 0.0, 0.3, 0.002 })
+  {
+    const Volume                      volume = RandomVolume({ { 150, 10, 9 } }, UnitSpacing, density, 168);
+    const auto                        sites = BoundarySites(volume);
+    const auto                        object = ObjectBits(volume, GridOf(volume).GetVoxelBox());
+    const auto                        bits = SiteBits(sites, GridOf(volume).GetVoxelBox());
+    const MedialVoxelFeatureTransform transform(GridOf(volume));
+    for (const itk::MedialVoxelBox & tile : tiles)
+    {
+      EXPECT_TRUE(transform.Compute({ &object, &bits }, tile, workspace, features).IsEmpty());
+      EXPECT_EQ(Differences(volume, sites, features, itk::MedialVoxelRegion::Inside), 0u) << density;
+    }
+  }
+}
+
 TEST(MedialVoxelFeatureTransform, FeaturesAreZeroAfterReset)
 {
   itk::MedialVoxelFeatures features;

@@ -319,7 +319,7 @@ FindDifference(const ExtractOptions & wanted, const ExtractOptions & present)
   }
   if (wanted.divisions && wanted.divisions != present.divisions)
   {
-    return "divisions is " + std::to_string(*wanted.divisions) + ", not " + std::to_string(*present.divisions);
+    return "divisions is " + std::to_string(*wanted.divisions) + ", not " + OptionalToJson(present.divisions).dump();
   }
   return "";
 }

@@ -128,7 +128,7 @@ TrySlabs(JobPlan & plan, const Request & request)
   plan.slabThickness = 0;
   const std::uint64_t preferred = GetPreferredSlabThickness(plan, request);
   plan.slabSlices = preferred;
-  plan.writesBehind = plan.threads > 1 && plan.numberOfFilters == 1;
+  plan.writesBehind = plan.numberOfFilters == 1;
   if (plan.writesBehind && TryDivisions(plan, request, preferred) && GainsFromWritingBehind(plan))
   {
     return true;
