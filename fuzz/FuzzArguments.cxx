@@ -22,10 +22,14 @@ SplitIntoLines(const std::uint8_t * data, std::size_t size)
   return lines;
 }
 
-std::unique_ptr<CLI::App>
-ParseArguments(medialvoxel::CommandLine & line, std::vector<std::string> arguments)
+const medialvoxel::CommandLine *
+ParseArguments(std::vector<std::string> arguments)
 {
-  std::unique_ptr<CLI::App> app = medialvoxel::DefineCommandLine(line);
+  // Defining the commands takes a hundred times as long as parsing.
+  static medialvoxel::CommandLine       line;
+  static const auto                     app = medialvoxel::DefineCommandLine(line);
+  static const medialvoxel::CommandLine unparsed = line;
+  line = unparsed;
   std::vector<const char *> pointers{ "medialvoxel" };
   for (std::string & argument : arguments)
   {
@@ -36,7 +40,7 @@ ParseArguments(medialvoxel::CommandLine & line, std::vector<std::string> argumen
   try
   {
     app->parse(static_cast<int>(pointers.size()), const_cast<char **>(pointers.data()));
-    return app;
+    return &line;
   }
   catch (const CLI::ParseError & error)
   {

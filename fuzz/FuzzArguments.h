@@ -17,9 +17,10 @@ namespace MedialVoxelFuzz
 std::vector<std::string>
 SplitIntoLines(const std::uint8_t * data, std::size_t size);
 
-/** Parses arguments as the program does; nothing for what it refuses, and for calls of help and version. */
-std::unique_ptr<CLI::App>
-ParseArguments(medialvoxel::CommandLine & line, std::vector<std::string> arguments);
+/** What the program takes from arguments, until the next call; nothing for what it refuses, and for calls of help and
+ * version. */
+const medialvoxel::CommandLine *
+ParseArguments(std::vector<std::string> arguments);
 
 } // namespace MedialVoxelFuzz
 

@@ -6,6 +6,9 @@
 #include "FuzzArguments.h"
 #include "FuzzSupport.h"
 
+#include "ClusterRange.h"
+#include "Errors.h"
+
 #include <cmath>
 
 namespace
@@ -35,6 +38,16 @@ try
   {
     CheckExtract(line.meshOptions);
   }
+  else if (line.plan->parsed())
+  {
+    CheckExtract(line.planOptions);
+  }
+  else if (line.work->parsed())
+  {
+    constexpr std::uint64_t numberOfClusters = 1000;
+    const auto              clusters = ListClusters(line.workOptions.clusters, numberOfClusters);
+    Require(!clusters.empty() && ParseClusters(FormatClusters(clusters)), "clusters without a text that can be read");
+  }
   else if (line.distance->parsed())
   {
     CheckOptions(line.distanceOptions);
@@ -54,10 +67,9 @@ catch (const JobError & error)
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size)
 {
-  CommandLine line;
-  if (const auto app = ParseArguments(line, SplitIntoLines(data, size)))
+  if (const CommandLine * const line = ParseArguments(SplitIntoLines(data, size)))
   {
-    CheckParsed(line);
+    CheckParsed(*line);
   }
   return 0;
 }

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The manifest of a job and the marker of a cluster: first the bytes as they are, then as an object with the checksum
-// that fits, without which no reader gets past the first step.
+// that fits, without which no reader gets past the first step, then as changes of what the program writes.
 
 #include "FuzzSupport.h"
 
 #include "ClusterMarker.h"
 #include "Errors.h"
 #include "JsonLimits.h"
+#include "Report.h"
 #include "SealedJson.h"
 
 #include "itkMedialVoxelHeaderText.h"
@@ -19,12 +20,18 @@ namespace
 using namespace MedialVoxelFuzz;
 using namespace medialvoxel;
 
-/** The identity that the markers of the corpus have. */
+/** With the identity that the markers of the corpus have. */
 Manifest
-MakeManifestOfMarkers()
+MakeManifest()
 {
   Manifest manifest;
+  manifest.version = GetVersion();
   manifest.jobId = "0123456789abcdef";
+  manifest.folder = "/f";
+  manifest.options.input = "i.mha";
+  manifest.options.output = "o.mha";
+  manifest.options.raw.emplace().size = { 5, 4, 3 };
+  manifest.input.emplace_back();
   manifest.numberOfSlices = 5;
   manifest.numberOfClusters = 2;
   return manifest;
@@ -78,7 +85,7 @@ void
 ReadAsMarker(const InputFile & file)
 {
   static const InputFile             copy("marker.json");
-  const Manifest                     manifest = MakeManifestOfMarkers();
+  const Manifest                     manifest = MakeManifest();
   const std::optional<ClusterMarker> marker = ReadMarker(file.GetPath(), manifest, 1);
   if (marker)
   {
@@ -89,6 +96,28 @@ ReadAsMarker(const InputFile & file)
               again->sums.counts.candidateCells == marker->sums.counts.candidateCells,
             "another marker after writing it");
   }
+}
+
+void
+ReadSealedAs(const InputFile & file, const Json & json)
+{
+  WriteSealed(file.GetPath(), json);
+  ReadAsManifest(file);
+  ReadAsMarker(file);
+}
+
+/** A manifest and a marker as the program writes them. */
+std::vector<Json>
+WriteRecords()
+{
+  const InputFile file("record.json");
+  const Manifest  manifest = MakeManifest();
+  WriteManifest(file.GetPath(), manifest);
+  std::vector<Json> records{ *ReadSealed(file.GetPath()) };
+  WriteMarker(file.GetPath(), manifest, 1, {});
+  records.push_back(*ReadSealed(file.GetPath()));
+  Require(ReadMarker(file.GetPath(), manifest, 1).has_value(), "a marker cannot be read again");
+  return records;
 }
 
 std::optional<Json>
@@ -118,9 +147,13 @@ LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size)
   ReadAsMarker(file);
   if (const std::optional<Json> object = ParseObject({ reinterpret_cast<const char *>(data), size }))
   {
-    WriteSealed(file.GetPath(), *object);
-    ReadAsManifest(file);
-    ReadAsMarker(file);
+    static const std::vector<Json> records = WriteRecords();
+    ReadSealedAs(file, *object);
+    for (Json record : records)
+    {
+      record.merge_patch(*object);
+      ReadSealedAs(file, record);
+    }
   }
   return 0;
 }

@@ -3,6 +3,8 @@
 #ifndef FuzzOracle_h
 #define FuzzOracle_h
 
+#include "FuzzScene.h"
+
 #include "MedialVoxelTestClassification.h"
 
 #include <optional>
@@ -10,26 +12,51 @@
 namespace MedialVoxelFuzz
 {
 
-/** What a run of the core is asked for, and what the answer depends on. */
+/** What a run of the core is asked for. */
 struct Question
 {
-  MedialVoxelTest::Volume volume;
-  MedialVoxelTest::Bound  bound{ MedialVoxelTest::Bound::FreeSpace };
-  std::optional<double>   thickness; ///< unset: automatic
-  double                  minimumThickness{ 3.0 };
-  double                  maximumThickness{ 16.0 };
-
-  /** Brute force knows no pores: with them only the pieces are compared with the whole. */
-  int maximumPoreSize{ 0 };
+  MedialVoxelTest::Bound bound{ MedialVoxelTest::Bound::FreeSpace };
+  std::optional<double>  thickness;               ///< unset: automatic
+  double                 minimumThickness{ 0.0 }; ///< 0: the default
+  double                 maximumThickness{ 0.0 }; ///< 0: the default
+  std::optional<int>     maximumPoreSize;         ///< unset: the default
 };
 
-/** Labels and counts by brute force; nothing where a path has, but for rounding, the length that decides. */
-std::optional<MedialVoxelTest::Classification>
-AnswerByBruteForce(const Question & question);
+/** A thickness that the length of a path of up to \a edges edges decides to the last bit, where there is one. */
+double
+ChooseThicknessOfPath(Choices & choices, const MedialVoxelTest::Volume & volume, int edges);
 
-/** N(v) - v as physical displacements at object voxels, by brute force; empty without any boundary. */
+Question
+ChooseQuestion(Choices & choices, const MedialVoxelTest::Volume & volume);
+
+/** The volume without the pores and the dust that a question leaves out. */
+MedialVoxelTest::Volume
+CleanedByBruteForce(const MedialVoxelTest::Volume & volume, const Question & question);
+
+/** Voxels that are object in \a volume and not in \a other. */
+std::size_t
+CountVoxelsOnlyIn(const MedialVoxelTest::Volume & volume, const MedialVoxelTest::Volume & other);
+
+/** Labels and counts by brute force; nothing where a path has, but for rounding, the length that decides, and brute
+ * force would take too long to find out. */
+std::optional<MedialVoxelTest::Classification>
+AnswerByBruteForce(const MedialVoxelTest::Volume & volume, const Question & question);
+
+/** Voxel edges with four cells around them that the surface crosses: between neighbors, of which one is object, whose
+ * nearest boundary points are epsilon apart. Nothing as above. */
+std::optional<std::size_t>
+CountCrossingsByBruteForce(const MedialVoxelTest::Volume & volume, const Question & question);
+
+/** Thickness of the wall at medial cells, zero elsewhere; NaN where the definition divides by zero. */
+std::vector<double>
+ThicknessByBruteForce(const MedialVoxelTest::Volume & volume, const std::vector<unsigned char> & labels);
+
+/** Displacements N(v) - v in space where \a wanted is not 0, zero elsewhere; NaN without a boundary. */
 std::vector<std::array<float, 3>>
-VectorsByBruteForce(const MedialVoxelTest::Volume & volume, MedialVoxelTest::BoundarySide side);
+VectorsByBruteForce(const Scene &                      scene,
+                    const MedialVoxelTest::Volume &    volume,
+                    MedialVoxelTest::BoundarySide      side,
+                    const std::vector<unsigned char> & wanted);
 
 } // namespace MedialVoxelFuzz
 

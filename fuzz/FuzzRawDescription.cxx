@@ -32,8 +32,7 @@ ReadRaw(const InputFile & file, const RawDescription & raw)
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size)
 {
-  static const InputFile         file("in.raw");
-  const std::string              content(InputFile::BytesOfVoxels, '\1');
+  static const InputFile         file("in.raw", std::string(InputFile::BytesOfVoxels, '\1'));
   const std::vector<std::string> values = SplitIntoLines(data, size);
   const std::vector<std::string> names{ "--raw-size", "--raw-type", "--raw-spacing", "--raw-header" };
   std::vector<std::string>       arguments{ "info", file.GetPath().string() };
@@ -45,12 +44,10 @@ LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size)
       arguments.push_back(names[i] + "=" + values[i]);
     }
   }
-  file.Write(reinterpret_cast<const std::uint8_t *>(content.data()), content.size());
-  CommandLine line;
-  const auto  app = ParseArguments(line, arguments);
-  if (app && line.infoOptions.raw)
+  const CommandLine * const line = ParseArguments(arguments);
+  if (line != nullptr && line->infoOptions.raw)
   {
-    ReadRaw(file, *line.infoOptions.raw);
+    ReadRaw(file, *line->infoOptions.raw);
   }
   return 0;
 }

@@ -35,9 +35,10 @@ class InputFile
 public:
   static constexpr std::size_t BytesOfVoxels = 4096;
 
-  explicit InputFile(const std::string & name)
+  explicit InputFile(const std::string & name, const std::string & content = "")
     : m_Path(m_Folder / name)
   {
+    m_Folder.Write(name, content);
     m_Folder.Write("voxels.img", std::string(BytesOfVoxels, '\1'));
   }
 

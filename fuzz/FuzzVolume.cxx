@@ -9,6 +9,8 @@
 #include "ZarrImageIO.h"
 #include "ZarrStream.h"
 
+#include "itkStreamingRawImageIO.h"
+
 #include <cmath>
 
 namespace MedialVoxelFuzz
@@ -102,6 +104,49 @@ ReadZarrVoxels(const VolumeHeader & header)
   }
 }
 
+/** A reader of a part of voxels as they lie, as the program has it. */
+itk::StreamingRawImageIO::Pointer
+MakeRawImageIO(const VolumeHeader & header)
+{
+  auto               imageIO = itk::StreamingRawImageIO::New();
+  const unsigned int dimension = header.geometry.GetDimension();
+  imageIO->SetNumberOfDimensions(dimension);
+  for (unsigned int axis = 0; axis < dimension; ++axis)
+  {
+    imageIO->SetDimensions(axis, header.geometry.size[axis]);
+  }
+  imageIO->SetComponentType(DispatchPixelType(
+    header.pixelType, [](auto zero) { return itk::ImageIOBase::MapPixelType<decltype(zero)>::CType; }));
+  imageIO->SetFileName(header.dataFile.string());
+  imageIO->SetHeaderSize(static_cast<itk::ImageIOBase::SizeType>(header.dataOffset));
+  imageIO->SetRefuseTrailingBytes(false);
+  imageIO->SetSegments(header.segments);
+  imageIO->SetByteOrder(header.bigEndian ? itk::IOByteOrderEnum::BigEndian : itk::IOByteOrderEnum::LittleEndian);
+  imageIO->ReadImageInformation();
+  return imageIO;
+}
+
+/** The voxels from \a first along the slowest axis. */
+std::vector<char>
+ReadFrom(itk::StreamingRawImageIO & imageIO, const VolumeHeader & header, std::uint64_t first)
+{
+  const unsigned int dimension = header.geometry.GetDimension();
+  itk::ImageIORegion region(dimension);
+  std::uint64_t      bytes = GetTraits(header.pixelType).bytes;
+  for (unsigned int axis = 0; axis < dimension; ++axis)
+  {
+    const bool          isSlowest = axis + 1 == dimension;
+    const std::uint64_t begin = isSlowest ? first : 0;
+    region.SetIndex(axis, static_cast<itk::IndexValueType>(begin));
+    region.SetSize(axis, header.geometry.size[axis] - begin);
+    bytes *= header.geometry.size[axis] - begin;
+  }
+  std::vector<char> voxels(bytes);
+  imageIO.SetIORegion(region);
+  imageIO.Read(voxels.data());
+  return voxels;
+}
+
 void
 ReadVoxels(const VolumeHeader & header)
 {
@@ -110,19 +155,18 @@ ReadVoxels(const VolumeHeader & header)
   {
     return;
   }
-  std::vector<unsigned char> voxels(bytes);
   if (!header.CanStream())
   {
+    std::vector<unsigned char>         voxels(bytes);
     const std::unique_ptr<VoxelStream> stream = OpenVoxelStream(header);
     stream->Read(voxels.data(), bytes);
     stream->CheckEnd();
     return;
   }
-  const std::vector<std::uint64_t>               first(header.geometry.size.size(), 0);
-  const std::vector<itk::MedialVoxelFileSegment> whole{ { header.dataFile, header.dataOffset, bytes } };
-  const itk::MedialVoxelFileRegion               region(
-    header.geometry.size, first, header.geometry.size, GetTraits(header.pixelType).bytes);
-  region.Read(header.segments.empty() ? whole : header.segments, voxels.data());
+  const auto              imageIO = MakeRawImageIO(header);
+  const std::vector<char> whole = ReadFrom(*imageIO, header, 0);
+  const std::vector<char> end = ReadFrom(*imageIO, header, header.geometry.size.back() - 1);
+  Require(std::equal(end.rbegin(), end.rend(), whole.rbegin()), "a part of the voxels differs from the whole");
 }
 
 } // namespace

@@ -82,6 +82,46 @@ MedialVoxelBitFlood::FindLengths(const MedialVoxelGrid & grid, const double epsi
   return m_Lengths.size() <= MostLengths;
 }
 
+namespace
+{
+
+/** Largest coordinates, up to \a reach, of the points with lengths to 0 and to \a b, not negative, of less than \a
+ * limit together. */
+template <typename TLength>
+std::array<int, 3>
+FindUpper(const TLength & lengthAt, const std::array<int, 3> & b, const double limit, const int reach)
+{
+  const auto isBelow = [&](const int x, const int y, const int z) {
+    return lengthAt(x, y, z) + lengthAt(x - b[0], y - b[1], z - b[2]) < limit;
+  };
+  std::array<int, 3> upper = b;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    // Along the other axes the lengths are smallest between the points; along this one they grow.
+    std::array<int, 3> first{ { 0, 0, 0 } };
+    std::array<int, 3> last = b;
+    for (bool isFound = true; isFound && upper[axis] < reach;)
+    {
+      first[axis] = last[axis] = upper[axis] + 1;
+      isFound = false;
+      for (int z = first[2]; z <= last[2]; ++z)
+      {
+        for (int y = first[1]; y <= last[1]; ++y)
+        {
+          for (int x = first[0]; x <= last[0]; ++x)
+          {
+            isFound = isFound || isBelow(x, y, z);
+          }
+        }
+      }
+      upper[axis] += isFound ? 1 : 0;
+    }
+  }
+  return upper;
+}
+
+} // namespace
+
 void
 MedialVoxelBitFlood::FindWindows(const MedialVoxelGrid & grid, const double epsilon)
 {
@@ -114,23 +154,10 @@ MedialVoxelBitFlood::FindWindows(const MedialVoxelGrid & grid, const double epsi
         {
           continue;
         }
-        // Farther from either point than the reach, no path below the threshold comes.
-        std::array<int, 3> lower{ { 0, 0, 0 } };
-        std::array<int, 3> upper{ { bx, by, bz } };
-        for (int z = bz - reach; z <= reach; ++z)
-        {
-          for (int y = by - reach; y <= reach; ++y)
-          {
-            for (int x = bx - reach; x <= reach; ++x)
-            {
-              if (lengthAt(x, y, z) + lengthAt(x - bx, y - by, z - bz) < epsilon * (1.0 + Band))
-              {
-                lower = { { std::min(lower[0], x), std::min(lower[1], y), std::min(lower[2], z) } };
-                upper = { { std::max(upper[0], x), std::max(upper[1], y), std::max(upper[2], z) } };
-              }
-            }
-          }
-        }
+        const std::array<int, 3> b{ { bx, by, bz } };
+        const std::array<int, 3> upper = FindUpper(lengthAt, b, epsilon * (1.0 + Band), reach);
+        // What is around one of the points is mirrored around the other.
+        const std::array<int, 3> lower{ { bx - upper[0], by - upper[1], bz - upper[2] } };
         this->AddWindow({ { bx, by, bz } }, lower, upper);
       }
     }

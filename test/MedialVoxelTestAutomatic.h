@@ -73,6 +73,19 @@ public:
     return result;
   }
 
+  /** Between two sites; anything above all thresholds may come back as infinite. */
+  double
+  GeodesicDistance(long from, long to)
+  {
+    auto found = m_DistancesFrom.find(from);
+    if (found == m_DistancesFrom.end())
+    {
+      const double limit = m_Limits.factor * m_Limits.maximum + MedialVoxelTest::EpsilonOf(m_Limits.minimum);
+      found = m_DistancesFrom.emplace(from, m_Graph.DistancesFrom(static_cast<int>(from), limit)).first;
+    }
+    return found->second[to];
+  }
+
 private:
   double
   MetricUnit() const
@@ -140,18 +153,6 @@ private:
     }
     ++(geodesic >= epsilon ? counts.geodesicMedialCells : counts.geodesicNonMedialCells);
     return geodesic >= epsilon ? 3 : 1;
-  }
-
-  double
-  GeodesicDistance(long from, long to)
-  {
-    auto found = m_DistancesFrom.find(from);
-    if (found == m_DistancesFrom.end())
-    {
-      const double limit = m_Limits.factor * m_Limits.maximum + MedialVoxelTest::EpsilonOf(m_Limits.minimum);
-      found = m_DistancesFrom.emplace(from, m_Graph.DistancesFrom(static_cast<int>(from), limit)).first;
-    }
-    return found->second[to];
   }
 
   const Volume &                      m_Volume;
