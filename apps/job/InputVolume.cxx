@@ -3,6 +3,7 @@
 #include "InputVolume.h"
 
 #include "HeaderParsing.h"
+#include "Text.h"
 #include "ZarrImageIO.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ private:
   {
     if (this->IsCut())
     {
-      Fail(ExitStatus::CorruptInput, error.GetDescription());
+      Fail(ExitStatus::CorruptInput, RemoveOrigin(error.GetDescription()));
     }
     throw;
   }

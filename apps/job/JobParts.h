@@ -159,7 +159,7 @@ WithPipelineErrors(TFunction && function)
   }
   catch (const itk::ExceptionObject & error)
   {
-    throw JobError(ExitStatus::Failure, error.GetDescription());
+    throw JobError(ExitStatus::Failure, RemoveOrigin(error.GetDescription()));
   }
   catch (const itk::MedialVoxelMemoryError & error)
   {

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <regex>
 
 namespace medialvoxel
 {
@@ -81,6 +82,13 @@ std::string
 FormatSize(const std::vector<std::uint64_t> & size)
 {
   return Join(size, " x ", [](std::uint64_t value) { return std::to_string(value); });
+}
+
+std::string
+RemoveOrigin(const std::string & description)
+{
+  static const std::regex origin(R"(ITK ERROR: \w+\((0x)?[0-9a-fA-F]+\): )");
+  return std::regex_replace(description, origin, "", std::regex_constants::match_continuous);
 }
 
 } // end namespace medialvoxel

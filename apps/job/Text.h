@@ -50,6 +50,10 @@ FormatPercent(std::uint64_t count, std::uint64_t all);
 std::string
 FormatSize(const std::vector<std::uint64_t> & size);
 
+/** The description of an exception of ITK without the class and address of the object that it comes from. */
+std::string
+RemoveOrigin(const std::string & description);
+
 } // end namespace medialvoxel
 
 #endif

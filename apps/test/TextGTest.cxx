@@ -54,6 +54,14 @@ TEST(Text, NumbersReadBackExactly)
   }
 }
 
+TEST(Text, ErrorsDoNotTellWhereObjectsAre)
+{
+  EXPECT_EQ(RemoveOrigin("ITK ERROR: StreamingRawImageIO(0x56303e870920): Cannot read: a(0x1): b"),
+            "Cannot read: a(0x1): b");
+  EXPECT_EQ(RemoveOrigin("out of luck, ITK ERROR: A(0x1): "), "out of luck, ITK ERROR: A(0x1): ");
+  EXPECT_EQ(RemoveOrigin(""), "");
+}
+
 TEST(Text, SplitsAndTrims)
 {
   EXPECT_EQ(SplitAtBlanks("  a\tbc  d\r"), (std::vector<std::string>{ "a", "bc", "d" }));
