@@ -411,6 +411,7 @@ DefineCommandLine(CommandLine & line)
   DefineJobCommands(line);
   line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");
   line.generate->add_option("FOLDER", line.generateFolder, "An existing folder")->required();
+  line.examples[line.generate] = { "medialvoxel generate .", "medialvoxel generate build/texts" };
   line.examples[app.get()] = { "medialvoxel info part.mha",
                                "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html" };
   app->footer("Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused before the start,\n"
