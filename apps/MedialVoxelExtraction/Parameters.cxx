@@ -109,6 +109,7 @@ AddObjectParameters(ParameterTable & table, ModuleOptions & options)
   table.push_back(
     MakeDouble("thickness", "The fixed thickness of walls, in the units of the spacing", options.thickness));
   table.push_back(MakeBoolean("voxelUnits", "Take lengths in voxels", options.job.voxelUnits));
+  table.push_back(MakeBoolean("resample", "Bring the input to its smallest spacing first", options.resample));
   table.push_back(MakeInteger("maximumPoreSize",
                               "Voxels of pores and grains to leave out; -1 for 32 with Automatic and 0 with Fixed",
                               -1,
@@ -315,8 +316,7 @@ ApplyObjectSelection(const ParameterTable & table, ModuleOptions & options)
   }
   if (selection == ObjectSelection::Label)
   {
-    options.job.lowerThreshold = static_cast<double>(options.labelValue);
-    options.job.upperThreshold = options.job.lowerThreshold;
+    options.job.label = ParseLabel(std::to_string(options.labelValue));
   }
 }
 
@@ -327,6 +327,10 @@ ApplyThickness(const ParameterTable & table, ModuleOptions & options)
   if (isImplied || options.thicknessMode == itk::MedialVoxelThicknessMode::Fixed)
   {
     options.job.thickness = options.thickness;
+  }
+  if (options.resample)
+  {
+    options.job.resample = 0.0;
   }
 }
 

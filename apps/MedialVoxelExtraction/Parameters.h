@@ -44,6 +44,7 @@ struct ModuleOptions
 
   itk::MedialVoxelThicknessMode thicknessMode{ itk::MedialVoxelThicknessMode::Automatic };
 
+  bool resample{ false };
   bool echo{ false };
 };
 
@@ -87,7 +88,8 @@ SetValue(Parameter & parameter, const std::string & text);
 void
 ApplyObjectSelection(const ParameterTable & table, ModuleOptions & options);
 
-/** Sets the thickness of the job, when it is fixed: as the mode says, or as a thickness implies without one. */
+/** Sets the thickness of the job, when it is fixed: as the mode says, or as a thickness implies without one. Sets the
+ * resampled spacing too. */
 void
 ApplyThickness(const ParameterTable & table, ModuleOptions & options);
 

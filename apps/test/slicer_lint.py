@@ -5,14 +5,51 @@
 import re
 import xml.etree.ElementTree
 
-from slicer_module import BUILT_IN, ENUMERATIONS, FILES, NUMBERS, SIMPLE, is_result, parameters_of, text_of
+from slicer_module import BUILT_IN, ENUMERATIONS, FILES, NUMBERS, SIMPLE, VECTORS, is_result, parameters_of, text_of
 
-IMAGE_TYPES = {
-    *("scalar", "label", "vector", "tensor", "diffusion-weighted", "signal", "multichannel"),
-    *("dynamic-contrast-enhanced", "any"),
+TRUTH = ("true", "false")
+SYSTEMS = ("ijk", "lps", "ras")
+IMAGE_TYPES = ("any", "scalar", "label", "tensor", "diffusion-weighted", "vector", "signal", "multichannel")
+ANY = None
+
+# The attributes that Slicer's parser takes of each element, and their values. It refuses a whole module for one more, or
+# for another value, in files and places; in the others it takes no notice of them, so that they do nothing.
+ATTRIBUTES = {
+    "parameters": {"advanced": TRUTH},
+    **{kind: {"hidden": TRUTH, "multiple": TRUTH} for kind in NUMBERS},
+    **{kind: {"hidden": TRUTH} for kind in ("boolean", "string", *ENUMERATIONS, *VECTORS)},
+    **{kind: {"multiple": TRUTH, "coordinateSystem": SYSTEMS} for kind in ("point", "region")},
+    "pointfile": {
+        "multiple": TRUTH,
+        "type": ("any", "point", "line", "angle", "curve"),
+        "fileExtensions": ANY,
+        "coordinateSystem": SYSTEMS,
+    },
+    "file": {"multiple": TRUTH, "fileExtensions": ANY},
+    "directory": {"multiple": TRUTH},
+    "image": {
+        "multiple": TRUTH,
+        "type": (*IMAGE_TYPES, "dynamic-contrast-enhanced"),
+        "fileExtensions": ANY,
+        "hidden": TRUTH,
+        "reference": ANY,
+    },
+    "transform": {
+        "multiple": TRUTH,
+        "type": ("linear", "nonlinear", "bspline"),
+        "fileExtensions": ANY,
+        "reference": ANY,
+    },
+    "geometry": {
+        "multiple": TRUTH,
+        "aggregate": TRUTH,
+        "type": ("fiberbundle", "model"),
+        "fileExtensions": ANY,
+        "reference": ANY,
+    },
+    "table": {"multiple": TRUTH, "hidden": TRUTH, "reference": ANY, "type": ("color",), "fileExtensions": ANY},
+    "measurement": {"multiple": TRUTH, "hidden": TRUTH, "reference": ANY, "type": ANY, "fileExtensions": ANY},
 }
-FILE_ATTRIBUTES = {"type", "fileExtensions", "reference", "multiple", "coordinateSystem"}
-KNOWN = SIMPLE | FILES | ENUMERATIONS | {"point", "region"} | {f"{kind}-vector" for kind in (*NUMBERS, "string")}
 
 
 def number(text):
@@ -78,15 +115,18 @@ def lint_constraints(element, name, default):
         yield f"{name}: default outside the constraints"
 
 
-def lint_attributes(element, name, root):
-    for attribute in element.attrib:
-        if attribute not in (FILE_ATTRIBUTES if element.tag in FILES else {"hidden"}):
-            yield f"{name}: unknown attribute {attribute}"
-    if element.tag == "image":
-        if element.get("type", "scalar") not in IMAGE_TYPES:
-            yield f"{name}: unknown type of image"
-        if not element.get("fileExtensions", "").startswith(".mha"):
-            yield f"{name}: .mha is not the first extension, Slicer would write a file that does not stream"
+def lint_attributes(element, name):
+    known = ATTRIBUTES.get(element.tag, {})
+    for attribute, value in element.attrib.items():
+        if attribute not in known:
+            yield f"{name}: {element.tag} has the unknown attribute {attribute}"
+        elif known[attribute] is not ANY and value not in known[attribute]:
+            yield f"{name}: unknown {attribute} '{value}' of {element.tag}"
+
+
+def lint_volume(element, name, root):
+    if element.tag == "image" and not element.get("fileExtensions", "").startswith(".mha"):
+        yield f"{name}: .mha is not the first extension, Slicer would write a file that does not stream"
     images = [text_of(other, "name") for other in parameters_of(root) if other.tag == "image"]
     if "reference" in element.attrib and element.get("reference") not in images:
         yield f"{name}: reference to no image"
@@ -110,11 +150,12 @@ def lint(content):
     errors += [f"no {tag}" for tag in ("category", "title", "description", "version") if not text_of(root, tag)]
     for group in root.findall("parameters"):
         errors += [f"a group without {tag}" for tag in ("label", "description") if not text_of(group, tag)]
+        errors += lint_attributes(group, "a group")
     for element in parameters_of(root):
         name = text_of(element, "name") or "?"
-        if element.tag not in KNOWN:
+        if element.tag not in ATTRIBUTES:
             errors.append(f"{name}: unknown kind {element.tag}")
-        for check in (lint_names, lint_place, lint_default):
+        for check in (lint_names, lint_place, lint_default, lint_attributes):
             errors += check(element, name)
-        errors += lint_attributes(element, name, root)
+        errors += lint_volume(element, name, root)
     return errors + list(lint_duplicates(root))

@@ -16,6 +16,7 @@ XML_FILE = MODULE.with_suffix(".xml")
 BUILT_IN = {"help", "version", "xml", "echo", "returnparameterfile", "processinformationaddress", "ignore_rest"}
 # Kinds of parameters by the name of their element.
 ENUMERATIONS = {f"{kind}-enumeration" for kind in ("integer", "float", "double", "string")}
+VECTORS = {f"{kind}-vector" for kind in ("integer", "float", "double", "string")}
 NUMBERS = {"integer", "float", "double"}
 FILES = {"image", "file", "directory", "geometry", "pointfile", "table", "transform", "measurement"}
 SIMPLE = NUMBERS | {"string", "boolean"}

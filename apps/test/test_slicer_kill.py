@@ -9,6 +9,7 @@ import time
 import unittest
 
 import volumes
+from program import has_begun, wait_for_begin
 from slicer_module import MODULE, ModuleTestCase
 
 KILLS = 20
@@ -59,6 +60,7 @@ class KillTest(ModuleTestCase):
             self.remove_outputs()
             process = self.start(*arguments)
             time.sleep(sorted(seconds)[1] * (kill + self.random.random()) / KILLS)
+            has_worked = has_begun(process, self.folder)
             process.kill()
             process.wait()
             found = self.read_outputs(names)
@@ -66,7 +68,8 @@ class KillTest(ModuleTestCase):
                 self.assertEqual(content, complete[name], f"{name} of kill {kill} is not complete")
             if names[0] in found:
                 self.assertEqual(list(found), names, f"{names[0]} appeared before the others")
-            unfinished += bool(list(self.folder.glob("*.partial"))) and names[0] not in found
+            unfinished += has_worked and names[0] not in found
+            self.assertEqual(list(self.folder.glob("*.partial")), [], f"kill {kill} left a file")
         self.assertGreater(unfinished, 0, "no kill hit the work")
 
     def test_one_file(self):
@@ -84,9 +87,7 @@ class KillTest(ModuleTestCase):
         complete = (self.folder / "out.mha").read_bytes()
         (self.folder / "out.mha").write_bytes(b"of an earlier run")
         process = self.start("in.mha", "out.mha")
-        deadline = time.monotonic() + 20
-        while not list(self.folder.glob("*.partial")) and process.poll() is None and time.monotonic() < deadline:
-            time.sleep(0.001)
+        wait_for_begin(process, self.folder)
         process.kill()
         process.wait()
         self.assertIn((self.folder / "out.mha").read_bytes(), (b"of an earlier run", complete))

@@ -18,13 +18,14 @@ PAIRS = [
     (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5"], ["--lower", "72.5"]),
     (["--objectSelection", "BelowUpper", "--upperThreshold=50", "--thickness", "2"], ["--upper", "50"]),
     (["--objectSelection", "Between", "--lowerThreshold", "8", "--upperThreshold", "100"], ["--lower", "8", "--upper", "100"]),
-    (["--objectSelection=Label", "--labelValue", "100", "--bound", "off"], ["--lower", "100", "--upper", "100", "--bound", "off"]),
+    (["--objectSelection=Label", "--labelValue", "100", "--bound", "off"], ["--label", "100", "--bound", "off"]),
     (["--objectSelection=Label", "--labelValue=100", "--bound", "paper", "--voxelUnits"],
-     ["--lower", "100", "--upper", "100", "--bound", "paper", "--voxel-units"]),
+     ["--label", "100", "--bound", "paper", "--voxel-units"]),
     (["--thicknessMode", "Automatic"], []),
     (["--thicknessMode=Fixed", "--thickness", "3"], []),
     (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5", "--subVoxel"], ["--lower", "72.5", "--sub-voxel"]),
     (["--maximumPoreSize", "0"], ["--max-pore-size", "0"]),
+    (["--resample", "--objectSelection=AboveLower", "--lowerThreshold=72"], ["--resample", "auto", "--lower", "72"]),
     (["--maximumPoreSize=-1", "--thickness", "2"], []),
     (["--maximumPoreSize=200", "--thickness", "2"], ["--max-pore-size", "200"]),
     (["--numberOfThreads", "1", "--memory", "300M"], ["--threads", "1", "--memory", "300M"]),
@@ -85,7 +86,7 @@ class RunTest(ModuleTestCase):
             self.assertEqual(reports[0][key], reports[1][key], key)
 
     def test_the_model_has_points_in_the_coordinates_of_the_files(self):
-        """Of ITK, which the description says too: Slicer turns them."""
+        """Of ITK (LPS), as Slicer takes models to be that say nothing else; the description cannot say it."""
         volumes.write_meta(self.folder / "in.mha", self.volume, Offset="10 200 3000")
         self.run_module("--meshModel", "model.ply", *LABEL_100, "in.mha", "out.mha")
         header, data = (self.folder / "model.ply").read_bytes().split(b"end_header\n", 1)
@@ -95,14 +96,14 @@ class RunTest(ModuleTestCase):
         for axis, origin in enumerate((10, 200, 3000)):
             self.assertTrue(all(origin < point[axis] < origin + 100 for point in points), axis)
         (element,) = Description().root.iter("geometry")
-        self.assertEqual(element.get("coordinateSystem"), "lps")
+        self.assertNotIn("coordinateSystem", element.attrib)
         self.assertTrue(element.get("fileExtensions").startswith(".vtp"))
 
     def test_branches_of_the_model(self):
         arguments = ("--thicknessMode", "Fixed", "--thickness", "1", *LABEL_100, "in.mha", "out.mha")
         self.run_module("--meshModel", "all.vtp", *arguments)
         self.run_module("--meshModel", "cut.vtp", "--minimumBranchLength", "2", *arguments)
-        selection = ("--lower", 100, "--upper", 100, "--thickness", 1)
+        selection = ("--label", 100, "--thickness", 1)
         self.run_program("mesh", "in.mha", "program.vtp", *selection, "--min-branch-length", 2)
         cut = (self.folder / "cut.vtp").read_bytes()
         self.assertEqual(cut, (self.folder / "program.vtp").read_bytes())
@@ -111,7 +112,7 @@ class RunTest(ModuleTestCase):
 
     def test_progress(self):
         for arguments in ([], ["--distanceVolume", "d.mha"]):
-            out = self.run_module(*arguments, "in.mha", "out.mha").stdout
+            out = self.run_module(*arguments, *LABEL_100, "in.mha", "out.mha").stdout
             lines = out.splitlines()
             self.assertLessEqual(len(lines), 200)
             self.assertRegex(
@@ -126,6 +127,14 @@ class RunTest(ModuleTestCase):
             fractions = [float(fraction) for fraction in fractions]
             self.assertEqual(fractions, sorted(fractions))
             self.assertTrue(0 <= fractions[0] < fractions[-1] == 1)
+
+    def test_warnings_are_comments_and_lines_of_the_output_stream(self):
+        arguments = ("--objectSelection", "AboveLower", "--lowerThreshold", "200", "in.mha", "out.mha")
+        lines = self.run_module(*arguments).stdout.splitlines()
+        text = "the volume has no object: no value is at least 200"
+        self.assertIn(f"medialvoxel: warning: {text}", lines)
+        self.assertIn(f"<filter-comment>Warning: {text}</filter-comment>", lines)
+        self.assertTrue(lines[-1].startswith("<filter-end>"))
 
     def test_compressed_input_is_told_on_the_output_stream(self):
         """3D Slicer takes all of the error stream for errors."""

@@ -11,8 +11,8 @@ import time
 import unittest
 import xml.etree.ElementTree
 
-from slicer_lint import lint
-from slicer_module import MODULE, XML_FILE, Description
+from slicer_lint import ANY, ATTRIBUTES, lint
+from slicer_module import ENUMERATIONS, FILES, MODULE, XML_FILE, Description
 
 SCHEMA = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"]) / "apps/MedialVoxelExtraction/SlicerModule.rng"
 CONTENT = XML_FILE.read_bytes()
@@ -32,7 +32,7 @@ TRAPS = {
     "no number": ("<default>3<", "<default>three<", "no number"),
     "no step": ("<step>1</step>", "", "constraints without"),
     "unknown attribute": ("<double>", '<double unit="mm">', "unknown attribute"),
-    "unknown image": ('type="label"', 'type="mask"', "unknown type of image"),
+    "unknown image": ('type="label"', 'type="mask"', "unknown type 'mask' of image"),
     "unknown kind": ("boolean>", "bool>", "unknown kind"),
     "other root": ("executable>", "module>", "root"),
 }
@@ -50,6 +50,53 @@ RELATIONS = {
     "first extension": ('fileExtensions=".mha,.mhd', 'fileExtensions=".nrrd,.mhd', "not the first extension"),
     "blank before": ("<?xml version", "\n<?xml version", None),
 }
+
+
+# What Slicer's parser was seen to refuse with an error, whatever a table here says.
+REFUSED_BY_SLICER = [
+    *((kind, "unit", "mm") for kind in (*sorted(FILES - {"directory"}), "point", "region")),
+    *(("geometry", "coordinateSystem", value) for value in ("lps", "ras", "ijk")),
+    *(("geometry", "hidden", "true"), ("geometry", "type", "scalar"), ("geometry", "aggregate", "maybe")),
+    *(("file", "type", "any"), ("file", "hidden", "true"), ("file", "reference", "inputVolume")),
+    *(("image", "type", "mask"), ("image", "coordinateSystem", "lps"), ("image", "aggregate", "true")),
+    *(("transform", "type", "affine"), ("transform", "hidden", "true"), ("pointfile", "type", "closedcurve")),
+    *(("pointfile", "hidden", "true"), ("pointfile", "reference", "inputVolume"), ("point", "hidden", "true")),
+    *(("table", "type", "any"), ("table", "coordinateSystem", "lps"), ("measurement", "aggregate", "true")),
+    *(("region", "coordinateSystem", "xyz"), ("region", "type", "any"), ("boolean", "hidden", "maybe")),
+    *(("integer", "hidden", "maybe"), ("string-enumeration", "hidden", "maybe")),
+]
+
+
+def with_attributes(kind, attributes):
+    """The description with one parameter more, or with another group, that has these attributes."""
+    text = "".join(f' {name}="{value}"' for name, value in attributes.items())
+    if kind == "parameters":
+        return CONTENT.replace(b"<parameters>", f"<parameters{text}>".encode(), 1)
+    if kind == "image" and "fileExtensions" not in attributes:
+        text += ' fileExtensions=".mha"'
+    label, description = "<label>More</label>", "<description>More</description>"
+    if kind in FILES:
+        end = f"{label}<channel>input</channel>{description}"
+    else:
+        end = f"{label}{description}<default>{'false' if kind == 'boolean' else 1}</default>"
+    end += "<element>1</element>" if kind in ENUMERATIONS else ""
+    element = f"<{kind}{text}><name>more</name><longflag>more</longflag>{end}</{kind}>"
+    group = f"<parameters>{label}{description}{element}</parameters></executable>"
+    return CONTENT.replace(b"</executable>", group.encode())
+
+
+def attributes_to_try():
+    """Each kind of element with each attribute that any has, and one that none has: kind, attribute, value, known."""
+    values = {name: {"true", "more"} for row in ATTRIBUTES.values() for name in row} | {"unit": {"mm"}}
+    for row in ATTRIBUTES.values():
+        for name, known in row.items():
+            values[name] |= set(known or ())
+    values["fileExtensions"] = {".mha"}
+    values["reference"] = {"inputVolume"}
+    for kind, row in ATTRIBUTES.items():
+        for name, choices in values.items():
+            for value in sorted(choices):
+                yield kind, name, value, name in row and (row[name] is ANY or value in row[name])
 
 
 def changed(rule):
@@ -91,6 +138,19 @@ class DescriptionTest(unittest.TestCase):
                 else:
                     self.assertTrue(any(rule[2] in error for error in lint(content)), lint(content))
 
+    def test_lint_knows_the_attributes_of_each_element(self):
+        for kind, name, value, known in attributes_to_try():
+            errors = lint(with_attributes(kind, {name: value}))
+            self.assertEqual(errors == [], known, (kind, name, value, errors))
+
+    def test_lint_refuses_what_slicer_refuses(self):
+        for kind, name, value in REFUSED_BY_SLICER:
+            self.assertNotEqual(lint(with_attributes(kind, {name: value})), [], (kind, name, value))
+
+    def test_geometry_of_this_module_once_had_an_attribute_too_many(self):
+        content = CONTENT.replace(b"<geometry ", b'<geometry coordinateSystem="lps" ')
+        self.assertEqual(lint(content), ["meshModel: geometry has the unknown attribute coordinateSystem"])
+
     def validate(self, content):
         """Whether the content conforms to the schema, and what xmllint says; skips without it."""
         if not shutil.which("xmllint"):
@@ -115,6 +175,15 @@ class DescriptionTest(unittest.TestCase):
         for name, rule in TRAPS.items():
             with self.subTest(name):
                 self.assertFalse(self.validate(changed(rule))[0])
+
+    def test_schema_agrees_with_the_lint_on_attributes(self):
+        for kind, name, value, known in attributes_to_try():
+            content = with_attributes(kind, {name: value})
+            self.assertEqual(self.validate(content)[0], known, (kind, name, value))
+
+    def test_schema_refuses_what_slicer_refuses(self):
+        for kind, name, value in REFUSED_BY_SLICER:
+            self.assertFalse(self.validate(with_attributes(kind, {name: value}))[0], (kind, name, value))
 
     def test_ctk_cli_reads_it(self):
         try:
