@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FileNames.h"
 
-#include "Errors.h"
-
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -14,6 +12,12 @@
 
 namespace medialvoxel
 {
+
+void
+FailWithErrno(ExitStatus status, const char * action, const std::filesystem::path & name)
+{
+  Fail(status, "cannot ", action, " ", name.string(), ": ", std::strerror(errno));
+}
 
 std::filesystem::path
 FollowLinks(const std::filesystem::path & fileName)
@@ -51,6 +55,17 @@ RenameToFreeName(const char * from, const char * to)
     return -1;
   }
   return rename(from, to);
+}
+
+int
+ExchangeNames([[maybe_unused]] const char * a, [[maybe_unused]] const char * b)
+{
+#ifdef RENAME_EXCHANGE
+  return renameat2(AT_FDCWD, a, AT_FDCWD, b, RENAME_EXCHANGE);
+#else
+  errno = ENOSYS;
+  return -1;
+#endif
 }
 
 std::string

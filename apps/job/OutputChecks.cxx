@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputChecks.h"
 
+#include "DataFile.h"
 #include "FileNames.h"
 #include "HeaderParsing.h"
 #include "OutputVolume.h"
@@ -32,11 +33,24 @@ ListInputFiles(const VolumeHeader & input)
 namespace
 {
 
-/** Absolute path without links, also of a file that does not exist yet. */
+/** Absolute path without links, also of a file that does not exist yet.
+ * \throw JobError Refused for a name that the system does not take */
 std::filesystem::path
 GetPlace(const std::filesystem::path & fileName)
 {
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(FollowLinks(fileName)));
+  std::error_code             error;
+  const std::filesystem::path absolute = std::filesystem::absolute(FollowLinks(fileName), error);
+  std::filesystem::path       place = error ? absolute : std::filesystem::weakly_canonical(absolute, error);
+  while (error == std::errc::no_such_file_or_directory)
+  {
+    // Another process removed the file between two looks at it.
+    place = std::filesystem::weakly_canonical(absolute, error);
+  }
+  if (error)
+  {
+    Fail(ExitStatus::Refused, fileName.string(), " cannot be the name of a file: ", error.message());
+  }
+  return place;
 }
 
 /** One file under two names, by way of links, or one name that no file has yet. */

@@ -5,12 +5,12 @@
 #include "Errors.h"
 #include "FileNames.h"
 #include "FileTransfer.h"
+#include "TemporaryName.h"
 #include "Text.h"
 #include "Zeros.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -23,18 +23,12 @@ namespace
 {
 
 constexpr std::uint64_t SparseBlockBytes = std::uint64_t{ 1 } << 16;
-constexpr int           MaximumTemporaryNames = 1000;
-
-[[noreturn]] void
-FailWithErrno(ExitStatus status, const char * action, const std::filesystem::path & file)
-{
-  Fail(status, "cannot ", action, " ", file.string(), ": ", std::strerror(errno));
-}
 
 } // namespace
 
 OutputFile::OutputFile(const std::filesystem::path & fileName, bool overwrite)
   : m_FileName(FollowLinks(fileName))
+  , m_BelongsTo(m_FileName)
   , m_Overwrite(overwrite)
 {}
 
@@ -44,6 +38,10 @@ OutputFile::~OutputFile()
   {
     close(m_Descriptor);
   }
+  if (m_IsForNow)
+  {
+    unlink(m_FileName.c_str());
+  }
   if (!m_TemporaryName.empty() && !m_IsShared)
   {
     unlink(m_TemporaryName.c_str());
@@ -51,12 +49,57 @@ OutputFile::~OutputFile()
 }
 
 void
-OutputFile::Create(std::uint64_t numberOfBytes, bool reserve, const std::string & suffix)
+OutputFile::Create(std::uint64_t numberOfBytes, bool reserve)
+{
+  this->CheckLengthOfName();
+  m_Descriptor = OpenNamelessFile(FolderOf(m_FileName), 0666);
+  m_IsNameless = m_Descriptor >= 0 && access(GetDescriptorName(m_Descriptor).c_str(), F_OK) == 0;
+  if (m_Descriptor >= 0 && !m_IsNameless)
+  {
+    // Without /proc, it could get no name.
+    close(m_Descriptor);
+    m_Descriptor = -1;
+  }
+  m_KeepsOrder = m_IsNameless;
+  if (!m_IsNameless)
+  {
+    this->OpenUnder(this->GetNameMaker());
+  }
+  this->SetSize(numberOfBytes, reserve);
+}
+
+void
+OutputFile::CreateNamed(std::uint64_t numberOfBytes, bool reserve, const std::string & suffix)
+{
+  this->OpenUnder([this, &suffix](int attempt) {
+    return m_FileName.string() + "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + suffix;
+  });
+  this->SetSize(numberOfBytes, reserve);
+}
+
+/** Now, and not at the end of the work, which needs the name only then. */
+void
+OutputFile::CheckLengthOfName() const
+{
+  struct stat status = {};
+  if (lstat(m_FileName.c_str(), &status) != 0 && errno == ENAMETOOLONG)
+  {
+    FailWithErrno(ExitStatus::Refused, "create a file in the folder of", m_FileName);
+  }
+}
+
+OutputFile::NameMaker
+OutputFile::GetNameMaker() const
+{
+  return [this](int attempt) { return MakeTemporaryName(m_BelongsTo, attempt); };
+}
+
+void
+OutputFile::OpenUnder(const NameMaker & makeName)
 {
   for (int attempt = 0; m_Descriptor < 0; ++attempt)
   {
-    std::filesystem::path name = m_FileName;
-    name += "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + suffix;
+    const std::filesystem::path name = makeName(attempt);
     m_Descriptor = open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (m_Descriptor >= 0)
     {
@@ -67,7 +110,6 @@ OutputFile::Create(std::uint64_t numberOfBytes, bool reserve, const std::string 
       FailWithErrno(ExitStatus::Refused, "create a file in the folder of", m_FileName);
     }
   }
-  this->SetSize(numberOfBytes, reserve);
 }
 
 void
@@ -200,7 +242,8 @@ OutputFile::Reserve(std::uint64_t numberOfBytes)
 void
 OutputFile::BypassPageCache()
 {
-  m_Uncached = std::make_unique<UncachedWriter>(m_TemporaryName);
+  m_Uncached = std::make_unique<UncachedWriter>(m_IsNameless ? std::filesystem::path(GetDescriptorName(m_Descriptor))
+                                                             : m_TemporaryName);
   if (!m_Uncached->IsOpen())
   {
     m_Uncached.reset();
@@ -274,7 +317,7 @@ OutputFile::ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfByte
 {
   if (!ReadFully(m_Descriptor, offset, static_cast<char *>(data), numberOfBytes))
   {
-    FailWithErrno(ExitStatus::Failure, "read back", m_TemporaryName);
+    FailWithErrno(ExitStatus::Failure, "read back", m_FileName);
   }
 }
 
@@ -284,7 +327,7 @@ OutputFile::AcceptSize()
   struct stat status = {};
   if (fstat(m_Descriptor, &status) != 0)
   {
-    FailWithErrno(ExitStatus::Failure, "read the size of", m_TemporaryName);
+    FailWithErrno(ExitStatus::Failure, "read the size of", m_FileName);
   }
   m_Size = static_cast<std::uint64_t>(status.st_size);
 }
@@ -304,33 +347,10 @@ OutputFile::Finish()
 }
 
 void
-OutputFile::Publish()
-{
-  if (m_TemporaryName.empty())
-  {
-    return;
-  }
-  const int result = m_Overwrite ? rename(m_TemporaryName.c_str(), m_FileName.c_str())
-                                 : RenameToFreeName(m_TemporaryName.c_str(), m_FileName.c_str());
-  if (result != 0)
-  {
-    FailWithErrno(errno == EEXIST ? ExitStatus::Refused : ExitStatus::Failure, "give its name to", m_FileName);
-  }
-  m_TemporaryName.clear();
-  SyncFolder(FolderOf(m_FileName));
-}
-
-void
-OutputFile::SetFileName(const std::filesystem::path & fileName)
-{
-  m_FileName = fileName;
-}
-
-void
 WriteText(OutputFile & file, std::string_view text)
 {
+  file.SetSize(text.size(), false);
   file.WriteAt(0, text.data(), text.size());
-  file.AcceptSize();
   file.Finish();
 }
 
@@ -338,7 +358,7 @@ void
 WriteTextFile(const std::filesystem::path & fileName, std::string_view text, bool overwrite)
 {
   OutputFile file(fileName, overwrite);
-  file.Create(0, false);
+  file.CreateNamed(0, false);
   WriteText(file, text);
   file.Publish();
 }

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -17,8 +18,9 @@ namespace medialvoxel
 /** \class OutputFile
  * \brief A file that appears under its name only when it is complete.
  *
- * It is written under a temporary name in the same folder, brought to the disk, compared with the size it must have,
- * and renamed. Until then an existing file of that name stays as it is, and the destructor removes the temporary file.
+ * It is written without a name, or under a temporary one in the same folder where the file system has no such files,
+ * brought to the disk, compared with the size it must have, and gets its name. Until then an existing file of that name
+ * stays as it is, and the destructor removes the temporary file, as the system does of one without a name.
  * A symbolic link is followed: the file it points to is the one replaced. */
 class OutputFile
 {
@@ -29,18 +31,22 @@ public:
   OutputFile &
   operator=(const OutputFile &) = delete;
 
-  /** Creates the temporary file with a size of \a numberOfBytes zeros.
+  /** Creates a file without a name, with a size of \a numberOfBytes zeros.
    * With \a reserve the space for them is taken from the disk at once.
-   * \param suffix end of its name, behind the final name and the number of the process
    * \throw JobError Refused when the folder cannot be written or has no space. */
   void
-  Create(std::uint64_t numberOfBytes, bool reserve, const std::string & suffix = ".partial");
+  Create(std::uint64_t numberOfBytes, bool reserve);
 
-  /** Removes what processes that were killed left of Create() with this suffix. */
+  /** The same under a temporary name, for folders that several machines share.
+   * \param suffix end of its name, behind the final name and the number of the process */
+  void
+  CreateNamed(std::uint64_t numberOfBytes, bool reserve, const std::string & suffix = ".partial");
+
+  /** Removes what processes that were killed left of CreateNamed() with this suffix. */
   void
   RemoveLeftovers(const std::string & suffix) const;
 
-  /** As Create() with its space reserved, under a temporary name that other processes know, which stays after this
+  /** As CreateNamed() with its space reserved, under a temporary name that other processes know, which stays after this
    * object. \throw JobError Refused, also when there is such a file. */
   void
   CreateShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes);
@@ -74,6 +80,10 @@ public:
   void
   ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfBytes) const;
 
+  /** Cuts the file, or lengthens it by zeros. \throw JobError Refused */
+  void
+  SetSize(std::uint64_t numberOfBytes, bool reserve);
+
   /** For files that a library writes: the present size is the one to keep. */
   void
   AcceptSize();
@@ -86,6 +96,28 @@ public:
    * meanwhile. */
   void
   Publish();
+
+  /** As Publish() with overwriting, but a file that had the name is kept under GetTemporaryName() until KeepName(). The
+   * names are to be brought to the disk after this, and after PublishForNow(), by SyncFolder().
+   * \return whether there was one; always false where the file system cannot exchange names. */
+  bool
+  PublishByExchange();
+
+  /** Gives the finished file its name, which it loses again without KeepName(), which RemoveLeftovers() does when the
+   * process was killed between the two. \return false when there is such a file. */
+  bool
+  PublishForNow();
+
+  /** Ends what PublishForNow() or PublishByExchange() began. */
+  void
+  KeepName();
+
+  /** Lets the temporary name tell another file than the final one: a header, of its voxels. */
+  void
+  SetBelongsTo(const std::filesystem::path & fileName)
+  {
+    m_BelongsTo = fileName;
+  }
 
   /** Renames what Publish() will give its name to; the folder stays the same. */
   void
@@ -104,6 +136,7 @@ public:
     return m_Size;
   }
 
+  /** Empty while the file has no name. */
   const std::filesystem::path &
   GetTemporaryName() const
   {
@@ -111,14 +144,48 @@ public:
   }
 
 private:
+  using NameMaker = std::function<std::filesystem::path(int attempt)>;
+
+  void
+  CheckLengthOfName() const;
+
+  void
+  OpenUnder(const NameMaker & makeName);
+
+  /** The name that Create() and Publish() use. */
+  NameMaker
+  GetNameMaker() const;
+
+  /** Gives a file without a name a temporary one. */
+  void
+  TakeTemporaryName();
+
+  void
+  CopyToTemporaryName();
+
+  bool
+  TakeFreeName();
+
+  void
+  Replace();
+
+  bool
+  LinkFreeName();
+
+  bool
+  ExchangeWithFile();
+
+  bool
+  ReplaceLinkedFile();
+
+  void
+  SyncNamesWithoutOrder() const;
+
   void
   Reserve(std::uint64_t numberOfBytes);
 
   bool
   SyncUncached() const;
-
-  void
-  SetSize(std::uint64_t numberOfBytes, bool reserve);
 
   void
   OpenExisting(const std::filesystem::path & name, std::uint64_t numberOfBytes, int flags);
@@ -131,8 +198,12 @@ private:
   WriteUncachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes);
 
   std::filesystem::path m_FileName;
+  std::filesystem::path m_BelongsTo; ///< stands before the rest of the temporary name
   std::filesystem::path m_TemporaryName;
   bool                  m_Overwrite;
+  bool                  m_IsNameless{ false };
+  bool                  m_KeepsOrder{ false };
+  bool                  m_IsForNow{ false }; ///< the final name is to be lost again
   bool                  m_IsShared{ false }; ///< the temporary file stays for other processes
   int                   m_Descriptor{ -1 };
   std::uint64_t         m_Size{ 0 };
@@ -140,7 +211,7 @@ private:
   std::unique_ptr<UncachedWriter> m_Uncached;
 };
 
-/** Fills a created, empty file with text and finishes it. */
+/** Fills a created file with text alone and finishes it. */
 void
 WriteText(OutputFile & file, std::string_view text);
 

@@ -4,40 +4,16 @@
 
 #include "Errors.h"
 #include "FileNames.h"
+#include "TemporaryName.h"
 
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace medialvoxel
 {
-namespace
-{
-
-constexpr int MaximumTemporaryNames = 1000;
-
-[[noreturn]] void
-FailWithErrno(ExitStatus status, const char * action, const std::filesystem::path & name)
-{
-  Fail(status, "cannot ", action, " ", name.string(), ": ", std::strerror(errno));
-}
-
-/** Lets two folders change their names at once; false with EINVAL or ENOSYS where the system cannot. */
-bool
-ExchangeNames([[maybe_unused]] const std::filesystem::path & a, [[maybe_unused]] const std::filesystem::path & b)
-{
-#ifdef RENAME_EXCHANGE
-  return renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
-#else
-  errno = ENOSYS;
-  return false;
-#endif
-}
-
-} // namespace
 
 OutputFolder::OutputFolder(const std::filesystem::path & name, bool overwrite)
   : m_Name(FollowLinks(name))
@@ -76,8 +52,7 @@ OutputFolder::Create()
 {
   for (int attempt = 0; m_TemporaryName.empty(); ++attempt)
   {
-    std::filesystem::path name = m_Name;
-    name += "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + ".partial";
+    const std::filesystem::path name = MakeTemporaryName(m_Name, attempt);
     if (mkdir(name.c_str(), 0777) == 0)
     {
       m_TemporaryName = name;
@@ -185,7 +160,7 @@ OutputFolder::GiveName()
 void
 OutputFolder::Replace()
 {
-  if (ExchangeNames(m_TemporaryName, m_Name))
+  if (ExchangeNames(m_TemporaryName.c_str(), m_Name.c_str()) == 0)
   {
     return;
   }

@@ -47,7 +47,7 @@ OutputSet::AddFile(const std::string & fileName)
   else
   {
     file.RemoveLeftovers(m_Suffix);
-    file.Create(0, false, m_Suffix);
+    file.CreateNamed(0, false, m_Suffix);
   }
   return &file;
 }

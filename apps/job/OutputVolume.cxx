@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputVolume.h"
 
+#include "DataFile.h"
 #include "FileNames.h"
-#include "HeaderParsing.h"
 #include "Progress.h"
 #include "Text.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
-#include <regex>
 #include <vector>
 
 namespace medialvoxel
@@ -19,40 +20,16 @@ namespace
 /** Of such a volume, the page cache would keep what is not needed soon, in place of what is. */
 constexpr std::uint64_t BytesOfLargeVolume = std::uint64_t{ 1 } << 29;
 
-std::filesystem::path
-DataName(const std::filesystem::path & headerName, unsigned int number)
-{
-  std::filesystem::path name = headerName;
-  name.replace_extension();
-  if (number > 0)
-  {
-    name += "-" + std::to_string(number);
-  }
-  name += ".raw";
-  return name;
-}
-
-/** Only names that this class gives: other headers may share any other file. */
-bool
-IsNameOfOurs(const std::filesystem::path & dataName, const std::filesystem::path & headerName)
-{
-  const std::string stem = headerName.stem().string();
-  const std::string name = dataName.filename().string();
-  if (dataName.parent_path() != headerName.parent_path() || name.compare(0, stem.size(), stem) != 0)
-  {
-    return false;
-  }
-  return std::regex_match(name.substr(stem.size()), std::regex("(-[0-9]+)?\\.raw"));
-}
-
 } // namespace
 
 OutputVolume::OutputVolume(const std::filesystem::path & fileName, bool overwrite, bool sparse)
   : m_Format(GetVolumeFormat(fileName))
   , m_Sparse(sparse)
   , m_Header(fileName, overwrite)
-  , m_Data(DataName(m_Header.GetFileName(), 0), false)
-{}
+  , m_Data(MakeDataName(m_Header.GetFileName(), 0), false)
+{
+  m_Data.SetBelongsTo(m_Header.GetFileName());
+}
 
 std::string
 OutputVolume::GetPreamble() const
@@ -127,7 +104,7 @@ OutputVolume::OpenToPublish(const VolumeGeometry & geometry,
   if (HasDataFile(m_Format))
   {
     m_Header.RemoveLeftovers(suffix);
-    m_Header.Create(0, false, suffix);
+    m_Header.CreateNamed(0, false, suffix);
     m_Data.SetFileName(publication.dataName);
     m_HasDataName = true;
     m_Replaced = publication.replacedName;
@@ -159,7 +136,7 @@ OutputVolume::FindFreeDataName() const
   constexpr unsigned int maximumNames = 10000;
   for (unsigned int number = 0; number < maximumNames; ++number)
   {
-    const std::filesystem::path name = DataName(m_Header.GetFileName(), number);
+    const std::filesystem::path name = MakeDataName(m_Header.GetFileName(), number);
     std::error_code             error;
     if (!std::filesystem::exists(std::filesystem::symlink_status(name, error)))
     {
@@ -196,7 +173,7 @@ OutputVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxel
   Checksum                checksum;
   while (numberOfVoxels > 0)
   {
-    ThrowIfSignaled();
+    itk::MedialVoxelPoll();
     const std::uint64_t voxels = std::min(numberOfVoxels, voxelsAtOnce);
     this->Read(firstVoxel, voxels, buffer.data());
     checksum.Add(buffer.data(), voxels * m_Layout.GetBytes());
@@ -264,62 +241,57 @@ OutputVolume::Publish()
   if (!HasDataFile(m_Format))
   {
     m_Header.Publish();
-    return;
   }
-  const std::filesystem::path replaced = m_HasDataName ? m_Replaced : FindDataFile(m_Header.GetFileName());
-  this->PublishDataFile();
-  const std::string text = MakeHeaderText(m_Format, m_Geometry, m_Layout, m_Data.GetFileName().filename().string());
-  WriteText(m_Header, text);
-  m_Header.Publish();
-  if (!replaced.empty() && replaced != m_Data.GetFileName() && IsNameOfOurs(replaced, m_Header.GetFileName()))
+  else if (m_HasDataName)
+  {
+    m_Data.Publish();
+    this->WriteHeader();
+    m_Header.Publish();
+    this->RemoveReplacedVoxels(m_Replaced);
+  }
+  else
+  {
+    this->PublishBoth();
+  }
+}
+
+/** Whatever ends this early, the voxels have no name for good before a header names them. */
+void
+OutputVolume::PublishBoth()
+{
+  const std::filesystem::path header = m_Header.GetFileName();
+  std::filesystem::path       replaced = FindDataFile(header);
+  do
+  {
+    itk::MedialVoxelPoll(); // as another process took the name, when this comes again
+    m_Data.SetFileName(this->FindFreeDataName());
+    this->WriteHeader();
+  } while (!m_Data.PublishForNow());
+  if (m_Header.PublishByExchange())
+  {
+    // Another process may have replaced the header that was there before.
+    replaced = FindDataFile(header, m_Header.GetTemporaryName());
+  }
+  this->RemoveReplacedVoxels(replaced);
+  m_Header.KeepName();
+  m_Data.KeepName();
+  SyncFolder(FolderOf(header));
+}
+
+void
+OutputVolume::WriteHeader()
+{
+  WriteText(m_Header, MakeHeaderText(m_Format, m_Geometry, m_Layout, m_Data.GetFileName().filename().string()));
+}
+
+void
+OutputVolume::RemoveReplacedVoxels(const std::filesystem::path & replaced) const
+{
+  if (!replaced.empty() && replaced != m_Data.GetFileName() && IsDataName(replaced, m_Header.GetFileName()))
   {
     std::error_code error;
     std::filesystem::remove(replaced, error);
   }
-}
-
-/** Takes the first name that no file has, unless one was chosen; another program may take it in the meantime. */
-void
-OutputVolume::PublishDataFile()
-{
-  if (!m_HasDataName)
-  {
-    m_Data.SetFileName(this->FindFreeDataName());
-  }
-  m_Data.Publish();
-}
-
-std::filesystem::path
-FindDataFile(const std::filesystem::path & headerName)
-{
-  const std::string extension = ToLower(headerName.extension().string());
-  std::error_code   error;
-  if ((extension != ".mhd" && extension != ".nhdr") || !std::filesystem::is_regular_file(headerName, error))
-  {
-    return {};
-  }
-  constexpr unsigned int maximumLines = 10000;
-  constexpr size_t       maximumBytesPerLine = 1 << 16;
-  const char             separator = extension == ".mhd" ? '=' : ':';
-  try
-  {
-    HeaderLines lines(headerName, maximumBytesPerLine);
-    std::string line;
-    while (lines.GetLineNumber() < maximumLines && lines.Next(line))
-    {
-      const size_t      position = line.find(separator);
-      const std::string name = ToLower(Trim(line.substr(0, position)));
-      if (position != std::string::npos && (name == "elementdatafile" || name == "data file" || name == "datafile"))
-      {
-        return headerName.parent_path() / Trim(line.substr(position + 1));
-      }
-    }
-  }
-  catch (const HeaderError &)
-  {
-    // Not a header: nothing of it is to be removed.
-  }
-  return {};
 }
 
 } // end namespace medialvoxel

@@ -20,7 +20,8 @@ namespace medialvoxel
  *
  * Formats of two files: the voxels take a name that no file has, then the header takes its place, and then the
  * voxels that the replaced header named are removed, so that at any moment the header's name stands for one complete
- * volume, the old or the new one. */
+ * volume, the old or the new one. Processes may write one volume at the same time: the last one stays, and no other
+ * voxels do. */
 class OutputVolume : public SharedVolume
 {
 public:
@@ -114,7 +115,13 @@ private:
   GetPreamble() const;
 
   void
-  PublishDataFile();
+  PublishBoth();
+
+  void
+  WriteHeader();
+
+  void
+  RemoveReplacedVoxels(const std::filesystem::path & replaced) const;
 
   VolumeFormat   m_Format;
   bool           m_Sparse;
@@ -129,10 +136,6 @@ private:
 
   std::optional<Checksum> m_Checksum; ///< of the voxels of a cluster
 };
-
-/** The file of voxels that an existing header names; empty when it names none or is not such a header. */
-std::filesystem::path
-FindDataFile(const std::filesystem::path & headerName);
 
 } // end namespace medialvoxel
 

@@ -4,12 +4,12 @@
 
 #include "Errors.h"
 #include "FileTransfer.h"
+#include "TemporaryName.h"
 #include "Text.h"
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
 #include <string>
 #include <unistd.h>
 
@@ -20,15 +20,13 @@ namespace
 
 /** A new file that no folder lists. */
 int
-OpenNamelessFile(const std::filesystem::path & folder)
+OpenScratchFile(const std::filesystem::path & folder)
 {
-#ifdef O_TMPFILE
-  const int descriptor = open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
+  const int descriptor = OpenNamelessFile(folder, 0600);
   if (descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR))
   {
     return descriptor;
   }
-#endif
   std::string name = (folder / "medialvoxel-XXXXXX").string();
   const int   named = mkstemp(name.data());
   if (named >= 0)
@@ -42,7 +40,7 @@ OpenNamelessFile(const std::filesystem::path & folder)
 
 ScratchFile::ScratchFile(const std::filesystem::path & folder)
   : m_Folder(folder)
-  , m_Descriptor(OpenNamelessFile(folder))
+  , m_Descriptor(OpenScratchFile(folder))
 {
   if (m_Descriptor < 0)
   {

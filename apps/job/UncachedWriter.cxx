@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "UncachedWriter.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -48,6 +50,10 @@ UncachedWriter::WriteAt(std::uint64_t offset, const void * data, std::uint64_t n
   const auto * bytes = static_cast<const char *>(data);
   for (std::uint64_t done = 0; done < numberOfBytes;)
   {
+    if (done > 0)
+    {
+      itk::MedialVoxelPoll();
+    }
     const std::uint64_t length = std::min(BufferBytes, numberOfBytes - done);
     std::memcpy(m_Buffer.get(), bytes + done, length);
     const ssize_t count = pwrite(m_Descriptor, m_Buffer.get(), length, static_cast<off_t>(offset + done));

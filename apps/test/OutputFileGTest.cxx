@@ -34,9 +34,11 @@ TEST(OutputFile, LeavesNothingBehindWhenGivenUp)
   const TemporaryFolder folder;
   folder.Write("a", "old");
   {
+    OutputFile nameless(folder / "a", true);
+    nameless.Create(1 << 20, true);
     OutputFile file(folder / "a", true);
-    file.Create(1 << 20, true);
-    EXPECT_EQ(folder.GetNumberOfFiles(), 2);
+    file.CreateNamed(1 << 20, true);
+    EXPECT_TRUE(std::filesystem::exists(file.GetTemporaryName()));
   }
   EXPECT_EQ(folder.GetNumberOfFiles(), 1);
   EXPECT_EQ(folder.Read("a"), "old");
@@ -64,7 +66,7 @@ TEST(OutputFile, NoticesAWrongSize)
 {
   const TemporaryFolder folder;
   OutputFile            file(folder / "a", false);
-  file.Create(10, false);
+  file.CreateNamed(10, false);
   std::filesystem::resize_file(file.GetTemporaryName(), 9);
   EXPECT_THROW(file.Finish(), JobError);
 }
@@ -74,9 +76,122 @@ TEST(OutputFile, TwoOfOneNameDoNotMeet)
   const TemporaryFolder folder;
   OutputFile            first(folder / "a", true);
   OutputFile            second(folder / "a", true);
-  first.Create(0, false);
-  second.Create(0, false);
+  first.CreateNamed(0, false);
+  second.CreateNamed(0, false);
   EXPECT_NE(first.GetTemporaryName(), second.GetTemporaryName());
+}
+
+TEST(OutputFile, HasNoNameBeforeItsOwn)
+{
+  const TemporaryFolder folder;
+  OutputFile            file(folder / "a", true);
+  file.Create(5, true);
+  if (!file.GetTemporaryName().empty())
+  {
+    GTEST_SKIP() << "no files without a name in " << (folder / "");
+  }
+  file.WriteAt(0, "words", 5);
+  file.Finish();
+  EXPECT_EQ(folder.GetNumberOfFiles(), 0);
+  file.Publish();
+  EXPECT_EQ(folder.GetNumberOfFiles(), 1);
+  EXPECT_EQ(folder.Read("a"), "words");
+
+  OutputFile second(folder / "a", true);
+  second.Create(0, false);
+  WriteText(second, "other words");
+  EXPECT_EQ(folder.Read("a"), "words");
+  second.Publish();
+  EXPECT_EQ(folder.GetNumberOfFiles(), 1);
+  EXPECT_EQ(folder.Read("a"), "other words");
+}
+
+TEST(OutputFile, HasThePermissionsOfAnyNewFile)
+{
+  const TemporaryFolder folder;
+  folder.Write("other", "");
+  OutputFile file(folder / "a", true);
+  file.Create(0, false);
+  file.Finish();
+  file.Publish();
+  EXPECT_EQ(std::filesystem::status(folder / "a").permissions(),
+            std::filesystem::status(folder / "other").permissions());
+}
+
+TEST(OutputFile, LosesANameThatWasForNow)
+{
+  const TemporaryFolder folder;
+  folder.Write("taken", "of somebody else");
+  for (const bool keeps : { false, true })
+  {
+    {
+      OutputFile file(folder / "a", false);
+      file.Create(0, false);
+      WriteText(file, "words");
+      file.SetFileName(folder / "taken");
+      EXPECT_FALSE(file.PublishForNow());
+      file.SetFileName(folder / "free");
+      EXPECT_TRUE(file.PublishForNow());
+      EXPECT_EQ(folder.Read("free"), "words");
+      if (keeps)
+      {
+        file.KeepName();
+      }
+    }
+    EXPECT_EQ(folder.GetNumberOfFiles(), keeps ? 2 : 1);
+    EXPECT_EQ(folder.Read("taken"), "of somebody else");
+  }
+}
+
+TEST(OutputFile, KeepsWhatItExchanges)
+{
+  const TemporaryFolder folder;
+  for (const bool exists : { false, true })
+  {
+    OutputFile file(folder / "a", true);
+    file.Create(0, false);
+    WriteText(file, exists ? "new" : "old");
+    EXPECT_EQ(file.PublishByExchange(), exists);
+    EXPECT_EQ(folder.Read("a"), exists ? "new" : "old");
+    EXPECT_EQ(exists ? folder.Read(file.GetTemporaryName().filename()) : "old", "old");
+    file.KeepName();
+    EXPECT_EQ(folder.GetNumberOfFiles(), 1);
+  }
+  OutputFile file(folder / "a", false);
+  file.Create(0, false);
+  EXPECT_THROW(file.PublishByExchange(), JobError);
+  EXPECT_EQ(folder.Read("a"), "new");
+}
+
+TEST(OutputFile, DoesNotReplaceAFolderThatCameUpMeanwhile)
+{
+  const TemporaryFolder folder;
+  for (const bool exchanges : { false, true })
+  {
+    OutputFile file(folder / "a", true);
+    file.Create(0, false);
+    std::filesystem::create_directory(folder / "a");
+    folder.Write("a/precious", "words");
+    EXPECT_THROW(exchanges ? static_cast<void>(file.PublishByExchange()) : file.Publish(), JobError);
+    EXPECT_EQ(folder.Read("a/precious"), "words");
+  }
+}
+
+TEST(OutputFile, RefusesALongNameAtOnce)
+{
+  const TemporaryFolder folder;
+  OutputFile            file(folder / std::string(300, 'a'), false);
+  EXPECT_THROW(file.Create(0, false), JobError);
+  const std::string longest(255, 'a');
+  for (const bool overwrites : { false, true })
+  {
+    // The temporary name, which the second file needs, is cut.
+    OutputFile fits(folder / longest, overwrites);
+    fits.Create(0, false);
+    fits.Finish();
+    fits.Publish();
+  }
+  EXPECT_EQ(folder.GetNumberOfFiles(), 1);
 }
 
 TEST(OutputFile, SparseWritingSkipsZerosAndNothingElse)

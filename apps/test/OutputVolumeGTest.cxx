@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputVolume.h"
 
+#include "DataFile.h"
 #include "TemporaryFolder.h"
 
 #include "itkImage.h"
@@ -110,6 +111,50 @@ TEST(OutputVolume, PartsCanBeReadBackBeforeTheEnd)
     EXPECT_EQ(read, (std::vector<std::uint8_t>{ 0, 9, 8, 7, 6, 0 }));
   }
   EXPECT_EQ(folder.GetNumberOfFiles(), 0);
+}
+
+/** Two that replace, or make, the same volume: one header stays, and the voxels it names. */
+TEST(OutputVolume, TwoAtOnceLeaveTheVoxelsOfOne)
+{
+  for (const char * const name : { "a.mhd", "a.nhdr" })
+  {
+    for (const bool overwrites : { false, true })
+    {
+      for (const bool exists : { false, overwrites })
+      {
+        const TemporaryFolder folder;
+        const auto            write = [&](std::uint8_t label, OutputVolume & volume) {
+          volume.Create(MakeGeometry(), { PixelType::UInt8, 1 });
+          volume.Write(0, 1, &label);
+          volume.Finish();
+        };
+        if (exists)
+        {
+          OutputVolume old(folder / name, false, false);
+          write(7, old);
+          old.Publish();
+        }
+        {
+          OutputVolume first(folder / name, overwrites, false);
+          OutputVolume second(folder / name, overwrites, false);
+          write(8, first);
+          write(9, second);
+          first.Publish();
+          if (overwrites)
+          {
+            second.Publish();
+          }
+          else
+          {
+            EXPECT_THROW(second.Publish(), JobError);
+          }
+        }
+        EXPECT_EQ(folder.GetNumberOfFiles(), 2) << name << overwrites << exists;
+        std::ifstream voxels(FindDataFile(folder / name), std::ios::binary);
+        EXPECT_EQ(voxels.get(), overwrites ? 9 : 8);
+      }
+    }
+  }
 }
 
 TEST(OutputVolume, FindsTheDataFileOfAHeader)

@@ -7,6 +7,7 @@ import pathlib
 import re
 import subprocess
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.environ["MEDIALVOXEL_PROGRAM"]
@@ -19,6 +20,9 @@ NOTE_OF_UNPACKING = r"\A(medialvoxel: .* (is compressed and was unpacked|has sca
 
 # What a run says as well when it takes more than half a minute.
 PROGRESS = re.compile(r"^medialvoxel: \d+ % after .* left\n", re.MULTILINE)
+
+# What it must know who uses the results.
+WARNING = re.compile(r"^medialvoxel: warning: (.*)\n", re.MULTILINE)
 
 # How many times longer than usual a test may wait for what must not take long.
 PATIENCE = float(os.environ.get("MEDIALVOXEL_PATIENCE", 1))
@@ -36,6 +40,27 @@ def unprivileged():
     return options
 
 
+def has_begun(process, folder):
+    """Whether a process writes outputs in a folder: files without a name, or with a temporary one."""
+    if any(folder.glob("*.partial")):
+        return True
+    try:
+        links = [os.readlink(entry) for entry in os.scandir(f"/proc/{process.pid}/fd")]
+    except OSError:
+        return False  # it has ended, or has just closed one
+    return any(link.startswith(f"{folder.resolve()}/#") for link in links)
+
+
+def wait_for_begin(process, folder, seconds=20):
+    """Waits until a process writes outputs, or has ended. Returns whether it writes them."""
+    deadline = time.monotonic() + seconds
+    while process.poll() is None and time.monotonic() < deadline:
+        if has_begun(process, folder):
+            return True
+        time.sleep(0.001)
+    return False
+
+
 class ProgramTestCase(unittest.TestCase):
     """Each test has a folder of its own, self.folder."""
 
@@ -47,12 +72,14 @@ class ProgramTestCase(unittest.TestCase):
         self.folder = pathlib.Path(temporary.name)
 
     def run_program(self, *arguments, status=DONE, **options):
-        """Runs the program, checks its exit status and returns what it printed; only unpacking makes it say something."""
+        """Runs the program, checks its exit status and returns what it printed; only unpacking makes it say something
+        beside its warnings, which are returned as a list."""
         result = subprocess.run(
             [PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False, **options
         )
         self.assertEqual(result.returncode, status, f"{arguments}\n{result.stdout}{result.stderr}")
-        result.stderr = PROGRESS.sub("", result.stderr)
+        result.warnings = WARNING.findall(result.stderr)
+        result.stderr = WARNING.sub("", PROGRESS.sub("", result.stderr))
         if status == DONE:
             self.assertRegex(result.stderr, NOTE_OF_UNPACKING)
         else:

@@ -24,27 +24,30 @@ def _is_missing():
 needs_strace = unittest.skipIf(_is_missing(), _is_missing() or "")
 
 
-def command_with(injection, arguments, path=None):
-    """The program with an injection of strace, such as "rename:error=EIO:when=2", in calls for a file."""
-    command = ["strace", "-f", "-o", os.devnull, "-e", "trace=" + injection.split(":")[0], "-e", "inject=" + injection]
+def command_with(injections, arguments, path=None):
+    """The program with injections of strace, such as "rename:error=EIO:when=2", with blanks between, in calls for a
+    file."""
+    calls = ",".join(injection.split(":")[0] for injection in injections.split())
+    command = ["strace", "-f", "-o", os.devnull, "-e", "trace=" + calls]
+    command += [text for injection in injections.split() for text in ("-e", "inject=" + injection)]
     command += ["-P", path] if path else []
     return [*command, PROGRAM, *map(str, arguments)]
 
 
-def run_with(injection, arguments, folder, path=None):
+def run_with(injections, arguments, folder, path=None):
     """Runs command_with()."""
-    command = command_with(injection, arguments, path)
+    command = command_with(injections, arguments, path)
     return subprocess.run(command, capture_output=True, text=True, cwd=folder, check=False)
 
 
-def kill_at_each(call, command, prepare, check, folder):
+def kill_at_each(call, command, prepare, check, folder, always=""):
     """Has the command killed before each call of this name, in each thread: prepare(), the command, check(label).
-    Returns the number of kills."""
+    Each run also has the injections that are given always. Returns the number of kills."""
     kills = 0
     while True:
         prepare()
         label = f"killed at {call} {kills + 1}"
-        result = run_with(f"{call}:signal=SIGKILL:when={kills + 1}", command, folder)
+        result = run_with(f"{call}:signal=SIGKILL:when={kills + 1} {always}", command, folder)
         if result.returncode not in (-9, 137):
             # There are no more of them.
             if result.returncode:

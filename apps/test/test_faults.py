@@ -10,7 +10,7 @@ import time
 import unittest
 
 import volumes
-from program import CORRUPT, PATIENCE, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff
+from program import CORRUPT, PATIENCE, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
 
 FOUR_GIGABYTES = 1 << 32
 
@@ -200,9 +200,7 @@ class RunningProgram:
         self.process = subprocess.Popen(
             command, cwd=test.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
         )
-        deadline = time.monotonic() + 20
-        while not list(test.folder.glob("*.partial")) and time.monotonic() < deadline and self.process.poll() is None:
-            time.sleep(0.002)
+        wait_for_begin(self.process, test.folder)
 
     def finish(self):
         _, message = self.process.communicate(timeout=60)
@@ -284,8 +282,8 @@ class RunningTest(ProgramTestCase):
             self.assertIn(status, (0, -signal.SIGKILL))
             if (self.folder / "out.mha").exists():
                 self.assertEqual(volumes.read_data(self.folder / "out.mha"), expected)
-            for left in self.folder.glob("*.partial"):
-                left.unlink()
+                (self.folder / "out.mha").unlink()
+            self.assert_nothing_left(["in.nii.gz", "whole.mhd", "whole.raw"])
 
 
 class ScratchDiskTest(ProgramTestCase):

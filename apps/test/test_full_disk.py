@@ -40,11 +40,11 @@ class FullDiskTest(ProgramTestCase):
 
     def test_no_space_for_the_scratch_files_of_a_mesh(self):
         self.mount_small_disk(self.disk, 3 * MEGABYTE)
-        # 56 bytes for each 64 voxels, a megabyte of labels, and the mesh itself takes less.
+        # 72 bytes for each 64 voxels, a megabyte of labels, and the mesh itself takes less.
         (self.disk / "filler").write_bytes(b"x" * (11 * MEGABYTE // 4))
         arguments = ("mesh", "in.mha", "m.ply", "--thickness", 3, "--scratch", "disk")
-        self.assert_fails(REFUSED, ["scratch files of the mesh", "896.0 KiB", "disk"], *arguments)
-        self.assert_fails(REFUSED, ["1.8 MiB"], *arguments, "--min-branch-length", 3)
+        self.assert_fails(REFUSED, ["scratch files of the mesh", "1.1 MiB", "disk"], *arguments)
+        self.assert_fails(REFUSED, ["2.2 MiB"], *arguments, "--min-branch-length", 3)
         self.assert_fails(REFUSED, ["scratch"], *arguments, "--dry-run")
         self.run_program(*arguments, "--sparse", status=FAILURE)
         (self.disk / "filler").unlink()

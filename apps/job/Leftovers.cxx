@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Leftovers.h"
+
+#include "DataFile.h"
+#include "FileNames.h"
+#include "TemporaryName.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <set>
+#include <string>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace medialvoxel
+{
+namespace
+{
+
+struct Leftover
+{
+  std::filesystem::path path;
+  std::filesystem::path owner; ///< the file that it was to become, or a header that it belongs to
+};
+
+/** The paths of all that is in a folder; none where it cannot be read. */
+std::vector<std::filesystem::path>
+ListFolder(const std::filesystem::path & folder)
+{
+  std::vector<std::filesystem::path>        paths;
+  std::error_code                           error;
+  std::filesystem::directory_iterator       entry(folder, error);
+  const std::filesystem::directory_iterator end;
+  for (; !error && entry != end; entry.increment(error))
+  {
+    paths.push_back(entry->path());
+  }
+  return paths;
+}
+
+bool
+IsOurs(const std::filesystem::path & path)
+{
+  struct stat status = {};
+  return lstat(path.c_str(), &status) == 0 && status.st_uid == geteuid() &&
+         (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode));
+}
+
+std::vector<Leftover>
+ListLeftovers(const std::filesystem::path & folder)
+{
+  std::vector<Leftover> leftovers;
+  for (const std::filesystem::path & path : ListFolder(folder))
+  {
+    const auto name = ParseTemporaryName(path.filename().string());
+    if (name && HasEnded(name->process) && IsOurs(path))
+    {
+      leftovers.push_back({ path, folder / name->fileName });
+    }
+  }
+  return leftovers;
+}
+
+/** Renames a leftover to one of this process, so that no other process that starts now looks at it too. */
+bool
+Claim(Leftover & leftover)
+{
+  for (int attempt = 0; attempt < MaximumTemporaryNames; ++attempt)
+  {
+    const std::filesystem::path name = MakeTemporaryName(leftover.owner, attempt);
+    if (RenameToFreeName(leftover.path.c_str(), name.c_str()) == 0)
+    {
+      leftover.path = name;
+      return true;
+    }
+    if (errno != EEXIST)
+    {
+      return false;
+    }
+  }
+  return false;
+}
+
+/** Removes voxels unless a header names them. */
+void
+RemoveOrphan(const std::filesystem::path & voxels, const std::filesystem::path & header)
+{
+  if (IsDataName(voxels, header) && FindDataFile(header) != voxels)
+  {
+    unlink(voxels.c_str());
+  }
+}
+
+/** The process was killed between the names of the voxels and of the header, which would have taken the first from this
+ * file, see OutputFile::PublishForNow(). */
+void
+RemoveOtherName(const Leftover & leftover)
+{
+  std::error_code error;
+  for (const std::filesystem::path & path : ListFolder(FolderOf(leftover.owner)))
+  {
+    if (IsDataName(path, leftover.owner) && std::filesystem::equivalent(path, leftover.path, error))
+    {
+      RemoveOrphan(path, leftover.owner);
+    }
+  }
+}
+
+/** The process was killed when its header had taken the place of this one, and the voxels of this one were still there.
+ * Voxels of two names are those of a process that is at work, or of another leftover. */
+void
+RemoveVoxelsOfHeader(const Leftover & leftover)
+{
+  const std::filesystem::path voxels = FindDataFile(leftover.owner, leftover.path);
+  struct stat                 status = {};
+  if (!voxels.empty() && lstat(voxels.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1)
+  {
+    RemoveOrphan(voxels, leftover.owner);
+  }
+}
+
+void
+Remove(Leftover & leftover)
+{
+  struct stat status = {};
+  if (!Claim(leftover) || lstat(leftover.path.c_str(), &status) != 0)
+  {
+    return;
+  }
+  if (S_ISREG(status.st_mode))
+  {
+    status.st_nlink > 1 ? RemoveOtherName(leftover) : RemoveVoxelsOfHeader(leftover);
+  }
+  std::error_code error;
+  std::filesystem::remove_all(leftover.path, error);
+}
+
+} // namespace
+
+void
+RemoveLeftovers(const std::filesystem::path & folder)
+{
+  std::vector<Leftover> leftovers = ListLeftovers(folder);
+  std::for_each(leftovers.begin(), leftovers.end(), Remove);
+}
+
+void
+RemoveLeftovers(const std::vector<OutputRequest> & outputs)
+{
+  std::set<std::filesystem::path> folders;
+  for (const OutputRequest & output : outputs)
+  {
+    folders.insert(FolderOf(FollowLinks(output.fileName)));
+  }
+  for (const std::filesystem::path & folder : folders)
+  {
+    RemoveLeftovers(folder);
+  }
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ProcessIdentity.h"
+
+#include "Sha256.h"
+
+#include <cerrno>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <unistd.h>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::size_t HostDigits = 12;
+
+std::string
+ReadSmallFile(const std::filesystem::path & fileName)
+{
+  std::ifstream file(fileName, std::ios::binary);
+  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+}
+
+struct ProcessState
+{
+  char          letter{ '?' };
+  std::uint64_t startTime{ 0 };
+};
+
+/** Of a process that this one may see. */
+std::optional<ProcessState>
+ReadState(pid_t number)
+{
+  const std::string text = ReadSmallFile("/proc/" + std::to_string(number) + "/stat");
+  // The name of the program, in brackets, may have blanks and brackets.
+  const std::size_t bracket = text.rfind(')');
+  if (bracket == std::string::npos)
+  {
+    return std::nullopt;
+  }
+  std::istringstream fields(text.substr(bracket + 1));
+  ProcessState       state;
+  fields >> state.letter;
+  constexpr int fieldsBetween = 18;
+  std::string   ignored;
+  for (int field = 0; field < fieldsBetween; ++field)
+  {
+    fields >> ignored;
+  }
+  fields >> state.startTime;
+  return fields ? std::optional<ProcessState>(state) : std::nullopt;
+}
+
+/** Numbers of processes mean something in one name space of one start of one machine. */
+std::string
+MakeHost()
+{
+  std::string text = ReadSmallFile("/proc/sys/kernel/random/boot_id");
+  if (text.empty())
+  {
+    return {};
+  }
+  for (const char * const space : { "/proc/self/ns/pid", "/proc/self/ns/time" })
+  {
+    std::error_code error;
+    text += std::filesystem::read_symlink(space, error).string() + "\n";
+  }
+  Sha256 hash;
+  hash.Add(text.data(), text.size());
+  return hash.Finish().substr(0, HostDigits);
+}
+
+ProcessIdentity
+MakeThisProcess()
+{
+  ProcessIdentity process;
+  process.number = getpid();
+  if (const auto state = ReadState(process.number))
+  {
+    process.startTime = state->startTime;
+    process.host = MakeHost();
+  }
+  return process;
+}
+
+} // namespace
+
+const ProcessIdentity &
+GetThisProcess()
+{
+  static const ProcessIdentity process = MakeThisProcess();
+  return process;
+}
+
+bool
+HasEnded(const ProcessIdentity & process)
+{
+  if (process.host.empty() || process.host != GetThisProcess().host || process.number <= 0)
+  {
+    return false;
+  }
+  if (kill(process.number, 0) != 0 && errno == ESRCH)
+  {
+    return true;
+  }
+  const auto state = ReadState(process.number);
+  // Another process may have the number now; of one that was killed, its parent may not have been told yet.
+  return state && (state->startTime != process.startTime || state->letter == 'Z' || state->letter == 'X');
+}
+
+} // end namespace medialvoxel

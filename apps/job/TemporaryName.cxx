@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "TemporaryName.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <fcntl.h>
+#include <regex>
+#include <unistd.h>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** The text cut to a number of bytes, but not within a character of UTF-8. */
+std::string
+CutText(const std::string & text, std::size_t maximumBytes)
+{
+  std::size_t size = std::min(text.size(), maximumBytes);
+  while (size > 0 && size < text.size() && (static_cast<unsigned char>(text[size]) & 0xc0u) == 0x80u)
+  {
+    --size;
+  }
+  return text.substr(0, size);
+}
+
+} // namespace
+
+std::filesystem::path
+MakeTemporaryName(const std::filesystem::path & fileName, int attempt)
+{
+  const ProcessIdentity & process = GetThisProcess();
+  const std::string       host = process.host.empty() ? std::string(12, '0') : process.host;
+  const std::string       suffix = "." + host + "-" + std::to_string(process.number) + "-" +
+                             std::to_string(process.startTime) + "-" + std::to_string(attempt) + ".partial";
+  std::filesystem::path name = fileName;
+  return name.replace_filename(CutText(fileName.filename().string(), NAME_MAX - suffix.size()) + suffix);
+}
+
+std::optional<TemporaryName>
+ParseTemporaryName(const std::string & name)
+{
+  static const std::regex pattern(R"((.+)\.([0-9a-f]{12})-([0-9]{1,9})-([0-9]{1,18})-[0-9]{1,4}\.partial)");
+  std::smatch             parts;
+  if (!std::regex_match(name, parts, pattern))
+  {
+    return std::nullopt;
+  }
+  return TemporaryName{ parts[1], { parts[2], static_cast<pid_t>(std::stol(parts[3])), std::stoull(parts[4]) } };
+}
+
+int
+OpenNamelessFile([[maybe_unused]] const std::filesystem::path & folder, [[maybe_unused]] mode_t mode)
+{
+#ifdef O_TMPFILE
+  return open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
+#else
+  errno = EOPNOTSUPP;
+  return -1;
+#endif
+}
+
+std::string
+GetDescriptorName(int descriptor)
+{
+  return "/proc/self/fd/" + std::to_string(descriptor);
+}
+
+int
+LinkNamelessFile(int descriptor, const std::filesystem::path & name)
+{
+  return linkat(AT_FDCWD, GetDescriptorName(descriptor).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+}
+
+} // end namespace medialvoxel
