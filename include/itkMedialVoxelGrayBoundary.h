@@ -37,6 +37,7 @@ public:
     PositionType position{ { 0.0, 0.0, 0.0 } };
     PositionType normal{ { 0.0, 0.0, 0.0 } }; ///< into the object, of length 1
     double       numberOfLines{ 0.0 };        ///< that found it, up to 4; 0: there is no crossing within two voxels
+    bool         isRising{ true };            ///< into the object, through the lower threshold
   };
 
   /** Object are the voxels from \a lower to \a upper, of which one may be infinite. */
@@ -48,6 +49,23 @@ public:
    * \param inwards  direction into the object, about, in the units of the spacing; not zero */
   Crossing
   Find(const MedialVoxelGray & gray, const MedialVoxelIndex & point, const PositionType & inwards) const;
+
+  /** Where a surface that is known about lies along its normal, as a length from voxel 0 along it: the mean of 16 lines
+   * around a place. What a line sees depends on where it passes between the voxels. The boundary points prefer some
+   * of these ways, the place here shall not.
+   *
+   * \param gray      values of the voxels of \a box that the image has
+   * \param box       beyond which no value is read
+   * \param place     about on the surface, in the units of the spacing from voxel 0
+   * \param surface   its normal, of length 1, and the threshold
+   * \param position  changed only when a line finds the surface
+   * \return false when none does */
+  bool
+  FindAround(const MedialVoxelGray & gray,
+             const MedialVoxelBox &  box,
+             const PositionType &    place,
+             const Crossing &        surface,
+             double &                position) const;
 
 private:
   /** Values relative to the threshold that separates a boundary point from the object. */

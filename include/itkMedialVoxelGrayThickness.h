@@ -18,12 +18,13 @@ namespace itk
  * \brief Thickness of a wall at a medial cell, measured on the gray values that the object was cut from.
  *
  * Each boundary point of the cell's corners is moved by MedialVoxelGrayBoundary to where the values cross the
- * threshold. The thickness is the distance of the means of both sides, of MedialVoxelThickness, along the mean
- * direction of the gradients. Where a side has no crossing within two voxels, the measurement on the object is kept.
+ * threshold. Their means of both sides, of MedialVoxelThickness, and the mean direction of the gradients tell where the
+ * line through the center of the cell meets both surfaces. The thickness is the way between the surfaces along this
+ * direction, each being looked for once more around there. Where a side has no crossing within two voxels, the
+ * measurement on the object is kept; rims are found on the object.
  *
- * Walls of 3 voxels or more with values blurred by half a voxel to one voxel, and a threshold in the middle of both
- * materials, are measured with a mean error of less than 0.06 voxels, whatever their direction. Thinner walls do not
- * reach the value of their material, so that the threshold cuts them too thin.
+ * Walls do not reach the value of their material when they are thinner than about three times the blur, nor gaps that
+ * of the background: the threshold cuts such walls too thin and such gaps too narrow. doc/thickness.md has the errors.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelGrayThickness
@@ -48,7 +49,10 @@ public:
 
   /** Replaces the thickness and the area of a wall that was measured on the object. */
   void
-  Refine(const MedialVoxelWallPoints & points, const Crossings & crossings, MedialVoxelWall & wall) const;
+  Refine(const MedialVoxelGray &       gray,
+         const MedialVoxelWallPoints & points,
+         const Crossings &             crossings,
+         MedialVoxelWall &             wall) const;
 
   /** What moves the points. */
   const MedialVoxelGrayBoundary &
@@ -64,9 +68,14 @@ private:
   PositionType
   GetDirection(const MedialVoxelWallPoints & points) const;
 
+  /** The voxels around the boundary points, whether or not the image has them. */
+  static MedialVoxelBox
+  GetBoxAround(const MedialVoxelWallPoints & points);
+
   MedialVoxelGrid         m_Grid;
   MedialVoxelGrayBoundary m_Boundary;
   double                  m_CellVolume{ 1.0 }; // along the active axes
+  double                  m_Smallest;          // of MedialVoxelThickness
 };
 
 } // end namespace itk

@@ -24,6 +24,11 @@ struct MedialVoxel_EXPORT MedialVoxelWallPoints
   unsigned int                    numberOfCorners{ 0 }; ///< 2, 4 or 8
   MedialVoxelIndex                a{};                  ///< N(vi) of the chosen diagonal
   MedialVoxelIndex                b{};                  ///< N(vj), not equal to \a a
+  MedialVoxelIndex                cell{};               ///< the cell, as the index of its lowest corner
+
+  /** Side of the wall that a boundary point is on: 0 nearer to a, 1 nearer to b in voxels, 2 halfway. */
+  unsigned int
+  SideOf(const MedialVoxelIndex & point) const;
 };
 
 /** \struct MedialVoxelWall
@@ -32,9 +37,17 @@ struct MedialVoxel_EXPORT MedialVoxelWallPoints
  */
 struct MedialVoxel_EXPORT MedialVoxelWall
 {
-  float         thickness{ 0.0f }; ///< in the units of the grid's spacing, not negative
-  float         area{ 0.0f };      ///< of the mid-surface that the cell stands for, in squared units; in 2-D a length
-  std::uint32_t axis{ 0 };         ///< the axis that the way through the wall is longest along
+  float        thickness{ 0.0f }; ///< in the units of the grid's spacing, greater than 0
+  float        area{ 0.0f };      ///< of the mid-surface that the cell stands for, in squared units; in 2-D a length
+  std::uint8_t axis{ 0 };         ///< the axis that the way through the wall is longest along
+  bool         isRim{ false };    ///< the two sides do not face each other, so that the thickness is not that of a wall
+
+  /** The thickness, or at a rim the negative of it, as in the map. */
+  float
+  GetMarkedThickness() const
+  {
+    return isRim ? -thickness : thickness;
+  }
 };
 
 /** \class MedialVoxelThickness
@@ -43,9 +56,15 @@ struct MedialVoxel_EXPORT MedialVoxelWall
  * The boundary points of the corners are split into two sides, by which of a and b they are nearer to in voxels;
  * points halfway belong to neither. The thickness is the distance of the means of both sides, less the way from the
  * boundary voxels' centers to the faces of the wall. That way follows from the share of object voxels among the 3^D
- * voxels around each point: a plane across the direction of the wall that cuts off this share. Walls parallel to an
- * axis are measured exactly; walls at other angles of 2 voxels or more with a mean error of less than 0.2 voxels, but
- * for those at 45 degrees to two axes, whose layers of 0.71 voxels hide up to 0.36.
+ * voxels around each point: a plane across the direction of the wall that cuts off this share. Another wall behind a
+ * gap of one voxel does not count: of two object voxels that lie opposite each other around a point, one that is more
+ * than a quarter of a voxel on the far side of the point is left out. Walls parallel to an axis are measured exactly;
+ * doc/thickness.md has the errors of others.
+ *
+ * The cell is at a rim when the two sides do not face each other: the sums of the directions from the boundary points
+ * to the object voxels around them are more than 36.9 degrees (a cosine of 0.8) from opposite. There the points of the
+ * cell are on the end of the wall too, or of several walls that meet, and the thickness is that of none. The smallest
+ * thickness is a 64th of the smallest spacing.
  *
  * Outside the image, where nothing is known, the outermost voxels are continued.
  *
@@ -64,17 +83,25 @@ public:
   MedialVoxelWall
   Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const;
 
-  /** Object voxels among the 3^D voxels around \a point. */
-  int
-  CountObjectAround(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
+  /** Object voxels among the 3^D voxels around \a point: bit 13 + x + 3 y + 9 z is that of the offset (x, y, z). */
+  std::uint32_t
+  GetObjectAround(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
+
+  /** The smallest thickness that a wall has. */
+  double
+  GetSmallest() const
+  {
+    return m_Smallest;
+  }
 
 private:
-  int
-  CountAtFaceOfImage(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
+  std::uint32_t
+  GetAtFaceOfImage(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
 
   MedialVoxelGrid m_Grid;
   int             m_BlockVoxels{ 1 };  // 3^D
   double          m_CellVolume{ 1.0 }; // along the active axes
+  double          m_Smallest{ 0.0 };
 };
 
 } // end namespace itk

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelGray.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -63,6 +65,7 @@ MedialVoxelGray::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
   moved.m_Values.resize(static_cast<std::size_t>(std::max(box.NumberOfVoxels(), room.NumberOfVoxels())));
   for (std::int64_t z = shared.lower[2]; z < shared.upper[2]; ++z)
   {
+    MedialVoxelPoll();
     for (std::int64_t y = shared.lower[1]; y < shared.upper[1] && !shared.IsEmpty(); ++y)
     {
       const float * const row = this->GetRow(y, z) + (shared.lower[0] - m_Box.lower[0]);

@@ -33,6 +33,7 @@ struct MedialVoxelGrayBoundary::Field
   const MedialVoxelGrid & grid;
   double                  level;
   double                  sign; // positive values are object
+  MedialVoxelBox          box;  // of the voxels that may be read
 
   /** Trilinear; axes of one voxel drop out. */
   double
@@ -96,27 +97,51 @@ struct MedialVoxelGrayBoundary::Field
     return gradient;
   }
 
-  /** Where the values rise through the threshold along a line, in multiples of \a way; false when they do not. */
+  /** Whether the voxels around a position may be read. */
+  bool
+  Reaches(const PositionType & position) const
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const double last = static_cast<double>(grid.GetSize()[axis] - 1);
+      const double inImage = std::clamp(position[axis], 0.0, last);
+      if (!(std::floor(inImage) >= static_cast<double>(box.lower[axis]) &&
+            std::ceil(inImage) <= static_cast<double>(box.upper[axis] - 1)))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Where the values rise through the threshold along a line, in multiples of \a way: nearest to the start, so that
+   * another wall behind a narrow gap does not count; false when they do not. */
   bool
   FindCrossing(const PositionType & start, const PositionType & way, double & times) const
   {
     constexpr double step = 0.25;
     constexpr int    first = -3;
     constexpr int    last = 8;
-    double           outside = this->At(Along(start, way, first * step));
-    if (!(outside < 0.0))
+    if (!this->Reaches(start))
     {
       return false;
     }
-    for (int i = first + 1; i <= last; ++i)
+    double    here = this->At(start);
+    const int direction = here < 0.0 ? 1 : -1;
+    for (int i = direction; i >= first && i <= last; i += direction)
     {
-      const double inside = this->At(Along(start, way, i * step));
-      if (inside >= 0.0)
+      const PositionType position = Along(start, way, i * step);
+      if (!this->Reaches(position))
       {
-        times = step * (i - inside / (inside - outside));
+        return false;
+      }
+      const double next = this->At(position);
+      if ((here < 0.0) != (next < 0.0))
+      {
+        times = step * (i - direction * next / (next - here));
         return std::isfinite(times);
       }
-      outside = inside;
+      here = next;
     }
     return false;
   }
@@ -135,14 +160,17 @@ MedialVoxelGrayBoundary::Find(const MedialVoxelGray &  gray,
                               const MedialVoxelIndex & point,
                               const PositionType &     inwards) const -> Crossing
 {
-  const bool         isBelow = static_cast<double>(gray.Get(point)) < m_Lower;
-  const Field        field{ gray, m_Grid, isBelow ? m_Lower : m_Upper, isBelow ? 1.0 : -1.0 };
+  const bool           isBelow = static_cast<double>(gray.Get(point)) < m_Lower;
+  const MedialVoxelBox box =
+    MedialVoxelBox{ point, { { point[0] + 1, point[1] + 1, point[2] + 1 } } }.Expanded({ { Reach, Reach, Reach } });
+  const Field        field{ gray, m_Grid, isBelow ? m_Lower : m_Upper, isBelow ? 1.0 : -1.0, box };
   const PositionType start{
     { static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2]) }
   };
   const PositionType gradient = field.GetGradient(Along(start, this->ToVoxels(inwards), 0.5));
   const double       length = std::sqrt(Dot(gradient, gradient));
   Crossing           mean;
+  mean.isRising = isBelow;
   if (!(length > 0.0) || !std::isfinite(length) || !(Dot(gradient, inwards) > 0.0))
   {
     return mean;
@@ -169,6 +197,56 @@ MedialVoxelGrayBoundary::Find(const MedialVoxelGray &  gray,
     mean.normal[axis] = gradient[axis] / length;
   }
   return mean;
+}
+
+bool
+MedialVoxelGrayBoundary::FindAround(const MedialVoxelGray & gray,
+                                    const MedialVoxelBox &  box,
+                                    const PositionType &    place,
+                                    const Crossing &        surface,
+                                    double &                position) const
+{
+  const Field        field{ gray, m_Grid, surface.isRising ? m_Lower : m_Upper, surface.isRising ? 1.0 : -1.0, box };
+  const PositionType way = this->ToVoxels(surface.normal);
+  PositionType       across[2];
+  this->GetTangents(surface.normal, across);
+  PositionType start; // in voxels
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    start[axis] = place[axis] / m_Grid.GetSpacing()[axis];
+  }
+  const auto find = [&](const double first, const double second, double & along) {
+    const PositionType beside = Along(Along(start, across[0], first), across[1], second);
+    double             times = 0.0;
+    if (!field.FindCrossing(beside, way, times))
+    {
+      return false;
+    }
+    PositionType found = Along(beside, way, times);
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      found[axis] *= m_Grid.GetSpacing()[axis];
+    }
+    along = Dot(found, surface.normal);
+    return true;
+  };
+  // Opposite lines count together, so that a surface which is not quite across the normal is met in the middle.
+  double sum = 0.0;
+  double numberOfLines = 0.0;
+  for (const double first : { -0.75, -0.25, 0.25, 0.75 })
+  {
+    for (const double second : { 0.25, 0.75 })
+    {
+      double along[2];
+      if (find(first, second, along[0]) && find(-first, -second, along[1]))
+      {
+        sum += along[0] + along[1];
+        numberOfLines += 2.0;
+      }
+    }
+  }
+  position = numberOfLines > 0.0 ? sum / numberOfLines : position;
+  return numberOfLines > 0.0;
 }
 
 auto

@@ -20,21 +20,6 @@ Dot(const PositionType & a, const PositionType & b)
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/** Side of a boundary point: 0 nearer to a, 1 nearer to b in voxels, 2 halfway. */
-unsigned int
-SideOf(const MedialVoxelWallPoints & points, const MedialVoxelIndex & point)
-{
-  std::int64_t twiceProjection = 0;
-  std::int64_t squaredLength = 0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t across = points.b[axis] - points.a[axis];
-    twiceProjection += 2 * across * (point[axis] - points.a[axis]);
-    squaredLength += across * across;
-  }
-  return twiceProjection == squaredLength ? 2u : (twiceProjection < squaredLength ? 0u : 1u);
-}
-
 /** Adds a crossing to the sums of its side, as often as lines found it. */
 void
 AddTo(Crossing & side, const Crossing & crossing)
@@ -44,6 +29,7 @@ AddTo(Crossing & side, const Crossing & crossing)
     side.position[axis] += crossing.numberOfLines * crossing.position[axis];
     side.normal[axis] += crossing.numberOfLines * crossing.normal[axis];
   }
+  side.isRising = side.numberOfLines > 0.0 ? side.isRising : crossing.isRising;
   side.numberOfLines += crossing.numberOfLines;
 }
 
@@ -52,6 +38,7 @@ AddTo(Crossing & side, const Crossing & crossing)
 MedialVoxelGrayThickness::MedialVoxelGrayThickness(const MedialVoxelGrid & grid, const double lower, const double upper)
   : m_Grid(grid)
   , m_Boundary(grid, lower, upper)
+  , m_Smallest(MedialVoxelThickness(grid).GetSmallest())
 {
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -60,7 +47,7 @@ MedialVoxelGrayThickness::MedialVoxelGrayThickness(const MedialVoxelGrid & grid,
 }
 
 MedialVoxelBox
-MedialVoxelGrayThickness::GetReadBox(const MedialVoxelWallPoints & points) const
+MedialVoxelGrayThickness::GetBoxAround(const MedialVoxelWallPoints & points)
 {
   constexpr std::int64_t reach = MedialVoxelGrayBoundary::Reach;
   MedialVoxelBox         box;
@@ -69,7 +56,13 @@ MedialVoxelGrayThickness::GetReadBox(const MedialVoxelWallPoints & points) const
     const MedialVoxelIndex & point = points.corners[corner];
     box = box.Union({ point, { { point[0] + 1, point[1] + 1, point[2] + 1 } } });
   }
-  return box.Expanded({ { reach, reach, reach } }).Intersection(m_Grid.GetVoxelBox());
+  return box.Expanded({ { reach, reach, reach } });
+}
+
+MedialVoxelBox
+MedialVoxelGrayThickness::GetReadBox(const MedialVoxelWallPoints & points) const
+{
+  return GetBoxAround(points).Intersection(m_Grid.GetVoxelBox());
 }
 
 auto
@@ -88,23 +81,24 @@ MedialVoxelGrayThickness::FindCrossings(const MedialVoxelGray & gray, const Medi
     {
       crossings[corner] = crossings[static_cast<std::size_t>(first - points.corners.begin())];
     }
-    else if (SideOf(points, point) < 2)
+    else if (points.SideOf(point) < 2)
     {
-      crossings[corner] = m_Boundary.Find(gray, point, SideOf(points, point) == 0 ? fromA : fromB);
+      crossings[corner] = m_Boundary.Find(gray, point, points.SideOf(point) == 0 ? fromA : fromB);
     }
   }
   return crossings;
 }
 
 void
-MedialVoxelGrayThickness::Refine(const MedialVoxelWallPoints & points,
+MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
+                                 const MedialVoxelWallPoints & points,
                                  const Crossings &             crossings,
                                  MedialVoxelWall &             wall) const
 {
   Crossing sides[2];
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
-    const unsigned int side = SideOf(points, points.corners[corner]);
+    const unsigned int side = points.SideOf(points.corners[corner]);
     if (side < 2)
     {
       AddTo(sides[side], crossings[corner]);
@@ -115,26 +109,40 @@ MedialVoxelGrayThickness::Refine(const MedialVoxelWallPoints & points,
     return;
   }
   // The normals of both sides point into the wall.
-  PositionType way;
   PositionType normal;
+  PositionType center; // of the cell
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    way[axis] = sides[1].position[axis] / sides[1].numberOfLines - sides[0].position[axis] / sides[0].numberOfLines;
     normal[axis] = sides[0].normal[axis] / sides[0].numberOfLines - sides[1].normal[axis] / sides[1].numberOfLines;
+    center[axis] =
+      (static_cast<double>(points.cell[axis]) + (m_Grid.IsActive(axis) ? 0.5 : 0.0)) * m_Grid.GetSpacing()[axis];
   }
   const double length = std::sqrt(Dot(normal, normal));
-  const double thickness = Dot(way, normal) / length;
-  if (!(thickness > 0.0))
-  {
-    return;
-  }
-  double extent = 0.0; // of a cell along the normal
+  double       extent = 0.0; // of a cell along the normal
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    extent += std::abs(normal[axis]) / length * m_Grid.GetSpacing()[axis];
+    normal[axis] /= length;
+    extent += std::abs(normal[axis]) * m_Grid.GetSpacing()[axis];
   }
-  wall.thickness = static_cast<float>(thickness);
-  wall.area = static_cast<float>(m_CellVolume / extent);
+  double thickness = 0.0;
+  for (Crossing & side : sides)
+  {
+    const double sign = &side == &sides[0] ? 1.0 : -1.0;
+    double       position = sign * Dot(side.position, normal) / side.numberOfLines;
+    PositionType foot;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      foot[axis] = center[axis] + (sign * position - Dot(center, normal)) * normal[axis];
+      side.normal[axis] = sign * normal[axis];
+    }
+    m_Boundary.FindAround(gray, GetBoxAround(points), foot, side, position);
+    thickness -= position;
+  }
+  if (thickness > 0.0)
+  {
+    wall.thickness = static_cast<float>(std::max(m_Smallest, thickness));
+    wall.area = static_cast<float>(m_CellVolume / extent);
+  }
 }
 
 auto
@@ -145,7 +153,7 @@ MedialVoxelGrayThickness::GetDirection(const MedialVoxelWallPoints & points) con
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
     const MedialVoxelIndex & point = points.corners[corner];
-    const unsigned int       side = SideOf(points, point);
+    const unsigned int       side = points.SideOf(point);
     ++numbers[side];
     for (unsigned int axis = 0; axis < 3; ++axis)
     {

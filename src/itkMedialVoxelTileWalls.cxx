@@ -2,8 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelTileWalls.h"
 
+#include "itkMedialVoxelProgress.h"
+
 namespace itk
 {
+
+namespace
+{
+
+/** A wall takes as long as so many short steps. */
+constexpr std::uint32_t StepsOfWall = 8;
+
+} // namespace
 
 void
 MedialVoxelMeasureWalls(const MedialVoxelThickness &            thickness,
@@ -20,11 +30,13 @@ MedialVoxelMeasureWalls(const MedialVoxelThickness &            thickness,
   }
   walls.clear();
   walls.reserve(number);
-  MedialVoxelWallPoints points;
+  MedialVoxelWallPoints  points;
+  MedialVoxelPollCounter poll;
   for (const MedialVoxelCellRow & row : rows)
   {
     for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
     {
+      poll.Count(StepsOfWall);
       const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
       classifier.GetWallPoints(features, cell, points);
       walls.push_back(thickness.Measure(*window.object, points));
@@ -40,19 +52,21 @@ MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
                        const std::vector<MedialVoxelCellRow> & rows,
                        std::vector<MedialVoxelWall> &          walls)
 {
-  MedialVoxelBox        missing;
-  MedialVoxelWallPoints points;
-  auto                  wall = walls.begin();
+  MedialVoxelBox         missing;
+  MedialVoxelWallPoints  points;
+  MedialVoxelPollCounter poll;
+  auto                   wall = walls.begin();
   for (const MedialVoxelCellRow & row : rows)
   {
     for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
     {
+      poll.Count(StepsOfWall);
       const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
       classifier.GetWallPoints(features, cell, points);
       const MedialVoxelBox needed = thickness.GetReadBox(points);
       if (gray.GetBox().Contains(needed))
       {
-        thickness.Refine(points, thickness.FindCrossings(gray, points), *wall);
+        thickness.Refine(gray, points, thickness.FindCrossings(gray, points), *wall);
       }
       else
       {

@@ -3,9 +3,7 @@
 
 #include "itkMedialVoxelThickness.h"
 
-#include "itkMedialVoxelClassifier.h"
-
-#include "MedialVoxelTestKernels.h"
+#include "MedialVoxelTestMeasurement.h"
 #include "MedialVoxelTestPhantoms.h"
 
 #include <gtest/gtest.h>
@@ -13,98 +11,6 @@
 namespace
 {
 using namespace MedialVoxelTest;
-
-/** Thicknesses at the medial cells whose index passes a test. */
-class Measurement
-{
-public:
-  using Test = std::function<bool(const itk::MedialVoxelIndex &)>;
-
-  Measurement(const Volume & volume, double tau, const Test & isWanted)
-    : Measurement(volume, tau, isWanted, GridOf(volume).GetVoxelBox())
-  {}
-
-  Measurement(const Volume & volume, double tau, const Test & isWanted, const itk::MedialVoxelBox & tile)
-  {
-    const itk::MedialVoxelGrid grid = GridOf(volume);
-    const itk::MedialVoxelBits object = ObjectBits(volume, grid.GetVoxelBox());
-    const itk::MedialVoxelBits sites = SiteBits(BoundarySites(volume), grid.GetVoxelBox());
-    itk::MedialVoxelParameters parameters;
-    parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(tau);
-    const itk::MedialVoxelClassifier            classifier(grid, parameters);
-    const itk::MedialVoxelFeatureTransform      transform(grid);
-    itk::MedialVoxelFeatureTransform::Workspace transformWorkspace;
-    itk::MedialVoxelFeatures                    features;
-    const itk::MedialVoxelWindow                window{ &object, &sites };
-    EXPECT_TRUE(transform.Compute(window, classifier.GetVoxelBox(tile), transformWorkspace, features).IsEmpty());
-    itk::MedialVoxelClassifier::Workspace workspace;
-    std::vector<std::uint8_t>             labels;
-    itk::MedialVoxelCounts                counts;
-    EXPECT_TRUE(
-      classifier.Classify(window, tile, features, itk::MedialVoxelNoProgress{}, workspace, labels, counts).IsEmpty());
-
-    const itk::MedialVoxelThickness thickness(grid);
-    std::size_t                     i = 0;
-    ForEachVoxel(tile, [&](const itk::MedialVoxelIndex & cell) {
-      if (labels[i++] >= itk::MedialVoxelLabel::MedialByBound && isWanted(cell))
-      {
-        itk::MedialVoxelWallPoints wall;
-        EXPECT_TRUE(classifier.GetWallPoints(features, cell, wall));
-        const itk::MedialVoxelWall measured = thickness.Measure(object, wall);
-        m_Values.push_back(static_cast<double>(measured.thickness));
-        m_Area += static_cast<double>(measured.area);
-        ++m_CellsAcross[measured.axis];
-      }
-    });
-  }
-
-  const std::vector<double> &
-  GetValues() const
-  {
-    return m_Values;
-  }
-
-  /** Of all medial cells that are wanted. */
-  double
-  Area() const
-  {
-    return m_Area;
-  }
-
-  /** Numbers of cells by the axis that their wall is across. */
-  const std::array<std::size_t, 3> &
-  CellsAcross() const
-  {
-    return m_CellsAcross;
-  }
-
-  double
-  Mean() const
-  {
-    double sum = 0.0;
-    for (const double value : m_Values)
-    {
-      sum += value;
-    }
-    return sum / static_cast<double>(m_Values.size());
-  }
-
-  double
-  Deviation() const
-  {
-    double sum = 0.0;
-    for (const double value : m_Values)
-    {
-      sum += (value - this->Mean()) * (value - this->Mean());
-    }
-    return std::sqrt(sum / static_cast<double>(m_Values.size()));
-  }
-
-private:
-  std::vector<double>        m_Values;
-  double                     m_Area{ 0.0 };
-  std::array<std::size_t, 3> m_CellsAcross{ { 0, 0, 0 } };
-};
 
 bool
 Everywhere(const itk::MedialVoxelIndex &)
@@ -128,34 +34,93 @@ Inside(int size, int margin)
   };
 }
 
-/** Means over plates whose centers divide a voxel along the normal; where a plate lies between the voxels changes how
- * many of their layers it holds. */
+/** Where a plate lies between the voxels changes how many of their layers it holds. */
+constexpr int NumberOfPlaces = 13;
+
+/** Spread over a voxel so that the layers of voxels across all of the tilts are met evenly. */
+Vector3
+PlaceInVoxel(int place)
+{
+  const int steps[3] = { 1, 3, 5 };
+  Vector3   result;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    result[axis] = 20.99 + static_cast<double>(place * steps[axis] % NumberOfPlaces) / NumberOfPlaces;
+  }
+  return result;
+}
+
 struct PlateErrors
 {
-  double mean{ 0.0 };
-  double deviation{ 0.0 };
+  double mean{ 0.0 };      // over the places of the means of plates
+  double smallest{ 0.0 };  // mean of a plate
+  double largest{ 0.0 };   // mean of a plate
+  double deviation{ 0.0 }; // of the cells of a plate, mean over the places
 };
 
+/** Errors at the cells of a plate; on one side or on both there is another one behind a gap. */
 PlateErrors
-MeasureTiltedPlates(const Vector3 & normal, double thickness)
+MeasureTiltedPlates(const Vector3 & normal, double thickness, double gap = 0.0, int numberOfOthers = 0)
 {
   constexpr int size = 44;
-  constexpr int places = 8;
   const double  length = std::sqrt(Dot(normal, normal));
   PlateErrors   errors;
-  for (int place = 0; place < places; ++place)
+  errors.smallest = std::numeric_limits<double>::infinity();
+  errors.largest = -errors.smallest;
+  for (int place = 0; place < NumberOfPlaces; ++place)
   {
-    Vector3 center{ { 21.3, 21.6, 21.4 } };
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      center[axis] += normal[axis] / length * place / places;
-    }
-    const Measurement measured(TiltedPlate({ { size, size, size } }, center, normal, thickness), 3.0, Inside(size, 10));
+    const Vector3 center = PlaceInVoxel(place);
+    const auto    heightOf = [&](double x, double y, double z) {
+      return Dot({ { x - center[0], y - center[1], z - center[2] } }, normal) / length;
+    };
+    const Volume volume = MakeVolume({ { size, size, size } }, UnitSpacing, [&](const Index3 & v) {
+      const double height = heightOf(v[0], v[1], v[2]);
+      const double above = (numberOfOthers == 2 ? std::abs(height) : height) - thickness / 2;
+      return std::abs(height) <= thickness / 2 || (numberOfOthers > 0 && above > gap && above <= gap + 5.0);
+    });
+    const auto   isInside = Inside(size, 10);
+    const auto   isInPlate = [&](const itk::MedialVoxelIndex & cell) {
+      const auto centerOf = [&](int axis) { return static_cast<double>(cell[axis]) + 0.5; };
+      return isInside(cell) && std::abs(heightOf(centerOf(0), centerOf(1), centerOf(2))) <= thickness / 2;
+    };
+    const Measurement measured(volume, 3.0, isInPlate);
     EXPECT_GT(measured.GetValues().size(), 300u);
-    errors.mean += (measured.Mean() - thickness) / places;
-    errors.deviation += measured.Deviation() / places;
+    const double error = measured.Mean() - thickness;
+    errors.mean += error / NumberOfPlaces;
+    errors.deviation += measured.Deviation() / NumberOfPlaces;
+    errors.smallest = std::min(errors.smallest, error);
+    errors.largest = std::max(errors.largest, error);
   }
   return errors;
+}
+
+struct Tilt
+{
+  const char * name;
+  Vector3      normal;
+  double       layer; // distance of the layers of voxels that lie in a plate; 0 where it cuts them all
+};
+
+const double Tangent15 = std::tan(3.14159265358979323846 / 12);
+const Tilt   Tilts[] = { { "along an axis", { { 0.0, 0.0, 1.0 } }, 1.0 },
+                         { "15 degrees", { { 0.0, Tangent15, 1.0 } }, 0.0 },
+                         { "45 degrees (1,1,0)", { { 1.0, 1.0, 0.0 } }, std::sqrt(0.5) },
+                         { "(1,2,5)", { { 1.0, 2.0, 5.0 } }, std::sqrt(1.0 / 30) },
+                         { "(1,1,1)", { { 1.0, 1.0, 1.0 } }, std::sqrt(1.0 / 3) },
+                         { "(0.37,0.61,0.7)", { { 0.37, 0.61, 0.7 } }, 0.0 } };
+
+/** A block along the axes; its edges are square. */
+Volume
+Block(const Index3 & extent)
+{
+  return MakeVolume({ { extent[0] + 12, extent[1] + 12, extent[2] + 12 } }, UnitSpacing, [=](const Index3 & v) {
+    bool isInside = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      isInside = isInside && v[axis] >= 6 && v[axis] < 6 + extent[axis];
+    }
+    return isInside;
+  });
 }
 } // namespace
 
@@ -222,37 +187,135 @@ TEST(MedialVoxelThickness, LinesInThePlaneAreExact)
   }
 }
 
-TEST(MedialVoxelThickness, TiltedWallsAreRightInTheMean)
+TEST(MedialVoxelThickness, WallsBesideNarrowGapsAreExactAlongAnAxis)
 {
-  struct Case
+  for (int axis = 0; axis < 3; ++axis)
   {
-    Vector3 normal;
-    double  thickness;
-    double  mean;
-    double  deviation;
-  };
-  const double tangent = std::tan(3.14159265358979323846 / 12);
-  for (const Case & c : { Case{ { { 0.0, tangent, 1.0 } }, 2, 0.05, 0.25 },
-                          Case{ { { 0.0, tangent, 1.0 } }, 4, 0.05, 0.17 },
-                          Case{ { { 0.0, tangent, 1.0 } }, 8, 0.08, 0.1 },
-                          Case{ { { 1.0, 2.0, 5.0 } }, 2, 0.13, 0.15 },
-                          Case{ { { 1.0, 2.0, 5.0 } }, 4, 0.13, 0.05 },
-                          Case{ { { 1.0, 2.0, 5.0 } }, 8, 0.13, 0.05 },
-                          Case{ { { 1.0, 1.0, 1.0 } }, 2, 0.14, 0.05 },
-                          Case{ { { 1.0, 1.0, 1.0 } }, 4, 0.14, 0.05 },
-                          Case{ { { 1.0, 1.0, 1.0 } }, 8, 0.14, 0.05 } })
-  {
-    const PlateErrors errors = MeasureTiltedPlates(c.normal, c.thickness);
-    EXPECT_LT(std::abs(errors.mean), c.mean) << c.normal[0] << ' ' << c.normal[1] << ' ' << c.normal[2];
-    EXPECT_LT(errors.deviation, c.deviation) << c.normal[0] << ' ' << c.normal[1] << ' ' << c.normal[2];
+    for (const int thickness : { 1, 2, 4, 8 })
+    {
+      for (const int gap : { 1, 2 })
+      {
+        for (const bool onBothSides : { false, true })
+        {
+          const int         first = 4 + gap;
+          const Volume      volume = MakeVolume({ { 24, 24, 24 } }, { { 0.5, 0.5, 0.5 } }, [=](const Index3 & v) {
+            const int place = v[axis];
+            return (place >= first && place < first + thickness) ||
+                   (place >= first + thickness + gap && place < first + thickness + gap + 3) ||
+                   (onBothSides && place >= first - gap - 3 && place < first - gap);
+          });
+          const Measurement measured(
+            volume, 1.0, [=](const auto & cell) { return cell[axis] >= first - 1 && cell[axis] < first + thickness; });
+          EXPECT_EQ(measured.GetWallValues().size(), 23u * 23u);
+          for (const double value : measured.GetWallValues())
+          {
+            ASSERT_EQ(value, 0.5 * thickness) << axis << ' ' << gap << ' ' << onBothSides;
+          }
+        }
+      }
+    }
   }
 }
 
-TEST(MedialVoxelThickness, LayersAt45DegreesToTwoAxesHideLessThanHalfAVoxel)
+TEST(MedialVoxelThickness, TiltedWallsBesideNarrowGapsAreNotThicker)
 {
-  for (const double thickness : { 2.0, 3.0, 4.0, 6.0, 8.0 })
+  for (const Tilt & tilt : Tilts)
   {
-    EXPECT_LT(std::abs(MeasureTiltedPlates({ { 1.0, 1.0, 0.0 } }, thickness).mean), 0.4) << thickness;
+    for (const double thickness : { 2.0, 4.0 })
+    {
+      const PlateErrors alone = MeasureTiltedPlates(tilt.normal, thickness);
+      for (const double gap : { 1.0, 2.0 })
+      {
+        for (const int others : { 1, 2 })
+        {
+          const PlateErrors errors = MeasureTiltedPlates(tilt.normal, thickness, gap, others);
+          EXPECT_NEAR(errors.mean, alone.mean, 0.1) << tilt.name << ' ' << thickness << ' ' << gap << ' ' << others;
+          EXPECT_NEAR(errors.largest, alone.largest, 0.15) << tilt.name << ' ' << thickness;
+        }
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelThickness, TiltedWallsAreRightInTheMeanOverPlaces)
+{
+  for (const Tilt & tilt : Tilts)
+  {
+    for (const double thickness : { 2.0, 3.0, 4.0, 6.0, 8.0 })
+    {
+      const PlateErrors errors = MeasureTiltedPlates(tilt.normal, thickness);
+      const std::string name = tilt.name + (" " + std::to_string(thickness));
+      EXPECT_LT(std::abs(errors.mean), 0.21) << name;
+      EXPECT_LT(errors.deviation, 0.27) << name;
+      // A plate holds whole layers: up to one more or less than its thickness.
+      EXPECT_LT(std::max(-errors.smallest, errors.largest), tilt.layer + 0.15) << name;
+    }
+  }
+}
+
+/** The table of doc/thickness.md. */
+TEST(MedialVoxelThickness, DISABLED_ErrorTable)
+{
+  for (const Tilt & tilt : Tilts)
+  {
+    std::printf("| %s |", tilt.name);
+    for (const double thickness : { 2.0, 3.0, 4.0, 6.0, 8.0 })
+    {
+      const PlateErrors errors = MeasureTiltedPlates(tilt.normal, thickness);
+      std::printf(" %+.2f / %.2f / %+.2f to %+.2f |", errors.mean, errors.deviation, errors.smallest, errors.largest);
+    }
+    std::printf("\n");
+  }
+}
+
+TEST(MedialVoxelThickness, CellsAtSquareRimsAreMarked)
+{
+  for (const Index3 & extent : { Index3{ { 30, 30, 4 } }, { { 30, 30, 2 } }, { { 40, 8, 4 } }, { { 30, 34, 8 } } })
+  {
+    for (int turn = 0; turn < 3; ++turn)
+    {
+      const Index3              turned{ { extent[turn], extent[(turn + 1) % 3], extent[(turn + 2) % 3] } };
+      const Measurement         measured(Block(turned), 3.0, Everywhere);
+      const std::vector<double> values = measured.GetWallValues();
+      ASSERT_GT(values.size(), 20u);
+      EXPECT_EQ(values.back(), extent[2]);
+      if (turn == 0 || extent[2] > 2)
+      {
+        EXPECT_LT(values.size(), measured.GetValues().size());
+        EXPECT_EQ(values.front(), extent[2]) << turn;
+      }
+      // Of equally near boundary points that with the smaller z, y, x counts: at the end of thin walls it may be the
+      // one beside the edge, around which there is less of the wall.
+      EXPECT_GE(values.front(), extent[2] - 0.7);
+      EXPECT_GE(values[values.size() / 20], extent[2] - 0.34);
+    }
+  }
+}
+
+TEST(MedialVoxelThickness, CellsOfWallsWithoutRimsAreNotMarked)
+{
+  for (const Tilt & tilt : Tilts)
+  {
+    for (const double thickness : { 1.5, 2.0, 4.0, 8.0 })
+    {
+      const Measurement measured(
+        TiltedPlate({ { 40, 40, 40 } }, PlaceInVoxel(3), tilt.normal, thickness), 3.0, Inside(40, 10));
+      const double rims = static_cast<double>(measured.GetValues().size() - measured.GetWallValues().size());
+      EXPECT_LE(rims / static_cast<double>(measured.GetValues().size()), thickness < 2.0 ? 0.05 : 0.01)
+        << tilt.name << ' ' << thickness;
+    }
+  }
+  const Measurement shell(SphericalShell({ { 60, 60, 60 } }, { { 29.4, 29.7, 29.5 } }, 24.0, 4.0), 3.0, Everywhere);
+  EXPECT_EQ(shell.GetWallValues().size(), shell.GetValues().size());
+}
+
+TEST(MedialVoxelThickness, IsNeverZero)
+{
+  for (const double density : { 0.3, 0.6, 0.9 })
+  {
+    const Measurement measured(RandomVolume({ { 40, 30, 20 } }, { { 1.0, 0.5, 2.0 } }, density, 80), 0.6, Everywhere);
+    ASSERT_GT(measured.GetValues().size(), 100u);
+    EXPECT_GE(*std::min_element(measured.GetValues().begin(), measured.GetValues().end()), 0.5 / 64);
   }
 }
 
@@ -358,22 +421,22 @@ TEST(MedialVoxelThickness, PartsOfATileGiveTheSameBits)
   EXPECT_EQ(whole, parts);
 }
 
-TEST(MedialVoxelThickness, CountsVoxelsAroundAPointAndContinuesTheImage)
+TEST(MedialVoxelThickness, SeesVoxelsAroundAPointAndContinuesTheImage)
 {
   const Volume                    volume = RandomVolume({ { 130, 9, 8 } }, UnitSpacing, 0.5, 79);
   const itk::MedialVoxelGrid      grid = GridOf(volume);
   const itk::MedialVoxelBits      object = ObjectBits(volume, grid.GetVoxelBox());
   const itk::MedialVoxelThickness thickness(grid);
   ForEachVoxel(grid.GetVoxelBox(), [&](const itk::MedialVoxelIndex & point) {
-    int expected = 0;
+    std::uint32_t expected = 0;
     ForEachVoxel(MakeBox({ { -1, -1, -1 } }, { { 2, 2, 2 } }), [&](const itk::MedialVoxelIndex & offset) {
       Index3 voxel;
       for (int axis = 0; axis < 3; ++axis)
       {
         voxel[axis] = std::clamp(static_cast<int>(point[axis] + offset[axis]), 0, volume.size[axis] - 1);
       }
-      expected += volume.IsObject(voxel) ? 1 : 0;
+      expected |= volume.IsObject(voxel) ? 1u << (13 + offset[0] + 3 * offset[1] + 9 * offset[2]) : 0u;
     });
-    EXPECT_EQ(thickness.CountObjectAround(object, point), expected) << point[0] << ' ' << point[1] << ' ' << point[2];
+    EXPECT_EQ(thickness.GetObjectAround(object, point), expected) << point[0] << ' ' << point[1] << ' ' << point[2];
   });
 }

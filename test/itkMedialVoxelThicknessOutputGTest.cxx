@@ -38,6 +38,7 @@ ExpectDefinition(const Volume & volume, double tau)
   const auto  sites = BoundarySites(volume);
   const auto  nearest = NearestBoundaryPoints(volume, sites);
   std::size_t medial = 0;
+  std::size_t rims = 0;
   for (std::size_t i = 0; i < labels.size(); ++i)
   {
     if (labels[i] < 2)
@@ -46,9 +47,17 @@ ExpectDefinition(const Volume & volume, double tau)
       continue;
     }
     ++medial;
-    ASSERT_NEAR(thicknesses[i], ExpectedThickness(volume, sites, nearest, volume.IndexAt(i)), 1e-5) << i;
+    const ExpectedWall wall = ExpectWall(volume, sites, nearest, volume.IndexAt(i));
+    ASSERT_NEAR(std::abs(thicknesses[i]), wall.thickness, 1e-5) << i;
+    if (std::abs(wall.cosine - 0.8) > 1e-9)
+    {
+      ASSERT_EQ(thicknesses[i] < 0.0f, wall.cosine < 0.8) << i << ' ' << wall.cosine;
+      rims += thicknesses[i] < 0.0f ? 1 : 0;
+    }
   }
   EXPECT_GT(medial, 20u);
+  EXPECT_GT(rims, 0u);
+  EXPECT_LT(rims, medial);
 }
 } // namespace
 

@@ -76,7 +76,7 @@ DrawSlice(Canvas &                    canvas,
       label = std::max(label, labels.values[at]);
       thickest = std::max(thickest, thicknesses.values[at]);
     });
-    if (label >= itk::MedialVoxelLabel::MedialByBound)
+    if (thickest > 0.0F)
     {
       return scale.GetColor(static_cast<double>(thickest));
     }
@@ -90,7 +90,7 @@ DrawProjection(Canvas & canvas, const Survey & survey, const Rectangle & area, c
   const auto & size = survey.GetProjectionSize();
   DrawView(canvas, area, size[0], size[1], false, [&](const CoveredArea & covered) {
     const Survey::ProjectedPixel & pixel = survey.GetProjection()[covered.rows[0] * size[0] + covered.columns[0]];
-    if (pixel.label >= itk::MedialVoxelLabel::MedialByBound)
+    if (pixel.thickest > 0)
     {
       return scale.GetColor(pixel.thickest * survey.GetThickness().GetBinWidth());
     }

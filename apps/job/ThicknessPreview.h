@@ -18,8 +18,8 @@ std::uint64_t
 GetThicknessPreviewBytes(const VolumeGeometry & geometry);
 
 /** Draws a finished thickness map in the views of DrawPreview(): object gray, medial cells in colors from the first to
- * the 99th percentile of the thickness, which the survey has measured at all cells. Where more cells fall together the
- * thickest counts, in the projection the thickest along the ray.
+ * the 99th percentile of the thickness, which the survey has measured at all cells; those at rims are object. Where
+ * more cells fall together the thickest counts, in the projection the thickest along the ray.
  * \param unit of the lengths, in capital letters */
 Canvas
 DrawThicknessPreview(const VoxelOutput &    labels,

@@ -50,35 +50,36 @@ MakeStatistics(const itk::MedialVoxelHistogram & histogram)
 } // namespace
 
 ThicknessSummary
-Summarize(const itk::MedialVoxelHistogram & histogram,
-          const itk::MedialVoxelHistogram & byArea,
-          double                            areaUnit,
-          unsigned int                      step)
+Summarize(const Survey & survey)
 {
-  ThicknessSummary summary;
+  const itk::MedialVoxelHistogram & histogram = survey.GetThickness();
+  const itk::MedialVoxelHistogram & byArea = survey.GetThicknessByArea();
+  ThicknessSummary                  summary;
   static_cast<ThicknessStatistics &>(summary) = MakeStatistics(histogram);
   summary.cells = histogram.GetTotal();
-  summary.step = step;
+  summary.rimCells = survey.GetRimCells();
+  summary.step = survey.GetStep();
   summary.resolution = histogram.GetBinWidth();
   summary.minimum = histogram.GetMinimum();
   summary.maximum = histogram.GetMaximum();
-  summary.area = static_cast<double>(byArea.GetTotal()) * areaUnit;
+  summary.area = static_cast<double>(byArea.GetTotal()) * survey.GetAreaUnit();
   summary.byArea = MakeStatistics(byArea);
   AddBins(summary, histogram);
   return summary;
 }
 
 std::string
-MakeThicknessCsv(const itk::MedialVoxelHistogram & histogram, const itk::MedialVoxelHistogram & byArea, double areaUnit)
+MakeThicknessCsv(const Survey & survey)
 {
+  const itk::MedialVoxelHistogram &  histogram = survey.GetThickness();
   const std::vector<std::uint64_t> & numbers = histogram.GetNumbers();
-  const std::vector<std::uint64_t> & areas = byArea.GetNumbers();
+  const std::vector<std::uint64_t> & areas = survey.GetThicknessByArea().GetNumbers();
   std::string                        text = "thickness,cells,area\n";
   for (std::size_t bin = histogram.GetBin(histogram.GetMinimum()); bin < numbers.size(); ++bin)
   {
     const std::uint64_t area = bin < areas.size() ? areas[bin] : 0;
     text += FormatNumber(static_cast<double>(bin) * histogram.GetBinWidth()) + ',' + std::to_string(numbers[bin]) +
-            ',' + FormatNumber(static_cast<double>(area) * areaUnit) + '\n';
+            ',' + FormatNumber(static_cast<double>(area) * survey.GetAreaUnit()) + '\n';
   }
   return text;
 }

@@ -3,7 +3,7 @@
 #ifndef medialvoxelThicknessSummary_h
 #define medialvoxelThicknessSummary_h
 
-#include "itkMedialVoxelHistogram.h"
+#include "Survey.h"
 
 #include <array>
 #include <cstdint>
@@ -29,10 +29,12 @@ struct ThicknessStatistics
   }
 };
 
-/** Thickness of the walls at the medial cells, in the units of the job's lengths. Without cells all is 0. */
+/** Thickness of the walls at the medial cells that are at no rim, in the units of the job's lengths. Without cells all
+ * is 0. */
 struct ThicknessSummary : ThicknessStatistics ///< every cell counts the same
 {
   std::uint64_t cells{ 0 };        ///< measured ones
+  std::uint64_t rimCells{ 0 };     ///< measured ones that are at rims, which nothing else here counts
   unsigned int  step{ 1 };         ///< one of how many medial cells is measured
   double        resolution{ 0.0 }; ///< of the lengths below, but for mean and deviation
   double        minimum{ 0.0 };
@@ -49,20 +51,13 @@ struct ThicknessSummary : ThicknessStatistics ///< every cell counts the same
   std::uint64_t              above{ 0 };
 };
 
-/** \param byArea    the histogram of the same lengths with areas in place of numbers
- * \param areaUnit  area of 1 in it */
 ThicknessSummary
-Summarize(const itk::MedialVoxelHistogram & histogram,
-          const itk::MedialVoxelHistogram & byArea,
-          double                            areaUnit,
-          unsigned int                      step);
+Summarize(const Survey & survey);
 
 /** The histograms as comma-separated values: a line with the names thickness, cells and area, and one for every bin
  * from the smallest to the largest thickness, each with the length in the middle of the bin. */
 std::string
-MakeThicknessCsv(const itk::MedialVoxelHistogram & histogram,
-                 const itk::MedialVoxelHistogram & byArea,
-                 double                            areaUnit);
+MakeThicknessCsv(const Survey & survey);
 
 } // end namespace medialvoxel
 
