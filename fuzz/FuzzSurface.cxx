@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// The medial surface of small images: as many quadrilaterals as brute force finds crossings, a mesh that holds
-// together, and the same one for any pieces, threads and memory.
+// The medial surface of small images: as many quadrilaterals as brute force finds, a mesh that holds together, and the
+// same one for any pieces, threads and memory.
 
 #include "FuzzFilters.h"
-#include "FuzzOracle.h"
 
 #include "MedialVoxelTestMesh.h"
 
@@ -44,7 +43,7 @@ ChooseFinish(Choices & choices, const Scene & scene)
   finish.subVoxel = scene.HasThresholds() && choices.Flag();
   finish.triangles = choices.Flag();
   finish.marksSides = choices.Flag();
-  finish.minimumBranchLength = choices.Next(0, 3) == 0 ? choices.Byte() / 16.0 : 0.0;
+  finish.minimumBranchLength = choices.Next(0, 3) == 0 ? UnitOf(scene.volume) * (choices.Byte() / 16.0) : 0.0;
   finish.smallestPiece = choices.Next(0, 3) == 0 ? static_cast<itk::SizeValueType>(choices.Next(0, 20)) : 0;
   return finish;
 }
@@ -59,15 +58,7 @@ MakeFilter(const Scene &                 scene,
   auto filter = FilterType::New();
   SetScene(*filter, scene, input, cut);
   filter->SetNumberOfSlicesPerPiece(cut.slabThickness);
-  filter->SetThicknessMode(question.thickness ? itk::MedialVoxelThicknessMode::Fixed
-                                              : itk::MedialVoxelThicknessMode::Automatic);
-  filter->SetThickness(question.thickness.value_or(3.0));
-  filter->SetMinimumThickness(question.minimumThickness);
-  filter->SetMaximumThickness(question.maximumThickness);
-  if (question.maximumPoreSize)
-  {
-    filter->SetMaximumPoreSize(static_cast<itk::SizeValueType>(*question.maximumPoreSize));
-  }
+  SetWalls(*filter, question);
   filter->SetSubvoxelThickness(finish.subVoxel);
   filter->SetGenerateTriangles(finish.triangles);
   filter->SetMarkSides(finish.marksSides);
@@ -145,10 +136,10 @@ CheckMesh(const MeshType & mesh, const Scene & scene, const Question & question,
   CheckPoints(mesh);
   CheckFaces(mesh, finish);
   const Volume             volume = CleanedByBruteForce(scene.GetMeasured(), question);
-  const auto               expected = CountCrossingsByBruteForce(volume, question);
+  const auto               expected = CountFacesByBruteForce(volume, question);
   const itk::SizeValueType quads = mesh.GetNumberOfCells() / (finish.triangles ? 2 : 1);
   Require(!expected || quads == *expected || (finish.LeavesOut() && quads < *expected),
-          "another number of quadrilaterals than crossings by brute force");
+          "another number of quadrilaterals than by brute force");
 }
 
 } // namespace

@@ -9,6 +9,8 @@
 #include "itkImageToMeshFilter.h"
 #include "itkMesh.h"
 
+#include <algorithm>
+
 namespace itk
 {
 
@@ -18,8 +20,10 @@ namespace itk
  *
  * The surface is dual to the voxels: an edge between two neighboring voxels of which at least one is object is crossed
  * when their nearest boundary points are at least epsilon = pi Thickness / 2 apart along the boundary, as in
- * MedialVoxelImageFilter. A crossed edge has one quadrilateral, which joins the four dual cells around it; the vertex
- * of a cell is where the planes midway between the boundary points of its edges meet best. Five steps of smoothing
+ * MedialVoxelImageFilter. A crossed edge has one quadrilateral, which joins the four dual cells around it. A cell has a
+ * vertex for each connected part of the surface in it, where the planes midway between the boundary points of its edges
+ * meet best. Single quadrilaterals that hang at a side of others, or touch them at a corner alone, are left out
+ * (MedialVoxelSurfaceTrimmer), so that the surface is a manifold away from junctions. Five steps of smoothing
  * follow, in which rims and junctions of sheets keep to themselves and all vertices to the middle of their wall. As
  * edges and cells are shared, the surface has no cracks: it ends at rims and at the faces of the image, and more than
  * two quadrilaterals meet at junctions.
@@ -29,13 +33,18 @@ namespace itk
  * between their two nearest boundary points. The data of a cell is its area, or with MarkSides a number that says which
  * sides are rims and junctions.
  *
- * Points are in the order of their dual cells (z, y, x), cells in the order of the lower voxels of their edges and of
- * the axes (x, y, z). Quadrilaterals begin at their lowest dual cell and are oriented so that their normal has a
- * component along the direction (1, sqrt 2, sqrt 3) that is not negative: neighbors agree but where the surface turns
- * its edge to that direction. Surfaces with junctions, or with one side only, have no common orientation. The mesh does
- * not depend on threads or on the division of the work.
+ * Points are in the order of their dual cells (z, y, x) and, in one, of their lowest edges, cells in the order of the
+ * lower voxels of their edges and of the axes (x, y, z). Quadrilaterals begin at their lowest dual cell and are
+ * oriented so that their normal has a component along the direction (1, sqrt 2, sqrt 3) that is not negative: neighbors
+ * agree but where the surface turns its edge to that direction. Surfaces with junctions, or with one side only, have no
+ * common orientation. The mesh does not depend on threads or on the division of the work.
  *
  * An image in which an axis has a single voxel has no surface: the mesh is empty.
+ *
+ * \par Coordinates
+ * Mesh<float, 3> and Mesh<double, 3> have coordinates of 32 bits. An image whose coordinates reach more than about
+ * 16000 times its smallest spacing needs 64, or points would move by more than a thousandth of it: the filter throws.
+ * A mesh with the traits DefaultStaticMeshTraits<float, 3, 3, double> has them.
  *
  * \par Memory
  * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled piece by piece.
@@ -108,13 +117,34 @@ public:
   InputPixelType
   GetBackgroundValue() const;
 
-  /** Smallest and largest value of an object voxel; setting one replaces BackgroundValue. */
+  /** Smallest and largest value of an object voxel; setting one replaces BackgroundValue. Integers are exact, the
+   * getters return the nearest double. */
   void
   SetLowerThreshold(double threshold);
+#ifndef ITK_WRAPPING_PARSER
+  void
+  SetLowerThreshold(const MedialVoxelLimit & threshold);
+  template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
+  void
+  SetLowerThreshold(const TInteger threshold)
+  {
+    this->SetLowerThreshold(MedialVoxelLimit(threshold));
+  }
+#endif
   double
   GetLowerThreshold() const;
   void
   SetUpperThreshold(double threshold);
+#ifndef ITK_WRAPPING_PARSER
+  void
+  SetUpperThreshold(const MedialVoxelLimit & threshold);
+  template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
+  void
+  SetUpperThreshold(const TInteger threshold)
+  {
+    this->SetUpperThreshold(MedialVoxelLimit(threshold));
+  }
+#endif
   double
   GetUpperThreshold() const;
   void
@@ -183,6 +213,9 @@ protected:
   VerifyPreconditions() ITKv5_CONST override;
 
   void
+  VerifyInputInformation() ITKv5_CONST override;
+
+  void
   GenerateInputRequestedRegion() override;
 
   void
@@ -212,6 +245,14 @@ private:
   /** Those of the label filter, which has checked them. */
   MedialVoxelParameters
   GetParameters(const MedialVoxelGrid & grid) const;
+
+  static MedialVoxelIndex
+  GetSize(const InputImageType & image)
+  {
+    MedialVoxelIndex size;
+    std::copy_n(image.GetLargestPossibleRegion().GetSize().begin(), 3, size.begin());
+    return size;
+  }
 
   static MedialVoxelSurfaceBuilder::Placement
   GetPlacement(const InputImageType & image);

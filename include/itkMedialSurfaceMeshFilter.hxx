@@ -3,108 +3,17 @@
 #ifndef itkMedialSurfaceMeshFilter_hxx
 #define itkMedialSurfaceMeshFilter_hxx
 
+#include "itkMedialSurfaceMeshWriter.hxx"
+#include "itkMedialSurfaceProgress.h"
+#include "itkMedialVoxelLimits.h"
 #include "itkMedialVoxelSurfaceObserver.h"
 #include "itkMedialVoxelSurfaceStore.h"
 
-#include "itkQuadrilateralCell.h"
-#include "itkTriangleCell.h"
-
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace itk
 {
-
-/** Puts a surface into a mesh. */
-template <typename TInputImage, typename TOutputMesh>
-class MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::MeshWriter : public MedialVoxelSurfaceConsumer
-{
-public:
-  MeshWriter(OutputMeshType & mesh, bool asTriangles, bool withMarks)
-    : m_Mesh(mesh)
-    , m_AsTriangles(asTriangles)
-    , m_WithMarks(withMarks)
-  {}
-
-  void
-  AddVertices(const std::vector<MedialVoxelSurfaceVertex> & vertices) override
-  {
-    for (const MedialVoxelSurfaceVertex & vertex : vertices)
-    {
-      typename OutputMeshType::PointType point;
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        point[axis] = static_cast<typename OutputMeshType::CoordRepType>(vertex.point[axis]);
-      }
-      m_Mesh.SetPoint(m_NumberOfPoints, point);
-      m_Mesh.SetPointData(m_NumberOfPoints, static_cast<typename OutputMeshType::PixelType>(vertex.thickness));
-      ++m_NumberOfPoints;
-    }
-  }
-
-  void
-  AddQuads(const std::vector<MedialVoxelSurfaceQuad> & quads) override
-  {
-    for (const MedialVoxelSurfaceQuad & quad : quads)
-    {
-      if (m_AsTriangles)
-      {
-        this->AddTriangle(quad, 0);
-        this->AddTriangle(quad, 1);
-      }
-      else
-      {
-        const unsigned int marks = unsigned{ quad.rimSides } | unsigned{ quad.junctionSides } << 4;
-        this->AddCell<QuadrilateralCell<CellInterfaceType>>(quad.vertices, quad.GetArea(), marks);
-      }
-    }
-  }
-
-private:
-  using CellInterfaceType = typename OutputMeshType::CellType;
-  using CellPixelType = typename OutputMeshType::CellPixelType;
-
-  void
-  AddTriangle(const MedialVoxelSurfaceQuad & quad, const unsigned int half)
-  {
-    const auto                   corners = quad.GetTriangle(half);
-    std::array<std::uint64_t, 3> vertices;
-    unsigned int                 marks = 0;
-    for (unsigned int i = 0; i < 3; ++i)
-    {
-      vertices[i] = quad.vertices[corners[i]];
-    }
-    for (unsigned int side = 0; side < 2; ++side)
-    {
-      marks |= ((unsigned{ quad.rimSides } >> corners[side]) & 1u) << side;
-      marks |= ((unsigned{ quad.junctionSides } >> corners[side]) & 1u) << (side + 4);
-    }
-    this->AddCell<TriangleCell<CellInterfaceType>>(vertices, quad.areas[half], marks);
-  }
-
-  template <typename TCell, typename TVertices>
-  void
-  AddCell(const TVertices & vertices, const double area, const unsigned int marks)
-  {
-    auto * const                             cell = new TCell;
-    typename OutputMeshType::CellAutoPointer owner;
-    owner.TakeOwnership(cell);
-    for (unsigned int i = 0; i < vertices.size(); ++i)
-    {
-      cell->SetPointId(static_cast<int>(i), static_cast<IdentifierType>(vertices[i]));
-    }
-    m_Mesh.SetCell(m_NumberOfCells, owner);
-    m_Mesh.SetCellData(m_NumberOfCells, static_cast<CellPixelType>(m_WithMarks ? marks : area));
-    ++m_NumberOfCells;
-  }
-
-  OutputMeshType & m_Mesh;
-  bool             m_AsTriangles;
-  bool             m_WithMarks;
-  IdentifierType   m_NumberOfPoints{ 0 };
-  IdentifierType   m_NumberOfCells{ 0 };
-};
 
 template <typename TInputImage, typename TOutputMesh>
 template <typename TFunction>
@@ -214,6 +123,13 @@ template <typename TInputImage, typename TOutputMesh>
 void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetLowerThreshold(const double threshold)
 {
+  this->SetLowerThreshold(MedialVoxelLimit(threshold));
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetLowerThreshold(const MedialVoxelLimit & threshold)
+{
   this->Change([=](LabelFilterType & filter) { filter.SetLowerThreshold(threshold); });
 }
 
@@ -227,6 +143,13 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetLowerThreshold() const
 template <typename TInputImage, typename TOutputMesh>
 void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetUpperThreshold(const double threshold)
+{
+  this->SetUpperThreshold(MedialVoxelLimit(threshold));
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetUpperThreshold(const MedialVoxelLimit & threshold)
 {
   this->Change([=](LabelFilterType & filter) { filter.SetUpperThreshold(threshold); });
 }
@@ -311,6 +234,25 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyPreconditions() ITKv5_C
   }
 }
 
+/** Whether the coordinates of the mesh tell neighboring points apart. */
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyInputInformation() ITKv5_CONST
+{
+  Superclass::VerifyInputInformation();
+  const auto & input = dynamic_cast<const InputImageType &>(*this->GetPrimaryInput());
+  const auto   placement = GetPlacement(input);
+  const auto   size = GetSize(input);
+  if (sizeof(typename OutputMeshType::CoordRepType) < sizeof(double) &&
+      !MedialVoxelSurfaceBuilder::FitsFloat(placement, size))
+  {
+    itkExceptionMacro("Coordinates of the image reach "
+                      << MedialVoxelSurfaceBuilder::LargestCoordinate(placement, size) << " with spacing "
+                      << input.GetSpacing()
+                      << ": 32 bits do not keep points apart. Take a mesh of double coordinates.");
+  }
+}
+
 /** What the label filter asks for to begin with; it pulls the rest. */
 template <typename TInputImage, typename TOutputMesh>
 void
@@ -339,7 +281,8 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetParameters(const MedialVox
   constexpr auto bound = MedialVoxelPseudoGeodesicBound::FreeSpace;
   if (this->GetThicknessMode() == ThicknessModeEnum::Fixed)
   {
-    return MedialVoxelParameters::ForThickness(this->GetThickness(), bound);
+    return MedialVoxelParameters::ForThickness(std::max(this->GetThickness(), MedialVoxelLimits::LeastThickness(grid)),
+                                               bound);
   }
   const auto limits =
     MedialVoxelParameters::LimitsOfWalls(grid, this->GetMinimumThickness(), this->GetMaximumThickness());
@@ -376,29 +319,37 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   mesh.SetCells(OutputMeshType::CellsContainer::New());
   mesh.SetCellData(OutputMeshType::CellDataContainer::New());
 
-  MedialVoxelIndex             size;
-  MedialVoxelGrid::SpacingType spacing;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    size[axis] = static_cast<std::int64_t>(input.GetLargestPossibleRegion().GetSize(axis));
-    spacing[axis] = input.GetSpacing()[axis];
-  }
-  const MedialVoxelGrid        grid(size,
+  const MedialVoxelIndex             size = GetSize(input);
+  const MedialVoxelGrid::SpacingType spacing{ { input.GetSpacing()[0], input.GetSpacing()[1], input.GetSpacing()[2] } };
+  const MedialVoxelGrid              grid(size,
                              this->GetUseImageSpacing() ? spacing : MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } });
-  MeshWriter                   writer(mesh, m_GenerateTriangles, m_MarkSides);
-  MedialVoxelSurfaceStore      store;
-  const bool                   keepsAll = m_SmallestPiece <= 1 && !(m_MinimumBranchLength > 0.0);
-  MedialVoxelSurfaceConsumer & consumer = keepsAll ? static_cast<MedialVoxelSurfaceConsumer &>(writer) : store;
-  MedialVoxelSurfaceObserver   observer(grid, this->GetParameters(grid), spacing, GetPlacement(input), consumer);
+  MeshWriter                         writer(mesh, m_GenerateTriangles, m_MarkSides);
+  MedialVoxelSurfaceStore            store(MedialVoxelSurfaceBuilder::FitsFloat(GetPlacement(input), size));
+  const bool                         keepsAll = m_SmallestPiece <= 1 && !(m_MinimumBranchLength > 0.0);
+  MedialVoxelSurfaceConsumer &       consumer = keepsAll ? static_cast<MedialVoxelSurfaceConsumer &>(writer) : store;
+  MedialVoxelSurfaceObserver         observer(grid, this->GetParameters(grid), spacing, GetPlacement(input), consumer);
 
   if (this->GetSubvoxelThickness())
   {
     observer.MeasureOnGrayValues(this->GetLowerThreshold(), this->GetUpperThreshold());
   }
   m_LabelFilter->SetTileObserver(&observer);
+  MedialSurfaceProgress      progress(*this);
+  const MedialVoxelPollScope scope(progress);
   try
   {
     this->RunPieces();
+    m_LabelFilter->SetTileObserver(nullptr);
+    observer.Finish();
+    if (m_MinimumBranchLength > 0.0)
+    {
+      store.RemoveBranches(m_MinimumBranchLength);
+    }
+    if (m_SmallestPiece > 1)
+    {
+      store.RemoveSmallPieces(m_SmallestPiece);
+    }
+    store.HandOn(writer);
   }
   catch (...)
   {
@@ -406,17 +357,6 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
     mesh.Initialize();
     throw;
   }
-  m_LabelFilter->SetTileObserver(nullptr);
-  observer.Finish();
-  if (m_MinimumBranchLength > 0.0)
-  {
-    store.RemoveBranches(m_MinimumBranchLength);
-  }
-  if (m_SmallestPiece > 1)
-  {
-    store.RemoveSmallPieces(m_SmallestPiece);
-  }
-  store.HandOn(writer);
   this->UpdateProgress(1.0f);
 }
 

@@ -23,7 +23,7 @@ class MedialVoxel_EXPORT MedialVoxelSurfaceFaces
 {
 public:
   using VerticesType = std::array<std::uint64_t, 4>;
-  using PointType = std::array<float, 3>;
+  using PointType = std::array<double, 3>;
   using Visitor = std::function<void(const VerticesType &, const std::array<PointType, 4> &)>;
 
   virtual ~MedialVoxelSurfaceFaces();

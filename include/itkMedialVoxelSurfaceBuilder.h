@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <vector>
 
 namespace itk
@@ -81,11 +82,11 @@ public:
 /** \class MedialVoxelSurfaceBuilder
  * \brief Joins the cells of a medial surface, smooths it and hands it on, slice by slice.
  *
- * Vertices are numbered in the order of their cells (z, y, x), quadrilaterals follow in the order of the lower voxels
- * of their edges and of the axes. In each of five steps a vertex moves by 0.6 of the way to the mean of those that
- * MedialVoxelSurfaceTopology::DirectionsToFollow() names, then by 0.15 of the way to the plane midway between its
- * walls, or by the weight that is set. A step at a slice needs the step before at the two slices beside it, so that a
- * dozen slices are in memory, and how the cells come in pieces has no influence.
+ * Vertices are numbered in the order of their cells (z, y, x) and of their lowest edges, quadrilaterals follow in the
+ * order of the lower voxels of their edges and of the axes. In each of five steps a vertex moves by 0.6 of the way to
+ * the mean of those that MedialVoxelSurfaceTopology::NeighborsToFollow() names, then by 0.15 of the way to the plane
+ * midway between its walls, or by the weight that is set. A step at a slice needs the step before at the two slices
+ * beside it, so that a dozen slices are in memory, and how the cells come in pieces has no influence.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceBuilder
@@ -103,6 +104,24 @@ public:
 
   static constexpr unsigned int NumberOfSteps = 5;
 
+  /** Whether coordinates of 32 bits place the vertices of an image of this size within a thousandth of its shortest
+   * step. When not, vertices would move and fall together. */
+  static bool
+  FitsFloat(const Placement & placement, const MedialVoxelIndex & size);
+
+  /** The number of 32 bits that is nearest to a coordinate. */
+  static double
+  RoundedToFloat(const double coordinate)
+  {
+    // GCC 12 leaves out casts to and fro where it makes vectors of them.
+    const volatile float rounded = static_cast<float>(coordinate);
+    return static_cast<double>(rounded);
+  }
+
+  /** The largest absolute coordinate of the voxels. */
+  static double
+  LargestCoordinate(const Placement & placement, const MedialVoxelIndex & size);
+
   /** For SetWeightOfPlane() with planes measured on gray values. */
   static constexpr double WeightOfGrayPlane = 0.7;
 
@@ -119,7 +138,8 @@ public:
     m_WeightOfPlane = weight;
   }
 
-  /** Take all cells of slice \a z, in order; slices come in order, and those that are left out have none. */
+  /** Take all vertices in cells of slice \a z, in order; slices come in order, and those that are left out have none.
+   */
   void
   AddSlice(std::int64_t z, std::vector<MedialVoxelSurfaceCell> cells);
 
@@ -131,15 +151,40 @@ private:
   static constexpr unsigned int NumberOfDirections = MedialVoxelSurfaceTopology::NumberOfDirections;
   using Offsets = std::vector<std::array<float, 3>>;
 
+  /** Where a vertex is joined to two through one face: the other one, and the voxel edges of the cell of whose
+   * quadrilaterals it is. */
+  struct SecondNeighbor
+  {
+    std::uint32_t                        cell;
+    MedialVoxelSurfaceTopology::EdgeMask edges;
+  };
+
   /** A slice in work. Of the neighbors only those are set that the surface joins. */
   struct Slice
   {
     std::vector<MedialVoxelSurfaceCell>                        cells;
     std::vector<std::array<std::uint32_t, NumberOfDirections>> neighbors;
-    Offsets                                                    offsets;  // after the last step
-    Offsets                                                    previous; // after the one before
+    std::map<std::uint64_t, SecondNeighbor>                    secondNeighbors; // by SecondKeyOf()
+    Offsets                                                    offsets;         // after the last step
+    Offsets                                                    previous;        // after the one before
     std::uint64_t                                              firstVertex{ 0 };
   };
+
+  static std::uint64_t
+  SecondKeyOf(const std::uint32_t cell, const unsigned int direction)
+  {
+    return std::uint64_t{ cell } * NumberOfDirections + direction;
+  }
+
+  static void
+  Link(Slice & from, const std::vector<MedialVoxelSurfaceCell> & to, unsigned int direction);
+
+  /** The vertex that one is joined to through the face in a direction by the quadrilateral of \a edge. */
+  static std::uint32_t
+  NeighborOf(const Slice & slice, std::uint32_t cell, unsigned int direction, unsigned int edge);
+
+  static std::uint16_t
+  NeighborsToFollow(const Slice & slice, std::uint32_t cell);
 
   void
   Push(std::vector<MedialVoxelSurfaceCell> cells);

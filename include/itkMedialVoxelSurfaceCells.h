@@ -10,6 +10,7 @@
 #include "itkMedialVoxelThickness.h"
 #include "itkMedialVoxelTileObserver.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -19,28 +20,41 @@ namespace itk
 {
 
 /** \struct MedialVoxelSurfaceCell
- * \brief A cell that the medial surface has a vertex in, before smoothing; lengths in physical units.
+ * \brief A vertex of the medial surface in a cell, before smoothing; lengths in physical units. Sheets that pass each
+ * other in a cell have a vertex each.
  * \ingroup MedialVoxel
  */
 struct MedialVoxelSurfaceCell
 {
   std::array<std::int32_t, 3>          index{};       ///< of the cell
-  MedialVoxelSurfaceTopology::EdgeMask quads{ 0 };    ///< voxel edges that have a quadrilateral, at least one
+  MedialVoxelSurfaceTopology::EdgeMask quads{ 0 };    ///< voxel edges whose quadrilateral has it, at least one
   std::array<float, 3>                 offset{};      ///< of the vertex from the center of the cell
   std::array<float, 3>                 normal{};      ///< of the plane midway between the walls, of length 1
   float                                distance{ 0 }; ///< of that plane from the center, along the normal
   float                                thickness{ 0 };
 };
 
+/** Whether a vertex comes before another: by cells in the order z, y, x, and by their lowest edges. */
+inline bool
+MedialVoxelIsBefore(const MedialVoxelSurfaceCell & a, const MedialVoxelSurfaceCell & b)
+{
+  if (a.index != b.index)
+  {
+    return std::lexicographical_compare(a.index.rbegin(), a.index.rend(), b.index.rbegin(), b.index.rend());
+  }
+  return MedialVoxelLowestBit(a.quads) < MedialVoxelLowestBit(b.quads);
+}
+
 /** \class MedialVoxelSurfaceCells
  * \brief Finds the vertices and quadrilaterals of the medial surface at the cells of a tile.
  *
- * Each crossed edge of MedialVoxelSurfaceCrossings with four cells around it has a quadrilateral, and every cell of a
- * quadrilateral one vertex: the MedialVoxelSurfaceFit of the pairs N(v), N(w) of its crossed edges. All follows from
- * the voxels of the cell alone, so that tiles agree on what they share.
+ * Each crossed edge of MedialVoxelSurfaceCrossings with four cells around it has a quadrilateral, and a cell of
+ * quadrilaterals a vertex for each of their connected parts, as MedialVoxelSurfaceTopology tells: the
+ * MedialVoxelSurfaceFit of the pairs N(v), N(w) of its crossed edges. All follows from the voxels of the cell alone, so
+ * that tiles agree on what they share.
  *
- * The thickness of a medial cell is that of MedialVoxelThickness. Of other cells, which rims and junctions use, it is
- * measured between the two nearest points of a pair.
+ * The thickness of a medial cell is that of MedialVoxelThickness. Of other cells, which rims and junctions use, and
+ * where sheets pass each other, it is measured between the two nearest points of a pair.
  *
  * On gray values MedialVoxelGrayBoundary moves the points of the pairs, of which the plane that is as far from both
  * walls counts, and the thickness is that of MedialVoxelGrayThickness.
@@ -72,7 +86,7 @@ public:
   void
   MeasureOnGrayValues(double lower, double upper);
 
-  /** The cells of \a tile, in the order z, y, x.
+  /** The vertices in the cells of \a tile, in the order z, y, x of the cells and of the lowest edges.
    *
    * \param cells  replaced; incomplete after an abort
    * \return an empty box when all edges are decided, otherwise the box of sites that must be known to decide them, or
@@ -86,17 +100,32 @@ private:
   MedialVoxelSurfaceTopology::EdgeMask
   GetPossibleQuads(const MedialVoxelIndex & cell) const;
 
+  MedialVoxelSurfaceTopology::Splits
+  FindSplits(const MedialVoxelClassifiedTile &    tile,
+             const MedialVoxelIndex &             index,
+             MedialVoxelSurfaceTopology::EdgeMask quads,
+             Workspace &                          workspace,
+             MedialVoxelBox &                     missing) const;
+
+  void
+  AddVertex(const MedialVoxelClassifiedTile &     tile,
+            const MedialVoxelSurfaceCell &        cell,
+            MedialVoxelSurfaceTopology::EdgeMask  crossed,
+            bool                                  isMedial,
+            std::vector<MedialVoxelSurfaceCell> & cells,
+            MedialVoxelBox &                      missing) const;
+
   MedialVoxelWallPoints
   GetWallPoints(const MedialVoxelClassifiedTile &    tile,
                 const MedialVoxelIndex &             index,
                 MedialVoxelSurfaceTopology::EdgeMask crossed,
                 bool                                 isMedial) const;
 
-  MedialVoxelSurfaceCell
-  MakeCell(const MedialVoxelClassifiedTile &    tile,
-           const MedialVoxelIndex &             index,
-           MedialVoxelSurfaceTopology::EdgeMask crossed,
-           const MedialVoxelWallPoints &        points) const;
+  void
+  Place(const MedialVoxelClassifiedTile &    tile,
+        MedialVoxelSurfaceTopology::EdgeMask crossed,
+        const MedialVoxelWallPoints &        points,
+        MedialVoxelSurfaceCell &             cell) const;
 
   void
   FitToGrayValues(const MedialVoxelGray &                     gray,

@@ -68,6 +68,7 @@ public:
     MedialVoxelLocalThreshold::Workspace    m_Threshold;
     std::vector<Edge>                       m_Edges;
     std::vector<MedialVoxelSeparationQuery> m_Queries;
+    std::vector<MedialVoxelSeparationQuery> m_QueryOfSplit;
     MedialVoxelPairSeparation::Workspace    m_Separation;
   };
 
@@ -81,6 +82,19 @@ public:
    * \return an empty box when all edges are decided, otherwise the box of sites that must be known to decide them */
   MedialVoxelBox
   Find(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+
+  /** How the face of a cell of the last tile in a direction is split, whose four edges are crossed. Voxels across from
+   * each other are of one side when their boundary points are less than epsilon apart, the largest one of both cells:
+   * then the face is split around the others. When both pairs are, the one whose points are nearer to each other
+   * counts, and that of the first voxel when they are as near.
+   *
+   * \param missing  grows by the box of sites that must be known to decide it */
+  MedialVoxelSurfaceTopology::Split
+  FindSplit(const MedialVoxelClassifiedTile & tile,
+            const MedialVoxelIndex &          cell,
+            unsigned int                      direction,
+            Workspace &                       workspace,
+            MedialVoxelBox &                  missing) const;
 
   /** Bytes of a workspace for each voxel of a tile when an eighth of them are near a surface. */
   static std::uint64_t
@@ -116,6 +130,13 @@ private:
 
   MedialVoxelBox
   DecideQueries(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+
+  bool
+  AreApart(const MedialVoxelClassifiedTile & tile,
+           const MedialVoxelPair &           pair,
+           double                            epsilon,
+           Workspace &                       workspace,
+           MedialVoxelBox &                  missing) const;
 
   static void
   Mark(const Workspace::Edge & edge, Workspace & workspace);

@@ -3,7 +3,7 @@
 #ifndef itkMedialVoxelSurfaceObserver_h
 #define itkMedialVoxelSurfaceObserver_h
 
-#include "itkMedialVoxelSurfaceBuilder.h"
+#include "itkMedialVoxelSurfaceTrimmer.h"
 #include "itkMedialVoxelTileObserver.h"
 
 #include <cstdint>
@@ -30,7 +30,7 @@ public:
  * \brief Builds the medial surface while an image is classified piece by piece.
  *
  * The pieces are whole slices and follow each other along the last axis. Their cells are kept until the piece is done;
- * then a MedialVoxelSurfaceBuilder takes them.
+ * then a MedialVoxelSurfaceTrimmer takes them, and a MedialVoxelSurfaceBuilder what is left.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceObserver : public MedialVoxelTileObserver
@@ -88,6 +88,7 @@ private:
 
   MedialVoxelSurfaceCells              m_Kernel;
   MedialVoxelSurfaceBuilder            m_Builder;
+  MedialVoxelSurfaceTrimmer            m_Trimmer;
   std::uint64_t                        m_MaximumNumberOfCells{ std::numeric_limits<std::uint64_t>::max() };
   std::mutex                           m_Mutex;
   std::vector<std::unique_ptr<Worker>> m_Workers;

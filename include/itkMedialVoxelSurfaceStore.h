@@ -21,6 +21,11 @@ class MedialVoxel_EXPORT MedialVoxelSurfaceStore
   , private MedialVoxelSurfaceFaces
 {
 public:
+  /** \param roundsToFloat  whether lengths are those of vertices that are rounded to 32 bits, as in most files */
+  explicit MedialVoxelSurfaceStore(bool roundsToFloat)
+    : m_RoundsToFloat(roundsToFloat)
+  {}
+
   void
   AddVertices(const std::vector<MedialVoxelSurfaceVertex> & vertices) override;
 
@@ -48,6 +53,7 @@ private:
   void
   Keep(TIsVertexKept && isVertexKept, TIsQuadKept && isQuadKept, TNumberOf && numberOf);
 
+  bool                                  m_RoundsToFloat;
   std::vector<MedialVoxelSurfaceVertex> m_Vertices;
   std::vector<MedialVoxelSurfaceQuad>   m_Quads;
 };

@@ -9,6 +9,7 @@
 #include "MedialVoxelExport.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace itk
@@ -19,10 +20,12 @@ namespace itk
  *
  * A crossed edge between two voxels has one quadrilateral, which joins the four cells around it. The twelve voxel edges
  * of a cell are bits of a mask: bit 4 k + u + 2 v is the edge along axis k whose lower voxel is the cell's lowest
- * corner, moved by u along the next axis and by v along the one after it (x follows z). The mask of the edges that
- * have a quadrilateral says all about the surface at the cell's vertex: two cells that share a face are joined by an
- * edge of the surface when one of the four voxel edges around that face is crossed, and as many quadrilaterals meet
- * there as are crossed.
+ * corner, moved by u along the next axis and by v along the one after it (x follows z). Two cells that share a face
+ * are joined by an edge of the surface when one of the four voxel edges around that face is crossed, and as many
+ * quadrilaterals meet there as are crossed. Where all four are, but voxels across from each other are of one side,
+ * sheets pass each other that do not meet: the face is split between them, and has two edges of the surface. A cell has
+ * a vertex for each connected part of its surface: quadrilaterals that meet at one of its faces are of one part. The
+ * masks of the edges of the parts say all about the surface.
  *
  * Directions 2 n and 2 n + 1 lead from a cell to its lower and its upper neighbor along axis n.
  * \ingroup MedialVoxel
@@ -31,6 +34,17 @@ class MedialVoxel_EXPORT MedialVoxelSurfaceTopology
 {
 public:
   using EdgeMask = std::uint16_t;
+
+  /** How the edges around a face are split. */
+  enum Split : std::uint8_t
+  {
+    Unsplit = 0,
+    AroundUneven = 1, ///< around the voxels that are above the first one along one of the axes of the face
+    AroundEven = 2    ///< around the first voxel and the one across from it
+  };
+
+  /** The splits of the six faces of a cell, two bits for each direction. */
+  using Splits = std::uint16_t;
 
   static constexpr unsigned int NumberOfEdges = 12;
   static constexpr unsigned int NumberOfDirections = 6;
@@ -66,15 +80,68 @@ public:
     return static_cast<EdgeMask>(mask);
   }
 
-  /** Quadrilaterals that meet at the edge of the surface from a cell in a direction: 0, when there is none, to 4. */
+  /** The edges around the face in a direction as they follow each other: from its first voxel, which is the lowest one,
+   * along the axis after the normal to the next, and so on. */
+  static constexpr std::array<unsigned int, 4>
+  RingTowards(const unsigned int direction)
+  {
+    const unsigned int next = (direction / 2 + 1) % 3;
+    const unsigned int afterNext = (direction / 2 + 2) % 3;
+    const unsigned int side = direction % 2;
+    return { { EdgeOf(next, 0, side), EdgeOf(afterNext, side, 1), EdgeOf(next, 1, side), EdgeOf(afterNext, side, 0) } };
+  }
+
+  /** Number that an edge of the face in a direction has in the cell behind that face. */
+  static constexpr unsigned int
+  Mirrored(const unsigned int edge, const unsigned int direction)
+  {
+    const unsigned int bit = (AxisOf(edge) + 1) % 3 == direction / 2 ? 1 : 2;
+    return edge ^ bit;
+  }
+
+  static Split
+  SplitOf(const Splits splits, const unsigned int direction)
+  {
+    return static_cast<Split>(splits >> 2 * direction & 3);
+  }
+
+  static Splits
+  WithSplit(const Splits splits, const unsigned int direction, const Split split)
+  {
+    return static_cast<Splits>(splits | unsigned{ split } << 2 * direction);
+  }
+
+  /** Edges around the face in a direction that are not split from \a edge, one of them. */
+  static EdgeMask
+  JoinedEdges(unsigned int edge, unsigned int direction, Splits splits);
+
+  /** The connected part of \a quads that has its lowest edge. */
+  static EdgeMask
+  FirstPart(EdgeMask quads, Splits splits);
+
+  /** Quadrilaterals that meet at the edges of the surface from a cell in a direction: 0, when there is none, to 4. */
   static unsigned int
   QuadsTowards(const EdgeMask quads, const unsigned int direction)
   {
     return static_cast<unsigned int>(MedialVoxelPopulationCount(quads & EdgesTowards(direction)));
   }
 
-  /** Directions, as bits, of the neighbors that a vertex follows when it is smoothed: all that it is joined to; at a
-   * rim those along the rim, where a junction of sheets those along the junction, none where both meet. */
+  /** Quadrilaterals that two vertices share which are joined through the face in a direction.
+   *
+   * \param quads   those of the one
+   * \param behind  those of the other, in that direction */
+  static unsigned int
+  QuadsBetween(EdgeMask quads, EdgeMask behind, unsigned int direction);
+
+  /** The neighbors, as bits, that a vertex follows when it is smoothed: all that it is joined to; at a rim those along
+   * the rim, where a junction of sheets those along the junction, none where both meet.
+   *
+   * \param counts  quadrilaterals at the side to each neighbor: those in the six directions, and the second ones there
+   */
+  static std::uint16_t
+  NeighborsToFollow(const std::array<unsigned int, std::size_t{ 2 } * NumberOfDirections> & counts);
+
+  /** The same as directions when there are no second neighbors. */
   static std::uint8_t
   DirectionsToFollow(EdgeMask quads);
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceBranches.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,7 +27,7 @@ DistanceOf(const PointType & a, const PointType & b)
   double sum = 0.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const double difference = static_cast<double>(a[axis]) - static_cast<double>(b[axis]);
+    const double difference = a[axis] - b[axis];
     sum += difference * difference;
   }
   return static_cast<float>(std::sqrt(sum));
@@ -254,8 +256,10 @@ MedialVoxelSurfaceBranches::MarkBridges()
 void
 MedialVoxelSurfaceBranches::MarkBranches()
 {
+  MedialVoxelPollCounter poll;
   for (std::size_t face = 0; face < m_Flags.size(); ++face)
   {
+    poll.Count();
     const std::uint8_t sheet = m_Flags[this->RootOf(static_cast<IndexType>(face))];
     if ((sheet & (HasRim | HasJunction | IsLong | IsBridge)) == (HasRim | HasJunction))
     {

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceBuilder.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -18,6 +21,9 @@ namespace
 constexpr double TowardsNeighbors = 0.6;
 
 constexpr std::uint32_t CellsHandedOnAtATime = 1u << 13;
+
+/** Of the shortest step, that rounding may move a coordinate by. */
+constexpr double LargestRounding = 0.001;
 
 /** That no plane with rational coefficients holds. */
 constexpr std::array<double, 3> FrontDirection{ { 1.0, 1.4142135623730951, 1.7320508075688772 } };
@@ -64,32 +70,21 @@ KeyStep(const unsigned int direction)
   return direction % 2 == 0 ? -step : step;
 }
 
-/** Find the neighbors of cells of \a from in a direction, which lie in \a to. */
-template <typename TNeighbors>
-void
-Link(const std::vector<MedialVoxelSurfaceCell> & from,
-     const std::vector<MedialVoxelSurfaceCell> & to,
-     const unsigned int                          direction,
-     TNeighbors &                                neighbors)
+/** The vertex with an edge in the cell that has this key, from \a position on. */
+std::uint32_t
+FindVertex(const std::vector<MedialVoxelSurfaceCell> & cells,
+           std::size_t                                 position,
+           const std::int64_t                          key,
+           const unsigned int                          edge)
 {
-  std::size_t position = 0;
-  for (std::size_t cell = 0; cell < from.size(); ++cell)
+  for (; position < cells.size() && KeyOf(cells[position]) == key; ++position)
   {
-    if (Topology::QuadsTowards(from[cell].quads, direction) == 0)
+    if ((cells[position].quads >> edge & 1) != 0)
     {
-      continue;
+      return static_cast<std::uint32_t>(position);
     }
-    const std::int64_t key = KeyOf(from[cell]) + KeyStep(direction);
-    while (position < to.size() && KeyOf(to[position]) < key)
-    {
-      ++position;
-    }
-    if (position == to.size() || KeyOf(to[position]) != key)
-    {
-      throw std::logic_error("A cell of the medial surface lacks a neighbor.");
-    }
-    neighbors[cell][direction] = static_cast<std::uint32_t>(position);
   }
+  throw std::logic_error("A cell of the medial surface lacks a neighbor.");
 }
 
 /** Topology::DirectionsToFollow() of all masks. */
@@ -110,6 +105,38 @@ DirectionsToFollow()
 } // namespace
 
 MedialVoxelSurfaceConsumer::~MedialVoxelSurfaceConsumer() = default;
+
+double
+MedialVoxelSurfaceBuilder::LargestCoordinate(const Placement & placement, const MedialVoxelIndex & size)
+{
+  double largest = 0.0;
+  for (unsigned int component = 0; component < 3; ++component)
+  {
+    // Of all corners of the image.
+    double lower = placement.origin[component];
+    double upper = lower;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const double extent = placement.steps[axis][component] * static_cast<double>(size[axis] - 1);
+      lower += std::min(extent, 0.0);
+      upper += std::max(extent, 0.0);
+    }
+    largest = std::max({ largest, std::abs(lower), std::abs(upper) });
+  }
+  return largest;
+}
+
+bool
+MedialVoxelSurfaceBuilder::FitsFloat(const Placement & placement, const MedialVoxelIndex & size)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Vector & step : placement.steps)
+  {
+    shortest = std::min(shortest, std::sqrt(Dot(step, step)));
+  }
+  constexpr double half = 0.5 * std::numeric_limits<float>::epsilon();
+  return LargestCoordinate(placement, size) * half <= LargestRounding * shortest;
+}
 
 MedialVoxelSurfaceBuilder::MedialVoxelSurfaceBuilder(const Placement &                    placement,
                                                      const MedialVoxelGrid::SpacingType & spacing,
@@ -139,6 +166,80 @@ MedialVoxelSurfaceBuilder::Finish()
   m_Slices.clear();
 }
 
+/** Find the neighbors of vertices of \a from in a direction, which lie in \a to. */
+void
+MedialVoxelSurfaceBuilder::Link(Slice &                                     from,
+                                const std::vector<MedialVoxelSurfaceCell> & to,
+                                const unsigned int                          direction)
+{
+  MedialVoxelPollCounter poll;
+  std::size_t            position = 0;
+  for (std::uint32_t i = 0; i < from.cells.size(); ++i)
+  {
+    poll.Count();
+    const MedialVoxelSurfaceCell & cell = from.cells[i];
+    const unsigned int             edges = cell.quads & Topology::EdgesTowards(direction);
+    if (edges == 0)
+    {
+      continue;
+    }
+    const std::int64_t key = KeyOf(cell) + KeyStep(direction);
+    while (position < to.size() && KeyOf(to[position]) < key)
+    {
+      ++position;
+    }
+    const auto          lowest = static_cast<unsigned int>(MedialVoxelLowestBit(edges));
+    const std::uint32_t first = FindVertex(to, position, key, Topology::Mirrored(lowest, direction));
+    from.neighbors[i][direction] = first;
+    unsigned int others = 0;
+    for (unsigned int rest = edges; rest != 0; rest &= rest - 1)
+    {
+      const auto edge = static_cast<unsigned int>(MedialVoxelLowestBit(rest));
+      others |= (to[first].quads >> Topology::Mirrored(edge, direction) & 1) == 0 ? 1u << edge : 0u;
+    }
+    if (others != 0)
+    {
+      const auto edge = Topology::Mirrored(static_cast<unsigned int>(MedialVoxelLowestBit(others)), direction);
+      from.secondNeighbors[SecondKeyOf(i, direction)] = { FindVertex(to, position, key, edge),
+                                                          static_cast<Topology::EdgeMask>(others) };
+    }
+  }
+}
+
+std::uint32_t
+MedialVoxelSurfaceBuilder::NeighborOf(const Slice &       slice,
+                                      const std::uint32_t cell,
+                                      const unsigned int  direction,
+                                      const unsigned int  edge)
+{
+  const auto second = slice.secondNeighbors.find(SecondKeyOf(cell, direction));
+  const bool isSecond = second != slice.secondNeighbors.end() && (second->second.edges >> edge & 1) != 0;
+  return isSecond ? second->second.cell : slice.neighbors[cell][direction];
+}
+
+/** Topology::NeighborsToFollow(). */
+std::uint16_t
+MedialVoxelSurfaceBuilder::NeighborsToFollow(const Slice & slice, const std::uint32_t cell)
+{
+  const Topology::EdgeMask quads = slice.cells[cell].quads;
+  const auto               seconds = slice.secondNeighbors.lower_bound(SecondKeyOf(cell, 0));
+  if (seconds == slice.secondNeighbors.end() || seconds->first >= SecondKeyOf(cell + 1, 0))
+  {
+    return DirectionsToFollow()[quads];
+  }
+  std::array<unsigned int, std::size_t{ 2 } * NumberOfDirections> counts{};
+  for (unsigned int direction = 0; direction < NumberOfDirections; ++direction)
+  {
+    const auto second = slice.secondNeighbors.find(SecondKeyOf(cell, direction));
+    if (second != slice.secondNeighbors.end())
+    {
+      counts[direction + NumberOfDirections] = Topology::QuadsTowards(second->second.edges, direction);
+    }
+    counts[direction] = Topology::QuadsTowards(quads, direction) - counts[direction + NumberOfDirections];
+  }
+  return Topology::NeighborsToFollow(counts);
+}
+
 /** Append a slice, and move each of the ones before it one step on. */
 void
 MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
@@ -157,13 +258,13 @@ MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
   slice.cells = std::move(cells);
   for (unsigned int direction = 0; direction < 4; ++direction)
   {
-    Link(slice.cells, slice.cells, direction, slice.neighbors);
+    Link(slice, slice.cells, direction);
   }
   if (!m_Slices.empty())
   {
     Slice & before = m_Slices.back();
-    Link(slice.cells, before.cells, 4, slice.neighbors);
-    Link(before.cells, slice.cells, 5, before.neighbors);
+    Link(slice, before.cells, 4);
+    Link(before, slice.cells, 5);
   }
   m_Slices.push_back(std::move(slice));
 
@@ -192,19 +293,23 @@ MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
   const Offsets * offsetsOf[3] = { at > 0 ? &m_Slices[at - 1].previous : nullptr,
                                    &slice.offsets,
                                    &m_Slices[at + 1].offsets };
-  const auto & follow = DirectionsToFollow();
-  for (std::size_t i = 0; i < slice.cells.size(); ++i)
+  MedialVoxelPollCounter poll;
+  for (std::uint32_t i = 0; i < slice.cells.size(); ++i)
   {
+    poll.Count();
     const MedialVoxelSurfaceCell & cell = slice.cells[i];
     Vector                         sum{};
     double                         number = 0.0;
-    for (unsigned int rest = follow[cell.quads]; rest != 0; rest &= rest - 1)
+    for (unsigned int rest = NeighborsToFollow(slice, i); rest != 0; rest &= rest - 1)
     {
-      const auto         direction = static_cast<unsigned int>(MedialVoxelLowestBit(rest));
+      const auto         neighborNumber = static_cast<unsigned int>(MedialVoxelLowestBit(rest));
+      const unsigned int direction = neighborNumber % NumberOfDirections;
       const unsigned int axis = direction / 2;
       const bool         isUpper = direction % 2 != 0;
       const Offsets &    offsets = *offsetsOf[axis == 2 ? (isUpper ? 2 : 0) : 1];
-      const auto &       neighbor = offsets[slice.neighbors[i][direction]];
+      const auto &       neighbor =
+        offsets[neighborNumber < NumberOfDirections ? slice.neighbors[i][direction]
+                                                    : slice.secondNeighbors.at(SecondKeyOf(i, direction)).cell];
       for (unsigned int component = 0; component < 3; ++component)
       {
         sum[component] += static_cast<double>(neighbor[component]);
@@ -234,23 +339,33 @@ void
 MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
 {
   const Slice & slice = m_Slices[at];
-  const auto    numberOfCells = static_cast<std::uint32_t>(slice.cells.size());
+  const auto &  cells = slice.cells;
+  const auto    numberOfCells = static_cast<std::uint32_t>(cells.size());
   // A slice along a wall has many cells, whose results need not be in memory at the same time.
-  for (std::uint32_t begin = 0; begin < numberOfCells; begin += CellsHandedOnAtATime)
+  for (std::uint32_t begin = 0; begin < numberOfCells;)
   {
-    const std::uint32_t                   end = std::min(begin + CellsHandedOnAtATime, numberOfCells);
+    MedialVoxelPoll();
     std::vector<MedialVoxelSurfaceVertex> vertices;
     std::vector<MedialVoxelSurfaceQuad>   quads;
-    for (std::uint32_t cell = begin; cell < end; ++cell)
+    while (begin < numberOfCells && vertices.size() < CellsHandedOnAtATime)
     {
-      vertices.push_back({ this->PointOf(slice, cell), static_cast<double>(slice.cells[cell].thickness) });
+      // The vertices of a cell, whose faces follow each other by axes.
+      std::uint32_t end = begin;
+      for (; end < numberOfCells && KeyOf(cells[end]) == KeyOf(cells[begin]); ++end)
+      {
+        vertices.push_back({ this->PointOf(slice, end), static_cast<double>(cells[end].thickness) });
+      }
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        if ((slice.cells[cell].quads >> Topology::EdgeOf(axis, 0, 0) & 1) != 0)
+        for (std::uint32_t cell = begin; cell < end; ++cell)
         {
-          quads.push_back(this->MakeQuad(at, cell, axis));
+          if ((cells[cell].quads >> Topology::EdgeOf(axis, 0, 0) & 1) != 0)
+          {
+            quads.push_back(this->MakeQuad(at, cell, axis));
+          }
         }
       }
+      begin = end;
     }
     m_Consumer.AddVertices(vertices);
     m_Consumer.AddQuads(quads);
@@ -265,22 +380,25 @@ MedialVoxelSurfaceBuilder::MakeQuad(const std::size_t at, const std::uint32_t ce
     const Slice * slice;
     std::uint32_t cell;
   };
-  const auto lowerOf = [&](const Corner & from, const unsigned int along) -> Corner {
-    return { along == 2 ? &m_Slices[at - 1] : from.slice, from.slice->neighbors[from.cell][2 * along] };
+  const auto lowerOf = [&](const Corner & from, const unsigned int along, const unsigned int edge) -> Corner {
+    return { along == 2 ? &m_Slices[at - 1] : from.slice, NeighborOf(*from.slice, from.cell, 2 * along, edge) };
   };
-  const auto quadsTowardsLower = [](const Corner & from, const unsigned int along) {
-    return Topology::QuadsTowards(from.slice->cells[from.cell].quads, 2 * along);
+  const auto countBetween = [](const Corner & from, const Corner & to, const unsigned int along) {
+    return Topology::QuadsBetween(from.slice->cells[from.cell].quads, to.slice->cells[to.cell].quads, 2 * along);
   };
   const unsigned int next = (axis + 1) % 3;
   const unsigned int afterNext = (axis + 2) % 3;
+  // Numbers of the voxel edge in the cells.
+  const unsigned int inUpper = Topology::EdgeOf(axis, 0, 0);
+  const unsigned int inAlongNext = Topology::EdgeOf(axis, 0, 1);
   const Corner       upper{ &m_Slices[at], cell };
-  const Corner       alongNext = lowerOf(upper, afterNext);
-  const Corner       alongAfterNext = lowerOf(upper, next);
-  const Corner       corners[4] = { lowerOf(alongNext, next), alongNext, upper, alongAfterNext };
-  const unsigned int meeting[4] = { quadsTowardsLower(alongNext, next),
-                                    quadsTowardsLower(upper, afterNext),
-                                    quadsTowardsLower(upper, next),
-                                    quadsTowardsLower(alongAfterNext, afterNext) };
+  const Corner       alongNext = lowerOf(upper, afterNext, inUpper);
+  const Corner       alongAfterNext = lowerOf(upper, next, inUpper);
+  const Corner       corners[4] = { lowerOf(alongNext, next, inAlongNext), alongNext, upper, alongAfterNext };
+  const unsigned int meeting[4] = { countBetween(corners[1], corners[0], next),
+                                    countBetween(corners[2], corners[1], afterNext),
+                                    countBetween(corners[2], corners[3], next),
+                                    countBetween(corners[3], corners[0], afterNext) };
   Vector             points[4];
   for (unsigned int corner = 0; corner < 4; ++corner)
   {

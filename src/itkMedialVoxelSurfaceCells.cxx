@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceCells.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -93,28 +95,70 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   // Every cell of a quadrilateral has an object voxel among its corners.
   for (const MedialVoxelCellRow & row : tile.rows)
   {
+    MedialVoxelPoll();
     for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
       const int              x = MedialVoxelLowestBit(rest);
       const MedialVoxelIndex index{ { row.first[0] + x, row.first[1], row.first[2] } };
       const EdgeMask         crossed = workspace.crossings.GetCrossedEdges(index);
-      if ((crossed & this->GetPossibleQuads(index)) != 0)
+      const bool             isMedial = (((row.byBound | row.byGeodesic) >> x) & 1) != 0;
+      const auto             quads = static_cast<EdgeMask>(crossed & this->GetPossibleQuads(index));
+      MedialVoxelSurfaceCell cell;
+      for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        const bool                  isMedial = (((row.byBound | row.byGeodesic) >> x) & 1) != 0;
-        const MedialVoxelWallPoints points = this->GetWallPoints(tile, index, crossed, isMedial);
-        const MedialVoxelBox        values = m_Gray ? m_Gray->GetReadBox(points) : MedialVoxelBox{};
-        if (tile.gray.GetBox().Contains(values))
-        {
-          cells.push_back(this->MakeCell(tile, index, crossed, points));
-        }
-        else
-        {
-          missing = missing.Union(values);
-        }
+        cell.index[axis] = static_cast<std::int32_t>(index[axis]);
+      }
+      const auto splits = this->FindSplits(tile, index, quads, workspace, missing);
+      for (unsigned int open = quads; open != 0; open &= ~unsigned{ cell.quads })
+      {
+        cell.quads = MedialVoxelSurfaceTopology::FirstPart(static_cast<EdgeMask>(open), splits);
+        const bool isAlone = cell.quads == quads;
+        this->AddVertex(tile, cell, isAlone ? crossed : cell.quads, isMedial && isAlone, cells, missing);
       }
     }
   }
   return missing;
+}
+
+/** Those of all faces whose four edges are crossed. */
+MedialVoxelSurfaceTopology::Splits
+MedialVoxelSurfaceCells::FindSplits(const MedialVoxelClassifiedTile & tile,
+                                    const MedialVoxelIndex &          index,
+                                    const EdgeMask                    quads,
+                                    Workspace &                       workspace,
+                                    MedialVoxelBox &                  missing) const
+{
+  MedialVoxelSurfaceTopology::Splits splits = 0;
+  for (unsigned int direction = 0; direction < MedialVoxelSurfaceTopology::NumberOfDirections; ++direction)
+  {
+    if (MedialVoxelSurfaceTopology::QuadsTowards(quads, direction) == 4)
+    {
+      splits = MedialVoxelSurfaceTopology::WithSplit(
+        splits, direction, m_Crossings.FindSplit(tile, index, direction, workspace.crossings, missing));
+    }
+  }
+  return splits;
+}
+
+/** Adds a vertex with the edges of \a cell, placed by the edges \a crossed. */
+void
+MedialVoxelSurfaceCells::AddVertex(const MedialVoxelClassifiedTile &     tile,
+                                   const MedialVoxelSurfaceCell &        cell,
+                                   const EdgeMask                        crossed,
+                                   const bool                            isMedial,
+                                   std::vector<MedialVoxelSurfaceCell> & cells,
+                                   MedialVoxelBox &                      missing) const
+{
+  const MedialVoxelIndex      index{ { cell.index[0], cell.index[1], cell.index[2] } };
+  const MedialVoxelWallPoints points = this->GetWallPoints(tile, index, crossed, isMedial);
+  const MedialVoxelBox        values = m_Gray ? m_Gray->GetReadBox(points) : MedialVoxelBox{};
+  if (!tile.gray.GetBox().Contains(values))
+  {
+    missing = missing.Union(values);
+    return;
+  }
+  cells.push_back(cell);
+  this->Place(tile, crossed, points, cells.back());
 }
 
 /** The edges of a cell that have four cells around them: those that do not lie in a face of the image. */
@@ -148,6 +192,7 @@ MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
   {
     return points;
   }
+  points.cell = index;
   points.numberOfCorners = m_Cell.GetNumberOfCorners();
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
@@ -169,18 +214,20 @@ MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
   return points;
 }
 
-MedialVoxelSurfaceCell
-MedialVoxelSurfaceCells::MakeCell(const MedialVoxelClassifiedTile & tile,
-                                  const MedialVoxelIndex &          index,
-                                  const EdgeMask                    crossed,
-                                  const MedialVoxelWallPoints &     points) const
+/** Set place, plane and thickness. */
+void
+MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
+                               const EdgeMask                    crossed,
+                               const MedialVoxelWallPoints &     points,
+                               MedialVoxelSurfaceCell &          cell) const
 {
-  MedialVoxelSurfaceFit fit;
-  MedialVoxelWall       wall = m_Thickness.Measure(*tile.window.object, points);
+  const MedialVoxelIndex index{ { cell.index[0], cell.index[1], cell.index[2] } };
+  MedialVoxelSurfaceFit  fit;
+  MedialVoxelWall        wall = m_Thickness.Measure(*tile.window.object, points);
   if (m_Gray)
   {
     const auto crossings = m_Gray->FindCrossings(tile.gray, points);
-    m_Gray->Refine(points, crossings, wall);
+    m_Gray->Refine(tile.gray, points, crossings, wall);
     this->FitToGrayValues(tile.gray, index, crossed, points, crossings, fit);
   }
   else
@@ -191,20 +238,16 @@ MedialVoxelSurfaceCells::MakeCell(const MedialVoxelClassifiedTile & tile,
     });
   }
 
-  MedialVoxelSurfaceCell cell;
-  const auto &           spacing = m_PhysicalGrid.GetSpacing();
-  const auto             point = fit.GetPoint(Pull, { { Reach * spacing[0], Reach * spacing[1], Reach * spacing[2] } });
-  const auto             plane = fit.GetPlane();
+  const auto & spacing = m_PhysicalGrid.GetSpacing();
+  const auto   point = fit.GetPoint(Pull, { { Reach * spacing[0], Reach * spacing[1], Reach * spacing[2] } });
+  const auto   plane = fit.GetPlane();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    cell.index[axis] = static_cast<std::int32_t>(index[axis]);
     cell.offset[axis] = static_cast<float>(point[axis]);
     cell.normal[axis] = static_cast<float>(plane.normal[axis]);
   }
   cell.distance = static_cast<float>(plane.distance);
-  cell.quads = static_cast<EdgeMask>(crossed & this->GetPossibleQuads(index));
   cell.thickness = wall.thickness;
-  return cell;
 }
 
 /** Counts in the crossed edges with their boundary points moved; without one next to a point, with both as they are. */

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceCrossings.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -74,6 +76,7 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
   {
     for (std::int64_t y = voxels.lower[1]; y < voxels.upper[1] && !tile.progress.IsAborted(); ++y)
     {
+      MedialVoxelPoll();
       this->FindInRow(tile, { 0, y, z }, workspace, missing);
       if (y + 1 < voxels.upper[1])
       {
@@ -208,6 +211,81 @@ MedialVoxelSurfaceCrossings::DecideQueries(const MedialVoxelClassifiedTile & til
     }
   }
   return {};
+}
+
+MedialVoxelSurfaceTopology::Split
+MedialVoxelSurfaceCrossings::FindSplit(const MedialVoxelClassifiedTile & tile,
+                                       const MedialVoxelIndex &          cell,
+                                       const unsigned int                direction,
+                                       Workspace &                       workspace,
+                                       MedialVoxelBox &                  missing) const
+{
+  const unsigned int normal = direction / 2;
+  MedialVoxelIndex   first = cell;
+  first[normal] += direction % 2;
+  double epsilon = m_Parameters.epsilon;
+  if (m_Parameters.mode == MedialVoxelThicknessMode::Automatic)
+  {
+    MedialVoxelIndex behind = cell;
+    behind[normal] += direction % 2 == 0 ? -1 : 1;
+    epsilon = std::max(workspace.m_Epsilons[workspace.m_EpsilonBox.OffsetOf(cell)],
+                       workspace.m_Epsilons[workspace.m_EpsilonBox.OffsetOf(behind)]);
+  }
+  // The pairs across from each other: that of the first voxel, and the other one.
+  bool   isApart[2];
+  double squared[2];
+  for (unsigned int uneven = 0; uneven < 2; ++uneven)
+  {
+    MedialVoxelIndex from = first;
+    from[(normal + 1) % 3] += uneven;
+    MedialVoxelIndex to = first;
+    to[(normal + 1) % 3] += 1 - uneven;
+    to[(normal + 2) % 3] += 1;
+    MedialVoxelPair pair;
+    pair.displacement = DisplacementAt(tile.features, tile.features.OffsetOf(from[0], from[1], from[2]));
+    pair.oppositeDisplacement = DisplacementAt(tile.features, tile.features.OffsetOf(to[0], to[1], to[2]));
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      pair.a[axis] = from[axis] + pair.displacement[axis];
+      pair.difference[axis] = pair.a[axis] - to[axis] - pair.oppositeDisplacement[axis];
+    }
+    isApart[uneven] = this->AreApart(tile, pair, epsilon, workspace, missing);
+    squared[uneven] = m_Grid.SquaredMetricLength(pair.difference[0], pair.difference[1], pair.difference[2]);
+  }
+  if (isApart[0] && isApart[1])
+  {
+    return Topology::Unsplit;
+  }
+  const bool evenAreOfOneSide = isApart[1] || (!isApart[0] && squared[0] <= squared[1]);
+  return evenAreOfOneSide ? Topology::AroundUneven : Topology::AroundEven;
+}
+
+/** Whether the points of a pair are at least a threshold apart along the boundary. */
+bool
+MedialVoxelSurfaceCrossings::AreApart(const MedialVoxelClassifiedTile & tile,
+                                      const MedialVoxelPair &           pair,
+                                      const double                      epsilon,
+                                      Workspace &                       workspace,
+                                      MedialVoxelBox &                  missing) const
+{
+  if (m_Cell.IsTrivial(pair.difference, epsilon))
+  {
+    return false;
+  }
+  const MedialVoxelBits & sites = *tile.window.sites;
+  if (m_Parameters.mode != MedialVoxelThicknessMode::Automatic)
+  {
+    return m_Decision.Decide(sites, pair, tile.geodesic, missing) != MedialVoxelLabel::NonMedial;
+  }
+  auto & queries = workspace.m_QueryOfSplit;
+  queries.assign(1, { pair.a, pair.GetB(), epsilon, 0 });
+  const MedialVoxelBox unknown = m_Separation.FindSeparated(sites, tile.progress, workspace.m_Separation, queries);
+  if (!unknown.IsEmpty())
+  {
+    missing = missing.Union(unknown);
+    return false;
+  }
+  return queries[0].isSeparated || m_Separation.BoundLength(sites, queries[0], workspace.m_Separation) >= epsilon;
 }
 
 /** Set the bit of a crossed edge at the cells around it that the tile has. */

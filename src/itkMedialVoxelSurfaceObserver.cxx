@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceObserver.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -19,6 +21,7 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
                                                        MedialVoxelSurfaceConsumer &                 consumer)
   : m_Kernel(grid, parameters, spacing)
   , m_Builder(placement, spacing, consumer)
+  , m_Trimmer(m_Builder)
 {}
 
 void
@@ -106,11 +109,10 @@ MedialVoxelSurfaceObserver::Commit()
   m_Workers.clear();
   for (std::size_t slice = 0; slice < m_Pending.size(); ++slice)
   {
+    MedialVoxelPoll();
     auto & cells = m_Pending[slice];
-    std::sort(cells.begin(), cells.end(), [](const MedialVoxelSurfaceCell & a, const MedialVoxelSurfaceCell & b) {
-      return a.index[1] != b.index[1] ? a.index[1] < b.index[1] : a.index[0] < b.index[0];
-    });
-    m_Builder.AddSlice(m_FirstSlice + static_cast<std::int64_t>(slice), std::move(cells));
+    std::sort(cells.begin(), cells.end(), MedialVoxelIsBefore);
+    m_Trimmer.AddSlice(m_FirstSlice + static_cast<std::int64_t>(slice), std::move(cells));
   }
   this->Begin();
 }
@@ -118,7 +120,7 @@ MedialVoxelSurfaceObserver::Commit()
 void
 MedialVoxelSurfaceObserver::Finish()
 {
-  m_Builder.Finish();
+  m_Trimmer.Finish();
 }
 
 } // end namespace itk

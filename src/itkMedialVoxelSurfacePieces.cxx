@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfacePieces.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -49,9 +51,11 @@ MedialVoxelSurfacePieces::AddQuad(const std::array<std::uint64_t, 4> & vertices)
 void
 MedialVoxelSurfacePieces::Keep(const std::uint64_t smallest)
 {
-  std::vector<bool> kept(m_Entries.size());
+  MedialVoxelPollCounter poll;
+  std::vector<bool>      kept(m_Entries.size());
   for (std::size_t vertex = 0; vertex < kept.size(); ++vertex)
   {
+    poll.Count();
     const std::int64_t entry = m_Entries[this->RootOf(static_cast<std::int32_t>(vertex))];
     kept[vertex] = static_cast<std::uint64_t>(-1 - entry) >= smallest;
   }

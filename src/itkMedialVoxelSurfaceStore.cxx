@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceStore.h"
 
+#include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelSurfacePieces.h"
 
 namespace itk
@@ -24,13 +25,16 @@ MedialVoxelSurfaceStore::RemoveBranches(const double length)
 {
   MedialVoxelSurfaceBranches branches;
   branches.AddVertices(m_Vertices.size());
+  MedialVoxelPollCounter poll;
   for (const MedialVoxelSurfaceQuad & quad : m_Quads)
   {
+    poll.Count();
     branches.AddFace(quad.vertices, { quad.rimSides, quad.junctionSides });
   }
   branches.Find(length, *this);
   for (std::size_t face = 0; face < m_Quads.size(); ++face)
   {
+    poll.Count();
     MedialVoxelSurfaceQuad & quad = m_Quads[face];
     const auto               marks = branches.GetMarks(face, { quad.rimSides, quad.junctionSides });
     quad.rimSides = marks.rimSides;
@@ -46,8 +50,10 @@ MedialVoxelSurfaceStore::RemoveSmallPieces(const std::uint64_t smallest)
 {
   MedialVoxelSurfacePieces pieces;
   pieces.AddVertices(m_Vertices.size());
+  MedialVoxelPollCounter poll;
   for (const MedialVoxelSurfaceQuad & quad : m_Quads)
   {
+    poll.Count();
     pieces.AddQuad(quad.vertices);
   }
   pieces.Keep(smallest);
@@ -60,9 +66,11 @@ template <typename TIsVertexKept, typename TIsQuadKept, typename TNumberOf>
 void
 MedialVoxelSurfaceStore::Keep(TIsVertexKept && isVertexKept, TIsQuadKept && isQuadKept, TNumberOf && numberOf)
 {
-  std::size_t kept = 0;
+  MedialVoxelPollCounter poll;
+  std::size_t            kept = 0;
   for (std::size_t vertex = 0; vertex < m_Vertices.size(); ++vertex)
   {
+    poll.Count();
     if (isVertexKept(vertex))
     {
       m_Vertices[kept++] = m_Vertices[vertex];
@@ -72,6 +80,7 @@ MedialVoxelSurfaceStore::Keep(TIsVertexKept && isVertexKept, TIsQuadKept && isQu
   kept = 0;
   for (std::size_t face = 0; face < m_Quads.size(); ++face)
   {
+    poll.Count();
     if (isQuadKept(face))
     {
       MedialVoxelSurfaceQuad & quad = m_Quads[kept++];
@@ -95,15 +104,18 @@ MedialVoxelSurfaceStore::HandOn(MedialVoxelSurfaceConsumer & consumer) const
 void
 MedialVoxelSurfaceStore::ForEachFace(const bool backwards, const Visitor & visit) const
 {
+  MedialVoxelPollCounter poll;
   for (std::size_t i = 0; i < m_Quads.size(); ++i)
   {
+    poll.Count();
     const VerticesType &     vertices = m_Quads[backwards ? m_Quads.size() - 1 - i : i].vertices;
     std::array<PointType, 4> points;
     for (unsigned int corner = 0; corner < 4; ++corner)
     {
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        points[corner][axis] = static_cast<float>(m_Vertices[vertices[corner]].point[axis]);
+        const double coordinate = m_Vertices[vertices[corner]].point[axis];
+        points[corner][axis] = m_RoundsToFloat ? MedialVoxelSurfaceBuilder::RoundedToFloat(coordinate) : coordinate;
       }
     }
     visit(vertices, points);

@@ -8,7 +8,7 @@
 
 #include "MedialVoxelTestKernels.h"
 
-#include "itkMedialVoxelSurfaceBuilder.h"
+#include "itkMedialVoxelSurfaceTrimmer.h"
 #include "itkMedialVoxelTileSchedule.h"
 
 #include <gtest/gtest.h>
@@ -100,7 +100,8 @@ PlacementOf(const Volume & volume)
 inline bool
 IsBefore(const itk::MedialVoxelSurfaceCell & a, const itk::MedialVoxelSurfaceCell & b)
 {
-  return std::lexicographical_compare(a.index.rbegin(), a.index.rend(), b.index.rbegin(), b.index.rend());
+  return std::lexicographical_compare(a.index.rbegin(), a.index.rend(), b.index.rbegin(), b.index.rend()) ||
+         (a.index == b.index && (a.quads & -a.quads) < (b.quads & -b.quads));
 }
 
 /** The surface that sorted cells make. */
@@ -111,14 +112,15 @@ FillSurface(const itk::MedialVoxelSurfaceBuilder::Placement & placement,
             Surface &                                         surface)
 {
   itk::MedialVoxelSurfaceBuilder builder(placement, spacing, surface);
+  itk::MedialVoxelSurfaceTrimmer trimmer(builder);
   for (auto begin = cells.begin(); begin != cells.end();)
   {
     const auto end =
       std::find_if(begin, cells.end(), [&](const auto & cell) { return cell.index[2] != begin->index[2]; });
-    builder.AddSlice(begin->index[2], { begin, end });
+    trimmer.AddSlice(begin->index[2], { begin, end });
     begin = end;
   }
-  builder.Finish();
+  trimmer.Finish();
 }
 
 /** The surface of a volume. */

@@ -249,6 +249,49 @@ TEST(MedialSurfaceMeshFilter, PointsArePhysical)
   }
 }
 
+TEST(MedialSurfaceMeshFilter, CoordinatesThatNeed64BitsAreNotRounded)
+{
+  const auto              image = MakeImage<MaskImage<3>>(TestVolume());
+  const auto              spacing = image->GetSpacing();
+  const double            far = 2e7;
+  MaskImage<3>::PointType origin;
+  origin.Fill(far);
+  image->SetOrigin(origin);
+  auto rounded = MaskMeshFilter::New();
+  rounded->SetInput(image);
+  try
+  {
+    rounded->Update();
+    FAIL() << "points fall together";
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_NE(std::string(error.GetDescription()).find("2e+07"), std::string::npos) << error;
+  }
+  using Traits = itk::DefaultStaticMeshTraits<float, 3, 3, double>;
+  using DoubleMesh = itk::Mesh<float, 3, Traits>;
+  auto exact = itk::MedialSurfaceMeshFilter<MaskImage<3>, DoubleMesh>::New();
+  exact->SetInput(image);
+  exact->Update();
+  const Surface expected = MakeSurface(TestVolume(), 3.0);
+  ASSERT_EQ(exact->GetOutput()->GetNumberOfPoints(), expected.vertices.size());
+  for (std::size_t i = 0; i < expected.vertices.size(); ++i)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_NEAR(exact->GetOutput()->GetPoint(i)[axis] - far, expected.vertices[i].point[axis], 1e-7);
+    }
+  }
+  // As far as 32 bits do.
+  origin.Fill(0.001 * spacing[2] * 16777216.0 - 100.0);
+  image->SetOrigin(origin);
+  EXPECT_NO_THROW(rounded->Update());
+  EXPECT_EQ(rounded->GetOutput()->GetNumberOfPoints(), expected.vertices.size());
+  origin.Fill(0.001 * spacing[2] * 16777216.0);
+  image->SetOrigin(origin);
+  EXPECT_THROW(rounded->Update(), itk::ExceptionObject);
+}
+
 TEST(MedialSurfaceMeshFilter, ThicknessInVoxelsStillGivesPhysicalPoints)
 {
   Volume volume = TestVolume();

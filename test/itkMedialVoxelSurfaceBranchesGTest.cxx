@@ -109,7 +109,7 @@ private:
 Surface
 Cut(const Surface & surface, double length)
 {
-  itk::MedialVoxelSurfaceStore store;
+  itk::MedialVoxelSurfaceStore store(true);
   store.AddVertices(surface.vertices);
   store.AddQuads(surface.quads);
   store.RemoveBranches(length);

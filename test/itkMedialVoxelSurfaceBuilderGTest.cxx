@@ -4,10 +4,12 @@
 #include "itkMedialVoxelSurfaceBuilder.h"
 
 #include "MedialVoxelTestSurface.h"
+#include "MedialVoxelTestSurfaceOracle.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 
 namespace
 {
@@ -24,61 +26,109 @@ SortedCells(const Volume & volume, double tau)
   return cells;
 }
 
-/** Voxel edges with a quadrilateral, by lower voxel and axis, in the order of the faces. */
-std::vector<std::pair<Index3, int>>
-QuadEdges(const std::vector<Cell> & cells)
+/** A mesh by brute force, from the edges that the vertices of cells name. */
+struct WholeMesh
 {
-  std::vector<std::pair<Index3, int>> edges;
-  for (const Cell & cell : cells)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if ((cell.quads >> (4 * axis) & 1) != 0)
-      {
-        edges.push_back({ { { cell.index[0], cell.index[1], cell.index[2] } }, axis });
-      }
-    }
-  }
-  return edges;
-}
+  std::vector<Cell>                                  vertices;
+  std::vector<std::array<std::size_t, 4>>            faces; // round the voxel edge, from the highest cell on
+  std::map<std::pair<std::size_t, std::size_t>, int> sides;
 
-/** The mesh as a graph: for each side the number of quadrilaterals, from the voxel edges alone. */
-std::map<std::pair<Index3, Index3>, int>
-SidesOf(const std::vector<std::pair<Index3, int>> & edges)
-{
-  std::map<std::pair<Index3, Index3>, int> sides;
-  for (const auto & edge : edges)
+  /** The mesh of these vertices; without fins and scraps: that of those that are left. */
+  explicit WholeMesh(const std::vector<Cell> & cells, bool isTrimmed = false)
+    : vertices(cells)
   {
-    Index3 next{};
-    Index3 after{};
-    next[(edge.second + 1) % 3] = 1;
-    after[(edge.second + 2) % 3] = 1;
-    const auto at = [&](int u, int v) {
-      Index3 cell = edge.first;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        cell[axis] -= u * next[axis] + v * after[axis];
-      }
-      return cell;
-    };
-    const Index3 ring[4] = { at(0, 0), at(1, 0), at(1, 1), at(0, 1) };
-    for (int side = 0; side < 4; ++side)
+    std::map<std::pair<Index3, unsigned int>, std::size_t> vertexAt;
+    std::set<Index3>                                       inOrder;
+    for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      ++sides[std::minmax(ring[side], ring[(side + 1) % 4])];
+      for (unsigned int edge = 0; edge < Topology::NumberOfEdges; ++edge)
+      {
+        if ((cells[i].quads >> edge & 1) != 0)
+        {
+          vertexAt[{ IndexOf(cells[i]), edge }] = i;
+        }
+      }
+      inOrder.insert({ { cells[i].index[2], cells[i].index[1], cells[i].index[0] } });
+    }
+    for (const Index3 & zyx : inOrder)
+    {
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        const Index3 voxel{ { zyx[2], zyx[1], zyx[0] } };
+        if (vertexAt.count({ voxel, 4 * axis }) > 0)
+        {
+          const auto                    around = SurfaceOracle::CellsAround({ voxel, static_cast<int>(axis) });
+          const std::array<unsigned, 4> numbers{ { 4 * axis, 4 * axis + 1, 4 * axis + 3, 4 * axis + 2 } };
+          std::array<std::size_t, 4>    face{};
+          for (int corner = 0; corner < 4; ++corner)
+          {
+            face[corner] = vertexAt.at({ around[corner], numbers[corner] });
+          }
+          faces.push_back(face);
+          for (int side = 0; side < 4; ++side)
+          {
+            ++sides[std::minmax(face[side], face[(side + 1) % 4])];
+          }
+          faceEdges.push_back({ { 4 * axis, 4 * axis + 1, 4 * axis + 3, 4 * axis + 2 } });
+        }
+      }
+    }
+    if (!isTrimmed)
+    {
+      *this = WholeMesh(this->Trimmed(), true);
     }
   }
-  return sides;
-}
+
+  static Index3
+  IndexOf(const Cell & cell)
+  {
+    return { { cell.index[0], cell.index[1], cell.index[2] } };
+  }
+
+private:
+  std::vector<Cell>
+  Trimmed() const
+  {
+    std::map<Index3, int> verticesIn;
+    for (const Cell & vertex : vertices)
+    {
+      ++verticesIn[IndexOf(vertex)];
+    }
+    std::vector<Cell> left = vertices;
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      int  rims = 0;
+      int  pairs = 0;
+      bool touches = false;
+      for (int side = 0; side < 4; ++side)
+      {
+        const int number = sides.at(std::minmax(faces[i][side], faces[i][(side + 1) % 4]));
+        rims += number == 1 ? 1 : 0;
+        pairs += number == 2 ? 1 : 0;
+        touches = touches || verticesIn.at(IndexOf(vertices[faces[i][side]])) > 1;
+      }
+      for (int corner = 0; corner < 4 && (rims == 4 ? touches : rims == 3 && pairs == 0); ++corner)
+      {
+        Cell & vertex = left[faces[i][corner]];
+        vertex.quads = static_cast<Topology::EdgeMask>(vertex.quads & ~(1u << faceEdges[i][corner]));
+      }
+    }
+    left.erase(std::remove_if(left.begin(), left.end(), [](const Cell & cell) { return cell.quads == 0; }), left.end());
+    std::sort(left.begin(), left.end(), IsBefore);
+    return left;
+  }
+
+  std::vector<std::array<unsigned int, 4>> faceEdges; // the number of the voxel edge in the cell of each corner
+};
 
 /** Five steps of the smoothing, by its definition, on the whole mesh at once. */
 std::vector<Vector3>
-SmoothedPoints(const std::vector<Cell> & cells, const Vector3 & spacing)
+SmoothedPoints(const WholeMesh & mesh, const Vector3 & spacing)
 {
-  std::map<Index3, std::size_t> vertexAt;
-  std::vector<Vector3>          points;
+  const std::vector<Cell> & cells = mesh.vertices;
+  std::vector<Vector3>      points;
   for (const Cell & cell : cells)
   {
-    vertexAt[{ { cell.index[0], cell.index[1], cell.index[2] } }] = points.size();
     Vector3 point;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -87,10 +137,9 @@ SmoothedPoints(const std::vector<Cell> & cells, const Vector3 & spacing)
     points.push_back(point);
   }
   std::vector<std::vector<std::pair<std::size_t, int>>> neighbors(cells.size());
-  for (const auto & side : SidesOf(QuadEdges(cells)))
+  for (const auto & side : mesh.sides)
   {
-    const auto a = vertexAt.at(side.first.first);
-    const auto b = vertexAt.at(side.first.second);
+    const auto & [a, b] = side.first;
     neighbors[a].push_back({ b, side.second });
     neighbors[b].push_back({ a, side.second });
   }
@@ -156,29 +205,32 @@ TEST(MedialVoxelSurfaceBuilder, NumbersFollowTheCellsAndFacesTheirEdges)
 {
   const Volume  volume = TestVolume();
   const auto    cells = SortedCells(volume, 3.0);
-  const auto    edges = QuadEdges(cells);
+  const auto    mesh = WholeMesh(cells);
   const Surface surface = MakeSurface(volume, 3.0);
-  ASSERT_EQ(surface.vertices.size(), cells.size());
-  ASSERT_EQ(surface.quads.size(), edges.size());
-  ASSERT_GT(edges.size(), 900u);
-  std::map<Index3, std::size_t> vertexAt;
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  EXPECT_LT(mesh.vertices.size(), cells.size()) << "nothing is trimmed";
+  ASSERT_EQ(surface.vertices.size(), mesh.vertices.size());
+  ASSERT_EQ(surface.quads.size(), mesh.faces.size());
+  ASSERT_GT(surface.quads.size(), 900u);
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
   {
-    vertexAt[{ { cells[i].index[0], cells[i].index[1], cells[i].index[2] } }] = i;
-    EXPECT_EQ(surface.vertices[i].thickness, cells[i].thickness);
+    EXPECT_EQ(surface.vertices[i].thickness, mesh.vertices[i].thickness);
   }
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i)
   {
+    // From the lowest cell on, to either side.
+    const auto & face = mesh.faces[i];
     const auto & quad = surface.quads[i].vertices;
-    EXPECT_EQ(*std::max_element(quad.begin(), quad.end()), vertexAt.at(edges[i].first));
     EXPECT_EQ(*std::min_element(quad.begin(), quad.end()), quad[0]);
+    EXPECT_EQ(quad[0], face[2]);
+    EXPECT_EQ(quad[2], face[0]);
+    EXPECT_EQ(std::minmax(quad[1], quad[3]), std::minmax<std::uint64_t>(face[1], face[3]));
   }
 }
 
 TEST(MedialVoxelSurfaceBuilder, SmoothsAsOnTheWholeMesh)
 {
   const Volume  volume = TestVolume();
-  const auto    expected = SmoothedPoints(SortedCells(volume, 3.0), volume.spacing);
+  const auto    expected = SmoothedPoints(WholeMesh(SortedCells(volume, 3.0)), volume.spacing);
   const Surface surface = MakeSurface(volume, 3.0);
   ASSERT_EQ(surface.vertices.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i)

@@ -5,6 +5,7 @@
 
 #include "MedialVoxelTestAutomatic.h"
 #include "MedialVoxelTestSurface.h"
+#include "MedialVoxelTestSurfaceOracle.h"
 
 #include <gtest/gtest.h>
 
@@ -16,15 +17,7 @@ namespace
 using namespace MedialVoxelTest;
 using Topology = itk::MedialVoxelSurfaceTopology;
 
-/** Lower voxel and axis. */
-using Edge = std::pair<Index3, int>;
-
-Index3
-Moved(Index3 voxel, int axis, int by)
-{
-  voxel[axis] += by;
-  return voxel;
-}
+using Edge = SurfaceOracle::Edge;
 
 /** Whether all four cells around an edge exist. */
 bool
@@ -67,25 +60,37 @@ CrossedEdges(const Volume & volume, double tau, PathSums sums = PathSums::Double
   return edges;
 }
 
-/** The edges that the cells name, with the number of cells that name each. */
+/** The edges that a vertex names. */
+std::set<Edge>
+EdgesOf(const itk::MedialVoxelSurfaceCell & cell)
+{
+  std::set<Edge> edges;
+  for (unsigned int edge = 0; edge < Topology::NumberOfEdges; ++edge)
+  {
+    if ((cell.quads >> edge & 1) != 0)
+    {
+      const auto offset = Topology::OffsetOf(edge);
+      Index3     voxel;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        voxel[axis] = cell.index[axis] + static_cast<int>(offset[axis]);
+      }
+      edges.insert({ voxel, static_cast<int>(Topology::AxisOf(edge)) });
+    }
+  }
+  return edges;
+}
+
+/** The edges that the vertices name, with the number of those that name each. */
 std::map<Edge, int>
 EdgesOf(const std::vector<itk::MedialVoxelSurfaceCell> & cells)
 {
   std::map<Edge, int> edges;
   for (const auto & cell : cells)
   {
-    for (unsigned int edge = 0; edge < Topology::NumberOfEdges; ++edge)
+    for (const Edge & edge : EdgesOf(cell))
     {
-      if ((cell.quads >> edge & 1) != 0)
-      {
-        const auto offset = Topology::OffsetOf(edge);
-        Index3     voxel;
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          voxel[axis] = cell.index[axis] + static_cast<int>(offset[axis]);
-        }
-        ++edges[{ voxel, static_cast<int>(Topology::AxisOf(edge)) }];
-      }
+      ++edges[edge];
     }
   }
   return edges;
@@ -169,6 +174,34 @@ ExpectEdges(const std::vector<itk::MedialVoxelSurfaceCell> & cells, const std::s
   EXPECT_EQ(edges, expected);
 }
 
+/** Expects the vertices of the oracle in the cells; \return the number of cells that have more than one. */
+std::size_t
+ExpectVertices(const std::vector<itk::MedialVoxelSurfaceCell> & cells, const SurfaceOracle & oracle)
+{
+  std::map<Index3, std::set<std::set<Edge>>> vertices;
+  for (const auto & cell : cells)
+  {
+    vertices[{ { cell.index[0], cell.index[1], cell.index[2] } }].insert(EdgesOf(cell));
+  }
+  EXPECT_EQ(vertices, oracle.GetVertices());
+  return static_cast<std::size_t>(
+    std::count_if(vertices.begin(), vertices.end(), [](const auto & cell) { return cell.second.size() > 1; }));
+}
+
+/** Whether two boundary points are the threshold of a face apart, by a classifier. */
+template <typename TClassifier, typename TEpsilon>
+SurfaceOracle::Questions
+QuestionsTo(const Volume & volume, TClassifier & distances, Classifier & nearest, TEpsilon epsilonOf)
+{
+  const auto at = [&](const Index3 & v) { return nearest.GetNearest()[volume.Offset(v)]; };
+  return { [&distances, at, epsilonOf](const Index3 & v, const Index3 & w, const Index3 & cell, const Index3 & behind) {
+            return distances.GeodesicDistance(at(v), at(w)) >= std::max(epsilonOf(cell), epsilonOf(behind));
+          },
+           [&volume, &nearest, at](const Index3 & v, const Index3 & w) {
+             return KeyDistance(volume, nearest.GetSites()[at(v)], nearest.GetSites()[at(w)]);
+           } };
+}
+
 void
 ExpectDefinition(const Volume & volume, double tau, PathSums sums = PathSums::Doubles)
 {
@@ -243,6 +276,33 @@ TEST(MedialVoxelSurfaceCells, AreThoseOfTheDefinitionForAnAutomaticThickness)
     }
   }
   EXPECT_GT(edges, 1000u);
+}
+
+TEST(MedialVoxelSurfaceCells, VerticesArePartsOfTheSurface)
+{
+  std::size_t split = 0;
+  for (unsigned int seed = 0; seed < 6; ++seed)
+  {
+    const Volume volume = seed % 2 == 0 ? RandomBoxes({ { 22, 17, 15 } }, UnitSpacing, 14, 561 + seed)
+                                        : RandomVolume({ { 16, 15, 14 } }, { { 1.0, 1.2, 0.8 } }, 0.8, 561 + seed);
+    for (const double tau : { 1.1, 1.7, 3.1 })
+    {
+      Classifier          classifier(volume, tau);
+      const SurfaceOracle oracle(
+        CrossedEdges(volume, tau),
+        QuestionsTo(volume, classifier, classifier, [&](const Index3 &) { return classifier.GetEpsilon(); }));
+      split += ExpectVertices(CellsOf(volume, tau, volume.size), oracle);
+    }
+    const WallLimits    limits{ 1.4, 9.0 };
+    JointClassifier     thresholds(volume, limits);
+    Classifier          nearest(volume, limits.maximum);
+    const SurfaceOracle oracle(CrossedEdges(volume, limits),
+                               QuestionsTo(volume, nearest, nearest, [&](const Index3 & cell) {
+                                 return thresholds.EpsilonOf(volume.Offset(cell));
+                               }));
+    split += ExpectVertices(CellsOf(volume, ParametersOf(limits), volume.size), oracle);
+  }
+  EXPECT_GT(split, 200u);
 }
 
 TEST(MedialVoxelSurfaceCells, DoNotDependOnTheTiles)

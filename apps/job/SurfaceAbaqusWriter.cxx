@@ -63,10 +63,7 @@ WriteNodes(SurfaceReader & reader, BufferedOutput & output)
   output.Text("*NODE, NSET=ALL_NODES\n");
   reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
     output.Integer(number + 1);
-    for (const float coordinate : vertex.position)
-    {
-      output.Text(", ").Float(coordinate);
-    }
+    ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.Text(", ").Float(coordinate); });
     output.Text("\n");
   });
 }

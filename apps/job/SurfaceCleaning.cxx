@@ -132,8 +132,7 @@ CopyVertices(const SurfaceSpool & from, SurfaceSpool & to, TIsKept && isKept)
     {
       if (isKept(first + i))
       {
-        const auto & [x, y, z] = vertices[i].position;
-        kept.push_back({ { { x, y, z } }, vertices[i].thickness });
+        kept.push_back({ vertices[i].position, vertices[i].thickness });
       }
     }
     to.AddVertices(kept);
@@ -211,7 +210,7 @@ RemoveBranches(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
   quads.ForEachQuad(false, [&](const Quad & quad) { branches.AddFace(quad.vertices, quad.marks); });
   branches.Find(cleaning.minimumBranchLength, quads);
 
-  auto kept = std::make_unique<SurfaceSpool>(cleaning.scratchFolder);
+  auto kept = std::make_unique<SurfaceSpool>(cleaning.scratchFolder, surface.GetPrecision());
   CopyVertices(surface, *kept, [&](std::uint64_t vertex) { return branches.IsVertexKept(vertex); });
   CopyFaces(
     surface,
@@ -235,7 +234,7 @@ RemoveSmallPieces(const SurfaceSpool & surface, const SurfaceCleaning & cleaning
   });
   pieces.Keep(cleaning.smallestPiece);
 
-  auto kept = std::make_unique<SurfaceSpool>(cleaning.scratchFolder);
+  auto kept = std::make_unique<SurfaceSpool>(cleaning.scratchFolder, surface.GetPrecision());
   CopyVertices(surface, *kept, [&](std::uint64_t vertex) { return pieces.IsKept(vertex); });
   CopyFaces(
     surface,

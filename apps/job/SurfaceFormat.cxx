@@ -111,6 +111,12 @@ GetSurfaceFormat(const std::string & fileName)
   return found->format;
 }
 
+bool
+HoldsDouble(SurfaceFormat format)
+{
+  return format != SurfaceFormat::Stl;
+}
+
 void
 CheckSurfaceFits(SurfaceFormat format,
                  std::uint64_t numberOfVertices,

@@ -30,6 +30,10 @@ enum class SurfaceFormat
 SurfaceFormat
 GetSurfaceFormat(const std::string & fileName);
 
+/** Whether a format holds coordinates of 64 bits. */
+bool
+HoldsDouble(SurfaceFormat format);
+
 /** What the writers are told. */
 struct SurfaceWriteOptions
 {

@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "FileNames.h"
 #include "SurfaceReader.h"
+#include "Text.h"
 #include "VolumeText.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 /** Cells of the surface in the slices that are smoothed at a time: those of thin walls, some of them along the slices.
  */
 constexpr std::uint64_t VoxelsPerCellInWork = 3;
-constexpr std::uint64_t BytesPerCellInWork = 144;
+constexpr std::uint64_t BytesPerCellInWork = 152;
 
 /** A cell that waits for its piece to be done, in a vector that grows. */
 constexpr std::uint64_t BytesPerPendingCell = 2 * sizeof(itk::MedialVoxelSurfaceCell);
@@ -45,6 +46,14 @@ GetSpacing(const VolumeGeometry & geometry)
   return { { geometry.spacing[0], geometry.spacing[1], geometry.spacing[2] } };
 }
 
+itk::MedialVoxelIndex
+GetSize(const VolumeGeometry & geometry)
+{
+  return { { static_cast<std::int64_t>(geometry.size[0]),
+             static_cast<std::int64_t>(geometry.size[1]),
+             static_cast<std::int64_t>(geometry.size[2]) } };
+}
+
 itk::MedialVoxelSurfaceBuilder::Placement
 GetPlacement(const VolumeGeometry & geometry)
 {
@@ -58,6 +67,15 @@ GetPlacement(const VolumeGeometry & geometry)
     }
   }
   return placement;
+}
+
+/** Of the coordinates of the mesh: known before it is. */
+SurfacePrecision
+GetPrecision(const VolumeGeometry & geometry)
+{
+  return itk::MedialVoxelSurfaceBuilder::FitsFloat(GetPlacement(geometry), GetSize(geometry))
+           ? SurfacePrecision::Single
+           : SurfacePrecision::Double;
 }
 
 /** Vertices of a surface that is planned for. */
@@ -99,7 +117,7 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   , m_SectionWidth(
       options.sectionWidth.value_or(0.25 * *std::min_element(geometry.spacing.begin(), geometry.spacing.end())))
   , m_Cleaning(GetCleaning(options))
-  , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder))
+  , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry)))
   , m_Observer(grid, GetParameters(options, grid), GetSpacing(geometry), GetPlacement(geometry), *this)
 {
   m_Observer.SetMaximumNumberOfCells(GetPendingCells(geometry));
@@ -107,8 +125,8 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   if (options.subVoxel)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    m_Observer.MeasureOnGrayValues(options.lowerThreshold.value_or(-infinity),
-                                   options.upperThreshold.value_or(infinity));
+    m_Observer.MeasureOnGrayValues(options.lowerThreshold.value_or(-infinity).GetNearestDouble(),
+                                   options.upperThreshold.value_or(infinity).GetNearestDouble());
   }
 }
 
@@ -202,11 +220,26 @@ SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometr
 }
 
 void
-CheckSurfaceInput(const VolumeHeader & header)
+CheckSurfaceInput(const VolumeHeader & header, const std::string & meshFile)
 {
   if (header.geometry.GetDimension() != 3)
   {
     Fail(ExitStatus::Usage, header.fileName, ": the volume has 2 dimensions; a medial surface needs 3");
+  }
+  if (!HoldsDouble(GetSurfaceFormat(meshFile)) && GetPrecision(header.geometry) == SurfacePrecision::Double)
+  {
+    const auto & spacing = header.geometry.spacing;
+    const double largest =
+      itk::MedialVoxelSurfaceBuilder::LargestCoordinate(GetPlacement(header.geometry), GetSize(header.geometry));
+    Fail(ExitStatus::Usage,
+         meshFile,
+         ": coordinates of ",
+         header.fileName,
+         " reach ",
+         FormatNumber(largest),
+         " with a spacing of ",
+         FormatNumber(*std::min_element(spacing.begin(), spacing.end())),
+         "; this format has 32 bits for each, which do not keep neighboring vertices apart; all other formats have 64");
   }
 }
 

@@ -72,9 +72,10 @@ private:
   itk::MedialVoxelSurfaceObserver m_Observer;
 };
 
-/** \throw JobError Usage for a volume that is not 3-D, which has no surface. */
+/** \throw JobError Usage for a volume that is not 3-D, which has no surface, or for a format without the precision that
+ * its coordinates need. */
 void
-CheckSurfaceInput(const VolumeHeader & header);
+CheckSurfaceInput(const VolumeHeader & header, const std::string & meshFile);
 
 } // end namespace medialvoxel
 

@@ -4,6 +4,9 @@
 #include "SurfaceSections.h"
 #include "SurfaceWriters.h"
 
+#include <array>
+#include <charconv>
+
 namespace medialvoxel
 {
 namespace
@@ -20,15 +23,36 @@ GetField(std::string text, size_t width)
   return text;
 }
 
-/** Numbers with a point, which tells them from integers; at most 15 characters. */
+/** With a point, which tells a number from an integer. */
 std::string
-GetReal(float value)
+WithPoint(std::string text)
 {
-  std::string  text = FormatFloat(value);
   const size_t exponent = text.find('e');
   if (text.find('.') == std::string::npos)
   {
     text.insert(exponent == std::string::npos ? text.size() : exponent, ".");
+  }
+  return text;
+}
+
+/** A number of at most 15 characters. */
+std::string
+GetReal(float value)
+{
+  return WithPoint(FormatFloat(value));
+}
+
+/** A number of as many digits as a large field holds: 9 at least. */
+std::string
+GetReal(double value)
+{
+  std::string text = WithPoint(FormatFloat(value));
+  for (int digits = 16; text.size() > LargeField; --digits)
+  {
+    std::array<char, 32> characters;
+    const auto           result = std::to_chars(
+      characters.data(), characters.data() + characters.size(), value, std::chars_format::general, digits);
+    text = WithPoint({ characters.data(), result.ptr });
   }
   return text;
 }
@@ -57,14 +81,15 @@ WriteNodes(SurfaceReader & reader, BufferedOutput & output)
 {
   const std::string inBasicSystem = GetField("", LargeField);
   reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
-    const auto & [x, y, z] = vertex.position;
+    std::vector<std::string> position;
+    ForEachCoordinate(reader, vertex, [&](auto coordinate) { position.push_back(GetReal(coordinate)); });
     output.Text("GRID*   ")
       .Text(GetField(std::to_string(number + 1), LargeField))
       .Text(inBasicSystem)
-      .Text(GetField(GetReal(x), LargeField))
-      .Text(GetField(GetReal(y), LargeField))
+      .Text(GetField(position[0], LargeField))
+      .Text(GetField(position[1], LargeField))
       .Text("\n*       ")
-      .Text(GetReal(z))
+      .Text(position[2])
       .Text("\n");
   });
 }

@@ -12,10 +12,7 @@ WriteSurfaceObj(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOut
   output.Text("# Medial surface by MedialVoxel, lengths in the units of the image\n");
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
     output.Text("v");
-    for (const float coordinate : vertex.position)
-    {
-      output.Text(" ").Float(coordinate);
-    }
+    ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.Text(" ").Float(coordinate); });
     output.Text("\n");
   });
   reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {

@@ -11,15 +11,14 @@ WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOut
   reader.SetNumberOfPasses(1, 1);
   output.Text("ply\nformat binary_little_endian 1.0\ncomment Medial surface by MedialVoxel\nelement vertex ");
   output.Integer(reader.GetSurface().GetNumberOfVertices());
-  output.Text("\nproperty float x\nproperty float y\nproperty float z\nproperty float thickness\nelement face ");
+  const std::string type = reader.GetSurface().GetPrecision() == SurfacePrecision::Double ? "double" : "float";
+  output.Text("\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type +
+              " z\nproperty float thickness\nelement face ");
   output.Integer(reader.GetSurface().GetNumberOfFaces());
   // Nothing more per face: not every reader skips it, that of meshio does not.
   output.Text("\nproperty list uchar int vertex_indices\nend_header\n");
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
-    for (const float coordinate : vertex.position)
-    {
-      output.LittleEndian(coordinate);
-    }
+    ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
     output.LittleEndian(vertex.thickness);
   });
   reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {

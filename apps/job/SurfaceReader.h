@@ -59,7 +59,7 @@ public:
 
 private:
   static constexpr std::uint64_t BlockSize = 1024;
-  static constexpr std::uint64_t NumberOfSlots = 1024;
+  static constexpr std::uint64_t NumberOfSlots = 512;
   static constexpr std::uint64_t NoBlock = ~std::uint64_t{ 0 };
 
   template <typename TRead, typename TCall>

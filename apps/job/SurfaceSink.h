@@ -10,7 +10,14 @@
 namespace medialvoxel
 {
 
-/** A vertex of a surface. Files hold these numbers rounded to float32 once, so that all formats agree. */
+/** Bits of the coordinates in files. Numbers are rounded once, so that all formats agree. */
+enum class SurfacePrecision
+{
+  Single, ///< float32, about 7 digits
+  Double  ///< float64, for surfaces whose neighboring vertices float32 would not keep apart
+};
+
+/** A vertex of a surface. Files hold the thickness rounded to float32. */
 struct SurfaceVertex
 {
   std::array<double, 3> position;       ///< physical units of the image

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SurfaceSpool.h"
 
+#include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelSurfaceBuilder.h"
+
 #include <algorithm>
 
 namespace medialvoxel
@@ -24,11 +27,17 @@ static_assert(SurfaceSpool::BytesPerVertex == sizeof(SurfaceSpool::Vertex));
 static_assert(SurfaceSpool::BytesPerFace == sizeof(FaceRecord));
 
 SurfaceSpool::Vertex
-Pack(const SurfaceVertex & vertex)
+Pack(const SurfaceVertex & vertex, SurfacePrecision precision)
 {
-  const auto & [x, y, z] = vertex.position;
-  return { { static_cast<float>(x), static_cast<float>(y), static_cast<float>(z) },
-           static_cast<float>(vertex.thickness) };
+  SurfaceSpool::Vertex record{ vertex.position, static_cast<float>(vertex.thickness) };
+  if (precision == SurfacePrecision::Single)
+  {
+    for (double & coordinate : record.position)
+    {
+      coordinate = itk::MedialVoxelSurfaceBuilder::RoundedToFloat(coordinate);
+    }
+  }
+  return record;
 }
 
 FaceRecord
@@ -45,16 +54,19 @@ Unpack(const FaceRecord & record)
 
 } // namespace
 
-SurfaceSpool::SurfaceSpool(const std::filesystem::path & folder)
+SurfaceSpool::SurfaceSpool(const std::filesystem::path & folder, SurfacePrecision precision)
   : m_VertexFile(folder)
   , m_FaceFile(folder)
+  , m_Precision(precision)
 {}
 
 void
 SurfaceSpool::AddVertices(const std::vector<SurfaceVertex> & vertices)
 {
   std::vector<Vertex> records(vertices.size());
-  std::transform(vertices.begin(), vertices.end(), records.begin(), [](const auto & vertex) { return Pack(vertex); });
+  std::transform(vertices.begin(), vertices.end(), records.begin(), [this](const auto & vertex) {
+    return Pack(vertex, m_Precision);
+  });
   m_VertexFile.WriteAt(m_NumberOfVertices * BytesPerVertex, records.data(), records.size() * BytesPerVertex);
   m_NumberOfVertices += records.size();
 }
@@ -76,6 +88,7 @@ SurfaceSpool::AddFaces(const std::vector<SurfaceFace> & faces)
 void
 SurfaceSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
 {
+  itk::MedialVoxelPoll();
   vertices.resize(count);
   m_VertexFile.ReadAt(first * BytesPerVertex, vertices.data(), count * BytesPerVertex);
 }
@@ -83,6 +96,7 @@ SurfaceSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector
 void
 SurfaceSpool::ReadFaces(std::uint64_t first, std::uint64_t count, std::vector<SurfaceFace> & faces) const
 {
+  itk::MedialVoxelPoll();
   std::vector<FaceRecord> records(count);
   m_FaceFile.ReadAt(first * BytesPerFace, records.data(), count * BytesPerFace);
   faces.resize(count);

@@ -12,31 +12,38 @@ namespace medialvoxel
 {
 
 /** \class SurfaceSpool
- * \brief A surface in two scratch files, whatever its size: 16 bytes per vertex, 40 per face, and a few MB of memory.
+ * \brief A surface in two scratch files, whatever its size: 32 bytes per vertex, 40 per face, and a few MB of memory.
  *
  * Writers of files read it as often as they need, one surface may go to several files. */
 class SurfaceSpool : public SurfaceSink
 {
 public:
   /** In the scratch files. */
-  static constexpr std::uint64_t BytesPerVertex = 16;
+  static constexpr std::uint64_t BytesPerVertex = 32;
   static constexpr std::uint64_t BytesPerFace = 40;
 
   /** Numbers of a vertex as files have them. */
   struct Vertex
   {
-    std::array<float, 3> position;
-    float                thickness; ///< as in SurfaceVertex
+    std::array<double, 3> position;  ///< rounded to the precision of the surface
+    float                 thickness; ///< as in SurfaceVertex
   };
 
   /** \param folder where the scratch files are, without a name
+   * \param precision of the coordinates that files will have
    * \throw JobError Refused when the folder is missing or cannot be written. */
-  explicit SurfaceSpool(const std::filesystem::path & folder);
+  explicit SurfaceSpool(const std::filesystem::path & folder, SurfacePrecision precision = SurfacePrecision::Single);
 
   void
   AddVertices(const std::vector<SurfaceVertex> & vertices) override;
   void
   AddFaces(const std::vector<SurfaceFace> & faces) override;
+
+  SurfacePrecision
+  GetPrecision() const
+  {
+    return m_Precision;
+  }
 
   std::uint64_t
   GetNumberOfVertices() const
@@ -75,12 +82,13 @@ public:
   ReadFaces(std::uint64_t first, std::uint64_t count, std::vector<SurfaceFace> & faces) const;
 
 private:
-  ScratchFile   m_VertexFile;
-  ScratchFile   m_FaceFile;
-  std::uint64_t m_NumberOfVertices{ 0 };
-  std::uint64_t m_NumberOfTriangles{ 0 };
-  std::uint64_t m_NumberOfQuads{ 0 };
-  std::uint64_t m_NumberOfNeededVertices{ 0 };
+  ScratchFile      m_VertexFile;
+  ScratchFile      m_FaceFile;
+  SurfacePrecision m_Precision;
+  std::uint64_t    m_NumberOfVertices{ 0 };
+  std::uint64_t    m_NumberOfTriangles{ 0 };
+  std::uint64_t    m_NumberOfQuads{ 0 };
+  std::uint64_t    m_NumberOfNeededVertices{ 0 };
 };
 
 } // end namespace medialvoxel

@@ -3,6 +3,7 @@
 #include "SurfaceParts.h"
 #include "SurfaceWriters.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace medialvoxel
@@ -71,7 +72,10 @@ WriteSurfaceStl(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOut
       std::array<Position, 3> corners;
       for (size_t corner = 0; corner < corners.size(); ++corner)
       {
-        corners[corner] = reader.GetVertex(face.vertices[triangle[corner]]).position;
+        const auto & position = reader.GetVertex(face.vertices[triangle[corner]]).position;
+        std::transform(position.begin(), position.end(), corners[corner].begin(), [](double coordinate) {
+          return static_cast<float>(coordinate);
+        });
       }
       WriteTriangle(corners, output);
     }

@@ -30,12 +30,10 @@ void
 WriteGeometry(SurfaceReader & reader, BufferedOutput & output)
 {
   const SurfaceSpool & surface = reader.GetSurface();
-  output.Text("POINTS ").Integer(surface.GetNumberOfVertices()).Text(" float\n");
+  output.Text("POINTS ").Integer(surface.GetNumberOfVertices());
+  output.Text(surface.GetPrecision() == SurfacePrecision::Double ? " double\n" : " float\n");
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
-    for (const float coordinate : vertex.position)
-    {
-      output.BigEndian(coordinate);
-    }
+    ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.BigEndian(coordinate); });
   });
   output.Text("\n");
   // VTK reports an error for a list of no polygons.

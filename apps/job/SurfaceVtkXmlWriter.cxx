@@ -52,15 +52,16 @@ private:
 std::string
 AddPoints(SurfaceReader & reader, AppendedArrays & arrays)
 {
-  const std::uint64_t bytes = reader.GetSurface().GetNumberOfVertices() * 3 * sizeof(float);
-  return "      <Points>\n" + arrays.Add("Points", "Float32", 3, bytes, [&reader](BufferedOutput & output) {
+  const bool          isDouble = reader.GetSurface().GetPrecision() == SurfacePrecision::Double;
+  const std::uint64_t bytes =
+    reader.GetSurface().GetNumberOfVertices() * 3 * (isDouble ? sizeof(double) : sizeof(float));
+  const auto write = [&reader](BufferedOutput & output) {
     reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
-      for (const float coordinate : vertex.position)
-      {
-        output.LittleEndian(coordinate);
-      }
+      ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
     });
-  }) + "      </Points>\n";
+  };
+  return "      <Points>\n" + arrays.Add("Points", isDouble ? "Float64" : "Float32", 3, bytes, write) +
+         "      </Points>\n";
 }
 
 std::string

@@ -13,6 +13,24 @@ namespace medialvoxel
 /** Each writes the whole content of a file of its format; WriteSurface() has checked that the surface fits. */
 using SurfaceWriter = void(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output);
 
+/** Calls use(coordinate) with the coordinates of a vertex in the precision of its surface: as float or double. */
+template <typename TUse>
+void
+ForEachCoordinate(const SurfaceReader & reader, const SurfaceSpool::Vertex & vertex, TUse && use)
+{
+  for (const double coordinate : vertex.position)
+  {
+    if (reader.GetSurface().GetPrecision() == SurfacePrecision::Double)
+    {
+      use(coordinate);
+    }
+    else
+    {
+      use(static_cast<float>(coordinate));
+    }
+  }
+}
+
 SurfaceWriter WriteSurfaceVtp;
 SurfaceWriter WriteSurfaceVtu;
 SurfaceWriter WriteSurfaceVtk;

@@ -25,11 +25,12 @@ std::string
 WriteFile(const Surface &             surface,
           const std::string &         extension,
           const SurfaceWriteOptions & options = SurfaceWriteOptions(),
-          size_t                      pieceSize = 1000)
+          size_t                      pieceSize = 1000,
+          SurfacePrecision            precision = SurfacePrecision::Single)
 {
   const TemporaryFolder folder;
   const std::string     name = "mesh" + extension;
-  SurfaceSpool          spool(folder / "");
+  SurfaceSpool          spool(folder / "", precision);
   AddInPieces(surface, pieceSize, spool);
   OutputFile file(folder / name, false);
   file.Create(0, false);
@@ -241,6 +242,22 @@ TEST(SurfaceWriter, CoordinatesAreFloat32InAllFormats)
     std::string::npos);
 }
 
+TEST(SurfaceWriter, CoordinatesAreFloat64WhereTheSurfaceNeedsIt)
+{
+  Surface surface = MakeTwoFaces();
+  surface.vertices[0].position = { 20000000.1, -1.0 / 3, -20000000.123456789 };
+  const auto write = [&](const std::string & extension) {
+    return WriteFile(surface, extension, {}, 1000, SurfacePrecision::Double);
+  };
+  EXPECT_EQ(GetLinesAfter(write(".inp"), "*NODE").front(), "1, 20000000.1, -0.3333333333333333, -20000000.123456787");
+  // As many digits as its fields hold.
+  EXPECT_NE(write(".bdf").find("20000000.1      -0.3333333333333\n*       -20000000.123457\n"), std::string::npos);
+  EXPECT_NE(write(".vtp").find("<DataArray type=\"Float64\" Name=\"Points\""), std::string::npos);
+  EXPECT_NE(write(".vtu").find("<DataArray type=\"Float64\" Name=\"Points\""), std::string::npos);
+  EXPECT_NE(write(".vtk").find("POINTS 5 double\n"), std::string::npos);
+  EXPECT_NE(write(".ply").find("property double x\n"), std::string::npos);
+}
+
 TEST(SurfaceWriter, SectionsGoByTheNearestMultipleAndHaveTheMeanByArea)
 {
   Surface surface = MakeSquares({ 2.0, 1.9, 2.1, 3.0, 2.12 });
@@ -430,6 +447,28 @@ TEST(SurfaceSpool, RefusesAFolderThatIsMissing)
 {
   const TemporaryFolder folder;
   EXPECT_EQ(GetStatusOf([&] { SurfaceSpool spool(folder / "missing"); }), ExitStatus::Refused);
+}
+
+TEST(SurfaceSpool, RoundsToItsPrecision)
+{
+  const std::vector<SurfaceVertex> vertices(9, { { 1.0 / 3, -2.0 / 3, 20000000.1 }, 1.0 });
+  for (const SurfacePrecision precision : { SurfacePrecision::Single, SurfacePrecision::Double })
+  {
+    const TemporaryFolder             folder;
+    SurfaceSpool                      spool(folder / "", precision);
+    std::vector<SurfaceSpool::Vertex> read;
+    spool.AddVertices(vertices);
+    spool.ReadVertices(0, vertices.size(), read);
+    for (size_t i = 0; i < vertices.size(); ++i)
+    {
+      for (size_t axis = 0; axis < 3; ++axis)
+      {
+        const volatile float rounded = static_cast<float>(vertices[i].position[axis]);
+        EXPECT_EQ(read[i].position[axis],
+                  precision == SurfacePrecision::Single ? static_cast<double>(rounded) : vertices[i].position[axis]);
+      }
+    }
+  }
 }
 
 TEST(SurfaceSpool, LeavesNoFile)

@@ -18,6 +18,22 @@ using namespace medialvoxel;
 
 constexpr char StripPrefix[] = "strip:";
 
+/** Before the name of a shape: small and far from the origin, where it needs 64 bits. */
+constexpr char FarPrefix[] = "far-";
+
+/** The shape in another place, with the precision for it. */
+Surface
+MoveFar(Surface surface)
+{
+  for (SurfaceVertex & vertex : surface.vertices)
+  {
+    auto & [x, y, z] = vertex.position;
+    vertex.position = { 2e7 + 0.3 * x, -2e7 + 0.3 * y, 12345678.9 + 0.3 * z };
+  }
+  CompleteFaces(surface);
+  return surface;
+}
+
 Strip
 ParseStrip(const std::string & shape)
 {
@@ -98,14 +114,16 @@ try
   }
   const std::string              shape = argv[1];
   const std::vector<std::string> fileNames(argv + 3, argv + argc);
-  SurfaceSpool                   spool(std::filesystem::absolute(fileNames.front()).parent_path());
+  const bool                     isFar = shape.rfind(FarPrefix, 0) == 0;
+  SurfaceSpool                   spool(std::filesystem::absolute(fileNames.front()).parent_path(),
+                     isFar ? SurfacePrecision::Double : SurfacePrecision::Single);
   if (shape.rfind(StripPrefix, 0) == 0)
   {
     AddStrip(ParseStrip(shape), spool);
   }
   else
   {
-    const Surface surface = MakeSurface(shape);
+    const Surface surface = isFar ? MoveFar(MakeSurface(shape.substr(sizeof(FarPrefix) - 1))) : MakeSurface(shape);
     AddInPieces(surface, 10, spool);
     PrintJson(surface);
   }

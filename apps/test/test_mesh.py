@@ -6,6 +6,7 @@ import array
 import json
 import math
 import re
+import struct
 import unittest
 
 import volumes
@@ -20,10 +21,11 @@ class Mesh:
         header, data = path.read_bytes().split(b"end_header\n", 1)
         vertices = int(re.search(rb"element vertex (\d+)", header)[1])
         faces = int(re.search(rb"element face (\d+)", header)[1])
-        numbers = array.array("f", data[: 16 * vertices])
-        self.vertices = [tuple(numbers[i : i + 4]) for i in range(0, len(numbers), 4)]
+        self.is_double = b"property double x" in header
+        record = struct.Struct("<dddf" if self.is_double else "<ffff")
+        position = record.size * vertices
+        self.vertices = list(record.iter_unpack(data[:position]))
         self.faces = []
-        position = 16 * vertices
         for _ in range(faces):
             end = position + 1 + 4 * data[position]
             self.faces.append(tuple(array.array("I", data[position + 1 : end])))
@@ -100,6 +102,28 @@ class MeshTest(ProgramTestCase):
             self.assertEqual(thickness, 2.0)
         area = json.loads((self.folder / "r.json").read_text())["mesh"]["area"]
         self.assertAlmostEqual(area, 12 * 11 * 0.25, delta=2)
+
+    def test_far_from_the_origin(self):
+        shell = rough_shell()
+        self.write(shell, "far.mha", Offset="2e7 -2e7 1e7", ElementSpacing="0.3 0.3 0.3")
+        self.write(shell, "near.mha", ElementSpacing="0.3 0.3 0.3")
+        tau = {"thickness": 1.2}
+        self.mesh("near.mha", "near.ply", **tau)
+        self.mesh("far.mha", "far.ply", **tau)
+        near, far = Mesh(self.folder / "near.ply"), Mesh(self.folder / "far.ply")
+        self.assertFalse(near.is_double)
+        self.assertTrue(far.is_double)
+        self.assertEqual(far.faces, near.faces)
+        self.assertEqual(len({vertex[:3] for vertex in far.vertices}), len(far.vertices))
+        for a, b in zip(near.vertices, far.vertices):
+            for k, origin in enumerate((2e7, -2e7, 1e7)):
+                self.assertAlmostEqual(a[k] + origin, b[k], delta=1e-5)
+        self.mesh("far.mha", "cut.ply", "--smallest-piece", 2, **tau)
+        self.assertEqual((self.folder / "cut.ply").read_bytes(), (self.folder / "far.ply").read_bytes())
+        self.assert_fails(
+            USAGE, ["m.stl", "far.mha", "20000", "0.3"], "mesh", "far.mha", "m.stl", "--thickness", 1.2
+        )
+        self.assertFalse((self.folder / "m.stl").exists())
 
     def test_lengths_in_voxels(self):
         self.write(plate())

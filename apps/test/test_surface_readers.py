@@ -18,6 +18,7 @@ WRITE_SURFACE = os.environ["MEDIALVOXEL_WRITE_SURFACE"]
 READ_SURFACE = pathlib.Path(__file__).with_name("read_surface.py")
 
 SHAPES = ("plate", "mixed", "cylinder", "cube", "junction")
+FAR_SHAPES = ("far-mixed", "far-cylinder")  # coordinates need 64 bits
 EXTENSIONS = ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf")
 READERS = {
     "pyvista": ("vtp", "vtu", "vtk", "ply", "stl", "obj"),
@@ -25,6 +26,7 @@ READERS = {
     "gmsh": ("stl", "obj", "bdf"),
     "pyNastran": ("bdf",),
 }
+READ_AS_32_BITS = (("pyvista", "ply"), ("pyvista", "obj"))  # by VTK, whatever the file holds
 MODULES = {"pyNastran": "pyNastran.bdf.bdf"}
 CLASS_WIDTH = 0.2
 
@@ -34,7 +36,9 @@ def as_float32(value):
 
 
 def squared_distance(a, b):
-    return sum((x - y) ** 2 for x, y in zip(a, b))
+    # Not sum(), which newer interpreters round less: ties would not be the program's.
+    x, y, z = ((p - q) * (p - q) for p, q in zip(a, b))
+    return x + y + z
 
 
 def split(points, face):
@@ -47,9 +51,9 @@ def split(points, face):
     return [[a, b, c], [a, c, d]]
 
 
-def outline(points, face):
+def outline(points, face, digits):
     """Corners of a face as points, from the smallest on: the same for the same face with the same orientation."""
-    corners = [tuple(float(f"{coordinate:.7g}") for coordinate in points[corner]) for corner in face]
+    corners = [tuple(float(f"{coordinate:.{digits}g}") for coordinate in points[corner]) for corner in face]
     start = corners.index(min(corners))
     return tuple(corners[start:] + corners[:start])
 
@@ -57,14 +61,21 @@ def outline(points, face):
 def write_all(folder):
     """Writes all shapes in all formats; the surfaces by shape, with numbers as files have them."""
     surfaces = {}
-    for shape in (*SHAPES, "empty"):
-        command = [WRITE_SURFACE, shape, str(CLASS_WIDTH), *(f"{shape}.{extension}" for extension in EXTENSIONS)]
+    for shape in (*SHAPES, *FAR_SHAPES, "empty"):
+        extensions = [extension for extension in EXTENSIONS if shape not in FAR_SHAPES or extension != "stl"]
+        command = [WRITE_SURFACE, shape, str(CLASS_WIDTH), *(f"{shape}.{extension}" for extension in extensions)]
         surface = json.loads(subprocess.run(command, capture_output=True, check=True, cwd=folder).stdout)
         for key in ("thickness", "area"):
             surface[key] = [as_float32(value) for value in surface[key]]
-        surface["points"] = [[as_float32(coordinate) for coordinate in point] for point in surface["points"]]
+        if shape not in FAR_SHAPES:
+            surface["points"] = [[as_float32(coordinate) for coordinate in point] for point in surface["points"]]
         surfaces[shape] = surface
     return surfaces
+
+
+def far_extensions(reader):
+    """Formats of 64 bits that the reader reads as such."""
+    return [name for name in READERS[reader] if name != "stl" and (reader, name) not in READ_AS_32_BITS]
 
 
 def read_all(folder, reader):
@@ -73,6 +84,7 @@ def read_all(folder, reader):
     if python is None:
         return None
     names = [f"{shape}.{extension}" for shape in SHAPES for extension in READERS[reader]]
+    names += [f"{shape}.{extension}" for shape in FAR_SHAPES for extension in far_extensions(reader)]
     if reader in ("pyvista", "pyNastran"):
         names += [f"empty.{extension}" for extension in ("vtp", "vtu", "vtk", "bdf") if extension in READERS[reader]]
     command = [python, "-B", READ_SURFACE, reader, f"{reader}.json", *names]
@@ -118,12 +130,26 @@ class SurfaceReadersTest(unittest.TestCase):
             faces = surface["faces"]
             if extension == "stl":
                 faces = [triangle for face in faces for triangle in split(surface["points"], face)]
-            expected = collections.Counter(outline(surface["points"], face) for face in faces)
-            found = collections.Counter(outline(content["points"], face) for face in content["faces"])
+            expected = collections.Counter(outline(surface["points"], face, 7) for face in faces)
+            found = collections.Counter(outline(content["points"], face, 7) for face in content["faces"])
             self.assertEqual(found, expected)
             self.assertEqual(len(content["points"]), len(surface["points"]))
 
         self.check_each(EXTENSIONS, check)
+
+    def test_far_from_the_origin(self):
+        for reader in READERS:
+            for name in (f"{shape}.{extension}" for shape in FAR_SHAPES for extension in far_extensions(reader)):
+                with self.subTest(f"{name} with {reader}"):
+                    self.need(reader)
+                    surface, content = self.surfaces[name.split(".")[0]], self.contents[reader][name]
+                    # Fields of Nastran have room for 14 digits and a sign.
+                    expected = collections.Counter(outline(surface["points"], face, 13) for face in surface["faces"])
+                    found = collections.Counter(outline(content["points"], face, 13) for face in content["faces"])
+                    self.assertEqual(found, expected)
+                    self.assertEqual(len({tuple(point) for point in content["points"]}), len(surface["points"]))
+                    if name.endswith(("vtp", "vtu", "vtk", "ply")):
+                        self.assertEqual(content["points"], surface["points"])
 
     def test_order_of_vertices_and_faces(self):
         def check(surface, content, _):
