@@ -9,6 +9,7 @@
 #include "MedialVoxelExport.h"
 
 #include <cstdint>
+#include <array>
 #include <vector>
 
 namespace itk
@@ -64,7 +65,8 @@ private:
   std::size_t
   ReachOf(double radius) const;
 
-  double m_BlockLength; // along the axis where it is shortest
+  double                     m_BlockLength; // along the axis where it is shortest
+  std::array<std::size_t, 3> m_MostReach;   // blocks that reach over the whole image
 };
 
 } // end namespace itk

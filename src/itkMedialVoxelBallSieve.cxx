@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelBallSieve.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -51,7 +53,8 @@ public:
   void
   Spread(std::vector<double> & values, std::vector<double> & copy, TBest && best) const
   {
-    std::size_t stride = 1;
+    MedialVoxelPollCounter poll;
+    std::size_t            stride = 1;
     for (const std::int64_t number : m_Number)
     {
       copy.resize(values.size());
@@ -61,6 +64,7 @@ public:
       {
         for (std::size_t i = 0; i < count; ++i)
         {
+          poll.Count(static_cast<std::uint32_t>(stride));
           const double * const own = values.data() + line + i * stride;
           const double * const before = i > 0 ? own - stride : own;
           const double * const after = i + 1 < count ? own + stride : own;
@@ -107,6 +111,7 @@ KeepSmallerCells(const MedialVoxelBits &     cells,
   auto                   radius = radii.begin();
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
+    MedialVoxelPoll();
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
       MedialVoxelBits::WordType * const row = smallerCells.GetRow(y, z);
@@ -133,15 +138,22 @@ KeepSmallerCells(const MedialVoxelBits &     cells,
 } // namespace
 
 MedialVoxelBallSieve::MedialVoxelBallSieve(const MedialVoxelGrid & grid)
-  : m_BlockLength(static_cast<double>(BlockEdge) *
-                  *std::min_element(grid.GetMetricSpacing().begin(), grid.GetMetricSpacing().end()))
-{}
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    m_MostReach[axis] = static_cast<std::size_t>(grid.GetSize()[axis] / BlockEdge) + 2;
+    shortest = grid.IsActive(axis) ? std::min(shortest, grid.GetMetricSpacing()[axis]) : shortest;
+  }
+  m_BlockLength = static_cast<double>(BlockEdge) * shortest;
+}
 
 std::size_t
 MedialVoxelBallSieve::ReachOf(const double radius) const
 {
-  std::size_t reach = 1;
-  while (radius > static_cast<double>(reach) * m_BlockLength)
+  std::size_t       reach = 1;
+  const std::size_t all = *std::max_element(m_MostReach.begin(), m_MostReach.end());
+  while (reach < all && radius > static_cast<double>(reach) * m_BlockLength)
   {
     ++reach;
   }
@@ -160,10 +172,14 @@ MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &           cells,
   {
     largest = Larger(largest, ball.radius);
   }
-  const std::size_t  mostReach = this->ReachOf(largest);
-  const std::int64_t margin = BlockEdge * static_cast<std::int64_t>(mostReach);
-  const Blocks       blocks(cells.GetBits().GetBox().Expanded({ { margin, margin, margin } }));
-  auto &             layers = workspace.layers;
+  const std::size_t mostReach = this->ReachOf(largest);
+  MedialVoxelIndex  margin;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    margin[axis] = BlockEdge * static_cast<std::int64_t>(std::min(mostReach, m_MostReach[axis]));
+  }
+  const Blocks blocks(cells.GetBits().GetBox().Expanded(margin));
+  auto &       layers = workspace.layers;
   layers.resize(mostReach + 1);
 
   // The largest ball that may cover a cell of each block.

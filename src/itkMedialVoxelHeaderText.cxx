@@ -43,6 +43,22 @@ IsLongControl(const std::string & text, size_t position)
   return byte(position) == 0xc2 && byte(position + 1) >= 0x80 && byte(position + 1) <= 0x9f;
 }
 
+const char *
+NameKind(const std::filesystem::file_type type)
+{
+  switch (type)
+  {
+    case std::filesystem::file_type::directory:
+      return "a folder";
+    case std::filesystem::file_type::fifo:
+      return "a pipe";
+    case std::filesystem::file_type::socket:
+      return "a socket";
+    default:
+      return "a device";
+  }
+}
+
 } // namespace
 
 std::string
@@ -82,11 +98,18 @@ OpenRegularFile(const std::filesystem::path & fileName)
   const auto      status = std::filesystem::status(fileName, error);
   if (!std::filesystem::exists(status))
   {
-    Fail(HeaderError::Kind::Unreadable, "cannot open ", fileName.string(), ": no such file");
+    const bool        isMissing = status.type() == std::filesystem::file_type::not_found;
+    const std::string reason = isMissing ? "no such file" : error.message();
+    Fail(HeaderError::Kind::Unreadable, "cannot open ", fileName.string(), ": ", reason);
   }
   if (!std::filesystem::is_regular_file(status))
   {
-    Fail(HeaderError::Kind::Unreadable, "cannot read ", fileName.string(), ": it is not a regular file");
+    Fail(HeaderError::Kind::Unreadable,
+         "cannot read ",
+         fileName.string(),
+         ": it is ",
+         NameKind(status.type()),
+         ", not a regular file");
   }
   std::ifstream file(fileName, std::ios::binary);
   if (!file.is_open())

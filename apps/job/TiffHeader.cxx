@@ -5,6 +5,7 @@
 #include "TiffFile.h"
 
 #include "itkMedialVoxelFileRegion.h"
+#include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
 #include <array>
@@ -143,6 +144,7 @@ public:
     std::uint64_t slices = 0;
     do
     {
+      itk::MedialVoxelPoll();
       this->AddSlice();
       ++slices;
     } while (m_File.NextDirectory());

@@ -6,6 +6,8 @@
 #include "Text.h"
 #include "ZarrMetadata.h"
 
+#include "itkMedialVoxelLimits.h"
+
 #include <vnl/vnl_det.h>
 #include <vnl/vnl_matrix_fixed.h>
 
@@ -45,31 +47,41 @@ DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription &
   return header;
 }
 
+/** Lengths are measured along the axes, so that a direction must not stretch them. */
+void
+CheckDirection(const VolumeHeader & header, unsigned int axis)
+{
+  constexpr double            tolerance = 0.01;
+  const std::vector<double> & direction = header.geometry.direction[axis];
+  const double                length = std::sqrt(
+    std::inner_product(direction.begin(), direction.end(), direction.begin(), 0.0, std::plus<>(), std::multiplies<>()));
+  if (!(std::abs(length - 1.0) <= tolerance))
+  {
+    Fail(ExitStatus::CorruptInput,
+         header.fileName.string(),
+         ": the directions of its axes must have the length 1; that of axis ",
+         axis,
+         " is (",
+         FormatNumbers(direction, ","),
+         ")");
+  }
+}
+
 void
 CheckGeometry(const VolumeHeader & header)
 {
+  const VolumeGeometry & geometry = header.geometry;
+  const std::string problem = itk::MedialVoxelLimits::FindProblem(geometry.size, geometry.spacing, geometry.origin);
+  if (!problem.empty())
+  {
+    Fail(ExitStatus::CorruptInput, header.fileName.string(), ": ", problem);
+  }
   const unsigned int             dimension = header.geometry.GetDimension();
   vnl_matrix_fixed<double, 3, 3> matrix;
   matrix.set_identity();
   for (unsigned int axis = 0; axis < dimension; ++axis)
   {
-    const double spacing = header.geometry.spacing[axis];
-    if (!std::isfinite(spacing) || spacing <= 0)
-    {
-      Fail(ExitStatus::CorruptInput,
-           header.fileName.string(),
-           ": spacing is ",
-           FormatNumbers(header.geometry.spacing, " "),
-           "; each must be a finite number greater than 0");
-    }
-    if (!std::isfinite(header.geometry.origin[axis]))
-    {
-      Fail(ExitStatus::CorruptInput,
-           header.fileName.string(),
-           ": origin is ",
-           FormatNumbers(header.geometry.origin, " "),
-           "; each must be a finite number");
-    }
+    CheckDirection(header, axis);
     for (unsigned int row = 0; row < dimension; ++row)
     {
       matrix(row, axis) = header.geometry.direction[axis][row];
@@ -84,6 +96,24 @@ CheckGeometry(const VolumeHeader & header)
          determinant,
          "); it must not be 0");
   }
+}
+
+void
+ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
+{
+  if (spacing.size() != header.geometry.GetDimension())
+  {
+    Fail(ExitStatus::Usage,
+         header.fileName.string(),
+         ": the spacing ",
+         FormatNumbers(spacing, ","),
+         " has ",
+         spacing.size(),
+         " values; the volume has ",
+         header.geometry.GetDimension(),
+         " axes");
+  }
+  header.geometry.spacing = spacing;
 }
 
 /** The voxels must be in the data file, or packed voxels could be. */
@@ -133,9 +163,16 @@ constexpr std::array Formats{
 HeaderReader
 FindHeaderReader(const std::filesystem::path & fileName)
 {
-  if (IsZarrFolder(fileName))
+  std::error_code error;
+  const auto      status = std::filesystem::status(fileName, error);
+  const bool      isNamedZarr = ToLower(fileName.extension().string()) == ".zarr";
+  if (IsZarrFolder(fileName) || (isNamedZarr && std::filesystem::is_directory(status)))
   {
     return ReadZarrHeader;
+  }
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+  {
+    OpenRegularFile(fileName); // tells what it is
   }
   const std::string name = ToLower(fileName.filename().string());
   std::string       known;
@@ -150,9 +187,9 @@ FindHeaderReader(const std::filesystem::path & fileName)
   }
   Fail(ExitStatus::Usage,
        fileName.string(),
-       ": unknown format '",
-       ToLower(fileName.extension().string()),
-       "'; ",
+       ": unknown format",
+       fileName.has_extension() ? " '" + ToLower(fileName.extension().string()) + "'" : ", its name has no extension",
+       "; ",
        known,
        " are read, and headerless files with --raw-size and --raw-type");
 }
@@ -203,10 +240,16 @@ GetNeededFileSizes(const VolumeHeader & header)
 }
 
 VolumeHeader
-ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<RawDescription> & raw)
+ReadVolumeHeader(const std::filesystem::path &         fileName,
+                 const std::optional<RawDescription> & raw,
+                 const std::vector<double> &           spacing)
 try
 {
   VolumeHeader header = raw ? DescribeRawVolume(fileName, *raw) : FindHeaderReader(fileName)(fileName);
+  if (!spacing.empty())
+  {
+    ReplaceSpacing(header, spacing);
+  }
   CheckDataSize(header);
   CheckGeometry(header);
   return header;

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,6 +85,15 @@ struct VolumeHeader
   /** Memory that unpacking takes beside the bits and a few MiB: the largest strip of a TIFF, a layer of a Zarr. */
   std::uint64_t unpackBytes{ 0 };
 
+  /** Of a volume that is resampled while it is read: what is in the file. */
+  std::shared_ptr<const VolumeHeader> stored;
+
+  const VolumeHeader &
+  GetStored() const
+  {
+    return stored ? *stored : *this;
+  }
+
   std::uint64_t
   GetVoxelBytes() const
   {
@@ -111,11 +121,14 @@ GetNeededFileSizes(const VolumeHeader & header);
  * (.zarr), TIFF (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
  *
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
- * ones: may be), and spacings are positive and finite.
- * \throw JobError: Usage for an unknown extension, Failure for a file that cannot be read, CorruptInput for all else.
- */
+ * ones: may be), and its place in space is within itk::MedialVoxelLimits.
+ * \param spacing along each axis, in place of that of the file; empty: that of the file
+ * \throw JobError: Usage for an unknown extension or another number of spacings than of axes, Failure for a file that
+ * cannot be read, CorruptInput for all else. */
 VolumeHeader
-ReadVolumeHeader(const std::filesystem::path & fileName, const std::optional<RawDescription> & raw);
+ReadVolumeHeader(const std::filesystem::path &         fileName,
+                 const std::optional<RawDescription> & raw,
+                 const std::vector<double> &           spacing = {});
 
 } // end namespace medialvoxel
 

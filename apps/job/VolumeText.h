@@ -5,7 +5,9 @@
 
 #include "VolumeHeader.h"
 
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -17,6 +19,7 @@ enum class VolumeFormat
   MetaImageDetached, ///< .mhd: voxels in a file of their own
   Nrrd,              ///< .nrrd
   NrrdDetached,      ///< .nhdr
+  Nifti,             ///< .nii, .nii.gz
   Zarr               ///< .zarr: a folder
 };
 
@@ -37,16 +40,35 @@ struct VoxelLayout
 VolumeFormat
 GetVolumeFormat(const std::filesystem::path & fileName);
 
+/** Extensions of the volumes that are written: those of formats that have so many components. */
+std::vector<std::string>
+ListVolumeExtensions(unsigned int components = 1);
+
 bool
 HasDataFile(VolumeFormat format);
 
-/** Header of a file with a volume of uncompressed voxels in the byte order of this machine; numbers read back exactly.
- * \param dataFile name of the voxels' file beside the header; empty for formats of one file */
+/** True for a volume whose file is packed as a whole: by its extension, or when \a compress asks for it and the format
+ * has it. The chunks of Zarr folders are another matter. */
+bool
+IsPackedVolume(const std::filesystem::path & fileName, bool compress);
+
+/** Refuses what a format does not have. \throw JobError Usage */
+void
+CheckVolumeFormat(const std::filesystem::path & fileName,
+                  const VolumeGeometry &        geometry,
+                  const VoxelLayout &           layout,
+                  bool                          compress);
+
+/** Header of a file with a volume of voxels in the byte order of this machine; but for NIfTI, numbers read back
+ * exactly.
+ * \param dataFile name of the voxels' file beside the header; empty for formats of one file
+ * \param packedBytes of voxels that are packed; the length of the header does not depend on the number */
 std::string
-MakeHeaderText(VolumeFormat           format,
-               const VolumeGeometry & geometry,
-               const VoxelLayout &    layout,
-               const std::string &    dataFile);
+MakeHeaderText(VolumeFormat                         format,
+               const VolumeGeometry &               geometry,
+               const VoxelLayout &                  layout,
+               const std::string &                  dataFile,
+               const std::optional<std::uint64_t> & packedBytes = std::nullopt);
 
 } // end namespace medialvoxel
 

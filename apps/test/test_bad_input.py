@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Input that is missing, damaged, hostile or of the wrong kind: a clear message, the right status, no output."""
 
+import os
 import pathlib
+import socket
 import unittest
 
 import volumes
-from program import CORRUPT, FAILURE, READS_TIFF, USAGE, ProgramTestCase, unprivileged
+from program import CORRUPT, FAILURE, PATIENCE, READS_TIFF, REFUSED, USAGE, ProgramTestCase, unprivileged
 
 
 class BadInputTest(ProgramTestCase):
@@ -34,7 +36,60 @@ class BadInputTest(ProgramTestCase):
 
     def test_folder_instead_of_a_file(self):
         (self.folder / "in.mha").mkdir()
-        self.assert_refused("in.mha", ["not a regular file"], FAILURE)
+        self.assert_refused("in.mha", ["it is a folder, not a regular file"], FAILURE)
+        (self.folder / "slices").mkdir()
+        self.assert_refused("slices", ["it is a folder, not a regular file"], FAILURE)
+        self.assert_refused(".", ["it is a folder, not a regular file"], FAILURE)
+
+    def test_no_extension(self):
+        (self.folder / "in").write_bytes(b"\0")
+        self.assert_refused("in", ["unknown format, its name has no extension; .mha"], USAGE)
+
+    def test_what_is_no_file_is_not_opened(self):
+        """A pipe that nobody writes to would block for ever."""
+        os.mkfifo(self.folder / "in.mha")
+        os.mkfifo(self.folder / "pipe")
+        raw = ["--raw-size", "2,2,2", "--raw-type", "uint8"]
+        kinds = [("in.mha", "a pipe", []), ("pipe", "a pipe", []), ("pipe", "a pipe", raw), ("/dev/null", "a device", raw)]
+        listener = socket.socket(socket.AF_UNIX)
+        self.addCleanup(listener.close)
+        listener.bind(str(self.folder / "in.nrrd"))
+        for name, kind, arguments in (*kinds, ("in.nrrd", "a socket", [])):
+            parts = [pathlib.Path(name).name, f"it is {kind}, not a regular file"]
+            for command in (["info", name], ["extract", name, "out.mha"], ["mesh", name, "out.ply"]):
+                self.assert_fails(FAILURE, parts, *command, *arguments, timeout=20 * PATIENCE)
+
+    def test_data_file_that_is_a_pipe(self):
+        for path in (
+            volumes.write_meta(self.folder / "a.mhd", self.volume),
+            volumes.write_nrrd(self.folder / "b.nhdr", self.volume),
+        ):
+            path.with_suffix(".img").unlink()
+            os.mkfifo(path.with_suffix(".img"))
+            self.assert_fails(CORRUPT, [path.with_suffix(".img").name], "info", path.name, timeout=20 * PATIENCE)
+
+    def test_output_that_is_no_file(self):
+        self.meta()
+        os.mkfifo(self.folder / "out.mha")
+        os.mkfifo(self.folder / "r.json")
+        for options in ([], ["--overwrite"]):
+            parts = ["out.mha exists and is not a regular file"]
+            self.assert_fails(REFUSED, parts, "extract", "in.mha", "out.mha", *options, timeout=20 * PATIENCE)
+            parts = ["r.json exists and is not a regular file"]
+            command = ["extract", "in.mha", "a.mha", "--report", "r.json", *options]
+            self.assert_fails(REFUSED, parts, *command, timeout=20 * PATIENCE)
+
+    def test_names_that_are_too_long(self):
+        self.meta()
+        name = "n" * 300
+        self.assert_refused(f"{name}.mha", ["File name too long"], FAILURE)
+        self.assert_refused(f"{name}/in.mha", ["File name too long"], FAILURE)
+        for output in (f"{name}.mha", f"{name}/out.mha", f"{name}.zarr", "n" * 253 + ".mha"):
+            self.assert_fails(REFUSED, [output, "File name too long"], "extract", "in.mha", output)
+            self.assert_fails(REFUSED, [output, "File name too long"], "extract", "in.mha", "a.mha", "--vectors", output)
+            self.assert_fails(REFUSED, [output, "File name too long"], "distance", "in.mha", output)
+        self.assert_fails(REFUSED, [name, "File name too long"], "plan", "in.mha", "out.mha", name)
+        self.assert_fails(REFUSED, [name, "File name too long"], "extract", "in.mha", "a.mha", "--report", f"{name}.json")
 
     def test_unreadable_file(self):
         options = unprivileged()

@@ -32,6 +32,12 @@ class BadInput(unittest.TestCase):
             with self.subTest(thickness=thickness):
                 self.assert_refused("Thickness", "positive", thickness=thickness)
 
+    def test_spacing(self):
+        for spacing, words in ((1e13, "spacing along axis 0 is 1e+13"), (1e-80, "from 1e-12 to 1e+12")):
+            with self.subTest(spacing=spacing):
+                self.assert_refused(words, image=image_of(blobs(), [spacing] * 3), thickness=3.0)
+        self.assert_refused("must not exceed 1000", image=image_of(blobs(), [1.0, 1.0, 1001.0]), thickness=3.0)
+
     def test_thresholds(self):
         self.assert_refused("thresholds are 5 and 4", thickness=3.0, lower_threshold=5.0, upper_threshold=4.0)
         self.assert_refused("thresholds", thickness=3.0, lower_threshold=float("nan"))

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelLimits_h
+#define itkMedialVoxelLimits_h
+
+#include "itkMedialVoxelGrid.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+
+/** \struct MedialVoxelLimits
+ * \brief Ranges of the numbers that place an image in space, for the filters and for files alike.
+ *
+ * Within them, squares and products of lengths stay far from the ends of the range of numbers, in 32 bits too, so that
+ * results do not depend on the unit of length.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxel_EXPORT MedialVoxelLimits
+{
+  static constexpr double SmallestSpacing = 1e-12;
+  static constexpr double LargestSpacing = 1e12;
+
+  /** Of the largest spacing to the smallest, among the axes longer than 1. */
+  static constexpr double LargestRatio = 1000.0;
+
+  /** Of an axis, of a coordinate of the origin, and of the limits of an automatic thickness. */
+  static constexpr double LargestLength = 1e18;
+
+  /** Voxels along an axis. */
+  static constexpr std::uint64_t LargestSize = 2147483647;
+
+  /** Voxels of an image; their bytes are still a valid offset in a file. */
+  static constexpr std::uint64_t MostVoxels = std::uint64_t{ 1 } << 59;
+
+  /** Of the largest spacing to the smallest: with more, sheets and thickness are inaccurate. */
+  static constexpr double AccurateRatio = 4.0;
+
+  /** What is out of range, with the range, such as "its spacing along axis 2 is 0; it must be a number from 1e-12 to
+   * 1e+12"; empty when all is well. The vectors have a value for each axis. */
+  static std::string
+  FindProblem(const std::vector<std::uint64_t> & size,
+              const std::vector<double> &        spacing,
+              const std::vector<double> &        origin);
+
+  /** The largest spacing to the smallest, among the axes longer than 1; 1 without any. */
+  static double
+  RatioOf(const MedialVoxelGrid & grid);
+
+  /** That sheets and thickness are inaccurate on a grid, in words; empty up to AccurateRatio. */
+  static std::string
+  FindInaccuracy(const MedialVoxelGrid & grid);
+
+  /** The least thickness that a grid can tell from nothing: the largest spacing beyond AccurateRatio, otherwise 0. A
+   * smaller one would take each step along the longest axis for the way around a wall. */
+  static double
+  LeastThickness(const MedialVoxelGrid & grid);
+};
+
+} // end namespace itk
+
+#endif
