@@ -25,7 +25,6 @@ MakeSurvey()
   geometry.origin = { 0, 0, 0 };
   geometry.SetIdentityDirection();
   SurveySettings settings;
-  settings.thickness = true;
   settings.picture = true;
   return { geometry, itk::MedialVoxelGrid({ { 5, 4, 3 } }, { { 1, 1, 1 } }), settings };
 }

@@ -4,12 +4,13 @@
 #define itkMedialVoxelObjectPredicate_h
 
 #include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelLimit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 namespace itk
@@ -18,9 +19,9 @@ namespace itk
 /** \class MedialVoxelObjectPredicate
  * \brief Which pixel values are object, and the packing of rows of pixels into bits.
  *
- * Either every value but the background value is object, or every value from a lower to an upper limit. Limits are
- * compared as numbers: between two values of the pixel type they act like the next value inside, and beyond the range
- * of the type like its end. NaN is never object.
+ * Every value but the background value is object, or one value, or every value from a lower to an upper limit. Limits
+ * are compared as numbers: between two values of the pixel type they act like the next value inside, and beyond the
+ * range of the type like its end. NaN is never object.
  * \ingroup MedialVoxel
  */
 template <typename TPixel>
@@ -39,29 +40,37 @@ public:
     return predicate;
   }
 
+  /** The value \a value alone, exactly, also where double has no such number. */
+  static MedialVoxelObjectPredicate
+  EqualTo(const TPixel value)
+  {
+    MedialVoxelObjectPredicate predicate;
+    predicate.m_IsRange = true;
+    predicate.m_Lower = value;
+    predicate.m_Upper = value;
+    return predicate;
+  }
+
   /** The values v with lower <= v <= upper. */
   static MedialVoxelObjectPredicate
-  InRange(const double lower, const double upper)
+  InRange(const MedialVoxelLimit & lower, const MedialVoxelLimit & upper)
   {
     MedialVoxelObjectPredicate predicate;
     predicate.m_IsRange = true;
     if constexpr (std::is_floating_point<TPixel>::value)
     {
-      predicate.m_Lower = lower;
-      predicate.m_Upper = upper;
+      predicate.m_Lower = lower.GetFirstDouble();
+      predicate.m_Upper = upper.GetLastDouble();
     }
     else
     {
       using Limits = std::numeric_limits<TPixel>;
-      // Powers of two are exact in double, where the largest value of a 64-bit type is not.
-      const double end = std::ldexp(1.0, Limits::digits);
-      const double begin = Limits::is_signed ? -end : 0.0;
-      const double first = std::ceil(lower);
-      const double last = std::floor(upper);
-      const bool   isEmpty = !(first <= last) || first >= end || last < begin;
+      const std::optional<TPixel> first = lower.GetFirstValue<TPixel>();
+      const std::optional<TPixel> last = upper.GetLastValue<TPixel>();
       // An empty range is written as one that no value fulfills.
-      predicate.m_Lower = isEmpty ? Limits::max() : (first <= begin ? Limits::lowest() : static_cast<TPixel>(first));
-      predicate.m_Upper = isEmpty ? Limits::lowest() : (last >= end ? Limits::max() : static_cast<TPixel>(last));
+      const bool isEmpty = !first || !last;
+      predicate.m_Lower = isEmpty ? Limits::max() : *first;
+      predicate.m_Upper = isEmpty ? Limits::lowest() : *last;
     }
     return predicate;
   }

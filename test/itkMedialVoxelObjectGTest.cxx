@@ -5,6 +5,7 @@
 
 #include "MedialVoxelTestRuns.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace
@@ -106,6 +107,42 @@ TEST(MedialVoxelObject, ReturnsToTheBackgroundValueWhenThresholdsAreUnset)
             "0110");
 }
 
+TEST(MedialVoxelObject, IsOneValueExactly)
+{
+  const auto is = [](auto value) { return [value](auto * f) { f->SetObjectValue(value); }; };
+  EXPECT_EQ(ObjectOf<short>({ 0, 7, 8, -7, 7 }, is(short{ 7 })), "01001");
+  EXPECT_EQ(ObjectOf<short>({ 0, 7, 8, -7, 0 }, is(short{ 0 })), "10001");
+  EXPECT_EQ(ObjectOf<float>({ 0.5f, 0.0f, -0.0f, NAN }, is(0.0f)), "0110");
+  constexpr std::uint64_t large = (std::uint64_t{ 1 } << 53) + 1;
+  EXPECT_EQ(ObjectOf<std::uint64_t>({ large - 1, large, large + 1, ~std::uint64_t{ 0 } }, is(large)), "0100");
+  EXPECT_EQ(ObjectOf<std::uint64_t>({ large - 1, large, ~std::uint64_t{ 0 } }, is(~std::uint64_t{ 0 })), "001");
+  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min();
+  EXPECT_EQ(ObjectOf<std::int64_t>({ least, least + 1, 0, -1 }, is(least)), "1000");
+}
+
+TEST(MedialVoxelObject, TheLastWordOnTheObjectCounts)
+{
+  const std::vector<short> values{ 0, 7, 8, 9 };
+  EXPECT_EQ(ObjectOf<short>(values,
+                            [](auto * f) {
+                              f->SetObjectValue(7);
+                              f->SetLowerThreshold(8);
+                            }),
+            "0011");
+  EXPECT_EQ(ObjectOf<short>(values,
+                            [](auto * f) {
+                              f->SetLowerThreshold(8);
+                              f->SetObjectValue(7);
+                            }),
+            "0100");
+  EXPECT_EQ(ObjectOf<short>(values,
+                            [](auto * f) {
+                              f->SetObjectValue(7);
+                              f->UnsetThresholds();
+                            }),
+            "0111");
+}
+
 TEST(MedialVoxelObject, LimitsCompareAsNumbers)
 {
   const std::vector<unsigned char> values{ 0, 72, 73, 255, 0 };
@@ -153,6 +190,131 @@ TEST(MedialVoxelObject, LimitsOfWideTypesAreExact)
   const std::vector<std::uint64_t> unsignedValues{ 0, 1, std::numeric_limits<std::uint64_t>::max() };
   EXPECT_EQ(ObjectOf<std::uint64_t>(unsignedValues, [](auto * f) { f->SetLowerThreshold(18446744073709549568.0); }),
             "001");
+}
+
+namespace
+{
+/** Every limit against every value, as whole numbers, whatever a double can hold. */
+template <typename TPixel>
+void
+ExpectExactLimits(const std::vector<TPixel> & values, const std::vector<TPixel> & limits)
+{
+  for (const TPixel limit : limits)
+  {
+    std::string above;
+    std::string below;
+    for (const TPixel value : values)
+    {
+      above += value >= limit ? '1' : '0';
+      below += value <= limit ? '1' : '0';
+    }
+    EXPECT_EQ(ObjectOf<TPixel>(values, [limit](auto * f) { f->SetLowerThreshold(limit); }), above) << limit;
+    EXPECT_EQ(ObjectOf<TPixel>(values, [limit](auto * f) { f->SetUpperThreshold(limit); }), below) << limit;
+    const auto parsed = itk::MedialVoxelLimit::Parse(std::to_string(limit));
+    ASSERT_TRUE(parsed);
+    EXPECT_EQ(*parsed, itk::MedialVoxelLimit(limit));
+    EXPECT_EQ(parsed->Format(), itk::MedialVoxelLimit(limit).Format());
+    EXPECT_EQ(*itk::MedialVoxelLimit::Parse(parsed->Format()), *parsed);
+  }
+}
+
+/** Whole numbers around those at which doubles get sparser, and where they end. */
+template <typename TPixel>
+std::vector<TPixel>
+NumbersAroundPowersOfTwo()
+{
+  using Limits = std::numeric_limits<TPixel>;
+  std::vector<TPixel> numbers{ 0, 1, Limits::max(), Limits::lowest() };
+  for (const int power : { 31, 52, 53, 54, 60, 62 })
+  {
+    for (const int step : { -1025, -513, -1, 0, 1, 3, 513, 1025 })
+    {
+      numbers.push_back(static_cast<TPixel>((TPixel{ 1 } << power) + static_cast<TPixel>(step)));
+      numbers.push_back(static_cast<TPixel>(Limits::max() - static_cast<TPixel>(step + 2000)));
+      numbers.push_back(static_cast<TPixel>(Limits::lowest() + static_cast<TPixel>(step + 2000)));
+    }
+  }
+  return numbers;
+}
+} // namespace
+
+TEST(MedialVoxelObject, IntegersOf64BitsAreExactLimits)
+{
+  const auto signedNumbers = NumbersAroundPowersOfTwo<std::int64_t>();
+  ExpectExactLimits<std::int64_t>({ 0,
+                                    (std::int64_t{ 1 } << 53) - 1,
+                                    std::int64_t{ 1 } << 53,
+                                    (std::int64_t{ 1 } << 53) + 1,
+                                    (std::int64_t{ 1 } << 53) + 2,
+                                    std::numeric_limits<std::int64_t>::max() - 1,
+                                    std::numeric_limits<std::int64_t>::max(),
+                                    0 },
+                                  { (std::int64_t{ 1 } << 53) + 1, std::numeric_limits<std::int64_t>::max() });
+  const std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
+  ExpectExactLimits<std::uint64_t>({ 0, last - 2049, last - 1, last, 0 }, { last - 1, last, last - 1024 });
+  for (const std::int64_t limit : signedNumbers)
+  {
+    const itk::MedialVoxelLimit exact(limit);
+    EXPECT_EQ(exact.GetFirstValue<std::int64_t>(), limit);
+    EXPECT_EQ(exact.GetLastValue<std::int64_t>(), limit);
+    for (const std::int64_t other : signedNumbers)
+    {
+      EXPECT_EQ(exact.IsAbove(other), limit > other) << limit << ' ' << other;
+      EXPECT_EQ(exact == itk::MedialVoxelLimit(other), limit == other) << limit << ' ' << other;
+    }
+  }
+  for (const std::uint64_t limit : NumbersAroundPowersOfTwo<std::uint64_t>())
+  {
+    EXPECT_EQ(itk::MedialVoxelLimit(limit).GetFirstValue<std::uint64_t>(), limit);
+    EXPECT_EQ(itk::MedialVoxelLimit(limit).GetLastValue<std::uint64_t>(), limit);
+    EXPECT_EQ(itk::MedialVoxelLimit::Parse(std::to_string(limit)), itk::MedialVoxelLimit(limit)) << limit;
+  }
+}
+
+TEST(MedialVoxelObject, LimitsBetweenDoublesHoldForRealPixelsToo)
+{
+  const double              at = 9007199254740992.0; // 2^53, after which come +2, +4
+  const std::vector<double> values{ 0.0, at, at + 2.0, at + 4.0, 0.0 };
+  const std::int64_t        between = (std::int64_t{ 1 } << 53) + 3;
+  EXPECT_EQ(ObjectOf<double>(values, [=](auto * f) { f->SetLowerThreshold(between); }), "00010");
+  EXPECT_EQ(ObjectOf<double>(values, [=](auto * f) { f->SetUpperThreshold(between); }), "11101");
+  EXPECT_EQ(ObjectOf<double>(values, [=](auto * f) { f->SetLowerThreshold(between - 2); }), "00110");
+  EXPECT_EQ(ObjectOf<double>(values, [=](auto * f) { f->SetUpperThreshold(between - 2); }), "11001");
+}
+
+TEST(MedialVoxelObject, LimitsReadTextAsTheNumberThatItIs)
+{
+  using Limit = itk::MedialVoxelLimit;
+  EXPECT_EQ(Limit::Parse("72.5"), Limit(72.5));
+  EXPECT_EQ(Limit::Parse("-72"), Limit(-72));
+  EXPECT_EQ(Limit::Parse("+9007199254740993"), Limit((std::int64_t{ 1 } << 53) + 1));
+  EXPECT_EQ(Limit::Parse("-9223372036854775807"), Limit(-std::numeric_limits<std::int64_t>::max()));
+  EXPECT_EQ(Limit::Parse("-9223372036854775809"), Limit(-9223372036854775808.0)); // no value is that small
+  EXPECT_EQ(Limit::Parse("18446744073709551616"), Limit(18446744073709551616.0)); // or that large
+  EXPECT_EQ(Limit::Parse("9007199254740993.000"), Limit((std::int64_t{ 1 } << 53) + 1));
+  EXPECT_EQ(Limit::Parse("1e300"), Limit(1e300));
+  EXPECT_EQ(Limit::Parse("-inf"), Limit(-Infinity));
+  EXPECT_TRUE(Limit::Parse("nan")->IsNotANumber());
+  for (const char * text : { "", "-", "x", "72x", "9007199254740993.5", "--1", "1 2" })
+  {
+    EXPECT_FALSE(Limit::Parse(text)) << text;
+  }
+  const Limit notANumber(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_FALSE(notANumber.GetFirstValue<short>());
+  EXPECT_FALSE(notANumber.GetLastValue<short>());
+}
+
+TEST(MedialVoxelObject, IsCountedByTheVectorFilterToo)
+{
+  using ImageType = itk::Image<short, 2>;
+  auto filter = itk::VectorDistanceMapImageFilter<ImageType>::New();
+  filter->SetInput(ImageOfValues<short>({ 0, 80, 90, 0 }));
+  for (int update = 0; update < 2; ++update)
+  {
+    filter->Modified();
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfObjectVoxels(), 6u);
+  }
 }
 
 TEST(MedialVoxelObject, NaNIsBackgroundAndCounted)

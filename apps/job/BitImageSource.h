@@ -4,7 +4,7 @@
 #define medialvoxelBitImageSource_h
 
 #include "BitStore.h"
-#include "VolumeHeader.h"
+#include "ImageGeometry.h"
 
 #include "itkImage.h"
 #include "itkImageSource.h"
@@ -59,25 +59,7 @@ protected:
   void
   GenerateOutputInformation() override
   {
-    typename ImageType::SizeType      size;
-    typename ImageType::SpacingType   spacing;
-    typename ImageType::PointType     origin;
-    typename ImageType::DirectionType direction;
-    for (unsigned int axis = 0; axis < VDimension; ++axis)
-    {
-      size[axis] = m_Geometry.size[axis];
-      spacing[axis] = m_Geometry.spacing[axis];
-      origin[axis] = m_Geometry.origin[axis];
-      for (unsigned int row = 0; row < VDimension; ++row)
-      {
-        direction[row][axis] = m_Geometry.direction[axis][row];
-      }
-    }
-    ImageType & output = *this->GetOutput();
-    output.SetLargestPossibleRegion(size);
-    output.SetSpacing(spacing);
-    output.SetOrigin(origin);
-    output.SetDirection(direction);
+    SetImageGeometry(m_Geometry, *this->GetOutput());
   }
 
   void

@@ -15,7 +15,7 @@ ExtractSummary::ExtractSummary(const ExtractOptions & options, OutputSet & outpu
   , m_ThicknessCsv(outputs.AddFile(options.thicknessCsvFile))
   , m_Preview(outputs.AddFile(options.previewFile))
   , m_Html(outputs.AddFile(options.htmlFile))
-  , m_Report(outputs.AddFile(options.reportFile))
+  , m_Report(outputs.AddFile(GetReportFile(options)))
   , m_ReturnParameters(outputs.AddFile(options.returnParameterFile))
 {}
 
@@ -48,15 +48,12 @@ ExtractSummary::Draw(const VolumeGeometry & geometry,
 void
 ExtractSummary::Write(const Survey & survey, JobResult & result)
 {
-  if (survey.GetSettings().thickness)
-  {
-    result.thickness =
-      Summarize(survey.GetThickness(), survey.GetThicknessByArea(), survey.GetAreaUnit(), survey.GetStep());
-  }
+  result.thickness = Summarize(survey);
+  const std::vector<Warning> found = FindWarningsOfResult(m_Options, result, survey);
+  result.warnings.insert(result.warnings.end(), found.begin(), found.end());
   if (m_ThicknessCsv)
   {
-    WriteText(*m_ThicknessCsv,
-              MakeThicknessCsv(survey.GetThickness(), survey.GetThicknessByArea(), survey.GetAreaUnit()));
+    WriteText(*m_ThicknessCsv, MakeThicknessCsv(survey));
   }
   if (m_Html)
   {

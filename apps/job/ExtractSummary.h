@@ -26,7 +26,7 @@ public:
        const VoxelOutput *    labels,
        const VoxelOutput *    thicknesses);
 
-  /** Adds the thickness to the result and writes all but the preview. */
+  /** Adds the thickness and what it warns of to the result and writes all but the preview. */
   void
   Write(const Survey & survey, JobResult & result);
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
+#include "JobParts.h"
 #include "Report.h"
 #include "Text.h"
 
@@ -28,6 +29,7 @@ constexpr const char * Style =
   "line.median{stroke:#1d2430;stroke-width:1.5;stroke-dasharray:4 3}text.mean{fill:#c2410c}\n"
   ".bound,.geodesic,.object{display:inline-block;width:11px;height:11px;border:1px solid #8b95a3;margin-right:6px}\n"
   ".bound{background:#fff}.geodesic{background:#ff2d23}.object{background:#5f5f64}\n"
+  ".warning{background:#fdf1dc;border-left:4px solid #c2410c;padding:4px 10px}\n"
   "pre{white-space:pre-wrap;background:#f3f5f8;padding:10px;border-radius:4px}\n";
 
 /** Text that a page shows as it is. Bytes that are no valid UTF-8 are left to the browser, which replaces them. */
@@ -113,7 +115,8 @@ MakeThickness(const ThicknessSummary & thickness, const std::string & unit, bool
   {
     return "<p>No medial cells, so no thickness.</p>\n";
   }
-  TextTable table{ { "mean", FormatShort(thickness.mean) },
+  TextTable table{ { "in " + unit, "" },
+                   { "mean", FormatShort(thickness.mean) },
                    { "standard deviation", FormatShort(thickness.standardDeviation) },
                    { "smallest", FormatShort(thickness.minimum) },
                    { "largest", FormatShort(thickness.maximum) } };
@@ -128,7 +131,8 @@ MakeThickness(const ThicknessSummary & thickness, const std::string & unit, bool
   }
   std::string text = MakeHistogramSvg(thickness, unit) + "<div class=\"columns\">\n" + MakeRows(table, "number") +
                      MakeRows(percentiles, "number") + MakeRows(byArea, "number") + "</div>\n<p class=\"muted\">Of " +
-                     std::to_string(thickness.cells) + " medial cells";
+                     std::to_string(thickness.cells) + " medial cells, without " + std::to_string(thickness.rimCells) +
+                     " at rims and junctions";
   if (thickness.step > 1)
   {
     text += ", one of " + std::to_string(thickness.step);
@@ -144,9 +148,20 @@ MakeThickness(const ThicknessSummary & thickness, const std::string & unit, bool
 }
 
 std::string
-FormatLimit(const std::optional<double> & limit)
+MakeWarnings(const std::vector<Warning> & warnings)
 {
-  return limit ? FormatNumber(*limit) : "none";
+  std::string text;
+  for (const Warning & warning : warnings)
+  {
+    text += "<p class=\"warning\">Warning: " + Escape(warning.message) + ".</p>\n";
+  }
+  return text;
+}
+
+std::string
+FormatLimit(const std::optional<itk::MedialVoxelLimit> & limit)
+{
+  return limit ? limit->Format() : "none";
 }
 
 TextTable
@@ -156,23 +171,38 @@ DescribeInput(const VolumeHeader & header)
            { "format", header.format },
            { "resolution", FormatSize(header.geometry.size) },
            { "spacing", FormatNumbers(header.geometry.spacing, " x ") },
-           { "type", std::string(GetTraits(header.pixelType).name) } };
+           { "type", std::string(GetTraits(header.GetStored().pixelType).name) } };
 }
 
 TextTable
-DescribeParameters(const ExtractOptions & options)
+DescribeParameters(const ExtractOptions & options, const VolumeHeader & input)
 {
-  return { { "thickness (tau)", DescribeThickness(options, "") },
-           { "lengths in", options.voxelUnits ? "voxels" : "units of the spacing" },
-           { "lower threshold", FormatLimit(options.lowerThreshold) },
-           { "upper threshold", FormatLimit(options.upperThreshold) },
-           { "bound", GetName(options.bound) } };
+  const itk::MedialVoxelGrid grid = GetGrid(options, input);
+  TextTable                  table{ { "thickness (tau)", DescribeThickness(options, "") } };
+  if (!options.thickness)
+  {
+    const auto limits = GetLimitsOfWalls(options, grid);
+    table.emplace_back("minimum thickness", FormatShort(limits.minimum));
+    table.emplace_back("maximum thickness", FormatShort(limits.maximum));
+  }
+  const TextTable others{
+    { "lengths in", DescribeUnit(options) },
+    { "lower threshold", FormatLimit(options.lowerThreshold) + (options.lowerIsOtsu ? " (otsu)" : "") },
+    { "upper threshold", FormatLimit(options.upperThreshold) },
+    { "label", options.label ? FormatLabel(*options.label) : "none" },
+    { "largest pores left out", std::to_string(GetParameters(options, grid).maximumPoreSize) + " voxels" },
+    { "bound", GetName(options.bound) }
+  };
+  table.insert(table.end(), others.begin(), others.end());
+  return table;
 }
 
 TextTable
-DescribeRun(const JobResult & result)
+DescribeRun(const ExtractOptions & options, const JobResult & result)
 {
-  return { { "distance", FormatSeconds(result.seconds.distance) },
+  return { { "ended", GetTime() },
+           { "command", options.command.empty() ? "not known" : options.command },
+           { "distance", FormatSeconds(result.seconds.distance) },
            { "classification", FormatSeconds(result.seconds.classification) },
            { "reading and writing", FormatSeconds(result.seconds.inputOutput) },
            { "total", FormatSeconds(result.seconds.total) },
@@ -198,13 +228,14 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
   const std::string              name = Escape(result.input.fileName.filename().string());
-  const std::string              unit = options.voxelUnits ? "voxels" : "units of the spacing";
+  const std::string              unit = DescribeUnit(options);
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Medial voxels of " +
                      name + "</title>\n<style>\n" + Style + "</style>\n</head>\n<body>\n";
   page += "<h1>Medial voxels of " + name + "</h1>\n<p>" +
           std::to_string(counts.boundCells + counts.geodesicMedialCells) + " medial cells in " +
           std::to_string(counts.objectVoxels) + " object voxels of " + FormatSize(result.input.geometry.size) +
           ", thickness " + DescribeThickness(options, " " + unit) + ".</p>\n";
+  page += MakeWarnings(result.warnings);
   page +=
     "<h2>Picture</h2>\n<img alt=\"Slices with the medial cells, and the projection along z\" "
     "src=\"data:image/png;base64," +
@@ -217,16 +248,16 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
     page += "<img alt=\"The same views, colored by the thickness\" src=\"data:image/png;base64," +
             EncodeBase64(pictures.thicknesses) +
             "\">\n<p class=\"muted\">The colors go from the 1 % to the 99 % percentile, in " + unit +
-            "; where cells fall together the thickest counts.</p>\n";
+            "; where cells fall together the thickest counts. Cells at rims have none.</p>\n";
   }
   page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, options.subVoxel);
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);
   page += "<div class=\"columns\">\n<div><h2>Input</h2>\n" + MakeRows(DescribeInput(result.input), "text") +
-          "</div>\n<div><h2>Parameters</h2>\n" + MakeRows(DescribeParameters(options), "text") +
+          "</div>\n<div><h2>Parameters</h2>\n" + MakeRows(DescribeParameters(options, result.input), "text") +
           "</div>\n<div><h2>Versions</h2>\n" +
           MakeRows({ { "MedialVoxel", GetVersion() }, { "ITK", GetItkVersion() } }, "text") + "</div>\n</div>\n";
   page += "<h2>How to cite</h2>\n" + MakeCitation();
-  page += "<section id=\"run\">\n<h2>Run</h2>\n" + MakeRows(DescribeRun(result), "text") + "</section>\n";
+  page += "<section id=\"run\">\n<h2>Run</h2>\n" + MakeRows(DescribeRun(options, result), "text") + "</section>\n";
   return page + "</body>\n</html>\n";
 }
 

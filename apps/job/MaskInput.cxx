@@ -3,10 +3,10 @@
 #include "MaskInput.h"
 
 #include "BitImageSource.h"
+#include "LabelValues.h"
 #include "Text.h"
-#include "VoxelStream.h"
+#include "ValueStream.h"
 
-#include "itkByteSwapper.h"
 #include "itkMedialVoxelObjectPredicate.h"
 
 #include <algorithm>
@@ -17,8 +17,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-constexpr std::uint64_t VoxelsPerChunk = std::uint64_t{ 1 } << 17;
 
 using ByteOfPixels = std::array<unsigned char, 8>;
 
@@ -60,36 +58,15 @@ ExpandWords(const BitStore::WordType * words, std::uint64_t begin, std::uint64_t
 }
 
 template <typename TPixel>
-void
-SwapToMachineOrder(std::vector<TPixel> & pixels, bool fileIsBigEndian)
-{
-  if (fileIsBigEndian)
-  {
-    itk::ByteSwapper<TPixel>::SwapRangeFromSystemToBigEndian(pixels.data(), pixels.size());
-  }
-  else
-  {
-    itk::ByteSwapper<TPixel>::SwapRangeFromSystemToLittleEndian(pixels.data(), pixels.size());
-  }
-}
-
-template <typename TPixel>
-std::vector<double>
-ScaleValues(const std::vector<TPixel> & pixels, const ValueScale & scale)
-{
-  std::vector<double> values(pixels.size());
-  std::transform(pixels.begin(), pixels.end(), values.begin(), [&scale](TPixel pixel) {
-    return scale.slope * static_cast<double>(pixel) + scale.intercept;
-  });
-  return values;
-}
-
-template <typename TPixel>
 itk::MedialVoxelObjectPredicate<TPixel>
 MakePredicate(const UnpackSettings & settings)
 {
   using PredicateType = itk::MedialVoxelObjectPredicate<TPixel>;
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (settings.label)
+  {
+    return PredicateType::EqualTo(*ConvertLabel<TPixel>(*settings.label));
+  }
   if (!settings.lowerThreshold && !settings.upperThreshold)
   {
     return PredicateType::DifferentFrom(TPixel{});
@@ -118,10 +95,7 @@ public:
   Prepare(const ReadObserver & observer) override
   {
     const auto start = std::chrono::steady_clock::now();
-    DispatchPixelType(m_Header.pixelType, [&](auto zero) {
-      using PixelType = decltype(zero);
-      m_Header.scale ? this->Unpack<PixelType, true>(observer) : this->Unpack<PixelType, false>(observer);
-    });
+    DispatchValueType(m_Header.GetStored(), [&](auto zero) { this->Unpack<decltype(zero)>(observer); });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     this->m_ReadSeconds += seconds;
     return m_Header.fileName.string() +
@@ -162,35 +136,51 @@ public:
   }
 
 private:
-  template <typename TPixel, bool VIsScaled>
+  template <typename TValue>
   void
   Unpack(const ReadObserver & observer)
   {
-    using ValueType = std::conditional_t<VIsScaled, double, TPixel>;
-    const auto                         predicate = MakePredicate<ValueType>(m_Settings);
-    const std::uint64_t                numberOfVoxels = m_Header.geometry.GetNumberOfVoxels();
-    std::vector<TPixel>                pixels;
-    std::vector<BitStore::WordType>    words;
-    const std::unique_ptr<VoxelStream> stream = OpenVoxelStream(m_Header);
-    for (std::uint64_t voxel = 0; voxel < numberOfVoxels; voxel += VoxelsPerChunk)
+    if (m_Header.stored)
     {
-      observer(static_cast<double>(voxel) / static_cast<double>(numberOfVoxels));
-      pixels.resize(std::min(VoxelsPerChunk, numberOfVoxels - voxel));
-      stream->Read(pixels.data(), pixels.size() * sizeof(TPixel));
-      SwapToMachineOrder(pixels, m_Header.bigEndian);
-      words.assign(GetBitStoreBytes(pixels.size()) / sizeof(BitStore::WordType), 0);
-      if constexpr (VIsScaled)
-      {
-        this->Pack(ScaleValues(pixels, *m_Header.scale), predicate, words);
-      }
-      else
-      {
-        this->Pack(pixels, predicate, words);
-      }
-      m_Bits->Append(words);
+      this->Resample<TValue>(observer);
+      return;
     }
-    stream->CheckEnd();
-    m_BytesRead = stream->GetNumberOfBytesRead();
+    const auto predicate = MakePredicate<TValue>(m_Settings);
+    m_BytesRead = StreamValues<TValue>(
+      m_Header, observer, [&](const std::vector<TValue> & values) { this->Append(values, predicate); });
+  }
+
+  template <typename TValue>
+  void
+  Resample(const ReadObserver & observer)
+  {
+    const auto          predicate = MakePredicate<double>(m_Settings);
+    std::vector<double> values;
+    SliceResampler      resampler(m_Header, m_Settings.interpolation, [&](const double * row, std::uint64_t count) {
+      values.insert(values.end(), row, row + count);
+      if (values.size() >= VoxelsPerChunk)
+      {
+        // Only the last words may have room.
+        const auto end = values.begin() + static_cast<std::ptrdiff_t>(values.size() / BitStore::BitsPerWord) *
+                                            static_cast<std::ptrdiff_t>(BitStore::BitsPerWord);
+        const std::vector<double> rest(end, values.end());
+        values.erase(end, values.end());
+        this->Append(values, predicate);
+        values = rest;
+      }
+    });
+    m_BytesRead = StreamValues<TValue>(
+      m_Header.GetStored(), observer, [&](const std::vector<TValue> & stored) { resampler.Append(stored); });
+    this->Append(values, predicate);
+  }
+
+  template <typename TValue>
+  void
+  Append(const std::vector<TValue> & values, const itk::MedialVoxelObjectPredicate<TValue> & predicate)
+  {
+    m_Words.assign(GetBitStoreBytes(values.size()) / sizeof(BitStore::WordType), 0);
+    this->Pack(values, predicate, m_Words);
+    m_Bits->Append(m_Words);
   }
 
   template <typename TValue>
@@ -210,6 +200,7 @@ private:
   VolumeHeader                                 m_Header;
   UnpackSettings                               m_Settings;
   std::unique_ptr<BitStore>                    m_Bits;
+  std::vector<BitStore::WordType>              m_Words; ///< of a chunk
   typename BitImageSource<VDimension>::Pointer m_Source = BitImageSource<VDimension>::New();
   std::uint64_t                                m_NotANumberVoxels{ 0 };
   std::uint64_t                                m_BytesRead{ 0 };

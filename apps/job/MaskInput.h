@@ -4,6 +4,10 @@
 #define medialvoxelMaskInput_h
 
 #include "InputVolume.h"
+#include "Options.h"
+#include "Resampling.h"
+
+#include "itkMedialVoxelLimit.h"
 
 #include <filesystem>
 
@@ -13,9 +17,11 @@ namespace medialvoxel
 /** Which voxels are object, and where their bits are kept. */
 struct UnpackSettings
 {
-  std::optional<double> lowerThreshold; ///< neither set: all values but 0 are object
-  std::optional<double> upperThreshold;
-  std::filesystem::path scratchFolder; ///< empty: bits are kept in memory
+  std::optional<itk::MedialVoxelLimit> lowerThreshold; ///< neither set: all values but 0 are object
+  std::optional<itk::MedialVoxelLimit> upperThreshold;
+  std::optional<LabelValue>            label;                                  ///< set: this value alone is object
+  std::filesystem::path                scratchFolder;                          ///< empty: bits are kept in memory
+  Interpolation                        interpolation{ Interpolation::Linear }; ///< of a header with stored
 };
 
 /** Opens a volume that does not stream; InputVolume::Prepare() will unpack it once from front to back into one bit per

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Options.h"
 
+#include "Resampling.h"
 #include "Text.h"
 
+#include "itkMedialVoxelLimits.h"
+
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace medialvoxel
@@ -13,9 +17,9 @@ namespace
 {
 
 void
-CheckThreshold(const char * name, const std::optional<double> & threshold)
+CheckThreshold(const char * name, const std::optional<itk::MedialVoxelLimit> & threshold)
 {
-  if (threshold && std::isnan(*threshold))
+  if (threshold && threshold->IsNotANumber())
   {
     Fail(ExitStatus::Usage, name, " threshold is nan; it must be a number");
   }
@@ -35,22 +39,73 @@ CheckPositive(const char * name, double value, bool mayBeInfinite)
   }
 }
 
+/** Of walls that set their own threshold. */
+void
+CheckLimit(const char * name, const std::optional<double> & limit)
+{
+  constexpr double largest = itk::MedialVoxelLimits::LargestLength;
+  if (limit)
+  {
+    CheckPositive(name, *limit, false);
+  }
+  if (limit && *limit > largest)
+  {
+    Fail(ExitStatus::Usage, name, " is ", FormatNumber(*limit), "; it must not exceed ", FormatNumber(largest));
+  }
+}
+
+void
+CheckSpacing(const char * name, double spacing)
+{
+  using Limits = itk::MedialVoxelLimits;
+  if (!(spacing >= Limits::SmallestSpacing && spacing <= Limits::LargestSpacing))
+  {
+    Fail(ExitStatus::Usage,
+         name,
+         " is ",
+         FormatNumber(spacing),
+         "; it must be greater than 0, from ",
+         FormatNumber(Limits::SmallestSpacing),
+         " to ",
+         FormatNumber(Limits::LargestSpacing));
+  }
+}
+
 void
 CheckJobOptions(const JobOptions & options)
 {
+  for (const double spacing : options.spacing)
+  {
+    CheckSpacing("the spacing", spacing);
+  }
+  if (options.resample && *options.resample != 0.0)
+  {
+    CheckSpacing("the resampled spacing", *options.resample);
+  }
+  if (options.raw && !options.raw->spacing.empty() && !options.spacing.empty())
+  {
+    Fail(ExitStatus::Usage, "both the spacing and the raw spacing are given; they are the same, and one is enough");
+  }
   if (options.raw)
   {
     CheckOptions(*options.raw);
   }
   CheckThreshold("lower", options.lowerThreshold);
   CheckThreshold("upper", options.upperThreshold);
-  if (options.lowerThreshold && options.upperThreshold && *options.lowerThreshold > *options.upperThreshold)
+  if (options.label && (options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu))
+  {
+    Fail(ExitStatus::Usage,
+         "the label ",
+         FormatLabel(*options.label),
+         " and a threshold are given; either one value or a range of values is the object");
+  }
+  if (options.lowerThreshold && options.upperThreshold && options.lowerThreshold->IsAbove(*options.upperThreshold))
   {
     Fail(ExitStatus::Usage,
          "lower threshold ",
-         FormatNumber(*options.lowerThreshold),
+         options.lowerThreshold->Format(),
          " is greater than upper threshold ",
-         FormatNumber(*options.upperThreshold),
+         options.upperThreshold->Format(),
          "; it must not be");
   }
   if (options.threads && *options.threads == 0)
@@ -65,6 +120,35 @@ CheckJobOptions(const JobOptions & options)
 
 } // namespace
 
+std::optional<LabelValue>
+ParseLabel(const std::string & text)
+{
+  LabelValue label;
+  label.isNegative = !text.empty() && text.front() == '-';
+  const char * const begin = text.data() + (label.isNegative ? 1 : 0);
+  const char * const end = text.data() + text.size();
+  const auto         result = std::from_chars(begin, end, label.magnitude);
+  if (begin == end || result.ec != std::errc() || result.ptr != end ||
+      (label.isNegative && label.magnitude > std::uint64_t{ 1 } << 63))
+  {
+    return std::nullopt;
+  }
+  label.isNegative = label.isNegative && label.magnitude > 0;
+  return label;
+}
+
+std::string
+FormatLabel(const LabelValue & label)
+{
+  return (label.isNegative ? "-" : "") + std::to_string(label.magnitude);
+}
+
+std::string
+GetReportFile(const JobOptions & options)
+{
+  return options.reportFile == StandardOutput ? "" : options.reportFile;
+}
+
 void
 CheckOptions(const RawDescription & raw)
 {
@@ -76,8 +160,7 @@ CheckOptions(const RawDescription & raw)
   std::uint64_t voxels = 1;
   for (const std::uint64_t size : raw.size)
   {
-    constexpr std::uint64_t maximumVoxels = std::uint64_t{ 1 } << 59;
-    if (size == 0 || size > maximumVoxels / voxels)
+    if (size == 0 || size > itk::MedialVoxelLimits::MostVoxels / voxels)
     {
       Fail(ExitStatus::Usage,
            "the raw size is ",
@@ -92,8 +175,14 @@ CheckOptions(const RawDescription & raw)
   }
   for (const double spacing : raw.spacing)
   {
-    CheckPositive("the raw spacing", spacing, false);
+    CheckSpacing("the raw spacing", spacing);
   }
+}
+
+void
+CheckOptions(const JobOptions & options)
+{
+  CheckJobOptions(options);
 }
 
 void
@@ -103,23 +192,9 @@ CheckOptions(const ExtractOptions & options)
   if (options.thickness)
   {
     CheckPositive("thickness", *options.thickness, false);
-    if (options.minimumThickness || options.maximumThickness)
-    {
-      Fail(ExitStatus::Usage,
-           "the thickness is ",
-           FormatNumber(*options.thickness),
-           "; minimum and maximum thickness need the thickness ",
-           AutomaticThickness);
-    }
   }
-  if (options.minimumThickness)
-  {
-    CheckPositive("minimum thickness", *options.minimumThickness, false);
-  }
-  if (options.maximumThickness)
-  {
-    CheckPositive("maximum thickness", *options.maximumThickness, false);
-  }
+  CheckLimit("minimum thickness", options.minimumThickness);
+  CheckLimit("maximum thickness", options.maximumThickness);
   if (options.sectionWidth)
   {
     CheckPositive("the width of sections", *options.sectionWidth, false);
@@ -128,18 +203,31 @@ CheckOptions(const ExtractOptions & options)
   {
     CheckPositive("the minimum branch length", options.minimumBranchLength, false);
   }
-  if (options.subVoxel && !options.lowerThreshold && !options.upperThreshold)
+  if (options.subVoxel && !options.lowerThreshold && !options.upperThreshold && !options.lowerIsOtsu)
   {
     Fail(ExitStatus::Usage, "sub-voxel measures are taken at a threshold; none is given");
   }
+}
+
+VolumeHeader
+ReadInputHeader(const JobOptions & options)
+{
+  const VolumeHeader header = ReadVolumeHeader(options.input, options.raw, options.spacing);
+  return options.resample ? ResampleHeader(header, *options.resample) : header;
+}
+
+itk::MedialVoxelParameters::Limits
+GetLimitsOfWalls(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
+{
+  return itk::MedialVoxelParameters::LimitsOfWalls(
+    grid, options.minimumThickness.value_or(0.0), options.maximumThickness.value_or(0.0));
 }
 
 itk::MedialVoxelParameters
 GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
 {
   using Parameters = itk::MedialVoxelParameters;
-  const Parameters::Limits limits =
-    Parameters::LimitsOfWalls(grid, options.minimumThickness.value_or(0.0), options.maximumThickness.value_or(0.0));
+  const Parameters::Limits limits = GetLimitsOfWalls(options, grid);
   if (!options.thickness && limits.minimum > limits.maximum)
   {
     Fail(ExitStatus::Usage,
@@ -149,11 +237,19 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
          FormatNumber(limits.maximum),
          "; it must not be");
   }
-  Parameters parameters = options.thickness ? Parameters::ForThickness(*options.thickness, options.bound)
-                                            : Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
+  const double least = itk::MedialVoxelLimits::LeastThickness(grid);
+  Parameters   parameters = options.thickness
+                              ? Parameters::ForThickness(std::max(*options.thickness, least), options.bound)
+                              : Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
   parameters.maximumPoreSize =
     options.maximumPoreSize.value_or(options.thickness ? 0 : Parameters::AutomaticMaximumPoreSize);
   return parameters;
+}
+
+std::string
+DescribeUnit(const JobOptions & options)
+{
+  return options.voxelUnits ? "voxels" : "units of the spacing";
 }
 
 std::string
@@ -169,10 +265,6 @@ CheckOptions(const DistanceOptions & options)
   if (options.maximumDistance)
   {
     CheckPositive("maximum distance", *options.maximumDistance, true);
-  }
-  if (options.distanceFile.empty() && (options.squaredDistance || options.insideIsPositive))
-  {
-    Fail(ExitStatus::Usage, "squared and inside-positive distances need a distance file to be written to");
   }
 }
 

@@ -7,6 +7,7 @@
 #include "ZarrCompression.h"
 
 #include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelSmallComponents.h"
 
@@ -17,26 +18,49 @@
 namespace medialvoxel
 {
 
+/** A whole number of any integer type with up to 64 bits. */
+struct LabelValue
+{
+  bool          isNegative{ false };
+  std::uint64_t magnitude{ 0 };
+};
+
+/** Digits, with a minus sign for negative ones; nothing for other texts and below -2^63 or from 2^64 on. */
+std::optional<LabelValue>
+ParseLabel(const std::string & text);
+std::string
+FormatLabel(const LabelValue & label);
+
+/** In place of a file name: write it to the standard output. */
+constexpr const char * StandardOutput = "-";
+
 /** What every job on a volume is told. Empty file names mean: not wanted. */
 struct JobOptions
 {
   std::string                   input;
   std::optional<RawDescription> raw; ///< set for headerless files
 
-  std::optional<double> lowerThreshold;      ///< object: value >= lower; unset: no limit
-  std::optional<double> upperThreshold;      ///< object: value <= upper; unset: no limit. Neither: object is value != 0
-  bool                  voxelUnits{ false }; ///< lengths in voxels instead of physical units
+  std::vector<double>   spacing;  ///< along each axis, in place of that of the input; empty: as the input has it
+  std::optional<double> resample; ///< spacing that the input is brought to; 0: the smallest of its own; unset: as it is
+
+  std::optional<itk::MedialVoxelLimit> lowerThreshold; ///< object: value >= lower; unset: no limit
+  std::optional<itk::MedialVoxelLimit> upperThreshold; ///< object: value <= upper; neither set: object is value != 0
+  bool                                 lowerIsOtsu{ false }; ///< measure the lower threshold, unless it is set already
+  std::optional<LabelValue>            label; ///< object: value == label, and no thresholds; unset: they decide
+  bool                                 voxelUnits{ false }; ///< lengths in voxels instead of physical units
 
   std::string distanceFile; ///< signed distance, float32
-  std::string reportFile;   ///< JSON
+  std::string reportFile;   ///< JSON; StandardOutput: the caller writes MakeReport() there
   std::string logFile;      ///< gets a line for each step; existing ones stay
+  std::string command;      ///< that was typed, for the page; empty: not known
 
   std::string scratchFolder; ///< for the mask of a compressed volume that does not fit the memory; empty: none
 
-  std::optional<std::uint64_t> memoryBytes;     ///< cap on the memory; unset: half of what is free
-  std::optional<unsigned int>  threads;         ///< 1 or more; unset: as ITK decides
-  std::optional<std::uint64_t> divisions;       ///< pieces along the last axis, 1 or more; unset: chosen
-  bool                         sparse{ false }; ///< blocks of zeros stay holes of the files, nothing is reserved
+  std::optional<std::uint64_t> memoryBytes;       ///< cap on the memory; unset: half of what is free
+  std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
+  std::optional<std::uint64_t> divisions;         ///< pieces along the last axis, 1 or more; unset: chosen
+  bool                         sparse{ false };   ///< blocks of zeros stay holes of the files, nothing is reserved
+  bool                         compress{ false }; ///< pack .mha and .nrrd outputs
   ZarrCompression              zarrCompression{ ZarrCompression::Gzip }; ///< of .zarr outputs
   bool                         overwrite{ false };                       ///< replace existing outputs
   bool                         dryRun{ false };                          ///< plan and check only
@@ -92,15 +116,36 @@ CheckOptions(const ExtractOptions & options);
 void
 CheckOptions(const DistanceOptions & options);
 void
+CheckOptions(const JobOptions & options);
+void
 CheckOptions(const RawDescription & raw);
+
+/** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
+VolumeHeader
+ReadInputHeader(const JobOptions & options);
+
+/** The file of the report; empty when it goes to the standard output. */
+std::string
+GetReportFile(const JobOptions & options);
 
 /** What decides the thickness, with the limits in effect on \a grid.
  * \throw JobError Usage when the limits contradict each other. */
 itk::MedialVoxelParameters
 GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
 
+/** The limits of the automatic thickness in effect on \a grid. */
+itk::MedialVoxelParameters::Limits
+GetLimitsOfWalls(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
+
 /** What stands for the automatic thickness on the command line and in reports. */
 constexpr const char * AutomaticThickness = "auto";
+
+/** What stands for the smallest spacing of the input where a spacing is resampled to. */
+constexpr const char * AutomaticSpacing = "auto";
+
+/** What lengths are in, for a reader. */
+std::string
+DescribeUnit(const JobOptions & options);
 
 /** The thickness and its unit for a reader. */
 std::string

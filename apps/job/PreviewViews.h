@@ -8,6 +8,8 @@
 #include "PreviewLayout.h"
 #include "Survey.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -99,6 +101,7 @@ ReadSlice(const VoxelOutput & volume, const VolumeGeometry & geometry, const Sur
   }
   for (std::uint64_t z = 0; z < geometry.size[2]; ++z)
   {
+    itk::MedialVoxelPoll();
     if (view.normal == 0)
     {
       ReadColumn(volume, geometry, survey, z, view.index, &slice.values[z * geometry.size[1]]);
@@ -130,6 +133,7 @@ DrawView(Canvas &          canvas,
 {
   for (unsigned int row = 0; row < area.height; ++row)
   {
+    itk::MedialVoxelPoll();
     const auto rows = GetCoveredVoxels(upwards ? area.height - 1 - row : row, area.height, height);
     for (unsigned int column = 0; column < area.width; ++column)
     {

@@ -15,11 +15,12 @@ namespace
 Json
 MakeInput(const VolumeHeader & header)
 {
+  const VolumeHeader & stored = header.GetStored();
   return { { "file", header.fileName.string() },
            { "format", header.format },
-           { "type", std::string(GetTraits(header.pixelType).name) },
-           { "spacing", header.geometry.spacing },
-           { "bytes", header.GetVoxelBytes() } };
+           { "type", std::string(GetTraits(stored.pixelType).name) },
+           { "spacing", stored.geometry.spacing },
+           { "bytes", stored.GetVoxelBytes() } };
 }
 
 Json
@@ -53,13 +54,20 @@ MakePercent(const itk::MedialVoxelCounts & counts)
            { "correct", percent ? Json(percent->correct) : Json(nullptr) } };
 }
 
+/** Null when no cell was measured. */
 Json
-MakePercentiles(const ThicknessStatistics & statistics)
+LengthOfCells(const ThicknessSummary & thickness, double length)
+{
+  return thickness.cells > 0 ? Json(length) : Json(nullptr);
+}
+
+Json
+MakePercentiles(const ThicknessSummary & thickness, const ThicknessStatistics & statistics)
 {
   Json percentiles = Json::object();
   for (std::size_t i = 0; i < statistics.percentiles.size(); ++i)
   {
-    percentiles[std::to_string(ThicknessStatistics::Percents[i])] = statistics.percentiles[i];
+    percentiles[std::to_string(ThicknessStatistics::Percents[i])] = LengthOfCells(thickness, statistics.percentiles[i]);
   }
   return percentiles;
 }
@@ -72,28 +80,57 @@ MakeThickness(const std::optional<ThicknessSummary> & thickness)
     return nullptr;
   }
   return { { "cells", thickness->cells },
+           { "rim_cells", thickness->rimCells },
            { "one_cell_of", thickness->step },
            { "resolution", thickness->resolution },
-           { "mean", thickness->mean },
-           { "standard_deviation", thickness->standardDeviation },
-           { "minimum", thickness->minimum },
-           { "maximum", thickness->maximum },
-           { "percentiles", MakePercentiles(*thickness) },
+           { "mean", LengthOfCells(*thickness, thickness->mean) },
+           { "standard_deviation", LengthOfCells(*thickness, thickness->standardDeviation) },
+           { "minimum", LengthOfCells(*thickness, thickness->minimum) },
+           { "maximum", LengthOfCells(*thickness, thickness->maximum) },
+           { "percentiles", MakePercentiles(*thickness, *thickness) },
            { "area", thickness->area },
            { "area_weighted",
-             { { "mean", thickness->byArea.mean },
-               { "standard_deviation", thickness->byArea.standardDeviation },
-               { "percentiles", MakePercentiles(thickness->byArea) } } },
+             { { "mean", LengthOfCells(*thickness, thickness->byArea.mean) },
+               { "standard_deviation", LengthOfCells(*thickness, thickness->byArea.standardDeviation) },
+               { "percentiles", MakePercentiles(*thickness, thickness->byArea) } } },
            { "histogram",
              { { "bin_width", thickness->binWidth }, { "counts", thickness->bins }, { "above", thickness->above } } } };
 }
 
-void
-AddObject(Json & parameters, const JobOptions & options)
+/** Null without a limit, also for an infinite one. */
+Json
+MakeLimit(const std::optional<itk::MedialVoxelLimit> & limit)
 {
-  parameters["lower"] = OptionalToJson(options.lowerThreshold);
-  parameters["upper"] = OptionalToJson(options.upperThreshold);
+  const Json json = LimitToJson(limit);
+  return json.is_number() ? json : Json(nullptr);
+}
+
+/** Each warning as an object with a code for scripts, a line for readers, and the numbers of that line. */
+Json
+MakeWarnings(const std::vector<Warning> & warnings)
+{
+  Json list = Json::array();
+  for (const Warning & warning : warnings)
+  {
+    Json values = Json::object();
+    for (const auto & [name, value] : warning.values)
+    {
+      values[name] = value;
+    }
+    list.push_back({ { "code", warning.code }, { "message", warning.message }, { "values", values } });
+  }
+  return list;
+}
+
+void
+AddObject(Json & parameters, const JobOptions & options, const JobResult & result)
+{
+  parameters["lower"] = MakeLimit(result.otsu ? result.otsu : options.lowerThreshold);
+  parameters["lower_otsu"] = options.lowerIsOtsu;
+  parameters["upper"] = MakeLimit(options.upperThreshold);
+  parameters["label"] = options.label ? Json::parse(FormatLabel(*options.label)) : Json(nullptr);
   parameters["units"] = options.voxelUnits ? "voxels" : "physical";
+  parameters["resampled_spacing"] = result.input.stored ? Json(result.input.geometry.spacing) : Json(nullptr);
 }
 
 /** Share of the time of the threads, while there were tiles, that they worked on tiles. */
@@ -107,6 +144,7 @@ GetThreadEfficiency(const JobResult & result)
 void
 AddRun(Json & report, const JobResult & result)
 {
+  report["warnings"] = MakeWarnings(result.warnings);
   report["seconds"] = { { "distance", result.seconds.distance },
                         { "classification", result.seconds.classification },
                         { "tiles", result.seconds.tiles },
@@ -153,13 +191,12 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   else
   {
-    const auto limits = itk::MedialVoxelParameters::LimitsOfWalls(
-      GetGrid(options, result.input), options.minimumThickness.value_or(0.0), options.maximumThickness.value_or(0.0));
+    const auto limits = GetLimitsOfWalls(options, GetGrid(options, result.input));
     parameters["thickness"] = AutomaticThickness;
     parameters["minimum_thickness"] = limits.minimum;
     parameters["maximum_thickness"] = limits.maximum;
   }
-  AddObject(parameters, options);
+  AddObject(parameters, options, result);
   parameters["maximum_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
   parameters["bound"] = GetName(options.bound);
   parameters["sub_voxel"] = options.subVoxel;
@@ -194,7 +231,7 @@ std::string
 MakeReport(const DistanceOptions & options, const JobResult & result)
 {
   Json parameters = Json::object();
-  AddObject(parameters, options);
+  AddObject(parameters, options, result);
   parameters["boundary"] = GetName(options.boundary);
   parameters["region"] = GetName(options.region);
   parameters["squared_distance"] = options.squaredDistance;

@@ -20,8 +20,8 @@ struct PhasePercent
 std::optional<PhasePercent>
 GetPhasePercent(const itk::MedialVoxelCounts & counts);
 
-/** The report as JSON. What depends on the run and the machine stands at the end: seconds, peak_memory_bytes,
- * bytes_read, threads, divisions. */
+/** The report as JSON. What depends on the run and the machine stands at the end, after the warnings: seconds,
+ * peak_memory_bytes, bytes_read, threads, divisions. */
 std::string
 MakeReport(const ExtractOptions & options, const JobResult & result);
 std::string

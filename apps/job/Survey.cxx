@@ -144,6 +144,7 @@ struct Survey::TileSums
   std::int64_t                          wordsPerRow;
   std::int64_t                          lowerY;
   std::vector<Measured>                 measured;
+  std::uint64_t                         rimCells{ 0 };
   std::array<std::vector<SliceSums>, 3> slices;
   std::vector<ColumnWord>               columns;
 };
@@ -193,6 +194,7 @@ Survey::Clear()
 {
   m_Total.thickness.Clear();
   m_Total.area.Clear();
+  m_Total.rimCells = 0;
   if (m_Settings.picture)
   {
     this->Resize(m_Total);
@@ -205,6 +207,7 @@ Survey::Begin()
 {
   m_Pending.thickness.Clear();
   m_Pending.area.Clear();
+  m_Pending.rimCells = 0;
   if (m_Settings.picture)
   {
     this->Resize(m_Pending);
@@ -259,7 +262,11 @@ Survey::AddWall(const itk::MedialVoxelBox &   tile,
                 TileSums &                    sums) const
 {
   const std::size_t bin = m_Total.thickness.GetBin(static_cast<double>(wall.thickness));
-  if (m_Settings.thickness)
+  if (wall.isRim)
+  {
+    ++sums.rimCells;
+  }
+  else
   {
     sums.measured.push_back(
       { bin, static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit)) });
@@ -274,7 +281,7 @@ Survey::AddWall(const itk::MedialVoxelBox &   tile,
     }
     TileSums::ColumnWord & columns = sums.ColumnsAt(cell);
     std::uint32_t &        thickest = columns.thickest[cell[0] - columns.seen.first[0]];
-    thickest = std::max(thickest, static_cast<std::uint32_t>(bin));
+    thickest = wall.isRim ? thickest : std::max(thickest, static_cast<std::uint32_t>(bin));
   }
 }
 
@@ -286,6 +293,7 @@ Survey::AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & su
     m_Pending.thickness.Add(measured.bin);
     m_Pending.area.Add(measured.bin, measured.area);
   }
+  m_Pending.rimCells += sums.rimCells;
   if (m_Settings.picture)
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
@@ -334,6 +342,7 @@ Survey::AddToTotal(const Sums & sums)
 {
   m_Total.thickness.Add(sums.thickness);
   m_Total.area.Add(sums.area);
+  m_Total.rimCells += sums.rimCells;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     for (std::size_t i = 0; i < sums.slices[axis].size(); ++i)
@@ -406,7 +415,7 @@ Survey::GetBytes(const VolumeGeometry & geometry, const SurveySettings & setting
     longest = std::max(longest, size);
     slices += size;
   }
-  std::uint64_t bytes = settings.thickness ? histograms * std::min<std::uint64_t>(longest, 1024) : 0;
+  std::uint64_t bytes = histograms * std::min<std::uint64_t>(longest, 1024);
   if (settings.picture)
   {
     const auto              size = GetProjectionSizeFor(geometry);

@@ -21,8 +21,7 @@ namespace medialvoxel
 /** What a survey is to find out. */
 struct SurveySettings
 {
-  bool thickness{ false }; ///< of walls, at the medial cells
-  bool picture{ false };   ///< which slices to show, and the projection along the last axis
+  bool picture{ false }; ///< which slices to show, and the projection along the last axis
 
   /** Voxels of the largest volume of which all medial cells are measured. */
   std::uint64_t fullyMeasuredVoxels{ std::uint64_t{ 1 } << 25 };
@@ -66,13 +65,7 @@ public:
   void
   Merge(const std::string & bytes);
 
-  const SurveySettings &
-  GetSettings() const
-  {
-    return m_Settings;
-  }
-
-  /** Bins are a 64th of the smallest spacing of the grid. */
+  /** Of the walls at the measured cells that are at no rim. Bins are a 64th of the smallest spacing of the grid. */
   const itk::MedialVoxelHistogram &
   GetThickness() const
   {
@@ -84,6 +77,13 @@ public:
   GetThicknessByArea() const
   {
     return m_Total.area;
+  }
+
+  /** Measured cells at rims, which are not in the histograms. */
+  std::uint64_t
+  GetRimCells() const
+  {
+    return m_Total.rimCells;
   }
 
   /** 2^-20 of the largest face of a voxel, in squared units of the lengths; of the longest edge in two dimensions. */
@@ -120,7 +120,7 @@ public:
   {
     std::uint8_t  label{ 0 };       ///< largest label of all cells that it covers
     std::uint32_t medialCells{ 0 }; ///< their number
-    std::uint32_t thickest{ 0 };    ///< largest bin of the measured ones among them
+    std::uint32_t thickest{ 0 };    ///< largest bin of the measured ones among them, but for rims; 0: none
   };
   using Projection = std::vector<ProjectedPixel>;
 
@@ -156,6 +156,7 @@ private:
     {}
     itk::MedialVoxelHistogram             thickness;
     itk::MedialVoxelHistogram             area;
+    std::uint64_t                         rimCells{ 0 };
     std::array<std::vector<SliceSums>, 3> slices;
     Projection                            projection;
   };

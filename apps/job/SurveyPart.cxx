@@ -164,6 +164,7 @@ Survey::Save() const
   NumberWriter numbers;
   numbers.AddAll(m_Total.thickness.GetNumbers());
   numbers.AddAll(m_Total.area.GetNumbers());
+  numbers.Add(m_Total.rimCells);
   for (const auto & slices : m_Total.slices)
   {
     numbers.Add(slices.size());
@@ -213,6 +214,7 @@ Survey::Merge(const std::string & bytes)
   this->Resize(part);
   numbers.AddTo(part.thickness);
   numbers.AddTo(part.area);
+  part.rimCells = numbers.Get();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     requireSize(m_Total.slices[axis].size());

@@ -7,11 +7,13 @@
 #include "CommandValues.h"
 #include "Report.h"
 #include "Text.h"
+#include "VolumeText.h"
 #include "ZarrMetadata.h"
 
 #include "itkMultiThreaderBase.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,19 @@ GetRaw(JobOptions & options)
   return *options.raw;
 }
 
+/** Adds an option with a distance of voxels for each axis; \a target() is where it goes. */
+template <typename TTarget>
+CLI::Option *
+AddSpacing(CLI::App & app, const std::string & name, const std::string & help, TTarget target)
+{
+  return AddText(app, name, help, "X,Y,Z", [target](const std::string & text) {
+    for (const std::string & part : SplitAtCommas(text))
+    {
+      target().push_back(ToDouble(part));
+    }
+  });
+}
+
 void
 AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
@@ -42,10 +57,16 @@ AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
     }
   });
   auto * const      type = AddText(app, "--raw-type", "Type of the voxels", "TYPE", [&](const std::string & text) {
-    const std::optional<PixelType> pixelType = PixelTypeFromName(text);
+    const std::optional<PixelType> pixelType = PixelTypeFromName(ToLower(text));
     if (!pixelType)
     {
-      throw CLI::ValidationError("'" + text + "' is not a type of voxels");
+      std::vector<std::string> names;
+      std::transform(PixelTypes.begin(),
+                     PixelTypes.end(),
+                     std::back_inserter(names),
+                     [](const PixelTypeTraits & traits) { return std::string(traits.name); });
+      throw CLI::ValidationError("'" + text + "' is not one of " + CLI::detail::join(names, "|") +
+                                 SuggestName(text, names));
     }
     GetRaw(options).pixelType = *pixelType;
   });
@@ -53,13 +74,8 @@ AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   {
     line.choices[type].emplace_back(traits.name);
   }
-  auto * const spacing = AddText(
-    app, "--raw-spacing", "Distance of voxels along each axis (default 1,1,1)", "X,Y,Z", [&](const std::string & text) {
-      for (const std::string & part : SplitAtCommas(text))
-      {
-        GetRaw(options).spacing.push_back(ToDouble(part));
-      }
-    });
+  auto * const spacing =
+    AddSpacing(app, "--raw-spacing", "The same as --spacing", [&]() -> auto & { return GetRaw(options).spacing; });
   auto * const header =
     AddText(app, "--raw-header", "Bytes before the first voxel (default 0)", "BYTES", [&](const std::string & text) {
       GetRaw(options).headerBytes = ToCount(text, 0, LargestCount);
@@ -68,20 +84,29 @@ AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
     "--raw-big-endian", [&] { GetRaw(options).bigEndian = true; }, "The first byte of a voxel is the most significant");
   size->group(group)->needs(type);
   type->group(group)->needs(size);
-  for (CLI::Option * const option : { spacing, header, bigEndian })
+  for (CLI::Option * const option : { header, bigEndian })
   {
     option->group(group)->needs(size);
   }
+  spacing->group("")->needs(size); // not shown, as --spacing says it for any input
 }
 
 void
 AddObjectOptions(CLI::App & app, JobOptions & options)
 {
-  AddText(app, "--lower", "Smallest value of the object (no limit: all but 0)", "L", [&](const std::string & text) {
-    options.lowerThreshold = ToDouble(text);
+  AddText(app, "--lower", "Smallest value, or otsu (unset: all but 0)", "L", [&](const std::string & text) {
+    options.lowerIsOtsu = ToLower(text) == "otsu";
+    options.lowerThreshold = options.lowerIsOtsu ? std::nullopt : std::optional<itk::MedialVoxelLimit>(ToLimit(text));
   });
   AddText(app, "--upper", "Largest value of the object", "U", [&](const std::string & text) {
-    options.upperThreshold = ToDouble(text);
+    options.upperThreshold = ToLimit(text);
+  });
+  AddText(app, "--label", "The one value of the object, as in a label map", "N", [&](const std::string & text) {
+    options.label = ParseLabel(text);
+    if (!options.label)
+    {
+      throw CLI::ValidationError("'" + text + "' is not a whole number from -2^63 to 2^64 - 1");
+    }
   });
 }
 
@@ -98,7 +123,7 @@ AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
             target = ParseByteSize(text);
             if (!target)
             {
-              throw CLI::ValidationError("'" + text + "' is not a size such as 500M or 2G");
+              throw CLI::ValidationError("'" + text + "' is not a size such as 500M, 2G or 2GiB");
             }
           })
     ->group("Run");
@@ -154,10 +179,17 @@ AddLog(CommandLine & line, CLI::App & app, std::string & target)
 namespace
 {
 
+std::string
+ListExtensions(unsigned int components)
+{
+  return CLI::detail::join(ListVolumeExtensions(components), " ");
+}
+
 /** To be called after AddRunOptions(). */
 void
-AddZarrCompression(CommandLine & line, CLI::App & app, JobOptions & options)
+AddCompression(CommandLine & line, CLI::App & app, JobOptions & options)
 {
+  app.add_flag("--compress", options.compress, "Pack .mha and .nrrd outputs")->group("Run");
   AddChoice<ZarrCompression>(line,
                              app,
                              "--zarr-compression",
@@ -194,6 +226,11 @@ void
 AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii[.gz] .tif .zarr", options.input)->required();
+  AddSpacing(
+    app, "--spacing", "Distance of voxels in place of the file's", [&]() -> auto & { return options.spacing; });
+  AddText(app, "--resample", "Equal spacing: S, or auto for the smallest", "S", [&](const std::string & text) {
+    options.resample = text == AutomaticSpacing ? 0.0 : ToPositive(text);
+  });
 }
 
 namespace
@@ -231,7 +268,7 @@ AddThickness(CLI::App & app, ExtractOptions & options)
 {
   AddText(
     app, "--thickness", "Thickness tau of the walls (default: auto, their own)", "T", [&](const std::string & text) {
-      options.thickness = text == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
+      options.thickness = ToLower(text) == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
     });
   AddText(app,
           "--minimum-thickness",
@@ -254,7 +291,7 @@ AddThickness(CLI::App & app, ExtractOptions & options)
 void
 AddLabels(CLI::App & app, ExtractOptions & options)
 {
-  AddFile(app, "OUTPUT", "Labels of the dual cells: .mha .mhd .nrrd .nhdr .zarr", options.output)->required();
+  AddFile(app, "OUTPUT", "Labels: " + ListExtensions(1), options.output)->required();
 }
 
 /** All but the arguments. */
@@ -286,9 +323,9 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
   AddSectionWidth(app, options)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
-  AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
+  AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
-  AddZarrCompression(line, app, options);
+  AddCompression(line, app, options);
   if (resumes != nullptr)
   {
     app.add_flag("--resume", *resumes, "Continue where a run with it was stopped")->group("Run");
@@ -308,7 +345,7 @@ DefineExtract(CommandLine & line)
   AddLabels(app, options);
   AddExtractOptions(line, app, options, &line.resumes);
   line.examples[&app] = {
-    "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html",
+    "medialvoxel extract part.mha out.mha --lower otsu --html part.html",
     "medialvoxel extract scan.raw out.nrrd --raw-size 708,965,325 --raw-type uint16",
   };
   app.footer("Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by search.");
@@ -333,10 +370,10 @@ DefineMesh(CommandLine & line)
     options.minimumBranchLength = ToDouble(text);
   })->group(group);
   AddSubVoxel(app, options)->group(group);
-  AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group("Further outputs");
+  AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group("Further outputs");
   AddRunOptions(line, app, options);
   AddRawOptions(line, app, options);
-  line.examples[&app] = { "medialvoxel mesh part.mha part.vtp --thickness 3 --lower 72",
+  line.examples[&app] = { "medialvoxel mesh part.mha part.vtp --lower 72",
                           "medialvoxel mesh part.mha shell.inp --lower 72 --section-width 0.1" };
   app.footer("Vertices have the thickness of the wall, in the units of the spacing.");
 }
@@ -348,7 +385,7 @@ DefineDistance(CommandLine & line)
   DistanceOptions & options = line.distanceOptions;
   using Region = itk::MedialVoxelRegion;
   AddInput(app, options);
-  AddFile(app, "VECTORS", "Vectors to the boundary: .mha .mhd .nrrd .nhdr .zarr", options.output)->required();
+  AddFile(app, "VECTORS", "Vectors to the boundary: " + ListExtensions(3), options.output)->required();
   AddChoice<itk::MedialVoxelBoundary>(
     line, app, "--boundary", "Where the vectors lead to", "KIND", options.boundary, Boundaries);
   AddChoice<Region>(line,
@@ -370,9 +407,9 @@ DefineDistance(CommandLine & line)
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
   app.add_flag("--squared-distance", options.squaredDistance, "Square the signed distance")->group(group);
   app.add_flag("--inside-positive", options.insideIsPositive, "Make the signed distance positive inside")->group(group);
-  AddFile(app, "--report", "All numbers (JSON)", options.reportFile)->group(group);
+  AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
-  AddZarrCompression(line, app, options);
+  AddCompression(line, app, options);
   AddRawOptions(line, app, options);
   line.examples[&app] = { "medialvoxel distance part.mha vectors.mha --lower 72 --distance distance.mha",
                           "medialvoxel distance mask.nrrd out.nrrd --region inside --boundary background" };
@@ -382,8 +419,9 @@ void
 DefineInfo(CommandLine & line)
 {
   AddInput(*line.info, line.infoOptions);
+  line.info->add_flag("--values", line.showsValues, "Read it, and tell range, mean, percentiles, Otsu");
   AddRawOptions(line, *line.info, line.infoOptions);
-  line.examples[line.info] = { "medialvoxel info part.mha",
+  line.examples[line.info] = { "medialvoxel info part.mha --values",
                                "medialvoxel info scan.raw --raw-size 708,965,325 --raw-type uint16" };
 }
 
@@ -412,8 +450,8 @@ DefineCommandLine(CommandLine & line)
   line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");
   line.generate->add_option("FOLDER", line.generateFolder, "An existing folder")->required();
   line.examples[line.generate] = { "medialvoxel generate .", "medialvoxel generate build/texts" };
-  line.examples[app.get()] = { "medialvoxel info part.mha",
-                               "medialvoxel extract part.mha out.mha --thickness 3 --lower 72 --html part.html" };
+  line.examples[app.get()] = { "medialvoxel info part.mha --values",
+                               "medialvoxel extract part.mha out.mha --lower otsu --html part.html" };
   app->footer("Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused before the start,\n"
               "4 corrupt input, 130 or 143 stopped by a signal.\n"
               "Help on a command: medialvoxel COMMAND --help");

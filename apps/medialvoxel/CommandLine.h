@@ -32,7 +32,8 @@ struct CommandLine
   ExtractOptions  meshOptions;
   DistanceOptions distanceOptions;
   JobOptions      infoOptions;
-  bool            resumes{ false }; ///< the extraction
+  bool            showsValues{ false }; ///< of the volume
+  bool            resumes{ false };     ///< the extraction
   PlanOptions     planOptions;
   WorkOptions     workOptions;
   FinalizeOptions finalizeOptions;

@@ -84,6 +84,10 @@ public:
     std::string group = "Options";
     for (const CLI::Option * const option : GetOptions(*app, false))
     {
+      if (option == app->get_help_ptr())
+      {
+        continue; // who reads this knows it
+      }
       if (option->get_group() != group)
       {
         group = option->get_group();

@@ -4,6 +4,7 @@
 #define medialvoxelCommandValues_h
 
 #include "CommandLine.h"
+#include "CommandTable.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -26,6 +27,29 @@ ToDouble(const std::string & text)
     throw CLI::ValidationError("'" + text + "' is not a number");
   }
   return *value;
+}
+
+/** The same for a limit on values, where whole numbers keep all 64 bits. */
+inline itk::MedialVoxelLimit
+ToLimit(const std::string & text)
+{
+  const std::optional<itk::MedialVoxelLimit> value = itk::MedialVoxelLimit::Parse(text);
+  if (!value)
+  {
+    throw CLI::ValidationError("'" + text + "' is not a number, from 2^53 on a whole number");
+  }
+  return *value;
+}
+
+inline double
+ToPositive(const std::string & text)
+{
+  const double value = ToDouble(text);
+  if (!(value > 0.0))
+  {
+    throw CLI::ValidationError("'" + text + "' is not greater than 0");
+  }
+  return value;
 }
 
 inline std::uint64_t
@@ -75,7 +99,7 @@ AddFile(CLI::App & app, const std::string & name, const std::string & help, std:
   return app.add_option(name, target, help)->type_name("FILE")->transform(withoutSlash, "", "");
 }
 
-/** Adds an option whose value is one of some names; the first is the default. */
+/** Adds an option whose value is one of some names, in any case; the first is the default. */
 template <typename TEnum>
 CLI::Option *
 AddChoice(CommandLine &                                      line,
@@ -93,10 +117,11 @@ AddChoice(CommandLine &                                      line,
   }
   CLI::Option * const option = AddText(app, name, help, unit, [&target, choices, names](const std::string & text) {
     const auto found =
-      std::find_if(choices.begin(), choices.end(), [&](const auto & choice) { return choice.first == text; });
+      std::find_if(choices.begin(), choices.end(), [&](const auto & choice) { return choice.first == ToLower(text); });
     if (found == choices.end())
     {
-      throw CLI::ValidationError("'" + text + "' is not one of " + CLI::detail::join(names, "|"));
+      throw CLI::ValidationError("'" + text + "' is not one of " + CLI::detail::join(names, "|") +
+                                 SuggestName(text, names));
     }
     target = found->second;
   });

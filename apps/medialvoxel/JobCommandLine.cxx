@@ -51,11 +51,11 @@ DefinePlan(CommandLine & line)
   AddSlurm(app, options.slurm);
   app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end");
   AddExtractOptions(line, app, options, nullptr);
-  for (const char * const refused : { "--mesh", "--section-width", "--scratch", "--sparse" })
+  for (const char * const refused : { "--mesh", "--section-width", "--scratch", "--sparse", "--compress" })
   {
     app.get_option(refused)->group(""); // not shown; RunPlan() says what to do instead
   }
-  line.examples[&app] = { "medialvoxel plan part.mha out.mha job --thickness 3 --lower 72",
+  line.examples[&app] = { "medialvoxel plan part.mha out.mha job --lower 72",
                           "medialvoxel plan part.mha out.mha job --divisions 64 --threads 8 --slurm" };
 }
 
@@ -93,6 +93,7 @@ DefineFinalize(CommandLine & line)
   AddJobFolder(app, line.finalizeOptions.jobFolder, "Folder that medialvoxel plan has made");
   app.add_flag_callback(
     "--no-verify", [&] { line.finalizeOptions.verifies = false; }, "Do not read the outputs again for their checksums");
+  app.add_flag("--overwrite", line.finalizeOptions.overwrite, "Replace existing outputs, whatever the plan says");
   AddProgress(line, app);
   AddLog(line, app, line.logFile);
   line.examples[&app] = { "medialvoxel finalize job", "medialvoxel finalize job --no-verify" };

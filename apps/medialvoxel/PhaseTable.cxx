@@ -19,6 +19,19 @@ FormatCount(std::uint64_t count, std::uint64_t all)
 }
 
 void
+AddObject(TextTable & table, const JobOptions & options, const JobResult & result)
+{
+  if (result.otsu)
+  {
+    table.emplace_back("lower threshold", result.otsu->Format() + ", of Otsu");
+  }
+  if (options.label)
+  {
+    table.emplace_back("label", FormatLabel(*options.label));
+  }
+}
+
+void
 AddNotANumber(TextTable & table, const itk::MedialVoxelCounts & counts)
 {
   if (counts.notANumberVoxels > 0)
@@ -49,7 +62,9 @@ AddThickness(TextTable & table, const ExtractOptions & options, const JobResult 
     table.emplace_back("wall thickness",
                        "mean " + FormatShort(thickness.mean) + ", median " + FormatShort(thickness.GetMedian()) +
                          ", 5 to 95 %: " + FormatShort(thickness.percentiles[1]) + " to " +
-                         FormatShort(thickness.percentiles[5]) + (options.voxelUnits ? " voxels" : ""));
+                         FormatShort(thickness.percentiles[5]) + ", in " + DescribeUnit(options) +
+                         (thickness.step > 1 ? ", of one cell in " + std::to_string(thickness.step) : ""));
+    table.emplace_back("  at rims, junctions", FormatCount(thickness.rimCells, thickness.rimCells + thickness.cells));
   }
 }
 
@@ -89,7 +104,8 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   const std::optional<PhasePercent> percent = GetPhasePercent(counts);
   TextTable                         table;
   table.emplace_back("resolution", FormatSize(result.input.geometry.size));
-  table.emplace_back("tau", DescribeThickness(options, options.voxelUnits ? " voxels" : ""));
+  table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options)));
+  AddObject(table, options, result);
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
   AddNotANumber(table, result.sums.counts);
   AddSmallComponents(table, counts);
@@ -130,10 +146,11 @@ PrintFinalization(std::ostream & out, const FinalizeResult & result)
 }
 
 void
-PrintDistanceTable(std::ostream & out, const JobResult & result)
+PrintDistanceTable(std::ostream & out, const DistanceOptions & options, const JobResult & result)
 {
   TextTable table;
   table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddObject(table, options, result);
   AddNotANumber(table, result.sums.counts);
   const std::string threads =
     result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";

@@ -25,7 +25,7 @@ PrintFinalization(std::ostream & out, const FinalizeResult & result);
 
 /** The like for distances. */
 void
-PrintDistanceTable(std::ostream & out, const JobResult & result);
+PrintDistanceTable(std::ostream & out, const DistanceOptions & options, const JobResult & result);
 
 } // end namespace medialvoxel
 

@@ -1,12 +1,19 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandLine.h"
+#include "CommandTable.h"
 #include "CommandText.h"
 #include "Log.h"
+#include "OptionEffects.h"
 #include "PhaseTable.h"
 #include "Program.h"
+#include "Report.h"
 #include "SharedJob.h"
+#include "ValueStatistics.h"
 
+#include "itkMedialVoxelHeaderText.h"
+
+#include <algorithm>
 #include <iostream>
 
 namespace
@@ -42,19 +49,46 @@ RunLogged(const CommandLine & line, const std::string & logFile, TWork && work)
   }
 }
 
+/** The report alone where it goes to the standard output, otherwise what print() prints. */
+template <typename TOptions, typename TPrint>
+void
+PrintResult(const CommandLine & line, const TOptions & options, const JobResult & result, TPrint && print)
+{
+  if (options.reportFile == StandardOutput)
+  {
+    std::cout << MakeReport(options, result);
+  }
+  else if (!line.quiet)
+  {
+    print();
+  }
+}
+
+/** \throw JobError Usage when progress and report would be mixed up */
+void
+CheckStandardOutput(const CommandLine & line, const JobOptions & options)
+{
+  if (options.reportFile == StandardOutput && line.progress == ProgressStyle::Slicer)
+  {
+    Fail(ExitStatus::Usage, "--report - and --progress slicer both write to the standard output; choose one of them");
+  }
+}
+
 /** Labels, a mesh, or both. */
 void
-Extract(const CommandLine & line, const ExtractOptions & options)
+Extract(const CommandLine & line, ExtractOptions options, const std::string & command)
 {
+  options.command = command;
+  CheckStandardOutput(line, options);
   const JobResult result =
     RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunExtract(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
   }
-  else if (!line.quiet)
+  else
   {
-    PrintPhaseTable(std::cout, options, result);
+    PrintResult(line, options, result, [&] { PrintPhaseTable(std::cout, options, result); });
   }
 }
 
@@ -70,9 +104,28 @@ JoinCommand(int argc, char * argv[])
   return command;
 }
 
+/** A job that was finished before has no numbers any more, which is not a result. */
+void
+PrintEnd(const CommandLine & line, const FinalizeResult & result)
+{
+  if (result.options.reportFile == StandardOutput && !result.job)
+  {
+    std::cerr << "medialvoxel: the job was finished before, there is no report" << std::endl;
+  }
+  else if (result.options.reportFile == StandardOutput)
+  {
+    std::cout << MakeReport(result.options, *result.job);
+  }
+  else if (!line.quiet)
+  {
+    PrintFinalization(std::cout, result);
+  }
+}
+
 void
 ExtractWithResume(const CommandLine & line, const std::string & command)
 {
+  CheckStandardOutput(line, line.extractOptions);
   const FinalizeResult result = RunLogged(line, line.extractOptions.logFile, [&](ProgressSink & sink) {
     return RunResumable(line.extractOptions, command, sink);
   });
@@ -80,9 +133,9 @@ ExtractWithResume(const CommandLine & line, const std::string & command)
   {
     PrintTable(std::cout, DescribePlan(result.job->plan, result.job->input, result.job->outputs));
   }
-  else if (!line.quiet)
+  else
   {
-    PrintFinalization(std::cout, result);
+    PrintEnd(line, result);
   }
 }
 
@@ -122,10 +175,7 @@ Finalize(const CommandLine & line)
 {
   const FinalizeResult result =
     RunLogged(line, line.logFile, [&line](ProgressSink & sink) { return RunFinalize(line.finalizeOptions, sink); });
-  if (!line.quiet)
-  {
-    PrintFinalization(std::cout, result);
-  }
+  PrintEnd(line, result);
 }
 
 void
@@ -146,26 +196,39 @@ void
 ComputeDistance(const CommandLine & line)
 {
   const DistanceOptions & options = line.distanceOptions;
-  const JobResult         result =
+  CheckStandardOutput(line, options);
+  const JobResult result =
     RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunDistance(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
   }
-  else if (!line.quiet)
+  else
   {
-    PrintDistanceTable(std::cout, result);
+    PrintResult(line, options, result, [&] { PrintDistanceTable(std::cout, options, result); });
   }
 }
 
 void
 DescribeInput(const CommandLine & line)
 {
-  if (line.infoOptions.raw)
+  CheckOptions(line.infoOptions);
+  const VolumeHeader header = ReadInputHeader(line.infoOptions);
+  TextTable          table = DescribeHeader(header);
+  if (line.showsValues)
   {
-    CheckOptions(*line.infoOptions.raw);
+    const auto sink = MakeSink(line);
+    sink->Start("medialvoxel", "reading values");
+    const TextTable values = DescribeValues(MeasureValues(header, [&sink](double share) {
+      sink->Report(share);
+      if (sink->IsStopRequested())
+      {
+        throw StoppedBySignal(GetStopSignal());
+      }
+    }));
+    table.insert(table.end(), values.begin(), values.end());
   }
-  PrintTable(std::cout, DescribeHeader(ReadVolumeHeader(line.infoOptions.input, line.infoOptions.raw)));
+  PrintTable(std::cout, table);
 }
 
 void
@@ -177,7 +240,7 @@ RunCommand(const CommandLine & line, const std::string & command)
   }
   else if (line.extract->parsed())
   {
-    Extract(line, line.extractOptions);
+    Extract(line, line.extractOptions, command);
   }
   else if (line.plan->parsed())
   {
@@ -197,7 +260,7 @@ RunCommand(const CommandLine & line, const std::string & command)
   }
   else if (line.mesh->parsed())
   {
-    Extract(line, line.meshOptions);
+    Extract(line, line.meshOptions, command);
   }
   else if (line.distance->parsed())
   {
@@ -209,15 +272,53 @@ RunCommand(const CommandLine & line, const std::string & command)
   }
 }
 
+/** What was typed in place of a command, or the option that the command lacks, with the name that was probably meant;
+ * empty when that is not what is wrong. */
+std::string
+DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words)
+{
+  if (words.empty() || words.front().empty() || words.front().front() == '-')
+  {
+    return "";
+  }
+  std::vector<std::string> names;
+  const CLI::App *         command = nullptr;
+  for (const CLI::App * const known : app.get_subcommands({}))
+  {
+    names.push_back(known->get_name());
+    command = known->get_name() == words.front() ? known : command;
+  }
+  if (!command)
+  {
+    return "'" + words.front() + "' is not a command" + SuggestName(words.front(), names);
+  }
+  names.clear();
+  for (const CLI::Option * const option : GetOptions(*command, false))
+  {
+    names.push_back(option->get_name());
+  }
+  for (const std::string & word : words)
+  {
+    const std::string name = word.substr(0, word.find('='));
+    if (name.size() > 2 && name.compare(0, 2, "--") == 0 && !command->get_option_no_throw(name))
+    {
+      return "'" + name + "' is not an option of " + words.front() + SuggestName(name, names);
+    }
+  }
+  return "";
+}
+
 /** Help and version are results, other ends of the parsing are errors. */
 int
-ReportParsing(const CLI::App & app, const CLI::ParseError & error)
+ReportParsing(const CLI::App & app, const std::vector<std::string> & words, const CLI::ParseError & error)
 {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success))
   {
     return app.exit(error);
   }
-  std::cerr << "medialvoxel: " << error.what() << " (see medialvoxel --help)" << std::endl;
+  const std::string unknown = DescribeUnknownName(app, words);
+  std::cerr << "medialvoxel: " << itk::MedialVoxelText::MakePrintable(unknown.empty() ? error.what() : unknown)
+            << " (see medialvoxel --help)" << std::endl;
   return static_cast<int>(ExitStatus::Usage);
 }
 
@@ -235,13 +336,14 @@ main(int argc, char * argv[])
     }
     catch (const CLI::ParseError & error)
     {
-      return ReportParsing(*app, error);
+      return ReportParsing(*app, { argv + std::min(argc, 1), argv + argc }, error);
     }
     if (line.generate->parsed())
     {
       WriteCommandTexts(line, *app);
       return static_cast<int>(ExitStatus::Done);
     }
+    CheckOptionEffects(line);
     RunCommand(line, JoinCommand(argc, argv));
     return static_cast<int>(ExitStatus::Done);
   });

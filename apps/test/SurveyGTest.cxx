@@ -65,7 +65,7 @@ public:
                    static_cast<std::int64_t>(size[1]),
                    static_cast<std::int64_t>(size[2]) },
                  { 1.0, 1.0, 1.0 } },
-               { true, true, fullyMeasuredVoxels })
+               { true, fullyMeasuredVoxels })
     , m_Image(MakeImage(size, isObject))
   {
     m_Filter->SetInput(m_Image);
@@ -129,13 +129,17 @@ const std::vector<std::uint64_t> Size{ 150, 41, 37 };
 TEST(Survey, AnyCutGivesTheSame)
 {
   const SurveyedRun whole(Size, IsWall);
-  EXPECT_EQ(whole.GetSurvey().GetThickness().GetTotal(), whole.GetNumberOfMedialCells());
+  EXPECT_EQ(whole.GetSurvey().GetThickness().GetTotal() + whole.GetSurvey().GetRimCells(),
+            whole.GetNumberOfMedialCells());
+  EXPECT_GT(whole.GetSurvey().GetRimCells(), 0u);
+  EXPECT_LT(whole.GetSurvey().GetRimCells(), whole.GetNumberOfMedialCells() / 4);
   EXPECT_GT(whole.GetNumberOfMedialCells(), 1000u);
   for (const Cut & cut : { Cut{ 5, 0, 1 }, Cut{ 1, 13, 1 }, Cut{ 3, 0, 4 }, Cut{ 2, 9, 3 } })
   {
     const SurveyedRun other(Size, IsWall, cut);
     EXPECT_EQ(other.GetSurvey().GetThickness().GetNumbers(), whole.GetSurvey().GetThickness().GetNumbers());
     EXPECT_EQ(other.GetSurvey().GetThicknessByArea().GetNumbers(), whole.GetSurvey().GetThicknessByArea().GetNumbers());
+    EXPECT_EQ(other.GetSurvey().GetRimCells(), whole.GetSurvey().GetRimCells());
     EXPECT_EQ(other.GetBestSlices(), whole.GetBestSlices());
     const auto & expected = whole.GetSurvey().GetProjection();
     const auto & projection = other.GetSurvey().GetProjection();
@@ -151,7 +155,7 @@ TEST(Survey, AnyCutGivesTheSame)
 
 TEST(Survey, CountsWhatTheThicknessOutputHolds)
 {
-  Survey     survey(MakeGeometry(Size), { { 150, 41, 37 }, { 1.0, 1.0, 1.0 } }, { true, true, 30000 });
+  Survey     survey(MakeGeometry(Size), { { 150, 41, 37 }, { 1.0, 1.0, 1.0 } }, { true, 30000 });
   const auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
   filter->SetInput(MakeImage(Size, IsWall));
   filter->SetTileObserver(&survey);
@@ -159,13 +163,18 @@ TEST(Survey, CountsWhatTheThicknessOutputHolds)
   filter->Update();
   // The output is of all cells, so that the survey sees all of them, though it asks for an eighth.
   itk::MedialVoxelHistogram  expected(1.0 / 64);
+  std::uint64_t              rims = 0;
   std::vector<std::uint32_t> thickest(150 * 41, 0);
   using ThicknessImageType = itk::MedialVoxelImageFilter<ImageType>::ThicknessImageType;
   itk::ImageRegionConstIteratorWithIndex<ThicknessImageType> value(filter->GetThicknessOutput(),
                                                                    filter->GetThicknessOutput()->GetBufferedRegion());
   for (; !value.IsAtEnd(); ++value)
   {
-    if (filter->GetOutput()->GetPixel(value.GetIndex()) >= 2)
+    if (value.Get() < 0.0f)
+    {
+      ++rims;
+    }
+    else if (filter->GetOutput()->GetPixel(value.GetIndex()) >= 2)
     {
       const std::size_t bin = expected.GetBin(static_cast<double>(value.Get()));
       expected.Add(bin);
@@ -175,6 +184,7 @@ TEST(Survey, CountsWhatTheThicknessOutputHolds)
   }
   EXPECT_GT(expected.GetTotal(), 1000u);
   EXPECT_EQ(survey.GetThickness().GetNumbers(), expected.GetNumbers());
+  EXPECT_EQ(survey.GetRimCells(), rims);
   for (std::size_t i = 0; i < thickest.size(); ++i)
   {
     EXPECT_EQ(survey.GetProjection()[i].thickest, thickest[i]) << i;
@@ -255,7 +265,7 @@ TEST(Survey, WithoutMedialCellsTheMiddleIsShown)
 
 TEST(Survey, AnAbortedExecutionAddsNothing)
 {
-  Survey     survey(MakeGeometry(Size), { { 150, 41, 37 }, { 1.0, 1.0, 1.0 } }, { true, true, MeasureAll });
+  Survey     survey(MakeGeometry(Size), { { 150, 41, 37 }, { 1.0, 1.0, 1.0 } }, { true, MeasureAll });
   const auto image = MakeImage(Size, IsWall);
   const auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
   filter->SetInput(image);
@@ -278,8 +288,7 @@ TEST(Survey, AnAbortedExecutionAddsNothing)
 TEST(Survey, OfLargeVolumesEverySoManyCellIsMeasured)
 {
   SurveySettings settings;
-  settings.thickness = true;
-  const auto stepOf = [&](std::uint64_t edge) {
+  const auto     stepOf = [&](std::uint64_t edge) {
     const auto index = static_cast<std::int64_t>(edge);
     return Survey(MakeGeometry({ edge, edge, edge }), { { index, index, index }, { 1.0, 1.0, 1.0 } }, settings)
       .GetStep();

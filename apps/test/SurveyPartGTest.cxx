@@ -44,7 +44,7 @@ MakeSurvey()
   VolumeGeometry geometry;
   geometry.size.assign(3, Size);
   geometry.spacing.assign(3, 1.0);
-  return { geometry, { { Size, Size, Size }, { 1.0, 1.0, 1.0 } }, { true, true } };
+  return { geometry, { { Size, Size, Size }, { 1.0, 1.0, 1.0 } }, { true } };
 }
 
 void
@@ -70,6 +70,7 @@ TEST(SurveyPart, PartsOfAllPiecesMakeTheWhole)
   Survey     whole = MakeSurvey();
   RunSlices(image, whole, 0, Size);
   ASSERT_GT(whole.GetThickness().GetTotal(), 0u);
+  ASSERT_GT(whole.GetRimCells(), 0u);
   for (const std::int64_t slices : { 1, 7, 16, 48 })
   {
     Survey merged = MakeSurvey();
@@ -82,6 +83,7 @@ TEST(SurveyPart, PartsOfAllPiecesMakeTheWhole)
     }
     EXPECT_EQ(merged.Save(), whole.Save()) << slices;
     EXPECT_EQ(merged.GetThickness().GetNumbers(), whole.GetThickness().GetNumbers());
+    EXPECT_EQ(merged.GetRimCells(), whole.GetRimCells());
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       EXPECT_EQ(merged.GetBestSlice(axis), whole.GetBestSlice(axis));

@@ -89,6 +89,15 @@ class PreviewTest(ProgramTestCase):
         runs = [run for run in "".join("#" if color == text else " " for color in legend).split() if len(run) > 40]
         self.assertEqual([len(run) for run in runs], [5 / 0.5 * scale])
 
+    def test_the_legend_is_not_cut(self):
+        """Narrow volumes of any spacing, whose pictures are as wide as the legend."""
+        for spacing in (1e-7, 2e-5, 0.0003, 0.07, 1, 30, 12345, 1e6):
+            volume = volumes.Volume((6, 5, 4), [1] * 120, (spacing,) * 3)
+            for options in ([], ["--thickness-map", "t.mha"]):
+                rows = self.preview(volume, "--voxel-units", *options)
+                legend = rows[len(rows) - 14 - 14 : len(rows) - 14]
+                self.assertTrue(all(color == BLACK for row in legend for color in row[-14:]), (spacing, options))
+
     def test_pieces_do_not_change_the_picture(self):
         volume = volumes.box_with_plate()
         whole = self.preview(volume, "--lower", 72)

@@ -29,6 +29,7 @@ KEYS = [
     "counts",
     "percent",
     "thickness",
+    "warnings",
     *RUN_KEYS,
 ]
 COUNTS = [
@@ -161,7 +162,7 @@ class ReportTest(ProgramTestCase):
         rows = dict(line.strip().split("  ", 1) for line in table.splitlines())
         rows = {name: value.strip() for name, value in rows.items()}
         self.assertEqual(rows["resolution"], "24 x 20 x 16")
-        self.assertEqual(rows["tau"], "3")
+        self.assertEqual(rows["tau"], "3 units of the spacing")
         self.assertEqual(rows["object voxels"], str(report["counts"]["object_voxels"]))
         self.assertEqual(rows["medial cells"], str(report["counts"]["medial_cells"]))
         self.assertEqual(rows["pseudo"], f"{report['percent']['pseudo']:.2f} %")

@@ -61,7 +61,7 @@ class TextsTest(ProgramTestCase):
             page = (self.folder / f"medialvoxel-{command}.1").read_text().replace("\\-", "-")
             in_bash = re.search(rf"^    {command}\)\n      options='(.*)'", bash, re.MULTILINE)[1].split()
             in_zsh = re.search(rf"^    {command}\)\n(.*?);;", zsh, re.MULTILINE | re.DOTALL)[1]
-            self.assertEqual(set(in_bash), set(options) | {"-h"})
+            self.assertEqual(set(in_bash), set(options) | {"-h", "--help"})
             for name, value in options.items():
                 self.assertRegex(page, rf"\n\.B (-h,)?{name}( {value})?\n")
                 self.assertIn(f"'{name}=[" if value else f"'{name}[", in_zsh)

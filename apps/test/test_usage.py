@@ -31,9 +31,15 @@ class UsageTest(ProgramTestCase):
 
     def test_missing_and_unknown_arguments(self):
         self.assert_usage(["subcommand"])
+        self.assert_usage(["'Extract' is not a command; did you mean extract?"], "Extract", "in.mha", "out.mha")
+        self.assert_usage(["'finalise' is not a command; did you mean finalize?"], "finalise", "job")
+        self.assert_usage(["'convert' is not a command (see"], "convert", "in.mha")
+        self.assert_usage(["'\\x1b[' is not a command".replace("\\x1b", "?")], "\x1b[")
         self.assert_usage(["INPUT"], "extract", "--thickness", 3)
         self.assert_usage(["OUTPUT"], "extract", "in.mha", "--thickness", 3)
         self.assert_extract_usage(["--bogus"], "--bogus")
+        self.assert_extract_usage(["'--Lower' is not an option of extract; did you mean --lower?"], "--Lower", 3)
+        self.assert_extract_usage(["'--thickness-maps'", "did you mean --thickness-map?"], "--thickness-maps=t.mha")
         self.assert_extract_usage(["extra"], "extra")
         self.assert_extract_usage(["--lower"], "--lower")
 
@@ -42,7 +48,7 @@ class UsageTest(ProgramTestCase):
             self.assert_usage(
                 ["thickness", value, "finite number greater than 0"], "extract", "in.mha", "out.mha", "--thickness", value
             )
-        for value in ("3x", "", "three", "0x3", "Auto"):
+        for value in ("3x", "", "three", "0x3", "Autos"):
             self.assert_usage(["--thickness", f"'{value}'"], "extract", "in.mha", "out.mha", "--thickness", value)
 
     def test_limits_of_the_automatic_thickness(self):
@@ -50,7 +56,6 @@ class UsageTest(ProgramTestCase):
         for name in ("minimum", "maximum"):
             for value in ("0", "-2", "nan", "inf"):
                 self.assert_usage([f"{name} thickness", "greater than 0"], *command, f"--{name}-thickness", value)
-            self.assert_extract_usage(["thickness is 3", "auto"], f"--{name}-thickness", 2)
         limits = ["--minimum-thickness", 5, "--maximum-thickness", 4]
         self.assert_usage(["minimum thickness 5", "maximum thickness 4"], *command, *limits)
 
@@ -72,11 +77,18 @@ class UsageTest(ProgramTestCase):
         self.assert_extract_usage(["--threads", "'-1'"], "--threads", -1)
         self.assert_extract_usage(["--threads", "'2.5'"], "--threads", 2.5)
         self.assert_extract_usage(["--divisions", "'0'", "from 1"], "--divisions", 0)
-        for size in ("x", "", "-1G", "1X", "nan", "1e30"):
+        for size in ("x", "", "-1G", "1X", "2GiBs", "nan", "1e30"):
             self.assert_extract_usage(["--memory", f"'{size}'", "500M"], "--memory", size)
         self.assert_usage(["maximum distance", "0"], "distance", "in.mha", "out.mha", "--maximum-distance", 0)
 
+    def test_names_in_any_case(self):
+        raw = ["--raw-size", "24,20,16", "--raw-type", "UINT8"]
+        self.run_program("extract", "in.raw", "a.mha", *raw, "--thickness", "Auto", "--bound", "Paper", "--memory", "2GiB")
+        self.run_program("extract", "in.mha", "b.mha", "--bound", "paper", "--memory", "2gb")
+        self.assertEqual((self.folder / "a.mha").read_bytes(), (self.folder / "b.mha").read_bytes())
+
     def test_unknown_choices(self):
+        self.assert_extract_usage(["'papper' is not one of", "did you mean paper?"], "--bound", "papper")
         self.assert_extract_usage(["--bound", "'exact'", "free-space"], "--bound", "exact")
         self.assert_extract_usage(["--progress", "'loud'", "bar"], "--progress", "loud")
         self.assert_extract_usage(["--vector-boundary", "'both'", "object"], "--vector-boundary", "both")
@@ -85,12 +97,30 @@ class UsageTest(ProgramTestCase):
     def test_options_given_twice(self):
         self.assert_extract_usage(["--lower"], "--lower", 1, "--lower", 2)
 
-    def test_distance_flags_without_distance(self):
-        for flag in ("--squared-distance", "--inside-positive"):
-            self.assert_usage(["distance file"], "distance", "in.mha", "out.mha", flag)
+    def test_options_without_effect(self):
+        """Each is refused alone, and taken beside what it needs."""
+        extract = ["extract", "in.mha", "out.mha", "--lower", 50]
+        mesh = ["mesh", "in.mha"]
+        distance = ["distance", "in.mha", "out.mha"]
+        for command, need, option in (
+            (extract, None, ["--minimum-thickness", 2, "--thickness", 3]),
+            (extract, None, ["--maximum-thickness", 2, "--thickness", 3]),
+            (extract, ["--vectors", "v.mha"], ["--vector-boundary", "object"]),
+            (extract, ["--distance", "d.zarr"], ["--zarr-compression", "none"]),
+            (extract, ["--mesh", "m.inp"], ["--section-width", 1]),
+            (mesh + ["m.vtp"], None, ["--section-width", 1]),
+            (mesh + ["m.BDF"], [], ["--section-width", 1]),
+            (distance, ["--distance", "d.mha"], ["--squared-distance"]),
+            (distance, ["--distance", "d.mha"], ["--inside-positive"]),
+            (distance, ["--distance", "d.OME.ZARR"], ["--zarr-compression", "gzip"]),
+        ):
+            if need != []:
+                self.assert_usage([option[0], "no effect", "needs"], *command, *option)
+            if need is not None:
+                self.run_program(*command, *need, *option, "--dry-run")
 
     def test_unknown_output_extensions(self):
-        for name in ("out", "out.tif", "out.raw", "out.nii.gz"):
+        for name in ("out", "out.tif", "out.raw", "out.gz", ".mha"):
             self.assert_usage([name, "unknown format", ".mha"], "extract", "in.mha", name, "--thickness", 3)
             self.assert_usage([name, "unknown format", ".mha"], "distance", "in.mha", name)
             self.assert_extract_usage([name, "unknown format"], "--vectors", name)
@@ -109,7 +139,7 @@ class UsageTest(ProgramTestCase):
         for size in ("24", "24,20,16,1"):
             self.assert_usage(["raw size", "2 or 3"], *command, "--raw-type", "uint8", "--raw-size", size)
         self.assert_usage(["raw size"], *command, "--raw-type", "uint8", "--raw-size", "2000000000,2000000000,2000000000")
-        self.assert_usage(["--raw-type", "'uint7'"], *command, "--raw-size", "24,20,16", "--raw-type", "uint7")
+        self.assert_usage(["--raw-type", "'uint7'", "did you mean uint8?"], *command, "--raw-size", "24,20,16", "--raw-type", "uint7")
         described = [*command, "--raw-size", "24,20,16", "--raw-type", "uint8"]
         for spacing in ("-1,1,1", "0,1,1", "nan,1,1", "inf,1,1"):
             self.assert_usage(

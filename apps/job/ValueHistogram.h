@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelValueHistogram_h
+#define medialvoxelValueHistogram_h
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class ValueRange
+ * \brief Least, largest and mean of the finite ones of many values, which come in their order. */
+template <typename TValue>
+class ValueRange
+{
+public:
+  void
+  Add(const std::vector<TValue> & values)
+  {
+    for (const TValue value : values)
+    {
+      if (!std::isfinite(static_cast<double>(value)))
+      {
+        ++m_Excluded;
+        continue;
+      }
+      ++m_Count;
+      m_Minimum = std::min(m_Minimum, value);
+      m_Maximum = std::max(m_Maximum, value);
+      m_Sum += value;
+    }
+  }
+
+  std::uint64_t
+  GetCount() const
+  {
+    return m_Count;
+  }
+  std::uint64_t
+  GetExcluded() const
+  {
+    return m_Excluded;
+  }
+  TValue
+  GetMinimum() const
+  {
+    return m_Minimum;
+  }
+  TValue
+  GetMaximum() const
+  {
+    return m_Maximum;
+  }
+  double
+  GetMean() const
+  {
+    return static_cast<double>(m_Sum / static_cast<long double>(m_Count));
+  }
+
+private:
+  std::uint64_t m_Count{ 0 };
+  std::uint64_t m_Excluded{ 0 };
+  TValue        m_Minimum{ std::numeric_limits<TValue>::max() };
+  TValue        m_Maximum{ std::numeric_limits<TValue>::lowest() };
+  long double   m_Sum{ 0.0L };
+};
+
+/** \class ValueBins
+ * \brief Equal bins from the least to the largest value. Those of whole numbers have a whole number as their width. */
+template <typename TValue>
+class ValueBins
+{
+public:
+  static constexpr bool IsWhole = std::is_integral<TValue>::value;
+
+  ValueBins(TValue minimum, TValue maximum, std::uint64_t mostBins)
+    : m_Minimum(minimum)
+    , m_Maximum(maximum)
+  {
+    if constexpr (IsWhole)
+    {
+      const std::uint64_t range = this->GetOffset(maximum);
+      m_Width = range / mostBins + 1;
+      m_Counts.resize(range / m_Width + 1);
+    }
+    else
+    {
+      m_Counts.resize(maximum > minimum ? mostBins : 1);
+    }
+  }
+
+  void
+  Add(const std::vector<TValue> & values)
+  {
+    for (const TValue value : values)
+    {
+      if (std::isfinite(static_cast<double>(value)))
+      {
+        ++m_Counts[this->GetBin(value)];
+      }
+    }
+  }
+
+  const std::vector<std::uint64_t> &
+  GetCounts() const
+  {
+    return m_Counts;
+  }
+
+  /** Where a bin begins. */
+  double
+  GetBegin(std::size_t bin) const
+  {
+    if constexpr (IsWhole)
+    {
+      const std::uint64_t offset = bin * m_Width;
+      // The sum is taken as a whole number where the type has it.
+      return offset <= this->GetOffset(m_Maximum)
+               ? static_cast<double>(static_cast<TValue>(static_cast<std::uint64_t>(m_Minimum) + offset))
+               : static_cast<double>(m_Maximum) + 1.0;
+    }
+    else
+    {
+      const double share = static_cast<double>(bin) / static_cast<double>(m_Counts.size());
+      return static_cast<double>(m_Minimum) * (1.0 - share) + static_cast<double>(m_Maximum) * share;
+    }
+  }
+
+  /** 0 for bins of one value. */
+  double
+  GetWidth() const
+  {
+    if constexpr (IsWhole)
+    {
+      return m_Width == 1 ? 0.0 : static_cast<double>(m_Width);
+    }
+    else
+    {
+      return this->GetBegin(1) - this->GetBegin(0);
+    }
+  }
+
+private:
+  /** Of a whole number from the least one, which its own type need not hold. */
+  std::uint64_t
+  GetOffset(TValue value) const
+  {
+    return static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(m_Minimum);
+  }
+
+  std::size_t
+  GetBin(TValue value) const
+  {
+    if constexpr (IsWhole)
+    {
+      return static_cast<std::size_t>(this->GetOffset(value) / m_Width);
+    }
+    else
+    {
+      // Halves, as the range of all numbers is not one.
+      const double half = 0.5 * static_cast<double>(m_Minimum);
+      const double range = 0.5 * static_cast<double>(m_Maximum) - half;
+      const double share = range > 0.0 ? (0.5 * static_cast<double>(value) - half) / range : 0.0;
+      const auto   bin = static_cast<std::size_t>(share * static_cast<double>(m_Counts.size()));
+      return std::min(bin, m_Counts.size() - 1);
+    }
+  }
+
+  TValue                     m_Minimum;
+  TValue                     m_Maximum;
+  std::uint64_t              m_Width{ 1 };
+  std::vector<std::uint64_t> m_Counts;
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ValueStatistics.h"
+
+#include "JobParts.h"
+#include "LabelValues.h"
+#include "Text.h"
+#include "ValueHistogram.h"
+#include "ValueStream.h"
+
+#include <numeric>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** Calls function(vector) for the numbers of a volume that streams, in whole slices from front to back. */
+template <typename TValue, typename TFunction>
+void
+ReadSlices(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
+{
+  const std::uint64_t perSlice = header.geometry.GetVoxelsPerSlice();
+  const std::uint64_t slices = header.geometry.size.back();
+  const std::uint64_t atOnce = std::max<std::uint64_t>(1, VoxelsPerChunk / perSlice);
+  const auto          reader = MakeVoxelReader(header);
+  reader->SetFileName(header.dataFile.string());
+  reader->ReadImageInformation();
+  const unsigned int  dimension = header.geometry.GetDimension();
+  std::vector<TValue> values;
+  for (std::uint64_t slice = 0; slice < slices; slice += atOnce)
+  {
+    observer(static_cast<double>(slice) / static_cast<double>(slices));
+    itk::ImageIORegion region(dimension);
+    for (unsigned int axis = 0; axis < dimension; ++axis)
+    {
+      region.SetSize(axis, header.geometry.size[axis]);
+    }
+    const std::uint64_t count = std::min(atOnce, slices - slice);
+    region.SetIndex(dimension - 1, static_cast<itk::IndexValueType>(slice));
+    region.SetSize(dimension - 1, count);
+    reader->SetIORegion(region);
+    values.resize(count * perSlice);
+    reader->Read(values.data());
+    function(values);
+  }
+}
+
+template <typename TValue, typename TFunction>
+void
+ForEachValue(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
+{
+  if (header.CanStream())
+  {
+    ReadSlices<TValue>(header, observer, function);
+  }
+  else
+  {
+    StreamValues<TValue>(header, observer, function);
+  }
+}
+
+/** The last bin of the lower class for which the variance between both classes is largest; the number of a bin stands
+ * for its values, as the bins are equal. */
+std::optional<std::size_t>
+FindOtsuBin(const std::vector<std::uint64_t> & counts)
+{
+  long double all = 0;
+  long double sum = 0;
+  for (std::size_t bin = 0; bin < counts.size(); ++bin)
+  {
+    all += static_cast<long double>(counts[bin]);
+    sum += static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
+  }
+  long double                below = 0;
+  long double                sumBelow = 0;
+  long double                largest = 0;
+  std::optional<std::size_t> best;
+  for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin)
+  {
+    below += static_cast<long double>(counts[bin]);
+    sumBelow += static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
+    if (below == 0 || counts[bin] == 0)
+    {
+      continue; // as the bin before, whose threshold is lower
+    }
+    const long double above = all - below;
+    const long double difference = sumBelow / below - (sum - sumBelow) / above;
+    const long double variance = below * above * difference * difference;
+    if (variance > largest)
+    {
+      largest = variance;
+      best = bin;
+    }
+  }
+  return best;
+}
+
+template <typename TValue>
+double
+FindPercentile(const ValueBins<TValue> & bins, std::uint64_t values, unsigned int percent)
+{
+  // Without the product, which may exceed 64 bits.
+  const std::uint64_t rank = values / 100 * percent + (values % 100 * percent + 99) / 100;
+  std::uint64_t       sum = 0;
+  for (std::size_t bin = 0; bin < bins.GetCounts().size(); ++bin)
+  {
+    sum += bins.GetCounts()[bin];
+    if (sum >= rank && sum > 0)
+    {
+      return bins.GetBegin(bin);
+    }
+  }
+  return bins.GetBegin(bins.GetCounts().size() - 1);
+}
+
+template <typename TValue>
+ValueStatistics
+Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins)
+{
+  ValueStatistics statistics;
+  statistics.values = range.GetCount();
+  statistics.excluded = range.GetExcluded();
+  statistics.minimum = static_cast<double>(range.GetMinimum());
+  statistics.maximum = static_cast<double>(range.GetMaximum());
+  statistics.mean = range.GetMean();
+  statistics.binWidth = bins.GetWidth();
+  for (std::size_t i = 0; i < statistics.percentiles.size(); ++i)
+  {
+    statistics.percentiles[i] = FindPercentile(bins, range.GetCount(), ValueStatistics::Percents[i]);
+  }
+  const std::optional<std::size_t> bin = FindOtsuBin(bins.GetCounts());
+  statistics.otsu = bin ? std::optional<double>(bins.GetBegin(*bin + 1)) : std::nullopt;
+  return statistics;
+}
+
+template <typename TValue>
+ValueStatistics
+Measure(const VolumeHeader & header, const ReadObserver & observer)
+{
+  ValueRange<TValue> range;
+  using Limits = std::numeric_limits<TValue>;
+  if constexpr (std::is_integral<TValue>::value && sizeof(TValue) <= 2)
+  {
+    // A bin for each value that the type has, so that once through the file is enough.
+    ValueBins<TValue> bins(Limits::lowest(), Limits::max(), MostValueBins);
+    ForEachValue<TValue>(header, observer, [&](const std::vector<TValue> & values) {
+      range.Add(values);
+      bins.Add(values);
+    });
+    return Summarize(range, bins);
+  }
+  else
+  {
+    ForEachValue<TValue>(
+      header, [&](double share) { observer(0.5 * share); }, [&](const auto & values) { range.Add(values); });
+    if (range.GetCount() == 0)
+    {
+      return { 0, range.GetExcluded(), 0, 0, 0, 0, {}, std::nullopt };
+    }
+    ValueBins<TValue> bins(range.GetMinimum(), range.GetMaximum(), MostValueBins);
+    ForEachValue<TValue>(
+      header, [&](double share) { observer(0.5 + 0.5 * share); }, [&](const auto & values) { bins.Add(values); });
+    return Summarize(range, bins);
+  }
+}
+
+} // namespace
+
+ValueStatistics
+MeasureValues(const VolumeHeader & header, const ReadObserver & observer)
+{
+  return WithPipelineErrors([&] {
+    // Resampling is for the object; the values are those of the file.
+    const VolumeHeader & stored = header.GetStored();
+    return DispatchValueType(stored, [&](auto zero) { return Measure<decltype(zero)>(stored, observer); });
+  });
+}
+
+void
+MeasureThreshold(JobOptions & options, const VolumeHeader & header, const ProgressSink & sink)
+{
+  if (!options.lowerIsOtsu || options.lowerThreshold)
+  {
+    return;
+  }
+  const ValueStatistics statistics = MeasureValues(header, [&sink](double) {
+    if (sink.IsStopRequested())
+    {
+      throw StoppedBySignal(GetStopSignal());
+    }
+  });
+  if (!statistics.otsu)
+  {
+    Fail(ExitStatus::Refused,
+         header.fileName.string(),
+         statistics.values == 0 ? ": it has no finite values"
+                                : ": all its values are " + FormatNumber(statistics.minimum),
+         "; the threshold of Otsu needs two different ones");
+  }
+  if (options.upperThreshold && itk::MedialVoxelLimit(*statistics.otsu).IsAbove(*options.upperThreshold))
+  {
+    Fail(ExitStatus::Usage,
+         header.fileName.string(),
+         ": its threshold of Otsu, ",
+         FormatNumber(*statistics.otsu),
+         ", is greater than upper threshold ",
+         options.upperThreshold->Format(),
+         "; it must not be");
+  }
+  options.lowerThreshold = *statistics.otsu;
+}
+
+void
+CheckLabel(const JobOptions & options, const VolumeHeader & header)
+{
+  if (!options.label)
+  {
+    return;
+  }
+  const bool isPossible = DispatchValueType(
+    header.GetStored(), [&options](auto zero) { return ConvertLabel<decltype(zero)>(*options.label).has_value(); });
+  // Resampled values are of double precision.
+  if (!isPossible || (header.stored && !ConvertLabel<double>(*options.label)))
+  {
+    const std::string_view type = GetTraits(header.scale ? PixelType::Float64 : header.pixelType).name;
+    Fail(ExitStatus::Usage,
+         header.fileName.string(),
+         ": the label ",
+         FormatLabel(*options.label),
+         " is not a value of its type, ",
+         type);
+  }
+}
+
+TextTable
+DescribeValues(const ValueStatistics & statistics)
+{
+  TextTable table{ { "values", std::to_string(statistics.values) } };
+  if (statistics.excluded > 0)
+  {
+    table.emplace_back("excluded", std::to_string(statistics.excluded) + " not a number or infinite");
+  }
+  if (statistics.values == 0)
+  {
+    return table;
+  }
+  table.emplace_back("minimum", FormatNumber(statistics.minimum));
+  table.emplace_back("maximum", FormatNumber(statistics.maximum));
+  table.emplace_back("mean", FormatNumber(statistics.mean));
+  for (std::size_t i = 0; i < statistics.percentiles.size(); ++i)
+  {
+    table.emplace_back(std::to_string(ValueStatistics::Percents[i]) + " %", FormatNumber(statistics.percentiles[i]));
+  }
+  table.emplace_back("otsu", statistics.otsu ? FormatNumber(*statistics.otsu) : "-");
+  if (statistics.binWidth > 0)
+  {
+    table.emplace_back("bin width", FormatNumber(statistics.binWidth) + ", of percentiles and otsu");
+  }
+  return table;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,415 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Warnings.h"
+
+#include "JobParts.h"
+#include "Survey.h"
+#include "Text.h"
+#include "VolumeJob.h"
+
+#include "itkMedialVoxelLimits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** Message and values of a warning that applies. */
+struct Finding
+{
+  std::string                                 message;
+  std::vector<std::pair<std::string, double>> values;
+};
+
+/** A row of a table: a code, and the check that finds whether it applies to the facts. */
+template <typename... TFacts>
+struct Rule
+{
+  const char * code;
+  std::optional<Finding> (*check)(const TFacts &...);
+};
+
+template <typename... TFacts>
+void
+Apply(const std::vector<Rule<TFacts...>> & rules, std::vector<Warning> & warnings, const TFacts &... facts)
+{
+  for (const Rule<TFacts...> & rule : rules)
+  {
+    if (std::optional<Finding> finding = rule.check(facts...))
+    {
+      warnings.push_back({ rule.code, std::move(finding->message), std::move(finding->values) });
+    }
+  }
+}
+
+/** A share as a whole percentage, or as 0.5 % and the like. */
+std::string
+FormatShare(double share)
+{
+  return FormatFixed(100.0 * share, share > 0.0 && share < 0.01 ? 1 : 0) + " %";
+}
+
+/** Of the axes longer than 1, in physical units. */
+double
+GetSmallestSpacing(const VolumeGeometry & geometry)
+{
+  double smallest = 0.0;
+  for (std::size_t axis = 0; axis < geometry.size.size(); ++axis)
+  {
+    if (geometry.size[axis] > 1 && (smallest == 0.0 || geometry.spacing[axis] < smallest))
+    {
+      smallest = geometry.spacing[axis];
+    }
+  }
+  return smallest > 0.0 ? smallest : geometry.spacing.front();
+}
+
+struct Length
+{
+  std::string name;
+  double      value; ///< in the units of the job
+  double      voxels;
+  std::string text; ///< name and value in both units
+};
+
+Length
+MeasureLength(const char * name, double value, const JobOptions & options, const VolumeHeader & input)
+{
+  const double spacing = GetSmallestSpacing(input.geometry);
+  Length       length{ name, value, options.voxelUnits ? value : value / spacing, "" };
+  length.text =
+    std::string("the ") + name + " of " +
+    (options.voxelUnits ? FormatShort(value) + " voxels is " + FormatShort(value * spacing) + " in units of the spacing"
+                        : FormatShort(value) + " in units of the spacing is " + FormatShort(length.voxels) + " voxels");
+  return length;
+}
+
+/** Lengths of walls that are far from the usual 1 to 50 voxels: often the units are others than the user thinks. */
+std::optional<Finding>
+CheckLength(const char *                  name,
+            const std::optional<double> & value,
+            const ExtractOptions &        options,
+            const VolumeHeader &          input)
+{
+  constexpr double farBelow = 0.5;
+  constexpr double farAbove = 100.0;
+  if (!value)
+  {
+    return std::nullopt;
+  }
+  const Length length = MeasureLength(name, *value, options, input);
+  if (length.voxels >= farBelow && length.voxels <= farAbove)
+  {
+    return std::nullopt;
+  }
+  return Finding{ length.text + "; 1 to 50 voxels are usual", { { "length", *value }, { "voxels", length.voxels } } };
+}
+
+std::optional<Finding>
+CheckMaximumDistance(const DistanceOptions & options, const VolumeHeader & input)
+{
+  if (!options.maximumDistance)
+  {
+    return std::nullopt;
+  }
+  const Length length = MeasureLength("maximum distance", *options.maximumDistance, options, input);
+  if (length.voxels >= 1.0)
+  {
+    return std::nullopt;
+  }
+  return Finding{ length.text + "; only voxels of the boundary have a vector",
+                  { { "length", length.value }, { "voxels", length.voxels } } };
+}
+
+std::optional<Finding>
+CheckScratch(const JobOptions & options, const VolumeHeader & input)
+{
+  if (options.scratchFolder.empty() || !input.CanStream())
+  {
+    return std::nullopt;
+  }
+  return Finding{ "the scratch folder has no use here: the volume is read in pieces, and there is no mesh", {} };
+}
+
+/** Vectors and distances are exact at any spacing. */
+std::optional<Finding>
+CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
+{
+  const itk::MedialVoxelGrid grid = GetGrid(options, input);
+  const std::string          inaccuracy = itk::MedialVoxelLimits::FindInaccuracy(grid);
+  if (inaccuracy.empty())
+  {
+    return std::nullopt;
+  }
+  return Finding{ inaccuracy + "; --resample auto brings the input to equal spacing",
+                  { { "spacing_ratio", itk::MedialVoxelLimits::RatioOf(grid) },
+                    { "largest_accurate_ratio", itk::MedialVoxelLimits::AccurateRatio } } };
+}
+
+const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
+  { "unequal_spacing", CheckSpacing },
+  { "unusual_thickness",
+    [](const ExtractOptions & options, const VolumeHeader & input) {
+      return CheckLength("thickness", options.thickness, options, input);
+    } },
+  { "unusual_minimum_thickness",
+    [](const ExtractOptions & options, const VolumeHeader & input) {
+      return CheckLength("minimum thickness", options.minimumThickness, options, input);
+    } },
+  { "unusual_maximum_thickness",
+    [](const ExtractOptions & options, const VolumeHeader & input) {
+      return CheckLength("maximum thickness", options.maximumThickness, options, input);
+    } },
+  { "unused_scratch",
+    [](const ExtractOptions & options, const VolumeHeader & input) {
+      return options.meshFile.empty() ? CheckScratch(options, input) : std::nullopt;
+    } },
+};
+
+const std::vector<Rule<DistanceOptions, VolumeHeader>> DistanceRequestRules{
+  { "unusual_maximum_distance", CheckMaximumDistance },
+  { "unused_scratch",
+    [](const DistanceOptions & options, const VolumeHeader & input) { return CheckScratch(options, input); } },
+};
+
+/** Which values are object. */
+std::string
+DescribeObject(const JobOptions & options)
+{
+  const auto & lower = options.lowerThreshold;
+  const auto & upper = options.upperThreshold;
+  if (lower && upper)
+  {
+    return "from " + lower->Format() + " to " + upper->Format();
+  }
+  return lower ? "at least " + lower->Format() : (upper ? "at most " + upper->Format() : "other than 0");
+}
+
+std::optional<Finding>
+CheckObject(const JobOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelCounts & counts = result.sums.counts;
+  if (counts.objectVoxels > 0)
+  {
+    return std::nullopt;
+  }
+  if (counts.removedVoxels > 0)
+  {
+    return Finding{ "no object is left: all its " + std::to_string(counts.removedVoxels) +
+                      " voxels were small grains, taken for dust; a maximum pore size of 0 keeps them",
+                    { { "removed_voxels", static_cast<double>(counts.removedVoxels) } } };
+  }
+  return Finding{ "the volume has no object: no value is " + DescribeObject(options), {} };
+}
+
+std::optional<Finding>
+CheckBackground(const JobOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelCounts & counts = result.sums.counts;
+  if (counts.objectVoxels < result.input.geometry.GetNumberOfVoxels())
+  {
+    return std::nullopt;
+  }
+  if (counts.filledVoxels > 0)
+  {
+    return Finding{ "no background is left: all its " + std::to_string(counts.filledVoxels) +
+                      " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
+                    { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
+  }
+  return Finding{
+    "the volume has no background, so the object has no boundary: all values are " + DescribeObject(options), {}
+  };
+}
+
+const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject },
+                                                            { "no_background", CheckBackground } };
+
+/** What is known of the walls after an extraction. */
+struct WallFacts
+{
+  const ExtractOptions & options;
+  const JobResult &      result;
+  const Survey &         survey;
+
+  std::uint64_t
+  GetMedialCells() const
+  {
+    return result.sums.counts.boundCells + result.sums.counts.geodesicMedialCells;
+  }
+
+  bool
+  AreMeasured() const
+  {
+    return survey.GetThicknessByArea().GetTotal() > 0;
+  }
+
+  /** False when there are no cells, and when the few of a large volume may be none of those that are measured. */
+  bool
+  ShouldBeMeasured() const
+  {
+    constexpr std::uint64_t few = 64;
+    const unsigned int      step = survey.GetStep();
+    return this->GetMedialCells() > (step == 1 ? 0 : few * step);
+  }
+};
+
+std::optional<Finding>
+CheckMedialCells(const WallFacts & facts)
+{
+  const std::uint64_t object = facts.result.sums.counts.objectVoxels;
+  if (object == 0 || object == facts.result.input.geometry.GetNumberOfVoxels() || facts.GetMedialCells() > 0)
+  {
+    return std::nullopt;
+  }
+  return Finding{ std::string("there are no medial cells and no thickness: no part of the object is a sheet") +
+                    (facts.options.thickness ? " of at least the given thickness" : ", as of rods and balls none is"),
+                  {} };
+}
+
+/** A histogram of areas above a length, as a share of all. */
+double
+GetShareAbove(const itk::MedialVoxelHistogram & areas, double length)
+{
+  const std::vector<std::uint64_t> & numbers = areas.GetNumbers();
+  std::uint64_t                      above = 0;
+  for (std::size_t bin = areas.GetBin(length) + 1; bin < numbers.size(); ++bin)
+  {
+    above += numbers[bin];
+  }
+  return static_cast<double>(above) / static_cast<double>(areas.GetTotal());
+}
+
+/** Walls beyond the maximum of the automatic thickness have sheets towards their edges that thinner walls have not. */
+std::optional<Finding>
+CheckMaximumThickness(const WallFacts & facts)
+{
+  constexpr double much = 0.1;
+  constexpr double nearlyAll = 99.0;
+  if (facts.options.thickness || !facts.AreMeasured())
+  {
+    return std::nullopt;
+  }
+  const itk::MedialVoxelGrid        grid = GetGrid(facts.options, facts.result.input);
+  const itk::MedialVoxelHistogram & areas = facts.survey.GetThicknessByArea();
+  const double                      maximum = itk::MedialVoxelParameters::LimitsOfWalls(grid,
+                                                                   facts.options.minimumThickness.value_or(0.0),
+                                                                   facts.options.maximumThickness.value_or(0.0))
+                           .maximum;
+  const double share = GetShareAbove(areas, maximum);
+  if (share < much)
+  {
+    return std::nullopt;
+  }
+  const double      edge = facts.options.voxelUnits ? 1.0 : GetSmallestSpacing(facts.result.input.geometry);
+  const double      suggestion = std::ceil(areas.GetPercentile(nearlyAll) / edge) * edge;
+  const std::string unit = facts.options.voxelUnits ? " voxels" : "";
+  return Finding{ FormatShare(share) + " of the sheet is of walls thicker than the maximum thickness " +
+                    FormatShort(maximum) + unit + ", and may be branches towards their edges; a maximum thickness of " +
+                    FormatShort(suggestion) + unit + " reaches nearly all",
+                  { { "area_percent", 100.0 * share },
+                    { "maximum_thickness", maximum },
+                    { "suggested_maximum_thickness", suggestion } } };
+}
+
+/** The volume that the medial cells account for: what one of them does on average, with its area and thickness, times
+ * their number, so that cells that are not measured count as much as the others. */
+double
+GetVolumeOfWalls(const WallFacts & facts)
+{
+  const itk::MedialVoxelHistogram & areas = facts.survey.GetThicknessByArea();
+  if (areas.GetTotal() == 0)
+  {
+    return 0.0;
+  }
+  const double measured = static_cast<double>(areas.GetTotal()) * facts.survey.GetAreaUnit() * areas.GetMean();
+  return measured / static_cast<double>(facts.survey.GetThickness().GetTotal()) *
+         static_cast<double>(facts.GetMedialCells());
+}
+
+double
+GetVolumeOfObject(const JobOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelGrid grid = GetGrid(options, result.input);
+  auto                       volume = static_cast<double>(result.sums.counts.objectVoxels);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    volume *= grid.IsActive(axis) ? grid.GetSpacing()[axis] : 1.0;
+  }
+  return volume;
+}
+
+/** Of plates, shells and real parts, the sheet explains 60 to 110 % of the volume; of rods, balls and solids up to a
+ * third. */
+std::optional<Finding>
+CheckSheets(const WallFacts & facts)
+{
+  constexpr double half = 0.5;
+  if (!facts.ShouldBeMeasured())
+  {
+    return std::nullopt;
+  }
+  const double share = GetVolumeOfWalls(facts) / GetVolumeOfObject(facts.options, facts.result);
+  if (share >= half)
+  {
+    return std::nullopt;
+  }
+  return Finding{ "the sheet explains only " + FormatShare(share) +
+                    " of the object's volume by its area and thickness; rods, balls and thick blocks have no sheet, "
+                    "and the thickness says nothing about them",
+                  { { "explained_percent", 100.0 * share } } };
+}
+
+const std::vector<Rule<WallFacts>> WallRules{ { "no_medial_cells", CheckMedialCells },
+                                              { "beyond_maximum_thickness", CheckMaximumThickness },
+                                              { "few_sheets", CheckSheets } };
+
+} // namespace
+
+std::vector<Warning>
+FindWarningsOfRequest(const ExtractOptions & options, const VolumeHeader & input)
+{
+  std::vector<Warning> warnings;
+  Apply(RequestRules, warnings, options, input);
+  return warnings;
+}
+
+std::vector<Warning>
+FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & input)
+{
+  std::vector<Warning> warnings;
+  Apply(DistanceRequestRules, warnings, options, input);
+  return warnings;
+}
+
+std::vector<Warning>
+FindWarningsOfResult(const ExtractOptions & options, const JobResult & result, const Survey & survey)
+{
+  std::vector<Warning> warnings;
+  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+  Apply(WallRules, warnings, WallFacts{ options, result, survey });
+  return warnings;
+}
+
+std::vector<Warning>
+FindWarningsOfResult(const DistanceOptions & options, const JobResult & result)
+{
+  std::vector<Warning> warnings;
+  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+  return warnings;
+}
+
+void
+TellWarnings(ProgressSink & sink, const std::vector<Warning> & warnings, std::size_t first)
+{
+  for (std::size_t i = first; i < warnings.size(); ++i)
+  {
+    sink.Warn(warnings[i].code, warnings[i].message);
+  }
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OptionEffects.h"
+
+#include "Errors.h"
+#include "SurfaceFormat.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <initializer_list>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** An option and when it has an effect. */
+template <typename TOptions>
+struct OptionEffect
+{
+  const char * option;
+  bool (*hasEffect)(const TOptions &);
+  const char * need;
+};
+
+bool
+IsAnyZarr(std::initializer_list<const std::string *> fileNames)
+{
+  return std::any_of(fileNames.begin(), fileNames.end(), [](const std::string * fileName) {
+    return ToLower(std::filesystem::path(*fileName).extension().string()) == ".zarr";
+  });
+}
+
+bool
+HasSections(const ExtractOptions & options)
+{
+  if (options.meshFile.empty())
+  {
+    return false;
+  }
+  const SurfaceFormat format = GetSurfaceFormat(options.meshFile);
+  return format == SurfaceFormat::Abaqus || format == SurfaceFormat::Nastran;
+}
+
+bool
+IsAutomatic(const ExtractOptions & options)
+{
+  return !options.thickness;
+}
+
+const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
+  { "--minimum-thickness", IsAutomatic, "the thickness auto" },
+  { "--maximum-thickness", IsAutomatic, "the thickness auto" },
+  { "--vector-boundary", [](const ExtractOptions & options) { return !options.vectorFile.empty(); }, "--vectors" },
+  { "--section-width", HasSections, "a mesh that is written as .inp or .bdf" },
+  { "--zarr-compression",
+    [](const ExtractOptions & options) {
+      return IsAnyZarr({ &options.output, &options.vectorFile, &options.distanceFile, &options.thicknessFile });
+    },
+    "an output that is written as .zarr" },
+};
+
+bool
+HasDistance(const DistanceOptions & options)
+{
+  return !options.distanceFile.empty();
+}
+
+const std::vector<OptionEffect<DistanceOptions>> DistanceEffects{
+  { "--squared-distance", HasDistance, "--distance" },
+  { "--inside-positive", HasDistance, "--distance" },
+  { "--zarr-compression",
+    [](const DistanceOptions & options) { return IsAnyZarr({ &options.output, &options.distanceFile }); },
+    "an output that is written as .zarr" },
+};
+
+template <typename TOptions>
+void
+Check(const CLI::App & app, const std::vector<OptionEffect<TOptions>> & effects, const TOptions & options)
+{
+  for (const OptionEffect<TOptions> & effect : effects)
+  {
+    const CLI::Option * const option = app.get_option_no_throw(effect.option);
+    if (option != nullptr && option->count() > 0 && !effect.hasEffect(options))
+    {
+      Fail(ExitStatus::Usage, effect.option, " has no effect here; it needs ", effect.need);
+    }
+  }
+}
+
+} // namespace
+
+void
+CheckOptionEffects(const CommandLine & line)
+{
+  for (const auto & [app, options] :
+       { std::pair<const CLI::App *, const ExtractOptions *>{ line.extract, &line.extractOptions },
+         { line.mesh, &line.meshOptions },
+         { line.plan, &line.planOptions } })
+  {
+    Check(*app, ExtractEffects, *options);
+  }
+  Check(*line.distance, DistanceEffects, line.distanceOptions);
+}
+
+} // end namespace medialvoxel
