@@ -134,9 +134,7 @@ ClusterWorker::DoCluster(std::uint64_t cluster)
   }
   CheckUnchanged(m_Job.manifest.input);
   m_Job.folder.CheckStillOf(m_Job.manifest);
-  const SurveySettings & settings = m_Run.GetSurvey().GetSettings();
-  const bool             hasSurvey = settings.thickness || settings.picture;
-  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, hasSurvey ? m_Run.GetSurvey().Save() : "");
+  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, m_Run.GetSurvey().Save());
   this->RecordCluster(cluster, marker);
 }
 

@@ -3,8 +3,9 @@
 #include "FileIdentity.h"
 
 #include "Errors.h"
-#include "Progress.h"
 #include "Sha256.h"
+
+#include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -30,6 +31,7 @@ ListFiles(const std::filesystem::path & name)
   std::vector<std::filesystem::path> files;
   for (std::filesystem::recursive_directory_iterator entry(name, error), end; !error && entry != end;)
   {
+    itk::MedialVoxelPoll();
     if (!entry->is_directory(error))
     {
       files.push_back(entry->path());
@@ -87,7 +89,7 @@ AddFile(const std::filesystem::path & fileName, Sha256 & hash)
   std::vector<char>     buffer(bufferBytes);
   while (file)
   {
-    ThrowIfSignaled();
+    itk::MedialVoxelPoll();
     file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
     hash.Add(buffer.data(), static_cast<std::uint64_t>(file.gcount()));
   }
@@ -105,6 +107,7 @@ IdentifyFile(const std::filesystem::path & name)
   FileIdentity identity{ name, 0, 0, "" };
   for (const std::filesystem::path & file : ListFiles(name))
   {
+    itk::MedialVoxelPoll();
     const auto [numberOfBytes, modified] = GetSizeAndTime(file);
     identity.numberOfBytes += numberOfBytes;
     identity.modified = std::max(identity.modified, modified);
@@ -128,6 +131,16 @@ CheckUnchanged(const std::vector<FileIdentity> & files)
 {
   for (const FileIdentity & file : files)
   {
+    std::error_code error;
+    if (!std::filesystem::exists(file.fileName, error))
+    {
+      Fail(ExitStatus::Failure,
+           "the input ",
+           std::filesystem::absolute(file.fileName).lexically_normal().string(),
+           " of the job is gone: ",
+           error ? error.message() : "No such file or directory",
+           "; put it back, or plan the job anew where it is now");
+    }
     const FileIdentity now = IdentifyFile(file.fileName);
     if (now.numberOfBytes != file.numberOfBytes)
     {

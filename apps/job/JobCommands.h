@@ -69,7 +69,8 @@ struct WorkResult
 struct FinalizeOptions
 {
   std::string jobFolder;
-  bool        verifies{ true }; ///< read the outputs again and compare their checksums
+  bool        verifies{ true };   ///< read the outputs again and compare their checksums
+  bool        overwrite{ false }; ///< replace existing outputs, also when the plan was not told to
 };
 
 struct FinalizeResult

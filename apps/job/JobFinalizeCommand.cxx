@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "ClusterRange.h"
+#include "DataFile.h"
 #include "ExtractParts.h"
 #include "ExtractRun.h"
 #include "ExtractSummary.h"
@@ -38,6 +39,7 @@ ReadMarkers(const SharedJob & job)
   std::vector<std::uint64_t> missing;
   for (std::uint64_t cluster = 0; cluster < job.manifest.numberOfClusters; ++cluster)
   {
+    itk::MedialVoxelPoll();
     std::optional<ClusterMarker> marker = job.folder.ReadMarker(job.manifest, cluster);
     if (marker)
     {
@@ -77,14 +79,15 @@ AddMarker(JobResult & job, const ClusterMarker & marker)
 class Finalization
 {
 public:
-  Finalization(const SharedJob & shared, ProgressSink & sink)
+  Finalization(const SharedJob & shared, bool overwrite, ProgressSink & sink)
     : m_Shared(shared)
-    , m_Options(shared.manifest.options)
+    , m_Options(WithOverwrite(shared.manifest.options, overwrite))
     , m_Sink(sink)
     , m_Markers(ReadMarkers(shared))
     , m_Job(DescribeExtract(m_Options))
     , m_Survey(m_Job.input.geometry, GetGrid(m_Options, m_Job.input), GetSurveySettings(m_Options))
   {
+    m_Job.otsu = m_Options.lowerIsOtsu ? m_Options.lowerThreshold : std::nullopt;
     m_Job.plan.numberOfSlices = shared.manifest.numberOfSlices;
     m_Job.plan.divisions = shared.manifest.numberOfClusters;
   }
@@ -92,7 +95,8 @@ public:
   JobResult
   Run(bool verifies)
   {
-    const auto start = JobClock::now();
+    const auto        start = JobClock::now();
+    const std::size_t told = m_Job.warnings.size(); // by the plan
     this->OpenOutputs();
     if (verifies)
     {
@@ -107,10 +111,18 @@ public:
     m_Job.seconds.total += SecondsSince(start);
     summary.Write(m_Survey, m_Job);
     this->Publish();
+    TellWarnings(m_Sink, m_Job.warnings, told);
     return std::move(m_Job);
   }
 
 private:
+  static ExtractOptions
+  WithOverwrite(ExtractOptions options, bool overwrite)
+  {
+    options.overwrite = options.overwrite || overwrite;
+    return options;
+  }
+
   /** An interrupted publication left names of ours, which are to be replaced then. */
   void
   OpenOutputs()
@@ -192,18 +204,14 @@ private:
     {
       this->ThrowIfStopRequested();
       AddMarker(m_Job, m_Markers[cluster]);
-      const SurveySettings & settings = m_Survey.GetSettings();
-      if (settings.thickness || settings.picture)
+      const std::optional<std::string> part = m_Shared.folder.ReadSurvey(cluster, m_Markers[cluster]);
+      if (part)
       {
-        const std::optional<std::string> part = m_Shared.folder.ReadSurvey(cluster, m_Markers[cluster]);
-        if (part)
-        {
-          m_Survey.Merge(*part);
-        }
-        else
-        {
-          damaged.push_back(cluster);
-        }
+        m_Survey.Merge(*part);
+      }
+      else
+      {
+        damaged.push_back(cluster);
       }
     }
     this->RefuseDamaged(damaged);
@@ -284,7 +292,8 @@ RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
   {
     WithPipelineErrors([&] {
       sink.Start("medialvoxel", "verifying and publishing");
-      result.job = Finalization(job, sink).Run(options.verifies);
+      const StopListener listener(&sink);
+      result.job = Finalization(job, options.overwrite, sink).Run(options.verifies);
       sink.Finish(result.job->seconds.total);
     });
   }

@@ -117,6 +117,7 @@ JobFolder::ReadManifest() const
          ManifestName,
          "; medialvoxel plan makes one");
   }
+  manifest->folder = FindFolder(*manifest, m_Path);
   return *std::move(manifest);
 }
 
@@ -175,7 +176,12 @@ JobFolder::Create() const
 std::optional<Manifest>
 JobFolder::ReadUnfinishedPlan() const
 {
-  return medialvoxel::ReadManifest(m_Path / PlannedName);
+  std::optional<Manifest> manifest = medialvoxel::ReadManifest(m_Path / PlannedName);
+  if (manifest)
+  {
+    manifest->folder = FindFolder(*manifest, m_Path);
+  }
+  return manifest;
 }
 
 void

@@ -52,7 +52,8 @@ public:
   bool
   IsFinished(const Manifest & manifest) const;
 
-  /** \throw JobError Failure when there is none, or as medialvoxel::ReadManifest() */
+  /** With the folder from which names are meant now. \throw JobError Failure when there is none, or as
+   * medialvoxel::ReadManifest() */
   Manifest
   ReadManifest() const;
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "JobParts.h"
 
+#include "Leftovers.h"
+#include "PackedVolume.h"
 #include "Text.h"
 #include "ZarrVolume.h"
 
@@ -40,7 +42,7 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
            { { "input", header.fileName.string() },
              { "format", header.format },
              { "size", FormatSize(header.geometry.size) },
-             { "type", std::string(GetTraits(header.pixelType).name) },
+             { "type", std::string(GetTraits(header.GetStored().pixelType).name) },
              { "pieces", std::to_string(plan.divisions) },
              { "slices_of_piece", std::to_string(plan.GetMaximumSlices()) },
              { "threads", std::to_string(plan.threads) },
@@ -54,6 +56,18 @@ CheckScratchFolder(const JobOptions & options)
   if (!options.scratchFolder.empty() && !std::filesystem::is_directory(options.scratchFolder, error))
   {
     Fail(ExitStatus::Refused, options.scratchFolder, ": the scratch folder does not exist");
+  }
+}
+
+void
+CheckFormats(const JobOptions & options, const JobResult & job)
+{
+  for (const OutputRequest & output : job.outputs)
+  {
+    if (output.layout)
+    {
+      CheckVolumeFormat(output.fileName, job.input.geometry, *output.layout, options.compress);
+    }
   }
 }
 
@@ -90,8 +104,13 @@ PrepareJob(const JobOptions &                 options,
     result.outputs.push_back({ "log", options.logFile, std::nullopt, true });
   }
   CheckOutputs(result.outputs, result.input, options.overwrite);
+  CheckFormats(options, result);
   CheckScratchFolder(options);
   result.plan = MakePlan(options, result.input, result.outputs, footprint);
+  if (!options.dryRun)
+  {
+    RemoveLeftovers(result.outputs); // before space is taken for the new ones
+  }
   PrepareProcess(result.plan);
   return result;
 }
@@ -145,6 +164,12 @@ AddOutputs(PieceFootprint &                   footprint,
       footprint.bytesBeside += ZarrVolume::GetMemoryBytes(header.geometry, *output.layout, options.zarrCompression);
     }
   }
+  footprint.bytesBeside +=
+    PackedVolume::GetMemoryBytes() *
+    static_cast<std::uint64_t>(
+      std::count_if(candidates.begin(), candidates.end(), [&options](const OutputRequest & output) {
+        return output.layout && !output.fileName.empty() && IsPackedVolume(output.fileName, options.compress);
+      }));
   footprint.preferredSlices = GetSlicesOfLayer(header, candidates);
 }
 

@@ -19,6 +19,10 @@ RefuseOtherJob(ExtractOptions options, const JobFolder & folder)
   {
     options.divisions = std::min(*options.divisions, manifest.GetMostClusters());
   }
+  if (options.lowerIsOtsu && manifest.options.lowerIsOtsu)
+  {
+    options.lowerThreshold = manifest.options.lowerThreshold; // was measured on the same input
+  }
   const std::string difference = FindDifference(WithAbsoluteNames(options, std::filesystem::current_path()),
                                                 WithAbsoluteNames(manifest.options, manifest.folder));
   if (!difference.empty())
@@ -67,7 +71,7 @@ RunResumable(const ExtractOptions & options, const std::string & command, Progre
   {
     RunWork({ name, {}, options.memoryBytes, options.threads }, sink);
     // What this process has just written needs no second look.
-    FinalizeResult result = RunFinalize({ name, continues }, sink);
+    FinalizeResult result = RunFinalize({ name, continues, options.overwrite }, sink);
     folder.RemoveFinished();
     return result;
   }

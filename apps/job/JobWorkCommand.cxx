@@ -36,6 +36,7 @@ bool
 AreDone(const SharedJob & job, const std::vector<std::uint64_t> & clusters)
 {
   return std::all_of(clusters.begin(), clusters.end(), [&job](std::uint64_t cluster) {
+    itk::MedialVoxelPoll();
     return job.folder.ReadMarker(job.manifest, cluster).has_value();
   });
 }
@@ -71,6 +72,7 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
     WithPipelineErrors([&] {
       const JobResult plan = PrepareSharedExtract(GetOptions(job.manifest, options));
       sink.Start("medialvoxel", "extracting medial voxels");
+      const StopListener listener(&sink);
       RecordJob(job, clusters, sink);
       // Volumes whose clusters are done may have got their names.
       result =

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Manifest.h"
 
+#include "FileNames.h"
 #include "Report.h"
 #include "SealedJson.h"
 #include "ZarrMetadata.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 #include <utility>
@@ -16,10 +18,13 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 3;
+constexpr int ManifestFormat = 4;
+
+constexpr const char * OverwriteName = "overwrite";
 
 using FileOption = std::pair<const char *, std::string ExtractOptions::*>;
 using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
+using LimitOption = std::pair<const char *, std::optional<itk::MedialVoxelLimit> ExtractOptions::*>;
 
 const std::array<FileOption, 9> FileOptions{ { { "output", &ExtractOptions::output },
                                                { "input", &ExtractOptions::input },
@@ -31,11 +36,13 @@ const std::array<FileOption, 9> FileOptions{ { { "output", &ExtractOptions::outp
                                                { "html", &ExtractOptions::htmlFile },
                                                { "report", &ExtractOptions::reportFile } } };
 
-const std::array<NumberOption, 5> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
+const std::array<NumberOption, 4> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
                                                    { "minimum_thickness", &ExtractOptions::minimumThickness },
                                                    { "maximum_thickness", &ExtractOptions::maximumThickness },
-                                                   { "lower", &ExtractOptions::lowerThreshold },
-                                                   { "upper", &ExtractOptions::upperThreshold } } };
+                                                   { "resample", &ExtractOptions::resample } } };
+
+const std::array<LimitOption, 2> LimitOptions{ { { "lower", &ExtractOptions::lowerThreshold },
+                                                 { "upper", &ExtractOptions::upperThreshold } } };
 
 constexpr std::array<itk::MedialVoxelPseudoGeodesicBound, 3> Bounds{ { itk::MedialVoxelPseudoGeodesicBound::FreeSpace,
                                                                        itk::MedialVoxelPseudoGeodesicBound::Paper,
@@ -97,6 +104,21 @@ RawFromJson(const Json & json)
   return raw;
 }
 
+std::optional<LabelValue>
+LabelFromJson(const Json & json)
+{
+  if (json.is_null())
+  {
+    return std::nullopt;
+  }
+  const std::optional<LabelValue> label = ParseLabel(json.get<std::string>());
+  if (!label)
+  {
+    throw std::invalid_argument("it has the unknown label " + json.dump());
+  }
+  return label;
+}
+
 Json
 OptionsToJson(const ExtractOptions & options)
 {
@@ -109,13 +131,20 @@ OptionsToJson(const ExtractOptions & options)
   {
     json[name] = NumberToJson(options.*member);
   }
+  for (const auto & [name, member] : LimitOptions)
+  {
+    json[name] = LimitToJson(options.*member);
+  }
   json["maximum_pore_size"] = OptionalToJson(options.maximumPoreSize);
   json["bound"] = GetName(options.bound);
   json["vector_boundary"] = GetName(options.vectorBoundary);
   json["zarr_compression"] = GetName(options.zarrCompression);
+  json["lower_otsu"] = options.lowerIsOtsu;
+  json["label"] = options.label ? Json(FormatLabel(*options.label)) : Json(nullptr);
   json["voxel_units"] = options.voxelUnits;
   json["sub_voxel"] = options.subVoxel;
-  json["overwrite"] = options.overwrite;
+  json[OverwriteName] = options.overwrite;
+  json["spacing"] = options.spacing;
   json["raw"] = RawToJson(options.raw);
   return json;
 }
@@ -132,13 +161,20 @@ OptionsFromJson(const Json & json)
   {
     options.*member = NumberFromJson(json.at(name));
   }
+  for (const auto & [name, member] : LimitOptions)
+  {
+    options.*member = LimitFromJson(json.at(name));
+  }
   ReadWhole(json.at("maximum_pore_size"), options.maximumPoreSize);
   options.bound = EnumFromJson(json.at("bound"), Bounds);
   options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
   options.zarrCompression = EnumFromJson(json.at("zarr_compression"), Compressions);
+  json.at("lower_otsu").get_to(options.lowerIsOtsu);
+  options.label = LabelFromJson(json.at("label"));
   json.at("voxel_units").get_to(options.voxelUnits);
   json.at("sub_voxel").get_to(options.subVoxel);
-  json.at("overwrite").get_to(options.overwrite);
+  json.at(OverwriteName).get_to(options.overwrite);
+  json.at("spacing").get_to(options.spacing);
   options.raw = RawFromJson(json.at("raw"));
   return options;
 }
@@ -179,6 +215,7 @@ FromJson(const Json & json)
   json.at("version").get_to(manifest.version);
   json.at("job").get_to(manifest.jobId);
   manifest.folder = json.at("folder").get<std::string>();
+  manifest.fromJob = json.at("folder_from_job").get<std::string>();
   manifest.options = OptionsFromJson(json.at("parameters"));
   ReadWhole(json.at("run").at("memory_bytes"), manifest.options.memoryBytes);
   ReadWhole(json.at("run").at("threads"), manifest.options.threads);
@@ -196,6 +233,22 @@ FromJson(const Json & json)
     throw std::invalid_argument("its identity or its clusters are out of range");
   }
   return manifest;
+}
+
+/** True when a volume of the job is in its folder under its temporary name, which no other job gives. */
+bool
+HasVolumes(const Manifest & manifest, const std::filesystem::path & folder)
+{
+  const std::string              suffix = manifest.GetSuffix();
+  const std::vector<std::string> volumes = ListVolumeNames(WithAbsoluteNames(manifest.options, folder));
+  return std::any_of(volumes.begin(), volumes.end(), [&suffix](const std::filesystem::path & volume) {
+    std::error_code                           error;
+    const std::filesystem::directory_iterator entries(FolderOf(FollowLinks(volume)), error);
+    return !error && std::any_of(begin(entries), end(entries), [&suffix](const auto & entry) {
+      const std::string name = entry.path().filename().string();
+      return name.size() > suffix.size() && name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0;
+    });
+  });
 }
 
 } // namespace
@@ -230,6 +283,7 @@ WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest)
   json["version"] = manifest.version;
   json["job"] = manifest.jobId;
   json["folder"] = manifest.folder.string();
+  json["folder_from_job"] = manifest.fromJob.string();
   json["parameters"] = OptionsToJson(manifest.options);
   json["run"] = { { "memory_bytes", OptionalToJson(manifest.options.memoryBytes) },
                   { "threads", OptionalToJson(manifest.options.threads) } };
@@ -273,6 +327,25 @@ ReadManifest(const std::filesystem::path & fileName)
   }
 }
 
+std::filesystem::path
+FindFolder(const Manifest & manifest, const std::filesystem::path & jobFolder)
+{
+  std::error_code             error;
+  const std::filesystem::path now = std::filesystem::weakly_canonical(jobFolder, error);
+  const std::filesystem::path beside = (now / manifest.fromJob).lexically_normal();
+  if (error || manifest.fromJob.empty() || std::filesystem::equivalent(beside, manifest.folder, error))
+  {
+    return manifest.folder;
+  }
+  if (HasVolumes(manifest, beside))
+  {
+    return beside;
+  }
+  // A job that is finished has no temporary names.
+  const bool isGone = !std::filesystem::is_directory(manifest.folder, error);
+  return isGone && std::filesystem::exists(beside / manifest.options.output, error) ? beside : manifest.folder;
+}
+
 std::vector<std::string>
 ListVolumeNames(const ExtractOptions & options)
 {
@@ -293,6 +366,10 @@ WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder)
   for (const auto & option : FileOptions)
   {
     std::string & name = options.*option.second;
+    if (option.second == &ExtractOptions::reportFile && name == StandardOutput)
+    {
+      continue;
+    }
     name = name.empty() ? "" : (folder / name).lexically_normal().string();
   }
   return options;
@@ -307,7 +384,7 @@ FindDifference(const ExtractOptions & wanted, const ExtractOptions & present)
   const auto show = [](const Json & value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); };
   for (const auto & [name, value] : a.items())
   {
-    if (value != b.at(name))
+    if (name != OverwriteName && value != b.at(name))
     {
       return name + " is " + show(value) + ", not " + show(b.at(name));
     }

@@ -21,6 +21,7 @@ struct Manifest
   std::string           version; ///< of the program
   std::string           jobId;   ///< 16 hexadecimal digits that no other job has
   std::filesystem::path folder;  ///< absolute; relative names of files are meant from here
+  std::filesystem::path fromJob; ///< the way to it from the job folder, which holds when both were moved
   ExtractOptions        options; ///< names of files as they were given
 
   std::vector<FileIdentity> input; ///< all files of the volume
@@ -58,6 +59,12 @@ WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest)
 std::optional<Manifest>
 ReadManifest(const std::filesystem::path & fileName);
 
+/** The folder from which the names of the files are meant now. The outputs tell it when the job folder was moved, or
+ * has another name on this machine.
+ * \param jobFolder in which the manifest is */
+std::filesystem::path
+FindFolder(const Manifest & manifest, const std::filesystem::path & jobFolder);
+
 /** Names of the volumes that the options ask for, as they were given. */
 std::vector<std::string>
 ListVolumeNames(const ExtractOptions & options);
@@ -66,8 +73,8 @@ ListVolumeNames(const ExtractOptions & options);
 ExtractOptions
 WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder);
 
-/** The first parameter in which two jobs differ, and its values, as "lower is 72, not 70"; empty: none. Threads and
- * memory, which change no byte, may differ; divisions only count when \a wanted has them. */
+/** The first parameter in which two jobs differ, and its values, as "lower is 72, not 70"; empty: none. Threads,
+ * memory and overwriting, which change no byte, may differ; divisions only count when \a wanted has them. */
 std::string
 FindDifference(const ExtractOptions & wanted, const ExtractOptions & present);
 

@@ -4,6 +4,7 @@
 
 #include "BitStore.h"
 #include "FreeMemory.h"
+#include "Resampling.h"
 #include "Text.h"
 
 #include "itkMultiThreaderBase.h"
@@ -44,6 +45,19 @@ struct Request
   const PieceFootprint & footprint;
 };
 
+/** The slices of the file that those of a pull lie between, or two slices of a mask. */
+std::uint64_t
+EstimateResampling(const VolumeHeader & header)
+{
+  if (!header.CanStream())
+  {
+    return SliceResampler::GetBytes(header) + BytesPerPull;
+  }
+  const VolumeHeader & stored = *header.stored;
+  const std::uint64_t  bytesPerSlice = stored.geometry.GetVoxelsPerSlice() * GetTraits(stored.pixelType).bytes;
+  return BytesPerPull + 3 * bytesPerSlice;
+}
+
 /** Memory that depends neither on pieces nor on slabs. */
 std::uint64_t
 EstimateFixedMemory(const JobPlan & plan, const Request & request)
@@ -54,10 +68,11 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t  voxels = header.geometry.GetNumberOfVoxels();
   const std::uint64_t  pull = std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
+  const std::uint64_t  resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
   const std::uint64_t  writing = plan.writesBehind ? BytesOfWriting : 0;
   return BytesOfProgram + BytesPerThread * plan.threads + writing + std::min(pull, voxels * bytesPerVoxel) + mask +
-         unpacking + request.footprint.bytesBeside;
+         unpacking + resampling + request.footprint.bytesBeside;
 }
 
 itk::MedialVoxelClusterEngine
@@ -192,12 +207,13 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
 {
   const Request       request{ options, header, footprint };
   const std::uint64_t free = options.memoryBytes ? 0 : GetFreeMemory();
+  const std::uint64_t wanted = options.memoryBytes.value_or(free == NoMemoryLimit ? NoMemoryLimit : free / 2);
   JobPlan             plan;
   plan.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   plan.numberOfSlices = header.geometry.size.back();
   plan.bytesPerSlice = header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
   plan.numberOfFilters = footprint.engines.size();
-  plan.memoryLimit = options.memoryBytes.value_or(free == NoMemoryLimit ? NoMemoryLimit : free / 2);
+  plan.memoryLimit = std::min(wanted, GetRestOfLimits());
   if (TryScratch(plan, request))
   {
     return plan;

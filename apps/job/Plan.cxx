@@ -33,7 +33,8 @@ GetFolder(const std::filesystem::path & fileName)
 bool
 IsReserved(const JobOptions & options, const OutputRequest & output)
 {
-  return !options.sparse && (!IsZarrOutput(output) || options.zarrCompression == ZarrCompression::None);
+  const bool isPacked = output.layout && IsPackedVolume(output.fileName, options.compress);
+  return !options.sparse && !isPacked && (!IsZarrOutput(output) || options.zarrCompression == ZarrCompression::None);
 }
 
 /** Outputs and scratch files on one disk share its free space. */
@@ -162,14 +163,20 @@ DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vecto
 }
 
 TextTable
-DescribeHeader(const VolumeHeader & header)
+DescribeHeader(const VolumeHeader & seen)
 {
-  TextTable table;
+  const VolumeHeader &         header = seen.GetStored();
+  const VolumeGeometry * const resampled = seen.stored ? &seen.geometry : nullptr;
+  TextTable                    table;
   table.emplace_back("file", header.fileName.string());
   table.emplace_back("format", header.format);
   table.emplace_back("size", FormatSize(header.geometry.size));
   table.emplace_back("spacing", FormatNumbers(header.geometry.spacing, " x "));
   table.emplace_back("origin", FormatNumbers(header.geometry.origin, ", "));
+  if (resampled)
+  {
+    table.emplace_back("resampled", FormatSize(resampled->size) + " at " + FormatNumbers(resampled->spacing, " x "));
+  }
   table.emplace_back("type", std::string(GetTraits(header.pixelType).name));
   table.emplace_back("voxels", std::to_string(header.geometry.GetNumberOfVoxels()));
   table.emplace_back("bytes",

@@ -115,4 +115,26 @@ NumberFromJson(const Json & value)
   return value.is_string() ? ParseDouble(value.get<std::string>()) : value.get<double>();
 }
 
+Json
+LimitToJson(const std::optional<itk::MedialVoxelLimit> & limit)
+{
+  if (limit && !limit->IsDouble())
+  {
+    return limit->GetWhole() ? Json(*limit->GetWhole()) : Json(*limit->GetNegative());
+  }
+  return NumberToJson(limit ? std::optional<double>(limit->GetNearestDouble()) : std::nullopt);
+}
+
+std::optional<itk::MedialVoxelLimit>
+LimitFromJson(const Json & value)
+{
+  if (!value.is_number_integer())
+  {
+    const std::optional<double> number = NumberFromJson(value);
+    return number ? std::optional<itk::MedialVoxelLimit>(*number) : std::nullopt;
+  }
+  return value.is_number_unsigned() ? itk::MedialVoxelLimit(value.get<std::uint64_t>())
+                                    : itk::MedialVoxelLimit(value.get<std::int64_t>());
+}
+
 } // end namespace medialvoxel

@@ -34,7 +34,11 @@ OpenSharedJob(const std::string & jobFolder)
            job.manifest.folder.string(),
            ", from which the names of the job's files are meant: ",
            error.message(),
-           "; plan the job with absolute names");
+           "; move the job folder ",
+           folder.GetPath().string(),
+           " together with the folder of its outputs, whose names end with ",
+           job.manifest.GetSuffix(),
+           ", or plan the job with absolute names");
     }
   }
   if (!folder.IsFinished(job.manifest))

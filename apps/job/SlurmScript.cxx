@@ -128,7 +128,7 @@ std::unique_ptr<OutputFile>
 WriteSlurmScript(const SlurmArray & array, bool overwrite)
 {
   auto file = std::make_unique<OutputFile>(array.script, overwrite);
-  file->Create(0, false);
+  file->CreateNamed(0, false);
   WriteText(*file, MakeSlurmScript(array));
   return file;
 }

@@ -269,6 +269,8 @@ TEST(Manifest, NamesTheDifference)
   wanted.memoryBytes.reset();
   wanted.threads = 3;
   EXPECT_EQ(FindDifference(wanted, present), "");
+  wanted.overwrite = !present.overwrite;
+  EXPECT_EQ(FindDifference(wanted, present), "");
   wanted.divisions = 3;
   EXPECT_EQ(FindDifference(wanted, present), "divisions is 3, not null");
 }

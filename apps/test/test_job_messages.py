@@ -5,11 +5,12 @@
 import contextlib
 import fcntl
 import os
+import shutil
 import subprocess
 import unittest
 
 import volumes
-from jobs import JobTestCase
+from jobs import JobTestCase, results
 from program import FAILURE, PROGRAM, REFUSED, USAGE
 from test_identity import rough_shell
 
@@ -56,7 +57,6 @@ class JobMessageTest(JobTestCase):
         for options, difference in (
             (["--lower", 72], "lower is 72.0, not null"),
             (["--vectors", "v.mha"], f'vectors is "{self.target}/v.mha", not ""'),
-            (["--overwrite"], "overwrite is true, not false"),
         ):
             part = f"out.mha.job is of a job with other options: {difference}; remove the folder, and the files"
             self.assert_message(part, *command, *options, status=REFUSED)
@@ -66,6 +66,24 @@ class JobMessageTest(JobTestCase):
         self.assertIn(b"of a job with other options: vectors is", result.stderr)
         self.in_target(*command)
         self.assertEqual([path.name for path in self.target.iterdir()], ["out.mha"])
+
+    def test_output_that_came_up_can_be_replaced(self):
+        """The message names an option that the command has."""
+        expected = self.expect("extract", "../in.mha", "out.mha", "--thickness", 2)
+        self.in_target(*PLAN)
+        self.in_target("work", "job")
+        (self.target / "out.mha").write_text("of another program")
+        self.assert_message("it is replaced only with --overwrite", "finalize", "job", status=REFUSED)
+        self.in_target("finalize", "job", "--overwrite")
+        self.assertEqual((self.target / "out.mha").read_bytes(), expected["out.mha"])
+
+    def test_resume_replaces_an_output_that_came_up(self):
+        command = ["extract", *PLAN[1:3], *PLAN[4:], "--resume"]
+        self.in_target(*PLAN[:3], "out.mha.job", *PLAN[4:])
+        (self.target / "out.mha").write_text("of another program")
+        self.assert_message("it is replaced only with --overwrite", *command, status=REFUSED)
+        self.in_target(*command, "--overwrite")
+        self.assertGreater((self.target / "out.mha").stat().st_size, 1000)
 
     def test_names_that_are_not_text(self):
         raw = [PROGRAM, "plan", "../in.mha", b"\xff.mha", "job"]
@@ -81,6 +99,62 @@ class JobMessageTest(JobTestCase):
         result = self.run_program("work", "job", status=FAILURE)
         self.assertIn("from which the names of the job's files are meant: No such file", result.stderr)
         self.assertIn("plan the job with absolute names", result.stderr)
+
+    def move(self, copies=False):
+        """Moves or copies input, outputs and job folder; the copy becomes the folder of the test."""
+        moved = self.folder / "elsewhere"
+        moved.mkdir()
+        for path in (self.folder / "in.mha", self.target):
+            if path.is_dir():
+                shutil.copytree(path, moved / path.name)
+            else:
+                shutil.copy2(path, moved)
+            if not copies:
+                path.rename(self.folder / f"gone-{path.name}")
+        old, self.target = self.target, moved / "target"
+        self.job = self.target / "job"
+        return old
+
+    def test_job_that_was_moved_goes_on(self):
+        expected = self.expect("extract", "../in.mha", "out.mhd", "--thickness", 2, "--vectors", "v.zarr")
+        plan = ["plan", "../in.mha", "out.mhd", "job", "--thickness", 2, "--divisions", 3, "--vectors", "v.zarr"]
+        self.in_target(*plan)
+        self.in_target("work", "job", "--clusters", 1)
+        self.move()
+        self.assertIn("clusters skipped  1", self.in_target("work", "job").stdout)
+        self.run_program("finalize", self.job)
+        self.in_target("finalize", "job")
+        found = {name: data for name, data in results(self.target).items() if not name.startswith("job/")}
+        self.assertEqual(found, expected)
+
+    def test_copy_of_a_job_leaves_the_first_one_alone(self):
+        self.in_target(*PLAN)
+        old = self.move(copies=True)
+        self.in_target("work", "job")
+        self.in_target("finalize", "job")
+        self.assertFalse((old / "out.mha").exists())
+        self.assertEqual(list((old / "job/clusters").iterdir()), [])
+
+    def test_resume_goes_on_after_a_move(self):
+        self.in_target(*PLAN[:3], "out.mha.job", *PLAN[4:])
+        self.in_target("work", "out.mha.job", "--clusters", 0)
+        self.move()
+        self.in_target("extract", *PLAN[1:3], *PLAN[4:], "--resume")
+        self.assertEqual([path.name for path in self.target.iterdir()], ["out.mha"])
+
+    def test_job_folder_alone_may_be_moved(self):
+        self.in_target(*PLAN)
+        self.job.rename(self.folder / "job")
+        self.run_program("work", "job")
+        self.run_program("finalize", "job")
+        self.assertTrue((self.target / "out.mha").exists())
+
+    def test_input_that_was_moved(self):
+        self.in_target(*PLAN)
+        (self.folder / "in.mha").rename(self.folder / "other.mha")
+        message = self.in_target("work", "job", status=FAILURE).stderr
+        self.assertIn(f"the input {self.folder}/in.mha of the job is gone", message)
+        self.assertIn("put it back, or plan the job anew", message)
 
     def test_output_is_a_link_that_leads_elsewhere_now(self):
         (self.target / "a").mkdir()

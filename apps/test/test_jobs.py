@@ -64,12 +64,22 @@ class SmallJobTest(JobTestCase):
             self.assertEqual(self.status()["clusters"], min(clusters, 33))
             self.clear_target()
 
-    def test_without_a_survey_there_are_no_parts(self):
+    def test_at_least_sixteen_clusters_where_slices_allow(self):
+        for slices, least in ((17, 1), (32, 2), (128, 8), (256, 16), (530, 16), (1000, 16)):
+            volumes.write_raw(self.folder / "flat.raw", volumes.Volume((8, 8, slices), [0, 1] * 32 * slices))
+            raw = ["--raw-size", f"8,8,{slices}", "--raw-type", "uint8"]
+            for thickness in ("auto", 3):
+                plan = ["plan", "../flat.raw", "flat.mha", "flat", "--thickness", thickness, *raw, "--dry-run"]
+                clusters = int(re.search(r"^pieces +(\d+) of", self.in_target(*plan).stdout, re.MULTILINE)[1])
+                self.assertGreaterEqual(clusters, least, (slices, thickness))
+                self.assertLessEqual(clusters, -(-slices // 16), (slices, thickness))
+
+    def test_thickness_of_the_table_is_surveyed_without_a_report(self):
         options = ["--thickness", 2]
         expected = self.expected(*options)
         self.plan(*options)
         self.in_target("work", "job")
-        self.assertFalse(list(self.job.rglob("*.survey")))
+        self.assertTrue(list(self.job.rglob("*.survey")))
         self.assert_finished(expected)
 
     def test_values_that_are_no_numbers_are_counted_once(self):
@@ -119,13 +129,13 @@ class SmallJobTest(JobTestCase):
         raw = "--raw-size 40,36,33 --raw-type uint8 --raw-spacing 1,2,3 --raw-header 5 --raw-big-endian"
         values = {
             "--thickness": 2, "--minimum-thickness": 2, "--maximum-thickness": 7, "--max-pore-size": 3,
-            "--voxel-units": None, "--bound": "off", "--lower": 1, "--upper": 1, "--vectors": "v.mha",
+            "--voxel-units": None, "--bound": "off", "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
             "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
-            "--overwrite": None, "--zarr-compression": "none",
+            "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75,
         }  # fmt: skip
         of_raw = {word for word in raw.split() if word.startswith("--")}
-        self.assertEqual(set(re.findall(r"^  (--[a-z-]+)", help_text, re.MULTILINE)), of_run | of_raw | set(values))
+        self.assertEqual(set(re.findall(r"^  (--[a-z-]+)", help_text, re.MULTILINE)), of_run | (of_raw - {"--raw-spacing"}) | set(values))
 
         def parameters(source, *options):
             self.in_target("plan", source, "out.mha", "job", *options)
@@ -135,7 +145,11 @@ class SmallJobTest(JobTestCase):
 
         plain = parameters("../in.mha")
         for option, value in values.items():
-            needed = ["--lower", 50] if option == "--sub-voxel" else []
+            needed = {
+                "--sub-voxel": ["--lower", 50],
+                "--vector-boundary": ["--vectors", "v.mha"],
+                "--zarr-compression": ["--distance", "d.zarr"],
+            }.get(option, [])
             before = parameters("../in.mha", *needed) if needed else plain
             found = parameters("../in.mha", option, *([] if value is None else [value]), *needed)
             self.assertEqual(len([name for name in found if found[name] != before[name]]), 1, option)
