@@ -31,7 +31,7 @@ public:
   void
   Label(const MedialVoxelBits & boundary, const MedialVoxelBox & box);
 
-  /** True when a path inside the box joins two boundary points of the box. */
+  /** True when a path inside the box joins two boundary points of it. \throw std::out_of_range for other points. */
   bool
   AreConnected(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
   {

@@ -68,11 +68,11 @@ namespace itk
  * image is the input's. All outputs always have the same requested region.
  *
  * \par Thickness
- * GenerateThicknessOn() adds an output, GetThicknessOutput(): at medial cells the thickness of the wall, zero
- * elsewhere. The geometry of this image is that of the labels. MedialVoxelThickness tells how it is measured: walls
- * parallel to an axis exactly, other walls of 2 voxels or more with a mean error of less than 0.2 voxels, 0.4 at 45
- * degrees to two axes. SubvoxelThicknessOn() measures it on the gray values that the thresholds cut the object from, as
- * MedialVoxelGrayThickness tells: walls of 3 voxels or more with a mean error of less than 0.06 voxels.
+ * GenerateThicknessOn() adds an output, GetThicknessOutput(): at medial cells the thickness of the wall, at rims the
+ * negative of what is measured there, zero elsewhere. The geometry of this image is that of the labels.
+ * MedialVoxelThickness tells how it is measured: walls parallel to an axis exactly, others to a layer of voxels.
+ * SubvoxelThicknessOn() measures it on the gray values that the thresholds cut the object from, as
+ * MedialVoxelGrayThickness tells. doc/thickness.md has the errors.
  *
  * \par Departures from the paper
  * - The boundary is the background border: background voxels with an object voxel among their 3^D-1 neighbors. Walls of
@@ -130,7 +130,8 @@ public:
   /** Thickness tau of the walls that are sheets, which sets the threshold epsilon = pi tau / 2 on the geodesic
    * distance.
    *
-   * In physical units when UseImageSpacing is on, otherwise in voxels. Positive and finite; default 3. A larger value
+   * In physical units when UseImageSpacing is on, otherwise in voxels. Positive and finite; default 3. Where the
+   * largest spacing is more than 4 times the smallest, it counts as at least the largest. A larger value
    * removes branches and shrinks the sheet at its rims. Used when ThicknessMode is Fixed. */
   itkSetMacro(Thickness, double);
   itkGetConstMacro(Thickness, double);
@@ -200,8 +201,8 @@ public:
   itkGetConstMacro(SubvoxelThickness, bool);
   itkBooleanMacro(SubvoxelThickness);
 
-  /** Thickness of the walls at medial cells, physical when UseImageSpacing is on, otherwise in voxels; zero elsewhere.
-   * Null unless GenerateThickness is on. */
+  /** Thickness of the walls at medial cells, physical when UseImageSpacing is on, otherwise in voxels; negative at
+   * rims, zero elsewhere. Null unless GenerateThickness is on. */
   ThicknessImageType *
   GetThicknessOutput();
   const ThicknessImageType *

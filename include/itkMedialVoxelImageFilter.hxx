@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelImageFilter_hxx
 #define itkMedialVoxelImageFilter_hxx
 
+#include "itkMedialVoxelLimits.h"
 #include "itkNumericTraits.h"
 
 #include <algorithm>
@@ -143,13 +144,14 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("Thickness is " << m_Thickness << "; it must be positive and finite.");
   }
-  if (!(m_MinimumThickness >= 0.0) || !std::isfinite(m_MinimumThickness))
+  constexpr double largest = MedialVoxelLimits::LargestLength;
+  if (!(m_MinimumThickness >= 0.0 && m_MinimumThickness <= largest))
   {
-    itkExceptionMacro("MinimumThickness is " << m_MinimumThickness << "; it must not be negative, and finite.");
+    itkExceptionMacro("MinimumThickness is " << m_MinimumThickness << "; it must be from 0 to " << largest << '.');
   }
-  if (!(m_MaximumThickness >= 0.0) || !std::isfinite(m_MaximumThickness))
+  if (!(m_MaximumThickness >= 0.0 && m_MaximumThickness <= largest))
   {
-    itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must not be negative, and finite.");
+    itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must be from 0 to " << largest << '.');
   }
   if (this->GetMaximumPoreSize() > MedialVoxelSmallComponents::LargestMaximumSize)
   {
@@ -175,6 +177,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   }
   const MedialVoxelGrid grid = this->GetGrid();
   this->GetParameters(grid);
+  if (const std::string inaccuracy = MedialVoxelLimits::FindInaccuracy(grid); !inaccuracy.empty())
+  {
+    itkWarningMacro(<< "The spacing of the input is unequal: " << inaccuracy << ". Resample it to equal spacing.");
+  }
   typename TInputImage::SpacingType::VectorType shift;
   for (unsigned int axis = 0; axis < ImageDimension; ++axis)
   {
@@ -214,7 +220,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetParameters(const MedialVox
                                              << limits.maximum << '.');
   }
   auto parameters = m_ThicknessMode == ThicknessModeEnum::Fixed
-                      ? MedialVoxelParameters::ForThickness(m_Thickness, m_PseudoGeodesicBound)
+                      ? MedialVoxelParameters::ForThickness(
+                          std::max(m_Thickness, MedialVoxelLimits::LeastThickness(grid)), m_PseudoGeodesicBound)
                       : MedialVoxelParameters::ForWalls(limits.minimum, limits.maximum, m_PseudoGeodesicBound);
   parameters.maximumPoreSize = this->GetMaximumPoreSize();
   return parameters;
@@ -410,7 +417,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteThickness(const MedialVo
       {
         offset += (cell[axis] - tile.lower[axis]) * strides[axis];
       }
-      first[offset] = wall.thickness;
+      first[offset] = wall.GetMarkedThickness();
     });
 }
 

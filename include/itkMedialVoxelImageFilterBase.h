@@ -6,6 +6,7 @@
 #include "itkMedialVoxelClusterEngine.h"
 #include "itkMedialVoxelDisplacementWriter.h"
 #include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelProgress.h"
@@ -14,6 +15,7 @@
 
 #include <limits>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace itk
@@ -35,7 +37,8 @@ namespace itk
  * \par Object
  * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
  * UpperThreshold makes object of the voxels with LowerThreshold <= value <= UpperThreshold. Thresholds are real numbers
- * and compared as such: 72.5 on an integer image means at least 73. NaN is never object. Outside the image nothing is
+ * and compared as such: 72.5 on an integer image means at least 73. A threshold that is given as an integer is exact
+ * for all 64 bits; the getters return the nearest double. NaN is never object. Outside the image nothing is
  * known: the end of the image is no boundary.
  *
  * \par Memory
@@ -79,14 +82,51 @@ public:
   /** Smallest value of an object voxel. Default minus infinity; not NaN, not above UpperThreshold. */
   virtual void
   SetLowerThreshold(double threshold);
-  itkGetConstMacro(LowerThreshold, double);
+#ifndef ITK_WRAPPING_PARSER
+  virtual void
+  SetLowerThreshold(const MedialVoxelLimit & threshold);
+  template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
+  void
+  SetLowerThreshold(const TInteger threshold)
+  {
+    this->SetLowerThreshold(MedialVoxelLimit(threshold));
+  }
+#endif
+  double
+  GetLowerThreshold() const
+  {
+    return m_LowerThreshold.GetNearestDouble();
+  }
 
   /** Largest value of an object voxel. Default infinity; not NaN, not below LowerThreshold. */
   virtual void
   SetUpperThreshold(double threshold);
-  itkGetConstMacro(UpperThreshold, double);
+#ifndef ITK_WRAPPING_PARSER
+  virtual void
+  SetUpperThreshold(const MedialVoxelLimit & threshold);
+  template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
+  void
+  SetUpperThreshold(const TInteger threshold)
+  {
+    this->SetUpperThreshold(MedialVoxelLimit(threshold));
+  }
+#endif
+  double
+  GetUpperThreshold() const
+  {
+    return m_UpperThreshold.GetNearestDouble();
+  }
 
-  /** Return to BackgroundValue after a threshold was set. */
+  /** Make object of the voxels with exactly this value, also one of 64 bits, as of a label map. Replaces thresholds,
+   * and is replaced by them. */
+  virtual void
+  SetObjectValue(InputPixelType value);
+  itkGetConstMacro(ObjectValue, InputPixelType);
+
+  /** True when ObjectValue says what is object. Default false. */
+  itkGetConstMacro(UseObjectValue, bool);
+
+  /** Return to BackgroundValue after a threshold or ObjectValue was set. */
   virtual void
   UnsetThresholds();
 
@@ -250,14 +290,16 @@ private:
   PredicateType
   GetPredicate() const;
 
-  InputPixelType m_BackgroundValue{};
-  double         m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
-  double         m_UpperThreshold{ std::numeric_limits<double>::infinity() };
-  bool           m_UseThresholds{ false };
-  bool           m_UseImageSpacing{ true };
-  unsigned int   m_TileSize{ 0 };
-  unsigned int   m_SlabThickness{ 0 };
-  SizeValueType  m_WorkingMemoryLimit{ 0 };
+  InputPixelType   m_BackgroundValue{};
+  MedialVoxelLimit m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
+  MedialVoxelLimit m_UpperThreshold{ std::numeric_limits<double>::infinity() };
+  bool             m_UseThresholds{ false };
+  InputPixelType   m_ObjectValue{};
+  bool             m_UseObjectValue{ false };
+  bool             m_UseImageSpacing{ true };
+  unsigned int     m_TileSize{ 0 };
+  unsigned int     m_SlabThickness{ 0 };
+  SizeValueType    m_WorkingMemoryLimit{ 0 };
 
   SizeValueType m_NumberOfNotANumberVoxels{ 0 };
   SizeValueType m_NumberOfRecomputedVoxels{ 0 };

@@ -6,6 +6,7 @@
 #include "itkMedialVoxelImageFilterExecution.hxx"
 
 #include "itkMath.h"
+#include "itkMedialVoxelLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +26,15 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetLowerThreshold(const double threshold)
 {
-  if (!m_UseThresholds || !Math::ExactlyEquals(m_LowerThreshold, threshold))
+  this->SetLowerThreshold(MedialVoxelLimit(threshold));
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetLowerThreshold(const MedialVoxelLimit & threshold)
+{
+  m_UseObjectValue = false;
+  if (!m_UseThresholds || m_LowerThreshold != threshold)
   {
     m_UseThresholds = true;
     m_LowerThreshold = threshold;
@@ -37,7 +46,15 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetUpperThreshold(const double threshold)
 {
-  if (!m_UseThresholds || !Math::ExactlyEquals(m_UpperThreshold, threshold))
+  this->SetUpperThreshold(MedialVoxelLimit(threshold));
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetUpperThreshold(const MedialVoxelLimit & threshold)
+{
+  m_UseObjectValue = false;
+  if (!m_UseThresholds || m_UpperThreshold != threshold)
   {
     m_UseThresholds = true;
     m_UpperThreshold = threshold;
@@ -47,11 +64,25 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetUpperThreshold(const d
 
 template <typename TInputImage, typename TOutputImage>
 void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetObjectValue(const InputPixelType value)
+{
+  if (!m_UseObjectValue || !Math::ExactlyEquals(m_ObjectValue, value))
+  {
+    this->UnsetThresholds();
+    m_UseObjectValue = true;
+    m_ObjectValue = value;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::UnsetThresholds()
 {
-  if (m_UseThresholds)
+  if (m_UseThresholds || m_UseObjectValue)
   {
     m_UseThresholds = false;
+    m_UseObjectValue = false;
     m_LowerThreshold = -std::numeric_limits<double>::infinity();
     m_UpperThreshold = std::numeric_limits<double>::infinity();
     this->Modified();
@@ -71,9 +102,9 @@ void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_CONST
 {
   Superclass::VerifyPreconditions();
-  if (std::isnan(m_LowerThreshold) || std::isnan(m_UpperThreshold) || m_LowerThreshold > m_UpperThreshold)
+  if (m_LowerThreshold.IsNotANumber() || m_UpperThreshold.IsNotANumber() || m_LowerThreshold.IsAbove(m_UpperThreshold))
   {
-    itkExceptionMacro("The thresholds are " << m_LowerThreshold << " and " << m_UpperThreshold
+    itkExceptionMacro("The thresholds are " << m_LowerThreshold.Format() << " and " << m_UpperThreshold.Format()
                                             << "; they must be numbers, the lower one not above the upper one.");
   }
 }
@@ -84,20 +115,19 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyInputInformation() 
 {
   Superclass::VerifyInputInformation();
   const InputImageType * const input = this->GetInput();
-  const SizeValueType          largestSize = std::numeric_limits<std::int32_t>::max();
+  std::vector<std::uint64_t>   size;
+  std::vector<double>          spacing;
+  std::vector<double>          origin;
   for (unsigned int axis = 0; axis < ImageDimension; ++axis)
   {
-    const double spacing = input->GetSpacing()[axis];
-    if (!(spacing > 0.0) || !std::isfinite(spacing))
-    {
-      itkExceptionMacro("The spacing along axis " << axis << " is " << spacing << "; it must be positive and finite.");
-    }
-    const SizeValueType size = input->GetLargestPossibleRegion().GetSize(axis);
-    if (size > largestSize)
-    {
-      itkExceptionMacro("The size along axis " << axis << " is " << size << "; it must not exceed " << largestSize
-                                               << '.');
-    }
+    size.push_back(input->GetLargestPossibleRegion().GetSize(axis));
+    spacing.push_back(input->GetSpacing()[axis]);
+    origin.push_back(input->GetOrigin()[axis]);
+  }
+  const std::string problem = MedialVoxelLimits::FindProblem(size, spacing, origin);
+  if (!problem.empty())
+  {
+    itkExceptionMacro("The input cannot be measured: " << problem << '.');
   }
 }
 
@@ -337,6 +367,10 @@ template <typename TInputImage, typename TOutputImage>
 auto
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetPredicate() const -> PredicateType
 {
+  if (m_UseObjectValue)
+  {
+    return PredicateType::EqualTo(m_ObjectValue);
+  }
   return m_UseThresholds ? PredicateType::InRange(m_LowerThreshold, m_UpperThreshold)
                          : PredicateType::DifferentFrom(m_BackgroundValue);
 }
@@ -349,9 +383,12 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrintSelf(std::ostream & 
   os << indent
      << "BackgroundValue: " << static_cast<typename NumericTraits<InputPixelType>::PrintType>(m_BackgroundValue)
      << std::endl;
-  os << indent << "LowerThreshold: " << m_LowerThreshold << std::endl;
-  os << indent << "UpperThreshold: " << m_UpperThreshold << std::endl;
+  os << indent << "LowerThreshold: " << m_LowerThreshold.Format() << std::endl;
+  os << indent << "UpperThreshold: " << m_UpperThreshold.Format() << std::endl;
   os << indent << "UseThresholds: " << (m_UseThresholds ? "On" : "Off") << std::endl;
+  os << indent << "ObjectValue: " << static_cast<typename NumericTraits<InputPixelType>::PrintType>(m_ObjectValue)
+     << std::endl;
+  os << indent << "UseObjectValue: " << (m_UseObjectValue ? "On" : "Off") << std::endl;
   os << indent << "UseImageSpacing: " << (m_UseImageSpacing ? "On" : "Off") << std::endl;
   os << indent << "TileSize: " << m_TileSize << std::endl;
   os << indent << "SlabThickness: " << m_SlabThickness << std::endl;

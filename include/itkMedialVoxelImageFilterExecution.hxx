@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <memory>
 #include <mutex>
@@ -38,6 +39,8 @@ public:
   void
   Run()
   {
+    const MedialVoxelPollScope scope(*this);
+    this->HearAbort();
     m_Engine.Run(m_Region, *this);
   }
 
@@ -67,7 +70,7 @@ public:
   {
     for (const MedialVoxelBox & piece : CutForPull(box))
     {
-      this->ThrowIfAborted();
+      MedialVoxelPoll();
       this->Pull(piece);
       this->Copy(piece, gray);
     }
@@ -76,12 +79,15 @@ public:
   void
   ThrowIfAborted() const override
   {
-    if (this->IsAborted())
-    {
-      ProcessAborted exception(__FILE__, __LINE__);
-      exception.SetDescription("Filter execution was aborted by an external request");
-      throw exception;
-    }
+    MedialVoxelPoll();
+  }
+
+  [[noreturn]] void
+  ThrowAborted() const override
+  {
+    ProcessAborted exception(__FILE__, __LINE__);
+    exception.SetDescription("Filter execution was aborted by an external request");
+    throw exception;
   }
 
   void
@@ -137,17 +143,24 @@ public:
   bool
   IsAborted() const override
   {
-    return m_Filter.GetAbortGenerateData();
+    return m_IsAborted.load(std::memory_order_relaxed);
   }
 
   void
   Advance(const std::uint64_t voxels) override
   {
-    const std::uint64_t done = m_DoneVoxels += voxels;
-    // Observers are called from the thread that called Update(), as those of Python and of user interfaces must be.
-    if (std::this_thread::get_id() == m_CallingThread)
+    m_DoneVoxels += voxels;
+    this->Beat();
+  }
+
+  /** Observers are called from the thread that called Update(), as those of Python and of user interfaces must be. */
+  void
+  Beat() override
+  {
+    if (this->IsCallingThread())
     {
-      m_Filter.UpdateProgress(static_cast<float>(done) / static_cast<float>(m_Region.NumberOfVoxels()));
+      m_Filter.UpdateProgress(static_cast<float>(m_DoneVoxels) / static_cast<float>(m_Region.NumberOfVoxels()));
+      this->HearAbort();
     }
   }
 
@@ -170,20 +183,73 @@ public:
   }
 
 private:
+  bool
+  IsCallingThread() const
+  {
+    return std::this_thread::get_id() == m_CallingThread;
+  }
+
+  /** Only the calling thread reads the flag of ITK, which is no atomic; workers read the copy. */
+  void
+  HearAbort()
+  {
+    if (m_Filter.GetAbortGenerateData())
+    {
+      m_IsAborted = true;
+    }
+  }
+
   void
   Work()
   {
-    try
-    {
+    const MedialVoxelPollScope scope(*this);
+    ++m_NumberOfBusyWorkers;
+    this->StopAllWhenFailing([this] {
       MedialVoxelBox tile;
       while (!this->IsAborted() && m_Schedule->Next(tile))
       {
         m_Filter.DynamicThreadedGenerateData(m_Filter.RegionOf(tile));
       }
+    });
+    {
+      const std::lock_guard<std::mutex> lock(m_Mutex);
+      --m_NumberOfBusyWorkers;
+    }
+    m_WorkerHasEnded.notify_all();
+    if (this->IsCallingThread())
+    {
+      this->StopAllWhenFailing([this] { this->WaitForWorkers(); });
+    }
+  }
+
+  template <typename TFunction>
+  void
+  StopAllWhenFailing(TFunction && function)
+  {
+    try
+    {
+      function();
     }
     catch (...)
     {
+      // In this order, as those that stop for it are no failure of their own.
       m_Schedule->Fail(std::current_exception());
+      m_IsAborted = true;
+    }
+  }
+
+  /** The calling thread beats while others have tiles; those that have not begun yet will find none. */
+  void
+  WaitForWorkers()
+  {
+    constexpr std::chrono::milliseconds beatInterval{ 100 };
+    const auto                          areAllIdle = [this] { return m_NumberOfBusyWorkers == 0; };
+    std::unique_lock<std::mutex>        lock(m_Mutex);
+    while (!m_WorkerHasEnded.wait_for(lock, beatInterval, areAllIdle))
+    {
+      lock.unlock();
+      this->Beat();
+      lock.lock();
     }
   }
 
@@ -226,7 +292,7 @@ private:
   {
     for (const MedialVoxelBox & piece : CutForPull(box))
     {
-      this->ThrowIfAborted();
+      MedialVoxelPoll();
       this->Pull(piece);
       this->Pack(piece, m_Predicate, object);
       if (notANumber != nullptr)
@@ -273,7 +339,10 @@ private:
   std::thread::id                         m_CallingThread;
   MedialVoxelTileSchedule *               m_Schedule{ nullptr };
   std::atomic<std::uint64_t>              m_DoneVoxels{ 0 };
+  std::atomic<bool>                       m_IsAborted{ false };
+  std::atomic<std::uint32_t>              m_NumberOfBusyWorkers{ 0 };
   std::mutex                              m_Mutex;
+  std::condition_variable                 m_WorkerHasEnded;
   std::vector<std::unique_ptr<Workspace>> m_Workspaces;
   TileSums                                m_Sums;
 };

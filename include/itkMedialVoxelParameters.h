@@ -63,7 +63,7 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
   };
 
   /** The limits of the user, in the units of the spacing; where they are 0: 3 and 16 voxels of the smallest spacing of
-   * the axes longer than 1. */
+   * the axes longer than 1. At least MedialVoxelLimits::LeastThickness(), the default maximum 4 times that. */
   static Limits
   LimitsOfWalls(const MedialVoxelGrid & grid, double minimum, double maximum);
 

@@ -5,13 +5,27 @@
 
 #include "MedialVoxelExport.h"
 
+#include <chrono>
 #include <cstdint>
+#include <stdexcept>
 
 namespace itk
 {
 
+/** \class MedialVoxelAborted
+ * \brief Ends work that nobody wants any more, unless its progress throws something else.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelAborted : public std::runtime_error
+{
+public:
+  MedialVoxelAborted();
+};
+
 /** \class MedialVoxelProgress
- * \brief What long work asks and tells: called once per row or tile, from any thread.
+ * \brief What long work asks and tells, from any thread.
+ *
+ * Kernels call MedialVoxelPoll() in each loop that can be long; a MedialVoxelPollScope says whom that asks.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelProgress
@@ -19,13 +33,21 @@ class MedialVoxel_EXPORT MedialVoxelProgress
 public:
   virtual ~MedialVoxelProgress();
 
-  /** True when the work is to stop as soon as possible; its results are then discarded. */
+  /** True when the work is to stop as soon as possible; its results are then discarded. Takes a few nanoseconds. */
   virtual bool
   IsAborted() const = 0;
 
   /** \a voxels more of the requested region are done. */
   virtual void
   Advance(std::uint64_t voxels) = 0;
+
+  /** A sign of life of a thread, ten times a second while it polls. May call observers; does nothing by default. */
+  virtual void
+  Beat();
+
+  /** Throws what ends aborted work, by default MedialVoxelAborted. */
+  [[noreturn]] virtual void
+  ThrowAborted() const;
 };
 
 /** \class MedialVoxelNoProgress
@@ -40,6 +62,60 @@ public:
 
   void
   Advance(std::uint64_t voxels) override;
+};
+
+/** \class MedialVoxelPollScope
+ * \brief Names the progress that MedialVoxelPoll() asks in this thread until the end of the scope.
+ *
+ * An inner scope hides an outer one.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelPollScope
+{
+public:
+  /** \a progress must outlive the scope. */
+  explicit MedialVoxelPollScope(MedialVoxelProgress & progress);
+  ~MedialVoxelPollScope();
+
+  MedialVoxelPollScope(const MedialVoxelPollScope &) = delete;
+  MedialVoxelPollScope &
+  operator=(const MedialVoxelPollScope &) = delete;
+
+private:
+  MedialVoxelProgress *                 m_OuterProgress;
+  std::chrono::steady_clock::time_point m_OuterNextBeat;
+};
+
+/** Asks the progress of this thread whether to go on, and gives it a sign of life when a tenth of a second has passed.
+ * Takes some tens of nanoseconds. Without a scope it does nothing. Throws what the progress throws when it is aborted.
+ * \ingroup MedialVoxel
+ */
+MedialVoxel_EXPORT void
+MedialVoxelPoll();
+
+/** \class MedialVoxelPollCounter
+ * \brief Polls now and then in a loop whose steps are too short to poll in each.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelPollCounter
+{
+public:
+  /** Steps between two polls. At a tenth of a microsecond for each step, half a millisecond passes. */
+  static constexpr std::uint32_t StepsPerPoll = 4096;
+
+  void
+  Count(const std::uint32_t steps = 1)
+  {
+    m_Steps += steps;
+    if (m_Steps >= StepsPerPoll)
+    {
+      m_Steps = 0;
+      MedialVoxelPoll();
+    }
+  }
+
+private:
+  std::uint32_t m_Steps{ 0 };
 };
 
 } // end namespace itk

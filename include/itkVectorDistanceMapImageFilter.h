@@ -95,6 +95,9 @@ public:
   itkGetConstMacro(SquaredDistance, bool);
   itkBooleanMacro(SquaredDistance);
 
+  /** Sum over the requested regions since the last UpdateOutputInformation(). */
+  itkGetConstMacro(NumberOfObjectVoxels, SizeValueType);
+
   /** Signed distance, in the units of the vectors. Null unless GenerateDistance is on. */
   DistanceImageType *
   GetDistanceOutput();
@@ -131,6 +134,9 @@ protected:
               typename Superclass::Workspace & workspace,
               typename Superclass::TileSums &  sums) override;
 
+  void
+  AddCounts(const MedialVoxelCounts & counts, bool isNewSum) override;
+
 private:
   struct TileWorkspace;
 
@@ -145,6 +151,8 @@ private:
   bool         m_GenerateDistance{ false };
   bool         m_InsideIsPositive{ false };
   bool         m_SquaredDistance{ false };
+
+  SizeValueType m_NumberOfObjectVoxels{ 0 };
 
   std::unique_ptr<const MedialVoxelFeatureTransform> m_Transform;
 };

@@ -110,6 +110,7 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::ProcessTile(const Media
   sums.distanceSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (missing.IsEmpty() && !progress.IsAborted())
   {
+    sums.counts.objectVoxels = clusterWindow.GetObject().Count(tile);
     this->WriteVectors(*this->GetOutput(), tile, workspace.features);
     if (m_GenerateDistance)
     {
@@ -151,6 +152,14 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::WriteDistances(const Me
 
 template <typename TInputImage, typename TVectorImage>
 void
+VectorDistanceMapImageFilter<TInputImage, TVectorImage>::AddCounts(const MedialVoxelCounts & counts,
+                                                                   const bool                isNewSum)
+{
+  m_NumberOfObjectVoxels = (isNewSum ? 0 : m_NumberOfObjectVoxels) + static_cast<SizeValueType>(counts.objectVoxels);
+}
+
+template <typename TInputImage, typename TVectorImage>
+void
 VectorDistanceMapImageFilter<TInputImage, TVectorImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
@@ -160,6 +169,7 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::PrintSelf(std::ostream 
   os << indent << "GenerateDistance: " << (m_GenerateDistance ? "On" : "Off") << std::endl;
   os << indent << "InsideIsPositive: " << (m_InsideIsPositive ? "On" : "Off") << std::endl;
   os << indent << "SquaredDistance: " << (m_SquaredDistance ? "On" : "Off") << std::endl;
+  os << indent << "NumberOfObjectVoxels: " << m_NumberOfObjectVoxels << std::endl;
 }
 
 } // end namespace itk

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelBits.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cstring>
 #include <utility>
@@ -69,6 +71,7 @@ MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
     const std::int64_t lastWord = (shared.upper[0] - 1) / BitsPerWord;
     for (std::int64_t z = shared.lower[2]; z < shared.upper[2]; ++z)
     {
+      MedialVoxelPoll();
       for (std::int64_t y = shared.lower[1]; y < shared.upper[1]; ++y)
       {
         const WordType * const source = this->GetRow(y, z) - m_FirstWord;

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelBoundaryDistances.h"
 
 #include "itkMedialVoxelDualCell.h"
+#include "itkMedialVoxelProgress.h"
 
 namespace itk
 {
@@ -76,12 +77,14 @@ MedialVoxelBoundaryDistances::Search(const MedialVoxelBoundaryGraph & graph,
   };
   reach(source, 0.0);
 
-  std::size_t waiting = 1;
+  MedialVoxelPollCounter poll;
+  std::size_t            waiting = 1;
   for (std::size_t front = 0; waiting > 0 && !isDone(static_cast<double>(front) * width); ++front)
   {
     auto & bucket = m_Buckets[front % m_Buckets.size()];
     for (const NodeType node : bucket)
     {
+      poll.Count();
       const double length = m_Lengths[node];
       if (bucketOf(length) != front)
       {

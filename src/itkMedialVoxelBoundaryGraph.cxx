@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelBoundaryGraph.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -60,6 +62,7 @@ MedialVoxelBoundaryGraph::CopyBits(const MedialVoxelBits & boundary)
   m_Words.assign(static_cast<std::size_t>((m_Box.Extent(2) + 2) * m_RowsPerSlice * wordsPerRow), 0);
   for (std::int64_t z = m_Box.lower[2]; z < m_Box.upper[2]; ++z)
   {
+    MedialVoxelPoll();
     for (std::int64_t y = m_Box.lower[1]; y < m_Box.upper[1]; ++y)
     {
       // The bit before the box is padding.
@@ -77,9 +80,11 @@ MedialVoxelBoundaryGraph::CopyBits(const MedialVoxelBits & boundary)
 bool
 MedialVoxelBoundaryGraph::NumberNodes(const std::size_t mostNodes)
 {
+  MedialVoxelPollCounter poll;
   m_NodesBefore.resize(m_Words.size());
   for (std::size_t word = 0; word < m_Words.size(); ++word)
   {
+    poll.Count();
     m_NodesBefore[word] = static_cast<NodeType>(m_Positions.size());
     for (WordType rest = m_Words[word]; rest != 0; rest &= rest - 1)
     {
@@ -131,11 +136,13 @@ MedialVoxelBoundaryGraph::ListNeighbors(const NodeType node)
 void
 MedialVoxelBoundaryGraph::Connect()
 {
-  const auto numberOfNodes = static_cast<NodeType>(m_Positions.size());
+  const auto             numberOfNodes = static_cast<NodeType>(m_Positions.size());
+  MedialVoxelPollCounter poll;
   m_FirstNeighbor.resize(m_Positions.size() + 1);
   m_Neighbors.clear();
   for (NodeType node = 0; node < numberOfNodes; ++node)
   {
+    poll.Count();
     m_FirstNeighbor[node] = m_Neighbors.size();
     this->ListNeighbors(node);
   }
@@ -154,6 +161,7 @@ MedialVoxelBoundaryGraph::Connect()
   // Roots are the smallest numbers of their trees, so that one pass in the order of the numbers flattens all trees.
   for (NodeType node = 0; node < numberOfNodes; ++node)
   {
+    poll.Count();
     this->VisitNeighbors(node, [&](const NodeType neighbor, unsigned int) {
       if (neighbor < node)
       {

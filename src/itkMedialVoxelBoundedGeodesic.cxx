@@ -3,6 +3,7 @@
 #include "itkMedialVoxelBoundedGeodesic.h"
 
 #include "itkMedialVoxelBitFlood.h"
+#include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
 #include <array>
@@ -287,6 +288,7 @@ MedialVoxelBoundedGeodesic::Search(const MedialVoxelIndex & a,
                                    const MedialVoxelBox &   searchBox,
                                    Workspace &              workspace) const
 {
+  MedialVoxelPoll();
   Workspace::Region & region = workspace.GetRegion(searchBox);
   const auto          source = region.graph.NodeOf(a);
   const auto          target = region.graph.NodeOf(b);
@@ -346,8 +348,10 @@ MedialVoxelBoundedGeodesic::ResolveLength(const MedialVoxelBoundaryGraph &      
   std::set<std::pair<NodeType, MedialVoxelEdgeCounts>> known;
   std::vector<PartialPath>                             open{ { a, 0.0, {} } };
   double                                               shortest = MedialVoxelBoundaryDistances::NotReached;
+  MedialVoxelPollCounter                               poll;
   while (!open.empty())
   {
+    poll.Count();
     const PartialPath path = open.back();
     open.pop_back();
     if (path.node == b)

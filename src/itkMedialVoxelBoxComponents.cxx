@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelBoxComponents.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
+#include <stdexcept>
 
 namespace itk
 {
@@ -15,9 +18,11 @@ MedialVoxelBoxComponents::Label(const MedialVoxelBits & boundary, const MedialVo
   m_Box = box;
   m_FirstRun.clear();
   m_Runs.clear();
-  const WordType columns = MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
+  MedialVoxelPollCounter poll;
+  const WordType         columns = MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
+    poll.Count(static_cast<std::uint32_t>(box.Extent(1)));
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
       const std::size_t row = m_FirstRun.size();
@@ -85,14 +90,19 @@ MedialVoxelBoxComponents::Join(const std::size_t row, const std::size_t otherRow
 std::uint32_t
 MedialVoxelBoxComponents::RunAt(const MedialVoxelIndex & index) const
 {
-  const std::size_t row = this->RowOf(index[1], index[2]);
-  const WordType    bit = WordType{ 1 } << (index[0] - m_Box.lower[0]);
-  std::uint32_t     run = m_FirstRun[row];
-  while ((m_Runs[run].bits & bit) == 0)
+  if (m_Box.Contains(index))
   {
-    ++run;
+    const std::size_t row = this->RowOf(index[1], index[2]);
+    const WordType    bit = WordType{ 1 } << (index[0] - m_Box.lower[0]);
+    for (std::uint32_t run = m_FirstRun[row]; run < m_FirstRun[row + 1]; ++run)
+    {
+      if ((m_Runs[run].bits & bit) != 0)
+      {
+        return run;
+      }
+    }
   }
-  return run;
+  throw std::out_of_range("MedialVoxelBoxComponents: a point is not a boundary point of the box");
 }
 
 std::uint32_t

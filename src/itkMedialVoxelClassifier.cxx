@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelClassifier.h"
 
+#include "itkMedialVoxelProgress.h"
+
 namespace itk
 {
 
@@ -81,8 +83,10 @@ MedialVoxelClassifier::ClassifyEach(const MedialVoxelTileInput &         input,
                                     MedialVoxelPairDecision::Workspace & workspace,
                                     MedialVoxelTileLabels &              labels) const
 {
-  MedialVoxelBox missing;
+  MedialVoxelBox         missing;
+  MedialVoxelPollCounter poll;
   m_Pairs.Visit(*input.window.object, input.features, labels.GetTile(), [&](const MedialVoxelCells & cells) {
+    poll.Count(static_cast<std::uint32_t>(cells.number));
     return this->ClassifyCells(input, cells, workspace, labels, missing);
   });
   return missing;
@@ -139,6 +143,7 @@ MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
       { cell[0] + c[0] + features.dx[at], cell[1] + c[1] + features.dy[at], cell[2] + c[2] + features.dz[at] }
     };
   }
+  wall.cell = cell;
   wall.a = wall.corners[widest.number];
   wall.b = wall.corners[geometry.GetOppositeCorner(widest.number)];
   return true;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelFeatureTransformPrivate.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -142,6 +144,7 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
   const bool isThick = m_Grid.HasEqualSpacing() && workspace.m_Slices.reach >= ThickReach;
   for (std::int64_t z = tileBox.lower[2]; z < tileBox.upper[2]; ++z)
   {
+    MedialVoxelPoll();
     const std::uint64_t voxels = this->FindQueries(tile, z);
     if (voxels != 0 && !isThick)
     {
@@ -212,6 +215,7 @@ MedialVoxelFeatureTransform::SearchTable(Tile &                                 
 {
   const MedialVoxelBox & box = tile.Box();
   std::uint64_t          left = 0;
+  MedialVoxelPollCounter poll;
   for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
   {
     for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
@@ -221,6 +225,7 @@ MedialVoxelFeatureTransform::SearchTable(Tile &                                 
       {
         continue;
       }
+      poll.Count(MedialVoxelBits::BitsPerWord);
       const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
       const auto firstLane = static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
       const auto result = MedialVoxelSearchOffsets(
@@ -257,6 +262,7 @@ MedialVoxelFeatureTransform::BoundRemaining(Tile & tile) const
           block.upper[axis] = std::min(block.lower[axis] + BoundBlockSize, range.upper[axis]);
           center[axis] = (block.lower[axis] + block.upper[axis]) / 2;
         }
+        MedialVoxelPoll();
         if (!tile.AnyRemaining(block))
         {
           continue;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelFeatureTransformPrivate.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -88,6 +90,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     Reserve(lines.positionY, range.Extent(1) * search.Extent(2) * lanes);
     for (std::int64_t slice = 0; slice < search.Extent(2) && !tile.IsAborted(); ++slice)
     {
+      MedialVoxelPoll();
       this->SearchAlongX(slice);
       this->SearchAlongY(slice);
     }
@@ -138,6 +141,7 @@ struct MedialVoxelFeatureTransform::ColumnGroup
     Reserve(lines.positionZ, lanes);
     for (std::int64_t y = range.lower[1]; y < range.upper[1]; ++y)
     {
+      MedialVoxelPoll();
       for (std::int64_t z = range.lower[2]; z < range.upper[2] && !tile.IsAborted(); ++z)
       {
         MedialVoxelSearchOutward(lines.costXY.data() + (y - range.lower[1]) * lanes,

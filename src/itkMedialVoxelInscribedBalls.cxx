@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelInscribedBalls.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,6 +26,7 @@ MedialVoxelInscribedBalls::FindShape(const double squaredRadius, Shape & shape) 
   shape.widths.clear();
   for (std::int64_t dz = -margin[2]; dz <= margin[2]; ++dz)
   {
+    MedialVoxelPoll();
     std::int64_t width = -1;
     for (std::int64_t dy = -margin[1]; dy <= margin[1]; ++dy)
     {
@@ -60,6 +63,7 @@ public:
     m_Rows.assign(static_cast<std::size_t>(m_Box.Extent(2) * m_Parts * m_Groups), 0);
     for (std::int64_t z = m_Box.lower[2]; z < m_Box.upper[2]; ++z)
     {
+      MedialVoxelPoll();
       for (std::int64_t y = m_Box.lower[1]; y < m_Box.upper[1]; ++y)
       {
         for (std::int64_t part = m_FirstPart; part < m_FirstPart + m_Parts; ++part)
@@ -83,6 +87,7 @@ public:
     const std::int64_t upperZ = std::min(ball.center[2] + shape.margin[2] + 1, m_Box.upper[2]);
     for (std::int64_t z = lowerZ; z < upperZ; ++z)
     {
+      m_Poll.Count(StepsOfSlice);
       this->TakeSlice(ball, shape, z);
     }
   }
@@ -91,6 +96,9 @@ private:
   // Cells of the part of a row that has a bit: balls are mostly narrower.
   static constexpr std::int64_t BitsPerPart = 16;
   static constexpr std::int64_t PartsPerWord = MedialVoxelBits::BitsPerWord / BitsPerPart;
+
+  // A slice of a ball takes as long as so many short steps.
+  static constexpr std::uint32_t StepsOfSlice = 16;
 
   /** Bits of 64 rows along y, of a part along x. */
   WordType &
@@ -187,6 +195,7 @@ private:
   std::int64_t                  m_FirstPart;
   std::int64_t                  m_Parts;
   std::int64_t                  m_Groups;
+  MedialVoxelPollCounter        m_Poll;
 };
 
 void

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelJointClassifier.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
@@ -103,7 +105,11 @@ MedialVoxelJointClassifier::LeaveOutBranches(Workspace & workspace, MedialVoxelT
   };
   const auto branches = std::partition(queries.begin(), queries.end(), isInSheet);
   SortInwards(workspace, branches, queries.end());
-  const auto fallsShort = [&](const Query & query) { return this->FallsShort(query, workspace, labels); };
+  MedialVoxelPollCounter poll;
+  const auto             fallsShort = [&](const Query & query) {
+    poll.Count();
+    return this->FallsShort(query, workspace, labels);
+  };
   queries.erase(std::remove_if(branches, queries.end(), fallsShort), queries.end());
 }
 
@@ -120,8 +126,10 @@ MedialVoxelJointClassifier::Search(const MedialVoxelTileInput & input,
     labels.Decide(workspace.m_Cells[query.cell].label, MedialVoxelLabel::MedialByGeodesic);
   });
   SortInwards(workspace, joined, queries.end());
+  MedialVoxelPollCounter poll;
   for (auto query = joined; query != queries.end() && !input.progress.IsAborted(); ++query)
   {
+    poll.Count();
     if (!this->FallsShort(*query, workspace, labels))
     {
       Cell & cell = workspace.m_Cells[query->cell];
@@ -140,9 +148,11 @@ MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits & sites,
                                         MedialVoxelTileLabels & labels) const
 {
   workspace.m_Queries.clear();
-  std::size_t waiting = 0;
+  MedialVoxelPollCounter poll;
+  std::size_t            waiting = 0;
   for (std::size_t i = 0; i < workspace.m_Cells.size(); ++i)
   {
+    poll.Count();
     Cell & cell = workspace.m_Cells[i];
     if (cell.longest <= m_Parameters.epsilon)
     {
@@ -270,7 +280,9 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
   workspace.m_Ranks.Reshape(tile);
   workspace.m_Cells.clear();
   workspace.m_Pairs.clear();
-  const auto visit = [&](const MedialVoxelCells & cells) {
+  MedialVoxelPollCounter poll;
+  const auto             visit = [&](const MedialVoxelCells & cells) {
+    poll.Count(static_cast<std::uint32_t>(cells.number));
     const MedialVoxelBits::WordType spread = m_Pairs.Spread(cells);
     const MedialVoxelBits::WordType inTile = CellsWithin(tile, cells);
     if (inTile != 0)

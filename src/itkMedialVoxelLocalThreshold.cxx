@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelLocalThreshold.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -83,7 +85,9 @@ MedialVoxelLocalThreshold::Compute(const MedialVoxelBits &     object,
   workspace.radii.clear();
   workspace.offsets.clear();
   workspace.cells.Reshape(box);
+  MedialVoxelPollCounter poll;
   m_Pairs.Visit(object, features, this->GetCellBox(box), [&](const MedialVoxelCells & cells) {
+    poll.Count(static_cast<std::uint32_t>(cells.number));
     const auto spread = m_Pairs.Spread(cells);
     for (auto rest = cells.candidates; rest != 0; rest &= rest - 1)
     {

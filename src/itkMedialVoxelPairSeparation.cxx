@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelPairSeparation.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,8 +50,10 @@ MedialVoxelPairSeparation::FindSeparated(const MedialVoxelBits &                
   MedialVoxelBox missing;
   auto &         entries = workspace.m_Entries;
   entries.clear();
+  MedialVoxelPollCounter poll;
   for (std::size_t i = 0; i < queries.size(); ++i)
   {
+    poll.Count();
     auto & query = queries[i];
     query.isSeparated = false;
     const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);
@@ -82,6 +86,7 @@ MedialVoxelPairSeparation::JudgeGroup(const MedialVoxelBits &                   
                                       Workspace &                               workspace,
                                       std::vector<MedialVoxelSeparationQuery> & queries) const
 {
+  MedialVoxelPoll();
   MedialVoxelBox box;
   for (auto entry = first; entry != last; ++entry)
   {
@@ -161,10 +166,14 @@ PointsInEllipsoid(const MedialVoxelGrid &            grid,
         continue;
       }
       const double root = std::sqrt(std::max(0.0, discriminant));
-      const auto   xAt = [&](const double way) { return (center[0] + way / square) / spacing[0]; };
-      const auto   lower = static_cast<std::int64_t>(std::ceil(xAt(-half - root) - slack));
-      const auto   upper = static_cast<std::int64_t>(std::floor(xAt(-half + root) + slack)) + 1;
-      const auto   inside = MedialVoxelBits::RangeMask(0, lower - box.lower[0], upper - box.lower[0]);
+      // Of an ellipsoid that is much larger than the box, only the part in the box is a number of voxels.
+      const auto xAt = [&](const double way) {
+        const double x = (center[0] + way / square) / spacing[0];
+        return std::clamp(x, static_cast<double>(box.lower[0] - 1), static_cast<double>(box.upper[0] + 1));
+      };
+      const auto lower = static_cast<std::int64_t>(std::ceil(xAt(-half - root) - slack));
+      const auto upper = static_cast<std::int64_t>(std::floor(xAt(-half + root) + slack)) + 1;
+      const auto inside = MedialVoxelBits::RangeMask(0, lower - box.lower[0], upper - box.lower[0]);
       const auto bits = boundary.Extract(box.lower[0], y, z) & inside & MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
       const auto shift = static_cast<unsigned int>(box.lower[0] & (MedialVoxelBits::BitsPerWord - 1));
       auto * const row = points.GetRow(y, z);
@@ -185,6 +194,7 @@ MedialVoxelPairSeparation::BoundLength(const MedialVoxelBits &            bounda
                                        const MedialVoxelSeparationQuery & query,
                                        Workspace &                        workspace) const
 {
+  MedialVoxelPoll();
   const double         lower = query.epsilon * (1.0 - Band);
   const double         upper = query.epsilon * (1.0 + Band);
   const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelParameters.h"
 
+#include "itkMedialVoxelLimits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,12 @@ MedialVoxelParameters::LimitsOfWalls(const MedialVoxelGrid & grid, const double 
   constexpr double mostVoxels = 16.0;
   // The shortest edge runs along the axis with the smallest spacing; a grid of one voxel has none, and no cell.
   const double voxel = std::isfinite(grid.GetShortestEdge()) ? grid.GetShortestEdge() : 1.0;
-  return { minimum > 0.0 ? minimum : fewestVoxels * voxel, maximum > 0.0 ? maximum : mostVoxels * voxel };
+  // Steps along a much longer axis are no walls, and a wall across it has a few of them.
+  constexpr double mostLongVoxels = 4.0;
+  const double     least = MedialVoxelLimits::LeastThickness(grid);
+  const double     most = std::max(mostVoxels * voxel, mostLongVoxels * least);
+  return { std::max(minimum > 0.0 ? minimum : fewestVoxels * voxel, least),
+           std::max(maximum > 0.0 ? maximum : most, least) };
 }
 
 MedialVoxelParameters

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelPathSearch.h"
 
+#include "itkMedialVoxelProgress.h"
 
 namespace itk
 {
@@ -68,12 +69,14 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
   const auto bucketOf = [&](const double length) { return static_cast<std::size_t>(length * m_BucketsPerLength); };
   nodes[static_cast<std::size_t>(nodeOf(a))].length = 0.0;
   buckets[0].push_back(nodeOf(a));
-  std::size_t waiting = 1;
+  MedialVoxelPollCounter poll;
+  std::size_t            waiting = 1;
   for (std::size_t front = 0; waiting > 0; ++front)
   {
     auto & bucket = buckets[front % m_NumberOfBuckets];
     for (const std::int32_t from : bucket)
     {
+      poll.Count();
       const double lengthHere = nodes[static_cast<std::size_t>(from)].length;
       if (bucketOf(lengthHere) != front)
       {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSmallComponents.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <array>
 #include <vector>
@@ -121,6 +123,7 @@ public:
       beforeSlice();
       for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
       {
+        m_Poll.Count(static_cast<std::uint32_t>(box.Extent(0) / MedialVoxelBits::BitsPerWord + 1));
         this->ChangeFromRow(box, y, z, touched);
       }
     }
@@ -226,6 +229,7 @@ private:
     this->Add(seed, first);
     for (std::size_t i = 0; i < m_Component.size(); ++i)
     {
+      m_Poll.Count();
       const Voxel voxel = m_Component[i];
       if (this->IsAtEdge(voxel))
       {
@@ -299,6 +303,7 @@ private:
   std::array<std::int64_t, 3> m_Lower; // of the edge, and none along axes of length 1
   std::array<std::int64_t, 3> m_Upper;
   std::vector<Voxel>          m_Component;
+  MedialVoxelPollCounter      m_Poll;
 };
 
 } // namespace

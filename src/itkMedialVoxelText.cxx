@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 namespace itk
 {
@@ -55,6 +56,10 @@ ParseInteger(std::string_view text)
 std::string
 FormatNumber(double value)
 {
+  if (std::isnan(value))
+  {
+    return "nan"; // without a sign, which tells nothing
+  }
   std::array<char, 32> text{};
   const auto           result = std::to_chars(text.data(), text.data() + text.size(), value);
   return std::string(text.data(), result.ptr);

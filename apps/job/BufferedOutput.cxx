@@ -32,6 +32,14 @@ FormatFloat(float value)
   return result;
 }
 
+std::string
+FormatFloat(double value)
+{
+  std::string result;
+  WithText(value, [&result](std::string_view text) { result = text; });
+  return result;
+}
+
 BufferedOutput &
 BufferedOutput::Text(std::string_view text)
 {
@@ -49,6 +57,13 @@ BufferedOutput::Integer(std::uint64_t value)
 
 BufferedOutput &
 BufferedOutput::Float(float value)
+{
+  WithText(value, [this](std::string_view text) { this->Text(text); });
+  return *this;
+}
+
+BufferedOutput &
+BufferedOutput::Float(double value)
 {
   WithText(value, [this](std::string_view text) { this->Text(text); });
   return *this;

@@ -15,6 +15,8 @@ namespace medialvoxel
 /** Shortest text that reads back as the same number, with a point in every locale. */
 std::string
 FormatFloat(float value);
+std::string
+FormatFloat(double value);
 
 /** \class BufferedOutput
  * \brief Writes a created, empty file from its begin to its end, binary or text, whatever machine and locale. */
@@ -34,6 +36,8 @@ public:
   /** As FormatFloat(). */
   BufferedOutput &
   Float(float value);
+  BufferedOutput &
+  Float(double value);
 
   /** A number of the file format with the low byte first. */
   template <typename TNumber>

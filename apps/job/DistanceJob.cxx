@@ -3,6 +3,7 @@
 #include "JobParts.h"
 #include "OutputSet.h"
 #include "Report.h"
+#include "ValueStatistics.h"
 
 #include <optional>
 
@@ -16,7 +17,7 @@ ListCandidates(const DistanceOptions & options, const VolumeHeader & header)
 {
   return { { "vectors", options.output, GetVectorLayout(header) },
            { "distance", options.distanceFile, DistanceLayout },
-           { "report", options.reportFile, std::nullopt } };
+           { "report", GetReportFile(options), std::nullopt } };
 }
 
 PieceFootprint
@@ -55,7 +56,7 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   OutputSet           outputs(options, result.plan.writesBehind);
   VoxelOutput * const vectors = outputs.AddVolume(options.output, result.input.geometry, GetVectorLayout(result.input));
   VoxelOutput * const distances = outputs.AddVolume(options.distanceFile, result.input.geometry, DistanceLayout);
-  OutputFile * const  report = outputs.AddFile(options.reportFile);
+  OutputFile * const  report = outputs.AddFile(GetReportFile(options));
 
   WriteBehind writer(result.plan.writesBehind);
   if (result.plan.writesBehind)
@@ -82,6 +83,8 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   outputs.FinishVolumes();
   loop.ThrowIfStopRequested();
   AddMeasurements(result, *input, writer.GetSeconds() + SecondsSince(finishStart), start);
+  const std::vector<Warning> found = FindWarningsOfResult(options, result);
+  result.warnings.insert(result.warnings.end(), found.begin(), found.end());
   if (report)
   {
     WriteText(*report, MakeReport(options, result));
@@ -97,18 +100,27 @@ RunDistance(const DistanceOptions & options, ProgressSink & sink)
   const auto start = JobClock::now();
   CheckOptions(options);
   GetVolumeFormat(options.output);
-  VolumeHeader header = ReadVolumeHeader(options.input, options.raw);
-  const auto   candidates = ListCandidates(options, header);
-  const auto   footprint = GetFootprint(options, header);
-  JobResult    result = PrepareJob(options, std::move(header), candidates, footprint);
+  VolumeHeader header = ReadInputHeader(options);
+  CheckLabel(options, header);
+  const auto candidates = ListCandidates(options, header);
+  const auto footprint = GetFootprint(options, header);
+  JobResult  result = PrepareJob(options, std::move(header), candidates, footprint);
+  result.warnings = FindWarningsOfRequest(options, result.input);
+  TellWarnings(sink, result.warnings);
+  const std::size_t told = result.warnings.size();
   if (options.dryRun)
   {
     return result;
   }
+  DistanceOptions own = options;
+  MeasureThreshold(own, result.input, sink);
+  result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;
   WithPipelineErrors([&] {
     sink.Start("medialvoxel", "computing vector distances");
-    Compute(options, result, sink, start);
+    const StopListener listener(&sink);
+    Compute(own, result, sink, start);
   });
+  TellWarnings(sink, result.warnings, told);
   sink.Finish(result.seconds.total);
   return result;
 }

@@ -8,6 +8,7 @@
 #include "SurfaceMesh.h"
 #include "Text.h"
 #include "ThicknessPreview.h"
+#include "ValueStatistics.h"
 
 #include <algorithm>
 #include <limits>
@@ -81,7 +82,7 @@ ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
            { "mesh", options.meshFile, std::nullopt },
            { "preview", options.previewFile, std::nullopt },
            { "html", options.htmlFile, std::nullopt },
-           { "report", options.reportFile, std::nullopt },
+           { "report", GetReportFile(options), std::nullopt },
            { "return_parameters", options.returnParameterFile, std::nullopt } };
 }
 
@@ -101,11 +102,8 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   auto settings = itk::MedialVoxelClusterEngine::Settings::ForClassification(
     footprint.grid, GetParameters(options, footprint.grid), withObjectVectors);
   const SurveySettings survey = GetSurveySettings(options);
-  if (survey.thickness || survey.picture)
-  {
-    settings.workerBytesPerVoxel += itk::MedialVoxelTileWallsBytesPerVoxel;
-    settings.keepsGray = options.subVoxel;
-  }
+  settings.workerBytesPerVoxel += itk::MedialVoxelTileWallsBytesPerVoxel;
+  settings.keepsGray = options.subVoxel;
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   if (!options.meshFile.empty())
   {
@@ -208,6 +206,9 @@ private:
   ExtractRun                      m_Run; // ends before what it writes to and who observes it
 };
 
+/** Where the thickness is for the table alone, a sample of the cells keeps it nearly free. */
+constexpr std::uint64_t FullyMeasuredVoxelsOfTable = std::uint64_t{ 1 } << 16;
+
 } // namespace
 
 SurveySettings
@@ -216,10 +217,13 @@ GetSurveySettings(const ExtractOptions & options)
   SurveySettings settings;
   settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
   const bool showsAll = !options.thicknessFile.empty() || !options.thicknessCsvFile.empty();
-  settings.thickness = showsAll || !options.reportFile.empty() || !options.htmlFile.empty();
   if (showsAll)
   {
     settings.fullyMeasuredVoxels = std::numeric_limits<std::uint64_t>::max();
+  }
+  else if (!settings.picture && options.reportFile.empty())
+  {
+    settings.fullyMeasuredVoxels = FullyMeasuredVoxelsOfTable;
   }
   return settings;
 }
@@ -239,8 +243,9 @@ JobResult
 DescribeExtract(const ExtractOptions & options)
 {
   JobResult result;
-  result.input = ReadVolumeHeader(options.input, options.raw);
+  result.input = ReadInputHeader(options);
   result.outputs = SelectOutputs(ListCandidates(options, result.input));
+  result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
 }
 
@@ -249,15 +254,18 @@ PrepareExtract(const ExtractOptions & options)
 {
   CheckOptions(options);
   CheckFormats(options);
-  VolumeHeader header = ReadVolumeHeader(options.input, options.raw);
+  VolumeHeader header = ReadInputHeader(options);
   if (!options.meshFile.empty())
   {
-    CheckSurfaceInput(header);
+    CheckSurfaceInput(header, options.meshFile);
   }
   CheckGrayValues(options, header);
+  CheckLabel(options, header);
   const auto candidates = ListCandidates(options, header);
   const auto footprint = GetFootprint(options, header);
-  return PrepareJob(options, std::move(header), candidates, footprint);
+  JobResult  result = PrepareJob(options, std::move(header), candidates, footprint);
+  result.warnings = FindWarningsOfRequest(options, result.input);
+  return result;
 }
 
 JobResult
@@ -276,15 +284,22 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
 {
   const auto start = JobClock::now();
   JobResult  result = PrepareExtract(options);
+  TellWarnings(sink, result.warnings);
+  const std::size_t told = result.warnings.size();
   if (options.dryRun)
   {
     return result;
   }
+  ExtractOptions own = options;
+  MeasureThreshold(own, result.input, sink);
+  result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;
   WithPipelineErrors([&] {
     sink.Start("medialvoxel", "extracting medial voxels");
-    Extraction extraction(options, result, sink);
+    const StopListener listener(&sink);
+    Extraction         extraction(own, result, sink);
     extraction.Run(start);
   });
+  TellWarnings(sink, result.warnings, told);
   sink.Finish(result.seconds.total);
   return result;
 }

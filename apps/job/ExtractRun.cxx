@@ -78,14 +78,8 @@ ExtractRun::SetSlicesToDo(std::uint64_t slices)
 void
 ExtractRun::Prepare()
 {
-  if (m_Survey.GetSettings().thickness || m_Survey.GetSettings().picture)
-  {
-    m_Observers.Add(m_Survey);
-  }
-  if (!m_Observers.IsEmpty())
-  {
-    m_Runner->SetTileObserver(&m_Observers);
-  }
+  m_Observers.Add(m_Survey);
+  m_Runner->SetTileObserver(&m_Observers);
   m_Loop.Prepare(*m_Input);
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FileTransfer.h"
 
+#include "itkMedialVoxelProgress.h"
+
+#include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
 #include <unistd.h>
@@ -11,6 +14,9 @@ namespace medialvoxel
 namespace
 {
 
+/** What is transferred at a time: a fraction of a second, after which the work can stop. */
+constexpr std::uint64_t BytesAtATime = std::uint64_t{ 1 } << 23;
+
 /** Repeats a call of the system until all bytes are through. */
 template <typename TByte, typename TCall>
 bool
@@ -18,7 +24,12 @@ Transfer(std::uint64_t offset, TByte * data, std::uint64_t numberOfBytes, TCall 
 {
   for (std::uint64_t done = 0; done < numberOfBytes;)
   {
-    const ssize_t count = call(data + done, numberOfBytes - done, static_cast<off_t>(offset + done));
+    if (done > 0)
+    {
+      itk::MedialVoxelPoll();
+    }
+    const std::uint64_t wanted = std::min(numberOfBytes - done, BytesAtATime);
+    const ssize_t       count = call(data + done, wanted, static_cast<off_t>(offset + done));
     if (count > 0)
     {
       done += static_cast<std::uint64_t>(count);
@@ -57,11 +68,12 @@ ReserveSpace(int descriptor, std::uint64_t numberOfBytes)
 {
 #ifdef __linux__
   // Not posix_fallocate, which writes a byte into each block where it cannot reserve: hours through a network.
-  int error = 0;
-  do
+  int error = EINTR;
+  while (error == EINTR)
   {
+    itk::MedialVoxelPoll();
     error = fallocate(descriptor, 0, 0, static_cast<off_t>(numberOfBytes)) == 0 ? 0 : errno;
-  } while (error == EINTR);
+  }
 #else
   const int error = posix_fallocate(descriptor, 0, static_cast<off_t>(numberOfBytes));
 #endif

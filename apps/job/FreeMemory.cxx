@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <sys/resource.h>
 
 namespace medialvoxel
 {
@@ -17,20 +18,27 @@ namespace
 
 constexpr std::uint64_t Unknown = std::numeric_limits<std::uint64_t>::max();
 
-std::uint64_t
-GetAvailableOnSystem(const std::filesystem::path & root)
+/** The bytes of the line of a table in KiB that begins with \a name; nothing without such a line. */
+std::optional<std::uint64_t>
+ReadKibibytes(const std::filesystem::path & file, const std::string & name)
 {
-  std::ifstream information(root / "proc/meminfo");
+  std::ifstream information(file);
   std::string   line;
   while (std::getline(information, line))
   {
     const std::vector<std::string> parts = SplitAtBlanks(line);
-    if (parts.size() >= 2 && parts[0] == "MemAvailable:")
+    if (parts.size() >= 2 && parts[0] == name)
     {
       return static_cast<std::uint64_t>(ParseInteger(parts[1]).value_or(0)) * 1024;
     }
   }
-  return Unknown;
+  return std::nullopt;
+}
+
+std::uint64_t
+GetAvailableOnSystem(const std::filesystem::path & root)
+{
+  return ReadKibibytes(root / "proc/meminfo", "MemAvailable:").value_or(Unknown);
 }
 
 /** The number in a file; nothing when there is none, as in "max". */
@@ -95,12 +103,33 @@ GetAvailableInGroups(const std::filesystem::path & root)
   return rest;
 }
 
+/** \param resource of a type that differs between systems
+ * \param usageName of the line of /proc/self/status that counts towards the limit */
+template <typename TResource>
+std::uint64_t
+GetRestOfLimit(TResource resource, const std::string & usageName)
+{
+  rlimit limit = {};
+  if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+  {
+    return Unknown;
+  }
+  const std::uint64_t usage = ReadKibibytes("/proc/self/status", usageName).value_or(0);
+  return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, usage);
+}
+
 } // namespace
+
+std::uint64_t
+GetRestOfLimits()
+{
+  return std::min(GetRestOfLimit(RLIMIT_AS, "VmSize:"), GetRestOfLimit(RLIMIT_DATA, "VmData:"));
+}
 
 std::uint64_t
 GetFreeMemory(const std::filesystem::path & root)
 {
-  return std::min(GetAvailableOnSystem(root), GetAvailableInGroups(root));
+  return std::min({ GetAvailableOnSystem(root), GetAvailableInGroups(root), GetRestOfLimits() });
 }
 
 } // end namespace medialvoxel

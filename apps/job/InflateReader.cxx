@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "HeaderParsing.h"
 
+#include "itkMedialVoxelProgress.h"
 #include "itk_zlib.h"
 
 #include <algorithm>
@@ -75,6 +76,7 @@ struct InflateReader::State
     stream.avail_out = numberOfBytes;
     while (stream.avail_out > 0)
     {
+      itk::MedialVoxelPoll();
       Step();
     }
   }
@@ -130,6 +132,7 @@ InflateReader::CheckEnd()
   m_State->stream.avail_out = 1;
   while (!m_State->atEndOfStream)
   {
+    itk::MedialVoxelPoll();
     m_State->Step();
     if (m_State->stream.avail_out == 0)
     {

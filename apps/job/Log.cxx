@@ -10,9 +10,7 @@
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
-#include <ctime>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -24,20 +22,6 @@ namespace
 {
 
 constexpr size_t BytesOfTime = 24; // 2026-11-22T01:02:03.456Z
-
-std::string
-GetTime()
-{
-  const auto           now = std::chrono::system_clock::now().time_since_epoch();
-  const auto           milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
-  const std::time_t    seconds = milliseconds / 1000;
-  std::tm              parts{};
-  std::array<char, 32> text{};
-  gmtime_r(&seconds, &parts);
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.", &parts);
-  const std::string fraction = std::to_string(1000 + milliseconds % 1000);
-  return text.data() + fraction.substr(1) + "Z";
-}
 
 /** Compares with the shape of the time that a line begins with. */
 bool
@@ -117,6 +101,12 @@ public:
   }
 
   void
+  Beat() override
+  {
+    m_Next->Beat();
+  }
+
+  void
   Finish(double seconds) override
   {
     m_Log.Write({ LogLevel::Info, "end", { { "seconds", FormatFixed(seconds, 3) } } });
@@ -128,6 +118,13 @@ public:
   {
     m_Log.Write({ LogLevel::Info, "note", { { "text", text } } });
     m_Next->Note(text);
+  }
+
+  void
+  Warn(const std::string & code, const std::string & message) override
+  {
+    m_Log.Write({ LogLevel::Warning, "warning", { { "code", code }, { "message", message } } });
+    m_Next->Warn(code, message);
   }
 
   void

@@ -3,6 +3,7 @@
 #include "PieceRunner.h"
 
 #include "MaskInput.h"
+#include "ResampledInput.h"
 
 namespace medialvoxel
 {
@@ -16,14 +17,30 @@ GetImagePixelType(const InputVolume & input, const VolumeHeader & header)
   return input.IsMask() ? PixelType::UInt8 : header.pixelType;
 }
 
+/** Between labels there are no values: not without a threshold, and not with one value for both. A label has no
+ * thresholds. */
+Interpolation
+GetInterpolation(const JobOptions & options)
+{
+  const bool hasThreshold = options.lowerThreshold || options.upperThreshold;
+  return hasThreshold && options.lowerThreshold != options.upperThreshold ? Interpolation::Linear
+                                                                          : Interpolation::Nearest;
+}
+
 } // namespace
 
 std::unique_ptr<InputVolume>
 OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder)
 {
+  const Interpolation interpolation = GetInterpolation(options);
   if (!header.CanStream())
   {
-    return OpenMaskInput(header, { options.lowerThreshold, options.upperThreshold, scratchFolder });
+    return OpenMaskInput(
+      header, { options.lowerThreshold, options.upperThreshold, options.label, scratchFolder, interpolation });
+  }
+  if (header.stored)
+  {
+    return OpenResampledInput(header, interpolation);
   }
   return DispatchPixelType(header.pixelType, [&](auto zero) { return OpenStreamedInput<decltype(zero)>(header); });
 }

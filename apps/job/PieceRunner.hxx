@@ -4,6 +4,7 @@
 #define medialvoxelPieceRunner_hxx
 
 #include "InputVolume.hxx"
+#include "LabelValues.h"
 #include "PieceRunner.h"
 
 #include "itkMedialVoxelImageFilter.h"
@@ -80,7 +81,7 @@ public:
     m_Filter->SetUseImageSpacing(!options.voxelUnits);
     if (!input.IsMask())
     {
-      this->SetThresholds(options);
+      this->SetObject(options);
     }
     m_Filter->SetSlabThickness(static_cast<unsigned int>(cut.slabThickness));
     m_Filter->SetWorkingMemoryLimit(cut.memoryLimit);
@@ -166,8 +167,13 @@ protected:
 
 private:
   void
-  SetThresholds(const JobOptions & options)
+  SetObject(const JobOptions & options)
   {
+    if (options.label)
+    {
+      // CheckLabel() has seen that the type has it.
+      m_Filter->SetObjectValue(*ConvertLabel<typename InputImageType::PixelType>(*options.label));
+    }
     if (options.lowerThreshold)
     {
       m_Filter->SetLowerThreshold(*options.lowerThreshold);
@@ -332,6 +338,14 @@ public:
   GetName() const override
   {
     return "distances";
+  }
+
+  RunnerSums
+  GetSums() const override
+  {
+    RunnerSums sums = FilterRunner<itk::VectorDistanceMapImageFilter<TImage>>::GetSums();
+    sums.counts.objectVoxels = this->m_Filter->GetNumberOfObjectVoxels();
+    return sums;
   }
 
 protected:

@@ -6,6 +6,7 @@
 #include "Progress.h"
 
 #include "itkMedialVoxelHeaderText.h"
+#include "itkObject.h"
 
 #include <exception>
 #include <iostream>
@@ -21,9 +22,12 @@ RunProgram(const std::string & name, const std::function<int()> & body)
     return status;
   };
   CatchSignals();
+  // The job tells in a line of its own what a filter would warn of in three.
+  itk::Object::GlobalWarningDisplayOff();
   try
   {
-    const int status = body();
+    const StopListener listener;
+    const int          status = body();
     if (!std::cout.flush())
     {
       throw JobError(ExitStatus::Failure, "cannot write to the standard output");

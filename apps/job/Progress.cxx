@@ -8,7 +8,10 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
 #include <iostream>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace medialvoxel
@@ -61,6 +64,22 @@ private:
   Clock::time_point m_Start{ Clock::now() };
 };
 
+int
+GetTerminalColumns()
+{
+  constexpr int usual = 80;
+  winsize       size = {};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
+}
+
+/** True for a terminal that a line can be drawn over in. */
+bool
+CanDrawBar()
+{
+  const char * const terminal = std::getenv("TERM");
+  return isatty(STDERR_FILENO) && terminal && *terminal != '\0' && std::strcmp(terminal, "dumb") != 0;
+}
+
 /** Base of the sinks whose notes are lines on the error stream. */
 class TextSink : public ProgressSink
 {
@@ -99,12 +118,19 @@ public:
   void
   Report(double fraction) override
   {
+    m_Fraction = fraction;
+    this->Beat();
+  }
+
+  void
+  Beat() override
+  {
     constexpr double secondsBetweenDrawings = 0.1;
     const double     now = m_Stopwatch.GetSeconds();
     if (now - m_LastDrawing >= secondsBetweenDrawings)
     {
       m_LastDrawing = now;
-      this->Draw(fraction);
+      this->Draw(m_Fraction);
     }
   }
 
@@ -118,19 +144,27 @@ private:
     }
   }
 
+  /** A line that is wrapped could not be drawn over, so what does not fit is left out, the bar first. */
   void
   Draw(double fraction)
   {
-    constexpr int width = 40;
-    const int     filled = std::clamp(static_cast<int>(fraction * width), 0, width);
-    std::cerr << '\r' << m_Name << " [" << std::string(filled, '#') << std::string(width - filled, '.') << "] "
-              << static_cast<int>(fraction * 100) << " %, " << m_Stopwatch.FormatTimeLeft(fraction) << " left\033[K"
-              << std::flush;
+    constexpr int     longest = 40;
+    constexpr int     shortest = 5;
+    const std::string percent = std::to_string(static_cast<int>(fraction * 100)) + " %";
+    const std::string text = percent + ", " + m_Stopwatch.FormatTimeLeft(fraction) + " left";
+    const int         columns = GetTerminalColumns() - 1;
+    const int         rest = columns - static_cast<int>(m_Name.size() + text.size() + std::strlen(" [] "));
+    const int         width = std::min(longest, rest);
+    const int         filled = std::clamp(static_cast<int>(fraction * width), 0, std::max(width, 0));
+    const std::string bar = width < shortest ? "" : std::string(filled, '#') + std::string(width - filled, '.');
+    const std::string line = bar.empty() ? text : m_Name + " [" + bar + "] " + text;
+    std::cerr << '\r' << (static_cast<int>(line.size()) > columns ? percent : line) << "\033[K" << std::flush;
     m_Drawn = true;
   }
 
   std::string m_Name;
   Stopwatch   m_Stopwatch;
+  double      m_Fraction{ 0.0 };
   double      m_LastDrawing{ 0.0 };
   bool        m_Drawn{ false };
 };
@@ -148,23 +182,31 @@ public:
   void
   Report(double fraction) override
   {
+    m_Fraction = fraction;
+    this->Beat();
+  }
+
+  void
+  Beat() override
+  {
     constexpr double secondsBetweenLines = 30.0;
     const double     now = m_Stopwatch.GetSeconds();
     if (now - m_LastLine >= secondsBetweenLines)
     {
       m_LastLine = now;
-      std::cerr << m_Name << ": " << static_cast<int>(fraction * 100) << " % after " << FormatDuration(now) << ", "
-                << m_Stopwatch.FormatTimeLeft(fraction) << " left" << std::endl;
+      std::cerr << m_Name << ": " << static_cast<int>(m_Fraction * 100) << " % after " << FormatDuration(now) << ", "
+                << m_Stopwatch.FormatTimeLeft(m_Fraction) << " left" << std::endl;
     }
   }
 
 private:
   std::string m_Name;
   Stopwatch   m_Stopwatch;
+  double      m_Fraction{ 0.0 };
   double      m_LastLine{ 0.0 };
 };
 
-/** Base of the sinks that write at most one line per percent. */
+/** Base of the sinks that write a line for each percent, and the last one again when a second has passed. */
 class PercentSink : public TextSink
 {
 public:
@@ -175,7 +217,18 @@ public:
     if (percent > m_Percent)
     {
       m_Percent = percent;
-      this->WriteLine(percent / 100.0);
+      this->WritePercent();
+    }
+    this->Beat();
+  }
+
+  void
+  Beat() override
+  {
+    constexpr double secondsBetweenLines = 1.0;
+    if (m_Percent >= 0 && m_SinceLine.GetSeconds() >= secondsBetweenLines)
+    {
+      this->WritePercent();
     }
   }
 
@@ -184,7 +237,15 @@ protected:
   WriteLine(double fraction) = 0;
 
 private:
-  int m_Percent{ -1 };
+  void
+  WritePercent()
+  {
+    m_SinceLine.Start();
+    this->WriteLine(m_Percent / 100.0);
+  }
+
+  int       m_Percent{ -1 };
+  Stopwatch m_SinceLine;
 };
 
 class SlicerSink : public PercentSink
@@ -211,6 +272,14 @@ public:
   Note(const std::string & text) override
   {
     std::cout << "medialvoxel: " << text << std::endl;
+  }
+
+  /** The comment is shown while the module runs; the line stays in the log. */
+  void
+  Warn(const std::string & code, const std::string & message) override
+  {
+    PercentSink::Warn(code, message);
+    std::cout << "<filter-comment>Warning: " << message << "</filter-comment>" << std::endl;
   }
 
 protected:
@@ -247,6 +316,12 @@ public:
     std::cerr << nlohmann::ordered_json{ { "note", text } }.dump() << std::endl;
   }
 
+  void
+  Warn(const std::string & code, const std::string & message) override
+  {
+    std::cerr << nlohmann::ordered_json{ { "warning", code }, { "message", message } }.dump() << std::endl;
+  }
+
 protected:
   void
   WriteLine(double fraction) override
@@ -274,8 +349,18 @@ ProgressSink::Finish(double)
 {}
 
 void
+ProgressSink::Beat()
+{}
+
+void
 ProgressSink::Note(const std::string &)
 {}
+
+void
+ProgressSink::Warn(const std::string &, const std::string & message)
+{
+  this->Note("warning: " + message);
+}
 
 void
 ProgressSink::Record(const LogRecord &)
@@ -293,7 +378,7 @@ MakeProgressSink(ProgressStyle style)
   switch (style)
   {
     case ProgressStyle::Auto:
-      return MakeProgressSink(isatty(STDERR_FILENO) ? ProgressStyle::Bar : ProgressStyle::Plain);
+      return MakeProgressSink(CanDrawBar() ? ProgressStyle::Bar : ProgressStyle::Plain);
     case ProgressStyle::Bar:
       return std::make_unique<BarSink>();
     case ProgressStyle::Plain:

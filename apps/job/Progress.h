@@ -3,6 +3,8 @@
 #ifndef medialvoxelProgress_h
 #define medialvoxelProgress_h
 
+#include "itkMedialVoxelProgress.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -45,9 +47,17 @@ public:
   virtual void
   Finish(double seconds);
 
+  /** A sign of life while no fraction comes: shows the last one again where that is due. */
+  virtual void
+  Beat();
+
   /** Hears one line about what the job did, such as that it unpacked a volume. */
   virtual void
   Note(const std::string & text);
+
+  /** Hears what a user must know before the results are used. By default a note. \param code one word for scripts */
+  virtual void
+  Warn(const std::string & code, const std::string & message);
 
   /** Hears of each step; only a log shows it. */
   virtual void
@@ -82,9 +92,44 @@ CatchSignals();
 int
 GetStopSignal();
 
-/** For long work without a ProgressSink. \throw StoppedBySignal when there is one. */
-void
-ThrowIfSignaled();
+/** \class StopListener
+ * \brief While it exists, itk::MedialVoxelPoll() in this thread throws StoppedBySignal when the work is to stop. */
+class StopListener
+{
+public:
+  /** \param sink asked, and given signs of life; null: signals alone count */
+  explicit StopListener(ProgressSink * sink = nullptr)
+    : m_Progress(sink)
+    , m_Scope(m_Progress)
+  {}
+
+private:
+  class Progress : public itk::MedialVoxelProgress
+  {
+  public:
+    explicit Progress(ProgressSink * sink)
+      : m_Sink(sink)
+    {}
+
+    bool
+    IsAborted() const override;
+
+    void
+    Advance(std::uint64_t voxels) override;
+
+    void
+    Beat() override;
+
+    [[noreturn]] void
+    ThrowAborted() const override;
+
+  private:
+    ProgressSink * m_Sink;
+  };
+
+  Progress                  m_Progress;
+  itk::MedialVoxelPollScope m_Scope;
+};
 
 } // end namespace medialvoxel
 

@@ -51,13 +51,29 @@ GetStopSignal()
   return stopSignal;
 }
 
-void
-ThrowIfSignaled()
+bool
+StopListener::Progress::IsAborted() const
 {
-  if (stopSignal != 0)
+  return m_Sink != nullptr ? m_Sink->IsStopRequested() : stopSignal != 0;
+}
+
+void
+StopListener::Progress::Advance(std::uint64_t)
+{}
+
+void
+StopListener::Progress::Beat()
+{
+  if (m_Sink != nullptr)
   {
-    throw StoppedBySignal(stopSignal);
+    m_Sink->Beat();
   }
+}
+
+void
+StopListener::Progress::ThrowAborted() const
+{
+  throw StoppedBySignal(stopSignal);
 }
 
 } // end namespace medialvoxel

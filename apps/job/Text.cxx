@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <regex>
 
 namespace medialvoxel
@@ -15,18 +16,17 @@ namespace medialvoxel
 std::optional<std::uint64_t>
 ParseByteSize(std::string_view text)
 {
-  const std::string_view units = "KMGT";
-  double                 factor = 1.0;
-  if (!text.empty())
+  const std::string_view units = "kmgt";
+  const std::string      lower = ToLower(std::string(text));
+  const size_t           end = std::min(lower.find_first_of(units), lower.size());
+  const size_t           unit = end < lower.size() ? units.find(lower[end]) : std::string_view::npos;
+  const std::string      rest = lower.substr(std::min(end + 1, lower.size()));
+  if (rest != "" && rest != "b" && rest != "ib")
   {
-    const size_t unit = units.find(static_cast<char>(std::toupper(static_cast<unsigned char>(text.back()))));
-    if (unit != std::string_view::npos)
-    {
-      factor = std::ldexp(1.0, static_cast<int>(10 * (unit + 1)));
-      text.remove_suffix(1);
-    }
+    return std::nullopt;
   }
-  const std::optional<double> number = ParseDouble(text);
+  const double factor = unit == std::string_view::npos ? 1.0 : std::ldexp(1.0, static_cast<int>(10 * (unit + 1)));
+  const std::optional<double> number = ParseDouble(lower.substr(0, end));
   if (!number || !(*number >= 0) || *number * factor >= std::ldexp(1.0, 63))
   {
     return std::nullopt;
@@ -82,6 +82,20 @@ std::string
 FormatSize(const std::vector<std::uint64_t> & size)
 {
   return Join(size, " x ", [](std::uint64_t value) { return std::to_string(value); });
+}
+
+std::string
+GetTime()
+{
+  const auto           now = std::chrono::system_clock::now().time_since_epoch();
+  const auto           milliseconds = std::chrono::duration_cast<std::chrono::milliseconds>(now).count();
+  const std::time_t    seconds = milliseconds / 1000;
+  std::tm              parts{};
+  std::array<char, 32> text{};
+  gmtime_r(&seconds, &parts);
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.", &parts);
+  const std::string fraction = std::to_string(1000 + milliseconds % 1000);
+  return text.data() + fraction.substr(1) + "Z";
 }
 
 std::string

@@ -23,7 +23,8 @@ using itk::MedialVoxelText::SplitAtBlanks;
 using itk::MedialVoxelText::ToLower;
 using itk::MedialVoxelText::Trim;
 
-/** A number of bytes: digits, optionally with a fraction, and optionally K, M, G or T (powers of 1024). */
+/** A number of bytes: digits, optionally with a fraction, and optionally K, M, G or T (powers of 1024),
+ * behind which B or iB may stand; in any case. */
 std::optional<std::uint64_t>
 ParseByteSize(std::string_view text);
 
@@ -49,6 +50,10 @@ FormatPercent(std::uint64_t count, std::uint64_t all);
 
 std::string
 FormatSize(const std::vector<std::uint64_t> & size);
+
+/** Now, as 2026-11-22T01:02:03.456Z. */
+std::string
+GetTime();
 
 /** The description of an exception of ITK without the class and address of the object that it comes from. */
 std::string

@@ -21,12 +21,6 @@ public:
     m_Observers.push_back(&observer);
   }
 
-  bool
-  IsEmpty() const
-  {
-    return m_Observers.empty();
-  }
-
   void
   Begin() override
   {

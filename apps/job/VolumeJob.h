@@ -9,9 +9,11 @@
 #include "Progress.h"
 #include "SurfaceSummary.h"
 #include "ThicknessSummary.h"
+#include "Warnings.h"
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -29,15 +31,17 @@ struct JobSeconds
 /** What a job did, or with dryRun would do. */
 struct JobResult
 {
-  VolumeHeader                    input;
-  std::vector<OutputRequest>      outputs;
-  JobPlan                         plan;
-  RunnerSums                      sums;
-  std::optional<ThicknessSummary> thickness; ///< when a report was asked for
-  std::optional<SurfaceSummary>   surface;   ///< when a mesh was asked for
-  JobSeconds                      seconds;
-  std::uint64_t                   peakMemoryBytes{ 0 }; ///< of the process
-  std::uint64_t                   bytesRead{ 0 };
+  VolumeHeader                         input;
+  std::vector<OutputRequest>           outputs;
+  JobPlan                              plan;
+  RunnerSums                           sums;
+  std::optional<itk::MedialVoxelLimit> otsu;      ///< lower threshold, when it was measured
+  std::optional<ThicknessSummary>      thickness; ///< of an extraction
+  std::optional<SurfaceSummary>        surface;   ///< when a mesh was asked for
+  std::vector<Warning>                 warnings;
+  JobSeconds                           seconds;
+  std::uint64_t                        peakMemoryBytes{ 0 }; ///< of the process
+  std::uint64_t                        bytesRead{ 0 };
 };
 
 /** Medial voxels of a volume file: opens, plans, runs, writes, reports. All outputs appear complete or not at all, the

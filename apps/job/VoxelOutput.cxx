@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputVolume.h"
+#include "PackedVolume.h"
 #include "ZarrVolume.h"
 
 namespace medialvoxel
@@ -19,6 +20,10 @@ MakeSharedVolume(const std::filesystem::path & fileName, const JobOptions & opti
 std::unique_ptr<VoxelOutput>
 MakeVoxelOutput(const std::filesystem::path & fileName, const JobOptions & options)
 {
+  if (IsPackedVolume(fileName, options.compress))
+  {
+    return std::make_unique<PackedVolume>(fileName, options.overwrite);
+  }
   return MakeSharedVolume(fileName, options);
 }
 

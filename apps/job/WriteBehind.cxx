@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "WriteBehind.h"
 
+#include "Progress.h"
+
 #include <chrono>
 #include <utility>
 
@@ -56,7 +58,11 @@ WriteBehind::Wait()
 void
 WriteBehind::WaitForIdle(std::unique_lock<std::mutex> & lock)
 {
-  m_Changed.wait(lock, [this] { return !m_Write; });
+  constexpr std::chrono::milliseconds beatInterval{ 100 };
+  while (!m_Changed.wait_for(lock, beatInterval, [this] { return !m_Write; }))
+  {
+    itk::MedialVoxelPoll();
+  }
   if (m_Failure)
   {
     std::rethrow_exception(std::exchange(m_Failure, nullptr));
@@ -66,6 +72,7 @@ WriteBehind::WaitForIdle(std::unique_lock<std::mutex> & lock)
 void
 WriteBehind::Work()
 {
+  const StopListener           listener;
   std::unique_lock<std::mutex> lock(m_Mutex);
   for (;;)
   {

@@ -5,9 +5,10 @@
 #include "FileNames.h"
 #include "JsonFile.h"
 #include "OutputFile.h"
-#include "Progress.h"
 #include "Text.h"
 #include "Zeros.h"
+
+#include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
 #include <set>
@@ -138,6 +139,7 @@ ZarrVolume::RemovePartialChunks() const
   std::vector<std::filesystem::path> files;
   for (const auto & entry : std::filesystem::recursive_directory_iterator(m_Folder.GetPath() / ZarrArrayFolder))
   {
+    itk::MedialVoxelPoll();
     if (entry.path().extension() == PartialExtension)
     {
       files.push_back(entry.path());
@@ -179,7 +181,6 @@ ZarrVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels)
   for (std::uint64_t layer = slices.begin / m_Grid.chunk[2]; layer * m_Grid.chunk[2] < slices.end; ++layer)
   {
     this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t) {
-      ThrowIfSignaled();
       AddZarrChunk(this->GetChunkFile(component, index), checksum);
     });
   }
@@ -259,7 +260,10 @@ ZarrVolume::ForEachChunkOfLayer(std::uint64_t layer, TFunction && function) cons
   std::uint64_t number = 0;
   ForEachChunk(m_Grid,
                { { 0, 0, layer * m_Grid.chunk[2] }, { m_Grid.size[0], m_Grid.size[1], 1 } },
-               [&](std::uint64_t component, const ZarrIndex & index) { function(component, index, number++); });
+               [&](std::uint64_t component, const ZarrIndex & index) {
+                 itk::MedialVoxelPoll();
+                 function(component, index, number++);
+               });
 }
 
 void
@@ -367,6 +371,7 @@ ZarrVolume::CheckChunkFiles() const
   std::uint64_t               files = 0;
   for (const auto & entry : std::filesystem::recursive_directory_iterator(array))
   {
+    itk::MedialVoxelPoll();
     if (entry.is_directory() || entry.path().filename() == ".zarray")
     {
       continue;
@@ -413,6 +418,7 @@ void
 ZarrVolume::ReadBox(const ZarrBox & box, void * data) const
 {
   const auto readChunk = [&](std::uint64_t component, const ZarrIndex & index) {
+    itk::MedialVoxelPoll();
     const ZarrBox chunkBox = m_Grid.GetBox(index);
     const ZarrBox part = Intersect(chunkBox, box);
     if (!ReadZarrChunk(this->GetChunkFile(component, index), m_Compression, m_Chunk.data(), m_Chunk.size()))

@@ -32,7 +32,12 @@ TEST(Text, ByteSizesTakeUnits)
   EXPECT_EQ(ParseByteSize("1.5m"), 1536u * 1024u);
   EXPECT_EQ(ParseByteSize("8G"), std::uint64_t{ 8 } << 30);
   EXPECT_EQ(ParseByteSize("4T"), std::uint64_t{ 4 } << 40);
-  for (const char * const text : { "", "K", "-1K", "1KB", "x", "nan", "inf", "1e30", "99999999T" })
+  for (const char * const text : { "2G", "2g", "2GB", "2GiB", "2gib", "2048MB", "2097152KiB", "0.001953125TB" })
+  {
+    EXPECT_EQ(ParseByteSize(text), std::uint64_t{ 2 } << 30) << text;
+  }
+  for (const char * const text :
+       { "", "K", "-1K", "1KX", "1Bi", "1iB", "2GG", "2GBB", "2GiBx", "GiB", "x", "nan", "inf", "1e30", "99999999T" })
   {
     EXPECT_FALSE(ParseByteSize(text)) << text;
   }

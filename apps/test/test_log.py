@@ -16,7 +16,9 @@ LINE = re.compile(r"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z) (error|warning|info
 class LogTest(ProgramTestCase):
     def setUp(self):
         super().setUp()
-        volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
+        volume = volumes.box_with_plate()
+        volume.voxels = [value // 100 for value in volume.voxels]  # an object in a background, of which nothing warns
+        volumes.write_meta(self.folder / "in.mha", volume)
 
     def log(self, *arguments, status=0, command="extract"):
         """Runs the program; the events that it logged, with their level and values."""

@@ -63,6 +63,22 @@ class MemoryTest(ProgramTestCase):
                 self.assertLessEqual(report["planned_peak_bytes"], 1024 * MEGABYTE if memory == "1G" else 48 * MEGABYTE)
                 self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"], (source.name, memory))
 
+    def test_limits_of_the_process_are_planned_with(self):
+        volume = volumes.write_meta(self.folder / "in.mha", walls())
+        self.extract(volume, "expected.mha")
+        for limit, name in ((resource.RLIMIT_AS, "address space"), (resource.RLIMIT_DATA, "data")):
+            for megabytes in (250, 1000):
+                limited = {"preexec_fn": lambda: resource.setrlimit(limit, (megabytes * MEGABYTE,) * 2)}
+                command = [volume, "out.mha", "--threads", 1, "--report", "r.json", "--overwrite"]
+                for memory in ([], ["--memory", "4G"]):
+                    self.extract(*command, *memory, **limited)
+                    report = json.loads((self.folder / "r.json").read_text())
+                    self.assertLess(report["memory_limit_bytes"], megabytes * MEGABYTE, name)
+                    self.assertEqual((self.folder / "out.mha").read_bytes(), (self.folder / "expected.mha").read_bytes())
+            small = {"preexec_fn": lambda: resource.setrlimit(limit, (40 * MEGABYTE,) * 2)}
+            if limit == resource.RLIMIT_DATA:
+                self.assert_fails(REFUSED, ["are allowed"], "extract", volume, "no.mha", "--memory", "4G", **small)
+
     def test_picture_and_page_do_not_grow_with_the_volume(self):
         """Eight times the slices, in pieces of the same size: the same peak, up to the longer views."""
         peaks = []

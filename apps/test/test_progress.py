@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Progress: on the right stream, never falling, not too much of it, ending at 1."""
 
+import fcntl
 import json
 import os
 import pty
 import re
+import struct
 import subprocess
+import termios
 import unittest
 
 import volumes
@@ -61,16 +64,41 @@ class ProgressTest(ProgramTestCase):
         self.assertIn("] 0 %", error)
         self.assertTrue(error.endswith("\x1b[K"), "the bar is wiped out at the end")
 
-    def test_bar_on_a_terminal(self):
+    def run_on_terminal(self, columns=80, **environment):
+        """The result, and what the terminal shows."""
         try:
             master, slave = pty.openpty()
         except OSError as error:
             self.skipTest(f'no terminal can be made here: {error}')
-        command = [PROGRAM, "extract", "in.mha", "t.mha", "--thickness", "3"]
-        result = subprocess.run(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=slave, check=True)
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("4H", 25, columns, 0, 0))
+        command = [PROGRAM, "extract", "in.mha", "t.mha", "--thickness", "3", "--lower", "72", "--overwrite"]
+        environment = {**os.environ, "TERM": "xterm", **environment}
+        result = subprocess.run(
+            command, cwd=self.folder, stdout=subprocess.PIPE, stderr=slave, check=True, env=environment
+        )
+        # Without a byte to read, reading would wait.
+        os.write(slave, b"$")
         os.close(slave)
-        shown = os.read(master, 65536)
+        shown = b""
+        while not shown.endswith(b"$"):
+            shown += os.read(master, 65536)
         os.close(master)
+        return result, shown[:-1]
+
+    def test_terminal_that_cannot_be_drawn_over(self):
+        for terminal in ("dumb", ""):
+            self.assertEqual(self.run_on_terminal(TERM=terminal)[1], b"", terminal)
+
+    def test_bar_fits_the_terminal(self):
+        for columns in (200, 80, 62, 61, 40, 30, 20, 10, 5):
+            for line in self.run_on_terminal(columns)[1].split(b"\r")[1:]:
+                text = line.replace(b"\x1b[K", b"")
+                self.assertLess(len(text), columns)
+                if columns >= 50 and text:
+                    self.assertTrue(text.startswith(b"medialvoxel ["), text)
+
+    def test_bar_on_a_terminal(self):
+        result, shown = self.run_on_terminal()
         self.assertIn(b"medialvoxel [", shown)
         self.assertNotIn(b"[", result.stdout)
 

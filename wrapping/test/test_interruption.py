@@ -27,12 +27,23 @@ def thick_part():
     return itk.MedialVoxelImageFilter.New(image_of(mask), thickness=3.0)
 
 
+def hard_part():
+    """A filter of which one tile takes minutes: noise, and a thickness that is large in voxels."""
+    noise = np.random.default_rng(5).random((160, 160, 160)) < 0.75
+    return itk.MedialVoxelImageFilter.New(image_of(noise.astype("uint8")), thickness=154.0)
+
+
 class Interruption(unittest.TestCase):
     def tearDown(self):
         self.assertTrue(itk.medial_voxel_image_filter(blobs(), thickness=3.0).any())
 
     def test_abort_from_another_thread(self):
-        medial = thick_part()
+        self.assert_aborts_from_another_thread(thick_part())
+
+    def test_abort_of_a_long_tile_from_another_thread(self):
+        self.assert_aborts_from_another_thread(hard_part())
+
+    def assert_aborts_from_another_thread(self, medial):
         is_running = threading.Event()
         is_aborted = threading.Event()
         aborted = []
@@ -58,10 +69,12 @@ class Interruption(unittest.TestCase):
         self.assertLess(ended - aborted[0], 1.0)
 
     def test_abort_by_an_observer(self):
-        medial = thick_part()
-        medial.AddObserver(itk.ProgressEvent(), medial.AbortGenerateDataOn)
-        with self.assertRaises(RuntimeError):
-            medial.Update()
+        for medial in (thick_part(), hard_part()):
+            begin = time.monotonic()
+            medial.AddObserver(itk.ProgressEvent(), medial.AbortGenerateDataOn)
+            with self.assertRaises(RuntimeError):
+                medial.Update()
+            self.assertLess(time.monotonic() - begin, 5.0)
 
     def test_an_observer_raises(self):
         medial = itk.MedialVoxelImageFilter.New(image_of(blobs()), thickness=3.0)
@@ -98,19 +111,24 @@ class Interruption(unittest.TestCase):
             np.testing.assert_array_equal(result, labels)
 
     def test_interrupt_from_the_keyboard(self):
+        """Heard in the observer that waits, and in a long tile by the next call of one that does nothing."""
+        self.assert_interrupted("thick_part", "time.sleep(30)")
+        self.assert_interrupted("hard_part", "pass")
+
+    def assert_interrupted(self, part, observer):
         script = "\n".join(
             [
                 "import signal, sys, time",
                 # A shell that runs the tests in the background leaves the signal ignored.
                 "signal.signal(signal.SIGINT, signal.default_int_handler)",
                 f"sys.path.insert(0, {str(pathlib.Path(__file__).parent)!r})",
-                "from test_interruption import thick_part",
+                f"from test_interruption import {part}",
                 "import itk",
                 "from support import blobs",
-                "medial = thick_part()",
+                f"medial = {part}()",
                 "def wait():",
                 "    print('progress', flush=True)",
-                "    time.sleep(30)",
+                f"    {observer}",
                 "medial.AddObserver(itk.ProgressEvent(), wait)",
                 "try:",
                 "    medial.Update()",
@@ -123,8 +141,10 @@ class Interruption(unittest.TestCase):
         child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         while child.stdout.readline().strip() != "progress":
             self.assertIsNone(child.poll())
+        sent = time.monotonic()
         child.send_signal(signal.SIGINT)
         output, _ = child.communicate(timeout=120)
+        self.assertLess(time.monotonic() - sent, 10.0)
         self.assertIn("interrupted True", output)
         self.assertEqual(child.returncode, 0)
 

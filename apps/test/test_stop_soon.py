@@ -1,0 +1,176 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""A signal stops the programs within a second also where a single step takes minutes, and progress is never silent."""
+
+import gzip
+import json
+import random
+import re
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PATIENCE, PROGRAM, ProgramTestCase
+from slicer_module import MODULE
+
+SIZE = 200
+NOISE = ("noise.raw", "--raw-size", f"{SIZE},{SIZE},{SIZE}", "--raw-type", "uint8", "--lower", "64")
+SOLID = ("solid.raw", "--raw-size", f"{SIZE},{SIZE},{SIZE}", "--raw-type", "uint8", "--upper", "0")
+
+# A member of a packed file, and how often it is repeated: gigabytes that take seconds to unpack, in little space.
+MEMBER_BYTES = 1 << 26
+MEMBERS = 64
+
+
+class StopSoonTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        # Each search of a path goes far, as there are boundary points everywhere.
+        (self.folder / "noise.raw").write_bytes(random.Random(17).randbytes(SIZE**3))
+        # A solid with a few holes: walls that are thick, as far as the largest one that is a sheet.
+        solid = bytearray(SIZE**3)
+        for hole in range(0, SIZE**3, 4099):
+            solid[hole] = 1
+        (self.folder / "solid.raw").write_bytes(solid)
+        self.before = self.names()
+
+    def names(self):
+        return sorted(path.name for path in self.folder.iterdir())
+
+    def start(self, *command):
+        process = subprocess.Popen(
+            [*map(str, command)], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.stderr.close)
+        return process
+
+    def stop(self, number, process, seconds):
+        """Sends the signal after some seconds of work; the output streams, and how long the stop took is checked."""
+        try:
+            process.wait(timeout=seconds)
+            self.fail(f"the work ended before it could be stopped: {process.communicate()}")
+        except subprocess.TimeoutExpired:
+            pass
+        sent = time.monotonic()
+        process.send_signal(number)
+        try:
+            streams = process.communicate(timeout=10 * PATIENCE)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.communicate()
+            self.fail(f"no stop {10 * PATIENCE} s after the signal")
+        took = time.monotonic() - sent
+        self.assertEqual(process.returncode, 128 + number, streams)
+        self.assertLess(took, 1 * PATIENCE, streams)
+        return streams
+
+    def assert_stops(self, *arguments, seconds=1.5):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            with self.subTest(arguments=arguments, signal=number):
+                out, error = self.stop(number, self.start(PROGRAM, *arguments), seconds)
+                self.assertEqual(out, "")
+                self.assertIn("medialvoxel: stopped, no output was written", error)
+                self.assertEqual(self.names(), self.before)
+
+    def test_large_thickness(self):
+        self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "40", "--voxel-units")
+
+    def test_thickness_in_small_voxels(self):
+        """The same as 154 voxels."""
+        spacing = ("--raw-spacing", "0.0195,0.0195,0.0195")
+        self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "3", *spacing)
+
+    def test_automatic_thickness(self):
+        self.assert_stops("extract", *SOLID, "out.mha", "--maximum-thickness", "60", "--thickness-map", "t.mha")
+
+    def test_pores(self):
+        self.assert_stops("extract", *NOISE, "out.mha", "--max-pore-size", "1000000", "--thickness", "40")
+
+    def test_mesh(self):
+        cleaning = ("--min-branch-length", "3", "--smallest-piece", "20")
+        self.assert_stops("mesh", *NOISE, "out.ply", "--thickness", "40", *cleaning)
+
+    def test_mesh_with_labels(self):
+        self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "40", "--mesh", "out.vtp", "--html", "p.html")
+
+    def test_distance(self):
+        size = 500
+        with open(self.folder / "large.raw", "wb") as file:
+            file.truncate(size**3)
+            file.seek(size**3 // 2)
+            file.write(b"\1")
+        self.before = self.names()
+        raw = ("--raw-size", f"{size},{size},{size}", "--raw-type", "uint8", "--raw-spacing", "1,1.1,1.3")
+        self.assert_stops("distance", "large.raw", "out.nhdr", *raw, "--upper", "0")
+
+    def test_unpacking(self):
+        slices = MEMBER_BYTES * MEMBERS >> 22
+        header = f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2048 2048 {slices}\nencoding: gzip\n\n"
+        member = gzip.compress(bytes(MEMBER_BYTES), 1)
+        (self.folder / "packed.nrrd").write_bytes(header.encode() + member * MEMBERS)
+        self.before = self.names()
+        self.assert_stops("extract", "packed.nrrd", "out.mha", "--thickness", "3")
+
+    def test_jobs(self):
+        """Hashing the input, which has much before its first voxel, and the work on a cluster; what is done stays."""
+        tail = ("--raw-size", "60,60,60", "--raw-type", "uint8", "--lower", "64", "--thickness", "3")
+        with open(self.folder / "long.raw", "wb") as file:
+            header = 3 << 29
+            file.truncate(header)
+            file.seek(header)
+            file.write(random.Random(18).randbytes(60**3))
+        self.before = self.names()
+        plan = ("plan", "long.raw", "out.mha", "job", *tail, "--raw-header", header)
+        self.assert_stops(*plan, "--hash", seconds=0.7)
+        self.run_program("plan", *NOISE, "out.mha", "hard", "--thickness", "40", "--divisions", "2")
+        for number in (signal.SIGTERM, signal.SIGINT):
+            error = self.stop(number, self.start(PROGRAM, "work", "hard"), 1.5)[1]
+            self.assertIn("medialvoxel: stopped; what is done stays, to continue: medialvoxel work ", error)
+
+    def test_finalize(self):
+        """Hashing the input again, which has much before its first voxel."""
+        tail = ("--raw-size", "60,60,60", "--raw-type", "uint8", "--lower", "64", "--thickness", "3")
+        with open(self.folder / "long.raw", "wb") as file:
+            header = 1 << 29
+            file.truncate(header)
+            file.seek(header)
+            file.write(random.Random(18).randbytes(60**3))
+        self.run_program("plan", "long.raw", "out.mha", "job", *tail, "--raw-header", header, "--hash")
+        self.run_program("work", "job")
+        for number in (signal.SIGTERM, signal.SIGINT):
+            error = self.stop(number, self.start(PROGRAM, "finalize", "job"), 0.5)[1]
+            self.assertIn("to continue: medialvoxel finalize ", error)
+        self.assertFalse((self.folder / "out.mha").exists())
+        self.run_program("finalize", "job")
+        self.assertTrue((self.folder / "out.mha").exists())
+
+    def test_module(self):
+        volume = self.folder / "noise.nhdr"
+        volume.write_text(
+            "NRRD0004\ntype: uint8\ndimension: 3\n"
+            f"sizes: {SIZE} {SIZE} {SIZE}\nencoding: raw\ndata file: noise.raw\n"
+        )
+        self.before = self.names()
+        options = ("--objectSelection", "AboveLower", "--lowerThreshold", "64", "--thicknessMode", "Fixed")
+        for number in (signal.SIGTERM, signal.SIGINT):
+            process = self.start(MODULE, "noise.nhdr", "out.nrrd", *options, "--thickness", "40")
+            out, _ = self.stop(number, process, 3.5)
+            self.assert_fractions(re.findall(r"<filter-progress>(.*)</filter-progress>", out))
+            self.assertEqual(self.names(), self.before)
+
+    def assert_fractions(self, fractions):
+        """At least two in three seconds, none below the one before."""
+        self.assertGreaterEqual(len(fractions), 2)
+        self.assertEqual(list(map(float, fractions)), sorted(map(float, fractions)))
+
+    def test_progress_is_not_silent(self):
+        command = (PROGRAM, "extract", *NOISE, "out.mha", "--thickness", "154", "--threads", "1")
+        error = self.stop(signal.SIGTERM, self.start(*command, "--progress", "json"), 3.5)[1]
+        lines = [json.loads(line) for line in error.splitlines() if line.startswith("{")]
+        self.assert_fractions([line["progress"] for line in lines if "progress" in line])
+
+
+if __name__ == "__main__":
+    unittest.main()

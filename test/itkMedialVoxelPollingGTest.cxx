@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+// Stops and signs of life in work of which a single tile takes minutes.
+
+#include "MedialVoxelTestHardCases.h"
+
+#include "itkMedialSurfaceMeshFilter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <thread>
+
+namespace
+{
+using namespace MedialVoxelTest;
+
+/** Seconds that this thread has computed; others on the machine do not count. */
+double
+SecondsOfThread()
+{
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/** Remembers the longest time that a thread computed without a poll, and aborts after some seconds. */
+class GapRecorder : public itk::MedialVoxelProgress
+{
+public:
+  explicit GapRecorder(double secondsToAbort)
+    : m_SecondsToAbort(secondsToAbort)
+  {
+    this->Restart();
+  }
+
+  void
+  Restart()
+  {
+    m_Last = SecondsOfThread();
+  }
+
+  bool
+  IsAborted() const override
+  {
+    const double now = SecondsOfThread();
+    m_Longest = std::max(m_Longest, now - m_Last);
+    m_Last = now;
+    ++m_NumberOfPolls;
+    return now - m_Start > m_SecondsToAbort;
+  }
+
+  void
+  Advance(std::uint64_t) override
+  {}
+
+  double                m_SecondsToAbort;
+  double                m_Start{ SecondsOfThread() };
+  mutable double        m_Last{ 0.0 };
+  mutable double        m_Longest{ 0.0 };
+  mutable std::uint64_t m_NumberOfPolls{ 0 };
+};
+
+/** A filter of one thread whose tiles are recorded, from their begin to their end. */
+template <typename TFilter>
+class RecordedFilter : public TFilter
+{
+public:
+  using Self = RecordedFilter;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+
+  GapRecorder * m_Recorder{ nullptr };
+
+protected:
+  itk::MedialVoxelBox
+  ProcessTile(const itk::MedialVoxelBox &           tile,
+              const itk::MedialVoxelClusterWindow & window,
+              const itk::MedialVoxelProgress &,
+              typename TFilter::Workspace & workspace,
+              typename TFilter::TileSums &  sums) override
+  {
+    const itk::MedialVoxelPollScope scope(*m_Recorder);
+    m_Recorder->Restart();
+    const auto missing = TFilter::ProcessTile(tile, window, *m_Recorder, workspace, sums);
+    itk::MedialVoxelPoll();
+    return missing;
+  }
+};
+
+/** Calls AbortGenerateDataOn() at the first progress event from some seconds after the begin on. */
+class LateAborter
+{
+public:
+  LateAborter(itk::ProcessObject & filter, double seconds)
+    : m_Filter(filter)
+    , m_Tag(filter.AddObserver(itk::ProgressEvent(), [this, seconds](const itk::EventObject &) {
+      this->Note();
+      if (!m_HasAborted && SecondsSince(m_Start) >= seconds)
+      {
+        m_HasAborted = true;
+        m_Aborted = Clock::now();
+        m_Filter.AbortGenerateDataOn();
+      }
+    }))
+  {}
+
+  ~LateAborter() { m_Filter.RemoveObserver(m_Tag); }
+
+  /** What ITK is told about progress must not fall. */
+  void
+  Note()
+  {
+    m_LongestSilence = std::max(m_LongestSilence, SecondsSince(m_LastEvent));
+    m_LastEvent = Clock::now();
+    m_Falls = m_Falls || m_Filter.GetProgress() < m_Fraction;
+    m_Fraction = m_Filter.GetProgress();
+  }
+
+  itk::ProcessObject & m_Filter;
+  Clock::time_point    m_Start{ Clock::now() };
+  Clock::time_point    m_LastEvent{ Clock::now() };
+  Clock::time_point    m_Aborted;
+  double               m_LongestSilence{ 0.0 };
+  float                m_Fraction{ 0.0f };
+  bool                 m_HasAborted{ false };
+  bool                 m_Falls{ false };
+  unsigned long        m_Tag;
+};
+
+template <typename TFilter>
+void
+ExpectAbortWithinASecond(TFilter & filter, const std::string & name)
+{
+  LateAborter aborter(filter, 0.5);
+  try
+  {
+    filter.Update();
+    EXPECT_FALSE(aborter.m_HasAborted) << name << ": the abort was not heard";
+    std::cout << name << ": took only " << SecondsSince(aborter.m_Start) << " s" << std::endl;
+    return;
+  }
+  catch (const itk::ProcessAborted &)
+  {}
+  EXPECT_TRUE(aborter.m_HasAborted) << name;
+  EXPECT_LT(SecondsSince(aborter.m_Aborted), 1.0 * Patience()) << name;
+  EXPECT_LT(aborter.m_LongestSilence, 1.0 * Patience()) << name;
+  EXPECT_FALSE(aborter.m_Falls) << name;
+}
+
+/** The filter gives right bytes after an abort. */
+void
+ExpectRightLabels(MedialFilter<3> & filter, const std::string & name)
+{
+  const Volume small = RandomBoxes({ { 13, 12, 11 } }, UnitSpacing, 8, 101);
+  filter.SetInput(MakeImage<MaskImage<3>>(small));
+  filter.SetThicknessMode(itk::MedialVoxelThicknessMode::Fixed);
+  filter.SetThickness(3.0);
+  filter.SetPseudoGeodesicBound(itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
+  filter.UnsetMaximumPoreSize();
+  filter.SubvoxelThicknessOff();
+  filter.GenerateThicknessOff();
+  filter.UpdateLargestPossibleRegion();
+  const auto expected = Classify(small, 3.0, Bound::FreeSpace);
+  EXPECT_TRUE(AreEqual(PixelsOf(filter.GetOutput()), expected.labels)) << name;
+  EXPECT_EQ(CountsOf(&filter), expected.counts) << name;
+}
+
+/** Counts its beats, and is aborted when it is told to be. */
+class CountingProgress : public itk::MedialVoxelProgress
+{
+public:
+  bool
+  IsAborted() const override
+  {
+    return m_IsAborted;
+  }
+  void
+  Advance(std::uint64_t) override
+  {}
+  void
+  Beat() override
+  {
+    ++m_Beats;
+    itk::MedialVoxelPoll(); // of nobody
+    if (m_OnBeat)
+    {
+      m_OnBeat();
+    }
+  }
+
+  bool                  m_IsAborted{ false };
+  int                   m_Beats{ 0 };
+  std::function<void()> m_OnBeat;
+};
+
+void
+PollFor(double seconds)
+{
+  for (const auto start = Clock::now(); SecondsSince(start) < seconds;)
+  {
+    itk::MedialVoxelPoll();
+  }
+}
+} // namespace
+
+TEST(MedialVoxelPolling, AsksTheProgressOfTheInnermostScope)
+{
+  CountingProgress outer;
+  CountingProgress inner;
+  EXPECT_NO_THROW(itk::MedialVoxelPoll());
+  {
+    const itk::MedialVoxelPollScope outerScope(outer);
+    {
+      const itk::MedialVoxelPollScope innerScope(inner);
+      outer.m_IsAborted = true;
+      EXPECT_NO_THROW(itk::MedialVoxelPoll());
+      inner.m_IsAborted = true;
+      EXPECT_THROW(itk::MedialVoxelPoll(), itk::MedialVoxelAborted);
+      std::thread([] { EXPECT_NO_THROW(itk::MedialVoxelPoll()); }).join();
+    }
+    EXPECT_THROW(itk::MedialVoxelPoll(), itk::MedialVoxelAborted);
+  }
+  EXPECT_NO_THROW(itk::MedialVoxelPoll());
+}
+
+TEST(MedialVoxelPolling, BeatsTenTimesASecond)
+{
+  CountingProgress                progress;
+  const itk::MedialVoxelPollScope scope(progress);
+  PollFor(0.65);
+  EXPECT_LE(progress.m_Beats, 6);
+  EXPECT_GE(progress.m_Beats, 1);
+}
+
+TEST(MedialVoxelPolling, ABeatThatThrowsEndsTheWorkAndNoMore)
+{
+  CountingProgress                progress;
+  const itk::MedialVoxelPollScope scope(progress);
+  progress.m_OnBeat = [] { throw std::runtime_error("an observer failed"); };
+  EXPECT_THROW(PollFor(5.0), std::runtime_error);
+  progress.m_OnBeat = [&] { progress.m_IsAborted = true; };
+  EXPECT_THROW(PollFor(5.0), itk::MedialVoxelAborted);
+  EXPECT_EQ(progress.m_Beats, 2);
+}
+
+TEST(MedialVoxelPolling, CountersPollNowAndThen)
+{
+  GapRecorder                     recorder(1e9);
+  const itk::MedialVoxelPollScope scope(recorder);
+  itk::MedialVoxelPollCounter     counter;
+  for (std::uint32_t i = 0; i < 10 * itk::MedialVoxelPollCounter::StepsPerPoll; ++i)
+  {
+    counter.Count();
+  }
+  EXPECT_EQ(recorder.m_NumberOfPolls, 20u); // each poll asks twice: before and after a beat
+}
+
+TEST(MedialVoxelPolling, NoKernelComputesLongWithoutAPoll)
+{
+  for (const HardCase & hard : HardCases())
+  {
+    GapRecorder recorder(1.5);
+    auto        filter = RecordedFilter<MedialFilter<3>>::New();
+    filter->m_Recorder = &recorder;
+    filter->SetNumberOfWorkUnits(1);
+    filter->SetInput(MakeImage<MaskImage<3>>(hard.volume()));
+    hard.prepare(*filter);
+    try
+    {
+      filter->Update();
+    }
+    catch (const itk::MedialVoxelAborted &)
+    {}
+    EXPECT_GT(recorder.m_NumberOfPolls, 0u) << hard.name;
+    EXPECT_LT(recorder.m_Longest, 0.1 * Patience()) << hard.name;
+    std::cout << hard.name << ": " << 1000.0 * recorder.m_Longest << " ms" << std::endl;
+  }
+}
+
+TEST(MedialVoxelPolling, NoKernelOfDistancesComputesLongWithoutAPoll)
+{
+  for (const Vector3 & spacing : { Vector3{ { 1.0, 1.0, 1.0 } }, Vector3{ { 1.0, 1.2, 1.7 } } })
+  {
+    Volume hollow = MakeVolume({ { 300, 260, 240 } }, spacing, [](const Index3 & v) { return v[0] + v[1] + v[2] > 3; });
+    GapRecorder recorder(3.0);
+    auto        filter = RecordedFilter<VectorFilter<3>>::New();
+    filter->m_Recorder = &recorder;
+    filter->SetNumberOfWorkUnits(1);
+    filter->SetInput(MakeImage<MaskImage<3>>(hollow));
+    try
+    {
+      filter->Update();
+    }
+    catch (const itk::MedialVoxelAborted &)
+    {}
+    EXPECT_GT(recorder.m_NumberOfPolls, 0u);
+    EXPECT_LT(recorder.m_Longest, 0.1 * Patience()) << spacing[2];
+    std::cout << "distances, spacing along z " << spacing[2] << ": " << 1000.0 * recorder.m_Longest << " ms"
+              << std::endl;
+  }
+}
+
+TEST(MedialVoxelPolling, HardWorkIsAbortedWithinASecondAndTheFilterStaysUsable)
+{
+  for (const unsigned int units : { 1u, 2u })
+  {
+    for (const HardCase & hard : HardCases())
+    {
+      const std::string name = std::string(hard.name) + ", " + std::to_string(units) + " threads";
+      auto              filter = MedialFilter<3>::New();
+      filter->SetNumberOfWorkUnits(units);
+      filter->SetInput(MakeImage<MaskImage<3>>(hard.volume()));
+      hard.prepare(*filter);
+      ExpectAbortWithinASecond(*filter, name);
+      ExpectRightLabels(*filter, name);
+    }
+  }
+}
+
+TEST(MedialVoxelPolling, DistancesAreAbortedWithinASecond)
+{
+  const Volume solid =
+    MakeVolume({ { 400, 300, 300 } }, { { 1.0, 1.2, 1.7 } }, [](const Index3 & v) { return v[0] + v[1] + v[2] > 3; });
+  for (const unsigned int units : { 1u, 2u })
+  {
+    auto filter = VectorFilter<3>::New();
+    filter->SetNumberOfWorkUnits(units);
+    filter->SetInput(MakeImage<MaskImage<3>>(solid));
+    ExpectAbortWithinASecond(*filter, "distances");
+  }
+}
+
+TEST(MedialVoxelPolling, ASurfaceIsAbortedWithinASecondAndTheFilterStaysUsable)
+{
+  using MeshFilter = itk::MedialSurfaceMeshFilter<MaskImage<3>>;
+  for (const unsigned int units : { 1u, 2u })
+  {
+    for (const bool isAutomatic : { false, true })
+    {
+      auto filter = MeshFilter::New();
+      filter->SetNumberOfWorkUnits(units);
+      filter->SetInput(MakeImage<MaskImage<3>>(Noise()));
+      filter->SetThicknessMode(isAutomatic ? itk::MedialVoxelThicknessMode::Automatic
+                                           : itk::MedialVoxelThicknessMode::Fixed);
+      filter->SetMaximumThickness(isAutomatic ? 30.0 : 0.0);
+      filter->SetThickness(40.0);
+      ExpectAbortWithinASecond(*filter, "surface");
+      const Volume small = AxisPlate({ { 20, 18, 16 } }, UnitSpacing, 2, 6, 4);
+      filter->SetInput(MakeImage<MaskImage<3>>(small));
+      filter->SetThicknessMode(itk::MedialVoxelThicknessMode::Fixed);
+      filter->SetThickness(3.0);
+      filter->Update();
+      auto fresh = MeshFilter::New();
+      fresh->SetInput(MakeImage<MaskImage<3>>(small));
+      fresh->SetThickness(3.0);
+      fresh->Update();
+      ASSERT_GT(fresh->GetOutput()->GetNumberOfPoints(), 0u);
+      EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), fresh->GetOutput()->GetNumberOfPoints());
+      EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), fresh->GetOutput()->GetNumberOfCells());
+    }
+  }
+}
+
+/** A noisy surface of thousands of sheets, whose cleaning takes longer than its tiles. */
+TEST(MedialVoxelPolling, CleaningASurfaceIsAbortedWithinASecond)
+{
+  using MeshFilter = itk::MedialSurfaceMeshFilter<MaskImage<3>>;
+  auto filter = MeshFilter::New();
+  filter->SetInput(MakeImage<MaskImage<3>>(RandomVolume({ { 100, 100, 100 } }, UnitSpacing, 0.5, 3)));
+  filter->SetThickness(2.0);
+  filter->SetMinimumBranchLength(40.0);
+  filter->SetSmallestPiece(50);
+  Clock::time_point done;
+  Clock::time_point aborted;
+  bool              isLast = false;
+  filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
+    // All tiles are done; what comes now is the surface as a whole.
+    if (filter->GetProgress() >= 1.0f && !isLast)
+    {
+      isLast = true;
+      aborted = Clock::now();
+      filter->AbortGenerateDataOn();
+    }
+  });
+  EXPECT_THROW(filter->Update(), itk::ProcessAborted);
+  EXPECT_TRUE(isLast);
+  EXPECT_LT(SecondsSince(aborted), 1.0 * Patience());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0u);
+}
+
+/** As a button of a user interface does that runs the filter in a thread. */
+TEST(MedialVoxelPolling, AnAbortFromAnotherThreadIsHeardToo)
+{
+  for (const unsigned int units : { 1u, 2u })
+  {
+    auto filter = MakeMedialFilter<3>(Noise(), 154.0);
+    filter->SetNumberOfWorkUnits(units);
+    Clock::time_point aborted;
+    std::thread       other([&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(700));
+      aborted = Clock::now();
+      filter->AbortGenerateDataOn();
+    });
+    EXPECT_THROW(filter->Update(), itk::ProcessAborted);
+    other.join();
+    EXPECT_LT(SecondsSince(aborted), 1.0 * Patience());
+    ExpectRightLabels(*filter, "from another thread");
+  }
+}
+
+TEST(MedialVoxelPolling, AnObserverThatThrowsEndsTheUpdateSoon)
+{
+  for (const unsigned int units : { 1u, 2u })
+  {
+    auto filter = MakeMedialFilter<3>(Noise(), 154.0);
+    filter->SetNumberOfWorkUnits(units);
+    Clock::time_point start = Clock::now();
+    const auto        tag = filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
+      if (SecondsSince(start) > 0.3)
+      {
+        start = Clock::now();
+        throw std::runtime_error("an interrupt");
+      }
+    });
+    EXPECT_THROW(filter->Update(), std::runtime_error);
+    EXPECT_LT(SecondsSince(start), 1.0 * Patience());
+    filter->RemoveObserver(tag);
+    ExpectRightLabels(*filter, "after an observer that throws");
+  }
+}
