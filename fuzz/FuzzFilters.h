@@ -3,6 +3,7 @@
 #ifndef FuzzFilters_h
 #define FuzzFilters_h
 
+#include "FuzzOracle.h"
 #include "FuzzScene.h"
 #include "FuzzSupport.h"
 
@@ -13,6 +14,7 @@
 #include "itkStreamingImageFilter.h"
 
 #include <cstring>
+#include <type_traits>
 
 namespace MedialVoxelFuzz
 {
@@ -84,6 +86,8 @@ SetScene(TFilter &                                            filter,
          const SceneInput<typename TFilter::InputImageType> & input,
          const Cut &                                          cut)
 {
+  // Most warnings are of a spacing that is unequal.
+  itk::Object::GlobalWarningDisplayOff();
   filter.SetInput(input.GetImage(cut.hasSource));
   filter.SetUseImageSpacing(scene.useImageSpacing);
   filter.SetBackgroundValue(static_cast<typename TFilter::InputPixelType>(scene.backgroundValue));
@@ -105,6 +109,23 @@ SetTiles(TFilter & filter, const Cut & cut)
 {
   filter.SetTileSize(cut.tileSize);
   filter.SetSlabThickness(cut.slabThickness);
+}
+
+/** All of a question but the bound, which the mesh has not. */
+template <typename TFilter>
+void
+SetWalls(TFilter & filter, const Question & question)
+{
+  filter.SetThicknessMode(question.thickness ? itk::MedialVoxelThicknessMode::Fixed
+                                             : itk::MedialVoxelThicknessMode::Automatic);
+  filter.SetThickness(question.thickness.value_or(3.0));
+  filter.SetMinimumThickness(question.minimumThickness);
+  filter.SetMaximumThickness(question.maximumThickness);
+  filter.UnsetMaximumPoreSize();
+  if (question.maximumPoreSize)
+  {
+    filter.SetMaximumPoreSize(static_cast<itk::SizeValueType>(*question.maximumPoreSize));
+  }
 }
 
 template <typename TRegion>
@@ -151,6 +172,39 @@ try
 catch (const itk::MedialVoxelMemoryError & error)
 {
   Require(cut.memoryLimit > 0 && error.GetNeededBytes() > cut.memoryLimit, error.what());
+}
+
+/** Names a type of image to a function that can take any. */
+template <typename TImage>
+struct Kind
+{
+  using ImageType = TImage;
+  static constexpr Values values =
+    std::is_floating_point<typename TImage::PixelType>::value ? Values::Real : Values::Whole;
+};
+
+/** Calls \a check(choices, kind) for an input of a fuzzer, with the kind of image that it chooses. */
+template <typename TCheck>
+int
+CheckInput(const std::uint8_t * data, std::size_t size, TCheck && check)
+{
+  if (size > MostBytesOfScene)
+  {
+    return 0;
+  }
+  Choices choices(data, size);
+  switch (choices.Next(0, 3))
+  {
+    case 0:
+      check(choices, Kind<itk::Image<unsigned char, 2>>());
+      break;
+    case 1:
+      check(choices, Kind<itk::Image<unsigned char, 3>>());
+      break;
+    default:
+      check(choices, Kind<itk::Image<float, 3>>());
+  }
+  return 0;
 }
 
 /** The output of a filter piece by piece. */

@@ -4,6 +4,7 @@
 
 #include "MedialVoxelTestAutomatic.h"
 #include "MedialVoxelTestPores.h"
+#include "MedialVoxelTestSurfaceOracle.h"
 #include "MedialVoxelTestThickness.h"
 
 namespace MedialVoxelFuzz
@@ -35,8 +36,10 @@ WallLimits
 LimitsOf(const Volume & volume, const Question & question)
 {
   const double unit = ShortestSpacing(volume);
-  return { question.minimumThickness > 0 ? question.minimumThickness : 3.0 * unit,
-           question.maximumThickness > 0 ? question.maximumThickness : 16.0 * unit };
+  const double least = LeastThickness(volume);
+  const double most = std::max(16.0 * unit, 4.0 * least);
+  return { std::max(question.minimumThickness > 0 ? question.minimumThickness : 3.0 * unit, least),
+           std::max(question.maximumThickness > 0 ? question.maximumThickness : most, least) };
 }
 
 /** Epsilon of the edge from \a v along \a axis: the largest of the cells around. */
@@ -100,6 +103,13 @@ ChooseThicknessOfPath(Choices & choices, const Volume & volume, int edges)
   return ThicknessForEpsilon(PathLength(volume, counts));
 }
 
+double
+UnitOf(const Volume & volume)
+{
+  const double shortest = ShortestSpacing(volume);
+  return shortest > 0.1 && shortest < 10.0 ? 1.0 : shortest;
+}
+
 Question
 ChooseQuestion(Choices & choices, const Volume & volume)
 {
@@ -107,8 +117,9 @@ ChooseQuestion(Choices & choices, const Volume & volume)
   question.bound = choices.OneOf(std::array<Bound, 3>{ { Bound::FreeSpace, Bound::Paper, Bound::Off } });
   const int kind = choices.Next(0, 7);
   // Not the round numbers at which paths have the length that decides.
-  const double first = 0.113 + choices.Byte() / 16.0;
-  const double second = first + choices.Byte() / 16.0;
+  const double unit = UnitOf(volume);
+  const double first = unit * (0.113 + choices.Byte() / 16.0);
+  const double second = first + unit * (choices.Byte() / 16.0);
   if (kind < 4)
   {
     question.thickness = first;
@@ -153,44 +164,64 @@ try
 catch (const std::logic_error &)
 {
   const bool isSmall = question.thickness &&
-                       EpsilonOf(*question.thickness) < MostEdgesOfExactPaths * ShortestSpacing(volume) &&
+                       EpsilonOf(std::max(*question.thickness, LeastThickness(volume))) <
+                         MostEdgesOfExactPaths * ShortestSpacing(volume) &&
                        BoundarySites(volume).size() <= MostSitesOfExactPaths;
   return isSmall ? std::optional<Classification>(Classify(volume, *question.thickness, question.bound, PathSums::Exact))
                  : std::nullopt;
 }
 
 std::optional<std::size_t>
-CountCrossingsByBruteForce(const Volume & volume, const Question & question)
+CountFacesByBruteForce(const Volume & volume, const Question & question)
 {
   const std::vector<Index3> sites = BoundarySites(volume);
   const std::vector<long>   nearest = NearestBoundaryPoints(volume, sites);
-  std::size_t               crossings = 0;
   bool                      isSure = true;
-  const auto                count = [&](const Index3 & v, int axis, auto & classifier, double epsilon) {
-    Index3 other = v;
-    ++other[axis];
-    const long a = nearest[volume.Offset(v)];
-    const long b = nearest[volume.Offset(other)];
-    if (a >= 0 && b >= 0)
-    {
+  const auto                count = [&](auto & classifier, auto epsilonAround, auto epsilonOf) {
+    const auto areApart = [&](const Index3 & v, const Index3 & w, double epsilon) {
+      const long a = nearest[volume.Offset(v)];
+      const long b = nearest[volume.Offset(w)];
+      if (a < 0 || b < 0)
+      {
+        return false;
+      }
       const double length = classifier.GeodesicDistance(a, b);
-      isSure = isSure && std::abs(length - epsilon) >= 1e-9;
-      crossings += length >= epsilon ? 1 : 0;
-    }
+      isSure = isSure && std::abs(length - epsilon) >= 1e-9 * epsilon;
+      return length >= epsilon;
+    };
+    std::set<SurfaceOracle::Edge> crossed;
+    ForEachInnerEdge(volume, [&](const Index3 & v, int axis) {
+      if (areApart(v, Moved(v, axis, 1), epsilonAround(v, axis)))
+      {
+        crossed.insert({ v, axis });
+      }
+    });
+    const SurfaceOracle oracle(crossed,
+                                              { [&](const Index3 & v, const Index3 & w, const Index3 & cell, const Index3 & behind) {
+                                  return areApart(v, w, std::max(epsilonOf(cell), epsilonOf(behind)));
+                                },
+                                 [&](const Index3 & v, const Index3 & w) {
+                                   return KeyDistance(
+                                     volume, sites[nearest[volume.Offset(v)]], sites[nearest[volume.Offset(w)]]);
+                                 } });
+    return crossed.size() - oracle.GetTrimmed().size();
   };
+  std::size_t faces = 0;
   if (question.thickness)
   {
     Classifier classifier(volume, *question.thickness);
-    ForEachInnerEdge(volume, [&](const Index3 & v, int axis) { count(v, axis, classifier, classifier.GetEpsilon()); });
+    const auto epsilon = [&](auto &&...) { return classifier.GetEpsilon(); };
+    faces = count(classifier, epsilon, epsilon);
   }
   else
   {
     JointClassifier classifier(volume, LimitsOf(volume, question));
-    ForEachInnerEdge(volume, [&](const Index3 & v, int axis) {
-      count(v, axis, classifier, EpsilonAround(volume, classifier, v, axis));
-    });
+    faces = count(
+      classifier,
+      [&](const Index3 & v, int axis) { return EpsilonAround(volume, classifier, v, axis); },
+      [&](const Index3 & cell) { return classifier.EpsilonOf(volume.Offset(cell)); });
   }
-  return isSure ? std::optional<std::size_t>(crossings) : std::nullopt;
+  return isSure ? std::optional<std::size_t>(faces) : std::nullopt;
 }
 
 std::vector<double>
@@ -203,7 +234,7 @@ ThicknessByBruteForce(const Volume & volume, const std::vector<unsigned char> & 
   {
     if (labels[i] >= 2)
     {
-      thicknesses[i] = ExpectedThickness(volume, sites, nearest, volume.IndexAt(i));
+      thicknesses[i] = ExpectWall(volume, sites, nearest, volume.IndexAt(i)).thickness;
     }
   }
   return thicknesses;

@@ -26,6 +26,10 @@ struct Question
 double
 ChooseThicknessOfPath(Choices & choices, const MedialVoxelTest::Volume & volume, int edges);
 
+/** A length that fits the spacing: 1 for the usual ones. */
+double
+UnitOf(const MedialVoxelTest::Volume & volume);
+
 Question
 ChooseQuestion(Choices & choices, const MedialVoxelTest::Volume & volume);
 
@@ -42,10 +46,10 @@ CountVoxelsOnlyIn(const MedialVoxelTest::Volume & volume, const MedialVoxelTest:
 std::optional<MedialVoxelTest::Classification>
 AnswerByBruteForce(const MedialVoxelTest::Volume & volume, const Question & question);
 
-/** Voxel edges with four cells around them that the surface crosses: between neighbors, of which one is object, whose
- * nearest boundary points are epsilon apart. Nothing as above. */
+/** Quadrilaterals of the surface: voxel edges with four cells around them that it crosses, between neighbors, of which
+ * one is object, whose nearest boundary points are epsilon apart, less fins and scraps. Nothing as above. */
 std::optional<std::size_t>
-CountCrossingsByBruteForce(const MedialVoxelTest::Volume & volume, const Question & question);
+CountFacesByBruteForce(const MedialVoxelTest::Volume & volume, const Question & question);
 
 /** Thickness of the wall at medial cells, zero elsewhere; NaN where the definition divides by zero. */
 std::vector<double>

@@ -21,15 +21,26 @@ ChooseSize(Choices & choices, unsigned int dimension)
   return { { x, y, dimension == 2 ? 1 : choices.Next(1, std::max(1, std::min(40, voxels / (x * y)))) } };
 }
 
+/** Of any size that the filters take; now and then wildly unequal. */
 Vector3
 ChooseSpacing(Choices & choices, unsigned int dimension)
 {
-  const std::array<double, 6> lengths{ { 1.0, 0.5, 0.7, 1.3, 2.0, 0.25 } };
-  const double                x = choices.OneOf(lengths);
-  Vector3                     spacing{ { x, x, x } };
+  const std::array<double, 6>  lengths{ { 1.0, 0.5, 0.7, 1.3, 2.0, 0.25 } };
+  const std::array<double, 10> wild{ { 1.0, 0.5, 0.7, 3.0, 6.25, 12.0, 15.0, 99.0, 0.1, 1.0 / 7.0 } };
+  const std::array<double, 6>  units{ { 1e-10, 1e-3, 1e3, 1e9, 5e9, 0x1p-30 } };
+  const double                 unit = choices.Rarely(4) ? choices.OneOf(units) : 1.0;
+  const double                 x = choices.OneOf(lengths);
+  Vector3                      spacing{ { x, x, x } };
   if (choices.Flag())
   {
-    spacing = { { x, choices.OneOf(lengths), choices.OneOf(lengths) } };
+    const bool   isWild = choices.Rarely(4);
+    const auto   next = [&] { return isWild ? choices.OneOf(wild) : choices.OneOf(lengths); };
+    const double y = next();
+    spacing = { { x, y, next() } };
+  }
+  for (double & length : spacing)
+  {
+    length *= unit;
   }
   spacing[2] = dimension == 2 ? 1.0 : spacing[2];
   return spacing;

@@ -4,7 +4,6 @@
 // The vector distance filter on small images against brute force, and in pieces against itself.
 
 #include "FuzzFilters.h"
-#include "FuzzOracle.h"
 
 #include "itkVectorDistanceMapImageFilter.h"
 
@@ -27,7 +26,7 @@ struct Demand
 };
 
 Demand
-ChooseDemand(Choices & choices)
+ChooseDemand(Choices & choices, double unit)
 {
   Demand demand;
   demand.boundary = choices.Flag() ? MedialVoxelBoundary::Object : MedialVoxelBoundary::Background;
@@ -36,7 +35,7 @@ ChooseDemand(Choices & choices)
   if (choices.Flag())
   {
     // Quarters are distances too.
-    demand.maximumDistance = (1 + choices.Byte()) / (choices.Flag() ? 4.0 : 17.0);
+    demand.maximumDistance = unit * (1 + choices.Byte()) / (choices.Flag() ? 4.0 : 17.0);
   }
   demand.insideIsPositive = choices.Flag();
   demand.squared = choices.Flag();
@@ -133,15 +132,15 @@ CheckRegions(Choices &                                   choices,
 
 template <typename TImage>
 void
-Check(Choices & choices, Values kind)
+Check(Choices & choices, Kind<TImage> kind)
 {
   Scene        scene = ChooseScene(choices, TImage::ImageDimension);
-  const Demand demand = ChooseDemand(choices);
+  const Demand demand = ChooseDemand(choices, UnitOf(scene.GetMeasured()));
   const Cut    cut = ChooseCut(choices);
   const bool   streams = choices.Flag();
   const auto   divisions = static_cast<unsigned int>(choices.Next(1, 12));
   Choices      later = choices;
-  FillScene(choices, kind, scene);
+  FillScene(choices, kind.values, scene);
 
   const SceneInput<TImage> input(scene);
   const auto               whole = MakeFilter(scene, demand, input, Cut());
@@ -168,21 +167,5 @@ Check(Choices & choices, Values kind)
 extern "C" int
 LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size)
 {
-  if (size > MostBytesOfScene)
-  {
-    return 0;
-  }
-  Choices choices(data, size);
-  switch (choices.Next(0, 3))
-  {
-    case 0:
-      Check<itk::Image<unsigned char, 2>>(choices, Values::Whole);
-      break;
-    case 1:
-      Check<itk::Image<unsigned char, 3>>(choices, Values::Whole);
-      break;
-    default:
-      Check<itk::Image<float, 3>>(choices, Values::Real);
-  }
-  return 0;
+  return CheckInput(data, size, [](Choices & choices, auto kind) { Check(choices, kind); });
 }
