@@ -147,7 +147,7 @@ private:
       return 2;
     }
     const double geodesic = this->GeodesicDistance(pair.ni, pair.nj);
-    if (std::abs(geodesic - epsilon) < 1e-9)
+    if (std::abs(geodesic - epsilon) < 1e-9 * epsilon)
     {
       throw std::logic_error("a path length within 1e-9 of a threshold");
     }

@@ -204,13 +204,27 @@ ThicknessForEpsilon(double epsilon)
   return EpsilonOf(thickness) == epsilon ? thickness : 0.0;
 }
 
+/** Where one spacing is more than four times another, no thickness counts as less than the largest. */
+inline double
+LeastThickness(const Volume & volume)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const int axis : volume.Axes())
+  {
+    smallest = std::min(smallest, volume.spacing[axis]);
+    largest = std::max(largest, volume.spacing[axis]);
+  }
+  return largest / smallest > 4.0 ? largest : 0.0;
+}
+
 /** All definitions together: labels and counts of a whole volume. */
 class Classifier
 {
 public:
   Classifier(const Volume & volume, double thickness, PathSums sums = PathSums::Doubles)
     : m_Volume(volume)
-    , m_Epsilon(EpsilonOf(thickness))
+    , m_Epsilon(EpsilonOf(std::max(thickness, LeastThickness(volume))))
     , m_Sums(sums)
     , m_Sites(BoundarySites(volume))
     , m_Nearest(NearestBoundaryPoints(volume, m_Sites))
@@ -291,7 +305,7 @@ public:
         m_DistancesFrom.clear();
       }
       const auto source = static_cast<int>(from);
-      const auto limit = m_Epsilon + 1e-6;
+      const auto limit = m_Epsilon * (1.0 + 1e-6);
       found = m_DistancesFrom
                 .emplace(from,
                          m_Sums == PathSums::Exact ? m_Graph.ExactDistancesFrom(source, limit)
@@ -317,9 +331,9 @@ private:
       return 2;
     }
     const double geodesic = this->GeodesicDistance(pair.ni, pair.nj);
-    if (m_Sums == PathSums::Doubles && std::abs(geodesic - m_Epsilon) < 1e-9)
+    if (m_Sums == PathSums::Doubles && std::abs(geodesic - m_Epsilon) < 1e-9 * m_Epsilon)
     {
-      throw std::logic_error("a path length within 1e-9 of epsilon needs PathSums::Exact");
+      throw std::logic_error("a path length within 1e-9 of epsilon, relatively, needs PathSums::Exact");
     }
     ++(geodesic >= m_Epsilon ? counts.geodesicMedialCells : counts.geodesicNonMedialCells);
     return geodesic >= m_Epsilon ? 3 : 1;
