@@ -88,7 +88,10 @@ class LeftoverCase(ProgramTestCase):
         outputs = {re.sub(rf"\.{NAME}\Z", "", name) for name in passing}
         self.assertLessEqual(len(outputs), 1, label)
         self.assertLessEqual(len(passing), 2, label)
-        self.assertEqual(self.names(), {"in.mha", *self.with_voxels({*names, *passing})}, label)
+        # The voxels of a header that was replaced go before it.
+        surely = {"in.mha", *self.with_voxels(names), *passing}
+        self.assertLessEqual(surely, self.names(), label)
+        self.assertLessEqual(self.names(), surely | self.with_voxels(passing), label)
 
     def remove_outputs(self):
         for path in self.folder.iterdir():
