@@ -220,8 +220,7 @@ CheckLabel(const JobOptions & options, const VolumeHeader & header)
   }
   const bool isPossible = DispatchValueType(
     header.GetStored(), [&options](auto zero) { return ConvertLabel<decltype(zero)>(*options.label).has_value(); });
-  // Resampled values are of double precision.
-  if (!isPossible || (header.stored && !ConvertLabel<double>(*options.label)))
+  if (!isPossible)
   {
     const std::string_view type = GetTraits(header.scale ? PixelType::Float64 : header.pixelType).name;
     Fail(ExitStatus::Usage,
@@ -230,6 +229,14 @@ CheckLabel(const JobOptions & options, const VolumeHeader & header)
          FormatLabel(*options.label),
          " is not a value of its type, ",
          type);
+  }
+  if (header.stored && !ConvertLabel<double>(*options.label))
+  {
+    Fail(ExitStatus::Usage,
+         header.fileName.string(),
+         ": the label ",
+         FormatLabel(*options.label),
+         " is lost by --resample, whose values are float64; give a label that float64 holds, or leave out --resample");
   }
 }
 

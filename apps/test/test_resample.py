@@ -98,6 +98,14 @@ class ResampleTest(ProgramTestCase):
         options = ["--lower", 1, "--upper", 1]
         self.assert_same(self.results("in.mha", "--resample", 1, *options), self.results("before.mha", *options))
 
+    def test_label_that_resampled_values_do_not_hold(self):
+        volume = volumes.Volume((9, 8, 7), [2**53 + 1] * (9 * 8 * 7), (1, 1, 4), kind="int64")
+        volumes.write_meta(self.folder / "in.mha", volume)
+        command = ["extract", "in.mha", "out.mha", "--label"]
+        self.assert_fails(USAGE, [2**53 + 1, "--resample"], *command, 2**53 + 1, "--resample", "auto")
+        self.run_program(*command, 2**53 + 1)
+        self.run_program(*command, 2**53, "--resample", "auto", "--overwrite")
+
     def test_any_division_and_any_way_of_reading(self):
         volume = tilted_wall(kind="uint16")
         options = ["--resample", "auto", "--lower", 500]
