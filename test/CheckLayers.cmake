@@ -41,7 +41,7 @@ set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceTrimmer Su
 set(L4 ObjectPredicate DisplacementWriter)
 set(units ${L0} ${Formats} ${L1} ${L2} ${L3} ${L4})
 
-file(GLOB files "${SOURCE}/include/itkMedialVoxel*.h" "${SOURCE}/src/itkMedialVoxel*.h" "${SOURCE}/src/itkMedialVoxel*.cxx")
+file(GLOB files "${SOURCE}/include/itkMedialVoxel*.h" "${SOURCE}/src/*/itkMedialVoxel*.h" "${SOURCE}/src/*/itkMedialVoxel*.cxx")
 list(FILTER files EXCLUDE REGEX "/itkMedialVoxelImageFilter[A-Za-z]*\\.h$")
 if(NOT files)
   message(FATAL_ERROR "No source of MedialVoxel in '${SOURCE}'")
