@@ -4,6 +4,7 @@
 #define itkMedialVoxelBoundaryDistances_h
 
 #include "itkMedialVoxelBoundaryGraph.h"
+#include "itkMedialVoxelBucketQueue.h"
 #include "itkMedialVoxelGrid.h"
 
 #include <cstdint>
@@ -15,9 +16,6 @@ namespace itk
 
 /** \class MedialVoxelBoundaryDistances
  * \brief Lengths of the shortest paths from one point of a boundary graph, by Dijkstra's algorithm.
- *
- * Points wait in buckets that are as wide as the shortest edge: no edge joins two points of a bucket, so that they can
- * be done in any order and no heap is needed.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelBoundaryDistances
@@ -61,9 +59,9 @@ private:
          TIsOfUse &&                      isOfUse,
          TIsDone &&                       isDone);
 
-  std::vector<double>                m_Lengths;
-  std::vector<NodeType>              m_Reached; // points that have a length
-  std::vector<std::vector<NodeType>> m_Buckets;
+  std::vector<double>              m_Lengths;
+  std::vector<NodeType>            m_Reached; // points that have a length
+  MedialVoxelBucketQueue<NodeType> m_Queue;
 };
 
 } // end namespace itk

@@ -4,6 +4,7 @@
 #define itkMedialVoxelPathSearch_h
 
 #include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelBucketQueue.h"
 #include "itkMedialVoxelDualCell.h"
 
 #include "MedialVoxelExport.h"
@@ -19,8 +20,7 @@ namespace itk
 /** \class MedialVoxelPathSearch
  * \brief Searches a short path between two boundary points, straight on the bits of a small box.
  *
- * Dijkstra's algorithm, without the points that no short path can use. Points wait in buckets that are narrower than
- * the shortest edge, so that no edge joins two points of a bucket. A path that is short enough ends the search.
+ * Dijkstra's algorithm, without the points that no short path can use. A path that is short enough ends the search.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelPathSearch
@@ -44,9 +44,9 @@ public:
       double rest;   // at least that of the way to the end; negative when it is not known yet
     };
 
-    std::vector<std::uint64_t>             m_Rows;
-    std::vector<Node>                      m_Nodes;
-    std::vector<std::vector<std::int32_t>> m_Buckets;
+    std::vector<std::uint64_t>           m_Rows;
+    std::vector<Node>                    m_Nodes;
+    MedialVoxelBucketQueue<std::int32_t> m_Queue;
   };
 
   explicit MedialVoxelPathSearch(const MedialVoxelGrid & grid);
@@ -65,21 +65,10 @@ public:
              Workspace &              workspace) const;
 
 private:
-  /** Rows of bits of the boundary in a box, with a zero on all sides. */
-  struct Raster
-  {
-    std::int32_t columns;
-    std::int32_t rows;
-    std::int32_t slices;
-  };
-
-  static Raster
-  Rasterize(const MedialVoxelBits & boundary, const MedialVoxelBox & box, std::vector<std::uint64_t> & words);
+  struct Raster;
 
   MedialVoxelGrid     m_Grid;
   MedialVoxelDualCell m_Cell;
-  double              m_BucketsPerLength;
-  std::size_t         m_NumberOfBuckets;
 };
 
 } // end namespace itk

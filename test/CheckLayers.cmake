@@ -3,7 +3,7 @@
 
 # Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A unit includes only units that stand before it in this table, and no header of ITK.
-set(L0 Enums Text Grid Limits Parameters Progress Bits RankedBits Gray HoleFinder FileRegion SequentialReader Histogram
+set(L0 Enums Text Grid Limits Parameters Progress Bits RankedBits Vector3 ResolutionBand Gray HoleFinder FileRegion SequentialReader Histogram
     Limit)
 # The header formats that are parsed by the module itself.
 set(Formats HeaderText NrrdHeader NrrdDataFiles NrrdGeometry NrrdText)
@@ -13,7 +13,8 @@ set(L1
     SiteKey
     RowPass
     DualCell
-    PlaneLayout
+    BucketQueue
+    Flood
     BitFlood
     BoundaryGraph
     BoundaryDistances

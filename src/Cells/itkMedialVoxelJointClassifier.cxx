@@ -3,6 +3,7 @@
 #include "itkMedialVoxelJointClassifier.h"
 
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelResolutionBand.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -13,9 +14,6 @@ namespace itk
 
 namespace
 {
-
-/** Relative width of the band below a threshold in which sums in floating point are not trusted. */
-constexpr double Band = 1e-9;
 
 /** Thickness in voxels of the threshold of the second flood; more does not fit its words. */
 constexpr double ThicknessOfFlood = 5.0;
@@ -77,7 +75,7 @@ MedialVoxelJointClassifier::FallsShort(const Query & query, Workspace & workspac
 {
   Cell & cell = workspace.m_Cells[query.cell];
   this->FollowNeighbors(workspace, cell);
-  if (cell.longest >= query.epsilon * (1.0 - Band))
+  if (cell.longest >= query.epsilon * (1.0 - MedialVoxelResolutionBand))
   {
     return false;
   }
@@ -207,14 +205,15 @@ MedialVoxelJointClassifier::LabelByLength(const MedialVoxelBits & sites,
   {
     return std::nullopt;
   }
-  if (*length < epsilon * (1.0 - Band))
+  if (*length < epsilon * (1.0 - MedialVoxelResolutionBand))
   {
     cell.longest = *length;
     return MedialVoxelLabel::NonMedial;
   }
   const double known = std::min(*length, m_LengthFlood.GetThreshold());
-  return known > epsilon * (1.0 + Band) ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic)
-                                        : std::nullopt;
+  return known > epsilon * (1.0 + MedialVoxelResolutionBand)
+           ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic)
+           : std::nullopt;
 }
 
 /** Length of the edge between two boundary points, 0 when they are the same; infinite when there is none. */

@@ -48,19 +48,6 @@ FillSquares(const std::int64_t last, const double spacing, std::vector<double> &
   }
 }
 
-/** Grow without giving memory back, as a workspace serves many tiles; the old values are lost. */
-template <typename TVector>
-void
-Reserve(TVector & values, const std::int64_t size)
-{
-  if (values.size() < static_cast<std::size_t>(size))
-  {
-    // Freed first, and not resized, which could take twice as much.
-    TVector().swap(values);
-    TVector(static_cast<std::size_t>(size)).swap(values);
-  }
-}
-
 } // namespace
 
 /** A group of columns of the remaining voxels, searched along x, then y, then z. */
@@ -84,10 +71,10 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   void
   SearchSlices() const
   {
-    Reserve(lines.nearestX, search.Extent(1) * search.Extent(2) * lanes);
-    Reserve(lines.costX, search.Extent(1) * lanes);
-    Reserve(lines.costXY, range.Extent(1) * search.Extent(2) * lanes);
-    Reserve(lines.positionY, range.Extent(1) * search.Extent(2) * lanes);
+    MedialVoxelReserve(lines.nearestX, search.Extent(1) * search.Extent(2) * lanes);
+    MedialVoxelReserve(lines.costX, search.Extent(1) * lanes);
+    MedialVoxelReserve(lines.costXY, range.Extent(1) * search.Extent(2) * lanes);
+    MedialVoxelReserve(lines.positionY, range.Extent(1) * search.Extent(2) * lanes);
     for (std::int64_t slice = 0; slice < search.Extent(2) && !tile.IsAborted(); ++slice)
     {
       MedialVoxelPoll();
@@ -137,8 +124,8 @@ struct MedialVoxelFeatureTransform::ColumnGroup
   void
   SearchAlongZ() const
   {
-    Reserve(lines.cost, lanes);
-    Reserve(lines.positionZ, lanes);
+    MedialVoxelReserve(lines.cost, lanes);
+    MedialVoxelReserve(lines.positionZ, lanes);
     for (std::int64_t y = range.lower[1]; y < range.upper[1]; ++y)
     {
       MedialVoxelPoll();

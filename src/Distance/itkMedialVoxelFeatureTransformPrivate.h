@@ -13,6 +13,19 @@ namespace itk
 /** Relative slack that keeps rounded lengths on the safe side. */
 constexpr double RelativeSlack = 1e-9;
 
+/** Grow without giving memory back, as a workspace serves many tiles; the old values are lost. */
+template <typename TVector>
+void
+MedialVoxelReserve(TVector & values, const std::int64_t size)
+{
+  if (values.size() < static_cast<std::size_t>(size))
+  {
+    // Freed first, and not resized, which could take twice as much.
+    TVector().swap(values);
+    TVector(static_cast<std::size_t>(size)).swap(values);
+  }
+}
+
 /** What the steps of the transform of one tile hand on. */
 struct MedialVoxelFeatureTransform::Tile
 {

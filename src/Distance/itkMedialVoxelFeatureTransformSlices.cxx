@@ -38,18 +38,6 @@ BlocksOf(const std::int64_t voxels)
   return (voxels + BlockSize - 1) / BlockSize;
 }
 
-template <typename TValue>
-void
-Reserve(std::vector<TValue> & values, const std::int64_t size)
-{
-  if (values.size() < static_cast<std::size_t>(size))
-  {
-    // Freed first, and not resized, which could take twice as much.
-    std::vector<TValue>().swap(values);
-    std::vector<TValue>(static_cast<std::size_t>(size)).swap(values);
-  }
-}
-
 } // namespace
 
 /** Searches the remaining voxels of a tile slice by slice: along z, then along y, then along x. */
@@ -152,8 +140,8 @@ MedialVoxelFeatureTransform::SliceSearch::Prepare(const std::int64_t z, const st
   m_Area = m_Tile.remainingBox.Expanded({ { reach, reach, 0 } }).Intersection(m_Tile.known);
   const auto   columns = static_cast<std::size_t>(m_Area.Extent(0) * m_Area.Extent(1));
   const auto & known = m_Tile.known;
-  Reserve(m_Memory.previous, static_cast<std::int64_t>(columns));
-  Reserve(m_Memory.next, static_cast<std::int64_t>(columns));
+  MedialVoxelReserve(m_Memory.previous, static_cast<std::int64_t>(columns));
+  MedialVoxelReserve(m_Memory.next, static_cast<std::int64_t>(columns));
   std::fill_n(m_Memory.previous.begin(), columns, static_cast<std::int16_t>(-Nowhere));
   std::fill_n(m_Memory.next.begin(), columns, Nowhere);
   m_Memory.passed.clear();
@@ -283,10 +271,10 @@ MedialVoxelFeatureTransform::SliceSearch::SearchAlongY(const std::int64_t z)
   const std::int64_t firstRow = m_Remaining.lower[1] - m_Area.lower[1];
   const std::int64_t firstWord = m_Area.lower[0] >> 6;
   const std::int64_t words = ((m_Area.upper[0] - 1) >> 6) - firstWord + 1;
-  Reserve(m_Memory.column, m_Area.Extent(1) + BlockSize);
-  Reserve(m_Memory.found, ColumnsAtOnce * blocks * BlockSize);
-  Reserve(m_Memory.plane, rows * pitch);
-  Reserve(m_Memory.needed, std::max(blocks, BlocksOf(m_Area.Extent(0))));
+  MedialVoxelReserve(m_Memory.column, m_Area.Extent(1) + BlockSize);
+  MedialVoxelReserve(m_Memory.found, ColumnsAtOnce * blocks * BlockSize);
+  MedialVoxelReserve(m_Memory.plane, rows * pitch);
+  MedialVoxelReserve(m_Memory.needed, std::max(blocks, BlocksOf(m_Area.Extent(0))));
   m_Memory.passY.SetLongestRow(m_Area.Extent(1));
   for (std::int64_t group = m_Area.lower[0]; group < m_Area.upper[0]; group += ColumnsAtOnce)
   {
@@ -326,7 +314,7 @@ MedialVoxelFeatureTransform::SliceSearch::SearchAlongX(const std::int64_t z)
 {
   const std::int64_t blocks = BlocksOf(m_Remaining.Extent(0));
   const std::int64_t pitch = m_Area.Extent(0) + ColumnsAtOnce;
-  Reserve(m_Memory.found, blocks * BlockSize);
+  MedialVoxelReserve(m_Memory.found, blocks * BlockSize);
   m_Memory.passX.SetLongestRow(m_Area.Extent(0));
   MedialVoxelPollCounter poll;
   double                 largest = 0.0;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelBitFlood.h"
 
-#include "itkMedialVoxelPlaneLayoutPrivate.h"
+#include "itkMedialVoxelFloodPrivate.h"
+#include "itkMedialVoxelResolutionBand.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,20 +13,12 @@
 namespace itk
 {
 
-namespace
-{
-
-/** Relative width of the band around the threshold in which sums of rounded edge lengths decide nothing. */
-constexpr double Band = 1e-9;
-
-} // namespace
-
 bool
 MedialVoxelBitFlood::Covers(const MedialVoxelGrid & grid, const double epsilon)
 {
   const bool isSolid = grid.IsActive(0) && grid.IsActive(1) && grid.IsActive(2);
   return isSolid && grid.HasEqualSpacing() && epsilon > grid.GetLongestEdge() &&
-         epsilon * (1.0 + Band) < static_cast<double>(Reach + 1) * grid.GetShortestEdge();
+         epsilon * (1.0 + MedialVoxelResolutionBand) < static_cast<double>(Reach + 1) * grid.GetShortestEdge();
 }
 
 MedialVoxelBitFlood::MedialVoxelBitFlood(const MedialVoxelGrid & grid, const double epsilon)
@@ -52,7 +45,7 @@ MedialVoxelBitFlood::FindLengths(const MedialVoxelGrid & grid, const double epsi
       for (int k = 0; k <= Reach; ++k)
       {
         const double length = i * edges[0] + j * edges[1] + k * edges[2];
-        if (std::abs(length - epsilon) <= Band * epsilon)
+        if (std::abs(length - epsilon) <= MedialVoxelResolutionBand * epsilon)
         {
           return false;
         }
@@ -155,7 +148,7 @@ MedialVoxelBitFlood::FindWindows(const MedialVoxelGrid & grid, const double epsi
           continue;
         }
         const std::array<int, 3> b{ { bx, by, bz } };
-        const std::array<int, 3> upper = FindUpper(lengthAt, b, epsilon * (1.0 + Band), reach);
+        const std::array<int, 3> upper = FindUpper(lengthAt, b, epsilon * (1.0 + MedialVoxelResolutionBand), reach);
         // What is around one of the points is mirrored around the other.
         const std::array<int, 3> lower{ { bx - upper[0], by - upper[1], bz - upper[2] } };
         this->AddWindow({ { bx, by, bz } }, lower, upper);
@@ -228,47 +221,6 @@ MedialVoxelBitFlood::ShapeOf(const std::array<std::uint8_t, 3> & size)
   m_Shapes.push_back(shape);
   return static_cast<std::uint8_t>(m_Shapes.size() - 1);
 }
-
-namespace
-{
-
-/** Call \a visit(bits, y, z) for the rows of \a size that begin at \a lower, with size[0] <= 8 bits each. */
-template <typename TVisitor>
-void
-VisitRows(const MedialVoxelBits &             boundary,
-          const MedialVoxelIndex &            lower,
-          const std::array<std::uint8_t, 3> & size,
-          TVisitor &&                         visit)
-{
-  using WordType = MedialVoxelBits::WordType;
-  const auto       shift = static_cast<unsigned int>(lower[0] & (MedialVoxelBits::BitsPerWord - 1));
-  const auto       columns = (WordType{ 1 } << size[0]) - 1;
-  const WordType * slice =
-    boundary.GetRow(lower[1], lower[2]) + ((lower[0] / MedialVoxelBits::BitsPerWord) - boundary.GetFirstWord());
-  const std::int64_t rowPitch = boundary.GetRowPitch();
-  const std::int64_t slicePitch = rowPitch * boundary.GetBox().Extent(1);
-  const bool         isInOneWord = shift + size[0] <= MedialVoxelBits::BitsPerWord;
-  for (unsigned int z = 0; z < size[2]; ++z, slice += slicePitch)
-  {
-    const WordType * row = slice;
-    if (isInOneWord)
-    {
-      for (unsigned int y = 0; y < size[1]; ++y, row += rowPitch)
-      {
-        visit((row[0] >> shift) & columns, y, z);
-      }
-    }
-    else
-    {
-      for (unsigned int y = 0; y < size[1]; ++y, row += rowPitch)
-      {
-        visit(((row[0] >> shift) | (row[1] << (MedialVoxelBits::BitsPerWord - shift))) & columns, y, z);
-      }
-    }
-  }
-}
-
-} // namespace
 
 /** All voxels of the window in a word. */
 struct MedialVoxelBitFlood::WordLayout
@@ -369,18 +321,15 @@ MedialVoxelBitFlood::WithDomain(const MedialVoxelBits &  boundary,
   {
     WordType     domain = 0;
     unsigned int shift = 0;
-    VisitRows(boundary, lower, window.size, [&](const WordType bits, const unsigned int, const unsigned int) {
-      domain |= bits << shift;
-      shift += window.size[0];
-    });
+    MedialVoxelVisitRows(
+      boundary, lower, window.size, [&](const WordType bits, const unsigned int, const unsigned int) {
+        domain |= bits << shift;
+        shift += window.size[0];
+      });
     const unsigned int strideY = window.size[0];
     return visit(WordLayout{ m_Shapes[window.shape], strideY, strideY * window.size[1] }, domain);
   }
-  std::array<WordType, MedialVoxelPlaneLayout::Edge> domain{};
-  VisitRows(boundary, lower, window.size, [&](const WordType bits, const unsigned int y, const unsigned int z) {
-    domain[z] |= bits << (static_cast<unsigned int>(MedialVoxelPlaneLayout::Edge) * y);
-  });
-  return visit(MedialVoxelPlaneLayout{}, MedialVoxelPlaneLayout::Load(domain));
+  return visit(MedialVoxelPlaneLayout{}, MedialVoxelLoadPlanes(boundary, lower, window.size));
 }
 
 MedialVoxelBitFlood::Result
@@ -431,25 +380,14 @@ template <typename TLayout>
 MedialVoxelBitFlood::Result
 MedialVoxelBitFlood::Flood(const TLayout & layout, const Window & window, const typename TLayout::Set & domain) const
 {
-  auto       reached = TLayout::Point(window.bitOfA);
-  const auto target = TLayout::Point(window.bitOfB);
-  for (std::int64_t edges = 1; edges <= m_MostEdges; ++edges)
+  const std::int64_t edges =
+    MedialVoxelFlood(layout, domain, TLayout::Point(window.bitOfA), TLayout::Point(window.bitOfB), m_MostEdges);
+  if (edges == 0)
   {
-    auto next = TLayout::Or(reached, layout.AlongX(reached));
-    next = TLayout::Or(next, layout.AlongY(next));
-    next = TLayout::And(TLayout::Or(next, layout.AlongZ(next)), domain);
-    if (TLayout::Meet(next, target))
-    {
-      return edges <= m_ShortEdges || this->FloodByLength(layout, window, domain) < m_Epsilon ? Result::FallsShort
-                                                                                              : Result::Reaches;
-    }
-    if (TLayout::Equal(next, reached))
-    {
-      break;
-    }
-    reached = next;
+    return Result::Reaches;
   }
-  return Result::Reaches;
+  return edges <= m_ShortEdges || this->FloodByLength(layout, window, domain) < m_Epsilon ? Result::FallsShort
+                                                                                          : Result::Reaches;
 }
 
 /** The length of the shortest path; infinite when it reaches the threshold. */

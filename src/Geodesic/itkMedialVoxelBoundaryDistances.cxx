@@ -3,7 +3,6 @@
 #include "itkMedialVoxelBoundaryDistances.h"
 
 #include "itkMedialVoxelDualCell.h"
-#include "itkMedialVoxelProgress.h"
 
 namespace itk
 {
@@ -50,16 +49,7 @@ MedialVoxelBoundaryDistances::Search(const MedialVoxelBoundaryGraph & graph,
                                      TIsOfUse &&                      isOfUse,
                                      TIsDone &&                       isDone)
 {
-  // A little narrower than the shortest edge, so that rounding does not leave both ends of an edge in one bucket.
-  const double width = grid.GetShortestEdge() * (1.0 - 1e-9);
-  const double bucketsPerLength = 1.0 / width;
-  const auto   bucketOf = [&](const double length) { return static_cast<std::size_t>(length * bucketsPerLength); };
-  // Buckets are used again once the front has passed them.
-  m_Buckets.resize(bucketOf(grid.GetLongestEdge()) + 2);
-  for (auto & bucket : m_Buckets)
-  {
-    bucket.clear();
-  }
+  m_Queue.Begin(grid);
   // Most searches reach few of the points.
   for (const NodeType node : m_Reached)
   {
@@ -73,35 +63,21 @@ MedialVoxelBoundaryDistances::Search(const MedialVoxelBoundaryGraph & graph,
       m_Reached.push_back(node);
     }
     m_Lengths[node] = length;
-    m_Buckets[bucketOf(length) % m_Buckets.size()].push_back(node);
+    m_Queue.Push(node, length);
   };
   reach(source, 0.0);
-
-  MedialVoxelPollCounter poll;
-  std::size_t            waiting = 1;
-  for (std::size_t front = 0; waiting > 0 && !isDone(static_cast<double>(front) * width); ++front)
-  {
-    auto & bucket = m_Buckets[front % m_Buckets.size()];
-    for (const NodeType node : bucket)
-    {
-      poll.Count();
-      const double length = m_Lengths[node];
-      if (bucketOf(length) != front)
-      {
-        continue;
-      }
-      graph.VisitNeighbors(node, [&](const NodeType neighbor, const unsigned int mask) {
-        const double next = length + grid.GetEdgeLength(mask);
-        if (next < m_Lengths[neighbor] && isOfUse(neighbor, next))
-        {
-          reach(neighbor, next);
-          ++waiting;
-        }
-      });
-    }
-    waiting -= bucket.size();
-    bucket.clear();
-  }
+  m_Queue.Run([&](const NodeType node) { return m_Lengths[node]; },
+              [&](const NodeType node, const double length) {
+                graph.VisitNeighbors(node, [&](const NodeType neighbor, const unsigned int mask) {
+                  const double next = length + grid.GetEdgeLength(mask);
+                  if (next < m_Lengths[neighbor] && isOfUse(neighbor, next))
+                  {
+                    reach(neighbor, next);
+                  }
+                });
+                return true;
+              },
+              isDone);
 }
 
 } // end namespace itk

@@ -3,7 +3,9 @@
 #include "itkMedialVoxelBoundedGeodesic.h"
 
 #include "itkMedialVoxelBitFlood.h"
+#include "itkMedialVoxelFloodPrivate.h"
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelResolutionBand.h"
 
 #include <algorithm>
 #include <array>
@@ -15,16 +17,8 @@
 namespace itk
 {
 
-using WordType = MedialVoxelBits::WordType;
-
 namespace
 {
-
-/** Relative width of the band around epsilon in which lengths are resolved exactly; sums err by far less. */
-constexpr double Band = 1e-9;
-
-/** Edge of the box that fits a word per plane. */
-constexpr std::int64_t FloodSize = 8;
 
 /** Searches over fewer edges cost less than keeping their results. */
 constexpr double FewEdges = 8.0;
@@ -75,8 +69,8 @@ MedialVoxelBoundedGeodesic::MedialVoxelBoundedGeodesic(const MedialVoxelGrid & g
   : m_Grid(grid)
   , m_Cell(grid)
   , m_Epsilon(epsilon)
-  , m_Lower(epsilon * (1.0 - Band))
-  , m_Upper(epsilon * (1.0 + Band))
+  , m_Lower(epsilon * (1.0 - MedialVoxelResolutionBand))
+  , m_Upper(epsilon * (1.0 + MedialVoxelResolutionBand))
   , m_HasLandmarks(epsilon > FewEdges * grid.GetShortestEdge())
   , m_Radius(1.4 * m_Upper)
   , m_MostNodesOfTile(MostNodesOfTile(grid, epsilon))
@@ -89,7 +83,7 @@ MedialVoxelBoundedGeodesic::SearchBoxOf(const MedialVoxelGrid &  grid,
                                         const double             length)
 {
   // Sums of rounded edges may fall a little short of what they should be.
-  const double                  longest = length * (1.0 + Band);
+  const double                  longest = length * (1.0 + MedialVoxelResolutionBand);
   const MedialVoxelDisplacement difference = Difference(a, b);
   const auto &                  spacing = grid.GetSpacing();
   std::array<double, 3>         focus;
@@ -104,7 +98,8 @@ MedialVoxelBoundedGeodesic::SearchBoxOf(const MedialVoxelGrid &  grid,
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const double center = 0.5 * static_cast<double>(a[axis] + b[axis]);
-    const double extent = std::sqrt(squaredMinor + focus[axis] * focus[axis]) / spacing[axis] * (1.0 + Band);
+    const double extent =
+      std::sqrt(squaredMinor + focus[axis] * focus[axis]) / spacing[axis] * (1.0 + MedialVoxelResolutionBand);
     const double size = static_cast<double>(grid.GetSize()[axis]);
     box.lower[axis] = static_cast<std::int64_t>(std::ceil(std::max(0.0, center - extent)));
     box.upper[axis] = static_cast<std::int64_t>(std::floor(std::min(size - 1.0, center + extent))) + 1;
@@ -150,45 +145,21 @@ MedialVoxelBoundedGeodesic::ReachesThreshold(const MedialVoxelIndex & a,
 namespace
 {
 
-/** Eight planes of 8 x 8 bits, x fastest. */
-using FloodPlanes = std::array<WordType, FloodSize>;
-
-constexpr WordType FirstColumn = 0x0101010101010101u;
-constexpr WordType LastColumn = 0x8080808080808080u;
-
 /** As much of a box as a flood can hold, around its center. */
 MedialVoxelBox
 MiddleOf(const MedialVoxelBox & box)
 {
-  MedialVoxelBox middle = box;
+  constexpr std::int64_t edge = MedialVoxelPlaneLayout::Edge;
+  MedialVoxelBox         middle = box;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    if (box.Extent(axis) > FloodSize)
+    if (box.Extent(axis) > edge)
     {
-      middle.lower[axis] += (box.Extent(axis) - FloodSize) / 2;
-      middle.upper[axis] = middle.lower[axis] + FloodSize;
+      middle.lower[axis] += (box.Extent(axis) - edge) / 2;
+      middle.upper[axis] = middle.lower[axis] + edge;
     }
   }
   return middle;
-}
-
-/** One step of 26-connected dilation. */
-FloodPlanes
-Dilate(const FloodPlanes & planes)
-{
-  FloodPlanes inPlane;
-  for (std::size_t z = 0; z < planes.size(); ++z)
-  {
-    const WordType row = planes[z] | ((planes[z] << 1) & ~FirstColumn) | ((planes[z] >> 1) & ~LastColumn);
-    inPlane[z] = row | (row << FloodSize) | (row >> FloodSize);
-  }
-  FloodPlanes result = inPlane;
-  for (std::size_t z = 1; z < planes.size(); ++z)
-  {
-    result[z] |= inPlane[z - 1];
-    result[z - 1] |= inPlane[z];
-  }
-  return result;
 }
 
 } // namespace
@@ -199,55 +170,37 @@ MedialVoxelBoundedGeodesic::Flood(const MedialVoxelBits &  boundary,
                                   const MedialVoxelIndex & a,
                                   const MedialVoxelIndex & b) const
 {
+  if (a == b)
+  {
+    return FloodResult::FallsShort;
+  }
   const MedialVoxelBox box = MiddleOf(searchBox);
   if (!box.Contains(a) || !box.Contains(b))
   {
     return FloodResult::Undecided;
   }
-  const bool     isWhole = box == searchBox;
-  FloodPlanes    domain{};
-  const WordType columns = (WordType{ 1 } << box.Extent(0)) - 1;
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
-  {
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-    {
-      domain[static_cast<std::size_t>(z - box.lower[2])] |= (boundary.Extract(box.lower[0], y, z) & columns)
-                                                            << (FloodSize * (y - box.lower[1]));
-    }
-  }
-  const auto plane = [&](const MedialVoxelIndex & index) { return static_cast<std::size_t>(index[2] - box.lower[2]); };
-  const auto bit = [&](const MedialVoxelIndex & index) {
-    return WordType{ 1 } << (FloodSize * (index[1] - box.lower[1]) + (index[0] - box.lower[0]));
+  using Layout = MedialVoxelPlaneLayout;
+  const auto pointOf = [&](const MedialVoxelIndex & index) {
+    const auto [x, y, z] =
+      MedialVoxelIndex{ { index[0] - box.lower[0], index[1] - box.lower[1], index[2] - box.lower[2] } };
+    return Layout::Point(static_cast<std::uint16_t>((z * Layout::Edge + y) * Layout::Edge + x));
   };
-
-  FloodPlanes reached{};
-  reached[plane(a)] = bit(a);
-  if (a == b)
+  std::array<std::uint8_t, 3> size;
+  for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    return FloodResult::FallsShort;
+    size[axis] = static_cast<std::uint8_t>(box.Extent(axis));
   }
   // No path needs more edges than the box has points.
-  const double mostEdges = static_cast<double>(FloodSize * FloodSize * FloodSize);
-  const auto   longestPath = static_cast<std::int64_t>(std::min(m_Upper / m_Grid.GetShortestEdge(), mostEdges));
-  for (std::int64_t edges = 1; edges <= longestPath; ++edges)
+  constexpr double   mostPoints = Layout::Edge * Layout::Edge * Layout::Edge;
+  const auto         mostEdges = static_cast<std::int64_t>(std::min(m_Upper / m_Grid.GetShortestEdge(), mostPoints));
+  const Layout::Set  domain = MedialVoxelLoadPlanes(boundary, box.lower, size);
+  const std::int64_t edges = MedialVoxelFlood(Layout{}, domain, pointOf(a), pointOf(b), mostEdges);
+  if (edges == 0)
   {
-    FloodPlanes next = Dilate(reached);
-    for (std::size_t z = 0; z < next.size(); ++z)
-    {
-      next[z] &= domain[z];
-    }
-    if (next[plane(b)] & bit(b))
-    {
-      const bool isShort = static_cast<double>(edges) * m_Grid.GetLongestEdge() < m_Lower;
-      return isShort ? FloodResult::FallsShort : FloodResult::Undecided;
-    }
-    if (next == reached)
-    {
-      break;
-    }
-    reached = next;
+    return box == searchBox ? FloodResult::Reaches : FloodResult::Undecided;
   }
-  return isWhole ? FloodResult::Reaches : FloodResult::Undecided;
+  const bool isShort = static_cast<double>(edges) * m_Grid.GetLongestEdge() < m_Lower;
+  return isShort ? FloodResult::FallsShort : FloodResult::Undecided;
 }
 
 bool

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelPairSeparation.h"
 
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelResolutionBand.h"
 
 #include <algorithm>
 #include <array>
@@ -14,9 +15,6 @@ namespace itk
 
 namespace
 {
-
-/** Relative width of the band around a threshold in which sums in floating point are not trusted. */
-constexpr double Band = 1e-9;
 
 /** Groups are cubes of 16, then 8, then 4 voxels. */
 constexpr unsigned int FirstLevel = 4;
@@ -140,7 +138,7 @@ PointsInEllipsoid(const MedialVoxelGrid &            grid,
     focus[axis] = 0.5 * static_cast<double>(query.a[axis] - query.b[axis]) * spacing[axis];
   }
   // A point p from the center is inside when (p.u / major)^2 + (p.p - (p.u)^2) / minor^2 <= 1, u along the foci.
-  const double length = 0.5 * query.epsilon * (1.0 + Band);
+  const double length = 0.5 * query.epsilon * (1.0 + MedialVoxelResolutionBand);
   const double squaredFocus = focus[0] * focus[0] + focus[1] * focus[1] + focus[2] * focus[2];
   const double squaredMajor = length * length;
   // At least so much that nothing is lost to rounding; a wider ellipsoid holds more.
@@ -195,8 +193,8 @@ MedialVoxelPairSeparation::BoundLength(const MedialVoxelBits &            bounda
                                        Workspace &                        workspace) const
 {
   MedialVoxelPoll();
-  const double         lower = query.epsilon * (1.0 - Band);
-  const double         upper = query.epsilon * (1.0 + Band);
+  const double         lower = query.epsilon * (1.0 - MedialVoxelResolutionBand);
+  const double         upper = query.epsilon * (1.0 + MedialVoxelResolutionBand);
   const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);
   if (box.Extent(0) <= MedialVoxelPathSearch::LongestRow)
   {

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelSurfaceBuilder.h"
 
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,31 +29,13 @@ constexpr double LargestRounding = 0.001;
 /** That no plane with rational coefficients holds. */
 constexpr std::array<double, 3> FrontDirection{ { 1.0, 1.4142135623730951, 1.7320508075688772 } };
 
-using Vector = std::array<double, 3>;
-
-Vector
-Difference(const Vector & a, const Vector & b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
-
-double
-Dot(const Vector & a, const Vector & b)
-{
-  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
-Vector
-Cross(const Vector & a, const Vector & b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
+using Vector = MedialVoxelVector3;
 
 double
 AreaOfTriangle(const Vector & a, const Vector & b, const Vector & c)
 {
-  const Vector normal = Cross(Difference(b, a), Difference(c, a));
-  return 0.5 * std::sqrt(Dot(normal, normal));
+  const Vector normal = MedialVoxelCross(MedialVoxelSubtract(b, a), MedialVoxelSubtract(c, a));
+  return 0.5 * MedialVoxelNorm(normal);
 }
 
 /** Order of the cells of a slice; one more along y is 2^32 more. */
@@ -132,7 +115,7 @@ MedialVoxelSurfaceBuilder::FitsFloat(const Placement & placement, const MedialVo
   double shortest = std::numeric_limits<double>::infinity();
   for (const Vector & step : placement.steps)
   {
-    shortest = std::min(shortest, std::sqrt(Dot(step, step)));
+    shortest = std::min(shortest, MedialVoxelNorm(step));
   }
   constexpr double half = 0.5 * std::numeric_limits<float>::epsilon();
   return LargestCoordinate(placement, size) * half <= LargestRounding * shortest;
@@ -326,7 +309,7 @@ MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
       }
     }
     const Vector normal{ { cell.normal[0], cell.normal[1], cell.normal[2] } };
-    const double toPlane = m_WeightOfPlane * (static_cast<double>(cell.distance) - Dot(normal, offset));
+    const double toPlane = m_WeightOfPlane * (static_cast<double>(cell.distance) - MedialVoxelDot(normal, offset));
     for (unsigned int component = 0; component < 3; ++component)
     {
       slice.previous[i][component] = static_cast<float>(offset[component] + toPlane * normal[component]);
@@ -405,9 +388,9 @@ MedialVoxelSurfaceBuilder::MakeQuad(const std::size_t at, const std::uint32_t ce
     points[corner] = this->PointOf(*corners[corner].slice, corners[corner].cell);
   }
 
-  const Vector           diagonal02 = Difference(points[2], points[0]);
-  const Vector           diagonal13 = Difference(points[3], points[1]);
-  const bool             isReversed = Dot(Cross(diagonal02, diagonal13), FrontDirection) < 0.0;
+  const Vector           diagonal02 = MedialVoxelSubtract(points[2], points[0]);
+  const Vector           diagonal13 = MedialVoxelSubtract(points[3], points[1]);
+  const bool             isReversed = MedialVoxelDot(MedialVoxelCross(diagonal02, diagonal13), FrontDirection) < 0.0;
   MedialVoxelSurfaceQuad quad;
   for (unsigned int side = 0; side < 4; ++side)
   {
@@ -417,7 +400,7 @@ MedialVoxelSurfaceBuilder::MakeQuad(const std::size_t at, const std::uint32_t ce
     quad.rimSides = static_cast<std::uint8_t>(quad.rimSides | (number == 1 ? 1u << side : 0u));
     quad.junctionSides = static_cast<std::uint8_t>(quad.junctionSides | (number > 2 ? 1u << side : 0u));
   }
-  quad.isSplitAlong13 = Dot(diagonal13, diagonal13) < Dot(diagonal02, diagonal02);
+  quad.isSplitAlong13 = MedialVoxelDot(diagonal13, diagonal13) < MedialVoxelDot(diagonal02, diagonal02);
   for (unsigned int half = 0; half < 2; ++half)
   {
     Vector triangle[3];

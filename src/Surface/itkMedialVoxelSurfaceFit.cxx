@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceFit.h"
 
+#include "itkMedialVoxelVector3.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,17 +15,11 @@ namespace
 
 using PointType = MedialVoxelSurfaceFit::PointType;
 
-double
-Dot(const PointType & a, const PointType & b)
-{
-  return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
 /** \a vector scaled to length 1; \a otherwise when it has none. */
 PointType
 Normalized(const PointType & vector, const PointType & otherwise)
 {
-  const double length = std::sqrt(Dot(vector, vector));
+  const double length = MedialVoxelNorm(vector);
   return length > 0.0 ? PointType{ { vector[0] / length, vector[1] / length, vector[2] / length } } : otherwise;
 }
 
@@ -40,13 +36,13 @@ void
 MedialVoxelSurfaceFit::AddTangents(const Tangent & a, const Tangent & b)
 {
   const PointType between{ { a.normal[0] - b.normal[0], a.normal[1] - b.normal[1], a.normal[2] - b.normal[2] } };
-  const double    length = std::sqrt(Dot(between, between));
+  const double    length = MedialVoxelNorm(between);
   const PointType normal{ { between[0] / length, between[1] / length, between[2] / length } };
-  const double    distance = (Dot(a.normal, a.point) - Dot(b.normal, b.point)) / length;
+  const double    distance = (MedialVoxelDot(a.normal, a.point) - MedialVoxelDot(b.normal, b.point)) / length;
   PointType       middle{
           { 0.5 * (a.point[0] + b.point[0]), 0.5 * (a.point[1] + b.point[1]), 0.5 * (a.point[2] + b.point[2]) }
   };
-  const double toPlane = distance - Dot(normal, middle);
+  const double toPlane = distance - MedialVoxelDot(normal, middle);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     middle[axis] += toPlane * normal[axis];
@@ -57,9 +53,9 @@ MedialVoxelSurfaceFit::AddTangents(const Tangent & a, const Tangent & b)
 void
 MedialVoxelSurfaceFit::AddPlane(const PointType & normal, const PointType & point)
 {
-  const double distance = Dot(normal, point);
+  const double distance = MedialVoxelDot(normal, point);
   // The two sides of a wall have no order; the normal that is nearer to the sum so far does not cancel it.
-  const double sign = Dot(normal, m_SumOfNormals) < 0.0 ? -1.0 : 1.0;
+  const double sign = MedialVoxelDot(normal, m_SumOfNormals) < 0.0 ? -1.0 : 1.0;
   unsigned int entry = 0;
   for (unsigned int row = 0; row < 3; ++row)
   {
@@ -88,9 +84,11 @@ MedialVoxelSurfaceFit::GetPoint(const double pull, const PointType & reach) cons
   const PointType firstRow{ { yy * zz - yz * yz, xz * yz - xy * zz, xy * yz - xz * yy } };
   const PointType secondRow{ { firstRow[1], xx * zz - xz * xz, xy * xz - xx * yz } };
   const PointType thirdRow{ { firstRow[2], secondRow[2], xx * yy - xy * xy } };
-  const double    determinant = Dot({ { xx, xy, xz } }, firstRow);
+  const double    determinant = MedialVoxelDot({ { xx, xy, xz } }, firstRow);
 
-  PointType point{ { Dot(firstRow, m_Vector), Dot(secondRow, m_Vector), Dot(thirdRow, m_Vector) } };
+  PointType point{
+    { MedialVoxelDot(firstRow, m_Vector), MedialVoxelDot(secondRow, m_Vector), MedialVoxelDot(thirdRow, m_Vector) }
+  };
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     point[axis] = std::clamp(point[axis] / determinant, -reach[axis], reach[axis]);
@@ -103,7 +101,7 @@ MedialVoxelSurfaceFit::GetPlane() const
 {
   Plane plane;
   plane.normal = Normalized(m_SumOfNormals, plane.normal);
-  plane.distance = Dot(plane.normal, m_SumOfPoints) / m_NumberOfPlanes;
+  plane.distance = MedialVoxelDot(plane.normal, m_SumOfPoints) / m_NumberOfPlanes;
   return plane;
 }
 

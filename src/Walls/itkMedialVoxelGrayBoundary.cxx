@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelGrayBoundary.h"
 
+#include "itkMedialVoxelVector3.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,12 +14,6 @@ namespace
 {
 
 using PositionType = MedialVoxelGrayBoundary::PositionType;
-
-double
-Dot(const PositionType & a, const PositionType & b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 PositionType
 Along(const PositionType & start, const PositionType & way, const double times)
@@ -168,10 +164,10 @@ MedialVoxelGrayBoundary::Find(const MedialVoxelGray &  gray,
     { static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2]) }
   };
   const PositionType gradient = field.GetGradient(Along(start, this->ToVoxels(inwards), 0.5));
-  const double       length = std::sqrt(Dot(gradient, gradient));
+  const double       length = MedialVoxelNorm(gradient);
   Crossing           mean;
   mean.isRising = isBelow;
-  if (!(length > 0.0) || !std::isfinite(length) || !(Dot(gradient, inwards) > 0.0))
+  if (!(length > 0.0) || !std::isfinite(length) || !(MedialVoxelDot(gradient, inwards) > 0.0))
   {
     return mean;
   }
@@ -227,7 +223,7 @@ MedialVoxelGrayBoundary::FindAround(const MedialVoxelGray & gray,
     {
       found[axis] *= m_Grid.GetSpacing()[axis];
     }
-    along = Dot(found, surface.normal);
+    along = MedialVoxelDot(found, surface.normal);
     return true;
   };
   // Opposite lines count together, so that a surface which is not quite across the normal is met in the middle.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelGrayThickness.h"
 
+#include "itkMedialVoxelVector3.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,12 +15,6 @@ namespace
 
 using PositionType = MedialVoxelGrayBoundary::PositionType;
 using Crossing = MedialVoxelGrayBoundary::Crossing;
-
-double
-Dot(const PositionType & a, const PositionType & b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /** Adds a crossing to the sums of its side, as often as lines found it. */
 void
@@ -117,7 +113,7 @@ MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
     center[axis] =
       (static_cast<double>(points.cell[axis]) + (m_Grid.IsActive(axis) ? 0.5 : 0.0)) * m_Grid.GetSpacing()[axis];
   }
-  const double length = std::sqrt(Dot(normal, normal));
+  const double length = MedialVoxelNorm(normal);
   double       extent = 0.0; // of a cell along the normal
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
@@ -128,11 +124,11 @@ MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
   for (Crossing & side : sides)
   {
     const double sign = &side == &sides[0] ? 1.0 : -1.0;
-    double       position = sign * Dot(side.position, normal) / side.numberOfLines;
+    double       position = sign * MedialVoxelDot(side.position, normal) / side.numberOfLines;
     PositionType foot;
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
-      foot[axis] = center[axis] + (sign * position - Dot(center, normal)) * normal[axis];
+      foot[axis] = center[axis] + (sign * position - MedialVoxelDot(center, normal)) * normal[axis];
       side.normal[axis] = sign * normal[axis];
     }
     m_Boundary.FindAround(gray, GetBoxAround(points), foot, side, position);

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelPlaneLayoutPrivate_h
-#define itkMedialVoxelPlaneLayoutPrivate_h
+#ifndef itkMedialVoxelFloodPrivate_h
+#define itkMedialVoxelFloodPrivate_h
 
 #include "itkMedialVoxelBits.h"
 
 #include <array>
+#include <cassert>
 #include <cstdint>
 
 namespace itk
@@ -152,6 +153,88 @@ struct MedialVoxelPlaneLayout
     return { s.a & t.a, s.b & t.b, s.c & t.c, s.d & t.d };
   }
 };
+
+/** Call \a visit(bits, y, z) for the rows of \a size that begin at \a lower, with size[0] <= 8 bits each. */
+template <typename TVisitor>
+void
+MedialVoxelVisitRows(const MedialVoxelBits &             boundary,
+                     const MedialVoxelIndex &            lower,
+                     const std::array<std::uint8_t, 3> & size,
+                     TVisitor &&                         visit)
+{
+  using WordType = MedialVoxelBits::WordType;
+  assert(size[0] <= MedialVoxelPlaneLayout::Edge);
+  const auto       shift = static_cast<unsigned int>(lower[0] & (MedialVoxelBits::BitsPerWord - 1));
+  const auto       columns = (WordType{ 1 } << size[0]) - 1;
+  const WordType * slice =
+    boundary.GetRow(lower[1], lower[2]) + ((lower[0] / MedialVoxelBits::BitsPerWord) - boundary.GetFirstWord());
+  const std::int64_t rowPitch = boundary.GetRowPitch();
+  const std::int64_t slicePitch = rowPitch * boundary.GetBox().Extent(1);
+  const bool         isInOneWord = shift + size[0] <= MedialVoxelBits::BitsPerWord;
+  for (unsigned int z = 0; z < size[2]; ++z, slice += slicePitch)
+  {
+    const WordType * row = slice;
+    if (isInOneWord)
+    {
+      for (unsigned int y = 0; y < size[1]; ++y, row += rowPitch)
+      {
+        visit((row[0] >> shift) & columns, y, z);
+      }
+    }
+    else
+    {
+      for (unsigned int y = 0; y < size[1]; ++y, row += rowPitch)
+      {
+        visit(((row[0] >> shift) | (row[1] << (MedialVoxelBits::BitsPerWord - shift))) & columns, y, z);
+      }
+    }
+  }
+}
+
+/** The voxels of a box of at most eight along each axis. */
+inline MedialVoxelPlaneLayout::Set
+MedialVoxelLoadPlanes(const MedialVoxelBits &             boundary,
+                      const MedialVoxelIndex &            lower,
+                      const std::array<std::uint8_t, 3> & size)
+{
+  using WordType = MedialVoxelBits::WordType;
+  constexpr auto             edge = static_cast<unsigned int>(MedialVoxelPlaneLayout::Edge);
+  std::array<WordType, edge> planes{};
+  assert(size[1] <= edge && size[2] <= edge);
+  MedialVoxelVisitRows(boundary, lower, size, [&](const WordType bits, const unsigned int y, const unsigned int z) {
+    planes[z] |= bits << (edge * y);
+  });
+  return MedialVoxelPlaneLayout::Load(planes);
+}
+
+/** Edges of the path with fewest edges from \a start to \a target, which differ, through \a domain; 0 when it has more
+ * than \a mostEdges, or when there is none. */
+template <typename TLayout>
+std::int64_t
+MedialVoxelFlood(const TLayout &               layout,
+                 const typename TLayout::Set & domain,
+                 const typename TLayout::Set & start,
+                 const typename TLayout::Set & target,
+                 const std::int64_t            mostEdges)
+{
+  auto reached = start;
+  for (std::int64_t edges = 1; edges <= mostEdges; ++edges)
+  {
+    auto next = TLayout::Or(reached, layout.AlongX(reached));
+    next = TLayout::Or(next, layout.AlongY(next));
+    next = TLayout::And(TLayout::Or(next, layout.AlongZ(next)), domain);
+    if (TLayout::Meet(next, target))
+    {
+      return edges;
+    }
+    if (TLayout::Equal(next, reached))
+    {
+      return 0;
+    }
+    reached = next;
+  }
+  return 0;
+}
 
 } // end namespace itk
 
