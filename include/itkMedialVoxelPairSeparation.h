@@ -67,6 +67,7 @@ public:
 
   /** Find the \a queries whose points are separated, as far as components tell.
    *
+   * \param queries   of points whose free-space length is below the threshold: others need no search
    * \param progress  asked for an abort before each group, after which the answers are incomplete
    * \return an empty box, or the box of boundary bits that must be known to judge and search all */
   MedialVoxelBox
@@ -82,6 +83,10 @@ public:
   BoundLength(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
 private:
+  /** The precondition of queries. */
+  bool
+  IsNear(const MedialVoxelSeparationQuery & query) const;
+
   using Entries = std::vector<Workspace::Entry>::iterator;
 
   void

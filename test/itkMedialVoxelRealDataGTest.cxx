@@ -4,6 +4,9 @@
 // Real CT volumes: crops against brute force, whole volumes against ITK's distance maps.
 
 #include "MedialVoxelTestMaurer.h"
+#include "MedialVoxelTestMesh.h"
+
+#include "itkMedialSurfaceMeshFilter.h"
 
 namespace
 {
@@ -176,4 +179,17 @@ TEST(MedialVoxelRealData, BoundsDoNotChangeTheMedialCellsOfTheShell)
     differences += (plain[i] >= 2) != (bounded[i] >= 2) ? 1 : 0;
   }
   EXPECT_EQ(differences, 0u);
+}
+
+TEST(MedialVoxelRealData, AutomaticMeshOfThickTissue)
+{
+  const auto path = RealDataPath(Cranium.fileName);
+  MEDIALVOXEL_SKIP_WITHOUT(path, Cranium.fileName);
+  // Boundary points of which one is farther from the other than the threshold meet at sheets that touch.
+  const Volume tissue = Cropped(Load(path, { Cranium.fileName, -200 }), { { 60, 0, 60 } }, { { 125, 130, 48 } });
+  auto         filter = itk::MedialSurfaceMeshFilter<MaskImage<3>, MeshType>::New();
+  filter->SetInput(MakeImage<MaskImage<3>>(tissue));
+  filter->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
+  EXPECT_NO_THROW(filter->Update());
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 1000u);
 }

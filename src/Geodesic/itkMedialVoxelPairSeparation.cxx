@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -53,6 +54,7 @@ MedialVoxelPairSeparation::FindSeparated(const MedialVoxelBits &                
   {
     poll.Count();
     auto & query = queries[i];
+    assert(this->IsNear(query));
     query.isSeparated = false;
     const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);
     if (!boundary.GetBox().Contains(box))
@@ -187,11 +189,21 @@ PointsInEllipsoid(const MedialVoxelGrid &            grid,
 
 } // namespace
 
+bool
+MedialVoxelPairSeparation::IsNear(const MedialVoxelSeparationQuery & query) const
+{
+  const MedialVoxelDisplacement difference{
+    { query.a[0] - query.b[0], query.a[1] - query.b[1], query.a[2] - query.b[2] }
+  };
+  return MedialVoxelDualCell(m_Grid).FreeSpaceLength(difference) < query.epsilon;
+}
+
 double
 MedialVoxelPairSeparation::BoundLength(const MedialVoxelBits &            boundary,
                                        const MedialVoxelSeparationQuery & query,
                                        Workspace &                        workspace) const
 {
+  assert(this->IsNear(query));
   MedialVoxelPoll();
   const double         lower = query.epsilon * (1.0 - MedialVoxelResolutionBand);
   const double         upper = query.epsilon * (1.0 + MedialVoxelResolutionBand);

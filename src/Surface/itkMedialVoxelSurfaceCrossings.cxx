@@ -277,6 +277,10 @@ MedialVoxelSurfaceCrossings::AreApart(const MedialVoxelClassifiedTile & tile,
   {
     return m_Decision.Decide(sites, pair, tile.geodesic, missing) != MedialVoxelLabel::NonMedial;
   }
+  if (m_Cell.FreeSpaceLength(pair.difference) >= epsilon)
+  {
+    return true;
+  }
   auto & queries = workspace.m_QueryOfSplit;
   queries.assign(1, { pair.a, pair.GetB(), epsilon, 0 });
   const MedialVoxelBox unknown = m_Separation.FindSeparated(sites, tile.progress, workspace.m_Separation, queries);
