@@ -8,6 +8,7 @@
 #include "MedialVoxelExport.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -84,12 +85,14 @@ public:
   WordType *
   GetRow(std::int64_t y, std::int64_t z)
   {
+    assert(this->HasRow(y, z));
     return m_Words.data() + this->RowOffset(y, z);
   }
 
   const WordType *
   GetRow(std::int64_t y, std::int64_t z) const
   {
+    assert(this->HasRow(y, z));
     return m_Words.data() + this->RowOffset(y, z);
   }
 

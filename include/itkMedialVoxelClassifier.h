@@ -12,6 +12,7 @@
 #include "itkMedialVoxelThickness.h"
 #include "itkMedialVoxelTileLabels.h"
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -84,6 +85,7 @@ public:
   const MedialVoxelLocalThreshold &
   GetThreshold() const
   {
+    assert(m_Joint);
     return m_Joint->GetThreshold();
   }
 

@@ -5,6 +5,7 @@
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace itk
@@ -132,6 +133,7 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
                                      MedialVoxelFeatures &             features,
                                      const MedialVoxelProgress * const progress) const
 {
+  assert(window.sites->GetBox().Contains(tileBox));
   features.Reset(tileBox);
   const MedialVoxelBox & known = window.sites->GetBox();
   Tile                   tile{ window, features, workspace.m_Remaining, known, progress };

@@ -5,6 +5,7 @@
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
@@ -62,6 +63,7 @@ MedialVoxelSearchOffsets(const std::vector<MedialVoxelOffset> & offsets,
                          const WordType                         query,
                          const MedialVoxelDisplacementRow &     row)
 {
+  assert(x % MedialVoxelBits::BitsPerWord == 0);
   MedialVoxelTableResult result{ query, 0.0 };
   for (const MedialVoxelOffset & offset : offsets)
   {

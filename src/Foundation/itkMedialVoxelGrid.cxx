@@ -3,6 +3,7 @@
 #include "itkMedialVoxelGrid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -97,6 +98,7 @@ MedialVoxelGrid::MedialVoxelGrid(const MedialVoxelIndex & size, const SpacingTyp
   unsigned int       firstActive = none;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
+    assert(size[axis] > 0 && spacing[axis] > 0.0 && std::isfinite(spacing[axis]));
     if (this->IsActive(axis))
     {
       firstActive = (firstActive == none) ? axis : firstActive;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <set>
 #include <utility>
@@ -138,6 +139,7 @@ MedialVoxelBoundedGeodesic::ReachesThreshold(const MedialVoxelIndex & a,
   {
     return true;
   }
+  assert(workspace.m_Boundary != nullptr && workspace.m_Boundary->GetBox().Contains(box));
   const FloodResult flood = this->Flood(*workspace.m_Boundary, box, a, b);
   return flood == FloodResult::Undecided ? this->Search(a, b, box, workspace) : flood == FloodResult::Reaches;
 }
