@@ -145,9 +145,6 @@ AddOutputParameters(ParameterTable & table, ExtractOptions & job)
 void
 AddRunParameters(ParameterTable & table, ExtractOptions & job)
 {
-  using Bound = itk::MedialVoxelPseudoGeodesicBound;
-  table.push_back(MakeEnumeration<Bound>(
-    "bound", "Bound that decides cells without a search", job.bound, { Bound::FreeSpace, Bound::Paper, Bound::Off }));
   table.push_back(MakeInteger(
     "numberOfThreads", "Number of threads, 0 for one per processor", 0, 0, MostThreads, [&job](std::int64_t value) {
       job.threads.reset();

@@ -298,17 +298,7 @@ AddLabels(CLI::App & app, ExtractOptions & options)
 void
 AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, bool * const resumes)
 {
-  using Bound = itk::MedialVoxelPseudoGeodesicBound;
   AddThickness(app, options);
-  AddChoice<Bound>(line,
-                   app,
-                   "--bound",
-                   "Decide without search",
-                   "KIND",
-                   options.bound,
-                   { { GetName(Bound::FreeSpace), Bound::FreeSpace },
-                     { GetName(Bound::Paper), Bound::Paper },
-                     { GetName(Bound::Off), Bound::Off } });
   AddObjectOptions(app, options);
   const std::string group = "Further outputs";
   AddFile(app, "--vectors", "Vectors to the nearest boundary point", options.vectorFile)->group(group);
@@ -405,8 +395,6 @@ DefineDistance(CommandLine & line)
   AddObjectOptions(app, options);
   const std::string group = "Further outputs";
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
-  app.add_flag("--squared-distance", options.squaredDistance, "Square the signed distance")->group(group);
-  app.add_flag("--inside-positive", options.insideIsPositive, "Make the signed distance positive inside")->group(group);
   AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
   AddCompression(line, app, options);

@@ -49,7 +49,6 @@ DefinePlan(CommandLine & line)
   AddLabels(app, options);
   AddJobFolder(app, options.jobFolder, "Folder of the job, new or empty");
   AddSlurm(app, options.slurm);
-  app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end");
   AddExtractOptions(line, app, options, nullptr);
   for (const char * const refused : { "--mesh", "--section-width", "--scratch", "--sparse", "--compress" })
   {

@@ -39,9 +39,7 @@ private:
 /** An extraction that several processes do, and the folder by which they know of each other. */
 struct PlanOptions : ExtractOptions
 {
-  std::string jobFolder;
-  bool        hashesInput{ false }; ///< remember the SHA-256 of the input, and compare it at the end
-
+  std::string                 jobFolder;
   std::optional<SlurmOptions> slurm; ///< set: write a script for Slurm
 };
 

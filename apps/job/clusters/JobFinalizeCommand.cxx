@@ -100,7 +100,6 @@ public:
     this->OpenOutputs();
     if (verifies)
     {
-      CheckContent(m_Shared.manifest.input);
       this->VerifyVolumes();
     }
     this->MergeParts();

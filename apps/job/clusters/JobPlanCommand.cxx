@@ -114,7 +114,6 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
   for (const std::filesystem::path & fileName : ListInputFiles(job.input))
   {
     manifest.input.push_back(IdentifyFile(fileName));
-    manifest.input.back().sha256 = options.hashesInput ? HashFile(fileName) : "";
   }
   manifest.numberOfSlices = job.plan.numberOfSlices;
   manifest.numberOfClusters = job.plan.divisions;

@@ -18,7 +18,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 4;
+constexpr int ManifestFormat = 5;
 
 constexpr const char * OverwriteName = "overwrite";
 
@@ -44,11 +44,8 @@ const std::array<NumberOption, 4> NumberOptions{ { { "thickness", &ExtractOption
 const std::array<LimitOption, 2> LimitOptions{ { { "lower", &ExtractOptions::lowerThreshold },
                                                  { "upper", &ExtractOptions::upperThreshold } } };
 
-constexpr std::array<itk::MedialVoxelPseudoGeodesicBound, 3> Bounds{ { itk::MedialVoxelPseudoGeodesicBound::FreeSpace,
-                                                                       itk::MedialVoxelPseudoGeodesicBound::Paper,
-                                                                       itk::MedialVoxelPseudoGeodesicBound::Off } };
-constexpr std::array<itk::MedialVoxelBoundary, 2>            Boundaries{ { itk::MedialVoxelBoundary::Object,
-                                                                           itk::MedialVoxelBoundary::Background } };
+constexpr std::array<itk::MedialVoxelBoundary, 2> Boundaries{ { itk::MedialVoxelBoundary::Object,
+                                                                itk::MedialVoxelBoundary::Background } };
 
 constexpr std::array<ZarrCompression, 2> Compressions{ { ZarrCompression::None, ZarrCompression::Gzip } };
 
@@ -136,7 +133,6 @@ OptionsToJson(const ExtractOptions & options)
     json[name] = LimitToJson(options.*member);
   }
   json["maximum_pore_size"] = OptionalToJson(options.maximumPoreSize);
-  json["bound"] = GetName(options.bound);
   json["vector_boundary"] = GetName(options.vectorBoundary);
   json["zarr_compression"] = GetName(options.zarrCompression);
   json["lower_otsu"] = options.lowerIsOtsu;
@@ -166,7 +162,6 @@ OptionsFromJson(const Json & json)
     options.*member = LimitFromJson(json.at(name));
   }
   ReadWhole(json.at("maximum_pore_size"), options.maximumPoreSize);
-  options.bound = EnumFromJson(json.at("bound"), Bounds);
   options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
   options.zarrCompression = EnumFromJson(json.at("zarr_compression"), Compressions);
   json.at("lower_otsu").get_to(options.lowerIsOtsu);
@@ -185,10 +180,8 @@ InputToJson(const std::vector<FileIdentity> & files)
   Json json = Json::array();
   for (const FileIdentity & file : files)
   {
-    json.push_back({ { "file", file.fileName.string() },
-                     { "bytes", file.numberOfBytes },
-                     { "modified_ns", file.modified },
-                     { "sha256", file.sha256.empty() ? Json(nullptr) : Json(file.sha256) } });
+    json.push_back(
+      { { "file", file.fileName.string() }, { "bytes", file.numberOfBytes }, { "modified_ns", file.modified } });
   }
   return json;
 }
@@ -203,7 +196,6 @@ InputFromJson(const Json & json)
     identity.fileName = file.at("file").get<std::string>();
     ReadWhole(file.at("bytes"), identity.numberOfBytes);
     ReadWhole(file.at("modified_ns"), identity.modified);
-    identity.sha256 = file.at("sha256").is_null() ? "" : file.at("sha256").get<std::string>();
   }
   return files;
 }
@@ -311,9 +303,13 @@ ReadManifest(const std::filesystem::path & fileName)
            fileName.string(),
            " is of version ",
            json->value("version", "unknown"),
-           " of medialvoxel, this is version ",
+           " of medialvoxel (format ",
+           json->value("format", 0),
+           "), this is version ",
            GetVersion(),
-           "; continue the job with that version, or plan it again");
+           " (format ",
+           ManifestFormat,
+           "); continue the job with that version, or plan it again");
     }
     return FromJson(*json);
   }

@@ -237,10 +237,11 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
          FormatNumber(limits.maximum),
          "; it must not be");
   }
-  const double least = itk::MedialVoxelLimits::LeastThickness(grid);
-  Parameters   parameters = options.thickness
-                              ? Parameters::ForThickness(std::max(*options.thickness, least), options.bound)
-                              : Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
+  constexpr auto bound = itk::MedialVoxelPseudoGeodesicBound::FreeSpace;
+  const double   least = itk::MedialVoxelLimits::LeastThickness(grid);
+  Parameters     parameters = options.thickness
+                                ? Parameters::ForThickness(std::max(*options.thickness, least), bound)
+                                : Parameters::ForWalls(limits.minimum, limits.maximum, bound);
   parameters.maximumPoreSize =
     options.maximumPoreSize.value_or(options.thickness ? 0 : Parameters::AutomaticMaximumPoreSize);
   return parameters;
@@ -266,21 +267,6 @@ CheckOptions(const DistanceOptions & options)
   {
     CheckPositive("maximum distance", *options.maximumDistance, true);
   }
-}
-
-std::string
-GetName(itk::MedialVoxelPseudoGeodesicBound bound)
-{
-  switch (bound)
-  {
-    case itk::MedialVoxelPseudoGeodesicBound::FreeSpace:
-      return "free-space";
-    case itk::MedialVoxelPseudoGeodesicBound::Paper:
-      return "paper";
-    case itk::MedialVoxelPseudoGeodesicBound::Off:
-      return "off";
-  }
-  return "unknown";
 }
 
 std::string

@@ -83,20 +83,19 @@ struct ExtractOptions : JobOptions
    * automatic thickness, otherwise 0, for none. */
   std::optional<std::uint64_t> maximumPoreSize;
 
-  itk::MedialVoxelPseudoGeodesicBound bound{ itk::MedialVoxelPseudoGeodesicBound::FreeSpace };
-  std::string                         vectorFile; ///< vectors to the nearest boundary point, float32
-  itk::MedialVoxelBoundary            vectorBoundary{ itk::MedialVoxelBoundary::Object };
-  std::string                         thicknessFile;          ///< thickness at medial cells, float32
-  bool                                subVoxel{ false };      ///< measure on gray values; needs a threshold
-  std::string                         thicknessCsvFile;       ///< histogram of the thickness, comma-separated values
-  std::string                         previewFile;            ///< PNG
-  std::string                         htmlFile;               ///< report as a page with the preview
-  std::string                         returnParameterFile;    ///< counts and seconds for 3D Slicer, a line each
-  std::string                         meshFile;               ///< medial surface; then the labels may be empty too
-  bool                                meshTriangles{ false }; ///< split its quadrilaterals
-  double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
-  std::uint64_t         smallestPiece{ 0 };       ///< quadrilaterals of pieces that stay in the mesh
-  std::optional<double> sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
+  std::string              vectorFile; ///< vectors to the nearest boundary point, float32
+  itk::MedialVoxelBoundary vectorBoundary{ itk::MedialVoxelBoundary::Object };
+  std::string              thicknessFile;            ///< thickness at medial cells, float32
+  bool                     subVoxel{ false };        ///< measure on gray values; needs a threshold
+  std::string              thicknessCsvFile;         ///< histogram of the thickness, comma-separated values
+  std::string              previewFile;              ///< PNG
+  std::string              htmlFile;                 ///< report as a page with the preview
+  std::string              returnParameterFile;      ///< counts and seconds for 3D Slicer, a line each
+  std::string              meshFile;                 ///< medial surface; then the labels may be empty too
+  bool                     meshTriangles{ false };   ///< split its quadrilaterals
+  double                   minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
+  std::uint64_t            smallestPiece{ 0 };       ///< quadrilaterals of pieces that stay in the mesh
+  std::optional<double>    sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 
 /** Vector and signed distances. */
@@ -105,8 +104,6 @@ struct DistanceOptions : JobOptions
   std::string              output; ///< vectors, float32
   itk::MedialVoxelBoundary boundary{ itk::MedialVoxelBoundary::Object };
   itk::MedialVoxelRegion   region{ itk::MedialVoxelRegion::Both };
-  bool                     squaredDistance{ false };
-  bool                     insideIsPositive{ false };
   std::optional<double>    maximumDistance; ///< > 0; vectors beyond are not a number
 };
 
@@ -152,8 +149,6 @@ std::string
 DescribeThickness(const ExtractOptions & options, const std::string & unit);
 
 /** Names of the enumerators on the command line and in reports. */
-std::string
-GetName(itk::MedialVoxelPseudoGeodesicBound bound);
 std::string
 GetName(itk::MedialVoxelBoundary boundary);
 std::string

@@ -190,8 +190,7 @@ DescribeParameters(const ExtractOptions & options, const VolumeHeader & input)
     { "lower threshold", FormatLimit(options.lowerThreshold) + (options.lowerIsOtsu ? " (otsu)" : "") },
     { "upper threshold", FormatLimit(options.upperThreshold) },
     { "label", options.label ? FormatLabel(*options.label) : "none" },
-    { "largest pores left out", std::to_string(GetParameters(options, grid).maximumPoreSize) + " voxels" },
-    { "bound", GetName(options.bound) }
+    { "largest pores left out", std::to_string(GetParameters(options, grid).maximumPoreSize) + " voxels" }
   };
   table.insert(table.end(), others.begin(), others.end());
   return table;

@@ -198,7 +198,6 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   AddObject(parameters, options, result);
   parameters["maximum_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
-  parameters["bound"] = GetName(options.bound);
   parameters["sub_voxel"] = options.subVoxel;
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
   if (!options.meshFile.empty())
@@ -234,8 +233,6 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
   AddObject(parameters, options, result);
   parameters["boundary"] = GetName(options.boundary);
   parameters["region"] = GetName(options.region);
-  parameters["squared_distance"] = options.squaredDistance;
-  parameters["inside_positive"] = options.insideIsPositive;
   parameters["maximum_distance"] = OptionalToJson(options.maximumDistance);
 
   Json report;

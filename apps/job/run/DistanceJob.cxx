@@ -40,8 +40,6 @@ GetSettings(const DistanceOptions & options, const JobPlan & plan)
   settings.boundary = options.boundary;
   settings.region = options.region;
   settings.generateDistance = !options.distanceFile.empty();
-  settings.squaredDistance = options.squaredDistance;
-  settings.insideIsPositive = options.insideIsPositive;
   settings.maximumDistance = options.maximumDistance;
   return settings;
 }

@@ -82,8 +82,6 @@ struct DistanceSettings
   itk::MedialVoxelBoundary boundary{ itk::MedialVoxelBoundary::Object };
   itk::MedialVoxelRegion   region{ itk::MedialVoxelRegion::Both };
   bool                     generateDistance{ false };
-  bool                     squaredDistance{ false };
-  bool                     insideIsPositive{ false };
   std::optional<double>    maximumDistance;
   CutSettings              cut;
 };

@@ -224,7 +224,6 @@ public:
     {
       this->m_Filter->SetMaximumPoreSize(*options.maximumPoreSize);
     }
-    this->m_Filter->SetPseudoGeodesicBound(options.bound);
     this->m_Filter->SetGenerateVectorDistance(!options.vectorFile.empty());
     this->m_Filter->SetVectorDistanceBoundary(options.vectorBoundary);
     this->m_Filter->SetGenerateThickness(!options.thicknessFile.empty());
@@ -325,8 +324,6 @@ public:
     this->m_Filter->SetBoundary(settings.boundary);
     this->m_Filter->SetRegion(settings.region);
     this->m_Filter->SetGenerateDistance(settings.generateDistance);
-    this->m_Filter->SetSquaredDistance(settings.squaredDistance);
-    this->m_Filter->SetInsideIsPositive(settings.insideIsPositive);
     if (settings.maximumDistance)
     {
       this->m_Filter->SetMaximumDistance(*settings.maximumDistance);
