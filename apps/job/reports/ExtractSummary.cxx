@@ -35,7 +35,7 @@ ExtractSummary::Draw(const VolumeGeometry & geometry,
   if (thicknesses)
   {
     const Canvas other =
-      DrawThicknessPreview(*labels, *thicknesses, geometry, survey, m_Options.voxelUnits ? "VOXELS" : "UNITS");
+      DrawThicknessPreview(*labels, *thicknesses, geometry, survey, m_Options.voxelUnits ? "voxels" : "units");
     m_Pictures.thicknesses = other.EncodePng();
     preview = JoinCanvases(canvas, other).EncodePng();
   }
