@@ -4,7 +4,7 @@
 
 #include "CommandParts.h"
 #include "CommandText.h"
-#include "CommandValues.h"
+#include "OptionValues.h"
 #include "Report.h"
 #include "Text.h"
 #include "VolumeText.h"
@@ -31,6 +31,22 @@ GetRaw(JobOptions & options)
     options.raw.emplace();
   }
   return *options.raw;
+}
+
+/** Adds a choice that completions know, too; the first name is the default. */
+template <typename TEnum>
+CLI::Option *
+AddChoice(CommandLine &                                      line,
+          CLI::App &                                         app,
+          const std::string &                                name,
+          const std::string &                                help,
+          const std::string &                                unit,
+          TEnum &                                            target,
+          const std::vector<std::pair<std::string, TEnum>> & choices)
+{
+  CLI::Option * const option = medialvoxel::AddChoice(app, name, help, unit, target, choices);
+  line.choices[option] = ListNames(choices);
+  return option;
 }
 
 /** Adds an option with a distance of voxels for each axis; \a target() is where it goes. */
@@ -119,13 +135,7 @@ AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
           "--memory",
           "Most memory, such as 2G (default: half of the free)",
           "SIZE",
-          [&target](const std::string & text) {
-            target = ParseByteSize(text);
-            if (!target)
-            {
-              throw CLI::ValidationError("'" + text + "' is not a size such as 500M, 2G or 2GiB");
-            }
-          })
+          [&target](const std::string & text) { target = ToByteSize(text); })
     ->group("Run");
 }
 

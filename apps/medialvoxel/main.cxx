@@ -9,6 +9,7 @@
 #include "Program.h"
 #include "Report.h"
 #include "SharedJob.h"
+#include "SuggestName.h"
 #include "ValueStatistics.h"
 
 #include "itkMedialVoxelHeaderText.h"

@@ -239,9 +239,8 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
   }
   constexpr auto bound = itk::MedialVoxelPseudoGeodesicBound::FreeSpace;
   const double   least = itk::MedialVoxelLimits::LeastThickness(grid);
-  Parameters     parameters = options.thickness
-                                ? Parameters::ForThickness(std::max(*options.thickness, least), bound)
-                                : Parameters::ForWalls(limits.minimum, limits.maximum, bound);
+  Parameters     parameters = options.thickness ? Parameters::ForThickness(std::max(*options.thickness, least), bound)
+                                                : Parameters::ForWalls(limits.minimum, limits.maximum, bound);
   parameters.maximumPoreSize =
     options.maximumPoreSize.value_or(options.thickness ? 0 : Parameters::AutomaticMaximumPoreSize);
   return parameters;

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelCommandValues_h
-#define medialvoxelCommandValues_h
+#ifndef medialvoxelOptionValues_h
+#define medialvoxelOptionValues_h
 
-#include "CommandLine.h"
-#include "CommandTable.h"
+#include "SuggestName.h"
 #include "Text.h"
+
+#include "itkMedialVoxelLimit.h"
+
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -52,16 +55,33 @@ ToPositive(const std::string & text)
   return value;
 }
 
-inline std::uint64_t
-ToCount(const std::string & text, std::uint64_t least, std::uint64_t most)
+inline std::int64_t
+ToInteger(const std::string & text, std::int64_t least, std::int64_t most)
 {
   const std::optional<std::int64_t> value = ParseInteger(text);
-  if (!value || *value < 0 || static_cast<std::uint64_t>(*value) < least || static_cast<std::uint64_t>(*value) > most)
+  if (!value || *value < least || *value > most)
   {
     throw CLI::ValidationError("'" + text + "' is not a whole number from " + std::to_string(least) + " to " +
                                std::to_string(most));
   }
-  return static_cast<std::uint64_t>(*value);
+  return *value;
+}
+
+inline std::uint64_t
+ToCount(const std::string & text, std::uint64_t least, std::uint64_t most)
+{
+  return static_cast<std::uint64_t>(ToInteger(text, static_cast<std::int64_t>(least), static_cast<std::int64_t>(most)));
+}
+
+inline std::uint64_t
+ToByteSize(const std::string & text)
+{
+  const std::optional<std::uint64_t> bytes = ParseByteSize(text);
+  if (!bytes)
+  {
+    throw CLI::ValidationError("'" + text + "' is not a size such as 500M, 2G or 2GiB");
+  }
+  return *bytes;
 }
 
 constexpr std::uint64_t LargestCount = std::uint64_t{ 1 } << 62;
@@ -99,34 +119,40 @@ AddFile(CLI::App & app, const std::string & name, const std::string & help, std:
   return app.add_option(name, target, help)->type_name("FILE")->transform(withoutSlash, "", "");
 }
 
-/** Adds an option whose value is one of some names, in any case; the first is the default. */
+/** The names of choices. */
 template <typename TEnum>
-CLI::Option *
-AddChoice(CommandLine &                                      line,
-          CLI::App &                                         app,
-          const std::string &                                name,
-          const std::string &                                help,
-          const std::string &                                unit,
-          TEnum &                                            target,
-          const std::vector<std::pair<std::string, TEnum>> & choices)
+std::vector<std::string>
+ListNames(const std::vector<std::pair<std::string, TEnum>> & choices)
 {
   std::vector<std::string> names;
   for (const auto & choice : choices)
   {
     names.push_back(choice.first);
   }
-  CLI::Option * const option = AddText(app, name, help, unit, [&target, choices, names](const std::string & text) {
-    const auto found =
-      std::find_if(choices.begin(), choices.end(), [&](const auto & choice) { return choice.first == ToLower(text); });
+  return names;
+}
+
+/** Adds an option whose value is one of some names, in any case. */
+template <typename TEnum>
+CLI::Option *
+AddChoice(CLI::App &                                         app,
+          const std::string &                                name,
+          const std::string &                                help,
+          const std::string &                                unit,
+          TEnum &                                            target,
+          const std::vector<std::pair<std::string, TEnum>> & choices)
+{
+  return AddText(app, name, help, unit, [&target, choices](const std::string & text) {
+    const auto found = std::find_if(
+      choices.begin(), choices.end(), [&](const auto & choice) { return ToLower(choice.first) == ToLower(text); });
     if (found == choices.end())
     {
+      const std::vector<std::string> names = ListNames(choices);
       throw CLI::ValidationError("'" + text + "' is not one of " + CLI::detail::join(names, "|") +
                                  SuggestName(text, names));
     }
     target = found->second;
   });
-  line.choices[option] = names;
-  return option;
 }
 
 inline std::vector<std::string>
