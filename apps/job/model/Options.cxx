@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Options.h"
 
+#include "LabelValues.h"
 #include "Resampling.h"
 #include "Text.h"
 
@@ -123,24 +124,22 @@ CheckJobOptions(const JobOptions & options)
 std::optional<LabelValue>
 ParseLabel(const std::string & text)
 {
-  LabelValue label;
-  label.isNegative = !text.empty() && text.front() == '-';
-  const char * const begin = text.data() + (label.isNegative ? 1 : 0);
   const char * const end = text.data() + text.size();
-  const auto         result = std::from_chars(begin, end, label.magnitude);
-  if (begin == end || result.ec != std::errc() || result.ptr != end ||
-      (label.isNegative && label.magnitude > std::uint64_t{ 1 } << 63))
+  const auto isWhole = [end](const std::from_chars_result & read) { return read.ec == std::errc() && read.ptr == end; };
+  std::uint64_t whole = 0;
+  if (isWhole(std::from_chars(text.data(), end, whole)))
   {
-    return std::nullopt;
+    return LabelValue(whole);
   }
-  label.isNegative = label.isNegative && label.magnitude > 0;
-  return label;
+  std::int64_t negative = 0;
+  return isWhole(std::from_chars(text.data(), end, negative)) ? std::optional<LabelValue>(negative) : std::nullopt;
 }
 
 std::string
 FormatLabel(const LabelValue & label)
 {
-  return (label.isNegative ? "-" : "") + std::to_string(label.magnitude);
+  const std::optional<std::int64_t> value = ConvertLabel<std::int64_t>(label);
+  return value ? std::to_string(*value) : std::to_string(ConvertLabel<std::uint64_t>(label).value());
 }
 
 std::string

@@ -19,11 +19,7 @@ namespace medialvoxel
 {
 
 /** A whole number of any integer type with up to 64 bits. */
-struct LabelValue
-{
-  bool          isNegative{ false };
-  std::uint64_t magnitude{ 0 };
-};
+using LabelValue = itk::MedialVoxelLimit;
 
 /** Digits, with a minus sign for negative ones; nothing for other texts and below -2^63 or from 2^64 on. */
 std::optional<LabelValue>
