@@ -7,7 +7,7 @@
 #include "ExtractSummary.h"
 #include "FileNames.h"
 #include "JobCommands.h"
-#include "JobParts.h"
+#include "PieceLoop.h"
 #include "OutputVolume.h"
 #include "SharedJob.h"
 

@@ -5,7 +5,7 @@
 #include "FileNames.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
-#include "JobParts.h"
+#include "PieceLoop.h"
 #include "Report.h"
 #include "SharedJob.h"
 #include "ValueStatistics.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ValueStatistics.h"
 
-#include "JobParts.h"
+#include "PieceLoop.h"
 #include "LabelValues.h"
 #include "Text.h"
 #include "ValueHistogram.h"

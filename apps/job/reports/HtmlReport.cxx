@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
-#include "JobParts.h"
+#include "PieceLoop.h"
 #include "Report.h"
 #include "Text.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Report.h"
 
-#include "JobParts.h"
+#include "PieceLoop.h"
 #include "SealedJson.h"
 
 #include "itkVersion.h"

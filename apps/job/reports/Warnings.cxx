@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Warnings.h"
 
-#include "JobParts.h"
+#include "PieceLoop.h"
 #include "Survey.h"
 #include "Text.h"
 #include "VolumeJob.h"

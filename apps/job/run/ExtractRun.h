@@ -3,7 +3,7 @@
 #ifndef medialvoxelExtractRun_h
 #define medialvoxelExtractRun_h
 
-#include "JobParts.h"
+#include "PieceLoop.h"
 #include "OutputSet.h"
 #include "Survey.h"
 #include "TileObservers.h"

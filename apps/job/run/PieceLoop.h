@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelJobParts_h
-#define medialvoxelJobParts_h
+#ifndef medialvoxelPieceLoop_h
+#define medialvoxelPieceLoop_h
 
 #include "Text.h"
 #include "VolumeJob.h"

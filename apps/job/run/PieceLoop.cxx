@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "JobParts.h"
+#include "PieceLoop.h"
 
 #include "Leftovers.h"
 #include "PackedVolume.h"
