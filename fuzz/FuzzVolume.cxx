@@ -3,6 +3,7 @@
 #include "FuzzVolume.h"
 
 #include "HeaderParsing.h"
+#include "ReadVolumeHeader.h"
 #include "VolumeText.h"
 #include "VoxelStream.h"
 #include "ZarrChunkFile.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ModuleCommandLine.h"
 
+#include "Errors.h"
 #include "Text.h"
 
 #include <algorithm>

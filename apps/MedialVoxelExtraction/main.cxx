@@ -4,6 +4,7 @@
 #include "ModuleCommandLine.h"
 #include "Program.h"
 #include "Report.h"
+#include "Version.h"
 #include "VolumeJob.h"
 
 #include <iostream>

@@ -5,10 +5,9 @@
 #include "CommandParts.h"
 #include "CommandText.h"
 #include "CommandValues.h"
-#include "Report.h"
 #include "Text.h"
+#include "Version.h"
 #include "VolumeText.h"
-#include "ZarrMetadata.h"
 
 #include "itkMultiThreaderBase.h"
 

@@ -9,6 +9,7 @@
 #include "SealedJson.h"
 #include "Sha256.h"
 #include "TemporaryFolder.h"
+#include "Version.h"
 
 #include <gtest/gtest.h>
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Progress.h"
 
+#include "Signals.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

@@ -3,6 +3,10 @@
 #include "ClusterWorker.h"
 
 #include "ExtractParts.h"
+#include "JobClock.h"
+#include "PeakMemory.h"
+
+#include "itkMedialVoxelClusterEngine.h"
 
 #include <algorithm>
 #include <chrono>

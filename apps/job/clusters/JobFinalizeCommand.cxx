@@ -6,10 +6,15 @@
 #include "ExtractRun.h"
 #include "ExtractSummary.h"
 #include "FileNames.h"
+#include "JobClock.h"
 #include "JobCommands.h"
-#include "PieceLoop.h"
+#include "OutputChecks.h"
 #include "OutputVolume.h"
+#include "PipelineErrors.h"
 #include "SharedJob.h"
+#include "Signals.h"
+#include "StopListener.h"
+#include "Warnings.h"
 
 #include <algorithm>
 #include <utility>

@@ -5,10 +5,15 @@
 #include "FileNames.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
-#include "PieceLoop.h"
+#include "OutputChecks.h"
+#include "PieceFootprint.h"
+#include "PipelineErrors.h"
 #include "Report.h"
 #include "SharedJob.h"
+#include "Signals.h"
 #include "ValueStatistics.h"
+#include "Version.h"
+#include "Warnings.h"
 
 #include <algorithm>
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ValueStatistics.h"
 
-#include "PieceLoop.h"
 #include "LabelValues.h"
+#include "PipelineErrors.h"
+#include "Signals.h"
 #include "Text.h"
 #include "ValueHistogram.h"
 #include "ValueStream.h"

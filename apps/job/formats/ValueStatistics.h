@@ -5,7 +5,6 @@
 
 #include "InputVolume.h"
 #include "Options.h"
-#include "Plan.h"
 #include "Progress.h"
 #include "ThicknessSummary.h"
 

@@ -3,7 +3,7 @@
 #ifndef medialvoxelVolumeText_h
 #define medialvoxelVolumeText_h
 
-#include "VolumeHeader.h"
+#include "VoxelLayout.h"
 
 #include <optional>
 #include <string>
@@ -21,19 +21,6 @@ enum class VolumeFormat
   NrrdDetached,      ///< .nhdr
   Nifti,             ///< .nii, .nii.gz
   Zarr               ///< .zarr: a folder
-};
-
-/** What the voxels of an output are: \a components values of one type each. */
-struct VoxelLayout
-{
-  PixelType    pixelType{ PixelType::UInt8 };
-  unsigned int components{ 1 };
-
-  std::uint64_t
-  GetBytes() const
-  {
-    return std::uint64_t{ GetTraits(pixelType).bytes } * components;
-  }
 };
 
 /** Format of a file name by its extension. \throw JobError Usage for an extension that is not written. */

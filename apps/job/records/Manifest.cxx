@@ -3,9 +3,11 @@
 #include "Manifest.h"
 
 #include "FileNames.h"
-#include "Report.h"
+#include "Options.h"
+#include "PixelType.h"
 #include "SealedJson.h"
-#include "ZarrMetadata.h"
+#include "Version.h"
+#include "VolumeHeader.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,8 @@
 #define medialvoxelManifest_h
 
 #include "FileIdentity.h"
-#include "Plan.h"
+#include "JobPlan.h"
+#include "Options.h"
 
 #include <cstdint>
 #include <filesystem>

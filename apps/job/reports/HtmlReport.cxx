@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
-#include "PieceLoop.h"
 #include "Report.h"
 #include "Text.h"
+#include "Version.h"
 
 #include <cstdint>
 

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Report.h"
 
-#include "PieceLoop.h"
 #include "SealedJson.h"
-
-#include "itkVersion.h"
+#include "Version.h"
 
 namespace medialvoxel
 {
@@ -248,18 +246,6 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
   report["counts"] = { { "not_a_number_voxels", result.sums.counts.notANumberVoxels } };
   AddRun(report, result);
   return Dump(report);
-}
-
-std::string
-GetVersion()
-{
-  return MEDIALVOXEL_VERSION;
-}
-
-std::string
-GetItkVersion()
-{
-  return itk::Version::GetITKVersion();
 }
 
 } // end namespace medialvoxel

@@ -1,9 +1,17 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "PieceLoop.h"
+#include "FinishJob.h"
+#include "JobClock.h"
 #include "OutputSet.h"
+#include "PieceLoop.h"
+#include "PipelineErrors.h"
+#include "PrepareJob.h"
+#include "ReadVolumeHeader.h"
 #include "Report.h"
+#include "StopListener.h"
 #include "ValueStatistics.h"
+#include "VolumeJob.h"
+#include "Warnings.h"
 
 #include <optional>
 

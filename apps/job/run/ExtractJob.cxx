@@ -3,12 +3,19 @@
 #include "ExtractParts.h"
 #include "ExtractRun.h"
 #include "ExtractSummary.h"
+#include "FinishJob.h"
+#include "JobClock.h"
 #include "MemoryPlan.h"
+#include "PipelineErrors.h"
+#include "PrepareJob.h"
 #include "Preview.h"
+#include "ReadVolumeHeader.h"
+#include "StopListener.h"
 #include "SurfaceMesh.h"
 #include "Text.h"
 #include "ThicknessPreview.h"
 #include "ValueStatistics.h"
+#include "Warnings.h"
 
 #include <algorithm>
 #include <limits>

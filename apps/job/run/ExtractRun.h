@@ -3,8 +3,9 @@
 #ifndef medialvoxelExtractRun_h
 #define medialvoxelExtractRun_h
 
-#include "PieceLoop.h"
+#include "JobResult.h"
 #include "OutputSet.h"
+#include "PieceLoop.h"
 #include "Survey.h"
 #include "TileObservers.h"
 

@@ -5,7 +5,9 @@
 #include "Preview.h"
 #include "Report.h"
 #include "ReturnParameters.h"
+#include "SurveySummary.h"
 #include "ThicknessPreview.h"
+#include "Warnings.h"
 
 namespace medialvoxel
 {

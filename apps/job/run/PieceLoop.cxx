@@ -2,37 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PieceLoop.h"
 
-#include "Leftovers.h"
-#include "PackedVolume.h"
+#include "Errors.h"
+#include "JobClock.h"
+#include "PeakMemory.h"
+#include "Signals.h"
 #include "Text.h"
-#include "ZarrVolume.h"
 
+#include "itkMedialVoxelClusterEngine.h"
 #include "itkMedialVoxelSurfaceObserver.h"
-#include "itkMultiThreaderBase.h"
 #include "itkProcessObject.h"
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
-#ifdef __GLIBC__
-#  include <malloc.h>
-#endif
 
 namespace medialvoxel
 {
 namespace
 {
-
-/** Lets large blocks leave the process when they are freed, so that the peak is the one that was planned. */
-void
-GiveLargeBlocksBack()
-{
-#ifdef M_MMAP_THRESHOLD
-  constexpr int largeBlock = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, largeBlock);
-#endif
-}
 
 LogRecord
 MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
@@ -49,147 +34,7 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
              { "planned_memory_bytes", std::to_string(plan.memoryBytes) } } };
 }
 
-void
-CheckScratchFolder(const JobOptions & options)
-{
-  std::error_code error;
-  if (!options.scratchFolder.empty() && !std::filesystem::is_directory(options.scratchFolder, error))
-  {
-    Fail(ExitStatus::Refused, options.scratchFolder, ": the scratch folder does not exist");
-  }
-}
-
-void
-CheckFormats(const JobOptions & options, const JobResult & job)
-{
-  for (const OutputRequest & output : job.outputs)
-  {
-    if (output.layout)
-    {
-      CheckVolumeFormat(output.fileName, job.input.geometry, *output.layout, options.compress);
-    }
-  }
-}
-
-void
-SetNumberOfThreads(unsigned int threads)
-{
-  itk::MultiThreaderBase::SetGlobalMaximumNumberOfThreads(threads);
-  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(threads);
-}
-
 } // namespace
-
-std::vector<OutputRequest>
-SelectOutputs(const std::vector<OutputRequest> & candidates)
-{
-  std::vector<OutputRequest> outputs;
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(outputs), [](const OutputRequest & candidate) {
-    return !candidate.fileName.empty();
-  });
-  return outputs;
-}
-
-JobResult
-PrepareJob(const JobOptions &                 options,
-           VolumeHeader                       header,
-           const std::vector<OutputRequest> & candidates,
-           const PieceFootprint &             footprint)
-{
-  JobResult result;
-  result.input = std::move(header);
-  result.outputs = SelectOutputs(candidates);
-  if (!options.logFile.empty())
-  {
-    result.outputs.push_back({ "log", options.logFile, std::nullopt, true });
-  }
-  CheckOutputs(result.outputs, result.input, options.overwrite);
-  CheckFormats(options, result);
-  CheckScratchFolder(options);
-  result.plan = MakePlan(options, result.input, result.outputs, footprint);
-  if (!options.dryRun)
-  {
-    RemoveLeftovers(result.outputs); // before space is taken for the new ones
-  }
-  PrepareProcess(result.plan);
-  return result;
-}
-
-void
-PrepareProcess(const JobPlan & plan)
-{
-  SetNumberOfThreads(plan.threads);
-  GiveLargeBlocksBack();
-}
-
-itk::MedialVoxelGrid
-GetGrid(const JobOptions & options, const VolumeHeader & header)
-{
-  itk::MedialVoxelIndex             size{ { 1, 1, 1 } };
-  itk::MedialVoxelGrid::SpacingType spacing{ { 1.0, 1.0, 1.0 } };
-  for (unsigned int axis = 0; axis < header.geometry.GetDimension(); ++axis)
-  {
-    size[axis] = static_cast<std::int64_t>(header.geometry.size[axis]);
-    spacing[axis] = options.voxelUnits ? 1.0 : header.geometry.spacing[axis];
-  }
-  return { size, spacing };
-}
-
-void
-AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings)
-{
-  const bool isReal = header.pixelType == PixelType::Float32 || header.pixelType == PixelType::Float64;
-  settings.keepsNotANumber = isReal && header.CanStream();
-  footprint.engines.push_back(std::move(settings));
-}
-
-/** All volumes of a job have as many slices, and so have their layers. */
-std::uint64_t
-GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & candidates)
-{
-  const auto output = std::find_if(candidates.begin(), candidates.end(), IsZarrOutput);
-  return output == candidates.end() ? 1 : ZarrGrid::ForVolume(header.geometry, *output->layout).chunk[2];
-}
-
-void
-AddOutputs(PieceFootprint &                   footprint,
-           const JobOptions &                 options,
-           const VolumeHeader &               header,
-           const std::vector<OutputRequest> & candidates)
-{
-  for (const OutputRequest & output : candidates)
-  {
-    if (IsZarrOutput(output))
-    {
-      footprint.bytesBeside += ZarrVolume::GetMemoryBytes(header.geometry, *output.layout, options.zarrCompression);
-    }
-  }
-  footprint.bytesBeside +=
-    PackedVolume::GetMemoryBytes() *
-    static_cast<std::uint64_t>(
-      std::count_if(candidates.begin(), candidates.end(), [&options](const OutputRequest & output) {
-        return output.layout && !output.fileName.empty() && IsPackedVolume(output.fileName, options.compress);
-      }));
-  footprint.preferredSlices = GetSlicesOfLayer(header, candidates);
-}
-
-CutSettings
-GetCutSettings(const JobPlan & plan)
-{
-  return { plan.slabThickness, plan.GetFilterLimit(plan.GetMaximumSlices()) };
-}
-
-VoxelLayout
-GetVectorLayout(const VolumeHeader & header)
-{
-  return { PixelType::Float32, header.geometry.GetDimension() };
-}
-
-std::string
-FormatSlices(const SliceRange & slices)
-{
-  return std::to_string(slices.begin) + "-" + std::to_string(slices.end - 1);
-}
 
 PieceLoop::PieceLoop(const JobPlan &      plan,
                      const VolumeHeader & header,
@@ -329,34 +174,6 @@ PieceLoop::ThrowIfStopRequested() const
   {
     throw StoppedBySignal(GetStopSignal());
   }
-}
-
-std::uint64_t
-GetPeakMemoryBytes()
-{
-  std::ifstream status("/proc/self/status");
-  std::string   line;
-  while (std::getline(status, line))
-  {
-    const std::vector<std::string> parts = SplitAtBlanks(line);
-    if (parts.size() >= 2 && parts[0] == "VmHWM:")
-    {
-      return static_cast<std::uint64_t>(ParseInteger(parts[1]).value_or(0)) * 1024;
-    }
-  }
-  return 0;
-}
-
-void
-AddMeasurements(JobResult & result, const InputVolume & input, double writeSeconds, JobClock::time_point start)
-{
-  result.seconds.distance = result.sums.distanceSeconds;
-  result.seconds.classification = result.sums.classificationSeconds;
-  result.seconds.tiles = result.sums.tileSeconds;
-  result.seconds.inputOutput = input.GetReadSeconds() + writeSeconds;
-  result.seconds.total = SecondsSince(start);
-  result.bytesRead = input.GetNumberOfBytesRead();
-  result.peakMemoryBytes = GetPeakMemoryBytes();
 }
 
 } // end namespace medialvoxel

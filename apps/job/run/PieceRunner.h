@@ -4,6 +4,7 @@
 #define medialvoxelPieceRunner_h
 
 #include "InputVolume.h"
+#include "JobPlan.h"
 #include "Options.h"
 #include "RunnerSums.h"
 
@@ -75,6 +76,9 @@ struct CutSettings
   std::uint64_t slabThickness{ 0 };
   std::uint64_t memoryLimit{ 0 };
 };
+
+CutSettings
+GetCutSettings(const JobPlan & plan);
 
 /** Settings of the distance filter that a job needs. */
 struct DistanceSettings
