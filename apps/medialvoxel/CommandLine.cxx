@@ -7,7 +7,7 @@
 #include "CommandValues.h"
 #include "Text.h"
 #include "Version.h"
-#include "VolumeText.h"
+#include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -181,7 +181,7 @@ namespace
 std::string
 ListExtensions(unsigned int components)
 {
-  return CLI::detail::join(ListVolumeExtensions(components), " ");
+  return CLI::detail::join(ListOutputExtensions(components), " ");
 }
 
 /** To be called after AddRunOptions(). */
@@ -224,7 +224,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 void
 AddInput(CLI::App & app, JobOptions & options)
 {
-  AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii[.gz] .tif .zarr", options.input)->required();
+  AddFile(app, "INPUT", "Volume: " + CLI::detail::join(ListInputExtensions(), " "), options.input)->required();
   AddSpacing(
     app, "--spacing", "Distance of voxels in place of the file's", [&]() -> auto & { return options.spacing; });
   AddText(app, "--resample", "Equal spacing: S, or auto for the smallest", "S", [&](const std::string & text) {

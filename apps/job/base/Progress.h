@@ -48,6 +48,10 @@ public:
   IsStopRequested() const;
 };
 
+/** \throw StoppedBySignal when the sink asks to stop. */
+void
+ThrowIfStopRequested(const ProgressSink & sink);
+
 /** Ways to show progress. Auto is Bar when the error stream is a terminal, else Plain. */
 enum class ProgressStyle
 {

@@ -4,6 +4,7 @@
 #define medialvoxelReadVolumeHeader_h
 
 #include "Options.h"
+#include "Text.h"
 #include "VolumeHeader.h"
 
 #include <filesystem>
@@ -29,6 +30,10 @@ ReadVolumeHeader(const std::filesystem::path &         fileName,
 /** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
 VolumeHeader
 ReadInputHeader(const JobOptions & options);
+
+/** The volume as names and values to print. */
+TextTable
+DescribeHeader(const VolumeHeader & header);
 
 } // end namespace medialvoxel
 

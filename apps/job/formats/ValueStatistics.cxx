@@ -185,12 +185,7 @@ MeasureThreshold(JobOptions & options, const VolumeHeader & header, const Progre
   {
     return;
   }
-  const ValueStatistics statistics = MeasureValues(header, [&sink](double) {
-    if (sink.IsStopRequested())
-    {
-      throw StoppedBySignal(GetStopSignal());
-    }
-  });
+  const ValueStatistics statistics = MeasureValues(header, [&sink](double) { ThrowIfStopRequested(sink); });
   if (!statistics.otsu)
   {
     Fail(ExitStatus::Refused,

@@ -6,6 +6,7 @@
 #include "InputVolume.h"
 #include "Options.h"
 #include "Progress.h"
+#include "Text.h"
 #include "ThicknessSummary.h"
 
 #include <array>

@@ -5,12 +5,31 @@
 
 #include "VoxelLayout.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace medialvoxel
 {
+
+/** What a volume holds. */
+enum class VolumeContent
+{
+  Labels,
+  Vectors,
+  Distances,
+  Thicknesses
+};
+
+constexpr std::size_t NumberOfVolumeContents = 4;
+
+/** The filter that makes a volume. */
+enum class VolumeFiller
+{
+  Extraction,
+  Distance
+};
 
 /** A file that a job is to write. */
 struct OutputRequest
@@ -19,6 +38,13 @@ struct OutputRequest
   std::filesystem::path      fileName;
   std::optional<VoxelLayout> layout;           ///< set for volumes
   bool                       appends{ false }; ///< what the file has stays
+
+  /** True for a volume that is wanted. */
+  bool
+  IsVolume() const
+  {
+    return layout && !fileName.empty();
+  }
 };
 
 /** A volume that a job writes. */
@@ -28,6 +54,8 @@ struct VolumeRequest
   std::string    fileName;
   VolumeGeometry geometry;
   VoxelLayout    layout;
+  VolumeContent  content{ VolumeContent::Labels };
+  VolumeFiller   filler{ VolumeFiller::Extraction };
 };
 
 } // end namespace medialvoxel

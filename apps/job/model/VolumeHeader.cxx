@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "VolumeHeader.h"
 
-#include "itkMedialVoxelHeaderText.h"
-
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -52,33 +50,6 @@ GetNeededFileSizes(const VolumeHeader & header)
     size = std::max(size, segment.offset + segment.numberOfBytes);
   }
   return sizes;
-}
-
-TextTable
-DescribeHeader(const VolumeHeader & seen)
-{
-  const VolumeHeader &         header = seen.GetStored();
-  const VolumeGeometry * const resampled = seen.stored ? &seen.geometry : nullptr;
-  TextTable                    table;
-  table.emplace_back("file", header.fileName.string());
-  table.emplace_back("format", header.format);
-  table.emplace_back("size", FormatSize(header.geometry.size));
-  table.emplace_back("spacing", FormatNumbers(header.geometry.spacing, " x "));
-  table.emplace_back("origin", FormatNumbers(header.geometry.origin, ", "));
-  if (resampled)
-  {
-    table.emplace_back("resampled", FormatSize(resampled->size) + " at " + FormatNumbers(resampled->spacing, " x "));
-  }
-  table.emplace_back("type", std::string(GetTraits(header.pixelType).name));
-  table.emplace_back("voxels", std::to_string(header.geometry.GetNumberOfVoxels()));
-  table.emplace_back("bytes",
-                     std::to_string(header.GetVoxelBytes()) + " (" + FormatBytes(header.GetVoxelBytes()) + ")");
-  if (header.dataFile != header.fileName)
-  {
-    table.emplace_back("data file", itk::MedialVoxelText::MakePrintable(header.dataFile.string()));
-  }
-  table.emplace_back("reading", header.DescribeReading());
-  return table;
 }
 
 } // end namespace medialvoxel

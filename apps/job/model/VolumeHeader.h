@@ -4,7 +4,6 @@
 #define medialvoxelVolumeHeader_h
 
 #include "PixelType.h"
-#include "Text.h"
 
 #include "itkMedialVoxelFileRegion.h"
 
@@ -65,11 +64,13 @@ struct ValueScale
   double intercept{ 0.0 };
 };
 
+struct VolumeFormat;
+
 /** Everything there is to know about a volume before its voxels are read. */
 struct VolumeHeader
 {
   std::filesystem::path fileName;
-  std::string           format;
+  const VolumeFormat *  format{ nullptr }; ///< a row of VolumeFormats.cxx; set when the whole header is read
   VolumeGeometry        geometry;
   PixelType             pixelType{ PixelType::UInt8 };
   bool                  bigEndian{ false }; ///< of the numbers as they are read, or unpacked
@@ -117,10 +118,6 @@ struct VolumeHeader
 /** Bytes that each file of a volume that streams must have to hold its voxels. */
 std::map<std::filesystem::path, std::uint64_t>
 GetNeededFileSizes(const VolumeHeader & header);
-
-/** The volume as names and values to print. */
-TextTable
-DescribeHeader(const VolumeHeader & header);
 
 } // end namespace medialvoxel
 

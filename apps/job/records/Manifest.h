@@ -66,10 +66,6 @@ ReadManifest(const std::filesystem::path & fileName);
 std::filesystem::path
 FindFolder(const Manifest & manifest, const std::filesystem::path & jobFolder);
 
-/** Names of the volumes that the options ask for, as they were given. */
-std::vector<std::string>
-ListVolumeNames(const ExtractOptions & options);
-
 /** The options with absolute names of files. \param folder from which the names are meant */
 ExtractOptions
 WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder);

@@ -4,6 +4,7 @@
 
 #include "SealedJson.h"
 #include "Version.h"
+#include "VolumeFormats.h"
 
 namespace medialvoxel
 {
@@ -15,7 +16,7 @@ MakeInput(const VolumeHeader & header)
 {
   const VolumeHeader & stored = header.GetStored();
   return { { "file", header.fileName.string() },
-           { "format", header.format },
+           { "format", header.format->name },
            { "type", std::string(GetTraits(stored.pixelType).name) },
            { "spacing", stored.geometry.spacing },
            { "bytes", stored.GetVoxelBytes() } };

@@ -16,12 +16,6 @@
 namespace medialvoxel
 {
 
-/** The volumes that an extraction writes, the labels first if they are wanted.
- * \param header of the input
- * \param labels geometry of the labels */
-std::vector<VolumeRequest>
-ListVolumes(const ExtractOptions & options, const VolumeHeader & header, const VolumeGeometry & labels);
-
 /** Opens the input to find out. */
 VolumeGeometry
 FindLabelGeometry(const ExtractOptions & options, const VolumeHeader & header);
@@ -40,9 +34,9 @@ public:
     return m_Runner->GetGeometry();
   }
 
-  /** Sets where results go; null where they are not wanted. */
+  /** Has results of a request written to a volume. */
   void
-  SetVolume(const std::string & role, VoxelOutput * volume);
+  AddVolume(const VolumeRequest & request, VoxelOutput & volume);
 
   /** Lets someone see the tiles, before the survey does. */
   void
@@ -104,8 +98,16 @@ public:
   }
 
 private:
+  struct Destination
+  {
+    VolumeContent content;
+    VolumeFiller  filler;
+    VoxelOutput * volume;
+  };
+
+  /** Results of a filter. */
   void
-  Write(const PieceLoop::Range & range, const PieceResults & results);
+  Write(VolumeFiller filler, const PieceLoop::Range & range, const PieceResults & results);
 
   const ExtractOptions &       m_Options;
   std::unique_ptr<InputVolume> m_Input;
@@ -114,10 +116,7 @@ private:
   std::unique_ptr<PieceRunner> m_DistanceRunner;
   Survey                       m_Survey;
   TileObservers                m_Observers;
-  VoxelOutput *                m_Labels{ nullptr };
-  VoxelOutput *                m_Vectors{ nullptr };
-  VoxelOutput *                m_Distances{ nullptr };
-  VoxelOutput *                m_Thicknesses{ nullptr };
+  std::vector<Destination>     m_Destinations;
   WriteBehind                  m_Writer; // ends before what it writes
 };
 

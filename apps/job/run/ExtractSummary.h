@@ -3,41 +3,60 @@
 #ifndef medialvoxelExtractSummary_h
 #define medialvoxelExtractSummary_h
 
+#include "FinishJob.h"
 #include "HtmlReport.h"
+#include "Options.h"
 #include "OutputSet.h"
 #include "Survey.h"
+
+#include <vector>
 
 namespace medialvoxel
 {
 
 /** \class ExtractSummary
  * \brief The outputs of an extraction that are made at its end: picture, histogram, page, report. */
-class ExtractSummary
+class ExtractSummary : public JobSummary
 {
 public:
-  /** Creates the files that the options ask for. */
-  ExtractSummary(const ExtractOptions & options, OutputSet & outputs);
+  /** Creates the files that the options ask for. \param survey of the whole volume when the first output is made */
+  ExtractSummary(const ExtractOptions & options, const Survey & survey, OutputSet & outputs);
 
-  /** Draws the pictures from the survey and the finished volumes, and writes the preview.
-   * \param thicknesses null when they are not wanted */
+  /** Draws the pictures from the survey and the finished volumes, and writes the preview. */
   void
-  Draw(const VolumeGeometry & geometry,
-       const Survey &         survey,
-       const VoxelOutput *    labels,
-       const VoxelOutput *    thicknesses);
+  Draw(const OutputSet & outputs, const VolumeGeometry & geometry) override;
 
   /** Adds the thickness and what it warns of to the result and writes all but the preview. */
   void
-  Write(const Survey & survey, JobResult & result);
+  Write(JobResult & result) override;
 
 private:
-  const ExtractOptions & m_Options;
-  OutputFile *           m_ThicknessCsv;
-  OutputFile *           m_Preview;
-  OutputFile *           m_Html;
-  OutputFile *           m_Report;
-  OutputFile *           m_ReturnParameters;
-  Pictures               m_Pictures;
+  /** A text, and who makes it. */
+  struct Text
+  {
+    std::string ExtractOptions::* option;
+    std::string (ExtractSummary::*make)(const JobResult &) const;
+  };
+
+  static const std::vector<Text> Texts;
+
+  std::string
+  MakeCsv(const JobResult & result) const;
+
+  std::string
+  MakePage(const JobResult & result) const;
+
+  std::string
+  MakeJson(const JobResult & result) const;
+
+  std::string
+  MakeParameters(const JobResult & result) const;
+
+  const ExtractOptions &    m_Options;
+  const Survey &            m_Survey;
+  std::vector<OutputFile *> m_Texts; ///< in the order of the table; null where none is wanted
+  OutputFile *              m_Preview;
+  Pictures                  m_Pictures;
 };
 
 } // end namespace medialvoxel

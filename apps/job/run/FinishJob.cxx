@@ -3,9 +3,36 @@
 #include "FinishJob.h"
 
 #include "PeakMemory.h"
+#include "Warnings.h"
+
+#include <cstddef>
 
 namespace medialvoxel
 {
+
+void
+FinishJob(OutputSet & outputs, JobSummary & summary, JobResult & result, ProgressSink & sink, const JobEnd & end)
+{
+  const std::size_t told = result.warnings.size();
+  outputs.FinishVolumes();
+  summary.Draw(outputs, result.input.geometry);
+  if (end.complete)
+  {
+    end.complete();
+  }
+  ThrowIfStopRequested(sink);
+  end.measure();
+  summary.Write(result);
+  if (end.publish)
+  {
+    end.publish();
+  }
+  else
+  {
+    outputs.Publish();
+  }
+  TellWarnings(sink, result.warnings, told);
+}
 
 void
 AddMeasurements(JobResult & result, const InputVolume & input, double writeSeconds, JobClock::time_point start)

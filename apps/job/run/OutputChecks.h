@@ -12,10 +12,6 @@
 namespace medialvoxel
 {
 
-/** True for a volume that is wanted as a Zarr folder. */
-bool
-IsZarrOutput(const OutputRequest & output);
-
 /** Every file that the volume is read from. */
 std::set<std::filesystem::path>
 ListInputFiles(const VolumeHeader & input);

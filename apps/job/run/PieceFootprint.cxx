@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PieceFootprint.h"
 
-#include "OutputChecks.h"
-#include "PackedVolume.h"
-#include "ZarrVolume.h"
+#include "VolumeFormats.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,32 +20,33 @@ AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVo
 
 /** All volumes of a job have as many slices, and so have their layers. */
 std::uint64_t
-GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & candidates)
+GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & outputs)
 {
-  const auto output = std::find_if(candidates.begin(), candidates.end(), IsZarrOutput);
-  return output == candidates.end() ? 1 : ZarrGrid::ForVolume(header.geometry, *output->layout).chunk[2];
+  std::uint64_t slices = 1;
+  for (const OutputRequest & output : outputs)
+  {
+    if (output.IsVolume())
+    {
+      slices = std::max(slices, GetSlicesOfLayer(output.fileName, header.geometry, *output.layout));
+    }
+  }
+  return slices;
 }
 
 void
 AddOutputs(PieceFootprint &                   footprint,
            const JobOptions &                 options,
            const VolumeHeader &               header,
-           const std::vector<OutputRequest> & candidates)
+           const std::vector<OutputRequest> & outputs)
 {
-  for (const OutputRequest & output : candidates)
+  for (const OutputRequest & output : outputs)
   {
-    if (IsZarrOutput(output))
+    if (output.IsVolume())
     {
-      footprint.bytesBeside += ZarrVolume::GetMemoryBytes(header.geometry, *output.layout, options.zarrCompression);
+      footprint.bytesBeside += GetOutputMemory(output.fileName, header.geometry, *output.layout, options);
     }
   }
-  footprint.bytesBeside +=
-    PackedVolume::GetMemoryBytes() *
-    static_cast<std::uint64_t>(
-      std::count_if(candidates.begin(), candidates.end(), [&options](const OutputRequest & output) {
-        return output.layout && !output.fileName.empty() && IsPackedVolume(output.fileName, options.compress);
-      }));
-  footprint.preferredSlices = GetSlicesOfLayer(header, candidates);
+  footprint.preferredSlices = GetSlicesOfLayer(header, outputs);
 }
 
 } // end namespace medialvoxel

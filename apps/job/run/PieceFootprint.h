@@ -33,16 +33,16 @@ struct PieceFootprint
 void
 AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings);
 
-/** Slices of a layer of chunks of the .zarr outputs; 1 without any. */
+/** Slices that the outputs write together: a layer of chunks. */
 std::uint64_t
-GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & candidates);
+GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & outputs);
 
 /** Counts in what outputs take beside the results of a piece. */
 void
 AddOutputs(PieceFootprint &                   footprint,
            const JobOptions &                 options,
            const VolumeHeader &               header,
-           const std::vector<OutputRequest> & candidates);
+           const std::vector<OutputRequest> & outputs);
 
 } // end namespace medialvoxel
 

@@ -7,6 +7,7 @@
 #include "PeakMemory.h"
 #include "Signals.h"
 #include "Text.h"
+#include "VolumeFormats.h"
 
 #include "itkMedialVoxelClusterEngine.h"
 #include "itkMedialVoxelSurfaceObserver.h"
@@ -25,7 +26,7 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
   return { LogLevel::Info,
            "plan",
            { { "input", header.fileName.string() },
-             { "format", header.format },
+             { "format", header.format->name },
              { "size", FormatSize(header.geometry.size) },
              { "type", std::string(GetTraits(header.GetStored().pixelType).name) },
              { "pieces", std::to_string(plan.divisions) },
@@ -170,10 +171,7 @@ PieceLoop::RecordPiece(const PieceRunner & runner,
 void
 PieceLoop::ThrowIfStopRequested() const
 {
-  if (m_Sink.IsStopRequested())
-  {
-    throw StoppedBySignal(GetStopSignal());
-  }
+  medialvoxel::ThrowIfStopRequested(m_Sink);
 }
 
 } // end namespace medialvoxel

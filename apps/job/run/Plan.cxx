@@ -4,9 +4,9 @@
 
 #include "BitStore.h"
 #include "MemoryPlan.h"
-#include "OutputChecks.h"
+#include "ReadVolumeHeader.h"
 #include "Text.h"
-#include "VolumeText.h"
+#include "VolumeFormats.h"
 
 #include "itkMedialVoxelHeaderText.h"
 
@@ -35,8 +35,7 @@ GetFolder(const std::filesystem::path & fileName)
 bool
 IsReserved(const JobOptions & options, const OutputRequest & output)
 {
-  const bool isPacked = output.layout && IsPackedVolume(output.fileName, options.compress);
-  return !options.sparse && !isPacked && (!IsZarrOutput(output) || options.zarrCompression == ZarrCompression::None);
+  return !options.sparse && !(output.IsVolume() && IsPackedInAnyWay(output.fileName, options));
 }
 
 /** Outputs and scratch files on one disk share its free space. */

@@ -5,12 +5,10 @@
 #include "Leftovers.h"
 #include "OutputChecks.h"
 #include "Plan.h"
-#include "VolumeText.h"
+#include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
 
-#include <algorithm>
-#include <iterator>
 #include <utility>
 #ifdef __GLIBC__
 #  include <malloc.h>
@@ -48,7 +46,7 @@ CheckFormats(const JobOptions & options, const JobResult & job)
   {
     if (output.layout)
     {
-      CheckVolumeFormat(output.fileName, job.input.geometry, *output.layout, options.compress);
+      CheckOutputFormat(output.fileName, job.input.geometry, *output.layout, options.compress);
     }
   }
 }
@@ -62,25 +60,15 @@ SetNumberOfThreads(unsigned int threads)
 
 } // namespace
 
-std::vector<OutputRequest>
-SelectOutputs(const std::vector<OutputRequest> & candidates)
-{
-  std::vector<OutputRequest> outputs;
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(outputs), [](const OutputRequest & candidate) {
-    return !candidate.fileName.empty();
-  });
-  return outputs;
-}
-
 JobResult
-PrepareJob(const JobOptions &                 options,
-           VolumeHeader                       header,
-           const std::vector<OutputRequest> & candidates,
-           const PieceFootprint &             footprint)
+PrepareJob(const JobOptions &         options,
+           VolumeHeader               header,
+           std::vector<OutputRequest> outputs,
+           const PieceFootprint &     footprint)
 {
   JobResult result;
   result.input = std::move(header);
-  result.outputs = SelectOutputs(candidates);
+  result.outputs = std::move(outputs);
   if (!options.logFile.empty())
   {
     result.outputs.push_back({ "log", options.logFile, std::nullopt, true });

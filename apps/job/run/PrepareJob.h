@@ -13,16 +13,12 @@
 namespace medialvoxel
 {
 
-/** The candidates that have a name. */
-std::vector<OutputRequest>
-SelectOutputs(const std::vector<OutputRequest> & candidates);
-
-/** What all jobs do before their work begins: header, outputs, plan, threads. Candidates without a name drop out. */
+/** What all jobs do before their work begins: header, outputs, plan, threads. */
 JobResult
-PrepareJob(const JobOptions &                 options,
-           VolumeHeader                       header,
-           const std::vector<OutputRequest> & candidates,
-           const PieceFootprint &             footprint);
+PrepareJob(const JobOptions &         options,
+           VolumeHeader               header,
+           std::vector<OutputRequest> outputs,
+           const PieceFootprint &     footprint);
 
 /** Lets the process keep to the plan: its threads, and memory that is given back. */
 void
