@@ -4,7 +4,7 @@
 
 #include "EmbeddedXml.h"
 #include "OptionValues.h"
-#include "Report.h"
+#include "Version.h"
 
 #include <iostream>
 #include <limits>

@@ -5,10 +5,9 @@
 #include "CommandParts.h"
 #include "CommandText.h"
 #include "OptionValues.h"
-#include "Report.h"
 #include "Text.h"
-#include "VolumeText.h"
-#include "ZarrMetadata.h"
+#include "Version.h"
+#include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -192,7 +191,7 @@ namespace
 std::string
 ListExtensions(unsigned int components)
 {
-  return CLI::detail::join(ListVolumeExtensions(components), " ");
+  return CLI::detail::join(ListOutputExtensions(components), " ");
 }
 
 /** To be called after AddRunOptions(). */
@@ -235,7 +234,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 void
 AddInput(CLI::App & app, JobOptions & options)
 {
-  AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii[.gz] .tif .zarr", options.input)->required();
+  AddFile(app, "INPUT", "Volume: " + CLI::detail::join(ListInputExtensions(), " "), options.input)->required();
   AddSpacing(
     app, "--spacing", "Distance of voxels in place of the file's", [&]() -> auto & { return options.spacing; });
   AddText(app, "--resample", "Equal spacing: S, or auto for the smallest", "S", [&](const std::string & text) {

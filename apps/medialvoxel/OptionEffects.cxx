@@ -3,6 +3,7 @@
 #include "OptionEffects.h"
 
 #include "Errors.h"
+#include "Options.h"
 #include "SurfaceFormat.h"
 #include "Text.h"
 

@@ -8,6 +8,7 @@
 #include "Report.h"
 #include "SealedJson.h"
 #include "TemporaryFolder.h"
+#include "Version.h"
 
 #include <gtest/gtest.h>
 

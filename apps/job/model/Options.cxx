@@ -3,7 +3,6 @@
 #include "Options.h"
 
 #include "LabelValues.h"
-#include "Resampling.h"
 #include "Text.h"
 
 #include "itkMedialVoxelLimits.h"
@@ -208,11 +207,17 @@ CheckOptions(const ExtractOptions & options)
   }
 }
 
-VolumeHeader
-ReadInputHeader(const JobOptions & options)
+itk::MedialVoxelGrid
+GetGrid(const JobOptions & options, const VolumeHeader & header)
 {
-  const VolumeHeader header = ReadVolumeHeader(options.input, options.raw, options.spacing);
-  return options.resample ? ResampleHeader(header, *options.resample) : header;
+  itk::MedialVoxelIndex             size{ { 1, 1, 1 } };
+  itk::MedialVoxelGrid::SpacingType spacing{ { 1.0, 1.0, 1.0 } };
+  for (unsigned int axis = 0; axis < header.geometry.GetDimension(); ++axis)
+  {
+    size[axis] = static_cast<std::int64_t>(header.geometry.size[axis]);
+    spacing[axis] = options.voxelUnits ? 1.0 : header.geometry.spacing[axis];
+  }
+  return { size, spacing };
 }
 
 itk::MedialVoxelParameters::Limits

@@ -113,13 +113,13 @@ CheckOptions(const JobOptions & options);
 void
 CheckOptions(const RawDescription & raw);
 
-/** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
-VolumeHeader
-ReadInputHeader(const JobOptions & options);
-
 /** The file of the report; empty when it goes to the standard output. */
 std::string
 GetReportFile(const JobOptions & options);
+
+/** The image of the header in the units of the options. */
+itk::MedialVoxelGrid
+GetGrid(const JobOptions & options, const VolumeHeader & header);
 
 /** What decides the thickness, with the limits in effect on \a grid.
  * \throw JobError Usage when the limits contradict each other. */

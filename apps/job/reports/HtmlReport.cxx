@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
-#include "JobParts.h"
 #include "Report.h"
 #include "Text.h"
+#include "Version.h"
+#include "VolumeFormats.h"
 
 #include <cstdint>
 
@@ -168,7 +169,7 @@ TextTable
 DescribeInput(const VolumeHeader & header)
 {
   return { { "file", header.fileName.filename().string() },
-           { "format", header.format },
+           { "format", header.format->name },
            { "resolution", FormatSize(header.geometry.size) },
            { "spacing", FormatNumbers(header.geometry.spacing, " x ") },
            { "type", std::string(GetTraits(header.GetStored().pixelType).name) } };

@@ -4,6 +4,7 @@
 #define medialvoxelZarrCompression_h
 
 #include <cstdint>
+#include <string>
 
 namespace medialvoxel
 {
@@ -14,6 +15,13 @@ enum class ZarrCompression : std::uint8_t
   None,
   Gzip ///< written as gzip, which more readers have than zlib; of arrays that are read, both
 };
+
+/** Name of how chunks are packed, on the command line and in files. */
+inline std::string
+GetName(ZarrCompression compression)
+{
+  return compression == ZarrCompression::Gzip ? "gzip" : "none";
+}
 
 } // end namespace medialvoxel
 

@@ -4,7 +4,7 @@
 #define medialvoxelClusterMarker_h
 
 #include "Manifest.h"
-#include "VolumeJob.h"
+#include "JobResult.h"
 
 #include <cstdint>
 #include <filesystem>

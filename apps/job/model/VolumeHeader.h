@@ -64,11 +64,13 @@ struct ValueScale
   double intercept{ 0.0 };
 };
 
+struct VolumeFormat;
+
 /** Everything there is to know about a volume before its voxels are read. */
 struct VolumeHeader
 {
   std::filesystem::path fileName;
-  std::string           format;
+  const VolumeFormat *  format{ nullptr }; ///< a row of VolumeFormats.cxx; set when the whole header is read
   VolumeGeometry        geometry;
   PixelType             pixelType{ PixelType::UInt8 };
   bool                  bigEndian{ false }; ///< of the numbers as they are read, or unpacked
@@ -116,19 +118,6 @@ struct VolumeHeader
 /** Bytes that each file of a volume that streams must have to hold its voxels. */
 std::map<std::filesystem::path, std::uint64_t>
 GetNeededFileSizes(const VolumeHeader & header);
-
-/** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), Zarr
- * (.zarr), TIFF (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
- *
- * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
- * ones: may be), and its place in space is within itk::MedialVoxelLimits.
- * \param spacing along each axis, in place of that of the file; empty: that of the file
- * \throw JobError: Usage for an unknown extension or another number of spacings than of axes, Failure for a file that
- * cannot be read, CorruptInput for all else. */
-VolumeHeader
-ReadVolumeHeader(const std::filesystem::path &         fileName,
-                 const std::optional<RawDescription> & raw,
-                 const std::vector<double> &           spacing = {});
 
 } // end namespace medialvoxel
 

@@ -3,11 +3,8 @@
 #ifndef medialvoxelThicknessSummary_h
 #define medialvoxelThicknessSummary_h
 
-#include "Survey.h"
-
 #include <array>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace medialvoxel
@@ -50,14 +47,6 @@ struct ThicknessSummary : ThicknessStatistics ///< every cell counts the same
   std::vector<std::uint64_t> bins;
   std::uint64_t              above{ 0 };
 };
-
-ThicknessSummary
-Summarize(const Survey & survey);
-
-/** The histograms as comma-separated values: a line with the names thickness, cells and area, and one for every bin
- * from the smallest to the largest thickness, each with the length in the middle of the bin. */
-std::string
-MakeThicknessCsv(const Survey & survey);
 
 } // end namespace medialvoxel
 

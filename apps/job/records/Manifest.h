@@ -4,7 +4,8 @@
 #define medialvoxelManifest_h
 
 #include "FileIdentity.h"
-#include "Plan.h"
+#include "JobPlan.h"
+#include "Options.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -64,10 +65,6 @@ ReadManifest(const std::filesystem::path & fileName);
  * \param jobFolder in which the manifest is */
 std::filesystem::path
 FindFolder(const Manifest & manifest, const std::filesystem::path & jobFolder);
-
-/** Names of the volumes that the options ask for, as they were given. */
-std::vector<std::string>
-ListVolumeNames(const ExtractOptions & options);
 
 /** The options with absolute names of files. \param folder from which the names are meant */
 ExtractOptions

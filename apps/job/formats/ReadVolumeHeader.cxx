@@ -1,22 +1,22 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "VolumeHeader.h"
+#include "ReadVolumeHeader.h"
 
 #include "HeaderParsing.h"
+#include "Resampling.h"
 #include "Text.h"
-#include "ZarrMetadata.h"
+#include "VolumeFormats.h"
 
 #include "itkMedialVoxelLimits.h"
 
+#include "itkMedialVoxelHeaderText.h"
 #include <vnl/vnl_det.h>
 #include <vnl/vnl_matrix_fixed.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numeric>
-#include <utility>
 
 namespace medialvoxel
 {
@@ -32,7 +32,6 @@ DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription &
   OpenRegularFile(fileName);
   VolumeHeader header;
   header.fileName = fileName;
-  header.format = "raw";
   header.geometry.size = raw.size;
   header.pixelType = raw.pixelType;
   header.bigEndian = raw.bigEndian;
@@ -120,13 +119,14 @@ ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
 void
 CheckDataSize(const VolumeHeader & header)
 {
-  if (!header.segments.empty() || header.format == TiffFormat || header.format == ZarrFormat)
+  const DataSizeCheck check = header.format->input.sizeCheck;
+  if (!header.segments.empty() || check == DataSizeCheck::ByReader)
   {
-    return; // each stretch was compared with its file when it was located; each chunk is when it is read
+    return; // each segment was compared with its file when it was located
   }
   const std::uint64_t voxelBytes = header.GetVoxelBytes();
   const std::uint64_t available = header.dataFileSize < header.dataOffset ? 0 : header.dataFileSize - header.dataOffset;
-  const bool          exact = header.format == "raw";
+  const bool          exact = check == DataSizeCheck::Exactly;
   const bool          fits = header.compressed ? voxelBytes / MaximumDeflateRatio <= available
                                                : voxelBytes <= available && (!exact || voxelBytes == available);
   if (fits)
@@ -147,97 +147,7 @@ CheckDataSize(const VolumeHeader & header)
        header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
 }
 
-using HeaderReader = VolumeHeader (*)(const std::filesystem::path &);
-
-using Format = std::pair<const char *, HeaderReader>;
-
-constexpr std::array Formats{
-  Format{ ".mha", ReadMetaImageHeader }, Format{ ".mhd", ReadMetaImageHeader }, Format{ ".nrrd", ReadNrrdHeader },
-  Format{ ".nhdr", ReadNrrdHeader },     Format{ ".nii", ReadNiftiHeader },     Format{ ".nii.gz", ReadNiftiHeader },
-  Format{ ".zarr", ReadZarrHeader },
-#ifdef MEDIALVOXEL_WITH_TIFF
-  Format{ ".tif", ReadTiffHeader },      Format{ ".tiff", ReadTiffHeader },
-#endif
-};
-
-HeaderReader
-FindHeaderReader(const std::filesystem::path & fileName)
-{
-  std::error_code error;
-  const auto      status = std::filesystem::status(fileName, error);
-  const bool      isNamedZarr = ToLower(fileName.extension().string()) == ".zarr";
-  if (IsZarrFolder(fileName) || (isNamedZarr && std::filesystem::is_directory(status)))
-  {
-    return ReadZarrHeader;
-  }
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-  {
-    OpenRegularFile(fileName); // tells what it is
-  }
-  const std::string name = ToLower(fileName.filename().string());
-  std::string       known;
-  for (const auto & [extension, reader] : Formats)
-  {
-    const std::string end = extension;
-    if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
-    {
-      return reader;
-    }
-    known += (known.empty() ? "" : ", ") + end;
-  }
-  Fail(ExitStatus::Usage,
-       fileName.string(),
-       ": unknown format",
-       fileName.has_extension() ? " '" + ToLower(fileName.extension().string()) + "'" : ", its name has no extension",
-       "; ",
-       known,
-       " are read, and headerless files with --raw-size and --raw-type");
-}
-
 } // namespace
-
-std::uint64_t
-VolumeGeometry::GetNumberOfVoxels() const
-{
-  return std::accumulate(size.begin(), size.end(), std::uint64_t{ 1 }, std::multiplies<>());
-}
-
-void
-VolumeGeometry::SetIdentityDirection()
-{
-  direction.assign(size.size(), std::vector<double>(size.size(), 0.0));
-  for (size_t axis = 0; axis < size.size(); ++axis)
-  {
-    direction[axis][axis] = 1.0;
-  }
-}
-
-std::string
-VolumeHeader::DescribeReading() const
-{
-  if (this->CanStream())
-  {
-    return "streams: parts are read as they are needed";
-  }
-  return compressed ? "does not stream: it is compressed and unpacked once to one bit per voxel"
-                    : "does not stream: its values are scaled, and it is read once to one bit per voxel";
-}
-
-std::map<std::filesystem::path, std::uint64_t>
-GetNeededFileSizes(const VolumeHeader & header)
-{
-  if (header.segments.empty())
-  {
-    return { { header.dataFile, header.dataOffset + header.GetVoxelBytes() } };
-  }
-  std::map<std::filesystem::path, std::uint64_t> sizes;
-  for (const itk::MedialVoxelFileSegment & segment : header.segments)
-  {
-    std::uint64_t & size = sizes[segment.fileName];
-    size = std::max(size, segment.offset + segment.numberOfBytes);
-  }
-  return sizes;
-}
 
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
@@ -245,7 +155,9 @@ ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::vector<double> &           spacing)
 try
 {
-  VolumeHeader header = raw ? DescribeRawVolume(fileName, *raw) : FindHeaderReader(fileName)(fileName);
+  const VolumeFormat & format = raw ? GetRawFormat() : FindInputFormat(fileName);
+  VolumeHeader         header = raw ? DescribeRawVolume(fileName, *raw) : format.input.readHeader(fileName);
+  header.format = &format;
   if (!spacing.empty())
   {
     ReplaceSpacing(header, spacing);
@@ -258,6 +170,40 @@ catch (const HeaderError & error)
 {
   const bool isUnreadable = error.GetKind() == HeaderError::Kind::Unreadable;
   throw JobError(isUnreadable ? ExitStatus::Failure : ExitStatus::CorruptInput, error.what());
+}
+
+VolumeHeader
+ReadInputHeader(const JobOptions & options)
+{
+  const VolumeHeader header = ReadVolumeHeader(options.input, options.raw, options.spacing);
+  return options.resample ? ResampleHeader(header, *options.resample) : header;
+}
+
+TextTable
+DescribeHeader(const VolumeHeader & seen)
+{
+  const VolumeHeader &         header = seen.GetStored();
+  const VolumeGeometry * const resampled = seen.stored ? &seen.geometry : nullptr;
+  TextTable                    table;
+  table.emplace_back("file", header.fileName.string());
+  table.emplace_back("format", header.format->name);
+  table.emplace_back("size", FormatSize(header.geometry.size));
+  table.emplace_back("spacing", FormatNumbers(header.geometry.spacing, " x "));
+  table.emplace_back("origin", FormatNumbers(header.geometry.origin, ", "));
+  if (resampled)
+  {
+    table.emplace_back("resampled", FormatSize(resampled->size) + " at " + FormatNumbers(resampled->spacing, " x "));
+  }
+  table.emplace_back("type", std::string(GetTraits(header.pixelType).name));
+  table.emplace_back("voxels", std::to_string(header.geometry.GetNumberOfVoxels()));
+  table.emplace_back("bytes",
+                     std::to_string(header.GetVoxelBytes()) + " (" + FormatBytes(header.GetVoxelBytes()) + ")");
+  if (header.dataFile != header.fileName)
+  {
+    table.emplace_back("data file", itk::MedialVoxelText::MakePrintable(header.dataFile.string()));
+  }
+  table.emplace_back("reading", header.DescribeReading());
+  return table;
 }
 
 } // end namespace medialvoxel

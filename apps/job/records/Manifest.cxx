@@ -3,9 +3,12 @@
 #include "Manifest.h"
 
 #include "FileNames.h"
-#include "Report.h"
+#include "Options.h"
+#include "Outputs.h"
+#include "PixelType.h"
 #include "SealedJson.h"
-#include "ZarrMetadata.h"
+#include "Version.h"
+#include "VolumeHeader.h"
 
 #include <algorithm>
 #include <array>
@@ -22,19 +25,8 @@ constexpr int ManifestFormat = 5;
 
 constexpr const char * OverwriteName = "overwrite";
 
-using FileOption = std::pair<const char *, std::string ExtractOptions::*>;
 using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
 using LimitOption = std::pair<const char *, std::optional<itk::MedialVoxelLimit> ExtractOptions::*>;
-
-const std::array<FileOption, 9> FileOptions{ { { "output", &ExtractOptions::output },
-                                               { "input", &ExtractOptions::input },
-                                               { "vectors", &ExtractOptions::vectorFile },
-                                               { "distance", &ExtractOptions::distanceFile },
-                                               { "thickness_map", &ExtractOptions::thicknessFile },
-                                               { "thickness_csv", &ExtractOptions::thicknessCsvFile },
-                                               { "preview", &ExtractOptions::previewFile },
-                                               { "html", &ExtractOptions::htmlFile },
-                                               { "report", &ExtractOptions::reportFile } } };
 
 const std::array<NumberOption, 4> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
                                                    { "minimum_thickness", &ExtractOptions::minimumThickness },
@@ -120,9 +112,13 @@ Json
 OptionsToJson(const ExtractOptions & options)
 {
   Json json = Json::object();
-  for (const auto & [name, member] : FileOptions)
+  json["input"] = options.input;
+  for (const auto & kind : ListOutputKinds(options))
   {
-    json[name] = options.*member;
+    if (kind.parameter)
+    {
+      json[kind.parameter] = options.*kind.option;
+    }
   }
   for (const auto & [name, member] : NumberOptions)
   {
@@ -149,9 +145,13 @@ ExtractOptions
 OptionsFromJson(const Json & json)
 {
   ExtractOptions options;
-  for (const auto & [name, member] : FileOptions)
+  json.at("input").get_to(options.input);
+  for (const auto & kind : ListOutputKinds(options))
   {
-    json.at(name).get_to(options.*member);
+    if (kind.parameter)
+    {
+      json.at(kind.parameter).get_to(options.*kind.option);
+    }
   }
   for (const auto & [name, member] : NumberOptions)
   {
@@ -342,31 +342,19 @@ FindFolder(const Manifest & manifest, const std::filesystem::path & jobFolder)
   return isGone && std::filesystem::exists(beside / manifest.options.output, error) ? beside : manifest.folder;
 }
 
-std::vector<std::string>
-ListVolumeNames(const ExtractOptions & options)
-{
-  std::vector<std::string> names;
-  for (const std::string & name : { options.output, options.vectorFile, options.distanceFile, options.thicknessFile })
-  {
-    if (!name.empty())
-    {
-      names.push_back(name);
-    }
-  }
-  return names;
-}
-
 ExtractOptions
 WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder)
 {
-  for (const auto & option : FileOptions)
-  {
-    std::string & name = options.*option.second;
-    if (option.second == &ExtractOptions::reportFile && name == StandardOutput)
-    {
-      continue;
-    }
+  const auto makeAbsolute = [&folder](std::string & name) {
     name = name.empty() ? "" : (folder / name).lexically_normal().string();
+  };
+  makeAbsolute(options.input);
+  for (const auto & kind : ListOutputKinds(options))
+  {
+    if (kind.parameter && !kind.GetFileName(options).empty())
+    {
+      makeAbsolute(options.*kind.option);
+    }
   }
   return options;
 }

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelVolumeJob_h
-#define medialvoxelVolumeJob_h
+#ifndef medialvoxelJobResult_h
+#define medialvoxelJobResult_h
 
-#include "Options.h"
-#include "PieceRunner.h"
-#include "Plan.h"
-#include "Progress.h"
+#include "JobPlan.h"
+#include "OutputRequest.h"
+#include "RunnerSums.h"
 #include "SurfaceSummary.h"
 #include "ThicknessSummary.h"
-#include "Warnings.h"
+#include "VolumeHeader.h"
+#include "Warning.h"
+
+#include "itkMedialVoxelLimit.h"
 
 #include <cstdint>
 #include <optional>
@@ -43,17 +45,6 @@ struct JobResult
   std::uint64_t                        peakMemoryBytes{ 0 }; ///< of the process
   std::uint64_t                        bytesRead{ 0 };
 };
-
-/** Medial voxels of a volume file: opens, plans, runs, writes, reports. All outputs appear complete or not at all, the
- * labels last.
- * \throw JobError with the exit status that the failure calls for
- * \throw StoppedBySignal when the sink asked to stop */
-JobResult
-RunExtract(const ExtractOptions & options, ProgressSink & sink);
-
-/** Vector distances of a volume file, and signed distances; errors as RunExtract(). The vectors appear last. */
-JobResult
-RunDistance(const DistanceOptions & options, ProgressSink & sink);
 
 } // end namespace medialvoxel
 
