@@ -5,6 +5,7 @@
 
 #include "FuzzArguments.h"
 #include "FuzzSupport.h"
+#include "Options.h"
 
 #include "ClusterRange.h"
 #include "Errors.h"

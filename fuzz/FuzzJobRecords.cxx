@@ -9,8 +9,8 @@
 #include "ClusterMarker.h"
 #include "Errors.h"
 #include "JsonLimits.h"
-#include "Report.h"
 #include "SealedJson.h"
+#include "Version.h"
 
 #include "itkMedialVoxelHeaderText.h"
 

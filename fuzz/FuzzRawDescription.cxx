@@ -3,8 +3,10 @@
 
 // A headerless file: the lines are the values of --raw-size, --raw-type, --raw-spacing and --raw-header.
 
+#include "Errors.h"
 #include "FuzzArguments.h"
 #include "FuzzVolume.h"
+#include "VolumeHeader.h"
 
 namespace
 {

@@ -3,6 +3,8 @@
 #include "FuzzVolume.h"
 
 #include "HeaderParsing.h"
+#include "ReadVolumeHeader.h"
+#include "VolumeFormats.h"
 #include "VolumeText.h"
 #include "VoxelStream.h"
 #include "ZarrChunkFile.h"
@@ -66,7 +68,7 @@ void
 CheckOutputHeader(const VolumeHeader & header)
 {
   static const InputFile copy("copy.mha");
-  const std::string      text = MakeHeaderText(VolumeFormat::MetaImage, header.geometry, { header.pixelType, 1 }, "");
+  const std::string      text = MakeMetaImageText(header.geometry, { header.pixelType, 1 }, "");
   copy.Write(reinterpret_cast<const std::uint8_t *>(text.data()), text.size());
   const VolumeHeader again = ReadMetaImageHeader(copy.GetPath());
   Require(again.geometry.size == header.geometry.size && again.geometry.spacing == header.geometry.spacing &&
@@ -178,7 +180,7 @@ try
   const VolumeHeader header = ReadVolumeHeader(file.GetPath(), raw);
   CheckHeader(header);
   CheckOutputHeader(header);
-  if (header.format == ZarrFormat)
+  if (header.format->IsFolder())
   {
     ReadZarrVoxels(header);
     return;

@@ -138,6 +138,7 @@ public:
   itkGetConstMacro(UseImageSpacing, bool);
   itkBooleanMacro(UseImageSpacing);
 
+#ifndef ITK_WRAPPING_PARSER // tests cut the work with these; other languages need neither
   /** Edge in voxels of the tiles that threads work on; 0 (default) chooses. Has no influence on results. */
   itkSetMacro(TileSize, unsigned int);
   itkGetConstMacro(TileSize, unsigned int);
@@ -146,6 +147,7 @@ public:
    * on results; smaller slabs need less memory and give threads less to share. */
   itkSetMacro(SlabThickness, unsigned int);
   itkGetConstMacro(SlabThickness, unsigned int);
+#endif
 
   /** Bytes that the window on the input and the memory of all threads may take, beside the outputs and the piece of
    * input that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it, which has no

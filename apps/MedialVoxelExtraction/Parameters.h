@@ -5,11 +5,12 @@
 
 #include "Options.h"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdint>
-#include <functional>
-#include <optional>
+#include <memory>
+#include <ostream>
 #include <string>
-#include <vector>
 
 namespace medialvoxel
 {
@@ -24,15 +25,8 @@ enum class ObjectSelection
   Label       ///< the label value alone
 };
 
-/** Name of the enumerator on the command line. */
-std::string
-GetName(ObjectSelection selection);
-
-std::string
-GetName(itk::MedialVoxelThicknessMode mode);
-
-/** What the command line of the module says. The thresholds of the job stay unset until ApplyObjectSelection(), its
- * thickness until ApplyThickness(). */
+/** What the command line of the module says. The thresholds, the thickness and the resampled spacing of the job stay
+ * unset until CompleteJob(). */
 struct ModuleOptions
 {
   ExtractOptions  job;
@@ -48,50 +42,19 @@ struct ModuleOptions
   bool echo{ false };
 };
 
-/** Kinds of values, as the elements of the module's XML name them. Empty texts are allowed for String and Path. */
-enum class ParameterKind
-{
-  Path, ///< image, file or directory
-  String,
-  Boolean,
-  Integer,
-  Double,
-  Enumeration
-};
-
-/** One row of the table that drives parser, help and echo. Its name is that of the XML, and its flag. */
-struct Parameter
-{
-  std::string                              name;
-  ParameterKind                            kind;
-  std::string                              help;
-  std::string                              defaultValue;
-  std::function<void(const std::string &)> assign;                ///< takes a checked text
-  std::vector<std::string>                 elements{};            ///< of an enumeration
-  std::int64_t                             minimum{ 0 };          ///< of an integer
-  std::int64_t                             maximum{ 0 };          ///< of an integer
-  bool                                     isPositional{ false }; ///< required, and without a flag
-  std::optional<std::string>               value{};               ///< what SetValue() was told
-};
-using ParameterTable = std::vector<Parameter>;
-
-/** The table of all parameters; \a options must outlive it. */
-ParameterTable
+/** Defines the parameters, whose names are those of the XML; parsing fills \a options, which must outlive the result.
+ */
+std::unique_ptr<CLI::App>
 DefineParameters(ModuleOptions & options);
 
-/** Checks the text and hands it to the options. \throw JobError Usage. */
+/** Sets the thresholds that the selection names, the thickness when it is fixed, as the mode says or as a thickness
+ * implies without one, and the resampled spacing. \param app that has parsed */
 void
-SetValue(Parameter & parameter, const std::string & text);
+CompleteJob(const CLI::App & app, ModuleOptions & options);
 
-/** Sets the thresholds of the job. \throw JobError Usage when a limit is given and no selection, which would not use
- * it. */
+/** Names and values of all parameters, a line each. */
 void
-ApplyObjectSelection(const ParameterTable & table, ModuleOptions & options);
-
-/** Sets the thickness of the job, when it is fixed: as the mode says, or as a thickness implies without one. Sets the
- * resampled spacing too. */
-void
-ApplyThickness(const ParameterTable & table, ModuleOptions & options);
+PrintValues(std::ostream & out, const CLI::App & app);
 
 } // end namespace medialvoxel
 

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "EmbeddedXml.h"
-#include "ModuleCommandLine.h"
+#include "Parameters.h"
 #include "Program.h"
-#include "Report.h"
 #include "VolumeJob.h"
 
+#include <algorithm>
 #include <iostream>
 
 namespace
@@ -14,40 +13,27 @@ namespace
 using namespace medialvoxel;
 
 void
-Extract(const ParameterTable & table, ModuleOptions & options)
+Extract(const CLI::App & app, ModuleOptions & options)
 {
-  ApplyObjectSelection(table, options);
-  ApplyThickness(table, options);
+  CompleteJob(app, options);
   // 3D Slicer names the same temporary files in each run.
   options.job.overwrite = true;
   if (options.echo)
   {
-    PrintValues(std::cout, table);
+    PrintValues(std::cout, app);
   }
   const auto sink = MakeProgressSink(ProgressStyle::Slicer);
   RunExtract(options.job, *sink);
 }
 
-void
-RunModule(const std::vector<std::string> & arguments)
+/** Slicer's name of the mark after which no argument is an option, as the parser knows it; last argument first. */
+std::vector<std::string>
+ReverseArguments(int argc, char * argv[])
 {
-  ModuleOptions  options;
-  ParameterTable table = DefineParameters(options);
-  switch (ParseArguments(arguments, table))
-  {
-    case ModuleAction::Run:
-      Extract(table, options);
-      break;
-    case ModuleAction::PrintHelp:
-      PrintHelp(std::cout, table);
-      break;
-    case ModuleAction::PrintVersion:
-      std::cout << "MedialVoxelExtraction " << GetVersion() << '\n';
-      break;
-    case ModuleAction::PrintXml:
-      std::cout << GetEmbeddedXml();
-      break;
-  }
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  std::replace(arguments.begin(), arguments.end(), std::string("--ignore_rest"), std::string("--"));
+  std::reverse(arguments.begin(), arguments.end());
+  return arguments;
 }
 
 } // namespace
@@ -56,7 +42,21 @@ int
 main(int argc, char * argv[])
 {
   return RunProgram("MedialVoxelExtraction", [&] {
-    RunModule({ argv + 1, argv + argc });
+    ModuleOptions options;
+    const auto    app = DefineParameters(options);
+    try
+    {
+      app->parse(ReverseArguments(argc, argv));
+    }
+    catch (const CLI::Success & result) // help, version, description
+    {
+      return app->exit(result);
+    }
+    catch (const CLI::ParseError & error)
+    {
+      Fail(ExitStatus::Usage, error.what());
+    }
+    Extract(*app, options);
     return static_cast<int>(ExitStatus::Done);
   });
 }

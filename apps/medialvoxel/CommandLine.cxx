@@ -4,11 +4,10 @@
 
 #include "CommandParts.h"
 #include "CommandText.h"
-#include "CommandValues.h"
-#include "Report.h"
+#include "OptionValues.h"
 #include "Text.h"
-#include "VolumeText.h"
-#include "ZarrMetadata.h"
+#include "Version.h"
+#include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -31,6 +30,22 @@ GetRaw(JobOptions & options)
     options.raw.emplace();
   }
   return *options.raw;
+}
+
+/** Adds a choice that completions know, too; the first name is the default. */
+template <typename TEnum>
+CLI::Option *
+AddChoice(CommandLine &                                      line,
+          CLI::App &                                         app,
+          const std::string &                                name,
+          const std::string &                                help,
+          const std::string &                                unit,
+          TEnum &                                            target,
+          const std::vector<std::pair<std::string, TEnum>> & choices)
+{
+  CLI::Option * const option = medialvoxel::AddChoice(app, name, help, unit, target, choices);
+  line.choices[option] = ListNames(choices);
+  return option;
 }
 
 /** Adds an option with a distance of voxels for each axis; \a target() is where it goes. */
@@ -119,13 +134,7 @@ AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
           "--memory",
           "Most memory, such as 2G (default: half of the free)",
           "SIZE",
-          [&target](const std::string & text) {
-            target = ParseByteSize(text);
-            if (!target)
-            {
-              throw CLI::ValidationError("'" + text + "' is not a size such as 500M, 2G or 2GiB");
-            }
-          })
+          [&target](const std::string & text) { target = ToByteSize(text); })
     ->group("Run");
 }
 
@@ -182,7 +191,7 @@ namespace
 std::string
 ListExtensions(unsigned int components)
 {
-  return CLI::detail::join(ListVolumeExtensions(components), " ");
+  return CLI::detail::join(ListOutputExtensions(components), " ");
 }
 
 /** To be called after AddRunOptions(). */
@@ -225,7 +234,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 void
 AddInput(CLI::App & app, JobOptions & options)
 {
-  AddFile(app, "INPUT", "Volume: .mha .mhd .nrrd .nhdr .nii[.gz] .tif .zarr", options.input)->required();
+  AddFile(app, "INPUT", "Volume: " + CLI::detail::join(ListInputExtensions(), " "), options.input)->required();
   AddSpacing(
     app, "--spacing", "Distance of voxels in place of the file's", [&]() -> auto & { return options.spacing; });
   AddText(app, "--resample", "Equal spacing: S, or auto for the smallest", "S", [&](const std::string & text) {
@@ -298,17 +307,7 @@ AddLabels(CLI::App & app, ExtractOptions & options)
 void
 AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, bool * const resumes)
 {
-  using Bound = itk::MedialVoxelPseudoGeodesicBound;
   AddThickness(app, options);
-  AddChoice<Bound>(line,
-                   app,
-                   "--bound",
-                   "Decide without search",
-                   "KIND",
-                   options.bound,
-                   { { GetName(Bound::FreeSpace), Bound::FreeSpace },
-                     { GetName(Bound::Paper), Bound::Paper },
-                     { GetName(Bound::Off), Bound::Off } });
   AddObjectOptions(app, options);
   const std::string group = "Further outputs";
   AddFile(app, "--vectors", "Vectors to the nearest boundary point", options.vectorFile)->group(group);
@@ -405,8 +404,6 @@ DefineDistance(CommandLine & line)
   AddObjectOptions(app, options);
   const std::string group = "Further outputs";
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
-  app.add_flag("--squared-distance", options.squaredDistance, "Square the signed distance")->group(group);
-  app.add_flag("--inside-positive", options.insideIsPositive, "Make the signed distance positive inside")->group(group);
   AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group(group);
   AddRunOptions(line, app, options);
   AddCompression(line, app, options);

@@ -3,7 +3,8 @@
 #ifndef medialvoxelCommandLine_h
 #define medialvoxelCommandLine_h
 
-#include "JobCommands.h"
+#include "ClusterOptions.h"
+#include "LogRecord.h"
 #include "Options.h"
 #include "Progress.h"
 

@@ -4,6 +4,7 @@
 #define medialvoxelCommandParts_h
 
 #include "CommandLine.h"
+#include "Options.h"
 
 #include <cstdint>
 #include <optional>

@@ -28,10 +28,6 @@ GetChoices(const CommandLine & line, const CLI::Option & option);
 Options
 GetOptions(const CLI::App & app, bool positional);
 
-/** "; did you mean NAME?" for the name that is most like a text that is none of them; empty when none is like it. */
-std::string
-SuggestName(const std::string & text, const std::vector<std::string> & names);
-
 /** "--threads N". */
 std::string
 GetUsage(const CLI::Option & option);

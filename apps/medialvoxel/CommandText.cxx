@@ -4,7 +4,7 @@
 
 #include "CommandTable.h"
 #include "Errors.h"
-#include "Report.h"
+#include "Version.h"
 
 #include <cctype>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "ClusterOptions.h"
 #include "CommandParts.h"
 
 namespace medialvoxel
@@ -49,7 +50,6 @@ DefinePlan(CommandLine & line)
   AddLabels(app, options);
   AddJobFolder(app, options.jobFolder, "Folder of the job, new or empty");
   AddSlurm(app, options.slurm);
-  app.add_flag("--hash", options.hashesInput, "Compare the SHA-256 of the input at the end");
   AddExtractOptions(line, app, options, nullptr);
   for (const char * const refused : { "--mesh", "--section-width", "--scratch", "--sparse", "--compress" })
   {

@@ -3,6 +3,7 @@
 #include "OptionEffects.h"
 
 #include "Errors.h"
+#include "Options.h"
 #include "SurfaceFormat.h"
 #include "Text.h"
 
@@ -61,15 +62,7 @@ const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
     "an output that is written as .zarr" },
 };
 
-bool
-HasDistance(const DistanceOptions & options)
-{
-  return !options.distanceFile.empty();
-}
-
 const std::vector<OptionEffect<DistanceOptions>> DistanceEffects{
-  { "--squared-distance", HasDistance, "--distance" },
-  { "--inside-positive", HasDistance, "--distance" },
   { "--zarr-compression",
     [](const DistanceOptions & options) { return IsAnyZarr({ &options.output, &options.distanceFile }); },
     "an output that is written as .zarr" },

@@ -1,15 +1,21 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "ClusterOptions.h"
 #include "CommandLine.h"
 #include "CommandTable.h"
 #include "CommandText.h"
 #include "Log.h"
 #include "OptionEffects.h"
 #include "PhaseTable.h"
+#include "Plan.h"
 #include "Program.h"
+#include "ReadVolumeHeader.h"
 #include "Report.h"
 #include "SharedJob.h"
+#include "Signals.h"
+#include "SuggestName.h"
 #include "ValueStatistics.h"
+#include "VolumeJob.h"
 
 #include "itkMedialVoxelHeaderText.h"
 

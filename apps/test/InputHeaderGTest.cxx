@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "ReadVolumeHeader.h"
 #include "VolumeHeader.h"
 
 #include "TemporaryFolder.h"

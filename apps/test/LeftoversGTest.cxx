@@ -93,6 +93,13 @@ TEST_F(LeftoversTest, OfDeadProcessesAreRemoved)
   EXPECT_EQ(this->ListNames(), std::set<std::string>());
 }
 
+TEST_F(LeftoversTest, HostIsTwelveDigits)
+{
+  const std::string & host = m_Dead.host;
+  EXPECT_EQ(host.size(), 12u);
+  EXPECT_EQ(host.find_first_not_of("0123456789abcdef"), std::string::npos) << host;
+}
+
 TEST_F(LeftoversTest, OfOthersStay)
 {
   ProcessIdentity elsewhere = m_Dead;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Plan.h"
 
+#include "VolumeFormats.h"
+
 #include <gtest/gtest.h>
 
 using namespace medialvoxel;
@@ -15,7 +17,7 @@ MakeHeader(const std::vector<std::uint64_t> & size)
   VolumeHeader header;
   header.fileName = "volume.mha";
   header.dataFile = header.fileName;
-  header.format = "MetaImage";
+  header.format = &FindInputFormat("in.mha");
   header.geometry.size = size;
   return header;
 }

@@ -100,9 +100,6 @@ public:
     DrawObject(m_Options, volume, dice);
     m_Options.output = (folder / "labels.mha").string();
     m_Options.thickness = dice.Pick<double>({ 0.8, 1.5, 3.0, 6.0 });
-    m_Options.bound = dice.Pick<itk::MedialVoxelPseudoGeodesicBound>({ itk::MedialVoxelPseudoGeodesicBound::FreeSpace,
-                                                                       itk::MedialVoxelPseudoGeodesicBound::Paper,
-                                                                       itk::MedialVoxelPseudoGeodesicBound::Off });
     if (dice.OneIn(2))
     {
       m_Options.vectorFile = (folder / "vectors.mha").string();
@@ -169,8 +166,6 @@ public:
       dice.Pick<itk::MedialVoxelBoundary>({ itk::MedialVoxelBoundary::Object, itk::MedialVoxelBoundary::Background });
     m_Options.region = dice.Pick<itk::MedialVoxelRegion>(
       { itk::MedialVoxelRegion::Inside, itk::MedialVoxelRegion::Outside, itk::MedialVoxelRegion::Both });
-    m_Options.squaredDistance = dice.OneIn(2);
-    m_Options.insideIsPositive = dice.OneIn(2);
     if (dice.OneIn(2))
     {
       m_Options.maximumDistance = dice.Pick<double>({ 1.0, 4.0, 12.5 });

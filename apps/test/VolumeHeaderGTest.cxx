@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "VolumeHeader.h"
 
+#include "ReadVolumeHeader.h"
 #include "TemporaryFolder.h"
 
 #include "itkMetaImageIO.h"

@@ -74,12 +74,6 @@ class DistanceTest(ProgramTestCase):
         self.assert_close(norms, self.distances(of_object=False))
         self.assert_close(signed, self.signed(self.distances(of_object=False)))
 
-    def test_signs_and_squares(self):
-        _, signed = self.compute("--inside-positive")
-        self.assert_close(signed, [-d for d in self.signed(self.distances())])
-        _, squared = self.compute("--squared-distance")
-        self.assert_close(squared, self.signed([d * d for d in self.distances()]))
-
     def test_regions(self):
         expected = self.distances()
         for region in ("inside", "outside"):

@@ -72,7 +72,6 @@ class HtmlTest(ProgramTestCase):
             "Medial voxels of in.mha",
             "Thickness of the walls",
             "geodesic search: not medial",
-            "free-space",
             "ITK",
             "Michikawa and H. Suzuki",
             "peak memory",

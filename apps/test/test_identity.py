@@ -92,15 +92,6 @@ class IdentityTest(ProgramTestCase):
         self.assertGreater(counts["geodesic_medial"], 0)
         self.assertGreater(counts["geodesic_non_medial"], 0)
 
-    def test_bound_changes_no_medial_cell(self):
-        medial = []
-        for bound in ("free-space", "paper", "off"):
-            labels = self.results("--bound", bound)[0][0]
-            medial.append([label >= 2 for label in labels])
-            self.assertEqual(labels.count(2) == 0, bound == "off")
-        self.assertEqual(medial[0], medial[2])
-        self.assertEqual(medial[0], medial[1])
-
 
 if __name__ == "__main__":
     unittest.main()

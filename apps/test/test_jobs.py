@@ -125,11 +125,11 @@ class SmallJobTest(JobTestCase):
         """What changes a byte is in the manifest; what is not must be known here to change none."""
         help_text = self.run_program("plan", "--help").stdout
         of_run = {"--memory", "--threads", "--divisions", "--dry-run", "--progress", "--quiet", "--log-file"}
-        of_run |= {"--log-level", "--slurm", "--slurm-clusters", "--hash"}
+        of_run |= {"--log-level", "--slurm", "--slurm-clusters"}
         raw = "--raw-size 40,36,33 --raw-type uint8 --raw-spacing 1,2,3 --raw-header 5 --raw-big-endian"
         values = {
             "--thickness": 2, "--minimum-thickness": 2, "--maximum-thickness": 7, "--max-pore-size": 3,
-            "--voxel-units": None, "--bound": "off", "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
+            "--voxel-units": None, "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
             "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
             "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75,

@@ -8,6 +8,7 @@ import zlib
 
 import volumes
 from program import ProgramTestCase
+from test_identity import rough_shell
 
 BLACK = (0, 0, 0)
 WHITE = (255, 255, 255)
@@ -69,7 +70,7 @@ class PreviewTest(ProgramTestCase):
             self.assertGreater(colors[color], 1000)
         legend = 14 * 14
         self.assertEqual(self.colors(self.preview(volume, "--lower", 101))[RED], legend)
-        self.assertGreater(self.colors(self.preview(volume, "--lower", 72, "--bound", "off"))[RED], 1000)
+        self.assertGreater(self.colors(self.preview(rough_shell()))[RED], 1000)
 
     def test_projection_and_scale_bar(self):
         """A plate across z lies in one slice, and fills the projection along z wherever that slice is."""

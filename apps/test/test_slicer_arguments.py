@@ -54,8 +54,8 @@ class DriftTest(ModuleTestCase):
             others = [] if flag == "objectSelection" else selection
             forms = [[f"--{flag}", value], [f"--{flag}={value}"]]
             if element.tag == "boolean":
-                forms += [[f"--{flag}"], [f"--{flag}", "True"]]
-                self.assertEqual(self.read_echo(f"--{flag}", "false")[flag], "false")
+                forms[0] = [f"--{flag}"]
+                self.assertEqual(self.read_echo(f"--{flag}=false")[flag], "false")
             for form in forms:
                 self.assertEqual(self.read_echo(*others, *form)[flag], value, form)
 
@@ -74,10 +74,10 @@ class DriftTest(ModuleTestCase):
         for flag, element in self.description.flagged.items():
             if element.tag in ENUMERATIONS:
                 elements = [child.text for child in element.findall("element")]
-                self.assertIn(f"--{flag} {'|'.join(elements)}\n", shown)
+                self.assertIn(f"--{flag} {'|'.join(elements)}={elements[0]}\n", shown)
                 for value in elements:
                     self.assertEqual(self.read_echo(f"--{flag}", value)[flag], value)
-                for value in ("", "bogus", elements[0].swapcase()):
+                for value in ("", "bogus", elements[0] + "s"):
                     self.assert_module_fails(USAGE, [flag, f"'{value}'", elements[-1]], f"--{flag}", value, *VOLUMES)
 
     def test_constraints(self):
@@ -150,10 +150,10 @@ class ArgumentTest(ModuleTestCase):
         self.assert_module_fails(USAGE, ["outputVolume"], "in.mha", "")
         self.assert_module_fails(USAGE, ["extra.mha"], *VOLUMES, "extra.mha")
         for flag in ("--bogus", "-t", "--Thickness", "--inputVolume", "--lower-threshold"):
-            self.assert_module_fails(USAGE, [flag, "unknown"], flag, *VOLUMES)
+            self.assert_module_fails(USAGE, [flag, "not expected"], flag, *VOLUMES)
         self.assert_module_fails(USAGE, ["thickness"], *VOLUMES, "--thickness")
-        self.assert_module_fails(USAGE, ["thickness", "twice"], "--thickness", "3", "--thickness=4", *VOLUMES)
-        self.assert_module_fails(USAGE, ["voxelUnits", "yes"], "--voxelUnits=yes", *VOLUMES)
+        self.assert_module_fails(USAGE, ["thickness", "received 2"], "--thickness", "3", "--thickness=4", *VOLUMES)
+        self.assert_module_fails(USAGE, ["voxelUnits", "maybe"], "--voxelUnits=maybe", *VOLUMES)
         self.assert_module_fails(
             USAGE, ["processinformationaddress", "7"], "--processinformationaddress", "7", *VOLUMES
         )

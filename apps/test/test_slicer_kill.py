@@ -25,7 +25,7 @@ class KillTest(ModuleTestCase):
         print(f"seed {seed}")
 
     def start(self, *arguments):
-        command = [MODULE, *arguments, "--objectSelection", "Label", "--labelValue", "100", "--bound", "off"]
+        command = [MODULE, *arguments, "--objectSelection", "Label", "--labelValue", "100"]
         return subprocess.Popen([*command, "--thickness", "4"], cwd=self.folder, stdout=subprocess.DEVNULL)
 
     def read_outputs(self, names):

@@ -21,8 +21,8 @@ CONTENT = XML_FILE.read_bytes()
 TRAPS = {
     "dash in a flag": ("<longflag>voxelUnits<", "<longflag>voxel-units<", "other characters"),
     "dash in a name": ("<name>voxelUnits<", "<name>voxel-units<", "other characters"),
-    "leading dashes": ("<longflag>bound<", "<longflag>--bound<", "other characters"),
-    "long flag": ("<longflag>bound<", "<flag>bb</flag><longflag>bound<", "not one letter"),
+    "leading dashes": ("<longflag>memory<", "<longflag>--memory<", "other characters"),
+    "long flag": ("<longflag>memory<", "<flag>mm</flag><longflag>memory<", "not one letter"),
     "flag and index": ("<index>0</index>", "<index>0</index><longflag>in</longflag>", "index and flag"),
     "true boolean": ("<default>false<", "<default>true<", "not false by default"),
     "no label": ("<label>Thickness</label>", "", "no label"),
@@ -38,15 +38,15 @@ TRAPS = {
 }
 # What no schema of this kind can see.
 RELATIONS = {
-    "flag twice": ("<longflag>bound<", "<longflag>memory<", "longflag memory twice"),
+    "flag twice": ("<longflag>memory<", "<longflag>resample<", "longflag resample twice"),
     "index twice": ("<index>1<", "<index>0<", "index 0 twice"),
-    "name twice": ("<name>memory<", "<name>bound<", "name bound twice"),
+    "name twice": ("<name>memory<", "<name>resample<", "name resample twice"),
     "default not an element": ("<default>NonZero<", "<default>Nonzero<", "not one of its elements"),
-    "element twice": ("<element>off<", "<element>paper<", "an element twice"),
+    "element twice": ("<element>background<", "<element>object<", "an element twice"),
     "minimum above maximum": ("<maximum>128<", "<maximum>-1<", "minimum above maximum"),
     "default outside": ("<minimum>0<", "<minimum>1<", "outside the constraints"),
     "reference to nothing": ('reference="inputVolume"', 'reference="input"', "reference to no image"),
-    "flag of every module": ("<longflag>bound<", "<longflag>echo<", "every module has"),
+    "flag of every module": ("<longflag>memory<", "<longflag>echo<", "every module has"),
     "first extension": ('fileExtensions=".mha,.mhd', 'fileExtensions=".nrrd,.mhd', "not the first extension"),
     "blank before": ("<?xml version", "\n<?xml version", None),
 }

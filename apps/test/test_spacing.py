@@ -35,7 +35,7 @@ class SpacingTest(ProgramTestCase):
         for command in (
             ["info", name],
             ["extract", name, "out.mha"],
-            ["extract", name, "out.mha", "--thickness", 3, "--bound", "off"],
+            ["extract", name, "out.mha", "--thickness", 3],
             ["distance", name, "out.mha"],
             *([["mesh", name, "out.vtp"]] if len(self.volume.size) == 3 else []),
             ["plan", name, "out.mha", "job"],

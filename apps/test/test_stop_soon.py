@@ -113,38 +113,12 @@ class StopSoonTest(ProgramTestCase):
         self.before = self.names()
         self.assert_stops("extract", "packed.nrrd", "out.mha", "--thickness", "3")
 
-    def test_jobs(self):
-        """Hashing the input, which has much before its first voxel, and the work on a cluster; what is done stays."""
-        tail = ("--raw-size", "60,60,60", "--raw-type", "uint8", "--lower", "64", "--thickness", "3")
-        with open(self.folder / "long.raw", "wb") as file:
-            header = 3 << 29
-            file.truncate(header)
-            file.seek(header)
-            file.write(random.Random(18).randbytes(60**3))
-        self.before = self.names()
-        plan = ("plan", "long.raw", "out.mha", "job", *tail, "--raw-header", header)
-        self.assert_stops(*plan, "--hash", seconds=0.7)
+    def test_work(self):
+        """On a cluster; what is done stays."""
         self.run_program("plan", *NOISE, "out.mha", "hard", "--thickness", "40", "--divisions", "2")
         for number in (signal.SIGTERM, signal.SIGINT):
             error = self.stop(number, self.start(PROGRAM, "work", "hard"), 1.5)[1]
             self.assertIn("medialvoxel: stopped; what is done stays, to continue: medialvoxel work ", error)
-
-    def test_finalize(self):
-        """Hashing the input again, which has much before its first voxel."""
-        tail = ("--raw-size", "60,60,60", "--raw-type", "uint8", "--lower", "64", "--thickness", "3")
-        with open(self.folder / "long.raw", "wb") as file:
-            header = 1 << 29
-            file.truncate(header)
-            file.seek(header)
-            file.write(random.Random(18).randbytes(60**3))
-        self.run_program("plan", "long.raw", "out.mha", "job", *tail, "--raw-header", header, "--hash")
-        self.run_program("work", "job")
-        for number in (signal.SIGTERM, signal.SIGINT):
-            error = self.stop(number, self.start(PROGRAM, "finalize", "job"), 0.5)[1]
-            self.assertIn("to continue: medialvoxel finalize ", error)
-        self.assertFalse((self.folder / "out.mha").exists())
-        self.run_program("finalize", "job")
-        self.assertTrue((self.folder / "out.mha").exists())
 
     def test_module(self):
         volume = self.folder / "noise.nhdr"

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ProcessIdentity.h"
 
-#include "Sha256.h"
+#include "Checksum.h"
 
 #include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <iterator>
 #include <optional>
 #include <sstream>
@@ -17,8 +18,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-constexpr std::size_t HostDigits = 12;
 
 std::string
 ReadSmallFile(const std::filesystem::path & fileName)
@@ -57,23 +56,27 @@ ReadState(pid_t number)
   return fields ? std::optional<ProcessState>(state) : std::nullopt;
 }
 
-/** Numbers of processes mean something in one name space of one start of one machine. */
+/** Numbers of processes mean something in one name space of one start of one machine. Machines are many, so the digits
+ * of their starts, which are random, add to the checksum of all three. */
 std::string
 MakeHost()
 {
-  std::string text = ReadSmallFile("/proc/sys/kernel/random/boot_id");
-  if (text.empty())
+  constexpr std::size_t digitsOfStart = 4;
+  constexpr std::size_t firstDash = 8;
+  std::string           text = ReadSmallFile("/proc/sys/kernel/random/boot_id");
+  if (text.find_first_not_of("0123456789abcdef") != firstDash)
   {
     return {};
   }
+  std::ostringstream host;
+  host << text.substr(0, digitsOfStart);
   for (const char * const space : { "/proc/self/ns/pid", "/proc/self/ns/time" })
   {
     std::error_code error;
     text += std::filesystem::read_symlink(space, error).string() + "\n";
   }
-  Sha256 hash;
-  hash.Add(text.data(), text.size());
-  return hash.Finish().substr(0, HostDigits);
+  host << std::hex << std::setw(8) << std::setfill('0') << GetChecksum(text);
+  return host.str();
 }
 
 ProcessIdentity

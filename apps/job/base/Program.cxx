@@ -3,7 +3,8 @@
 #include "Program.h"
 
 #include "Errors.h"
-#include "Progress.h"
+#include "Signals.h"
+#include "StopListener.h"
 
 #include "itkMedialVoxelHeaderText.h"
 #include "itkObject.h"

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Progress.h"
 
+#include "Errors.h"
+#include "Signals.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -370,6 +373,15 @@ bool
 ProgressSink::IsStopRequested() const
 {
   return GetStopSignal() != 0;
+}
+
+void
+ThrowIfStopRequested(const ProgressSink & sink)
+{
+  if (sink.IsStopRequested())
+  {
+    throw StoppedBySignal(GetStopSignal());
+  }
 }
 
 std::unique_ptr<ProgressSink>

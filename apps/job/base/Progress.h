@@ -3,33 +3,13 @@
 #ifndef medialvoxelProgress_h
 #define medialvoxelProgress_h
 
-#include "itkMedialVoxelProgress.h"
+#include "LogRecord.h"
 
-#include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace medialvoxel
 {
-
-/** How urgent a line of a log is, the most urgent first. */
-enum class LogLevel : std::uint8_t
-{
-  Error,
-  Warning,
-  Info,
-  Debug
-};
-
-/** A step of a job: one line of a log. */
-struct LogRecord
-{
-  LogLevel                                         level{ LogLevel::Info };
-  std::string                                      event; ///< one word
-  std::vector<std::pair<std::string, std::string>> values;
-};
 
 /** \class ProgressSink
  * \brief Hears how far a job is, and may stop it.
@@ -68,6 +48,10 @@ public:
   IsStopRequested() const;
 };
 
+/** \throw StoppedBySignal when the sink asks to stop. */
+void
+ThrowIfStopRequested(const ProgressSink & sink);
+
 /** Ways to show progress. Auto is Bar when the error stream is a terminal, else Plain. */
 enum class ProgressStyle
 {
@@ -82,54 +66,6 @@ enum class ProgressStyle
 
 std::unique_ptr<ProgressSink>
 MakeProgressSink(ProgressStyle style);
-
-/** Remembers SIGINT, SIGTERM and SIGHUP instead of dying from them; a SIGHUP that is ignored stays so. Writing to
- * a closed pipe or over a limit of the file size becomes an error of the write. */
-void
-CatchSignals();
-
-/** The signal that asked to stop, or 0. */
-int
-GetStopSignal();
-
-/** \class StopListener
- * \brief While it exists, itk::MedialVoxelPoll() in this thread throws StoppedBySignal when the work is to stop. */
-class StopListener
-{
-public:
-  /** \param sink asked, and given signs of life; null: signals alone count */
-  explicit StopListener(ProgressSink * sink = nullptr)
-    : m_Progress(sink)
-    , m_Scope(m_Progress)
-  {}
-
-private:
-  class Progress : public itk::MedialVoxelProgress
-  {
-  public:
-    explicit Progress(ProgressSink * sink)
-      : m_Sink(sink)
-    {}
-
-    bool
-    IsAborted() const override;
-
-    void
-    Advance(std::uint64_t voxels) override;
-
-    void
-    Beat() override;
-
-    [[noreturn]] void
-    ThrowAborted() const override;
-
-  private:
-    ProgressSink * m_Sink;
-  };
-
-  Progress                  m_Progress;
-  itk::MedialVoxelPollScope m_Scope;
-};
 
 } // end namespace medialvoxel
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "Errors.h"
-#include "Progress.h"
+#include "Signals.h"
 
 #include <csignal>
 
@@ -49,31 +48,6 @@ int
 GetStopSignal()
 {
   return stopSignal;
-}
-
-bool
-StopListener::Progress::IsAborted() const
-{
-  return m_Sink != nullptr ? m_Sink->IsStopRequested() : stopSignal != 0;
-}
-
-void
-StopListener::Progress::Advance(std::uint64_t)
-{}
-
-void
-StopListener::Progress::Beat()
-{
-  if (m_Sink != nullptr)
-  {
-    m_Sink->Beat();
-  }
-}
-
-void
-StopListener::Progress::ThrowAborted() const
-{
-  throw StoppedBySignal(stopSignal);
 }
 
 } // end namespace medialvoxel

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -22,6 +23,9 @@ using itk::MedialVoxelText::ParseInteger;
 using itk::MedialVoxelText::SplitAtBlanks;
 using itk::MedialVoxelText::ToLower;
 using itk::MedialVoxelText::Trim;
+
+/** Names and values to print. */
+using TextTable = std::vector<std::pair<std::string, std::string>>;
 
 /** A number of bytes: digits, optionally with a fraction, and optionally K, M, G or T (powers of 1024),
  * behind which B or iB may stand; in any case. */

@@ -3,6 +3,11 @@
 #include "ClusterWorker.h"
 
 #include "ExtractParts.h"
+#include "JobClock.h"
+#include "Outputs.h"
+#include "PeakMemory.h"
+
+#include "itkMedialVoxelClusterEngine.h"
 
 #include <algorithm>
 #include <chrono>
@@ -44,7 +49,7 @@ ClusterWorker::ClusterWorker(const SharedJob & job, const JobResult & plan, Prog
     {
       m_Volumes.back()->BypassPageCacheWhenLarge();
     }
-    m_Run.SetVolume(request.role, m_Volumes.back().get());
+    m_Run.AddVolume(request, *m_Volumes.back());
   }
 }
 

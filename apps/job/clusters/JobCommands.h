@@ -3,7 +3,8 @@
 #ifndef medialvoxelJobCommands_h
 #define medialvoxelJobCommands_h
 
-#include "ClusterRange.h"
+#include "ClusterOptions.h"
+#include "Errors.h"
 #include "SlurmScript.h"
 #include "VolumeJob.h"
 
@@ -36,41 +37,16 @@ private:
   std::string m_Message;
 };
 
-/** An extraction that several processes do, and the folder by which they know of each other. */
-struct PlanOptions : ExtractOptions
-{
-  std::string jobFolder;
-  bool        hashesInput{ false }; ///< remember the SHA-256 of the input, and compare it at the end
-
-  std::optional<SlurmOptions> slurm; ///< set: write a script for Slurm
-};
-
 /** How an extraction will be done; the divisions of its plan are the clusters. */
 struct PlanResult : JobResult
 {
   std::optional<SlurmArray> slurm; ///< when a script was asked for
 };
 
-/** What one process does of a job. */
-struct WorkOptions
-{
-  std::string                  jobFolder;
-  std::vector<ClusterRange>    clusters;    ///< empty: all
-  std::optional<std::uint64_t> memoryBytes; ///< as JobOptions; unset: as planned
-  std::optional<unsigned int>  threads;
-};
-
 struct WorkResult
 {
   std::vector<std::uint64_t> done;         ///< by this process
   std::uint64_t              skipped{ 0 }; ///< as they were done already, or by another process meanwhile
-};
-
-struct FinalizeOptions
-{
-  std::string jobFolder;
-  bool        verifies{ true };   ///< read the outputs again and compare their checksums
-  bool        overwrite{ false }; ///< replace existing outputs, also when the plan was not told to
 };
 
 struct FinalizeResult

@@ -5,11 +5,18 @@
 #include "ExtractParts.h"
 #include "ExtractRun.h"
 #include "ExtractSummary.h"
+#include "FinishJob.h"
+#include "Outputs.h"
 #include "FileNames.h"
+#include "JobClock.h"
 #include "JobCommands.h"
-#include "JobParts.h"
+#include "OutputChecks.h"
 #include "OutputVolume.h"
+#include "PipelineErrors.h"
 #include "SharedJob.h"
+#include "Signals.h"
+#include "StopListener.h"
+#include "Warnings.h"
 
 #include <algorithm>
 #include <utility>
@@ -95,23 +102,18 @@ public:
   JobResult
   Run(bool verifies)
   {
-    const auto        start = JobClock::now();
-    const std::size_t told = m_Job.warnings.size(); // by the plan
+    const auto start = JobClock::now();
     this->OpenOutputs();
     if (verifies)
     {
-      CheckContent(m_Shared.manifest.input);
       this->VerifyVolumes();
     }
     this->MergeParts();
-    ExtractSummary summary(m_Options, *m_Outputs);
-    m_Outputs->FinishVolumes();
-    summary.Draw(m_Job.input.geometry, m_Survey, this->FindVolume("labels"), this->FindVolume("thickness_map"));
-    this->ThrowIfStopRequested();
-    m_Job.seconds.total += SecondsSince(start);
-    summary.Write(m_Survey, m_Job);
-    this->Publish();
-    TellWarnings(m_Sink, m_Job.warnings, told);
+    ExtractSummary summary(m_Options, m_Survey, *m_Outputs);
+    JobEnd         end;
+    end.measure = [this, start] { m_Job.seconds.total += SecondsSince(start); };
+    end.publish = [this] { this->Publish(); };
+    FinishJob(*m_Outputs, summary, m_Job, m_Sink, end);
     return std::move(m_Job);
   }
 
@@ -152,19 +154,6 @@ private:
     return names;
   }
 
-  const SharedVolume *
-  FindVolume(const std::string & role) const
-  {
-    for (std::size_t i = 0; i < m_Requests.size(); ++i)
-    {
-      if (m_Requests[i].role == role)
-      {
-        return m_Volumes[i];
-      }
-    }
-    return nullptr;
-  }
-
   void
   VerifyVolumes()
   {
@@ -173,7 +162,7 @@ private:
     const std::uint64_t        perSlice = m_Job.input.geometry.GetVoxelsPerSlice();
     for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
     {
-      this->ThrowIfStopRequested();
+      ThrowIfStopRequested(m_Sink);
       const SliceRange range = m_Shared.manifest.GetCluster(cluster);
       for (std::size_t i = 0; i < m_Volumes.size(); ++i)
       {
@@ -202,7 +191,7 @@ private:
     std::vector<std::uint64_t> damaged;
     for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
     {
-      this->ThrowIfStopRequested();
+      ThrowIfStopRequested(m_Sink);
       AddMarker(m_Job, m_Markers[cluster]);
       const std::optional<std::string> part = m_Shared.folder.ReadSurvey(cluster, m_Markers[cluster]);
       if (part)
@@ -248,15 +237,6 @@ private:
     m_Outputs.reset();
     m_Shared.folder.WriteFinished(m_Shared.manifest);
     m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });
-  }
-
-  void
-  ThrowIfStopRequested() const
-  {
-    if (m_Sink.IsStopRequested())
-    {
-      throw StoppedBySignal(GetStopSignal());
-    }
   }
 
   const SharedJob &           m_Shared;

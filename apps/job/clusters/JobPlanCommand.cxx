@@ -5,10 +5,17 @@
 #include "FileNames.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
-#include "JobParts.h"
+#include "Outputs.h"
+#include "OutputChecks.h"
+#include "PieceFootprint.h"
+#include "PipelineErrors.h"
 #include "Report.h"
 #include "SharedJob.h"
+#include "Signals.h"
 #include "ValueStatistics.h"
+#include "Version.h"
+#include "VolumeFormats.h"
+#include "Warnings.h"
 
 #include <algorithm>
 
@@ -33,9 +40,12 @@ RefuseUnsupported(const ExtractOptions & options)
   const auto refuse = [](const char * what, const char * remedy) {
     Fail(ExitStatus::Refused, what, " cannot be made by a job that can be continued; ", remedy);
   };
-  if (!options.meshFile.empty())
+  for (const auto & kind : ListOutputKinds(options))
   {
-    refuse("a mesh, which joins what lies in all clusters,", "run medialvoxel mesh for it");
+    if (kind.refusal && !(options.*kind.option).empty())
+    {
+      refuse(kind.refusal->what, kind.refusal->remedy);
+    }
   }
   if (options.sparse)
   {
@@ -49,10 +59,6 @@ RefuseUnsupported(const ExtractOptions & options)
   {
     refuse("a packed volume, which is one stream,",
            "name it .nii in place of .nii.gz, or leave out --compress; .zarr is packed and can be made by a job");
-  }
-  if (!options.returnParameterFile.empty())
-  {
-    refuse("return parameters", "use the report");
   }
 }
 
@@ -114,7 +120,6 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
   for (const std::filesystem::path & fileName : ListInputFiles(job.input))
   {
     manifest.input.push_back(IdentifyFile(fileName));
-    manifest.input.back().sha256 = options.hashesInput ? HashFile(fileName) : "";
   }
   manifest.numberOfSlices = job.plan.numberOfSlices;
   manifest.numberOfClusters = job.plan.divisions;
@@ -158,10 +163,7 @@ CreateVolumes(const Manifest & manifest, const std::vector<VolumeRequest> & volu
 {
   for (const VolumeRequest & volume : volumes)
   {
-    if (sink.IsStopRequested())
-    {
-      throw StoppedBySignal(GetStopSignal());
-    }
+    ThrowIfStopRequested(sink);
     MakeSharedVolume(volume.fileName, manifest.options)
       ->CreateShared(volume.geometry, volume.layout, manifest.GetSuffix());
   }

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ClusterWorker.h"
 #include "ExtractParts.h"
+#include "JobClock.h"
 #include "JobCommands.h"
+#include "PipelineErrors.h"
 #include "SharedJob.h"
+#include "StopListener.h"
 
 #include <algorithm>
 #include <array>

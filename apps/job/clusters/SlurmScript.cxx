@@ -3,6 +3,7 @@
 #include "SlurmScript.h"
 
 #include "ExtractParts.h"
+#include "OutputChecks.h"
 #include "SharedJob.h"
 #include "Text.h"
 

@@ -3,8 +3,10 @@
 #ifndef medialvoxelSlurmScript_h
 #define medialvoxelSlurmScript_h
 
+#include "ClusterOptions.h"
+#include "JobResult.h"
 #include "OutputFile.h"
-#include "VolumeJob.h"
+#include "Text.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -14,21 +16,6 @@
 
 namespace medialvoxel
 {
-
-/** Name of the script in the folder of its job. */
-constexpr const char * SlurmScriptName = "slurm.sh";
-
-/** What is wanted of a Slurm job array that does the clusters of a job. */
-struct SlurmOptions
-{
-  std::string                  fileName;        ///< of the script; empty: SlurmScriptName in the folder of the job
-  std::optional<std::uint64_t> clustersPerTask; ///< 1 or more; unset: as few as give at most 64 tasks
-  std::optional<std::uint64_t> tasksAtOnce;     ///< 1 or more; unset: as Slurm decides
-};
-
-/** Sets clusters and tasks from "4" or "4%8"; false for other texts. */
-bool
-ParseSlurmClusters(const std::string & text, SlurmOptions & options);
 
 /** A job array with all that its script tells. */
 struct SlurmArray

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "DataFile.h"
 
-#include "HeaderParsing.h"
 #include "Text.h"
+
+#include "itkMedialVoxelHeaderText.h"
 
 #include <regex>
 
@@ -55,8 +56,8 @@ FindDataFile(const std::filesystem::path & headerName, const std::filesystem::pa
   const char             separator = extension == ".mhd" ? '=' : ':';
   try
   {
-    HeaderLines lines(nameForNow, maximumBytesPerLine);
-    std::string line;
+    itk::MedialVoxelText::HeaderLines lines(nameForNow, maximumBytesPerLine);
+    std::string                       line;
     while (lines.GetLineNumber() < maximumLines && lines.Next(line))
     {
       const size_t      position = line.find(separator);
@@ -67,7 +68,7 @@ FindDataFile(const std::filesystem::path & headerName, const std::filesystem::pa
       }
     }
   }
-  catch (const HeaderError &)
+  catch (const itk::MedialVoxelText::HeaderError &)
   {
     // Not a header: nothing of it is to be removed.
   }

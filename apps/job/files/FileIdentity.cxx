@@ -3,14 +3,12 @@
 #include "FileIdentity.h"
 
 #include "Errors.h"
-#include "Sha256.h"
 
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <sys/stat.h>
 #include <utility>
 
@@ -81,30 +79,12 @@ IsSameTime(std::int64_t a, std::int64_t b)
   return false;
 }
 
-void
-AddFile(const std::filesystem::path & fileName, Sha256 & hash)
-{
-  constexpr std::size_t bufferBytes = std::size_t{ 1 } << 20;
-  std::ifstream         file(fileName, std::ios::binary);
-  std::vector<char>     buffer(bufferBytes);
-  while (file)
-  {
-    itk::MedialVoxelPoll();
-    file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-    hash.Add(buffer.data(), static_cast<std::uint64_t>(file.gcount()));
-  }
-  if (!file.eof())
-  {
-    Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": ", std::strerror(errno));
-  }
-}
-
 } // namespace
 
 FileIdentity
 IdentifyFile(const std::filesystem::path & name)
 {
-  FileIdentity identity{ name, 0, 0, "" };
+  FileIdentity identity{ name, 0, 0 };
   for (const std::filesystem::path & file : ListFiles(name))
   {
     itk::MedialVoxelPoll();
@@ -113,17 +93,6 @@ IdentifyFile(const std::filesystem::path & name)
     identity.modified = std::max(identity.modified, modified);
   }
   return identity;
-}
-
-std::string
-HashFile(const std::filesystem::path & name)
-{
-  Sha256 hash;
-  for (const std::filesystem::path & file : ListFiles(name))
-  {
-    AddFile(file, hash);
-  }
-  return hash.Finish();
 }
 
 void
@@ -158,21 +127,6 @@ CheckUnchanged(const std::vector<FileIdentity> & files)
            "the input ",
            file.fileName.string(),
            " has changed since the job was planned: it was written at another time");
-    }
-  }
-}
-
-void
-CheckContent(const std::vector<FileIdentity> & files)
-{
-  for (const FileIdentity & file : files)
-  {
-    if (!file.sha256.empty() && HashFile(file.fileName) != file.sha256)
-    {
-      Fail(ExitStatus::Failure,
-           "the input ",
-           file.fileName.string(),
-           " has changed since the job was planned: its content has another SHA-256");
     }
   }
 }

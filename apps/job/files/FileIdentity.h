@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <string>
 #include <vector>
 
 namespace medialvoxel
@@ -17,29 +16,16 @@ struct FileIdentity
   std::filesystem::path fileName;
   std::uint64_t         numberOfBytes{ 0 }; ///< of all files
   std::int64_t          modified{ 0 };      ///< the last one, in nanoseconds since 1970
-  std::string           sha256;             ///< of the content, in order; empty: not asked for
 };
 
 /** Size and time of a file or folder, without reading it. \throw JobError Failure when it cannot be found. */
 FileIdentity
 IdentifyFile(const std::filesystem::path & name);
 
-/** SHA-256 of the content of a file or folder.
- * \throw JobError Failure when it cannot be read.
- * \throw StoppedBySignal */
-std::string
-HashFile(const std::filesystem::path & name);
-
 /** Compares size and time of the files with what they were; a time that lacks digits, as another machine may see it, is
  * the same. \throw JobError Failure that names the difference. */
 void
 CheckUnchanged(const std::vector<FileIdentity> & files);
-
-/** Compares the content of those files that have a hash; reads them whole.
- * \throw JobError Failure
- * \throw StoppedBySignal */
-void
-CheckContent(const std::vector<FileIdentity> & files);
 
 } // end namespace medialvoxel
 

@@ -3,7 +3,7 @@
 #ifndef medialvoxelLeftovers_h
 #define medialvoxelLeftovers_h
 
-#include "OutputChecks.h"
+#include "OutputRequest.h"
 
 #include <filesystem>
 #include <vector>

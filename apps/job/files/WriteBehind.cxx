@@ -3,6 +3,7 @@
 #include "WriteBehind.h"
 
 #include "Progress.h"
+#include "StopListener.h"
 
 #include <chrono>
 #include <utility>

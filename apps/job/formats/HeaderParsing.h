@@ -21,12 +21,6 @@ using itk::MedialVoxelText::ParseSpacings;
 using itk::MedialVoxelText::RefuseHeader;
 using itk::MedialVoxelText::RequireField;
 
-/** VolumeHeader::format of TIFF files, whose packed voxels are not one stream. */
-constexpr const char * TiffFormat = "TIFF";
-
-/** VolumeHeader::format of Zarr folders, whose voxels are in the files of their chunks. */
-constexpr const char * ZarrFormat = "Zarr";
-
 /** \throw HeaderError */
 VolumeHeader
 ReadMetaImageHeader(const std::filesystem::path & fileName);

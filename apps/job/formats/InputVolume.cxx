@@ -2,77 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "InputVolume.h"
 
-#include "HeaderParsing.h"
-#include "Text.h"
-#include "ZarrImageIO.h"
-
-#include <algorithm>
+#include "VolumeFormats.h"
 
 namespace medialvoxel
 {
-namespace
-{
-
-/** \class CheckedRawImageIO
- * \brief Tells voxels that a file lost after its header was read, corrupt input, from other failures of reading. */
-class CheckedRawImageIO : public itk::StreamingRawImageIO
-{
-public:
-  using Self = CheckedRawImageIO;
-  using Pointer = itk::SmartPointer<Self>;
-
-  itkNewMacro(Self);
-
-  void
-  SetNeededFileSizes(const std::map<std::filesystem::path, std::uint64_t> & sizes)
-  {
-    m_NeededFileSizes = sizes;
-  }
-
-  void
-  ReadImageInformation() override
-  {
-    this->Check([this] { StreamingRawImageIO::ReadImageInformation(); });
-  }
-
-  void
-  Read(void * buffer) override
-  {
-    this->Check([this, buffer] { StreamingRawImageIO::Read(buffer); });
-  }
-
-private:
-  template <typename TFunction>
-  void
-  Check(TFunction && read) const
-  try
-  {
-    read();
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    if (this->IsCut())
-    {
-      Fail(ExitStatus::CorruptInput, RemoveOrigin(error.GetDescription()));
-    }
-    throw;
-  }
-
-  bool
-  IsCut() const
-  {
-    return std::any_of(m_NeededFileSizes.begin(), m_NeededFileSizes.end(), [](const auto & needed) {
-      std::error_code unknown;
-      const auto      size = std::filesystem::file_size(needed.first, unknown);
-      return !unknown && size < needed.second;
-    });
-  }
-
-  std::map<std::filesystem::path, std::uint64_t> m_NeededFileSizes;
-};
-
-} // namespace
-
 void
 InputVolume::MeasureSeconds(itk::ProcessObject & source)
 {
@@ -86,18 +19,8 @@ InputVolume::MeasureSeconds(itk::ProcessObject & source)
 itk::StreamingRawImageIO::Pointer
 MakeVoxelReader(const VolumeHeader & header)
 {
-  itk::StreamingRawImageIO::Pointer imageIO;
-  if (header.format == ZarrFormat)
-  {
-    imageIO = MakeZarrImageIO(header);
-  }
-  else
-  {
-    const auto checked = CheckedRawImageIO::New();
-    checked->SetNeededFileSizes(GetNeededFileSizes(header));
-    imageIO = checked;
-  }
-  const unsigned int dimension = header.geometry.GetDimension();
+  const itk::StreamingRawImageIO::Pointer imageIO = header.format->input.makeReader(header);
+  const unsigned int                      dimension = header.geometry.GetDimension();
   imageIO->SetNumberOfDimensions(dimension);
   for (unsigned int axis = 0; axis < dimension; ++axis)
   {

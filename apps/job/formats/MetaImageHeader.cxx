@@ -198,7 +198,6 @@ ReadMetaImageHeader(const std::filesystem::path & fileName)
 
   VolumeHeader header;
   header.fileName = fileName;
-  header.format = "MetaImage";
   header.geometry.size = ParseSizes(fileName, "DimSize", RequireField(fileName, fields, "DimSize"), dimension);
   ReadGeometry(header, fields);
   header.pixelType = ReadPixelType(fileName, fields);

@@ -265,7 +265,6 @@ ReadNiftiHeader(const std::filesystem::path & fileName)
   VolumeHeader       header;
   const BinaryHeader fields = ReadFields(fileName, header.bigEndian);
   header.fileName = fileName;
-  header.format = "NIfTI";
   header.geometry.size = ReadSize(fileName, fields);
   header.pixelType = ReadPixelType(fileName, fields);
   ReadGeometry(header, fields);

@@ -3,7 +3,10 @@
 #ifndef medialvoxelNiftiText_h
 #define medialvoxelNiftiText_h
 
-#include "VolumeText.h"
+#include "VoxelLayout.h"
+
+#include <cstdint>
+#include <string>
 
 namespace medialvoxel
 {

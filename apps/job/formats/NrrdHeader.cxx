@@ -52,7 +52,6 @@ ReadNrrdHeader(const std::filesystem::path & fileName)
 
   VolumeHeader header;
   header.fileName = fileName;
-  header.format = "NRRD";
   header.geometry.size = nrrd.size;
   header.geometry.spacing = nrrd.spacing;
   header.geometry.origin = nrrd.origin;

@@ -23,7 +23,7 @@ constexpr std::uint64_t BytesOfLargeVolume = std::uint64_t{ 1 } << 29;
 } // namespace
 
 OutputVolume::OutputVolume(const std::filesystem::path & fileName, bool overwrite, bool sparse)
-  : m_Format(GetVolumeFormat(fileName))
+  : m_Format(FindOutputFormat(fileName))
   , m_Sparse(sparse)
   , m_Header(fileName, overwrite)
   , m_Data(MakeDataName(m_Header.GetFileName(), 0), false)
@@ -34,7 +34,8 @@ OutputVolume::OutputVolume(const std::filesystem::path & fileName, bool overwrit
 std::string
 OutputVolume::GetPreamble() const
 {
-  return HasDataFile(m_Format) ? "" : MakeHeaderText(m_Format, m_Geometry, m_Layout, "");
+  return m_Format.extension.isDetached ? ""
+                                       : m_Format.format.writer->makeHeader(m_Geometry, m_Layout, "", std::nullopt);
 }
 
 std::uint64_t
@@ -50,7 +51,7 @@ void
 OutputVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout)
 {
   const std::uint64_t numberOfBytes = this->Describe(geometry, layout);
-  if (HasDataFile(m_Format))
+  if (m_Format.extension.isDetached)
   {
     // The header is written when the name of the voxels is known; its creation now shows that it can be.
     m_Header.Create(0, false);
@@ -101,7 +102,7 @@ OutputVolume::OpenToPublish(const VolumeGeometry & geometry,
   const std::uint64_t         numberOfBytes = this->Describe(geometry, layout);
   OutputFile &                file = this->GetVoxelFile();
   const std::filesystem::path temporaryName = this->GetSharedName(suffix);
-  if (HasDataFile(m_Format))
+  if (m_Format.extension.isDetached)
   {
     m_Header.RemoveLeftovers(suffix);
     m_Header.CreateNamed(0, false, suffix);
@@ -129,7 +130,7 @@ OutputVolume::OpenToPublish(const VolumeGeometry & geometry,
 std::filesystem::path
 OutputVolume::FindFreeDataName() const
 {
-  if (!HasDataFile(m_Format))
+  if (!m_Format.extension.isDetached)
   {
     return {};
   }
@@ -229,7 +230,7 @@ void
 OutputVolume::Finish()
 {
   m_Header.Finish();
-  if (HasDataFile(m_Format))
+  if (m_Format.extension.isDetached)
   {
     m_Data.Finish();
   }
@@ -238,7 +239,7 @@ OutputVolume::Finish()
 void
 OutputVolume::Publish()
 {
-  if (!HasDataFile(m_Format))
+  if (!m_Format.extension.isDetached)
   {
     m_Header.Publish();
   }
@@ -281,7 +282,9 @@ OutputVolume::PublishBoth()
 void
 OutputVolume::WriteHeader()
 {
-  WriteText(m_Header, MakeHeaderText(m_Format, m_Geometry, m_Layout, m_Data.GetFileName().filename().string()));
+  WriteText(
+    m_Header,
+    m_Format.format.writer->makeHeader(m_Geometry, m_Layout, m_Data.GetFileName().filename().string(), std::nullopt));
 }
 
 void

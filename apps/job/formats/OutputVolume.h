@@ -6,6 +6,7 @@
 #include "Checksum.h"
 #include "OutputFile.h"
 #include "SharedVolume.h"
+#include "VolumeFormats.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -95,12 +96,12 @@ private:
   OutputFile &
   GetVoxelFile()
   {
-    return HasDataFile(m_Format) ? m_Data : m_Header;
+    return m_Format.extension.isDetached ? m_Data : m_Header;
   }
   const OutputFile &
   GetVoxelFile() const
   {
-    return HasDataFile(m_Format) ? m_Data : m_Header;
+    return m_Format.extension.isDetached ? m_Data : m_Header;
   }
 
   std::filesystem::path
@@ -123,7 +124,7 @@ private:
   void
   RemoveReplacedVoxels(const std::filesystem::path & replaced) const;
 
-  VolumeFormat   m_Format;
+  OutputFormat   m_Format;
   bool           m_Sparse;
   VolumeGeometry m_Geometry;
   VoxelLayout    m_Layout;

@@ -22,13 +22,6 @@ constexpr int         WindowBits = 15;
 constexpr int         Gzip = 16; // added to the bits of the window
 constexpr std::size_t BlockBytes = std::size_t{ 1 } << 16;
 
-/** MetaImage has zlib streams, the others gzip. */
-int
-GetWindowBits(VolumeFormat format)
-{
-  return format == VolumeFormat::MetaImage ? WindowBits : WindowBits + Gzip;
-}
-
 } // namespace
 
 struct PackedVolume::Deflater
@@ -162,7 +155,7 @@ struct PackedVolume::Inflater
 };
 
 PackedVolume::PackedVolume(const std::filesystem::path & fileName, bool overwrite)
-  : m_Format(GetVolumeFormat(fileName))
+  : m_Writer(*FindOutputFormat(fileName).format.writer)
   , m_File(fileName, overwrite)
 {}
 
@@ -174,11 +167,10 @@ PackedVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout
   m_Geometry = geometry;
   m_Layout = layout;
   m_File.Create(0, false);
-  const std::string header = MakeHeaderText(m_Format, m_Geometry, m_Layout, "", 0);
-  const bool        packsHeader = m_Format == VolumeFormat::Nifti;
-  (packsHeader ? m_UnpackedHeader : m_HeaderBytes) = header.size();
-  m_Deflater = std::make_unique<Deflater>(m_File, GetWindowBits(m_Format), m_HeaderBytes);
-  if (packsHeader)
+  const std::string header = m_Writer.makeHeader(m_Geometry, m_Layout, "", 0);
+  (m_Writer.packsHeader ? m_UnpackedHeader : m_HeaderBytes) = header.size();
+  m_Deflater = std::make_unique<Deflater>(m_File, m_Writer.packsAsZlib ? WindowBits : WindowBits + Gzip, m_HeaderBytes);
+  if (m_Writer.packsHeader)
   {
     m_Deflater->Add(header.data(), header.size());
   }
@@ -223,7 +215,7 @@ PackedVolume::Finish()
   if (m_HeaderBytes > 0)
   {
     const std::uint64_t packedBytes = m_Deflater->offset - m_HeaderBytes;
-    const std::string   header = MakeHeaderText(m_Format, m_Geometry, m_Layout, "", packedBytes);
+    const std::string   header = m_Writer.makeHeader(m_Geometry, m_Layout, "", packedBytes);
     m_File.WriteAt(0, header.data(), header.size());
   }
   m_Deflater.reset();

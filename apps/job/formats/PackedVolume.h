@@ -4,6 +4,7 @@
 #define medialvoxelPackedVolume_h
 
 #include "OutputFile.h"
+#include "VolumeFormats.h"
 #include "VoxelOutput.h"
 
 #include <memory>
@@ -60,7 +61,7 @@ private:
   void
   PackZeros(std::uint64_t numberOfBytes);
 
-  VolumeFormat              m_Format;
+  const VolumeWriter &      m_Writer;
   OutputFile                m_File;
   VolumeGeometry            m_Geometry;
   VoxelLayout               m_Layout;

@@ -3,6 +3,7 @@
 #ifndef medialvoxelSharedVolume_h
 #define medialvoxelSharedVolume_h
 
+#include "OutputRequest.h"
 #include "VoxelOutput.h"
 
 #include <cstdint>
@@ -12,15 +13,6 @@
 
 namespace medialvoxel
 {
-
-/** A volume that a job writes. */
-struct VolumeRequest
-{
-  std::string    role;
-  std::string    fileName;
-  VolumeGeometry geometry;
-  VoxelLayout    layout;
-};
 
 /** How far the publication of a job's volume is. */
 struct Publication

@@ -163,7 +163,6 @@ private:
     {
       m_File.Refuse("a slice of " + FormatSize({ m_Format.width, m_Format.height }) + " voxels is empty or too large");
     }
-    m_Header.format = TiffFormat;
     m_Header.pixelType = GetPixelType(m_File, m_Format);
     m_Header.geometry.spacing = GetSpacing(m_File);
     m_Header.compressed = m_Format.compression != COMPRESSION_NONE;

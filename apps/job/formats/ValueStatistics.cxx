@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ValueStatistics.h"
 
-#include "JobParts.h"
 #include "LabelValues.h"
+#include "PipelineErrors.h"
+#include "Signals.h"
 #include "Text.h"
 #include "ValueHistogram.h"
 #include "ValueStream.h"
@@ -184,12 +185,7 @@ MeasureThreshold(JobOptions & options, const VolumeHeader & header, const Progre
   {
     return;
   }
-  const ValueStatistics statistics = MeasureValues(header, [&sink](double) {
-    if (sink.IsStopRequested())
-    {
-      throw StoppedBySignal(GetStopSignal());
-    }
-  });
+  const ValueStatistics statistics = MeasureValues(header, [&sink](double) { ThrowIfStopRequested(sink); });
   if (!statistics.otsu)
   {
     Fail(ExitStatus::Refused,

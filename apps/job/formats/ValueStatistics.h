@@ -5,8 +5,8 @@
 
 #include "InputVolume.h"
 #include "Options.h"
-#include "Plan.h"
 #include "Progress.h"
+#include "Text.h"
 #include "ThicknessSummary.h"
 
 #include <array>

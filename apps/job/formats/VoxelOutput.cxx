@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "OutputVolume.h"
+#include "VoxelOutput.h"
+
 #include "PackedVolume.h"
-#include "ZarrVolume.h"
+#include "SharedVolume.h"
+#include "VolumeFormats.h"
 
 namespace medialvoxel
 {
@@ -10,11 +12,7 @@ namespace medialvoxel
 std::unique_ptr<SharedVolume>
 MakeSharedVolume(const std::filesystem::path & fileName, const JobOptions & options)
 {
-  if (GetVolumeFormat(fileName) == VolumeFormat::Zarr)
-  {
-    return std::make_unique<ZarrVolume>(fileName, options.overwrite, options.sparse, options.zarrCompression);
-  }
-  return std::make_unique<OutputVolume>(fileName, options.overwrite, options.sparse);
+  return FindOutputFormat(fileName).format.writer->make(fileName, options);
 }
 
 std::unique_ptr<VoxelOutput>

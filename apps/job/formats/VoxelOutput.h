@@ -4,7 +4,7 @@
 #define medialvoxelVoxelOutput_h
 
 #include "Options.h"
-#include "VolumeText.h"
+#include "VoxelLayout.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "VoxelStream.h"
 
-#include "HeaderParsing.h"
+#include "Errors.h"
 #include "InflateReader.h"
-#include "ZarrStream.h"
-#ifdef MEDIALVOXEL_WITH_TIFF
-#  include "TiffStream.h"
-#endif
+#include "VolumeFormats.h"
 
 namespace medialvoxel
 {
@@ -85,20 +82,12 @@ private:
 std::unique_ptr<VoxelStream>
 OpenVoxelStream(const VolumeHeader & header)
 {
-  if (!header.compressed)
-  {
-    return std::make_unique<PlainStream>(header);
-  }
-#ifdef MEDIALVOXEL_WITH_TIFF
-  if (header.format == TiffFormat)
-  {
-    return OpenTiffStream(header);
-  }
-#endif
-  if (header.format == ZarrFormat)
-  {
-    return OpenZarrStream(header);
-  }
+  return header.compressed ? header.format->input.openCompressed(header) : std::make_unique<PlainStream>(header);
+}
+
+std::unique_ptr<VoxelStream>
+OpenInflatedStream(const VolumeHeader & header)
+{
   return std::make_unique<InflatedStream>(header);
 }
 

@@ -35,6 +35,10 @@ public:
 std::unique_ptr<VoxelStream>
 OpenVoxelStream(const VolumeHeader & header);
 
+/** Opens a volume whose voxels are one stream, packed by zlib or gzip. */
+std::unique_ptr<VoxelStream>
+OpenInflatedStream(const VolumeHeader & header);
+
 } // end namespace medialvoxel
 
 #endif

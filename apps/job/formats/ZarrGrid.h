@@ -3,7 +3,7 @@
 #ifndef medialvoxelZarrGrid_h
 #define medialvoxelZarrGrid_h
 
-#include "VolumeText.h"
+#include "VoxelLayout.h"
 
 #include <array>
 #include <cstdint>

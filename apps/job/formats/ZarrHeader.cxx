@@ -413,7 +413,6 @@ ReadZarrHeader(const Path & folder)
   const ZarrImage image = ReadImage(folder);
   VolumeHeader    header;
   header.fileName = folder;
-  header.format = ZarrFormat;
   header.dataFile = image.arrayFolder / ".zarray";
   header.dataFileSize = GetDataFileSize(folder, header.dataFile);
   const ZarrArray array = ReadZarrArray(header.dataFile, image.dimension);

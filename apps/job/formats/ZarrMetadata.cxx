@@ -81,12 +81,6 @@ IsIdentity(const std::vector<std::vector<double>> & direction)
 } // namespace
 
 std::string
-GetName(ZarrCompression compression)
-{
-  return compression == ZarrCompression::Gzip ? "gzip" : "none";
-}
-
-std::string
 MakeZarrGroupText()
 {
   return MakeText({ { "zarr_format", 2 } });

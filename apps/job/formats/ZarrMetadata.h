@@ -19,10 +19,6 @@ constexpr const char * ZarrArrayFolder = "0";
 /** Level at which chunks are packed. */
 constexpr int ZarrGzipLevel = 1;
 
-/** Name of how chunks are packed, on the command line and in files. */
-std::string
-GetName(ZarrCompression compression);
-
 /** The file .zgroup. */
 std::string
 MakeZarrGroupText();

@@ -6,7 +6,6 @@
 #include "FileNames.h"
 #include "SurfaceReader.h"
 #include "Text.h"
-#include "VolumeText.h"
 
 #include <algorithm>
 #include <limits>

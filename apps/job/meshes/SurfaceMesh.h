@@ -4,7 +4,7 @@
 #define medialvoxelSurfaceMesh_h
 
 #include "Options.h"
-#include "Plan.h"
+#include "JobPlan.h"
 #include "SurfaceCleaning.h"
 #include "SurfaceFormat.h"
 #include "SurfaceSpool.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Options.h"
 
-#include "Resampling.h"
+#include "LabelValues.h"
 #include "Text.h"
 
 #include "itkMedialVoxelLimits.h"
@@ -123,24 +123,22 @@ CheckJobOptions(const JobOptions & options)
 std::optional<LabelValue>
 ParseLabel(const std::string & text)
 {
-  LabelValue label;
-  label.isNegative = !text.empty() && text.front() == '-';
-  const char * const begin = text.data() + (label.isNegative ? 1 : 0);
   const char * const end = text.data() + text.size();
-  const auto         result = std::from_chars(begin, end, label.magnitude);
-  if (begin == end || result.ec != std::errc() || result.ptr != end ||
-      (label.isNegative && label.magnitude > std::uint64_t{ 1 } << 63))
+  const auto isWhole = [end](const std::from_chars_result & read) { return read.ec == std::errc() && read.ptr == end; };
+  std::uint64_t whole = 0;
+  if (isWhole(std::from_chars(text.data(), end, whole)))
   {
-    return std::nullopt;
+    return LabelValue(whole);
   }
-  label.isNegative = label.isNegative && label.magnitude > 0;
-  return label;
+  std::int64_t negative = 0;
+  return isWhole(std::from_chars(text.data(), end, negative)) ? std::optional<LabelValue>(negative) : std::nullopt;
 }
 
 std::string
 FormatLabel(const LabelValue & label)
 {
-  return (label.isNegative ? "-" : "") + std::to_string(label.magnitude);
+  const std::optional<std::int64_t> value = ConvertLabel<std::int64_t>(label);
+  return value ? std::to_string(*value) : std::to_string(ConvertLabel<std::uint64_t>(label).value());
 }
 
 std::string
@@ -209,11 +207,17 @@ CheckOptions(const ExtractOptions & options)
   }
 }
 
-VolumeHeader
-ReadInputHeader(const JobOptions & options)
+itk::MedialVoxelGrid
+GetGrid(const JobOptions & options, const VolumeHeader & header)
 {
-  const VolumeHeader header = ReadVolumeHeader(options.input, options.raw, options.spacing);
-  return options.resample ? ResampleHeader(header, *options.resample) : header;
+  itk::MedialVoxelIndex             size{ { 1, 1, 1 } };
+  itk::MedialVoxelGrid::SpacingType spacing{ { 1.0, 1.0, 1.0 } };
+  for (unsigned int axis = 0; axis < header.geometry.GetDimension(); ++axis)
+  {
+    size[axis] = static_cast<std::int64_t>(header.geometry.size[axis]);
+    spacing[axis] = options.voxelUnits ? 1.0 : header.geometry.spacing[axis];
+  }
+  return { size, spacing };
 }
 
 itk::MedialVoxelParameters::Limits
@@ -237,10 +241,10 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
          FormatNumber(limits.maximum),
          "; it must not be");
   }
-  const double least = itk::MedialVoxelLimits::LeastThickness(grid);
-  Parameters   parameters = options.thickness
-                              ? Parameters::ForThickness(std::max(*options.thickness, least), options.bound)
-                              : Parameters::ForWalls(limits.minimum, limits.maximum, options.bound);
+  constexpr auto bound = itk::MedialVoxelPseudoGeodesicBound::FreeSpace;
+  const double   least = itk::MedialVoxelLimits::LeastThickness(grid);
+  Parameters     parameters = options.thickness ? Parameters::ForThickness(std::max(*options.thickness, least), bound)
+                                                : Parameters::ForWalls(limits.minimum, limits.maximum, bound);
   parameters.maximumPoreSize =
     options.maximumPoreSize.value_or(options.thickness ? 0 : Parameters::AutomaticMaximumPoreSize);
   return parameters;
@@ -266,21 +270,6 @@ CheckOptions(const DistanceOptions & options)
   {
     CheckPositive("maximum distance", *options.maximumDistance, true);
   }
-}
-
-std::string
-GetName(itk::MedialVoxelPseudoGeodesicBound bound)
-{
-  switch (bound)
-  {
-    case itk::MedialVoxelPseudoGeodesicBound::FreeSpace:
-      return "free-space";
-    case itk::MedialVoxelPseudoGeodesicBound::Paper:
-      return "paper";
-    case itk::MedialVoxelPseudoGeodesicBound::Off:
-      return "off";
-  }
-  return "unknown";
 }
 
 std::string

@@ -19,11 +19,7 @@ namespace medialvoxel
 {
 
 /** A whole number of any integer type with up to 64 bits. */
-struct LabelValue
-{
-  bool          isNegative{ false };
-  std::uint64_t magnitude{ 0 };
-};
+using LabelValue = itk::MedialVoxelLimit;
 
 /** Digits, with a minus sign for negative ones; nothing for other texts and below -2^63 or from 2^64 on. */
 std::optional<LabelValue>
@@ -83,20 +79,19 @@ struct ExtractOptions : JobOptions
    * automatic thickness, otherwise 0, for none. */
   std::optional<std::uint64_t> maximumPoreSize;
 
-  itk::MedialVoxelPseudoGeodesicBound bound{ itk::MedialVoxelPseudoGeodesicBound::FreeSpace };
-  std::string                         vectorFile; ///< vectors to the nearest boundary point, float32
-  itk::MedialVoxelBoundary            vectorBoundary{ itk::MedialVoxelBoundary::Object };
-  std::string                         thicknessFile;          ///< thickness at medial cells, float32
-  bool                                subVoxel{ false };      ///< measure on gray values; needs a threshold
-  std::string                         thicknessCsvFile;       ///< histogram of the thickness, comma-separated values
-  std::string                         previewFile;            ///< PNG
-  std::string                         htmlFile;               ///< report as a page with the preview
-  std::string                         returnParameterFile;    ///< counts and seconds for 3D Slicer, a line each
-  std::string                         meshFile;               ///< medial surface; then the labels may be empty too
-  bool                                meshTriangles{ false }; ///< split its quadrilaterals
-  double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
-  std::uint64_t         smallestPiece{ 0 };       ///< quadrilaterals of pieces that stay in the mesh
-  std::optional<double> sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
+  std::string              vectorFile; ///< vectors to the nearest boundary point, float32
+  itk::MedialVoxelBoundary vectorBoundary{ itk::MedialVoxelBoundary::Object };
+  std::string              thicknessFile;            ///< thickness at medial cells, float32
+  bool                     subVoxel{ false };        ///< measure on gray values; needs a threshold
+  std::string              thicknessCsvFile;         ///< histogram of the thickness, comma-separated values
+  std::string              previewFile;              ///< PNG
+  std::string              htmlFile;                 ///< report as a page with the preview
+  std::string              returnParameterFile;      ///< counts and seconds for 3D Slicer, a line each
+  std::string              meshFile;                 ///< medial surface; then the labels may be empty too
+  bool                     meshTriangles{ false };   ///< split its quadrilaterals
+  double                   minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
+  std::uint64_t            smallestPiece{ 0 };       ///< quadrilaterals of pieces that stay in the mesh
+  std::optional<double>    sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 
 /** Vector and signed distances. */
@@ -105,8 +100,6 @@ struct DistanceOptions : JobOptions
   std::string              output; ///< vectors, float32
   itk::MedialVoxelBoundary boundary{ itk::MedialVoxelBoundary::Object };
   itk::MedialVoxelRegion   region{ itk::MedialVoxelRegion::Both };
-  bool                     squaredDistance{ false };
-  bool                     insideIsPositive{ false };
   std::optional<double>    maximumDistance; ///< > 0; vectors beyond are not a number
 };
 
@@ -120,13 +113,13 @@ CheckOptions(const JobOptions & options);
 void
 CheckOptions(const RawDescription & raw);
 
-/** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
-VolumeHeader
-ReadInputHeader(const JobOptions & options);
-
 /** The file of the report; empty when it goes to the standard output. */
 std::string
 GetReportFile(const JobOptions & options);
+
+/** The image of the header in the units of the options. */
+itk::MedialVoxelGrid
+GetGrid(const JobOptions & options, const VolumeHeader & header);
 
 /** What decides the thickness, with the limits in effect on \a grid.
  * \throw JobError Usage when the limits contradict each other. */
@@ -152,8 +145,6 @@ std::string
 DescribeThickness(const ExtractOptions & options, const std::string & unit);
 
 /** Names of the enumerators on the command line and in reports. */
-std::string
-GetName(itk::MedialVoxelPseudoGeodesicBound bound);
 std::string
 GetName(itk::MedialVoxelBoundary boundary);
 std::string

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
-#include "JobParts.h"
 #include "Report.h"
 #include "Text.h"
+#include "Version.h"
+#include "VolumeFormats.h"
 
 #include <cstdint>
 
@@ -168,7 +169,7 @@ TextTable
 DescribeInput(const VolumeHeader & header)
 {
   return { { "file", header.fileName.filename().string() },
-           { "format", header.format },
+           { "format", header.format->name },
            { "resolution", FormatSize(header.geometry.size) },
            { "spacing", FormatNumbers(header.geometry.spacing, " x ") },
            { "type", std::string(GetTraits(header.GetStored().pixelType).name) } };
@@ -190,8 +191,7 @@ DescribeParameters(const ExtractOptions & options, const VolumeHeader & input)
     { "lower threshold", FormatLimit(options.lowerThreshold) + (options.lowerIsOtsu ? " (otsu)" : "") },
     { "upper threshold", FormatLimit(options.upperThreshold) },
     { "label", options.label ? FormatLabel(*options.label) : "none" },
-    { "largest pores left out", std::to_string(GetParameters(options, grid).maximumPoreSize) + " voxels" },
-    { "bound", GetName(options.bound) }
+    { "largest pores left out", std::to_string(GetParameters(options, grid).maximumPoreSize) + " voxels" }
   };
   table.insert(table.end(), others.begin(), others.end());
   return table;

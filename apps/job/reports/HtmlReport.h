@@ -3,7 +3,8 @@
 #ifndef medialvoxelHtmlReport_h
 #define medialvoxelHtmlReport_h
 
-#include "VolumeJob.h"
+#include "JobResult.h"
+#include "Options.h"
 
 #include <string>
 #include <string_view>

@@ -104,12 +104,12 @@ DrawPreview(const VoxelOutput & labels, const VolumeGeometry & geometry, const S
   if (isSolid)
   {
     DrawProjection(canvas, survey, layout.areas.back());
-    DrawCaption(canvas, layout.areas.back(), "MAXIMUM ALONG Z");
+    DrawCaption(canvas, layout.areas.back(), "Maximum along z");
   }
   const unsigned int y = layout.height - TextHeight - PreviewGap;
-  unsigned int       x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "OBJECT");
-  x = DrawLegendEntry(canvas, x, y, BoundColor, "MEDIAL BY BOUND");
-  x = DrawLegendEntry(canvas, x, y, GeodesicColor, "MEDIAL BY GEODESIC");
+  unsigned int       x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "Object");
+  x = DrawLegendEntry(canvas, x, y, BoundColor, "Medial by bound");
+  x = DrawLegendEntry(canvas, x, y, GeodesicColor, "Medial by geodesic");
   DrawScaleBar(canvas, x, y, layout.pixelsPerUnit);
   return canvas;
 }

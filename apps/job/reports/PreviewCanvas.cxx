@@ -3,61 +3,19 @@
 #include "PreviewCanvas.h"
 
 #include "Errors.h"
+#include "PreviewFont.h"
 
 #include "itk_zlib.h"
 
 #include <algorithm>
 #include <string_view>
-#include <utility>
 
 namespace medialvoxel
 {
 namespace
 {
 
-constexpr unsigned int GlyphWidth = 5;
-constexpr unsigned int GlyphHeight = 7;
-constexpr unsigned int GlyphScale = TextHeight / GlyphHeight;
-
-/** Seven rows of five pixels, the leftmost in the highest of the five bits. */
-using Glyph = std::array<std::uint8_t, GlyphHeight>;
-
-constexpr std::array<std::pair<char, Glyph>, 34> Glyphs{ {
-  { 'A', { 0b01110, 0b10001, 0b10001, 0b11111, 0b10001, 0b10001, 0b10001 } },
-  { 'B', { 0b11110, 0b10001, 0b10001, 0b11110, 0b10001, 0b10001, 0b11110 } },
-  { 'C', { 0b01110, 0b10001, 0b10000, 0b10000, 0b10000, 0b10001, 0b01110 } },
-  { 'D', { 0b11110, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b11110 } },
-  { 'E', { 0b11111, 0b10000, 0b10000, 0b11110, 0b10000, 0b10000, 0b11111 } },
-  { 'G', { 0b01110, 0b10001, 0b10000, 0b10111, 0b10001, 0b10001, 0b01110 } },
-  { 'H', { 0b10001, 0b10001, 0b10001, 0b11111, 0b10001, 0b10001, 0b10001 } },
-  { 'I', { 0b01110, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110 } },
-  { 'J', { 0b00111, 0b00010, 0b00010, 0b00010, 0b00010, 0b10010, 0b01100 } },
-  { 'K', { 0b10001, 0b10010, 0b10100, 0b11000, 0b10100, 0b10010, 0b10001 } },
-  { 'L', { 0b10000, 0b10000, 0b10000, 0b10000, 0b10000, 0b10000, 0b11111 } },
-  { 'M', { 0b10001, 0b11011, 0b10101, 0b10101, 0b10001, 0b10001, 0b10001 } },
-  { 'N', { 0b10001, 0b11001, 0b10101, 0b10011, 0b10001, 0b10001, 0b10001 } },
-  { 'O', { 0b01110, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b01110 } },
-  { 'S', { 0b01111, 0b10000, 0b10000, 0b01110, 0b00001, 0b00001, 0b11110 } },
-  { 'T', { 0b11111, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100, 0b00100 } },
-  { 'U', { 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b01110 } },
-  { 'V', { 0b10001, 0b10001, 0b10001, 0b10001, 0b10001, 0b01010, 0b00100 } },
-  { 'X', { 0b10001, 0b10001, 0b01010, 0b00100, 0b01010, 0b10001, 0b10001 } },
-  { 'Y', { 0b10001, 0b10001, 0b01010, 0b00100, 0b00100, 0b00100, 0b00100 } },
-  { 'Z', { 0b11111, 0b00001, 0b00010, 0b00100, 0b01000, 0b10000, 0b11111 } },
-  { '0', { 0b01110, 0b10001, 0b10011, 0b10101, 0b11001, 0b10001, 0b01110 } },
-  { '1', { 0b00100, 0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110 } },
-  { '2', { 0b01110, 0b10001, 0b00001, 0b00110, 0b01000, 0b10000, 0b11111 } },
-  { '3', { 0b11110, 0b00001, 0b00001, 0b01110, 0b00001, 0b00001, 0b11110 } },
-  { '4', { 0b00010, 0b00110, 0b01010, 0b10010, 0b11111, 0b00010, 0b00010 } },
-  { '5', { 0b11111, 0b10000, 0b11110, 0b00001, 0b00001, 0b10001, 0b01110 } },
-  { '6', { 0b00110, 0b01000, 0b10000, 0b11110, 0b10001, 0b10001, 0b01110 } },
-  { '7', { 0b11111, 0b00001, 0b00010, 0b00100, 0b01000, 0b01000, 0b01000 } },
-  { '8', { 0b01110, 0b10001, 0b10001, 0b01110, 0b10001, 0b10001, 0b01110 } },
-  { '9', { 0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100 } },
-  { '=', { 0b00000, 0b00000, 0b11111, 0b00000, 0b11111, 0b00000, 0b00000 } },
-  { '.', { 0b00000, 0b00000, 0b00000, 0b00000, 0b00000, 0b01100, 0b01100 } },
-  { '-', { 0b00000, 0b00000, 0b00000, 0b01110, 0b00000, 0b00000, 0b00000 } },
-} };
+constexpr unsigned int GlyphScale = TextHeight / GlyphAscent;
 
 /** Four bytes, the most significant first. */
 std::string
@@ -102,6 +60,13 @@ Canvas::Canvas(unsigned int width, unsigned int height)
   , m_Pixels(size_t{ 3 } * width * height, 0)
 {}
 
+Color
+Canvas::GetPixel(unsigned int x, unsigned int y) const
+{
+  const std::uint8_t * const pixel = &m_Pixels[3 * (size_t{ y } * m_Width + x)];
+  return { pixel[0], pixel[1], pixel[2] };
+}
+
 void
 Canvas::SetPixel(unsigned int x, unsigned int y, const Color & color)
 {
@@ -135,15 +100,13 @@ Canvas::DrawFrame(const Rectangle & area, const Color & color)
 void
 Canvas::DrawText(unsigned int x, unsigned int y, const std::string & text, const Color & color)
 {
-  for (const char character : text)
+  for (const Glyph & glyph : MakeGlyphs(text))
   {
-    const auto found =
-      std::find_if(Glyphs.begin(), Glyphs.end(), [character](const auto & entry) { return entry.first == character; });
-    for (unsigned int row = 0; found != Glyphs.end() && row < GlyphHeight; ++row)
+    for (unsigned int row = 0; row < GlyphHeight; ++row)
     {
       for (unsigned int column = 0; column < GlyphWidth; ++column)
       {
-        if ((found->second[row] >> (GlyphWidth - 1 - column)) & 1)
+        if (glyph[row][column])
         {
           this->FillRectangle({ x + column * GlyphScale, y + row * GlyphScale, GlyphScale, GlyphScale }, color);
         }
@@ -160,10 +123,15 @@ Canvas::DrawCanvas(unsigned int x, unsigned int y, const Canvas & other)
   {
     for (unsigned int column = 0; column < other.m_Width; ++column)
     {
-      const std::uint8_t * const pixel = &other.m_Pixels[3 * (size_t{ row } * other.m_Width + column)];
-      this->SetPixel(x + column, y + row, { pixel[0], pixel[1], pixel[2] });
+      this->SetPixel(x + column, y + row, other.GetPixel(column, row));
     }
   }
+}
+
+unsigned int
+GetTextWidth(const std::string & text)
+{
+  return static_cast<unsigned int>(MakeGlyphs(text).size()) * TextAdvance;
 }
 
 Canvas

@@ -22,7 +22,8 @@ struct Rectangle
   unsigned int height;
 };
 
-constexpr unsigned int TextHeight = 14;  ///< pixels of a line of text
+constexpr unsigned int TextHeight = 14;  ///< pixels of a capital letter
+constexpr unsigned int TextDepth = 4;    ///< pixels below the line, of letters such as g
 constexpr unsigned int TextAdvance = 12; ///< pixels from one character to the next
 
 /** \class Canvas
@@ -44,6 +45,10 @@ public:
     return m_Height;
   }
 
+  /** Of a point in the picture. */
+  Color
+  GetPixel(unsigned int x, unsigned int y) const;
+
   void
   SetPixel(unsigned int x, unsigned int y, const Color & color);
 
@@ -54,7 +59,7 @@ public:
   void
   DrawFrame(const Rectangle & area, const Color & color);
 
-  /** Most capital letters, digits, '=', '.' and '-'; what else there is stays blank. */
+  /** A line of text whose capital letters have their upper left corner at a point; see MakeGlyphs(). */
   void
   DrawText(unsigned int x, unsigned int y, const std::string & text, const Color & color);
 
@@ -71,6 +76,10 @@ private:
   unsigned int              m_Height;
   std::vector<std::uint8_t> m_Pixels;
 };
+
+/** Pixels from the first character of a line to where the next text may begin. */
+unsigned int
+GetTextWidth(const std::string & text);
 
 /** Both pictures beside each other, or below when the first one is wider than high. */
 Canvas

@@ -31,13 +31,13 @@ GetLargestView(const VolumeGeometry & geometry)
 std::string
 MakeCaption(const View & view)
 {
-  return std::string(1, "XYZ"[view.normal]) + " = " + std::to_string(view.index);
+  return std::string(1, "xyz"[view.normal]) + " = " + std::to_string(view.index);
 }
 
 void
 DrawCaption(Canvas & canvas, const Rectangle & area, const std::string & text)
 {
-  canvas.DrawText(area.x, area.y - TextHeight - 3, text, PreviewTextColor);
+  canvas.DrawText(area.x, area.y - TextHeight - TextDepth - 2, text, PreviewTextColor);
 }
 
 unsigned int
@@ -45,7 +45,7 @@ DrawLegendEntry(Canvas & canvas, unsigned int x, unsigned int y, const Color & c
 {
   canvas.FillRectangle({ x, y, TextHeight, TextHeight }, color);
   canvas.DrawText(x + TextHeight + TextAdvance / 2, y, text, PreviewTextColor);
-  return x + TextHeight + (static_cast<unsigned int>(text.size()) + 2) * TextAdvance;
+  return x + TextHeight + GetTextWidth(text) + 2 * TextAdvance;
 }
 
 void
@@ -65,7 +65,7 @@ DrawScaleBar(Canvas & canvas, unsigned int x, unsigned int y, double pixelsPerUn
   canvas.FillRectangle({ x, y + TextHeight / 2 - 1, width, 3 }, PreviewTextColor);
   canvas.FillRectangle({ x, y, 2, TextHeight }, PreviewTextColor);
   canvas.FillRectangle({ x + width - 2, y, 2, TextHeight }, PreviewTextColor);
-  canvas.DrawText(x + width + TextAdvance, y, FormatNumber(length) + " UNITS", PreviewTextColor);
+  canvas.DrawText(x + width + TextAdvance, y, FormatNumber(length) + " units", PreviewTextColor);
 }
 
 } // end namespace medialvoxel

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Report.h"
 
-#include "JobParts.h"
 #include "SealedJson.h"
-
-#include "itkVersion.h"
+#include "Version.h"
+#include "VolumeFormats.h"
 
 namespace medialvoxel
 {
@@ -17,7 +16,7 @@ MakeInput(const VolumeHeader & header)
 {
   const VolumeHeader & stored = header.GetStored();
   return { { "file", header.fileName.string() },
-           { "format", header.format },
+           { "format", header.format->name },
            { "type", std::string(GetTraits(stored.pixelType).name) },
            { "spacing", stored.geometry.spacing },
            { "bytes", stored.GetVoxelBytes() } };
@@ -198,7 +197,6 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   AddObject(parameters, options, result);
   parameters["maximum_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
-  parameters["bound"] = GetName(options.bound);
   parameters["sub_voxel"] = options.subVoxel;
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
   if (!options.meshFile.empty())
@@ -234,8 +232,6 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
   AddObject(parameters, options, result);
   parameters["boundary"] = GetName(options.boundary);
   parameters["region"] = GetName(options.region);
-  parameters["squared_distance"] = options.squaredDistance;
-  parameters["inside_positive"] = options.insideIsPositive;
   parameters["maximum_distance"] = OptionalToJson(options.maximumDistance);
 
   Json report;
@@ -248,18 +244,6 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
   report["counts"] = { { "not_a_number_voxels", result.sums.counts.notANumberVoxels } };
   AddRun(report, result);
   return Dump(report);
-}
-
-std::string
-GetVersion()
-{
-  return MEDIALVOXEL_VERSION;
-}
-
-std::string
-GetItkVersion()
-{
-  return itk::Version::GetITKVersion();
 }
 
 } // end namespace medialvoxel

@@ -3,7 +3,8 @@
 #ifndef medialvoxelReport_h
 #define medialvoxelReport_h
 
-#include "VolumeJob.h"
+#include "JobResult.h"
+#include "Options.h"
 
 #include <optional>
 #include <string>
@@ -26,14 +27,6 @@ std::string
 MakeReport(const ExtractOptions & options, const JobResult & result);
 std::string
 MakeReport(const DistanceOptions & options, const JobResult & result);
-
-/** Version of the program. */
-std::string
-GetVersion();
-
-/** Version of ITK that the program runs with. */
-std::string
-GetItkVersion();
 
 } // end namespace medialvoxel
 

@@ -3,7 +3,7 @@
 #ifndef medialvoxelReturnParameters_h
 #define medialvoxelReturnParameters_h
 
-#include "VolumeJob.h"
+#include "JobResult.h"
 
 #include <string>
 

@@ -44,7 +44,7 @@ public:
     constexpr unsigned int width = 128;
     const auto             write = [&](const std::string & text) {
       canvas.DrawText(x, y, text, PreviewTextColor);
-      x += (static_cast<unsigned int>(text.size()) + 1) * TextAdvance;
+      x += GetTextWidth(text) + TextAdvance;
     };
     write(FormatShort(m_Low));
     for (unsigned int i = 0; i < width; ++i)
@@ -139,10 +139,10 @@ DrawThicknessPreview(const VoxelOutput &    labels,
   if (isSolid)
   {
     DrawProjection(canvas, survey, layout.areas.back(), scale);
-    DrawCaption(canvas, layout.areas.back(), "THICKEST ALONG Z");
+    DrawCaption(canvas, layout.areas.back(), "Thickest along z");
   }
   const unsigned int y = layout.height - TextHeight - PreviewGap;
-  const unsigned int x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "OBJECT");
+  const unsigned int x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "Object");
   DrawScaleBar(canvas, scale.Draw(canvas, x, y, unit), y, layout.pixelsPerUnit);
   return canvas;
 }

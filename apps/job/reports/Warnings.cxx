@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Warnings.h"
 
-#include "JobParts.h"
+#include "JobResult.h"
+#include "Options.h"
+#include "Progress.h"
 #include "Survey.h"
 #include "Text.h"
-#include "VolumeJob.h"
 
 #include "itkMedialVoxelLimits.h"
 

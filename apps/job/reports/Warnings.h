@@ -3,9 +3,9 @@
 #ifndef medialvoxelWarnings_h
 #define medialvoxelWarnings_h
 
+#include "Warning.h"
+
 #include <cstddef>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -17,14 +17,6 @@ struct DistanceOptions;
 struct ExtractOptions;
 struct JobResult;
 struct VolumeHeader;
-
-/** What a user must know before a result is used. The job itself goes on, and its exit status does not change. */
-struct Warning
-{
-  std::string                                 code;    ///< for scripts: small letters, words joined by underscores
-  std::string                                 message; ///< for readers: one line without a period at its end
-  std::vector<std::pair<std::string, double>> values;  ///< the numbers of the message by their names, all finite
-};
 
 /** What the options and the header tell before the run. The tables of Warnings.cxx have a row for each code. */
 std::vector<Warning>

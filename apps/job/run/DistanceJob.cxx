@@ -1,24 +1,28 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "JobParts.h"
+#include "FinishJob.h"
+#include "JobClock.h"
 #include "OutputSet.h"
+#include "Outputs.h"
+#include "PieceLoop.h"
+#include "PipelineErrors.h"
+#include "PrepareJob.h"
+#include "ReadVolumeHeader.h"
 #include "Report.h"
+#include "StopListener.h"
 #include "ValueStatistics.h"
+#include "VolumeFormats.h"
+#include "VolumeJob.h"
+#include "Warnings.h"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace medialvoxel
 {
 namespace
 {
-
-std::vector<OutputRequest>
-ListCandidates(const DistanceOptions & options, const VolumeHeader & header)
-{
-  return { { "vectors", options.output, GetVectorLayout(header) },
-           { "distance", options.distanceFile, DistanceLayout },
-           { "report", GetReportFile(options), std::nullopt } };
-}
 
 PieceFootprint
 GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
@@ -28,7 +32,7 @@ GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
     GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes());
   footprint.grid = GetGrid(options, header);
   AddEngine(footprint, header, itk::MedialVoxelClusterEngine::Settings::ForDistances(options.boundary));
-  AddOutputs(footprint, options, header, ListCandidates(options, header));
+  AddOutputs(footprint, options, header, ListOutputs(options, header));
   return footprint;
 }
 
@@ -40,11 +44,33 @@ GetSettings(const DistanceOptions & options, const JobPlan & plan)
   settings.boundary = options.boundary;
   settings.region = options.region;
   settings.generateDistance = !options.distanceFile.empty();
-  settings.squaredDistance = options.squaredDistance;
-  settings.insideIsPositive = options.insideIsPositive;
   settings.maximumDistance = options.maximumDistance;
   return settings;
 }
+
+class DistanceSummary : public JobSummary
+{
+public:
+  DistanceSummary(const DistanceOptions & options, OutputSet & outputs)
+    : m_Options(options)
+    , m_Report(outputs.AddFile(GetReportFile(options)))
+  {}
+
+  void
+  Write(JobResult & result) override
+  {
+    const std::vector<Warning> found = FindWarningsOfResult(m_Options, result);
+    result.warnings.insert(result.warnings.end(), found.begin(), found.end());
+    if (m_Report)
+    {
+      WriteText(*m_Report, MakeReport(m_Options, result));
+    }
+  }
+
+private:
+  const DistanceOptions & m_Options;
+  OutputFile *            m_Report;
+};
 
 void
 Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
@@ -53,10 +79,13 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   PieceLoop  loop(result.plan, result.input, 1, sink);
   const auto runner =
     MakeDistanceRunner(*input, result.input, options, GetSettings(options, result.plan), loop.GetObserver());
-  OutputSet           outputs(options, result.plan.writesBehind);
-  VoxelOutput * const vectors = outputs.AddVolume(options.output, result.input.geometry, GetVectorLayout(result.input));
-  VoxelOutput * const distances = outputs.AddVolume(options.distanceFile, result.input.geometry, DistanceLayout);
-  OutputFile * const  report = outputs.AddFile(GetReportFile(options));
+  OutputSet                                            outputs(options, result.plan.writesBehind);
+  std::vector<std::pair<VolumeContent, VoxelOutput *>> volumes;
+  for (const VolumeRequest & request : ListVolumes(options, result.input, runner->GetGeometry()))
+  {
+    volumes.emplace_back(request.content, &outputs.AddVolume(request));
+  }
+  DistanceSummary summary(options, outputs);
 
   WriteBehind writer(result.plan.writesBehind);
   if (result.plan.writesBehind)
@@ -65,11 +94,10 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   }
 
   loop.Prepare(*input);
-  const auto write = [=](const PieceLoop::Range & range, const PieceResults & results) {
-    vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
-    if (distances)
+  const auto write = [&volumes](const PieceLoop::Range & range, const PieceResults & results) {
+    for (const auto & [content, volume] : volumes)
     {
-      distances->Write(range.firstVoxel, range.numberOfVoxels, results.distances);
+      volume->Write(range.firstVoxel, range.numberOfVoxels, results[content]);
     }
   };
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
@@ -80,16 +108,9 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   result.sums = runner->GetSums();
 
   const auto finishStart = JobClock::now();
-  outputs.FinishVolumes();
-  loop.ThrowIfStopRequested();
-  AddMeasurements(result, *input, writer.GetSeconds() + SecondsSince(finishStart), start);
-  const std::vector<Warning> found = FindWarningsOfResult(options, result);
-  result.warnings.insert(result.warnings.end(), found.begin(), found.end());
-  if (report)
-  {
-    WriteText(*report, MakeReport(options, result));
-  }
-  outputs.Publish();
+  JobEnd     end;
+  end.measure = [&] { AddMeasurements(result, *input, writer.GetSeconds() + SecondsSince(finishStart), start); };
+  FinishJob(outputs, summary, result, sink, end);
 }
 
 } // namespace
@@ -99,15 +120,14 @@ RunDistance(const DistanceOptions & options, ProgressSink & sink)
 {
   const auto start = JobClock::now();
   CheckOptions(options);
-  GetVolumeFormat(options.output);
+  FindOutputFormat(options.output);
   VolumeHeader header = ReadInputHeader(options);
   CheckLabel(options, header);
-  const auto candidates = ListCandidates(options, header);
+  auto       outputs = ListOutputs(options, header);
   const auto footprint = GetFootprint(options, header);
-  JobResult  result = PrepareJob(options, std::move(header), candidates, footprint);
+  JobResult  result = PrepareJob(options, std::move(header), std::move(outputs), footprint);
   result.warnings = FindWarningsOfRequest(options, result.input);
   TellWarnings(sink, result.warnings);
-  const std::size_t told = result.warnings.size();
   if (options.dryRun)
   {
     return result;
@@ -120,7 +140,6 @@ RunDistance(const DistanceOptions & options, ProgressSink & sink)
     const StopListener listener(&sink);
     Compute(own, result, sink, start);
   });
-  TellWarnings(sink, result.warnings, told);
   sink.Finish(result.seconds.total);
   return result;
 }

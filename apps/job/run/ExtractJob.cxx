@@ -3,15 +3,25 @@
 #include "ExtractParts.h"
 #include "ExtractRun.h"
 #include "ExtractSummary.h"
+#include "FinishJob.h"
+#include "JobClock.h"
 #include "MemoryPlan.h"
+#include "Outputs.h"
+#include "PipelineErrors.h"
+#include "PrepareJob.h"
 #include "Preview.h"
+#include "ReadVolumeHeader.h"
+#include "StopListener.h"
 #include "SurfaceMesh.h"
 #include "Text.h"
 #include "ThicknessPreview.h"
 #include "ValueStatistics.h"
+#include "VolumeFormats.h"
+#include "Warnings.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 namespace medialvoxel
@@ -19,37 +29,17 @@ namespace medialvoxel
 namespace
 {
 
-/** \throw JobError Usage when a file has a name that does not say what will be in it. */
-void
-CheckExtension(const std::string & fileName, const std::vector<std::string> & allowed, const char * what)
-{
-  const std::string extension = ToLower(std::filesystem::path(fileName).extension().string());
-  if (!fileName.empty() && std::find(allowed.begin(), allowed.end(), extension) == allowed.end())
-  {
-    Fail(ExitStatus::Usage,
-         fileName,
-         ": unknown format '",
-         extension,
-         "'; the ",
-         what,
-         " is written as ",
-         Join(allowed, " or ", [](const std::string & name) { return name; }));
-  }
-}
-
 void
 CheckFormats(const ExtractOptions & options)
 {
-  CheckExtension(options.thicknessCsvFile, { ".csv" }, "histogram");
-  CheckExtension(options.previewFile, { ".png" }, "preview");
-  CheckExtension(options.htmlFile, { ".html", ".htm" }, "page");
+  CheckExtensions(options);
   if (!options.meshFile.empty())
   {
     GetSurfaceFormat(options.meshFile);
   }
   if (!options.output.empty() || options.meshFile.empty())
   {
-    GetVolumeFormat(options.output);
+    FindOutputFormat(options.output);
   }
 }
 
@@ -71,29 +61,26 @@ CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
  * page has as text, also while it grows. */
 constexpr std::uint64_t PageBytesPerPixel = 3;
 
-std::vector<OutputRequest>
-ListCandidates(const ExtractOptions & options, const VolumeHeader & header)
+/** Bytes of a voxel in the volumes that a filter makes. */
+std::uint64_t
+GetBytesPerVoxel(const std::vector<VolumeRequest> & volumes, VolumeFiller filler)
 {
-  return { { "labels", options.output, LabelLayout },
-           { "vectors", options.vectorFile, GetVectorLayout(header) },
-           { "distance", options.distanceFile, DistanceLayout },
-           { "thickness_map", options.thicknessFile, ThicknessLayout },
-           { "thickness_csv", options.thicknessCsvFile, std::nullopt },
-           { "mesh", options.meshFile, std::nullopt },
-           { "preview", options.previewFile, std::nullopt },
-           { "html", options.htmlFile, std::nullopt },
-           { "report", GetReportFile(options), std::nullopt },
-           { "return_parameters", options.returnParameterFile, std::nullopt } };
+  return std::accumulate(
+    volumes.begin(), volumes.end(), std::uint64_t{ 0 }, [filler](std::uint64_t sum, const VolumeRequest & volume) {
+      return sum + (volume.filler == filler ? volume.layout.GetBytes() : 0);
+    });
 }
 
-/** Labels, vectors and thicknesses of a piece are kept together, and after them vectors and distances. */
+/** Results of a filter for a piece are kept together. Labels, and vectors for distances, it makes always. */
 PieceFootprint
 GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const std::uint64_t vectorBytes = GetVectorLayout(header).GetBytes();
-  const std::uint64_t labels = LabelLayout.GetBytes() + (options.vectorFile.empty() ? 0 : vectorBytes) +
-                               (options.thicknessFile.empty() ? 0 : ThicknessLayout.GetBytes());
-  const std::uint64_t distances = options.distanceFile.empty() ? 0 : vectorBytes + DistanceLayout.GetBytes();
+  const auto          volumes = ListVolumes(options, header, header.geometry);
+  const std::uint64_t labels =
+    GetBytesPerVoxel(volumes, VolumeFiller::Extraction) + (options.output.empty() ? LabelLayout.GetBytes() : 0);
+  const std::uint64_t distances = options.distanceFile.empty() ? 0
+                                                               : GetBytesPerVoxel(volumes, VolumeFiller::Distance) +
+                                                                   GetVectorLayout(header).GetBytes();
   PieceFootprint      footprint;
   footprint.bytesPerVoxel = std::max(labels, distances);
   footprint.grid = GetGrid(options, header);
@@ -114,7 +101,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
   }
   AddEngine(footprint, header, settings);
-  AddOutputs(footprint, options, header, ListCandidates(options, header));
+  AddOutputs(footprint, options, header, ListOutputs(options, header));
   if (!options.distanceFile.empty())
   {
     AddEngine(
@@ -140,22 +127,19 @@ class Extraction
 public:
   Extraction(const ExtractOptions & options, JobResult & result, ProgressSink & sink)
     : m_Result(result)
+    , m_Sink(sink)
     , m_Outputs(options, result.plan.writesBehind)
     , m_Run(options, result, sink)
   {
-    const VolumeGeometry & geometry = result.input.geometry;
     for (const VolumeRequest & request : ListVolumes(options, result.input, m_Run.GetLabelGeometry()))
     {
-      VoxelOutput * const volume = m_Outputs.AddVolume(request.fileName, request.geometry, request.layout);
-      m_Run.SetVolume(request.role, volume);
-      m_Labels = request.role == "labels" ? volume : m_Labels;
-      m_Thicknesses = request.role == "thickness_map" ? volume : m_Thicknesses;
+      m_Run.AddVolume(request, m_Outputs.AddVolume(request));
     }
     m_MeshFile = m_Outputs.AddFile(options.meshFile);
-    m_Summary = std::make_unique<ExtractSummary>(options, m_Outputs);
+    m_Summary = std::make_unique<ExtractSummary>(options, m_Run.GetSurvey(), m_Outputs);
     if (m_MeshFile)
     {
-      m_Mesh = std::make_unique<SurfaceMesh>(options, geometry, GetGrid(options, result.input));
+      m_Mesh = std::make_unique<SurfaceMesh>(options, result.input.geometry, GetGrid(options, result.input));
       m_Run.AddObserver(m_Mesh->GetObserver());
     }
   }
@@ -171,16 +155,19 @@ public:
     m_Run.Wait();
     m_Result.sums = m_Run.GetSums();
     CheckCounts(m_Result.sums.counts);
-    this->Finish(start);
+    const auto finishStart = JobClock::now();
+    JobEnd     end;
+    end.complete = [this] { this->WriteMesh(); };
+    end.measure = [this, start, finishStart] {
+      AddMeasurements(m_Result, m_Run.GetInput(), m_Run.GetWriteSeconds() + SecondsSince(finishStart), start);
+    };
+    FinishJob(m_Outputs, *m_Summary, m_Result, m_Sink, end);
   }
 
 private:
   void
-  Finish(JobClock::time_point start)
+  WriteMesh()
   {
-    const auto finishStart = JobClock::now();
-    m_Outputs.FinishVolumes();
-    m_Summary->Draw(m_Result.input.geometry, m_Run.GetSurvey(), m_Labels, m_Thicknesses);
     if (m_Mesh)
     {
       // The mesh takes the memory of the windows and results.
@@ -190,19 +177,14 @@ private:
                                        plan.memoryLimit - std::min(plan.memoryLimit, plan.fixedBytes),
                                        [this](double) { m_Run.ThrowIfStopRequested(); });
     }
-    m_Run.ThrowIfStopRequested();
-    AddMeasurements(m_Result, m_Run.GetInput(), m_Run.GetWriteSeconds() + SecondsSince(finishStart), start);
-    m_Summary->Write(m_Run.GetSurvey(), m_Result);
-    m_Outputs.Publish();
   }
 
   JobResult &                     m_Result;
+  ProgressSink &                  m_Sink;
   OutputSet                       m_Outputs;
   OutputFile *                    m_MeshFile{ nullptr };
   std::unique_ptr<ExtractSummary> m_Summary;
   std::unique_ptr<SurfaceMesh>    m_Mesh;
-  VoxelOutput *                   m_Labels{ nullptr };
-  VoxelOutput *                   m_Thicknesses{ nullptr };
   ExtractRun                      m_Run; // ends before what it writes to and who observes it
 };
 
@@ -244,7 +226,7 @@ DescribeExtract(const ExtractOptions & options)
 {
   JobResult result;
   result.input = ReadInputHeader(options);
-  result.outputs = SelectOutputs(ListCandidates(options, result.input));
+  result.outputs = ListOutputs(options, result.input);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
 }
@@ -261,9 +243,9 @@ PrepareExtract(const ExtractOptions & options)
   }
   CheckGrayValues(options, header);
   CheckLabel(options, header);
-  const auto candidates = ListCandidates(options, header);
+  auto       outputs = ListOutputs(options, header);
   const auto footprint = GetFootprint(options, header);
-  JobResult  result = PrepareJob(options, std::move(header), candidates, footprint);
+  JobResult  result = PrepareJob(options, std::move(header), std::move(outputs), footprint);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
 }
@@ -285,7 +267,6 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
   const auto start = JobClock::now();
   JobResult  result = PrepareExtract(options);
   TellWarnings(sink, result.warnings);
-  const std::size_t told = result.warnings.size();
   if (options.dryRun)
   {
     return result;
@@ -299,7 +280,6 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
     Extraction         extraction(own, result, sink);
     extraction.Run(start);
   });
-  TellWarnings(sink, result.warnings, told);
   sink.Finish(result.seconds.total);
   return result;
 }

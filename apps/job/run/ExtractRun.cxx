@@ -4,9 +4,6 @@
 
 #include "ExtractParts.h"
 
-#include <algorithm>
-#include <iterator>
-
 namespace medialvoxel
 {
 
@@ -15,22 +12,6 @@ FindLabelGeometry(const ExtractOptions & options, const VolumeHeader & header)
 {
   const auto input = OpenInputVolume(header, options, {});
   return MakeExtractRunner(*input, header, options, {}, [](double) { return false; })->GetGeometry();
-}
-
-std::vector<VolumeRequest>
-ListVolumes(const ExtractOptions & options, const VolumeHeader & header, const VolumeGeometry & labels)
-{
-  const std::vector<VolumeRequest> candidates{
-    { "labels", options.output, labels, LabelLayout },
-    { "vectors", options.vectorFile, header.geometry, GetVectorLayout(header) },
-    { "distance", options.distanceFile, header.geometry, DistanceLayout },
-    { "thickness_map", options.thicknessFile, labels, ThicknessLayout }
-  };
-  std::vector<VolumeRequest> wanted;
-  std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(wanted), [](const VolumeRequest & candidate) {
-    return !candidate.fileName.empty();
-  });
-  return wanted;
 }
 
 ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, ProgressSink & sink)
@@ -55,12 +36,9 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
 }
 
 void
-ExtractRun::SetVolume(const std::string & role, VoxelOutput * volume)
+ExtractRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 {
-  (role == "labels"     ? m_Labels
-   : role == "vectors"  ? m_Vectors
-   : role == "distance" ? m_Distances
-                        : m_Thicknesses) = volume;
+  m_Destinations.push_back({ request.content, request.filler, &volume });
 }
 
 void
@@ -86,36 +64,31 @@ ExtractRun::Prepare()
 void
 ExtractRun::Run(const SliceRange & range)
 {
-  m_Loop.Run(*m_Runner, range, m_Writer, [this](const PieceLoop::Range & piece, const PieceResults & results) {
-    this->Write(piece, results);
-  });
+  const auto run = [&](PieceRunner & runner, VolumeFiller filler) {
+    m_Loop.Run(runner, range, m_Writer, [this, filler](const PieceLoop::Range & piece, const PieceResults & results) {
+      this->Write(filler, piece, results);
+    });
+  };
+  run(*m_Runner, VolumeFiller::Extraction);
   if (m_DistanceRunner)
   {
-    m_Loop.Run(
-      *m_DistanceRunner, range, m_Writer, [this](const PieceLoop::Range & piece, const PieceResults & results) {
-        m_Distances->Write(piece.firstVoxel, piece.numberOfVoxels, results.distances);
-      });
+    run(*m_DistanceRunner, VolumeFiller::Distance);
   }
 }
 
 void
-ExtractRun::Write(const PieceLoop::Range & range, const PieceResults & results)
+ExtractRun::Write(VolumeFiller filler, const PieceLoop::Range & range, const PieceResults & results)
 {
   if (results.isEmpty && m_Options.sparse)
   {
     return;
   }
-  if (m_Labels)
+  for (const Destination & destination : m_Destinations)
   {
-    m_Labels->Write(range.firstVoxel, range.numberOfVoxels, results.labels);
-  }
-  if (m_Vectors)
-  {
-    m_Vectors->Write(range.firstVoxel, range.numberOfVoxels, results.vectors);
-  }
-  if (m_Thicknesses)
-  {
-    m_Thicknesses->Write(range.firstVoxel, range.numberOfVoxels, results.thicknesses);
+    if (destination.filler == filler)
+    {
+      destination.volume->Write(range.firstVoxel, range.numberOfVoxels, results[destination.content]);
+    }
   }
 }
 

@@ -3,8 +3,9 @@
 #ifndef medialvoxelExtractRun_h
 #define medialvoxelExtractRun_h
 
-#include "JobParts.h"
+#include "JobResult.h"
 #include "OutputSet.h"
+#include "PieceLoop.h"
 #include "Survey.h"
 #include "TileObservers.h"
 
@@ -14,12 +15,6 @@
 
 namespace medialvoxel
 {
-
-/** The volumes that an extraction writes, the labels first if they are wanted.
- * \param header of the input
- * \param labels geometry of the labels */
-std::vector<VolumeRequest>
-ListVolumes(const ExtractOptions & options, const VolumeHeader & header, const VolumeGeometry & labels);
 
 /** Opens the input to find out. */
 VolumeGeometry
@@ -39,9 +34,9 @@ public:
     return m_Runner->GetGeometry();
   }
 
-  /** Sets where results go; null where they are not wanted. */
+  /** Has results of a request written to a volume. */
   void
-  SetVolume(const std::string & role, VoxelOutput * volume);
+  AddVolume(const VolumeRequest & request, VoxelOutput & volume);
 
   /** Lets someone see the tiles, before the survey does. */
   void
@@ -103,8 +98,16 @@ public:
   }
 
 private:
+  struct Destination
+  {
+    VolumeContent content;
+    VolumeFiller  filler;
+    VoxelOutput * volume;
+  };
+
+  /** Results of a filter. */
   void
-  Write(const PieceLoop::Range & range, const PieceResults & results);
+  Write(VolumeFiller filler, const PieceLoop::Range & range, const PieceResults & results);
 
   const ExtractOptions &       m_Options;
   std::unique_ptr<InputVolume> m_Input;
@@ -113,10 +116,7 @@ private:
   std::unique_ptr<PieceRunner> m_DistanceRunner;
   Survey                       m_Survey;
   TileObservers                m_Observers;
-  VoxelOutput *                m_Labels{ nullptr };
-  VoxelOutput *                m_Vectors{ nullptr };
-  VoxelOutput *                m_Distances{ nullptr };
-  VoxelOutput *                m_Thicknesses{ nullptr };
+  std::vector<Destination>     m_Destinations;
   WriteBehind                  m_Writer; // ends before what it writes
 };
 

@@ -3,21 +3,14 @@
 #include "OutputChecks.h"
 
 #include "DataFile.h"
+#include "Errors.h"
 #include "FileNames.h"
-#include "HeaderParsing.h"
-#include "OutputVolume.h"
-#include "ZarrMetadata.h"
+#include "VolumeFormats.h"
 
 #include <algorithm>
 
 namespace medialvoxel
 {
-
-bool
-IsZarrOutput(const OutputRequest & output)
-{
-  return output.layout && !output.fileName.empty() && GetVolumeFormat(output.fileName) == VolumeFormat::Zarr;
-}
 
 std::set<std::filesystem::path>
 ListInputFiles(const VolumeHeader & input)
@@ -74,24 +67,44 @@ IsInside(const std::filesystem::path & fileName, const std::filesystem::path & f
   return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
-/** An input in a folder that is to be replaced, or an output in the folder of the input. */
-bool
-SharesFolder(const OutputRequest & output, const VolumeHeader & input)
+/** The format of a volume that is wanted as a folder; null for other outputs. */
+const VolumeFormat *
+GetFolderFormat(const OutputRequest & output)
 {
-  return (IsZarrOutput(output) && IsInside(input.dataFile, output.fileName)) ||
-         (input.format == ZarrFormat && IsInside(output.fileName, input.fileName));
+  const VolumeFormat * const format = output.IsVolume() ? &FindOutputFormat(output.fileName).format : nullptr;
+  return format && format->IsFolder() ? format : nullptr;
 }
 
-bool
-SharesFolder(const OutputRequest & a, const OutputRequest & b)
+/** The format of a folder that is to be replaced and has the input in it, or of one that is the input and has the
+ * output in it; null without such a folder. */
+const VolumeFormat *
+FindSharedFolder(const OutputRequest & output, const VolumeHeader & input)
 {
-  return (IsZarrOutput(a) && IsInside(b.fileName, a.fileName)) || (IsZarrOutput(b) && IsInside(a.fileName, b.fileName));
+  const VolumeFormat * const format = GetFolderFormat(output);
+  if (format && IsInside(input.dataFile, output.fileName))
+  {
+    return format;
+  }
+  return input.format->IsFolder() && IsInside(output.fileName, input.fileName) ? input.format : nullptr;
+}
+
+/** The same for one output in the folder of another. */
+const VolumeFormat *
+FindSharedFolder(const OutputRequest & a, const OutputRequest & b)
+{
+  const VolumeFormat * const formatOfA = GetFolderFormat(a);
+  if (formatOfA && IsInside(b.fileName, a.fileName))
+  {
+    return formatOfA;
+  }
+  const VolumeFormat * const formatOfB = GetFolderFormat(b);
+  return formatOfB && IsInside(a.fileName, b.fileName) ? formatOfB : nullptr;
 }
 
 void
 RefuseInput(const OutputRequest & output, const VolumeHeader & input)
 {
-  if (SharesFolder(output, input))
+  if (const VolumeFormat * const folder = FindSharedFolder(output, input))
   {
     Fail(ExitStatus::Usage,
          output.fileName.string(),
@@ -99,7 +112,9 @@ RefuseInput(const OutputRequest & output, const VolumeHeader & input)
          output.role,
          " and the input ",
          input.fileName.string(),
-         " are in one Zarr folder");
+         " are in one ",
+         folder->name,
+         " folder");
   }
   const std::filesystem::path dataFile = FindDataFile(output.fileName);
   for (const std::filesystem::path & inputFile : ListInputFiles(input))
@@ -138,11 +153,12 @@ RefuseExisting(const OutputRequest & output, bool overwrite)
   {
     return;
   }
-  if (IsZarrOutput(output) && !IsZarrFolder(output.fileName))
+  const VolumeFormat * const folderFormat = GetFolderFormat(output);
+  if (folderFormat && !folderFormat->input.isFolder(output.fileName))
   {
-    Fail(ExitStatus::Refused, output.fileName.string(), " exists and is not a Zarr folder");
+    Fail(ExitStatus::Refused, output.fileName.string(), " exists and is not a ", folderFormat->name, " folder");
   }
-  if (!IsZarrOutput(output) && !std::filesystem::is_regular_file(status))
+  if (!folderFormat && !std::filesystem::is_regular_file(status))
   {
     Fail(ExitStatus::Refused, output.fileName.string(), " exists and is not a regular file");
   }
@@ -161,7 +177,7 @@ CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & in
   {
     if (output->layout)
     {
-      GetVolumeFormat(output->fileName);
+      FindOutputFormat(output->fileName);
     }
     RefuseInput(*output, input);
     for (auto other = outputs.begin(); other != output; ++other)
@@ -170,7 +186,7 @@ CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & in
       {
         Fail(ExitStatus::Usage, output->fileName.string(), " is named for both ", other->role, " and ", output->role);
       }
-      if (SharesFolder(*output, *other))
+      if (const VolumeFormat * const folder = FindSharedFolder(*output, *other))
       {
         Fail(ExitStatus::Usage,
              output->fileName.string(),
@@ -178,7 +194,9 @@ CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & in
              output->role,
              " and the ",
              other->role,
-             " are in one Zarr folder");
+             " are in one ",
+             folder->name,
+             " folder");
       }
     }
   }
@@ -193,9 +211,15 @@ CheckJobFolder(const std::filesystem::path & folder, const std::vector<OutputReq
 {
   for (const OutputRequest & output : outputs)
   {
-    if (IsZarrOutput(output) && IsInside(folder, output.fileName))
+    const VolumeFormat * const format = GetFolderFormat(output);
+    if (format && IsInside(folder, output.fileName))
     {
-      Fail(ExitStatus::Usage, folder.string(), ": the folder of the job is in the Zarr folder of the ", output.role);
+      Fail(ExitStatus::Usage,
+           folder.string(),
+           ": the folder of the job is in the ",
+           format->name,
+           " folder of the ",
+           output.role);
     }
   }
 }

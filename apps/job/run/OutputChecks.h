@@ -3,29 +3,14 @@
 #ifndef medialvoxelOutputChecks_h
 #define medialvoxelOutputChecks_h
 
-#include "VolumeText.h"
+#include "OutputRequest.h"
 
 #include <filesystem>
-#include <optional>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace medialvoxel
 {
-
-/** A file that a job is to write. */
-struct OutputRequest
-{
-  std::string                role;
-  std::filesystem::path      fileName;
-  std::optional<VoxelLayout> layout;           ///< set for volumes
-  bool                       appends{ false }; ///< what the file has stays
-};
-
-/** True for a volume that is wanted as a Zarr folder. */
-bool
-IsZarrOutput(const OutputRequest & output);
 
 /** Every file that the volume is read from. */
 std::set<std::filesystem::path>

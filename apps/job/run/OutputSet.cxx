@@ -2,23 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OutputSet.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace medialvoxel
 {
 
-VoxelOutput *
-OutputSet::AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout)
+VoxelOutput &
+OutputSet::AddVolume(const VolumeRequest & request)
 {
-  if (fileName.empty())
-  {
-    return nullptr;
-  }
-  m_Volumes.push_back(MakeVoxelOutput(fileName, m_Options));
-  m_Volumes.back()->Create(geometry, layout);
+  m_Contents.push_back(request.content);
+  m_Volumes.push_back(MakeVoxelOutput(request.fileName, m_Options));
+  VoxelOutput & volume = *m_Volumes.back();
+  volume.Create(request.geometry, request.layout);
   if (m_WritesBehind)
   {
-    m_Volumes.back()->BypassPageCacheWhenLarge();
+    volume.BypassPageCacheWhenLarge();
   }
-  return m_Volumes.back().get();
+  return volume;
 }
 
 SharedVolume *
@@ -27,8 +28,16 @@ OutputSet::AddCompletedVolume(const VolumeRequest & request, const Publication &
   auto                 volume = MakeSharedVolume(request.fileName, m_Options);
   SharedVolume * const completed = volume.get();
   completed->OpenToPublish(request.geometry, request.layout, m_Suffix, publication);
+  m_Contents.push_back(request.content);
   m_Volumes.push_back(std::move(volume));
   return completed;
+}
+
+const VoxelOutput *
+OutputSet::FindVolume(VolumeContent content) const
+{
+  const auto found = std::find(m_Contents.begin(), m_Contents.end(), content);
+  return found == m_Contents.end() ? nullptr : m_Volumes[static_cast<std::size_t>(found - m_Contents.begin())].get();
 }
 
 OutputFile *

@@ -29,13 +29,17 @@ public:
     , m_Suffix(suffix)
   {}
 
-  /** Creates a volume; null when the name is empty. */
-  VoxelOutput *
-  AddVolume(const std::string & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
+  /** Creates a volume. */
+  VoxelOutput &
+  AddVolume(const VolumeRequest & request);
 
   /** Opens a volume that other processes have completed; see SharedVolume::OpenToPublish(). */
   SharedVolume *
   AddCompletedVolume(const VolumeRequest & request, const Publication & publication);
+
+  /** The volume with a content; null when there is none. */
+  const VoxelOutput *
+  FindVolume(VolumeContent content) const;
 
   /** Creates an empty file of another kind; null when the name is empty. */
   OutputFile *
@@ -53,6 +57,7 @@ private:
   const JobOptions &                        m_Options;
   bool                                      m_WritesBehind;
   std::string                               m_Suffix;
+  std::vector<VolumeContent>                m_Contents;
   std::vector<std::unique_ptr<VoxelOutput>> m_Volumes;
   std::vector<std::unique_ptr<OutputFile>>  m_Files;
 };

@@ -29,6 +29,12 @@ GetInterpolation(const JobOptions & options)
 
 } // namespace
 
+CutSettings
+GetCutSettings(const JobPlan & plan)
+{
+  return { plan.slabThickness, plan.GetFilterLimit(plan.GetMaximumSlices()) };
+}
+
 std::unique_ptr<InputVolume>
 OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder)
 {

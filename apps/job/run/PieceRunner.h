@@ -4,11 +4,15 @@
 #define medialvoxelPieceRunner_h
 
 #include "InputVolume.h"
+#include "JobPlan.h"
 #include "Options.h"
+#include "OutputRequest.h"
 #include "RunnerSums.h"
 
 #include "itkMedialVoxelTileObserver.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -19,11 +23,19 @@ namespace medialvoxel
 /** Results of one piece: as many voxels as the piece has, x fastest; null where nothing was asked for. */
 struct PieceResults
 {
-  const void * labels{ nullptr };
-  const void * vectors{ nullptr };
-  const void * distances{ nullptr };
-  const void * thicknesses{ nullptr };
-  bool         isEmpty{ false }; ///< true: labels, vectors and thicknesses are known to be zero
+  std::array<const void *, NumberOfVolumeContents> voxels{};
+  bool                                             isEmpty{ false }; ///< true: all is known to be zero
+
+  const void *&
+  operator[](VolumeContent content)
+  {
+    return voxels[static_cast<std::size_t>(content)];
+  }
+  const void *
+  operator[](VolumeContent content) const
+  {
+    return voxels[static_cast<std::size_t>(content)];
+  }
 };
 
 /** Hears the progress of a piece from 0 to 1, and answers true to stop. */
@@ -76,14 +88,15 @@ struct CutSettings
   std::uint64_t memoryLimit{ 0 };
 };
 
+CutSettings
+GetCutSettings(const JobPlan & plan);
+
 /** Settings of the distance filter that a job needs. */
 struct DistanceSettings
 {
   itk::MedialVoxelBoundary boundary{ itk::MedialVoxelBoundary::Object };
   itk::MedialVoxelRegion   region{ itk::MedialVoxelRegion::Both };
   bool                     generateDistance{ false };
-  bool                     squaredDistance{ false };
-  bool                     insideIsPositive{ false };
   std::optional<double>    maximumDistance;
   CutSettings              cut;
 };

@@ -224,7 +224,6 @@ public:
     {
       this->m_Filter->SetMaximumPoreSize(*options.maximumPoreSize);
     }
-    this->m_Filter->SetPseudoGeodesicBound(options.bound);
     this->m_Filter->SetGenerateVectorDistance(!options.vectorFile.empty());
     this->m_Filter->SetVectorDistanceBoundary(options.vectorBoundary);
     this->m_Filter->SetGenerateThickness(!options.thicknessFile.empty());
@@ -266,17 +265,17 @@ protected:
   GetResults() override
   {
     PieceResults results;
-    results.labels = this->m_Filter->GetOutput()->GetBufferPointer();
+    results[VolumeContent::Labels] = this->m_Filter->GetOutput()->GetBufferPointer();
     // No cell and no voxel of an object came in with this piece.
     const std::uint64_t seen = this->m_Filter->GetNumberOfCandidateCells() + this->m_Filter->GetNumberOfObjectVoxels();
     results.isEmpty = seen == std::exchange(m_Seen, seen);
     if (auto * const vectors = this->m_Filter->GetVectorDistanceOutput())
     {
-      results.vectors = vectors->GetBufferPointer();
+      results[VolumeContent::Vectors] = vectors->GetBufferPointer();
     }
     if (auto * const thicknesses = this->m_Filter->GetThicknessOutput())
     {
-      results.thicknesses = thicknesses->GetBufferPointer();
+      results[VolumeContent::Thicknesses] = thicknesses->GetBufferPointer();
     }
     return results;
   }
@@ -325,8 +324,6 @@ public:
     this->m_Filter->SetBoundary(settings.boundary);
     this->m_Filter->SetRegion(settings.region);
     this->m_Filter->SetGenerateDistance(settings.generateDistance);
-    this->m_Filter->SetSquaredDistance(settings.squaredDistance);
-    this->m_Filter->SetInsideIsPositive(settings.insideIsPositive);
     if (settings.maximumDistance)
     {
       this->m_Filter->SetMaximumDistance(*settings.maximumDistance);
@@ -353,10 +350,10 @@ protected:
   GetResults() override
   {
     PieceResults results;
-    results.vectors = this->m_Filter->GetOutput()->GetBufferPointer();
+    results[VolumeContent::Vectors] = this->m_Filter->GetOutput()->GetBufferPointer();
     if (auto * const distances = this->m_Filter->GetDistanceOutput())
     {
-      results.distances = distances->GetBufferPointer();
+      results[VolumeContent::Distances] = distances->GetBufferPointer();
     }
     return results;
   }

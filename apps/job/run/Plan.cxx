@@ -4,7 +4,9 @@
 
 #include "BitStore.h"
 #include "MemoryPlan.h"
+#include "ReadVolumeHeader.h"
 #include "Text.h"
+#include "VolumeFormats.h"
 
 #include "itkMedialVoxelHeaderText.h"
 
@@ -33,8 +35,7 @@ GetFolder(const std::filesystem::path & fileName)
 bool
 IsReserved(const JobOptions & options, const OutputRequest & output)
 {
-  const bool isPacked = output.layout && IsPackedVolume(output.fileName, options.compress);
-  return !options.sparse && !isPacked && (!IsZarrOutput(output) || options.zarrCompression == ZarrCompression::None);
+  return !options.sparse && !(output.IsVolume() && IsPackedInAnyWay(output.fileName, options));
 }
 
 /** Outputs and scratch files on one disk share its free space. */
@@ -85,35 +86,6 @@ RefuseLackOfSpace(const JobOptions &                 options,
 
 } // namespace
 
-SliceRange
-JobPlan::GetPiece(std::uint64_t piece) const
-{
-  // None is larger than the one before, so that the memory of its results serves again.
-  const std::uint64_t units = this->GetNumberOfUnits();
-  const std::uint64_t perPiece = units / divisions;
-  const std::uint64_t largerPieces = units % divisions;
-  const std::uint64_t begin = piece * perPiece + std::min(piece, largerPieces);
-  const std::uint64_t end = begin + perPiece + (piece < largerPieces ? 1 : 0);
-  return { begin * sliceUnit, std::min(end * sliceUnit, numberOfSlices) };
-}
-
-std::uint64_t
-JobPlan::GetFilterLimit(std::uint64_t slices) const
-{
-  if (memoryLimit == NoMemoryLimit)
-  {
-    return 0;
-  }
-  const std::uint64_t other = fixedBytes + this->GetResultBytes(slices);
-  return std::max<std::uint64_t>(1, (memoryLimit - std::min(memoryLimit, other)) / numberOfFilters);
-}
-
-std::uint64_t
-JobPlan::GetMaximumSlices() const
-{
-  return this->GetPiece(0).end;
-}
-
 JobPlan
 MakePlan(const JobOptions &                 options,
          const VolumeHeader &               header,
@@ -159,33 +131,6 @@ DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vecto
   {
     table.emplace_back(output.role, output.fileName.string());
   }
-  return table;
-}
-
-TextTable
-DescribeHeader(const VolumeHeader & seen)
-{
-  const VolumeHeader &         header = seen.GetStored();
-  const VolumeGeometry * const resampled = seen.stored ? &seen.geometry : nullptr;
-  TextTable                    table;
-  table.emplace_back("file", header.fileName.string());
-  table.emplace_back("format", header.format);
-  table.emplace_back("size", FormatSize(header.geometry.size));
-  table.emplace_back("spacing", FormatNumbers(header.geometry.spacing, " x "));
-  table.emplace_back("origin", FormatNumbers(header.geometry.origin, ", "));
-  if (resampled)
-  {
-    table.emplace_back("resampled", FormatSize(resampled->size) + " at " + FormatNumbers(resampled->spacing, " x "));
-  }
-  table.emplace_back("type", std::string(GetTraits(header.pixelType).name));
-  table.emplace_back("voxels", std::to_string(header.geometry.GetNumberOfVoxels()));
-  table.emplace_back("bytes",
-                     std::to_string(header.GetVoxelBytes()) + " (" + FormatBytes(header.GetVoxelBytes()) + ")");
-  if (header.dataFile != header.fileName)
-  {
-    table.emplace_back("data file", itk::MedialVoxelText::MakePrintable(header.dataFile.string()));
-  }
-  table.emplace_back("reading", header.DescribeReading());
   return table;
 }
 

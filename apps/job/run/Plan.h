@@ -3,97 +3,16 @@
 #ifndef medialvoxelPlan_h
 #define medialvoxelPlan_h
 
+#include "JobPlan.h"
 #include "Options.h"
-#include "OutputChecks.h"
+#include "OutputRequest.h"
+#include "PieceFootprint.h"
+#include "Text.h"
 
-#include "itkMedialVoxelClusterEngine.h"
-
-#include <cstdint>
-#include <limits>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace medialvoxel
 {
-
-/** Slices along the last axis, begin to end, the end excluded. */
-struct SliceRange
-{
-  std::uint64_t begin{ 0 };
-  std::uint64_t end{ 0 };
-};
-
-constexpr std::uint64_t NoMemoryLimit = std::numeric_limits<std::uint64_t>::max();
-
-/** Space that files without a name take beside the outputs. */
-struct ScratchSpace
-{
-  std::filesystem::path folder;
-  std::uint64_t         bytes{ 0 };
-};
-
-/** How a job will be done, decided before it starts. */
-struct JobPlan
-{
-  std::uint64_t numberOfSlices{ 0 };
-  std::uint64_t divisions{ 1 };
-  std::uint64_t sliceUnit{ 1 }; ///< pieces, but the last one, have a multiple of it
-  unsigned int  threads{ 1 };
-  std::uint64_t slabThickness{ 0 }; ///< slices that the filters process between two pulls of input; 0: they choose
-  std::uint64_t slabSlices{ 1 };    ///< the same, or what they choose
-  std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
-  std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
-
-  std::uint64_t fixedBytes{ 0 };       ///< memory that depends neither on pieces nor on windows
-  std::uint64_t bytesPerSlice{ 0 };    ///< results
-  bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
-  std::uint64_t numberOfFilters{ 1 };  ///< that keep windows
-
-  ScratchSpace          growingScratch; ///< of files that grow with the results, as planned
-  std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
-  std::uint64_t         diskBytes{ 0 }; ///< of all outputs; with sparse outputs the most they can grow to
-
-  SliceRange
-  GetPiece(std::uint64_t piece) const;
-
-  /** Memory for the windows and threads of each filter beside the results of so many slices; 0 is without limit. */
-  std::uint64_t
-  GetFilterLimit(std::uint64_t slices) const;
-
-  /** Memory of the results when pieces have so many slices. */
-  std::uint64_t
-  GetResultBytes(std::uint64_t slices) const
-  {
-    return slices * bytesPerSlice * (writesBehind ? 2 : 1);
-  }
-
-  std::uint64_t
-  GetNumberOfUnits() const
-  {
-    return (numberOfSlices + sliceUnit - 1) / sliceUnit;
-  }
-
-  /** Slices of the largest piece, which is the first one. */
-  std::uint64_t
-  GetMaximumSlices() const;
-};
-
-/** Walls, in voxels, whose distances the planned windows hold. Thicker ones take what memoryLimit leaves. */
-constexpr unsigned int PlannedWallThickness = 16;
-
-/** What a job keeps in memory at the same time, and on the disk beside its outputs. */
-struct PieceFootprint
-{
-  std::uint64_t        bytesPerVoxel{ 1 };   ///< results of a piece
-  std::uint64_t        bytesBeside{ 0 };     ///< what does not depend on pieces
-  std::uint64_t        preferredSlices{ 1 }; ///< pieces have a multiple of it where they can: a layer of chunks
-  itk::MedialVoxelGrid grid;
-  ScratchSpace         scratch; ///< of files that grow with the results
-
-  /** Of the filters that take turns on each piece and keep their windows. */
-  std::vector<itk::MedialVoxelClusterEngine::Settings> engines;
-};
 
 /** Divides the work so that it fits the memory.
  * \throw JobError Refused when it cannot, or when a disk has no space for the outputs. */
@@ -103,15 +22,9 @@ MakePlan(const JobOptions &                 options,
          const std::vector<OutputRequest> & outputs,
          const PieceFootprint &             footprint);
 
-using TextTable = std::vector<std::pair<std::string, std::string>>;
-
 /** The plan as names and values to print. */
 TextTable
 DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vector<OutputRequest> & outputs);
-
-/** The volume as names and values to print. */
-TextTable
-DescribeHeader(const VolumeHeader & header);
 
 } // end namespace medialvoxel
 

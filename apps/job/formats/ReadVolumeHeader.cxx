@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ReadVolumeHeader.h"
+
+#include "HeaderParsing.h"
+#include "Resampling.h"
+#include "Text.h"
+#include "VolumeFormats.h"
+
+#include "itkMedialVoxelLimits.h"
+
+#include "itkMedialVoxelHeaderText.h"
+#include <vnl/vnl_det.h>
+#include <vnl/vnl_matrix_fixed.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** Deflate packs at most this many bytes into one. */
+constexpr std::uint64_t MaximumDeflateRatio = 1032;
+
+VolumeHeader
+DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription & raw)
+{
+  OpenRegularFile(fileName);
+  VolumeHeader header;
+  header.fileName = fileName;
+  header.geometry.size = raw.size;
+  header.pixelType = raw.pixelType;
+  header.bigEndian = raw.bigEndian;
+  header.dataFile = fileName;
+  header.dataFileSize = GetDataFileSize(fileName, fileName);
+  header.dataOffset = raw.headerBytes;
+
+  const size_t dimension = raw.size.size();
+  header.geometry.spacing = raw.spacing.empty() ? std::vector<double>(dimension, 1.0) : raw.spacing;
+  header.geometry.origin.assign(dimension, 0.0);
+  header.geometry.SetIdentityDirection();
+  return header;
+}
+
+/** Lengths are measured along the axes, so that a direction must not stretch them. */
+void
+CheckDirection(const VolumeHeader & header, unsigned int axis)
+{
+  constexpr double            tolerance = 0.01;
+  const std::vector<double> & direction = header.geometry.direction[axis];
+  const double                length = std::sqrt(
+    std::inner_product(direction.begin(), direction.end(), direction.begin(), 0.0, std::plus<>(), std::multiplies<>()));
+  if (!(std::abs(length - 1.0) <= tolerance))
+  {
+    Fail(ExitStatus::CorruptInput,
+         header.fileName.string(),
+         ": the directions of its axes must have the length 1; that of axis ",
+         axis,
+         " is (",
+         FormatNumbers(direction, ","),
+         ")");
+  }
+}
+
+void
+CheckGeometry(const VolumeHeader & header)
+{
+  const VolumeGeometry & geometry = header.geometry;
+  const std::string problem = itk::MedialVoxelLimits::FindProblem(geometry.size, geometry.spacing, geometry.origin);
+  if (!problem.empty())
+  {
+    Fail(ExitStatus::CorruptInput, header.fileName.string(), ": ", problem);
+  }
+  const unsigned int             dimension = header.geometry.GetDimension();
+  vnl_matrix_fixed<double, 3, 3> matrix;
+  matrix.set_identity();
+  for (unsigned int axis = 0; axis < dimension; ++axis)
+  {
+    CheckDirection(header, axis);
+    for (unsigned int row = 0; row < dimension; ++row)
+    {
+      matrix(row, axis) = header.geometry.direction[axis][row];
+    }
+  }
+  const double determinant = vnl_det(matrix);
+  if (!(std::abs(determinant) > 1e-6))
+  {
+    Fail(ExitStatus::CorruptInput,
+         header.fileName.string(),
+         ": the directions of its axes lie in one plane (determinant ",
+         determinant,
+         "); it must not be 0");
+  }
+}
+
+void
+ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
+{
+  if (spacing.size() != header.geometry.GetDimension())
+  {
+    Fail(ExitStatus::Usage,
+         header.fileName.string(),
+         ": the spacing ",
+         FormatNumbers(spacing, ","),
+         " has ",
+         spacing.size(),
+         " values; the volume has ",
+         header.geometry.GetDimension(),
+         " axes");
+  }
+  header.geometry.spacing = spacing;
+}
+
+/** The voxels must be in the data file, or packed voxels could be. */
+void
+CheckDataSize(const VolumeHeader & header)
+{
+  const DataSizeCheck check = header.format->input.sizeCheck;
+  if (!header.segments.empty() || check == DataSizeCheck::ByReader)
+  {
+    return; // each segment was compared with its file when it was located
+  }
+  const std::uint64_t voxelBytes = header.GetVoxelBytes();
+  const std::uint64_t available = header.dataFileSize < header.dataOffset ? 0 : header.dataFileSize - header.dataOffset;
+  const bool          exact = check == DataSizeCheck::Exactly;
+  const bool          fits = header.compressed ? voxelBytes / MaximumDeflateRatio <= available
+                                               : voxelBytes <= available && (!exact || voxelBytes == available);
+  if (fits)
+  {
+    return;
+  }
+  Fail(ExitStatus::CorruptInput,
+       header.dataFile.string(),
+       " has ",
+       header.dataFileSize,
+       " bytes; ",
+       FormatSize(header.geometry.size),
+       " voxels of ",
+       GetTraits(header.pixelType).name,
+       header.compressed ? " cannot be packed into what follows " : " need ",
+       header.compressed ? "" : std::to_string(voxelBytes) + " after ",
+       header.dataOffset,
+       header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
+}
+
+} // namespace
+
+VolumeHeader
+ReadVolumeHeader(const std::filesystem::path &         fileName,
+                 const std::optional<RawDescription> & raw,
+                 const std::vector<double> &           spacing)
+try
+{
+  const VolumeFormat & format = raw ? GetRawFormat() : FindInputFormat(fileName);
+  VolumeHeader         header = raw ? DescribeRawVolume(fileName, *raw) : format.input.readHeader(fileName);
+  header.format = &format;
+  if (!spacing.empty())
+  {
+    ReplaceSpacing(header, spacing);
+  }
+  CheckDataSize(header);
+  CheckGeometry(header);
+  return header;
+}
+catch (const HeaderError & error)
+{
+  const bool isUnreadable = error.GetKind() == HeaderError::Kind::Unreadable;
+  throw JobError(isUnreadable ? ExitStatus::Failure : ExitStatus::CorruptInput, error.what());
+}
+
+VolumeHeader
+ReadInputHeader(const JobOptions & options)
+{
+  const VolumeHeader header = ReadVolumeHeader(options.input, options.raw, options.spacing);
+  return options.resample ? ResampleHeader(header, *options.resample) : header;
+}
+
+TextTable
+DescribeHeader(const VolumeHeader & seen)
+{
+  const VolumeHeader &         header = seen.GetStored();
+  const VolumeGeometry * const resampled = seen.stored ? &seen.geometry : nullptr;
+  TextTable                    table;
+  table.emplace_back("file", header.fileName.string());
+  table.emplace_back("format", header.format->name);
+  table.emplace_back("size", FormatSize(header.geometry.size));
+  table.emplace_back("spacing", FormatNumbers(header.geometry.spacing, " x "));
+  table.emplace_back("origin", FormatNumbers(header.geometry.origin, ", "));
+  if (resampled)
+  {
+    table.emplace_back("resampled", FormatSize(resampled->size) + " at " + FormatNumbers(resampled->spacing, " x "));
+  }
+  table.emplace_back("type", std::string(GetTraits(header.pixelType).name));
+  table.emplace_back("voxels", std::to_string(header.geometry.GetNumberOfVoxels()));
+  table.emplace_back("bytes",
+                     std::to_string(header.GetVoxelBytes()) + " (" + FormatBytes(header.GetVoxelBytes()) + ")");
+  if (header.dataFile != header.fileName)
+  {
+    table.emplace_back("data file", itk::MedialVoxelText::MakePrintable(header.dataFile.string()));
+  }
+  table.emplace_back("reading", header.DescribeReading());
+  return table;
+}
+
+} // end namespace medialvoxel

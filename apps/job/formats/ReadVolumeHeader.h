@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelReadVolumeHeader_h
+#define medialvoxelReadVolumeHeader_h
+
+#include "Options.h"
+#include "Text.h"
+#include "VolumeHeader.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), Zarr
+ * (.zarr), TIFF (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
+ *
+ * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
+ * ones: may be), and its place in space is within itk::MedialVoxelLimits.
+ * \param spacing along each axis, in place of that of the file; empty: that of the file
+ * \throw JobError: Usage for an unknown extension or another number of spacings than of axes, Failure for a file that
+ * cannot be read, CorruptInput for all else. */
+VolumeHeader
+ReadVolumeHeader(const std::filesystem::path &         fileName,
+                 const std::optional<RawDescription> & raw,
+                 const std::vector<double> &           spacing = {});
+
+/** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
+VolumeHeader
+ReadInputHeader(const JobOptions & options);
+
+/** The volume as names and values to print. */
+TextTable
+DescribeHeader(const VolumeHeader & header);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelJobResult_h
+#define medialvoxelJobResult_h
+
+#include "JobPlan.h"
+#include "OutputRequest.h"
+#include "RunnerSums.h"
+#include "SurfaceSummary.h"
+#include "ThicknessSummary.h"
+#include "VolumeHeader.h"
+#include "Warning.h"
+
+#include "itkMedialVoxelLimit.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Seconds of a job. Those of the kernels are summed over threads, the others pass on the wall. */
+struct JobSeconds
+{
+  double distance{ 0.0 };
+  double classification{ 0.0 };
+  double tiles{ 0.0 }; ///< while threads worked on tiles
+  double inputOutput{ 0.0 };
+  double total{ 0.0 };
+};
+
+/** What a job did, or with dryRun would do. */
+struct JobResult
+{
+  VolumeHeader                         input;
+  std::vector<OutputRequest>           outputs;
+  JobPlan                              plan;
+  RunnerSums                           sums;
+  std::optional<itk::MedialVoxelLimit> otsu;      ///< lower threshold, when it was measured
+  std::optional<ThicknessSummary>      thickness; ///< of an extraction
+  std::optional<SurfaceSummary>        surface;   ///< when a mesh was asked for
+  std::vector<Warning>                 warnings;
+  JobSeconds                           seconds;
+  std::uint64_t                        peakMemoryBytes{ 0 }; ///< of the process
+  std::uint64_t                        bytesRead{ 0 };
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Outputs.h"
+
+#include "Errors.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using ExtractKind = OutputKind<ExtractOptions>;
+using DistanceKind = OutputKind<DistanceOptions>;
+
+VoxelLayout
+GetLabelLayout(const VolumeHeader &)
+{
+  return LabelLayout;
+}
+
+VoxelLayout
+GetDistanceLayout(const VolumeHeader &)
+{
+  return DistanceLayout;
+}
+
+VoxelLayout
+GetThicknessLayout(const VolumeHeader &)
+{
+  return ThicknessLayout;
+}
+
+constexpr VolumeFiller Extraction = VolumeFiller::Extraction;
+constexpr VolumeFiller Distance = VolumeFiller::Distance;
+
+constexpr VolumeKind Labels{ VolumeContent::Labels, Extraction, true, GetLabelLayout };
+constexpr VolumeKind Thicknesses{ VolumeContent::Thicknesses, Extraction, true, GetThicknessLayout };
+constexpr VolumeKind Distances{ VolumeContent::Distances, Distance, false, GetDistanceLayout };
+
+constexpr VolumeKind
+MakeVectors(VolumeFiller filler)
+{
+  return { VolumeContent::Vectors, filler, false, GetVectorLayout };
+}
+
+template <typename TOptions>
+OutputKind<TOptions>
+MakeReportKind()
+{
+  OutputKind<TOptions> kind{ "report", &TOptions::reportFile, "report" };
+  kind.mayBeStandardOutput = true;
+  return kind;
+}
+
+ExtractKind
+MakeFileKind(const char * role,
+             std::string ExtractOptions::* option,
+             std::vector<std::string>      extensions,
+             const char *                  name)
+{
+  return { role, option, role, std::nullopt, std::move(extensions), name };
+}
+
+/** Of what a job of several processes does not make. */
+ExtractKind
+MakeRefusedKind(const char * role, std::string ExtractOptions::* option, const JobRefusal & refusal)
+{
+  ExtractKind kind{ role, option };
+  kind.refusal = refusal;
+  return kind;
+}
+
+template <typename TOptions>
+std::vector<OutputRequest>
+ListWanted(const TOptions & options, const VolumeHeader & input)
+{
+  std::vector<OutputRequest> outputs;
+  for (const OutputKind<TOptions> & kind : ListOutputKinds(options))
+  {
+    const std::string fileName = kind.GetFileName(options);
+    if (!fileName.empty())
+    {
+      outputs.push_back({ kind.role,
+                          fileName,
+                          kind.volume ? std::optional<VoxelLayout>(kind.volume->getLayout(input)) : std::nullopt });
+    }
+  }
+  return outputs;
+}
+
+template <typename TOptions>
+std::vector<VolumeRequest>
+ListWantedVolumes(const TOptions & options, const VolumeHeader & input, const VolumeGeometry & cells)
+{
+  std::vector<VolumeRequest> volumes;
+  for (const OutputKind<TOptions> & kind : ListOutputKinds(options))
+  {
+    if (kind.volume && !(options.*kind.option).empty())
+    {
+      volumes.push_back({ kind.role,
+                          options.*kind.option,
+                          kind.volume->isOfCells ? cells : input.geometry,
+                          kind.volume->getLayout(input),
+                          kind.volume->content,
+                          kind.volume->filler });
+    }
+  }
+  return volumes;
+}
+
+} // namespace
+
+const std::vector<OutputKind<ExtractOptions>> &
+ListOutputKinds(const ExtractOptions &)
+{
+  static const std::vector<ExtractKind> kinds{
+    { "labels", &ExtractOptions::output, "output", Labels },
+    { "vectors", &ExtractOptions::vectorFile, "vectors", MakeVectors(Extraction) },
+    { "distance", &ExtractOptions::distanceFile, "distance", Distances },
+    { "thickness_map", &ExtractOptions::thicknessFile, "thickness_map", Thicknesses },
+    MakeFileKind("thickness_csv", &ExtractOptions::thicknessCsvFile, { ".csv" }, "histogram"),
+    MakeRefusedKind("mesh",
+                    &ExtractOptions::meshFile,
+                    { "a mesh, which joins what lies in all clusters,", "run medialvoxel mesh for it" }),
+    MakeFileKind("preview", &ExtractOptions::previewFile, { ".png" }, "preview"),
+    MakeFileKind("html", &ExtractOptions::htmlFile, { ".html", ".htm" }, "page"),
+    MakeReportKind<ExtractOptions>(),
+    MakeRefusedKind(
+      "return_parameters", &ExtractOptions::returnParameterFile, { "return parameters", "use the report" }),
+  };
+  return kinds;
+}
+
+const std::vector<OutputKind<DistanceOptions>> &
+ListOutputKinds(const DistanceOptions &)
+{
+  static const std::vector<DistanceKind> kinds{
+    { "vectors", &DistanceOptions::output, nullptr, MakeVectors(Distance) },
+    { "distance", &DistanceOptions::distanceFile, nullptr, Distances },
+    MakeReportKind<DistanceOptions>(),
+  };
+  return kinds;
+}
+
+std::vector<OutputRequest>
+ListOutputs(const ExtractOptions & options, const VolumeHeader & input)
+{
+  return ListWanted(options, input);
+}
+
+std::vector<OutputRequest>
+ListOutputs(const DistanceOptions & options, const VolumeHeader & input)
+{
+  return ListWanted(options, input);
+}
+
+std::vector<VolumeRequest>
+ListVolumes(const ExtractOptions & options, const VolumeHeader & input, const VolumeGeometry & cells)
+{
+  return ListWantedVolumes(options, input, cells);
+}
+
+std::vector<VolumeRequest>
+ListVolumes(const DistanceOptions & options, const VolumeHeader & input, const VolumeGeometry & cells)
+{
+  return ListWantedVolumes(options, input, cells);
+}
+
+std::vector<std::string>
+ListVolumeNames(const ExtractOptions & options)
+{
+  std::vector<std::string> names;
+  for (const ExtractKind & kind : ListOutputKinds(options))
+  {
+    if (kind.volume && !(options.*kind.option).empty())
+    {
+      names.push_back(options.*kind.option);
+    }
+  }
+  return names;
+}
+
+void
+CheckExtensions(const ExtractOptions & options)
+{
+  for (const ExtractKind & kind : ListOutputKinds(options))
+  {
+    const std::string fileName = kind.GetFileName(options);
+    const std::string extension = ToLower(std::filesystem::path(fileName).extension().string());
+    if (!fileName.empty() && !kind.extensions.empty() &&
+        std::find(kind.extensions.begin(), kind.extensions.end(), extension) == kind.extensions.end())
+    {
+      Fail(ExitStatus::Usage,
+           fileName,
+           ": unknown format '",
+           extension,
+           "'; the ",
+           kind.name,
+           " is written as ",
+           Join(kind.extensions, " or ", [](const std::string & known) { return known; }));
+    }
+  }
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "VolumeHeader.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace medialvoxel
+{
+
+std::uint64_t
+VolumeGeometry::GetNumberOfVoxels() const
+{
+  return std::accumulate(size.begin(), size.end(), std::uint64_t{ 1 }, std::multiplies<>());
+}
+
+void
+VolumeGeometry::SetIdentityDirection()
+{
+  direction.assign(size.size(), std::vector<double>(size.size(), 0.0));
+  for (size_t axis = 0; axis < size.size(); ++axis)
+  {
+    direction[axis][axis] = 1.0;
+  }
+}
+
+std::string
+VolumeHeader::DescribeReading() const
+{
+  if (this->CanStream())
+  {
+    return "streams: parts are read as they are needed";
+  }
+  return compressed ? "does not stream: it is compressed and unpacked once to one bit per voxel"
+                    : "does not stream: its values are scaled, and it is read once to one bit per voxel";
+}
+
+std::map<std::filesystem::path, std::uint64_t>
+GetNeededFileSizes(const VolumeHeader & header)
+{
+  if (header.segments.empty())
+  {
+    return { { header.dataFile, header.dataOffset + header.GetVoxelBytes() } };
+  }
+  std::map<std::filesystem::path, std::uint64_t> sizes;
+  for (const itk::MedialVoxelFileSegment & segment : header.segments)
+  {
+    std::uint64_t & size = sizes[segment.fileName];
+    size = std::max(size, segment.offset + segment.numberOfBytes);
+  }
+  return sizes;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelVolumeHeader_h
+#define medialvoxelVolumeHeader_h
+
+#include "PixelType.h"
+
+#include "itkMedialVoxelFileRegion.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Where the voxels of a volume lie in space; the x axis comes first. */
+struct VolumeGeometry
+{
+  std::vector<std::uint64_t>       size;
+  std::vector<double>              spacing;
+  std::vector<double>              origin;
+  std::vector<std::vector<double>> direction; ///< direction[axis] is the unit vector of that axis
+
+  unsigned int
+  GetDimension() const
+  {
+    return static_cast<unsigned int>(size.size());
+  }
+
+  std::uint64_t
+  GetNumberOfVoxels() const;
+
+  /** Lets the axes run along those of space. */
+  void
+  SetIdentityDirection();
+
+  /** Voxels of one index along the last axis. */
+  std::uint64_t
+  GetVoxelsPerSlice() const
+  {
+    return GetNumberOfVoxels() / size.back();
+  }
+};
+
+/** Describes a headerless file of voxels. */
+struct RawDescription
+{
+  std::vector<std::uint64_t> size;
+  PixelType                  pixelType{ PixelType::UInt8 };
+  std::vector<double>        spacing; ///< empty: 1 along each axis
+  std::uint64_t              headerBytes{ 0 };
+  bool                       bigEndian{ false };
+};
+
+/** What makes the values of a volume from the numbers in its file: slope * number + intercept. */
+struct ValueScale
+{
+  double slope{ 1.0 };
+  double intercept{ 0.0 };
+};
+
+struct VolumeFormat;
+
+/** Everything there is to know about a volume before its voxels are read. */
+struct VolumeHeader
+{
+  std::filesystem::path fileName;
+  const VolumeFormat *  format{ nullptr }; ///< a row of VolumeFormats.cxx; set when the whole header is read
+  VolumeGeometry        geometry;
+  PixelType             pixelType{ PixelType::UInt8 };
+  bool                  bigEndian{ false }; ///< of the numbers as they are read, or unpacked
+  std::filesystem::path dataFile; ///< the same as fileName unless the voxels are in a file, or files, of their own
+  std::uint64_t         dataFileSize{ 0 };
+  std::uint64_t         dataOffset{ 0 }; ///< bytes of the data file before the voxels or before the compressed stream
+  bool                  compressed{ false };
+  std::uint64_t         skipAfterInflation{ 0 }; ///< unpacked bytes before the voxels
+
+  /** Of uncompressed voxels that lie in several places or files, one after the other; empty: they lie in one place. */
+  std::vector<itk::MedialVoxelFileSegment> segments;
+  std::optional<ValueScale>                scale; ///< of the numbers in the file; none: they are the values
+
+  /** Memory that unpacking takes beside the bits and a few MiB: the largest strip of a TIFF, a layer of a Zarr. */
+  std::uint64_t unpackBytes{ 0 };
+
+  /** Of a volume that is resampled while it is read: what is in the file. */
+  std::shared_ptr<const VolumeHeader> stored;
+
+  const VolumeHeader &
+  GetStored() const
+  {
+    return stored ? *stored : *this;
+  }
+
+  std::uint64_t
+  GetVoxelBytes() const
+  {
+    return geometry.GetNumberOfVoxels() * GetTraits(pixelType).bytes;
+  }
+
+  /** True when a part of the volume can be read by itself. Others are read once from front to back in bounded memory,
+   * into one bit per voxel. */
+  bool
+  CanStream() const
+  {
+    return !compressed && !scale;
+  }
+
+  /** Why and how the volume is read as it is, in words. */
+  std::string
+  DescribeReading() const;
+};
+
+/** Bytes that each file of a volume that streams must have to hold its voxels. */
+std::map<std::filesystem::path, std::uint64_t>
+GetNeededFileSizes(const VolumeHeader & header);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ExtractSummary.h"
+
+#include "Outputs.h"
+#include "Preview.h"
+#include "Report.h"
+#include "ReturnParameters.h"
+#include "SurveySummary.h"
+#include "ThicknessPreview.h"
+#include "Warnings.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace medialvoxel
+{
+namespace
+{
+
+OutputFile *
+AddFile(OutputSet & outputs, const ExtractOptions & options, std::string ExtractOptions::* option)
+{
+  const auto & kinds = ListOutputKinds(options);
+  const auto   kind =
+    std::find_if(kinds.begin(), kinds.end(), [option](const auto & known) { return known.option == option; });
+  return outputs.AddFile(kind->GetFileName(options));
+}
+
+} // namespace
+
+const std::vector<ExtractSummary::Text> ExtractSummary::Texts{
+  { &ExtractOptions::thicknessCsvFile, &ExtractSummary::MakeCsv },
+  { &ExtractOptions::htmlFile, &ExtractSummary::MakePage },
+  { &ExtractOptions::reportFile, &ExtractSummary::MakeJson },
+  { &ExtractOptions::returnParameterFile, &ExtractSummary::MakeParameters }
+};
+
+ExtractSummary::ExtractSummary(const ExtractOptions & options, const Survey & survey, OutputSet & outputs)
+  : m_Options(options)
+  , m_Survey(survey)
+  , m_Preview(AddFile(outputs, options, &ExtractOptions::previewFile))
+{
+  for (const Text & text : Texts)
+  {
+    m_Texts.push_back(AddFile(outputs, options, text.option));
+  }
+}
+
+void
+ExtractSummary::Draw(const OutputSet & outputs, const VolumeGeometry & geometry)
+{
+  if (!m_Preview && m_Options.htmlFile.empty())
+  {
+    return;
+  }
+  const VoxelOutput & labels = *outputs.FindVolume(VolumeContent::Labels);
+  const Canvas        canvas = DrawPreview(labels, geometry, m_Survey);
+  m_Pictures.labels = canvas.EncodePng();
+  std::string preview = m_Pictures.labels;
+  if (const VoxelOutput * const thicknesses = outputs.FindVolume(VolumeContent::Thicknesses))
+  {
+    const Canvas other =
+      DrawThicknessPreview(labels, *thicknesses, geometry, m_Survey, m_Options.voxelUnits ? "voxels" : "units");
+    m_Pictures.thicknesses = other.EncodePng();
+    preview = JoinCanvases(canvas, other).EncodePng();
+  }
+  if (m_Preview)
+  {
+    WriteText(*m_Preview, preview);
+  }
+}
+
+void
+ExtractSummary::Write(JobResult & result)
+{
+  result.thickness = Summarize(m_Survey);
+  const std::vector<Warning> found = FindWarningsOfResult(m_Options, result, m_Survey);
+  result.warnings.insert(result.warnings.end(), found.begin(), found.end());
+  for (std::size_t i = 0; i < Texts.size(); ++i)
+  {
+    if (m_Texts[i])
+    {
+      WriteText(*m_Texts[i], (this->*Texts[i].make)(result));
+    }
+  }
+}
+
+std::string
+ExtractSummary::MakeCsv(const JobResult &) const
+{
+  return MakeThicknessCsv(m_Survey);
+}
+
+std::string
+ExtractSummary::MakePage(const JobResult & result) const
+{
+  return MakeHtmlReport(m_Options, result, m_Pictures);
+}
+
+std::string
+ExtractSummary::MakeJson(const JobResult & result) const
+{
+  return MakeReport(m_Options, result);
+}
+
+std::string
+ExtractSummary::MakeParameters(const JobResult & result) const
+{
+  return MakeReturnParameters(result);
+}
+
+} // end namespace medialvoxel

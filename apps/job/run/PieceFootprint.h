@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPieceFootprint_h
+#define medialvoxelPieceFootprint_h
+
+#include "JobPlan.h"
+#include "Options.h"
+#include "OutputRequest.h"
+
+#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelGrid.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** What a job keeps in memory at the same time, and on the disk beside its outputs. */
+struct PieceFootprint
+{
+  std::uint64_t        bytesPerVoxel{ 1 };   ///< results of a piece
+  std::uint64_t        bytesBeside{ 0 };     ///< what does not depend on pieces
+  std::uint64_t        preferredSlices{ 1 }; ///< pieces have a multiple of it where they can: a layer of chunks
+  itk::MedialVoxelGrid grid;
+  ScratchSpace         scratch; ///< of files that grow with the results
+
+  /** Of the filters that take turns on each piece and keep their windows. */
+  std::vector<itk::MedialVoxelClusterEngine::Settings> engines;
+};
+
+/** Counts in a filter on the volume of the header. */
+void
+AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings);
+
+/** Slices that the outputs write together: a layer of chunks. */
+std::uint64_t
+GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & outputs);
+
+/** Counts in what outputs take beside the results of a piece. */
+void
+AddOutputs(PieceFootprint &                   footprint,
+           const JobOptions &                 options,
+           const VolumeHeader &               header,
+           const std::vector<OutputRequest> & outputs);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "PieceLoop.h"
+
+#include "Errors.h"
+#include "JobClock.h"
+#include "PeakMemory.h"
+#include "Signals.h"
+#include "Text.h"
+#include "VolumeFormats.h"
+
+#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelSurfaceObserver.h"
+#include "itkProcessObject.h"
+
+#include <algorithm>
+
+namespace medialvoxel
+{
+namespace
+{
+
+LogRecord
+MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
+{
+  return { LogLevel::Info,
+           "plan",
+           { { "input", header.fileName.string() },
+             { "format", header.format->name },
+             { "size", FormatSize(header.geometry.size) },
+             { "type", std::string(GetTraits(header.GetStored().pixelType).name) },
+             { "pieces", std::to_string(plan.divisions) },
+             { "slices_of_piece", std::to_string(plan.GetMaximumSlices()) },
+             { "threads", std::to_string(plan.threads) },
+             { "planned_memory_bytes", std::to_string(plan.memoryBytes) } } };
+}
+
+} // namespace
+
+PieceLoop::PieceLoop(const JobPlan &      plan,
+                     const VolumeHeader & header,
+                     unsigned int         runnersPerPiece,
+                     ProgressSink &       sink)
+  : m_Plan(plan)
+  , m_SlicesAtOnce(plan.GetMaximumSlices())
+  , m_SlicesToDo(plan.numberOfSlices)
+  , m_VoxelsPerSlice(header.geometry.GetVoxelsPerSlice())
+  , m_RunnersPerPiece(runnersPerPiece)
+  , m_Sink(sink)
+{
+  m_Sink.Record(MakePlanRecord(plan, header));
+}
+
+PieceObserver
+PieceLoop::GetObserver()
+{
+  return [this](double fraction) {
+    const double slices = static_cast<double>(m_DoneSlices) + fraction * static_cast<double>(m_SlicesOfPiece);
+    const double done = slices / static_cast<double>(m_SlicesToDo * m_RunnersPerPiece);
+    m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation) * done);
+    return m_Sink.IsStopRequested();
+  };
+}
+
+void
+PieceLoop::Prepare(InputVolume & input)
+{
+  m_Input = &input;
+  constexpr double  share = 0.3;
+  const std::string note = input.Prepare([this](double fraction) {
+    m_ShareOfPreparation = share;
+    m_Sink.Report(share * fraction);
+    this->ThrowIfStopRequested();
+  });
+  if (!note.empty())
+  {
+    m_Sink.Note(note);
+  }
+}
+
+void
+PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write)
+{
+  for (SliceRange slices{ piece.begin, 0 }; slices.begin < piece.end;)
+  {
+    slices.end = std::min(slices.begin + m_SlicesAtOnce, piece.end);
+    try
+    {
+      this->RunSlices(runner, slices, writer, write);
+      slices.begin = slices.end;
+    }
+    catch (const itk::MedialVoxelMemoryError & error)
+    {
+      this->ShortenPieces(runner, "memory of windows");
+      const std::uint64_t limit = m_Plan.GetFilterLimit(m_SlicesAtOnce);
+      if (limit <= error.GetAllowedBytes())
+      {
+        throw;
+      }
+      writer.Wait();
+      runner.Release();
+      runner.SetMemoryLimit(limit);
+    }
+    catch (const itk::MedialVoxelSurfacePieceError &)
+    {
+      this->ShortenPieces(runner, "memory of the surface");
+    }
+  }
+}
+
+void
+PieceLoop::ShortenPieces(const PieceRunner & runner, const char * reason)
+{
+  m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
+  m_Sink.Record(
+    { LogLevel::Warning,
+      "shorten",
+      { { "of", runner.GetName() }, { "slices_at_once", std::to_string(m_SlicesAtOnce) }, { "reason", reason } } });
+}
+
+void
+PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write)
+{
+  this->ThrowIfStopRequested();
+  m_SlicesOfPiece = slices.end - slices.begin;
+  const auto          start = JobClock::now();
+  const std::uint64_t recomputed = runner.GetSums().recomputedVoxels;
+  PieceResults        results;
+  try
+  {
+    results = runner.Run(slices.begin, m_SlicesOfPiece);
+  }
+  catch (const itk::ProcessAborted &)
+  {
+    throw StoppedBySignal(GetStopSignal());
+  }
+  this->RecordPiece(runner, slices, SecondsSince(start), runner.GetSums().recomputedVoxels - recomputed);
+  const auto  computed = JobClock::now();
+  const Range range{ slices, slices.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice };
+  writer.Submit([write, range, results] { write(range, results); });
+  m_Sink.Record({ LogLevel::Debug,
+                  "write",
+                  { { "of", runner.GetName() },
+                    { "slices", FormatSlices(slices) },
+                    { "seconds_waited", FormatFixed(SecondsSince(computed), 3) } } });
+  // A single runner uses the memory of its results again, which is much cheaper than new memory for each piece.
+  if (m_RunnersPerPiece > 1)
+  {
+    writer.Wait();
+    runner.Release();
+  }
+  m_DoneSlices += m_SlicesOfPiece;
+}
+
+void
+PieceLoop::RecordPiece(const PieceRunner & runner,
+                       const SliceRange &  slices,
+                       double              seconds,
+                       std::uint64_t       recomputedVoxels)
+{
+  m_Sink.Record({ LogLevel::Info,
+                  "piece",
+                  { { "of", runner.GetName() },
+                    { "slices", FormatSlices(slices) },
+                    { "seconds", FormatFixed(seconds, 3) },
+                    { "recomputed_voxels", std::to_string(recomputedVoxels) },
+                    { "bytes_read", std::to_string(m_Input->GetNumberOfBytesRead()) },
+                    { "peak_memory_bytes", std::to_string(GetPeakMemoryBytes()) } } });
+}
+
+void
+PieceLoop::ThrowIfStopRequested() const
+{
+  medialvoxel::ThrowIfStopRequested(m_Sink);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPieceLoop_h
+#define medialvoxelPieceLoop_h
+
+#include "InputVolume.h"
+#include "JobPlan.h"
+#include "PieceRunner.h"
+#include "Progress.h"
+#include "WriteBehind.h"
+
+#include <cstdint>
+#include <functional>
+
+namespace medialvoxel
+{
+
+/** \class PieceLoop
+ * \brief Runs the pieces of a job, has them written, tells the sink, and stops when asked. */
+class PieceLoop
+{
+public:
+  /** \param runnersPerPiece runners that each piece is given to, for the progress */
+  PieceLoop(const JobPlan & plan, const VolumeHeader & header, unsigned int runnersPerPiece, ProgressSink & sink);
+
+  /** To be handed to the runners. */
+  PieceObserver
+  GetObserver();
+
+  /** Slices, and the same as voxels. */
+  struct Range
+  {
+    SliceRange    slices;
+    std::uint64_t firstVoxel;
+    std::uint64_t numberOfVoxels;
+  };
+
+  /** Takes the results of a range, in the thread of the writer. */
+  using WriteFunction = std::function<void(const Range &, const PieceResults &)>;
+
+  /** Prepares the input, which is a part of the job's progress when it takes long.
+   * \throw StoppedBySignal when the sink asks to stop. */
+  void
+  Prepare(InputVolume & input);
+
+  /** Runs a piece, in smaller ones when the walls need more memory than results of this size leave.
+   * \throw StoppedBySignal when the sink asks to stop. */
+  void
+  Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write);
+
+  void
+  ThrowIfStopRequested() const;
+
+  /** Slices of which the progress is the part done; all of them by default. */
+  void
+  SetSlicesToDo(std::uint64_t slices)
+  {
+    m_SlicesToDo = slices;
+  }
+
+private:
+  void
+  RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write);
+
+  void
+  RecordPiece(const PieceRunner & runner, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
+
+  /** Halves the slices that are done at once. */
+  void
+  ShortenPieces(const PieceRunner & runner, const char * reason);
+
+  JobPlan        m_Plan;
+  std::uint64_t  m_SlicesAtOnce;
+  std::uint64_t  m_SlicesToDo;
+  std::uint64_t  m_VoxelsPerSlice;
+  unsigned int   m_RunnersPerPiece;
+  ProgressSink & m_Sink;
+  InputVolume *  m_Input{ nullptr };
+  double         m_ShareOfPreparation{ 0.0 };
+  std::uint64_t  m_DoneSlices{ 0 };
+  std::uint64_t  m_SlicesOfPiece{ 0 };
+};
+
+} // end namespace medialvoxel
+
+#endif
