@@ -3,7 +3,7 @@
 
 # Checks the direction of dependency among the ITK-free units: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A unit includes only units that stand before it in this table, and no header of ITK.
-set(L0 Enums Text Grid Limits Parameters Progress Bits RankedBits Gray HoleFinder FileRegion SequentialReader Histogram
+set(L0 Enums Text Grid Limits Parameters Progress Bits RankedBits Gray Features HoleFinder FileRegion SequentialReader Histogram
     Limit)
 # The header formats that are parsed by the module itself.
 set(Formats HeaderText NrrdHeader NrrdDataFiles NrrdGeometry NrrdText)
@@ -36,7 +36,8 @@ set(L1
     SurfaceBranches)
 set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices CellPairs TileLabels LocalThreshold JointClassifier
     Classifier TileWalls TileObserver SurfaceCrossings SurfaceCells)
-set(L3 ClusterWindow TileSchedule ClusterEngine SurfaceBuilder SurfaceTrimmer SurfaceObserver SurfaceStore)
+set(L3 MemoryError ObjectSource MovingWindow TileSchedule SlabWalker Sums EngineSettings TileResult EngineClient TileTask DistanceTask
+    ExtractionTask Execution Engine SurfaceBuilder SurfaceTrimmer SurfaceObserver SurfaceStore)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)
 set(units ${L0} ${Formats} ${L1} ${L2} ${L3} ${L4})

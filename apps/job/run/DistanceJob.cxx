@@ -27,7 +27,7 @@ GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
   footprint.bytesPerVoxel =
     GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes());
   footprint.grid = GetGrid(options, header);
-  AddEngine(footprint, header, itk::MedialVoxelClusterEngine::Settings::ForDistances(options.boundary));
+  AddEngine(footprint, header, itk::MedialVoxelDistanceMap{ options.boundary });
   AddOutputs(footprint, options, header, ListCandidates(options, header));
   return footprint;
 }

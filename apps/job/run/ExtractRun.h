@@ -6,7 +6,6 @@
 #include "JobParts.h"
 #include "OutputSet.h"
 #include "Survey.h"
-#include "TileObservers.h"
 
 #include <functional>
 #include <memory>
@@ -43,7 +42,7 @@ public:
   void
   SetVolume(const std::string & role, VoxelOutput * volume);
 
-  /** Lets someone see the tiles, before the survey does. */
+  /** Lets someone see the tiles beside the survey. */
   void
   AddObserver(itk::MedialVoxelTileObserver & observer);
 
@@ -112,12 +111,14 @@ private:
   std::unique_ptr<PieceRunner> m_Runner;
   std::unique_ptr<PieceRunner> m_DistanceRunner;
   Survey                       m_Survey;
-  TileObservers                m_Observers;
-  VoxelOutput *                m_Labels{ nullptr };
-  VoxelOutput *                m_Vectors{ nullptr };
-  VoxelOutput *                m_Distances{ nullptr };
-  VoxelOutput *                m_Thicknesses{ nullptr };
-  WriteBehind                  m_Writer; // ends before what it writes
+
+  std::vector<itk::MedialVoxelTileObserver *> m_Observers;
+
+  VoxelOutput * m_Labels{ nullptr };
+  VoxelOutput * m_Vectors{ nullptr };
+  VoxelOutput * m_Distances{ nullptr };
+  VoxelOutput * m_Thicknesses{ nullptr };
+  WriteBehind   m_Writer; // ends before what it writes
 };
 
 } // end namespace medialvoxel

@@ -46,7 +46,7 @@ GetGrid(const JobOptions & options, const VolumeHeader & header);
 
 /** Counts in a filter on the volume of the header. */
 void
-AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings);
+AddEngine(PieceFootprint & footprint, const VolumeHeader & header, const itk::MedialVoxelEngineTask & task);
 
 /** Slices of a layer of chunks of the .zarr outputs; 1 without any. */
 std::uint64_t

@@ -6,7 +6,7 @@
 #include "Options.h"
 #include "OutputChecks.h"
 
-#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelEngine.h"
 
 #include <cstdint>
 #include <limits>
@@ -92,7 +92,7 @@ struct PieceFootprint
   ScratchSpace         scratch; ///< of files that grow with the results
 
   /** Of the filters that take turns on each piece and keep their windows. */
-  std::vector<itk::MedialVoxelClusterEngine::Settings> engines;
+  std::vector<itk::MedialVoxelEngineSettings> engines;
 };
 
 /** Divides the work so that it fits the memory.
