@@ -75,7 +75,7 @@ TEST(MedialVoxelWorkingMemory, ALimitHoldsForTheSurfaceToo)
   const Volume volume = Sheets();
   const auto   parameters =
     itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
-  for (const std::uint64_t limit : { 100 * MiB, 220 * MiB })
+  for (const std::uint64_t limit : { 100 * MiB, 225 * MiB })
   {
     NoSurface       nobody;
     MeasuredSurface surface(GridOf(volume), parameters, UnitSpacing, {}, nobody);
@@ -105,8 +105,8 @@ TEST(MedialVoxelWorkingMemory, TheSurfaceNeedsALimitThatHoldsItsWorkspace)
   }
   labels->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
   surface->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
-  labels->SetWorkingMemoryLimit(20 * MiB);
-  surface->SetWorkingMemoryLimit(20 * MiB);
+  labels->SetWorkingMemoryLimit(25 * MiB);
+  surface->SetWorkingMemoryLimit(25 * MiB);
   EXPECT_NO_THROW(labels->Update());
   EXPECT_THROW(surface->Update(), itk::MedialVoxelMemoryError);
   surface->SetWorkingMemoryLimit(0);
