@@ -242,10 +242,6 @@ private:
   void
   RequestPiece(IndexValueType firstSlice);
 
-  /** Those of the label filter, which has checked them. */
-  MedialVoxelParameters
-  GetParameters(const MedialVoxelGrid & grid) const;
-
   static MedialVoxelIndex
   GetSize(const InputImageType & image)
   {

@@ -275,21 +275,6 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSlicesPerPiece() const
 }
 
 template <typename TInputImage, typename TOutputMesh>
-MedialVoxelParameters
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetParameters(const MedialVoxelGrid & grid) const
-{
-  constexpr auto bound = MedialVoxelPseudoGeodesicBound::FreeSpace;
-  if (this->GetThicknessMode() == ThicknessModeEnum::Fixed)
-  {
-    return MedialVoxelParameters::ForThickness(std::max(this->GetThickness(), MedialVoxelLimits::LeastThickness(grid)),
-                                               bound);
-  }
-  const auto limits =
-    MedialVoxelParameters::LimitsOfWalls(grid, this->GetMinimumThickness(), this->GetMaximumThickness());
-  return MedialVoxelParameters::ForWalls(limits.minimum, limits.maximum, bound);
-}
-
-template <typename TInputImage, typename TOutputMesh>
 MedialVoxelSurfaceBuilder::Placement
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetPlacement(const InputImageType & image)
 {
@@ -327,19 +312,19 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   MedialVoxelSurfaceStore            store(MedialVoxelSurfaceBuilder::FitsFloat(GetPlacement(input), size));
   const bool                         keepsAll = m_SmallestPiece <= 1 && !(m_MinimumBranchLength > 0.0);
   MedialVoxelSurfaceConsumer &       consumer = keepsAll ? static_cast<MedialVoxelSurfaceConsumer &>(writer) : store;
-  MedialVoxelSurfaceObserver         observer(grid, this->GetParameters(grid), spacing, GetPlacement(input), consumer);
+  MedialVoxelSurfaceObserver observer(grid, m_LabelFilter->GetParameters(), spacing, GetPlacement(input), consumer);
 
   if (this->GetSubvoxelThickness())
   {
     observer.MeasureOnGrayValues(this->GetLowerThreshold(), this->GetUpperThreshold());
   }
-  m_LabelFilter->SetTileObserver(&observer);
+  m_LabelFilter->SetTileObservers({ &observer });
   MedialSurfaceProgress      progress(*this);
   const MedialVoxelPollScope scope(progress);
   try
   {
     this->RunPieces();
-    m_LabelFilter->SetTileObserver(nullptr);
+    m_LabelFilter->SetTileObservers({});
     observer.Finish();
     if (m_MinimumBranchLength > 0.0)
     {
@@ -353,7 +338,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   }
   catch (...)
   {
-    m_LabelFilter->SetTileObserver(nullptr);
+    m_LabelFilter->SetTileObservers({});
     mesh.Initialize();
     throw;
   }

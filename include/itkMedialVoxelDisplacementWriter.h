@@ -3,7 +3,7 @@
 #ifndef itkMedialVoxelDisplacementWriter_h
 #define itkMedialVoxelDisplacementWriter_h
 
-#include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelFeatures.h"
 
 #include <cstddef>
 #include <cstdint>

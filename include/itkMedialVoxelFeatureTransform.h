@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelFeatures.h"
 #include "itkMedialVoxelNearestSite.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelRowPass.h"
@@ -16,52 +17,6 @@
 
 namespace itk
 {
-
-/** \struct MedialVoxelFeatures
- * \brief Displacement in voxels from each voxel of a box to its nearest site.
- *
- * Voxels that were not asked for have the displacement zero; voxels without a site, or with one that is too far, have
- * MedialVoxelNoDisplacement in every component.
- * \ingroup MedialVoxel
- */
-struct MedialVoxel_EXPORT MedialVoxelFeatures
-{
-  static constexpr std::uint64_t BytesPerVoxel = 3 * sizeof(std::int32_t);
-
-  MedialVoxelBox            box;
-  std::vector<std::int32_t> dx;
-  std::vector<std::int32_t> dy;
-  std::vector<std::int32_t> dz;
-
-  /** Set the box and all displacements to zero. Takes as long as what was announced since the last time is large. */
-  void
-  Reset(const MedialVoxelBox & newBox);
-
-  /** Announce displacements of \a number voxels from \a offset on; all others stay zero. */
-  void
-  Announce(std::size_t offset, std::size_t number);
-
-  std::size_t
-  OffsetOf(std::int64_t x, std::int64_t y, std::int64_t z) const
-  {
-    return box.OffsetOf({ { x, y, z } });
-  }
-
-  bool
-  HasSite(std::size_t offset) const
-  {
-    return dx[offset] != MedialVoxelNoDisplacement;
-  }
-
-private:
-  struct Run
-  {
-    std::size_t offset;
-    std::size_t number;
-  };
-
-  std::vector<Run> m_Announced; ///< in ascending order
-};
 
 /** \struct MedialVoxelWindow
  * \brief What is known of the image around a tile: object bits, and site bits for all voxels of the box of \a sites.

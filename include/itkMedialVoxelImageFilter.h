@@ -3,14 +3,12 @@
 #ifndef itkMedialVoxelImageFilter_h
 #define itkMedialVoxelImageFilter_h
 
-#include "itkMedialVoxelClassifier.h"
 #include "itkMedialVoxelImageFilterBase.h"
-#include "itkMedialVoxelTileObserver.h"
 
 #include "itkImage.h"
 #include "itkVector.h"
 
-#include <memory>
+#include <vector>
 
 namespace itk
 {
@@ -79,7 +77,8 @@ namespace itk
  *   1 and 2 voxels vanish with the object border. Background corners of a cell are their own nearest boundary point.
  * - The angle of a pair is measured at the center of the cell, where it exists for every cell; ties have a rule.
  * - The default bound is the length of the shortest path in the complete grid, which is proved; Eq. 2 is Paper.
- * - Clusters are independent, each in a window that is certain to hold what it depends on; nothing is propagated.
+ * - Slabs take the place of clusters: each has a window that is certain to hold what it depends on, and nothing is
+ *   propagated between them.
  * - Pores and dust can be left out, see MaximumPoreSize; by default they are with an automatic thickness.
  * - The threshold can be that of each wall (automatic thickness). Any spacing is allowed, equal or not.
  * - Paths are searched in the box of the ellipsoid with the boundary points as foci, not of its bounding sphere. The
@@ -210,23 +209,63 @@ public:
 
   /** Numbers of voxels and cells of the requested regions since the last UpdateOutputInformation() that was followed by
    * an execution. The pieces of a streamed update add up to the whole; an aborted execution adds nothing. */
-  itkGetConstMacro(NumberOfObjectVoxels, SizeValueType);
-  itkGetConstMacro(NumberOfBoundaryVoxels, SizeValueType);
-  itkGetConstMacro(NumberOfFilledVoxels, SizeValueType);
-  itkGetConstMacro(NumberOfRemovedVoxels, SizeValueType);
-  itkGetConstMacro(NumberOfCandidateCells, SizeValueType);
-  itkGetConstMacro(NumberOfTrivialCells, SizeValueType);
-  itkGetConstMacro(NumberOfBoundCells, SizeValueType);
-  itkGetConstMacro(NumberOfGeodesicMedialCells, SizeValueType);
-  itkGetConstMacro(NumberOfGeodesicNonMedialCells, SizeValueType);
+  SizeValueType
+  GetNumberOfObjectVoxels() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.objectVoxels);
+  }
+  SizeValueType
+  GetNumberOfBoundaryVoxels() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.boundaryVoxels);
+  }
+  SizeValueType
+  GetNumberOfFilledVoxels() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.filledVoxels);
+  }
+  SizeValueType
+  GetNumberOfRemovedVoxels() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.removedVoxels);
+  }
+  SizeValueType
+  GetNumberOfCandidateCells() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.candidateCells);
+  }
+  SizeValueType
+  GetNumberOfTrivialCells() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.trivialCells);
+  }
+  SizeValueType
+  GetNumberOfBoundCells() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.boundCells);
+  }
+  SizeValueType
+  GetNumberOfGeodesicMedialCells() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.geodesicMedialCells);
+  }
+  SizeValueType
+  GetNumberOfGeodesicNonMedialCells() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.geodesicNonMedialCells);
+  }
 
 #ifndef ITK_WRAPPING_PARSER
-  /** Sees each tile with its boundary points while it is at hand. Not owned, and must outlive the updates; null
-   * (default) costs nothing. Has no influence on results. */
+  /** See each tile with its boundary points while it is at hand. Not owned, and must outlive the updates; none
+   * (default) cost nothing. Their memory counts for WorkingMemoryLimit. Have no influence on results. */
   void
-  SetTileObserver(MedialVoxelTileObserver * observer)
+  SetTileObservers(std::vector<MedialVoxelTileObserver *> observers);
+
+  /** Parameters of the classification of the input. */
+  MedialVoxelParameters
+  GetParameters() const
   {
-    m_TileObserver = observer;
+    return this->GetParameters(this->GetGrid());
   }
 #endif
 
@@ -247,28 +286,13 @@ protected:
   void
   GenerateOutputInformation() override;
 
-  MedialVoxelClusterEngine::Settings
-  GetEngineSettings(const MedialVoxelGrid & grid) const override;
+  MedialVoxelEngineTask
+  GetTask(const MedialVoxelGrid & grid) const override;
 
   void
-  BeforeTiles(const MedialVoxelGrid & grid) override;
-
-  std::unique_ptr<typename Superclass::Workspace>
-  MakeWorkspace() const override;
-
-  MedialVoxelBox
-  ProcessTile(const MedialVoxelBox &           tile,
-              const MedialVoxelClusterWindow & window,
-              const MedialVoxelProgress &      progress,
-              typename Superclass::Workspace & workspace,
-              typename Superclass::TileSums &  sums) override;
-
-  void
-  AddCounts(const MedialVoxelCounts & counts, bool isNewSum) override;
+  TakeTile(const MedialVoxelTileResult & tile) override;
 
 private:
-  struct TileWorkspace;
-
   static constexpr const char * VectorDistanceName = "VectorDistance";
   static constexpr const char * ThicknessName = "Thickness";
 
@@ -276,25 +300,14 @@ private:
   void
   SwitchOutput(bool & isOn, bool generate, const char * name);
 
-  /** Rows of cells are kept when walls are measured or shown to an observer. */
-  bool
-  KeepsRows() const
-  {
-    return m_GenerateThickness || m_TileObserver != nullptr;
-  }
-
-  /** \return an empty box when done, otherwise the sites that must be known. */
-  MedialVoxelBox
-  MeasureWalls(const MedialVoxelClusterWindow & clusterWindow, TileWorkspace & workspace) const;
-
   void
   WriteEmptyTile(const MedialVoxelBox & tile);
 
   void
-  WriteLabels(const MedialVoxelBox & tile, const std::vector<std::uint8_t> & labels);
+  WriteLabels(const MedialVoxelTileResult & tile);
 
   void
-  WriteThickness(const MedialVoxelBox & tile, const TileWorkspace & workspace);
+  WriteThickness(const MedialVoxelTileResult & tile);
 
   /** Set all pixels of a tile to zero. */
   template <typename TImage>
@@ -316,22 +329,7 @@ private:
   bool                    m_GenerateThickness{ false };
   bool                    m_SubvoxelThickness{ false };
 
-  MedialVoxelTileObserver * m_TileObserver{ nullptr };
-
-  SizeValueType m_NumberOfObjectVoxels{ 0 };
-  SizeValueType m_NumberOfBoundaryVoxels{ 0 };
-  SizeValueType m_NumberOfFilledVoxels{ 0 };
-  SizeValueType m_NumberOfRemovedVoxels{ 0 };
-  SizeValueType m_NumberOfCandidateCells{ 0 };
-  SizeValueType m_NumberOfTrivialCells{ 0 };
-  SizeValueType m_NumberOfBoundCells{ 0 };
-  SizeValueType m_NumberOfGeodesicMedialCells{ 0 };
-  SizeValueType m_NumberOfGeodesicNonMedialCells{ 0 };
-
-  std::unique_ptr<const MedialVoxelFeatureTransform> m_Transform;
-  std::unique_ptr<const MedialVoxelClassifier>       m_Classifier;
-  std::unique_ptr<const MedialVoxelThickness>        m_ThicknessKernel;
-  std::unique_ptr<const MedialVoxelGrayThickness>    m_GrayThicknessKernel; // null unless it is used
+  std::vector<MedialVoxelTileObserver *> m_TileObservers;
 };
 
 } // end namespace itk

@@ -7,22 +7,12 @@
 #include "itkNumericTraits.h"
 
 #include <algorithm>
-#include <chrono>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace itk
 {
-
-template <typename TInputImage, typename TOutputImage>
-struct MedialVoxelImageFilter<TInputImage, TOutputImage>::TileWorkspace : public Superclass::Workspace
-{
-  MedialVoxelFeatureTransform::Workspace transform;
-  MedialVoxelFeatures                    features;
-  MedialVoxelFeatures                    objectFeatures;
-  MedialVoxelClassifier::Workspace       classifier;
-  std::vector<std::uint8_t>              labels;
-  std::vector<MedialVoxelWall>           walls;
-};
 
 template <typename TInputImage, typename TOutputImage>
 void
@@ -40,11 +30,9 @@ template <typename TInputImage, typename TOutputImage>
 SizeValueType
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetMaximumPoreSize() const
 {
-  if (m_HasMaximumPoreSize)
-  {
-    return m_MaximumPoreSize;
-  }
-  return m_ThicknessMode == ThicknessModeEnum::Fixed ? 0 : MedialVoxelParameters::AutomaticMaximumPoreSize;
+  return m_HasMaximumPoreSize
+           ? m_MaximumPoreSize
+           : static_cast<SizeValueType>(MedialVoxelParameters::GetDefaultMaximumPoreSize(m_ThicknessMode));
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -153,10 +141,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must be from 0 to " << largest << '.');
   }
-  if (this->GetMaximumPoreSize() > MedialVoxelSmallComponents::LargestMaximumSize)
+  if (this->GetMaximumPoreSize() > MedialVoxelParameters::LargestMaximumPoreSize)
   {
     itkExceptionMacro("MaximumPoreSize is " << this->GetMaximumPoreSize() << "; it must not exceed "
-                                            << MedialVoxelSmallComponents::LargestMaximumSize << '.');
+                                            << MedialVoxelParameters::LargestMaximumPoreSize << '.');
   }
   if (m_SubvoxelThickness && !this->GetUseThresholds())
   {
@@ -194,19 +182,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
 }
 
 template <typename TInputImage, typename TOutputImage>
-MedialVoxelClusterEngine::Settings
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetEngineSettings(const MedialVoxelGrid & grid) const
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetTileObservers(std::vector<MedialVoxelTileObserver *> observers)
 {
-  auto settings = MedialVoxelClusterEngine::Settings::ForClassification(
-    grid,
-    this->GetParameters(grid),
-    m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object);
-  if (this->KeepsRows())
-  {
-    settings.workerBytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel;
-    settings.keepsGray = m_SubvoxelThickness;
-  }
-  return settings;
+  m_TileObservers = std::move(observers);
+  this->Modified();
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -219,125 +199,58 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetParameters(const MedialVox
     itkExceptionMacro("MinimumThickness is " << limits.minimum << "; it must not be larger than MaximumThickness, "
                                              << limits.maximum << '.');
   }
-  auto parameters = m_ThicknessMode == ThicknessModeEnum::Fixed
-                      ? MedialVoxelParameters::ForThickness(
-                          std::max(m_Thickness, MedialVoxelLimits::LeastThickness(grid)), m_PseudoGeodesicBound)
-                      : MedialVoxelParameters::ForWalls(limits.minimum, limits.maximum, m_PseudoGeodesicBound);
-  parameters.maximumPoreSize = this->GetMaximumPoreSize();
-  return parameters;
+  MedialVoxelParameters::Settings settings;
+  settings.mode = m_ThicknessMode;
+  settings.thickness = m_Thickness;
+  settings.minimumThickness = m_MinimumThickness;
+  settings.maximumThickness = m_MaximumThickness;
+  settings.maximumPoreSize = this->GetMaximumPoreSize();
+  settings.bound = m_PseudoGeodesicBound;
+  return MedialVoxelParameters::ForSettings(grid, settings);
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelEngineTask
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid & grid) const
+{
+  MedialVoxelExtraction extraction;
+  extraction.parameters = this->GetParameters(grid);
+  extraction.measuresThickness = m_GenerateThickness;
+  if (m_GenerateVectorDistance)
+  {
+    extraction.vectorBoundary = m_VectorDistanceBoundary;
+  }
+  if (m_SubvoxelThickness)
+  {
+    extraction.grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold() };
+  }
+  for (auto * const observer : m_TileObservers)
+  {
+    extraction.AddObserver(*observer);
+  }
+  return extraction;
 }
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::BeforeTiles(const MedialVoxelGrid & grid)
+MedialVoxelImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTileResult & tile)
 {
-  m_Transform = std::make_unique<const MedialVoxelFeatureTransform>(grid);
-  m_Classifier = std::make_unique<const MedialVoxelClassifier>(grid, this->GetParameters(grid));
-  m_ThicknessKernel = std::make_unique<const MedialVoxelThickness>(grid);
-  m_GrayThicknessKernel =
-    m_SubvoxelThickness
-      ? std::make_unique<const MedialVoxelGrayThickness>(grid, this->GetLowerThreshold(), this->GetUpperThreshold())
-      : nullptr;
-  if (m_TileObserver != nullptr)
+  if (tile.isEmpty)
   {
-    m_TileObserver->Begin();
+    this->WriteEmptyTile(tile.box);
+    return;
   }
-}
-
-template <typename TInputImage, typename TOutputImage>
-auto
-MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeWorkspace() const
-  -> std::unique_ptr<typename Superclass::Workspace>
-{
-  auto workspace = std::make_unique<TileWorkspace>();
-  workspace->classifier.keepsRows = this->KeepsRows();
-  return workspace;
-}
-
-template <typename TInputImage, typename TOutputImage>
-MedialVoxelBox
-MedialVoxelImageFilter<TInputImage, TOutputImage>::ProcessTile(const MedialVoxelBox &           tile,
-                                                               const MedialVoxelClusterWindow & clusterWindow,
-                                                               const MedialVoxelProgress &      progress,
-                                                               typename Superclass::Workspace & genericWorkspace,
-                                                               typename Superclass::TileSums &  sums)
-{
-  using ClockType = std::chrono::steady_clock;
-  using SecondsType = std::chrono::duration<double>;
-  auto &     workspace = static_cast<TileWorkspace &>(genericWorkspace);
-  const bool withObjectVectors = m_GenerateVectorDistance && m_VectorDistanceBoundary == MedialVoxelBoundary::Object;
-  const MedialVoxelWindow window = clusterWindow.GetWindow(MedialVoxelBoundary::Background);
-
-  if (!window.object->Any(m_Classifier->GetCornerBox(tile)))
-  {
-    this->WriteEmptyTile(tile);
-    // Objects of the neighboring tiles have their boundary here.
-    sums.counts.boundaryVoxels = window.sites->Count(tile);
-    return {};
-  }
-  const auto     start = ClockType::now();
-  MedialVoxelBox missing =
-    m_Transform->Compute(window, m_Classifier->GetVoxelBox(tile), workspace.transform, workspace.features, &progress);
-  if (missing.IsEmpty() && withObjectVectors)
-  {
-    const MedialVoxelWindow objectWindow = clusterWindow.GetWindow(MedialVoxelBoundary::Object);
-    missing = m_Transform->Compute(objectWindow, tile, workspace.transform, workspace.objectFeatures, &progress);
-  }
-  const auto middle = ClockType::now();
-  sums.distanceSeconds = SecondsType(middle - start).count();
-  if (!missing.IsEmpty())
-  {
-    return missing;
-  }
-
-  missing = m_Classifier->Classify(
-    window, tile, workspace.features, progress, workspace.classifier, workspace.labels, sums.counts);
-  sums.classificationSeconds = SecondsType(ClockType::now() - middle).count();
-  if (!missing.IsEmpty() || progress.IsAborted())
-  {
-    return missing;
-  }
-
-  if (this->KeepsRows())
-  {
-    missing = this->MeasureWalls(clusterWindow, workspace);
-    if (!missing.IsEmpty())
-    {
-      return missing;
-    }
-  }
-  if (m_TileObserver != nullptr)
-  {
-    missing = m_TileObserver->Observe({ tile,
-                                        window,
-                                        workspace.features,
-                                        *m_Classifier,
-                                        workspace.classifier.rows,
-                                        workspace.walls,
-                                        workspace.classifier.geodesic,
-                                        progress,
-                                        clusterWindow.GetGray() });
-    if (!missing.IsEmpty())
-    {
-      return missing;
-    }
-  }
-  this->WriteLabels(tile, workspace.labels);
+  this->WriteLabels(tile);
   if (m_GenerateThickness)
   {
-    this->WriteThickness(tile, workspace);
+    this->WriteThickness(tile);
   }
   if (m_GenerateVectorDistance)
   {
-    this->WriteVectors(
-      *this->GetVectorDistanceOutput(), tile, withObjectVectors ? workspace.objectFeatures : workspace.features);
+    this->WriteVectors(*this->GetVectorDistanceOutput(), tile.box, *tile.displacements);
   }
-  sums.counts.objectVoxels = window.object->Count(tile);
-  sums.counts.boundaryVoxels = window.sites->Count(tile);
-  return {};
 }
 
-/** A tile without object: what most tiles of a thin part are. */
 template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteEmptyTile(const MedialVoxelBox & tile)
@@ -366,11 +279,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::ClearTile(TImage & image, con
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteLabels(const MedialVoxelBox &            tile,
-                                                               const std::vector<std::uint8_t> & labels)
+MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteLabels(const MedialVoxelTileResult & tile)
 {
-  const std::uint8_t * source = labels.data();
-  this->ForEachRow(*this->GetOutput(), tile, [&](OutputPixelType * target, const MedialVoxelBox & row) {
+  const std::uint8_t * source = tile.labels;
+  this->ForEachRow(*this->GetOutput(), tile.box, [&](OutputPixelType * target, const MedialVoxelBox & row) {
     std::transform(source, source + row.Extent(0), target, [](const std::uint8_t label) {
       return static_cast<OutputPixelType>(label);
     });
@@ -378,69 +290,15 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteLabels(const MedialVoxel
   });
 }
 
-/** All medial cells for the output, otherwise those that the observer selects. */
-template <typename TInputImage, typename TOutputImage>
-MedialVoxelBox
-MedialVoxelImageFilter<TInputImage, TOutputImage>::MeasureWalls(const MedialVoxelClusterWindow & clusterWindow,
-                                                                TileWorkspace &                  workspace) const
-{
-  const MedialVoxelWindow window = clusterWindow.GetWindow(MedialVoxelBoundary::Background);
-  auto &                  rows = workspace.classifier.rows;
-  for (MedialVoxelCellRow & row : rows)
-  {
-    const MedialVoxelBits::WordType medial = row.byBound | row.byGeodesic;
-    row.measured = m_GenerateThickness || medial == 0 ? medial : medial & m_TileObserver->SelectCells(row);
-  }
-  MedialVoxelMeasureWalls(*m_ThicknessKernel, *m_Classifier, window, workspace.features, rows, workspace.walls);
-  return m_GrayThicknessKernel == nullptr ? MedialVoxelBox{}
-                                          : MedialVoxelRefineWalls(*m_GrayThicknessKernel,
-                                                                   *m_Classifier,
-                                                                   clusterWindow.GetGray(),
-                                                                   workspace.features,
-                                                                   rows,
-                                                                   workspace.walls);
-}
-
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteThickness(const MedialVoxelBox & tile,
-                                                                  const TileWorkspace &  workspace)
+MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteThickness(const MedialVoxelTileResult & tile)
 {
   ThicknessImageType & image = *this->GetThicknessOutput();
-  this->ClearTile(image, tile);
-  float * const                 first = image.GetBufferPointer() + image.ComputeOffset(this->RegionOf(tile).GetIndex());
-  const OffsetValueType * const strides = image.GetOffsetTable();
-  MedialVoxelForEachWall(
-    workspace.classifier.rows, workspace.walls, [&](const MedialVoxelIndex & cell, const MedialVoxelWall & wall) {
-      OffsetValueType offset = 0;
-      for (unsigned int axis = 0; axis < ImageDimension; ++axis)
-      {
-        offset += (cell[axis] - tile.lower[axis]) * strides[axis];
-      }
-      first[offset] = wall.GetMarkedThickness();
-    });
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::AddCounts(const MedialVoxelCounts & counts, const bool isNewSum)
-{
-  const auto add = [isNewSum](SizeValueType & sum, const std::uint64_t count) {
-    sum = (isNewSum ? 0 : sum) + static_cast<SizeValueType>(count);
-  };
-  add(m_NumberOfObjectVoxels, counts.objectVoxels);
-  add(m_NumberOfBoundaryVoxels, counts.boundaryVoxels);
-  add(m_NumberOfFilledVoxels, counts.filledVoxels);
-  add(m_NumberOfRemovedVoxels, counts.removedVoxels);
-  add(m_NumberOfCandidateCells, counts.candidateCells);
-  add(m_NumberOfTrivialCells, counts.trivialCells);
-  add(m_NumberOfBoundCells, counts.boundCells);
-  add(m_NumberOfGeodesicMedialCells, counts.geodesicMedialCells);
-  add(m_NumberOfGeodesicNonMedialCells, counts.geodesicNonMedialCells);
-  if (m_TileObserver != nullptr)
-  {
-    m_TileObserver->Commit();
-  }
+  this->ClearTile(image, tile.box);
+  std::array<std::int64_t, 3> strides{};
+  std::copy_n(image.GetOffsetTable(), ImageDimension, strides.begin());
+  tile.WriteThickness(image.GetBufferPointer() + image.ComputeOffset(this->RegionOf(tile.box).GetIndex()), strides);
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -458,15 +316,15 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
   os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
-  os << indent << "NumberOfObjectVoxels: " << m_NumberOfObjectVoxels << std::endl;
-  os << indent << "NumberOfBoundaryVoxels: " << m_NumberOfBoundaryVoxels << std::endl;
-  os << indent << "NumberOfFilledVoxels: " << m_NumberOfFilledVoxels << std::endl;
-  os << indent << "NumberOfRemovedVoxels: " << m_NumberOfRemovedVoxels << std::endl;
-  os << indent << "NumberOfCandidateCells: " << m_NumberOfCandidateCells << std::endl;
-  os << indent << "NumberOfTrivialCells: " << m_NumberOfTrivialCells << std::endl;
-  os << indent << "NumberOfBoundCells: " << m_NumberOfBoundCells << std::endl;
-  os << indent << "NumberOfGeodesicMedialCells: " << m_NumberOfGeodesicMedialCells << std::endl;
-  os << indent << "NumberOfGeodesicNonMedialCells: " << m_NumberOfGeodesicNonMedialCells << std::endl;
+  os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
+  os << indent << "NumberOfBoundaryVoxels: " << this->GetNumberOfBoundaryVoxels() << std::endl;
+  os << indent << "NumberOfFilledVoxels: " << this->GetNumberOfFilledVoxels() << std::endl;
+  os << indent << "NumberOfRemovedVoxels: " << this->GetNumberOfRemovedVoxels() << std::endl;
+  os << indent << "NumberOfCandidateCells: " << this->GetNumberOfCandidateCells() << std::endl;
+  os << indent << "NumberOfTrivialCells: " << this->GetNumberOfTrivialCells() << std::endl;
+  os << indent << "NumberOfBoundCells: " << this->GetNumberOfBoundCells() << std::endl;
+  os << indent << "NumberOfGeodesicMedialCells: " << this->GetNumberOfGeodesicMedialCells() << std::endl;
+  os << indent << "NumberOfGeodesicNonMedialCells: " << this->GetNumberOfGeodesicNonMedialCells() << std::endl;
 }
 
 } // end namespace itk

@@ -3,13 +3,10 @@
 #ifndef itkMedialVoxelImageFilterBase_h
 #define itkMedialVoxelImageFilterBase_h
 
-#include "itkMedialVoxelClusterEngine.h"
 #include "itkMedialVoxelDisplacementWriter.h"
-#include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelEngine.h"
 #include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelObjectPredicate.h"
-#include "itkMedialVoxelParameters.h"
-#include "itkMedialVoxelProgress.h"
 
 #include "itkImageToImageFilter.h"
 
@@ -158,24 +155,48 @@ public:
   /** Voxels of the requested regions that are NaN, which is background; summed like the counts of the classification.
    *
    * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
-  itkGetConstMacro(NumberOfNotANumberVoxels, SizeValueType);
+  SizeValueType
+  GetNumberOfNotANumberVoxels() const
+  {
+    return static_cast<SizeValueType>(m_Sums.counts.notANumberVoxels);
+  }
 
   /** Voxels of tiles that were started before the window held what they depend on, and run again; summed like the
    * counts. A measure of waste: thin parts have none. */
-  itkGetConstMacro(NumberOfRecomputedVoxels, SizeValueType);
+  SizeValueType
+  GetNumberOfRecomputedVoxels() const
+  {
+    return static_cast<SizeValueType>(m_Sums.recomputedVoxels);
+  }
 
   /** Seconds that all threads together spent in the distance transform; summed like the counts. */
-  itkGetConstMacro(DistanceSeconds, double);
+  double
+  GetDistanceSeconds() const
+  {
+    return m_Sums.distanceSeconds;
+  }
 
   /** Seconds that all threads together spent in the classification; summed like the counts. */
-  itkGetConstMacro(ClassificationSeconds, double);
+  double
+  GetClassificationSeconds() const
+  {
+    return m_Sums.classificationSeconds;
+  }
 
   /** Seconds that all threads together spent on tiles, also on writing them to the outputs; summed like the counts. */
-  itkGetConstMacro(ThreadSeconds, double);
+  double
+  GetThreadSeconds() const
+  {
+    return m_Sums.threadSeconds;
+  }
 
   /** Seconds from the first to the last tile of each slab; summed like the counts. Times the number of threads it is
    * what ThreadSeconds could be. */
-  itkGetConstMacro(TileSeconds, double);
+  double
+  GetTileSeconds() const
+  {
+    return m_Sums.tileSeconds;
+  }
 
   void
   UpdateOutputInformation() override;
@@ -203,47 +224,20 @@ protected:
   void
   DynamicThreadedGenerateData(const OutputImageRegionType & region) override;
 
-  /** Memory of one worker; derived classes add theirs. */
-  struct Workspace
-  {
-    virtual ~Workspace() = default;
-  };
+  /** What the engine is to do for the derived class. */
+  virtual MedialVoxelEngineTask
+  GetTask(const MedialVoxelGrid & grid) const = 0;
 
-  /** What a tile, or all tiles of a slab, add to the sums. */
-  struct TileSums
-  {
-    MedialVoxelCounts counts;
-    std::uint64_t     recomputedVoxels{ 0 };
-    double            distanceSeconds{ 0.0 };
-    double            classificationSeconds{ 0.0 };
-    double            threadSeconds{ 0.0 };
-    double            tileSeconds{ 0.0 };
-  };
-
-  /** What the engine has to keep for the derived class. */
-  virtual MedialVoxelClusterEngine::Settings
-  GetEngineSettings(const MedialVoxelGrid & grid) const = 0;
-
-  /** Prepare the kernels for one execution. */
+  /** Write what was found in a tile to the outputs. Called by several threads at a time. */
   virtual void
-  BeforeTiles(const MedialVoxelGrid & grid) = 0;
+  TakeTile(const MedialVoxelTileResult & tile) = 0;
 
-  virtual std::unique_ptr<Workspace>
-  MakeWorkspace() const = 0;
-
-  /** Compute one tile and write it to the outputs.
-   *
-   * \return an empty box when done, otherwise the sites that must be known, in which case nothing was written. */
-  virtual MedialVoxelBox
-  ProcessTile(const MedialVoxelBox &           tile,
-              const MedialVoxelClusterWindow & window,
-              const MedialVoxelProgress &      progress,
-              Workspace &                      workspace,
-              TileSums &                       sums) = 0;
-
-  /** Take over the sums of an execution that finished; \a isNewSum says that earlier ones are to be forgotten. */
-  virtual void
-  AddCounts(const MedialVoxelCounts & counts, bool isNewSum);
+  /** Sums over the requested regions since the last UpdateOutputInformation() that was followed by an execution. */
+  const MedialVoxelSums &
+  GetSums() const
+  {
+    return m_Sums;
+  }
 
   /** Size and spacing of the whole input image, in the units of the parameters. */
   MedialVoxelGrid
@@ -267,13 +261,13 @@ protected:
   WriteVectors(TVectorImage & image, const MedialVoxelBox & tile, const MedialVoxelFeatures & features) const;
 
 private:
-  class Execution;
+  class Client;
 
   void
   ReleaseSmallOutputs();
 
-  MedialVoxelClusterEngine::Settings
-  CompleteSettings(const MedialVoxelGrid & grid) const;
+  MedialVoxelEngineSettings
+  GetEngineSettings(const MedialVoxelGrid & grid) const;
 
   /** Threads that process tiles at the same time, when there are enough tiles. */
   unsigned int
@@ -303,20 +297,12 @@ private:
   unsigned int     m_SlabThickness{ 0 };
   SizeValueType    m_WorkingMemoryLimit{ 0 };
 
-  SizeValueType m_NumberOfNotANumberVoxels{ 0 };
-  SizeValueType m_NumberOfRecomputedVoxels{ 0 };
-  double        m_DistanceSeconds{ 0.0 };
-  double        m_ClassificationSeconds{ 0.0 };
-  double        m_ThreadSeconds{ 0.0 };
-  double        m_TileSeconds{ 0.0 };
-  bool          m_StartNewSum{ true };
+  MedialVoxelSums m_Sums;
+  bool            m_StartNewSum{ true };
 
   /** Keeps its window from piece to piece of a streamed update, so that shared input is pulled once. */
-  std::unique_ptr<MedialVoxelClusterEngine> m_Engine;
-  ModifiedTimeType                          m_EngineMTime{ 0 };
-
-  /** The execution in progress, for DynamicThreadedGenerateData(). */
-  Execution * m_Execution{ nullptr };
+  std::unique_ptr<MedialVoxelEngine> m_Engine;
+  ModifiedTimeType                   m_EngineMTime{ 0 };
 };
 
 } // end namespace itk

@@ -3,7 +3,7 @@
 #ifndef itkMedialVoxelImageFilterBase_hxx
 #define itkMedialVoxelImageFilterBase_hxx
 
-#include "itkMedialVoxelImageFilterExecution.hxx"
+#include "itkMedialVoxelImageFilterClient.hxx"
 
 #include "itkMath.h"
 #include "itkMedialVoxelLimits.h"
@@ -150,7 +150,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateInputRequestedReg
   const auto parts = m_Engine->GetMissingObjectBoxes(this->BoxOf(requested));
   if (!parts.empty())
   {
-    input->SetRequestedRegion(this->RegionOf(Execution::CutForPull(parts.front()).front()));
+    input->SetRequestedRegion(this->RegionOf(Client::CutForPull(parts.front()).front()));
   }
   else
   {
@@ -166,18 +166,18 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrepareEngine(const Media
   const ModifiedTimeType modifiedTime = this->GetWindowMTime();
   if (m_StartNewSum || !m_Engine || modifiedTime != m_EngineMTime)
   {
-    m_Engine = std::make_unique<MedialVoxelClusterEngine>(grid, this->CompleteSettings(grid));
+    m_Engine = std::make_unique<MedialVoxelEngine>(grid, this->GetEngineSettings(grid));
     m_EngineMTime = modifiedTime;
   }
 }
 
-/** The settings of the derived class, with those that all filters have. */
 template <typename TInputImage, typename TOutputImage>
-MedialVoxelClusterEngine::Settings
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::CompleteSettings(const MedialVoxelGrid & grid) const
+MedialVoxelEngineSettings
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetEngineSettings(const MedialVoxelGrid & grid) const
 {
-  MedialVoxelClusterEngine::Settings settings = this->GetEngineSettings(grid);
-  settings.keepsNotANumber = std::is_floating_point<InputPixelType>::value;
+  MedialVoxelEngineSettings settings;
+  settings.task = this->GetTask(grid);
+  settings.countsNotANumber = std::is_floating_point<InputPixelType>::value;
   settings.tileSize = m_TileSize;
   settings.slabThickness = m_SlabThickness;
   settings.memoryLimit = m_WorkingMemoryLimit;
@@ -210,19 +210,16 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   {
     return;
   }
-  const MedialVoxelGrid grid = this->GetGrid();
-  const MedialVoxelBox  region = this->BoxOf(requested);
-  this->PrepareEngine(grid);
-  this->BeforeTiles(grid);
-  Execution execution(*this, *m_Engine, region);
-  m_Execution = &execution;
+  const MedialVoxelBox region = this->BoxOf(requested);
+  this->PrepareEngine(this->GetGrid());
+  Client          client(*this);
+  MedialVoxelSums sums;
   try
   {
-    execution.Run();
+    sums = m_Engine->Run(region, client);
   }
   catch (...)
   {
-    m_Execution = nullptr;
     m_Engine.reset();
     // A buffer that is half written must not count as up to date when the same region is requested again.
     for (const auto & output : this->GetOutputs())
@@ -231,23 +228,16 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
     }
     throw;
   }
-  m_Execution = nullptr;
-  const unsigned int axis = MedialVoxelSlowestAxis(grid.GetVoxelBox());
-  if (region.upper[axis] == grid.GetSize()[axis])
+  if (m_Engine->IsLast(region))
   {
-    // No piece follows along the slowest axis of the image, so that nobody needs the window.
+    // Nobody needs the window.
     m_Engine.reset();
   }
-
-  const bool       isNewSum = std::exchange(m_StartNewSum, false);
-  const TileSums & sums = execution.GetSums();
-  m_NumberOfNotANumberVoxels = (isNewSum ? 0 : m_NumberOfNotANumberVoxels) + sums.counts.notANumberVoxels;
-  m_NumberOfRecomputedVoxels = (isNewSum ? 0 : m_NumberOfRecomputedVoxels) + sums.recomputedVoxels;
-  m_DistanceSeconds = (isNewSum ? 0.0 : m_DistanceSeconds) + sums.distanceSeconds;
-  m_ClassificationSeconds = (isNewSum ? 0.0 : m_ClassificationSeconds) + sums.classificationSeconds;
-  m_ThreadSeconds = (isNewSum ? 0.0 : m_ThreadSeconds) + sums.threadSeconds;
-  m_TileSeconds = (isNewSum ? 0.0 : m_TileSeconds) + sums.tileSeconds;
-  this->AddCounts(sums.counts, isNewSum);
+  if (std::exchange(m_StartNewSum, false))
+  {
+    m_Sums = {};
+  }
+  m_Sums += sums;
   this->UpdateProgress(1.0f);
 }
 
@@ -271,13 +261,8 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::DynamicThreadedGenerateData(const OutputImageRegionType & region)
 {
-  m_Execution->ProcessTile(this->BoxOf(region));
+  m_Engine->ProcessTile(this->BoxOf(region));
 }
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::AddCounts(const MedialVoxelCounts &, bool)
-{}
 
 template <typename TInputImage, typename TOutputImage>
 MedialVoxelGrid
@@ -393,12 +378,12 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrintSelf(std::ostream & 
   os << indent << "TileSize: " << m_TileSize << std::endl;
   os << indent << "SlabThickness: " << m_SlabThickness << std::endl;
   os << indent << "WorkingMemoryLimit: " << m_WorkingMemoryLimit << std::endl;
-  os << indent << "NumberOfNotANumberVoxels: " << m_NumberOfNotANumberVoxels << std::endl;
-  os << indent << "NumberOfRecomputedVoxels: " << m_NumberOfRecomputedVoxels << std::endl;
-  os << indent << "DistanceSeconds: " << m_DistanceSeconds << std::endl;
-  os << indent << "ClassificationSeconds: " << m_ClassificationSeconds << std::endl;
-  os << indent << "ThreadSeconds: " << m_ThreadSeconds << std::endl;
-  os << indent << "TileSeconds: " << m_TileSeconds << std::endl;
+  os << indent << "NumberOfNotANumberVoxels: " << this->GetNumberOfNotANumberVoxels() << std::endl;
+  os << indent << "NumberOfRecomputedVoxels: " << this->GetNumberOfRecomputedVoxels() << std::endl;
+  os << indent << "DistanceSeconds: " << this->GetDistanceSeconds() << std::endl;
+  os << indent << "ClassificationSeconds: " << this->GetClassificationSeconds() << std::endl;
+  os << indent << "ThreadSeconds: " << this->GetThreadSeconds() << std::endl;
+  os << indent << "TileSeconds: " << this->GetTileSeconds() << std::endl;
 }
 
 } // end namespace itk

@@ -4,6 +4,7 @@
 #define itkMedialVoxelNearestSite_h
 
 #include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelFeatures.h"
 
 #include <cstdint>
 #include <limits>
@@ -11,9 +12,6 @@
 
 namespace itk
 {
-
-/** Displacement component of a voxel that has no nearest site. */
-constexpr std::int32_t MedialVoxelNoDisplacement = std::numeric_limits<std::int32_t>::min();
 
 /** \struct MedialVoxelOffset
  * \brief Displacement to a possible site and its squared length in metric units.

@@ -9,6 +9,7 @@
 #include "MedialVoxelExport.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace itk
 {
@@ -44,12 +45,31 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
   /** Voxels of the largest components that MedialVoxelSmallComponents changes before anything else; 0 for none. */
   std::uint64_t maximumPoreSize{ 0 };
 
-  /** The default of maximumPoreSize with an automatic thickness; with a fixed one it is 0. */
-  static constexpr std::uint64_t AutomaticMaximumPoreSize = 32;
+  /** The largest maximumPoreSize: a list of so many voxels is kept. */
+  static constexpr std::uint64_t LargestMaximumPoreSize = 1000000;
 
   /** Between pi, which is Eq. 1 with the thickness of the wall, and 2.3, which an edge of a plate stays below on the
    * grid. */
   static constexpr double ThicknessFactor = 3.0;
+
+  /** The default of a mode. */
+  static std::uint64_t
+  GetDefaultMaximumPoreSize(MedialVoxelThicknessMode mode);
+
+  /** What users say; thicknesses are in the units of the spacing. */
+  struct Settings
+  {
+    MedialVoxelThicknessMode       mode{ MedialVoxelThicknessMode::Fixed };
+    double                         thickness{ 3.0 };        ///< of the mode Fixed
+    double                         minimumThickness{ 0.0 }; ///< of the mode Automatic; see LimitsOfWalls()
+    double                         maximumThickness{ 0.0 };
+    std::optional<std::uint64_t>   maximumPoreSize; ///< without one, the default of the mode
+    MedialVoxelPseudoGeodesicBound bound{ MedialVoxelPseudoGeodesicBound::FreeSpace };
+  };
+
+  /** The parameters that \a settings mean; a fixed thickness is at least MedialVoxelLimits::LeastThickness(). */
+  static MedialVoxelParameters
+  ForSettings(const MedialVoxelGrid & grid, const Settings & settings);
 
   /** One \a thickness everywhere. */
   static MedialVoxelParameters

@@ -34,10 +34,7 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelSmallComponents
 {
 public:
-  /** Largest size; a list of so many voxels is kept. */
-  static constexpr std::uint64_t LargestMaximumSize = 1000000;
-
-  /** Changes components of at most \a maximumSize voxels, which is at most LargestMaximumSize; 0 changes nothing. */
+  /** Changes components of at most \a maximumSize voxels, of which a list is kept; 0 changes nothing. */
   MedialVoxelSmallComponents(const MedialVoxelGrid & grid, std::uint64_t maximumSize);
 
   /** False when nothing is ever changed. */

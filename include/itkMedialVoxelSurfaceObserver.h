@@ -59,11 +59,23 @@ public:
     m_MaximumNumberOfCells = number;
   }
 
+  std::uint64_t
+  GetWorkerBytesPerVoxel() const override
+  {
+    return GetWorkerBytesPerVoxel(m_Parameters);
+  }
+
+  std::unique_ptr<Workspace>
+  MakeWorkspace() const override;
+
   void
   Begin() override;
 
   MedialVoxelBox
-  Observe(const MedialVoxelClassifiedTile & tile) override;
+  Examine(const MedialVoxelClassifiedTile & tile, Workspace * workspace) const override;
+
+  void
+  Observe(const MedialVoxelClassifiedTile & tile, Workspace * workspace) override;
 
   void
   Commit() override;
@@ -73,25 +85,15 @@ public:
   Finish();
 
 private:
-  /** Memory of one thread. */
-  struct Worker
-  {
-    MedialVoxelSurfaceCells::Workspace  workspace;
-    std::vector<MedialVoxelSurfaceCell> cells;
-  };
+  /** The cells of the tile at hand, beside what finds them. */
+  struct Worker;
 
-  std::unique_ptr<Worker>
-  TakeWorker();
-
-  void
-  TakeOver(std::unique_ptr<Worker> worker);
-
-  MedialVoxelSurfaceCells              m_Kernel;
-  MedialVoxelSurfaceBuilder            m_Builder;
-  MedialVoxelSurfaceTrimmer            m_Trimmer;
-  std::uint64_t                        m_MaximumNumberOfCells{ std::numeric_limits<std::uint64_t>::max() };
-  std::mutex                           m_Mutex;
-  std::vector<std::unique_ptr<Worker>> m_Workers;
+  MedialVoxelParameters     m_Parameters;
+  MedialVoxelSurfaceCells   m_Kernel;
+  MedialVoxelSurfaceBuilder m_Builder;
+  MedialVoxelSurfaceTrimmer m_Trimmer;
+  std::uint64_t             m_MaximumNumberOfCells{ std::numeric_limits<std::uint64_t>::max() };
+  std::mutex                m_Mutex;
 
   /** Cells by slice, from m_FirstSlice on; of each slice in any order. */
   std::vector<std::vector<MedialVoxelSurfaceCell>> m_Pending;

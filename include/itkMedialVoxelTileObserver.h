@@ -8,6 +8,8 @@
 
 #include "MedialVoxelExport.h"
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace itk
@@ -38,28 +40,46 @@ struct MedialVoxelClassifiedTile
 /** \class MedialVoxelTileObserver
  * \brief Sees each tile while its data are at hand, so that statistics need no second pass.
  *
- * An execution tells Begin(), then Observe() for every tile with an object, in any order and from several threads at
- * a time, and at last Commit(). What was observed since Begin() counts only with Commit(): an execution that fails is
- * begun again with other regions. An observer that needs to know more sites takes nothing and says which; it gets the
- * tile again when they are known.
+ * A run tells Begin(), then Observe() once for every tile with an object, in any order and from several threads at a
+ * time, and at last Commit(). What was observed since Begin() counts only with Commit(): a run that fails is begun
+ * again with other regions. Examine() comes before Observe(): an observer that needs to know more sites says which, and
+ * no observer observes the tile until all of them know what they need.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelTileObserver
 {
 public:
+  /** Memory of one worker, in which an observer keeps what it found from Examine() to Observe(). */
+  struct Workspace
+  {
+    virtual ~Workspace();
+  };
+
   virtual ~MedialVoxelTileObserver();
+
+  /** Bytes that the workspace of a worker takes for each voxel of a tile, which count for the memory limit. */
+  virtual std::uint64_t
+  GetWorkerBytesPerVoxel() const = 0;
+
+  /** A workspace, which is null by default. */
+  virtual std::unique_ptr<Workspace>
+  MakeWorkspace() const;
 
   virtual void
   Begin() = 0;
 
-  /** The cells of a row whose walls are to be measured, of which the medial ones are. More are when the filter needs
-   * them for an output. Called from several threads at a time; default none. */
+  /** The cells of a row whose walls are to be measured; only medial ones are. Others are measured as well when the run
+   * needs them. Called from several threads at a time; default none. */
   virtual MedialVoxelBits::WordType
   SelectCells(const MedialVoxelCellRow & row) const;
 
-  /** \return an empty box, or the box of sites that must be known to observe \a tile, which was not. */
+  /** Called before Observe(), and again for the same or a smaller tile when it was not empty: \return the box of sites
+   * that must be known to observe \a tile, by default an empty one. */
   virtual MedialVoxelBox
-  Observe(const MedialVoxelClassifiedTile & tile) = 0;
+  Examine(const MedialVoxelClassifiedTile & tile, Workspace * workspace) const;
+
+  virtual void
+  Observe(const MedialVoxelClassifiedTile & tile, Workspace * workspace) = 0;
 
   virtual void
   Commit() = 0;

@@ -9,7 +9,6 @@
 #include "itkVector.h"
 
 #include <limits>
-#include <memory>
 
 namespace itk
 {
@@ -96,7 +95,11 @@ public:
   itkBooleanMacro(SquaredDistance);
 
   /** Sum over the requested regions since the last UpdateOutputInformation(). */
-  itkGetConstMacro(NumberOfObjectVoxels, SizeValueType);
+  SizeValueType
+  GetNumberOfObjectVoxels() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.objectVoxels);
+  }
 
   /** Signed distance, in the units of the vectors. Null unless GenerateDistance is on. */
   DistanceImageType *
@@ -118,32 +121,17 @@ protected:
   void
   VerifyPreconditions() ITKv5_CONST override;
 
-  MedialVoxelClusterEngine::Settings
-  GetEngineSettings(const MedialVoxelGrid & grid) const override;
+  MedialVoxelEngineTask
+  GetTask(const MedialVoxelGrid & grid) const override;
 
   void
-  BeforeTiles(const MedialVoxelGrid & grid) override;
-
-  std::unique_ptr<typename Superclass::Workspace>
-  MakeWorkspace() const override;
-
-  MedialVoxelBox
-  ProcessTile(const MedialVoxelBox &           tile,
-              const MedialVoxelClusterWindow & window,
-              const MedialVoxelProgress &      progress,
-              typename Superclass::Workspace & workspace,
-              typename Superclass::TileSums &  sums) override;
-
-  void
-  AddCounts(const MedialVoxelCounts & counts, bool isNewSum) override;
+  TakeTile(const MedialVoxelTileResult & tile) override;
 
 private:
-  struct TileWorkspace;
-
   static constexpr const char * DistanceName = "Distance";
 
   void
-  WriteDistances(const MedialVoxelBox & tile, const MedialVoxelBits & object, const MedialVoxelFeatures & features);
+  WriteDistances(const MedialVoxelTileResult & tile);
 
   BoundaryEnum m_Boundary{ BoundaryEnum::Object };
   RegionEnum   m_Region{ RegionEnum::Both };
@@ -151,10 +139,6 @@ private:
   bool         m_GenerateDistance{ false };
   bool         m_InsideIsPositive{ false };
   bool         m_SquaredDistance{ false };
-
-  SizeValueType m_NumberOfObjectVoxels{ 0 };
-
-  std::unique_ptr<const MedialVoxelFeatureTransform> m_Transform;
 };
 
 } // end namespace itk

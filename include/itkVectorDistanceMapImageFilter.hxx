@@ -3,18 +3,10 @@
 #ifndef itkVectorDistanceMapImageFilter_hxx
 #define itkVectorDistanceMapImageFilter_hxx
 
-#include <chrono>
 #include <cmath>
 
 namespace itk
 {
-
-template <typename TInputImage, typename TVectorImage>
-struct VectorDistanceMapImageFilter<TInputImage, TVectorImage>::TileWorkspace : public Superclass::Workspace
-{
-  MedialVoxelFeatureTransform::Workspace transform;
-  MedialVoxelFeatures                    features;
-};
 
 template <typename TInputImage, typename TVectorImage>
 void
@@ -74,60 +66,31 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::VerifyPreconditions() I
 }
 
 template <typename TInputImage, typename TVectorImage>
-MedialVoxelClusterEngine::Settings
-VectorDistanceMapImageFilter<TInputImage, TVectorImage>::GetEngineSettings(const MedialVoxelGrid &) const
+MedialVoxelEngineTask
+VectorDistanceMapImageFilter<TInputImage, TVectorImage>::GetTask(const MedialVoxelGrid &) const
 {
-  return MedialVoxelClusterEngine::Settings::ForDistances(m_Boundary);
+  return MedialVoxelDistanceMap{ m_Boundary, m_Region, m_MaximumDistance };
 }
 
 template <typename TInputImage, typename TVectorImage>
 void
-VectorDistanceMapImageFilter<TInputImage, TVectorImage>::BeforeTiles(const MedialVoxelGrid & grid)
+VectorDistanceMapImageFilter<TInputImage, TVectorImage>::TakeTile(const MedialVoxelTileResult & tile)
 {
-  m_Transform = std::make_unique<const MedialVoxelFeatureTransform>(grid, m_Region, m_MaximumDistance);
-}
-
-template <typename TInputImage, typename TVectorImage>
-auto
-VectorDistanceMapImageFilter<TInputImage, TVectorImage>::MakeWorkspace() const
-  -> std::unique_ptr<typename Superclass::Workspace>
-{
-  return std::make_unique<TileWorkspace>();
-}
-
-template <typename TInputImage, typename TVectorImage>
-MedialVoxelBox
-VectorDistanceMapImageFilter<TInputImage, TVectorImage>::ProcessTile(const MedialVoxelBox &           tile,
-                                                                     const MedialVoxelClusterWindow & clusterWindow,
-                                                                     const MedialVoxelProgress &      progress,
-                                                                     typename Superclass::Workspace & genericWorkspace,
-                                                                     typename Superclass::TileSums &  sums)
-{
-  auto &               workspace = static_cast<TileWorkspace &>(genericWorkspace);
-  const auto           start = std::chrono::steady_clock::now();
-  const MedialVoxelBox missing =
-    m_Transform->Compute(clusterWindow.GetWindow(m_Boundary), tile, workspace.transform, workspace.features, &progress);
-  sums.distanceSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (missing.IsEmpty() && !progress.IsAborted())
+  this->WriteVectors(*this->GetOutput(), tile.box, *tile.displacements);
+  if (m_GenerateDistance)
   {
-    sums.counts.objectVoxels = clusterWindow.GetObject().Count(tile);
-    this->WriteVectors(*this->GetOutput(), tile, workspace.features);
-    if (m_GenerateDistance)
-    {
-      this->WriteDistances(tile, clusterWindow.GetObject(), workspace.features);
-    }
+    this->WriteDistances(tile);
   }
-  return missing;
 }
 
 template <typename TInputImage, typename TVectorImage>
 void
-VectorDistanceMapImageFilter<TInputImage, TVectorImage>::WriteDistances(const MedialVoxelBox &      tile,
-                                                                        const MedialVoxelBits &     object,
-                                                                        const MedialVoxelFeatures & features)
+VectorDistanceMapImageFilter<TInputImage, TVectorImage>::WriteDistances(const MedialVoxelTileResult & tile)
 {
+  const MedialVoxelBits &            object = *tile.object;
+  const MedialVoxelFeatures &        features = *tile.displacements;
   const MedialVoxelGrid::SpacingType spacing = this->GetGrid().GetSpacing();
-  this->ForEachRow(*this->GetDistanceOutput(), tile, [&](float * const target, const MedialVoxelBox & row) {
+  this->ForEachRow(*this->GetDistanceOutput(), tile.box, [&](float * const target, const MedialVoxelBox & row) {
     const std::size_t                       offset = features.OffsetOf(row.lower[0], row.lower[1], row.lower[2]);
     const MedialVoxelBits::WordType * const words = object.GetRow(row.lower[1], row.lower[2]) - object.GetFirstWord();
     for (std::int64_t i = 0; i < row.Extent(0); ++i)
@@ -152,14 +115,6 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::WriteDistances(const Me
 
 template <typename TInputImage, typename TVectorImage>
 void
-VectorDistanceMapImageFilter<TInputImage, TVectorImage>::AddCounts(const MedialVoxelCounts & counts,
-                                                                   const bool                isNewSum)
-{
-  m_NumberOfObjectVoxels = (isNewSum ? 0 : m_NumberOfObjectVoxels) + static_cast<SizeValueType>(counts.objectVoxels);
-}
-
-template <typename TInputImage, typename TVectorImage>
-void
 VectorDistanceMapImageFilter<TInputImage, TVectorImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
@@ -169,7 +124,7 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::PrintSelf(std::ostream 
   os << indent << "GenerateDistance: " << (m_GenerateDistance ? "On" : "Off") << std::endl;
   os << indent << "InsideIsPositive: " << (m_InsideIsPositive ? "On" : "Off") << std::endl;
   os << indent << "SquaredDistance: " << (m_SquaredDistance ? "On" : "Off") << std::endl;
-  os << indent << "NumberOfObjectVoxels: " << m_NumberOfObjectVoxels << std::endl;
+  os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
 }
 
 } // end namespace itk

@@ -64,18 +64,14 @@ public:
   std::atomic<int> m_TilesLeft{ 5 };
 
 protected:
-  itk::MedialVoxelBox
-  ProcessTile(const itk::MedialVoxelBox &           tile,
-              const itk::MedialVoxelClusterWindow & window,
-              const itk::MedialVoxelProgress &      progress,
-              Workspace &                           workspace,
-              TileSums &                            sums) override
+  void
+  DynamicThreadedGenerateData(const OutputImageRegionType & tile) override
   {
     if (m_TilesLeft-- <= 0)
     {
       throw std::runtime_error("out of luck");
     }
-    return MedialFilter<3>::ProcessTile(tile, window, progress, workspace, sums);
+    MedialFilter<3>::DynamicThreadedGenerateData(tile);
   }
 };
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// The same bytes for any thread count, cluster size, division and requested region (invariant I2).
+// The same bytes for any thread count, tile, slab, division and requested region (invariant I2).
 
 #include "MedialVoxelTestRuns.h"
 
@@ -150,7 +150,7 @@ TEST(MedialVoxelIdentity, ThreadersDoNotMatter)
   }
 }
 
-TEST(MedialVoxelIdentity, ClusterSizesDoNotMatter)
+TEST(MedialVoxelIdentity, TilesAndSlabsDoNotMatter)
 {
   for (const Subject & subject : Subjects())
   {

@@ -75,18 +75,13 @@ public:
   GapRecorder * m_Recorder{ nullptr };
 
 protected:
-  itk::MedialVoxelBox
-  ProcessTile(const itk::MedialVoxelBox &           tile,
-              const itk::MedialVoxelClusterWindow & window,
-              const itk::MedialVoxelProgress &,
-              typename TFilter::Workspace & workspace,
-              typename TFilter::TileSums &  sums) override
+  void
+  DynamicThreadedGenerateData(const typename TFilter::OutputImageRegionType & tile) override
   {
     const itk::MedialVoxelPollScope scope(*m_Recorder);
     m_Recorder->Restart();
-    const auto missing = TFilter::ProcessTile(tile, window, *m_Recorder, workspace, sums);
+    TFilter::DynamicThreadedGenerateData(tile);
     itk::MedialVoxelPoll();
-    return missing;
   }
 };
 

@@ -3,7 +3,7 @@
 
 // Pores and dust in the bits of a window: against components of the whole volume, for windows of any kind.
 
-#include "itkMedialVoxelClusterWindow.h"
+#include "itkMedialVoxelMovingWindow.h"
 #include "itkMedialVoxelSmallComponents.h"
 
 #include "MedialVoxelTestKernels.h"
@@ -70,10 +70,10 @@ Changed(const Volume & volume, std::uint64_t most)
 
 /** Wrong bits in the sites of a window and one voxel around them, and wrong counts. */
 std::size_t
-Differences(const itk::MedialVoxelClusterWindow & window,
-            const itk::MedialVoxelBox &           sites,
-            const Volume &                        volume,
-            const Volume &                        expected)
+Differences(const itk::MedialVoxelMovingWindow & window,
+            const itk::MedialVoxelBox &          sites,
+            const Volume &                       volume,
+            const Volume &                       expected)
 {
   std::size_t differences = 0;
   ForEachVoxel(window.GetObjectBox(sites), [&](const itk::MedialVoxelIndex & v) {
@@ -184,10 +184,10 @@ TEST(MedialVoxelSmallComponents, WindowsOfAnyKindHoldTheSameBits)
   {
     for (const int most : { 1, 2, 5, 9, 12, 26, 32, 60 })
     {
-      const Volume                  volume = VolumeWithPores(size, UnitSpacing, most, ++seed);
-      const Volume                  expected = WithoutPores(volume, static_cast<std::size_t>(most));
-      VolumeSource                  source(volume);
-      itk::MedialVoxelClusterWindow window(GridOf(volume), Background, false, false, static_cast<std::uint64_t>(most));
+      const Volume                 volume = VolumeWithPores(size, UnitSpacing, most, ++seed);
+      const Volume                 expected = WithoutPores(volume, static_cast<std::size_t>(most));
+      VolumeSource                 source(volume);
+      itk::MedialVoxelMovingWindow window(GridOf(volume), Background, false, false, static_cast<std::uint64_t>(most));
       for (int trial = 0; trial < 12; ++trial)
       {
         auto sites = RandomBox(size, generator);
@@ -209,10 +209,10 @@ TEST(MedialVoxelSmallComponents, WindowsOfAnyKindHoldTheSameBits)
 
 TEST(MedialVoxelSmallComponents, AMovingWindowAsksOnceForEachVoxel)
 {
-  const Volume                  volume = VolumeWithPores({ { 70, 13, 60 } }, UnitSpacing, 9, 830);
-  const Volume                  expected = WithoutPores(volume, 9);
-  VolumeSource                  source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), Background, false, false, 9);
+  const Volume                 volume = VolumeWithPores({ { 70, 13, 60 } }, UnitSpacing, 9, 830);
+  const Volume                 expected = WithoutPores(volume, 9);
+  VolumeSource                 source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), Background, false, false, 9);
   for (int z = 0; z + 4 <= 60; z += 4)
   {
     const auto sites = MakeBox({ { 0, 0, z } }, { { 70, 13, z + 4 } });
@@ -238,10 +238,10 @@ TEST(MedialVoxelSmallComponents, ValuesDoNotReachFartherThanTheObject)
       });
     }
   };
-  const Volume                  volume = VolumeWithPores({ { 70, 20, 40 } }, UnitSpacing, 6, 840);
-  const Volume                  expected = WithoutPores(volume, 6);
-  GraySource                    source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), Background, false, true, 6);
+  const Volume                 volume = VolumeWithPores({ { 70, 20, 40 } }, UnitSpacing, 6, 840);
+  const Volume                 expected = WithoutPores(volume, 6);
+  GraySource                   source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), Background, false, true, 6);
   for (const auto & sites : { MakeBox({ { 0, 0, 0 } }, { { 70, 20, 9 } }),
                               MakeBox({ { 0, 0, 5 } }, { { 70, 20, 16 } }),
                               MakeBox({ { 3, 2, 14 } }, { { 60, 19, 33 } }) })
@@ -270,9 +270,9 @@ TEST(MedialVoxelSmallComponents, TheSourceMayStopTheChange)
       throw std::runtime_error("stopped");
     }
   };
-  const Volume                  volume = VolumeWithPores({ { 20, 20, 20 } }, UnitSpacing, 6, 850);
-  StoppingSource                source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), Background, false, false, 6);
-  const auto                    sites = MakeBox({ { 5, 5, 5 } }, { { 9, 9, 9 } });
+  const Volume                 volume = VolumeWithPores({ { 20, 20, 20 } }, UnitSpacing, 6, 850);
+  StoppingSource               source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), Background, false, false, 6);
+  const auto                   sites = MakeBox({ { 5, 5, 5 } }, { { 9, 9, 9 } });
   EXPECT_THROW(window.MoveTo(sites, sites, source), std::runtime_error);
 }

@@ -29,7 +29,8 @@ MakeFootprint(const VolumeHeader & header, std::uint64_t bytesPerVoxel)
   footprint.bytesPerVoxel = bytesPerVoxel;
   const auto & size = header.geometry.size;
   footprint.grid = { { { std::int64_t(size[0]), std::int64_t(size[1]), std::int64_t(size[2]) } }, { { 1, 1, 1 } } };
-  footprint.engines = { itk::MedialVoxelClusterEngine::Settings::ForDistances(itk::MedialVoxelBoundary::Object) };
+  footprint.engines.emplace_back();
+  footprint.engines.back().task = itk::MedialVoxelDistanceMap{};
   return footprint;
 }
 

@@ -71,7 +71,7 @@ public:
     m_Filter->SetInput(m_Image);
     m_Filter->SetTileSize(cut.tileSize);
     m_Filter->SetNumberOfWorkUnits(cut.threads);
-    m_Filter->SetTileObserver(&m_Survey);
+    m_Filter->SetTileObservers({ &m_Survey });
     m_Filter->UpdateOutputInformation();
     for (unsigned int piece = 0; piece < cut.pieces; ++piece)
     {
@@ -158,7 +158,7 @@ TEST(Survey, CountsWhatTheThicknessOutputHolds)
   Survey     survey(MakeGeometry(Size), { { 150, 41, 37 }, { 1.0, 1.0, 1.0 } }, { true, 30000 });
   const auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
   filter->SetInput(MakeImage(Size, IsWall));
-  filter->SetTileObserver(&survey);
+  filter->SetTileObservers({ &survey });
   filter->GenerateThicknessOn();
   filter->Update();
   // The output is of all cells, so that the survey sees all of them, though it asks for an eighth.
@@ -271,7 +271,7 @@ TEST(Survey, AnAbortedExecutionAddsNothing)
   filter->SetInput(image);
   filter->SetTileSize(10);
   filter->SetNumberOfWorkUnits(1);
-  filter->SetTileObserver(&survey);
+  filter->SetTileObservers({ &survey });
   const auto tag = filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
     if (filter->GetProgress() > 0.5F)
     {

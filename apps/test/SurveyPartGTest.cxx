@@ -52,7 +52,7 @@ RunSlices(const ImageType::Pointer & image, Survey & survey, std::int64_t begin,
 {
   const auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
   filter->SetInput(image);
-  filter->SetTileObserver(&survey);
+  filter->SetTileObservers({ &survey });
   filter->UpdateOutputInformation();
   auto region = image->GetLargestPossibleRegion();
   region.SetIndex(2, begin);

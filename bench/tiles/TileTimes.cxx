@@ -7,7 +7,7 @@
 #include "FloorSupport.h"
 
 #include "itkMedialVoxelClassifier.h"
-#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelSlabWalker.h"
 #include "itkMedialVoxelFeatureTransform.h"
 #include "itkMedialVoxelObjectPredicate.h"
 
@@ -38,7 +38,7 @@ ReadVolume(const std::string & name, const std::array<std::int64_t, 3> & size)
 }
 
 /** Processes tiles one by one, as the filter's workers do, and keeps their seconds. */
-class TileClock : public itk::MedialVoxelClusterClient
+class TileClock : public itk::MedialVoxelTileRunner
 {
 public:
   /** The tiles between which threads do not wait for each other, and the work of one thread before them. */
@@ -48,10 +48,10 @@ public:
     std::vector<double> tileSeconds;
   };
 
-  TileClock(const itk::MedialVoxelGrid &          grid,
-            const itk::MedialVoxelParameters &    parameters,
-            const std::vector<unsigned char> &    voxels,
-            const itk::MedialVoxelClusterEngine & engine)
+  TileClock(const itk::MedialVoxelGrid &       grid,
+            const itk::MedialVoxelParameters & parameters,
+            const std::vector<unsigned char> & voxels,
+            const itk::MedialVoxelSlabWalker & engine)
     : m_Grid(grid)
     , m_Transform(grid)
     , m_Classifier(grid, parameters)
@@ -123,7 +123,7 @@ private:
   itk::MedialVoxelFeatureTransform            m_Transform;
   itk::MedialVoxelClassifier                  m_Classifier;
   const std::vector<unsigned char> &          m_Voxels;
-  const itk::MedialVoxelClusterEngine &       m_Engine;
+  const itk::MedialVoxelSlabWalker &          m_Engine;
   itk::MedialVoxelNoProgress                  m_Progress;
   itk::MedialVoxelFeatureTransform::Workspace m_TransformWorkspace;
   itk::MedialVoxelFeatures                    m_Features;
@@ -161,9 +161,9 @@ Measure(const std::string & name, const std::array<std::int64_t, 3> & size, cons
   const itk::MedialVoxelGrid       grid(size, { { 1.0, 1.0, 1.0 } });
   itk::MedialVoxelParameters       parameters;
   parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(thickness);
-  itk::MedialVoxelClusterEngine engine(
-    grid, itk::MedialVoxelClusterEngine::Settings::ForClassification(grid, parameters, false));
-  TileClock clock(grid, parameters, voxels, engine);
+  itk::MedialVoxelSlabWalker engine(grid,
+                                    itk::MedialVoxelSlabWalker::Settings::ForClassification(grid, parameters, false));
+  TileClock                  clock(grid, parameters, voxels, engine);
   engine.Run(grid.GetVoxelBox(), clock);
   PrintLayers(clock.GetLayers());
 }

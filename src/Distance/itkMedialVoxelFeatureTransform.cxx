@@ -68,42 +68,6 @@ SquaredDistanceToUnknown(const MedialVoxelGrid & grid, const MedialVoxelBox & kn
 
 } // namespace
 
-void
-MedialVoxelFeatures::Reset(const MedialVoxelBox & newBox)
-{
-  box = newBox;
-  const auto size = static_cast<std::size_t>(newBox.NumberOfVoxels());
-  for (auto * const component : { &dx, &dy, &dz })
-  {
-    if (size > component->capacity())
-    {
-      // Freed before more is taken, so that both are never there at the same time.
-      std::vector<std::int32_t>().swap(*component);
-      component->resize(size);
-      continue;
-    }
-    for (const Run & run : m_Announced)
-    {
-      std::fill_n(component->begin() + static_cast<std::ptrdiff_t>(run.offset), run.number, 0);
-    }
-    component->resize(size);
-  }
-  m_Announced.clear();
-}
-
-void
-MedialVoxelFeatures::Announce(const std::size_t offset, const std::size_t number)
-{
-  if (!m_Announced.empty() && m_Announced.back().offset + m_Announced.back().number == offset)
-  {
-    m_Announced.back().number += number;
-  }
-  else
-  {
-    m_Announced.push_back({ offset, number });
-  }
-}
-
 MedialVoxelFeatureTransform::MedialVoxelFeatureTransform(const MedialVoxelGrid & grid,
                                                          const MedialVoxelRegion region,
                                                          const double            maximumDistance)

@@ -5,12 +5,26 @@
 namespace itk
 {
 
+MedialVoxelTileObserver::Workspace::~Workspace() = default;
+
 MedialVoxelTileObserver::~MedialVoxelTileObserver() = default;
+
+auto
+MedialVoxelTileObserver::MakeWorkspace() const -> std::unique_ptr<Workspace>
+{
+  return nullptr;
+}
 
 MedialVoxelBits::WordType
 MedialVoxelTileObserver::SelectCells(const MedialVoxelCellRow &) const
 {
   return 0;
+}
+
+MedialVoxelBox
+MedialVoxelTileObserver::Examine(const MedialVoxelClassifiedTile &, Workspace *) const
+{
+  return {};
 }
 
 } // end namespace itk

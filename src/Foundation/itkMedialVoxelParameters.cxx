@@ -17,6 +17,30 @@ MedialVoxelParameters::EpsilonFromThickness(const double thickness)
   return pi * thickness / 2.0;
 }
 
+std::uint64_t
+MedialVoxelParameters::GetDefaultMaximumPoreSize(const MedialVoxelThicknessMode mode)
+{
+  constexpr std::uint64_t automaticDefault = 32;
+  return mode == MedialVoxelThicknessMode::Fixed ? 0 : automaticDefault;
+}
+
+MedialVoxelParameters
+MedialVoxelParameters::ForSettings(const MedialVoxelGrid & grid, const Settings & settings)
+{
+  MedialVoxelParameters parameters;
+  if (settings.mode == MedialVoxelThicknessMode::Fixed)
+  {
+    parameters = ForThickness(std::max(settings.thickness, MedialVoxelLimits::LeastThickness(grid)), settings.bound);
+  }
+  else
+  {
+    const Limits limits = LimitsOfWalls(grid, settings.minimumThickness, settings.maximumThickness);
+    parameters = ForWalls(limits.minimum, limits.maximum, settings.bound);
+  }
+  parameters.maximumPoreSize = settings.maximumPoreSize.value_or(GetDefaultMaximumPoreSize(settings.mode));
+  return parameters;
+}
+
 MedialVoxelParameters
 MedialVoxelParameters::ForThickness(const double thickness, const MedialVoxelPseudoGeodesicBound bound)
 {

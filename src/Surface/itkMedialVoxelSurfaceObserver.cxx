@@ -10,6 +10,12 @@
 namespace itk
 {
 
+struct MedialVoxelSurfaceObserver::Worker : public Workspace
+{
+  MedialVoxelSurfaceCells::Workspace  kernel;
+  std::vector<MedialVoxelSurfaceCell> cells;
+};
+
 MedialVoxelSurfacePieceError::MedialVoxelSurfacePieceError()
   : std::runtime_error("The medial surface has too many cells for pieces of this size.")
 {}
@@ -19,7 +25,8 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
                                                        const MedialVoxelGrid::SpacingType &         spacing,
                                                        const MedialVoxelSurfaceBuilder::Placement & placement,
                                                        MedialVoxelSurfaceConsumer &                 consumer)
-  : m_Kernel(grid, parameters, spacing)
+  : m_Parameters(parameters)
+  , m_Kernel(grid, parameters, spacing)
   , m_Builder(placement, spacing, consumer)
   , m_Trimmer(m_Builder)
 {}
@@ -45,38 +52,26 @@ MedialVoxelSurfaceObserver::Begin()
   m_NumberOfPending = 0;
 }
 
-MedialVoxelBox
-MedialVoxelSurfaceObserver::Observe(const MedialVoxelClassifiedTile & tile)
-{
-  std::unique_ptr<Worker> worker = this->TakeWorker();
-  const MedialVoxelBox    missing = m_Kernel.Find(tile, worker->workspace, worker->cells);
-  if (!missing.IsEmpty())
-  {
-    worker->cells.clear();
-  }
-  this->TakeOver(std::move(worker));
-  return missing;
-}
-
 auto
-MedialVoxelSurfaceObserver::TakeWorker() -> std::unique_ptr<Worker>
+MedialVoxelSurfaceObserver::MakeWorkspace() const -> std::unique_ptr<Workspace>
 {
-  const std::lock_guard<std::mutex> lock(m_Mutex);
-  if (m_Workers.empty())
-  {
-    return std::make_unique<Worker>();
-  }
-  std::unique_ptr<Worker> worker = std::move(m_Workers.back());
-  m_Workers.pop_back();
-  return worker;
+  return std::make_unique<Worker>();
 }
 
-/** Sort the cells of a tile into the slices; the worker serves the next tile. */
-void
-MedialVoxelSurfaceObserver::TakeOver(std::unique_ptr<Worker> worker)
+MedialVoxelBox
+MedialVoxelSurfaceObserver::Examine(const MedialVoxelClassifiedTile & tile, Workspace * const workspace) const
 {
+  auto & worker = static_cast<Worker &>(*workspace);
+  return m_Kernel.Find(tile, worker.kernel, worker.cells);
+}
+
+/** Sort the cells of the tile into the slices. */
+void
+MedialVoxelSurfaceObserver::Observe(const MedialVoxelClassifiedTile &, Workspace * const workspace)
+{
+  const auto &                      cells = static_cast<const Worker &>(*workspace).cells;
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  for (const MedialVoxelSurfaceCell & cell : worker->cells)
+  for (const MedialVoxelSurfaceCell & cell : cells)
   {
     const std::int32_t z = cell.index[2];
     if (m_Pending.empty())
@@ -95,8 +90,7 @@ MedialVoxelSurfaceObserver::TakeOver(std::unique_ptr<Worker> worker)
     }
     m_Pending[slice].push_back(cell);
   }
-  m_NumberOfPending += worker->cells.size();
-  m_Workers.push_back(std::move(worker));
+  m_NumberOfPending += cells.size();
   if (m_NumberOfPending > m_MaximumNumberOfCells && m_Pending.size() > 1)
   {
     throw MedialVoxelSurfacePieceError();
@@ -106,7 +100,6 @@ MedialVoxelSurfaceObserver::TakeOver(std::unique_ptr<Worker> worker)
 void
 MedialVoxelSurfaceObserver::Commit()
 {
-  m_Workers.clear();
   for (std::size_t slice = 0; slice < m_Pending.size(); ++slice)
   {
     MedialVoxelPoll();

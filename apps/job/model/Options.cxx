@@ -241,13 +241,13 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
          FormatNumber(limits.maximum),
          "; it must not be");
   }
-  constexpr auto bound = itk::MedialVoxelPseudoGeodesicBound::FreeSpace;
-  const double   least = itk::MedialVoxelLimits::LeastThickness(grid);
-  Parameters     parameters = options.thickness ? Parameters::ForThickness(std::max(*options.thickness, least), bound)
-                                                : Parameters::ForWalls(limits.minimum, limits.maximum, bound);
-  parameters.maximumPoreSize =
-    options.maximumPoreSize.value_or(options.thickness ? 0 : Parameters::AutomaticMaximumPoreSize);
-  return parameters;
+  Parameters::Settings settings;
+  settings.mode = options.thickness ? itk::MedialVoxelThicknessMode::Fixed : itk::MedialVoxelThicknessMode::Automatic;
+  settings.thickness = options.thickness.value_or(settings.thickness);
+  settings.minimumThickness = options.minimumThickness.value_or(0.0);
+  settings.maximumThickness = options.maximumThickness.value_or(0.0);
+  settings.maximumPoreSize = options.maximumPoreSize;
+  return Parameters::ForSettings(grid, settings);
 }
 
 std::string

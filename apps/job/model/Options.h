@@ -9,7 +9,6 @@
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelParameters.h"
-#include "itkMedialVoxelSmallComponents.h"
 
 #include <cstdint>
 #include <optional>
@@ -63,7 +62,7 @@ struct JobOptions
 };
 
 /** Largest value of ExtractOptions::maximumPoreSize. */
-constexpr std::uint64_t LargestPoreSize = itk::MedialVoxelSmallComponents::LargestMaximumSize;
+constexpr std::uint64_t LargestPoreSize = itk::MedialVoxelParameters::LargestMaximumPoreSize;
 
 /** Medial voxels. */
 struct ExtractOptions : JobOptions

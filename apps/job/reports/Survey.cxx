@@ -230,8 +230,8 @@ Survey::SelectCells(const itk::MedialVoxelCellRow & row) const
   return pattern;
 }
 
-itk::MedialVoxelBox
-Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
+void
+Survey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
 {
   TileSums sums(tile.box, m_Settings.picture);
   sums.measured.reserve(tile.walls.size());
@@ -251,7 +251,6 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile)
     tile.rows, tile.walls, [&](const auto & cell, const auto & wall) { this->AddWall(tile.box, cell, wall, sums); });
   const std::lock_guard<std::mutex> lock(m_Mutex);
   this->AddSums(tile, sums);
-  return {};
 }
 
 /** What the wall at a measured cell counts for the histograms, the slices and the projection. */

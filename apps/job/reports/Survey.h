@@ -40,11 +40,20 @@ class Survey : public itk::MedialVoxelTileObserver
 public:
   Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings);
 
+  /** What it finds in a tile of thin walls and their noise. */
+  static constexpr std::uint64_t WorkerBytesPerVoxel = 2;
+
+  std::uint64_t
+  GetWorkerBytesPerVoxel() const override
+  {
+    return WorkerBytesPerVoxel;
+  }
+
   void
   Begin() override;
 
-  itk::MedialVoxelBox
-  Observe(const itk::MedialVoxelClassifiedTile & tile) override;
+  void
+  Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace) override;
 
   void
   Commit() override;

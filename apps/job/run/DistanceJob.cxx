@@ -31,7 +31,7 @@ GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
   footprint.bytesPerVoxel =
     GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes());
   footprint.grid = GetGrid(options, header);
-  AddEngine(footprint, header, itk::MedialVoxelClusterEngine::Settings::ForDistances(options.boundary));
+  AddEngine(footprint, header, itk::MedialVoxelDistanceMap{ options.boundary });
   AddOutputs(footprint, options, header, ListOutputs(options, header));
   return footprint;
 }

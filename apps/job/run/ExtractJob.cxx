@@ -84,28 +84,31 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   PieceFootprint      footprint;
   footprint.bytesPerVoxel = std::max(labels, distances);
   footprint.grid = GetGrid(options, header);
-  const bool withObjectVectors =
-    !options.vectorFile.empty() && options.vectorBoundary == itk::MedialVoxelBoundary::Object;
-  auto settings = itk::MedialVoxelClusterEngine::Settings::ForClassification(
-    footprint.grid, GetParameters(options, footprint.grid), withObjectVectors);
-  const SurveySettings survey = GetSurveySettings(options);
-  settings.workerBytesPerVoxel += itk::MedialVoxelTileWallsBytesPerVoxel;
-  settings.keepsGray = options.subVoxel;
+  const SurveySettings       survey = GetSurveySettings(options);
+  itk::MedialVoxelExtraction extraction;
+  extraction.parameters = GetParameters(options, footprint.grid);
+  extraction.isObserved = true;
+  extraction.observerBytesPerVoxel = Survey::WorkerBytesPerVoxel;
+  if (!options.vectorFile.empty())
+  {
+    extraction.vectorBoundary = options.vectorBoundary;
+  }
+  if (options.subVoxel)
+  {
+    extraction.grayRange.emplace();
+  }
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   if (!options.meshFile.empty())
   {
-    settings.keepsGray = options.subVoxel;
-    settings.workerBytesPerVoxel +=
-      itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(GetParameters(options, footprint.grid));
+    extraction.observerBytesPerVoxel += itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(extraction.parameters);
     footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
     footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
   }
-  AddEngine(footprint, header, settings);
+  AddEngine(footprint, header, extraction);
   AddOutputs(footprint, options, header, ListOutputs(options, header));
   if (!options.distanceFile.empty())
   {
-    AddEngine(
-      footprint, header, itk::MedialVoxelClusterEngine::Settings::ForDistances(itk::MedialVoxelBoundary::Object));
+    AddEngine(footprint, header, itk::MedialVoxelDistanceMap{});
   }
   if (survey.picture)
   {

@@ -44,7 +44,7 @@ ExtractRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 void
 ExtractRun::AddObserver(itk::MedialVoxelTileObserver & observer)
 {
-  m_Observers.Add(observer);
+  m_Observers.push_back(&observer);
 }
 
 void
@@ -56,8 +56,8 @@ ExtractRun::SetSlicesToDo(std::uint64_t slices)
 void
 ExtractRun::Prepare()
 {
-  m_Observers.Add(m_Survey);
-  m_Runner->SetTileObserver(&m_Observers);
+  m_Observers.push_back(&m_Survey);
+  m_Runner->SetTileObservers(m_Observers);
   m_Loop.Prepare(*m_Input);
 }
 

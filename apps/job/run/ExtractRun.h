@@ -7,7 +7,6 @@
 #include "OutputSet.h"
 #include "PieceLoop.h"
 #include "Survey.h"
-#include "TileObservers.h"
 
 #include <functional>
 #include <memory>
@@ -38,7 +37,7 @@ public:
   void
   AddVolume(const VolumeRequest & request, VoxelOutput & volume);
 
-  /** Lets someone see the tiles, before the survey does. */
+  /** Lets someone see the tiles beside the survey. */
   void
   AddObserver(itk::MedialVoxelTileObserver & observer);
 
@@ -115,7 +114,8 @@ private:
   std::unique_ptr<PieceRunner> m_Runner;
   std::unique_ptr<PieceRunner> m_DistanceRunner;
   Survey                       m_Survey;
-  TileObservers                m_Observers;
+
+  std::vector<itk::MedialVoxelTileObserver *> m_Observers;
   std::vector<Destination>     m_Destinations;
   WriteBehind                  m_Writer; // ends before what it writes
 };

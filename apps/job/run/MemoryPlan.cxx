@@ -10,6 +10,7 @@
 #include "itkMultiThreaderBase.h"
 
 #include <algorithm>
+#include <memory>
 
 namespace medialvoxel
 {
@@ -75,12 +76,12 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
          unpacking + resampling + request.footprint.bytesBeside;
 }
 
-itk::MedialVoxelClusterEngine
-MakeEngine(const JobPlan & plan, const Request & request, itk::MedialVoxelClusterEngine::Settings settings)
+std::unique_ptr<const itk::MedialVoxelEngine>
+MakeEngine(const JobPlan & plan, const Request & request, itk::MedialVoxelEngineSettings settings)
 {
   settings.numberOfWorkers = plan.threads;
   settings.slabThickness = static_cast<std::int64_t>(plan.slabThickness);
-  return { request.footprint.grid, settings };
+  return std::make_unique<const itk::MedialVoxelEngine>(request.footprint.grid, settings);
 }
 
 /** Windows and threads of all filters, for walls of up to PlannedWallThickness. */
@@ -90,7 +91,7 @@ EstimateFilters(const JobPlan & plan, const Request & request)
   std::uint64_t bytes = 0;
   for (const auto & settings : request.footprint.engines)
   {
-    bytes += MakeEngine(plan, request, settings).GetBytes(request.footprint.grid.GetVoxelBox());
+    bytes += MakeEngine(plan, request, settings)->GetBytes(request.footprint.grid.GetVoxelBox());
   }
   return bytes;
 }
@@ -100,7 +101,7 @@ std::uint64_t
 GetPreferredSlabThickness(const JobPlan & plan, const Request & request)
 {
   const auto engine = MakeEngine(plan, request, request.footprint.engines.front());
-  const auto thickness = static_cast<std::uint64_t>(engine.GetSlabThickness(request.footprint.grid.GetVoxelBox()));
+  const auto thickness = static_cast<std::uint64_t>(engine->GetSlabThickness(request.footprint.grid.GetVoxelBox()));
   return std::min(thickness, plan.numberOfSlices);
 }
 

@@ -11,10 +11,12 @@ namespace medialvoxel
 {
 
 void
-AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings)
+AddEngine(PieceFootprint & footprint, const VolumeHeader & header, const itk::MedialVoxelEngineTask & task)
 {
   const bool isReal = header.pixelType == PixelType::Float32 || header.pixelType == PixelType::Float64;
-  settings.keepsNotANumber = isReal && header.CanStream();
+  itk::MedialVoxelEngineSettings settings;
+  settings.task = task;
+  settings.countsNotANumber = isReal && header.CanStream();
   footprint.engines.push_back(std::move(settings));
 }
 

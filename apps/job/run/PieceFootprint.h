@@ -7,7 +7,7 @@
 #include "Options.h"
 #include "OutputRequest.h"
 
-#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelEngine.h"
 #include "itkMedialVoxelGrid.h"
 
 #include <cstdint>
@@ -26,12 +26,12 @@ struct PieceFootprint
   ScratchSpace         scratch; ///< of files that grow with the results
 
   /** Of the filters that take turns on each piece and keep their windows. */
-  std::vector<itk::MedialVoxelClusterEngine::Settings> engines;
+  std::vector<itk::MedialVoxelEngineSettings> engines;
 };
 
 /** Counts in a filter on the volume of the header. */
 void
-AddEngine(PieceFootprint & footprint, const VolumeHeader & header, itk::MedialVoxelClusterEngine::Settings settings);
+AddEngine(PieceFootprint & footprint, const VolumeHeader & header, const itk::MedialVoxelEngineTask & task);
 
 /** Slices that the outputs write together: a layer of chunks. */
 std::uint64_t

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -66,7 +67,7 @@ public:
 
   /** Lets someone see the tiles, in a runner of labels; others have none to show. Must outlive the runs. */
   virtual void
-  SetTileObserver(itk::MedialVoxelTileObserver *)
+  SetTileObservers(const std::vector<itk::MedialVoxelTileObserver *> &)
   {}
 
   /** Sets what windows and threads may take from the next run on, in bytes; 0 is without limit. */

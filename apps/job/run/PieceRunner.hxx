@@ -238,9 +238,9 @@ public:
   }
 
   void
-  SetTileObserver(itk::MedialVoxelTileObserver * observer) override
+  SetTileObservers(const std::vector<itk::MedialVoxelTileObserver *> & observers) override
   {
-    this->m_Filter->SetTileObserver(observer);
+    this->m_Filter->SetTileObservers(observers);
   }
 
   RunnerSums

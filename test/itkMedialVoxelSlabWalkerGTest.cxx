@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelSlabWalker.h"
 
 #include "MedialVoxelTestKernels.h"
 
@@ -13,10 +13,10 @@
 namespace
 {
 using namespace MedialVoxelTest;
-using itk::MedialVoxelClusterEngine;
+using itk::MedialVoxelSlabWalker;
 
 /** Lets every tile need a box around itself, checks that it gets it, and counts how often each voxel was done. */
-class DemandingClient : public itk::MedialVoxelClusterClient
+class DemandingClient : public itk::MedialVoxelTileRunner
 {
 public:
   DemandingClient(const Volume & volume, int reach)
@@ -74,23 +74,23 @@ public:
       std::max(m_LargestWindowBytes, window.object->GetReservedBytes() + window.sites->GetReservedBytes());
   }
 
-  const Volume &                   m_Volume;
-  std::vector<Index3>              m_Sites;
-  std::vector<int>                 m_Done;
-  std::size_t                      m_Wrong{ 0 };
-  int                              m_Reach;
-  std::uint64_t                    m_LargestWindowBytes{ 0 };
-  std::int64_t                     m_WidestTile{ 0 };
-  int                              m_Rounds{ 0 };
-  int                              m_FailInRound{ 0 };
-  itk::MedialVoxelBox              m_FirstFill;
-  const MedialVoxelClusterEngine * m_Engine{ nullptr };
+  const Volume &                m_Volume;
+  std::vector<Index3>           m_Sites;
+  std::vector<int>              m_Done;
+  std::size_t                   m_Wrong{ 0 };
+  int                           m_Reach;
+  std::uint64_t                 m_LargestWindowBytes{ 0 };
+  std::int64_t                  m_WidestTile{ 0 };
+  int                           m_Rounds{ 0 };
+  int                           m_FailInRound{ 0 };
+  itk::MedialVoxelBox           m_FirstFill;
+  const MedialVoxelSlabWalker * m_Engine{ nullptr };
 };
 
-MedialVoxelClusterEngine::Settings
+MedialVoxelSlabWalker::Settings
 SettingsOf(std::int64_t tileSize, std::int64_t slabThickness, const itk::MedialVoxelIndex & halo)
 {
-  MedialVoxelClusterEngine::Settings settings;
+  MedialVoxelSlabWalker::Settings settings;
   settings.boundaries = { itk::MedialVoxelBoundary::Background };
   settings.halo = halo;
   settings.upperMargin = { { 1, 1, 1 } };
@@ -100,7 +100,7 @@ SettingsOf(std::int64_t tileSize, std::int64_t slabThickness, const itk::MedialV
 }
 } // namespace
 
-TEST(MedialVoxelClusterEngine, EveryTileIsDoneOnceWithAllThatItNeeds)
+TEST(MedialVoxelSlabWalker, EveryTileIsDoneOnceWithAllThatItNeeds)
 {
   for (const Index3 & size : { Index3{ { 40, 22, 25 } }, Index3{ { 40, 33, 1 } }, Index3{ { 90, 1, 1 } } })
   {
@@ -112,8 +112,8 @@ TEST(MedialVoxelClusterEngine, EveryTileIsDoneOnceWithAllThatItNeeds)
       {
         for (const auto & region : { GridOf(volume).GetVoxelBox(), RandomBox(size, generator) })
         {
-          DemandingClient          client(volume, reach);
-          MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(cut.first, cut.second, { { 2, 2, 2 } }));
+          DemandingClient       client(volume, reach);
+          MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(cut.first, cut.second, { { 2, 2, 2 } }));
           client.m_Engine = &engine;
           engine.Run(region, client);
           EXPECT_EQ(client.m_Wrong, 0u);
@@ -129,12 +129,12 @@ TEST(MedialVoxelClusterEngine, EveryTileIsDoneOnceWithAllThatItNeeds)
   }
 }
 
-TEST(MedialVoxelClusterEngine, StartsWithTheBoxThatItAnnounces)
+TEST(MedialVoxelSlabWalker, StartsWithTheBoxThatItAnnounces)
 {
-  const Volume             volume = RandomBoxes({ { 40, 22, 60 } }, UnitSpacing, 12, 212);
-  const auto               region = MakeBox({ { 5, 4, 20 } }, { { 30, 18, 50 } });
-  DemandingClient          client(volume, 2);
-  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 6, { { 3, 3, 3 } }));
+  const Volume          volume = RandomBoxes({ { 40, 22, 60 } }, UnitSpacing, 12, 212);
+  const auto            region = MakeBox({ { 5, 4, 20 } }, { { 30, 18, 50 } });
+  DemandingClient       client(volume, 2);
+  MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 6, { { 3, 3, 3 } }));
   client.m_Engine = &engine;
   const auto missing = engine.GetMissingObjectBoxes(region);
   ASSERT_EQ(missing.size(), 1u);
@@ -146,17 +146,17 @@ TEST(MedialVoxelClusterEngine, StartsWithTheBoxThatItAnnounces)
   EXPECT_TRUE(engine.GetMissingObjectBoxes(MakeBox({ { 5, 4, 48 } }, { { 30, 18, 50 } })).empty());
 }
 
-TEST(MedialVoxelClusterEngine, LargeDemandsAreRememberedForTheNextSlabs)
+TEST(MedialVoxelSlabWalker, LargeDemandsAreRememberedForTheNextSlabs)
 {
-  const Volume             volume = RandomBoxes({ { 20, 20, 80 } }, UnitSpacing, 12, 213);
-  DemandingClient          client(volume, 9);
-  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  const Volume          volume = RandomBoxes({ { 20, 20, 80 } }, UnitSpacing, 12, 213);
+  DemandingClient       client(volume, 9);
+  MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
   engine.Run(GridOf(volume).GetVoxelBox(), client);
   EXPECT_LE(client.m_Rounds, 10 + 3); // ten slabs, and few of them twice
 }
 
-TEST(MedialVoxelClusterEngine, AMemoryLimitHoldsAndChangesNothingElse)
+TEST(MedialVoxelSlabWalker, AMemoryLimitHoldsAndChangesNothingElse)
 {
   const Index3 size{ { 70, 40, 60 } };
   const Volume volume = RandomBoxes(size, UnitSpacing, 20, 215);
@@ -168,8 +168,8 @@ TEST(MedialVoxelClusterEngine, AMemoryLimitHoldsAndChangesNothingElse)
     {
       auto settings = SettingsOf(0, 0, { { 2, 2, 2 } });
       settings.memoryLimit = limit;
-      DemandingClient          client(volume, reach);
-      MedialVoxelClusterEngine engine(GridOf(volume), settings);
+      DemandingClient       client(volume, reach);
+      MedialVoxelSlabWalker engine(GridOf(volume), settings);
       client.m_Engine = &engine;
       try
       {
@@ -190,7 +190,7 @@ TEST(MedialVoxelClusterEngine, AMemoryLimitHoldsAndChangesNothingElse)
   EXPECT_LT(refused, 12);
 }
 
-TEST(MedialVoxelClusterEngine, ThickPartsAreCutIntoWideTiles)
+TEST(MedialVoxelSlabWalker, ThickPartsAreCutIntoWideTiles)
 {
   const Volume volume = RandomBoxes({ { 1100, 70, 40 } }, UnitSpacing, 20, 217);
   for (const std::uint64_t limit : { 0u, 12000000u })
@@ -198,8 +198,8 @@ TEST(MedialVoxelClusterEngine, ThickPartsAreCutIntoWideTiles)
     auto settings = SettingsOf(0, 0, { { 80, 80, 80 } });
     settings.memoryLimit = limit;
     settings.workerBytesPerVoxel = 12;
-    DemandingClient          client(volume, 70);
-    MedialVoxelClusterEngine engine(GridOf(volume), settings);
+    DemandingClient       client(volume, 70);
+    MedialVoxelSlabWalker engine(GridOf(volume), settings);
     client.m_Engine = &engine;
     engine.Run(GridOf(volume).GetVoxelBox(), client);
     EXPECT_EQ(client.m_Wrong, 0u);
@@ -208,31 +208,31 @@ TEST(MedialVoxelClusterEngine, ThickPartsAreCutIntoWideTiles)
   }
 }
 
-TEST(MedialVoxelClusterEngine, AHaloThatDoesNotFitIsTriedSmaller)
+TEST(MedialVoxelSlabWalker, AHaloThatDoesNotFitIsTriedSmaller)
 {
   const Volume volume = RandomBoxes({ { 64, 40, 60 } }, UnitSpacing, 20, 216);
   auto         settings = SettingsOf(8, 8, { { 50, 50, 50 } });
   settings.memoryLimit = 130000;
-  DemandingClient          client(volume, 3);
-  MedialVoxelClusterEngine engine(GridOf(volume), settings);
+  DemandingClient       client(volume, 3);
+  MedialVoxelSlabWalker engine(GridOf(volume), settings);
   client.m_Engine = &engine;
   engine.Run(GridOf(volume).GetVoxelBox(), client);
   EXPECT_EQ(client.m_Wrong, 0u);
   EXPECT_LE(client.m_LargestWindowBytes, settings.memoryLimit);
 }
 
-TEST(MedialVoxelClusterEngine, AFailureOfTheClientEndsTheRun)
+TEST(MedialVoxelSlabWalker, AFailureOfTheClientEndsTheRun)
 {
-  const Volume             volume = RandomBoxes({ { 20, 20, 30 } }, UnitSpacing, 12, 214);
-  DemandingClient          client(volume, 1);
-  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  const Volume          volume = RandomBoxes({ { 20, 20, 30 } }, UnitSpacing, 12, 214);
+  DemandingClient       client(volume, 1);
+  MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
   client.m_FailInRound = 2;
   EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), client), std::runtime_error);
   EXPECT_EQ(client.m_Rounds, 2);
 }
 
-TEST(MedialVoxelClusterEngine, ATileThatWantsNothingNewEndsTheRun)
+TEST(MedialVoxelSlabWalker, ATileThatWantsNothingNewEndsTheRun)
 {
   // Instead of deferring it for ever.
   class StubbornClient : public DemandingClient
@@ -249,18 +249,18 @@ TEST(MedialVoxelClusterEngine, ATileThatWantsNothingNewEndsTheRun)
       }
     }
   };
-  const Volume             volume({ { 20, 20, 30 } }, UnitSpacing);
-  StubbornClient           client(volume, 1);
-  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  const Volume          volume({ { 20, 20, 30 } }, UnitSpacing);
+  StubbornClient        client(volume, 1);
+  MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
   EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), client), std::logic_error);
 }
 
-TEST(MedialVoxelClusterEngine, AnEmptyRegionIsNoWork)
+TEST(MedialVoxelSlabWalker, AnEmptyRegionIsNoWork)
 {
-  const Volume             volume({ { 20, 20, 30 } }, UnitSpacing);
-  DemandingClient          client(volume, 1);
-  MedialVoxelClusterEngine engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
+  const Volume          volume({ { 20, 20, 30 } }, UnitSpacing);
+  DemandingClient       client(volume, 1);
+  MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
   engine.Run(itk::MedialVoxelBox{}, client);
   EXPECT_EQ(client.m_Rounds, 0);

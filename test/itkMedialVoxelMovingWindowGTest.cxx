@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "itkMedialVoxelClusterWindow.h"
+#include "itkMedialVoxelMovingWindow.h"
 
 #include "MedialVoxelTestKernels.h"
 
@@ -54,7 +54,7 @@ const std::vector<itk::MedialVoxelBoundary> BothKinds{ itk::MedialVoxelBoundary:
 
 /** Bytes that all bits of the window have. */
 std::uint64_t
-ReservedBytes(const itk::MedialVoxelClusterWindow & window)
+ReservedBytes(const itk::MedialVoxelMovingWindow & window)
 {
   std::uint64_t bytes = window.GetObject().GetReservedBytes() + window.GetNotANumber().GetReservedBytes();
   for (const auto kind : BothKinds)
@@ -66,7 +66,7 @@ ReservedBytes(const itk::MedialVoxelClusterWindow & window)
 
 /** How many boundary bits of both kinds in the window differ from the definition. */
 std::size_t
-Differences(const itk::MedialVoxelClusterWindow & window, const Volume & volume, const itk::MedialVoxelBox & sites)
+Differences(const itk::MedialVoxelMovingWindow & window, const Volume & volume, const itk::MedialVoxelBox & sites)
 {
   std::size_t differences = 0;
   for (const auto kind : BothKinds)
@@ -84,7 +84,7 @@ Differences(const itk::MedialVoxelClusterWindow & window, const Volume & volume,
 }
 } // namespace
 
-TEST(MedialVoxelClusterWindow, SubtractedBoxesCoverTheRestOnce)
+TEST(MedialVoxelMovingWindow, SubtractedBoxesCoverTheRestOnce)
 {
   const Index3 size{ { 9, 8, 7 } };
   std::mt19937 generator(8);
@@ -108,7 +108,7 @@ TEST(MedialVoxelClusterWindow, SubtractedBoxesCoverTheRestOnce)
   }
 }
 
-TEST(MedialVoxelClusterWindow, SlabsGrowByWholeSlices)
+TEST(MedialVoxelMovingWindow, SlabsGrowByWholeSlices)
 {
   const auto present = MakeBox({ { 0, 0, 0 } }, { { 9, 9, 4 } });
   const auto parts = itk::MedialVoxelSubtractBox(MakeBox({ { 0, 0, 0 } }, { { 9, 9, 7 } }), present);
@@ -116,11 +116,11 @@ TEST(MedialVoxelClusterWindow, SlabsGrowByWholeSlices)
   EXPECT_EQ(parts[0], MakeBox({ { 0, 0, 4 } }, { { 9, 9, 7 } }));
 }
 
-TEST(MedialVoxelClusterWindow, AMovingWindowAsksOnceForEachVoxel)
+TEST(MedialVoxelMovingWindow, AMovingWindowAsksOnceForEachVoxel)
 {
-  const Volume                  volume = RandomBoxes({ { 70, 13, 60 } }, UnitSpacing, 20, 201);
-  CountingSource                source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
+  const Volume                 volume = RandomBoxes({ { 70, 13, 60 } }, UnitSpacing, 20, 201);
+  CountingSource               source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), BothKinds);
   for (int z = 0; z + 9 <= 60; z += 3)
   {
     const auto sites = MakeBox({ { 0, 0, z } }, { { 70, 13, z + 9 } });
@@ -130,12 +130,12 @@ TEST(MedialVoxelClusterWindow, AMovingWindowAsksOnceForEachVoxel)
   EXPECT_EQ(source.GetMost(), 1);
 }
 
-TEST(MedialVoxelClusterWindow, AGrowingWindowAsksForTheRestOnly)
+TEST(MedialVoxelMovingWindow, AGrowingWindowAsksForTheRestOnly)
 {
-  const Volume                  volume = RandomBoxes({ { 90, 30, 30 } }, UnitSpacing, 20, 202);
-  CountingSource                source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
-  auto                          sites = MakeBox({ { 40, 14, 14 } }, { { 50, 16, 16 } });
+  const Volume                 volume = RandomBoxes({ { 90, 30, 30 } }, UnitSpacing, 20, 202);
+  CountingSource               source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), BothKinds);
+  auto                         sites = MakeBox({ { 40, 14, 14 } }, { { 50, 16, 16 } });
   for (int step = 0; step < 6; ++step)
   {
     window.MoveTo(sites, sites, source);
@@ -148,12 +148,12 @@ TEST(MedialVoxelClusterWindow, AGrowingWindowAsksForTheRestOnly)
                [&](const itk::MedialVoxelIndex & v) { ASSERT_EQ(source.GetAsked(v), asked.Contains(v) ? 1 : 0); });
 }
 
-TEST(MedialVoxelClusterWindow, AWindowMayJump)
+TEST(MedialVoxelMovingWindow, AWindowMayJump)
 {
-  const Volume                  volume = RandomBoxes({ { 70, 20, 20 } }, UnitSpacing, 15, 203);
-  CountingSource                source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
-  std::mt19937                  generator(9);
+  const Volume                 volume = RandomBoxes({ { 70, 20, 20 } }, UnitSpacing, 15, 203);
+  CountingSource               source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), BothKinds);
+  std::mt19937                 generator(9);
   for (int trial = 0; trial < 25; ++trial)
   {
     const auto sites = RandomBox(volume.size, generator);
@@ -162,12 +162,12 @@ TEST(MedialVoxelClusterWindow, AWindowMayJump)
   }
 }
 
-TEST(MedialVoxelClusterWindow, AMoveTakesNoMoreThanItSays)
+TEST(MedialVoxelMovingWindow, AMoveTakesNoMoreThanItSays)
 {
-  const Volume                  volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 204);
-  CountingSource                source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
-  std::mt19937                  generator(10);
+  const Volume                 volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 204);
+  CountingSource               source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), BothKinds);
+  std::mt19937                 generator(10);
   for (int trial = 0; trial < 50; ++trial)
   {
     // Slabs, which move in place, and boxes, which are copied.
@@ -184,12 +184,12 @@ TEST(MedialVoxelClusterWindow, AMoveTakesNoMoreThanItSays)
   }
 }
 
-TEST(MedialVoxelClusterWindow, AWindowWithRoomGrowsInPlace)
+TEST(MedialVoxelMovingWindow, AWindowWithRoomGrowsInPlace)
 {
-  const Volume                  volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 206);
-  CountingSource                source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
-  const auto                    room = MakeBox({ { 0, 0, 10 } }, { { 70, 20, 20 } });
+  const Volume                 volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 206);
+  CountingSource               source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), BothKinds);
+  const auto                   room = MakeBox({ { 0, 0, 10 } }, { { 70, 20, 20 } });
   window.MoveTo(MakeBox({ { 0, 0, 0 } }, { { 70, 20, 4 } }), room, source);
   const std::uint64_t bytes = ReservedBytes(window);
   const auto          sites = MakeBox({ { 0, 0, 1 } }, { { 70, 20, 11 } });
@@ -199,12 +199,12 @@ TEST(MedialVoxelClusterWindow, AWindowWithRoomGrowsInPlace)
   EXPECT_EQ(Differences(window, volume, sites), 0u);
 }
 
-TEST(MedialVoxelClusterWindow, AClearedWindowHasNoMemory)
+TEST(MedialVoxelMovingWindow, AClearedWindowHasNoMemory)
 {
-  const Volume                  volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 205);
-  CountingSource                source(volume);
-  itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds, true);
-  const auto                    sites = MakeBox({ { 0, 0, 4 } }, { { 70, 20, 9 } });
+  const Volume                 volume = RandomBoxes({ { 70, 20, 30 } }, UnitSpacing, 15, 205);
+  CountingSource               source(volume);
+  itk::MedialVoxelMovingWindow window(GridOf(volume), BothKinds, true);
+  const auto                   sites = MakeBox({ { 0, 0, 4 } }, { { 70, 20, 9 } });
   window.MoveTo(sites, sites, source);
   EXPECT_GE(ReservedBytes(window), window.GetBytes(sites));
   window.Clear();
@@ -214,23 +214,23 @@ TEST(MedialVoxelClusterWindow, AClearedWindowHasNoMemory)
   EXPECT_EQ(Differences(window, volume, sites), 0u);
 }
 
-TEST(MedialVoxelClusterWindow, BoundariesNeedOneMoreVoxelWithinTheImage)
+TEST(MedialVoxelMovingWindow, BoundariesNeedOneMoreVoxelWithinTheImage)
 {
-  const Volume                        volume({ { 30, 1, 20 } }, UnitSpacing);
-  const itk::MedialVoxelClusterWindow window(GridOf(volume), BothKinds);
+  const Volume                       volume({ { 30, 1, 20 } }, UnitSpacing);
+  const itk::MedialVoxelMovingWindow window(GridOf(volume), BothKinds);
   EXPECT_EQ(window.GetObjectBox(MakeBox({ { 4, 0, 5 } }, { { 8, 1, 20 } })),
             MakeBox({ { 3, 0, 4 } }, { { 9, 1, 20 } }));
 }
 
-TEST(MedialVoxelClusterWindow, OnlyListedBoundariesAreKept)
+TEST(MedialVoxelMovingWindow, OnlyListedBoundariesAreKept)
 {
-  const Volume                        volume({ { 30, 10, 20 } }, UnitSpacing);
-  const itk::MedialVoxelClusterWindow window(GridOf(volume), { itk::MedialVoxelBoundary::Object });
+  const Volume                       volume({ { 30, 10, 20 } }, UnitSpacing);
+  const itk::MedialVoxelMovingWindow window(GridOf(volume), { itk::MedialVoxelBoundary::Object });
   EXPECT_NO_THROW(window.GetWindow(itk::MedialVoxelBoundary::Object));
   EXPECT_THROW(window.GetWindow(itk::MedialVoxelBoundary::Background), std::invalid_argument);
 }
 
-TEST(MedialVoxelClusterWindow, KeepsValuesWithTheObject)
+TEST(MedialVoxelMovingWindow, KeepsValuesWithTheObject)
 {
   class GraySource : public CountingSource
   {
@@ -248,11 +248,11 @@ TEST(MedialVoxelClusterWindow, KeepsValuesWithTheObject)
       });
     }
   };
-  const Volume                  volume = RandomVolume({ { 70, 20, 40 } }, UnitSpacing, 0.5, 31);
-  const itk::MedialVoxelGrid    grid = GridOf(volume);
-  GraySource                    source(volume);
-  itk::MedialVoxelClusterWindow window(grid, BothKinds, false, true);
-  itk::MedialVoxelClusterWindow bits(grid, BothKinds);
+  const Volume                 volume = RandomVolume({ { 70, 20, 40 } }, UnitSpacing, 0.5, 31);
+  const itk::MedialVoxelGrid   grid = GridOf(volume);
+  GraySource                   source(volume);
+  itk::MedialVoxelMovingWindow window(grid, BothKinds, false, true);
+  itk::MedialVoxelMovingWindow bits(grid, BothKinds);
   for (const auto & sites : { MakeBox({ { 0, 0, 0 } }, { { 70, 20, 9 } }),
                               MakeBox({ { 0, 0, 5 } }, { { 70, 20, 16 } }),
                               MakeBox({ { 3, 2, 14 } }, { { 60, 19, 33 } }),

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelClusterEngine_h
-#define itkMedialVoxelClusterEngine_h
+#ifndef itkMedialVoxelSlabWalker_h
+#define itkMedialVoxelSlabWalker_h
 
-#include "itkMedialVoxelClusterWindow.h"
+#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMovingWindow.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelTileSchedule.h"
 
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 namespace itk
@@ -19,11 +19,11 @@ namespace itk
 MedialVoxel_EXPORT unsigned int
 MedialVoxelSlowestAxis(const MedialVoxelBox & box);
 
-/** \class MedialVoxelClusterClient
- * \brief What the engine needs from its user: object bits, and threads.
+/** \class MedialVoxelTileRunner
+ * \brief What a walker needs: object bits, and threads that process tiles.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelClusterClient : public MedialVoxelObjectSource
+class MedialVoxel_EXPORT MedialVoxelTileRunner : public MedialVoxelObjectSource
 {
 public:
   /** Process all tiles of \a schedule with any number of threads; tiles that need more are deferred. Throws to stop. */
@@ -31,34 +31,7 @@ public:
   RunTiles(MedialVoxelTileSchedule & schedule) = 0;
 };
 
-/** \class MedialVoxelMemoryError
- * \brief The memory that an engine may use does not hold what a single voxel of the image depends on.
- * \ingroup MedialVoxel
- */
-class MedialVoxel_EXPORT MedialVoxelMemoryError : public std::runtime_error
-{
-public:
-  MedialVoxelMemoryError(std::uint64_t neededBytes, std::uint64_t allowedBytes);
-
-  /** Bytes that the step at hand needs; later ones may need more. */
-  std::uint64_t
-  GetNeededBytes() const
-  {
-    return m_NeededBytes;
-  }
-
-  std::uint64_t
-  GetAllowedBytes() const
-  {
-    return m_AllowedBytes;
-  }
-
-private:
-  std::uint64_t m_NeededBytes;
-  std::uint64_t m_AllowedBytes;
-};
-
-/** \class MedialVoxelClusterEngine
+/** \class MedialVoxelSlabWalker
  * \brief Walks a region slab by slab, each with a window that is certain to hold what its tiles depend on.
  *
  * A slab is tried with the window that sufficed so far. Tiles that turn out to depend on more are deferred and say how
@@ -66,7 +39,7 @@ private:
  * tiles nor the threads can change a result.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelClusterEngine
+class MedialVoxel_EXPORT MedialVoxelSlabWalker
 {
 public:
   /** \struct Settings
@@ -117,7 +90,7 @@ public:
     ForDistances(MedialVoxelBoundary boundary);
   };
 
-  MedialVoxelClusterEngine(const MedialVoxelGrid & grid, Settings settings);
+  MedialVoxelSlabWalker(const MedialVoxelGrid & grid, Settings settings);
 
   /** Bytes that the window and all workers take while no tile of \a region depends on more than the halo. */
   std::uint64_t
@@ -137,10 +110,10 @@ public:
   /** Process all of \a region; the window of the last slab is kept for the next call.
    * \throw MedialVoxelMemoryError when the memory limit does not hold what a slab of one voxel depends on. */
   void
-  Run(const MedialVoxelBox & region, MedialVoxelClusterClient & client);
+  Run(const MedialVoxelBox & region, MedialVoxelTileRunner & client);
 
   /** The window of the slab that is being processed. */
-  const MedialVoxelClusterWindow &
+  const MedialVoxelMovingWindow &
   GetWindow() const
   {
     return m_Window;
@@ -173,21 +146,21 @@ private:
 
   /** Process \a parts of \a region, slab by slab. */
   void
-  RunSlabs(const MedialVoxelBox & region, const std::vector<MedialVoxelBox> & parts, MedialVoxelClusterClient & client);
+  RunSlabs(const MedialVoxelBox & region, const std::vector<MedialVoxelBox> & parts, MedialVoxelTileRunner & client);
 
   /** Process \a tiles of \a slab with a window that grows; what outgrows the memory is cut into thinner slabs. */
   void
   RunTiles(const MedialVoxelBox &      slab,
            const Cut &                 cut,
            std::vector<MedialVoxelBox> tiles,
-           MedialVoxelClusterClient &  client);
+           MedialVoxelTileRunner &     client);
 
   /** Move the window for \a slab, without what it held when the memory does not suffice for both. */
   void
-  MoveWindow(const MedialVoxelBox &     sites,
-             const MedialVoxelBox &     slab,
-             const Cut &                cut,
-             MedialVoxelClusterClient & client);
+  MoveWindow(const MedialVoxelBox &  sites,
+             const MedialVoxelBox &  slab,
+             const Cut &             cut,
+             MedialVoxelTileRunner & client);
 
   /** The halo of \a slab in \a sites and that of earlier slabs, as what one needed the next one probably needs too. */
   MedialVoxelIndex
@@ -216,11 +189,11 @@ private:
     return m_Settings.memoryLimit == 0 || this->BytesOf(sites, cut) <= m_Settings.memoryLimit;
   }
 
-  MedialVoxelGrid          m_Grid;
-  unsigned int             m_SlowestAxis;
-  Settings                 m_Settings;
-  MedialVoxelIndex         m_Halo;
-  MedialVoxelClusterWindow m_Window;
+  MedialVoxelGrid         m_Grid;
+  unsigned int            m_SlowestAxis;
+  Settings                m_Settings;
+  MedialVoxelIndex        m_Halo;
+  MedialVoxelMovingWindow m_Window;
 };
 
 } // end namespace itk

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelClusterWindow.h"
+#include "itkMedialVoxelMovingWindow.h"
 
 #include "itkMedialVoxelBoundary.h"
 
@@ -41,32 +41,11 @@ MedialVoxelSubtractBox(const MedialVoxelBox & wanted, const MedialVoxelBox & pre
   return parts;
 }
 
-MedialVoxelObjectSource::~MedialVoxelObjectSource() = default;
-
-void
-MedialVoxelObjectSource::FillObjectAndGray(const MedialVoxelBox &,
-                                           MedialVoxelBits &,
-                                           MedialVoxelBits *,
-                                           MedialVoxelGray &)
-{
-  throw std::logic_error("MedialVoxelObjectSource: this source has no values");
-}
-
-void
-MedialVoxelObjectSource::FillGray(const MedialVoxelBox &, MedialVoxelGray &)
-{
-  throw std::logic_error("MedialVoxelObjectSource: this source has no values");
-}
-
-void
-MedialVoxelObjectSource::ThrowIfAborted() const
-{}
-
-MedialVoxelClusterWindow::MedialVoxelClusterWindow(const MedialVoxelGrid &          grid,
-                                                   std::vector<MedialVoxelBoundary> kinds,
-                                                   const bool                       keepsNotANumber,
-                                                   const bool                       keepsGray,
-                                                   const std::uint64_t              maximumPoreSize)
+MedialVoxelMovingWindow::MedialVoxelMovingWindow(const MedialVoxelGrid &          grid,
+                                                 std::vector<MedialVoxelBoundary> kinds,
+                                                 const bool                       keepsNotANumber,
+                                                 const bool                       keepsGray,
+                                                 const std::uint64_t              maximumPoreSize)
   : m_Grid(grid)
   , m_Kinds(std::move(kinds))
   , m_KeepsNotANumber(keepsNotANumber)
@@ -76,20 +55,20 @@ MedialVoxelClusterWindow::MedialVoxelClusterWindow(const MedialVoxelGrid &      
 {}
 
 MedialVoxelBox
-MedialVoxelClusterWindow::GetObjectBox(const MedialVoxelBox & sites) const
+MedialVoxelMovingWindow::GetObjectBox(const MedialVoxelBox & sites) const
 {
   return sites.Expanded(m_Grid.GetUnitMargin()).Intersection(m_Grid.GetVoxelBox());
 }
 
 MedialVoxelBox
-MedialVoxelClusterWindow::GetInputBox(const MedialVoxelBox & sites) const
+MedialVoxelMovingWindow::GetInputBox(const MedialVoxelBox & sites) const
 {
   return this->GetObjectBox(sites).Expanded(m_SmallComponents.GetMargin()).Intersection(m_Grid.GetVoxelBox());
 }
 
 template <typename TVisitor>
 void
-MedialVoxelClusterWindow::VisitBits(TVisitor && visit) const
+MedialVoxelMovingWindow::VisitBits(TVisitor && visit) const
 {
   MedialVoxelIndex inputMargin = m_Grid.GetUnitMargin();
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -112,7 +91,7 @@ MedialVoxelClusterWindow::VisitBits(TVisitor && visit) const
 }
 
 std::uint64_t
-MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
+MedialVoxelMovingWindow::GetBytes(const MedialVoxelBox & sites) const
 {
   std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
   bytes += m_KeepsGray ? MedialVoxelGray::GetBytes(this->GetObjectBox(sites)) : 0;
@@ -123,7 +102,7 @@ MedialVoxelClusterWindow::GetBytes(const MedialVoxelBox & sites) const
 }
 
 std::uint64_t
-MedialVoxelClusterWindow::GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
+MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
 {
   std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
   bytes += m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
@@ -147,7 +126,7 @@ MedialVoxelClusterWindow::GetBytesToMove(const MedialVoxelBox & sites, const Med
 }
 
 void
-MedialVoxelClusterWindow::Clear()
+MedialVoxelMovingWindow::Clear()
 {
   m_Object = {};
   m_Changed = {};
@@ -158,9 +137,9 @@ MedialVoxelClusterWindow::Clear()
 }
 
 void
-MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox &    sites,
-                                 const MedialVoxelBox &    room,
-                                 MedialVoxelObjectSource & source)
+MedialVoxelMovingWindow::MoveTo(const MedialVoxelBox &    sites,
+                                const MedialVoxelBox &    room,
+                                MedialVoxelObjectSource & source)
 {
   this->FillObject(sites, room, source);
   this->ChangeSmallComponents(sites, source);
@@ -176,9 +155,9 @@ MedialVoxelClusterWindow::MoveTo(const MedialVoxelBox &    sites,
 }
 
 void
-MedialVoxelClusterWindow::FillObject(const MedialVoxelBox &    sites,
-                                     const MedialVoxelBox &    room,
-                                     MedialVoxelObjectSource & source)
+MedialVoxelMovingWindow::FillObject(const MedialVoxelBox &    sites,
+                                    const MedialVoxelBox &    room,
+                                    MedialVoxelObjectSource & source)
 {
   const MedialVoxelBox inputBox = this->GetInputBox(sites);
   const MedialVoxelBox inputRoom = this->GetInputBox(room);
@@ -221,7 +200,7 @@ MedialVoxelClusterWindow::FillObject(const MedialVoxelBox &    sites,
 }
 
 void
-MedialVoxelClusterWindow::ChangeSmallComponents(const MedialVoxelBox & sites, MedialVoxelObjectSource & source)
+MedialVoxelMovingWindow::ChangeSmallComponents(const MedialVoxelBox & sites, MedialVoxelObjectSource & source)
 {
   const MedialVoxelBox objectBox = this->GetObjectBox(sites);
   if (m_SmallComponents.IsOn())
@@ -235,7 +214,7 @@ MedialVoxelClusterWindow::ChangeSmallComponents(const MedialVoxelBox & sites, Me
 }
 
 auto
-MedialVoxelClusterWindow::CountChanges(const MedialVoxelBox & box) const -> Changes
+MedialVoxelMovingWindow::CountChanges(const MedialVoxelBox & box) const -> Changes
 {
   Changes              changes;
   const MedialVoxelBox counted = box.Intersection(m_Changed.GetBox());
@@ -261,12 +240,12 @@ MedialVoxelClusterWindow::CountChanges(const MedialVoxelBox & box) const -> Chan
 }
 
 MedialVoxelWindow
-MedialVoxelClusterWindow::GetWindow(const MedialVoxelBoundary kind) const
+MedialVoxelMovingWindow::GetWindow(const MedialVoxelBoundary kind) const
 {
   const auto position = std::find(m_Kinds.begin(), m_Kinds.end(), kind);
   if (position == m_Kinds.end())
   {
-    throw std::invalid_argument("MedialVoxelClusterWindow: this boundary is not kept");
+    throw std::invalid_argument("MedialVoxelMovingWindow: this boundary is not kept");
   }
   return { &m_Object, &m_Boundaries[static_cast<std::size_t>(position - m_Kinds.begin())] };
 }

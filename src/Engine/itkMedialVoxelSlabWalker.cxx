@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelSlabWalker.h"
 
 #include "itkMedialVoxelClassifier.h"
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace itk
@@ -79,18 +78,10 @@ MedialVoxelSlowestAxis(const MedialVoxelBox & box)
   return box.Extent(2) > 1 ? 2u : (box.Extent(1) > 1 ? 1u : 0u);
 }
 
-MedialVoxelMemoryError::MedialVoxelMemoryError(const std::uint64_t neededBytes, const std::uint64_t allowedBytes)
-  : std::runtime_error("The walls are so thick that the windows on the input need at least " +
-                       std::to_string(neededBytes) + " bytes of memory; " + std::to_string(allowedBytes) +
-                       " bytes are allowed.")
-  , m_NeededBytes(neededBytes)
-  , m_AllowedBytes(allowedBytes)
-{}
-
-MedialVoxelClusterEngine::Settings
-MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid &       grid,
-                                                      const MedialVoxelParameters & parameters,
-                                                      const bool                    withObjectBoundary)
+MedialVoxelSlabWalker::Settings
+MedialVoxelSlabWalker::Settings::ForClassification(const MedialVoxelGrid &       grid,
+                                                   const MedialVoxelParameters & parameters,
+                                                   const bool                    withObjectBoundary)
 {
   Settings settings;
   settings.boundaries = { MedialVoxelBoundary::Background };
@@ -118,8 +109,8 @@ MedialVoxelClusterEngine::Settings::ForClassification(const MedialVoxelGrid &   
   return settings;
 }
 
-MedialVoxelClusterEngine::Settings
-MedialVoxelClusterEngine::Settings::ForDistances(const MedialVoxelBoundary boundary)
+MedialVoxelSlabWalker::Settings
+MedialVoxelSlabWalker::Settings::ForDistances(const MedialVoxelBoundary boundary)
 {
   Settings settings;
   settings.boundaries = { boundary };
@@ -127,7 +118,7 @@ MedialVoxelClusterEngine::Settings::ForDistances(const MedialVoxelBoundary bound
   return settings;
 }
 
-MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid, Settings settings)
+MedialVoxelSlabWalker::MedialVoxelSlabWalker(const MedialVoxelGrid & grid, Settings settings)
   : m_Grid(grid)
   , m_SlowestAxis(MedialVoxelSlowestAxis(grid.GetVoxelBox()))
   , m_Settings(std::move(settings))
@@ -135,8 +126,8 @@ MedialVoxelClusterEngine::MedialVoxelClusterEngine(const MedialVoxelGrid & grid,
   , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber, m_Settings.keepsGray, m_Settings.maximumPoreSize)
 {}
 
-MedialVoxelClusterEngine::Cut
-MedialVoxelClusterEngine::PreferredCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const
+MedialVoxelSlabWalker::Cut
+MedialVoxelSlabWalker::PreferredCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const
 {
   Cut cut{ { { 256, 256, 1 } }, m_Settings.slabThickness, halo };
   if (m_Settings.tileSize > 0)
@@ -169,7 +160,7 @@ MedialVoxelClusterEngine::PreferredCut(const MedialVoxelBox & region, const Medi
 }
 
 bool
-MedialVoxelClusterEngine::MakeFiner(Cut & cut) const
+MedialVoxelSlabWalker::MakeFiner(Cut & cut) const
 {
   // Smaller tiles and thinner slabs both repeat more of the work of the halo, but only the tiles keep threads busy.
   std::int64_t & edge = cut.tileSize[1];
@@ -187,8 +178,8 @@ MedialVoxelClusterEngine::MakeFiner(Cut & cut) const
   return false;
 }
 
-MedialVoxelClusterEngine::Cut
-MedialVoxelClusterEngine::ChooseCut(const MedialVoxelBox & region) const
+MedialVoxelSlabWalker::Cut
+MedialVoxelSlabWalker::ChooseCut(const MedialVoxelBox & region) const
 {
   Cut cut = this->PreferredCut(region, m_Halo);
   while (!this->Fits(this->LargestSitesBox(region, cut), cut))
@@ -212,9 +203,9 @@ MedialVoxelClusterEngine::ChooseCut(const MedialVoxelBox & region) const
 }
 
 MedialVoxelBox
-MedialVoxelClusterEngine::GetSlab(const MedialVoxelBox & region,
-                                  const std::int64_t     position,
-                                  const std::int64_t     thickness) const
+MedialVoxelSlabWalker::GetSlab(const MedialVoxelBox & region,
+                               const std::int64_t     position,
+                               const std::int64_t     thickness) const
 {
   MedialVoxelBox slab = region;
   slab.lower[m_SlowestAxis] = position;
@@ -223,7 +214,7 @@ MedialVoxelClusterEngine::GetSlab(const MedialVoxelBox & region,
 }
 
 MedialVoxelBox
-MedialVoxelClusterEngine::GetSitesBox(const MedialVoxelBox & slab, const MedialVoxelIndex & halo) const
+MedialVoxelSlabWalker::GetSitesBox(const MedialVoxelBox & slab, const MedialVoxelIndex & halo) const
 {
   MedialVoxelBox voxels = slab;
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -234,7 +225,7 @@ MedialVoxelClusterEngine::GetSitesBox(const MedialVoxelBox & slab, const MedialV
 }
 
 MedialVoxelBox
-MedialVoxelClusterEngine::LargestSitesBox(const MedialVoxelBox & region, const Cut & cut) const
+MedialVoxelSlabWalker::LargestSitesBox(const MedialVoxelBox & region, const Cut & cut) const
 {
   MedialVoxelBox box;
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -251,7 +242,7 @@ MedialVoxelClusterEngine::LargestSitesBox(const MedialVoxelBox & region, const C
 }
 
 std::uint64_t
-MedialVoxelClusterEngine::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cut) const
+MedialVoxelSlabWalker::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cut) const
 {
   MedialVoxelIndex tile;
   std::uint64_t    tileVoxels = 1;
@@ -278,14 +269,14 @@ MedialVoxelClusterEngine::BytesOfWorkers(const MedialVoxelBox & sites, const Cut
 }
 
 std::uint64_t
-MedialVoxelClusterEngine::GetBytes(const MedialVoxelBox & region) const
+MedialVoxelSlabWalker::GetBytes(const MedialVoxelBox & region) const
 {
   const Cut cut = this->ChooseCut(region);
   return this->BytesOf(this->LargestSitesBox(region, cut), cut);
 }
 
 std::vector<MedialVoxelBox>
-MedialVoxelClusterEngine::GetMissingObjectBoxes(const MedialVoxelBox & region) const
+MedialVoxelSlabWalker::GetMissingObjectBoxes(const MedialVoxelBox & region) const
 {
   const Cut            cut = this->ChooseCut(region);
   const MedialVoxelBox slab = this->GetSlab(region, region.lower[m_SlowestAxis], cut.slabThickness);
@@ -293,15 +284,15 @@ MedialVoxelClusterEngine::GetMissingObjectBoxes(const MedialVoxelBox & region) c
 }
 
 void
-MedialVoxelClusterEngine::Run(const MedialVoxelBox & region, MedialVoxelClusterClient & client)
+MedialVoxelSlabWalker::Run(const MedialVoxelBox & region, MedialVoxelTileRunner & client)
 {
   this->RunSlabs(region, { region }, client);
 }
 
 void
-MedialVoxelClusterEngine::RunSlabs(const MedialVoxelBox &              region,
-                                   const std::vector<MedialVoxelBox> & parts,
-                                   MedialVoxelClusterClient &          client)
+MedialVoxelSlabWalker::RunSlabs(const MedialVoxelBox &              region,
+                                const std::vector<MedialVoxelBox> & parts,
+                                MedialVoxelTileRunner &             client)
 {
   for (std::int64_t position = region.lower[m_SlowestAxis]; position < region.upper[m_SlowestAxis];)
   {
@@ -313,10 +304,10 @@ MedialVoxelClusterEngine::RunSlabs(const MedialVoxelBox &              region,
 }
 
 void
-MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
-                                   const Cut &                 cut,
-                                   std::vector<MedialVoxelBox> tiles,
-                                   MedialVoxelClusterClient &  client)
+MedialVoxelSlabWalker::RunTiles(const MedialVoxelBox &      slab,
+                                const Cut &                 cut,
+                                std::vector<MedialVoxelBox> tiles,
+                                MedialVoxelTileRunner &     client)
 {
   MedialVoxelBox sites = this->GetSitesBox(slab, cut.halo);
   while (!tiles.empty())
@@ -332,7 +323,7 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
     }
     if (sites.Contains(schedule.GetNeededBox()))
     {
-      throw std::logic_error("MedialVoxelClusterEngine: a tile was deferred although its window holds what it needs");
+      throw std::logic_error("MedialVoxelSlabWalker: a tile was deferred although its window holds what it needs");
     }
     sites = sites.Union(schedule.GetNeededBox());
     Cut wanted = cut;
@@ -350,10 +341,10 @@ MedialVoxelClusterEngine::RunTiles(const MedialVoxelBox &      slab,
 }
 
 void
-MedialVoxelClusterEngine::MoveWindow(const MedialVoxelBox &     sites,
-                                     const MedialVoxelBox &     slab,
-                                     const Cut &                cut,
-                                     MedialVoxelClusterClient & client)
+MedialVoxelSlabWalker::MoveWindow(const MedialVoxelBox &  sites,
+                                  const MedialVoxelBox &  slab,
+                                  const Cut &             cut,
+                                  MedialVoxelTileRunner & client)
 {
   // The first slabs, at the border of the image, have less around them than those that follow.
   const MedialVoxelBox room = this->LargestSitesBox(slab, cut);
@@ -366,7 +357,7 @@ MedialVoxelClusterEngine::MoveWindow(const MedialVoxelBox &     sites,
 }
 
 MedialVoxelIndex
-MedialVoxelClusterEngine::HaloOf(const MedialVoxelBox & slab, const MedialVoxelBox & sites) const
+MedialVoxelSlabWalker::HaloOf(const MedialVoxelBox & slab, const MedialVoxelBox & sites) const
 {
   MedialVoxelIndex halo = m_Halo;
   for (unsigned int axis = 0; axis < 3; ++axis)

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelClusterWindow_h
-#define itkMedialVoxelClusterWindow_h
+#ifndef itkMedialVoxelMovingWindow_h
+#define itkMedialVoxelMovingWindow_h
 
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelFeatureTransform.h"
-#include "itkMedialVoxelGray.h"
+#include "itkMedialVoxelObjectSource.h"
 #include "itkMedialVoxelSmallComponents.h"
 
 #include <cstdint>
@@ -23,37 +23,7 @@ namespace itk
 MedialVoxel_EXPORT std::vector<MedialVoxelBox>
                    MedialVoxelSubtractBox(const MedialVoxelBox & wanted, const MedialVoxelBox & present);
 
-/** \class MedialVoxelObjectSource
- * \brief Where a window gets object bits from; called by one thread at a time.
- * \ingroup MedialVoxel
- */
-class MedialVoxel_EXPORT MedialVoxelObjectSource
-{
-public:
-  virtual ~MedialVoxelObjectSource();
-
-  /** Set the bits of the object voxels of \a box, which are clear, and in \a notANumber, unless it is null, those of
-   * the voxels whose value is not a number. */
-  virtual void
-  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * notANumber) = 0;
-
-  /** The same, and set the values of \a box. Sources that have none fail. */
-  virtual void
-  FillObjectAndGray(const MedialVoxelBox & box,
-                    MedialVoxelBits &      object,
-                    MedialVoxelBits *      notANumber,
-                    MedialVoxelGray &      gray);
-
-  /** Set the values of \a box, whose object bits are there. Sources that have none fail. */
-  virtual void
-  FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray);
-
-  /** Throws to stop; called while the window works on the bits. */
-  virtual void
-  ThrowIfAborted() const;
-};
-
-/** \class MedialVoxelClusterWindow
+/** \class MedialVoxelMovingWindow
  * \brief Object and boundary bits of a box that moves over the image.
  *
  * Bits that the old box and the new one share are kept, so that the source is asked once for a voxel as long as the
@@ -61,17 +31,17 @@ public:
  * the margin that this depends on; the source is asked for values, which do not, on their own.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelClusterWindow
+class MedialVoxel_EXPORT MedialVoxelMovingWindow
 {
 public:
   /** \a kinds lists the boundaries that are kept; \a keepsNotANumber says whether voxels that are not a number are, and
    * \a keepsGray whether the values of voxels are. Components of at most \a maximumPoreSize voxels change sides, as
    * MedialVoxelSmallComponents tells. */
-  MedialVoxelClusterWindow(const MedialVoxelGrid &          grid,
-                           std::vector<MedialVoxelBoundary> kinds,
-                           bool                             keepsNotANumber = false,
-                           bool                             keepsGray = false,
-                           std::uint64_t                    maximumPoreSize = 0);
+  MedialVoxelMovingWindow(const MedialVoxelGrid &          grid,
+                          std::vector<MedialVoxelBoundary> kinds,
+                          bool                             keepsNotANumber = false,
+                          bool                             keepsGray = false,
+                          std::uint64_t                    maximumPoreSize = 0);
 
   /** Voxels whose object bits are needed to know the boundaries in \a sites. */
   MedialVoxelBox

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelEngine_h
+#define itkMedialVoxelEngine_h
+
+#include "itkMedialVoxelEngineClient.h"
+#include "itkMedialVoxelEngineSettings.h"
+#include "itkMedialVoxelGrid.h"
+#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelSums.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelEngine
+ * \brief Carries out a task on an image, region by region, with a client that knows the image and the threads.
+ *
+ * It walks a region slab by slab, each with a window of object bits that is certain to hold what its tiles depend on,
+ * and has workers process the tiles. Results do not depend on regions, slabs, tiles or threads. The window of a region
+ * is kept for the next one, so that input that both depend on is asked for once.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelEngine
+{
+public:
+  /** \a grid has the size of the image, and its spacing in the units of the task. */
+  MedialVoxelEngine(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings & settings);
+  ~MedialVoxelEngine();
+
+  MedialVoxelEngine(const MedialVoxelEngine &) = delete;
+  MedialVoxelEngine &
+  operator=(const MedialVoxelEngine &) = delete;
+
+  /** Bytes that the window and all workers take while no tile of \a region depends on more than is known to begin
+   * with. */
+  std::uint64_t
+  GetBytes(const MedialVoxelBox & region) const;
+
+  /** Extent along the slowest axis of the slabs that \a region is cut into now. */
+  std::int64_t
+  GetSlabThickness(const MedialVoxelBox & region) const;
+
+  /** Boxes of object voxels that the first slab of \a region starts with and the window does not hold. */
+  std::vector<MedialVoxelBox>
+  GetMissingObjectBoxes(const MedialVoxelBox & region) const;
+
+  /** Whether \a region reaches the end of the image along its slowest axis, so that no region can follow. */
+  bool
+  IsLast(const MedialVoxelBox & region) const;
+
+  /** Process all of \a region. What was found up to an exception does not count.
+   * \throw MedialVoxelMemoryError when the memory limit does not hold what a slab of one voxel depends on. */
+  MedialVoxelSums
+  Run(const MedialVoxelBox & region, MedialVoxelEngineClient & client);
+
+  /** Process one tile of the run in progress; the client takes the result unless the tile depends on more than the
+   * window holds. */
+  void
+  ProcessTile(const MedialVoxelBox & tile);
+
+private:
+  class Implementation;
+
+  std::unique_ptr<Implementation> m_Implementation;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelEngineClient_h
+#define itkMedialVoxelEngineClient_h
+
+#include "itkMedialVoxelObjectSource.h"
+#include "itkMedialVoxelTileResult.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstddef>
+#include <exception>
+#include <functional>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelEngineClient
+ * \brief What an engine needs from its user: object bits, threads, and a place for results.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelEngineClient : public MedialVoxelObjectSource
+{
+public:
+  /** Call \a work \a numberOfWorkers times, in as many threads as there are, and wait for all of them. It throws
+   * nothing. */
+  virtual void
+  RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) = 0;
+
+  /** Have MedialVoxelEngine::ProcessTile() process \a tile in this thread, which is one of the workers. */
+  virtual void
+  RunTile(const MedialVoxelBox & tile) = 0;
+
+  /** Store what was found in a tile. Called by several workers at a time, for each tile once. */
+  virtual void
+  TakeTile(const MedialVoxelTileResult & tile) = 0;
+
+  /** Hears from the calling thread of a run that \a fraction of the region is done; does nothing by default. */
+  virtual void
+  UpdateProgress(float fraction);
+
+  /** Asked in the calling thread of a run, where true stops it; default false. */
+  virtual bool
+  IsAbortRequested() const;
+
+  /** The exception that ends a run that was stopped, by default MedialVoxelAborted. */
+  virtual std::exception_ptr
+  GetAbortException() const;
+
+  /** Parts of \a box for a client that gets the image through a buffer: whole slices, as many as fit a megabyte. */
+  static std::vector<MedialVoxelBox>
+  CutForPull(const MedialVoxelBox & box, std::size_t bytesPerVoxel);
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelEngineSettings_h
+#define itkMedialVoxelEngineSettings_h
+
+#include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelParameters.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace itk
+{
+
+class MedialVoxelTileObserver;
+
+/** \struct MedialVoxelExtraction
+ * \brief The task to label the medial cells, and what else is wanted of them.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxel_EXPORT MedialVoxelExtraction
+{
+  /** Values of the voxels that are object; one end may be infinite. */
+  struct GrayRange
+  {
+    double lower;
+    double upper;
+  };
+
+  MedialVoxelParameters parameters;
+
+  /** Boundary that vectors lead to; none without vectors. */
+  std::optional<MedialVoxelBoundary> vectorBoundary;
+
+  /** Measure the walls at all medial cells. */
+  bool measuresThickness{ false };
+
+  /** Measure walls on the gray values of the voxels; on the object without. */
+  std::optional<GrayRange> grayRange;
+
+  /** Someone sees the tiles, with so many bytes for each voxel of the tile of a worker. */
+  bool          isObserved{ false };
+  std::uint64_t observerBytesPerVoxel{ 0 };
+
+  /** Who sees the tiles of the runs, which must outlive them; a plan needs none. */
+  std::vector<MedialVoxelTileObserver *> observers;
+
+  /** Let \a observer see the tiles, and count its memory. */
+  void
+  AddObserver(MedialVoxelTileObserver & observer);
+
+  /** Whether the cells of a tile are kept for what follows the labels. */
+  bool
+  KeepsRows() const
+  {
+    return measuresThickness || isObserved;
+  }
+};
+
+/** \struct MedialVoxelDistanceMap
+ * \brief The task to find the nearest boundary voxel of each voxel.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelDistanceMap
+{
+  MedialVoxelBoundary boundary{ MedialVoxelBoundary::Object };
+  MedialVoxelRegion   region{ MedialVoxelRegion::Both };
+  double              maximumDistance{ std::numeric_limits<double>::infinity() };
+};
+
+using MedialVoxelEngineTask = std::variant<MedialVoxelExtraction, MedialVoxelDistanceMap>;
+
+/** \struct MedialVoxelEngineSettings
+ * \brief A task, and how its work is divided, which has no influence on results.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelEngineSettings
+{
+  MedialVoxelEngineTask task;
+
+  /** Count the voxels whose value is not a number. */
+  bool countsNotANumber{ false };
+
+  /** Edge of the tiles; 0 chooses. */
+  std::int64_t tileSize{ 0 };
+
+  /** Extent of the slabs along the slowest axis; 0 chooses. */
+  std::int64_t slabThickness{ 0 };
+
+  /** Bytes that the window and the memory of all workers may take; 0 is without limit. */
+  std::uint64_t memoryLimit{ 0 };
+
+  /** Workers that process tiles at the same time. */
+  unsigned int numberOfWorkers{ 1 };
+};
+
+} // end namespace itk
+
+#endif

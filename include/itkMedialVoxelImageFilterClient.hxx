@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelImageFilterClient_hxx
+#define itkMedialVoxelImageFilterClient_hxx
+
+#include "itkMedialVoxelImageFilterBase.h"
+
+#include "itkMedialVoxelProgress.h"
+#include "itkMultiThreaderBase.h"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <vector>
+
+namespace itk
+{
+
+/** What the engine gets from the filter: bits of the input, threads, and places for the results. */
+template <typename TInputImage, typename TOutputImage>
+class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::Client : public MedialVoxelEngineClient
+{
+public:
+  explicit Client(Self & filter)
+    : m_Filter(filter)
+    , m_Predicate(filter.GetPredicate())
+  {}
+
+  void
+  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * const notANumber) override
+  {
+    this->Fill(box, object, notANumber, nullptr);
+  }
+
+  void
+  FillObjectAndGray(const MedialVoxelBox &  box,
+                    MedialVoxelBits &       object,
+                    MedialVoxelBits * const notANumber,
+                    MedialVoxelGray &       gray) override
+  {
+    this->Fill(box, object, notANumber, &gray);
+  }
+
+  void
+  FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray) override
+  {
+    for (const MedialVoxelBox & piece : CutForPull(box))
+    {
+      MedialVoxelPoll();
+      this->Pull(piece);
+      this->Copy(piece, gray);
+    }
+  }
+
+  void
+  RunWorkers(const unsigned int numberOfWorkers, const std::function<void()> & work) override
+  {
+    MultiThreaderBase * const multiThreader = m_Filter.GetMultiThreader();
+    multiThreader->SetNumberOfWorkUnits(static_cast<ThreadIdType>(numberOfWorkers));
+    multiThreader->ParallelizeArray(0, numberOfWorkers, [&work](SizeValueType) { work(); }, nullptr);
+  }
+
+  void
+  RunTile(const MedialVoxelBox & tile) override
+  {
+    m_Filter.DynamicThreadedGenerateData(m_Filter.RegionOf(tile));
+  }
+
+  void
+  TakeTile(const MedialVoxelTileResult & tile) override
+  {
+    m_Filter.TakeTile(tile);
+  }
+
+  void
+  UpdateProgress(const float fraction) override
+  {
+    m_Filter.UpdateProgress(fraction);
+  }
+
+  bool
+  IsAbortRequested() const override
+  {
+    return m_Filter.GetAbortGenerateData();
+  }
+
+  std::exception_ptr
+  GetAbortException() const override
+  {
+    ProcessAborted exception(__FILE__, __LINE__);
+    exception.SetDescription("Filter execution was aborted by an external request");
+    return std::make_exception_ptr(exception);
+  }
+
+  static std::vector<MedialVoxelBox>
+  CutForPull(const MedialVoxelBox & box)
+  {
+    return MedialVoxelEngineClient::CutForPull(box, sizeof(InputPixelType));
+  }
+
+private:
+  /** Have the pipeline produce a piece of the input. */
+  void
+  Pull(const MedialVoxelBox & piece)
+  {
+    auto * const               input = const_cast<InputImageType *>(m_Filter.GetInput());
+    const InputImageRegionType region = m_Filter.RegionOf(piece);
+    input->SetRequestedRegion(region);
+    input->PropagateRequestedRegion();
+    input->UpdateOutputData();
+    if (!input->GetBufferedRegion().IsInside(region))
+    {
+      itkGenericExceptionMacro("The input image holds " << input->GetBufferedRegion() << " but " << region
+                                                        << " is needed.");
+    }
+  }
+
+  void
+  Fill(const MedialVoxelBox &  box,
+       MedialVoxelBits &       object,
+       MedialVoxelBits * const notANumber,
+       MedialVoxelGray * const gray)
+  {
+    for (const MedialVoxelBox & piece : CutForPull(box))
+    {
+      MedialVoxelPoll();
+      this->Pull(piece);
+      this->Pack(piece, m_Predicate, object);
+      if (notANumber != nullptr)
+      {
+        this->Pack(piece, [](const InputPixelType value) { return value != value; }, *notANumber);
+      }
+      if (gray != nullptr)
+      {
+        this->Copy(piece, *gray);
+      }
+    }
+  }
+
+  void
+  Copy(const MedialVoxelBox & piece, MedialVoxelGray & gray) const
+  {
+    m_Filter.ForEachRow(
+      *m_Filter.GetInput(), piece, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
+        std::transform(pixels,
+                       pixels + row.Extent(0),
+                       gray.GetRow(row.lower[1], row.lower[2]) + (row.lower[0] - gray.GetBox().lower[0]),
+                       [](const InputPixelType value) { return static_cast<float>(value); });
+      });
+  }
+
+  template <typename TPredicate>
+  void
+  Pack(const MedialVoxelBox & piece, const TPredicate & predicate, MedialVoxelBits & bits) const
+  {
+    m_Filter.ForEachRow(
+      *m_Filter.GetInput(), piece, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
+        MedialVoxelPackRow(pixels,
+                           row.lower[0],
+                           row.Extent(0),
+                           predicate,
+                           bits.GetRow(row.lower[1], row.lower[2]) - bits.GetFirstWord());
+      });
+  }
+
+  Self &        m_Filter;
+  PredicateType m_Predicate;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSums_h
+#define itkMedialVoxelSums_h
+
+#include "itkMedialVoxelParameters.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+
+namespace itk
+{
+
+/** \struct MedialVoxelSums
+ * \brief What is counted and measured of tiles, regions or pieces, and adds up.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxel_EXPORT MedialVoxelSums
+{
+  MedialVoxelCounts counts;
+  std::uint64_t     recomputedVoxels{ 0 };        ///< of tiles that depended on more than the window held
+  double            distanceSeconds{ 0.0 };       ///< of all threads together
+  double            classificationSeconds{ 0.0 }; ///< of all threads together
+  double            threadSeconds{ 0.0 };         ///< of all threads together, on tiles
+  double            tileSeconds{ 0.0 };           ///< from the first to the last tile of each slab
+
+  MedialVoxelSums &
+  operator+=(const MedialVoxelSums & other);
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelEngine.h"
+
+#include "itkMedialVoxelDistanceTask.h"
+#include "itkMedialVoxelExecution.h"
+#include "itkMedialVoxelExtractionTask.h"
+
+#include <stdexcept>
+#include <variant>
+
+namespace itk
+{
+
+namespace
+{
+
+MedialVoxelSlabWalker::Settings
+GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extraction)
+{
+  auto settings = MedialVoxelSlabWalker::Settings::ForClassification(
+    grid, extraction.parameters, extraction.vectorBoundary == MedialVoxelBoundary::Object);
+  if (extraction.KeepsRows())
+  {
+    settings.workerBytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel + extraction.observerBytesPerVoxel;
+    settings.keepsGray = extraction.grayRange.has_value();
+  }
+  return settings;
+}
+
+MedialVoxelSlabWalker::Settings
+GetSettingsOf(const MedialVoxelGrid &, const MedialVoxelDistanceMap & distances)
+{
+  return MedialVoxelSlabWalker::Settings::ForDistances(distances.boundary);
+}
+
+/** The settings of the task, with those that all tasks have. */
+MedialVoxelSlabWalker::Settings
+GetWalkerSettings(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings & engine)
+{
+  auto settings = std::visit([&grid](const auto & task) { return GetSettingsOf(grid, task); }, engine.task);
+  settings.keepsNotANumber = engine.countsNotANumber;
+  settings.tileSize = engine.tileSize;
+  settings.slabThickness = engine.slabThickness;
+  settings.memoryLimit = engine.memoryLimit;
+  settings.numberOfWorkers = engine.numberOfWorkers;
+  return settings;
+}
+
+std::unique_ptr<const MedialVoxelTileTask>
+MakeTask(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extraction)
+{
+  return std::make_unique<const MedialVoxelExtractionTask>(grid, extraction);
+}
+
+std::unique_ptr<const MedialVoxelTileTask>
+MakeTask(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & distances)
+{
+  return std::make_unique<const MedialVoxelDistanceTask>(grid, distances);
+}
+
+} // namespace
+
+class MedialVoxelEngine::Implementation
+{
+public:
+  Implementation(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings & settings)
+    : m_Grid(grid)
+    , m_Settings(settings)
+    , m_Walker(grid, GetWalkerSettings(grid, settings))
+  {}
+
+  /** Made for the first run, as its tables take time that a plan can do without. */
+  const MedialVoxelTileTask &
+  GetTask()
+  {
+    if (!m_Task)
+    {
+      m_Task = std::visit([this](const auto & task) { return MakeTask(m_Grid, task); }, m_Settings.task);
+    }
+    return *m_Task;
+  }
+
+  MedialVoxelGrid                            m_Grid;
+  MedialVoxelEngineSettings                  m_Settings;
+  MedialVoxelSlabWalker                      m_Walker;
+  std::unique_ptr<const MedialVoxelTileTask> m_Task;
+  MedialVoxelExecution *                     m_Execution{ nullptr }; ///< the run in progress
+};
+
+MedialVoxelEngine::MedialVoxelEngine(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings & settings)
+  : m_Implementation(std::make_unique<Implementation>(grid, settings))
+{}
+
+MedialVoxelEngine::~MedialVoxelEngine() = default;
+
+std::uint64_t
+MedialVoxelEngine::GetBytes(const MedialVoxelBox & region) const
+{
+  return m_Implementation->m_Walker.GetBytes(region);
+}
+
+std::int64_t
+MedialVoxelEngine::GetSlabThickness(const MedialVoxelBox & region) const
+{
+  return m_Implementation->m_Walker.GetSlabThickness(region);
+}
+
+std::vector<MedialVoxelBox>
+MedialVoxelEngine::GetMissingObjectBoxes(const MedialVoxelBox & region) const
+{
+  return m_Implementation->m_Walker.GetMissingObjectBoxes(region);
+}
+
+bool
+MedialVoxelEngine::IsLast(const MedialVoxelBox & region) const
+{
+  const MedialVoxelBox image = m_Implementation->m_Grid.GetVoxelBox();
+  const unsigned int   axis = MedialVoxelSlowestAxis(image);
+  return region.upper[axis] == image.upper[axis];
+}
+
+MedialVoxelSums
+MedialVoxelEngine::Run(const MedialVoxelBox & region, MedialVoxelEngineClient & client)
+{
+  struct Ending
+  {
+    MedialVoxelExecution *& execution;
+    ~Ending() { execution = nullptr; }
+  };
+  MedialVoxelExecution execution(region,
+                                 m_Implementation->m_Settings.numberOfWorkers,
+                                 m_Implementation->GetTask(),
+                                 m_Implementation->m_Walker,
+                                 client);
+  m_Implementation->m_Execution = &execution;
+  const Ending ending{ m_Implementation->m_Execution };
+  return execution.Run();
+}
+
+void
+MedialVoxelEngine::ProcessTile(const MedialVoxelBox & tile)
+{
+  if (m_Implementation->m_Execution == nullptr)
+  {
+    throw std::logic_error("MedialVoxelEngine: a tile is processed outside of a run");
+  }
+  m_Implementation->m_Execution->ProcessTile(tile);
+}
+
+} // end namespace itk

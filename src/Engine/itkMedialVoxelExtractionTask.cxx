@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelExtractionTask.h"
+
+#include <chrono>
+
+namespace itk
+{
+
+namespace
+{
+
+using ClockType = std::chrono::steady_clock;
+
+double
+SecondsBetween(const ClockType::time_point & begin, const ClockType::time_point & end)
+{
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+} // namespace
+
+struct MedialVoxelExtractionTask::TileWorkspace : public Workspace
+{
+  MedialVoxelFeatureTransform::Workspace transform;
+  MedialVoxelFeatures                    features;
+  MedialVoxelFeatures                    objectFeatures;
+  MedialVoxelClassifier::Workspace       classifier;
+  std::vector<std::uint8_t>              labels;
+  std::vector<MedialVoxelWall>           walls;
+
+  /** Of each observer. */
+  std::vector<std::unique_ptr<MedialVoxelTileObserver::Workspace>> observers;
+};
+
+MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &       grid,
+                                                     const MedialVoxelExtraction & settings)
+  : m_Settings(settings)
+  , m_Transform(grid)
+  , m_Classifier(grid, settings.parameters)
+  , m_Thickness(grid)
+{
+  if (settings.grayRange)
+  {
+    m_GrayThickness.emplace(grid, settings.grayRange->lower, settings.grayRange->upper);
+  }
+}
+
+auto
+MedialVoxelExtractionTask::MakeWorkspace() const -> std::unique_ptr<Workspace>
+{
+  auto workspace = std::make_unique<TileWorkspace>();
+  workspace->classifier.keepsRows = m_Settings.KeepsRows();
+  for (const auto * const observer : m_Settings.observers)
+  {
+    workspace->observers.push_back(observer->MakeWorkspace());
+  }
+  return workspace;
+}
+
+void
+MedialVoxelExtractionTask::Begin() const
+{
+  for (auto * const observer : m_Settings.observers)
+  {
+    observer->Begin();
+  }
+}
+
+void
+MedialVoxelExtractionTask::Commit() const
+{
+  for (auto * const observer : m_Settings.observers)
+  {
+    observer->Commit();
+  }
+}
+
+MedialVoxelBox
+MedialVoxelExtractionTask::Process(const MedialVoxelBox &          box,
+                                   const MedialVoxelMovingWindow & moving,
+                                   const MedialVoxelProgress &     progress,
+                                   Workspace &                     genericWorkspace,
+                                   MedialVoxelEngineClient &       client,
+                                   MedialVoxelSums &               sums) const
+{
+  auto &     workspace = static_cast<TileWorkspace &>(genericWorkspace);
+  const Tile tile{ box, moving, moving.GetWindow(MedialVoxelBoundary::Background), progress, workspace };
+  // Objects of the neighboring tiles may have their boundary in a tile without object, which most of a thin part are.
+  sums.counts.boundaryVoxels = tile.window.sites->Count(box);
+  if (!tile.window.object->Any(m_Classifier.GetCornerBox(box)))
+  {
+    MedialVoxelTileResult result;
+    result.box = box;
+    result.isEmpty = true;
+    client.TakeTile(result);
+    return {};
+  }
+  const auto     start = ClockType::now();
+  MedialVoxelBox missing = this->FindNearest(tile);
+  const auto     middle = ClockType::now();
+  sums.distanceSeconds = SecondsBetween(start, middle);
+  if (!missing.IsEmpty())
+  {
+    return missing;
+  }
+  missing = m_Classifier.Classify(
+    tile.window, box, workspace.features, progress, workspace.classifier, workspace.labels, sums.counts);
+  sums.classificationSeconds = SecondsBetween(middle, ClockType::now());
+  if (!missing.IsEmpty() || progress.IsAborted())
+  {
+    return missing;
+  }
+  missing = this->MeasureWalls(tile);
+  if (missing.IsEmpty())
+  {
+    missing = this->Show(tile);
+  }
+  if (missing.IsEmpty())
+  {
+    this->HandOver(tile, client);
+    sums.counts.objectVoxels = tile.window.object->Count(box);
+  }
+  return missing;
+}
+
+MedialVoxelBox
+MedialVoxelExtractionTask::FindNearest(const Tile & tile) const
+{
+  TileWorkspace & workspace = tile.workspace;
+  MedialVoxelBox  missing = m_Transform.Compute(
+    tile.window, m_Classifier.GetVoxelBox(tile.box), workspace.transform, workspace.features, &tile.progress);
+  if (missing.IsEmpty() && this->HasObjectVectors())
+  {
+    missing = m_Transform.Compute(tile.moving.GetWindow(MedialVoxelBoundary::Object),
+                                  tile.box,
+                                  workspace.transform,
+                                  workspace.objectFeatures,
+                                  &tile.progress);
+  }
+  return missing;
+}
+
+/** At all medial cells when their thickness is wanted, otherwise at those that an observer selects. */
+MedialVoxelBox
+MedialVoxelExtractionTask::MeasureWalls(const Tile & tile) const
+{
+  TileWorkspace & workspace = tile.workspace;
+  auto &          rows = workspace.classifier.rows;
+  if (!m_Settings.KeepsRows())
+  {
+    return {};
+  }
+  for (MedialVoxelCellRow & row : rows)
+  {
+    const MedialVoxelBits::WordType medial = row.byBound | row.byGeodesic;
+    row.measured = m_Settings.measuresThickness ? medial : 0;
+    for (auto observer = m_Settings.observers.begin(); observer != m_Settings.observers.end() && row.measured != medial;
+         ++observer)
+    {
+      row.measured |= medial & (*observer)->SelectCells(row);
+    }
+  }
+  MedialVoxelMeasureWalls(m_Thickness, m_Classifier, tile.window, workspace.features, rows, workspace.walls);
+  return m_GrayThickness
+           ? MedialVoxelRefineWalls(
+               *m_GrayThickness, m_Classifier, tile.moving.GetGray(), workspace.features, rows, workspace.walls)
+           : MedialVoxelBox{};
+}
+
+/** To no observer before all of them know what they need to. */
+MedialVoxelBox
+MedialVoxelExtractionTask::Show(const Tile & tile) const
+{
+  TileWorkspace &                 workspace = tile.workspace;
+  const MedialVoxelClassifiedTile classified{ tile.box,
+                                              tile.window,
+                                              workspace.features,
+                                              m_Classifier,
+                                              workspace.classifier.rows,
+                                              workspace.walls,
+                                              workspace.classifier.geodesic,
+                                              tile.progress,
+                                              tile.moving.GetGray() };
+  const auto &                    observers = m_Settings.observers;
+  MedialVoxelBox                  missing;
+  for (std::size_t i = 0; i < observers.size(); ++i)
+  {
+    missing = missing.Union(observers[i]->Examine(classified, workspace.observers[i].get()));
+  }
+  if (!missing.IsEmpty())
+  {
+    return missing;
+  }
+  for (std::size_t i = 0; i < observers.size(); ++i)
+  {
+    observers[i]->Observe(classified, workspace.observers[i].get());
+  }
+  return {};
+}
+
+void
+MedialVoxelExtractionTask::HandOver(const Tile & tile, MedialVoxelEngineClient & client) const
+{
+  const TileWorkspace & workspace = tile.workspace;
+  MedialVoxelTileResult result;
+  result.box = tile.box;
+  result.labels = workspace.labels.data();
+  result.object = tile.window.object;
+  if (m_Settings.vectorBoundary)
+  {
+    result.displacements = this->HasObjectVectors() ? &workspace.objectFeatures : &workspace.features;
+  }
+  if (m_Settings.measuresThickness)
+  {
+    result.rows = &workspace.classifier.rows;
+    result.walls = &workspace.walls;
+  }
+  client.TakeTile(result);
+}
+
+} // end namespace itk

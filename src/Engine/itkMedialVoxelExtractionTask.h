@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelExtractionTask_h
+#define itkMedialVoxelExtractionTask_h
+
+#include "itkMedialVoxelEngineSettings.h"
+#include "itkMedialVoxelTileObserver.h"
+#include "itkMedialVoxelTileTask.h"
+
+#include <optional>
+
+namespace itk
+{
+
+/** \class MedialVoxelExtractionTask
+ * \brief Labels the cells of a tile, measures their walls and shows them to observers.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelExtractionTask : public MedialVoxelTileTask
+{
+public:
+  MedialVoxelExtractionTask(const MedialVoxelGrid & grid, const MedialVoxelExtraction & settings);
+
+  std::unique_ptr<Workspace>
+  MakeWorkspace() const override;
+
+  void
+  Begin() const override;
+
+  void
+  Commit() const override;
+
+  MedialVoxelBox
+  Process(const MedialVoxelBox &          tile,
+          const MedialVoxelMovingWindow & window,
+          const MedialVoxelProgress &     progress,
+          Workspace &                     workspace,
+          MedialVoxelEngineClient &       client,
+          MedialVoxelSums &               sums) const override;
+
+private:
+  struct TileWorkspace;
+
+  /** What the steps of a tile share. */
+  struct Tile
+  {
+    const MedialVoxelBox &          box;
+    const MedialVoxelMovingWindow & moving;
+    MedialVoxelWindow               window;
+    const MedialVoxelProgress &     progress;
+    TileWorkspace &                 workspace;
+  };
+
+  // The steps return an empty box when they are done, otherwise the sites that must be known.
+
+  MedialVoxelBox
+  FindNearest(const Tile & tile) const;
+
+  MedialVoxelBox
+  MeasureWalls(const Tile & tile) const;
+
+  MedialVoxelBox
+  Show(const Tile & tile) const;
+
+  void
+  HandOver(const Tile & tile, MedialVoxelEngineClient & client) const;
+
+  bool
+  HasObjectVectors() const
+  {
+    return m_Settings.vectorBoundary == MedialVoxelBoundary::Object;
+  }
+
+  MedialVoxelExtraction                   m_Settings;
+  MedialVoxelFeatureTransform             m_Transform;
+  MedialVoxelClassifier                   m_Classifier;
+  MedialVoxelThickness                    m_Thickness;
+  std::optional<MedialVoxelGrayThickness> m_GrayThickness; // empty: walls are measured on the object
+};
+
+} // end namespace itk
+
+#endif

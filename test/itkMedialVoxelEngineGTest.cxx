@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+// The engine without a filter, and the observers of its tiles.
+
+#include "MedialVoxelTestKernels.h"
+#include "MedialVoxelTestRuns.h"
+
+#include "itkMedialVoxelEngine.h"
+#include "itkMedialVoxelTileObserver.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+
+namespace
+{
+using namespace MedialVoxelTest;
+
+/** Threads, voxels and labels without ITK. */
+class PlainClient : public itk::MedialVoxelEngineClient
+{
+public:
+  explicit PlainClient(const Volume & volume)
+    : m_Volume(volume)
+    , m_Labels(volume.object.size(), 255)
+    , m_NearestX(volume.object.size(), 0)
+  {}
+
+  void
+  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
+  {
+    ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
+      if (m_Volume.IsObject(OracleIndex(v)))
+      {
+        object.Set(v);
+      }
+    });
+  }
+
+  void
+  RunWorkers(const unsigned int numberOfWorkers, const std::function<void()> & work) override
+  {
+    std::vector<std::thread> others;
+    for (unsigned int i = 1; i < numberOfWorkers; ++i)
+    {
+      others.emplace_back(work);
+    }
+    work();
+    for (std::thread & other : others)
+    {
+      other.join();
+    }
+  }
+
+  void
+  RunTile(const itk::MedialVoxelBox & tile) override
+  {
+    m_Engine->ProcessTile(tile);
+  }
+
+  void
+  TakeTile(const itk::MedialVoxelTileResult & tile) override
+  {
+    std::size_t number = 0;
+    ForEachVoxel(tile.box, [&](const itk::MedialVoxelIndex & v) {
+      const std::size_t at = m_Volume.Offset(OracleIndex(v));
+      m_Labels[at] = tile.labels == nullptr ? 0 : tile.labels[number++];
+      m_NearestX[at] =
+        tile.displacements == nullptr ? 0 : tile.displacements->dx[tile.displacements->OffsetOf(v[0], v[1], v[2])];
+    });
+    ++m_NumberOfTiles;
+  }
+
+  bool
+  IsAbortRequested() const override
+  {
+    return m_NumberOfTiles >= m_TilesToAbort;
+  }
+
+  const Volume &             m_Volume;
+  std::vector<unsigned char> m_Labels;
+  std::vector<std::int32_t>  m_NearestX;
+  itk::MedialVoxelEngine *   m_Engine{ nullptr };
+  std::atomic<int>           m_NumberOfTiles{ 0 };
+  int                        m_TilesToAbort{ 1 << 30 };
+};
+
+/** Counts how often it has seen each voxel, and how often it was told to begin and to commit. */
+class CountingObserver : public itk::MedialVoxelTileObserver
+{
+public:
+  explicit CountingObserver(const Volume & volume)
+    : m_Volume(volume)
+    , m_Seen(volume.object.size(), 0)
+  {}
+
+  std::uint64_t
+  GetWorkerBytesPerVoxel() const override
+  {
+    return 1;
+  }
+
+  void
+  Begin() override
+  {
+    ++m_Begun;
+  }
+
+  void
+  Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *) override
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    ForEachVoxel(tile.box, [&](const itk::MedialVoxelIndex & v) { ++m_Seen[m_Volume.Offset(OracleIndex(v))]; });
+  }
+
+  void
+  Commit() override
+  {
+    ++m_Committed;
+  }
+
+  const Volume &   m_Volume;
+  std::mutex       m_Mutex;
+  std::vector<int> m_Seen;
+  int              m_Begun{ 0 };
+  int              m_Committed{ 0 };
+};
+
+/** Needs to know the boundary far around each tile. */
+class DemandingObserver : public CountingObserver
+{
+public:
+  using CountingObserver::CountingObserver;
+
+  itk::MedialVoxelBox
+  Examine(const itk::MedialVoxelClassifiedTile & tile, Workspace *) const override
+  {
+    const itk::MedialVoxelBox needed =
+      tile.box.Expanded({ { 40, 40, 40 } }).Intersection(GridOf(m_Volume).GetVoxelBox());
+    return tile.window.sites->GetBox().Contains(needed) ? itk::MedialVoxelBox{} : needed;
+  }
+};
+
+itk::MedialVoxelEngineSettings
+SettingsFor(const itk::MedialVoxelEngineTask & task)
+{
+  itk::MedialVoxelEngineSettings settings;
+  settings.task = task;
+  settings.tileSize = 16;
+  settings.slabThickness = 16;
+  settings.numberOfWorkers = 2;
+  return settings;
+}
+
+itk::MedialVoxelExtraction
+ExtractionOf(double thickness)
+{
+  itk::MedialVoxelExtraction extraction;
+  extraction.parameters =
+    itk::MedialVoxelParameters::ForThickness(thickness, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
+  return extraction;
+}
+
+const Volume &
+Boxes()
+{
+  static const Volume volume = RandomBoxes({ { 60, 50, 90 } }, UnitSpacing, 20, 321);
+  return volume;
+}
+} // namespace
+
+TEST(MedialVoxelEngine, ExtractsAsTheFilterDoes)
+{
+  PlainClient            client(Boxes());
+  itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsFor(ExtractionOf(3.0)));
+  client.m_Engine = &engine;
+  const auto sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+  const auto expected = RunMedialFilter<3>(Boxes(), 3.0);
+  EXPECT_TRUE(AreEqual(client.m_Labels, expected.labels));
+  EXPECT_EQ(sums.counts.boundCells, expected.counts.boundCells);
+  EXPECT_EQ(sums.counts.trivialCells, expected.counts.trivialCells);
+  EXPECT_GT(sums.counts.boundaryVoxels, 0u);
+}
+
+TEST(MedialVoxelEngine, FindsTheNearestVoxels)
+{
+  PlainClient            client(Boxes());
+  itk::MedialVoxelEngine engine(GridOf(Boxes()),
+                                SettingsFor(itk::MedialVoxelDistanceMap{ itk::MedialVoxelBoundary::Background }));
+  client.m_Engine = &engine;
+  engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+  const auto  sites = BoundarySites(Boxes());
+  const auto  nearest = NearestSites(Boxes(), sites, std::vector<unsigned char>(Boxes().object.size(), 1));
+  std::size_t differences = 0;
+  for (std::size_t i = 0; i < nearest.size(); ++i)
+  {
+    differences += client.m_NearestX[i] != sites[nearest[i]][0] - Boxes().IndexAt(i)[0] ? 1 : 0;
+  }
+  EXPECT_EQ(differences, 0u);
+}
+
+TEST(MedialVoxelEngine, StopsWhenTheClientWantsIt)
+{
+  PlainClient                client(Boxes());
+  CountingObserver           observer(Boxes());
+  itk::MedialVoxelExtraction extraction = ExtractionOf(3.0);
+  extraction.AddObserver(observer);
+  itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsFor(extraction));
+  client.m_Engine = &engine;
+  client.m_TilesToAbort = 5;
+  EXPECT_THROW(engine.Run(GridOf(Boxes()).GetVoxelBox(), client), itk::MedialVoxelAborted);
+  EXPECT_EQ(observer.m_Begun, 1);
+  EXPECT_EQ(observer.m_Committed, 0);
+  EXPECT_THROW(engine.ProcessTile(MakeBox({ { 0, 0, 0 } }, { { 1, 1, 1 } })), std::logic_error);
+}
+
+TEST(MedialVoxelEngine, KnowsTheLastRegion)
+{
+  const itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsFor(ExtractionOf(3.0)));
+  EXPECT_FALSE(engine.IsLast(MakeBox({ { 0, 0, 0 } }, { { 60, 50, 89 } })));
+  EXPECT_TRUE(engine.IsLast(MakeBox({ { 0, 0, 80 } }, { { 60, 50, 90 } })));
+}
+
+/** Also when another one asks for more after it, and when what was cut into tiles is cut again to fit the memory. */
+TEST(MedialVoxelEngine, NoObserverSeesATileTwice)
+{
+  for (const std::uint64_t limit : { 0u, 1500000u })
+  {
+    CountingObserver           first(Boxes());
+    DemandingObserver          demanding(Boxes());
+    CountingObserver           last(Boxes());
+    itk::MedialVoxelExtraction extraction = ExtractionOf(3.0);
+    for (itk::MedialVoxelTileObserver * const observer : { static_cast<itk::MedialVoxelTileObserver *>(&first),
+                                                           static_cast<itk::MedialVoxelTileObserver *>(&demanding),
+                                                           static_cast<itk::MedialVoxelTileObserver *>(&last) })
+    {
+      extraction.AddObserver(*observer);
+    }
+    auto settings = SettingsFor(extraction);
+    settings.memoryLimit = limit;
+    PlainClient            client(Boxes());
+    itk::MedialVoxelEngine engine(GridOf(Boxes()), settings);
+    client.m_Engine = &engine;
+    const auto sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+    EXPECT_GT(sums.recomputedVoxels, 0u);
+    EXPECT_EQ(*std::max_element(first.m_Seen.begin(), first.m_Seen.end()), 1);
+    EXPECT_EQ(first.m_Seen, demanding.m_Seen);
+    EXPECT_EQ(first.m_Seen, last.m_Seen);
+    EXPECT_EQ(first.m_Committed, 1);
+  }
+}
+
+TEST(MedialVoxelEngine, ThePlanCountsTheMemoryOfObservers)
+{
+  CountingObserver           observer(Boxes());
+  itk::MedialVoxelExtraction extraction = ExtractionOf(3.0);
+  extraction.isObserved = true;
+  const auto box = GridOf(Boxes()).GetVoxelBox();
+  const auto without = itk::MedialVoxelEngine(GridOf(Boxes()), SettingsFor(extraction)).GetBytes(box);
+  extraction.AddObserver(observer);
+  const auto with = itk::MedialVoxelEngine(GridOf(Boxes()), SettingsFor(extraction)).GetBytes(box);
+  // Two workers, and the corners of the last cells of their tiles.
+  EXPECT_EQ(with - without, 2u * 17 * 17 * 17);
+}
