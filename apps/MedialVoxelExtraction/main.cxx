@@ -3,7 +3,6 @@
 #include "EmbeddedXml.h"
 #include "ModuleCommandLine.h"
 #include "Program.h"
-#include "Report.h"
 #include "Version.h"
 #include "VolumeJob.h"
 
