@@ -191,6 +191,14 @@ class EachCallTest(LeftoverCase):
     def test_outputs_that_are_replaced(self):
         self.assertGreater(self.check(True), 20)
 
+    def test_mesh_appears_after_its_report(self):
+        command = ["mesh", "in.mha", "m.stl", "--thickness", 2, "--report", "r.json", "--threads", 1]
+
+        def check(label):
+            self.assertFalse("m.stl" in self.names() and "r.json" not in self.names(), label)
+
+        self.assertEqual(kill_at_each("linkat", command, self.remove_outputs, check, self.folder), 2)
+
     def test_without_names_for_files_without_one(self):
         """As in a sandbox: the bytes are copied."""
         self.run_program(*self.command)

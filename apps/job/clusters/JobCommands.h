@@ -5,8 +5,8 @@
 
 #include "ClusterOptions.h"
 #include "Errors.h"
+#include "Progress.h"
 #include "SlurmScript.h"
-#include "VolumeJob.h"
 
 #include <cstdint>
 #include <optional>

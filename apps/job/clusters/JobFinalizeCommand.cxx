@@ -11,10 +11,8 @@
 #include "JobClock.h"
 #include "JobCommands.h"
 #include "OutputChecks.h"
-#include "OutputVolume.h"
 #include "PipelineErrors.h"
 #include "SharedJob.h"
-#include "Signals.h"
 #include "StopListener.h"
 #include "Warnings.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "JobCommands.h"
+#include "Progress.h"
 #include "SharedJob.h"
 
 #include <algorithm>

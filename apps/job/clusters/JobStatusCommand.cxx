@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "ExtractParts.h"
 #include "JobCommands.h"
 #include "SealedJson.h"
 #include "SharedJob.h"

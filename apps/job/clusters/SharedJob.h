@@ -4,7 +4,6 @@
 #define medialvoxelSharedJob_h
 
 #include "JobFolder.h"
-#include "OutputSet.h"
 
 #include <memory>
 #include <string>

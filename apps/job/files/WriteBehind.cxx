@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "WriteBehind.h"
 
-#include "Progress.h"
 #include "StopListener.h"
 
 #include <chrono>

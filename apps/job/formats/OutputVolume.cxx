@@ -4,7 +4,6 @@
 
 #include "DataFile.h"
 #include "FileNames.h"
-#include "Progress.h"
 #include "Text.h"
 
 #include "itkMedialVoxelProgress.h"

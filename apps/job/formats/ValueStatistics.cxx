@@ -4,7 +4,6 @@
 
 #include "LabelValues.h"
 #include "PipelineErrors.h"
-#include "Signals.h"
 #include "Text.h"
 #include "ValueHistogram.h"
 #include "ValueStream.h"

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
-#include "Report.h"
 #include "Text.h"
 #include "Version.h"
 #include "VolumeFormats.h"

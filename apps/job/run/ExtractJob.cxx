@@ -13,10 +13,10 @@
 #include "ReadVolumeHeader.h"
 #include "StopListener.h"
 #include "SurfaceMesh.h"
-#include "Text.h"
 #include "ThicknessPreview.h"
 #include "ValueStatistics.h"
 #include "VolumeFormats.h"
+#include "VolumeJob.h"
 #include "Warnings.h"
 
 #include <algorithm>

@@ -3,8 +3,9 @@
 #ifndef medialvoxelExtractParts_h
 #define medialvoxelExtractParts_h
 
+#include "JobResult.h"
+#include "Options.h"
 #include "Survey.h"
-#include "VolumeJob.h"
 
 namespace medialvoxel
 {

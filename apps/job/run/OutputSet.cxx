@@ -73,9 +73,9 @@ OutputSet::FinishVolumes()
 void
 OutputSet::Publish()
 {
-  for (const auto & file : m_Files)
+  for (auto file = m_Files.rbegin(); file != m_Files.rend(); ++file)
   {
-    file->Publish();
+    (*file)->Publish();
   }
   for (auto volume = m_Volumes.rbegin(); volume != m_Volumes.rend(); ++volume)
   {

@@ -15,7 +15,8 @@ namespace medialvoxel
 {
 
 /** \class OutputSet
- * \brief The outputs of a job, which appear together: the one added first appears last and stands for all. */
+ * \brief The outputs of a job, which appear together: files before volumes, and of each the one added first last. The
+ * last one stands for all. */
 class OutputSet
 {
 public:
