@@ -116,8 +116,8 @@ private:
   Survey                       m_Survey;
 
   std::vector<itk::MedialVoxelTileObserver *> m_Observers;
-  std::vector<Destination>     m_Destinations;
-  WriteBehind                  m_Writer; // ends before what it writes
+  std::vector<Destination>                    m_Destinations;
+  WriteBehind                                 m_Writer; // ends before what it writes
 };
 
 } // end namespace medialvoxel
