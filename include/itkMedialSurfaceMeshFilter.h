@@ -4,7 +4,7 @@
 #define itkMedialSurfaceMeshFilter_h
 
 #include "itkMedialVoxelImageFilter.h"
-#include "itkMedialVoxelSurfaceBuilder.h"
+#include "itkMedialVoxelSurface.h"
 
 #include "itkImageToMeshFilter.h"
 #include "itkMesh.h"
@@ -250,7 +250,7 @@ private:
     return size;
   }
 
-  static MedialVoxelSurfaceBuilder::Placement
+  static MedialVoxelSurfacePlacement
   GetPlacement(const InputImageType & image);
 
   /** Classifies the cells; the labels themselves are of no use. */

@@ -37,7 +37,7 @@ set(L1
 set(L2 FeatureTransform FeatureTransformColumns FeatureTransformSlices CellPairs TileLabels LocalThreshold JointClassifier
     Classifier TileWalls TileObserver SurfaceCrossings SurfaceCells)
 set(L3 MemoryError ObjectSource MovingWindow TileSchedule SlabWalker Sums EngineSettings TileResult EngineClient TileTask DistanceTask
-    ExtractionTask Execution Engine SurfaceBuilder SurfaceTrimmer SurfaceObserver SurfaceStore)
+    ExtractionTask Execution Engine SurfaceConsumer SurfaceBuilder SurfaceTrimmer SurfaceObserver SurfaceStore Surface)
 # What the filters need for pixels of any type.
 set(L4 ObjectPredicate DisplacementWriter)
 set(units ${L0} ${Formats} ${L1} ${L2} ${L3} ${L4})
