@@ -47,7 +47,7 @@ namespace itk
  * A mesh with the traits DefaultStaticMeshTraits<float, 3, 3, double> has them.
  *
  * \par Memory
- * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled piece by piece.
+ * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled part by part.
  *
  * \par QuadEdgeMesh
  * QuadEdgeMesh holds oriented manifolds only. A surface whose cells have no junction sides can be copied to one, cell

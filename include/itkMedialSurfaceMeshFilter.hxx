@@ -360,7 +360,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::RunPieces()
     for (; slice < end; slice += slices)
     {
       this->RequestPiece(slice);
-      // Not Update(), which would have the input produce its first piece again.
+      // Not Update(), which would have the input produce its first part again.
       labels.UpdateOutputData();
     }
   }

@@ -82,7 +82,7 @@ struct MedialVoxelSurfaceQuad
 };
 
 /** \class MedialVoxelSurfaceConsumer
- * \brief Takes a surface piece by piece: vertices in the order of their numbers, which count from 0, and quadrilaterals
+ * \brief Takes a surface part by part: vertices in the order of their numbers, which count from 0, and quadrilaterals
  * whose vertices it has.
  * \ingroup MedialVoxel
  */
