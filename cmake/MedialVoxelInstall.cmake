@@ -20,6 +20,19 @@ install(
   FILES_MATCHING
   PATTERN "*.h"
   PATTERN "*.hxx")
+
+# MedialVoxel::Internals, for the programs, which may be built on an installed package.
+get_target_property(_folders MedialVoxelInternals MedialVoxel_FOLDERS)
+foreach(_folder IN LISTS _folders)
+  target_include_directories(MedialVoxelInternals INTERFACE "$<INSTALL_INTERFACE:${_headers_dir}/Internals/${_folder}>")
+endforeach()
+install(TARGETS MedialVoxelInternals EXPORT MedialVoxelTargets)
+install(
+  DIRECTORY "${PROJECT_SOURCE_DIR}/src/"
+  DESTINATION ${_headers_dir}/Internals
+  COMPONENT Development
+  FILES_MATCHING
+  PATTERN "*.h")
 install(
   EXPORT MedialVoxelTargets
   NAMESPACE MedialVoxel::

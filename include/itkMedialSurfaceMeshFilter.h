@@ -4,7 +4,7 @@
 #define itkMedialSurfaceMeshFilter_h
 
 #include "itkMedialVoxelImageFilter.h"
-#include "itkMedialVoxelSurfaceBuilder.h"
+#include "itkMedialVoxelSurface.h"
 
 #include "itkImageToMeshFilter.h"
 #include "itkMesh.h"
@@ -47,7 +47,7 @@ namespace itk
  * A mesh with the traits DefaultStaticMeshTraits<float, 3, 3, double> has them.
  *
  * \par Memory
- * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled piece by piece.
+ * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled part by part.
  *
  * \par QuadEdgeMesh
  * QuadEdgeMesh holds oriented manifolds only. A surface whose cells have no junction sides can be copied to one, cell
@@ -250,7 +250,7 @@ private:
     return size;
   }
 
-  static MedialVoxelSurfaceBuilder::Placement
+  static MedialVoxelSurfacePlacement
   GetPlacement(const InputImageType & image);
 
   /** Classifies the cells; the labels themselves are of no use. */

@@ -6,8 +6,6 @@
 #include "itkMedialSurfaceMeshWriter.hxx"
 #include "itkMedialSurfaceProgress.h"
 #include "itkMedialVoxelLimits.h"
-#include "itkMedialVoxelSurfaceObserver.h"
-#include "itkMedialVoxelSurfaceStore.h"
 
 #include <algorithm>
 #include <cmath>
@@ -243,12 +241,10 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::VerifyInputInformation() ITKv
   const auto & input = dynamic_cast<const InputImageType &>(*this->GetPrimaryInput());
   const auto   placement = GetPlacement(input);
   const auto   size = GetSize(input);
-  if (sizeof(typename OutputMeshType::CoordRepType) < sizeof(double) &&
-      !MedialVoxelSurfaceBuilder::FitsFloat(placement, size))
+  if (sizeof(typename OutputMeshType::CoordRepType) < sizeof(double) && !placement.FitsFloat(size))
   {
     itkExceptionMacro("Coordinates of the image reach "
-                      << MedialVoxelSurfaceBuilder::LargestCoordinate(placement, size) << " with spacing "
-                      << input.GetSpacing()
+                      << placement.LargestCoordinate(size) << " with spacing " << input.GetSpacing()
                       << ": 32 bits do not keep points apart. Take a mesh of double coordinates.");
   }
 }
@@ -275,11 +271,11 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSlicesPerPiece() const
 }
 
 template <typename TInputImage, typename TOutputMesh>
-MedialVoxelSurfaceBuilder::Placement
+MedialVoxelSurfacePlacement
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetPlacement(const InputImageType & image)
 {
-  MedialVoxelSurfaceBuilder::Placement placement;
-  typename InputImageType::PointType   origin;
+  MedialVoxelSurfacePlacement        placement;
+  typename InputImageType::PointType origin;
   image.TransformIndexToPhysicalPoint(image.GetLargestPossibleRegion().GetIndex(), origin);
   for (unsigned int component = 0; component < 3; ++component)
   {
@@ -304,37 +300,28 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   mesh.SetCells(OutputMeshType::CellsContainer::New());
   mesh.SetCellData(OutputMeshType::CellDataContainer::New());
 
-  const MedialVoxelIndex             size = GetSize(input);
-  const MedialVoxelGrid::SpacingType spacing{ { input.GetSpacing()[0], input.GetSpacing()[1], input.GetSpacing()[2] } };
-  const MedialVoxelGrid              grid(size,
-                             this->GetUseImageSpacing() ? spacing : MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } });
-  MeshWriter                         writer(mesh, m_GenerateTriangles, m_MarkSides);
-  MedialVoxelSurfaceStore            store(MedialVoxelSurfaceBuilder::FitsFloat(GetPlacement(input), size));
-  const bool                         keepsAll = m_SmallestPiece <= 1 && !(m_MinimumBranchLength > 0.0);
-  MedialVoxelSurfaceConsumer &       consumer = keepsAll ? static_cast<MedialVoxelSurfaceConsumer &>(writer) : store;
-  MedialVoxelSurfaceObserver observer(grid, m_LabelFilter->GetParameters(), spacing, GetPlacement(input), consumer);
-
+  MedialVoxelSurface::Settings settings;
+  std::copy_n(input.GetSpacing().Begin(), 3, settings.spacing.begin());
+  settings.grid = { GetSize(input),
+                    this->GetUseImageSpacing() ? settings.spacing : MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } } };
+  settings.parameters = m_LabelFilter->GetParameters();
+  settings.placement = GetPlacement(input);
+  settings.minimumBranchLength = m_MinimumBranchLength;
+  settings.smallestPiece = m_SmallestPiece;
   if (this->GetSubvoxelThickness())
   {
-    observer.MeasureOnGrayValues(this->GetLowerThreshold(), this->GetUpperThreshold());
+    settings.grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold() };
   }
-  m_LabelFilter->SetTileObservers({ &observer });
+  MeshWriter         writer(mesh, m_GenerateTriangles, m_MarkSides);
+  MedialVoxelSurface surface(settings, writer);
+  m_LabelFilter->SetTileObservers({ &surface.GetObserver() });
   MedialSurfaceProgress      progress(*this);
   const MedialVoxelPollScope scope(progress);
   try
   {
     this->RunPieces();
     m_LabelFilter->SetTileObservers({});
-    observer.Finish();
-    if (m_MinimumBranchLength > 0.0)
-    {
-      store.RemoveBranches(m_MinimumBranchLength);
-    }
-    if (m_SmallestPiece > 1)
-    {
-      store.RemoveSmallPieces(m_SmallestPiece);
-    }
-    store.HandOn(writer);
+    surface.Finish();
   }
   catch (...)
   {
@@ -373,7 +360,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::RunPieces()
     for (; slice < end; slice += slices)
     {
       this->RequestPiece(slice);
-      // Not Update(), which would have the input produce its first piece again.
+      // Not Update(), which would have the input produce its first part again.
       labels.UpdateOutputData();
     }
   }

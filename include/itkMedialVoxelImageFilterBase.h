@@ -22,14 +22,14 @@ namespace itk
  * \brief Object definition, streaming and threads that the filters of the MedialVoxel module share.
  *
  * The requested region is processed slab by slab along its slowest axis. For each slab the filter pulls the input that
- * the slab depends on, piece by piece and never the whole image unless the result depends on it, packs it to one bit
+ * the slab depends on, part by part and never the whole image unless the result depends on it, packs it to one bit
  * per voxel, and runs the tiles of the slab in parallel through DynamicThreadedGenerateData(). A tile that depends on
  * more is run again after the window has grown. Results do not depend on the requested region, on the division of the
  * work, or on the number of threads.
  *
  * The pieces of a streamed update (StreamingImageFilter, ImageFileWriter) share the window: input that two pieces
  * depend on is pulled once when they follow each other along the slowest axis. After an update the input image buffers
- * only the last piece that was pulled, unless it has no source or its source cannot stream.
+ * only the last part that was pulled, unless it has no source or its source cannot stream.
  *
  * \par Object
  * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
@@ -39,7 +39,7 @@ namespace itk
  * known: the end of the image is no boundary.
  *
  * \par Memory
- * Beside the outputs of the requested region: one piece of the input (a slice, or 1 MiB of slices), two to three bits
+ * Beside the outputs of the requested region: one part of the input (a slice, or 1 MiB of slices), two to three bits
  * per voxel of the current window, and a few MiB per thread for thin parts, more where walls are thicker than sixteen
  * voxels. WorkingMemoryLimit caps window and threads.
  *
@@ -146,7 +146,7 @@ public:
   itkGetConstMacro(SlabThickness, unsigned int);
 #endif
 
-  /** Bytes that the window on the input and the memory of all threads may take, beside the outputs and the piece of
+  /** Bytes that the window on the input and the memory of all threads may take, beside the outputs and the part of
    * input that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it, which has no
    * influence on results. Walls that are too thick for it make the update fail with MedialVoxelMemoryError. */
   itkSetMacro(WorkingMemoryLimit, SizeValueType);

@@ -44,11 +44,11 @@ public:
   void
   FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray) override
   {
-    for (const MedialVoxelBox & piece : CutForPull(box))
+    for (const MedialVoxelBox & part : CutForPull(box))
     {
       MedialVoxelPoll();
-      this->Pull(piece);
-      this->Copy(piece, gray);
+      this->Pull(part);
+      this->Copy(part, gray);
     }
   }
 
@@ -99,12 +99,12 @@ public:
   }
 
 private:
-  /** Have the pipeline produce a piece of the input. */
+  /** Have the pipeline produce a part of the input. */
   void
-  Pull(const MedialVoxelBox & piece)
+  Pull(const MedialVoxelBox & part)
   {
     auto * const               input = const_cast<InputImageType *>(m_Filter.GetInput());
-    const InputImageRegionType region = m_Filter.RegionOf(piece);
+    const InputImageRegionType region = m_Filter.RegionOf(part);
     input->SetRequestedRegion(region);
     input->PropagateRequestedRegion();
     input->UpdateOutputData();
@@ -121,27 +121,27 @@ private:
        MedialVoxelBits * const notANumber,
        MedialVoxelGray * const gray)
   {
-    for (const MedialVoxelBox & piece : CutForPull(box))
+    for (const MedialVoxelBox & part : CutForPull(box))
     {
       MedialVoxelPoll();
-      this->Pull(piece);
-      this->Pack(piece, m_Predicate, object);
+      this->Pull(part);
+      this->Pack(part, m_Predicate, object);
       if (notANumber != nullptr)
       {
-        this->Pack(piece, [](const InputPixelType value) { return value != value; }, *notANumber);
+        this->Pack(part, [](const InputPixelType value) { return value != value; }, *notANumber);
       }
       if (gray != nullptr)
       {
-        this->Copy(piece, *gray);
+        this->Copy(part, *gray);
       }
     }
   }
 
   void
-  Copy(const MedialVoxelBox & piece, MedialVoxelGray & gray) const
+  Copy(const MedialVoxelBox & part, MedialVoxelGray & gray) const
   {
     m_Filter.ForEachRow(
-      *m_Filter.GetInput(), piece, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
+      *m_Filter.GetInput(), part, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
         std::transform(pixels,
                        pixels + row.Extent(0),
                        gray.GetRow(row.lower[1], row.lower[2]) + (row.lower[0] - gray.GetBox().lower[0]),
@@ -151,10 +151,10 @@ private:
 
   template <typename TPredicate>
   void
-  Pack(const MedialVoxelBox & piece, const TPredicate & predicate, MedialVoxelBits & bits) const
+  Pack(const MedialVoxelBox & part, const TPredicate & predicate, MedialVoxelBits & bits) const
   {
     m_Filter.ForEachRow(
-      *m_Filter.GetInput(), piece, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
+      *m_Filter.GetInput(), part, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
         MedialVoxelPackRow(pixels,
                            row.lower[0],
                            row.Extent(0),

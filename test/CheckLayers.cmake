@@ -12,13 +12,10 @@ set(filters "^(itkMedialVoxelImageFilter|itkMedialSurface(Mesh|Progress)|itkVect
 set(image_io "^itkStreaming[A-Za-z]*$")
 
 # A header in include/ belongs to the folder of its .cxx. These have none, or another folder than their .cxx.
-set(folder_of_itkMedialVoxelBucketQueue Geodesic)
 set(folder_of_itkMedialVoxelDisplacementWriter Distance)
 set(folder_of_itkMedialVoxelObjectPredicate Object)
-set(folder_of_itkMedialVoxelResolutionBand Foundation)
 set(folder_of_itkMedialVoxelSiteKey Distance)
 set(folder_of_itkMedialVoxelText Foundation)
-set(folder_of_itkMedialVoxelVector3 Foundation)
 
 # Folders of apps. The two programs at the end know nothing of each other.
 set(program

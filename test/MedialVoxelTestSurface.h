@@ -86,10 +86,10 @@ FindSurfaceCells(const Volume &                             volume,
 }
 
 /** Index i is at the point i * spacing. */
-inline itk::MedialVoxelSurfaceBuilder::Placement
+inline itk::MedialVoxelSurfacePlacement
 PlacementOf(const Volume & volume)
 {
-  itk::MedialVoxelSurfaceBuilder::Placement placement;
+  itk::MedialVoxelSurfacePlacement placement;
   for (int axis = 0; axis < 3; ++axis)
   {
     placement.steps[axis][axis] = volume.spacing[axis];
@@ -106,10 +106,10 @@ IsBefore(const itk::MedialVoxelSurfaceCell & a, const itk::MedialVoxelSurfaceCel
 
 /** The surface that sorted cells make. */
 inline void
-FillSurface(const itk::MedialVoxelSurfaceBuilder::Placement & placement,
-            const Vector3 &                                   spacing,
-            const std::vector<itk::MedialVoxelSurfaceCell> &  cells,
-            Surface &                                         surface)
+FillSurface(const itk::MedialVoxelSurfacePlacement &         placement,
+            const Vector3 &                                  spacing,
+            const std::vector<itk::MedialVoxelSurfaceCell> & cells,
+            Surface &                                        surface)
 {
   itk::MedialVoxelSurfaceBuilder builder(placement, spacing, surface);
   itk::MedialVoxelSurfaceTrimmer trimmer(builder);

@@ -11,7 +11,7 @@ if(TARGET GTest::gtest)
 elseif(TARGET GTest::GTest)
   set(_gtest GTest::GTest)
 endif()
-target_link_libraries(MedialVoxelTestDump PRIVATE MedialVoxel ${ITK_LIBRARIES} ${_gtest})
+target_link_libraries(MedialVoxelTestDump PRIVATE MedialVoxelInternals ${ITK_LIBRARIES} ${_gtest})
 
 # Inside ITK the target of all that belongs to a module names the test driver, not this program.
 if(TARGET MedialVoxelGTestDriver)

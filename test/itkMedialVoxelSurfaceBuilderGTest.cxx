@@ -318,9 +318,9 @@ TEST(MedialVoxelSurfaceBuilder, TrianglesLieAlongTheShorterDiagonal)
 
 TEST(MedialVoxelSurfaceBuilder, PlacesPointsInSpace)
 {
-  const Volume                              volume = TestVolume();
-  const Surface                             plain = MakeSurface(volume, 3.0);
-  itk::MedialVoxelSurfaceBuilder::Placement placement;
+  const Volume                     volume = TestVolume();
+  const Surface                    plain = MakeSurface(volume, 3.0);
+  itk::MedialVoxelSurfacePlacement placement;
   placement.origin = { { 10.0, -20.0, 30.0 } };
   // A quarter turn about z, and z upside down.
   placement.steps[0] = { { 0.0, volume.spacing[0], 0.0 } };

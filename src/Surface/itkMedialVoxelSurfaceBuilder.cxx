@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -22,9 +21,6 @@ namespace
 constexpr double TowardsNeighbors = 0.6;
 
 constexpr std::uint32_t CellsHandedOnAtATime = 1u << 13;
-
-/** Of the shortest step, that rounding may move a coordinate by. */
-constexpr double LargestRounding = 0.001;
 
 /** That no plane with rational coefficients holds. */
 constexpr std::array<double, 3> FrontDirection{ { 1.0, 1.4142135623730951, 1.7320508075688772 } };
@@ -87,41 +83,7 @@ DirectionsToFollow()
 
 } // namespace
 
-MedialVoxelSurfaceConsumer::~MedialVoxelSurfaceConsumer() = default;
-
-double
-MedialVoxelSurfaceBuilder::LargestCoordinate(const Placement & placement, const MedialVoxelIndex & size)
-{
-  double largest = 0.0;
-  for (unsigned int component = 0; component < 3; ++component)
-  {
-    // Of all corners of the image.
-    double lower = placement.origin[component];
-    double upper = lower;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const double extent = placement.steps[axis][component] * static_cast<double>(size[axis] - 1);
-      lower += std::min(extent, 0.0);
-      upper += std::max(extent, 0.0);
-    }
-    largest = std::max({ largest, std::abs(lower), std::abs(upper) });
-  }
-  return largest;
-}
-
-bool
-MedialVoxelSurfaceBuilder::FitsFloat(const Placement & placement, const MedialVoxelIndex & size)
-{
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Vector & step : placement.steps)
-  {
-    shortest = std::min(shortest, MedialVoxelNorm(step));
-  }
-  constexpr double half = 0.5 * std::numeric_limits<float>::epsilon();
-  return LargestCoordinate(placement, size) * half <= LargestRounding * shortest;
-}
-
-MedialVoxelSurfaceBuilder::MedialVoxelSurfaceBuilder(const Placement &                    placement,
+MedialVoxelSurfaceBuilder::MedialVoxelSurfaceBuilder(const MedialVoxelSurfacePlacement &  placement,
                                                      const MedialVoxelGrid::SpacingType & spacing,
                                                      MedialVoxelSurfaceConsumer &         consumer)
   : m_Placement(placement)

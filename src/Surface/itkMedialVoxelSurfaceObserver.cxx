@@ -20,11 +20,11 @@ MedialVoxelSurfacePieceError::MedialVoxelSurfacePieceError()
   : std::runtime_error("The medial surface has too many cells for pieces of this size.")
 {}
 
-MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &                      grid,
-                                                       const MedialVoxelParameters &                parameters,
-                                                       const MedialVoxelGrid::SpacingType &         spacing,
-                                                       const MedialVoxelSurfaceBuilder::Placement & placement,
-                                                       MedialVoxelSurfaceConsumer &                 consumer)
+MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &              grid,
+                                                       const MedialVoxelParameters &        parameters,
+                                                       const MedialVoxelGrid::SpacingType & spacing,
+                                                       const MedialVoxelSurfacePlacement &  placement,
+                                                       MedialVoxelSurfaceConsumer &         consumer)
   : m_Parameters(parameters)
   , m_Kernel(grid, parameters, spacing)
   , m_Builder(placement, spacing, consumer)

@@ -53,10 +53,10 @@ GetSize(const VolumeGeometry & geometry)
              static_cast<std::int64_t>(geometry.size[2]) } };
 }
 
-itk::MedialVoxelSurfaceBuilder::Placement
+itk::MedialVoxelSurfacePlacement
 GetPlacement(const VolumeGeometry & geometry)
 {
-  itk::MedialVoxelSurfaceBuilder::Placement placement;
+  itk::MedialVoxelSurfacePlacement placement;
   for (unsigned int component = 0; component < 3; ++component)
   {
     placement.origin[component] = geometry.origin[component];
@@ -72,9 +72,7 @@ GetPlacement(const VolumeGeometry & geometry)
 SurfacePrecision
 GetPrecision(const VolumeGeometry & geometry)
 {
-  return itk::MedialVoxelSurfaceBuilder::FitsFloat(GetPlacement(geometry), GetSize(geometry))
-           ? SurfacePrecision::Single
-           : SurfacePrecision::Double;
+  return GetPlacement(geometry).FitsFloat(GetSize(geometry)) ? SurfacePrecision::Single : SurfacePrecision::Double;
 }
 
 /** Vertices of a surface that is planned for. */
@@ -228,8 +226,7 @@ CheckSurfaceInput(const VolumeHeader & header, const std::string & meshFile)
   if (!HoldsDouble(GetSurfaceFormat(meshFile)) && GetPrecision(header.geometry) == SurfacePrecision::Double)
   {
     const auto & spacing = header.geometry.spacing;
-    const double largest =
-      itk::MedialVoxelSurfaceBuilder::LargestCoordinate(GetPlacement(header.geometry), GetSize(header.geometry));
+    const double largest = GetPlacement(header.geometry).LargestCoordinate(GetSize(header.geometry));
     Fail(ExitStatus::Usage,
          meshFile,
          ": coordinates of ",

@@ -41,11 +41,11 @@ public:
   GetWorkerBytesPerVoxel(const MedialVoxelParameters & parameters);
 
   /** The arguments are those of MedialVoxelSurfaceCells and MedialVoxelSurfaceBuilder. */
-  MedialVoxelSurfaceObserver(const MedialVoxelGrid &                      grid,
-                             const MedialVoxelParameters &                parameters,
-                             const MedialVoxelGrid::SpacingType &         spacing,
-                             const MedialVoxelSurfaceBuilder::Placement & placement,
-                             MedialVoxelSurfaceConsumer &                 consumer);
+  MedialVoxelSurfaceObserver(const MedialVoxelGrid &              grid,
+                             const MedialVoxelParameters &        parameters,
+                             const MedialVoxelGrid::SpacingType & spacing,
+                             const MedialVoxelSurfacePlacement &  placement,
+                             MedialVoxelSurfaceConsumer &         consumer);
 
   /** Measure on the gray values of the tiles, as MedialVoxelSurfaceCells; vertices keep closer to the middle then. */
   void

@@ -4,6 +4,7 @@
 #define itkMedialVoxelSurfaceBuilder_h
 
 #include "itkMedialVoxelSurfaceCells.h"
+#include "itkMedialVoxelSurfaceConsumer.h"
 
 #include <array>
 #include <cstdint>
@@ -13,71 +14,6 @@
 
 namespace itk
 {
-
-/** \struct MedialVoxelSurfaceVertex
- * \brief A vertex of a medial surface.
- * \ingroup MedialVoxel
- */
-struct MedialVoxelSurfaceVertex
-{
-  std::array<double, 3> point{};        ///< physical
-  double                thickness{ 0 }; ///< of the wall, in physical units
-};
-
-/** \struct MedialVoxelSurfaceQuad
- * \brief A quadrilateral of a medial surface: that of one crossed voxel edge.
- *
- * The first vertex is that of the lowest cell around the voxel edge. The others follow so that the normal, the cross
- * product of the diagonals 0-2 and 1-3, has a component that is not negative along (1, sqrt 2, sqrt 3): neighbors
- * agree wherever the surface does not turn its edge to that direction, and it has no ratio with walls along the voxels.
- * \ingroup MedialVoxel
- */
-struct MedialVoxelSurfaceQuad
-{
-  std::array<std::uint64_t, 4> vertices{};
-
-  /** Bits: side k, from vertex k to the next one, belongs to this quadrilateral alone, or to more than two. */
-  std::uint8_t rimSides{ 0 };
-  std::uint8_t junctionSides{ 0 };
-
-  /** Whether the diagonal 1-3 is the shorter one; 0-2 is it when both are as long. */
-  bool isSplitAlong13{ false };
-
-  /** Of the two triangles along the shorter diagonal. */
-  std::array<double, 2> areas{};
-
-  double
-  GetArea() const
-  {
-    return areas[0] + areas[1];
-  }
-
-  /** Numbers of the vertices of a triangle, 0 or 1: its first two sides are those of the quadrilateral that begin at
-   * the first two vertices, the third one is the diagonal. */
-  std::array<unsigned int, 3>
-  GetTriangle(const unsigned int half) const
-  {
-    const unsigned int first = (isSplitAlong13 ? 1u : 0u) + 2u * half;
-    return { { first, (first + 1) % 4, (first + 2) % 4 } };
-  }
-};
-
-/** \class MedialVoxelSurfaceConsumer
- * \brief Takes a surface piece by piece: vertices in the order of their numbers, which count from 0, and quadrilaterals
- * whose vertices it has.
- * \ingroup MedialVoxel
- */
-class MedialVoxel_EXPORT MedialVoxelSurfaceConsumer
-{
-public:
-  virtual ~MedialVoxelSurfaceConsumer();
-
-  virtual void
-  AddVertices(const std::vector<MedialVoxelSurfaceVertex> & vertices) = 0;
-
-  virtual void
-  AddQuads(const std::vector<MedialVoxelSurfaceQuad> & quads) = 0;
-};
 
 /** \class MedialVoxelSurfaceBuilder
  * \brief Joins the cells of a medial surface, smooths it and hands it on, slice by slice.
@@ -92,22 +28,7 @@ public:
 class MedialVoxel_EXPORT MedialVoxelSurfaceBuilder
 {
 public:
-  /** \struct Placement
-   * \brief Where the voxels are: the physical point of index 0, and the physical steps from voxel to voxel.
-   * \ingroup MedialVoxel
-   */
-  struct Placement
-  {
-    std::array<double, 3>                origin{};
-    std::array<std::array<double, 3>, 3> steps{}; ///< by axis of the image
-  };
-
   static constexpr unsigned int NumberOfSteps = 5;
-
-  /** Whether coordinates of 32 bits place the vertices of an image of this size within a thousandth of its shortest
-   * step. When not, vertices would move and fall together. */
-  static bool
-  FitsFloat(const Placement & placement, const MedialVoxelIndex & size);
 
   /** The number of 32 bits that is nearest to a coordinate. */
   static double
@@ -118,15 +39,11 @@ public:
     return static_cast<double>(rounded);
   }
 
-  /** The largest absolute coordinate of the voxels. */
-  static double
-  LargestCoordinate(const Placement & placement, const MedialVoxelIndex & size);
-
   /** For SetWeightOfPlane() with planes measured on gray values. */
   static constexpr double WeightOfGrayPlane = 0.7;
 
   /** \param spacing  lengths of the steps of the placement, as the cells were measured with */
-  MedialVoxelSurfaceBuilder(const Placement &                    placement,
+  MedialVoxelSurfaceBuilder(const MedialVoxelSurfacePlacement &  placement,
                             const MedialVoxelGrid::SpacingType & spacing,
                             MedialVoxelSurfaceConsumer &         consumer);
 
@@ -201,7 +118,7 @@ private:
   std::array<double, 3>
   PointOf(const Slice & slice, std::uint32_t cell) const;
 
-  Placement                    m_Placement;
+  MedialVoxelSurfacePlacement  m_Placement;
   MedialVoxelGrid::SpacingType m_Spacing;
   MedialVoxelSurfaceConsumer & m_Consumer;
   double                       m_WeightOfPlane{ 0.15 };

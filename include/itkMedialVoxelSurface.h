@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSurface_h
+#define itkMedialVoxelSurface_h
+
+#include "itkMedialVoxelEngineSettings.h"
+#include "itkMedialVoxelSurfaceConsumer.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+namespace itk
+{
+
+/** \class MedialVoxelSurface
+ * \brief Builds the medial surface of an image while an engine extracts its medial cells.
+ *
+ * The runs of the engine go through the image in whole slices along the last axis, which follow each other.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelSurface
+{
+public:
+  /** \struct Settings
+   * \brief The image, its classification, and what of the surface is left out.
+   * \ingroup MedialVoxel
+   */
+  struct Settings
+  {
+    MedialVoxelGrid                                 grid; ///< in the units of the parameters
+    MedialVoxelParameters                           parameters;
+    MedialVoxelGrid::SpacingType                    spacing{}; ///< in the units of the surface
+    MedialVoxelSurfacePlacement                     placement;
+    std::optional<MedialVoxelExtraction::GrayRange> grayRange; ///< measure on gray values
+
+    /** Branches that are shorter, and connected pieces of fewer quadrilaterals, are left out. For either, the surface
+     * is kept in memory until it is finished. */
+    double        minimumBranchLength{ 0.0 };
+    std::uint64_t smallestPiece{ 0 };
+  };
+
+  MedialVoxelSurface(const Settings & settings, MedialVoxelSurfaceConsumer & consumer);
+  ~MedialVoxelSurface();
+
+  MedialVoxelSurface(const MedialVoxelSurface &) = delete;
+  MedialVoxelSurface &
+  operator=(const MedialVoxelSurface &) = delete;
+
+  /** Who has to see the tiles of the extraction. */
+  MedialVoxelTileObserver &
+  GetObserver();
+
+  /** Hand on what is left, after the last run. */
+  void
+  Finish();
+
+private:
+  class Implementation;
+
+  std::unique_ptr<Implementation> m_Implementation;
+};
+
+} // end namespace itk
+
+#endif
