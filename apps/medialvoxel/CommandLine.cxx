@@ -5,6 +5,7 @@
 #include "CommandParts.h"
 #include "CommandText.h"
 #include "OptionValues.h"
+#include "SurfaceFormat.h"
 #include "Text.h"
 #include "Version.h"
 #include "VolumeFormats.h"
@@ -229,12 +230,27 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   AddLog(line, app, options.logFile);
 }
 
+/** One that begins with the one before is its end in brackets, as in .nii[.gz]. */
+std::string
+JoinInputExtensions()
+{
+  std::string text;
+  std::string last;
+  for (const std::string & extension : ListInputExtensions())
+  {
+    const bool isLonger = !last.empty() && extension.compare(0, last.size(), last) == 0;
+    text += isLonger ? "[" + extension.substr(last.size()) + "]" : (text.empty() ? "" : " ") + extension;
+    last = extension;
+  }
+  return text;
+}
+
 } // namespace
 
 void
 AddInput(CLI::App & app, JobOptions & options)
 {
-  AddFile(app, "INPUT", "Volume: " + CLI::detail::join(ListInputExtensions(), " "), options.input)->required();
+  AddFile(app, "INPUT", "Volume: " + JoinInputExtensions(), options.input)->required();
   AddSpacing(
     app, "--spacing", "Distance of voxels in place of the file's", [&]() -> auto & { return options.spacing; });
   AddText(app, "--resample", "Equal spacing: S, or auto for the smallest", "S", [&](const std::string & text) {
@@ -254,7 +270,7 @@ const std::vector<std::pair<std::string, itk::MedialVoxelBoundary>> Boundaries{
 CLI::Option *
 AddMesh(CLI::App & app, const std::string & name, ExtractOptions & options)
 {
-  return AddFile(app, name, "Surface: .vtp .vtu .vtk .ply .stl .obj .inp .bdf", options.meshFile);
+  return AddFile(app, name, "Surface: " + CLI::detail::join(ListSurfaceExtensions(), " "), options.meshFile);
 }
 
 CLI::Option *

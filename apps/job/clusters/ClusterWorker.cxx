@@ -7,7 +7,7 @@
 #include "Outputs.h"
 #include "PeakMemory.h"
 
-#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelMemoryError.h"
 
 #include <algorithm>
 #include <chrono>

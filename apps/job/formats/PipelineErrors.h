@@ -7,7 +7,7 @@
 #include "Text.h"
 
 #include "itkMacro.h"
-#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelMemoryError.h"
 
 #include <new>
 

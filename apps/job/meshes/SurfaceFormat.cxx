@@ -96,6 +96,17 @@ CheckLimit(const FormatDescription & description, const char * unit, std::uint64
 
 } // namespace
 
+std::vector<std::string>
+ListSurfaceExtensions()
+{
+  std::vector<std::string> extensions;
+  for (const auto & description : Formats)
+  {
+    extensions.emplace_back(description.extension);
+  }
+  return extensions;
+}
+
 SurfaceFormat
 GetSurfaceFormat(const std::string & fileName)
 {
@@ -104,8 +115,7 @@ GetSurfaceFormat(const std::string & fileName)
     Formats.begin(), Formats.end(), [&](const auto & description) { return description.extension == extension; });
   if (found == Formats.end())
   {
-    const std::string known =
-      Join(Formats, ", ", [](const auto & description) { return std::string(description.extension); });
+    const std::string known = Join(ListSurfaceExtensions(), ", ", [](const std::string & name) { return name; });
     Fail(ExitStatus::Usage, "the extension of the mesh ", fileName, " is not one of ", known);
   }
   return found->format;

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -25,7 +26,11 @@ enum class SurfaceFormat
   Nastran ///< .bdf, CTRIA3 and CQUAD4 in properties by thickness
 };
 
-/** The format that the extension stands for: .vtp .vtu .vtk .ply .stl .obj .inp .bdf, in any case.
+/** Extensions of all formats. */
+std::vector<std::string>
+ListSurfaceExtensions();
+
+/** The format that the extension stands for, in any case.
  * \throw JobError Usage for any other. */
 SurfaceFormat
 GetSurfaceFormat(const std::string & fileName);

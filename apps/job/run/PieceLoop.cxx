@@ -9,7 +9,7 @@
 #include "Text.h"
 #include "VolumeFormats.h"
 
-#include "itkMedialVoxelClusterEngine.h"
+#include "itkMedialVoxelMemoryError.h"
 #include "itkMedialVoxelSurfaceObserver.h"
 #include "itkProcessObject.h"
 
