@@ -3,6 +3,7 @@
 #include "OutputChecks.h"
 
 #include "TemporaryFolder.h"
+#include "VolumeFormats.h"
 
 #include <gtest/gtest.h>
 
@@ -31,6 +32,7 @@ TEST(MedialVoxelOutputChecks, VoxelsThatAnotherProcessReplacesMeanwhile)
   Write(folder / "out.mhd", "ObjectType = Image\nElementDataFile = out.raw\n");
   VolumeHeader input;
   input.fileName = input.dataFile = folder / "in.mha";
+  input.format = &FindInputFormat(input.fileName);
   const std::vector<OutputRequest> outputs = { { "medial voxels", folder / "out.mhd", VoxelLayout{} } };
 
   std::atomic<bool> isDone{ false };
