@@ -11,6 +11,7 @@
 #include "itkMedialSurfaceMeshFilter.h"
 
 #include <map>
+#include <string>
 
 namespace
 {
@@ -142,6 +143,23 @@ CheckMesh(const MeshType & mesh, const Scene & scene, const Question & question,
           "another number of quadrilaterals than by brute force");
 }
 
+/** Whether 32 bits do not keep the points of this image apart, which the filter says before any work. */
+bool
+IsRefused(FilterType & filter)
+{
+  try
+  {
+    filter.Update();
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    const std::string description = error.GetDescription();
+    Require(description.find("32 bits do not keep points apart") != std::string::npos, "refused for another reason");
+    return true;
+  }
+  return false;
+}
+
 } // namespace
 
 extern "C" int
@@ -160,7 +178,10 @@ LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size)
 
   const SceneInput<ImageType> input(scene);
   const auto                  whole = MakeFilter(scene, question, finish, input, Cut());
-  whole->Update();
+  if (IsRefused(*whole))
+  {
+    return 0;
+  }
   CheckMesh(*whole->GetOutput(), scene, question, finish);
   RunWithin(cut, [&] {
     const auto pieces = MakeFilter(scene, question, finish, input, cut);
