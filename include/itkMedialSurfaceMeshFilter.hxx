@@ -5,7 +5,7 @@
 
 #include "itkMedialSurfaceMeshWriter.hxx"
 #include "itkMedialSurfaceProgress.h"
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include <algorithm>
 #include <cmath>

@@ -300,20 +300,6 @@ private:
   void
   SwitchOutput(bool & isOn, bool generate, const char * name);
 
-  void
-  WriteEmptyTile(const MedialVoxelBox & tile);
-
-  void
-  WriteLabels(const MedialVoxelTileResult & tile);
-
-  void
-  WriteThickness(const MedialVoxelTileResult & tile);
-
-  /** Set all pixels of a tile to zero. */
-  template <typename TImage>
-  void
-  ClearTile(TImage & image, const MedialVoxelBox & tile) const;
-
   MedialVoxelParameters
   GetParameters(const MedialVoxelGrid & grid) const;
 

@@ -3,11 +3,8 @@
 #ifndef itkMedialVoxelImageFilter_hxx
 #define itkMedialVoxelImageFilter_hxx
 
-#include "itkMedialVoxelLimits.h"
-#include "itkNumericTraits.h"
+#include "itkMedialVoxelGridLimits.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -132,7 +129,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("Thickness is " << m_Thickness << "; it must be positive and finite.");
   }
-  constexpr double largest = MedialVoxelLimits::LargestLength;
+  constexpr double largest = MedialVoxelGridLimits::LargestLength;
   if (!(m_MinimumThickness >= 0.0 && m_MinimumThickness <= largest))
   {
     itkExceptionMacro("MinimumThickness is " << m_MinimumThickness << "; it must be from 0 to " << largest << '.');
@@ -165,7 +162,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   }
   const MedialVoxelGrid grid = this->GetGrid();
   this->GetParameters(grid);
-  if (const std::string inaccuracy = MedialVoxelLimits::FindInaccuracy(grid); !inaccuracy.empty())
+  if (const std::string inaccuracy = MedialVoxelGridLimits::FindInaccuracy(grid); !inaccuracy.empty())
   {
     itkWarningMacro(<< "The spacing of the input is unequal: " << inaccuracy << ". Resample it to equal spacing.");
   }
@@ -235,70 +232,17 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTileResult & tile)
 {
-  if (tile.isEmpty)
-  {
-    this->WriteEmptyTile(tile.box);
-    return;
-  }
-  this->WriteLabels(tile);
+  TOutputImage & labels = *this->GetOutput();
+  tile.WriteLabels(this->FirstPixelOf(labels, tile.box), this->StridesOf(labels));
   if (m_GenerateThickness)
   {
-    this->WriteThickness(tile);
+    ThicknessImageType & thickness = *this->GetThicknessOutput();
+    tile.WriteThickness(this->FirstPixelOf(thickness, tile.box), this->StridesOf(thickness));
   }
   if (m_GenerateVectorDistance)
   {
-    this->WriteVectors(*this->GetVectorDistanceOutput(), tile.box, *tile.displacements);
+    this->WriteVectors(*this->GetVectorDistanceOutput(), tile);
   }
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteEmptyTile(const MedialVoxelBox & tile)
-{
-  this->ClearTile(*this->GetOutput(), tile);
-  if (m_GenerateVectorDistance)
-  {
-    this->ClearTile(*this->GetVectorDistanceOutput(), tile);
-  }
-  if (m_GenerateThickness)
-  {
-    this->ClearTile(*this->GetThicknessOutput(), tile);
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
-template <typename TImage>
-void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::ClearTile(TImage & image, const MedialVoxelBox & tile) const
-{
-  using PixelType = typename TImage::PixelType;
-  this->ForEachRow(image, tile, [](PixelType * const target, const MedialVoxelBox & row) {
-    std::fill_n(target, row.Extent(0), NumericTraits<PixelType>::ZeroValue());
-  });
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteLabels(const MedialVoxelTileResult & tile)
-{
-  const std::uint8_t * source = tile.labels;
-  this->ForEachRow(*this->GetOutput(), tile.box, [&](OutputPixelType * target, const MedialVoxelBox & row) {
-    std::transform(source, source + row.Extent(0), target, [](const std::uint8_t label) {
-      return static_cast<OutputPixelType>(label);
-    });
-    source += row.Extent(0);
-  });
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::WriteThickness(const MedialVoxelTileResult & tile)
-{
-  ThicknessImageType & image = *this->GetThicknessOutput();
-  this->ClearTile(image, tile.box);
-  std::array<std::int64_t, 3> strides{};
-  std::copy_n(image.GetOffsetTable(), ImageDimension, strides.begin());
-  tile.WriteThickness(image.GetBufferPointer() + image.ComputeOffset(this->RegionOf(tile.box).GetIndex()), strides);
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -3,13 +3,13 @@
 #ifndef itkMedialVoxelImageFilterBase_h
 #define itkMedialVoxelImageFilterBase_h
 
-#include "itkMedialVoxelDisplacementWriter.h"
 #include "itkMedialVoxelEngine.h"
 #include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelObjectPredicate.h"
 
 #include "itkImageToImageFilter.h"
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <type_traits>
@@ -250,15 +250,28 @@ protected:
   ImageRegion<ImageDimension>
   RegionOf(const MedialVoxelBox & box) const;
 
-  /** Call \a function(pixels, row) for each row of \a tile, with the pixels of \a image that the row begins at. */
-  template <typename TImage, typename TFunction>
-  void
-  ForEachRow(TImage & image, const MedialVoxelBox & tile, TFunction && function) const;
+  /** The pixel of \a image that \a box begins at. */
+  template <typename TImage>
+  auto *
+  FirstPixelOf(TImage & image, const MedialVoxelBox & box) const
+  {
+    return image.GetBufferPointer() + image.ComputeOffset(this->RegionOf(box).GetIndex());
+  }
+
+  /** Pixels of \a image from one voxel to the next along each axis. */
+  template <typename TImage>
+  static MedialVoxelStrides
+  StridesOf(const TImage & image)
+  {
+    MedialVoxelStrides strides{};
+    std::copy_n(image.GetOffsetTable(), ImageDimension, strides.begin());
+    return strides;
+  }
 
   /** Write the displacements of \a tile as vectors, in physical units or in voxels as UseImageSpacing says. */
   template <typename TVectorImage>
   void
-  WriteVectors(TVectorImage & image, const MedialVoxelBox & tile, const MedialVoxelFeatures & features) const;
+  WriteVectors(TVectorImage & image, const MedialVoxelTileResult & tile) const;
 
 private:
   class Client;

@@ -6,7 +6,7 @@
 #include "itkMedialVoxelImageFilterClient.hxx"
 
 #include "itkMath.h"
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -124,7 +124,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyInputInformation() 
     spacing.push_back(input->GetSpacing()[axis]);
     origin.push_back(input->GetOrigin()[axis]);
   }
-  const std::string problem = MedialVoxelLimits::FindProblem(size, spacing, origin);
+  const std::string problem = MedialVoxelGridLimits::FindProblem(size, spacing, origin);
   if (!problem.empty())
   {
     itkExceptionMacro("The input cannot be measured: " << problem << '.');
@@ -309,43 +309,24 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::RegionOf(const MedialVoxe
 }
 
 template <typename TInputImage, typename TOutputImage>
-template <typename TImage, typename TFunction>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ForEachRow(TImage &               image,
-                                                                  const MedialVoxelBox & tile,
-                                                                  TFunction &&           function) const
-{
-  const OffsetValueType * const strides = image.GetOffsetTable();
-  auto * const                  first = image.GetBufferPointer() + image.ComputeOffset(this->RegionOf(tile).GetIndex());
-  MedialVoxelBox                row = tile;
-  for (std::int64_t z = tile.lower[2]; z < tile.upper[2]; ++z)
-  {
-    row.lower[2] = z;
-    row.upper[2] = z + 1;
-    for (std::int64_t y = tile.lower[1]; y < tile.upper[1]; ++y)
-    {
-      row.lower[1] = y;
-      row.upper[1] = y + 1;
-      function(first + (z - tile.lower[2]) * strides[2] + (y - tile.lower[1]) * strides[1], row);
-    }
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
 template <typename TVectorImage>
 void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::WriteVectors(TVectorImage &              image,
-                                                                    const MedialVoxelBox &      tile,
-                                                                    const MedialVoxelFeatures & features) const
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::WriteVectors(TVectorImage &                image,
+                                                                    const MedialVoxelTileResult & tile) const
 {
-  const MedialVoxelDisplacementWriter<TVectorImage> toVector(image, m_UseImageSpacing);
-  this->ForEachRow(image, tile, [&](typename TVectorImage::PixelType * target, const MedialVoxelBox & row) {
-    const std::size_t offset = features.OffsetOf(row.lower[0], row.lower[1], row.lower[2]);
-    for (std::int64_t i = 0; i < row.Extent(0); ++i)
+  using ValueType = typename TVectorImage::PixelType::ValueType;
+  using WriterType = MedialVoxelDisplacementWriter<ImageDimension, ValueType>;
+  typename WriterType::MatrixType matrix{};
+  for (unsigned int row = 0; row < ImageDimension; ++row)
+  {
+    for (unsigned int column = 0; column < ImageDimension; ++column)
     {
-      target[i] = toVector(features, offset + static_cast<std::size_t>(i));
+      const double unit = row == column ? 1.0 : 0.0;
+      matrix[row][column] = m_UseImageSpacing ? image.GetDirection()[row][column] * image.GetSpacing()[column] : unit;
     }
-  });
+  }
+  ValueType * const first = this->FirstPixelOf(image, tile.box)->GetDataPointer();
+  tile.WriteVectors(WriterType(matrix), first, this->StridesOf(image));
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -8,7 +8,6 @@
 #include "itkMedialVoxelProgress.h"
 #include "itkMultiThreaderBase.h"
 
-#include <algorithm>
 #include <exception>
 #include <functional>
 #include <vector>
@@ -48,7 +47,7 @@ public:
     {
       MedialVoxelPoll();
       this->Pull(part);
-      this->Copy(part, gray);
+      MedialVoxelCopyBox(this->FirstPixelOf(part), this->Strides(), part, gray);
     }
   }
 
@@ -125,42 +124,30 @@ private:
     {
       MedialVoxelPoll();
       this->Pull(part);
-      this->Pack(part, m_Predicate, object);
+      const InputPixelType * const first = this->FirstPixelOf(part);
+      MedialVoxelPackBox(first, this->Strides(), part, m_Predicate, object);
       if (notANumber != nullptr)
       {
-        this->Pack(part, [](const InputPixelType value) { return value != value; }, *notANumber);
+        MedialVoxelPackBox(
+          first, this->Strides(), part, [](const InputPixelType value) { return value != value; }, *notANumber);
       }
       if (gray != nullptr)
       {
-        this->Copy(part, *gray);
+        MedialVoxelCopyBox(first, this->Strides(), part, *gray);
       }
     }
   }
 
-  void
-  Copy(const MedialVoxelBox & part, MedialVoxelGray & gray) const
+  const InputPixelType *
+  FirstPixelOf(const MedialVoxelBox & part) const
   {
-    m_Filter.ForEachRow(
-      *m_Filter.GetInput(), part, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
-        std::transform(pixels,
-                       pixels + row.Extent(0),
-                       gray.GetRow(row.lower[1], row.lower[2]) + (row.lower[0] - gray.GetBox().lower[0]),
-                       [](const InputPixelType value) { return static_cast<float>(value); });
-      });
+    return m_Filter.FirstPixelOf(*m_Filter.GetInput(), part);
   }
 
-  template <typename TPredicate>
-  void
-  Pack(const MedialVoxelBox & part, const TPredicate & predicate, MedialVoxelBits & bits) const
+  MedialVoxelStrides
+  Strides() const
   {
-    m_Filter.ForEachRow(
-      *m_Filter.GetInput(), part, [&](const InputPixelType * const pixels, const MedialVoxelBox & row) {
-        MedialVoxelPackRow(pixels,
-                           row.lower[0],
-                           row.Extent(0),
-                           predicate,
-                           bits.GetRow(row.lower[1], row.lower[2]) - bits.GetFirstWord());
-      });
+    return Self::StridesOf(*m_Filter.GetInput());
   }
 
   Self &        m_Filter;

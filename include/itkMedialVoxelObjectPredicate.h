@@ -4,7 +4,9 @@
 #define itkMedialVoxelObjectPredicate_h
 
 #include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelGray.h"
 #include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelRows.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -164,6 +166,41 @@ MedialVoxelPackRow(const TPixel *                    pixels,
     pixels += wordEnd - begin;
     begin = wordEnd;
   }
+}
+
+/** \brief Set the bits of the voxels of \a box whose pixels fulfill \a predicate; the box begins at \a first.
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel, typename TPredicate>
+void
+MedialVoxelPackBox(const TPixel * const       first,
+                   const MedialVoxelStrides & strides,
+                   const MedialVoxelBox &     box,
+                   const TPredicate &         predicate,
+                   MedialVoxelBits &          bits)
+{
+  MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+    MedialVoxelBits::WordType * const words = bits.GetRow(row.lower[1], row.lower[2]) - bits.GetFirstWord();
+    MedialVoxelPackRow(first + offset, row.lower[0], row.Extent(0), predicate, words);
+  });
+}
+
+/** \brief Set the values of the voxels of \a box, which begins at \a first.
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel>
+void
+MedialVoxelCopyBox(const TPixel * const       first,
+                   const MedialVoxelStrides & strides,
+                   const MedialVoxelBox &     box,
+                   MedialVoxelGray &          gray)
+{
+  MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+    float * const target = gray.GetRow(row.lower[1], row.lower[2]) + (row.lower[0] - gray.GetBox().lower[0]);
+    std::transform(first + offset, first + offset + row.Extent(0), target, [](const TPixel value) {
+      return static_cast<float>(value);
+    });
+  });
 }
 
 } // end namespace itk

@@ -67,7 +67,7 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
     MedialVoxelPseudoGeodesicBound bound{ MedialVoxelPseudoGeodesicBound::FreeSpace };
   };
 
-  /** The parameters that \a settings mean; a fixed thickness is at least MedialVoxelLimits::LeastThickness(). */
+  /** The parameters that \a settings mean; a fixed thickness is at least MedialVoxelGridLimits::LeastThickness(). */
   static MedialVoxelParameters
   ForSettings(const MedialVoxelGrid & grid, const Settings & settings);
 
@@ -83,7 +83,7 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
   };
 
   /** The limits of the user, in the units of the spacing; where they are 0: 3 and 16 voxels of the smallest spacing of
-   * the axes longer than 1. At least MedialVoxelLimits::LeastThickness(), the default maximum 4 times that. */
+   * the axes longer than 1. At least MedialVoxelGridLimits::LeastThickness(), the default maximum 4 times that. */
   static Limits
   LimitsOfWalls(const MedialVoxelGrid & grid, double minimum, double maximum);
 

@@ -5,11 +5,15 @@
 
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelFeatures.h"
+#include "itkMedialVoxelRows.h"
 
 #include "MedialVoxelExport.h"
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace itk
@@ -18,8 +22,83 @@ namespace itk
 struct MedialVoxelCellRow;
 struct MedialVoxelWall;
 
+/** \class MedialVoxelDisplacementWriter
+ * \brief Turns displacements in voxels into vectors of VDimension components.
+ *
+ * A vector is the matrix times the displacement: in physical units, like that of a displacement field, with direction
+ * times spacing; in voxels with the unit matrix. A voxel without a site gets NaN in every component.
+ * \ingroup MedialVoxel
+ */
+template <unsigned int VDimension, typename TValue>
+class MedialVoxelDisplacementWriter
+{
+public:
+  using MatrixType = std::array<std::array<double, VDimension>, VDimension>; ///< rows
+
+  explicit MedialVoxelDisplacementWriter(const MatrixType & matrix)
+    : m_Matrix(matrix)
+  {}
+
+  /** Write the vectors of \a box, one after the other in each row, which begins at \a first. \a strides count vectors.
+   */
+  void
+  Write(const MedialVoxelFeatures & features,
+        const MedialVoxelBox &      box,
+        TValue * const              first,
+        const MedialVoxelStrides &  strides) const
+  {
+    MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+      const std::size_t from = features.OffsetOf(row.lower[0], row.lower[1], row.lower[2]);
+      TValue *          vector = first + offset * VDimension;
+      for (std::int64_t i = 0; i < row.Extent(0); ++i, vector += VDimension)
+      {
+        this->WriteVector(features, from + static_cast<std::size_t>(i), vector);
+      }
+    });
+  }
+
+private:
+  void
+  WriteVector(const MedialVoxelFeatures & features, const std::size_t offset, TValue * const vector) const
+  {
+    if (!features.HasSite(offset))
+    {
+      std::fill_n(vector, VDimension, std::numeric_limits<TValue>::quiet_NaN());
+      return;
+    }
+    const double displacement[3] = { static_cast<double>(features.dx[offset]),
+                                     static_cast<double>(features.dy[offset]),
+                                     static_cast<double>(features.dz[offset]) };
+    for (unsigned int row = 0; row < VDimension; ++row)
+    {
+      double sum = 0.0;
+      for (unsigned int column = 0; column < VDimension; ++column)
+      {
+        sum += m_Matrix[row][column] * displacement[column];
+      }
+      vector[row] = static_cast<TValue>(sum);
+    }
+  }
+
+  MatrixType m_Matrix;
+};
+
+/** \struct MedialVoxelDistanceScale
+ * \brief How distances to the nearest boundary voxels are written; see VectorDistanceMapImageFilter.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelDistanceScale
+{
+  MedialVoxelGrid::SpacingType spacing;
+  bool                         squared{ false };
+  bool                         insideIsPositive{ false };
+};
+
 /** \class MedialVoxelTileResult
  * \brief What was found in a tile, which is as long at hand as the tile is being taken. What was not asked for is null.
+ *
+ * The tile is written to buffers in which it begins at \a first, and whose voxels lie as \a strides say. Every voxel of
+ * the tile is written.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelTileResult
@@ -43,10 +122,48 @@ public:
   const std::vector<MedialVoxelCellRow> * rows{ nullptr };
   const std::vector<MedialVoxelWall> *    walls{ nullptr };
 
-  /** Write the thickness of the measured walls, negative at rims, to their cells in a buffer in which the tile begins
-   * at \a first; other cells are left as they are. */
+  template <typename TLabel>
   void
-  WriteThickness(float * first, const std::array<std::int64_t, 3> & strides) const;
+  WriteLabels(TLabel * const first, const MedialVoxelStrides & strides) const
+  {
+    const std::uint8_t * source = labels;
+    MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+      TLabel * const target = first + offset;
+      if (isEmpty)
+      {
+        std::fill_n(target, row.Extent(0), TLabel{});
+        return;
+      }
+      std::transform(
+        source, source + row.Extent(0), target, [](const std::uint8_t label) { return static_cast<TLabel>(label); });
+      source += row.Extent(0);
+    });
+  }
+
+  /** \a strides count vectors of VDimension values. */
+  template <unsigned int VDimension, typename TValue>
+  void
+  WriteVectors(const MedialVoxelDisplacementWriter<VDimension, TValue> & writer,
+               TValue * const                                            first,
+               const MedialVoxelStrides &                                strides) const
+  {
+    if (!isEmpty)
+    {
+      writer.Write(*displacements, box, first, strides);
+      return;
+    }
+    MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+      std::fill_n(first + offset * VDimension, row.Extent(0) * VDimension, TValue{});
+    });
+  }
+
+  /** The thickness of the measured walls, negative at rims; 0 in other cells. */
+  void
+  WriteThickness(float * first, const MedialVoxelStrides & strides) const;
+
+  /** Signed distances to the nearest boundary voxels, NaN without one. A tile of distances is never empty. */
+  void
+  WriteDistances(const MedialVoxelDistanceScale & scale, float * first, const MedialVoxelStrides & strides) const;
 };
 
 } // end namespace itk

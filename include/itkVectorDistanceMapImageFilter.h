@@ -130,9 +130,6 @@ protected:
 private:
   static constexpr const char * DistanceName = "Distance";
 
-  void
-  WriteDistances(const MedialVoxelTileResult & tile);
-
   BoundaryEnum m_Boundary{ BoundaryEnum::Object };
   RegionEnum   m_Region{ RegionEnum::Both };
   double       m_MaximumDistance{ std::numeric_limits<double>::infinity() };

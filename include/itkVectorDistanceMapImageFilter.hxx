@@ -3,8 +3,6 @@
 #ifndef itkVectorDistanceMapImageFilter_hxx
 #define itkVectorDistanceMapImageFilter_hxx
 
-#include <cmath>
-
 namespace itk
 {
 
@@ -76,41 +74,14 @@ template <typename TInputImage, typename TVectorImage>
 void
 VectorDistanceMapImageFilter<TInputImage, TVectorImage>::TakeTile(const MedialVoxelTileResult & tile)
 {
-  this->WriteVectors(*this->GetOutput(), tile.box, *tile.displacements);
+  this->WriteVectors(*this->GetOutput(), tile);
   if (m_GenerateDistance)
   {
-    this->WriteDistances(tile);
+    DistanceImageType & distance = *this->GetDistanceOutput();
+    tile.WriteDistances({ this->GetGrid().GetSpacing(), m_SquaredDistance, m_InsideIsPositive },
+                        this->FirstPixelOf(distance, tile.box),
+                        this->StridesOf(distance));
   }
-}
-
-template <typename TInputImage, typename TVectorImage>
-void
-VectorDistanceMapImageFilter<TInputImage, TVectorImage>::WriteDistances(const MedialVoxelTileResult & tile)
-{
-  const MedialVoxelBits &            object = *tile.object;
-  const MedialVoxelFeatures &        features = *tile.displacements;
-  const MedialVoxelGrid::SpacingType spacing = this->GetGrid().GetSpacing();
-  this->ForEachRow(*this->GetDistanceOutput(), tile.box, [&](float * const target, const MedialVoxelBox & row) {
-    const std::size_t                       offset = features.OffsetOf(row.lower[0], row.lower[1], row.lower[2]);
-    const MedialVoxelBits::WordType * const words = object.GetRow(row.lower[1], row.lower[2]) - object.GetFirstWord();
-    for (std::int64_t i = 0; i < row.Extent(0); ++i)
-    {
-      const std::size_t at = offset + static_cast<std::size_t>(i);
-      if (!features.HasSite(at))
-      {
-        target[i] = std::numeric_limits<float>::quiet_NaN();
-        continue;
-      }
-      const double       x = features.dx[at] * spacing[0];
-      const double       y = features.dy[at] * spacing[1];
-      const double       z = features.dz[at] * spacing[2];
-      const double       squared = (x * x + y * y) + z * z;
-      const double       distance = m_SquaredDistance ? squared : std::sqrt(squared);
-      const std::int64_t position = row.lower[0] + i;
-      const bool         isInside = ((words[position >> 6] >> (position & 63)) & 1u) != 0;
-      target[i] = static_cast<float>(isInside == m_InsideIsPositive ? distance : 0.0 - distance);
-    }
-  });
 }
 
 template <typename TInputImage, typename TVectorImage>

@@ -56,6 +56,9 @@ MakeHeader()
 {
   VolumeHeader header;
   header.geometry.size = { 5, 4, 3 };
+  header.geometry.spacing = { 1.0, 1.0, 1.0 };
+  header.geometry.origin = { 0.0, 0.0, 0.0 };
+  header.geometry.SetIdentityDirection();
   return header;
 }
 
@@ -86,18 +89,16 @@ CheckListing()
     roles.insert(output.role);
   }
   EXPECT_EQ(roles.size(), ListOutputKinds(options).size());
-  VolumeGeometry cells;
-  cells.size = { 4, 3, 2 };
   std::set<VolumeContent> contents;
-  for (const VolumeRequest & volume : ListVolumes(options, MakeHeader(), cells))
+  for (const VolumeRequest & volume : ListVolumes(options, MakeHeader()))
   {
     contents.insert(volume.content);
     const bool isOfCells = volume.content == VolumeContent::Labels || volume.content == VolumeContent::Thicknesses;
-    EXPECT_EQ(volume.geometry.size.front(), isOfCells ? 4 : 5) << volume.role;
+    EXPECT_EQ(volume.geometry.origin.front(), isOfCells ? 0.5 : 0.0) << volume.role;
     EXPECT_EQ(volume.layout.components, volume.content == VolumeContent::Vectors ? 3 : 1) << volume.role;
     EXPECT_EQ(volume.layout.pixelType, volume.role == "labels" ? PixelType::UInt8 : PixelType::Float32) << volume.role;
   }
-  EXPECT_EQ(contents.size(), ListVolumes(options, MakeHeader(), cells).size()) << "two volumes have one content";
+  EXPECT_EQ(contents.size(), ListVolumes(options, MakeHeader()).size()) << "two volumes have one content";
   EXPECT_TRUE(ListOutputs(TOptions(), MakeHeader()).empty());
 }
 

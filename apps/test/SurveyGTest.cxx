@@ -162,7 +162,7 @@ TEST(Survey, CountsWhatTheThicknessOutputHolds)
   filter->GenerateThicknessOn();
   filter->Update();
   // The output is of all cells, so that the survey sees all of them, though it asks for an eighth.
-  itk::MedialVoxelHistogram  expected(1.0 / 64);
+  LengthHistogram            expected(1.0 / 64);
   std::uint64_t              rims = 0;
   std::vector<std::uint32_t> thickest(150 * 41, 0);
   using ThicknessImageType = itk::MedialVoxelImageFilter<ImageType>::ThicknessImageType;

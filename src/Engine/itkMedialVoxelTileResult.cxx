@@ -4,12 +4,37 @@
 
 #include "itkMedialVoxelTileWalls.h"
 
+#include <cassert>
+#include <cmath>
+#include <limits>
+
 namespace itk
 {
+namespace
+{
+
+double
+DistanceAt(const MedialVoxelFeatures & displacements, const std::size_t offset, const MedialVoxelDistanceScale & scale)
+{
+  const double x = displacements.dx[offset] * scale.spacing[0];
+  const double y = displacements.dy[offset] * scale.spacing[1];
+  const double z = displacements.dz[offset] * scale.spacing[2];
+  const double squared = (x * x + y * y) + z * z;
+  return scale.squared ? squared : std::sqrt(squared);
+}
+
+} // namespace
 
 void
-MedialVoxelTileResult::WriteThickness(float * const first, const std::array<std::int64_t, 3> & strides) const
+MedialVoxelTileResult::WriteThickness(float * const first, const MedialVoxelStrides & strides) const
 {
+  MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+    std::fill_n(first + offset, row.Extent(0), 0.0f);
+  });
+  if (isEmpty)
+  {
+    return;
+  }
   MedialVoxelForEachWall(*rows, *walls, [&](const MedialVoxelIndex & cell, const MedialVoxelWall & wall) {
     std::int64_t offset = 0;
     for (unsigned int axis = 0; axis < 3; ++axis)
@@ -17,6 +42,32 @@ MedialVoxelTileResult::WriteThickness(float * const first, const std::array<std:
       offset += (cell[axis] - box.lower[axis]) * strides[axis];
     }
     first[offset] = wall.GetMarkedThickness();
+  });
+}
+
+void
+MedialVoxelTileResult::WriteDistances(const MedialVoxelDistanceScale & scale,
+                                      float * const                    first,
+                                      const MedialVoxelStrides &       strides) const
+{
+  assert(!isEmpty && displacements != nullptr && object != nullptr);
+  MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+    const std::size_t from = displacements->OffsetOf(row.lower[0], row.lower[1], row.lower[2]);
+    const auto *      words = object->GetRow(row.lower[1], row.lower[2]) - object->GetFirstWord();
+    float * const     target = first + offset;
+    for (std::int64_t i = 0; i < row.Extent(0); ++i)
+    {
+      const std::size_t at = from + static_cast<std::size_t>(i);
+      if (!displacements->HasSite(at))
+      {
+        target[i] = std::numeric_limits<float>::quiet_NaN();
+        continue;
+      }
+      const double       distance = DistanceAt(*displacements, at, scale);
+      const std::int64_t x = row.lower[0] + i;
+      const bool isInside = ((words[x / MedialVoxelBits::BitsPerWord] >> (x % MedialVoxelBits::BitsPerWord)) & 1u) != 0;
+      target[i] = static_cast<float>(isInside == scale.insideIsPositive ? distance : 0.0 - distance);
+    }
   });
 }
 

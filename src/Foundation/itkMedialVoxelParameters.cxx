@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelParameters.h"
 
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,8 @@ MedialVoxelParameters::ForSettings(const MedialVoxelGrid & grid, const Settings 
   MedialVoxelParameters parameters;
   if (settings.mode == MedialVoxelThicknessMode::Fixed)
   {
-    parameters = ForThickness(std::max(settings.thickness, MedialVoxelLimits::LeastThickness(grid)), settings.bound);
+    parameters =
+      ForThickness(std::max(settings.thickness, MedialVoxelGridLimits::LeastThickness(grid)), settings.bound);
   }
   else
   {
@@ -59,7 +60,7 @@ MedialVoxelParameters::LimitsOfWalls(const MedialVoxelGrid & grid, const double 
   const double voxel = std::isfinite(grid.GetShortestEdge()) ? grid.GetShortestEdge() : 1.0;
   // Steps along a much longer axis are no walls, and a wall across it has a few of them.
   constexpr double mostLongVoxels = 4.0;
-  const double     least = MedialVoxelLimits::LeastThickness(grid);
+  const double     least = MedialVoxelGridLimits::LeastThickness(grid);
   const double     most = std::max(mostVoxels * voxel, mostLongVoxels * least);
   return { std::max(minimum > 0.0 ? minimum : fewestVoxels * voxel, least),
            std::max(maximum > 0.0 ? maximum : most, least) };

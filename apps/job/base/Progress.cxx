@@ -94,28 +94,15 @@ public:
   }
 };
 
-class BarSink : public TextSink
+/** Base of the sinks that show where the work is at most so often. */
+class TimedSink : public TextSink
 {
 public:
-  ~BarSink() override
-  {
-    // What follows, such as a message, begins on a clean line.
-    this->WipeOut();
-  }
-
-  void
-  Note(const std::string & text) override
-  {
-    this->WipeOut();
-    TextSink::Note(text);
-  }
-
   void
   Start(const std::string & name, const std::string &) override
   {
     m_Name = name;
     m_Stopwatch.Start();
-    this->Draw(0.0);
   }
 
   void
@@ -128,13 +115,86 @@ public:
   void
   Beat() override
   {
-    constexpr double secondsBetweenDrawings = 0.1;
-    const double     now = m_Stopwatch.GetSeconds();
-    if (now - m_LastDrawing >= secondsBetweenDrawings)
+    const double now = m_Stopwatch.GetSeconds();
+    if (now - m_LastTime >= m_Interval)
     {
-      m_LastDrawing = now;
-      this->Draw(m_Fraction);
+      m_LastTime = now;
+      this->Show(m_Fraction);
     }
+  }
+
+protected:
+  explicit TimedSink(double seconds)
+    : m_Interval(seconds)
+  {}
+
+  virtual void
+  Show(double fraction) = 0;
+
+  const std::string &
+  GetName() const
+  {
+    return m_Name;
+  }
+
+  const Stopwatch &
+  GetStopwatch() const
+  {
+    return m_Stopwatch;
+  }
+
+private:
+  double      m_Interval;
+  std::string m_Name;
+  Stopwatch   m_Stopwatch;
+  double      m_Fraction{ 0.0 };
+  double      m_LastTime{ 0.0 };
+};
+
+class BarSink : public TimedSink
+{
+public:
+  BarSink()
+    : TimedSink(0.1)
+  {}
+
+  ~BarSink() override
+  {
+    // What follows, such as a message, begins on a clean line.
+    this->WipeOut();
+  }
+
+  void
+  Note(const std::string & text) override
+  {
+    this->WipeOut();
+    TimedSink::Note(text);
+  }
+
+  void
+  Start(const std::string & name, const std::string & comment) override
+  {
+    TimedSink::Start(name, comment);
+    this->Show(0.0);
+  }
+
+protected:
+  /** A line that is wrapped could not be drawn over, so what does not fit is left out, the bar first. */
+  void
+  Show(double fraction) override
+  {
+    constexpr int     longest = 40;
+    constexpr int     shortest = 5;
+    const std::string percent = std::to_string(static_cast<int>(fraction * 100)) + " %";
+    const std::string text = percent + ", " + this->GetStopwatch().FormatTimeLeft(fraction) + " left";
+    const int         columns = GetTerminalColumns() - 1;
+    const int         rest = columns - static_cast<int>(this->GetName().size() + text.size() + std::strlen(" [] "));
+    const int         width = std::min(longest, rest);
+    const int         filled = std::clamp(static_cast<int>(fraction * width), 0, std::max(width, 0));
+    const std::string bar = width < shortest ? "" : std::string(filled, '#') + std::string(width - filled, '.');
+    const std::string line = bar.empty() ? text : this->GetName() + " [" + bar + "] " + text;
+    std::cerr << '\r' << (static_cast<int>(line.size()) > columns ? percent : line) << "\033[K" << std::flush;
+    m_Drawn = true;
   }
 
 private:
@@ -147,66 +207,25 @@ private:
     }
   }
 
-  /** A line that is wrapped could not be drawn over, so what does not fit is left out, the bar first. */
-  void
-  Draw(double fraction)
-  {
-    constexpr int     longest = 40;
-    constexpr int     shortest = 5;
-    const std::string percent = std::to_string(static_cast<int>(fraction * 100)) + " %";
-    const std::string text = percent + ", " + m_Stopwatch.FormatTimeLeft(fraction) + " left";
-    const int         columns = GetTerminalColumns() - 1;
-    const int         rest = columns - static_cast<int>(m_Name.size() + text.size() + std::strlen(" [] "));
-    const int         width = std::min(longest, rest);
-    const int         filled = std::clamp(static_cast<int>(fraction * width), 0, std::max(width, 0));
-    const std::string bar = width < shortest ? "" : std::string(filled, '#') + std::string(width - filled, '.');
-    const std::string line = bar.empty() ? text : m_Name + " [" + bar + "] " + text;
-    std::cerr << '\r' << (static_cast<int>(line.size()) > columns ? percent : line) << "\033[K" << std::flush;
-    m_Drawn = true;
-  }
-
-  std::string m_Name;
-  Stopwatch   m_Stopwatch;
-  double      m_Fraction{ 0.0 };
-  double      m_LastDrawing{ 0.0 };
-  bool        m_Drawn{ false };
+  bool m_Drawn{ false };
 };
 
-class PlainSink : public TextSink
+class PlainSink : public TimedSink
 {
 public:
-  void
-  Start(const std::string & name, const std::string &) override
-  {
-    m_Name = name;
-    m_Stopwatch.Start();
-  }
+  PlainSink()
+    : TimedSink(30.0)
+  {}
 
+protected:
   void
-  Report(double fraction) override
+  Show(double fraction) override
   {
-    m_Fraction = fraction;
-    this->Beat();
+    const Stopwatch & stopwatch = this->GetStopwatch();
+    std::cerr << this->GetName() << ": " << static_cast<int>(fraction * 100) << " % after "
+              << FormatDuration(stopwatch.GetSeconds()) << ", " << stopwatch.FormatTimeLeft(fraction) << " left"
+              << std::endl;
   }
-
-  void
-  Beat() override
-  {
-    constexpr double secondsBetweenLines = 30.0;
-    const double     now = m_Stopwatch.GetSeconds();
-    if (now - m_LastLine >= secondsBetweenLines)
-    {
-      m_LastLine = now;
-      std::cerr << m_Name << ": " << static_cast<int>(m_Fraction * 100) << " % after " << FormatDuration(now) << ", "
-                << m_Stopwatch.FormatTimeLeft(m_Fraction) << " left" << std::endl;
-    }
-  }
-
-private:
-  std::string m_Name;
-  Stopwatch   m_Stopwatch;
-  double      m_Fraction{ 0.0 };
-  double      m_LastLine{ 0.0 };
 };
 
 /** Base of the sinks that write a line for each percent, and the last one again when a second has passed. */

@@ -40,7 +40,7 @@ ClusterWorker::ClusterWorker(const SharedJob & job, const JobResult & plan, Prog
   , m_Locks(job.folder.GetLocksName())
   , m_Run(job.manifest.options, plan, sink)
 {
-  m_Requests = ListVolumes(job.manifest.options, plan.input, m_Run.GetLabelGeometry());
+  m_Requests = ListVolumes(job.manifest.options, plan.input);
   for (const VolumeRequest & request : m_Requests)
   {
     m_Volumes.push_back(MakeSharedVolume(request.fileName, job.manifest.options));
@@ -160,24 +160,22 @@ ClusterWorker::RecordCluster(std::uint64_t cluster, const ClusterMarker & marker
 ClusterMarker
 ClusterWorker::Compute(const SliceRange & range)
 {
-  const auto       start = JobClock::now();
-  const RunnerSums before = m_Run.GetSums();
-  const double     readBefore = m_Run.GetInput().GetReadSeconds();
-  const double     writtenBefore = m_Run.GetWriteSeconds();
-  const auto       bytesBefore = m_Run.GetInput().GetNumberOfBytesRead();
+  const auto   start = JobClock::now();
+  const double readBefore = m_Run.GetInput().GetReadSeconds();
+  const double writtenBefore = m_Run.GetWriteSeconds();
+  const auto   bytesBefore = m_Run.GetInput().GetNumberOfBytesRead();
   m_Run.GetSurvey().Clear();
   for (const auto & volume : m_Volumes)
   {
     volume->StartCluster();
   }
-  m_Run.Run(range);
-  m_Run.Wait();
   ClusterMarker marker;
+  marker.sums = m_Run.Run(range);
+  m_Run.Wait();
   for (std::size_t i = 0; i < m_Volumes.size(); ++i)
   {
     marker.checksums[m_Requests[i].role] = m_Volumes[i]->GetChecksum();
   }
-  marker.sums = m_Run.GetSums().Since(before);
   CheckCounts(marker.sums.counts);
   marker.seconds.distance = marker.sums.distanceSeconds;
   marker.seconds.classification = marker.sums.classificationSeconds;

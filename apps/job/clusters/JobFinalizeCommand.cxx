@@ -127,7 +127,7 @@ private:
   void
   OpenOutputs()
   {
-    m_Requests = ListVolumes(m_Options, m_Job.input, FindLabelGeometry(m_Options, m_Job.input));
+    m_Requests = ListVolumes(m_Options, m_Job.input);
     const std::optional<DataNames> begun = m_Shared.folder.ReadDataNames(m_Shared.manifest);
     m_Options.overwrite = m_Options.overwrite || begun;
     CheckOutputs(m_Job.outputs, m_Job.input, m_Options.overwrite);

@@ -191,7 +191,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     return job;
   }
   WithPipelineErrors([&] {
-    const auto  volumes = ListVolumes(options, job.input, FindLabelGeometry(options, job.input));
+    const auto  volumes = ListVolumes(options, job.input);
     PlanOptions own = options;
     MeasureThreshold(own, job.input, sink);
     const Manifest manifest = MakeManifest(own, job, folder);

@@ -2,40 +2,104 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "InputVolume.h"
 
-#include "VolumeFormats.h"
+#include "MaskInput.h"
+#include "ObjectValues.h"
+#include "ValueReader.h"
+
+#include "itkMedialVoxelEngineClient.h"
+#include "itkMedialVoxelProgress.h"
+
+#include <vector>
 
 namespace medialvoxel
 {
-void
-InputVolume::MeasureSeconds(itk::ProcessObject & source)
+namespace
 {
-  using Clock = std::chrono::steady_clock;
-  source.AddObserver(itk::StartEvent(), [this](const itk::EventObject &) { m_Start = Clock::now(); });
-  source.AddObserver(itk::EndEvent(), [this](const itk::EventObject &) {
-    m_ReadSeconds += std::chrono::duration<double>(Clock::now() - m_Start).count();
-  });
+
+/** Between labels there are no values: not without a threshold, and not with one value for both. A label has no
+ * thresholds. */
+Interpolation
+GetInterpolation(const JobOptions & options)
+{
+  const bool hasThreshold = options.lowerThreshold || options.upperThreshold;
+  return hasThreshold && options.lowerThreshold != options.upperThreshold ? Interpolation::Linear
+                                                                          : Interpolation::Nearest;
 }
 
-itk::StreamingRawImageIO::Pointer
-MakeVoxelReader(const VolumeHeader & header)
+/** \class StreamedInput
+ * \brief Reads the boxes that it is asked for. */
+class StreamedInput : public InputVolume
 {
-  const itk::StreamingRawImageIO::Pointer imageIO = header.format->input.makeReader(header);
-  const unsigned int                      dimension = header.geometry.GetDimension();
-  imageIO->SetNumberOfDimensions(dimension);
-  for (unsigned int axis = 0; axis < dimension; ++axis)
+public:
+  StreamedInput(const VolumeHeader & header, const JobOptions & options)
+    : InputVolume(GetTraits(header.pixelType).bytes)
+    , m_Type(header.pixelType)
+    , m_Options(options)
+    , m_Reader(MakeValueReader(header, GetInterpolation(options)))
+  {}
+
+  std::uint64_t
+  GetNumberOfBytesRead() const override
   {
-    imageIO->SetDimensions(axis, header.geometry.size[axis]);
-    imageIO->SetSpacing(axis, header.geometry.spacing[axis]);
-    imageIO->SetOrigin(axis, header.geometry.origin[axis]);
-    imageIO->SetDirection(axis, header.geometry.direction[axis]);
+    return m_Reader->GetNumberOfBytesRead();
   }
-  imageIO->SetComponentType(DispatchPixelType(
-    header.pixelType, [](auto zero) { return itk::ImageIOBase::MapPixelType<decltype(zero)>::CType; }));
-  imageIO->SetHeaderSize(static_cast<itk::ImageIOBase::SizeType>(header.dataOffset));
-  imageIO->SetRefuseTrailingBytes(false);
-  imageIO->SetSegments(header.segments);
-  imageIO->SetByteOrder(header.bigEndian ? itk::IOByteOrderEnum::BigEndian : itk::IOByteOrderEnum::LittleEndian);
-  return imageIO;
+
+protected:
+  void
+  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) override
+  {
+    m_Values.resize(static_cast<std::size_t>(part.NumberOfVoxels()) * GetTraits(m_Type).bytes);
+    this->MeasureReading([&] { m_Reader->Read(part, m_Values.data()); });
+    DispatchPixelType(
+      m_Type, [&](auto zero) { this->Pack(reinterpret_cast<const decltype(zero) *>(m_Values.data()), part, targets); });
+  }
+
+private:
+  template <typename TValue>
+  void
+  Pack(const TValue * values, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const
+  {
+    const itk::MedialVoxelStrides strides{ 1, part.Extent(0), part.Extent(0) * part.Extent(1) };
+    if (targets.object != nullptr)
+    {
+      itk::MedialVoxelPackBox(values, strides, part, MakeObjectPredicate<TValue>(m_Options), *targets.object);
+    }
+    if (targets.notANumber != nullptr)
+    {
+      itk::MedialVoxelPackBox(values, strides, part, [](TValue value) { return value != value; }, *targets.notANumber);
+    }
+    if (targets.gray != nullptr)
+    {
+      itk::MedialVoxelCopyBox(values, strides, part, *targets.gray);
+    }
+  }
+
+  PixelType                    m_Type;
+  JobOptions                   m_Options;
+  std::unique_ptr<ValueReader> m_Reader;
+  std::vector<std::byte>       m_Values; ///< of a part
+};
+
+} // namespace
+
+void
+InputVolume::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets)
+{
+  for (const itk::MedialVoxelBox & part : itk::MedialVoxelEngineClient::CutForPull(box, m_BytesPerVoxel))
+  {
+    itk::MedialVoxelPoll();
+    this->FillPart(part, targets);
+  }
+}
+
+std::unique_ptr<InputVolume>
+OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder)
+{
+  if (header.CanStream())
+  {
+    return std::make_unique<StreamedInput>(header, options);
+  }
+  return OpenMaskInput(header, options, GetInterpolation(options), scratchFolder);
 }
 
 } // end namespace medialvoxel

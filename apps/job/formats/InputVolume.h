@@ -3,14 +3,15 @@
 #ifndef medialvoxelInputVolume_h
 #define medialvoxelInputVolume_h
 
+#include "Options.h"
 #include "VolumeHeader.h"
 
-#include "itkImageBase.h"
-#include "itkProcessObject.h"
-#include "itkStreamingRawImageIO.h"
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelGray.h"
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -21,14 +22,22 @@ namespace medialvoxel
 /** Hears how much of a volume was unpacked, from 0 to 1; throws to stop. */
 using ReadObserver = std::function<void(double)>;
 
+/** Where the voxels of a box go; null: they are not wanted. */
+struct VoxelTargets
+{
+  itk::MedialVoxelBits * object{ nullptr };     ///< clear bits; those of the object are set
+  itk::MedialVoxelBits * notANumber{ nullptr }; ///< the same for values that are not a number
+  itk::MedialVoxelGray * gray{ nullptr };
+};
+
 /** \class InputVolume
- * \brief An opened volume: an image of a pipeline that makes the parts it is asked for. */
+ * \brief An opened volume: the object bits and values of any box of it. */
 class InputVolume
 {
 public:
   virtual ~InputVolume() = default;
 
-  /** Does what must be done once before the first part is asked for; the image is described without it.
+  /** Does what must be done once before the first box is asked for.
    * \return what was done and what it cost, as one line; empty when there was nothing to do.
    * \throw JobError CorruptInput when packed voxels are damaged or end early. */
   virtual std::string
@@ -37,19 +46,17 @@ public:
     return {};
   }
 
-  /** True when the image has the values 0 and 1, 1 for the object, and type uint8 whatever the file has. */
-  virtual bool
-  IsMask() const
-  {
-    return false;
-  }
-
-  /** Voxels that are not a number and that the mask does not show; 0 for images that are no masks. */
+  /** Voxels that are not a number and that Fill() does not show; 0 for volumes that are read in parts. */
   virtual std::uint64_t
   GetNumberOfNotANumberVoxels() const
   {
     return 0;
   }
+
+  /** Fills what is wanted of a box, in parts between which the thread polls. Called by one thread at a time.
+   * \throw JobError CorruptInput, itk::ExceptionObject */
+  void
+  Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets);
 
   /** Bytes read from the file so far. */
   virtual std::uint64_t
@@ -62,39 +69,35 @@ public:
     return m_ReadSeconds;
   }
 
-  /** The start of the pipeline. */
-  virtual itk::ProcessObject *
-  GetReader() = 0;
-
 protected:
-  /** Adds what the source takes to the seconds of reading. */
-  void
-  MeasureSeconds(itk::ProcessObject & source);
+  /** \param bytesPerVoxel that a part of a box takes while it is read */
+  explicit InputVolume(std::size_t bytesPerVoxel)
+    : m_BytesPerVoxel(bytesPerVoxel)
+  {}
 
-  double m_ReadSeconds{ 0.0 };
+  virtual void
+  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) = 0;
+
+  /** Calls function() and adds what it takes to the seconds of reading. */
+  template <typename TFunction>
+  void
+  MeasureReading(TFunction && function)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    function();
+    m_ReadSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
 
 private:
-  std::chrono::steady_clock::time_point m_Start;
+  std::size_t m_BytesPerVoxel;
+  double      m_ReadSeconds{ 0.0 };
 };
 
-/** What reads the parts of an uncompressed volume that ReadVolumeHeader() has checked. */
-itk::StreamingRawImageIO::Pointer
-MakeVoxelReader(const VolumeHeader & header);
-
-/** \class ImageInput
- * \brief An opened volume whose pixel type and dimension are known. */
-template <typename TImage>
-class ImageInput : public InputVolume
-{
-public:
-  virtual TImage *
-  GetImage() = 0;
-};
-
-/** Opens an uncompressed volume that ReadVolumeHeader() has checked. */
-template <typename TPixel>
+/** Opens a volume that ReadVolumeHeader() has checked. One that does not stream becomes a mask of the object that the
+ * options describe, in memory or, when a scratch folder is given, in a file there.
+ * \throw JobError Refused when the scratch folder has no space. */
 std::unique_ptr<InputVolume>
-OpenStreamedInput(const VolumeHeader & header);
+OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder);
 
 } // end namespace medialvoxel
 

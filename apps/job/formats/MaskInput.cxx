@@ -2,113 +2,80 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "MaskInput.h"
 
-#include "BitImageSource.h"
-#include "LabelValues.h"
+#include "BitStore.h"
+#include "ObjectValues.h"
 #include "Text.h"
 #include "ValueStream.h"
 
-#include "itkMedialVoxelObjectPredicate.h"
-
 #include <algorithm>
-#include <array>
-#include <limits>
+#include <cassert>
+#include <type_traits>
+#include <vector>
 
 namespace medialvoxel
 {
 namespace
 {
 
-using ByteOfPixels = std::array<unsigned char, 8>;
+using WordType = BitStore::WordType;
 
-std::array<ByteOfPixels, 256>
-MakeExpansionTable()
+/** \a count bits, 1 to 64, of \a words from bit \a first on. */
+WordType
+GetBits(const WordType * words, std::uint64_t first, std::uint64_t count)
 {
-  std::array<ByteOfPixels, 256> table{};
-  for (unsigned int byte = 0; byte < table.size(); ++byte)
+  const WordType *    word = words + first / BitStore::BitsPerWord;
+  const std::uint64_t shift = first % BitStore::BitsPerWord;
+  WordType            bits = word[0] >> shift;
+  if (shift + count > BitStore::BitsPerWord)
   {
-    for (unsigned int bit = 0; bit < 8; ++bit)
-    {
-      table[byte][bit] = (byte >> bit) & 1u;
-    }
+    bits |= word[1] << (BitStore::BitsPerWord - shift);
   }
-  return table;
+  return count == BitStore::BitsPerWord ? bits : bits & ((WordType{ 1 } << count) - 1);
 }
 
-/** Writes the pixels [begin, begin + count) of the words. */
+/** Sets those of \a count bits from \a first on in a row, from \a x on; \a row points to its word 0. */
 void
-ExpandWords(const BitStore::WordType * words, std::uint64_t begin, std::uint64_t count, unsigned char * pixels)
+SetBits(const WordType * words, std::uint64_t first, std::int64_t x, std::int64_t count, WordType * row)
 {
-  static const auto table = MakeExpansionTable();
-  const auto        byteAt = [words](std::uint64_t bit) {
-    return static_cast<unsigned char>(words[bit / BitStore::BitsPerWord] >> (bit % BitStore::BitsPerWord));
-  };
-  const std::uint64_t end = begin + count;
-  for (; begin < end && begin % 8 != 0; ++begin)
+  constexpr std::int64_t bitsPerWord = BitStore::BitsPerWord;
+  for (const std::int64_t end = x + count; x < end;)
   {
-    *pixels++ = byteAt(begin) & 1u;
-  }
-  for (; begin + 8 <= end; begin += 8)
-  {
-    pixels = std::copy_n(table[byteAt(begin)].data(), 8, pixels);
-  }
-  for (; begin < end; ++begin)
-  {
-    *pixels++ = byteAt(begin) & 1u;
+    const std::int64_t next = std::min((x / bitsPerWord + 1) * bitsPerWord, end);
+    const auto         number = static_cast<std::uint64_t>(next - x);
+    row[x / bitsPerWord] |= GetBits(words, first, number) << (x % bitsPerWord);
+    first += number;
+    x = next;
   }
 }
 
-template <typename TPixel>
-itk::MedialVoxelObjectPredicate<TPixel>
-MakePredicate(const UnpackSettings & settings)
-{
-  using PredicateType = itk::MedialVoxelObjectPredicate<TPixel>;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  if (settings.label)
-  {
-    return PredicateType::EqualTo(*ConvertLabel<TPixel>(*settings.label));
-  }
-  if (!settings.lowerThreshold && !settings.upperThreshold)
-  {
-    return PredicateType::DifferentFrom(TPixel{});
-  }
-  return PredicateType::InRange(settings.lowerThreshold.value_or(-infinity),
-                                settings.upperThreshold.value_or(infinity));
-}
-
-template <unsigned int VDimension>
-class MaskInput : public ImageInput<itk::Image<unsigned char, VDimension>>
+/** \class MaskInput
+ * \brief One bit per voxel, made once. */
+class MaskInput : public InputVolume
 {
 public:
-  MaskInput(const VolumeHeader & header, const UnpackSettings & settings)
-    : m_Header(header)
-    , m_Settings(settings)
-    , m_Bits(settings.scratchFolder.empty()
-               ? MakeBitStoreInMemory(header.geometry.GetNumberOfVoxels())
-               : MakeBitStoreInFile(settings.scratchFolder, header.geometry.GetNumberOfVoxels()))
-  {
-    m_Source->SetGeometry(header.geometry);
-    m_Source->SetBits(*m_Bits);
-    this->MeasureSeconds(*m_Source);
-  }
+  MaskInput(const VolumeHeader &          header,
+            const JobOptions &            options,
+            Interpolation                 interpolation,
+            const std::filesystem::path & scratchFolder)
+    : InputVolume(1)
+    , m_Header(header)
+    , m_Options(options)
+    , m_Interpolation(interpolation)
+    , m_ScratchFolder(scratchFolder)
+    , m_Bits(scratchFolder.empty() ? MakeBitStoreInMemory(header.geometry.GetNumberOfVoxels())
+                                   : MakeBitStoreInFile(scratchFolder, header.geometry.GetNumberOfVoxels()))
+  {}
 
   std::string
   Prepare(const ReadObserver & observer) override
   {
-    const auto start = std::chrono::steady_clock::now();
-    DispatchValueType(m_Header.GetStored(), [&](auto zero) { this->Unpack<decltype(zero)>(observer); });
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    this->m_ReadSeconds += seconds;
+    this->MeasureReading(
+      [&] { DispatchValueType(m_Header.GetStored(), [&](auto zero) { this->Unpack<decltype(zero)>(observer); }); });
     return m_Header.fileName.string() +
            (m_Header.compressed ? " is compressed and was unpacked once: " : " has scaled values and was read once: ") +
            FormatBytes(m_BytesRead) + " read, " + FormatBytes(GetBitStoreBytes(m_Header.geometry.GetNumberOfVoxels())) +
-           " of mask " + (m_Settings.scratchFolder.empty() ? "in memory" : "in " + m_Settings.scratchFolder.string()) +
-           ", " + FormatSeconds(seconds);
-  }
-
-  bool
-  IsMask() const override
-  {
-    return true;
+           " of mask " + (m_ScratchFolder.empty() ? "in memory" : "in " + m_ScratchFolder.string()) + ", " +
+           FormatSeconds(this->GetReadSeconds());
   }
 
   std::uint64_t
@@ -123,16 +90,15 @@ public:
     return m_BytesRead;
   }
 
-  itk::ProcessObject *
-  GetReader() override
+protected:
+  void
+  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) override
   {
-    return m_Source;
-  }
-
-  itk::Image<unsigned char, VDimension> *
-  GetImage() override
-  {
-    return m_Source->GetOutput();
+    assert(targets.notANumber == nullptr && targets.gray == nullptr);
+    for (std::int64_t z = part.lower[2]; z < part.upper[2]; ++z)
+    {
+      this->MeasureReading([&] { this->FillSlice(part, z, *targets.object); });
+    }
   }
 
 private:
@@ -145,7 +111,7 @@ private:
       this->Resample<TValue>(observer);
       return;
     }
-    const auto predicate = MakePredicate<TValue>(m_Settings);
+    const auto predicate = MakeObjectPredicate<TValue>(m_Options);
     m_BytesRead = StreamValues<TValue>(
       m_Header, observer, [&](const std::vector<TValue> & values) { this->Append(values, predicate); });
   }
@@ -154,9 +120,9 @@ private:
   void
   Resample(const ReadObserver & observer)
   {
-    const auto          predicate = MakePredicate<double>(m_Settings);
+    const auto          predicate = MakeObjectPredicate<double>(m_Options);
     std::vector<double> values;
-    SliceResampler      resampler(m_Header, m_Settings.interpolation, [&](const double * row, std::uint64_t count) {
+    SliceResampler      resampler(m_Header, m_Interpolation, [&](const double * row, std::uint64_t count) {
       values.insert(values.end(), row, row + count);
       if (values.size() >= VoxelsPerChunk)
       {
@@ -197,44 +163,50 @@ private:
     }
   }
 
-  VolumeHeader                                 m_Header;
-  UnpackSettings                               m_Settings;
-  std::unique_ptr<BitStore>                    m_Bits;
-  std::vector<BitStore::WordType>              m_Words; ///< of a chunk
-  typename BitImageSource<VDimension>::Pointer m_Source = BitImageSource<VDimension>::New();
-  std::uint64_t                                m_NotANumberVoxels{ 0 };
-  std::uint64_t                                m_BytesRead{ 0 };
+  /** Reads all words from the first to the last row of a slice at once. */
+  void
+  FillSlice(const itk::MedialVoxelBox & part, std::int64_t z, itk::MedialVoxelBits & object)
+  {
+    const std::uint64_t firstWord = this->GetVoxel(part.lower[0], part.lower[1], z) / BitStore::BitsPerWord;
+    const std::uint64_t lastWord = this->GetVoxel(part.upper[0] - 1, part.upper[1] - 1, z) / BitStore::BitsPerWord;
+    m_Words.resize(lastWord - firstWord + 1);
+    m_Bits->Read(firstWord, m_Words.size(), m_Words.data());
+    for (std::int64_t y = part.lower[1]; y < part.upper[1]; ++y)
+    {
+      const std::uint64_t first = this->GetVoxel(part.lower[0], y, z) - firstWord * BitStore::BitsPerWord;
+      auto * const        row = object.GetRow(y, z) - object.GetFirstWord();
+      SetBits(m_Words.data(), first, part.lower[0], part.Extent(0), row);
+    }
+  }
+
+  /** Number of a voxel in the whole volume. */
+  std::uint64_t
+  GetVoxel(std::int64_t x, std::int64_t y, std::int64_t z) const
+  {
+    const auto & size = m_Header.geometry.size;
+    return (static_cast<std::uint64_t>(z) * size[1] + static_cast<std::uint64_t>(y)) * size[0] +
+           static_cast<std::uint64_t>(x);
+  }
+
+  VolumeHeader                    m_Header;
+  JobOptions                      m_Options;
+  Interpolation                   m_Interpolation;
+  std::filesystem::path           m_ScratchFolder;
+  std::unique_ptr<BitStore>       m_Bits;
+  std::vector<BitStore::WordType> m_Words; ///< of a chunk, or a slice of a part
+  std::uint64_t                   m_NotANumberVoxels{ 0 };
+  std::uint64_t                   m_BytesRead{ 0 };
 };
 
 } // namespace
 
-void
-ExpandBits(const BitStore & bits, std::uint64_t firstVoxel, std::uint64_t count, unsigned char * pixels)
-{
-  constexpr std::uint64_t         wordsPerRead = std::uint64_t{ 1 } << 13;
-  std::vector<BitStore::WordType> words;
-  const std::uint64_t             end = firstVoxel + count;
-  while (firstVoxel < end)
-  {
-    const std::uint64_t firstWord = firstVoxel / BitStore::BitsPerWord;
-    const std::uint64_t lastWord = std::min((end - 1) / BitStore::BitsPerWord, firstWord + wordsPerRead - 1);
-    words.resize(lastWord - firstWord + 1);
-    bits.Read(firstWord, words.size(), words.data());
-    const std::uint64_t stop = std::min(end, (lastWord + 1) * BitStore::BitsPerWord);
-    ExpandWords(words.data(), firstVoxel - firstWord * BitStore::BitsPerWord, stop - firstVoxel, pixels);
-    pixels += stop - firstVoxel;
-    firstVoxel = stop;
-  }
-}
-
 std::unique_ptr<InputVolume>
-OpenMaskInput(const VolumeHeader & header, const UnpackSettings & settings)
+OpenMaskInput(const VolumeHeader &          header,
+              const JobOptions &            options,
+              Interpolation                 interpolation,
+              const std::filesystem::path & scratchFolder)
 {
-  if (header.geometry.GetDimension() == 2)
-  {
-    return std::make_unique<MaskInput<2>>(header, settings);
-  }
-  return std::make_unique<MaskInput<3>>(header, settings);
+  return std::make_unique<MaskInput>(header, options, interpolation, scratchFolder);
 }
 
 } // end namespace medialvoxel

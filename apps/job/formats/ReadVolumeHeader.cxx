@@ -7,7 +7,7 @@
 #include "Text.h"
 #include "VolumeFormats.h"
 
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include "itkMedialVoxelHeaderText.h"
 #include <vnl/vnl_det.h>
@@ -70,7 +70,7 @@ void
 CheckGeometry(const VolumeHeader & header)
 {
   const VolumeGeometry & geometry = header.geometry;
-  const std::string problem = itk::MedialVoxelLimits::FindProblem(geometry.size, geometry.spacing, geometry.origin);
+  const std::string problem = itk::MedialVoxelGridLimits::FindProblem(geometry.size, geometry.spacing, geometry.origin);
   if (!problem.empty())
   {
     Fail(ExitStatus::CorruptInput, header.fileName.string(), ": ", problem);

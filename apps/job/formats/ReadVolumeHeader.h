@@ -18,7 +18,7 @@ namespace medialvoxel
  * (.zarr), TIFF (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
  *
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
- * ones: may be), and its place in space is within itk::MedialVoxelLimits.
+ * ones: may be), and its place in space is within itk::MedialVoxelGridLimits.
  * \param spacing along each axis, in place of that of the file; empty: that of the file
  * \throw JobError: Usage for an unknown extension or another number of spacings than of axes, Failure for a file that
  * cannot be read, CorruptInput for all else. */

@@ -5,7 +5,7 @@
 #include "Errors.h"
 #include "Text.h"
 
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ ResampleHeader(const VolumeHeader & header, double spacing)
   {
     return header;
   }
-  const std::string problem = itk::MedialVoxelLimits::FindProblem(geometry.size, geometry.spacing, geometry.origin);
+  const std::string problem = itk::MedialVoxelGridLimits::FindProblem(geometry.size, geometry.spacing, geometry.origin);
   if (!problem.empty())
   {
     Fail(ExitStatus::Usage,

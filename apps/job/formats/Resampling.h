@@ -25,7 +25,7 @@ enum class Interpolation
  * Its first voxel lies where that of the file lies, its last one not beyond the last of the file, so that no value is
  * made up. Axes of length 1 stay as they are.
  * \param spacing along each axis; 0: the smallest of the file
- * \throw JobError Usage when the result is out of the ranges of itk::MedialVoxelLimits */
+ * \throw JobError Usage when the result is out of the ranges of itk::MedialVoxelGridLimits */
 VolumeHeader
 ResampleHeader(const VolumeHeader & header, double spacing);
 

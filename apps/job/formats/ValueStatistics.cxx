@@ -6,8 +6,10 @@
 #include "PipelineErrors.h"
 #include "Text.h"
 #include "ValueHistogram.h"
+#include "ValueReader.h"
 #include "ValueStream.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace medialvoxel
@@ -23,25 +25,19 @@ ReadSlices(const VolumeHeader & header, const ReadObserver & observer, TFunction
   const std::uint64_t perSlice = header.geometry.GetVoxelsPerSlice();
   const std::uint64_t slices = header.geometry.size.back();
   const std::uint64_t atOnce = std::max<std::uint64_t>(1, VoxelsPerChunk / perSlice);
-  const auto          reader = MakeVoxelReader(header);
-  reader->SetFileName(header.dataFile.string());
-  reader->ReadImageInformation();
-  const unsigned int  dimension = header.geometry.GetDimension();
+  const auto          reader = MakeValueReader(header);
+  itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
+  std::copy(header.geometry.size.begin(), header.geometry.size.end(), box.upper.begin());
+  const unsigned int  last = header.geometry.GetDimension() - 1;
   std::vector<TValue> values;
   for (std::uint64_t slice = 0; slice < slices; slice += atOnce)
   {
     observer(static_cast<double>(slice) / static_cast<double>(slices));
-    itk::ImageIORegion region(dimension);
-    for (unsigned int axis = 0; axis < dimension; ++axis)
-    {
-      region.SetSize(axis, header.geometry.size[axis]);
-    }
     const std::uint64_t count = std::min(atOnce, slices - slice);
-    region.SetIndex(dimension - 1, static_cast<itk::IndexValueType>(slice));
-    region.SetSize(dimension - 1, count);
-    reader->SetIORegion(region);
+    box.lower[last] = static_cast<std::int64_t>(slice);
+    box.upper[last] = static_cast<std::int64_t>(slice + count);
     values.resize(count * perSlice);
-    reader->Read(values.data());
+    reader->Read(box, values.data());
     function(values);
   }
 }

@@ -4,14 +4,15 @@
 #define medialvoxelJobResult_h
 
 #include "JobPlan.h"
+#include "NamedCounts.h"
 #include "OutputRequest.h"
-#include "RunnerSums.h"
 #include "SurfaceSummary.h"
 #include "ThicknessSummary.h"
 #include "VolumeHeader.h"
 #include "Warning.h"
 
 #include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelSums.h"
 
 #include <cstdint>
 #include <optional>
@@ -36,7 +37,7 @@ struct JobResult
   VolumeHeader                         input;
   std::vector<OutputRequest>           outputs;
   JobPlan                              plan;
-  RunnerSums                           sums;
+  itk::MedialVoxelSums                 sums;
   std::optional<itk::MedialVoxelLimit> otsu;      ///< lower threshold, when it was measured
   std::optional<ThicknessSummary>      thickness; ///< of an extraction
   std::optional<SurfaceSummary>        surface;   ///< when a mesh was asked for

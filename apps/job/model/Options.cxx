@@ -5,7 +5,7 @@
 #include "LabelValues.h"
 #include "Text.h"
 
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include <algorithm>
 #include <charconv>
@@ -43,7 +43,7 @@ CheckPositive(const char * name, double value, bool mayBeInfinite)
 void
 CheckLimit(const char * name, const std::optional<double> & limit)
 {
-  constexpr double largest = itk::MedialVoxelLimits::LargestLength;
+  constexpr double largest = itk::MedialVoxelGridLimits::LargestLength;
   if (limit)
   {
     CheckPositive(name, *limit, false);
@@ -57,7 +57,7 @@ CheckLimit(const char * name, const std::optional<double> & limit)
 void
 CheckSpacing(const char * name, double spacing)
 {
-  using Limits = itk::MedialVoxelLimits;
+  using Limits = itk::MedialVoxelGridLimits;
   if (!(spacing >= Limits::SmallestSpacing && spacing <= Limits::LargestSpacing))
   {
     Fail(ExitStatus::Usage,
@@ -158,7 +158,7 @@ CheckOptions(const RawDescription & raw)
   std::uint64_t voxels = 1;
   for (const std::uint64_t size : raw.size)
   {
-    if (size == 0 || size > itk::MedialVoxelLimits::MostVoxels / voxels)
+    if (size == 0 || size > itk::MedialVoxelGridLimits::MostVoxels / voxels)
     {
       Fail(ExitStatus::Usage,
            "the raw size is ",

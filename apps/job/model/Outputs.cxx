@@ -95,7 +95,7 @@ ListWanted(const TOptions & options, const VolumeHeader & input)
 
 template <typename TOptions>
 std::vector<VolumeRequest>
-ListWantedVolumes(const TOptions & options, const VolumeHeader & input, const VolumeGeometry & cells)
+ListWantedVolumes(const TOptions & options, const VolumeHeader & input)
 {
   std::vector<VolumeRequest> volumes;
   for (const OutputKind<TOptions> & kind : ListOutputKinds(options))
@@ -104,7 +104,7 @@ ListWantedVolumes(const TOptions & options, const VolumeHeader & input, const Vo
     {
       volumes.push_back({ kind.role,
                           options.*kind.option,
-                          kind.volume->isOfCells ? cells : input.geometry,
+                          kind.volume->isOfCells ? GetCellGeometry(input.geometry) : input.geometry,
                           kind.volume->getLayout(input),
                           kind.volume->content,
                           kind.volume->filler });
@@ -160,15 +160,15 @@ ListOutputs(const DistanceOptions & options, const VolumeHeader & input)
 }
 
 std::vector<VolumeRequest>
-ListVolumes(const ExtractOptions & options, const VolumeHeader & input, const VolumeGeometry & cells)
+ListVolumes(const ExtractOptions & options, const VolumeHeader & input)
 {
-  return ListWantedVolumes(options, input, cells);
+  return ListWantedVolumes(options, input);
 }
 
 std::vector<VolumeRequest>
-ListVolumes(const DistanceOptions & options, const VolumeHeader & input, const VolumeGeometry & cells)
+ListVolumes(const DistanceOptions & options, const VolumeHeader & input)
 {
-  return ListWantedVolumes(options, input, cells);
+  return ListWantedVolumes(options, input);
 }
 
 std::vector<std::string>

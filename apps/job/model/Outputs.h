@@ -65,11 +65,11 @@ ListOutputs(const ExtractOptions & options, const VolumeHeader & input);
 std::vector<OutputRequest>
 ListOutputs(const DistanceOptions & options, const VolumeHeader & input);
 
-/** The volumes among them. \param cells geometry of an image with a pixel for each cell */
+/** The volumes among them. */
 std::vector<VolumeRequest>
-ListVolumes(const ExtractOptions & options, const VolumeHeader & input, const VolumeGeometry & cells);
+ListVolumes(const ExtractOptions & options, const VolumeHeader & input);
 std::vector<VolumeRequest>
-ListVolumes(const DistanceOptions & options, const VolumeHeader & input, const VolumeGeometry & cells);
+ListVolumes(const DistanceOptions & options, const VolumeHeader & input);
 
 /** Names of the volumes that the options ask for, as they were given. */
 std::vector<std::string>

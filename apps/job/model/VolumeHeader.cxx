@@ -25,6 +25,22 @@ VolumeGeometry::SetIdentityDirection()
   }
 }
 
+VolumeGeometry
+GetCellGeometry(const VolumeGeometry & voxels)
+{
+  VolumeGeometry cells = voxels;
+  for (unsigned int row = 0; row < voxels.GetDimension(); ++row)
+  {
+    double shift = 0.0;
+    for (unsigned int axis = 0; axis < voxels.GetDimension(); ++axis)
+    {
+      shift += voxels.direction[axis][row] * (voxels.size[axis] > 1 ? 0.5 * voxels.spacing[axis] : 0.0);
+    }
+    cells.origin[row] += shift;
+  }
+  return cells;
+}
+
 std::string
 VolumeHeader::DescribeReading() const
 {

@@ -47,6 +47,11 @@ struct VolumeGeometry
   }
 };
 
+/** Of an image with a pixel for each cell of a volume: it begins half a voxel further along each axis that is longer
+ * than one voxel. */
+VolumeGeometry
+GetCellGeometry(const VolumeGeometry & voxels);
+
 /** Describes a headerless file of voxels. */
 struct RawDescription
 {

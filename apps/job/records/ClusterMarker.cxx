@@ -12,7 +12,7 @@ namespace
 {
 
 Json
-SumsToJson(const RunnerSums & sums)
+SumsToJson(const itk::MedialVoxelSums & sums)
 {
   Json json;
   for (const NamedCount & count : NamedCounts)
@@ -23,10 +23,10 @@ SumsToJson(const RunnerSums & sums)
   return json;
 }
 
-RunnerSums
+itk::MedialVoxelSums
 SumsFromJson(const Json & json)
 {
-  RunnerSums sums;
+  itk::MedialVoxelSums sums;
   for (const NamedCount & count : NamedCounts)
   {
     ReadWhole(json.at(count.name), sums.counts.*count.member);

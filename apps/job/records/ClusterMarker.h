@@ -20,7 +20,7 @@ struct ClusterMarker
 {
   std::map<std::string, std::uint32_t> checksums; ///< CRC-32 of the cluster's voxels in each volume, by role
   std::optional<std::uint32_t>         survey;    ///< CRC-32 of the file with its part of the survey, if it has one
-  RunnerSums                           sums;
+  itk::MedialVoxelSums                 sums;
   JobSeconds                           seconds;
   std::uint64_t                        bytesRead{ 0 };
   std::uint64_t                        peakMemoryBytes{ 0 };

@@ -6,7 +6,7 @@
 #include "PreviewLayout.h"
 #include "VolumeHeader.h"
 
-#include "itkMedialVoxelHistogram.h"
+#include "LengthHistogram.h"
 #include "itkMedialVoxelTileObserver.h"
 
 #include <array>
@@ -75,14 +75,14 @@ public:
   Merge(const std::string & bytes);
 
   /** Of the walls at the measured cells that are at no rim. Bins are a 64th of the smallest spacing of the grid. */
-  const itk::MedialVoxelHistogram &
+  const LengthHistogram &
   GetThickness() const
   {
     return m_Total.thickness;
   }
 
   /** The same with the areas that the cells stand for, in multiples of GetAreaUnit(), in place of their numbers. */
-  const itk::MedialVoxelHistogram &
+  const LengthHistogram &
   GetThicknessByArea() const
   {
     return m_Total.area;
@@ -163,8 +163,8 @@ private:
       : thickness(binWidth)
       , area(binWidth)
     {}
-    itk::MedialVoxelHistogram             thickness;
-    itk::MedialVoxelHistogram             area;
+    LengthHistogram                       thickness;
+    LengthHistogram                       area;
     std::uint64_t                         rimCells{ 0 };
     std::array<std::vector<SliceSums>, 3> slices;
     Projection                            projection;

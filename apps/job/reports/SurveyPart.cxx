@@ -125,7 +125,7 @@ public:
   }
 
   void
-  AddTo(itk::MedialVoxelHistogram & histogram)
+  AddTo(LengthHistogram & histogram)
   {
     const std::uint64_t size = this->Get();
     if (size > m_Bytes.size())

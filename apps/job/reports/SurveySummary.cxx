@@ -14,7 +14,7 @@ namespace
 
 /** Bins of the histogram put together by powers of two, so that whole voxels stay the middles of bins. */
 void
-AddBins(ThicknessSummary & summary, const itk::MedialVoxelHistogram & histogram)
+AddBins(ThicknessSummary & summary, const LengthHistogram & histogram)
 {
   constexpr std::size_t mostBins = 64;
   constexpr double      percentShown = 99.5;
@@ -35,7 +35,7 @@ AddBins(ThicknessSummary & summary, const itk::MedialVoxelHistogram & histogram)
 }
 
 ThicknessStatistics
-MakeStatistics(const itk::MedialVoxelHistogram & histogram)
+MakeStatistics(const LengthHistogram & histogram)
 {
   ThicknessStatistics statistics;
   statistics.mean = histogram.GetMean();
@@ -52,9 +52,9 @@ MakeStatistics(const itk::MedialVoxelHistogram & histogram)
 ThicknessSummary
 Summarize(const Survey & survey)
 {
-  const itk::MedialVoxelHistogram & histogram = survey.GetThickness();
-  const itk::MedialVoxelHistogram & byArea = survey.GetThicknessByArea();
-  ThicknessSummary                  summary;
+  const LengthHistogram & histogram = survey.GetThickness();
+  const LengthHistogram & byArea = survey.GetThicknessByArea();
+  ThicknessSummary        summary;
   static_cast<ThicknessStatistics &>(summary) = MakeStatistics(histogram);
   summary.cells = histogram.GetTotal();
   summary.rimCells = survey.GetRimCells();
@@ -71,7 +71,7 @@ Summarize(const Survey & survey)
 std::string
 MakeThicknessCsv(const Survey & survey)
 {
-  const itk::MedialVoxelHistogram &  histogram = survey.GetThickness();
+  const LengthHistogram &            histogram = survey.GetThickness();
   const std::vector<std::uint64_t> & numbers = histogram.GetNumbers();
   const std::vector<std::uint64_t> & areas = survey.GetThicknessByArea().GetNumbers();
   std::string                        text = "thickness,cells,area\n";

@@ -19,7 +19,7 @@ constexpr Color ObjectColor{ 70, 70, 74 };
 class Scale
 {
 public:
-  explicit Scale(const itk::MedialVoxelHistogram & thickness)
+  explicit Scale(const LengthHistogram & thickness)
     : m_Low(thickness.GetPercentile(1.0))
     , m_High(thickness.GetPercentile(99.0))
   {

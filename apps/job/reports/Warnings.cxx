@@ -8,7 +8,7 @@
 #include "Survey.h"
 #include "Text.h"
 
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -142,14 +142,14 @@ std::optional<Finding>
 CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
 {
   const itk::MedialVoxelGrid grid = GetGrid(options, input);
-  const std::string          inaccuracy = itk::MedialVoxelLimits::FindInaccuracy(grid);
+  const std::string          inaccuracy = itk::MedialVoxelGridLimits::FindInaccuracy(grid);
   if (inaccuracy.empty())
   {
     return std::nullopt;
   }
   return Finding{ inaccuracy + "; --resample auto brings the input to equal spacing",
-                  { { "spacing_ratio", itk::MedialVoxelLimits::RatioOf(grid) },
-                    { "largest_accurate_ratio", itk::MedialVoxelLimits::AccurateRatio } } };
+                  { { "spacing_ratio", itk::MedialVoxelGridLimits::RatioOf(grid) },
+                    { "largest_accurate_ratio", itk::MedialVoxelGridLimits::AccurateRatio } } };
 }
 
 const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
@@ -274,7 +274,7 @@ CheckMedialCells(const WallFacts & facts)
 
 /** A histogram of areas above a length, as a share of all. */
 double
-GetShareAbove(const itk::MedialVoxelHistogram & areas, double length)
+GetShareAbove(const LengthHistogram & areas, double length)
 {
   const std::vector<std::uint64_t> & numbers = areas.GetNumbers();
   std::uint64_t                      above = 0;
@@ -295,9 +295,9 @@ CheckMaximumThickness(const WallFacts & facts)
   {
     return std::nullopt;
   }
-  const itk::MedialVoxelGrid        grid = GetGrid(facts.options, facts.result.input);
-  const itk::MedialVoxelHistogram & areas = facts.survey.GetThicknessByArea();
-  const double                      maximum = itk::MedialVoxelParameters::LimitsOfWalls(grid,
+  const itk::MedialVoxelGrid grid = GetGrid(facts.options, facts.result.input);
+  const LengthHistogram &    areas = facts.survey.GetThicknessByArea();
+  const double               maximum = itk::MedialVoxelParameters::LimitsOfWalls(grid,
                                                                    facts.options.minimumThickness.value_or(0.0),
                                                                    facts.options.maximumThickness.value_or(0.0))
                            .maximum;
@@ -322,7 +322,7 @@ CheckMaximumThickness(const WallFacts & facts)
 double
 GetVolumeOfWalls(const WallFacts & facts)
 {
-  const itk::MedialVoxelHistogram & areas = facts.survey.GetThicknessByArea();
+  const LengthHistogram & areas = facts.survey.GetThicknessByArea();
   if (areas.GetTotal() == 0)
   {
     return 0.0;

@@ -15,6 +15,7 @@
 #include "VolumeJob.h"
 #include "Warnings.h"
 
+#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,28 +25,22 @@ namespace medialvoxel
 namespace
 {
 
+itk::MedialVoxelDistanceMap
+MakeDistanceMap(const DistanceOptions & options)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return { options.boundary, options.region, options.maximumDistance.value_or(infinity) };
+}
+
 PieceFootprint
 GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
 {
   PieceFootprint footprint;
-  footprint.bytesPerVoxel =
-    GetVectorLayout(header).GetBytes() + (options.distanceFile.empty() ? 0 : DistanceLayout.GetBytes());
+  footprint.bytesPerVoxel = GetBytesPerVoxel(ListVolumes(options, header), VolumeFiller::Distance);
   footprint.grid = GetGrid(options, header);
-  AddEngine(footprint, header, itk::MedialVoxelDistanceMap{ options.boundary });
+  AddEngine(footprint, header, MakeDistanceMap(options));
   AddOutputs(footprint, options, header, ListOutputs(options, header));
   return footprint;
-}
-
-DistanceSettings
-GetSettings(const DistanceOptions & options, const JobPlan & plan)
-{
-  DistanceSettings settings;
-  settings.cut = GetCutSettings(plan);
-  settings.boundary = options.boundary;
-  settings.region = options.region;
-  settings.generateDistance = !options.distanceFile.empty();
-  settings.maximumDistance = options.maximumDistance;
-  return settings;
 }
 
 class DistanceSummary : public JobSummary
@@ -75,14 +70,14 @@ private:
 void
 Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto input = OpenInputVolume(result.input, options, result.plan.scratchFolder);
-  PieceLoop  loop(result.plan, result.input, 1, sink);
-  const auto runner =
-    MakeDistanceRunner(*input, result.input, options, GetSettings(options, result.plan), loop.GetObserver());
-  OutputSet                                            outputs(options, result.plan.writesBehind);
+  const auto  input = OpenInputVolume(result.input, options, result.plan.scratchFolder);
+  PieceLoop   loop(result.plan, result.input, 1, sink);
+  PieceEngine engine(*input, result.input, options, result.plan, MakeDistanceMap(options), loop.GetObserver());
+  OutputSet   outputs(options, result.plan.writesBehind);
   std::vector<std::pair<VolumeContent, VoxelOutput *>> volumes;
-  for (const VolumeRequest & request : ListVolumes(options, result.input, runner->GetGeometry()))
+  for (const VolumeRequest & request : ListVolumes(options, result.input))
   {
+    engine.Request(request.content, request.layout);
     volumes.emplace_back(request.content, &outputs.AddVolume(request));
   }
   DistanceSummary summary(options, outputs);
@@ -90,7 +85,7 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   WriteBehind writer(result.plan.writesBehind);
   if (result.plan.writesBehind)
   {
-    runner->KeepPreviousResults();
+    engine.KeepPreviousResults();
   }
 
   loop.Prepare(*input);
@@ -102,10 +97,9 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   };
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
-    loop.Run(*runner, result.plan.GetPiece(piece), writer, write);
+    result.sums += loop.Run(engine, result.plan.GetPiece(piece), writer, write);
   }
   writer.Wait();
-  result.sums = runner->GetSums();
 
   const auto finishStart = JobClock::now();
   JobEnd     end;

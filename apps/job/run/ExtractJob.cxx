@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 namespace medialvoxel
@@ -61,42 +60,18 @@ CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
  * page has as text, also while it grows. */
 constexpr std::uint64_t PageBytesPerPixel = 3;
 
-/** Bytes of a voxel in the volumes that a filter makes. */
-std::uint64_t
-GetBytesPerVoxel(const std::vector<VolumeRequest> & volumes, VolumeFiller filler)
-{
-  return std::accumulate(
-    volumes.begin(), volumes.end(), std::uint64_t{ 0 }, [filler](std::uint64_t sum, const VolumeRequest & volume) {
-      return sum + (volume.filler == filler ? volume.layout.GetBytes() : 0);
-    });
-}
-
-/** Results of a filter for a piece are kept together. Labels, and vectors for distances, it makes always. */
 PieceFootprint
 GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const auto          volumes = ListVolumes(options, header, header.geometry);
-  const std::uint64_t labels =
-    GetBytesPerVoxel(volumes, VolumeFiller::Extraction) + (options.output.empty() ? LabelLayout.GetBytes() : 0);
-  const std::uint64_t distances = options.distanceFile.empty() ? 0
-                                                               : GetBytesPerVoxel(volumes, VolumeFiller::Distance) +
-                                                                   GetVectorLayout(header).GetBytes();
-  PieceFootprint      footprint;
-  footprint.bytesPerVoxel = std::max(labels, distances);
+  const auto     volumes = ListVolumes(options, header);
+  PieceFootprint footprint;
+  footprint.bytesPerVoxel =
+    std::max(GetBytesPerVoxel(volumes, VolumeFiller::Extraction), GetBytesPerVoxel(volumes, VolumeFiller::Distance));
   footprint.grid = GetGrid(options, header);
   const SurveySettings       survey = GetSurveySettings(options);
-  itk::MedialVoxelExtraction extraction;
-  extraction.parameters = GetParameters(options, footprint.grid);
+  itk::MedialVoxelExtraction extraction = MakeExtraction(options, header);
   extraction.isObserved = true;
   extraction.observerBytesPerVoxel = Survey::WorkerBytesPerVoxel;
-  if (!options.vectorFile.empty())
-  {
-    extraction.vectorBoundary = options.vectorBoundary;
-  }
-  if (options.subVoxel)
-  {
-    extraction.grayRange.emplace();
-  }
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   if (!options.meshFile.empty())
   {
@@ -134,7 +109,7 @@ public:
     , m_Outputs(options, result.plan.writesBehind)
     , m_Run(options, result, sink)
   {
-    for (const VolumeRequest & request : ListVolumes(options, result.input, m_Run.GetLabelGeometry()))
+    for (const VolumeRequest & request : ListVolumes(options, result.input))
     {
       m_Run.AddVolume(request, m_Outputs.AddVolume(request));
     }
@@ -153,10 +128,9 @@ public:
     m_Run.Prepare();
     for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
     {
-      m_Run.Run(m_Result.plan.GetPiece(piece));
+      m_Result.sums += m_Run.Run(m_Result.plan.GetPiece(piece));
     }
     m_Run.Wait();
-    m_Result.sums = m_Run.GetSums();
     CheckCounts(m_Result.sums.counts);
     const auto finishStart = JobClock::now();
     JobEnd     end;
@@ -174,7 +148,7 @@ private:
     if (m_Mesh)
     {
       // The mesh takes the memory of the windows and results.
-      m_Run.DropFilters();
+      m_Run.DropEngines();
       const JobPlan & plan = m_Result.plan;
       m_Result.surface = m_Mesh->Write(*m_MeshFile,
                                        plan.memoryLimit - std::min(plan.memoryLimit, plan.fixedBytes),

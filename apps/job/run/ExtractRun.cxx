@@ -4,47 +4,63 @@
 
 #include "ExtractParts.h"
 
+#include <limits>
+
 namespace medialvoxel
 {
 
-VolumeGeometry
-FindLabelGeometry(const ExtractOptions & options, const VolumeHeader & header)
+itk::MedialVoxelExtraction
+MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const auto input = OpenInputVolume(header, options, {});
-  return MakeExtractRunner(*input, header, options, {}, [](double) { return false; })->GetGeometry();
+  constexpr double           infinity = std::numeric_limits<double>::infinity();
+  itk::MedialVoxelExtraction extraction;
+  extraction.parameters = GetParameters(options, GetGrid(options, header));
+  extraction.measuresThickness = !options.thicknessFile.empty();
+  if (!options.vectorFile.empty())
+  {
+    extraction.vectorBoundary = options.vectorBoundary;
+  }
+  if (options.subVoxel)
+  {
+    extraction.grayRange = { options.lowerThreshold.value_or(-infinity).GetNearestDouble(),
+                             options.upperThreshold.value_or(infinity).GetNearestDouble() };
+  }
+  return extraction;
 }
 
 ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, ProgressSink & sink)
   : m_Options(options)
   , m_Input(OpenInputVolume(job.input, options, job.plan.scratchFolder))
   , m_Loop(job.plan, job.input, options.distanceFile.empty() ? 1 : 2, sink)
-  , m_Runner(MakeExtractRunner(*m_Input, job.input, options, GetCutSettings(job.plan), m_Loop.GetObserver()))
   , m_Survey(job.input.geometry, GetGrid(options, job.input), GetSurveySettings(options))
   , m_Writer(job.plan.writesBehind)
 {
+  const auto makeEngine = [&](const itk::MedialVoxelEngineTask & task) {
+    return std::make_unique<PieceEngine>(*m_Input, job.input, options, job.plan, task, m_Loop.GetObserver());
+  };
+  m_Engine = makeEngine(MakeExtraction(options, job.input));
   if (job.plan.writesBehind)
   {
-    m_Runner->KeepPreviousResults();
+    m_Engine->KeepPreviousResults();
   }
   if (!options.distanceFile.empty())
   {
-    DistanceSettings settings;
-    settings.generateDistance = true;
-    settings.cut = GetCutSettings(job.plan);
-    m_DistanceRunner = MakeDistanceRunner(*m_Input, job.input, options, settings, m_Loop.GetObserver());
+    m_DistanceEngine = makeEngine(itk::MedialVoxelDistanceMap{});
   }
 }
 
 void
 ExtractRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 {
+  PieceEngine & engine = request.filler == VolumeFiller::Extraction ? *m_Engine : *m_DistanceEngine;
+  engine.Request(request.content, request.layout);
   m_Destinations.push_back({ request.content, request.filler, &volume });
 }
 
 void
 ExtractRun::AddObserver(itk::MedialVoxelTileObserver & observer)
 {
-  m_Observers.push_back(&observer);
+  m_Engine->AddObserver(observer);
 }
 
 void
@@ -56,30 +72,36 @@ ExtractRun::SetSlicesToDo(std::uint64_t slices)
 void
 ExtractRun::Prepare()
 {
-  m_Observers.push_back(&m_Survey);
-  m_Runner->SetTileObservers(m_Observers);
+  m_Engine->AddObserver(m_Survey);
   m_Loop.Prepare(*m_Input);
 }
 
-void
+itk::MedialVoxelSums
 ExtractRun::Run(const SliceRange & range)
 {
-  const auto run = [&](PieceRunner & runner, VolumeFiller filler) {
-    m_Loop.Run(runner, range, m_Writer, [this, filler](const PieceLoop::Range & piece, const PieceResults & results) {
+  itk::MedialVoxelSums sums = this->RunEngine(*m_Engine, VolumeFiller::Extraction, range);
+  if (m_DistanceEngine)
+  {
+    itk::MedialVoxelSums distances = this->RunEngine(*m_DistanceEngine, VolumeFiller::Distance, range);
+    distances.counts = {}; // of the same voxels
+    sums += distances;
+  }
+  return sums;
+}
+
+itk::MedialVoxelSums
+ExtractRun::RunEngine(PieceEngine & engine, VolumeFiller filler, const SliceRange & range)
+{
+  return m_Loop.Run(
+    engine, range, m_Writer, [this, filler](const PieceLoop::Range & piece, const PieceResults & results) {
       this->Write(filler, piece, results);
     });
-  };
-  run(*m_Runner, VolumeFiller::Extraction);
-  if (m_DistanceRunner)
-  {
-    run(*m_DistanceRunner, VolumeFiller::Distance);
-  }
 }
 
 void
 ExtractRun::Write(VolumeFiller filler, const PieceLoop::Range & range, const PieceResults & results)
 {
-  if (results.isEmpty && m_Options.sparse)
+  if (filler == VolumeFiller::Extraction && results.IsEmpty() && m_Options.sparse)
   {
     return;
   }
@@ -99,35 +121,20 @@ ExtractRun::Wait()
 }
 
 void
-ExtractRun::DropFilters()
+ExtractRun::DropEngines()
 {
-  m_Runner.reset();
-  m_DistanceRunner.reset();
+  m_Engine.reset();
+  m_DistanceEngine.reset();
 }
 
 void
 ExtractRun::Release()
 {
-  m_Runner->Release();
-  if (m_DistanceRunner)
+  m_Engine->Release();
+  if (m_DistanceEngine)
   {
-    m_DistanceRunner->Release();
+    m_DistanceEngine->Release();
   }
-}
-
-RunnerSums
-ExtractRun::GetSums() const
-{
-  RunnerSums sums = m_Runner->GetSums();
-  if (m_DistanceRunner)
-  {
-    const RunnerSums distances = m_DistanceRunner->GetSums();
-    sums.distanceSeconds += distances.distanceSeconds;
-    sums.threadSeconds += distances.threadSeconds;
-    sums.tileSeconds += distances.tileSeconds;
-    sums.recomputedVoxels += distances.recomputedVoxels;
-  }
-  return sums;
 }
 
 } // end namespace medialvoxel

@@ -15,9 +15,9 @@
 namespace medialvoxel
 {
 
-/** Opens the input to find out. */
-VolumeGeometry
-FindLabelGeometry(const ExtractOptions & options, const VolumeHeader & header);
+/** The task that the options describe, without who sees the tiles. */
+itk::MedialVoxelExtraction
+MakeExtraction(const ExtractOptions & options, const VolumeHeader & header);
 
 /** \class ExtractRun
  * \brief Computes ranges of slices of an opened volume and has them written to the volumes of a job. */
@@ -26,12 +26,6 @@ class ExtractRun
 public:
   /** \param job header and plan */
   ExtractRun(const ExtractOptions & options, const JobResult & job, ProgressSink & sink);
-
-  VolumeGeometry
-  GetLabelGeometry() const
-  {
-    return m_Runner->GetGeometry();
-  }
 
   /** Has results of a request written to a volume. */
   void
@@ -51,8 +45,9 @@ public:
   Prepare();
 
   /** Computes a range; writing it may still be under way.
+   * \return its sums, with the time of the distances but not their counts
    * \throw StoppedBySignal when the sink asks to stop. */
-  void
+  itk::MedialVoxelSums
   Run(const SliceRange & range);
 
   /** Waits until all is written; throws what failed. */
@@ -63,13 +58,10 @@ public:
   void
   Release();
 
-  /** Gives back all memory of the filters, of which nothing can be asked any more. */
+  /** Gives back all memory of the engines, which cannot run any more. */
   void
-  DropFilters();
+  DropEngines();
 
-  /** Of all filters and ranges so far. */
-  RunnerSums
-  GetSums() const;
 
   Survey &
   GetSurvey()
@@ -104,20 +96,20 @@ private:
     VoxelOutput * volume;
   };
 
-  /** Results of a filter. */
+  itk::MedialVoxelSums
+  RunEngine(PieceEngine & engine, VolumeFiller filler, const SliceRange & range);
+
   void
   Write(VolumeFiller filler, const PieceLoop::Range & range, const PieceResults & results);
 
   const ExtractOptions &       m_Options;
   std::unique_ptr<InputVolume> m_Input;
   PieceLoop                    m_Loop;
-  std::unique_ptr<PieceRunner> m_Runner;
-  std::unique_ptr<PieceRunner> m_DistanceRunner;
+  std::unique_ptr<PieceEngine> m_Engine;
+  std::unique_ptr<PieceEngine> m_DistanceEngine; ///< null when no distances are wanted
   Survey                       m_Survey;
-
-  std::vector<itk::MedialVoxelTileObserver *> m_Observers;
-  std::vector<Destination>                    m_Destinations;
-  WriteBehind                                 m_Writer; // ends before what it writes
+  std::vector<Destination>     m_Destinations;
+  WriteBehind                  m_Writer; // ends before what it writes
 };
 
 } // end namespace medialvoxel

@@ -37,6 +37,7 @@ FinishJob(OutputSet & outputs, JobSummary & summary, JobResult & result, Progres
 void
 AddMeasurements(JobResult & result, const InputVolume & input, double writeSeconds, JobClock::time_point start)
 {
+  result.sums.counts.notANumberVoxels += input.GetNumberOfNotANumberVoxels();
   result.seconds.distance = result.sums.distanceSeconds;
   result.seconds.classification = result.sums.classificationSeconds;
   result.seconds.tiles = result.sums.tileSeconds;

@@ -2,22 +2,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PieceFootprint.h"
 
+#include "PieceEngine.h"
 #include "VolumeFormats.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace medialvoxel
 {
 
+std::uint64_t
+GetBytesPerVoxel(const std::vector<VolumeRequest> & volumes, VolumeFiller filler)
+{
+  std::uint64_t bytes = 0;
+  for (const VolumeRequest & volume : volumes)
+  {
+    bytes += volume.filler == filler ? volume.layout.GetBytes() : 0;
+  }
+  return std::max<std::uint64_t>(1, bytes);
+}
+
 void
 AddEngine(PieceFootprint & footprint, const VolumeHeader & header, const itk::MedialVoxelEngineTask & task)
 {
-  const bool isReal = header.pixelType == PixelType::Float32 || header.pixelType == PixelType::Float64;
-  itk::MedialVoxelEngineSettings settings;
-  settings.task = task;
-  settings.countsNotANumber = isReal && header.CanStream();
-  footprint.engines.push_back(std::move(settings));
+  footprint.engines.push_back(MakeEngineSettings(header, task));
 }
 
 /** All volumes of a job have as many slices, and so have their layers. */

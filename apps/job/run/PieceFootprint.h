@@ -25,11 +25,15 @@ struct PieceFootprint
   itk::MedialVoxelGrid grid;
   ScratchSpace         scratch; ///< of files that grow with the results
 
-  /** Of the filters that take turns on each piece and keep their windows. */
+  /** Of the engines that take turns on each piece and keep their windows. */
   std::vector<itk::MedialVoxelEngineSettings> engines;
 };
 
-/** Counts in a filter on the volume of the header. */
+/** Bytes of a voxel in the volumes that an engine makes, whose results for a piece are kept together; at least 1. */
+std::uint64_t
+GetBytesPerVoxel(const std::vector<VolumeRequest> & volumes, VolumeFiller filler);
+
+/** Counts in an engine on the volume of the header. */
 void
 AddEngine(PieceFootprint & footprint, const VolumeHeader & header, const itk::MedialVoxelEngineTask & task);
 

@@ -10,8 +10,8 @@
 #include "VolumeFormats.h"
 
 #include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelSurfaceObserver.h"
-#include "itkProcessObject.h"
 
 #include <algorithm>
 
@@ -39,13 +39,13 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
 
 PieceLoop::PieceLoop(const JobPlan &      plan,
                      const VolumeHeader & header,
-                     unsigned int         runnersPerPiece,
+                     unsigned int         enginesPerPiece,
                      ProgressSink &       sink)
   : m_Plan(plan)
   , m_SlicesAtOnce(plan.GetMaximumSlices())
   , m_SlicesToDo(plan.numberOfSlices)
   , m_VoxelsPerSlice(header.geometry.GetVoxelsPerSlice())
-  , m_RunnersPerPiece(runnersPerPiece)
+  , m_EnginesPerPiece(enginesPerPiece)
   , m_Sink(sink)
 {
   m_Sink.Record(MakePlanRecord(plan, header));
@@ -56,7 +56,7 @@ PieceLoop::GetObserver()
 {
   return [this](double fraction) {
     const double slices = static_cast<double>(m_DoneSlices) + fraction * static_cast<double>(m_SlicesOfPiece);
-    const double done = slices / static_cast<double>(m_SlicesToDo * m_RunnersPerPiece);
+    const double done = slices / static_cast<double>(m_SlicesToDo * m_EnginesPerPiece);
     m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation) * done);
     return m_Sink.IsStopRequested();
   };
@@ -78,89 +78,91 @@ PieceLoop::Prepare(InputVolume & input)
   }
 }
 
-void
-PieceLoop::Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write)
+itk::MedialVoxelSums
+PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write)
 {
+  itk::MedialVoxelSums sums;
   for (SliceRange slices{ piece.begin, 0 }; slices.begin < piece.end;)
   {
     slices.end = std::min(slices.begin + m_SlicesAtOnce, piece.end);
     try
     {
-      this->RunSlices(runner, slices, writer, write);
+      sums += this->RunSlices(engine, slices, writer, write);
       slices.begin = slices.end;
     }
     catch (const itk::MedialVoxelMemoryError & error)
     {
-      this->ShortenPieces(runner, "memory of windows");
+      this->ShortenPieces(engine, "memory of windows");
       const std::uint64_t limit = m_Plan.GetFilterLimit(m_SlicesAtOnce);
       if (limit <= error.GetAllowedBytes())
       {
         throw;
       }
       writer.Wait();
-      runner.Release();
-      runner.SetMemoryLimit(limit);
+      engine.Release();
+      engine.SetMemoryLimit(limit);
     }
     catch (const itk::MedialVoxelSurfacePieceError &)
     {
-      this->ShortenPieces(runner, "memory of the surface");
+      this->ShortenPieces(engine, "memory of the surface");
     }
   }
+  return sums;
 }
 
 void
-PieceLoop::ShortenPieces(const PieceRunner & runner, const char * reason)
+PieceLoop::ShortenPieces(const PieceEngine & engine, const char * reason)
 {
   m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
   m_Sink.Record(
     { LogLevel::Warning,
       "shorten",
-      { { "of", runner.GetName() }, { "slices_at_once", std::to_string(m_SlicesAtOnce) }, { "reason", reason } } });
+      { { "of", engine.GetName() }, { "slices_at_once", std::to_string(m_SlicesAtOnce) }, { "reason", reason } } });
 }
 
-void
-PieceLoop::RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write)
+itk::MedialVoxelSums
+PieceLoop::RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write)
 {
   this->ThrowIfStopRequested();
   m_SlicesOfPiece = slices.end - slices.begin;
-  const auto          start = JobClock::now();
-  const std::uint64_t recomputed = runner.GetSums().recomputedVoxels;
-  PieceResults        results;
+  const auto   start = JobClock::now();
+  PieceResults results;
   try
   {
-    results = runner.Run(slices.begin, m_SlicesOfPiece);
+    results = engine.Run(slices.begin, m_SlicesOfPiece);
   }
-  catch (const itk::ProcessAborted &)
+  catch (const itk::MedialVoxelAborted &)
   {
     throw StoppedBySignal(GetStopSignal());
   }
-  this->RecordPiece(runner, slices, SecondsSince(start), runner.GetSums().recomputedVoxels - recomputed);
+  this->RecordPiece(engine, slices, SecondsSince(start), results.sums.recomputedVoxels);
   const auto  computed = JobClock::now();
   const Range range{ slices, slices.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice };
   writer.Submit([write, range, results] { write(range, results); });
   m_Sink.Record({ LogLevel::Debug,
                   "write",
-                  { { "of", runner.GetName() },
+                  { { "of", engine.GetName() },
                     { "slices", FormatSlices(slices) },
                     { "seconds_waited", FormatFixed(SecondsSince(computed), 3) } } });
-  // A single runner uses the memory of its results again, which is much cheaper than new memory for each piece.
-  if (m_RunnersPerPiece > 1)
+  // A single engine uses the memory of its results again, which is much cheaper than new memory for each piece.
+  if (m_EnginesPerPiece > 1)
   {
     writer.Wait();
-    runner.Release();
+    engine.Release();
   }
   m_DoneSlices += m_SlicesOfPiece;
+  return results.sums;
 }
 
 void
-PieceLoop::RecordPiece(const PieceRunner & runner,
+PieceLoop::RecordPiece(const PieceEngine & engine,
                        const SliceRange &  slices,
                        double              seconds,
                        std::uint64_t       recomputedVoxels)
 {
   m_Sink.Record({ LogLevel::Info,
                   "piece",
-                  { { "of", runner.GetName() },
+                  { { "of", engine.GetName() },
                     { "slices", FormatSlices(slices) },
                     { "seconds", FormatFixed(seconds, 3) },
                     { "recomputed_voxels", std::to_string(recomputedVoxels) },

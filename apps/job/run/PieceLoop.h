@@ -5,7 +5,7 @@
 
 #include "InputVolume.h"
 #include "JobPlan.h"
-#include "PieceRunner.h"
+#include "PieceEngine.h"
 #include "Progress.h"
 #include "WriteBehind.h"
 
@@ -20,10 +20,10 @@ namespace medialvoxel
 class PieceLoop
 {
 public:
-  /** \param runnersPerPiece runners that each piece is given to, for the progress */
-  PieceLoop(const JobPlan & plan, const VolumeHeader & header, unsigned int runnersPerPiece, ProgressSink & sink);
+  /** \param enginesPerPiece engines that each piece is given to, for the progress */
+  PieceLoop(const JobPlan & plan, const VolumeHeader & header, unsigned int enginesPerPiece, ProgressSink & sink);
 
-  /** To be handed to the runners. */
+  /** To be handed to the engines. */
   PieceObserver
   GetObserver();
 
@@ -44,9 +44,10 @@ public:
   Prepare(InputVolume & input);
 
   /** Runs a piece, in smaller ones when the walls need more memory than results of this size leave.
+   * \return its sums
    * \throw StoppedBySignal when the sink asks to stop. */
-  void
-  Run(PieceRunner & runner, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write);
+  itk::MedialVoxelSums
+  Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write);
 
   void
   ThrowIfStopRequested() const;
@@ -59,21 +60,21 @@ public:
   }
 
 private:
-  void
-  RunSlices(PieceRunner & runner, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write);
+  itk::MedialVoxelSums
+  RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write);
 
   void
-  RecordPiece(const PieceRunner & runner, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
+  RecordPiece(const PieceEngine & engine, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
 
   /** Halves the slices that are done at once. */
   void
-  ShortenPieces(const PieceRunner & runner, const char * reason);
+  ShortenPieces(const PieceEngine & engine, const char * reason);
 
   JobPlan        m_Plan;
   std::uint64_t  m_SlicesAtOnce;
   std::uint64_t  m_SlicesToDo;
   std::uint64_t  m_VoxelsPerSlice;
-  unsigned int   m_RunnersPerPiece;
+  unsigned int   m_EnginesPerPiece;
   ProgressSink & m_Sink;
   InputVolume *  m_Input{ nullptr };
   double         m_ShareOfPreparation{ 0.0 };

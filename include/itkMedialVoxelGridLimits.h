@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelLimits_h
-#define itkMedialVoxelLimits_h
+#ifndef itkMedialVoxelGridLimits_h
+#define itkMedialVoxelGridLimits_h
 
 #include "itkMedialVoxelGrid.h"
 
@@ -14,14 +14,14 @@
 namespace itk
 {
 
-/** \struct MedialVoxelLimits
+/** \struct MedialVoxelGridLimits
  * \brief Ranges of the numbers that place an image in space, for the filters and for files alike.
  *
  * Within them, squares and products of lengths stay far from the ends of the range of numbers, in 32 bits too, so that
  * results do not depend on the unit of length.
  * \ingroup MedialVoxel
  */
-struct MedialVoxel_EXPORT MedialVoxelLimits
+struct MedialVoxel_EXPORT MedialVoxelGridLimits
 {
   static constexpr double SmallestSpacing = 1e-12;
   static constexpr double LargestSpacing = 1e12;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include "itkMedialVoxelText.h"
 
@@ -64,13 +64,13 @@ FindProblemOfSize(const std::vector<std::uint64_t> & size)
   std::uint64_t voxels = 1;
   for (std::size_t axis = 0; axis < size.size(); ++axis)
   {
-    if (size[axis] > MedialVoxelLimits::LargestSize)
+    if (size[axis] > MedialVoxelGridLimits::LargestSize)
     {
       return Describe(AlongAxis("size", axis),
                       std::to_string(size[axis]),
-                      "not exceed " + std::to_string(MedialVoxelLimits::LargestSize));
+                      "not exceed " + std::to_string(MedialVoxelGridLimits::LargestSize));
     }
-    if (size[axis] > MedialVoxelLimits::MostVoxels / voxels)
+    if (size[axis] > MedialVoxelGridLimits::MostVoxels / voxels)
     {
       return "it has more than 2^59 voxels; it must not";
     }
@@ -82,9 +82,9 @@ FindProblemOfSize(const std::vector<std::uint64_t> & size)
 } // namespace
 
 std::string
-MedialVoxelLimits::FindProblem(const std::vector<std::uint64_t> & size,
-                               const std::vector<double> &        spacing,
-                               const std::vector<double> &        origin)
+MedialVoxelGridLimits::FindProblem(const std::vector<std::uint64_t> & size,
+                                   const std::vector<double> &        spacing,
+                                   const std::vector<double> &        origin)
 {
   if (const std::string problem = FindProblemOfSize(size); !problem.empty())
   {
@@ -121,13 +121,13 @@ MedialVoxelLimits::FindProblem(const std::vector<std::uint64_t> & size,
 }
 
 double
-MedialVoxelLimits::RatioOf(const MedialVoxelGrid & grid)
+MedialVoxelGridLimits::RatioOf(const MedialVoxelGrid & grid)
 {
   return RangeOf(grid.GetSize(), grid.GetSpacing()).Ratio();
 }
 
 std::string
-MedialVoxelLimits::FindInaccuracy(const MedialVoxelGrid & grid)
+MedialVoxelGridLimits::FindInaccuracy(const MedialVoxelGrid & grid)
 {
   const double ratio = RatioOf(grid);
   return ratio > AccurateRatio ? "the largest spacing is " + FormatNumber(std::round(10.0 * ratio) / 10.0) +
@@ -137,7 +137,7 @@ MedialVoxelLimits::FindInaccuracy(const MedialVoxelGrid & grid)
 }
 
 double
-MedialVoxelLimits::LeastThickness(const MedialVoxelGrid & grid)
+MedialVoxelGridLimits::LeastThickness(const MedialVoxelGrid & grid)
 {
   return RatioOf(grid) > AccurateRatio ? RangeOf(grid.GetSize(), grid.GetSpacing()).largest : 0.0;
 }

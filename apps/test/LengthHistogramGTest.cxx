@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "itkMedialVoxelHistogram.h"
+#include "LengthHistogram.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <limits>
 #include <random>
 
-using itk::MedialVoxelHistogram;
+using medialvoxel::LengthHistogram;
 
-TEST(MedialVoxelHistogram, OfNothingIsZero)
+TEST(MedialVoxelLengthHistogram, OfNothingIsZero)
 {
-  const MedialVoxelHistogram histogram(0.25);
+  const LengthHistogram histogram(0.25);
   EXPECT_EQ(histogram.GetTotal(), 0u);
   EXPECT_EQ(histogram.GetMean(), 0.0);
   EXPECT_EQ(histogram.GetStandardDeviation(), 0.0);
@@ -22,9 +22,9 @@ TEST(MedialVoxelHistogram, OfNothingIsZero)
   EXPECT_EQ(histogram.GetPercentile(50), 0.0);
 }
 
-TEST(MedialVoxelHistogram, TellsWhatItWasGiven)
+TEST(MedialVoxelLengthHistogram, TellsWhatItWasGiven)
 {
-  MedialVoxelHistogram histogram(0.5);
+  LengthHistogram histogram(0.5);
   for (const double length : { 1.0, 3.0, 1.2, 2.8 })
   {
     histogram.Add(histogram.GetBin(length));
@@ -37,9 +37,9 @@ TEST(MedialVoxelHistogram, TellsWhatItWasGiven)
   EXPECT_EQ(histogram.GetMaximum(), 3.0);
 }
 
-TEST(MedialVoxelHistogram, PercentilesAreLengthsThatWereGiven)
+TEST(MedialVoxelLengthHistogram, PercentilesAreLengthsThatWereGiven)
 {
-  MedialVoxelHistogram histogram(1.0);
+  LengthHistogram histogram(1.0);
   for (int length = 1; length <= 10; ++length)
   {
     histogram.Add(histogram.GetBin(length));
@@ -54,13 +54,13 @@ TEST(MedialVoxelHistogram, PercentilesAreLengthsThatWereGiven)
   EXPECT_THROW(histogram.GetPercentile(101), std::invalid_argument);
 }
 
-TEST(MedialVoxelHistogram, AnyOrderAndAnyPartsGiveTheSameBits)
+TEST(MedialVoxelLengthHistogram, AnyOrderAndAnyPartsGiveTheSameBits)
 {
-  std::mt19937         generator(5);
-  MedialVoxelHistogram whole(0.1);
-  MedialVoxelHistogram backwards(0.1);
-  MedialVoxelHistogram parts(0.1);
-  std::vector<double>  lengths;
+  std::mt19937        generator(5);
+  LengthHistogram     whole(0.1);
+  LengthHistogram     backwards(0.1);
+  LengthHistogram     parts(0.1);
+  std::vector<double> lengths;
   for (int i = 0; i < 1000; ++i)
   {
     lengths.push_back(static_cast<double>(generator() % 100000) / 7919.0);
@@ -75,14 +75,14 @@ TEST(MedialVoxelHistogram, AnyOrderAndAnyPartsGiveTheSameBits)
   }
   for (std::size_t begin = 0; begin < lengths.size(); begin += 250)
   {
-    MedialVoxelHistogram part(0.1);
+    LengthHistogram part(0.1);
     for (std::size_t i = begin; i < begin + 250; ++i)
     {
       part.Add(part.GetBin(lengths[i]));
     }
     parts.Add(part);
   }
-  for (const MedialVoxelHistogram * other : { &backwards, &parts })
+  for (const LengthHistogram * other : { &backwards, &parts })
   {
     EXPECT_EQ(whole.GetNumbers(), other->GetNumbers());
     EXPECT_EQ(whole.GetTotal(), other->GetTotal());
@@ -97,9 +97,9 @@ TEST(MedialVoxelHistogram, AnyOrderAndAnyPartsGiveTheSameBits)
   EXPECT_NEAR(whole.GetMean(), sum / 1000.0, 0.005);
 }
 
-TEST(MedialVoxelHistogram, ClearForgets)
+TEST(MedialVoxelLengthHistogram, ClearForgets)
 {
-  MedialVoxelHistogram histogram(1.0);
+  LengthHistogram histogram(1.0);
   histogram.Add(3, 7);
   histogram.Add(9, 0);
   EXPECT_EQ(histogram.GetNumbers().size(), 4u);
@@ -108,10 +108,10 @@ TEST(MedialVoxelHistogram, ClearForgets)
   EXPECT_TRUE(histogram.GetNumbers().empty());
 }
 
-TEST(MedialVoxelHistogram, WidthsThatAreNoneAreRefused)
+TEST(MedialVoxelLengthHistogram, WidthsThatAreNoneAreRefused)
 {
   for (const double width : { 0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
   {
-    EXPECT_THROW(MedialVoxelHistogram{ width }, std::invalid_argument);
+    EXPECT_THROW(LengthHistogram{ width }, std::invalid_argument);
   }
 }

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelHistogram.h"
+#include "LengthHistogram.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-namespace itk
+namespace medialvoxel
 {
 
-MedialVoxelHistogram::MedialVoxelHistogram(const double binWidth)
+LengthHistogram::LengthHistogram(const double binWidth)
   : m_BinWidth(binWidth)
 {
   if (!(binWidth > 0.0) || !std::isfinite(binWidth))
@@ -19,7 +19,7 @@ MedialVoxelHistogram::MedialVoxelHistogram(const double binWidth)
 }
 
 void
-MedialVoxelHistogram::Add(const std::size_t bin, const std::uint64_t number)
+LengthHistogram::Add(const std::size_t bin, const std::uint64_t number)
 {
   if (number == 0)
   {
@@ -34,7 +34,7 @@ MedialVoxelHistogram::Add(const std::size_t bin, const std::uint64_t number)
 }
 
 void
-MedialVoxelHistogram::Add(const MedialVoxelHistogram & other)
+LengthHistogram::Add(const LengthHistogram & other)
 {
   for (std::size_t bin = 0; bin < other.m_Numbers.size(); ++bin)
   {
@@ -43,14 +43,14 @@ MedialVoxelHistogram::Add(const MedialVoxelHistogram & other)
 }
 
 void
-MedialVoxelHistogram::Clear()
+LengthHistogram::Clear()
 {
   m_Numbers.clear();
   m_Total = 0;
 }
 
 double
-MedialVoxelHistogram::GetMean() const
+LengthHistogram::GetMean() const
 {
   double sum = 0.0;
   for (std::size_t bin = 0; bin < m_Numbers.size(); ++bin)
@@ -61,7 +61,7 @@ MedialVoxelHistogram::GetMean() const
 }
 
 double
-MedialVoxelHistogram::GetStandardDeviation() const
+LengthHistogram::GetStandardDeviation() const
 {
   const double mean = this->GetMean() / m_BinWidth;
   double       sum = 0.0;
@@ -74,20 +74,20 @@ MedialVoxelHistogram::GetStandardDeviation() const
 }
 
 double
-MedialVoxelHistogram::GetMinimum() const
+LengthHistogram::GetMinimum() const
 {
   const auto first = std::find_if(m_Numbers.begin(), m_Numbers.end(), [](const auto number) { return number > 0; });
   return m_Total == 0 ? 0.0 : static_cast<double>(first - m_Numbers.begin()) * m_BinWidth;
 }
 
 double
-MedialVoxelHistogram::GetMaximum() const
+LengthHistogram::GetMaximum() const
 {
   return m_Total == 0 ? 0.0 : static_cast<double>(m_Numbers.size() - 1) * m_BinWidth;
 }
 
 double
-MedialVoxelHistogram::GetPercentile(const double percent) const
+LengthHistogram::GetPercentile(const double percent) const
 {
   if (!(percent >= 0.0) || percent > 100.0)
   {
@@ -106,4 +106,4 @@ MedialVoxelHistogram::GetPercentile(const double percent) const
   return 0.0;
 }
 
-} // end namespace itk
+} // end namespace medialvoxel

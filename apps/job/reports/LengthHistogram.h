@@ -1,31 +1,28 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelHistogram_h
-#define itkMedialVoxelHistogram_h
-
-#include "MedialVoxelExport.h"
+#ifndef medialvoxelLengthHistogram_h
+#define medialvoxelLengthHistogram_h
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace itk
+namespace medialvoxel
 {
 
-/** \class MedialVoxelHistogram
+/** \class LengthHistogram
  * \brief Numbers of lengths, rounded to multiples of a bin width, and what follows from them.
  *
  * Whole numbers in bins that are fixed from the start are all that is kept. Sums of whole numbers do not depend on
  * their order, so that every result has the same bits for any division of the work; sums of lengths would not. The
  * rounding is the price: percentiles, minimum and maximum are multiples of the width, and the mean is off by less than
  * half of it, mostly by far less. Multiples are the middles of the bins, so that whole voxels come out exactly.
- * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelHistogram
+class LengthHistogram
 {
 public:
   /** \param binWidth positive and finite, in the units of the lengths */
-  explicit MedialVoxelHistogram(double binWidth);
+  explicit LengthHistogram(double binWidth);
 
   double
   GetBinWidth() const
@@ -45,7 +42,7 @@ public:
 
   /** Adds the numbers of a histogram of the same width. */
   void
-  Add(const MedialVoxelHistogram & other);
+  Add(const LengthHistogram & other);
 
   void
   Clear();
@@ -83,6 +80,6 @@ private:
   std::vector<std::uint64_t> m_Numbers;
 };
 
-} // end namespace itk
+} // end namespace medialvoxel
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelRunnerSums_h
-#define medialvoxelRunnerSums_h
+#ifndef medialvoxelNamedCounts_h
+#define medialvoxelNamedCounts_h
 
 #include "itkMedialVoxelParameters.h"
 
@@ -32,24 +32,6 @@ constexpr std::array<NamedCount, sizeof(itk::MedialVoxelCounts) / sizeof(std::ui
     { "geodesic_non_medial", &itk::MedialVoxelCounts::geodesicNonMedialCells } }
 };
 static_assert(NamedCounts.back().member != nullptr, "a count has no name");
-
-/** What a filter counted and measured over all pieces. */
-struct RunnerSums
-{
-  itk::MedialVoxelCounts counts;
-  std::uint64_t          recomputedVoxels{ 0 }; ///< of tiles run again because they depended on more input
-  double                 distanceSeconds{ 0.0 };
-  double                 classificationSeconds{ 0.0 };
-  double                 threadSeconds{ 0.0 };
-  double                 tileSeconds{ 0.0 };
-
-  RunnerSums &
-  operator+=(const RunnerSums & other);
-
-  /** What came after \a earlier sums. */
-  RunnerSums
-  Since(const RunnerSums & earlier) const;
-};
 
 } // end namespace medialvoxel
 

@@ -6,7 +6,7 @@
 #include "MedialVoxelTestRuns.h"
 
 #include "itkMedialVoxelBoxComponents.h"
-#include "itkMedialVoxelLimits.h"
+#include "itkMedialVoxelGridLimits.h"
 
 #include "gtest/gtest.h"
 
@@ -18,7 +18,7 @@ namespace
 {
 
 using namespace MedialVoxelTest;
-using itk::MedialVoxelLimits;
+using itk::MedialVoxelGridLimits;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
@@ -26,7 +26,7 @@ constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 std::string
 ProblemOfSpacing(double x, double y, double z)
 {
-  return MedialVoxelLimits::FindProblem({ 10, 11, 12 }, { x, y, z }, { 0.0, 0.0, 0.0 });
+  return MedialVoxelGridLimits::FindProblem({ 10, 11, 12 }, { x, y, z }, { 0.0, 0.0, 0.0 });
 }
 
 void
@@ -74,7 +74,7 @@ MessageOf(const MaskImage<3> * image)
 
 } // namespace
 
-TEST(MedialVoxelLimits, SpacingsOutOfRangeAreNamed)
+TEST(MedialVoxelGridLimits, SpacingsOutOfRangeAreNamed)
 {
   EXPECT_EQ(ProblemOfSpacing(1.0, 1.0, 1.0), "");
   EXPECT_EQ(ProblemOfSpacing(1e-12, 1e-12, 1e-12), "");
@@ -88,30 +88,32 @@ TEST(MedialVoxelLimits, SpacingsOutOfRangeAreNamed)
   ExpectPart(ProblemOfSpacing(1.0, 1.0, 1001.0), "ratio of its largest spacing to its smallest is 1001");
 }
 
-TEST(MedialVoxelLimits, SizesExtentsAndOriginsAreNamed)
+TEST(MedialVoxelGridLimits, SizesExtentsAndOriginsAreNamed)
 {
-  const std::uint64_t most = MedialVoxelLimits::LargestSize;
-  EXPECT_EQ(MedialVoxelLimits::FindProblem({ most, 1 }, { 1.0, 1e-9 }, { 0.0, 0.0 }), "");
-  ExpectPart(MedialVoxelLimits::FindProblem({ most + 1, 1 }, { 1.0, 1.0 }, { 0.0, 0.0 }), "size along axis 0");
-  ExpectPart(MedialVoxelLimits::FindProblem({ most, most, 1 }, { 1.0, 1.0, 1.0 }, { 0.0, 0.0, 0.0 }), "2^59 voxels");
-  ExpectPart(MedialVoxelLimits::FindProblem({ most, 1 }, { 1e10, 1.0 }, { 0.0, 0.0 }), "extent along axis 0");
+  const std::uint64_t most = MedialVoxelGridLimits::LargestSize;
+  EXPECT_EQ(MedialVoxelGridLimits::FindProblem({ most, 1 }, { 1.0, 1e-9 }, { 0.0, 0.0 }), "");
+  ExpectPart(MedialVoxelGridLimits::FindProblem({ most + 1, 1 }, { 1.0, 1.0 }, { 0.0, 0.0 }), "size along axis 0");
+  ExpectPart(MedialVoxelGridLimits::FindProblem({ most, most, 1 }, { 1.0, 1.0, 1.0 }, { 0.0, 0.0, 0.0 }),
+             "2^59 voxels");
+  ExpectPart(MedialVoxelGridLimits::FindProblem({ most, 1 }, { 1e10, 1.0 }, { 0.0, 0.0 }), "extent along axis 0");
   for (const double bad : { 1e19, -1e19, NotANumber, Infinity })
   {
-    ExpectPart(MedialVoxelLimits::FindProblem({ 2, 2 }, { 1.0, 1.0 }, { 0.0, bad }), "origin along axis 1");
+    ExpectPart(MedialVoxelGridLimits::FindProblem({ 2, 2 }, { 1.0, 1.0 }, { 0.0, bad }), "origin along axis 1");
   }
 }
 
-TEST(MedialVoxelLimits, OnlyAxesLongerThanOneCount)
+TEST(MedialVoxelGridLimits, OnlyAxesLongerThanOneCount)
 {
-  EXPECT_EQ(MedialVoxelLimits::RatioOf({ { { 5, 5, 1 } }, { { 1.0, 3.0, 99.0 } } }), 3.0);
-  EXPECT_EQ(MedialVoxelLimits::RatioOf({ { { 1, 1, 1 } }, { { 1.0, 3.0, 99.0 } } }), 1.0);
-  EXPECT_EQ(MedialVoxelLimits::LeastThickness({ { { 5, 5, 5 } }, { { 1.0, 4.0, 1.0 } } }), 0.0);
-  EXPECT_EQ(MedialVoxelLimits::LeastThickness({ { { 5, 5, 5 } }, { { 1.0, 4.5, 1.0 } } }), 4.5);
-  EXPECT_EQ(MedialVoxelLimits::FindInaccuracy({ { { 5, 5, 5 } }, { { 1.0, 4.0, 1.0 } } }), "");
-  ExpectPart(MedialVoxelLimits::FindInaccuracy({ { { 5, 5, 5 } }, { { 0.4, 2.5, 0.4 } } }), "6.3 times the smallest");
+  EXPECT_EQ(MedialVoxelGridLimits::RatioOf({ { { 5, 5, 1 } }, { { 1.0, 3.0, 99.0 } } }), 3.0);
+  EXPECT_EQ(MedialVoxelGridLimits::RatioOf({ { { 1, 1, 1 } }, { { 1.0, 3.0, 99.0 } } }), 1.0);
+  EXPECT_EQ(MedialVoxelGridLimits::LeastThickness({ { { 5, 5, 5 } }, { { 1.0, 4.0, 1.0 } } }), 0.0);
+  EXPECT_EQ(MedialVoxelGridLimits::LeastThickness({ { { 5, 5, 5 } }, { { 1.0, 4.5, 1.0 } } }), 4.5);
+  EXPECT_EQ(MedialVoxelGridLimits::FindInaccuracy({ { { 5, 5, 5 } }, { { 1.0, 4.0, 1.0 } } }), "");
+  ExpectPart(MedialVoxelGridLimits::FindInaccuracy({ { { 5, 5, 5 } }, { { 0.4, 2.5, 0.4 } } }),
+             "6.3 times the smallest");
 }
 
-TEST(MedialVoxelLimits, FiltersRefuseInWords)
+TEST(MedialVoxelGridLimits, FiltersRefuseInWords)
 {
   for (const double spacing : { 1e13, 1e78, 1e-13, 1e-80 })
   {
@@ -123,7 +125,7 @@ TEST(MedialVoxelLimits, FiltersRefuseInWords)
   EXPECT_EQ(MessageOf<MedialFilter<3>>(ImageWith(1e12, 1e18)), "");
 }
 
-TEST(MedialVoxelLimits, LabelsDoNotDependOnTheUnit)
+TEST(MedialVoxelGridLimits, LabelsDoNotDependOnTheUnit)
 {
   for (const Vector3 & spacing : { UnitSpacing, Vector3{ { 0.5, 0.7, 1.3 } }, Vector3{ { 0.4, 0.4, 2.5 } } })
   {
@@ -141,7 +143,7 @@ TEST(MedialVoxelLimits, LabelsDoNotDependOnTheUnit)
   }
 }
 
-TEST(MedialVoxelLimits, SurfacesAlongALongAxisAreNotMedial)
+TEST(MedialVoxelGridLimits, SurfacesAlongALongAxisAreNotMedial)
 {
   // A plate across x, with slices ten times as far apart as its voxels: one cell for each column of cells.
   const Volume plate =
@@ -158,7 +160,7 @@ TEST(MedialVoxelLimits, SurfacesAlongALongAxisAreNotMedial)
   }
 }
 
-TEST(MedialVoxelLimits, ComponentsRefuseWhatIsNoBoundaryPoint)
+TEST(MedialVoxelGridLimits, ComponentsRefuseWhatIsNoBoundaryPoint)
 {
   const itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 8, 4, 4 } } };
   itk::MedialVoxelBits      bits(box);

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPieceEngine_h
+#define medialvoxelPieceEngine_h
+
+#include "InputVolume.h"
+#include "JobPlan.h"
+#include "Options.h"
+#include "OutputRequest.h"
+
+#include "itkMedialVoxelEngine.h"
+#include "itkMultiThreaderBase.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace medialvoxel
+{
+
+/** Results of one piece: as many voxels as the piece has, x fastest; null where nothing was asked for. */
+struct PieceResults
+{
+  std::array<const void *, NumberOfVolumeContents> voxels{};
+  itk::MedialVoxelSums                             sums; ///< of this piece
+
+  /** True when all is known to be zero: the piece has no cell to decide and no voxel of the object. */
+  bool
+  IsEmpty() const
+  {
+    return sums.counts.candidateCells + sums.counts.objectVoxels == 0;
+  }
+
+  const void *
+  operator[](VolumeContent content) const
+  {
+    return voxels[static_cast<std::size_t>(content)];
+  }
+};
+
+/** Hears the progress of a piece from 0 to 1, and answers true to stop. */
+using PieceObserver = std::function<bool(double)>;
+
+/** A task on the volume of the header, as plans and runs need it. */
+itk::MedialVoxelEngineSettings
+MakeEngineSettings(const VolumeHeader & header, const itk::MedialVoxelEngineTask & task);
+
+/** \class PieceEngine
+ * \brief The engine of the library with one task on an opened volume, run for one range of slices after the other.
+ *
+ * Results and sums are those of the filters of the library in a pipeline. */
+class PieceEngine : private itk::MedialVoxelEngineClient
+{
+public:
+  /** \param input must outlive it */
+  PieceEngine(InputVolume &                      input,
+              const VolumeHeader &               header,
+              const JobOptions &                 options,
+              const JobPlan &                    plan,
+              const itk::MedialVoxelEngineTask & task,
+              const PieceObserver &              observer);
+
+  /** What it computes, in one word. */
+  const char *
+  GetName() const;
+
+  /** Asks for results, before the first run. The task must provide for them. */
+  void
+  Request(VolumeContent content, const VoxelLayout & layout);
+
+  /** Lets someone see the tiles of labels, before the first run. Must outlive the runs. */
+  void
+  AddObserver(itk::MedialVoxelTileObserver & observer);
+
+  /** Makes results valid until the run after the next one begins, which takes their memory twice. */
+  void
+  KeepPreviousResults()
+  {
+    m_NumberOfSets = 2;
+  }
+
+  /** Sets what windows and threads may take from the next run on, in bytes; 0 is without limit. */
+  void
+  SetMemoryLimit(std::uint64_t bytes);
+
+  /** Slices are indices along the last axis. The results are valid until the next run, or Release().
+   * \throw itk::MedialVoxelAborted when the observer stops it
+   * \throw itk::MedialVoxelMemoryError; what the input and the tile observers throw */
+  PieceResults
+  Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices);
+
+  /** Gives back the memory of the results. */
+  void
+  Release();
+
+private:
+  /** Results of one kind for a piece; kept for the next one when they suffice for it. */
+  class Buffer
+  {
+  public:
+    void
+    Reserve(std::uint64_t bytes);
+
+    void
+    Release();
+
+    std::byte *
+    Get() const
+    {
+      return m_Bytes.get();
+    }
+
+  private:
+    std::unique_ptr<std::byte[]> m_Bytes;
+    std::uint64_t                m_Size{ 0 };
+  };
+
+  /** Results that are wanted, and where those of pieces go by turns. */
+  struct Result
+  {
+    std::uint64_t         bytesPerVoxel{ 0 }; ///< 0: they are not wanted
+    std::array<Buffer, 2> buffers;
+  };
+
+  void
+  FillObject(const itk::MedialVoxelBox & box,
+             itk::MedialVoxelBits &      object,
+             itk::MedialVoxelBits *      notANumber) override;
+
+  void
+  FillObjectAndGray(const itk::MedialVoxelBox & box,
+                    itk::MedialVoxelBits &      object,
+                    itk::MedialVoxelBits *      notANumber,
+                    itk::MedialVoxelGray &      gray) override;
+
+  void
+  FillGray(const itk::MedialVoxelBox & box, itk::MedialVoxelGray & gray) override;
+
+  void
+  RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) override;
+
+  void
+  RunTile(const itk::MedialVoxelBox & tile) override;
+
+  void
+  TakeTile(const itk::MedialVoxelTileResult & tile) override;
+
+  void
+  UpdateProgress(float fraction) override;
+
+  bool
+  IsAbortRequested() const override
+  {
+    return m_IsStopped;
+  }
+
+  itk::MedialVoxelBox
+  GetRegion(std::uint64_t firstSlice, std::uint64_t numberOfSlices) const;
+
+  itk::MedialVoxelStrides
+  GetStrides() const;
+
+  /** Where a voxel of the region is in results of this kind; null when they are not wanted. */
+  template <typename TValue>
+  TValue *
+  FindResult(VolumeContent content, const itk::MedialVoxelIndex & voxel);
+
+  template <unsigned int VDimension>
+  void
+  WriteVectors(const itk::MedialVoxelTileResult & tile, float * first) const;
+
+  InputVolume &                              m_Input;
+  VolumeGeometry                             m_Geometry;
+  bool                                       m_UsesVoxelUnits;
+  itk::MedialVoxelGrid                       m_Grid;
+  itk::MedialVoxelEngineSettings             m_Settings;
+  PieceObserver                              m_Observer;
+  itk::MultiThreaderBase::Pointer            m_Threader = itk::MultiThreaderBase::New();
+  std::unique_ptr<itk::MedialVoxelEngine>    m_Engine; ///< keeps its window from piece to piece
+  itk::MedialVoxelBox                        m_Region; ///< of the piece
+  std::array<Result, NumberOfVolumeContents> m_Results;
+  std::size_t                                m_NumberOfSets{ 1 };
+  std::size_t                                m_Set{ 0 }; ///< of buffers, for the piece
+  bool                                       m_IsStopped{ false };
+};
+
+} // end namespace medialvoxel
+
+#endif
