@@ -89,16 +89,16 @@ CheckListing()
     roles.insert(output.role);
   }
   EXPECT_EQ(roles.size(), ListOutputKinds(options).size());
-  std::set<VolumeContent> contents;
+  std::set<TileWriter> writers;
   for (const VolumeRequest & volume : ListVolumes(options, MakeHeader()))
   {
-    contents.insert(volume.content);
-    const bool isOfCells = volume.content == VolumeContent::Labels || volume.content == VolumeContent::Thicknesses;
+    writers.insert(volume.write);
+    const bool isOfCells = volume.role == "labels" || volume.role == "thickness_map";
     EXPECT_EQ(volume.geometry.origin.front(), isOfCells ? 0.5 : 0.0) << volume.role;
-    EXPECT_EQ(volume.layout.components, volume.content == VolumeContent::Vectors ? 3 : 1) << volume.role;
+    EXPECT_EQ(volume.layout.components, volume.role == "vectors" ? 3 : 1) << volume.role;
     EXPECT_EQ(volume.layout.pixelType, volume.role == "labels" ? PixelType::UInt8 : PixelType::Float32) << volume.role;
   }
-  EXPECT_EQ(contents.size(), ListVolumes(options, MakeHeader()).size()) << "two volumes have one content";
+  EXPECT_EQ(writers.size(), ListVolumes(options, MakeHeader()).size()) << "two volumes are written the same way";
   EXPECT_TRUE(ListOutputs(TOptions(), MakeHeader()).empty());
 }
 

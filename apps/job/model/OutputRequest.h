@@ -5,7 +5,8 @@
 
 #include "VoxelLayout.h"
 
-#include <cstddef>
+#include "itkMedialVoxelTileResult.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -13,18 +14,7 @@
 namespace medialvoxel
 {
 
-/** What a volume holds. */
-enum class VolumeContent
-{
-  Labels,
-  Vectors,
-  Distances,
-  Thicknesses
-};
-
-constexpr std::size_t NumberOfVolumeContents = 4;
-
-/** The filter that makes a volume. */
+/** The task that makes a volume. */
 enum class VolumeFiller
 {
   Extraction,
@@ -47,6 +37,19 @@ struct OutputRequest
   }
 };
 
+/** Where the voxels of a tile go in a volume that is in memory. */
+struct TileTarget
+{
+  void *                            first;   ///< voxel of the tile
+  itk::MedialVoxelStrides           strides; ///< voxels of the volume
+  const VolumeGeometry &            geometry;
+  itk::MedialVoxelGrid::SpacingType spacing; ///< in the units of lengths
+  bool                              voxelUnits{ false };
+};
+
+/** Writes what was found in a tile to the voxels of a volume, all of them. */
+using TileWriter = void (*)(const itk::MedialVoxelTileResult &, const TileTarget &);
+
 /** A volume that a job writes. */
 struct VolumeRequest
 {
@@ -54,7 +57,7 @@ struct VolumeRequest
   std::string    fileName;
   VolumeGeometry geometry;
   VoxelLayout    layout;
-  VolumeContent  content{ VolumeContent::Labels };
+  TileWriter     write{ nullptr };
   VolumeFiller   filler{ VolumeFiller::Extraction };
 };
 

@@ -23,10 +23,10 @@ GetLabelLayout(const VolumeHeader &)
   return LabelLayout;
 }
 
-VoxelLayout
-GetDistanceLayout(const VolumeHeader &)
+void
+WriteLabels(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
 {
-  return DistanceLayout;
+  tile.WriteLabels(static_cast<std::uint8_t *>(target.first), target.strides);
 }
 
 VoxelLayout
@@ -35,17 +35,59 @@ GetThicknessLayout(const VolumeHeader &)
   return ThicknessLayout;
 }
 
+void
+WriteThickness(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+{
+  tile.WriteThickness(static_cast<float *>(target.first), target.strides);
+}
+
+VoxelLayout
+GetDistanceLayout(const VolumeHeader &)
+{
+  return DistanceLayout;
+}
+
+void
+WriteDistances(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+{
+  tile.WriteDistances({ target.spacing }, static_cast<float *>(target.first), target.strides);
+}
+
+template <unsigned int VDimension>
+void
+WriteVectorsOf(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+{
+  using WriterType = itk::MedialVoxelDisplacementWriter<VDimension, float>;
+  typename WriterType::MatrixType matrix{};
+  for (unsigned int row = 0; row < VDimension; ++row)
+  {
+    for (unsigned int axis = 0; axis < VDimension; ++axis)
+    {
+      const double unit = row == axis ? 1.0 : 0.0;
+      matrix[row][axis] =
+        target.voxelUnits ? unit : target.geometry.direction[axis][row] * target.geometry.spacing[axis];
+    }
+  }
+  tile.WriteVectors(WriterType(matrix), static_cast<float *>(target.first), target.strides);
+}
+
+void
+WriteVectors(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+{
+  target.geometry.GetDimension() == 2 ? WriteVectorsOf<2>(tile, target) : WriteVectorsOf<3>(tile, target);
+}
+
 constexpr VolumeFiller Extraction = VolumeFiller::Extraction;
 constexpr VolumeFiller Distance = VolumeFiller::Distance;
 
-constexpr VolumeKind Labels{ VolumeContent::Labels, Extraction, true, GetLabelLayout };
-constexpr VolumeKind Thicknesses{ VolumeContent::Thicknesses, Extraction, true, GetThicknessLayout };
-constexpr VolumeKind Distances{ VolumeContent::Distances, Distance, false, GetDistanceLayout };
+constexpr VolumeKind Labels{ WriteLabels, Extraction, true, GetLabelLayout };
+constexpr VolumeKind Thicknesses{ WriteThickness, Extraction, true, GetThicknessLayout };
+constexpr VolumeKind Distances{ WriteDistances, Distance, false, GetDistanceLayout };
 
 constexpr VolumeKind
 MakeVectors(VolumeFiller filler)
 {
-  return { VolumeContent::Vectors, filler, false, GetVectorLayout };
+  return { WriteVectors, filler, false, GetVectorLayout };
 }
 
 template <typename TOptions>
@@ -106,7 +148,7 @@ ListWantedVolumes(const TOptions & options, const VolumeHeader & input)
                           options.*kind.option,
                           kind.volume->isOfCells ? GetCellGeometry(input.geometry) : input.geometry,
                           kind.volume->getLayout(input),
-                          kind.volume->content,
+                          kind.volume->write,
                           kind.volume->filler });
     }
   }

@@ -17,9 +17,9 @@ namespace medialvoxel
 /** How a volume is made. */
 struct VolumeKind
 {
-  VolumeContent content;
-  VolumeFiller  filler;
-  bool          isOfCells; ///< has the geometry of the cells, not of the voxels
+  TileWriter   write;
+  VolumeFiller filler;
+  bool         isOfCells; ///< has the geometry of the cells, not of the voxels
   VoxelLayout (*getLayout)(const VolumeHeader & input);
 };
 

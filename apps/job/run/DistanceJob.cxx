@@ -74,11 +74,9 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   PieceLoop   loop(result.plan, result.input, 1, sink);
   PieceEngine engine(*input, result.input, options, result.plan, MakeDistanceMap(options), loop.GetObserver());
   OutputSet   outputs(options, result.plan.writesBehind);
-  std::vector<std::pair<VolumeContent, VoxelOutput *>> volumes;
   for (const VolumeRequest & request : ListVolumes(options, result.input))
   {
-    engine.Request(request.content, request.layout);
-    volumes.emplace_back(request.content, &outputs.AddVolume(request));
+    engine.AddVolume(request, outputs.AddVolume(request));
   }
   DistanceSummary summary(options, outputs);
 
@@ -89,15 +87,9 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   }
 
   loop.Prepare(*input);
-  const auto write = [&volumes](const PieceLoop::Range & range, const PieceResults & results) {
-    for (const auto & [content, volume] : volumes)
-    {
-      volume->Write(range.firstVoxel, range.numberOfVoxels, results[content]);
-    }
-  };
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
-    result.sums += loop.Run(engine, result.plan.GetPiece(piece), writer, write);
+    result.sums += loop.Run(engine, result.plan.GetPiece(piece), writer);
   }
   writer.Wait();
 

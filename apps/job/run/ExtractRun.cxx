@@ -29,8 +29,7 @@ MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
 }
 
 ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, ProgressSink & sink)
-  : m_Options(options)
-  , m_Input(OpenInputVolume(job.input, options, job.plan.scratchFolder))
+  : m_Input(OpenInputVolume(job.input, options, job.plan.scratchFolder))
   , m_Loop(job.plan, job.input, options.distanceFile.empty() ? 1 : 2, sink)
   , m_Survey(job.input.geometry, GetGrid(options, job.input), GetSurveySettings(options))
   , m_Writer(job.plan.writesBehind)
@@ -53,8 +52,7 @@ void
 ExtractRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 {
   PieceEngine & engine = request.filler == VolumeFiller::Extraction ? *m_Engine : *m_DistanceEngine;
-  engine.Request(request.content, request.layout);
-  m_Destinations.push_back({ request.content, request.filler, &volume });
+  engine.AddVolume(request, volume);
 }
 
 void
@@ -79,39 +77,14 @@ ExtractRun::Prepare()
 itk::MedialVoxelSums
 ExtractRun::Run(const SliceRange & range)
 {
-  itk::MedialVoxelSums sums = this->RunEngine(*m_Engine, VolumeFiller::Extraction, range);
+  itk::MedialVoxelSums sums = m_Loop.Run(*m_Engine, range, m_Writer);
   if (m_DistanceEngine)
   {
-    itk::MedialVoxelSums distances = this->RunEngine(*m_DistanceEngine, VolumeFiller::Distance, range);
+    itk::MedialVoxelSums distances = m_Loop.Run(*m_DistanceEngine, range, m_Writer);
     distances.counts = {}; // of the same voxels
     sums += distances;
   }
   return sums;
-}
-
-itk::MedialVoxelSums
-ExtractRun::RunEngine(PieceEngine & engine, VolumeFiller filler, const SliceRange & range)
-{
-  return m_Loop.Run(
-    engine, range, m_Writer, [this, filler](const PieceLoop::Range & piece, const PieceResults & results) {
-      this->Write(filler, piece, results);
-    });
-}
-
-void
-ExtractRun::Write(VolumeFiller filler, const PieceLoop::Range & range, const PieceResults & results)
-{
-  if (filler == VolumeFiller::Extraction && results.IsEmpty() && m_Options.sparse)
-  {
-    return;
-  }
-  for (const Destination & destination : m_Destinations)
-  {
-    if (destination.filler == filler)
-    {
-      destination.volume->Write(range.firstVoxel, range.numberOfVoxels, results[destination.content]);
-    }
-  }
 }
 
 void

@@ -89,26 +89,11 @@ public:
   }
 
 private:
-  struct Destination
-  {
-    VolumeContent content;
-    VolumeFiller  filler;
-    VoxelOutput * volume;
-  };
-
-  itk::MedialVoxelSums
-  RunEngine(PieceEngine & engine, VolumeFiller filler, const SliceRange & range);
-
-  void
-  Write(VolumeFiller filler, const PieceLoop::Range & range, const PieceResults & results);
-
-  const ExtractOptions &       m_Options;
   std::unique_ptr<InputVolume> m_Input;
   PieceLoop                    m_Loop;
   std::unique_ptr<PieceEngine> m_Engine;
   std::unique_ptr<PieceEngine> m_DistanceEngine; ///< null when no distances are wanted
   Survey                       m_Survey;
-  std::vector<Destination>     m_Destinations;
   WriteBehind                  m_Writer; // ends before what it writes
 };
 

@@ -54,11 +54,11 @@ ExtractSummary::Draw(const OutputSet & outputs, const VolumeGeometry & geometry)
   {
     return;
   }
-  const VoxelOutput & labels = *outputs.FindVolume(VolumeContent::Labels);
+  const VoxelOutput & labels = *outputs.FindVolume("labels");
   const Canvas        canvas = DrawPreview(labels, geometry, m_Survey);
   m_Pictures.labels = canvas.EncodePng();
   std::string preview = m_Pictures.labels;
-  if (const VoxelOutput * const thicknesses = outputs.FindVolume(VolumeContent::Thicknesses))
+  if (const VoxelOutput * const thicknesses = outputs.FindVolume("thickness_map"))
   {
     const Canvas other =
       DrawThicknessPreview(labels, *thicknesses, geometry, m_Survey, m_Options.voxelUnits ? "voxels" : "units");

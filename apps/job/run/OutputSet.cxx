@@ -11,7 +11,7 @@ namespace medialvoxel
 VoxelOutput &
 OutputSet::AddVolume(const VolumeRequest & request)
 {
-  m_Contents.push_back(request.content);
+  m_Roles.push_back(request.role);
   m_Volumes.push_back(MakeVoxelOutput(request.fileName, m_Options));
   VoxelOutput & volume = *m_Volumes.back();
   volume.Create(request.geometry, request.layout);
@@ -28,16 +28,16 @@ OutputSet::AddCompletedVolume(const VolumeRequest & request, const Publication &
   auto                 volume = MakeSharedVolume(request.fileName, m_Options);
   SharedVolume * const completed = volume.get();
   completed->OpenToPublish(request.geometry, request.layout, m_Suffix, publication);
-  m_Contents.push_back(request.content);
+  m_Roles.push_back(request.role);
   m_Volumes.push_back(std::move(volume));
   return completed;
 }
 
 const VoxelOutput *
-OutputSet::FindVolume(VolumeContent content) const
+OutputSet::FindVolume(const std::string & role) const
 {
-  const auto found = std::find(m_Contents.begin(), m_Contents.end(), content);
-  return found == m_Contents.end() ? nullptr : m_Volumes[static_cast<std::size_t>(found - m_Contents.begin())].get();
+  const auto found = std::find(m_Roles.begin(), m_Roles.end(), role);
+  return found == m_Roles.end() ? nullptr : m_Volumes[static_cast<std::size_t>(found - m_Roles.begin())].get();
 }
 
 OutputFile *

@@ -38,9 +38,9 @@ public:
   SharedVolume *
   AddCompletedVolume(const VolumeRequest & request, const Publication & publication);
 
-  /** The volume with a content; null when there is none. */
+  /** The volume of a role; null when there is none. */
   const VoxelOutput *
-  FindVolume(VolumeContent content) const;
+  FindVolume(const std::string & role) const;
 
   /** Creates an empty file of another kind; null when the name is empty. */
   OutputFile *
@@ -58,7 +58,7 @@ private:
   const JobOptions &                        m_Options;
   bool                                      m_WritesBehind;
   std::string                               m_Suffix;
-  std::vector<VolumeContent>                m_Contents;
+  std::vector<std::string>                  m_Roles;
   std::vector<std::unique_ptr<VoxelOutput>> m_Volumes;
   std::vector<std::unique_ptr<OutputFile>>  m_Files;
 };

@@ -48,6 +48,7 @@ PieceEngine::PieceEngine(InputVolume &                      input,
   : m_Input(input)
   , m_Geometry(header.geometry)
   , m_UsesVoxelUnits(options.voxelUnits)
+  , m_SkipsEmptyPieces(options.sparse)
   , m_Grid(GetGrid(options, header))
   , m_Settings(MakeEngineSettings(header, task))
   , m_Observer(observer)
@@ -57,16 +58,22 @@ PieceEngine::PieceEngine(InputVolume &                      input,
   m_Settings.numberOfWorkers = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
 }
 
+bool
+PieceEngine::MakesLabels() const
+{
+  return std::holds_alternative<itk::MedialVoxelExtraction>(m_Settings.task);
+}
+
 const char *
 PieceEngine::GetName() const
 {
-  return std::holds_alternative<itk::MedialVoxelExtraction>(m_Settings.task) ? "labels" : "distances";
+  return this->MakesLabels() ? "labels" : "distances";
 }
 
 void
-PieceEngine::Request(VolumeContent content, const VoxelLayout & layout)
+PieceEngine::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 {
-  m_Results[static_cast<std::size_t>(content)].bytesPerVoxel = layout.GetBytes();
+  m_Destinations.push_back({ request, &volume, {} });
 }
 
 void
@@ -87,11 +94,11 @@ PieceEngine::Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices)
 {
   m_Region = this->GetRegion(firstSlice, numberOfSlices);
   PieceResults results;
-  for (std::size_t content = 0; content < m_Results.size(); ++content)
+  for (Destination & destination : m_Destinations)
   {
-    Buffer & buffer = m_Results[content].buffers[m_Set];
-    buffer.Reserve(static_cast<std::uint64_t>(m_Region.NumberOfVoxels()) * m_Results[content].bytesPerVoxel);
-    results.voxels[content] = buffer.Get();
+    Buffer & buffer = destination.buffers[m_Set];
+    buffer.Reserve(static_cast<std::uint64_t>(m_Region.NumberOfVoxels()) * destination.request.layout.GetBytes());
+    results.parts.push_back({ destination.volume, buffer.Get() });
   }
   if (!m_Engine)
   {
@@ -111,6 +118,11 @@ PieceEngine::Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices)
     // Nobody needs the window.
     m_Engine.reset();
   }
+  const itk::MedialVoxelCounts & counts = results.sums.counts;
+  if (m_SkipsEmptyPieces && this->MakesLabels() && counts.candidateCells == 0 && counts.objectVoxels == 0)
+  {
+    results.parts.clear();
+  }
   // Not before: the results of the piece before may be in use when this one is tried again.
   m_Set = (m_Set + 1) % m_NumberOfSets;
   return results;
@@ -119,9 +131,9 @@ PieceEngine::Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices)
 void
 PieceEngine::Release()
 {
-  for (Result & result : m_Results)
+  for (Destination & destination : m_Destinations)
   {
-    for (Buffer & buffer : result.buffers)
+    for (Buffer & buffer : destination.buffers)
     {
       buffer.Release();
     }
@@ -167,41 +179,17 @@ PieceEngine::RunTile(const itk::MedialVoxelBox & tile)
 void
 PieceEngine::TakeTile(const itk::MedialVoxelTileResult & tile)
 {
-  const itk::MedialVoxelIndex & first = tile.box.lower;
-  const itk::MedialVoxelStrides strides = this->GetStrides();
-  if (auto * const labels = this->FindResult<std::uint8_t>(VolumeContent::Labels, first))
+  const std::size_t offset = m_Region.OffsetOf(tile.box.lower);
+  TileTarget        target{ nullptr,
+                            { 1, m_Region.Extent(0), m_Region.Extent(0) * m_Region.Extent(1) },
+                     m_Geometry,
+                     m_Grid.GetSpacing(),
+                     m_UsesVoxelUnits };
+  for (const Destination & destination : m_Destinations)
   {
-    tile.WriteLabels(labels, strides);
+    target.first = destination.buffers[m_Set].Get() + offset * destination.request.layout.GetBytes();
+    destination.request.write(tile, target);
   }
-  if (auto * const thicknesses = this->FindResult<float>(VolumeContent::Thicknesses, first))
-  {
-    tile.WriteThickness(thicknesses, strides);
-  }
-  if (auto * const distances = this->FindResult<float>(VolumeContent::Distances, first))
-  {
-    tile.WriteDistances({ m_Grid.GetSpacing() }, distances, strides);
-  }
-  if (auto * const vectors = this->FindResult<float>(VolumeContent::Vectors, first))
-  {
-    m_Geometry.GetDimension() == 2 ? this->WriteVectors<2>(tile, vectors) : this->WriteVectors<3>(tile, vectors);
-  }
-}
-
-template <unsigned int VDimension>
-void
-PieceEngine::WriteVectors(const itk::MedialVoxelTileResult & tile, float * first) const
-{
-  using WriterType = itk::MedialVoxelDisplacementWriter<VDimension, float>;
-  typename WriterType::MatrixType matrix{};
-  for (unsigned int row = 0; row < VDimension; ++row)
-  {
-    for (unsigned int axis = 0; axis < VDimension; ++axis)
-    {
-      const double unit = row == axis ? 1.0 : 0.0;
-      matrix[row][axis] = m_UsesVoxelUnits ? unit : m_Geometry.direction[axis][row] * m_Geometry.spacing[axis];
-    }
-  }
-  tile.WriteVectors(WriterType(matrix), first, this->GetStrides());
 }
 
 void
@@ -218,25 +206,6 @@ PieceEngine::GetRegion(std::uint64_t firstSlice, std::uint64_t numberOfSlices) c
   region.lower[last] = static_cast<std::int64_t>(firstSlice);
   region.upper[last] = static_cast<std::int64_t>(firstSlice + numberOfSlices);
   return region;
-}
-
-itk::MedialVoxelStrides
-PieceEngine::GetStrides() const
-{
-  return { 1, m_Region.Extent(0), m_Region.Extent(0) * m_Region.Extent(1) };
-}
-
-template <typename TValue>
-TValue *
-PieceEngine::FindResult(VolumeContent content, const itk::MedialVoxelIndex & voxel)
-{
-  const Result & result = m_Results[static_cast<std::size_t>(content)];
-  if (result.bytesPerVoxel == 0)
-  {
-    return nullptr;
-  }
-  std::byte * const bytes = result.buffers[m_Set].Get() + m_Region.OffsetOf(voxel) * result.bytesPerVoxel;
-  return reinterpret_cast<TValue *>(bytes);
 }
 
 } // end namespace medialvoxel

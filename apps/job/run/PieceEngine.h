@@ -7,6 +7,7 @@
 #include "JobPlan.h"
 #include "Options.h"
 #include "OutputRequest.h"
+#include "VoxelOutput.h"
 
 #include "itkMedialVoxelEngine.h"
 #include "itkMultiThreaderBase.h"
@@ -16,28 +17,23 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace medialvoxel
 {
 
-/** Results of one piece: as many voxels as the piece has, x fastest; null where nothing was asked for. */
+/** Results of one piece. */
 struct PieceResults
 {
-  std::array<const void *, NumberOfVolumeContents> voxels{};
-  itk::MedialVoxelSums                             sums; ///< of this piece
-
-  /** True when all is known to be zero: the piece has no cell to decide and no voxel of the object. */
-  bool
-  IsEmpty() const
+  /** The voxels of the piece for a volume, x fastest. */
+  struct Part
   {
-    return sums.counts.candidateCells + sums.counts.objectVoxels == 0;
-  }
+    VoxelOutput * volume;
+    const void *  voxels;
+  };
 
-  const void *
-  operator[](VolumeContent content) const
-  {
-    return voxels[static_cast<std::size_t>(content)];
-  }
+  std::vector<Part>    parts; ///< without those that need not be written
+  itk::MedialVoxelSums sums;  ///< of this piece
 };
 
 /** Hears the progress of a piece from 0 to 1, and answers true to stop. */
@@ -66,9 +62,9 @@ public:
   const char *
   GetName() const;
 
-  /** Asks for results, before the first run. The task must provide for them. */
+  /** Has results written to a volume, before the first run. The task must provide for them. */
   void
-  Request(VolumeContent content, const VoxelLayout & layout);
+  AddVolume(const VolumeRequest & request, VoxelOutput & volume);
 
   /** Lets someone see the tiles of labels, before the first run. Must outlive the runs. */
   void
@@ -85,7 +81,8 @@ public:
   void
   SetMemoryLimit(std::uint64_t bytes);
 
-  /** Slices are indices along the last axis. The results are valid until the next run, or Release().
+  /** Slices are indices along the last axis. The results are valid until the next run, or Release(). A piece without a
+   * cell to decide and without an object is all zero, which sparse volumes need not be told.
    * \throw itk::MedialVoxelAborted when the observer stops it
    * \throw itk::MedialVoxelMemoryError; what the input and the tile observers throw */
   PieceResults
@@ -117,10 +114,11 @@ private:
     std::uint64_t                m_Size{ 0 };
   };
 
-  /** Results that are wanted, and where those of pieces go by turns. */
-  struct Result
+  /** A volume, and where its results of pieces go by turns. */
+  struct Destination
   {
-    std::uint64_t         bytesPerVoxel{ 0 }; ///< 0: they are not wanted
+    VolumeRequest         request;
+    VoxelOutput *         volume;
     std::array<Buffer, 2> buffers;
   };
 
@@ -159,31 +157,23 @@ private:
   itk::MedialVoxelBox
   GetRegion(std::uint64_t firstSlice, std::uint64_t numberOfSlices) const;
 
-  itk::MedialVoxelStrides
-  GetStrides() const;
+  bool
+  MakesLabels() const;
 
-  /** Where a voxel of the region is in results of this kind; null when they are not wanted. */
-  template <typename TValue>
-  TValue *
-  FindResult(VolumeContent content, const itk::MedialVoxelIndex & voxel);
-
-  template <unsigned int VDimension>
-  void
-  WriteVectors(const itk::MedialVoxelTileResult & tile, float * first) const;
-
-  InputVolume &                              m_Input;
-  VolumeGeometry                             m_Geometry;
-  bool                                       m_UsesVoxelUnits;
-  itk::MedialVoxelGrid                       m_Grid;
-  itk::MedialVoxelEngineSettings             m_Settings;
-  PieceObserver                              m_Observer;
-  itk::MultiThreaderBase::Pointer            m_Threader = itk::MultiThreaderBase::New();
-  std::unique_ptr<itk::MedialVoxelEngine>    m_Engine; ///< keeps its window from piece to piece
-  itk::MedialVoxelBox                        m_Region; ///< of the piece
-  std::array<Result, NumberOfVolumeContents> m_Results;
-  std::size_t                                m_NumberOfSets{ 1 };
-  std::size_t                                m_Set{ 0 }; ///< of buffers, for the piece
-  bool                                       m_IsStopped{ false };
+  InputVolume &                           m_Input;
+  VolumeGeometry                          m_Geometry;
+  bool                                    m_UsesVoxelUnits;
+  bool                                    m_SkipsEmptyPieces;
+  itk::MedialVoxelGrid                    m_Grid;
+  itk::MedialVoxelEngineSettings          m_Settings;
+  PieceObserver                           m_Observer;
+  itk::MultiThreaderBase::Pointer         m_Threader = itk::MultiThreaderBase::New();
+  std::unique_ptr<itk::MedialVoxelEngine> m_Engine; ///< keeps its window from piece to piece
+  itk::MedialVoxelBox                     m_Region; ///< of the piece
+  std::vector<Destination>                m_Destinations;
+  std::size_t                             m_NumberOfSets{ 1 };
+  std::size_t                             m_Set{ 0 }; ///< of buffers, for the piece
+  bool                                    m_IsStopped{ false };
 };
 
 } // end namespace medialvoxel

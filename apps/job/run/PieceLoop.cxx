@@ -79,7 +79,7 @@ PieceLoop::Prepare(InputVolume & input)
 }
 
 itk::MedialVoxelSums
-PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write)
+PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & writer)
 {
   itk::MedialVoxelSums sums;
   for (SliceRange slices{ piece.begin, 0 }; slices.begin < piece.end;)
@@ -87,7 +87,7 @@ PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & wri
     slices.end = std::min(slices.begin + m_SlicesAtOnce, piece.end);
     try
     {
-      sums += this->RunSlices(engine, slices, writer, write);
+      sums += this->RunSlices(engine, slices, writer);
       slices.begin = slices.end;
     }
     catch (const itk::MedialVoxelMemoryError & error)
@@ -121,7 +121,7 @@ PieceLoop::ShortenPieces(const PieceEngine & engine, const char * reason)
 }
 
 itk::MedialVoxelSums
-PieceLoop::RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write)
+PieceLoop::RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehind & writer)
 {
   this->ThrowIfStopRequested();
   m_SlicesOfPiece = slices.end - slices.begin;
@@ -136,9 +136,15 @@ PieceLoop::RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehin
     throw StoppedBySignal(GetStopSignal());
   }
   this->RecordPiece(engine, slices, SecondsSince(start), results.sums.recomputedVoxels);
-  const auto  computed = JobClock::now();
-  const Range range{ slices, slices.begin * m_VoxelsPerSlice, m_SlicesOfPiece * m_VoxelsPerSlice };
-  writer.Submit([write, range, results] { write(range, results); });
+  const auto computed = JobClock::now();
+  writer.Submit([parts = results.parts,
+                 firstVoxel = slices.begin * m_VoxelsPerSlice,
+                 numberOfVoxels = m_SlicesOfPiece * m_VoxelsPerSlice] {
+    for (const PieceResults::Part & part : parts)
+    {
+      part.volume->Write(firstVoxel, numberOfVoxels, part.voxels);
+    }
+  });
   m_Sink.Record({ LogLevel::Debug,
                   "write",
                   { { "of", engine.GetName() },

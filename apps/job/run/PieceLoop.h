@@ -27,27 +27,17 @@ public:
   PieceObserver
   GetObserver();
 
-  /** Slices, and the same as voxels. */
-  struct Range
-  {
-    SliceRange    slices;
-    std::uint64_t firstVoxel;
-    std::uint64_t numberOfVoxels;
-  };
-
-  /** Takes the results of a range, in the thread of the writer. */
-  using WriteFunction = std::function<void(const Range &, const PieceResults &)>;
-
   /** Prepares the input, which is a part of the job's progress when it takes long.
    * \throw StoppedBySignal when the sink asks to stop. */
   void
   Prepare(InputVolume & input);
 
-  /** Runs a piece, in smaller ones when the walls need more memory than results of this size leave.
+  /** Runs a piece and has its results written, in smaller ones when the walls need more memory than results of this
+   * size leave.
    * \return its sums
    * \throw StoppedBySignal when the sink asks to stop. */
   itk::MedialVoxelSums
-  Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & writer, const WriteFunction & write);
+  Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & writer);
 
   void
   ThrowIfStopRequested() const;
@@ -61,7 +51,7 @@ public:
 
 private:
   itk::MedialVoxelSums
-  RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehind & writer, const WriteFunction & write);
+  RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehind & writer);
 
   void
   RecordPiece(const PieceEngine & engine, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
