@@ -4,12 +4,14 @@
 
 #include "Errors.h"
 #include "Options.h"
+#include "Outputs.h"
 #include "SurfaceFormat.h"
 #include "Text.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <initializer_list>
+#include <string>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -25,11 +27,13 @@ struct OptionEffect
   const char * need;
 };
 
+template <typename TOptions>
 bool
-IsAnyZarr(std::initializer_list<const std::string *> fileNames)
+WritesZarr(const TOptions & options)
 {
-  return std::any_of(fileNames.begin(), fileNames.end(), [](const std::string * fileName) {
-    return ToLower(std::filesystem::path(*fileName).extension().string()) == ".zarr";
+  const std::vector<std::string> names = ListVolumeNames(options);
+  return std::any_of(names.begin(), names.end(), [](const std::string & name) {
+    return ToLower(std::filesystem::path(name).extension().string()) == ".zarr";
   });
 }
 
@@ -55,17 +59,11 @@ const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
   { "--maximum-thickness", IsAutomatic, "the thickness auto" },
   { "--vector-boundary", [](const ExtractOptions & options) { return !options.vectorFile.empty(); }, "--vectors" },
   { "--section-width", HasSections, "a mesh that is written as .inp or .bdf" },
-  { "--zarr-compression",
-    [](const ExtractOptions & options) {
-      return IsAnyZarr({ &options.output, &options.vectorFile, &options.distanceFile, &options.thicknessFile });
-    },
-    "an output that is written as .zarr" },
+  { "--zarr-compression", WritesZarr<ExtractOptions>, "an output that is written as .zarr" },
 };
 
 const std::vector<OptionEffect<DistanceOptions>> DistanceEffects{
-  { "--zarr-compression",
-    [](const DistanceOptions & options) { return IsAnyZarr({ &options.output, &options.distanceFile }); },
-    "an output that is written as .zarr" },
+  { "--zarr-compression", WritesZarr<DistanceOptions>, "an output that is written as .zarr" },
 };
 
 template <typename TOptions>

@@ -81,7 +81,7 @@ constexpr VolumeFiller Extraction = VolumeFiller::Extraction;
 constexpr VolumeFiller Distance = VolumeFiller::Distance;
 
 constexpr VolumeKind Labels{ WriteLabels, Extraction, true, GetLabelLayout };
-constexpr VolumeKind Thicknesses{ WriteThickness, Extraction, true, GetThicknessLayout };
+constexpr VolumeKind Thicknesses{ WriteThickness, Extraction, true, GetThicknessLayout, true };
 constexpr VolumeKind Distances{ WriteDistances, Distance, false, GetDistanceLayout };
 
 constexpr VolumeKind
@@ -155,6 +155,21 @@ ListWantedVolumes(const TOptions & options, const VolumeHeader & input)
   return volumes;
 }
 
+template <typename TOptions>
+std::vector<std::string>
+ListWantedVolumeNames(const TOptions & options)
+{
+  std::vector<std::string> names;
+  for (const OutputKind<TOptions> & kind : ListOutputKinds(options))
+  {
+    if (kind.volume && !(options.*kind.option).empty())
+    {
+      names.push_back(options.*kind.option);
+    }
+  }
+  return names;
+}
+
 } // namespace
 
 const std::vector<OutputKind<ExtractOptions>> &
@@ -213,18 +228,25 @@ ListVolumes(const DistanceOptions & options, const VolumeHeader & input)
   return ListWantedVolumes(options, input);
 }
 
+bool
+MeasuresWalls(const ExtractOptions & options)
+{
+  const auto & kinds = ListOutputKinds(options);
+  return std::any_of(kinds.begin(), kinds.end(), [&options](const ExtractKind & kind) {
+    return kind.volume && kind.volume->measuresWalls && !(options.*kind.option).empty();
+  });
+}
+
 std::vector<std::string>
 ListVolumeNames(const ExtractOptions & options)
 {
-  std::vector<std::string> names;
-  for (const ExtractKind & kind : ListOutputKinds(options))
-  {
-    if (kind.volume && !(options.*kind.option).empty())
-    {
-      names.push_back(options.*kind.option);
-    }
-  }
-  return names;
+  return ListWantedVolumeNames(options);
+}
+
+std::vector<std::string>
+ListVolumeNames(const DistanceOptions & options)
+{
+  return ListWantedVolumeNames(options);
 }
 
 void

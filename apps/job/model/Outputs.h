@@ -21,6 +21,7 @@ struct VolumeKind
   VolumeFiller filler;
   bool         isOfCells; ///< has the geometry of the cells, not of the voxels
   VoxelLayout (*getLayout)(const VolumeHeader & input);
+  bool measuresWalls{ false }; ///< shows measures of walls, which are taken for it
 };
 
 /** Why a job of several processes does not make an output. */
@@ -71,9 +72,15 @@ ListVolumes(const ExtractOptions & options, const VolumeHeader & input);
 std::vector<VolumeRequest>
 ListVolumes(const DistanceOptions & options, const VolumeHeader & input);
 
+/** Whether one of the volumes shows measures of walls. */
+bool
+MeasuresWalls(const ExtractOptions & options);
+
 /** Names of the volumes that the options ask for, as they were given. */
 std::vector<std::string>
 ListVolumeNames(const ExtractOptions & options);
+std::vector<std::string>
+ListVolumeNames(const DistanceOptions & options);
 
 /** \throw JobError Usage when a file has a name that does not say what will be in it; of volumes and meshes, their
  * formats do. */

@@ -3,6 +3,7 @@
 #include "ExtractRun.h"
 
 #include "ExtractParts.h"
+#include "Outputs.h"
 
 #include <limits>
 
@@ -15,7 +16,7 @@ MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
   constexpr double           infinity = std::numeric_limits<double>::infinity();
   itk::MedialVoxelExtraction extraction;
   extraction.parameters = GetParameters(options, GetGrid(options, header));
-  extraction.measuresThickness = !options.thicknessFile.empty();
+  extraction.measuresThickness = MeasuresWalls(options);
   if (!options.vectorFile.empty())
   {
     extraction.vectorBoundary = options.vectorBoundary;
