@@ -28,12 +28,12 @@ struct Finish
   bool               triangles{ false };
   bool               marksSides{ false };
   double             minimumBranchLength{ 0.0 };
-  itk::SizeValueType smallestPiece{ 0 };
+  itk::SizeValueType smallestComponent{ 0 };
 
   bool
   LeavesOut() const
   {
-    return minimumBranchLength > 0 || smallestPiece > 1;
+    return minimumBranchLength > 0 || smallestComponent > 1;
   }
 };
 
@@ -45,7 +45,7 @@ ChooseFinish(Choices & choices, const Scene & scene)
   finish.triangles = choices.Flag();
   finish.marksSides = choices.Flag();
   finish.minimumBranchLength = choices.Next(0, 3) == 0 ? UnitOf(scene.volume) * (choices.Byte() / 16.0) : 0.0;
-  finish.smallestPiece = choices.Next(0, 3) == 0 ? static_cast<itk::SizeValueType>(choices.Next(0, 20)) : 0;
+  finish.smallestComponent = choices.Next(0, 3) == 0 ? static_cast<itk::SizeValueType>(choices.Next(0, 20)) : 0;
   return finish;
 }
 
@@ -64,7 +64,7 @@ MakeFilter(const Scene &                 scene,
   filter->SetGenerateTriangles(finish.triangles);
   filter->SetMarkSides(finish.marksSides);
   filter->SetMinimumBranchLength(finish.minimumBranchLength);
-  filter->SetSmallestPiece(finish.smallestPiece);
+  filter->SetSmallestComponent(finish.smallestComponent);
   return filter;
 }
 

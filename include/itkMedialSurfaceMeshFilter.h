@@ -197,10 +197,10 @@ public:
   itkSetMacro(MinimumBranchLength, double);
   itkGetConstMacro(MinimumBranchLength, double);
 
-  /** Leave out connected pieces of fewer quadrilaterals than this. 0 (default) and 1 keep all. What is left is as
-   * without it but for the numbers of the points. Pieces are those that remain without branches. */
-  itkSetMacro(SmallestPiece, SizeValueType);
-  itkGetConstMacro(SmallestPiece, SizeValueType);
+  /** Leave out connected components of fewer quadrilaterals than this. 0 (default) and 1 keep all. What is left is as
+   * without it but for the numbers of the points. Components are those that remain without branches. */
+  itkSetMacro(SmallestComponent, SizeValueType);
+  itkGetConstMacro(SmallestComponent, SizeValueType);
 
 protected:
   MedialSurfaceMeshFilter() = default;
@@ -259,7 +259,7 @@ private:
   bool                              m_GenerateTriangles{ false };
   bool                              m_MarkSides{ false };
   double                            m_MinimumBranchLength{ 0.0 };
-  SizeValueType                     m_SmallestPiece{ 0 };
+  SizeValueType                     m_SmallestComponent{ 0 };
 };
 
 } // end namespace itk

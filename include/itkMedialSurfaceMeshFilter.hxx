@@ -307,7 +307,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   settings.parameters = m_LabelFilter->GetParameters();
   settings.placement = GetPlacement(input);
   settings.minimumBranchLength = m_MinimumBranchLength;
-  settings.smallestPiece = m_SmallestPiece;
+  settings.smallestComponent = m_SmallestComponent;
   if (this->GetSubvoxelThickness())
   {
     settings.grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold() };
@@ -383,7 +383,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::PrintSelf(std::ostream & os, 
   os << indent << "GenerateTriangles: " << (m_GenerateTriangles ? "On" : "Off") << std::endl;
   os << indent << "MarkSides: " << (m_MarkSides ? "On" : "Off") << std::endl;
   os << indent << "MinimumBranchLength: " << m_MinimumBranchLength << std::endl;
-  os << indent << "SmallestPiece: " << m_SmallestPiece << std::endl;
+  os << indent << "SmallestComponent: " << m_SmallestComponent << std::endl;
   itkPrintSelfObjectMacro(LabelFilter);
 }
 

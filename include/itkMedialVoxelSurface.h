@@ -36,10 +36,10 @@ public:
     MedialVoxelSurfacePlacement                     placement;
     std::optional<MedialVoxelExtraction::GrayRange> grayRange; ///< measure on gray values
 
-    /** Branches that are shorter, and connected pieces of fewer quadrilaterals, are left out. For either, the surface
-     * is kept in memory until it is finished. */
+    /** Branches that are shorter, and connected components of fewer quadrilaterals, are left out. For either, the
+     * surface is kept in memory until it is finished. */
     double        minimumBranchLength{ 0.0 };
-    std::uint64_t smallestPiece{ 0 };
+    std::uint64_t smallestComponent{ 0 };
   };
 
   MedialVoxelSurface(const Settings & settings, MedialVoxelSurfaceConsumer & consumer);

@@ -358,7 +358,7 @@ TEST(MedialSurfaceMeshFilter, AnAbortLeavesItUsable)
   EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), NumbersOf(MakeSurface(volume, 3.0))));
 }
 
-TEST(MedialSurfaceMeshFilter, LeavesOutSmallPieces)
+TEST(MedialSurfaceMeshFilter, LeavesOutSmallComponents)
 {
   const auto plates = [](bool withSmallOne) {
     return MakeVolume({ { 30, 24, 20 } }, UnitSpacing, [=](const Index3 & v) {
@@ -375,13 +375,13 @@ TEST(MedialSurfaceMeshFilter, LeavesOutSmallPieces)
   const auto expected = NumbersOf(*alone->GetOutput());
   const auto size = alone->GetOutput()->GetNumberOfCells();
   ASSERT_GT(all.size(), expected.size());
-  filter->SetSmallestPiece(size);
+  filter->SetSmallestComponent(size);
   filter->Update();
   EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), expected));
-  filter->SetSmallestPiece(size + 1);
+  filter->SetSmallestComponent(size + 1);
   filter->Update();
   EXPECT_TRUE(NumbersOf(*filter->GetOutput()).empty());
-  filter->SetSmallestPiece(1);
+  filter->SetSmallestComponent(1);
   filter->Update();
   EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), all));
 }

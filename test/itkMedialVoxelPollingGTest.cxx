@@ -367,7 +367,7 @@ TEST(MedialVoxelPolling, CleaningASurfaceIsAbortedWithinASecond)
   filter->SetInput(MakeImage<MaskImage<3>>(RandomVolume({ { 100, 100, 100 } }, UnitSpacing, 0.5, 3)));
   filter->SetThickness(2.0);
   filter->SetMinimumBranchLength(40.0);
-  filter->SetSmallestPiece(50);
+  filter->SetSmallestComponent(50);
   Clock::time_point done;
   Clock::time_point aborted;
   bool              isLast = false;

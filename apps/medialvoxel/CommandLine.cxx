@@ -377,9 +377,12 @@ DefineMesh(CommandLine & line)
   AddObjectOptions(app, options);
   const std::string group = "Mesh";
   app.add_flag("--triangles", options.meshTriangles, "Split the quadrilaterals")->group(group);
-  AddText(app, "--smallest-piece", "Fewest quadrilaterals of a piece that stays", "N", [&](const std::string & text) {
-    options.smallestPiece = ToCount(text, 0, LargestCount);
-  })->group(group);
+  AddText(app,
+          "--smallest-component",
+          "Fewest quadrilaterals of a component that stays",
+          "N",
+          [&](const std::string & text) { options.smallestComponent = ToCount(text, 0, LargestCount); })
+    ->group(group);
   AddSectionWidth(app, options)->group(group);
   AddText(app, "--min-branch-length", "Shorter branches are left out", "L", [&](const std::string & text) {
     options.minimumBranchLength = ToDouble(text);

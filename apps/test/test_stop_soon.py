@@ -89,7 +89,7 @@ class StopSoonTest(ProgramTestCase):
         self.assert_stops("extract", *NOISE, "out.mha", "--max-pore-size", "1000000", "--thickness", "40")
 
     def test_mesh(self):
-        cleaning = ("--min-branch-length", "3", "--smallest-piece", "20")
+        cleaning = ("--min-branch-length", "3", "--smallest-component", "20")
         self.assert_stops("mesh", *NOISE, "out.ply", "--thickness", "40", *cleaning)
 
     def test_mesh_with_labels(self):

@@ -30,7 +30,7 @@ public:
   bool
   LeavesOut() const
   {
-    return m_Settings.smallestPiece > 1 || m_Settings.minimumBranchLength > 0.0;
+    return m_Settings.smallestComponent > 1 || m_Settings.minimumBranchLength > 0.0;
   }
 
   void
@@ -41,9 +41,9 @@ public:
     {
       m_Store.RemoveBranches(m_Settings.minimumBranchLength);
     }
-    if (m_Settings.smallestPiece > 1)
+    if (m_Settings.smallestComponent > 1)
     {
-      m_Store.RemoveSmallPieces(m_Settings.smallestPiece);
+      m_Store.RemoveSmallComponents(m_Settings.smallestComponent);
     }
     m_Store.HandOn(m_Consumer);
   }

@@ -42,7 +42,7 @@ public:
  * any junction, along sides and diagonals of faces. A sheet is a branch when it has both junctions and rims, its
  * junctions are connected with each other, and all of its vertices are nearer than the length. All branches are found
  * on the surface as it is and leave it together, so that what is found depends on no order:
- * - A sheet without a rim lies between junctions, one without a junction is all of its piece: both stay.
+ * - A sheet without a rim lies between junctions, one without a junction is all of its component: both stay.
  * - A sheet between junctions that do not touch connects them and stays, however narrow it is.
  * - Where all sheets of a junction are short, all go.
  *

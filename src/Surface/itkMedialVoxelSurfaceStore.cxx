@@ -3,7 +3,7 @@
 #include "itkMedialVoxelSurfaceStore.h"
 
 #include "itkMedialVoxelProgress.h"
-#include "itkMedialVoxelSurfacePieces.h"
+#include "itkMedialVoxelSurfaceComponents.h"
 
 namespace itk
 {
@@ -46,20 +46,20 @@ MedialVoxelSurfaceStore::RemoveBranches(const double length)
 }
 
 void
-MedialVoxelSurfaceStore::RemoveSmallPieces(const std::uint64_t smallest)
+MedialVoxelSurfaceStore::RemoveSmallComponents(const std::uint64_t smallest)
 {
-  MedialVoxelSurfacePieces pieces;
-  pieces.AddVertices(m_Vertices.size());
+  MedialVoxelSurfaceComponents components;
+  components.AddVertices(m_Vertices.size());
   MedialVoxelPollCounter poll;
   for (const MedialVoxelSurfaceQuad & quad : m_Quads)
   {
     poll.Count();
-    pieces.AddQuad(quad.vertices);
+    components.AddQuad(quad.vertices);
   }
-  pieces.Keep(smallest);
-  this->Keep([&](const std::size_t vertex) { return pieces.IsKept(vertex); },
-             [&](const std::size_t face) { return pieces.IsKept(m_Quads[face].vertices[0]); },
-             [&](const std::uint64_t vertex) { return pieces.NumberOf(vertex); });
+  components.Keep(smallest);
+  this->Keep([&](const std::size_t vertex) { return components.IsKept(vertex); },
+             [&](const std::size_t face) { return components.IsKept(m_Quads[face].vertices[0]); },
+             [&](const std::uint64_t vertex) { return components.NumberOf(vertex); });
 }
 
 template <typename TIsVertexKept, typename TIsQuadKept, typename TNumberOf>

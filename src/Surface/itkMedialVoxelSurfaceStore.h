@@ -36,9 +36,9 @@ public:
   void
   RemoveBranches(double length);
 
-  /** Take out the connected pieces of fewer than \a smallest quadrilaterals. */
+  /** Take out the connected components of fewer than \a smallest quadrilaterals. */
   void
-  RemoveSmallPieces(std::uint64_t smallest);
+  RemoveSmallComponents(std::uint64_t smallest);
 
   /** Hand on what is left. */
   void

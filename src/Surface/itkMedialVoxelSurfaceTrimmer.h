@@ -19,8 +19,8 @@ namespace itk
  * - a fin has one side with more than one other quadrilateral and no others at its other sides;
  * - a scrap has no others at any side, but shares a cell with another part of the surface, which it touched there.
  *
- * A quadrilateral that is all of its piece stays. Whether one goes follows from the vertices of its four cells, which
- * lie in two slices: one slice waits for the next.
+ * A quadrilateral that is all of its component stays. Whether one goes follows from the vertices of its four cells,
+ * which lie in two slices: one slice waits for the next.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSurfaceTrimmer

@@ -7,7 +7,7 @@
 #include "Text.h"
 
 #include "itkMedialVoxelSurfaceBranches.h"
-#include "itkMedialVoxelSurfacePieces.h"
+#include "itkMedialVoxelSurfaceComponents.h"
 
 #include <algorithm>
 
@@ -17,14 +17,14 @@ namespace
 {
 
 using itk::MedialVoxelSurfaceBranches;
-using itk::MedialVoxelSurfacePieces;
+using itk::MedialVoxelSurfaceComponents;
 
 /** Vertices or faces that are copied at a time; even, so that pairs of triangles stay together. */
 constexpr std::uint64_t CopiedAtATime = std::uint64_t{ 1 } << 14;
 
-/** Of the table of pieces, for each vertex, in a vector that grows; of that of branches, for each vertex and face, and
- * for each of the sides that are junctions, which are few. */
-constexpr std::uint64_t BytesPerVertexOfPieces = 8;
+/** Of the table of components, for each vertex, in a vector that grows; of that of branches, for each vertex and face,
+ * and for each of the sides that are junctions, which are few. */
+constexpr std::uint64_t BytesPerVertexOfComponents = 8;
 constexpr std::uint64_t FacesPerJunctionSide = 8;
 
 /** A quadrilateral with its marks, of one face or of two. */
@@ -224,23 +224,24 @@ RemoveBranches(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
 }
 
 std::unique_ptr<SurfaceSpool>
-RemoveSmallPieces(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
+RemoveSmallComponents(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
 {
-  CheckMemory(surface, surface.GetNumberOfVertices() * BytesPerVertexOfPieces, cleaning, "finding its small pieces");
-  MedialVoxelSurfacePieces pieces;
-  pieces.AddVertices(surface.GetNumberOfVertices());
+  CheckMemory(
+    surface, surface.GetNumberOfVertices() * BytesPerVertexOfComponents, cleaning, "finding its small components");
+  MedialVoxelSurfaceComponents components;
+  components.AddVertices(surface.GetNumberOfVertices());
   SpooledQuads(surface, cleaning.progress).ForEachQuad(false, [&](const Quad & quad) {
-    pieces.AddQuad(quad.vertices);
+    components.AddQuad(quad.vertices);
   });
-  pieces.Keep(cleaning.smallestPiece);
+  components.Keep(cleaning.smallestComponent);
 
   auto kept = std::make_unique<SurfaceSpool>(cleaning.scratchFolder, surface.GetPrecision());
-  CopyVertices(surface, *kept, [&](std::uint64_t vertex) { return pieces.IsKept(vertex); });
+  CopyVertices(surface, *kept, [&](std::uint64_t vertex) { return components.IsKept(vertex); });
   CopyFaces(
     surface,
     *kept,
-    [&](std::uint64_t, const SurfaceFace * face) { return pieces.IsKept(face->vertices[0]); },
-    [&](std::uint64_t vertex) { return pieces.NumberOf(vertex); });
+    [&](std::uint64_t, const SurfaceFace * face) { return components.IsKept(face->vertices[0]); },
+    [&](std::uint64_t vertex) { return components.NumberOf(vertex); });
   return kept;
 }
 
@@ -253,9 +254,9 @@ CleanSurface(std::unique_ptr<SurfaceSpool> surface, const SurfaceCleaning & clea
   {
     surface = RemoveBranches(*surface, cleaning);
   }
-  if (cleaning.smallestPiece > 1)
+  if (cleaning.smallestComponent > 1)
   {
-    surface = RemoveSmallPieces(*surface, cleaning);
+    surface = RemoveSmallComponents(*surface, cleaning);
   }
   return surface;
 }
@@ -266,7 +267,7 @@ GetCleaningBytes(const SurfaceCleaning & cleaning, std::uint64_t vertices)
   const std::uint64_t branches =
     2 * MedialVoxelSurfaceBranches::GetBytes(vertices, vertices, vertices / FacesPerJunctionSide);
   return std::max(cleaning.minimumBranchLength > 0 ? branches : 0,
-                  cleaning.smallestPiece > 1 ? vertices * BytesPerVertexOfPieces : 0);
+                  cleaning.smallestComponent > 1 ? vertices * BytesPerVertexOfComponents : 0);
 }
 
 } // end namespace medialvoxel

@@ -17,7 +17,7 @@ namespace medialvoxel
 struct SurfaceCleaning
 {
   double                      minimumBranchLength{ 0 }; ///< physical units; 0: branches stay
-  std::uint64_t               smallestPiece{ 0 };       ///< quadrilaterals; 0 and 1: pieces stay
+  std::uint64_t               smallestComponent{ 0 };   ///< quadrilaterals; 0 and 1: components stay
   std::filesystem::path       scratchFolder;            ///< of what is left
   std::uint64_t               memoryBytes{ 0 };         ///< that may be taken
   std::function<void(double)> progress;                 ///< called often; may throw to stop
@@ -25,11 +25,11 @@ struct SurfaceCleaning
   bool
   IsOn() const
   {
-    return minimumBranchLength > 0 || smallestPiece > 1;
+    return minimumBranchLength > 0 || smallestComponent > 1;
   }
 };
 
-/** The surface without short branches, and then without small pieces. Its faces are quadrilaterals, or pairs of
+/** The surface without short branches, and then without small components. Its faces are quadrilaterals, or pairs of
  * triangles of which each is one. There are two spools at a time, and memory for every vertex and face.
  * \throw JobError Refused when that is more memory than allowed */
 std::unique_ptr<SurfaceSpool>

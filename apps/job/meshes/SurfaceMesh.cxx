@@ -99,7 +99,7 @@ GetCleaning(const ExtractOptions & options)
 {
   SurfaceCleaning cleaning;
   cleaning.minimumBranchLength = options.minimumBranchLength;
-  cleaning.smallestPiece = options.smallestPiece;
+  cleaning.smallestComponent = options.smallestComponent;
   cleaning.scratchFolder = GetScratchFolder(options);
   return cleaning;
 }

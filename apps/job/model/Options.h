@@ -89,7 +89,7 @@ struct ExtractOptions : JobOptions
   std::string              meshFile;                 ///< medial surface; then the labels may be empty too
   bool                     meshTriangles{ false };   ///< split its quadrilaterals
   double                   minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
-  std::uint64_t            smallestPiece{ 0 };       ///< quadrilaterals of pieces that stay in the mesh
+  std::uint64_t            smallestComponent{ 0 };   ///< quadrilaterals of pieces that stay in the mesh
   std::optional<double>    sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 

@@ -202,7 +202,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   if (!options.meshFile.empty())
   {
     parameters["minimum_branch_length"] = options.minimumBranchLength;
-    parameters["smallest_piece"] = options.smallestPiece;
+    parameters["smallest_component"] = options.smallestComponent;
   }
 
   Json report;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "itkMedialVoxelSurfacePieces.h"
+#include "itkMedialVoxelSurfaceComponents.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +12,16 @@
 #include <stdexcept>
 #include <vector>
 
-TEST(MedialVoxelSurfacePieces, AreThoseOfALabelThatSpreads)
+TEST(MedialVoxelSurfaceComponents, AreThoseOfALabelThatSpreads)
 {
   std::mt19937 generator(5);
   for (int trial = 0; trial < 20; ++trial)
   {
     const std::uint64_t                       vertices = 60;
     std::vector<std::array<std::uint64_t, 4>> quads(5 + trial);
-    itk::MedialVoxelSurfacePieces             pieces;
-    pieces.AddVertices(vertices / 2);
-    pieces.AddVertices(vertices - vertices / 2);
+    itk::MedialVoxelSurfaceComponents         components;
+    components.AddVertices(vertices / 2);
+    components.AddVertices(vertices - vertices / 2);
     std::vector<std::uint64_t> labels(vertices);
     for (std::uint64_t i = 0; i < vertices; ++i)
     {
@@ -33,7 +33,7 @@ TEST(MedialVoxelSurfacePieces, AreThoseOfALabelThatSpreads)
       {
         vertex = generator() % vertices;
       }
-      pieces.AddQuad(quad);
+      components.AddQuad(quad);
     }
     for (bool changed = true; changed;)
     {
@@ -53,21 +53,21 @@ TEST(MedialVoxelSurfacePieces, AreThoseOfALabelThatSpreads)
     {
       ++sizes[labels[quad[0]]];
     }
-    pieces.Keep(3);
+    components.Keep(3);
     std::uint64_t number = 0;
     for (std::uint64_t i = 0; i < vertices; ++i)
     {
-      ASSERT_EQ(pieces.IsKept(i), sizes[labels[i]] >= 3) << i;
-      if (pieces.IsKept(i))
+      ASSERT_EQ(components.IsKept(i), sizes[labels[i]] >= 3) << i;
+      if (components.IsKept(i))
       {
-        EXPECT_EQ(pieces.NumberOf(i), number++);
+        EXPECT_EQ(components.NumberOf(i), number++);
       }
     }
   }
 }
 
-TEST(MedialVoxelSurfacePieces, TooManyVerticesAreRefused)
+TEST(MedialVoxelSurfaceComponents, TooManyVerticesAreRefused)
 {
-  itk::MedialVoxelSurfacePieces pieces;
-  EXPECT_THROW(pieces.AddVertices(std::uint64_t{ 1 } << 31), std::length_error);
+  itk::MedialVoxelSurfaceComponents components;
+  EXPECT_THROW(components.AddVertices(std::uint64_t{ 1 } << 31), std::length_error);
 }

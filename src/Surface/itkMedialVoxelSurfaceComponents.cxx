@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelSurfacePieces.h"
+#include "itkMedialVoxelSurfaceComponents.h"
 
 #include "itkMedialVoxelProgress.h"
 
@@ -12,18 +12,18 @@ namespace itk
 {
 
 void
-MedialVoxelSurfacePieces::AddVertices(const std::uint64_t number)
+MedialVoxelSurfaceComponents::AddVertices(const std::uint64_t number)
 {
   constexpr std::uint64_t most = std::numeric_limits<std::int32_t>::max();
   if (number > most - m_Entries.size())
   {
-    throw std::length_error("The medial surface has more than 2147483647 vertices, too many to find its pieces.");
+    throw std::length_error("The medial surface has more than 2147483647 vertices, too many to find its components.");
   }
   m_Entries.resize(m_Entries.size() + static_cast<std::size_t>(number), -1);
 }
 
 void
-MedialVoxelSurfacePieces::AddQuad(const std::array<std::uint64_t, 4> & vertices)
+MedialVoxelSurfaceComponents::AddQuad(const std::array<std::uint64_t, 4> & vertices)
 {
   std::int32_t root = this->RootOf(static_cast<std::int32_t>(vertices[0]));
   for (unsigned int i = 1; i < 4; ++i)
@@ -33,7 +33,7 @@ MedialVoxelSurfacePieces::AddQuad(const std::array<std::uint64_t, 4> & vertices)
     {
       continue;
     }
-    // The smaller piece goes below the larger one, so that the trees stay flat.
+    // The smaller component goes below the larger one, so that the trees stay flat.
     if (m_Entries[other] < m_Entries[root])
     {
       std::swap(root, other);
@@ -43,13 +43,13 @@ MedialVoxelSurfacePieces::AddQuad(const std::array<std::uint64_t, 4> & vertices)
   }
   if (m_Entries[root] == std::numeric_limits<std::int32_t>::min())
   {
-    throw std::length_error("A piece of the medial surface has more than 2147483647 faces, too many to count.");
+    throw std::length_error("A component of the medial surface has more than 2147483647 faces, too many to count.");
   }
   --m_Entries[root];
 }
 
 void
-MedialVoxelSurfacePieces::Keep(const std::uint64_t smallest)
+MedialVoxelSurfaceComponents::Keep(const std::uint64_t smallest)
 {
   MedialVoxelPollCounter poll;
   std::vector<bool>      kept(m_Entries.size());
@@ -67,7 +67,7 @@ MedialVoxelSurfacePieces::Keep(const std::uint64_t smallest)
 }
 
 std::int32_t
-MedialVoxelSurfacePieces::RootOf(std::int32_t vertex)
+MedialVoxelSurfaceComponents::RootOf(std::int32_t vertex)
 {
   while (m_Entries[vertex] >= 0)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelSurfacePieces_h
-#define itkMedialVoxelSurfacePieces_h
+#ifndef itkMedialVoxelSurfaceComponents_h
+#define itkMedialVoxelSurfaceComponents_h
 
 #include "MedialVoxelExport.h"
 
@@ -12,14 +12,15 @@
 namespace itk
 {
 
-/** \class MedialVoxelSurfacePieces
- * \brief Finds the connected pieces of a surface while it comes in, and numbers the vertices of those that are kept.
+/** \class MedialVoxelSurfaceComponents
+ * \brief Finds the connected components of a surface while it comes in, and numbers the vertices of those that are
+ * kept.
  *
- * Quadrilaterals that share a vertex are of one piece. Memory is 4 bytes for each vertex, of which there can be
+ * Quadrilaterals that share a vertex are of one component. Memory is 4 bytes for each vertex, of which there can be
  * 2^31 - 1.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelSurfacePieces
+class MedialVoxel_EXPORT MedialVoxelSurfaceComponents
 {
 public:
   /** Vertices that follow those known so far.
@@ -31,7 +32,7 @@ public:
   void
   AddQuad(const std::array<std::uint64_t, 4> & vertices);
 
-  /** Keep the pieces of at least \a smallest quadrilaterals, after the last one. */
+  /** Keep the components of at least \a smallest quadrilaterals, after the last one. */
   void
   Keep(std::uint64_t smallest);
 
@@ -53,8 +54,8 @@ private:
   std::int32_t
   RootOf(std::int32_t vertex);
 
-  /** The parent in the tree of a piece, or of a root -1 less the quadrilaterals of its piece; after Keep() the new
-   * number, or -1. */
+  /** The parent in the tree of a component, or of a root -1 less the quadrilaterals of its component; after Keep() the
+   * new number, or -1. */
   std::vector<std::int32_t> m_Entries;
 };
 
