@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelJointClassifier.h"
 
+#include "itkMedialVoxelFloodPrivate.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelResolutionBand.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <limits>
 
@@ -73,9 +75,10 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
 bool
 MedialVoxelJointClassifier::FallsShort(const Query & query, Workspace & workspace, MedialVoxelTileLabels & labels) const
 {
-  Cell & cell = workspace.m_Cells[query.cell];
-  this->FollowNeighbors(workspace, cell);
-  if (cell.longest >= query.epsilon * (1.0 - MedialVoxelResolutionBand))
+  Cell &       cell = workspace.m_Cells[query.cell];
+  const double enough = query.epsilon * (1.0 - MedialVoxelResolutionBand);
+  this->FollowNeighbors(workspace, enough, cell);
+  if (cell.longest >= enough)
   {
     return false;
   }
@@ -152,7 +155,7 @@ MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits & sites,
   {
     poll.Count();
     Cell & cell = workspace.m_Cells[i];
-    if (cell.longest <= m_Parameters.epsilon)
+    if (!cell.isWaiting)
     {
       continue;
     }
@@ -188,8 +191,10 @@ MedialVoxelJointClassifier::LabelByBound(const MedialVoxelPair & pair, const dou
   {
     return MedialVoxelLabel::MedialByBound;
   }
-  const bool isMedial = (cell.isAtFloor && epsilon == m_Parameters.epsilon) ||
-                        m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
+  const bool isMedial =
+    (cell.isAtFloor && epsilon == m_Parameters.epsilon) ||
+    (m_Parameters.bound != MedialVoxelPseudoGeodesicBound::FreeSpace &&
+     MedialVoxelBoundOf(pair, m_Pairs.GetCell(), MedialVoxelPseudoGeodesicBound::FreeSpace) >= epsilon);
   return isMedial ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic) : std::nullopt;
 }
 
@@ -200,18 +205,15 @@ MedialVoxelJointClassifier::LabelByLength(const MedialVoxelBits & sites,
                                           const double            epsilon,
                                           Cell &                  cell) const
 {
-  const auto length = m_LengthFlood.FindLength(sites, pair.a, pair.difference);
-  if (!length)
+  if (cell.shortest == 0.0)
   {
-    return std::nullopt;
+    this->FloodLength(sites, pair, cell);
   }
-  if (*length < epsilon * (1.0 - MedialVoxelResolutionBand))
+  if (cell.longest < epsilon * (1.0 - MedialVoxelResolutionBand))
   {
-    cell.longest = *length;
     return MedialVoxelLabel::NonMedial;
   }
-  const double known = std::min(*length, m_LengthFlood.GetThreshold());
-  return known > epsilon * (1.0 + MedialVoxelResolutionBand)
+  return cell.shortest > epsilon * (1.0 + MedialVoxelResolutionBand)
            ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic)
            : std::nullopt;
 }
@@ -233,9 +235,18 @@ MedialVoxelJointClassifier::EdgeBetween(const MedialVoxelIndex & a, const Medial
   return m_Grid.GetEdgeLength(mask);
 }
 
-/** Bound the geodesic distance of a cell by ways over the pairs of its neighbors. */
+/** At least what the geodesic distances of two cells differ by: edges from the points of one to those of the other. */
+double
+MedialVoxelJointClassifier::WayBetween(const Cell & cell, const Cell & neighbor) const
+{
+  const double straight = this->EdgeBetween(cell.a, neighbor.a) + this->EdgeBetween(cell.b, neighbor.b);
+  const double crossed = this->EdgeBetween(cell.a, neighbor.b) + this->EdgeBetween(cell.b, neighbor.a);
+  return std::min(straight, crossed);
+}
+
+/** Bound the geodesic distance of a cell by ways over the pairs of its neighbors, until it is below \a enough. */
 void
-MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, Cell & cell) const
+MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const double enough, Cell & cell) const
 {
   const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
   const std::int64_t      x = cell.center[0];
@@ -255,9 +266,11 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, Cell & 
           workspace.m_Cells[workspace.m_Ranks.RankOf((neighborX >> 6) - bits.GetFirstWord(), y, z, bit)];
         if (neighbor.longest < cell.longest)
         {
-          const double straight = this->EdgeBetween(cell.a, neighbor.a) + this->EdgeBetween(cell.b, neighbor.b);
-          const double crossed = this->EdgeBetween(cell.a, neighbor.b) + this->EdgeBetween(cell.b, neighbor.a);
-          cell.longest = std::min(cell.longest, neighbor.longest + std::min(straight, crossed));
+          cell.longest = std::min(cell.longest, neighbor.longest + this->WayBetween(cell, neighbor));
+        }
+        if (cell.longest < enough)
+        {
+          return;
         }
       }
     }
@@ -323,7 +336,8 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
   return true;
 }
 
-/** Take a cell of the tile that is not trivial; it waits for its threshold unless it falls short of the smallest. */
+/** Take a cell of the tile that is not trivial; it waits for its threshold unless floods show that it falls short of
+ * the one that its own ball sets. */
 void
 MedialVoxelJointClassifier::AddCell(const MedialVoxelBits &  sites,
                                     const MedialVoxelIndex & center,
@@ -332,28 +346,102 @@ MedialVoxelJointClassifier::AddCell(const MedialVoxelBits &  sites,
                                     Workspace &              workspace,
                                     MedialVoxelTileLabels &  labels) const
 {
-  using Result = MedialVoxelBitFlood::Result;
-  const std::size_t offset = labels.OffsetOf(center);
-  const Result      result = m_Parameters.bound == MedialVoxelPseudoGeodesicBound::Paper
-                               ? Result::Undecided
-                               : m_Flood.Decide(sites, pair.a, pair.difference);
-  const bool        isShort = result == Result::FallsShort;
-  workspace.m_Ranks.Set(center);
-  workspace.m_Cells.push_back({ center,
-                                pair.a,
-                                pair.GetB(),
-                                offset,
-                                radius,
-                                isShort ? m_Parameters.epsilon : std::numeric_limits<double>::infinity(),
-                                !isShort && result != Result::Undecided });
-  if (isShort)
+  Cell cell;
+  cell.center = center;
+  cell.a = pair.a;
+  cell.b = pair.GetB();
+  cell.label = labels.OffsetOf(center);
+  cell.radius = radius;
+  const double epsilon = m_Threshold.EpsilonOf(radius);
+  if (m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper)
   {
-    labels.Decide(offset, MedialVoxelLabel::NonMedial);
+    this->BoundByFloods(sites, pair, epsilon, cell);
+    cell.isWaiting = cell.longest > m_Parameters.epsilon && cell.longest >= epsilon * (1.0 - MedialVoxelResolutionBand);
+  }
+  workspace.m_Ranks.Set(center);
+  workspace.m_Cells.push_back(cell);
+  if (!cell.isWaiting)
+  {
+    labels.Decide(cell.label, MedialVoxelLabel::NonMedial);
     return;
   }
+  // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
+  const bool   isBounded = cell.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
+  const double known =
+    isBounded ? 0.0 : m_Threshold.RadiusBelow(cell.shortest * (1.0 - 3.0 * MedialVoxelResolutionBand));
   workspace.m_Threshold.cells.Set(center);
-  workspace.m_Threshold.radii.push_back(radius);
+  workspace.m_Threshold.radii.push_back(std::max(radius, known));
   workspace.m_Pairs.push_back(pair);
+}
+
+/** What floods tell of the geodesic distance of a cell whose threshold is at least \a epsilon. */
+void
+MedialVoxelJointClassifier::BoundByFloods(const MedialVoxelBits & sites,
+                                          const MedialVoxelPair & pair,
+                                          const double            epsilon,
+                                          Cell &                  cell) const
+{
+  using Result = MedialVoxelBitFlood::Result;
+  if (!m_LengthFlood.IsAvailable())
+  {
+    cell.longest = this->LengthOfFewEdges(sites, cell, epsilon);
+    return;
+  }
+  const Result result = m_Flood.Decide(sites, pair.a, pair.difference);
+  if (result == Result::FallsShort)
+  {
+    cell.longest = m_Parameters.epsilon;
+    return;
+  }
+  cell.isAtFloor = result != Result::Undecided;
+  if (epsilon > m_Parameters.epsilon || !cell.isAtFloor)
+  {
+    this->FloodLength(sites, pair, cell);
+  }
+}
+
+void
+MedialVoxelJointClassifier::FloodLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, Cell & cell) const
+{
+  if (const auto length = m_LengthFlood.FindLength(sites, pair.a, pair.difference))
+  {
+    cell.longest = *length;
+    cell.shortest = std::min(*length, m_LengthFlood.GetThreshold());
+  }
+}
+
+/** At least the geodesic distance of a cell, when so few edges join its points that all of them together are shorter
+ * than \a epsilon; otherwise infinite. */
+double
+MedialVoxelJointClassifier::LengthOfFewEdges(const MedialVoxelBits & sites,
+                                             const Cell &            cell,
+                                             const double            epsilon) const
+{
+  using Layout = MedialVoxelPlaneLayout;
+  const double   edge = m_Grid.GetLongestEdge();
+  MedialVoxelBox box{ cell.a, cell.a };
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    box.lower[axis] = std::max(std::min(cell.a[axis], cell.b[axis]) - 1, sites.GetBox().lower[axis]);
+    box.upper[axis] = std::min(std::max(cell.a[axis], cell.b[axis]) + 2, sites.GetBox().upper[axis]);
+    if (box.Extent(axis) > Layout::Edge)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  std::array<std::uint8_t, 3> size;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    size[axis] = static_cast<std::uint8_t>(box.Extent(axis));
+  }
+  const auto pointOf = [&](const MedialVoxelIndex & index) {
+    const auto row = (index[2] - box.lower[2]) * Layout::Edge + index[1] - box.lower[1];
+    return Layout::Point(static_cast<std::uint16_t>(row * Layout::Edge + index[0] - box.lower[0]));
+  };
+  const auto mostEdges = static_cast<std::int64_t>(epsilon * (1.0 - 2.0 * MedialVoxelResolutionBand) / edge);
+  const auto edges = MedialVoxelFlood(
+    Layout{}, MedialVoxelLoadPlanes(sites, box.lower, size), pointOf(cell.a), pointOf(cell.b), mostEdges);
+  return edges == 0 ? std::numeric_limits<double>::infinity() : static_cast<double>(edges) * edge;
 }
 
 } // end namespace itk

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -47,10 +48,12 @@ private:
     MedialVoxelIndex center;
     MedialVoxelIndex a;
     MedialVoxelIndex b;
-    std::size_t      label;     // position in the labels of the tile
-    double           radius;    // of its own ball, or 0
-    double           longest;   // at least the geodesic distance
-    bool             isAtFloor; // known to reach the smallest threshold
+    std::size_t      label{ 0 };                                         // position in the labels of the tile
+    double           radius{ 0.0 };                                      // of its own ball, or 0
+    double           longest{ std::numeric_limits<double>::infinity() }; // at least the geodesic distance
+    double           shortest{ 0.0 };                                    // at most that; 0 when nothing is known
+    bool             isAtFloor{ false };                                 // known to reach the smallest threshold
+    bool             isWaiting{ true };                                  // for its own threshold
   };
 
 public:
@@ -107,6 +110,15 @@ private:
           MedialVoxelTileLabels &  labels) const;
 
   void
+  BoundByFloods(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
+
+  void
+  FloodLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, Cell & cell) const;
+
+  double
+  LengthOfFewEdges(const MedialVoxelBits & sites, const Cell & cell, double epsilon) const;
+
+  void
   LabelAtOnce(const MedialVoxelBits & sites, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   std::optional<std::uint8_t>
@@ -127,8 +139,11 @@ private:
   void
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
+  double
+  WayBetween(const Cell & cell, const Cell & neighbor) const;
+
   void
-  FollowNeighbors(const Workspace & workspace, Cell & cell) const;
+  FollowNeighbors(const Workspace & workspace, double enough, Cell & cell) const;
 
   double
   EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;

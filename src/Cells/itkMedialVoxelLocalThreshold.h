@@ -77,6 +77,13 @@ public:
   double
   EpsilonOf(double radius) const;
 
+  /** LT(p) in metric units that sets a threshold of \a epsilon, unless a limit does. */
+  double
+  RadiusBelow(const double epsilon) const
+  {
+    return epsilon / (m_Parameters.thicknessFactor * m_Unit);
+  }
+
   /** epsilon(p) of all cells of \a box, x fastest; the smallest one at indices without a cell.
    *
    * \param object    bits of the corners of all cells of GetCellBox(box)

@@ -6,7 +6,6 @@
 #include "itkMedialVoxelResolutionBand.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -17,9 +16,9 @@ namespace itk
 namespace
 {
 
-/** Groups are cubes of 16, then 8, then 4 voxels. */
+/** Groups are cubes of 16, then 8, 4 and 2 voxels. */
 constexpr unsigned int FirstLevel = 4;
-constexpr unsigned int LastLevel = 2;
+constexpr unsigned int LastLevel = 1;
 
 /** Number of the cube of 2^level voxels that the middle of a pair lies in. */
 std::uint64_t
@@ -120,75 +119,6 @@ MedialVoxelPairSeparation::JudgeGroup(const MedialVoxelBits &                   
   }
 }
 
-namespace
-{
-
-/** The points of \a boundary in \a box that a path below the threshold can use: those in the ellipsoid with the two
- * points as foci, which are nearer to each other than the threshold. */
-MedialVoxelBits
-PointsInEllipsoid(const MedialVoxelGrid &            grid,
-                  const MedialVoxelBits &            boundary,
-                  const MedialVoxelBox &             box,
-                  const MedialVoxelSeparationQuery & query)
-{
-  const auto &          spacing = grid.GetSpacing();
-  std::array<double, 3> center;
-  std::array<double, 3> focus;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    center[axis] = 0.5 * static_cast<double>(query.a[axis] + query.b[axis]) * spacing[axis];
-    focus[axis] = 0.5 * static_cast<double>(query.a[axis] - query.b[axis]) * spacing[axis];
-  }
-  // A point p from the center is inside when (p.u / major)^2 + (p.p - (p.u)^2) / minor^2 <= 1, u along the foci.
-  const double length = 0.5 * query.epsilon * (1.0 + MedialVoxelResolutionBand);
-  const double squaredFocus = focus[0] * focus[0] + focus[1] * focus[1] + focus[2] * focus[2];
-  const double squaredMajor = length * length;
-  // At least so much that nothing is lost to rounding; a wider ellipsoid holds more.
-  const double squaredMinor = std::max(squaredMajor - squaredFocus, 1e-4 * squaredMajor);
-  const double alongFoci = (1.0 / squaredMajor - 1.0 / squaredMinor) / squaredFocus;
-  const double square = 1.0 / squaredMinor + focus[0] * focus[0] * alongFoci;
-
-  MedialVoxelBits points(box);
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
-  {
-    const double wayZ = static_cast<double>(z) * spacing[2] - center[2];
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-    {
-      const double wayY = static_cast<double>(y) * spacing[1] - center[1];
-      const double dot = wayY * focus[1] + wayZ * focus[2];
-      const double half = dot * focus[0] * alongFoci;
-      const double rest = dot * dot * alongFoci + (wayY * wayY + wayZ * wayZ) / squaredMinor - 1.0;
-      const double discriminant = half * half - square * rest;
-      // Rounding must not lose a point.
-      constexpr double slack = 1e-6;
-      if (discriminant < -slack * square)
-      {
-        continue;
-      }
-      const double root = std::sqrt(std::max(0.0, discriminant));
-      // Of an ellipsoid that is much larger than the box, only the part in the box is a number of voxels.
-      const auto xAt = [&](const double way) {
-        const double x = (center[0] + way / square) / spacing[0];
-        return std::clamp(x, static_cast<double>(box.lower[0] - 1), static_cast<double>(box.upper[0] + 1));
-      };
-      const auto lower = static_cast<std::int64_t>(std::ceil(xAt(-half - root) - slack));
-      const auto upper = static_cast<std::int64_t>(std::floor(xAt(-half + root) + slack)) + 1;
-      const auto inside = MedialVoxelBits::RangeMask(0, lower - box.lower[0], upper - box.lower[0]);
-      const auto bits = boundary.Extract(box.lower[0], y, z) & inside & MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
-      const auto shift = static_cast<unsigned int>(box.lower[0] & (MedialVoxelBits::BitsPerWord - 1));
-      auto * const row = points.GetRow(y, z);
-      row[0] |= bits << shift;
-      if (shift != 0)
-      {
-        row[1] |= bits >> (MedialVoxelBits::BitsPerWord - shift);
-      }
-    }
-  }
-  return points;
-}
-
-} // namespace
-
 bool
 MedialVoxelPairSeparation::IsNear(const MedialVoxelSeparationQuery & query) const
 {
@@ -210,13 +140,7 @@ MedialVoxelPairSeparation::BoundLength(const MedialVoxelBits &            bounda
   const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);
   if (box.Extent(0) <= MedialVoxelPathSearch::LongestRow)
   {
-    const MedialVoxelBits points = PointsInEllipsoid(m_Grid, boundary, box, query);
-    workspace.m_Components.Label(points, box);
-    if (!workspace.m_Components.AreConnected(query.a, query.b))
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    const double length = m_Search.FindLength(points, box, query.a, query.b, lower, upper, workspace.m_Search);
+    const double length = m_Search.FindLength(boundary, box, query.a, query.b, lower, upper, workspace.m_Search);
     if (length < lower || length > upper)
     {
       return length;

@@ -2,29 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelPathSearch.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cstdlib>
 
 namespace itk
 {
 
 using WordType = MedialVoxelBits::WordType;
 
-/** Rows of bits of the boundary in a box, with a zero on all sides. A point is the number of its bit. */
+namespace
+{
+
+/** The smallest number of bits that holds the numbers below \a count. */
+unsigned int
+BitsFor(const std::int64_t count)
+{
+  unsigned int bits = 0;
+  while ((std::int64_t{ 1 } << bits) < count)
+  {
+    ++bits;
+  }
+  return bits;
+}
+
+} // namespace
+
+/** Rows of bits of the boundary in a box, with a zero on all sides. A point is the number of its bit, and rows and
+ * slices are powers of two apart. */
 struct MedialVoxelPathSearch::Raster
 {
   using PointType = std::int32_t;
 
   Raster(const MedialVoxelBits & boundary, const MedialVoxelBox & rasterBox, std::vector<std::uint64_t> & memory)
     : box(rasterBox)
-    , columns(static_cast<std::int32_t>(box.Extent(0) + 2))
-    , rows(static_cast<std::int32_t>(box.Extent(1) + 2))
+    , columnBits(BitsFor(box.Extent(0) + 2))
+    , rowBits(BitsFor(box.Extent(1) + 2))
     , words(memory)
   {
     const WordType inBox = MedialVoxelBits::RangeMask(0, 0, box.Extent(0));
-    memory.assign(static_cast<std::size_t>(rows) * static_cast<std::size_t>(box.Extent(2) + 2), 0);
+    memory.assign(static_cast<std::size_t>(box.Extent(2) + 2) << rowBits, 0);
     for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
     {
-      std::uint64_t * const slice = memory.data() + (z - box.lower[2] + 1) * rows + 1;
+      std::uint64_t * const slice = memory.data() + ((z - box.lower[2] + 1) << rowBits) + 1;
       for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
       {
         slice[y - box.lower[1]] = (boundary.Extract(box.lower[0], y, z) & inBox) << 1;
@@ -35,52 +55,82 @@ struct MedialVoxelPathSearch::Raster
   std::size_t
   GetNumberOfPoints() const
   {
-    return words.size() * static_cast<std::size_t>(columns);
+    return words.size() << columnBits;
   }
 
   PointType
   PointOf(const MedialVoxelIndex & index) const
   {
-    const auto row = static_cast<std::int32_t>(index[2] - box.lower[2] + 1) * rows +
-                     static_cast<std::int32_t>(index[1] - box.lower[1] + 1);
-    return row * columns + static_cast<std::int32_t>(index[0] - box.lower[0] + 1);
+    const std::int64_t row = ((index[2] - box.lower[2] + 1) << rowBits) + (index[1] - box.lower[1] + 1);
+    return static_cast<PointType>((row << columnBits) + (index[0] - box.lower[0] + 1));
   }
 
-  /** Call \a visit(neighbor, x, y, z, mask) with the coordinates of each neighbor in the raster, and the axes that
-   * change. */
+  /** Coordinates in the raster. */
+  std::array<std::int32_t, 3>
+  CoordinatesOf(const PointType point) const
+  {
+    const std::int32_t row = point >> columnBits;
+    return { { point & ((1 << columnBits) - 1), row & ((1 << rowBits) - 1), row >> rowBits } };
+  }
+
+  /** Call \a visit(neighbor, mask) for each neighbor, with the axes that change. */
   template <typename TVisit>
   void
   VisitNeighbors(const PointType point, TVisit && visit) const
   {
-    const std::int32_t row = point / columns;
-    const std::int32_t x = point - row * columns;
-    const std::int32_t z = row / rows;
-    const std::int32_t y = row - z * rows;
-    for (std::int32_t side = 0; side < 9; ++side)
+    const std::int32_t row = point >> columnBits;
+    const std::int32_t x = point & ((1 << columnBits) - 1);
+    for (std::int32_t dz = -1; dz <= 1; ++dz)
     {
-      const std::int32_t dy = side % 3 - 1;
-      const std::int32_t dz = side / 3 - 1;
-      const std::int32_t neighborRow = row + dz * rows + dy;
-      auto               bits = (words[static_cast<std::size_t>(neighborRow)] >> (x - 1)) & (side == 4 ? 5u : 7u);
-      for (; bits != 0; bits &= bits - 1)
+      for (std::int32_t dy = -1; dy <= 1; ++dy)
       {
-        const std::int32_t dx = MedialVoxelLowestBit(bits) - 1;
-        const unsigned int mask = (dx != 0 ? 1u : 0u) | (dy != 0 ? 2u : 0u) | (dz != 0 ? 4u : 0u);
-        visit(neighborRow * columns + x + dx, x + dx, y + dy, z + dz, mask);
+        const std::int32_t neighborRow = row + dz * (1 << rowBits) + dy;
+        const unsigned int mask = (dy != 0 ? 2u : 0u) | (dz != 0 ? 4u : 0u);
+        const auto         bits = (words[static_cast<std::size_t>(neighborRow)] >> (x - 1)) & (mask == 0 ? 5u : 7u);
+        for (auto rest = bits; rest != 0; rest &= rest - 1)
+        {
+          const std::int32_t dx = MedialVoxelLowestBit(rest) - 1;
+          visit(neighborRow * (1 << columnBits) + x + dx, mask | (dx != 0 ? 1u : 0u));
+        }
       }
     }
   }
 
   const MedialVoxelBox               box;
-  const std::int32_t                 columns;
-  const std::int32_t                 rows;
+  const unsigned int                 columnBits;
+  const unsigned int                 rowBits;
   const std::vector<std::uint64_t> & words;
 };
 
 MedialVoxelPathSearch::MedialVoxelPathSearch(const MedialVoxelGrid & grid)
   : m_Grid(grid)
-  , m_Cell(grid)
-{}
+{
+  for (unsigned int mask = 0; mask < m_EdgeLengths.size(); ++mask)
+  {
+    m_EdgeLengths[mask] = grid.GetEdgeLength(mask);
+  }
+}
+
+/** The free-space length, of MedialVoxelDualCell, but for rounding. */
+double
+MedialVoxelPathSearch::FreeSpaceLength(const std::array<std::int32_t, 3> & a,
+                                       const std::array<std::int32_t, 3> & b) const
+{
+  // Steps above the bit of their axis.
+  std::int32_t       first = (std::abs(a[0] - b[0]) << 3) | 1;
+  std::int32_t       second = (std::abs(a[1] - b[1]) << 3) | 2;
+  std::int32_t       third = (std::abs(a[2] - b[2]) << 3) | 4;
+  const std::int32_t larger = std::max(first, second);
+  const std::int32_t smaller = std::min(first, second);
+  first = std::max(larger, third);
+  const std::int32_t rest = std::min(larger, third);
+  second = std::max(smaller, rest);
+  third = std::min(smaller, rest);
+  const auto longest = static_cast<std::size_t>(first & 7);
+  const auto both = static_cast<std::size_t>((first | second) & 7 & ~(third & 7));
+  return ((first >> 3) - (second >> 3)) * m_EdgeLengths[longest] +
+         ((second >> 3) - (third >> 3)) * m_EdgeLengths[both] + (third >> 3) * m_EdgeLengths[7];
+}
 
 double
 MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
@@ -95,46 +145,47 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
   assert(box.Extent(0) <= LongestRow);
   using PointType = Raster::PointType;
   const Raster raster(boundary, box, workspace.m_Rows);
-  auto &       nodes = workspace.m_Nodes;
-  nodes.assign(raster.GetNumberOfPoints(), { std::numeric_limits<double>::infinity(), -1.0 });
-  const auto      nodeOf = [&](const PointType point) -> auto & { return nodes[static_cast<std::size_t>(point)]; };
+  const auto   number = workspace.BeginSearch(raster.GetNumberOfPoints());
+  const auto   nodeOf = [&](const PointType point) -> auto & {
+    return workspace.m_Nodes[static_cast<std::size_t>(point)];
+  };
   const PointType start = raster.PointOf(a);
   const PointType target = raster.PointOf(b);
-  const MedialVoxelIndex end{ { b[0] - box.lower[0] + 1, b[1] - box.lower[1] + 1, b[2] - box.lower[2] + 1 } };
+  const auto      end = raster.CoordinatesOf(target);
 
   auto & queue = workspace.m_Queue;
   queue.Begin(m_Grid);
-  nodeOf(start).length = 0.0;
+  nodeOf(start) = { 0.0, 0.0, number };
   queue.Push(start, 0.0);
-  bool       isFound = false;
+  double     found = std::numeric_limits<double>::infinity();
   const auto visit = [&](const PointType from, const double lengthHere) {
-    raster.VisitNeighbors(from,
-                          [&](const PointType to, const auto x, const auto y, const auto z, const unsigned int mask) {
-                            const double length = lengthHere + m_Grid.GetEdgeLength(mask);
-                            auto &       node = nodeOf(to);
-                            if (isFound || length >= node.length)
-                            {
-                              return;
-                            }
-                            if (node.rest < 0.0)
-                            {
-                              node.rest = m_Cell.FreeSpaceLength({ { end[0] - x, end[1] - y, end[2] - z } });
-                            }
-                            if (length + node.rest > most)
-                            {
-                              return;
-                            }
-                            node.length = length;
-                            if (to != target)
-                            {
-                              queue.Push(to, length);
-                            }
-                            isFound = to == target && length < enough;
-                          });
-    return !isFound;
+    raster.VisitNeighbors(from, [&](const PointType to, const unsigned int mask) {
+      const double length = lengthHere + m_EdgeLengths[mask];
+      auto &       node = nodeOf(to);
+      if (node.search != number)
+      {
+        node = { std::numeric_limits<double>::infinity(),
+                 this->FreeSpaceLength(raster.CoordinatesOf(to), end),
+                 number };
+      }
+      if (length >= node.length || length + node.rest > most)
+      {
+        return;
+      }
+      node.length = length;
+      if (to == target)
+      {
+        found = length;
+      }
+      else
+      {
+        queue.Push(to, length);
+      }
+    });
+    return found >= enough;
   };
   queue.Run([&](const PointType point) { return nodeOf(point).length; }, visit, [](const double) { return false; });
-  return nodeOf(target).length;
+  return found;
 }
 
 } // end namespace itk

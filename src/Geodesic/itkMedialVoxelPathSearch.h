@@ -5,10 +5,12 @@
 
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelBucketQueue.h"
-#include "itkMedialVoxelDualCell.h"
+#include "itkMedialVoxelGrid.h"
 
 #include "MedialVoxelExport.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -40,12 +42,27 @@ public:
 
     struct Node
     {
-      double length; // of the shortest path so far
-      double rest;   // at least that of the way to the end; negative when it is not known yet
+      double        length; // of the shortest path so far
+      double        rest;   // at least that of the way to the end
+      std::uint32_t search; // that the others are of
     };
 
+    /** Number of a search over so many nodes, which no node has. */
+    std::uint32_t
+    BeginSearch(const std::size_t nodes)
+    {
+      if (++m_Search == 0)
+      {
+        m_Nodes.clear();
+        m_Search = 1;
+      }
+      m_Nodes.resize(std::max(m_Nodes.size(), nodes));
+      return m_Search;
+    }
+
     std::vector<std::uint64_t>           m_Rows;
-    std::vector<Node>                    m_Nodes;
+    std::vector<Node>                    m_Nodes; // of all searches, as few are met by each
+    std::uint32_t                        m_Search{ 0 };
     MedialVoxelBucketQueue<std::int32_t> m_Queue;
   };
 
@@ -67,8 +84,11 @@ public:
 private:
   struct Raster;
 
-  MedialVoxelGrid     m_Grid;
-  MedialVoxelDualCell m_Cell;
+  double
+  FreeSpaceLength(const std::array<std::int32_t, 3> & a, const std::array<std::int32_t, 3> & b) const;
+
+  MedialVoxelGrid       m_Grid;
+  std::array<double, 8> m_EdgeLengths;
 };
 
 } // end namespace itk
