@@ -16,6 +16,54 @@ using BlockType = std::uint32_t; // the 3^3 voxels around a point, see GetObject
 
 constexpr int CenterOfBlock = 13;
 
+/** What a slice of nine voxels of a block adds. Tables are faster than counting bits. */
+struct Slice
+{
+  BlockType     mirrored{ 0 }; // the bits in reverse order
+  std::uint32_t number{ 0 };   // of object voxels
+  std::int32_t  x{ 0 };        // sums of the offsets of the object voxels
+  std::int32_t  y{ 0 };
+};
+
+constexpr unsigned int BitsOfSlice = 9;
+constexpr BlockType    SliceMask = (BlockType{ 1 } << BitsOfSlice) - 1;
+
+constexpr std::array<Slice, SliceMask + 1>
+MakeSlices()
+{
+  std::array<Slice, SliceMask + 1> slices{};
+  for (BlockType bits = 0; bits <= SliceMask; ++bits)
+  {
+    for (unsigned int bit = 0; bit < BitsOfSlice; ++bit)
+    {
+      if (((bits >> bit) & 1u) != 0)
+      {
+        slices[bits].mirrored |= BlockType{ 1 } << (BitsOfSlice - 1 - bit);
+        slices[bits].number += 1;
+        slices[bits].x += static_cast<std::int32_t>(bit % 3) - 1;
+        slices[bits].y += static_cast<std::int32_t>(bit / 3) - 1;
+      }
+    }
+  }
+  return slices;
+}
+
+constexpr std::array<Slice, SliceMask + 1> Slices = MakeSlices();
+
+const Slice &
+SliceOf(const BlockType block, const unsigned int z)
+{
+  return Slices[(block >> (z * BitsOfSlice)) & SliceMask];
+}
+
+/** The voxels at the opposite offsets: the bits in reverse order. */
+BlockType
+Mirror(const BlockType block)
+{
+  return SliceOf(block, 2).mirrored | (SliceOf(block, 1).mirrored << BitsOfSlice) |
+         (SliceOf(block, 0).mirrored << (2 * BitsOfSlice));
+}
+
 /** Sums over the boundary points of one side of a wall. */
 struct Side
 {
@@ -25,58 +73,42 @@ struct Side
   std::int64_t     inwards[3] = { 0, 0, 0 }; // sum of the offsets of the object voxels
 };
 
-/** Components of the offset at a bit of a block. */
-PositionType
-OffsetAt(const int bit)
-{
-  return {
-    { static_cast<double>(bit % 3 - 1), static_cast<double>(bit / 3 % 3 - 1), static_cast<double>(bit / 9 - 1) }
-  };
-}
-
-/** The voxels at the opposite offsets: the bits in reverse order. */
-BlockType
-Mirror(BlockType block)
-{
-  constexpr BlockType halves[5] = { 0x55555555, 0x33333333, 0x0F0F0F0F, 0x00FF00FF, 0x0000FFFF };
-  for (unsigned int i = 0; i < 5; ++i)
-  {
-    block = ((block >> (1u << i)) & halves[i]) | ((block & halves[i]) << (1u << i));
-  }
-  return block >> (31 - 2 * CenterOfBlock);
-}
-
-/** Leaves out the voxels of another wall behind a narrow gap.
+/** Offsets that lead out of a wall by more than a quarter of a voxel.
  *
- * \param inwards  normal of the wall in voxels, of any length, from the point towards its side of the wall */
+ * \param inwards  normal of the wall in voxels, of any length, towards its inside */
 BlockType
-WithoutOtherWall(const BlockType block, const PositionType & inwards)
+OffsetsOutOf(const PositionType & inwards)
 {
-  constexpr double slack = 0.25;
-  const double     length = std::sqrt(inwards[0] * inwards[0] + inwards[1] * inwards[1] + inwards[2] * inwards[2]);
-  BlockType        kept = block;
-  for (BlockType rest = block & Mirror(block); rest != 0; rest &= rest - 1)
+  const double slack = 0.25 * std::sqrt(inwards[0] * inwards[0] + inwards[1] * inwards[1] + inwards[2] * inwards[2]);
+  BlockType    out = 0;
+  // Opposite offsets lead as far the other way.
+  for (int bit = CenterOfBlock + 1; bit <= 2 * CenterOfBlock; ++bit)
   {
-    const int          bit = MedialVoxelLowestBit(rest);
-    const PositionType offset = OffsetAt(bit);
-    if (inwards[0] * offset[0] + inwards[1] * offset[1] + inwards[2] * offset[2] < -slack * length)
-    {
-      kept &= ~(BlockType{ 1 } << bit);
-    }
+    const double along = inwards[0] * (bit % 3 - 1) + inwards[1] * (bit / 3 % 3 - 1) + inwards[2] * (bit / 9 - 1);
+    out |= (along < -slack ? BlockType{ 1 } : 0) << bit;
+    out |= (along > slack ? BlockType{ 1 } : 0) << (2 * CenterOfBlock - bit);
   }
-  return kept;
+  return out;
 }
 
-void
-AddOffsets(const BlockType block, Side & side)
+/** Leaves out the voxels of another wall behind a narrow gap: those out of the wall with one at the opposite offset. */
+BlockType
+WithoutOtherWall(const BlockType block, const BlockType out)
 {
-  constexpr BlockType lower[3] = { 0x1249249, 0x01C0E07, 0x00001FF };
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    constexpr unsigned int toUpper[3] = { 2, 6, 18 };
-    side.inwards[axis] += MedialVoxelPopulationCount(block & (lower[axis] << toUpper[axis])) -
-                          MedialVoxelPopulationCount(block & lower[axis]);
-  }
+  return block & ~(Mirror(block) & out);
+}
+
+/** Adds the object voxels around a point. */
+void
+AddBlock(const BlockType block, const int blockVoxels, Side & side)
+{
+  const Slice & lower = SliceOf(block, 0);
+  const Slice & middle = SliceOf(block, 1);
+  const Slice & upper = SliceOf(block, 2);
+  side.excess += blockVoxels - 2 * static_cast<int>(lower.number + middle.number + upper.number);
+  side.inwards[0] += lower.x + middle.x + upper.x;
+  side.inwards[1] += lower.y + middle.y + upper.y;
+  side.inwards[2] += static_cast<std::int64_t>(upper.number) - static_cast<std::int64_t>(lower.number);
 }
 
 /** By how much the distance of a plane from the center of a block of 3 voxels grows, for each third of the block that
@@ -179,16 +211,14 @@ MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelW
     longest = std::max(longest, std::abs(way));
   }
 
-  const PositionType inwards[2] = { across, { { -across[0], -across[1], -across[2] } } };
+  const BlockType out = OffsetsOutOf(across);
+  const BlockType outOf[2] = { out, Mirror(out) };
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
   {
     if (sideOf[corner] < 2)
     {
-      Side &          side = sides[sideOf[corner]];
-      const BlockType block =
-        WithoutOtherWall(this->GetObjectAround(object, wall.corners[corner]), inwards[sideOf[corner]]);
-      side.excess += m_BlockVoxels - 2 * MedialVoxelPopulationCount(block);
-      AddOffsets(block, side);
+      const BlockType block = this->GetObjectAround(object, wall.corners[corner]);
+      AddBlock(WithoutOtherWall(block, outOf[sideOf[corner]]), m_BlockVoxels, sides[sideOf[corner]]);
     }
   }
   const double distance = std::sqrt(squaredDistance);
