@@ -97,7 +97,9 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
                                      MedialVoxelFeatures &             features,
                                      const MedialVoxelProgress * const progress) const
 {
-  assert(window.sites->GetBox().Contains(tileBox));
+  // One voxel beyond, nothing is final; two beyond would look like a distance.
+  assert(window.sites->GetBox().Expanded({ { 1, 1, 1 } }).Contains(tileBox));
+  assert(window.object->GetBox().Contains(tileBox));
   features.Reset(tileBox);
   const MedialVoxelBox & known = window.sites->GetBox();
   Tile                   tile{ window, features, workspace.m_Remaining, known, progress };
