@@ -81,6 +81,21 @@ public:
                 const MedialVoxelIndex &    cell,
                 MedialVoxelWallPoints &     wall) const;
 
+  /** Whether cells of a tile are decided together: each threshold depends on the cells around, or searches are long. */
+  static bool
+  DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+
+  /** MedialVoxelJointClassifier::BoundLength(), of a classifier that decides together. */
+  double
+  BoundLength(const Workspace &        workspace,
+              const MedialVoxelIndex & cell,
+              const MedialVoxelIndex & a,
+              const MedialVoxelIndex & b) const
+  {
+    assert(m_Joint);
+    return m_Joint->BoundLength(workspace.joint, cell, a, b);
+  }
+
   /** The thresholds of cells; only with an automatic thickness. */
   const MedialVoxelLocalThreshold &
   GetThreshold() const

@@ -235,13 +235,28 @@ MedialVoxelJointClassifier::EdgeBetween(const MedialVoxelIndex & a, const Medial
   return m_Grid.GetEdgeLength(mask);
 }
 
-/** At least what the geodesic distances of two cells differ by: edges from the points of one to those of the other. */
+/** At least what the geodesic distances of two pairs differ by: edges from the points of one to those of a cell. */
 double
-MedialVoxelJointClassifier::WayBetween(const Cell & cell, const Cell & neighbor) const
+MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const
 {
-  const double straight = this->EdgeBetween(cell.a, neighbor.a) + this->EdgeBetween(cell.b, neighbor.b);
-  const double crossed = this->EdgeBetween(cell.a, neighbor.b) + this->EdgeBetween(cell.b, neighbor.a);
+  const double straight = this->EdgeBetween(a, cell.a) + this->EdgeBetween(b, cell.b);
+  const double crossed = this->EdgeBetween(a, cell.b) + this->EdgeBetween(b, cell.a);
   return std::min(straight, crossed);
+}
+
+double
+MedialVoxelJointClassifier::BoundLength(const Workspace &        workspace,
+                                        const MedialVoxelIndex & cell,
+                                        const MedialVoxelIndex & a,
+                                        const MedialVoxelIndex & b) const
+{
+  const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
+  if (!bits.GetBox().Contains(cell) || !bits.Test(cell))
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Cell & known = workspace.m_Cells[workspace.m_Ranks.RankOf(cell)];
+  return known.longest + this->WayTo(a, b, known);
 }
 
 /** Bound the geodesic distance of a cell by ways over the pairs of its neighbors, until it is below \a enough. */
@@ -266,7 +281,7 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const d
           workspace.m_Cells[workspace.m_Ranks.RankOf((neighborX >> 6) - bits.GetFirstWord(), y, z, bit)];
         if (neighbor.longest < cell.longest)
         {
-          cell.longest = std::min(cell.longest, neighbor.longest + this->WayBetween(cell, neighbor));
+          cell.longest = std::min(cell.longest, neighbor.longest + this->WayTo(cell.a, cell.b, neighbor));
         }
         if (cell.longest < enough)
         {

@@ -94,6 +94,14 @@ public:
   MedialVoxelBox
   Classify(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
+  /** At least the geodesic distance of two boundary points: a way along the pair of a cell, which Classify() has
+   * decided last; infinite when no short one is known. */
+  double
+  BoundLength(const Workspace &        workspace,
+              const MedialVoxelIndex & cell,
+              const MedialVoxelIndex & a,
+              const MedialVoxelIndex & b) const;
+
 private:
   using Query = MedialVoxelSeparationQuery;
   using QueryIterator = std::vector<Query>::iterator;
@@ -140,7 +148,7 @@ private:
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   double
-  WayBetween(const Cell & cell, const Cell & neighbor) const;
+  WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const;
 
   void
   FollowNeighbors(const Workspace & workspace, double enough, Cell & cell) const;

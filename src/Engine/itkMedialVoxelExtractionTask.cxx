@@ -179,7 +179,7 @@ MedialVoxelExtractionTask::Show(const Tile & tile) const
                                               m_Classifier,
                                               workspace.classifier.rows,
                                               workspace.walls,
-                                              workspace.classifier.geodesic,
+                                              workspace.classifier,
                                               tile.progress,
                                               tile.moving.GetGray() };
   const auto &                    observers = m_Settings.observers;
