@@ -55,6 +55,7 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
                                      MedialVoxelTileLabels &      labels) const
 {
   const MedialVoxelBits & sites = *input.window.sites;
+  workspace.m_Separation.Forget();
   if (!this->Collect(input, workspace, labels))
   {
     return {};

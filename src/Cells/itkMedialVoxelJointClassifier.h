@@ -63,6 +63,14 @@ public:
    */
   class Workspace
   {
+  public:
+    /** For more searches on the boundary around the tile. */
+    MedialVoxelPairSeparation::Workspace &
+    GetSeparation()
+    {
+      return m_Separation;
+    }
+
   private:
     friend class MedialVoxelJointClassifier;
 

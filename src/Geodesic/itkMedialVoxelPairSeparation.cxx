@@ -34,6 +34,21 @@ GroupOf(const MedialVoxelSeparationQuery & query, const unsigned int level)
 
 } // namespace
 
+std::size_t
+MedialVoxelPairSeparation::Workspace::PairHash::operator()(const Pair & pair) const
+{
+  constexpr std::uint64_t multiplier = 0x9E3779B97F4A7C15u;
+  std::uint64_t           hash = 0;
+  for (const MedialVoxelIndex & point : pair)
+  {
+    for (const std::int64_t coordinate : point)
+    {
+      hash = ((hash ^ static_cast<std::uint64_t>(coordinate)) * multiplier) ^ (hash >> 29);
+    }
+  }
+  return static_cast<std::size_t>(hash ^ (hash >> 32));
+}
+
 MedialVoxelPairSeparation::MedialVoxelPairSeparation(const MedialVoxelGrid & grid)
   : m_Grid(grid)
   , m_Search(grid)
@@ -134,6 +149,21 @@ MedialVoxelPairSeparation::BoundLength(const MedialVoxelBits &            bounda
                                        Workspace &                        workspace) const
 {
   assert(this->IsNear(query));
+  Workspace::Length & known = workspace.m_Lengths[{ { query.a, query.b } }];
+  if (known.longest >= query.epsilon && known.shortest < query.epsilon)
+  {
+    const double length = this->Search(boundary, query, workspace);
+    known.longest = std::min(known.longest, length);
+    known.shortest = length < query.epsilon ? known.shortest : query.epsilon;
+  }
+  return known.longest < query.epsilon ? known.longest : std::numeric_limits<double>::infinity();
+}
+
+double
+MedialVoxelPairSeparation::Search(const MedialVoxelBits &            boundary,
+                                  const MedialVoxelSeparationQuery & query,
+                                  Workspace &                        workspace) const
+{
   MedialVoxelPoll();
   const double         lower = query.epsilon * (1.0 - MedialVoxelResolutionBand);
   const double         upper = query.epsilon * (1.0 + MedialVoxelResolutionBand);
@@ -141,7 +171,12 @@ MedialVoxelPairSeparation::BoundLength(const MedialVoxelBits &            bounda
   if (box.Extent(0) <= MedialVoxelPathSearch::LongestRow)
   {
     const double length = m_Search.FindLength(boundary, box, query.a, query.b, lower, upper, workspace.m_Search);
-    if (length < lower || length > upper)
+    // Below other thresholds too, whatever the rounding, when it is below them.
+    if (length < lower)
+    {
+      return length * (1.0 + MedialVoxelResolutionBand);
+    }
+    if (length > upper)
     {
       return length;
     }

@@ -8,8 +8,11 @@
 #include "itkMedialVoxelPathSearch.h"
 #include "itkMedialVoxelProgress.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <unordered_map>
 #include <vector>
 
 namespace itk
@@ -47,8 +50,31 @@ public:
    */
   class Workspace
   {
+  public:
+    /** Before the first search on another boundary: pairs that were searched are not searched again. */
+    void
+    Forget()
+    {
+      m_Lengths.clear();
+    }
+
   private:
     friend class MedialVoxelPairSeparation;
+
+    using Pair = std::array<MedialVoxelIndex, 2>;
+
+    struct PairHash
+    {
+      std::size_t
+      operator()(const Pair & pair) const;
+    };
+
+    /** Bounds of the geodesic distance of a pair. */
+    struct Length
+    {
+      double longest{ std::numeric_limits<double>::infinity() };
+      double shortest{ 0.0 };
+    };
 
     struct Entry
     {
@@ -56,6 +82,8 @@ public:
       std::uint64_t  group;
       MedialVoxelBox box;
     };
+
+    std::unordered_map<Pair, Length, PairHash> m_Lengths;
 
     std::vector<Entry>                    m_Entries;
     MedialVoxelBoxComponents              m_Components;
@@ -77,12 +105,16 @@ public:
                 std::vector<MedialVoxelSeparationQuery> & queries) const;
 
   /** A length at or above the geodesic distance of the points, below epsilon when that is and otherwise not.
+   * Neighboring cells often have the same pair, for which what was found before serves again.
    *
    * The box of \a boundary holds MedialVoxelBoundedGeodesic::SearchBoxOf() the query. */
   double
   BoundLength(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
 private:
+  double
+  Search(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
+
   /** The precondition of queries. */
   bool
   IsNear(const MedialVoxelSeparationQuery & query) const;

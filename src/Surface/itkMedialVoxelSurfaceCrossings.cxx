@@ -197,14 +197,16 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
   };
   queries.erase(std::remove_if(queries.begin(), queries.end(), isDecided), queries.end());
   const MedialVoxelBits & sites = *tile.window.sites;
-  const MedialVoxelBox    missing = m_Separation.FindSeparated(sites, tile.progress, workspace.m_Separation, queries);
+  const MedialVoxelBox    missing =
+    m_Separation.FindSeparated(sites, tile.progress, tile.classification.joint.GetSeparation(), queries);
   if (!missing.IsEmpty())
   {
     return missing;
   }
   for (auto query = queries.begin(); query != queries.end() && !tile.progress.IsAborted(); ++query)
   {
-    if (query->isSeparated || m_Separation.BoundLength(sites, *query, workspace.m_Separation) >= query->epsilon)
+    if (query->isSeparated ||
+        m_Separation.BoundLength(sites, *query, tile.classification.joint.GetSeparation()) >= query->epsilon)
     {
       Mark(workspace.m_Edges[query->cell], workspace);
     }
@@ -338,13 +340,15 @@ MedialVoxelSurfaceCrossings::AreApart(const MedialVoxelClassifiedTile & tile,
   }
   auto & queries = workspace.m_QueryOfSplit;
   queries.assign(1, { pair.a, pair.GetB(), epsilon, 0 });
-  const MedialVoxelBox unknown = m_Separation.FindSeparated(sites, tile.progress, workspace.m_Separation, queries);
+  const MedialVoxelBox unknown =
+    m_Separation.FindSeparated(sites, tile.progress, tile.classification.joint.GetSeparation(), queries);
   if (!unknown.IsEmpty())
   {
     missing = missing.Union(unknown);
     return false;
   }
-  return queries[0].isSeparated || m_Separation.BoundLength(sites, queries[0], workspace.m_Separation) >= epsilon;
+  return queries[0].isSeparated ||
+         m_Separation.BoundLength(sites, queries[0], tile.classification.joint.GetSeparation()) >= epsilon;
 }
 
 /** Set the bit of a crossed edge at the cells around it that the tile has. */

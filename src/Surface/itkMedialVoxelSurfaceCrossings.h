@@ -67,7 +67,6 @@ public:
     std::vector<Edge>                       m_Edges;
     std::vector<MedialVoxelSeparationQuery> m_Queries;
     std::vector<MedialVoxelSeparationQuery> m_QueryOfSplit;
-    MedialVoxelPairSeparation::Workspace    m_Separation;
   };
 
   /** \param grid        the image in the units in which its cells are classified
