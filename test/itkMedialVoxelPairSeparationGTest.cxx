@@ -139,11 +139,15 @@ TEST(MedialVoxelPairSeparation, PairsWithTheirOwnThresholdAreDecidedLikeByDijkst
       }
     }
     EXPECT_TRUE(separation.FindSeparated(scene.bits, progress, workspace, queries).IsEmpty());
-    for (const auto & query : queries)
+    for (auto & query : queries)
     {
-      const bool reaches = distances[query.cell] >= query.epsilon;
+      const double distance = distances[query.cell];
+      const bool   reaches = distance >= query.epsilon;
       ASSERT_TRUE(reaches || !query.isSeparated);
-      ASSERT_EQ(separation.BoundLength(scene.bits, query, workspace) >= query.epsilon, reaches);
+      ASSERT_LE(query.bounds.shortest, distance * (1.0 + 1e-12));
+      ASSERT_EQ(separation.Reaches(scene.bits, query, workspace), reaches);
+      ASSERT_LE(query.bounds.shortest, distance * (1.0 + 1e-12));
+      ASSERT_GE(query.bounds.longest, distance * (1.0 - 1e-12));
       separated += query.isSeparated ? 1 : 0;
       shorter += reaches ? 0 : 1;
     }

@@ -85,15 +85,16 @@ public:
   static bool
   DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
-  /** MedialVoxelJointClassifier::BoundLength(), of a classifier that decides together. */
-  double
-  BoundLength(const Workspace &        workspace,
-              const MedialVoxelIndex & cell,
-              const MedialVoxelIndex & a,
-              const MedialVoxelIndex & b) const
+  /** MedialVoxelJointClassifier::NarrowByCell(), of a classifier that decides together. */
+  void
+  NarrowByCell(const Workspace &         workspace,
+               const MedialVoxelIndex &  cell,
+               const MedialVoxelIndex &  a,
+               const MedialVoxelIndex &  b,
+               MedialVoxelLengthBounds & bounds) const
   {
     assert(m_Joint);
-    return m_Joint->BoundLength(workspace.joint, cell, a, b);
+    m_Joint->NarrowByCell(workspace.joint, cell, a, b, bounds);
   }
 
   /** The thresholds of cells; only with an automatic thickness. */

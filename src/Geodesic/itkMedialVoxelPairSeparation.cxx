@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 
 namespace itk
 {
@@ -113,6 +111,10 @@ MedialVoxelPairSeparation::JudgeGroup(const MedialVoxelBits &                   
     joined = std::partition(first, last, [&](const Workspace::Entry & entry) {
       auto & query = queries[entry.query];
       query.isSeparated = !workspace.m_Components.AreConnected(query.a, query.b);
+      if (query.isSeparated)
+      {
+        query.bounds.Narrow({ MedialVoxelBoundedGeodesic::LengthWithin(m_Grid, query.a, query.b, box) });
+      }
       return !query.isSeparated;
     });
   }
@@ -143,49 +145,51 @@ MedialVoxelPairSeparation::IsNear(const MedialVoxelSeparationQuery & query) cons
   return MedialVoxelDualCell(m_Grid).FreeSpaceLength(difference) < query.epsilon;
 }
 
-double
-MedialVoxelPairSeparation::BoundLength(const MedialVoxelBits &            boundary,
-                                       const MedialVoxelSeparationQuery & query,
-                                       Workspace &                        workspace) const
+bool
+MedialVoxelPairSeparation::Reaches(const MedialVoxelBits &      boundary,
+                                   MedialVoxelSeparationQuery & query,
+                                   Workspace &                  workspace) const
 {
   assert(this->IsNear(query));
-  Workspace::Length & known = workspace.m_Lengths[{ { query.a, query.b } }];
-  if (known.longest >= query.epsilon && known.shortest < query.epsilon)
+  MedialVoxelLengthBounds & known = workspace.m_Lengths[{ { query.a, query.b } }];
+  query.bounds.Narrow(known);
+  if (query.bounds.FallShortOf(query.epsilon) || query.bounds.Reach(query.epsilon))
   {
-    const double length = this->Search(boundary, query, workspace);
-    known.longest = std::min(known.longest, length);
-    known.shortest = length < query.epsilon ? known.shortest : query.epsilon;
+    return query.bounds.Reach(query.epsilon);
   }
-  return known.longest < query.epsilon ? known.longest : std::numeric_limits<double>::infinity();
+  const bool reaches = this->Search(boundary, query, workspace, known);
+  query.bounds.Narrow(known);
+  return reaches;
 }
 
-double
+bool
 MedialVoxelPairSeparation::Search(const MedialVoxelBits &            boundary,
                                   const MedialVoxelSeparationQuery & query,
-                                  Workspace &                        workspace) const
+                                  Workspace &                        workspace,
+                                  MedialVoxelLengthBounds &          bounds) const
 {
   MedialVoxelPoll();
-  const double         lower = query.epsilon * (1.0 - MedialVoxelResolutionBand);
-  const double         upper = query.epsilon * (1.0 + MedialVoxelResolutionBand);
   const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);
   if (box.Extent(0) <= MedialVoxelPathSearch::LongestRow)
   {
-    const double length = m_Search.FindLength(boundary, box, query.a, query.b, lower, upper, workspace.m_Search);
-    // Below other thresholds too, whatever the rounding, when it is below them.
-    if (length < lower)
+    const double enough = query.epsilon * (1.0 - MedialVoxelResolutionBand);
+    const double most = query.epsilon * (1.0 + 2.0 * MedialVoxelResolutionBand);
+    const double length = m_Search.FindLength(boundary, box, query.a, query.b, enough, most, workspace.m_Search);
+    if (length < enough)
     {
-      return length * (1.0 + MedialVoxelResolutionBand);
+      bounds.Narrow({ 0.0, length * (1.0 + MedialVoxelResolutionBand) });
+      return false;
     }
-    if (length > upper)
+    if (length > most)
     {
-      return length;
+      bounds.Narrow({ query.epsilon * (1.0 + MedialVoxelResolutionBand) });
+      return true;
     }
   }
   // Rounding matters, or the box is large.
   const MedialVoxelBoundedGeodesic geodesic(m_Grid, query.epsilon);
   geodesic.Begin(boundary, box, workspace.m_Geodesic);
-  return geodesic.ReachesThreshold(query.a, query.b, workspace.m_Geodesic) ? std::numeric_limits<double>::infinity()
-                                                                           : std::nextafter(query.epsilon, 0.0);
+  return geodesic.ReachesThreshold(query.a, query.b, workspace.m_Geodesic);
 }
 
 } // end namespace itk

@@ -5,13 +5,13 @@
 
 #include "itkMedialVoxelBoundedGeodesic.h"
 #include "itkMedialVoxelBoxComponents.h"
+#include "itkMedialVoxelLengthBounds.h"
 #include "itkMedialVoxelPathSearch.h"
 #include "itkMedialVoxelProgress.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -29,6 +29,8 @@ struct MedialVoxelSeparationQuery
   double           epsilon;              ///< in physical units, positive and finite
   std::size_t      cell;                 ///< for the user
   bool             isSeparated{ false }; ///< no path that is shorter than \a epsilon joins the points
+
+  MedialVoxelLengthBounds bounds{}; ///< what is known of the geodesic distance
 };
 
 /** \class MedialVoxelPairSeparation
@@ -69,12 +71,6 @@ public:
       operator()(const Pair & pair) const;
     };
 
-    /** Bounds of the geodesic distance of a pair. */
-    struct Length
-    {
-      double longest{ std::numeric_limits<double>::infinity() };
-      double shortest{ 0.0 };
-    };
 
     struct Entry
     {
@@ -83,7 +79,7 @@ public:
       MedialVoxelBox box;
     };
 
-    std::unordered_map<Pair, Length, PairHash> m_Lengths;
+    std::unordered_map<Pair, MedialVoxelLengthBounds, PairHash> m_Lengths;
 
     std::vector<Entry>                    m_Entries;
     MedialVoxelBoxComponents              m_Components;
@@ -104,16 +100,19 @@ public:
                 Workspace &                               workspace,
                 std::vector<MedialVoxelSeparationQuery> & queries) const;
 
-  /** A length at or above the geodesic distance of the points, below epsilon when that is and otherwise not.
-   * Neighboring cells often have the same pair, for which what was found before serves again.
+  /** True when the geodesic distance of the points reaches epsilon; narrows the bounds of the query. Neighboring cells
+   * often have the same pair, for which what was found before serves again.
    *
    * The box of \a boundary holds MedialVoxelBoundedGeodesic::SearchBoxOf() the query. */
-  double
-  BoundLength(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
+  bool
+  Reaches(const MedialVoxelBits & boundary, MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
 private:
-  double
-  Search(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
+  bool
+  Search(const MedialVoxelBits &            boundary,
+         const MedialVoxelSeparationQuery & query,
+         Workspace &                        workspace,
+         MedialVoxelLengthBounds &          bounds) const;
 
   /** The precondition of queries. */
   bool

@@ -3,11 +3,9 @@
 #include "itkMedialVoxelSurfaceCrossings.h"
 
 #include "itkMedialVoxelProgress.h"
-#include "itkMedialVoxelResolutionBand.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <limits>
 
 namespace itk
 {
@@ -205,8 +203,7 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
   }
   for (auto query = queries.begin(); query != queries.end() && !tile.progress.IsAborted(); ++query)
   {
-    if (query->isSeparated ||
-        m_Separation.BoundLength(sites, *query, tile.classification.joint.GetSeparation()) >= query->epsilon)
+    if (query->isSeparated || m_Separation.Reaches(sites, *query, tile.classification.joint.GetSeparation()))
     {
       Mark(workspace.m_Edges[query->cell], workspace);
     }
@@ -259,20 +256,15 @@ MedialVoxelSurfaceCrossings::DecideAtOnce(const MedialVoxelClassifiedTile & tile
     Mark(edge, workspace);
     return true;
   }
-  return this->BoundByCells(tile, query, edge) < query.epsilon * (1.0 - MedialVoxelResolutionBand);
-}
-
-/** At least the geodesic distance of the points of an edge, by ways along the pairs of the cells around it. */
-double
-MedialVoxelSurfaceCrossings::BoundByCells(const MedialVoxelClassifiedTile &  tile,
-                                          const MedialVoxelSeparationQuery & query,
-                                          const Workspace::Edge &            edge) const
-{
-  double longest = std::numeric_limits<double>::infinity();
   ForEachCellAround(edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) {
-    longest = std::min(longest, tile.classifier.BoundLength(tile.classification, cell, query.a, query.b));
+    tile.classifier.NarrowByCell(tile.classification, cell, query.a, query.b, query.bounds);
   });
-  return longest;
+  if (query.bounds.Reach(query.epsilon))
+  {
+    Mark(edge, workspace);
+    return true;
+  }
+  return query.bounds.FallShortOf(query.epsilon);
 }
 
 MedialVoxelSurfaceTopology::Split
@@ -347,8 +339,7 @@ MedialVoxelSurfaceCrossings::AreApart(const MedialVoxelClassifiedTile & tile,
     missing = missing.Union(unknown);
     return false;
   }
-  return queries[0].isSeparated ||
-         m_Separation.BoundLength(sites, queries[0], tile.classification.joint.GetSeparation()) >= epsilon;
+  return queries[0].isSeparated || m_Separation.Reaches(sites, queries[0], tile.classification.joint.GetSeparation());
 }
 
 /** Set the bit of a crossed edge at the cells around it that the tile has. */

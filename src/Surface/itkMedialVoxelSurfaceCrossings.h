@@ -134,11 +134,6 @@ private:
   bool
   DecideAtOnce(const MedialVoxelClassifiedTile & tile, MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
-  double
-  BoundByCells(const MedialVoxelClassifiedTile &  tile,
-               const MedialVoxelSeparationQuery & query,
-               const Workspace::Edge &            edge) const;
-
   bool
   AreApart(const MedialVoxelClassifiedTile & tile,
            const MedialVoxelPair &           pair,
