@@ -67,7 +67,7 @@ class MeshTest(ProgramTestCase):
 
         def smallest_memory():
             for memory in range(16, 200):
-                plan = ("mesh", "in.mha", "m.ply", "--threads", 1, "--divisions", 1, "--dry-run", "--memory", f"{memory}M")
+                plan = ("mesh", "in.mha", "m.ply", "--thickness", 2, "--threads", 1, "--divisions", 1, "--dry-run", "--memory", f"{memory}M")
                 if subprocess.run([PROGRAM, *map(str, plan)], cwd=self.folder, capture_output=True, check=False).returncode == 0:
                     return memory
             return None
