@@ -105,8 +105,8 @@ PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & wri
     }
     catch (const itk::MedialVoxelSurfacePieceError &)
     {
-      // With room for parts that have more of it.
-      this->ShortenPieces(engine, 0.7 * m_FractionOfPiece, "memory of the surface");
+      // What fitted, with room for parts that have more of it.
+      this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfPiece, 0.125, 0.5), "memory of the surface");
     }
   }
   return sums;
@@ -115,7 +115,7 @@ PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & wri
 void
 PieceLoop::ShortenPieces(const PieceEngine & engine, const double share, const char * reason)
 {
-  const double slices = std::min(0.5, share) * static_cast<double>(m_SlicesAtOnce);
+  const double slices = share * static_cast<double>(m_SlicesAtOnce);
   m_SlicesAtOnce = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(slices));
   m_Sink.Record(
     { LogLevel::Warning,

@@ -56,7 +56,7 @@ private:
   void
   RecordPiece(const PieceEngine & engine, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
 
-  /** Takes a share of the slices that are done at once, at most half of them. */
+  /** Takes a share of the slices that are done at once. */
   void
   ShortenPieces(const PieceEngine & engine, double share, const char * reason);
 
