@@ -79,10 +79,9 @@ FindSurfaceCells(const Volume &                             volume,
   decision.Begin(knownSites, tile, workspace.geodesic);
   const std::vector<itk::MedialVoxelWall> noWalls;
   const itk::MedialVoxelGray              noGray;
-  return kernel.Find(
-    { tile, knownWindow, features, classifier, workspace.rows, noWalls, workspace.geodesic, progress, noGray },
-    surfaceWorkspace,
-    cells);
+  return kernel.Find({ tile, knownWindow, features, classifier, workspace.rows, noWalls, workspace, progress, noGray },
+                     surfaceWorkspace,
+                     cells);
 }
 
 /** Index i is at the point i * spacing. */

@@ -139,17 +139,109 @@ TEST(MedialVoxelPairSeparation, PairsWithTheirOwnThresholdAreDecidedLikeByDijkst
       }
     }
     EXPECT_TRUE(separation.FindSeparated(scene.bits, progress, workspace, queries).IsEmpty());
-    for (const auto & query : queries)
+    for (auto & query : queries)
     {
-      const bool reaches = distances[query.cell] >= query.epsilon;
+      const double distance = distances[query.cell];
+      const bool   reaches = distance >= query.epsilon;
       ASSERT_TRUE(reaches || !query.isSeparated);
-      ASSERT_EQ(separation.BoundLength(scene.bits, query, workspace) >= query.epsilon, reaches);
+      ASSERT_LE(query.bounds.shortest, distance * (1.0 + 1e-12));
+      ASSERT_EQ(separation.Reaches(scene.bits, query, workspace), reaches);
+      ASSERT_LE(query.bounds.shortest, distance * (1.0 + 1e-12));
+      ASSERT_GE(query.bounds.longest, distance * (1.0 - 1e-12));
       separated += query.isSeparated ? 1 : 0;
       shorter += reaches ? 0 : 1;
     }
   }
   EXPECT_GT(separated, 100u);
   EXPECT_GT(shorter, 100u);
+}
+
+TEST(MedialVoxelPairSeparation, WhatWasFoundForOneThresholdServesOthers)
+{
+  std::size_t decided = 0;
+  for (const Scene & scene : Scenes())
+  {
+    const BoundaryGraph                       graph(scene.volume, scene.sites);
+    const itk::MedialVoxelDualCell            cell(GridOf(scene.volume));
+    const itk::MedialVoxelPairSeparation      separation(GridOf(scene.volume));
+    itk::MedialVoxelPairSeparation::Workspace workspace;
+    std::mt19937                              generator(11);
+    for (std::size_t i = 0; i < scene.sites.size(); i += scene.sites.size() / 12 + 1)
+    {
+      const auto distances = graph.DistancesFrom(static_cast<int>(i));
+      for (std::size_t j = 0; j < scene.sites.size(); j += 11)
+      {
+        const auto a = KernelIndex(scene.sites[i]);
+        const auto b = KernelIndex(scene.sites[j]);
+        for (unsigned int repeat = 0; repeat < 4; ++repeat)
+        {
+          const double                    epsilon = 3.05 + 0.1 * static_cast<double>(generator() % 130);
+          itk::MedialVoxelSeparationQuery query{ a, b, epsilon, 0 };
+          if (i != j && cell.FreeSpaceLength({ { a[0] - b[0], a[1] - b[1], a[2] - b[2] } }) < epsilon)
+          {
+            ASSERT_EQ(separation.Reaches(scene.bits, query, workspace), distances[j] >= epsilon);
+            ++decided;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(decided, 1000u);
+}
+
+TEST(MedialVoxelPairSeparation, AnotherBoundaryIsForgotten)
+{
+  const Scene                               plate(AxisPlate({ { 40, 40, 20 } }, UnitSpacing, 2, 8, 6));
+  const auto                                empty = SiteBits({}, GridOf(plate.volume).GetVoxelBox());
+  const itk::MedialVoxelPairSeparation      separation(GridOf(plate.volume));
+  itk::MedialVoxelPairSeparation::Workspace workspace;
+  itk::MedialVoxelSeparationQuery           query{ { { 20, 20, 7 } }, { { 23, 20, 7 } }, 6.0, 0 };
+  EXPECT_FALSE(separation.Reaches(plate.bits, query, workspace));
+  workspace.Forget();
+  query.bounds = {};
+  auto other = empty;
+  other.Set(query.a);
+  other.Set(query.b);
+  EXPECT_TRUE(separation.Reaches(other, query, workspace));
+}
+
+TEST(MedialVoxelBoundedGeodesic, TheLengthWithinABoxIsNearlyTheLargestOne)
+{
+  std::mt19937 generator(12);
+  const auto   roll = [&](const int least, const int most) {
+    return std::uniform_int_distribution<std::int64_t>(least, most)(generator);
+  };
+  using Geodesic = itk::MedialVoxelBoundedGeodesic;
+  const auto isIn = [](const itk::MedialVoxelBox & box, const itk::MedialVoxelBox & part) {
+    return box.Contains(part);
+  };
+  for (const auto & spacing : { itk::MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } },
+                                itk::MedialVoxelGrid::SpacingType{ { 0.4, 0.7, 2.5 } } })
+  {
+    const itk::MedialVoxelGrid grid({ { 60, 50, 40 } }, spacing);
+    for (int repeat = 0; repeat < 1000; ++repeat)
+    {
+      const itk::MedialVoxelIndex a{ { roll(20, 39), roll(15, 34), roll(10, 29) } };
+      const itk::MedialVoxelIndex b{ { a[0] + roll(-5, 5), a[1] + roll(-5, 5), a[2] + roll(-5, 5) } };
+      itk::MedialVoxelBox         box = grid.GetVoxelBox();
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        box.lower[axis] = std::max<std::int64_t>(0, std::min(a[axis], b[axis]) - roll(0, 20));
+        box.upper[axis] = std::min(box.upper[axis], std::max(a[axis], b[axis]) + 1 + roll(0, 20));
+      }
+      const double length = Geodesic::LengthWithin(grid, a, b, box);
+      ASSERT_TRUE(isIn(box, Geodesic::SearchBoxOf(grid, a, b, length)));
+      if (length < std::numeric_limits<double>::infinity())
+      {
+        ASSERT_FALSE(
+          isIn(box,
+               Geodesic::SearchBoxOf(
+                 grid, a, b, length + 2.5 * *std::max_element(spacing.begin(), spacing.end()) + 0.5 * length)));
+      }
+    }
+    EXPECT_EQ(Geodesic::LengthWithin(grid, { { 3, 3, 3 } }, { { 9, 9, 9 } }, grid.GetVoxelBox()),
+              std::numeric_limits<double>::infinity());
+  }
 }
 
 TEST(MedialVoxelPairSeparation, SmallBoundariesSayWhatTheyMiss)

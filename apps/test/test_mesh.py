@@ -7,10 +7,11 @@ import json
 import math
 import re
 import struct
+import subprocess
 import unittest
 
 import volumes
-from program import REFUSED, USAGE, ProgramTestCase
+from program import PROGRAM, REFUSED, USAGE, ProgramTestCase
 from test_identity import rough_shell
 
 
@@ -56,6 +57,33 @@ class MeshTest(ProgramTestCase):
                 self.mesh("in.mha", name, "--overwrite", *arguments)
                 self.assertEqual((self.folder / name).read_bytes(), expected, (name, arguments))
         self.assertGreater(len(Mesh(self.folder / "m.ply").faces), 1000)
+
+    def test_pieces_of_many_cells(self):
+        """Cells wait for their piece to be done: many at a time only where memory allows."""
+        size = (96, 96, 96)
+        volume = volumes.Volume(size, [])
+        volume.voxels = [1 if z % 6 < 2 else 0 for z in range(size[2]) for _ in range(size[0] * size[1])]
+        self.write(volume)
+
+        def smallest_memory():
+            for memory in range(16, 200):
+                plan = ("mesh", "in.mha", "m.ply", "--thickness", 2, "--threads", 1, "--divisions", 1, "--dry-run", "--memory", f"{memory}M")
+                if subprocess.run([PROGRAM, *map(str, plan)], cwd=self.folder, capture_output=True, check=False).returncode == 0:
+                    return memory
+            return None
+
+        def shortened(name, *arguments):
+            log = self.folder / f"{name}.log"
+            self.mesh("in.mha", name, "--threads", 1, "--divisions", 1, "--log-file", log, "--report", "r.json", *arguments)
+            report = json.loads((self.folder / "r.json").read_text())
+            self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"], arguments)
+            return log.read_text().count(" shorten ")
+
+        memory = smallest_memory()
+        self.assertEqual(shortened("ample.ply", "--memory", "1G"), 0)
+        self.assertIn(shortened("small.ply", "--memory", f"{memory}M", "--overwrite"), (1, 2, 3))
+        self.assertEqual((self.folder / "small.ply").read_bytes(), (self.folder / "ample.ply").read_bytes())
+        self.assertGreater(len(Mesh(self.folder / "ample.ply").vertices), 1 << 16)
 
     def test_automatic_thickness(self):
         self.write(rough_shell())

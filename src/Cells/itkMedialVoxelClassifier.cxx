@@ -15,15 +15,14 @@ namespace
 /** Thresholds in edges from which on single searches are long; below, each cell is decided on its own. */
 constexpr double LongEpsilon = 8.0;
 
-/** Whether cells of a tile are decided together: each threshold depends on the cells around, or searches are long. */
+} // namespace
+
 bool
-DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
+MedialVoxelClassifier::DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
   return parameters.mode == MedialVoxelThicknessMode::Automatic ||
          parameters.epsilon >= LongEpsilon * grid.GetShortestEdge();
 }
-
-} // namespace
 
 MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
   : m_Grid(grid)

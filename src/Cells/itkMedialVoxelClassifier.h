@@ -81,6 +81,22 @@ public:
                 const MedialVoxelIndex &    cell,
                 MedialVoxelWallPoints &     wall) const;
 
+  /** Whether cells of a tile are decided together: each threshold depends on the cells around, or searches are long. */
+  static bool
+  DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
+
+  /** MedialVoxelJointClassifier::NarrowByCell(), of a classifier that decides together. */
+  void
+  NarrowByCell(const Workspace &         workspace,
+               const MedialVoxelIndex &  cell,
+               const MedialVoxelIndex &  a,
+               const MedialVoxelIndex &  b,
+               MedialVoxelLengthBounds & bounds) const
+  {
+    assert(m_Joint);
+    m_Joint->NarrowByCell(workspace.joint, cell, a, b, bounds);
+  }
+
   /** The thresholds of cells; only with an automatic thickness. */
   const MedialVoxelLocalThreshold &
   GetThreshold() const

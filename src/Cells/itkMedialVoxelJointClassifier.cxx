@@ -55,6 +55,7 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
                                      MedialVoxelTileLabels &      labels) const
 {
   const MedialVoxelBits & sites = *input.window.sites;
+  workspace.m_Separation.Forget();
   if (!this->Collect(input, workspace, labels))
   {
     return {};
@@ -71,18 +72,20 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
   return missing;
 }
 
-/** Decide a query when a way along the pair of a neighbor is short. */
+/** Decide a query when the pairs of neighbors suffice. */
 bool
-MedialVoxelJointClassifier::FallsShort(const Query & query, Workspace & workspace, MedialVoxelTileLabels & labels) const
+MedialVoxelJointClassifier::DecideByNeighbors(const Query &           query,
+                                              Workspace &             workspace,
+                                              MedialVoxelTileLabels & labels) const
 {
-  Cell &       cell = workspace.m_Cells[query.cell];
-  const double enough = query.epsilon * (1.0 - MedialVoxelResolutionBand);
-  this->FollowNeighbors(workspace, enough, cell);
-  if (cell.longest >= enough)
+  Cell & cell = workspace.m_Cells[query.cell];
+  this->FollowNeighbors(workspace, query.epsilon, cell);
+  const bool reaches = cell.bounds.Reach(query.epsilon);
+  if (!reaches && !cell.bounds.FallShortOf(query.epsilon))
   {
     return false;
   }
-  labels.Decide(cell.label, MedialVoxelLabel::NonMedial);
+  labels.Decide(cell.label, reaches ? MedialVoxelLabel::MedialByGeodesic : MedialVoxelLabel::NonMedial);
   return true;
 }
 
@@ -107,11 +110,11 @@ MedialVoxelJointClassifier::LeaveOutBranches(Workspace & workspace, MedialVoxelT
   const auto branches = std::partition(queries.begin(), queries.end(), isInSheet);
   SortInwards(workspace, branches, queries.end());
   MedialVoxelPollCounter poll;
-  const auto             fallsShort = [&](const Query & query) {
+  const auto             isDecided = [&](const Query & query) {
     poll.Count();
-    return this->FallsShort(query, workspace, labels);
+    return this->DecideByNeighbors(query, workspace, labels);
   };
-  queries.erase(std::remove_if(branches, queries.end(), fallsShort), queries.end());
+  queries.erase(std::remove_if(branches, queries.end(), isDecided), queries.end());
 }
 
 /** Decide the queries whose points are separated, then the others one after the other. */
@@ -124,20 +127,21 @@ MedialVoxelJointClassifier::Search(const MedialVoxelTileInput & input,
   const auto joined =
     std::partition(queries.begin(), queries.end(), [](const Query & query) { return query.isSeparated; });
   std::for_each(queries.begin(), joined, [&](const Query & query) {
-    labels.Decide(workspace.m_Cells[query.cell].label, MedialVoxelLabel::MedialByGeodesic);
+    Cell & cell = workspace.m_Cells[query.cell];
+    cell.bounds.Narrow(query.bounds);
+    labels.Decide(cell.label, MedialVoxelLabel::MedialByGeodesic);
   });
   SortInwards(workspace, joined, queries.end());
   MedialVoxelPollCounter poll;
   for (auto query = joined; query != queries.end() && !input.progress.IsAborted(); ++query)
   {
     poll.Count();
-    if (!this->FallsShort(*query, workspace, labels))
+    if (!this->DecideByNeighbors(*query, workspace, labels))
     {
-      Cell & cell = workspace.m_Cells[query->cell];
-      cell.longest =
-        std::min(cell.longest, m_Separation.BoundLength(*input.window.sites, *query, workspace.m_Separation));
-      const bool isShort = cell.longest < query->epsilon;
-      labels.Decide(cell.label, isShort ? MedialVoxelLabel::NonMedial : MedialVoxelLabel::MedialByGeodesic);
+      Cell &     cell = workspace.m_Cells[query->cell];
+      const bool reaches = m_Separation.Reaches(*input.window.sites, *query, workspace.m_Separation);
+      cell.bounds.Narrow(query->bounds);
+      labels.Decide(cell.label, reaches ? MedialVoxelLabel::MedialByGeodesic : MedialVoxelLabel::NonMedial);
     }
   }
 }
@@ -205,17 +209,15 @@ MedialVoxelJointClassifier::LabelByLength(const MedialVoxelBits & sites,
                                           const double            epsilon,
                                           Cell &                  cell) const
 {
-  if (cell.shortest == 0.0)
+  if (cell.bounds.shortest == 0.0)
   {
     this->FloodLength(sites, pair, cell);
   }
-  if (cell.longest < epsilon * (1.0 - MedialVoxelResolutionBand))
+  if (cell.bounds.FallShortOf(epsilon))
   {
     return MedialVoxelLabel::NonMedial;
   }
-  return cell.shortest > epsilon * (1.0 + MedialVoxelResolutionBand)
-           ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic)
-           : std::nullopt;
+  return cell.bounds.Reach(epsilon) ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic) : std::nullopt;
 }
 
 /** Length of the edge between two boundary points, 0 when they are the same; infinite when there is none. */
@@ -235,18 +237,33 @@ MedialVoxelJointClassifier::EdgeBetween(const MedialVoxelIndex & a, const Medial
   return m_Grid.GetEdgeLength(mask);
 }
 
-/** At least what the geodesic distances of two cells differ by: edges from the points of one to those of the other. */
+/** At least what the geodesic distances of two pairs differ by: edges from the points of one to those of a cell. */
 double
-MedialVoxelJointClassifier::WayBetween(const Cell & cell, const Cell & neighbor) const
+MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const
 {
-  const double straight = this->EdgeBetween(cell.a, neighbor.a) + this->EdgeBetween(cell.b, neighbor.b);
-  const double crossed = this->EdgeBetween(cell.a, neighbor.b) + this->EdgeBetween(cell.b, neighbor.a);
+  const double straight = this->EdgeBetween(a, cell.a) + this->EdgeBetween(b, cell.b);
+  const double crossed = this->EdgeBetween(a, cell.b) + this->EdgeBetween(b, cell.a);
   return std::min(straight, crossed);
 }
 
-/** Bound the geodesic distance of a cell by ways over the pairs of its neighbors, until it is below \a enough. */
 void
-MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const double enough, Cell & cell) const
+MedialVoxelJointClassifier::NarrowByCell(const Workspace &         workspace,
+                                         const MedialVoxelIndex &  cell,
+                                         const MedialVoxelIndex &  a,
+                                         const MedialVoxelIndex &  b,
+                                         MedialVoxelLengthBounds & bounds) const
+{
+  const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
+  if (bits.GetBox().Contains(cell) && bits.Test(cell))
+  {
+    const Cell & known = workspace.m_Cells[workspace.m_Ranks.RankOf(cell)];
+    bounds.Narrow(known.bounds, this->WayTo(a, b, known));
+  }
+}
+
+/** Narrow the bounds of a cell by those of its neighbors, until they decide it. */
+void
+MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const double epsilon, Cell & cell) const
 {
   const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
   const std::int64_t      x = cell.center[0];
@@ -260,15 +277,13 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const d
       }
       for (auto rest = bits.Extract(x - 1, y, z) & 7u; rest != 0; rest &= rest - 1)
       {
-        const std::int64_t neighborX = x - 1 + MedialVoxelLowestBit(rest);
-        const auto         bit = MedialVoxelBits::WordType{ 1 } << (neighborX & 63);
-        const Cell &       neighbor =
-          workspace.m_Cells[workspace.m_Ranks.RankOf((neighborX >> 6) - bits.GetFirstWord(), y, z, bit)];
-        if (neighbor.longest < cell.longest)
+        const Cell & neighbor =
+          workspace.m_Cells[workspace.m_Ranks.RankOf({ { x - 1 + MedialVoxelLowestBit(rest), y, z } })];
+        if (neighbor.bounds.longest < cell.bounds.longest || neighbor.bounds.shortest > epsilon)
         {
-          cell.longest = std::min(cell.longest, neighbor.longest + this->WayBetween(cell, neighbor));
+          cell.bounds.Narrow(neighbor.bounds, this->WayTo(cell.a, cell.b, neighbor));
         }
-        if (cell.longest < enough)
+        if (cell.bounds.FallShortOf(epsilon) || cell.bounds.Reach(epsilon))
         {
           return;
         }
@@ -356,7 +371,7 @@ MedialVoxelJointClassifier::AddCell(const MedialVoxelBits &  sites,
   if (m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper)
   {
     this->BoundByFloods(sites, pair, epsilon, cell);
-    cell.isWaiting = cell.longest > m_Parameters.epsilon && cell.longest >= epsilon * (1.0 - MedialVoxelResolutionBand);
+    cell.isWaiting = cell.bounds.longest > m_Parameters.epsilon && !cell.bounds.FallShortOf(epsilon);
   }
   workspace.m_Ranks.Set(center);
   workspace.m_Cells.push_back(cell);
@@ -366,9 +381,9 @@ MedialVoxelJointClassifier::AddCell(const MedialVoxelBits &  sites,
     return;
   }
   // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
-  const bool   isBounded = cell.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
+  const bool   isBounded = cell.bounds.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
   const double known =
-    isBounded ? 0.0 : m_Threshold.RadiusBelow(cell.shortest * (1.0 - 3.0 * MedialVoxelResolutionBand));
+    isBounded ? 0.0 : m_Threshold.RadiusBelow(cell.bounds.shortest * (1.0 - 3.0 * MedialVoxelResolutionBand));
   workspace.m_Threshold.cells.Set(center);
   workspace.m_Threshold.radii.push_back(std::max(radius, known));
   workspace.m_Pairs.push_back(pair);
@@ -384,13 +399,13 @@ MedialVoxelJointClassifier::BoundByFloods(const MedialVoxelBits & sites,
   using Result = MedialVoxelBitFlood::Result;
   if (!m_LengthFlood.IsAvailable())
   {
-    cell.longest = this->LengthOfFewEdges(sites, cell, epsilon);
+    cell.bounds.longest = this->LengthOfFewEdges(sites, cell, epsilon);
     return;
   }
   const Result result = m_Flood.Decide(sites, pair.a, pair.difference);
   if (result == Result::FallsShort)
   {
-    cell.longest = m_Parameters.epsilon;
+    cell.bounds.longest = m_Parameters.epsilon;
     return;
   }
   cell.isAtFloor = result != Result::Undecided;
@@ -405,8 +420,8 @@ MedialVoxelJointClassifier::FloodLength(const MedialVoxelBits & sites, const Med
 {
   if (const auto length = m_LengthFlood.FindLength(sites, pair.a, pair.difference))
   {
-    cell.longest = *length;
-    cell.shortest = std::min(*length, m_LengthFlood.GetThreshold());
+    cell.bounds.longest = *length;
+    cell.bounds.shortest = std::min(*length, m_LengthFlood.GetThreshold());
   }
 }
 

@@ -11,7 +11,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -45,15 +44,14 @@ private:
   /** A cell of the tile that is not trivial. */
   struct Cell
   {
-    MedialVoxelIndex center;
-    MedialVoxelIndex a;
-    MedialVoxelIndex b;
-    std::size_t      label{ 0 };                                         // position in the labels of the tile
-    double           radius{ 0.0 };                                      // of its own ball, or 0
-    double           longest{ std::numeric_limits<double>::infinity() }; // at least the geodesic distance
-    double           shortest{ 0.0 };                                    // at most that; 0 when nothing is known
-    bool             isAtFloor{ false };                                 // known to reach the smallest threshold
-    bool             isWaiting{ true };                                  // for its own threshold
+    MedialVoxelIndex        center;
+    MedialVoxelIndex        a;
+    MedialVoxelIndex        b;
+    std::size_t             label{ 0 };         // position in the labels of the tile
+    double                  radius{ 0.0 };      // of its own ball, or 0
+    MedialVoxelLengthBounds bounds;             // of the geodesic distance
+    bool                    isAtFloor{ false }; // known to reach the smallest threshold
+    bool                    isWaiting{ true };  // for its own threshold
   };
 
 public:
@@ -63,6 +61,14 @@ public:
    */
   class Workspace
   {
+  public:
+    /** For more searches on the boundary around the tile. */
+    MedialVoxelPairSeparation::Workspace &
+    GetSeparation()
+    {
+      return m_Separation;
+    }
+
   private:
     friend class MedialVoxelJointClassifier;
 
@@ -93,6 +99,15 @@ public:
    * \return an empty box, or as MedialVoxelClassifier::Classify() the box of sites that must be known */
   MedialVoxelBox
   Classify(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
+
+  /** Narrow the bounds of the geodesic distance of two boundary points by those of a cell, which Classify() has decided
+   * last, where edges lead from its pair to them. */
+  void
+  NarrowByCell(const Workspace &         workspace,
+               const MedialVoxelIndex &  cell,
+               const MedialVoxelIndex &  a,
+               const MedialVoxelIndex &  b,
+               MedialVoxelLengthBounds & bounds) const;
 
 private:
   using Query = MedialVoxelSeparationQuery;
@@ -128,7 +143,7 @@ private:
   LabelByLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
 
   bool
-  FallsShort(const Query & query, Workspace & workspace, MedialVoxelTileLabels & labels) const;
+  DecideByNeighbors(const Query & query, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   static void
   SortInwards(const Workspace & workspace, QueryIterator first, QueryIterator last);
@@ -140,10 +155,10 @@ private:
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   double
-  WayBetween(const Cell & cell, const Cell & neighbor) const;
+  WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const;
 
   void
-  FollowNeighbors(const Workspace & workspace, double enough, Cell & cell) const;
+  FollowNeighbors(const Workspace & workspace, double epsilon, Cell & cell) const;
 
   double
   EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;

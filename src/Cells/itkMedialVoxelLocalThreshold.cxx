@@ -77,45 +77,32 @@ MedialVoxelLocalThreshold::EpsilonOf(const double radius) const
 void
 MedialVoxelLocalThreshold::Compute(const MedialVoxelBits &     object,
                                    const MedialVoxelFeatures & features,
-                                   const MedialVoxelBox &      box,
-                                   Workspace &                 workspace,
-                                   std::vector<double> &       epsilons) const
+                                   Workspace &                 workspace) const
 {
+  const MedialVoxelBits & asked = workspace.cells.GetBits();
   workspace.balls.clear();
-  workspace.radii.clear();
-  workspace.offsets.clear();
-  workspace.cells.Reshape(box);
+  workspace.radii.assign(workspace.cells.GetNumberOfBits(), 0.0);
   MedialVoxelPollCounter poll;
-  m_Pairs.Visit(object, features, this->GetCellBox(box), [&](const MedialVoxelCells & cells) {
+  m_Pairs.Visit(object, features, this->GetCellBox(asked.GetBox()), [&](const MedialVoxelCells & cells) {
     poll.Count(static_cast<std::uint32_t>(cells.number));
-    const auto spread = m_Pairs.Spread(cells);
-    for (auto rest = cells.candidates; rest != 0; rest &= rest - 1)
+    for (auto rest = m_Pairs.Spread(cells); rest != 0; rest &= rest - 1)
     {
       const int              x = MedialVoxelLowestBit(rest);
-      const MedialVoxelIndex cell{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
       MedialVoxelDiagonal    widest;
-      const bool             hasPair = ((spread >> x) & 1u) != 0 && m_Pairs.Choose(features, cells, x, widest);
-      const double           radius = hasPair ? this->RadiusOf(widest) : 0.0;
+      const double           radius = m_Pairs.Choose(features, cells, x, widest) ? this->RadiusOf(widest) : 0.0;
+      const MedialVoxelIndex cell{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
       if (this->CanRaise(radius))
       {
         workspace.balls.push_back({ cell, radius });
       }
-      if (box.Contains(cell))
+      if (asked.GetBox().Contains(cell) && asked.Test(cell))
       {
-        workspace.cells.Set(cell);
-        workspace.offsets.push_back(box.OffsetOf(cell));
-        workspace.radii.push_back(radius);
+        workspace.radii[workspace.cells.RankOf(cell)] = radius;
       }
     }
     return true;
   });
-  workspace.cells.Rank();
   this->RaiseRadii(workspace);
-  epsilons.assign(static_cast<std::size_t>(box.NumberOfVoxels()), m_Parameters.epsilon);
-  for (std::size_t i = 0; i < workspace.offsets.size(); ++i)
-  {
-    epsilons[workspace.offsets[i]] = this->EpsilonOf(workspace.radii[i]);
-  }
 }
 
 } // end namespace itk

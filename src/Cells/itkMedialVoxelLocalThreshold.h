@@ -39,8 +39,7 @@ public:
   {
     std::vector<MedialVoxelInscribedBall> balls;
     MedialVoxelRankedBits                 cells;
-    std::vector<double>                   radii;   // of the cells
-    std::vector<std::size_t>              offsets; // of the cells in the box that Compute() is asked for
+    std::vector<double>                   radii; // of the cells
     MedialVoxelInscribedBalls::Workspace  cover;
   };
 
@@ -84,16 +83,13 @@ public:
     return epsilon / (m_Parameters.thicknessFactor * m_Unit);
   }
 
-  /** epsilon(p) of all cells of \a box, x fastest; the smallest one at indices without a cell.
+  /** Find LT(p) of the cells of a workspace, in metric units, in the order of their ranks; 0 where there is no cell
+   * with a corner in the object.
    *
-   * \param object    bits of the corners of all cells of GetCellBox(box)
+   * \param object    bits of the corners of all cells of GetCellBox() of the cells
    * \param features  displacements of these corners */
   void
-  Compute(const MedialVoxelBits &     object,
-          const MedialVoxelFeatures & features,
-          const MedialVoxelBox &      box,
-          Workspace &                 workspace,
-          std::vector<double> &       epsilons) const;
+  Compute(const MedialVoxelBits & object, const MedialVoxelFeatures & features, Workspace & workspace) const;
 
 private:
   /** Cells along each axis that a ball reaches. */

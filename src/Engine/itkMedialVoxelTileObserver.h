@@ -28,8 +28,8 @@ struct MedialVoxelClassifiedTile
   const std::vector<MedialVoxelCellRow> & rows;       ///< the cells with an object corner, by rows
   const std::vector<MedialVoxelWall> &    walls;      ///< at the measured cells of the rows, in their order
 
-  /** For more searches on the boundary with the threshold of the classification: begun for this tile. */
-  MedialVoxelBoundedGeodesic::Workspace & geodesic;
+  /** What the classifier knows of the cells, and memory for more searches on the boundary around this tile. */
+  MedialVoxelClassifier::Workspace & classification;
 
   /** To be asked for an abort by an observer that takes long; what it observed is then discarded. */
   const MedialVoxelProgress & progress;

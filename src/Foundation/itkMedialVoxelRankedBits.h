@@ -57,6 +57,13 @@ public:
     return m_Before[word] + static_cast<std::size_t>(MedialVoxelPopulationCount(m_Bits.GetRow(y, z)[i] & (bit - 1)));
   }
 
+  /** Bits that are set before that of \a index, which is set. */
+  std::size_t
+  RankOf(const MedialVoxelIndex & index) const
+  {
+    return this->RankOf((index[0] >> 6) - m_Bits.GetFirstWord(), index[1], index[2], WordType{ 1 } << (index[0] & 63));
+  }
+
 private:
   MedialVoxelBits            m_Bits;
   std::vector<std::uint32_t> m_Before;

@@ -108,6 +108,37 @@ MedialVoxelBoundedGeodesic::SearchBoxOf(const MedialVoxelGrid &  grid,
   return box;
 }
 
+double
+MedialVoxelBoundedGeodesic::LengthWithin(const MedialVoxelGrid &  grid,
+                                         const MedialVoxelIndex & a,
+                                         const MedialVoxelIndex & b,
+                                         const MedialVoxelBox &   box)
+{
+  const MedialVoxelDisplacement difference = Difference(a, b);
+  const auto &                  spacing = grid.GetSpacing();
+  double                        squaredFocus = 0.0;
+  double                        squaredMinor = std::numeric_limits<double>::infinity();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double focus = 0.5 * static_cast<double>(difference[axis]) * spacing[axis];
+    const double center = 0.5 * static_cast<double>(a[axis] + b[axis]);
+    const auto   limit = [&](const double voxels) {
+      const double extent = voxels * spacing[axis];
+      squaredMinor = std::min(squaredMinor, extent * extent - focus * focus);
+    };
+    if (box.lower[axis] > 0)
+    {
+      limit(center - static_cast<double>(box.lower[axis]));
+    }
+    if (box.upper[axis] < grid.GetSize()[axis])
+    {
+      limit(static_cast<double>(box.upper[axis] - 1) - center);
+    }
+    squaredFocus += focus * focus;
+  }
+  return 2.0 * std::sqrt(squaredMinor + squaredFocus) * (1.0 - 4.0 * MedialVoxelResolutionBand);
+}
+
 MedialVoxelBox
 MedialVoxelBoundedGeodesic::GetSearchBox(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
 {

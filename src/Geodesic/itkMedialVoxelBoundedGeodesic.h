@@ -45,6 +45,14 @@ public:
   static MedialVoxelBox
   SearchBoxOf(const MedialVoxelGrid & grid, const MedialVoxelIndex & a, const MedialVoxelIndex & b, double length);
 
+  /** A length for which \a box, which holds both points, holds SearchBoxOf(): nearly the largest one, infinite when it
+   * is the image. */
+  static double
+  LengthWithin(const MedialVoxelGrid &  grid,
+               const MedialVoxelIndex & a,
+               const MedialVoxelIndex & b,
+               const MedialVoxelBox &   box);
+
   /** Voxels that ReachesThreshold() reads. */
   MedialVoxelBox
   GetSearchBox(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;

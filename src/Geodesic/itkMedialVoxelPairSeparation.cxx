@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <limits>
 
 namespace itk
 {
@@ -33,6 +31,21 @@ GroupOf(const MedialVoxelSeparationQuery & query, const unsigned int level)
 }
 
 } // namespace
+
+std::size_t
+MedialVoxelPairSeparation::Workspace::PairHash::operator()(const Pair & pair) const
+{
+  constexpr std::uint64_t multiplier = 0x9E3779B97F4A7C15u;
+  std::uint64_t           hash = 0;
+  for (const MedialVoxelIndex & point : pair)
+  {
+    for (const std::int64_t coordinate : point)
+    {
+      hash = ((hash ^ static_cast<std::uint64_t>(coordinate)) * multiplier) ^ (hash >> 29);
+    }
+  }
+  return static_cast<std::size_t>(hash ^ (hash >> 32));
+}
 
 MedialVoxelPairSeparation::MedialVoxelPairSeparation(const MedialVoxelGrid & grid)
   : m_Grid(grid)
@@ -98,6 +111,10 @@ MedialVoxelPairSeparation::JudgeGroup(const MedialVoxelBits &                   
     joined = std::partition(first, last, [&](const Workspace::Entry & entry) {
       auto & query = queries[entry.query];
       query.isSeparated = !workspace.m_Components.AreConnected(query.a, query.b);
+      if (query.isSeparated)
+      {
+        query.bounds.Narrow({ MedialVoxelBoundedGeodesic::LengthWithin(m_Grid, query.a, query.b, box) });
+      }
       return !query.isSeparated;
     });
   }
@@ -128,29 +145,51 @@ MedialVoxelPairSeparation::IsNear(const MedialVoxelSeparationQuery & query) cons
   return MedialVoxelDualCell(m_Grid).FreeSpaceLength(difference) < query.epsilon;
 }
 
-double
-MedialVoxelPairSeparation::BoundLength(const MedialVoxelBits &            boundary,
-                                       const MedialVoxelSeparationQuery & query,
-                                       Workspace &                        workspace) const
+bool
+MedialVoxelPairSeparation::Reaches(const MedialVoxelBits &      boundary,
+                                   MedialVoxelSeparationQuery & query,
+                                   Workspace &                  workspace) const
 {
   assert(this->IsNear(query));
+  MedialVoxelLengthBounds & known = workspace.m_Lengths[{ { query.a, query.b } }];
+  query.bounds.Narrow(known);
+  if (query.bounds.FallShortOf(query.epsilon) || query.bounds.Reach(query.epsilon))
+  {
+    return query.bounds.Reach(query.epsilon);
+  }
+  const bool reaches = this->Search(boundary, query, workspace, known);
+  query.bounds.Narrow(known);
+  return reaches;
+}
+
+bool
+MedialVoxelPairSeparation::Search(const MedialVoxelBits &            boundary,
+                                  const MedialVoxelSeparationQuery & query,
+                                  Workspace &                        workspace,
+                                  MedialVoxelLengthBounds &          bounds) const
+{
   MedialVoxelPoll();
-  const double         lower = query.epsilon * (1.0 - MedialVoxelResolutionBand);
-  const double         upper = query.epsilon * (1.0 + MedialVoxelResolutionBand);
   const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);
   if (box.Extent(0) <= MedialVoxelPathSearch::LongestRow)
   {
-    const double length = m_Search.FindLength(boundary, box, query.a, query.b, lower, upper, workspace.m_Search);
-    if (length < lower || length > upper)
+    const double enough = query.epsilon * (1.0 - MedialVoxelResolutionBand);
+    const double most = query.epsilon * (1.0 + 2.0 * MedialVoxelResolutionBand);
+    const double length = m_Search.FindLength(boundary, box, query.a, query.b, enough, most, workspace.m_Search);
+    if (length < enough)
     {
-      return length;
+      bounds.Narrow({ 0.0, length * (1.0 + MedialVoxelResolutionBand) });
+      return false;
+    }
+    if (length > most)
+    {
+      bounds.Narrow({ query.epsilon * (1.0 + MedialVoxelResolutionBand) });
+      return true;
     }
   }
   // Rounding matters, or the box is large.
   const MedialVoxelBoundedGeodesic geodesic(m_Grid, query.epsilon);
   geodesic.Begin(boundary, box, workspace.m_Geodesic);
-  return geodesic.ReachesThreshold(query.a, query.b, workspace.m_Geodesic) ? std::numeric_limits<double>::infinity()
-                                                                           : std::nextafter(query.epsilon, 0.0);
+  return geodesic.ReachesThreshold(query.a, query.b, workspace.m_Geodesic);
 }
 
 } // end namespace itk

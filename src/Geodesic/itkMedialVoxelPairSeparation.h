@@ -5,11 +5,14 @@
 
 #include "itkMedialVoxelBoundedGeodesic.h"
 #include "itkMedialVoxelBoxComponents.h"
+#include "itkMedialVoxelLengthBounds.h"
 #include "itkMedialVoxelPathSearch.h"
 #include "itkMedialVoxelProgress.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace itk
@@ -26,6 +29,8 @@ struct MedialVoxelSeparationQuery
   double           epsilon;              ///< in physical units, positive and finite
   std::size_t      cell;                 ///< for the user
   bool             isSeparated{ false }; ///< no path that is shorter than \a epsilon joins the points
+
+  MedialVoxelLengthBounds bounds{}; ///< what is known of the geodesic distance
 };
 
 /** \class MedialVoxelPairSeparation
@@ -47,8 +52,25 @@ public:
    */
   class Workspace
   {
+  public:
+    /** Before the first search on another boundary: pairs that were searched are not searched again. */
+    void
+    Forget()
+    {
+      m_Lengths.clear();
+    }
+
   private:
     friend class MedialVoxelPairSeparation;
+
+    using Pair = std::array<MedialVoxelIndex, 2>;
+
+    struct PairHash
+    {
+      std::size_t
+      operator()(const Pair & pair) const;
+    };
+
 
     struct Entry
     {
@@ -56,6 +78,8 @@ public:
       std::uint64_t  group;
       MedialVoxelBox box;
     };
+
+    std::unordered_map<Pair, MedialVoxelLengthBounds, PairHash> m_Lengths;
 
     std::vector<Entry>                    m_Entries;
     MedialVoxelBoxComponents              m_Components;
@@ -76,13 +100,20 @@ public:
                 Workspace &                               workspace,
                 std::vector<MedialVoxelSeparationQuery> & queries) const;
 
-  /** A length at or above the geodesic distance of the points, below epsilon when that is and otherwise not.
+  /** True when the geodesic distance of the points reaches epsilon; narrows the bounds of the query. Neighboring cells
+   * often have the same pair, for which what was found before serves again.
    *
    * The box of \a boundary holds MedialVoxelBoundedGeodesic::SearchBoxOf() the query. */
-  double
-  BoundLength(const MedialVoxelBits & boundary, const MedialVoxelSeparationQuery & query, Workspace & workspace) const;
+  bool
+  Reaches(const MedialVoxelBits & boundary, MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
 private:
+  bool
+  Search(const MedialVoxelBits &            boundary,
+         const MedialVoxelSeparationQuery & query,
+         Workspace &                        workspace,
+         MedialVoxelLengthBounds &          bounds) const;
+
   /** The precondition of queries. */
   bool
   IsNear(const MedialVoxelSeparationQuery & query) const;

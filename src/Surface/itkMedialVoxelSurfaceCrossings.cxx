@@ -35,12 +35,23 @@ IsAdjacent(const MedialVoxelDisplacement & difference)
   return std::abs(difference[0]) <= 1 && std::abs(difference[1]) <= 1 && std::abs(difference[2]) <= 1;
 }
 
-/** The cell around an edge whose own edge with this number it is. */
-MedialVoxelIndex
-CellAt(const MedialVoxelIndex & voxel, const unsigned int edge)
+/** Calls visit(cell, number) for the cells of a box that an edge is one of, with its number there. */
+template <typename TVisitor>
+void
+ForEachCellAround(const MedialVoxelIndex & voxel,
+                  const unsigned int       axis,
+                  const MedialVoxelBox &   box,
+                  TVisitor &&              visit)
 {
-  const MedialVoxelIndex offset = Topology::OffsetOf(edge);
-  return { { voxel[0] - offset[0], voxel[1] - offset[1], voxel[2] - offset[2] } };
+  for (unsigned int number = 4 * axis; number < 4 * axis + 4; ++number)
+  {
+    const MedialVoxelIndex offset = Topology::OffsetOf(number);
+    const MedialVoxelIndex cell{ { voxel[0] - offset[0], voxel[1] - offset[1], voxel[2] - offset[2] } };
+    if (box.Contains(cell))
+    {
+      visit(cell, number);
+    }
+  }
 }
 
 } // namespace
@@ -49,6 +60,7 @@ MedialVoxelSurfaceCrossings::MedialVoxelSurfaceCrossings(const MedialVoxelGrid &
                                                          const MedialVoxelParameters & parameters)
   : m_Grid(grid)
   , m_Parameters(WithProvedBound(parameters))
+  , m_DecidesTogether(MedialVoxelClassifier::DecidesTogether(grid, parameters))
   , m_Cell(grid)
   , m_Decision(grid, m_Parameters)
   , m_Threshold(grid, m_Parameters)
@@ -63,13 +75,6 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
   workspace.m_Masks.assign(static_cast<std::size_t>(workspace.m_Cells.NumberOfVoxels()), 0);
   workspace.m_Edges.clear();
   workspace.m_Queries.clear();
-  const bool isAutomatic = m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
-  if (isAutomatic)
-  {
-    workspace.m_EpsilonBox = workspace.m_Cells.Expanded({ { 1, 1, 1 } }).Intersection(m_Grid.GetCellBox());
-    m_Threshold.Compute(
-      *tile.window.object, tile.features, workspace.m_EpsilonBox, workspace.m_Threshold, workspace.m_Epsilons);
-  }
   const MedialVoxelBox voxels = tile.classifier.GetCornerBox(tile.box);
   MedialVoxelBox       missing;
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
@@ -88,7 +93,7 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
       }
     }
   }
-  return isAutomatic ? this->DecideQueries(tile, workspace) : missing;
+  return m_DecidesTogether ? this->DecideTogether(tile, workspace) : missing;
 }
 
 void
@@ -107,7 +112,6 @@ MedialVoxelSurfaceCrossings::FindInRow(const MedialVoxelClassifiedTile & tile,
   const std::size_t  toOther = features.OffsetOf(voxels.lower[0] + step[0], row.y + step[1], row.z + step[2]) - first;
   const std::int64_t end = voxels.upper[0] - step[0];
   const bool         edgesAreTrivial = m_Grid.GetLongestEdge() < m_Parameters.epsilon;
-  const bool         isAutomatic = m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
 
   for (std::int64_t word = voxels.lower[0] >> 6; word <= (voxels.upper[0] - 1) >> 6; ++word)
   {
@@ -130,10 +134,10 @@ MedialVoxelSurfaceCrossings::FindInRow(const MedialVoxelClassifiedTile & tile,
         continue;
       }
       pair.a = { { x + pair.displacement[0], row.y + pair.displacement[1], row.z + pair.displacement[2] } };
-      const Workspace::Edge edge{ { { x, row.y, row.z } }, row.axis };
-      if (isAutomatic)
+      const Workspace::Edge edge{ { { x, row.y, row.z } }, row.axis, false };
+      if (m_DecidesTogether)
       {
-        this->DecideAutomatic(tile, edge, pair, workspace);
+        this->AddEdge(tile, edge, pair, workspace);
       }
       else
       {
@@ -151,66 +155,116 @@ MedialVoxelSurfaceCrossings::DecideFixed(const MedialVoxelClassifiedTile & tile,
                                          MedialVoxelBox &                  missing) const
 {
   if (!m_Cell.IsTrivial(pair.difference, m_Parameters.epsilon) &&
-      m_Decision.Decide(*tile.window.sites, pair, tile.geodesic, missing) != MedialVoxelLabel::NonMedial)
+      m_Decision.Decide(*tile.window.sites, pair, tile.classification.geodesic, missing) != MedialVoxelLabel::NonMedial)
   {
     Mark(edge, workspace);
   }
 }
 
-/** Decide an edge by the smallest threshold and by bounds, or make a query of it. */
+/** Make a query of an edge that the smallest threshold does not decide. */
 void
-MedialVoxelSurfaceCrossings::DecideAutomatic(const MedialVoxelClassifiedTile & tile,
-                                             const Workspace::Edge &           edge,
-                                             const MedialVoxelPair &           pair,
-                                             Workspace &                       workspace) const
+MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
+                                     Workspace::Edge                   edge,
+                                     const MedialVoxelPair &           pair,
+                                     Workspace &                       workspace) const
 {
-  const double epsilon = this->EpsilonOf(edge, workspace);
-  if (m_Cell.IsTrivial(pair.difference, epsilon))
+  using Result = MedialVoxelBitFlood::Result;
+  if (m_Cell.IsTrivial(pair.difference, m_Parameters.epsilon))
   {
     return;
   }
-  const auto atFloor = m_Flood.Decide(*tile.window.sites, pair.a, pair.difference);
-  if (atFloor == MedialVoxelBitFlood::Result::FallsShort)
+  const Result atFloor = m_Flood.Decide(*tile.window.sites, pair.a, pair.difference);
+  if (atFloor != Result::FallsShort)
   {
-    return;
+    edge.isAtFloor = atFloor != Result::Undecided;
+    workspace.m_Queries.push_back({ pair.a, pair.GetB(), m_Parameters.epsilon, workspace.m_Edges.size() });
+    workspace.m_Edges.push_back(edge);
   }
-  const bool isDecided = epsilon == m_Parameters.epsilon && atFloor != MedialVoxelBitFlood::Result::Undecided;
-  if (isDecided || m_Cell.FreeSpaceLength(pair.difference) >= epsilon)
-  {
-    Mark(edge, workspace);
-    return;
-  }
-  MedialVoxelSeparationQuery query;
-  query.a = pair.a;
-  query.b = { { pair.a[0] - pair.difference[0], pair.a[1] - pair.difference[1], pair.a[2] - pair.difference[2] } };
-  query.epsilon = epsilon;
-  query.cell = workspace.m_Edges.size();
-  workspace.m_Edges.push_back(edge);
-  workspace.m_Queries.push_back(query);
 }
 
+/** Decide the edges of all queries. */
 MedialVoxelBox
-MedialVoxelSurfaceCrossings::DecideQueries(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
+MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
 {
+  auto & queries = workspace.m_Queries;
+  this->FindThresholds(tile, workspace);
+  MedialVoxelPollCounter poll;
+  const auto             isDecided = [&](MedialVoxelSeparationQuery & query) {
+    poll.Count();
+    return this->DecideAtOnce(tile, query, workspace);
+  };
+  queries.erase(std::remove_if(queries.begin(), queries.end(), isDecided), queries.end());
   const MedialVoxelBits & sites = *tile.window.sites;
   const MedialVoxelBox    missing =
-    m_Separation.FindSeparated(sites, tile.progress, workspace.m_Separation, workspace.m_Queries);
+    m_Separation.FindSeparated(sites, tile.progress, tile.classification.joint.GetSeparation(), queries);
   if (!missing.IsEmpty())
   {
     return missing;
   }
-  for (const MedialVoxelSeparationQuery & query : workspace.m_Queries)
+  for (auto query = queries.begin(); query != queries.end() && !tile.progress.IsAborted(); ++query)
   {
-    if (tile.progress.IsAborted())
+    if (query->isSeparated || m_Separation.Reaches(sites, *query, tile.classification.joint.GetSeparation()))
     {
-      break;
-    }
-    if (query.isSeparated || m_Separation.BoundLength(sites, query, workspace.m_Separation) >= query.epsilon)
-    {
-      Mark(workspace.m_Edges[query.cell], workspace);
+      Mark(workspace.m_Edges[query->cell], workspace);
     }
   }
   return {};
+}
+
+/** Find the thresholds of the cells around the edges of queries. */
+void
+MedialVoxelSurfaceCrossings::FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
+{
+  if (!this->IsAutomatic() || workspace.m_Edges.empty())
+  {
+    return;
+  }
+  const MedialVoxelBox cellBox = m_Grid.GetCellBox();
+  auto &               cells = workspace.m_Threshold.cells;
+  cells.Reshape(workspace.m_Cells.Expanded({ { 1, 1, 1 } }).Intersection(cellBox));
+  for (const Workspace::Edge & edge : workspace.m_Edges)
+  {
+    ForEachCellAround(
+      edge.voxel, edge.axis, cellBox, [&](const MedialVoxelIndex & cell, unsigned int) { cells.Set(cell); });
+  }
+  cells.Rank();
+  m_Threshold.Compute(*tile.window.object, tile.features, workspace.m_Threshold);
+}
+
+/** Decide a query by its threshold, which it gets, by bounds, and by what is known of its cells; false if they do not
+ * suffice. */
+bool
+MedialVoxelSurfaceCrossings::DecideAtOnce(const MedialVoxelClassifiedTile & tile,
+                                          MedialVoxelSeparationQuery &      query,
+                                          Workspace &                       workspace) const
+{
+  const Workspace::Edge & edge = workspace.m_Edges[query.cell];
+  ForEachCellAround(edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) {
+    query.epsilon = std::max(query.epsilon, this->EpsilonOf(cell, workspace));
+  });
+  MedialVoxelDisplacement difference;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    difference[axis] = query.a[axis] - query.b[axis];
+  }
+  if (m_Cell.IsTrivial(difference, query.epsilon))
+  {
+    return true;
+  }
+  if ((edge.isAtFloor && query.epsilon == m_Parameters.epsilon) || m_Cell.FreeSpaceLength(difference) >= query.epsilon)
+  {
+    Mark(edge, workspace);
+    return true;
+  }
+  ForEachCellAround(edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) {
+    tile.classifier.NarrowByCell(tile.classification, cell, query.a, query.b, query.bounds);
+  });
+  if (query.bounds.Reach(query.epsilon))
+  {
+    Mark(edge, workspace);
+    return true;
+  }
+  return query.bounds.FallShortOf(query.epsilon);
 }
 
 MedialVoxelSurfaceTopology::Split
@@ -223,14 +277,9 @@ MedialVoxelSurfaceCrossings::FindSplit(const MedialVoxelClassifiedTile & tile,
   const unsigned int normal = direction / 2;
   MedialVoxelIndex   first = cell;
   first[normal] += direction % 2;
-  double epsilon = m_Parameters.epsilon;
-  if (m_Parameters.mode == MedialVoxelThicknessMode::Automatic)
-  {
-    MedialVoxelIndex behind = cell;
-    behind[normal] += direction % 2 == 0 ? -1 : 1;
-    epsilon = std::max(workspace.m_Epsilons[workspace.m_EpsilonBox.OffsetOf(cell)],
-                       workspace.m_Epsilons[workspace.m_EpsilonBox.OffsetOf(behind)]);
-  }
+  MedialVoxelIndex behind = cell;
+  behind[normal] += direction % 2 == 0 ? -1 : 1;
+  const double epsilon = std::max(this->EpsilonOf(cell, workspace), this->EpsilonOf(behind, workspace));
   // The pairs across from each other: that of the first voxel, and the other one.
   bool   isApart[2];
   double squared[2];
@@ -273,9 +322,9 @@ MedialVoxelSurfaceCrossings::AreApart(const MedialVoxelClassifiedTile & tile,
     return false;
   }
   const MedialVoxelBits & sites = *tile.window.sites;
-  if (m_Parameters.mode != MedialVoxelThicknessMode::Automatic)
+  if (!m_DecidesTogether)
   {
-    return m_Decision.Decide(sites, pair, tile.geodesic, missing) != MedialVoxelLabel::NonMedial;
+    return m_Decision.Decide(sites, pair, tile.classification.geodesic, missing) != MedialVoxelLabel::NonMedial;
   }
   if (m_Cell.FreeSpaceLength(pair.difference) >= epsilon)
   {
@@ -283,45 +332,34 @@ MedialVoxelSurfaceCrossings::AreApart(const MedialVoxelClassifiedTile & tile,
   }
   auto & queries = workspace.m_QueryOfSplit;
   queries.assign(1, { pair.a, pair.GetB(), epsilon, 0 });
-  const MedialVoxelBox unknown = m_Separation.FindSeparated(sites, tile.progress, workspace.m_Separation, queries);
+  const MedialVoxelBox unknown =
+    m_Separation.FindSeparated(sites, tile.progress, tile.classification.joint.GetSeparation(), queries);
   if (!unknown.IsEmpty())
   {
     missing = missing.Union(unknown);
     return false;
   }
-  return queries[0].isSeparated || m_Separation.BoundLength(sites, queries[0], workspace.m_Separation) >= epsilon;
+  return queries[0].isSeparated || m_Separation.Reaches(sites, queries[0], tile.classification.joint.GetSeparation());
 }
 
 /** Set the bit of a crossed edge at the cells around it that the tile has. */
 void
 MedialVoxelSurfaceCrossings::Mark(const Workspace::Edge & edge, Workspace & workspace)
 {
-  for (unsigned int number = 4 * edge.axis; number < 4 * edge.axis + 4; ++number)
-  {
-    const MedialVoxelIndex cell = CellAt(edge.voxel, number);
-    if (workspace.m_Cells.Contains(cell))
-    {
+  ForEachCellAround(
+    edge.voxel, edge.axis, workspace.m_Cells, [&](const MedialVoxelIndex & cell, const unsigned int number) {
       EdgeMask & mask = workspace.m_Masks[workspace.OffsetOf(cell)];
       mask = static_cast<EdgeMask>(mask | (1u << number));
-    }
-  }
+    });
 }
 
-/** The largest threshold of the cells around an edge. */
+/** The threshold of a cell around an edge that was a query. */
 double
-MedialVoxelSurfaceCrossings::EpsilonOf(const Workspace::Edge & edge, const Workspace & workspace) const
+MedialVoxelSurfaceCrossings::EpsilonOf(const MedialVoxelIndex & cell, const Workspace & workspace) const
 {
-  const MedialVoxelBox & box = workspace.m_EpsilonBox;
-  double                 epsilon = m_Parameters.epsilon;
-  for (unsigned int number = 4 * edge.axis; number < 4 * edge.axis + 4; ++number)
-  {
-    const MedialVoxelIndex cell = CellAt(edge.voxel, number);
-    if (box.Contains(cell))
-    {
-      epsilon = std::max(epsilon, workspace.m_Epsilons[box.OffsetOf(cell)]);
-    }
-  }
-  return epsilon;
+  const auto & threshold = workspace.m_Threshold;
+  return this->IsAutomatic() ? m_Threshold.EpsilonOf(threshold.radii[threshold.cells.RankOf(cell)])
+                             : m_Parameters.epsilon;
 }
 
 std::uint64_t

@@ -50,6 +50,7 @@ public:
     {
       MedialVoxelIndex voxel;
       unsigned int     axis;
+      bool             isAtFloor; // known to reach the smallest threshold
     };
 
     std::size_t
@@ -61,15 +62,11 @@ public:
     MedialVoxelBox        m_Cells;
     std::vector<EdgeMask> m_Masks;
 
-    /** With an automatic thickness: the thresholds of the cells of the tile and around it, and the edges that no bound
-     * decides. */
-    MedialVoxelBox                          m_EpsilonBox;
-    std::vector<double>                     m_Epsilons;
+    /** Where edges are decided together: those that no flood decides, and what must be known of their cells. */
     MedialVoxelLocalThreshold::Workspace    m_Threshold;
     std::vector<Edge>                       m_Edges;
     std::vector<MedialVoxelSeparationQuery> m_Queries;
     std::vector<MedialVoxelSeparationQuery> m_QueryOfSplit;
-    MedialVoxelPairSeparation::Workspace    m_Separation;
   };
 
   /** \param grid        the image in the units in which its cells are classified
@@ -123,13 +120,19 @@ private:
               MedialVoxelBox &                  missing) const;
 
   void
-  DecideAutomatic(const MedialVoxelClassifiedTile & tile,
-                  const Workspace::Edge &           edge,
-                  const MedialVoxelPair &           pair,
-                  Workspace &                       workspace) const;
+  AddEdge(const MedialVoxelClassifiedTile & tile,
+          Workspace::Edge                   edge,
+          const MedialVoxelPair &           pair,
+          Workspace &                       workspace) const;
 
   MedialVoxelBox
-  DecideQueries(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+  DecideTogether(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+
+  void
+  FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+
+  bool
+  DecideAtOnce(const MedialVoxelClassifiedTile & tile, MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
   bool
   AreApart(const MedialVoxelClassifiedTile & tile,
@@ -142,10 +145,17 @@ private:
   Mark(const Workspace::Edge & edge, Workspace & workspace);
 
   double
-  EpsilonOf(const Workspace::Edge & edge, const Workspace & workspace) const;
+  EpsilonOf(const MedialVoxelIndex & cell, const Workspace & workspace) const;
+
+  bool
+  IsAutomatic() const
+  {
+    return m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
+  }
 
   MedialVoxelGrid           m_Grid;
   MedialVoxelParameters     m_Parameters;
+  bool                      m_DecidesTogether;
   MedialVoxelDualCell       m_Cell;
   MedialVoxelPairDecision   m_Decision;
   MedialVoxelLocalThreshold m_Threshold;

@@ -10,6 +10,23 @@
 namespace itk
 {
 
+namespace
+{
+
+/** Vectors that double would take twice the memory. */
+void
+Append(const MedialVoxelSurfaceCell & cell, std::vector<MedialVoxelSurfaceCell> & cells)
+{
+  if (cells.size() == cells.capacity())
+  {
+    constexpr std::size_t least = 64;
+    cells.reserve(cells.size() + std::max(least, cells.size() / 4));
+  }
+  cells.push_back(cell);
+}
+
+} // namespace
+
 struct MedialVoxelSurfaceObserver::Worker : public Workspace
 {
   MedialVoxelSurfaceCells::Workspace  kernel;
@@ -88,7 +105,7 @@ MedialVoxelSurfaceObserver::Observe(const MedialVoxelClassifiedTile &, Workspace
     {
       m_Pending.resize(slice + 1);
     }
-    m_Pending[slice].push_back(cell);
+    Append(cell, m_Pending[slice]);
   }
   m_NumberOfPending += cells.size();
   if (m_NumberOfPending > m_MaximumNumberOfCells && m_Pending.size() > 1)

@@ -22,8 +22,9 @@ constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 constexpr std::uint64_t VoxelsPerCellInWork = 3;
 constexpr std::uint64_t BytesPerCellInWork = 152;
 
-/** A cell that waits for its piece to be done, in a vector that grows. */
-constexpr std::uint64_t BytesPerPendingCell = 2 * sizeof(itk::MedialVoxelSurfaceCell);
+/** A cell that waits for its piece to be done, in a vector that grows by a quarter. */
+constexpr std::uint64_t BytesPerPendingCell = sizeof(itk::MedialVoxelSurfaceCell) * 5 / 4;
+static_assert(BytesPerPendingCell <= 8 * SurfaceMesh::MostBytesPerVoxel);
 
 /** What reading the scratch files for a writer takes. */
 constexpr std::uint64_t BytesOfWriting = 8 * MiB;
@@ -31,7 +32,7 @@ constexpr std::uint64_t BytesOfWriting = 8 * MiB;
 /** Of surfaces that are planned for, whose tables and scratch files hold all vertices; there are as many faces. */
 constexpr std::uint64_t VoxelsPerVertex = 64;
 
-/** Cells that may wait; pieces that find more are done in smaller ones. */
+/** Cells that may wait at least; pieces that find more than fit are done in smaller ones. */
 std::uint64_t
 GetPendingCells(const VolumeGeometry & geometry)
 {
@@ -108,7 +109,8 @@ GetCleaning(const ExtractOptions & options)
 
 SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
                          const VolumeGeometry &       geometry,
-                         const itk::MedialVoxelGrid & grid)
+                         const itk::MedialVoxelGrid & grid,
+                         const std::uint64_t          surplusBytes)
   : m_Format(GetSurfaceFormat(options.meshFile))
   , m_AsTriangles(options.meshTriangles)
   , m_SectionWidth(
@@ -117,7 +119,7 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry)))
   , m_Observer(grid, GetParameters(options, grid), GetSpacing(geometry), GetPlacement(geometry), *this)
 {
-  m_Observer.SetMaximumNumberOfCells(GetPendingCells(geometry));
+  m_Observer.SetMaximumNumberOfCells(GetPendingCells(geometry) + surplusBytes / BytesPerPendingCell);
   m_Cleaning.memoryBytes = GetCleaningBytes(m_Cleaning, GetPlannedVertices(geometry));
   if (options.subVoxel)
   {

@@ -27,8 +27,17 @@ namespace medialvoxel
 class SurfaceMesh : private itk::MedialVoxelSurfaceConsumer
 {
 public:
-  /** \param grid  the image in the units of the options */
-  SurfaceMesh(const ExtractOptions & options, const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid);
+  /** Bytes that cells of the surface take until their piece is done, for each voxel of the piece: one cell for each 8
+   * voxels is more than there are, one for 64 is planned for. */
+  static constexpr std::uint64_t MostBytesPerVoxel = 8;
+  static constexpr std::uint64_t PlannedBytesPerVoxel = 1;
+
+  /** \param grid          the image in the units of the options
+   * \param surplusBytes  for cells that wait until their piece is done, beside GetBytes() */
+  SurfaceMesh(const ExtractOptions &       options,
+              const VolumeGeometry &       geometry,
+              const itk::MedialVoxelGrid & grid,
+              std::uint64_t                surplusBytes);
 
   /** Sees the tiles of the pieces; may ask for more sites. */
   itk::MedialVoxelTileObserver &

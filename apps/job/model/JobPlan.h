@@ -45,6 +45,7 @@ struct JobPlan
 
   std::uint64_t fixedBytes{ 0 };       ///< memory that depends neither on pieces nor on windows
   std::uint64_t bytesPerSlice{ 0 };    ///< results
+  std::uint64_t surplusBytes{ 0 };     ///< for what waits until a piece is done, counted in fixedBytes
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
   std::uint64_t numberOfFilters{ 1 };  ///< that keep windows
 

@@ -77,6 +77,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   {
     extraction.observerBytesPerVoxel += itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(extraction.parameters);
     footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
+    footprint.surplus = { SurfaceMesh::MostBytesPerVoxel, SurfaceMesh::PlannedBytesPerVoxel };
     footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
   }
   AddEngine(footprint, header, extraction);
@@ -117,7 +118,8 @@ public:
     m_Summary = std::make_unique<ExtractSummary>(options, m_Run.GetSurvey(), m_Outputs);
     if (m_MeshFile)
     {
-      m_Mesh = std::make_unique<SurfaceMesh>(options, result.input.geometry, GetGrid(options, result.input));
+      m_Mesh = std::make_unique<SurfaceMesh>(
+        options, result.input.geometry, GetGrid(options, result.input), result.plan.surplusBytes);
       m_Run.AddObserver(m_Mesh->GetObserver());
     }
   }

@@ -182,6 +182,19 @@ TryScratch(JobPlan & plan, const Request & request)
   return TrySlabs(plan, request);
 }
 
+/** A part of the memory that is left is for what waits until a piece is done. */
+void
+AddSurplus(JobPlan & plan, const Request & request)
+{
+  constexpr std::uint64_t shareOfRest = 4;
+  const PieceSurplus &    surplus = request.footprint.surplus;
+  const std::uint64_t     voxels = plan.GetMaximumSlices() * request.header.geometry.GetVoxelsPerSlice();
+  const std::uint64_t     rest = plan.memoryLimit - plan.memoryBytes;
+  plan.surplusBytes = std::min(rest / shareOfRest, voxels * surplus.mostBytesPerVoxel);
+  plan.fixedBytes += plan.surplusBytes;
+  plan.memoryBytes += std::min(plan.surplusBytes, voxels * surplus.plannedBytesPerVoxel);
+}
+
 [[noreturn]] void
 RefuseLackOfMemory(const JobPlan & plan, const Request & request)
 {
@@ -215,19 +228,18 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   plan.bytesPerSlice = header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
   plan.numberOfFilters = footprint.engines.size();
   plan.memoryLimit = std::min(wanted, GetRestOfLimits());
-  if (TryScratch(plan, request))
-  {
-    return plan;
-  }
-  if (!options.threads)
+  bool fits = TryScratch(plan, request);
+  if (!fits && !options.threads)
   {
     plan.threads = 1;
-    if (TryScratch(plan, request))
-    {
-      return plan;
-    }
+    fits = TryScratch(plan, request);
   }
-  RefuseLackOfMemory(plan, request);
+  if (!fits)
+  {
+    RefuseLackOfMemory(plan, request);
+  }
+  AddSurplus(plan, request);
+  return plan;
 }
 
 } // end namespace medialvoxel

@@ -16,11 +16,20 @@
 namespace medialvoxel
 {
 
+/** What a piece finds and keeps until it is done, in bytes for each of its voxels. Pieces that find more than memory
+ * allows are done in smaller ones. */
+struct PieceSurplus
+{
+  std::uint64_t mostBytesPerVoxel{ 0 };
+  std::uint64_t plannedBytesPerVoxel{ 0 };
+};
+
 /** What a job keeps in memory at the same time, and on the disk beside its outputs. */
 struct PieceFootprint
 {
   std::uint64_t        bytesPerVoxel{ 1 };   ///< results of a piece
   std::uint64_t        bytesBeside{ 0 };     ///< what does not depend on pieces
+  PieceSurplus         surplus;              ///< what waits for its piece to be done
   std::uint64_t        preferredSlices{ 1 }; ///< pieces have a multiple of it where they can: a layer of chunks
   itk::MedialVoxelGrid grid;
   ScratchSpace         scratch; ///< of files that grow with the results

@@ -55,6 +55,7 @@ PieceObserver
 PieceLoop::GetObserver()
 {
   return [this](double fraction) {
+    m_FractionOfPiece = fraction;
     const double slices = static_cast<double>(m_DoneSlices) + fraction * static_cast<double>(m_SlicesOfPiece);
     const double done = slices / static_cast<double>(m_SlicesToDo * m_EnginesPerPiece);
     m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation) * done);
@@ -92,7 +93,7 @@ PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & wri
     }
     catch (const itk::MedialVoxelMemoryError & error)
     {
-      this->ShortenPieces(engine, "memory of windows");
+      this->ShortenPieces(engine, 0.5, "memory of windows");
       const std::uint64_t limit = m_Plan.GetFilterLimit(m_SlicesAtOnce);
       if (limit <= error.GetAllowedBytes())
       {
@@ -104,16 +105,18 @@ PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & wri
     }
     catch (const itk::MedialVoxelSurfacePieceError &)
     {
-      this->ShortenPieces(engine, "memory of the surface");
+      // What fitted, with room for parts that have more of it.
+      this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfPiece, 0.125, 0.5), "memory of the surface");
     }
   }
   return sums;
 }
 
 void
-PieceLoop::ShortenPieces(const PieceEngine & engine, const char * reason)
+PieceLoop::ShortenPieces(const PieceEngine & engine, const double share, const char * reason)
 {
-  m_SlicesAtOnce = std::max<std::uint64_t>(1, m_SlicesAtOnce / 2);
+  const double slices = share * static_cast<double>(m_SlicesAtOnce);
+  m_SlicesAtOnce = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(slices));
   m_Sink.Record(
     { LogLevel::Warning,
       "shorten",
@@ -125,6 +128,7 @@ PieceLoop::RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehin
 {
   this->ThrowIfStopRequested();
   m_SlicesOfPiece = slices.end - slices.begin;
+  m_FractionOfPiece = 0.0;
   const auto   start = JobClock::now();
   PieceResults results;
   try

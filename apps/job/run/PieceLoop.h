@@ -56,9 +56,9 @@ private:
   void
   RecordPiece(const PieceEngine & engine, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
 
-  /** Halves the slices that are done at once. */
+  /** Takes a share of the slices that are done at once. */
   void
-  ShortenPieces(const PieceEngine & engine, const char * reason);
+  ShortenPieces(const PieceEngine & engine, double share, const char * reason);
 
   JobPlan        m_Plan;
   std::uint64_t  m_SlicesAtOnce;
@@ -70,6 +70,7 @@ private:
   double         m_ShareOfPreparation{ 0.0 };
   std::uint64_t  m_DoneSlices{ 0 };
   std::uint64_t  m_SlicesOfPiece{ 0 };
+  double         m_FractionOfPiece{ 0.0 }; // that is done
 };
 
 } // end namespace medialvoxel
