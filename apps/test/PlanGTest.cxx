@@ -200,9 +200,9 @@ TEST(Plan, ShorterPiecesLeaveMoreToTheFilters)
   const JobPlan       plan = MakePlanFor(options, header, 13);
   const std::uint64_t slices = plan.GetMaximumSlices();
   ASSERT_GT(slices, 1u);
-  const std::uint64_t limit = plan.GetFilterLimit(slices);
+  const std::uint64_t limit = plan.GetEngineLimit(slices);
   EXPECT_EQ(limit + slices * plan.bytesPerSlice + plan.fixedBytes, 150 * MiB);
-  EXPECT_EQ(plan.GetFilterLimit(slices - 1), limit + plan.bytesPerSlice);
+  EXPECT_EQ(plan.GetEngineLimit(slices - 1), limit + plan.bytesPerSlice);
   // 0 would be without limit.
-  EXPECT_EQ(plan.GetFilterLimit(1000000), 1u);
+  EXPECT_EQ(plan.GetEngineLimit(1000000), 1u);
 }

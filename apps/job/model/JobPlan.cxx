@@ -26,14 +26,14 @@ JobPlan::GetPiece(std::uint64_t piece) const
 }
 
 std::uint64_t
-JobPlan::GetFilterLimit(std::uint64_t slices) const
+JobPlan::GetEngineLimit(std::uint64_t slices) const
 {
   if (memoryLimit == NoMemoryLimit)
   {
     return 0;
   }
   const std::uint64_t other = fixedBytes + this->GetResultBytes(slices);
-  return std::max<std::uint64_t>(1, (memoryLimit - std::min(memoryLimit, other)) / numberOfFilters);
+  return std::max<std::uint64_t>(1, (memoryLimit - std::min(memoryLimit, other)) / numberOfEngines);
 }
 
 std::uint64_t

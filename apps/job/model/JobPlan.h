@@ -38,7 +38,7 @@ struct JobPlan
   std::uint64_t divisions{ 1 };
   std::uint64_t sliceUnit{ 1 }; ///< pieces, but the last one, have a multiple of it
   unsigned int  threads{ 1 };
-  std::uint64_t slabThickness{ 0 }; ///< slices that the filters process between two pulls of input; 0: they choose
+  std::uint64_t slabThickness{ 0 }; ///< slices that the engines process between two pulls of input; 0: they choose
   std::uint64_t slabSlices{ 1 };    ///< the same, or what they choose
   std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
   std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
@@ -47,7 +47,7 @@ struct JobPlan
   std::uint64_t bytesPerSlice{ 0 };    ///< results
   std::uint64_t surplusBytes{ 0 };     ///< for what waits until a piece is done, counted in fixedBytes
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
-  std::uint64_t numberOfFilters{ 1 };  ///< that keep windows
+  std::uint64_t numberOfEngines{ 1 };  ///< that keep windows
 
   ScratchSpace          growingScratch; ///< of files that grow with the results, as planned
   std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
@@ -56,9 +56,9 @@ struct JobPlan
   SliceRange
   GetPiece(std::uint64_t piece) const;
 
-  /** Memory for the windows and threads of each filter beside the results of so many slices; 0 is without limit. */
+  /** Memory for the windows and threads of each engine beside the results of so many slices; 0 is without limit. */
   std::uint64_t
-  GetFilterLimit(std::uint64_t slices) const;
+  GetEngineLimit(std::uint64_t slices) const;
 
   /** Memory of the results when pieces have so many slices. */
   std::uint64_t

@@ -19,14 +19,14 @@ namespace
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
-// Measured on whole runs: the process without work, and a thread beside what its filter plans for it.
+// Measured on whole runs: the process without work, and a thread beside what its engine plans for it.
 constexpr std::uint64_t BytesOfProgram = 15 * MiB;
 constexpr std::uint64_t BytesPerThread = 1 * MiB;
 
 /** Beside the mask, and beside what the format of the volume needs. */
 constexpr std::uint64_t BytesOfUnpacking = 3 * MiB;
 
-/** The filter pulls input in whole slices of at least this many bytes. */
+/** An engine pulls input in whole slices of at least this many bytes. */
 constexpr std::uint64_t BytesPerPull = 1 * MiB;
 
 /** Results of a piece when nothing else limits them; larger ones gain nothing. */
@@ -84,9 +84,9 @@ MakeEngine(const JobPlan & plan, const Request & request, itk::MedialVoxelEngine
   return std::make_unique<const itk::MedialVoxelEngine>(request.footprint.grid, settings);
 }
 
-/** Windows and threads of all filters, for walls of up to PlannedWallThickness. */
+/** Windows and threads of all engines, for walls of up to PlannedWallThickness. */
 std::uint64_t
-EstimateFilters(const JobPlan & plan, const Request & request)
+EstimateEngines(const JobPlan & plan, const Request & request)
 {
   std::uint64_t bytes = 0;
   for (const auto & settings : request.footprint.engines)
@@ -111,7 +111,7 @@ bool
 TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
 {
   plan.fixedBytes = EstimateFixedMemory(plan, request);
-  const std::uint64_t least = plan.fixedBytes + EstimateFilters(plan, request);
+  const std::uint64_t least = plan.fixedBytes + EstimateEngines(plan, request);
   const std::uint64_t rest = plan.memoryLimit - std::min(plan.memoryLimit, least);
   if (request.options.divisions)
   {
@@ -119,7 +119,7 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
   }
   else
   {
-    // Most of the rest is for the filters, should walls be thicker than planned.
+    // Most of the rest is for the engines, should walls be thicker than planned.
     const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), BytesOfPiece);
     const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
     plan.sliceUnit = slices < request.footprint.preferredSlices ? 1 : request.footprint.preferredSlices;
@@ -144,7 +144,7 @@ TrySlabs(JobPlan & plan, const Request & request)
   plan.slabThickness = 0;
   const std::uint64_t preferred = GetPreferredSlabThickness(plan, request);
   plan.slabSlices = preferred;
-  plan.writesBehind = plan.numberOfFilters == 1;
+  plan.writesBehind = plan.numberOfEngines == 1;
   if (plan.writesBehind && TryDivisions(plan, request, preferred) && GainsFromWritingBehind(plan))
   {
     return true;
@@ -226,7 +226,7 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   plan.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   plan.numberOfSlices = header.geometry.size.back();
   plan.bytesPerSlice = header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
-  plan.numberOfFilters = footprint.engines.size();
+  plan.numberOfEngines = footprint.engines.size();
   plan.memoryLimit = std::min(wanted, GetRestOfLimits());
   bool fits = TryScratch(plan, request);
   if (!fits && !options.threads)

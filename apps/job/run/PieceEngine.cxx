@@ -54,7 +54,7 @@ PieceEngine::PieceEngine(InputVolume &                      input,
   , m_Observer(observer)
 {
   m_Settings.slabThickness = static_cast<std::int64_t>(plan.slabThickness);
-  m_Settings.memoryLimit = plan.GetFilterLimit(plan.GetMaximumSlices());
+  m_Settings.memoryLimit = plan.GetEngineLimit(plan.GetMaximumSlices());
   m_Settings.numberOfWorkers = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
 }
 

@@ -94,7 +94,7 @@ PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & wri
     catch (const itk::MedialVoxelMemoryError & error)
     {
       this->ShortenPieces(engine, 0.5, "memory of windows");
-      const std::uint64_t limit = m_Plan.GetFilterLimit(m_SlicesAtOnce);
+      const std::uint64_t limit = m_Plan.GetEngineLimit(m_SlicesAtOnce);
       if (limit <= error.GetAllowedBytes())
       {
         throw;
