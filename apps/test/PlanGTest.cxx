@@ -191,7 +191,7 @@ TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)
   EXPECT_TRUE(isSingle);
 }
 
-TEST(Plan, ShorterPiecesLeaveMoreToTheFilters)
+TEST(Plan, ShorterPiecesLeaveMoreToTheEngines)
 {
   const VolumeHeader header = MakeHeader({ 500, 500, 500 });
   JobOptions         options;
@@ -205,4 +205,33 @@ TEST(Plan, ShorterPiecesLeaveMoreToTheFilters)
   EXPECT_EQ(plan.GetEngineLimit(slices - 1), limit + plan.bytesPerSlice);
   // 0 would be without limit.
   EXPECT_EQ(plan.GetEngineLimit(1000000), 1u);
+}
+
+TEST(Plan, WhatWaitsForItsPieceGetsAPartOfTheMemoryThatIsLeft)
+{
+  const VolumeHeader header = MakeHeader({ 300, 300, 300 });
+  JobOptions         options;
+  options.threads = 1;
+  std::uint64_t before = 0;
+  bool          isLimited = false;
+  for (const std::uint64_t memory : { 40, 60, 100, 400, 4000 })
+  {
+    options.memoryBytes = memory * MiB;
+    const JobPlan  without = MakePlanFor(options, header, 1);
+    PieceFootprint footprint = MakeFootprint(header, 1);
+    footprint.surplus = { 8, 1 };
+    const JobPlan       plan = MakePlan(options, header, {}, footprint);
+    const std::uint64_t slices = plan.GetMaximumSlices();
+    const std::uint64_t most = 8 * slices * header.geometry.GetVoxelsPerSlice();
+    EXPECT_EQ(slices, without.GetMaximumSlices());
+    EXPECT_EQ(plan.surplusBytes, std::min(most, (memory * MiB - without.memoryBytes) / 4));
+    EXPECT_EQ(plan.fixedBytes, without.fixedBytes + plan.surplusBytes);
+    EXPECT_EQ(plan.memoryBytes, without.memoryBytes + std::min(plan.surplusBytes, most / 8));
+    EXPECT_LE(plan.memoryBytes, memory * MiB);
+    EXPECT_GE(plan.surplusBytes, before);
+    before = plan.surplusBytes;
+    isLimited |= plan.surplusBytes < most;
+  }
+  EXPECT_TRUE(isLimited);
+  EXPECT_GT(before, 0u);
 }
