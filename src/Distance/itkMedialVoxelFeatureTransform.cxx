@@ -120,6 +120,10 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
     }
   }
   tile.FindRemainingBox();
+  if (!known.Contains(tile.remainingBox))
+  {
+    return known.Union(tileBox);
+  }
   const bool isLeft = !tile.remainingBox.IsEmpty();
   if (isLeft && !(m_Grid.HasEqualSpacing() && this->SearchSlices(tile, workspace.m_Slices)))
   {
