@@ -70,7 +70,7 @@ namespace itk
  * negative of what is measured there, zero elsewhere. The geometry of this image is that of the labels.
  * MedialVoxelThickness tells how it is measured: walls parallel to an axis exactly, others to a layer of voxels.
  * SubvoxelThicknessOn() measures it on the gray values that the thresholds cut the object from, as
- * MedialVoxelGrayThickness tells. doc/thickness.md has the errors.
+ * MedialVoxelGrayThickness tells. doc/explanation/accuracy.md has the errors.
  *
  * \par Departures from the paper
  * - The boundary is the background border: background voxels with an object voxel among their 3^D-1 neighbors. Walls of
