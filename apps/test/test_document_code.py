@@ -3,6 +3,7 @@
 """Blocks of shell and Python in the documents run as they stand, each in a new folder with a part and a headerless scan."""
 
 import importlib.util
+import json
 import os
 import pathlib
 import re
@@ -15,6 +16,8 @@ from program import PROGRAM, ProgramTestCase
 
 SOURCE = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"])
 MODULE = os.environ["MEDIALVOXEL_MODULE"]
+NOTEBOOK = SOURCE / "examples/medial_sheet.ipynb"
+LARGEST_NOTEBOOK = 300_000
 BLOCK = re.compile(r"^( *)```(sh|bash|shell|python)\n(.*?)^\1```$", re.MULTILINE | re.DOTALL)
 SECONDS = 120
 
@@ -73,12 +76,31 @@ class DocumentCodeTest(ProgramTestCase):
             command, cwd=self.folder, env=self.environment, capture_output=True, text=True, check=False, timeout=SECONDS
         )
         self.assertEqual(result.returncode, 0, f"{text}\n{result.stdout}{result.stderr}")
+        return result.stdout
 
     def test_each_row_is_of_a_block(self):
         blocks = list(all_blocks())
         self.assertGreater(len(blocks), 30)
         for page, begin, *_ in [*NOT_RUN, *PREPARED]:
             self.assertTrue(any(row_of([(page, begin)], name, text) for name, _, text in blocks), (page, begin))
+
+    def test_the_notebook_was_run_from_its_first_to_its_last_cell(self):
+        cells = [cell for cell in json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"] if cell["cell_type"] == "code"]
+        self.assertEqual([cell["execution_count"] for cell in cells], list(range(1, len(cells) + 1)))
+        outputs = [output for cell in cells for output in cell["outputs"]]
+        self.assertNotIn("error", [output["output_type"] for output in outputs])
+        self.assertEqual(sum("image/png" in output.get("data", {}) for output in outputs), 3)
+        self.assertLess(NOTEBOOK.stat().st_size, LARGEST_NOTEBOOK)
+
+    def test_the_notebook_runs_and_prints_what_it_shows(self):
+        cells = [cell for cell in json.loads(NOTEBOOK.read_text(encoding="utf-8"))["cells"] if cell["cell_type"] == "code"]
+        code = "\n".join("".join(cell["source"]) for cell in cells)
+        missing = missing_modules(code)
+        if missing:
+            self.skipTest(f"not installed: {', '.join(missing)}")
+        printed = self.run_block("python", "import matplotlib\nmatplotlib.use('Agg')\n" + code)
+        outputs = [output for cell in cells for output in cell["outputs"] if output["output_type"] == "stream"]
+        self.assertEqual(printed, "".join("".join(output["text"]) for output in outputs))
 
 
 def add_test(number, page, language, text):
