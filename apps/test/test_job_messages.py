@@ -42,7 +42,7 @@ class JobMessageTest(JobTestCase):
             self.assert_message("job: another process has just planned a job in this folder", *PLAN, status=REFUSED)
         self.assert_nothing_published()
         self.in_target(*PLAN)
-        self.assert_message("job is not empty, it has a job; medialvoxel status tells", *PLAN, status=REFUSED)
+        self.assert_message("job is not empty, it has a job; medialvoxel status shows", *PLAN, status=REFUSED)
 
     def test_two_that_finalize(self):
         self.in_target(*PLAN)
