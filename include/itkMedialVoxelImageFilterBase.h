@@ -114,13 +114,13 @@ public:
     return m_UpperThreshold.GetNearestDouble();
   }
 
-  /** Make object of the voxels with exactly this value, also one of 64 bits, as of a label map. Replaces thresholds,
-   * and is replaced by them. */
+  /** The object consists of the voxels with exactly this value, up to 64 bits, as in a label map. Setting it replaces
+   * thresholds; setting a threshold replaces it. */
   virtual void
   SetObjectValue(InputPixelType value);
   itkGetConstMacro(ObjectValue, InputPixelType);
 
-  /** True when ObjectValue says what is object. Default false. */
+  /** True when ObjectValue defines the object. Default false. */
   itkGetConstMacro(UseObjectValue, bool);
 
   /** Return to BackgroundValue after a threshold or ObjectValue was set. */
@@ -146,13 +146,13 @@ public:
   itkGetConstMacro(SlabThickness, unsigned int);
 #endif
 
-  /** Bytes that the window on the input and the memory of all threads may take, beside the outputs and the part of
-   * input that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it, which has no
-   * influence on results. Walls that are too thick for it make the update fail with MedialVoxelMemoryError. */
+  /** Limit in bytes on the window on the input and the memory of all threads, beside the outputs and the part of input
+   * that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it; results stay the same. If
+   * walls are too thick for it, the update throws MedialVoxelMemoryError. */
   itkSetMacro(WorkingMemoryLimit, SizeValueType);
   itkGetConstMacro(WorkingMemoryLimit, SizeValueType);
 
-  /** Voxels of the requested regions that are NaN, which is background; summed like the counts of the classification.
+  /** Number of voxels of the requested regions that are NaN, which counts as background.
    *
    * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
   SizeValueType
@@ -161,8 +161,8 @@ public:
     return static_cast<SizeValueType>(m_Sums.counts.notANumberVoxels);
   }
 
-  /** Voxels of tiles that were started before the window held what they depend on, and run again; summed like the
-   * counts. A measure of waste: thin parts have none. */
+  /** Number of voxels of tiles that ran again because the window was too small at first; summed like the counts. Thin
+   * parts have none. */
   SizeValueType
   GetNumberOfRecomputedVoxels() const
   {
@@ -190,8 +190,8 @@ public:
     return m_Sums.threadSeconds;
   }
 
-  /** Seconds from the first to the last tile of each slab; summed like the counts. Times the number of threads it is
-   * what ThreadSeconds could be. */
+  /** Seconds from the first to the last tile of each slab; summed like the counts. The number of threads times this is
+   * the upper bound of ThreadSeconds. */
   double
   GetTileSeconds() const
   {
