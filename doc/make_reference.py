@@ -15,6 +15,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "wrapping"))
@@ -323,6 +324,31 @@ def make_python():
     return "\n".join(parts)
 
 
+def make_slicer():
+    """Parameters of the module of 3D Slicer, from its description."""
+    description = xml.etree.ElementTree.parse(ROOT / "apps/MedialVoxelExtraction/MedialVoxelExtraction.xml").getroot()
+    parts = [
+        NOTICE,
+        "# Parameters in 3D Slicer\n",
+        "After this page you know every parameter of *Medial Voxel Extraction*. On the command line the flag has two dashes; without a\n"
+        "flag, the parameter is an argument, or a result of `--returnparameterfile`.\n",
+    ]
+    for group in description.iter("parameters"):
+        rows = []
+        for parameter in group:
+            if parameter.tag in ("label", "description"):
+                continue
+            names = {part.tag: (part.text or "").strip() for part in parameter}
+            choices = [f"`{part.text}`" for part in parameter.iter("element")]
+            text = sentence(names["description"]) + (f" Choices: {', '.join(choices)}." if choices else "")
+            flag = f"`{names['longflag']}`" if "longflag" in names else ""
+            default = f"`{names['default']}`" if names.get("default") else ""
+            rows.append([names["label"], flag, text, default])
+        parts.append(f"## {group.findtext('label')}\n\n{sentence(group.findtext('description'))}\n")
+        parts.append(table(["parameter", "flag", "meaning", "default"], rows))
+    return "\n".join(parts)
+
+
 def read_catalog(program):
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "generate", folder], check=True)
@@ -341,6 +367,7 @@ def main():
         "formats.md": make_formats(catalog),
         "report.md": make_report(catalog, schema),
         "python.md": make_python(),
+        "slicer.md": make_slicer(),
     }
     status = 0
     for name, text in pages.items():
