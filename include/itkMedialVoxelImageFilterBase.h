@@ -22,10 +22,9 @@ namespace itk
  * \brief Object definition, streaming and threads that the filters of the MedialVoxel module share.
  *
  * The requested region is processed slab by slab along its slowest axis. For each slab the filter pulls the input that
- * the slab depends on, part by part and never the whole image unless the result depends on it, packs it to one bit
- * per voxel, and runs the tiles of the slab in parallel through DynamicThreadedGenerateData(). A tile that depends on
- * more is run again after the window has grown. Results do not depend on the requested region, on the division of the
- * work, or on the number of threads.
+ * the slab depends on, part by part, and packs it to one bit per voxel. It runs the tiles of the slab in parallel
+ * through DynamicThreadedGenerateData(). A tile that depends on more input runs again after the window has grown.
+ * Results do not depend on the requested region, on the division of the work, or on the number of threads.
  *
  * The pieces of a streamed update (StreamingImageFilter, ImageFileWriter) share the window: input that two pieces
  * depend on is pulled once when they follow each other along the slowest axis. After an update the input image buffers
@@ -33,10 +32,9 @@ namespace itk
  *
  * \par Object
  * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
- * UpperThreshold makes object of the voxels with LowerThreshold <= value <= UpperThreshold. Thresholds are real numbers
- * and compared as such: 72.5 on an integer image means at least 73. A threshold that is given as an integer is exact
- * for all 64 bits; the getters return the nearest double. NaN is never object. Outside the image nothing is
- * known: the end of the image is no boundary.
+ * UpperThreshold switches to LowerThreshold <= value <= UpperThreshold. Thresholds are compared as real numbers: 72.5
+ * on an integer image means at least 73. A threshold given as an integer is exact for all 64 bits; the getters return
+ * the nearest double. NaN is never object. The outside of the image is unknown: the end of the image is no boundary.
  *
  * \par Memory
  * Beside the outputs of the requested region: one part of the input (a slice, or 1 MiB of slices), two to three bits
