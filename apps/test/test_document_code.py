@@ -108,6 +108,8 @@ def add_test(number, page, language, text):
         reason = row_of(NOT_RUN, page, text)
         if reason:
             self.skipTest(reason[2])
+        if "--memory" in text and os.environ.get("MEDIALVOXEL_SANITIZED"):
+            self.skipTest("the checks of a sanitizer multiply memory")
         missing = missing_modules(text) if language == "python" else []
         if missing:
             self.skipTest(f"not installed: {', '.join(missing)}")
