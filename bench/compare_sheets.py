@@ -9,7 +9,8 @@ it is there. Prints a Markdown table and writes one JSON file; --pictures also d
 kept       points of the true mid-surface with a cell (of the program) or voxel (of a skeleton) within 1.5 voxels, in
            percent; points near rims are left out
 spurious   cells or voxels farther than 1.5 voxels from the true mid-surface, in percent of all
-thickness  mean and standard deviation of its error, in voxels, at the others that are away from rims and junctions
+thickness  mean and standard deviation of its error, in voxels, at the others that are away from rims and junctions; the
+           program's own rims, which are negative, are left out
 CPU s      one thread, the smallest of the rounds; of the program the whole process, of the others the calls alone
 
 Usage: bench/compare_sheets.py BUILD [options]           needs numpy, scipy and the peers
@@ -109,7 +110,8 @@ def judge(part, thickness, shift):
         return {"kept_percent": 0.0, "spurious_percent": 0.0, "measured": 0} | dict.fromkeys(ERRORS)
     is_near = part.middle(points) <= FAR
     covered = spatial.KDTree(points).query(samples)[0] <= FAR
-    error = (thickness[tuple(index.T)] - part.thickness(points))[is_near]
+    values = thickness[tuple(index.T)]
+    error = (values - part.thickness(points))[is_near & (values >= 0)]
     error = error[numpy.isfinite(error)].astype(float)
     errors = [round(float(value), 3) for value in (error.mean(), error.std())] if len(error) else (None, None)
     return {
@@ -129,8 +131,9 @@ def measure(runner, title, mask, part=None):
     for name in TITLES:
         maps[name], seconds, version = runner.run(name, volume, size)
         values = maps[name][numpy.isfinite(maps[name])]
+        walls = values[values >= 0]
         result = {"cells": len(values), "cpu_seconds": round(seconds, 3), "version": version}
-        result["median_thickness"] = round(float(numpy.median(values)), 3) if len(values) else None
+        result["median_thickness"] = round(float(numpy.median(walls)), 3) if len(walls) else None
         if part:
             result |= judge(part, maps[name], 0.5 if name == "extract" else 0.0)
         document["results"][name] = result

@@ -159,7 +159,7 @@ public:
   itkBooleanMacro(UseImageSpacing);
 
   /** Measure on the gray values that the thresholds cut the object from: boundary points are moved to where the values
-   * cross the threshold, as MedialVoxelGrayBoundary tells, for the points of the mesh and for the thickness. Needs a
+   * cross the threshold, see MedialVoxelGrayBoundary, for the points of the mesh and for the thickness. Needs a
    * threshold. Default off. */
   void
   SetSubvoxelThickness(bool use);

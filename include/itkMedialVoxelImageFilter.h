@@ -16,7 +16,7 @@ namespace itk
 /** \class MedialVoxelImageFilter
  * \brief Medial voxels of a binary or thresholded image: the one-cell-thin sheet midway between opposite walls.
  *
- * The output labels dual cells. A dual cell is the center of 2^D neighboring voxels; it is stored at the index of its
+ * The output labels dual cells. A dual cell is the center of 2^D neighboring voxels. It is stored at the index of its
  * lowest corner, in an image whose origin is shifted by half a voxel along every axis longer than 1. The last index of
  * each such axis has no cell and is always 0. The labels are
  *
@@ -25,64 +25,50 @@ namespace itk
  * - 2: medial, decided by the bound,
  * - 3: medial, decided by the geodesic search.
  *
- * For the diagonal of the cell whose two nearest boundary points are seen under the widest angle, the cell is medial
- * when the geodesic distance of these points on the boundary is at least epsilon = pi Thickness / 2 (Eq. 1 of the
- * paper). Three phases decide: pairs of equal or adjacent points are not medial (trivial); pairs that a bound keeps
- * apart are medial; the others are searched. Labels 2 and 3 together are the same cells for the bounds FreeSpace and
- * Off.
- *
- * With a thickness of 3 voxels for walls below 6 voxels, or 5 for walls up to 8 that are curved or tilted, and further
- * than one wall thickness from rims and junctions, the medial cells are the dual cells that the mid-surface passes
- * through, without holes.
+ * The pair of a cell is the diagonal whose two nearest boundary points are seen under the widest angle. The cell is
+ * medial when the geodesic distance of these points on the boundary is at least epsilon = pi Thickness / 2 (Eq. 1 of
+ * the paper). Labels 2 and 3 together are the same cells for the bounds FreeSpace and Off.
  *
  * An image without object is 0 everywhere. In an image without background every cell is 1 and counts as trivial,
- * because outside the image nothing is known.
+ * because the outside of the image is unknown.
  *
  * The filter streams: any requested region gives the same labels as the whole image, for any number of threads.
+ * doc/explanation/method.md has the definitions and proofs, doc/explanation/accuracy.md the measured errors.
  *
  * \par Automatic thickness
- * One thickness does not fit a part with thin and thick walls: a small one leaves branches in the thick walls, a large
- * one shortens the sheets of thin ones. With ThicknessMode Automatic each cell p has a threshold of its own,
- * epsilon(p) = max(pi MinimumThickness / 2, 3 min(LT(p), MaximumThickness / 2)). LT(p) is the radius of the largest
- * inscribed ball that covers p. Balls are centered at cells whose pair is neither equal nor adjacent, with the radius
- * d(p) = (|N(vi) - p| + |N(vj) - p|) / 2; that of p itself counts whatever its size, others up to MaximumThickness / 2
- * and if |q - p| <= d(q). Only the threshold differs: the cell is medial when the geodesic distance of its pair is at
- * least epsilon(p), with label 2 where the bound says so. MedialVoxelLocalThreshold states the arithmetic. Results do
- * not depend on tiles, threads or requested regions here either; a larger MinimumThickness or MaximumThickness never
+ * With ThicknessMode Automatic each cell p has a threshold of its own,
+ * epsilon(p) = max(pi MinimumThickness / 2, 3 min(LT(p), MaximumThickness / 2)), where LT(p) is the radius of the
+ * largest inscribed ball that covers p. MedialVoxelLocalThreshold defines it. Walls from MinimumThickness to
+ * MaximumThickness then become one sheet each, without branches. A larger MinimumThickness or MaximumThickness never
  * adds medial cells.
  *
  * \par Pores and dust
- * Noise leaves small cavities in walls, and grains beside them, each with a boundary of its own. With MaximumPoreSize
- * K, each connected component of the background of at most K voxels becomes object first, then each component of the
- * object of at most K voxels background; all that follows is of this object. Voxels are connected when they differ by
- * at most 1 along each axis, object and background alike: paths on the boundary run through the background this way,
- * and walls and gaps of one voxel that are tilted do not fall apart. A component that touches a face of the image
- * stays, as it may go on outside. NaN counts as background here too. GetNumberOfFilledVoxels() and
- * GetNumberOfRemovedVoxels() tell how many voxels have changed sides.
+ * With MaximumPoreSize K, each connected component of the background of at most K voxels becomes object first. Then
+ * each component of the object of at most K voxels becomes background. Everything else refers to this object. Voxels
+ * are connected when they differ by at most 1 along each axis. A component that touches a face of the image stays,
+ * because it may continue outside. NaN counts as background here too.
  *
  * \par Vectors
- * GenerateVectorDistanceOn() adds a second output, GetVectorDistanceOutput(): at object voxels the displacement to the
- * nearest boundary voxel, zero elsewhere, NaN at object voxels of an image that has no boundary. The geometry of this
- * image is the input's. All outputs always have the same requested region.
+ * GenerateVectorDistanceOn() adds the output GetVectorDistanceOutput(): at object voxels the displacement to the
+ * nearest boundary voxel, zero elsewhere, NaN at object voxels of an image that has no boundary. Its geometry is that
+ * of the input. All outputs always have the same requested region.
  *
  * \par Thickness
- * GenerateThicknessOn() adds an output, GetThicknessOutput(): at medial cells the thickness of the wall, at rims the
- * negative of what is measured there, zero elsewhere. The geometry of this image is that of the labels.
- * MedialVoxelThickness tells how it is measured: walls parallel to an axis exactly, others to a layer of voxels.
- * SubvoxelThicknessOn() measures it on the gray values that the thresholds cut the object from, as
- * MedialVoxelGrayThickness tells. doc/thickness.md has the errors.
+ * GenerateThicknessOn() adds the output GetThicknessOutput(): at medial cells the thickness of the wall, at rims the
+ * negative of the measured value, zero elsewhere. Its geometry is that of the labels. MedialVoxelThickness describes
+ * the measurement: walls parallel to an axis are exact, others to a layer of voxels. SubvoxelThicknessOn() measures on
+ * the gray values at the thresholds, see MedialVoxelGrayThickness.
  *
  * \par Departures from the paper
- * - The boundary is the background border: background voxels with an object voxel among their 3^D-1 neighbors. Walls of
- *   1 and 2 voxels vanish with the object border. Background corners of a cell are their own nearest boundary point.
- * - The angle of a pair is measured at the center of the cell, where it exists for every cell; ties have a rule.
+ * doc/explanation/method.md gives the reasons.
+ * - The boundary consists of background voxels with an object voxel among their 3^D-1 neighbors. Background corners of
+ *   a cell are their own nearest boundary point.
+ * - The angle of a pair is measured at the center of the cell, where it always exists; ties have a rule.
  * - The default bound is the length of the shortest path in the complete grid, which is proved; Eq. 2 is Paper.
- * - Slabs take the place of clusters: each has a window that is certain to hold what it depends on, and nothing is
- *   propagated between them.
- * - Pores and dust can be left out, see MaximumPoreSize; by default they are with an automatic thickness.
- * - The threshold can be that of each wall (automatic thickness). Any spacing is allowed, equal or not.
+ * - Each slab has a window that is certain to contain all that it depends on; nothing is propagated between slabs.
  * - Paths are searched in the box of the ellipsoid with the boundary points as foci, not of its bounding sphere. The
  *   edges of a path are counted by kind and summed in one order.
+ * - Pores and dust can be left out, the threshold can be automatic, and any spacing is allowed.
  * - The thickness of walls is measured, on the mask or on gray values; MedialSurfaceMeshFilter makes a surface.
  *
  * \par Reference
@@ -121,40 +107,39 @@ public:
   using PseudoGeodesicBoundEnum = MedialVoxelEnums::PseudoGeodesicBound;
   using BoundaryEnum = MedialVoxelEnums::Boundary;
 
-  /** Where the threshold on the geodesic distance comes from: Fixed (default), the same for all cells from Thickness,
-   * or Automatic, for each cell from the wall that it is in. See "Automatic thickness" above. */
+  /** Source of the threshold on the geodesic distance. Fixed (default): Thickness, for all cells. Automatic: the wall
+   * around each cell. */
   itkSetEnumMacro(ThicknessMode, ThicknessModeEnum);
   itkGetEnumMacro(ThicknessMode, ThicknessModeEnum);
 
-  /** Thickness tau of the walls that are sheets, which sets the threshold epsilon = pi tau / 2 on the geodesic
-   * distance.
+  /** Thickness tau of the walls that become sheets when ThicknessMode is Fixed; it sets epsilon = pi tau / 2.
    *
-   * In physical units when UseImageSpacing is on, otherwise in voxels. Positive and finite; default 3. Where the
-   * largest spacing is more than 4 times the smallest, it counts as at least the largest. A larger value
-   * removes branches and shrinks the sheet at its rims. Used when ThicknessMode is Fixed. */
+   * In physical units when UseImageSpacing is on, otherwise in voxels. Positive and finite; default 3. If the largest
+   * spacing is more than 4 times the smallest, the thickness counts as at least the largest spacing. A larger value
+   * removes branches and shrinks the sheet at its rims. */
   itkSetMacro(Thickness, double);
   itkGetConstMacro(Thickness, double);
 
-  /** Smallest thickness that sets a threshold when ThicknessMode is Automatic: walls that are thinner get that of
-   * this thickness. A smaller value keeps more of thin walls in noise, and more of their branches.
+  /** Thinner walls count as this thickness when ThicknessMode is Automatic. A smaller value keeps more of thin walls in
+   * noise, and more of their branches.
    *
    * In the units of Thickness, positive and finite, or 0 (default) for 3 voxels, by the smallest spacing of the axes
    * longer than 1. */
   itkSetMacro(MinimumThickness, double);
   itkGetConstMacro(MinimumThickness, double);
 
-  /** Largest thickness of a wall that is meant to be a sheet when ThicknessMode is Automatic. Thicker parts show the
-   * branches towards their edges too. Time and memory grow with it.
+  /** Walls of up to this thickness become one sheet when ThicknessMode is Automatic. Thicker ones also show branches
+   * towards their edges. Time and memory grow with it.
    *
    * In the units of Thickness, finite and not smaller than MinimumThickness, or 0 (default) for 16 voxels, by the
    * smallest spacing of the axes longer than 1. */
   itkSetMacro(MaximumThickness, double);
   itkGetConstMacro(MaximumThickness, double);
 
-  /** Largest number of voxels of a pore, or of a grain of dust, that is taken for noise. See "Pores and dust" above.
+  /** Cavities and grains of up to this many voxels are taken for noise and left out.
    *
-   * At most 1000000; 0 takes none. The default is 0 when ThicknessMode is Fixed and 32 when it is Automatic, until a
-   * value is set. The window on the input grows by so many voxels on each side. */
+   * From 0, which keeps all, to 1000000. Until a value is set, it is 0 when ThicknessMode is Fixed and 32 when it is
+   * Automatic. The window on the input grows by this many voxels on each side. */
   virtual void
   SetMaximumPoreSize(SizeValueType numberOfVoxels);
 

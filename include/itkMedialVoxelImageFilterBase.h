@@ -22,10 +22,9 @@ namespace itk
  * \brief Object definition, streaming and threads that the filters of the MedialVoxel module share.
  *
  * The requested region is processed slab by slab along its slowest axis. For each slab the filter pulls the input that
- * the slab depends on, part by part and never the whole image unless the result depends on it, packs it to one bit
- * per voxel, and runs the tiles of the slab in parallel through DynamicThreadedGenerateData(). A tile that depends on
- * more is run again after the window has grown. Results do not depend on the requested region, on the division of the
- * work, or on the number of threads.
+ * the slab depends on, part by part, and packs it to one bit per voxel. It runs the tiles of the slab in parallel
+ * through DynamicThreadedGenerateData(). A tile that depends on more input runs again after the window has grown.
+ * Results do not depend on the requested region, on the division of the work, or on the number of threads.
  *
  * The pieces of a streamed update (StreamingImageFilter, ImageFileWriter) share the window: input that two pieces
  * depend on is pulled once when they follow each other along the slowest axis. After an update the input image buffers
@@ -33,10 +32,9 @@ namespace itk
  *
  * \par Object
  * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
- * UpperThreshold makes object of the voxels with LowerThreshold <= value <= UpperThreshold. Thresholds are real numbers
- * and compared as such: 72.5 on an integer image means at least 73. A threshold that is given as an integer is exact
- * for all 64 bits; the getters return the nearest double. NaN is never object. Outside the image nothing is
- * known: the end of the image is no boundary.
+ * UpperThreshold switches to LowerThreshold <= value <= UpperThreshold. Thresholds are compared as real numbers: 72.5
+ * on an integer image means at least 73. A threshold given as an integer is exact for all 64 bits; the getters return
+ * the nearest double. NaN is never object. The outside of the image is unknown: the end of the image is no boundary.
  *
  * \par Memory
  * Beside the outputs of the requested region: one part of the input (a slice, or 1 MiB of slices), two to three bits
@@ -114,13 +112,13 @@ public:
     return m_UpperThreshold.GetNearestDouble();
   }
 
-  /** Make object of the voxels with exactly this value, also one of 64 bits, as of a label map. Replaces thresholds,
-   * and is replaced by them. */
+  /** The object consists of the voxels with exactly this value, up to 64 bits, as in a label map. Setting it replaces
+   * thresholds; setting a threshold replaces it. */
   virtual void
   SetObjectValue(InputPixelType value);
   itkGetConstMacro(ObjectValue, InputPixelType);
 
-  /** True when ObjectValue says what is object. Default false. */
+  /** True when ObjectValue defines the object. Default false. */
   itkGetConstMacro(UseObjectValue, bool);
 
   /** Return to BackgroundValue after a threshold or ObjectValue was set. */
@@ -146,13 +144,13 @@ public:
   itkGetConstMacro(SlabThickness, unsigned int);
 #endif
 
-  /** Bytes that the window on the input and the memory of all threads may take, beside the outputs and the part of
-   * input that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it, which has no
-   * influence on results. Walls that are too thick for it make the update fail with MedialVoxelMemoryError. */
+  /** Limit in bytes on the window on the input and the memory of all threads, beside the outputs and the part of input
+   * that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it; results stay the same. If
+   * walls are too thick for it, the update throws MedialVoxelMemoryError. */
   itkSetMacro(WorkingMemoryLimit, SizeValueType);
   itkGetConstMacro(WorkingMemoryLimit, SizeValueType);
 
-  /** Voxels of the requested regions that are NaN, which is background; summed like the counts of the classification.
+  /** Number of voxels of the requested regions that are NaN, which counts as background.
    *
    * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
   SizeValueType
@@ -161,8 +159,8 @@ public:
     return static_cast<SizeValueType>(m_Sums.counts.notANumberVoxels);
   }
 
-  /** Voxels of tiles that were started before the window held what they depend on, and run again; summed like the
-   * counts. A measure of waste: thin parts have none. */
+  /** Number of voxels of tiles that ran again because the window was too small at first; summed like the counts. Thin
+   * parts have none. */
   SizeValueType
   GetNumberOfRecomputedVoxels() const
   {
@@ -190,8 +188,8 @@ public:
     return m_Sums.threadSeconds;
   }
 
-  /** Seconds from the first to the last tile of each slab; summed like the counts. Times the number of threads it is
-   * what ThreadSeconds could be. */
+  /** Seconds from the first to the last tile of each slab; summed like the counts. The number of threads times this is
+   * the upper bound of ThreadSeconds. */
   double
   GetTileSeconds() const
   {

@@ -21,27 +21,30 @@ struct MedialVoxelNrrdHeader;
 /** \class StreamingNrrdImageIO
  * \brief Reads and writes any region of a NRRD file with uncompressed voxels.
  *
- * Where NrrdImageIO reads the whole volume for any request, this class reads the requested region and nothing else,
- * and writes a volume piece by piece, so that a pipeline streams. Offsets are 64 bits wide.
+ * NrrdImageIO reads the whole volume for any request. This class reads only the requested region and writes a volume
+ * piece by piece, so that a pipeline streams. Offsets are 64 bits wide.
  *
- * Read are files with `encoding: raw`: attached (.nrrd) and detached (.nhdr), with one data file, a `LIST` of them or
- * a pattern such as `slice%03d.raw 1 40 1`; both byte orders, `line skip` and `byte skip` (-1 included); 2 or 3 axes
- * of space, before which one axis of components may stand (`kinds: vector domain domain domain`). CanReadFile() is
- * false for all other files, so that, with StreamingNrrdImageIOFactory registered in front, NrrdImageIO still
- * reads them. Pixels, spacing, origin and direction equal those of NrrdImageIO, with one exception: in the space
- * left-anterior-superior the second axis is turned round, as its name says, not the first. Of the fields without a
- * counterpart in ITK, the meta-data dictionary gets the key/value pairs, NRRD_space, NRRD_measurement frame,
- * NRRD_content and NRRD_kinds[axis], as NrrdImageIO names them.
+ * \par Reading
+ * It reads files with `encoding: raw`: attached (.nrrd) and detached (.nhdr), with one data file, a `LIST` of them or a
+ * pattern such as `slice%03d.raw 1 40 1`; both byte orders; `line skip` and `byte skip` (-1 included); 2 or 3 axes of
+ * space, after at most one axis of components (`kinds: vector domain domain domain`). CanReadFile() is false for all
+ * other files, so NrrdImageIO still reads them when StreamingNrrdImageIOFactory is registered in front. Pixels,
+ * spacing, origin and direction equal those of NrrdImageIO, with one exception: in the space left-anterior-superior
+ * this class reverses the second axis, as the name of the space requires, not the first. The meta-data dictionary gets
+ * the key/value pairs, NRRD_space, NRRD_measurement frame, NRRD_content and NRRD_kinds[axis], with the names of
+ * NrrdImageIO.
  *
- * Written are attached files with `encoding: raw`, in the byte order of the machine. Before the first piece the file
- * has its final size and, with ReserveSpace, its space on the disk; an unfinished file looks like a finished one, so
- * whoever catches an exception from upstream should remove it. Pieces go into an existing file if that has the same
- * header (pasting). Strings of the meta-data dictionary whose key does not begin with NRRD_ are written as key/value
- * pairs.
+ * \par Writing
+ * It writes attached files with `encoding: raw`, in the byte order of the machine. Before the first piece the file has
+ * its final size and, with ReserveSpace, its space on the disk. An unfinished file looks like a finished one, so remove
+ * it after an exception from upstream. Pieces go into an existing file that has the same header (pasting). Strings of
+ * the meta-data dictionary are written as key/value pairs, except those whose key begins with NRRD_.
  *
- * Errors are exceptions that name the file: a header that is damaged, hostile or of another kind, data files that are
- * missing or too short for what the header says, data that end early, a full disk, compression asked for. When
- * writing fails, a file that this object created is removed.
+ * \par Errors
+ * Exceptions name the file. Causes: a header that is damaged, hostile or of another kind; data files that are missing
+ * or too short; data that end early; a full disk; a request for compression. When writing fails, a file that this
+ * object created is removed.
+ *
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT StreamingNrrdImageIO : public StreamingImageIOBase

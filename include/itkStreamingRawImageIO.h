@@ -15,18 +15,18 @@ namespace itk
 {
 
 /** \class StreamingRawImageIO
- * \brief Reads any region of a file of uncompressed voxels that describes itself nowhere.
+ * \brief Reads any region of a headerless file of uncompressed voxels.
  *
- * Where RawImageIO reads the whole volume for any request, this class reads the requested region and nothing else,
- * so that a pipeline streams. Voxels lie x fastest, one after the other, from a byte offset on; offsets are 64 bits
- * wide. Before use set the number of dimensions, the dimensions, the component type and, where they differ from the
- * defaults, the number of components, HeaderSize, the byte order (default: that of the machine), spacing, origin and
- * direction. Such a file has no signature: CanReadFile() is false for all files, and the object has to be handed to
- * the reader with ImageFileReader::SetImageIO(). Voxels that lie in several places, or in several files, are described
- * by SetSegments().
+ * RawImageIO reads the whole volume for any request. This class reads only the requested region, so that a pipeline
+ * streams. Voxels follow one another, x fastest, from a byte offset on. Offsets are 64 bits wide.
  *
- * Errors are exceptions: a file that is missing or unreadable, a description without component type or with an empty
- * or overflowing size, a file whose size does not fit the description, data that end early. Writing is not offered.
+ * Set before use: number of dimensions, dimensions, component type. Set if they differ from the defaults: number of
+ * components, HeaderSize, byte order (that of the machine), spacing, origin and direction. The file has no signature,
+ * so CanReadFile() is always false; pass the object to ImageFileReader::SetImageIO(). SetSegments() describes voxels
+ * in several places or files.
+ *
+ * It throws exceptions for a file that is missing or unreadable, for a description without component type or with an
+ * empty or overflowing size, for a file of another size, and for data that end early. It does not write.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT StreamingRawImageIO : public StreamingImageIOBase
@@ -61,13 +61,12 @@ public:
   itkGetConstMacro(RefuseTrailingBytes, bool);
   itkBooleanMacro(RefuseTrailingBytes);
 
-  /** Where the voxels lie when they do not follow each other in the file: stretches of bytes which make up the volume
-   * one after the other. They take the place of file name and HeaderSize, and bytes beside them are not refused.
-   * Default: none. */
+  /** Ranges of bytes that make up the volume, one after the other, for voxels in several places or files. They replace
+   * file name and HeaderSize; bytes outside of them are not refused. Default: none. */
   void
   SetSegments(const std::vector<MedialVoxelFileSegment> & segments);
 
-  /** Bytes of voxels handed out since construction; those of holes in the file count. */
+  /** Bytes of voxels read since construction, including holes of the file. */
   virtual std::uint64_t
   GetNumberOfBytesRead() const
   {

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Does a job that `medialvoxel plan` prepared on the workers of a Dask cluster.
+"""Runs a job that `medialvoxel plan` prepared on the workers of a Dask cluster.
 
-Each task is the ordinary command `medialvoxel work JOBDIR --clusters I-J`: workers need the program and the folder of
-the job, and nothing of this file. Dask starts the tasks of a lost worker again, and what those had done is skipped.
+Each task is the command `medialvoxel work JOBDIR --clusters I-J`: workers need the program and the folder of the job, but
+not this file. Dask starts the tasks of a lost worker again; finished clusters are skipped.
 
     from distributed import Client
     import medialvoxel_dask
@@ -25,9 +25,9 @@ from distributed import Client, as_completed
 MOST_TASKS = 64
 
 Counts = collections.namedtuple("Counts", "executed skipped")
-Counts.__doc__ = """Clusters that the tasks reported as done by them, or as done before.
+Counts.__doc__ = """Numbers of clusters, each 0 or more: executed by the tasks, and skipped because they were done before.
 
-What a worker did of a range before it was lost is reported by the task that took over: as skipped."""
+If a worker is lost, the task that takes over reports the clusters that were done as skipped."""
 
 
 class JobError(RuntimeError):
@@ -35,25 +35,28 @@ class JobError(RuntimeError):
 
 
 def run_job(client, job, **options):
-    """Does all clusters of a job, then publishes its outputs; the options are those of work().
+    """Computes all clusters of a job, then finalizes it. Returns Counts.
 
-    To call it again after it failed or was interrupted is always right. Returns Counts."""
+    client: a distributed.Client. job: the folder that `medialvoxel plan` made, at the same place on all workers.
+    options: keyword arguments of work().
+
+    Call it again after an error or an interruption to continue. Raises JobError, as work() and finalize()."""
     counts = work(client, job, **options)
     finalize(client, job, options.get("program", "medialvoxel"))
     return counts
 
 
 def work(client, job, clusters_per_task=None, threads=1, memory=None, program="medialvoxel", retries=2):
-    """Does the clusters of a job that are not done; returns Counts.
+    """Computes the clusters of a job that are missing. Returns Counts.
 
-    clusters_per_task: 1 or more; None: as few as give at most 64 tasks.
-    threads: of a task; workers with `--nthreads 1` have one task at a time.
-    memory: the most that a task may take, such as "8G"; None: half of what is free on its machine when it starts.
+    clusters_per_task: 1 or more; None (default): the smallest number that gives at most 64 tasks.
+    threads: threads of a task, 1 or more (default 1). Workers with `--nthreads 1` run one task at a time.
+    memory: limit of a task, such as "8G"; None (default): half of the free memory of its machine at the start.
     program: name or path of medialvoxel on the workers.
-    retries: how often a range is tried again whose command failed.
+    retries: how often a failing task is tried again, 0 or more (default 2).
 
-    Raises JobError when a command fails more often. Then, and when it is interrupted, tasks that wait are cancelled;
-    commands that run end by themselves, and the clusters that they do stay done."""
+    Raises JobError when a command still fails, ValueError for clusters_per_task below 1. On an error or an interruption,
+    waiting tasks are cancelled; running commands finish, and their clusters count as done."""
     options = ["--threads", str(threads), "--progress", "none"]
     options += ["--memory", str(memory)] if memory else []
     clusters = json.loads(_run(client, [program, "status", _place(job), "--json"]))["clusters"]
@@ -76,12 +79,16 @@ def work(client, job, clusters_per_task=None, threads=1, memory=None, program="m
 
 
 def finalize(client, job, program="medialvoxel"):
-    """Has a worker verify the job and give all outputs their names; returns what the command printed."""
+    """Verifies the job and renames its outputs, on one worker. Returns the text that the command printed.
+
+    Raises JobError when clusters are missing or damaged."""
     return _run(client, [program, "finalize", _place(job), "--progress", "none"])
 
 
 def split(clusters, clusters_per_task=None):
-    """Consecutive ranges of clusters, as the command takes them: ["0-3", "4-7", "8-9"]."""
+    """Splits a number of clusters into consecutive ranges for --clusters: split(10, 4) is ["0-3", "4-7", "8-9"].
+
+    Raises ValueError for clusters_per_task below 1."""
     size = -(-clusters // MOST_TASKS) if clusters_per_task is None else clusters_per_task
     if size < 1:
         raise ValueError(f"clusters_per_task is {clusters_per_task}; it must be 1 or more")

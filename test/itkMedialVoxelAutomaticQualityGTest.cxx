@@ -158,7 +158,7 @@ TEST(MedialVoxelAutomaticQuality, WhatPoresLeaveIsBesidePits)
   EXPECT_EQ(Judge(part, WithoutPits(part, volume), Automatic()).spurious, 0.0);
 }
 
-/** The table of all parts of doc/thickness.md, as Markdown; takes minutes. */
+/** The table of all parts of doc/explanation/accuracy.md, as Markdown; takes minutes. */
 TEST(MedialVoxelAutomaticQuality, DISABLED_Table)
 {
   const std::pair<const char *, Noise> noises[] = { { "clean", Noise::None },  { "flip", Noise::Flip },
@@ -188,7 +188,7 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_Table)
   }
 }
 
-/** The table of single walls of doc/thickness.md, as Markdown: those that are not covered everywhere. */
+/** The table of single walls of doc/explanation/accuracy.md, as Markdown: those that are not covered everywhere. */
 TEST(MedialVoxelAutomaticQuality, DISABLED_WallTable)
 {
   std::printf(
@@ -219,7 +219,7 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_WallTable)
   }
 }
 
-/** The table of pores of doc/thickness.md, as Markdown: mean and worst of five volumes; takes minutes. */
+/** The table of pores of doc/explanation/accuracy.md, as Markdown: mean and worst of five volumes; takes minutes. */
 TEST(MedialVoxelAutomaticQuality, DISABLED_PoreTable)
 {
   std::printf("| part | noise | 32 | 64 | 128 | 32, pits filled |\n| --- | --- | --- | --- | --- | --- |\n");
@@ -276,7 +276,7 @@ TEST(MedialVoxelAutomaticQuality, SheetsBeginWhereTheAxesOfSquareRimsDo)
   }
 }
 
-/** The table of rims of doc/thickness.md, as Markdown; takes a minute. */
+/** The table of rims of doc/explanation/accuracy.md, as Markdown; takes a minute. */
 TEST(MedialVoxelAutomaticQuality, DISABLED_RimTable)
 {
   std::printf("| part | wall | clean | flip | shift | scan | fixed 3, clean | fixed 5, clean |\n"

@@ -238,7 +238,7 @@ TEST(MedialVoxelGrayThickness, PlatesBesideNarrowGapsAreMeasured)
   }
 }
 
-/** The table of doc/thickness.md. */
+/** The table of doc/explanation/accuracy.md. */
 TEST(MedialVoxelGrayThickness, DISABLED_ErrorTable)
 {
   for (const double blur : { 0.0, 0.5, 1.0 })

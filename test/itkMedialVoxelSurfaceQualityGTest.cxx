@@ -311,7 +311,7 @@ TEST(MedialVoxelSurfaceQuality, UnequalSpacingIsMeasuredInItsUnits)
   EXPECT_NEAR(thickness, 2.0, 0.2 * spacing[1]);
 }
 
-/** The table of binary objects of doc/mesh.md, as Markdown. */
+/** The table of binary objects of doc/explanation/accuracy.md, as Markdown. */
 TEST(MedialVoxelSurfaceQuality, DISABLED_Table)
 {
   std::printf("| object | tau | faces | mean | 95 %% | angle | ends | meetings |\n"

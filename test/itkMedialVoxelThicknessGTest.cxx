@@ -253,7 +253,7 @@ TEST(MedialVoxelThickness, TiltedWallsAreRightInTheMeanOverPlaces)
   }
 }
 
-/** The table of doc/thickness.md. */
+/** The table of doc/explanation/accuracy.md. */
 TEST(MedialVoxelThickness, DISABLED_ErrorTable)
 {
   for (const Tilt & tilt : Tilts)

@@ -110,7 +110,7 @@ AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 void
 AddObjectOptions(CLI::App & app, JobOptions & options)
 {
-  AddText(app, "--lower", "Smallest value, or otsu (unset: all but 0)", "L", [&](const std::string & text) {
+  AddText(app, "--lower", "Smallest value, or otsu (default: all but 0)", "L", [&](const std::string & text) {
     options.lowerIsOtsu = ToLower(text) == "otsu";
     options.lowerThreshold = options.lowerIsOtsu ? std::nullopt : std::optional<itk::MedialVoxelLimit>(ToLimit(text));
   });
@@ -133,7 +133,7 @@ AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
 {
   AddText(app,
           "--memory",
-          "Most memory, such as 2G (default: half of the free)",
+          "Limit, such as 2G (default: half of the free memory)",
           "SIZE",
           [&target](const std::string & text) { target = ToByteSize(text); })
     ->group("Run");
@@ -154,7 +154,7 @@ AddProgress(CommandLine & line, CLI::App & app)
   AddChoice<ProgressStyle>(line,
                            app,
                            "--progress",
-                           "Show",
+                           "Progress",
                            "STYLE",
                            line.progress,
                            { { "auto", ProgressStyle::Auto },
@@ -171,11 +171,11 @@ void
 AddLog(CommandLine & line, CLI::App & app, std::string & target)
 {
   const std::string group = "Run";
-  auto * const      log = AddFile(app, "--log-file", "Add a line for each step to a log", target)->group(group);
+  auto * const      log = AddFile(app, "--log-file", "Append one line per step to this file", target)->group(group);
   AddChoice<LogLevel>(line,
                       app,
                       "--log-level",
-                      "Which lines",
+                      "Least urgent lines",
                       "LEVEL",
                       line.logLevel,
                       { { "info", LogLevel::Info },
@@ -203,7 +203,7 @@ AddCompression(CommandLine & line, CLI::App & app, JobOptions & options)
   AddChoice<ZarrCompression>(line,
                              app,
                              "--zarr-compression",
-                             "Of .zarr outputs",
+                             "Compression of .zarr outputs",
                              "KIND",
                              options.zarrCompression,
                              { { GetName(ZarrCompression::Gzip), ZarrCompression::Gzip },
@@ -216,11 +216,11 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
   const std::string group = "Run";
   AddMemory(app, options.memoryBytes);
-  AddFile(app, "--scratch", "For what memory cannot hold of input and mesh", options.scratchFolder)
+  AddFile(app, "--scratch", "Folder for input and mesh beyond the memory", options.scratchFolder)
     ->type_name("DIR")
     ->group(group);
   AddThreads(app, options.threads);
-  AddText(app, "--divisions", "Pieces that are done in turn (default: chosen)", "N", [&](const std::string & text) {
+  AddText(app, "--divisions", "Number of pieces (default: chosen)", "N", [&](const std::string & text) {
     options.divisions = ToCount(text, 1, LargestCount);
   })->group(group);
   app.add_flag("--dry-run", options.dryRun, "Check everything, print the plan and stop")->group(group);
@@ -251,9 +251,8 @@ void
 AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: " + JoinInputExtensions(), options.input)->required();
-  AddSpacing(
-    app, "--spacing", "Distance of voxels in place of the file's", [&]() -> auto & { return options.spacing; });
-  AddText(app, "--resample", "Equal spacing: S, or auto for the smallest", "S", [&](const std::string & text) {
+  AddSpacing(app, "--spacing", "Spacing, instead of that of the file", [&]() -> auto & { return options.spacing; });
+  AddText(app, "--resample", "Resample to the spacing S; auto: to the smallest", "S", [&](const std::string & text) {
     options.resample = text == AutomaticSpacing ? 0.0 : ToPositive(text);
   });
 }
@@ -277,7 +276,7 @@ CLI::Option *
 AddSectionWidth(CLI::App & app, ExtractOptions & options)
 {
   return AddText(
-    app, "--section-width", "Thickness that sections of .inp and .bdf span", "W", [&](const std::string & text) {
+    app, "--section-width", "Step of the thickness of .inp and .bdf sections", "W", [&](const std::string & text) {
       options.sectionWidth = ToDouble(text);
     });
 }
@@ -285,16 +284,15 @@ AddSectionWidth(CLI::App & app, ExtractOptions & options)
 CLI::Option *
 AddSubVoxel(CLI::App & app, ExtractOptions & options)
 {
-  return app.add_flag("--sub-voxel", options.subVoxel, "Measure on gray values, at the threshold");
+  return app.add_flag("--sub-voxel", options.subVoxel, "Measure where gray values cross the threshold");
 }
 
 void
 AddThickness(CLI::App & app, ExtractOptions & options)
 {
-  AddText(
-    app, "--thickness", "Thickness tau of the walls (default: auto, their own)", "T", [&](const std::string & text) {
-      options.thickness = ToLower(text) == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
-    });
+  AddText(app, "--thickness", "Thickness of the walls, or auto (default: auto)", "T", [&](const std::string & text) {
+    options.thickness = ToLower(text) == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
+  });
   AddText(app,
           "--minimum-thickness",
           "auto: thinner walls count as this (default: 3 voxels)",
@@ -305,10 +303,10 @@ AddThickness(CLI::App & app, ExtractOptions & options)
       options.maximumThickness = ToDouble(text);
     });
   AddText(
-    app, "--max-pore-size", "Pores, grains to leave out (auto: 32 voxels, else 0)", "K", [&](const std::string & text) {
+    app, "--max-pore-size", "Largest pore or grain left out (auto: 32, else 0)", "K", [&](const std::string & text) {
       options.maximumPoreSize = ToCount(text, 0, LargestPoreSize);
     });
-  app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels, not in units of the spacing");
+  app.add_flag("--voxel-units", options.voxelUnits, "Lengths are in voxels, not in units of the spacing");
 }
 
 } // namespace
@@ -328,12 +326,12 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
   const std::string group = "Further outputs";
   AddFile(app, "--vectors", "Vectors to the nearest boundary point", options.vectorFile)->group(group);
   AddChoice<itk::MedialVoxelBoundary>(
-    line, app, "--vector-boundary", "Where they lead to", "KIND", options.vectorBoundary, Boundaries)
+    line, app, "--vector-boundary", "Boundary that they lead to", "KIND", options.vectorBoundary, Boundaries)
     ->group(group);
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
   AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
   AddSubVoxel(app, options)->group(group);
-  AddFile(app, "--thickness-csv", "Its histogram (.csv)", options.thicknessCsvFile)->group(group);
+  AddFile(app, "--thickness-csv", "Histogram of the thickness (.csv)", options.thicknessCsvFile)->group(group);
   AddMesh(app, "--mesh", options)->group(group);
   AddSectionWidth(app, options)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
@@ -343,7 +341,7 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
   AddCompression(line, app, options);
   if (resumes != nullptr)
   {
-    app.add_flag("--resume", *resumes, "Continue where a run with it was stopped")->group("Run");
+    app.add_flag("--resume", *resumes, "Continue a stopped run, or start one that can")->group("Run");
   }
   AddRawOptions(line, app, options);
 }
@@ -379,12 +377,12 @@ DefineMesh(CommandLine & line)
   app.add_flag("--triangles", options.meshTriangles, "Split the quadrilaterals")->group(group);
   AddText(app,
           "--smallest-component",
-          "Fewest quadrilaterals of a component that stays",
+          "Leave out components of fewer quadrilaterals",
           "N",
           [&](const std::string & text) { options.smallestComponent = ToCount(text, 0, LargestCount); })
     ->group(group);
   AddSectionWidth(app, options)->group(group);
-  AddText(app, "--min-branch-length", "Shorter branches are left out", "L", [&](const std::string & text) {
+  AddText(app, "--min-branch-length", "Leave out branches shorter than L", "L", [&](const std::string & text) {
     options.minimumBranchLength = ToDouble(text);
   })->group(group);
   AddSubVoxel(app, options)->group(group);
@@ -405,7 +403,7 @@ DefineDistance(CommandLine & line)
   AddInput(app, options);
   AddFile(app, "VECTORS", "Vectors to the boundary: " + ListExtensions(3), options.output)->required();
   AddChoice<itk::MedialVoxelBoundary>(
-    line, app, "--boundary", "Where the vectors lead to", "KIND", options.boundary, Boundaries);
+    line, app, "--boundary", "Boundary that the vectors lead to", "KIND", options.boundary, Boundaries);
   AddChoice<Region>(line,
                     app,
                     "--region",
@@ -415,11 +413,10 @@ DefineDistance(CommandLine & line)
                     { { GetName(Region::Both), Region::Both },
                       { GetName(Region::Inside), Region::Inside },
                       { GetName(Region::Outside), Region::Outside } });
-  AddText(
-    app, "--maximum-distance", "Voxels farther than this become not a number", "X", [&](const std::string & text) {
-      options.maximumDistance = ToDouble(text);
-    });
-  app.add_flag("--voxel-units", options.voxelUnits, "Take lengths in voxels, not in units of the spacing");
+  AddText(app, "--maximum-distance", "Voxels farther than this become NaN", "X", [&](const std::string & text) {
+    options.maximumDistance = ToDouble(text);
+  });
+  app.add_flag("--voxel-units", options.voxelUnits, "Lengths are in voxels, not in units of the spacing");
   AddObjectOptions(app, options);
   const std::string group = "Further outputs";
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
@@ -435,7 +432,7 @@ void
 DefineInfo(CommandLine & line)
 {
   AddInput(*line.info, line.infoOptions);
-  line.info->add_flag("--values", line.showsValues, "Read it, and tell range, mean, percentiles, Otsu");
+  line.info->add_flag("--values", line.showsValues, "Read the values: range, mean, percentiles, Otsu");
   AddRawOptions(line, *line.info, line.infoOptions);
   line.examples[line.info] = { "medialvoxel info part.mha --values",
                                "medialvoxel info scan.raw --raw-size 708,965,325 --raw-type uint16" };
@@ -454,10 +451,10 @@ DefineCommandLine(CommandLine & line)
   line.mesh = app->add_subcommand("mesh", "Build the medial surface of an object");
   line.distance = app->add_subcommand("distance", "Compute vectors to the boundary and distances");
   line.info = app->add_subcommand("info", "Describe a volume");
-  line.plan = app->add_subcommand("plan", "Prepare an extraction that several processes do");
-  line.work = app->add_subcommand("work", "Do clusters of a planned extraction");
-  line.finalize = app->add_subcommand("finalize", "Verify and publish an extraction that is done");
-  line.status = app->add_subcommand("status", "Tell how far a planned extraction is");
+  line.plan = app->add_subcommand("plan", "Prepare an extraction by several processes");
+  line.work = app->add_subcommand("work", "Compute clusters of a planned extraction");
+  line.finalize = app->add_subcommand("finalize", "Verify a computed extraction and name its outputs");
+  line.status = app->add_subcommand("status", "Show the progress of a planned extraction");
   DefineExtract(line);
   DefineMesh(line);
   DefineDistance(line);

@@ -4,6 +4,7 @@
 
 #include "CommandTable.h"
 #include "Errors.h"
+#include "OptionDetails.h"
 #include "Version.h"
 
 #include <cctype>
@@ -183,6 +184,8 @@ MakeManualPage(const CommandLine & line, const CLI::App & app)
               : ToRoff(": " + CLI::detail::join(choices, ", ") +
                        (option.get_name() == "--raw-type" ? "." : " (default " + choices.front() + ").")) +
                   "\n";
+    const std::string details = GetOptionDetails(app.get_name(), option.get_name());
+    page += details.empty() ? "" : ToRoff(details) + "\n";
   };
   const Options arguments = GetOptions(app, true);
   page += arguments.empty() ? "" : ".SH ARGUMENTS\n";
@@ -217,6 +220,7 @@ WriteCommandTexts(const CommandLine & line, const CLI::App & app)
   const std::filesystem::path folder = line.generateFolder;
   WriteFile(folder / "medialvoxel.bash", MakeBashCompletion(line, app));
   WriteFile(folder / "_medialvoxel", MakeZshCompletion(line, app));
+  WriteFile(folder / "catalog.json", MakeCatalog(line, app));
   WriteFile(folder / "medialvoxel.1", MakeManualPage(line, app));
   for (const CLI::App * const command : GetCommands(app))
   {

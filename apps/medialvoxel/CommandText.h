@@ -26,7 +26,11 @@ MakeZshCompletion(const CommandLine & line, const CLI::App & app);
 std::string
 MakeManualPage(const CommandLine & line, const CLI::App & app);
 
-/** Writes all of these: medialvoxel.bash, _medialvoxel, medialvoxel.1 and a page for each command.
+/** Commands, options, formats and outputs as JSON, which the pages of doc/reference are made from. */
+std::string
+MakeCatalog(const CommandLine & line, const CLI::App & app);
+
+/** Writes all of these: medialvoxel.bash, _medialvoxel, catalog.json, medialvoxel.1 and a page for each command.
  * \throw JobError Failure */
 void
 WriteCommandTexts(const CommandLine & line, const CLI::App & app);

@@ -34,7 +34,7 @@ AddSlurm(CLI::App & app, std::optional<SlurmOptions> & target)
   // A value stands behind an equals sign only, so that no argument is taken for it.
   auto * const slurm = app.add_option("--slurm", setFile, "Write a Slurm job array: JOBDIR/slurm.sh, or =FILE");
   slurm->expected(0);
-  app.add_option("--slurm-clusters", setClusters, "Clusters of its tasks; N%M: M tasks at once")
+  app.add_option("--slurm-clusters", setClusters, "Clusters per task; N%M: M tasks at once")
     ->type_name("N")
     ->type_size(1)
     ->expected(1)
@@ -63,7 +63,7 @@ void
 DefineWork(CommandLine & line)
 {
   CLI::App & app = *line.work;
-  AddJobFolder(app, line.workOptions.jobFolder, "Folder that medialvoxel plan has made");
+  AddJobFolder(app, line.workOptions.jobFolder, "Folder made by medialvoxel plan");
   const auto parse = [&line](const CLI::results_t & results) {
     const auto ranges = ParseClusters(results.front());
     if (!ranges)
@@ -74,7 +74,7 @@ DefineWork(CommandLine & line)
     line.workOptions.clusters = *ranges;
     return true;
   };
-  app.add_option("--clusters", parse, "Which, such as 7 or 0-3,9 (default: all)")
+  app.add_option("--clusters", parse, "Clusters to compute, as 7 or 0-3,9 (default: all)")
     ->type_name("RANGES")
     ->type_size(1)
     ->expected(1);
@@ -83,16 +83,18 @@ DefineWork(CommandLine & line)
   AddProgress(line, app);
   AddLog(line, app, line.logFile);
   line.examples[&app] = { "medialvoxel work job", "medialvoxel work job --clusters 0-9 --threads 4" };
-  app.footer("Clusters that are done are skipped; any number of processes may work at once.");
+  app.footer("Finished clusters are skipped; any number of processes may work at once.");
 }
 
 void
 DefineFinalize(CommandLine & line)
 {
   CLI::App & app = *line.finalize;
-  AddJobFolder(app, line.finalizeOptions.jobFolder, "Folder that medialvoxel plan has made");
+  AddJobFolder(app, line.finalizeOptions.jobFolder, "Folder made by medialvoxel plan");
   app.add_flag_callback(
-    "--no-verify", [&] { line.finalizeOptions.verifies = false; }, "Do not read the outputs again for their checksums");
+    "--no-verify",
+    [&] { line.finalizeOptions.verifies = false; },
+    "Skip reading the outputs again for their checksums");
   app.add_flag("--overwrite", line.finalizeOptions.overwrite, "Replace existing outputs, whatever the plan says");
   AddProgress(line, app);
   AddLog(line, app, line.logFile);
@@ -103,7 +105,7 @@ void
 DefineStatus(CommandLine & line)
 {
   CLI::App & app = *line.status;
-  AddJobFolder(app, line.statusFolder, "Folder that medialvoxel plan has made");
+  AddJobFolder(app, line.statusFolder, "Folder made by medialvoxel plan");
   app.add_flag("--json", line.statusAsJson, "Print it as JSON");
   line.examples[&app] = { "medialvoxel status job", "medialvoxel status job --json" };
 }

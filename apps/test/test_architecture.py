@@ -8,7 +8,7 @@ import re
 import unittest
 
 SOURCE = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"])
-PAGE = SOURCE / "doc/architecture.md"
+PAGE = SOURCE / "doc/explanation/architecture.md"
 
 
 def drawn_folders(page):

@@ -86,7 +86,7 @@ class JobCallTest(JobKillCase):
         result = run_with("pwrite64:retval=15840:when=1", WORK, self.target)
         self.assertEqual(result.returncode, 0, result.stderr)
         message = self.in_target("finalize", "job", status=FAILURE).stderr
-        self.assertIn("do not have the checksums that they were written with: 0; they have to be done again", message)
+        self.assertIn("do not have the checksums that they were written with: 0; compute them again", message)
         self.assert_nothing_published()
         self.in_target(*WORK)
         self.in_target("finalize", "job")

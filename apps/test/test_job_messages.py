@@ -42,7 +42,7 @@ class JobMessageTest(JobTestCase):
             self.assert_message("job: another process has just planned a job in this folder", *PLAN, status=REFUSED)
         self.assert_nothing_published()
         self.in_target(*PLAN)
-        self.assert_message("job is not empty, it has a job; medialvoxel status tells", *PLAN, status=REFUSED)
+        self.assert_message("job is not empty, it has a job; medialvoxel status shows", *PLAN, status=REFUSED)
 
     def test_two_that_finalize(self):
         self.in_target(*PLAN)
@@ -97,7 +97,7 @@ class JobMessageTest(JobTestCase):
         self.target.rename(self.folder / "moved")
         (self.folder / "moved/job").rename(self.job.parent.with_name("job"))
         result = self.run_program("work", "job", status=FAILURE)
-        self.assertIn("from which the names of the job's files are meant: No such file", result.stderr)
+        self.assertIn("to which the names of the job's files are relative: No such file", result.stderr)
         self.assertIn("plan the job with absolute names", result.stderr)
 
     def move(self, copies=False):
@@ -154,7 +154,7 @@ class JobMessageTest(JobTestCase):
         (self.folder / "in.mha").rename(self.folder / "other.mha")
         message = self.in_target("work", "job", status=FAILURE).stderr
         self.assertIn(f"the input {self.folder}/in.mha of the job is gone", message)
-        self.assertIn("put it back, or plan the job anew", message)
+        self.assertIn("put it back, or plan the job again", message)
 
     def test_output_is_a_link_that_leads_elsewhere_now(self):
         (self.target / "a").mkdir()
@@ -162,7 +162,7 @@ class JobMessageTest(JobTestCase):
         self.in_target(*PLAN)
         (self.target / "out.mha").unlink()
         (self.target / "out.mha").symlink_to("out2.mha")
-        self.assert_message("No such file or directory; it is not where the job was planned to have it", "work", "job")
+        self.assert_message("No such file or directory; the output of the job is missing", "work", "job")
 
     def test_other_folder_comes_up_in_place_of_a_zarr_folder(self):
         self.in_target("plan", "../in.mha", "out.zarr", "job", "--overwrite")

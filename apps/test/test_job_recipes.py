@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""The recipes of doc/jobs.md for GNU parallel and Snakemake, word by word."""
+"""The recipes of doc/how-to/jobs.md for GNU parallel and Snakemake, word by word."""
 
 import os
 import pathlib
@@ -14,7 +14,7 @@ from jobs import JobTestCase
 from program import PROGRAM
 from test_identity import rough_shell
 
-PAGE = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"]) / "doc/jobs.md"
+PAGE = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"]) / "doc/how-to/jobs.md"
 
 
 def recipe(title, language):

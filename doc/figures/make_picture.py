@@ -3,9 +3,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders a volume's object, its medial voxels and one section with both (needs python3-numpy and python3-pil).
 
-Usage: doc/figures/make_picture.py VOLUME LOWER-THRESHOLD LABELS.mha OUTPUT.png [--turn DEGREES] [--tilt DEGREES]
+Usage: doc/figures/make_picture.py VOLUME LOWER-THRESHOLD LABELS.mha OUTPUT.png [--thickness-map MAP.mha]
 VOLUME is a .mha file or headerless bytes named by --raw-size X,Y,Z; .mha files are uncompressed bytes or zlib-packed.
-Medial cells are white (blue in the section) where a bound decided them and red where a geodesic search did.
+Medial cells are white (blue in the section) where a bound decided them and red where a geodesic search did, or have the
+color of the thickness in the map: from dark violet (5 % of the cells are thinner) to yellow (5 % are thicker); then
+the section shows them all red.
 """
 
 import argparse
@@ -19,7 +21,9 @@ from PIL import Image
 WIDTH, HEIGHT = 840, 760  # of a panel, before it is halved
 PAPER, OBJECT, BY_BOUND, BY_GEODESIC = (255, 255, 255), (150, 165, 182), (225, 228, 232), (200, 30, 45)
 SECTION_BY_BOUND = (25, 60, 120)
-TYPES = {"MET_UCHAR": "u1", "MET_SHORT": "<i2", "MET_USHORT": "<u2"}
+TYPES = {"MET_UCHAR": "u1", "MET_SHORT": "<i2", "MET_USHORT": "<u2", "MET_FLOAT": "<f4"}
+# The colors of thickness, with equal steps of lightness.
+THIN_TO_THICK = ((68, 1, 84), (59, 82, 139), (33, 145, 140), (94, 201, 98), (253, 231, 37))
 
 
 def parse_arguments():
@@ -29,6 +33,7 @@ def parse_arguments():
     parser.add_argument("labels", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
     parser.add_argument("--raw-size")
+    parser.add_argument("--thickness-map", type=pathlib.Path)
     parser.add_argument("--turn", type=float, default=35.0, help="about the z axis")
     parser.add_argument("--tilt", type=float, default=55.0, help="of the z axis towards the viewer")
     parser.add_argument("--slice", type=int, help="of the section; default: the middle one")
@@ -109,12 +114,20 @@ def shade(depth, picture, scale):
     return numpy.clip(picture, 0, 255).astype(numpy.uint8)
 
 
-def draw_section(inside, labels, slice_number):
+def colors_of_thickness(cells, path):
+    """Colors of cells by the thickness of their wall, which at rims is that of the negative number there."""
+    thickness = numpy.abs(read_meta_image(path)[tuple(cells.T)])
+    place = numpy.interp(thickness, numpy.percentile(thickness, (5, 95)), (0, len(THIN_TO_THICK) - 1))
+    stops = numpy.array(THIN_TO_THICK, float)
+    return numpy.stack([numpy.interp(place, range(len(stops)), stops[:, k]) for k in range(3)], axis=1)
+
+
+def draw_section(inside, cells, colors, slice_number):
     picture = numpy.empty(inside.shape[1:] + (3,), numpy.uint8)
     picture[:] = PAPER
     picture[inside[slice_number]] = OBJECT
-    picture[labels[slice_number] == 2] = SECTION_BY_BOUND
-    picture[labels[slice_number] == 3] = BY_GEODESIC
+    here = cells[:, 0] == slice_number
+    picture[tuple(cells[here, 1:].T)] = colors[here]
     rows, columns = (numpy.flatnonzero(inside[slice_number].any(axis)) for axis in (1, 0))
     picture = picture[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
     scale = 0.96 * min(WIDTH / picture.shape[1], HEIGHT / picture.shape[0])
@@ -138,10 +151,14 @@ def main():
     cells = numpy.argwhere(labels >= 2)
     is_by_bound = labels[tuple(cells.T)] == 2
     colors = numpy.where(is_by_bound[:, None], BY_BOUND, BY_GEODESIC).astype(float)
+    section_colors = numpy.where(is_by_bound[:, None], SECTION_BY_BOUND, BY_GEODESIC)
+    if arguments.thickness_map:
+        colors = colors_of_thickness(cells, arguments.thickness_map)
+        section_colors = numpy.tile(BY_GEODESIC, (len(cells), 1))
     right = render(cells + 0.5, colors, view, frame)
 
     slice_number = arguments.slice if arguments.slice is not None else len(inside) // 2
-    section = draw_section(inside, labels, slice_number)
+    section = draw_section(inside, cells, section_colors, slice_number)
     picture = Image.fromarray(numpy.hstack([left, right, numpy.asarray(section)]))
     picture = picture.resize((picture.width // 2, picture.height // 2), Image.Resampling.LANCZOS)
     picture.quantize(96, dither=Image.Dither.NONE).save(arguments.output, optimize=True)

@@ -24,7 +24,8 @@ namespace itk
  * measurement on the object is kept; rims are found on the object.
  *
  * Walls do not reach the value of their material when they are thinner than about three times the blur, nor gaps that
- * of the background: the threshold cuts such walls too thin and such gaps too narrow. doc/thickness.md has the errors.
+ * of the background: the threshold cuts such walls too thin and such gaps too narrow. doc/explanation/accuracy.md has
+ * the errors.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelGrayThickness

@@ -59,7 +59,7 @@ struct MedialVoxel_EXPORT MedialVoxelWall
  * voxels around each point: a plane across the direction of the wall that cuts off this share. Another wall behind a
  * gap of one voxel does not count: of two object voxels that lie opposite each other around a point, one that is more
  * than a quarter of a voxel on the far side of the point is left out. Walls parallel to an axis are measured exactly;
- * doc/thickness.md has the errors of others.
+ * doc/explanation/accuracy.md has the errors of others.
  *
  * The cell is at a rim when the two sides do not face each other: the sums of the directions from the boundary points
  * to the object voxels around them are more than 36.9 degrees (a cosine of 0.8) from opposite. There the points of the

@@ -94,7 +94,7 @@ SyncFile(const std::filesystem::path & file)
   }
   if (!isSynced)
   {
-    Fail(ExitStatus::Failure, "cannot bring to the disk ", file.string(), ": ", std::strerror(error));
+    Fail(ExitStatus::Failure, "cannot write to the disk ", file.string(), ": ", std::strerror(error));
   }
 }
 

@@ -220,7 +220,7 @@ private:
          damaged.size(),
          " clusters do not have the checksums that they were written with: ",
          FormatClusters(damaged),
-         "; they have to be done again: ",
+         "; compute them again: ",
          MakeWorkCommand(m_Shared.folder, damaged, m_Shared.manifest.numberOfClusters));
   }
 

@@ -148,7 +148,7 @@ JobFolder::CheckFree() const
   {
     Fail(ExitStatus::Refused,
          m_Path.string(),
-         " is not empty, it has a job; medialvoxel status tells how far it is; a new job needs a folder of its own");
+         " is not empty, it has a job; medialvoxel status shows its progress; a new job needs a folder of its own");
   }
   if (!HasOnlyLeftovers(m_Path))
   {

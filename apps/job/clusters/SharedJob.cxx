@@ -32,7 +32,7 @@ OpenSharedJob(const std::string & jobFolder)
       Fail(ExitStatus::Failure,
            "cannot enter ",
            job.manifest.folder.string(),
-           ", from which the names of the job's files are meant: ",
+           ", to which the names of the job's files are relative: ",
            error.message(),
            "; move the job folder ",
            folder.GetPath().string(),

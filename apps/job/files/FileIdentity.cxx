@@ -108,7 +108,7 @@ CheckUnchanged(const std::vector<FileIdentity> & files)
            std::filesystem::absolute(file.fileName).lexically_normal().string(),
            " of the job is gone: ",
            error ? error.message() : "No such file or directory",
-           "; put it back, or plan the job anew where it is now");
+           "; put it back, or plan the job again with its new place");
     }
     const FileIdentity now = IdentifyFile(file.fileName);
     if (now.numberOfBytes != file.numberOfBytes)

@@ -158,7 +158,7 @@ OutputFile::OpenShared(const std::filesystem::path & temporaryName, std::uint64_
          temporaryName.string(),
          ": ",
          std::strerror(errno),
-         "; it is not where the job was planned to have it; plan the job again unless it can be put back");
+         "; the output of the job is missing; put it back, or plan the job again");
   }
   this->OpenExisting(temporaryName, numberOfBytes, forWriting ? O_WRONLY : O_RDONLY);
   m_TemporaryName = temporaryName;

@@ -254,7 +254,7 @@ private:
     }
     if (*images > 1 && m_Header.segments.size() != 1)
     {
-      m_File.Refuse("its description tells of " + std::to_string(*images) + " images, of which only one is listed");
+      m_File.Refuse("its description announces " + std::to_string(*images) + " images, but only one is listed");
     }
     const std::uint64_t bytes = m_Format.height * this->GetRowBytes();
     for (std::int64_t slice = 1; slice < *images; ++slice)

@@ -437,7 +437,7 @@ ZarrVolume::Publish()
   std::error_code error;
   if (std::filesystem::exists(m_Folder.GetName(), error) && !IsZarrFolder(m_Folder.GetName()))
   {
-    Fail(ExitStatus::Refused, m_Folder.GetName().string(), " has come up meanwhile and is not a Zarr folder");
+    Fail(ExitStatus::Refused, m_Folder.GetName().string(), " was created during the run and is not a Zarr folder");
   }
   m_Folder.Publish();
 }

@@ -203,7 +203,7 @@ CheckOptions(const ExtractOptions & options)
   }
   if (options.subVoxel && !options.lowerThreshold && !options.upperThreshold && !options.lowerIsOtsu)
   {
-    Fail(ExitStatus::Usage, "sub-voxel measures are taken at a threshold; none is given");
+    Fail(ExitStatus::Usage, "sub-voxel measures need a threshold; none is given");
   }
 }
 

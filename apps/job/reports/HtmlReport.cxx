@@ -139,10 +139,10 @@ MakeThickness(const ThicknessSummary & thickness, const std::string & unit, bool
   }
   text += ", in " + unit + ", measured on the " + (subVoxel ? "gray values" : "binary object") +
           "; lengths are multiples of " + FormatNumber(thickness.resolution) +
-          ". A cell counts for the area of the wall's middle that is in it, in squared units.";
+          ". The area of a cell is that of the sheet in it, in squared units.";
   if (thickness.above > 0)
   {
-    text += " " + std::to_string(thickness.above) + " cells are beyond the right end.";
+    text += " " + std::to_string(thickness.above) + " cells are thicker than the last bin.";
   }
   return text + "</p>\n";
 }
@@ -240,14 +240,16 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
     "src=\"data:image/png;base64," +
     EncodeBase64(pictures.labels) +
     "\">\n<p class=\"muted\"><span class=\"object\"></span>object, <span class=\"bound\"></span>medial by the bound, "
-    "<span class=\"geodesic\"></span>medial by the geodesic search. The scale bar is in units of the spacing.</p>\n";
+    "<span class=\"geodesic\"></span>medial by a path search. The scale bar is in units of the spacing.</p>\n";
   page += "<h2>Thickness of the walls</h2>\n";
   if (!pictures.thicknesses.empty())
   {
-    page += "<img alt=\"The same views, colored by the thickness\" src=\"data:image/png;base64," +
-            EncodeBase64(pictures.thicknesses) +
-            "\">\n<p class=\"muted\">The colors go from the 1 % to the 99 % percentile, in " + unit +
-            "; where cells fall together the thickest counts. Cells at rims have none.</p>\n";
+    page +=
+      "<img alt=\"The same views, colored by the thickness\" src=\"data:image/png;base64," +
+      EncodeBase64(pictures.thicknesses) +
+      "\">\n<p class=\"muted\">The colors span the 1st to the 99th percentile, in " + unit +
+      "; values outside are clamped. If several cells share a pixel, the thickest is shown. Cells at rims have no "
+      "color.</p>\n";
   }
   page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, options.subVoxel);
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);

@@ -91,7 +91,7 @@ LengthHistogram::GetPercentile(const double percent) const
 {
   if (!(percent >= 0.0) || percent > 100.0)
   {
-    throw std::invalid_argument("A percentile is asked for by a number from 0 to 100.");
+    throw std::invalid_argument("A percentile needs a number from 0 to 100.");
   }
   const double  wanted = std::max(1.0, std::ceil(percent * static_cast<double>(m_Total) / 100.0));
   std::uint64_t below = 0;

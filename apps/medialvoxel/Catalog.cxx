@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "CommandTable.h"
+#include "CommandText.h"
+#include "OptionDetails.h"
+#include "Outputs.h"
+#include "SurfaceFormat.h"
+#include "Version.h"
+#include "VolumeFormats.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json
+DescribeOption(const CommandLine & line, const CLI::App & command, const CLI::Option & option)
+{
+  Json                             json{ { "usage", GetUsage(option) },
+                                         { "group", option.get_group() },
+                                         { "description", option.get_description() },
+                                         { "details", GetOptionDetails(command.get_name(), option.get_name()) } };
+  const std::vector<std::string> & choices = GetChoices(line, option);
+  if (!choices.empty())
+  {
+    json["choices"] = choices;
+  }
+  return json;
+}
+
+Json
+DescribeCommand(const CommandLine & line, const CLI::App & command)
+{
+  Json json{ { "name", command.get_name() },
+             { "description", command.get_description() },
+             { "arguments", Json::array() },
+             { "options", Json::array() },
+             { "examples", line.examples.at(&command) } };
+  for (const bool positional : { true, false })
+  {
+    for (const CLI::Option * const option : GetOptions(command, positional))
+    {
+      if (option != command.get_help_ptr())
+      {
+        json[positional ? "arguments" : "options"].push_back(DescribeOption(line, command, *option));
+      }
+    }
+  }
+  return json;
+}
+
+bool
+Contains(const std::vector<std::string> & texts, const std::string & text)
+{
+  return std::find(texts.begin(), texts.end(), text) != texts.end();
+}
+
+Json
+DescribeVolumeFormats()
+{
+  Json                           json = Json::array();
+  constexpr unsigned int         vector = 3;
+  const std::vector<std::string> written = ListOutputExtensions();
+  const std::vector<std::string> ofVectors = ListOutputExtensions(vector);
+  for (const std::string & extension : ListInputExtensions())
+  {
+    const std::string fileName = "a" + extension;
+    const bool        isWritten = Contains(written, extension);
+    json.push_back({ { "extension", extension },
+                     { "format", FindInputFormat(fileName).name },
+                     { "written", isWritten },
+                     { "vectors", Contains(ofVectors, extension) },
+                     { "always_packed", isWritten && IsPackedVolume(fileName, false) },
+                     { "packed_on_request", isWritten && IsPackedVolume(fileName, true) } });
+  }
+  return json;
+}
+
+template <typename TOptions>
+Json
+DescribeOutputs()
+{
+  VolumeHeader volume;
+  volume.geometry.size = { 1, 1, 1 };
+  Json json = Json::array();
+  for (const OutputKind<TOptions> & kind : ListOutputKinds(TOptions{}))
+  {
+    Json output{ { "role", kind.role }, { "extensions", kind.extensions } };
+    if (kind.volume)
+    {
+      const VoxelLayout layout = kind.volume->getLayout(volume);
+      output["type"] = GetTraits(layout.pixelType).name;
+      output["components"] = layout.components;
+      output["grid"] = kind.volume->isOfCells ? "cells" : "voxels";
+    }
+    output["in_jobs"] = !kind.refusal;
+    json.push_back(output);
+  }
+  return json;
+}
+
+} // namespace
+
+std::string
+MakeCatalog(const CommandLine & line, const CLI::App & app)
+{
+  Json json{ { "version", GetVersion() }, { "notes", app.get_footer() }, { "commands", Json::array() } };
+  for (const CLI::App * const command : GetCommands(app))
+  {
+    json["commands"].push_back(DescribeCommand(line, *command));
+  }
+  json["volume_formats"] = DescribeVolumeFormats();
+  json["mesh_formats"] = ListSurfaceExtensions();
+  json["outputs"] = { { "extract", DescribeOutputs<ExtractOptions>() },
+                      { "distance", DescribeOutputs<DistanceOptions>() } };
+  return json.dump(2) + "\n";
+}
+
+} // end namespace medialvoxel

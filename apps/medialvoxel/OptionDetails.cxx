@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OptionDetails.h"
+
+namespace medialvoxel
+{
+
+const std::vector<OptionDetails> &
+ListOptionDetails()
+{
+  static const std::vector<OptionDetails> rows{
+    { "",
+      "--spacing",
+      "Default: that of the file, or 1. From 1e-12 to 1e12; the largest at most 1000 times the smallest." },
+    { "",
+      "--resample",
+      "The input is brought to this spacing while it is read. Values between voxels are linear with a threshold; "
+      "without one, or with one value for both, the nearest voxel counts." },
+    { "", "--thickness", "In units of the spacing; greater than 0. A number gives all cells the same threshold." },
+    { "", "--minimum-thickness", "In units of the spacing. Needs the thickness auto." },
+    { "", "--maximum-thickness", "In units of the spacing. Needs the thickness auto. Time and memory grow with it." },
+    { "",
+      "--max-pore-size",
+      "In voxels, from 0 to 1000000. Cavities and grains of up to this size are taken for noise; 0 keeps all." },
+    { "", "--voxel-units", "Coordinates and thickness of meshes stay in units of the spacing." },
+    { "",
+      "--lower",
+      "Values of at least L are object. Whole numbers of 64 bits are exact. otsu measures L on the values, which "
+      "reads "
+      "the volume once more, or twice for more than 16 bits." },
+    { "", "--upper", "Values of at most U are object." },
+    { "", "--label", "From -2^63 to 2^64 - 1. Not with --lower and --upper." },
+    { "",
+      "--vectors",
+      "32-bit real components x, y, z at object voxels, 0 elsewhere; in units of the spacing, along the axes of "
+      "space." },
+    { "", "--vector-boundary", "object: border voxels of the object. background: background voxels beside it." },
+    { "", "--boundary", "object: border voxels of the object, as ITK's SignedMaurer. background: voxels beside it." },
+    { "", "--maximum-distance", "In units of the spacing; greater than 0. Default: none." },
+    { "",
+      "--thickness-map",
+      "32-bit real, on the grid of the labels: positive at medial cells, negative at rims, 0 elsewhere." },
+    { "",
+      "--sub-voxel",
+      "Thickness and vertices are measured; labels stay the same. Needs a threshold "
+      "and "
+      "an input that streams." },
+    { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
+    { "", "--mesh", "The medial surface, as medialvoxel mesh writes it." },
+    { "",
+      "--section-width",
+      "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in .inp or .bdf." },
+    { "", "--triangles", "Along the shorter diagonal." },
+    { "", "--smallest-component", "Default 0, which keeps all. Holds the whole surface in memory." },
+    { "",
+      "--min-branch-length",
+      "In units of the spacing; default 0, which keeps all. Holds the whole surface in memory." },
+    { "", "--preview", "With --thickness-map a second picture has the colors of the thickness." },
+    { "", "--html", "One file without scripts that opens offline." },
+    { "", "--report", "With - it takes the place of the table." },
+    { "",
+      "--memory",
+      "A hard limit on the peak of the process. It changes the speed, never the results. K, M, G and T are powers of "
+      "1024." },
+    { "",
+      "--scratch",
+      "Compressed input that does not fit the memory, and vertices and faces of meshes, wait there in files "
+      "without a "
+      "name." },
+    { "", "--threads", "Results do not depend on it." },
+    { "", "--divisions", "Results do not depend on it." },
+    { "plan", "--divisions", "Number of clusters. Results do not depend on it." },
+    { "", "--dry-run", "Writes nothing." },
+    { "", "--sparse", "Not in jobs of several processes." },
+    { "",
+      "--overwrite",
+      "Without it the run is refused with status 3. Old files stay until the new ones are complete." },
+    { "", "--quiet", "Warnings are left out too." },
+    { "", "--log-file", "Several processes may share it. Lines that are there stay." },
+    { "", "--log-level", "Lines that are less urgent are left out." },
+    { "",
+      "--compress",
+      "zlib for .mha, gzip for .nrrd. Packed files do not stream. Not in jobs of several processes." },
+    { "", "--zarr-compression", "Needs a .zarr output." },
+    { "", "--resume", "The job folder is OUTPUT.job until the run is complete. The same command continues." },
+    { "", "--raw-size", "2 or 3 numbers, x first. The file must have exactly this size." },
+    { "", "--values", "Reads the volume once, or twice for values of more than 16 bits." },
+    { "", "--clusters", "Counted from 0." },
+    { "", "--slurm", "Prints the commands that submit it, too." },
+    { "", "--slurm-clusters", "Default: so many that there are up to 64 tasks." },
+    { "", "--no-verify", "For file systems that have checksums of their own." },
+  };
+  return rows;
+}
+
+std::string
+GetOptionDetails(const std::string & command, const std::string & option)
+{
+  std::string text;
+  for (const OptionDetails & row : ListOptionDetails())
+  {
+    const bool isOfCommand = command == row.command;
+    if (option == row.option && (isOfCommand || (*row.command == '\0' && text.empty())))
+    {
+      text = row.text;
+    }
+  }
+  return text;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The pages of doc/reference are those that the program's own tables make."""
+
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+from program import PROGRAM, ProgramTestCase, needs_tiff
+
+SOURCE = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"])
+
+
+class ReferenceTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        self.run_program("generate", ".")
+        self.catalog = json.loads((self.folder / "catalog.json").read_text())
+
+    # A program without libtiff lists fewer formats.
+    @needs_tiff
+    def test_pages_are_up_to_date(self):
+        command = [sys.executable, "-B", str(SOURCE / "doc/make_reference.py"), PROGRAM, "--check"]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+
+    def test_details_are_of_options_that_exist(self):
+        rows = re.findall(
+            r'\{ "(\w*)",\s+"(--[a-z-]+)",', (SOURCE / "apps/medialvoxel/OptionDetails.cxx").read_text(encoding="utf-8")
+        )
+        self.assertGreater(len(rows), 40)
+        self.assertEqual(len(rows), len(set(rows)))
+        options = {c["name"]: {o["usage"].split()[0] for o in c["options"]} for c in self.catalog["commands"]}
+        options[""] = set().union(*options.values())
+        for command, option in rows:
+            self.assertIn(option, options[command])
+
+    def test_the_schema_describes_all_warnings(self):
+        code = (SOURCE / "apps/job/reports/Warnings.cxx").read_text(encoding="utf-8")
+        codes = set(re.findall(r'\{ "([a-z]+(?:_[a-z]+)+)",\s+(?:Check|\[\])', code))
+        schema = json.loads((SOURCE / "doc/report.schema.json").read_text(encoding="utf-8"))
+        described = schema["properties"]["warnings"]["items"]["properties"]["code"]["oneOf"]
+        self.assertEqual({row["const"] for row in described}, codes)
+
+
+if __name__ == "__main__":
+    unittest.main()
