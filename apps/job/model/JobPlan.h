@@ -46,6 +46,7 @@ struct JobPlan
   std::uint64_t fixedBytes{ 0 };       ///< memory that depends neither on pieces nor on windows
   std::uint64_t bytesPerSlice{ 0 };    ///< results
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
+  bool          readsAhead{ true };    ///< a second window is prepared for the next slab
   std::uint64_t numberOfFilters{ 1 };  ///< that keep windows
 
   ScratchSpace          growingScratch; ///< of files that grow with the results, as planned
@@ -54,6 +55,13 @@ struct JobPlan
 
   SliceRange
   GetPiece(std::uint64_t piece) const;
+
+  /** The piece after this one, empty after the last one. */
+  SliceRange
+  GetNextPiece(std::uint64_t piece) const
+  {
+    return piece + 1 < divisions ? this->GetPiece(piece + 1) : SliceRange{};
+  }
 
   /** Memory for the windows and threads of each filter beside the results of so many slices; 0 is without limit. */
   std::uint64_t

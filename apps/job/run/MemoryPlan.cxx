@@ -4,6 +4,7 @@
 
 #include "BitStore.h"
 #include "FreeMemory.h"
+#include "InputVolume.h"
 #include "Resampling.h"
 #include "Text.h"
 
@@ -67,7 +68,9 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const bool           isMask = !header.CanStream();
   const std::uint64_t  bytesPerVoxel = isMask ? 1 : GetTraits(header.pixelType).bytes;
   const std::uint64_t  voxels = header.geometry.GetNumberOfVoxels();
-  const std::uint64_t  pull = std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
+  const std::uint64_t  pull = InputVolume::IsReadInParallel(header)
+                                ? plan.threads * InputVolume::BytesPerPart
+                                : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
   const std::uint64_t  resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
@@ -81,6 +84,7 @@ MakeEngine(const JobPlan & plan, const Request & request, itk::MedialVoxelEngine
 {
   settings.numberOfWorkers = plan.threads;
   settings.slabThickness = static_cast<std::int64_t>(plan.slabThickness);
+  settings.readsAhead = plan.readsAhead;
   return std::make_unique<const itk::MedialVoxelEngine>(request.footprint.grid, settings);
 }
 
@@ -137,19 +141,27 @@ GainsFromWritingBehind(const JobPlan & plan)
   return plan.divisions > 1 && plan.GetMaximumSlices() * plan.bytesPerSlice <= BytesWrittenBehind;
 }
 
-/** Thinner slabs read and do more twice, so that the thickest that fit are taken. */
+/** Thinner slabs read and do more twice, so that the thickest that fit are taken, first without a second window. */
 bool
 TrySlabs(JobPlan & plan, const Request & request)
 {
   plan.slabThickness = 0;
   const std::uint64_t preferred = GetPreferredSlabThickness(plan, request);
   plan.slabSlices = preferred;
-  plan.writesBehind = plan.numberOfFilters == 1;
-  if (plan.writesBehind && TryDivisions(plan, request, preferred) && GainsFromWritingBehind(plan))
+  for (const bool readsAhead : { true, false })
   {
-    return true;
+    plan.readsAhead = readsAhead;
+    plan.writesBehind = plan.numberOfFilters == 1;
+    if (plan.writesBehind && TryDivisions(plan, request, preferred) && GainsFromWritingBehind(plan))
+    {
+      return true;
+    }
+    plan.writesBehind = false;
+    if (readsAhead && TryDivisions(plan, request, preferred))
+    {
+      return true;
+    }
   }
-  plan.writesBehind = false;
   for (std::uint64_t slab = preferred;; slab /= 2)
   {
     if (TryDivisions(plan, request, slab))
