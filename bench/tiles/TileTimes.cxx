@@ -70,11 +70,11 @@ public:
     return settings;
   }
 
-  /** As the program cuts them: of 32 MiB, and of a slab at least. */
+  /** As the program cuts them: of 32 MiB, or 2 MiB for each thread, and of a slab at least. */
   std::vector<itk::MedialVoxelBox>
-  GetPieces(std::int64_t slabThickness) const
+  GetPieces(std::int64_t slabThickness, unsigned int threads) const
   {
-    constexpr std::int64_t           bytesOfPiece = 32 << 20;
+    const std::int64_t               bytesOfPiece = std::max<std::int64_t>(32, 2 * threads) << 20;
     const auto &                     size = m_Grid.GetSize();
     const std::int64_t               slices = std::max(slabThickness, bytesOfPiece / (size[0] * size[1]));
     const std::int64_t               number = (size[2] - 1) / std::min(slices, size[2]) + 1;
@@ -351,7 +351,7 @@ Simulate(const Part & part, unsigned int threads)
   Client                     client(part);
   itk::MedialVoxelSlabWalker walker(part.GetGrid(), part.GetSettings(threads));
   Simulation                 simulation(part, client);
-  const auto                 pieces = part.GetPieces(walker.GetSlabThickness(part.GetGrid().GetVoxelBox()));
+  const auto                 pieces = part.GetPieces(walker.GetSlabThickness(part.GetGrid().GetVoxelBox()), threads);
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     client.BeginPiece(pieces[i]);
@@ -385,7 +385,7 @@ RunForReal(const Part & part, unsigned int threads)
   itk::MedialVoxelEngine engine(part.GetGrid(), settings);
   Client                 client(part);
   client.m_Engine = &engine;
-  const auto pieces = part.GetPieces(engine.GetSlabThickness(part.GetGrid().GetVoxelBox()));
+  const auto pieces = part.GetPieces(engine.GetSlabThickness(part.GetGrid().GetVoxelBox()), threads);
   const auto start = std::chrono::steady_clock::now();
   const auto startOfProcess = std::clock();
   double     busy = 0.0;

@@ -102,12 +102,12 @@ MedialVoxelExecution::RunSchedule(MedialVoxelSlabSchedule & schedule)
   } while (!schedule.IsDone() && !this->IsAborted());
   m_Sums.tileSeconds += SecondsSince(start);
   m_Workspaces.clear();
-  // Other workers may have done all of a short run meanwhile.
-  this->Beat();
   if (m_Failure)
   {
     std::rethrow_exception(m_Failure);
   }
+  // Other workers may have done all of a short run meanwhile.
+  this->Beat();
   this->ThrowIfAborted();
 }
 

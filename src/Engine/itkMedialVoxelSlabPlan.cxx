@@ -32,6 +32,10 @@ constexpr std::int64_t LargestWideEdge = 128;
 constexpr std::int64_t WideTileArea = 65536;
 constexpr std::int64_t WideTileSlices = 16;
 
+/** Workers from which tiles of thick parts are half as thick, and half as wide. */
+constexpr unsigned int ManyWorkers = 8;
+constexpr unsigned int VeryManyWorkers = 32;
+
 std::int64_t
 CeilingDivide(const std::int64_t value, const std::int64_t divisor)
 {
@@ -41,13 +45,15 @@ CeilingDivide(const std::int64_t value, const std::int64_t divisor)
 /** Tiles of thick parts: all of the rows, or as much as is useful, as each slice of a tile is searched from what lies
  * in its plane, and the work of the halo around it is repeated. */
 MedialVoxelIndex
-WideTile(const std::int64_t columns)
+WideTile(const std::int64_t columns, const unsigned int numberOfWorkers)
 {
   const std::int64_t parts = CeilingDivide(columns, WidestTile);
   const std::int64_t width =
     CeilingDivide(CeilingDivide(columns, parts), MedialVoxelBits::BitsPerWord) * MedialVoxelBits::BitsPerWord;
-  const std::int64_t edge = WideTileArea / width / SmallestTileEdge * SmallestTileEdge;
-  return { { std::max(width, NarrowTile), std::clamp(edge, SmallestTileEdge, LargestWideEdge), WideTileSlices } };
+  const std::int64_t area = numberOfWorkers < VeryManyWorkers ? WideTileArea : WideTileArea / 2;
+  const std::int64_t edge = area / width / SmallestTileEdge * SmallestTileEdge;
+  const std::int64_t slices = numberOfWorkers < ManyWorkers ? WideTileSlices : WideTileSlices / 2;
+  return { { std::max(width, NarrowTile), std::clamp(edge, SmallestTileEdge, LargestWideEdge), slices } };
 }
 
 } // namespace
@@ -152,7 +158,7 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
   }
   else if (m_Grid.IsActive(2) && m_Grid.HasEqualSpacing() && std::max(halo[1], halo[2]) >= ThickHalo)
   {
-    cut.tileSize = WideTile(region.Extent(0));
+    cut.tileSize = WideTile(region.Extent(0), m_Settings.numberOfWorkers);
   }
   else if (m_Grid.IsActive(2))
   {

@@ -15,6 +15,9 @@ namespace itk
 namespace
 {
 
+/** Of more tiles in a slab the longest ones make no difference at its end. */
+constexpr std::size_t MostSortedTiles = 4096;
+
 /** Parts of a window for each worker, so that no worker waits long for the last part of another one. */
 constexpr std::int64_t PartsPerWorker = 4;
 
@@ -138,7 +141,7 @@ void
 MedialVoxelSlabSchedule::RenewSlabs()
 {
   const auto isOutdated = [this](const Slab & slab) {
-    return slab.phase == Phase::Process && slab.numberOfTaken == 0 && slab.waiting.size() == slab.tiles.size() &&
+    return slab.phase == Phase::Process && slab.numberOfTaken == 0 && slab.waiting.size() == slab.numberOfTiles &&
            IsLarger(m_State.halo, slab.cut.halo) && !slab.wasDeferred &&
            IsLarger(m_Plan.ChooseCut(slab.box, m_State.halo).halo, slab.cut.halo);
   };
@@ -181,11 +184,11 @@ MedialVoxelSlabSchedule::Defer(const Work & work, const MedialVoxelBox & needed)
 void
 MedialVoxelSlabSchedule::Complete(const Work & work, const double seconds)
 {
-  if (work.phase == Phase::Process)
+  const auto slab = this->FindSlab(work.slab);
+  if (work.phase == Phase::Process && this->SortsTiles(*slab))
   {
     m_State.tileSeconds[this->GetColumn(work.box)] = seconds;
   }
-  const auto slab = this->FindSlab(work.slab);
   --slab->numberOfTaken;
   if (!slab->waiting.empty() || slab->numberOfTaken > 0)
   {
@@ -208,8 +211,7 @@ MedialVoxelSlabSchedule::CheckThatAllIsDone() const
 void
 MedialVoxelSlabSchedule::BeginSlabs()
 {
-  const bool        readsAhead = m_Plan.GetSettings().readsAhead && m_NumberOfWorkers > 1;
-  const std::size_t most = readsAhead ? m_State.windows.size() : 1;
+  const std::size_t most = this->ReadsAhead() ? m_State.windows.size() : 1;
   while (m_Slabs.size() < most && !this->IsPreparing())
   {
     std::optional<Slab> slab = this->FindNext();
@@ -231,8 +233,7 @@ MedialVoxelSlabSchedule::BeginSlabs()
 bool
 MedialVoxelSlabSchedule::IsPreparing() const
 {
-  return std::any_of(
-    m_Slabs.begin(), m_Slabs.end(), [](const Slab & slab) { return slab.phase != Phase::Process; });
+  return std::any_of(m_Slabs.begin(), m_Slabs.end(), [](const Slab & slab) { return slab.phase != Phase::Process; });
 }
 
 auto
@@ -325,46 +326,72 @@ MedialVoxelSlabSchedule::DropNext(const Slab & slab)
 bool
 MedialVoxelSlabSchedule::MoveWindow(Slab & slab)
 {
-  const MedialVoxelBox input = m_State.windows[0].GetInputBox(slab.sites);
-  slab.window = m_Slabs.empty() ? MedialVoxelFindNearestWindow(m_State.windows, input) : 1 - m_Slabs.front().window;
-  MedialVoxelMovingWindow & window = m_State.windows[slab.window];
-  MedialVoxelMovingWindow & other = m_State.windows[1 - slab.window];
+  Windows &            windows = m_State.windows;
+  const MedialVoxelBox input = windows[0].GetInputBox(slab.sites);
+  const std::size_t    nearest = MedialVoxelFindNearestWindow(windows, input);
+  const std::size_t    free = m_Slabs.empty() ? 1 - nearest : 1 - m_Slabs.front().window;
+  const bool           isInPlace = windows[nearest].GetObject().GetBox() == input;
   // Copies and clears are parts of the work of all threads; what is kept in place is moved by one.
-  const std::int64_t        own = CountShared(window, input);
-  const bool                copies = own == 0 || (!m_Slabs.empty() && CountShared(other, input) > own);
-  std::uint64_t             workers = m_Plan.BytesOfWorkers(slab.sites, slab.cut);
+  if (this->ReadsAhead() && !isInPlace && free != nearest && this->TryWindow(slab, free, true))
+  {
+    return true;
+  }
+  slab.window = m_Slabs.empty() ? nearest : free;
+  const bool hasNothing = CountShared(windows[slab.window], input) == 0;
+  if (this->TryWindow(slab, slab.window, hasNothing))
+  {
+    return true;
+  }
+  if (!m_Slabs.empty())
+  {
+    return false;
+  }
+  windows[1 - slab.window].Clear();
+  if (!this->TryWindow(slab, slab.window, hasNothing))
+  {
+    windows[slab.window].Clear();
+    windows[slab.window].BeginMove(slab.sites, slab.room, nullptr);
+  }
+  return true;
+}
+
+/** What the other window has is copied, or what this one has is kept. */
+bool
+MedialVoxelSlabSchedule::TryWindow(Slab & slab, const std::size_t number, const bool copies)
+{
+  MedialVoxelMovingWindow & window = m_State.windows[number];
+  MedialVoxelMovingWindow & other = m_State.windows[1 - number];
+  std::uint64_t             workers = this->BytesOfWorkers(slab);
   for (const Slab & running : m_Slabs)
   {
-    workers = std::max(workers, m_Plan.BytesOfWorkers(running.sites, running.cut));
+    workers = std::max(workers, this->BytesOfWorkers(running));
   }
-  const auto fits = [&] {
-    const std::uint64_t moved =
-      copies ? window.GetBytesToCopy(slab.sites, slab.room) : window.GetBytesToMove(slab.sites, slab.room);
-    return m_Plan.IsWithinLimit(moved + other.GetReservedBytes() + workers);
-  };
-  if (!fits())
+  const std::uint64_t moved =
+    copies ? window.GetBytesToCopy(slab.sites, slab.room) : window.GetBytesToMove(slab.sites, slab.room);
+  if (!m_Plan.IsWithinLimit(moved + other.GetReservedBytes() + workers))
   {
-    if (!m_Slabs.empty())
-    {
-      return false;
-    }
-    other.Clear();
-    if (!fits())
-    {
-      window.Clear();
-    }
+    return false;
   }
+  slab.window = number;
   window.BeginMove(slab.sites, slab.room, copies ? &other : nullptr);
   return true;
+}
+
+/** What they have grown for one slab they keep for others of the region. */
+std::uint64_t
+MedialVoxelSlabSchedule::BytesOfWorkers(const Slab & slab) const
+{
+  return std::max(m_Plan.BytesOfWorkers(slab.sites, slab.cut), m_Plan.BytesOfWorkers(slab.room, slab.cut));
 }
 
 std::uint64_t
 MedialVoxelSlabSchedule::FindLayout(const Slab & slab)
 {
-  const auto extents = [](const Slab & of) {
-    return MedialVoxelIndex{ { of.sites.Extent(0), of.sites.Extent(1), of.sites.Extent(2) } };
-  };
-  const Layout layout{ slab.cut.tileSize, extents(slab) };
+  Layout layout{ slab.cut.tileSize, {} };
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    layout[1][axis] = std::max(slab.room.Extent(axis), slab.sites.Extent(axis));
+  }
   if (layout != m_LastLayout)
   {
     m_LastLayout = layout;
@@ -401,8 +428,12 @@ MedialVoxelSlabSchedule::EnterPhase(Slab & slab, const Phase phase)
       boxes = window.CutToMark(parts);
       break;
     case Phase::Process:
-      boxes = slab.tiles;
-      this->SortTiles(boxes);
+      slab.numberOfTiles = slab.tiles.size();
+      boxes = std::exchange(slab.tiles, {});
+      if (this->SortsTiles(slab))
+      {
+        this->SortTiles(boxes);
+      }
   }
   slab.waiting.assign(boxes.begin(), boxes.end());
   if (slab.waiting.empty())
@@ -411,14 +442,16 @@ MedialVoxelSlabSchedule::EnterPhase(Slab & slab, const Phase phase)
   }
 }
 
+bool
+MedialVoxelSlabSchedule::SortsTiles(const Slab & slab) const
+{
+  return m_NumberOfWorkers > 1 && slab.numberOfTiles <= MostSortedTiles;
+}
+
 /** Long tiles first, so that threads end together: those of a slab mostly take as long as those before them. */
 void
 MedialVoxelSlabSchedule::SortTiles(std::vector<MedialVoxelBox> & tiles) const
 {
-  if (m_NumberOfWorkers == 1)
-  {
-    return;
-  }
   std::vector<std::pair<double, MedialVoxelBox>> timed;
   for (const MedialVoxelBox & tile : tiles)
   {
@@ -464,8 +497,8 @@ MedialVoxelSlabSchedule::EndIfDone(const std::list<Slab>::iterator slab)
 std::list<MedialVoxelSlabSchedule::Slab>::iterator
 MedialVoxelSlabSchedule::FindSlab(const std::uint64_t number)
 {
-  const auto slab =
-    std::find_if(m_Slabs.begin(), m_Slabs.end(), [number](const Slab & candidate) { return candidate.number == number; });
+  const auto slab = std::find_if(
+    m_Slabs.begin(), m_Slabs.end(), [number](const Slab & candidate) { return candidate.number == number; });
   assert(slab != m_Slabs.end());
   return slab;
 }

@@ -22,10 +22,11 @@ namespace itk
  *
  * A slab goes through phases: the parts of its window are filled and get their boundary, then its tiles are processed.
  * Work of a phase may be done in any order and at the same time. While one slab has its tiles, the window of the next
- * one is prepared, and its tiles begin as soon as the first slab has no more of them to hand out. Tiles that turn out to
- * depend on more than their window holds are deferred and say how much more; they follow as a slab of their own.
+ * one is prepared, and its tiles begin as soon as the first slab has no more of them to hand out. Tiles that turn out
+ * to depend on more than their window holds are deferred and say how much more; they follow as a slab of their own.
  *
- * It knows neither threads nor clocks: the caller sees to it that one thread at a time calls it, but for DoWindowWork().
+ * It knows neither threads nor clocks: the caller sees to it that one thread at a time calls it, but for
+ * DoWindowWork().
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelSlabSchedule
@@ -119,9 +120,10 @@ private:
     MedialVoxelBox              box;
     Cut                         cut;
     MedialVoxelBox              sites;
-    MedialVoxelBox              room; // as large as sites of the same region can be
+    MedialVoxelBox              room;  // as large as sites of the same region can be
     std::vector<MedialVoxelBox> parts; // that are to be processed
-    std::vector<MedialVoxelBox> tiles; // of the parts
+    std::vector<MedialVoxelBox> tiles; // of the parts, until they wait
+    std::size_t                 numberOfTiles{ 0 };
     bool                        wasDeferred{ false };
     std::uint64_t               number{ 0 };
     std::uint64_t               layout{ 0 };
@@ -171,6 +173,19 @@ private:
   bool
   MoveWindow(Slab & slab);
 
+  /** Begin to move a window for \a slab; false when the memory does not suffice. */
+  bool
+  TryWindow(Slab & slab, std::size_t number, bool copies);
+
+  bool
+  ReadsAhead() const
+  {
+    return m_Plan.GetSettings().readsAhead && m_NumberOfWorkers > 1;
+  }
+
+  std::uint64_t
+  BytesOfWorkers(const Slab & slab) const;
+
   std::uint64_t
   FindLayout(const Slab & slab);
 
@@ -180,6 +195,9 @@ private:
 
   void
   EnterNextPhase(Slab & slab);
+
+  bool
+  SortsTiles(const Slab & slab) const;
 
   void
   SortTiles(std::vector<MedialVoxelBox> & tiles) const;
@@ -217,7 +235,7 @@ private:
 /** \brief The window that holds most of \a input.
  * \ingroup MedialVoxel */
 MedialVoxel_EXPORT std::size_t
-                   MedialVoxelFindNearestWindow(const MedialVoxelSlabSchedule::Windows & windows, const MedialVoxelBox & input);
+MedialVoxelFindNearestWindow(const MedialVoxelSlabSchedule::Windows & windows, const MedialVoxelBox & input);
 
 } // end namespace itk
 

@@ -30,8 +30,9 @@ constexpr std::uint64_t BytesOfUnpacking = 3 * MiB;
 /** The filter pulls input in whole slices of at least this many bytes. */
 constexpr std::uint64_t BytesPerPull = 1 * MiB;
 
-/** Results of a piece when nothing else limits them; larger ones gain nothing. */
+/** Results of a piece when nothing else limits them, of all threads and of each; larger ones gain nothing. */
 constexpr std::uint64_t BytesOfPiece = 32 * MiB;
+constexpr std::uint64_t BytesOfPiecePerThread = 2 * MiB;
 
 /** The largest piece for which writing it in the background is worth a second one in memory. */
 constexpr std::uint64_t BytesWrittenBehind = 256 * MiB;
@@ -123,8 +124,9 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
   }
   else
   {
+    const std::uint64_t largest = std::max(BytesOfPiece, plan.threads * BytesOfPiecePerThread);
     // Most of the rest is for the filters, should walls be thicker than planned.
-    const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), BytesOfPiece);
+    const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), largest);
     const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
     plan.sliceUnit = slices < request.footprint.preferredSlices ? 1 : request.footprint.preferredSlices;
     const std::uint64_t unitsPerPiece = std::min(slices / plan.sliceUnit, plan.GetNumberOfUnits());
