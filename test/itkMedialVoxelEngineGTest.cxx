@@ -351,10 +351,10 @@ SettingsOfWorkers(unsigned int workers)
 
 TEST(MedialVoxelEngine, ResultsDoNotDependOnWhoAsksForVoxels)
 {
-  const auto                 expected = RunMedialFilter<3>(Boxes(), 3.0);
-  const itk::MedialVoxelBox  image = GridOf(Boxes()).GetVoxelBox();
-  const itk::MedialVoxelBox  first = MakeBox({ { 0, 0, 0 } }, { { 60, 50, 40 } });
-  const itk::MedialVoxelBox  second = MakeBox({ { 0, 0, 40 } }, { { 60, 50, 90 } });
+  const auto                expected = RunMedialFilter<3>(Boxes(), 3.0);
+  const itk::MedialVoxelBox image = GridOf(Boxes()).GetVoxelBox();
+  const itk::MedialVoxelBox first = MakeBox({ { 0, 0, 0 } }, { { 60, 50, 40 } });
+  const itk::MedialVoxelBox second = MakeBox({ { 0, 0, 40 } }, { { 60, 50, 90 } });
   using Threads = itk::MedialVoxelSourceThreads;
   for (const auto threads : { Threads::Calling, Threads::OneAtATime, Threads::Several })
   {

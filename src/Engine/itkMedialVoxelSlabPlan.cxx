@@ -225,6 +225,22 @@ MedialVoxelSlabPlan::ChooseCut(const MedialVoxelBox & region, const MedialVoxelI
   return cut;
 }
 
+unsigned int
+MedialVoxelSlabPlan::CountWorkers(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const
+{
+  if (region.IsEmpty())
+  {
+    return 1;
+  }
+  const MedialVoxelIndex tileSize = this->ChooseCut(region, halo).tileSize;
+  std::int64_t           tiles = 1;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    tiles *= (region.upper[axis] - 1) / tileSize[axis] - region.lower[axis] / tileSize[axis] + 1;
+  }
+  return static_cast<unsigned int>(std::clamp<std::int64_t>(tiles, 1, std::max(1u, m_Settings.numberOfWorkers)));
+}
+
 MedialVoxelBox
 MedialVoxelSlabPlan::GetSlab(const MedialVoxelBox & region,
                              const std::int64_t     position,

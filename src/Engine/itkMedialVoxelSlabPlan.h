@@ -111,6 +111,10 @@ public:
   Cut
   ChooseCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const;
 
+  /** Workers that find work at the same time: no more than there are tiles. */
+  unsigned int
+  CountWorkers(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const;
+
   /** The slab of \a region that begins at \a position along the slowest axis. */
   MedialVoxelBox
   GetSlab(const MedialVoxelBox & region, std::int64_t position, std::int64_t thickness) const;

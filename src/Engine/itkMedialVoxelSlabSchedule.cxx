@@ -27,24 +27,6 @@ IsLarger(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
   return a[0] > b[0] || a[1] > b[1] || a[2] > b[2];
 }
 
-/** No more threads than tiles have work at the same time. */
-unsigned int
-CountWorkers(const MedialVoxelSlabPlan & plan, const MedialVoxelBox & region, const MedialVoxelIndex & halo)
-{
-  if (region.IsEmpty())
-  {
-    return 1;
-  }
-  const MedialVoxelIndex tileSize = plan.ChooseCut(region, halo).tileSize;
-  std::int64_t           tiles = 1;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    tiles *= (region.upper[axis] - 1) / tileSize[axis] - region.lower[axis] / tileSize[axis] + 1;
-  }
-  const std::int64_t workers = plan.GetSettings().numberOfWorkers;
-  return static_cast<unsigned int>(std::max<std::int64_t>(1, std::min(workers, tiles)));
-}
-
 std::int64_t
 CountShared(const MedialVoxelMovingWindow & window, const MedialVoxelBox & input)
 {
@@ -70,7 +52,7 @@ MedialVoxelSlabSchedule::MedialVoxelSlabSchedule(const MedialVoxelSlabPlan &    
 void
 MedialVoxelSlabSchedule::Begin(const MedialVoxelBox & region, const MedialVoxelBox & nextRegion)
 {
-  m_NumberOfWorkers = CountWorkers(m_Plan, region, m_State.halo);
+  m_NumberOfWorkers = m_Plan.CountWorkers(region, m_State.halo);
   m_NextRegion = nextRegion;
   m_Pending.push_back({ region, { region }, region.lower[m_Plan.GetSlowestAxis()], std::nullopt });
   this->BeginSlabs();
