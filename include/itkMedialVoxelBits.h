@@ -11,6 +11,8 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <new>
 #include <vector>
 
 namespace itk
@@ -43,6 +45,20 @@ public:
    * taken for that suffices for \a room too. */
   void
   Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room);
+
+  /** Set the box, of whose bits none is defined before CopyRows() has set them. Memory that has to be taken for that
+   * suffices for \a room too. */
+  void
+  Frame(const MedialVoxelBox & box, const MedialVoxelBox & room);
+
+  /** Give the rows of the box that \a rows has, in all of their length, the bits that \a source has there; others are
+   * zero. Several threads may do so for different rows. */
+  void
+  CopyRows(const MedialVoxelBits & source, const MedialVoxelBox & rows);
+
+  /** Bytes that the bits have after a Frame(). */
+  std::uint64_t
+  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
 
   /** True when Reframe() needs no memory beside what the bits have, as when a box of whole slices slides along z. */
   bool
@@ -156,6 +172,10 @@ public:
   GetBytes(const MedialVoxelBox & box);
 
 private:
+  /** Set the box, but not the words. */
+  void
+  SetBox(const MedialVoxelBox & box);
+
   void
   ReframeInPlace(const MedialVoxelBox & box);
 
@@ -171,11 +191,33 @@ private:
                                        1);
   }
 
-  MedialVoxelBox        m_Box;
-  std::int64_t          m_FirstWord{ 0 };
-  std::int64_t          m_WordsPerRow{ 0 };
-  std::int64_t          m_RowPitch{ 0 };
-  std::vector<WordType> m_Words;
+  /** Leaves new words undefined, so that the threads that set them are the first ones to touch their memory. */
+  struct Allocator : public std::allocator<WordType>
+  {
+    template <typename TOther>
+    struct rebind
+    {
+      using other = Allocator;
+    };
+
+    void
+    construct(WordType * word)
+    {
+      ::new (static_cast<void *>(word)) WordType;
+    }
+    void
+    construct(WordType * word, const WordType value)
+    {
+      ::new (static_cast<void *>(word)) WordType(value);
+    }
+  };
+  using Words = std::vector<WordType, Allocator>;
+
+  MedialVoxelBox m_Box;
+  std::int64_t   m_FirstWord{ 0 };
+  std::int64_t   m_WordsPerRow{ 0 };
+  std::int64_t   m_RowPitch{ 0 };
+  Words          m_Words;
 };
 
 /** Number of bits set in a word. */

@@ -22,8 +22,9 @@ namespace itk
  * \brief Carries out a task on an image, region by region, with a client that knows the image and the threads.
  *
  * It walks a region slab by slab, each with a window of object bits that is certain to hold what its tiles depend on,
- * and has workers process the tiles. Results do not depend on regions, slabs, tiles or threads. The window of a region
- * is kept for the next one, so that input that both depend on is asked for once.
+ * and has workers process the tiles, and prepare the window of the next slab meanwhile. Results do not depend on
+ * regions, slabs, tiles or threads. Windows of a region are kept for the next one, so that input that both depend on is
+ * asked for once.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelEngine
@@ -37,7 +38,7 @@ public:
   MedialVoxelEngine &
   operator=(const MedialVoxelEngine &) = delete;
 
-  /** Bytes that the window and all workers take while no tile of \a region depends on more than is known to begin
+  /** Bytes that windows and all workers take while no tile of \a region depends on more than is known to begin
    * with. */
   std::uint64_t
   GetBytes(const MedialVoxelBox & region) const;
@@ -54,10 +55,11 @@ public:
   bool
   IsLast(const MedialVoxelBox & region) const;
 
-  /** Process all of \a region. What was found up to an exception does not count.
+  /** Process all of \a region. What was found up to an exception does not count. When it is known which region comes
+   * next, its voxels are asked for while this one is processed.
    * \throw MedialVoxelMemoryError when the memory limit does not hold what a slab of one voxel depends on. */
   MedialVoxelSums
-  Run(const MedialVoxelBox & region, MedialVoxelEngineClient & client);
+  Run(const MedialVoxelBox & region, MedialVoxelEngineClient & client, const MedialVoxelBox & nextRegion = {});
 
   /** Process one tile of the run in progress; the client takes the result unless the tile depends on more than the
    * window holds. */

@@ -23,8 +23,8 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelEngineClient : public MedialVoxelObjectSource
 {
 public:
-  /** Call \a work \a numberOfWorkers times, in as many threads as there are, and wait for all of them. It throws
-   * nothing. */
+  /** Call \a work \a numberOfWorkers times, once of them in this thread and otherwise in as many threads as there are,
+   * and wait for all of them. It throws nothing. */
   virtual void
   RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) = 0;
 

@@ -92,11 +92,15 @@ struct MedialVoxelEngineSettings
   /** Extent of the slabs along the slowest axis; 0 chooses. */
   std::int64_t slabThickness{ 0 };
 
-  /** Bytes that the window and the memory of all workers may take; 0 is without limit. */
+  /** Bytes that windows and the memory of all workers may take; 0 is without limit. */
   std::uint64_t memoryLimit{ 0 };
 
-  /** Workers that process tiles at the same time. */
+  /** Workers at the same time. */
   unsigned int numberOfWorkers{ 1 };
+
+  /** Prepare a second window for the next slab while this one is processed, where there are several workers and the
+   * memory limit leaves room for it. */
+  bool readsAhead{ true };
 };
 
 } // end namespace itk

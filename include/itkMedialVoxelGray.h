@@ -33,6 +33,25 @@ public:
   void
   Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room);
 
+  /** Set the box, of whose values none is defined. Memory that has to be taken for that suffices for \a room too. */
+  void
+  Frame(const MedialVoxelBox & box, const MedialVoxelBox & room);
+
+  /** Copy what \a source has of the slices and rows of \a rows. Several threads may do so for different rows. */
+  void
+  CopyRows(const MedialVoxelGray & source, const MedialVoxelBox & rows);
+
+  /** Bytes that the values have after a Frame(). */
+  std::uint64_t
+  GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
+
+  /** Bytes that the values have, which may be more than they need after they became fewer. */
+  std::uint64_t
+  GetReservedBytes() const
+  {
+    return m_Values.size() * sizeof(float);
+  }
+
   const MedialVoxelBox &
   GetBox() const
   {

@@ -181,15 +181,16 @@ public:
     return m_Sums.classificationSeconds;
   }
 
-  /** Seconds that all threads together spent on tiles, also on writing them to the outputs; summed like the counts. */
+  /** Seconds that all threads together spent on tiles, on writing them to the outputs, and on what tiles need to know
+   * of the input; summed like the counts. */
   double
   GetThreadSeconds() const
   {
     return m_Sums.threadSeconds;
   }
 
-  /** Seconds from the first to the last tile of each slab; summed like the counts. The number of threads times this is
-   * the upper bound of ThreadSeconds. */
+  /** Seconds from the first to the last work of the threads; summed like the counts. The number of threads times this
+   * is the upper bound of ThreadSeconds. */
   double
   GetTileSeconds() const
   {

@@ -25,6 +25,14 @@ public:
     , m_Predicate(filter.GetPredicate())
   {}
 
+  /** Pipelines run in the thread of the update; an image without one lies in memory for all to read. */
+  MedialVoxelSourceThreads
+  GetSourceThreads() const override
+  {
+    return m_Filter.GetInput()->GetSource() == nullptr ? MedialVoxelSourceThreads::Several
+                                                       : MedialVoxelSourceThreads::Calling;
+  }
+
   void
   FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * const notANumber) override
   {
@@ -104,9 +112,12 @@ private:
   {
     auto * const               input = const_cast<InputImageType *>(m_Filter.GetInput());
     const InputImageRegionType region = m_Filter.RegionOf(part);
-    input->SetRequestedRegion(region);
-    input->PropagateRequestedRegion();
-    input->UpdateOutputData();
+    if (this->GetSourceThreads() == MedialVoxelSourceThreads::Calling)
+    {
+      input->SetRequestedRegion(region);
+      input->PropagateRequestedRegion();
+      input->UpdateOutputData();
+    }
     if (!input->GetBufferedRegion().IsInside(region))
     {
       itkGenericExceptionMacro("The input image holds " << input->GetBufferedRegion() << " but " << region

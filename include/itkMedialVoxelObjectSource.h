@@ -6,17 +6,34 @@
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelGray.h"
 
+#include <cstdint>
+
 namespace itk
 {
 
+/** Threads that may ask a source for voxels: the one that runs the engine, any but one at a time, or several at a time
+ * for voxels of different rows.
+ * \ingroup MedialVoxel */
+enum class MedialVoxelSourceThreads : std::uint8_t
+{
+  Calling,
+  OneAtATime,
+  Several
+};
+
 /** \class MedialVoxelObjectSource
- * \brief Where a window gets object bits from; called by one thread at a time.
+ * \brief Where a window gets object bits from.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelObjectSource
 {
 public:
   virtual ~MedialVoxelObjectSource();
+
+  /** Threads that may call the functions that follow; by default the calling thread of the run alone, as pipelines and
+   * interpreters need. */
+  virtual MedialVoxelSourceThreads
+  GetSourceThreads() const;
 
   /** Set the bits of the object voxels of \a box, which are clear, and in \a notANumber, unless it is null, those of
    * the voxels whose value is not a number. */

@@ -22,8 +22,8 @@ struct MedialVoxel_EXPORT MedialVoxelSums
   std::uint64_t     recomputedVoxels{ 0 };        ///< of tiles that depended on more than the window held
   double            distanceSeconds{ 0.0 };       ///< of all threads together
   double            classificationSeconds{ 0.0 }; ///< of all threads together
-  double            threadSeconds{ 0.0 };         ///< of all threads together, on tiles
-  double            tileSeconds{ 0.0 };           ///< from the first to the last tile of each slab
+  double            threadSeconds{ 0.0 };         ///< of all threads together, on tiles and windows
+  double            tileSeconds{ 0.0 };           ///< from the first to the last work of each run
 
   MedialVoxelSums &
   operator+=(const MedialVoxelSums & other);

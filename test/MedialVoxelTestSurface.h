@@ -9,7 +9,7 @@
 #include "MedialVoxelTestKernels.h"
 
 #include "itkMedialVoxelSurfaceTrimmer.h"
-#include "itkMedialVoxelTileSchedule.h"
+#include "itkMedialVoxelSlabPlan.h"
 
 #include <gtest/gtest.h>
 

@@ -3,14 +3,17 @@
 
 // The engine without a filter, and the observers of its tiles.
 
+#include "MedialVoxelTestHardCases.h"
 #include "MedialVoxelTestKernels.h"
 #include "MedialVoxelTestRuns.h"
 
 #include "itkMedialVoxelEngine.h"
+#include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelTileObserver.h"
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <mutex>
 #include <stdexcept>
 #include <thread>
@@ -264,4 +267,179 @@ TEST(MedialVoxelEngine, ThePlanCountsTheMemoryOfObservers)
   const auto with = itk::MedialVoxelEngine(GridOf(Boxes()), SettingsFor(extraction)).GetBytes(box);
   // Two workers, and the corners of the last cells of their tiles.
   EXPECT_EQ(with - without, 2u * 17 * 17 * 17);
+}
+
+namespace
+{
+/** Remembers the threads that ask for voxels, what is asked for while there are tiles, and fails or stops there. */
+class WatchfulClient : public PlainClient
+{
+public:
+  using PlainClient::PlainClient;
+
+  itk::MedialVoxelSourceThreads
+  GetSourceThreads() const override
+  {
+    return m_Threads;
+  }
+
+  void
+  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits * none) override
+  {
+    const int asking = ++m_Asking;
+    {
+      const std::lock_guard<std::mutex> lock(m_Mutex);
+      m_MostAsking = std::max(m_MostAsking, asking);
+      m_OthersHaveAsked = m_OthersHaveAsked || std::this_thread::get_id() != m_CallingThread;
+    }
+    if (box.upper[2] > m_SliceToFail)
+    {
+      throw std::runtime_error("the disk is on fire");
+    }
+    while (box.upper[2] > m_SliceToWait)
+    {
+      // As a file that does not come: only an abort ends this.
+      m_IsWaiting = true;
+      itk::MedialVoxelPoll();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    PlainClient::FillObject(box, object, none);
+    --m_Asking;
+  }
+
+  void
+  TakeTile(const itk::MedialVoxelTileResult & tile) override
+  {
+    PlainClient::TakeTile(tile);
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    m_LastSlice = std::max(m_LastSlice, tile.box.upper[2]);
+  }
+
+  bool
+  IsAbortRequested() const override
+  {
+    EXPECT_EQ(std::this_thread::get_id(), m_CallingThread);
+    return m_IsWaiting;
+  }
+
+  void
+  UpdateProgress(float) override
+  {
+    EXPECT_EQ(std::this_thread::get_id(), m_CallingThread);
+  }
+
+  itk::MedialVoxelSourceThreads m_Threads{ itk::MedialVoxelSourceThreads::Several };
+  std::int64_t                  m_SliceToFail{ 1 << 30 };
+  std::int64_t                  m_SliceToWait{ 1 << 30 };
+  std::thread::id               m_CallingThread{ std::this_thread::get_id() };
+  std::atomic<int>              m_Asking{ 0 };
+  std::atomic<bool>             m_IsWaiting{ false };
+  std::int64_t                  m_LastSlice{ 0 };
+  std::mutex                    m_Mutex;
+  int                           m_MostAsking{ 0 };
+  bool                          m_OthersHaveAsked{ false };
+};
+
+itk::MedialVoxelEngineSettings
+SettingsOfWorkers(unsigned int workers)
+{
+  auto settings = SettingsFor(ExtractionOf(3.0));
+  settings.numberOfWorkers = workers;
+  return settings;
+}
+} // namespace
+
+TEST(MedialVoxelEngine, ResultsDoNotDependOnWhoAsksForVoxels)
+{
+  const auto                expected = RunMedialFilter<3>(Boxes(), 3.0);
+  const itk::MedialVoxelBox image = GridOf(Boxes()).GetVoxelBox();
+  const itk::MedialVoxelBox first = MakeBox({ { 0, 0, 0 } }, { { 60, 50, 40 } });
+  const itk::MedialVoxelBox second = MakeBox({ { 0, 0, 40 } }, { { 60, 50, 90 } });
+  using Threads = itk::MedialVoxelSourceThreads;
+  for (const auto threads : { Threads::Calling, Threads::OneAtATime, Threads::Several })
+  {
+    for (const unsigned int workers : { 1u, 2u, 5u })
+    {
+      WatchfulClient client(Boxes());
+      client.m_Threads = threads;
+      itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(workers));
+      client.m_Engine = &engine;
+      auto sums = engine.Run(first, client, second);
+      sums += engine.Run(second, client);
+      EXPECT_TRUE(AreEqual(client.m_Labels, expected.labels)) << workers;
+      EXPECT_EQ(sums.counts.boundCells, expected.counts.boundCells);
+      EXPECT_LE(client.m_MostAsking, threads == Threads::Several ? static_cast<int>(workers) : 1);
+      EXPECT_FALSE(threads == Threads::Calling && client.m_OthersHaveAsked);
+      EXPECT_EQ(client.m_LastSlice, image.upper[2]);
+    }
+  }
+}
+
+TEST(MedialVoxelEngine, AFailureWhileItReadsAheadEndsTheRun)
+{
+  for (const auto threads : { itk::MedialVoxelSourceThreads::Calling, itk::MedialVoxelSourceThreads::Several })
+  {
+    WatchfulClient client(Boxes());
+    client.m_Threads = threads;
+    client.m_SliceToFail = 70;
+    itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(3));
+    client.m_Engine = &engine;
+    try
+    {
+      engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+      FAIL() << "no exception";
+    }
+    catch (const std::runtime_error & error)
+    {
+      EXPECT_STREQ(error.what(), "the disk is on fire");
+    }
+    EXPECT_LT(client.m_LastSlice, 70);
+    // The engine can be run again.
+    client.m_SliceToFail = 1 << 30;
+    engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+    EXPECT_TRUE(AreEqual(client.m_Labels, RunMedialFilter<3>(Boxes(), 3.0).labels));
+  }
+}
+
+TEST(MedialVoxelEngine, AStopIsHeardWhileItReadsAhead)
+{
+  using Clock = std::chrono::steady_clock;
+  for (const auto threads : { itk::MedialVoxelSourceThreads::Calling, itk::MedialVoxelSourceThreads::Several })
+  {
+    WatchfulClient client(Boxes());
+    client.m_Threads = threads;
+    client.m_SliceToWait = 70;
+    itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(3));
+    client.m_Engine = &engine;
+    const auto start = Clock::now();
+    EXPECT_THROW(engine.Run(GridOf(Boxes()).GetVoxelBox(), client), itk::MedialVoxelAborted);
+    EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 1.0 * Patience());
+  }
+}
+
+TEST(MedialVoxelEngine, TilesRunWhileTheNextWindowWaits)
+{
+  /** The first voxels of the second slab do not come before a tile of the first one is done. */
+  class PatientClient : public WatchfulClient
+  {
+  public:
+    using WatchfulClient::WatchfulClient;
+    void
+    FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits * none) override
+    {
+      const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+      while (box.upper[2] > 30 && m_NumberOfTiles == 0 && std::chrono::steady_clock::now() < end)
+      {
+        std::this_thread::yield();
+      }
+      m_HasWaitedInVain = m_HasWaitedInVain || (box.upper[2] > 30 && m_NumberOfTiles == 0);
+      WatchfulClient::FillObject(box, object, none);
+    }
+    std::atomic<bool> m_HasWaitedInVain{ false };
+  };
+  PatientClient          client(Boxes());
+  itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(2));
+  client.m_Engine = &engine;
+  engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+  EXPECT_FALSE(client.m_HasWaitedInVain);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 #include "itkMedialVoxelFeatureTransform.h"
-#include "itkMedialVoxelTileSchedule.h"
+#include "itkMedialVoxelSlabPlan.h"
 
 #include "MedialVoxelTestKernels.h"
 

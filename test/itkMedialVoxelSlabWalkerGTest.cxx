@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
+#include "itkMedialVoxelMemoryError.h"
 #include "itkMedialVoxelSlabWalker.h"
 
 #include "MedialVoxelTestKernels.h"
@@ -15,21 +16,33 @@ namespace
 using namespace MedialVoxelTest;
 using itk::MedialVoxelSlabWalker;
 
-/** Lets every tile need a box around itself, checks that it gets it, and counts how often each voxel was done. */
+using Work = itk::MedialVoxelSlabSchedule::Work;
+using Phase = itk::MedialVoxelSlabSchedule::Phase;
+
+/** Lets every tile need a box around itself, checks that it gets it, and counts how often each voxel was done. Does the
+ * work of several workers in one thread, in an order that changes with the seed. */
 class DemandingClient : public itk::MedialVoxelTileRunner
 {
 public:
-  DemandingClient(const Volume & volume, int reach)
+  DemandingClient(const Volume & volume, int reach, unsigned int seed = 1)
     : m_Volume(volume)
     , m_Sites(BoundarySites(volume))
     , m_Done(volume.object.size(), 0)
     , m_Reach(reach)
+    , m_Generator(seed)
   {}
+
+  itk::MedialVoxelSourceThreads
+  GetSourceThreads() const override
+  {
+    return m_Threads;
+  }
 
   void
   FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
   {
     m_FirstFill = m_FirstFill.IsEmpty() ? box : m_FirstFill;
+    m_LastFill = box;
     this->MeasureWindow();
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
       if (m_Volume.IsObject(OracleIndex(v)))
@@ -40,28 +53,52 @@ public:
   }
 
   void
-  RunTiles(itk::MedialVoxelTileSchedule & schedule) override
+  RunSchedule(itk::MedialVoxelSlabSchedule & schedule) override
   {
-    ++m_Rounds;
-    this->MeasureWindow();
-    itk::MedialVoxelBox tile;
-    while (schedule.Next(tile))
+    std::vector<Work> taken;
+    while (!schedule.IsDone())
     {
-      const auto needed = tile.Expanded({ { m_Reach, m_Reach, m_Reach } }).Intersection(GridOf(m_Volume).GetVoxelBox());
-      const auto & bits = *m_Engine->GetWindow().GetWindow(itk::MedialVoxelBoundary::Background).sites;
-      if (!bits.GetBox().Contains(needed))
+      Work work;
+      if (taken.size() < schedule.GetNumberOfWorkers() && schedule.Take(true, work))
       {
-        schedule.Defer(tile, needed);
+        taken.push_back(work);
         continue;
       }
-      m_WidestTile = std::max(m_WidestTile, tile.Extent(0));
-      const auto expected = SiteBits(m_Sites, needed);
-      ForEachVoxel(needed, [&](const itk::MedialVoxelIndex & v) { m_Wrong += bits.Test(v) != expected.Test(v); });
-      ForEachVoxel(tile, [&](const itk::MedialVoxelIndex & v) { ++m_Done[m_Volume.Offset(OracleIndex(v))]; });
-      if (m_FailInRound == m_Rounds)
-      {
-        throw std::runtime_error("stop");
-      }
+      ASSERT_FALSE(taken.empty()) << "nobody has work, and there is work left";
+      std::swap(taken[m_Generator() % taken.size()], taken.back());
+      this->Do(schedule, taken.back());
+      schedule.Complete(taken.back(), 0.0);
+      taken.pop_back();
+    }
+  }
+
+  void
+  Do(itk::MedialVoxelSlabSchedule & schedule, const Work & work)
+  {
+    this->MeasureWindow();
+    if (work.phase != Phase::Process)
+    {
+      m_LastWindow = std::max(m_LastWindow, work.slab);
+      schedule.DoWindowWork(work, *this);
+      return;
+    }
+    m_NumberOfSlabs = std::max(m_NumberOfSlabs, static_cast<int>(work.slab));
+    m_WasReadAhead = m_WasReadAhead || work.slab < m_LastWindow;
+    const auto needed =
+      work.box.Expanded({ { m_Reach, m_Reach, m_Reach } }).Intersection(GridOf(m_Volume).GetVoxelBox());
+    const auto & bits = *schedule.GetWindow(work).GetWindow(itk::MedialVoxelBoundary::Background).sites;
+    if (!bits.GetBox().Contains(needed))
+    {
+      schedule.Defer(work, needed);
+      return;
+    }
+    m_WidestTile = std::max(m_WidestTile, work.box.Extent(0));
+    const auto expected = SiteBits(m_Sites, needed);
+    ForEachVoxel(needed, [&](const itk::MedialVoxelIndex & v) { m_Wrong += bits.Test(v) != expected.Test(v); });
+    ForEachVoxel(work.box, [&](const itk::MedialVoxelIndex & v) { ++m_Done[m_Volume.Offset(OracleIndex(v))]; });
+    if (m_FailInSlab == m_NumberOfSlabs)
+    {
+      throw std::runtime_error("stop");
     }
   }
 
@@ -69,9 +106,7 @@ public:
   void
   MeasureWindow()
   {
-    const auto window = m_Engine->GetWindow().GetWindow(itk::MedialVoxelBoundary::Background);
-    m_LargestWindowBytes =
-      std::max(m_LargestWindowBytes, window.object->GetReservedBytes() + window.sites->GetReservedBytes());
+    m_LargestWindowBytes = std::max(m_LargestWindowBytes, m_Engine->GetReservedBytes());
   }
 
   const Volume &                m_Volume;
@@ -81,9 +116,14 @@ public:
   int                           m_Reach;
   std::uint64_t                 m_LargestWindowBytes{ 0 };
   std::int64_t                  m_WidestTile{ 0 };
-  int                           m_Rounds{ 0 };
-  int                           m_FailInRound{ 0 };
+  int                           m_NumberOfSlabs{ 0 };
+  int                           m_FailInSlab{ 0 };
+  std::uint64_t                 m_LastWindow{ 0 };
+  bool                          m_WasReadAhead{ false }; // for a slab while one before it had tiles
   itk::MedialVoxelBox           m_FirstFill;
+  itk::MedialVoxelBox           m_LastFill;
+  itk::MedialVoxelSourceThreads m_Threads{ itk::MedialVoxelSourceThreads::Several };
+  std::mt19937                  m_Generator;
   const MedialVoxelSlabWalker * m_Engine{ nullptr };
 };
 
@@ -112,10 +152,12 @@ TEST(MedialVoxelSlabWalker, EveryTileIsDoneOnceWithAllThatItNeeds)
       {
         for (const auto & region : { GridOf(volume).GetVoxelBox(), RandomBox(size, generator) })
         {
-          DemandingClient       client(volume, reach);
-          MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(cut.first, cut.second, { { 2, 2, 2 } }));
+          auto settings = SettingsOf(cut.first, cut.second, { { 2, 2, 2 } });
+          settings.numberOfWorkers = 1 + static_cast<unsigned int>(generator() % 5);
+          DemandingClient       client(volume, reach, static_cast<unsigned int>(generator()));
+          MedialVoxelSlabWalker engine(GridOf(volume), settings);
           client.m_Engine = &engine;
-          engine.Run(region, client);
+          engine.Run(region, {}, client);
           EXPECT_EQ(client.m_Wrong, 0u);
           std::size_t differences = 0;
           for (std::size_t i = 0; i < client.m_Done.size(); ++i)
@@ -136,11 +178,12 @@ TEST(MedialVoxelSlabWalker, StartsWithTheBoxThatItAnnounces)
   DemandingClient       client(volume, 2);
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 6, { { 3, 3, 3 } }));
   client.m_Engine = &engine;
+  client.m_Threads = itk::MedialVoxelSourceThreads::Calling;
   const auto missing = engine.GetMissingObjectBoxes(region);
   ASSERT_EQ(missing.size(), 1u);
   const auto announced = missing.front();
   EXPECT_LT(announced.NumberOfVoxels(), GridOf(volume).GetVoxelBox().NumberOfVoxels() / 2);
-  engine.Run(region, client);
+  engine.Run(region, {}, client);
   EXPECT_EQ(client.m_FirstFill, announced);
   // The window stays, so that a region that it holds misses nothing.
   EXPECT_TRUE(engine.GetMissingObjectBoxes(MakeBox({ { 5, 4, 48 } }, { { 30, 18, 50 } })).empty());
@@ -152,8 +195,8 @@ TEST(MedialVoxelSlabWalker, LargeDemandsAreRememberedForTheNextSlabs)
   DemandingClient       client(volume, 9);
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
-  engine.Run(GridOf(volume).GetVoxelBox(), client);
-  EXPECT_LE(client.m_Rounds, 10 + 3); // ten slabs, and few of them twice
+  engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
+  EXPECT_LE(client.m_NumberOfSlabs, 10 + 3); // ten slabs, and few of them twice
 }
 
 TEST(MedialVoxelSlabWalker, AMemoryLimitHoldsAndChangesNothingElse)
@@ -168,12 +211,13 @@ TEST(MedialVoxelSlabWalker, AMemoryLimitHoldsAndChangesNothingElse)
     {
       auto settings = SettingsOf(0, 0, { { 2, 2, 2 } });
       settings.memoryLimit = limit;
+      settings.numberOfWorkers = 1 + static_cast<unsigned int>(limit / 100000) % 4;
       DemandingClient       client(volume, reach);
       MedialVoxelSlabWalker engine(GridOf(volume), settings);
       client.m_Engine = &engine;
       try
       {
-        engine.Run(image, client);
+        engine.Run(image, {}, client);
       }
       catch (const itk::MedialVoxelMemoryError & error)
       {
@@ -201,7 +245,7 @@ TEST(MedialVoxelSlabWalker, ThickPartsAreCutIntoWideTiles)
     DemandingClient       client(volume, 70);
     MedialVoxelSlabWalker engine(GridOf(volume), settings);
     client.m_Engine = &engine;
-    engine.Run(GridOf(volume).GetVoxelBox(), client);
+    engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
     EXPECT_EQ(client.m_Wrong, 0u);
     EXPECT_EQ(std::count(client.m_Done.begin(), client.m_Done.end(), 1), GridOf(volume).GetVoxelBox().NumberOfVoxels());
     EXPECT_EQ(client.m_WidestTile, 576);
@@ -216,7 +260,7 @@ TEST(MedialVoxelSlabWalker, AHaloThatDoesNotFitIsTriedSmaller)
   DemandingClient       client(volume, 3);
   MedialVoxelSlabWalker engine(GridOf(volume), settings);
   client.m_Engine = &engine;
-  engine.Run(GridOf(volume).GetVoxelBox(), client);
+  engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
   EXPECT_EQ(client.m_Wrong, 0u);
   EXPECT_LE(client.m_LargestWindowBytes, settings.memoryLimit);
 }
@@ -227,9 +271,11 @@ TEST(MedialVoxelSlabWalker, AFailureOfTheClientEndsTheRun)
   DemandingClient       client(volume, 1);
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
-  client.m_FailInRound = 2;
-  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), client), std::runtime_error);
-  EXPECT_EQ(client.m_Rounds, 2);
+  client.m_FailInSlab = 2;
+  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client), std::runtime_error);
+  EXPECT_EQ(client.m_NumberOfSlabs, 2);
+  // What the windows held is not known, and forgotten.
+  EXPECT_EQ(engine.GetReservedBytes(), 0u);
 }
 
 TEST(MedialVoxelSlabWalker, ATileThatWantsNothingNewEndsTheRun)
@@ -240,12 +286,18 @@ TEST(MedialVoxelSlabWalker, ATileThatWantsNothingNewEndsTheRun)
   public:
     using DemandingClient::DemandingClient;
     void
-    RunTiles(itk::MedialVoxelTileSchedule & schedule) override
+    RunSchedule(itk::MedialVoxelSlabSchedule & schedule) override
     {
-      itk::MedialVoxelBox tile;
-      while (schedule.Next(tile))
+      for (Work work; schedule.Take(true, work); schedule.Complete(work, 0.0))
       {
-        schedule.Defer(tile, tile);
+        if (work.phase == Phase::Process)
+        {
+          schedule.Defer(work, work.box);
+        }
+        else
+        {
+          schedule.DoWindowWork(work, *this);
+        }
       }
     }
   };
@@ -253,7 +305,7 @@ TEST(MedialVoxelSlabWalker, ATileThatWantsNothingNewEndsTheRun)
   StubbornClient        client(volume, 1);
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
-  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), client), std::logic_error);
+  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client), std::logic_error);
 }
 
 TEST(MedialVoxelSlabWalker, AnEmptyRegionIsNoWork)
@@ -262,6 +314,110 @@ TEST(MedialVoxelSlabWalker, AnEmptyRegionIsNoWork)
   DemandingClient       client(volume, 1);
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
-  engine.Run(itk::MedialVoxelBox{}, client);
-  EXPECT_EQ(client.m_Rounds, 0);
+  engine.Run(itk::MedialVoxelBox{}, {}, client);
+  EXPECT_EQ(client.m_NumberOfSlabs, 0);
+}
+
+TEST(MedialVoxelSlabWalker, TheNextWindowIsPreparedWhileThereAreTiles)
+{
+  const Volume volume = RandomBoxes({ { 40, 20, 80 } }, UnitSpacing, 12, 218);
+  for (const bool readsAhead : { true, false })
+  {
+    auto settings = SettingsOf(8, 8, { { 2, 2, 2 } });
+    settings.numberOfWorkers = 3;
+    settings.readsAhead = readsAhead;
+    DemandingClient       client(volume, 2);
+    MedialVoxelSlabWalker engine(GridOf(volume), settings);
+    client.m_Engine = &engine;
+    const std::uint64_t planned = engine.GetBytes(GridOf(volume).GetVoxelBox());
+    engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
+    EXPECT_EQ(client.m_Wrong, 0u);
+    EXPECT_EQ(client.m_WasReadAhead, readsAhead);
+    EXPECT_LE(client.m_LargestWindowBytes, planned);
+  }
+}
+
+TEST(MedialVoxelSlabWalker, ASecondWindowIsTakenOnlyWhereItFits)
+{
+  const Volume volume = RandomBoxes({ { 40, 20, 80 } }, UnitSpacing, 12, 219);
+  const auto   image = GridOf(volume).GetVoxelBox();
+  auto         settings = SettingsOf(8, 8, { { 2, 2, 2 } });
+  settings.numberOfWorkers = 3;
+  const std::uint64_t both = MedialVoxelSlabWalker(GridOf(volume), settings).GetBytes(image);
+  settings.readsAhead = false;
+  const std::uint64_t one = MedialVoxelSlabWalker(GridOf(volume), settings).GetBytes(image);
+  EXPECT_GT(both, one);
+  settings.readsAhead = true;
+  for (const std::uint64_t limit : { one, (one + both) / 2, both })
+  {
+    settings.memoryLimit = limit;
+    DemandingClient       client(volume, 2);
+    MedialVoxelSlabWalker engine(GridOf(volume), settings);
+    client.m_Engine = &engine;
+    EXPECT_EQ(engine.GetBytes(image), limit == both ? both : one);
+    engine.Run(image, {}, client);
+    EXPECT_EQ(client.m_Wrong, 0u);
+    EXPECT_EQ(client.m_WasReadAhead, limit == both);
+    EXPECT_LE(client.m_LargestWindowBytes, limit);
+  }
+}
+
+TEST(MedialVoxelSlabWalker, TheNextRegionIsReadAhead)
+{
+  const Volume volume = RandomBoxes({ { 40, 20, 80 } }, UnitSpacing, 12, 220);
+  const auto   first = MakeBox({ { 0, 0, 0 } }, { { 40, 20, 32 } });
+  const auto   second = MakeBox({ { 0, 0, 32 } }, { { 40, 20, 64 } });
+  auto         settings = SettingsOf(8, 16, { { 2, 2, 2 } });
+  settings.numberOfWorkers = 3;
+  DemandingClient       client(volume, 2);
+  MedialVoxelSlabWalker engine(GridOf(volume), settings);
+  client.m_Engine = &engine;
+  engine.Run(first, second, client);
+  EXPECT_TRUE(engine.GetMissingObjectBoxes(second).empty());
+  EXPECT_EQ(std::count(client.m_Done.begin(), client.m_Done.end(), 1), first.NumberOfVoxels());
+  client.m_LastFill = {};
+  engine.Run(second, {}, client);
+  EXPECT_EQ(client.m_Wrong, 0u);
+  // The first slab of the second region needed nothing.
+  EXPECT_GE(client.m_LastFill.lower[2], 50);
+}
+
+TEST(MedialVoxelSlabWalker, OnlyTheThreadsThatMayAskTheSourceDoSo)
+{
+  using itk::MedialVoxelSourceThreads;
+  const Volume volume = RandomBoxes({ { 40, 20, 80 } }, UnitSpacing, 12, 221);
+
+  /** Counts what two threads may take at the same time. */
+  class TakingClient : public DemandingClient
+  {
+  public:
+    using DemandingClient::DemandingClient;
+    void
+    RunSchedule(itk::MedialVoxelSlabSchedule & schedule) override
+    {
+      Work first;
+      Work second;
+      m_OtherMayFill = schedule.Take(false, first);
+      m_CallingMayFill = m_OtherMayFill || schedule.Take(true, first);
+      m_BothMayFill = schedule.Take(true, second);
+      throw std::runtime_error("enough");
+    }
+    bool m_OtherMayFill{ false };
+    bool m_CallingMayFill{ false };
+    bool m_BothMayFill{ false };
+  };
+
+  for (const auto threads :
+       { MedialVoxelSourceThreads::Calling, MedialVoxelSourceThreads::OneAtATime, MedialVoxelSourceThreads::Several })
+  {
+    auto settings = SettingsOf(8, 16, { { 2, 2, 2 } });
+    settings.numberOfWorkers = 3;
+    TakingClient client(volume, 2);
+    client.m_Threads = threads;
+    MedialVoxelSlabWalker engine(GridOf(volume), settings);
+    EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client), std::runtime_error);
+    EXPECT_EQ(client.m_OtherMayFill, threads != MedialVoxelSourceThreads::Calling);
+    EXPECT_TRUE(client.m_CallingMayFill);
+    EXPECT_EQ(client.m_BothMayFill, threads == MedialVoxelSourceThreads::Several);
+  }
 }

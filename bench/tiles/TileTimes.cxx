@@ -1,172 +1,407 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// medialvoxel-tiles: CPU seconds of every tile of an extraction, and of what one thread does between the tiles.
-// Runs the engine on one thread over a headerless volume of bytes; prints JSON that bench/measure_tiles.py reads.
+// medialvoxel-tiles: how long an extraction takes with any number of threads, on paper and for real.
+// On paper, one thread does all work of the engine's own schedule in the order in which so many threads would take it:
+// each takes work when it is free, and has done it after the processor time that it took. Volumes are headerless files
+// of bytes, results go to memory, in pieces as those of the program. Prints JSON that bench/measure_tiles.py reads.
 
 #include "FloorSupport.h"
 
-#include "itkMedialVoxelClassifier.h"
-#include "itkMedialVoxelSlabWalker.h"
-#include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelEngine.h"
+#include "itkMedialVoxelExtractionTask.h"
 #include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelSlabWalker.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
+#include <map>
+#include <queue>
+#include <string>
+#include <thread>
+#include <vector>
 
 namespace
 {
+using Work = itk::MedialVoxelSlabSchedule::Work;
+using Phase = itk::MedialVoxelSlabSchedule::Phase;
+
 /** Processor seconds of this thread. */
 double
 Now()
 {
-  timespec time;
+  timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-std::vector<unsigned char>
-ReadVolume(const std::string & name, const std::array<std::int64_t, 3> & size)
+/** Seconds between two calls of Now(). */
+double
+MeasureClock()
 {
-  std::vector<unsigned char> voxels(static_cast<std::size_t>(size[0] * size[1] * size[2]));
-  std::ifstream              file(name, std::ios::binary);
-  if (!file.read(reinterpret_cast<char *>(voxels.data()), static_cast<std::streamsize>(voxels.size())))
+  std::vector<double> seconds(1001);
+  for (double & one : seconds)
   {
-    throw std::runtime_error("\"" + name + "\" cannot be read or is shorter than its size says");
+    const double start = Now();
+    one = Now() - start;
   }
-  return voxels;
+  std::nth_element(seconds.begin(), seconds.begin() + 500, seconds.end());
+  return seconds[500];
 }
 
-/** Processes tiles one by one, as the filter's workers do, and keeps their seconds. */
-class TileClock : public itk::MedialVoxelTileRunner
+/** The job: a volume in a file, and labels of pieces of whole slices. */
+class Part
 {
 public:
-  /** The tiles between which threads do not wait for each other, and the work of one thread before them. */
-  struct Layer
+  Part(const std::string & name, const std::array<std::int64_t, 3> & size, double thickness)
+    : m_Name(name)
+    , m_Grid(size, { { 1.0, 1.0, 1.0 } })
   {
-    double              serialSeconds;
-    std::vector<double> tileSeconds;
-  };
+    m_Extraction.parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(thickness);
+  }
 
-  TileClock(const itk::MedialVoxelGrid &       grid,
-            const itk::MedialVoxelParameters & parameters,
-            const std::vector<unsigned char> & voxels,
-            const itk::MedialVoxelSlabWalker & engine)
-    : m_Grid(grid)
-    , m_Transform(grid)
-    , m_Classifier(grid, parameters)
-    , m_Voxels(voxels)
-    , m_Engine(engine)
-    , m_End(Now())
+  itk::MedialVoxelSlabWalker::Settings
+  GetSettings(unsigned int threads) const
+  {
+    auto settings = itk::MedialVoxelSlabWalker::Settings::ForClassification(m_Grid, m_Extraction.parameters, false);
+    settings.numberOfWorkers = threads;
+    return settings;
+  }
+
+  /** As the program cuts them: of 32 MiB, or 2 MiB for each thread, and of a slab at least. */
+  std::vector<itk::MedialVoxelBox>
+  GetPieces(std::int64_t slabThickness, unsigned int threads) const
+  {
+    const std::int64_t               bytesOfPiece = std::max<std::int64_t>(32, 2 * threads) << 20;
+    const auto &                     size = m_Grid.GetSize();
+    const std::int64_t               slices = std::max(slabThickness, bytesOfPiece / (size[0] * size[1]));
+    const std::int64_t               number = (size[2] - 1) / std::min(slices, size[2]) + 1;
+    std::vector<itk::MedialVoxelBox> pieces;
+    for (std::int64_t i = 0, begin = 0; i < number; ++i)
+    {
+      pieces.push_back(m_Grid.GetVoxelBox());
+      pieces.back().lower[2] = begin;
+      begin += size[2] / number + (i < size[2] % number ? 1 : 0);
+      pieces.back().upper[2] = begin;
+    }
+    return pieces;
+  }
+
+  const itk::MedialVoxelGrid &
+  GetGrid() const
+  {
+    return m_Grid;
+  }
+
+  const itk::MedialVoxelExtraction &
+  GetExtraction() const
+  {
+    return m_Extraction;
+  }
+
+  /** Reads the voxels of a box and packs them. */
+  void
+  Fill(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object) const
+  {
+    const auto         predicate = itk::MedialVoxelObjectPredicate<unsigned char>::DifferentFrom(0);
+    const auto &       size = m_Grid.GetSize();
+    const std::int64_t rows = std::max<std::int64_t>(1, (1 << 20) / size[0]);
+    std::vector<char>  values;
+    std::ifstream      file(m_Name, std::ios::binary);
+    for (const itk::MedialVoxelBox & part : itk::MedialVoxelCutIntoTiles(box, { { size[0], rows, 1 } }))
+    {
+      values.resize(static_cast<std::size_t>(part.NumberOfVoxels()));
+      file.seekg((part.lower[2] * size[1] + part.lower[1]) * size[0]);
+      if (!file.read(values.data(), static_cast<std::streamsize>(values.size())))
+      {
+        throw std::runtime_error("\"" + m_Name + "\" cannot be read or is shorter than its size says");
+      }
+      itk::MedialVoxelPackBox(reinterpret_cast<const unsigned char *>(values.data()),
+                              { 1, part.Extent(0), part.Extent(0) * part.Extent(1) },
+                              part,
+                              predicate,
+                              object);
+    }
+  }
+
+private:
+  std::string                m_Name;
+  itk::MedialVoxelGrid       m_Grid;
+  itk::MedialVoxelExtraction m_Extraction;
+};
+
+/** Threads and results of the engine. */
+class Client : public itk::MedialVoxelEngineClient
+{
+public:
+  explicit Client(const Part & part)
+    : m_Part(part)
   {}
+
+  void
+  BeginPiece(const itk::MedialVoxelBox & piece)
+  {
+    m_Piece = piece;
+    m_Labels.resize(static_cast<std::size_t>(piece.NumberOfVoxels()));
+  }
+
+  itk::MedialVoxelSourceThreads
+  GetSourceThreads() const override
+  {
+    return itk::MedialVoxelSourceThreads::Several;
+  }
 
   void
   FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
   {
-    const auto   predicate = itk::MedialVoxelObjectPredicate<unsigned char>::DifferentFrom(0);
-    const auto & size = m_Grid.GetSize();
-    for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+    m_Part.Fill(box, object);
+  }
+
+  void
+  RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) override
+  {
+    std::vector<std::thread> others;
+    for (unsigned int i = 1; i < numberOfWorkers; ++i)
     {
-      for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
-      {
-        itk::MedialVoxelPackRow(&m_Voxels[static_cast<std::size_t>((z * size[1] + y) * size[0] + box.lower[0])],
-                                box.lower[0],
-                                box.Extent(0),
-                                predicate,
-                                object.GetRow(y, z) - object.GetFirstWord());
-      }
+      others.emplace_back(work);
+    }
+    work();
+    for (std::thread & other : others)
+    {
+      other.join();
     }
   }
 
   void
-  RunTiles(itk::MedialVoxelTileSchedule & schedule) override
+  RunTile(const itk::MedialVoxelBox & tile) override
   {
-    double start = Now();
-    Layer  layer{ start - m_End, {} };
-    for (itk::MedialVoxelBox tile; schedule.Next(tile); start = m_End)
-    {
-      const itk::MedialVoxelBox missing = this->Process(tile);
-      if (!missing.IsEmpty())
-      {
-        schedule.Defer(tile, missing);
-      }
-      m_End = Now();
-      layer.tileSeconds.push_back(m_End - start);
-    }
-    m_Layers.push_back(std::move(layer));
+    m_Engine->ProcessTile(tile);
   }
 
-  const std::vector<Layer> &
-  GetLayers() const
+  void
+  TakeTile(const itk::MedialVoxelTileResult & tile) override
   {
-    return m_Layers;
+    tile.WriteLabels(m_Labels.data() + m_Piece.OffsetOf(tile.box.lower),
+                     { 1, m_Piece.Extent(0), m_Piece.Extent(0) * m_Piece.Extent(1) });
+  }
+
+  itk::MedialVoxelEngine * m_Engine{ nullptr };
+
+private:
+  const Part &               m_Part;
+  itk::MedialVoxelBox        m_Piece;
+  std::vector<unsigned char> m_Labels;
+};
+
+/** Does the work of a schedule in one thread, and finds when so many threads would have done it. */
+class Simulation : public itk::MedialVoxelTileRunner
+{
+public:
+  Simulation(const Part & part, Client & client)
+    : m_Client(client)
+    , m_Task(part.GetGrid(), part.GetExtraction())
+    , m_Workspace(m_Task.MakeWorkspace())
+  {}
+
+  itk::MedialVoxelSourceThreads
+  GetSourceThreads() const override
+  {
+    return m_Client.GetSourceThreads();
+  }
+
+  void
+  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits * none) override
+  {
+    m_Client.FillObject(box, object, none);
+  }
+
+  void
+  RunSchedule(itk::MedialVoxelSlabSchedule & schedule) override
+  {
+    this->AddSerial("begin", Now() - m_Begin);
+    std::priority_queue<Done, std::vector<Done>, std::greater<>> running;
+    std::vector<bool>                                            isFree(schedule.GetNumberOfWorkers(), true);
+    while (!schedule.IsDone())
+    {
+      bool hasWork = true; // or threads wait for news
+      for (std::size_t worker = 0; worker < isFree.size() && hasWork; ++worker)
+      {
+        Work work;
+        if (isFree[worker] && (hasWork = this->Take(schedule, worker == 0, work)))
+        {
+          isFree[worker] = false;
+          running.push(this->Do(schedule, work, worker));
+        }
+      }
+      const Done next = running.top();
+      running.pop();
+      m_Seconds = next.seconds;
+      isFree[next.worker] = true;
+      if (!next.missing.IsEmpty())
+      {
+        schedule.Defer(next.work, next.missing);
+      }
+      const double start = Now();
+      schedule.Complete(next.work, next.seconds - next.begin);
+      this->AddSerial("schedule", Now() - start);
+    }
+  }
+
+  /** Time that one thread takes while no other one can take work. */
+  void
+  AddSerial(const char * name, double seconds)
+  {
+    const double withoutClock = std::max(0.0, seconds - m_SecondsOfClock);
+    m_SecondsOfWork[name] += withoutClock;
+    m_Seconds += withoutClock;
+  }
+
+  /** From here on one thread works until it has others do so too. */
+  void
+  Begin()
+  {
+    m_Begin = Now();
+  }
+
+  /** When all is done. */
+  double
+  GetSeconds() const
+  {
+    return m_Seconds;
+  }
+
+  const std::map<std::string, double> &
+  GetSecondsOfWork() const
+  {
+    return m_SecondsOfWork;
+  }
+
+  const std::vector<double> &
+  GetTileSeconds() const
+  {
+    return m_TileSeconds;
   }
 
 private:
-  itk::MedialVoxelBox
-  Process(const itk::MedialVoxelBox & tile)
+  struct Done
   {
-    const itk::MedialVoxelWindow window = m_Engine.GetWindow().GetWindow(itk::MedialVoxelBoundary::Background);
-    const itk::MedialVoxelBox    voxels = m_Classifier.GetVoxelBox(tile);
-    if (!window.object->Any(voxels))
+    double              begin;
+    double              seconds;
+    std::size_t         worker;
+    Work                work;
+    itk::MedialVoxelBox missing;
+
+    bool
+    operator>(const Done & other) const
     {
-      return {};
+      return seconds > other.seconds;
     }
-    const itk::MedialVoxelBox missing =
-      m_Transform.Compute(window, voxels, m_TransformWorkspace, m_Features, &m_Progress);
-    return missing.IsEmpty()
-             ? m_Classifier.Classify(window, tile, m_Features, m_Progress, m_Workspace, m_Labels, m_Counts)
-             : missing;
+  };
+
+  /** Only one thread at a time takes work, so that all wait for it. */
+  bool
+  Take(itk::MedialVoxelSlabSchedule & schedule, bool isCallingThread, Work & work)
+  {
+    const double start = Now();
+    const bool   isTaken = schedule.Take(isCallingThread, work);
+    this->AddSerial("schedule", Now() - start);
+    return isTaken;
   }
 
-  const itk::MedialVoxelGrid &                m_Grid;
-  itk::MedialVoxelFeatureTransform            m_Transform;
-  itk::MedialVoxelClassifier                  m_Classifier;
-  const std::vector<unsigned char> &          m_Voxels;
-  const itk::MedialVoxelSlabWalker &          m_Engine;
-  itk::MedialVoxelNoProgress                  m_Progress;
-  itk::MedialVoxelFeatureTransform::Workspace m_TransformWorkspace;
-  itk::MedialVoxelFeatures                    m_Features;
-  itk::MedialVoxelClassifier::Workspace       m_Workspace;
-  std::vector<std::uint8_t>                   m_Labels;
-  itk::MedialVoxelCounts                      m_Counts;
-  std::vector<Layer>                          m_Layers;
-  double                                      m_End;
+  Done
+  Do(itk::MedialVoxelSlabSchedule & schedule, const Work & work, std::size_t worker)
+  {
+    const char * const  names[] = { "fill", "small components", "mark", "tiles" };
+    itk::MedialVoxelBox missing;
+    const double        start = Now();
+    if (work.phase == Phase::Process)
+    {
+      itk::MedialVoxelSums sums;
+      missing = m_Task.Process(work.box, schedule.GetWindow(work), m_Progress, *m_Workspace, m_Client, sums);
+    }
+    else
+    {
+      schedule.DoWindowWork(work, *this);
+    }
+    const double seconds = Now() - start;
+    m_SecondsOfWork[names[static_cast<int>(work.phase)]] += seconds;
+    if (work.phase == Phase::Process)
+    {
+      m_TileSeconds.push_back(seconds);
+    }
+    return { m_Seconds, m_Seconds + seconds, worker, work, missing };
+  }
+
+  Client &                                             m_Client;
+  itk::MedialVoxelExtractionTask                       m_Task;
+  std::unique_ptr<itk::MedialVoxelTileTask::Workspace> m_Workspace;
+  itk::MedialVoxelNoProgress                           m_Progress;
+  double                                               m_SecondsOfClock{ MeasureClock() };
+  double                                               m_Begin{ 0.0 };
+  double                                               m_Seconds{ 0.0 };
+  std::map<std::string, double>                        m_SecondsOfWork;
+  std::vector<double>                                  m_TileSeconds;
 };
 
 void
-PrintLayers(const std::vector<TileClock::Layer> & layers)
+Simulate(const Part & part, unsigned int threads)
 {
-  std::cout << "{\"layers\": [";
-  const char * separator = "";
-  for (const TileClock::Layer & layer : layers)
+  Client                     client(part);
+  itk::MedialVoxelSlabWalker walker(part.GetGrid(), part.GetSettings(threads));
+  Simulation                 simulation(part, client);
+  const auto                 pieces = part.GetPieces(walker.GetSlabThickness(part.GetGrid().GetVoxelBox()), threads);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
   {
-    std::cout << separator << "{\"serial_seconds\": " << layer.serialSeconds << ", \"tile_seconds\": [";
-    const char * comma = "";
-    for (const double seconds : layer.tileSeconds)
-    {
-      std::cout << comma << seconds;
-      comma = ", ";
-    }
-    std::cout << "]}";
-    separator = ",\n";
+    client.BeginPiece(pieces[i]);
+    simulation.Begin();
+    walker.Run(pieces[i], i + 1 < pieces.size() ? pieces[i + 1] : itk::MedialVoxelBox{}, simulation);
+  }
+  std::cout << "{\"threads\": " << threads << ", \"seconds\": " << simulation.GetSeconds()
+            << ", \"pieces\": " << pieces.size() << ", \"work\": {";
+  const char * comma = "";
+  for (const auto & [name, seconds] : simulation.GetSecondsOfWork())
+  {
+    std::cout << comma << '"' << name << "\": " << seconds;
+    comma = ", ";
+  }
+  std::cout << "}, \"tile_seconds\": [";
+  comma = "";
+  for (const double seconds : simulation.GetTileSeconds())
+  {
+    std::cout << comma << seconds;
+    comma = ", ";
   }
   std::cout << "]}\n";
 }
 
 void
-Measure(const std::string & name, const std::array<std::int64_t, 3> & size, const double thickness)
+RunForReal(const Part & part, unsigned int threads)
 {
-  const std::vector<unsigned char> voxels = ReadVolume(name, size);
-  const itk::MedialVoxelGrid       grid(size, { { 1.0, 1.0, 1.0 } });
-  itk::MedialVoxelParameters       parameters;
-  parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(thickness);
-  itk::MedialVoxelSlabWalker engine(grid,
-                                    itk::MedialVoxelSlabWalker::Settings::ForClassification(grid, parameters, false));
-  TileClock                  clock(grid, parameters, voxels, engine);
-  engine.Run(grid.GetVoxelBox(), clock);
-  PrintLayers(clock.GetLayers());
+  itk::MedialVoxelEngineSettings settings;
+  settings.task = part.GetExtraction();
+  settings.numberOfWorkers = threads;
+  itk::MedialVoxelEngine engine(part.GetGrid(), settings);
+  Client                 client(part);
+  client.m_Engine = &engine;
+  const auto pieces = part.GetPieces(engine.GetSlabThickness(part.GetGrid().GetVoxelBox()), threads);
+  const auto start = std::chrono::steady_clock::now();
+  const auto startOfProcess = std::clock();
+  double     busy = 0.0;
+  double     possible = 0.0;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    client.BeginPiece(pieces[i]);
+    const auto sums = engine.Run(pieces[i], client, i + 1 < pieces.size() ? pieces[i + 1] : itk::MedialVoxelBox{});
+    busy += sums.threadSeconds;
+    possible += sums.tileSeconds * threads;
+  }
+  const double cpu = static_cast<double>(std::clock() - startOfProcess) / CLOCKS_PER_SEC;
+  std::cout << "{\"threads\": " << threads << ", \"wall_seconds\": " << SecondsSince(start)
+            << ", \"cpu_seconds\": " << cpu << ", \"thread_efficiency\": " << busy / possible << "}\n";
 }
+
 } // namespace
 
 int
@@ -174,11 +409,14 @@ main(int argc, char * argv[])
 {
   try
   {
-    if (argc != 3 && argc != 4)
+    const std::string kind = argc == 5 ? argv[1] : "";
+    if (kind != "simulate" && kind != "run")
     {
-      throw std::invalid_argument("usage: medialvoxel-tiles INPUT.raw X,Y,Z [THICKNESS]");
+      throw std::invalid_argument("usage: medialvoxel-tiles simulate|run INPUT.raw X,Y,Z THREADS");
     }
-    Measure(argv[1], ParseSize(argv[2]), argc == 4 ? std::stod(argv[3]) : 3.0);
+    const Part part(argv[2], ParseSize(argv[3]), 3.0);
+    const auto threads = static_cast<unsigned int>(std::stoul(argv[4]));
+    kind == "run" ? RunForReal(part, threads) : Simulate(part, threads);
     return EXIT_SUCCESS;
   }
   catch (const std::invalid_argument & error)

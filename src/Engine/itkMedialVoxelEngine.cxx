@@ -44,6 +44,7 @@ GetWalkerSettings(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings 
   settings.slabThickness = engine.slabThickness;
   settings.memoryLimit = engine.memoryLimit;
   settings.numberOfWorkers = engine.numberOfWorkers;
+  settings.readsAhead = engine.readsAhead;
   return settings;
 }
 
@@ -121,21 +122,19 @@ MedialVoxelEngine::IsLast(const MedialVoxelBox & region) const
 }
 
 MedialVoxelSums
-MedialVoxelEngine::Run(const MedialVoxelBox & region, MedialVoxelEngineClient & client)
+MedialVoxelEngine::Run(const MedialVoxelBox &    region,
+                       MedialVoxelEngineClient & client,
+                       const MedialVoxelBox &    nextRegion)
 {
   struct Ending
   {
     MedialVoxelExecution *& execution;
     ~Ending() { execution = nullptr; }
   };
-  MedialVoxelExecution execution(region,
-                                 m_Implementation->m_Settings.numberOfWorkers,
-                                 m_Implementation->GetTask(),
-                                 m_Implementation->m_Walker,
-                                 client);
+  MedialVoxelExecution execution(region, m_Implementation->GetTask(), m_Implementation->m_Walker, client);
   m_Implementation->m_Execution = &execution;
   const Ending ending{ m_Implementation->m_Execution };
-  return execution.Run();
+  return execution.Run(nextRegion);
 }
 
 void

@@ -3,7 +3,7 @@
 #include "itkMedialVoxelEngineClient.h"
 
 #include "itkMedialVoxelProgress.h"
-#include "itkMedialVoxelTileSchedule.h"
+#include "itkMedialVoxelSlabPlan.h"
 
 #include <algorithm>
 

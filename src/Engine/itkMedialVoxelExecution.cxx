@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
+#include <stdexcept>
 #include <utility>
 
 namespace itk
@@ -24,12 +24,10 @@ SecondsSince(const ClockType::time_point & start)
 } // namespace
 
 MedialVoxelExecution::MedialVoxelExecution(const MedialVoxelBox &      region,
-                                           const unsigned int          numberOfWorkers,
                                            const MedialVoxelTileTask & task,
                                            MedialVoxelSlabWalker &     walker,
                                            MedialVoxelEngineClient &   client)
   : m_Region(region)
-  , m_NumberOfWorkers(numberOfWorkers)
   , m_Task(task)
   , m_Walker(walker)
   , m_Client(client)
@@ -37,14 +35,20 @@ MedialVoxelExecution::MedialVoxelExecution(const MedialVoxelBox &      region,
 {}
 
 MedialVoxelSums
-MedialVoxelExecution::Run()
+MedialVoxelExecution::Run(const MedialVoxelBox & nextRegion)
 {
   const MedialVoxelPollScope scope(*this);
   this->HearAbort();
   m_Task.Begin();
-  m_Walker.Run(m_Region, *this);
+  m_Walker.Run(m_Region, nextRegion, *this);
   m_Task.Commit();
   return m_Sums;
+}
+
+MedialVoxelSourceThreads
+MedialVoxelExecution::GetSourceThreads() const
+{
+  return m_Client.GetSourceThreads();
 }
 
 void
@@ -83,52 +87,161 @@ MedialVoxelExecution::ThrowAborted() const
 }
 
 void
-MedialVoxelExecution::RunTiles(MedialVoxelTileSchedule & schedule)
+MedialVoxelExecution::RunSchedule(MedialVoxelSlabSchedule & schedule)
 {
   m_Schedule = &schedule;
-  const std::size_t workers =
-    std::max<std::size_t>(1, std::min<std::size_t>(m_NumberOfWorkers, schedule.GetNumberOfTiles()));
+  if (schedule.IsDone())
+  {
+    return;
+  }
   const auto start = ClockType::now();
-  m_Client.RunWorkers(static_cast<unsigned int>(workers), [this] { this->Work(); });
+  do
+  {
+    m_LacksWorkers = false;
+    m_Client.RunWorkers(schedule.GetNumberOfWorkers(), [this] { this->DoWork(); });
+  } while (!schedule.IsDone() && !this->IsAborted());
   m_Sums.tileSeconds += SecondsSince(start);
-  // The next tiles may be smaller and their window larger.
   m_Workspaces.clear();
-  schedule.RethrowFailure();
+  if (m_Failure)
+  {
+    std::rethrow_exception(m_Failure);
+  }
+  // Other workers may have done all of a short run meanwhile.
+  this->Beat();
   this->ThrowIfAborted();
 }
 
 void
-MedialVoxelExecution::Work()
+MedialVoxelExecution::DoWork()
 {
   const MedialVoxelPollScope scope(*this);
   ++m_NumberOfBusyWorkers;
   this->StopAllWhenFailing([this] {
-    MedialVoxelBox tile;
-    while (!this->IsAborted() && m_Schedule->Next(tile))
+    for (Work work; this->WaitForWork(work);)
     {
-      m_Client.RunTile(tile);
+      this->Do(work);
     }
   });
   {
     const std::lock_guard<std::mutex> lock(m_Mutex);
     --m_NumberOfBusyWorkers;
   }
-  m_WorkerHasEnded.notify_all();
+  m_HasNews.notify_all();
   if (this->IsCallingThread())
   {
     this->StopAllWhenFailing([this] { this->WaitForWorkers(); });
   }
 }
 
+bool
+MedialVoxelExecution::WaitForWork(Work & work)
+{
+  const bool                   isCallingThread = this->IsCallingThread();
+  const bool                   isPipeline = this->GetSourceThreads() == MedialVoxelSourceThreads::Calling;
+  std::unique_lock<std::mutex> lock(m_Mutex);
+  while (!this->IsAborted() && !m_Schedule->IsDone())
+  {
+    if (m_LacksWorkers && m_Schedule->HasWork(false))
+    {
+      // All leave, and come back together.
+      return false;
+    }
+    if (m_Schedule->Take(isCallingThread, work))
+    {
+      if (work.phase == MedialVoxelSlabSchedule::Phase::Process)
+      {
+        m_RunningTiles.push_back(work);
+      }
+      return true;
+    }
+    if (isPipeline && !isCallingThread)
+    {
+      // The pipeline that the calling thread asks may need this thread of a pool.
+      m_LacksWorkers = true;
+      return false;
+    }
+    this->WaitForNews(lock);
+  }
+  return false;
+}
+
+/** The calling thread gives signs of life meanwhile. */
+void
+MedialVoxelExecution::WaitForNews(std::unique_lock<std::mutex> & lock)
+{
+  constexpr std::chrono::milliseconds beatInterval{ 100 };
+  ++m_NumberOfWaitingWorkers;
+  m_HasNews.wait_for(lock, beatInterval);
+  --m_NumberOfWaitingWorkers;
+  if (this->IsCallingThread())
+  {
+    lock.unlock();
+    this->Beat();
+    lock.lock();
+  }
+}
+
+/** Those that have not begun yet will find no work. */
+void
+MedialVoxelExecution::WaitForWorkers()
+{
+  std::unique_lock<std::mutex> lock(m_Mutex);
+  while (m_NumberOfBusyWorkers > 0)
+  {
+    this->WaitForNews(lock);
+  }
+}
+
+void
+MedialVoxelExecution::Do(const Work & work)
+{
+  const auto start = ClockType::now();
+  if (work.phase == MedialVoxelSlabSchedule::Phase::Process)
+  {
+    m_Client.RunTile(work.box);
+  }
+  else
+  {
+    m_Schedule->DoWindowWork(work, *this);
+  }
+  const double                      seconds = SecondsSince(start);
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  m_Sums.threadSeconds += seconds;
+  m_Schedule->Complete(work, seconds);
+  if (m_NumberOfWaitingWorkers > 0)
+  {
+    m_HasNews.notify_all();
+  }
+}
+
+template <typename TFunction>
+void
+MedialVoxelExecution::StopAllWhenFailing(TFunction && function)
+{
+  try
+  {
+    function();
+  }
+  catch (...)
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    if (!m_Failure)
+    {
+      // In this order, as those that stop for it are no failure of their own.
+      m_Failure = std::current_exception();
+      m_IsAborted = true;
+    }
+  }
+}
+
 void
 MedialVoxelExecution::ProcessTile(const MedialVoxelBox & tile)
 {
-  std::unique_ptr<Workspace>      workspace = this->TakeWorkspace();
-  const MedialVoxelMovingWindow & window = m_Walker.GetWindow();
+  const Work                      work = this->StartTile(tile);
+  const MedialVoxelMovingWindow & window = m_Schedule->GetWindow(work);
+  std::unique_ptr<Workspace>      workspace = this->TakeWorkspace(work.layout);
   MedialVoxelSums                 sums;
-  const auto                      start = ClockType::now();
   const MedialVoxelBox            missing = m_Task.Process(tile, window, *this, *workspace, m_Client, sums);
-  sums.threadSeconds = SecondsSince(start);
   if (missing.IsEmpty())
   {
     sums.counts.notANumberVoxels = window.GetNotANumber().Count(tile);
@@ -141,19 +254,44 @@ MedialVoxelExecution::ProcessTile(const MedialVoxelBox & tile)
   {
     sums.counts = {};
     sums.recomputedVoxels = static_cast<std::uint64_t>(tile.NumberOfVoxels());
-    m_Schedule->Defer(tile, missing);
   }
   const std::lock_guard<std::mutex> lock(m_Mutex);
+  if (!missing.IsEmpty())
+  {
+    m_Schedule->Defer(work, missing);
+  }
   m_Sums += sums;
-  m_Workspaces.push_back(std::move(workspace));
+  this->ReturnWorkspace(std::move(workspace), work.layout);
 }
 
+/** Tiles come back from the client as boxes. */
 auto
-MedialVoxelExecution::TakeWorkspace() -> std::unique_ptr<Workspace>
+MedialVoxelExecution::StartTile(const MedialVoxelBox & tile) -> Work
+{
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  const auto                        found =
+    std::find_if(m_RunningTiles.begin(), m_RunningTiles.end(), [&tile](const Work & work) { return work.box == tile; });
+  if (found == m_RunningTiles.end())
+  {
+    throw std::logic_error("MedialVoxelEngine: this tile was not to be processed");
+  }
+  const Work work = *found;
+  m_RunningTiles.erase(found);
+  return work;
+}
+
+/** Memory that tiles of another layout have grown may be more than tiles of this one need. */
+auto
+MedialVoxelExecution::TakeWorkspace(const std::uint64_t layout) -> std::unique_ptr<Workspace>
 {
   {
     const std::lock_guard<std::mutex> lock(m_Mutex);
-    if (!m_Workspaces.empty())
+    if (m_LayoutOfWorkspaces < layout)
+    {
+      m_Workspaces.clear();
+      m_LayoutOfWorkspaces = layout;
+    }
+    if (m_LayoutOfWorkspaces == layout && !m_Workspaces.empty())
     {
       std::unique_ptr<Workspace> workspace = std::move(m_Workspaces.back());
       m_Workspaces.pop_back();
@@ -161,6 +299,16 @@ MedialVoxelExecution::TakeWorkspace() -> std::unique_ptr<Workspace>
     }
   }
   return m_Task.MakeWorkspace();
+}
+
+/** Called with the mutex locked. */
+void
+MedialVoxelExecution::ReturnWorkspace(std::unique_ptr<Workspace> workspace, const std::uint64_t layout)
+{
+  if (m_LayoutOfWorkspaces == layout)
+  {
+    m_Workspaces.push_back(std::move(workspace));
+  }
 }
 
 void
@@ -187,37 +335,6 @@ MedialVoxelExecution::HearAbort()
   if (m_Client.IsAbortRequested())
   {
     m_IsAborted = true;
-  }
-}
-
-template <typename TFunction>
-void
-MedialVoxelExecution::StopAllWhenFailing(TFunction && function)
-{
-  try
-  {
-    function();
-  }
-  catch (...)
-  {
-    // In this order, as those that stop for it are no failure of their own.
-    m_Schedule->Fail(std::current_exception());
-    m_IsAborted = true;
-  }
-}
-
-/** The calling thread beats while others have tiles; those that have not begun yet will find none. */
-void
-MedialVoxelExecution::WaitForWorkers()
-{
-  constexpr std::chrono::milliseconds beatInterval{ 100 };
-  const auto                          areAllIdle = [this] { return m_NumberOfBusyWorkers == 0; };
-  std::unique_lock<std::mutex>        lock(m_Mutex);
-  while (!m_WorkerHasEnded.wait_for(lock, beatInterval, areAllIdle))
-  {
-    lock.unlock();
-    this->Beat();
-    lock.lock();
   }
 }
 

@@ -8,7 +8,9 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -18,7 +20,7 @@ namespace itk
 {
 
 /** \class MedialVoxelExecution
- * \brief One run over a region: the place where workers meet, and the progress that they report to.
+ * \brief One run over a region: the workers of a schedule, and the progress that they report to.
  * \ingroup MedialVoxel
  */
 class MedialVoxelExecution
@@ -28,16 +30,19 @@ class MedialVoxelExecution
 public:
   /** The thread that calls this is the only one in which the client hears of progress. */
   MedialVoxelExecution(const MedialVoxelBox &      region,
-                       unsigned int                numberOfWorkers,
                        const MedialVoxelTileTask & task,
                        MedialVoxelSlabWalker &     walker,
                        MedialVoxelEngineClient &   client);
 
+  /** Process the region; the window of \a nextRegion is prepared meanwhile. */
   MedialVoxelSums
-  Run();
+  Run(const MedialVoxelBox & nextRegion);
 
   void
   ProcessTile(const MedialVoxelBox & tile);
+
+  MedialVoxelSourceThreads
+  GetSourceThreads() const override;
 
   void
   FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * notANumber) override;
@@ -55,7 +60,7 @@ public:
   ThrowIfAborted() const override;
 
   void
-  RunTiles(MedialVoxelTileSchedule & schedule) override;
+  RunSchedule(MedialVoxelSlabSchedule & schedule) override;
 
   bool
   IsAborted() const override
@@ -73,6 +78,7 @@ public:
   ThrowAborted() const override;
 
 private:
+  using Work = MedialVoxelSlabSchedule::Work;
   using Workspace = MedialVoxelTileTask::Workspace;
 
   bool
@@ -85,33 +91,53 @@ private:
   void
   HearAbort();
 
-  /** What each worker does: process tiles until there are no more. */
+  /** What each worker does: take work until all is done. */
   void
-  Work();
+  DoWork();
+
+  /** Wait until there is work to take; false when there is none for this thread, or the run stops. */
+  bool
+  WaitForWork(Work & work);
+
+  void
+  WaitForNews(std::unique_lock<std::mutex> & lock);
+
+  void
+  WaitForWorkers();
+
+  void
+  Do(const Work & work);
 
   template <typename TFunction>
   void
   StopAllWhenFailing(TFunction && function);
 
-  void
-  WaitForWorkers();
+  Work
+  StartTile(const MedialVoxelBox & tile);
 
   std::unique_ptr<Workspace>
-  TakeWorkspace();
+  TakeWorkspace(std::uint64_t layout);
+
+  void
+  ReturnWorkspace(std::unique_ptr<Workspace> workspace, std::uint64_t layout);
 
   MedialVoxelBox                          m_Region;
-  unsigned int                            m_NumberOfWorkers;
   const MedialVoxelTileTask &             m_Task;
   MedialVoxelSlabWalker &                 m_Walker;
   MedialVoxelEngineClient &               m_Client;
   std::thread::id                         m_CallingThread;
-  MedialVoxelTileSchedule *               m_Schedule{ nullptr };
   std::atomic<std::uint64_t>              m_DoneVoxels{ 0 };
   std::atomic<bool>                       m_IsAborted{ false };
   std::atomic<std::uint32_t>              m_NumberOfBusyWorkers{ 0 };
-  std::mutex                              m_Mutex;
-  std::condition_variable                 m_WorkerHasEnded;
-  std::vector<std::unique_ptr<Workspace>> m_Workspaces;
+  std::mutex                              m_Mutex; // of all that follows
+  std::condition_variable                 m_HasNews;
+  bool                                    m_LacksWorkers{ false }; // some have left for want of work
+  std::size_t                             m_NumberOfWaitingWorkers{ 0 };
+  MedialVoxelSlabSchedule *               m_Schedule{ nullptr };
+  std::vector<Work>                       m_RunningTiles;
+  std::exception_ptr                      m_Failure;
+  std::vector<std::unique_ptr<Workspace>> m_Workspaces; // that no worker uses
+  std::uint64_t                           m_LayoutOfWorkspaces{ 0 };
   MedialVoxelSums                         m_Sums;
 };
 

@@ -16,7 +16,7 @@ namespace itk
  * \brief Labels the cells of a tile, measures their walls and shows them to observers.
  * \ingroup MedialVoxel
  */
-class MedialVoxelExtractionTask : public MedialVoxelTileTask
+class MedialVoxel_EXPORT MedialVoxelExtractionTask : public MedialVoxelTileTask
 {
 public:
   MedialVoxelExtractionTask(const MedialVoxelGrid & grid, const MedialVoxelExtraction & settings);

@@ -41,6 +41,33 @@ MedialVoxelSubtractBox(const MedialVoxelBox & wanted, const MedialVoxelBox & pre
   return parts;
 }
 
+namespace
+{
+
+/** Cuts along the slowest axis that the box has voxels along. */
+std::vector<MedialVoxelBox>
+CutIntoParts(const MedialVoxelBox & box, const std::int64_t number)
+{
+  const unsigned int          axis = box.Extent(2) > 1 ? 2 : 1;
+  const std::int64_t          length = (box.Extent(axis) + number - 1) / number;
+  std::vector<MedialVoxelBox> parts;
+  for (MedialVoxelBox part = box; part.lower[axis] < box.upper[axis]; part.lower[axis] = part.upper[axis])
+  {
+    part.upper[axis] = std::min(part.lower[axis] + length, box.upper[axis]);
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+void
+RemoveKnownParts(std::vector<MedialVoxelBox> & parts, const MedialVoxelBox & known)
+{
+  const auto isKnown = [&known](const MedialVoxelBox & part) { return known.Contains(part); };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), isKnown), parts.end());
+}
+
+} // namespace
+
 MedialVoxelMovingWindow::MedialVoxelMovingWindow(const MedialVoxelGrid &          grid,
                                                  std::vector<MedialVoxelBoundary> kinds,
                                                  const bool                       keepsNotANumber,
@@ -66,27 +93,24 @@ MedialVoxelMovingWindow::GetInputBox(const MedialVoxelBox & sites) const
   return this->GetObjectBox(sites).Expanded(m_SmallComponents.GetMargin()).Intersection(m_Grid.GetVoxelBox());
 }
 
-template <typename TVisitor>
+template <typename TWindow, typename TVisitor>
 void
-MedialVoxelMovingWindow::VisitBits(TVisitor && visit) const
+MedialVoxelMovingWindow::VisitBits(TWindow & window, TVisitor && visit)
 {
-  MedialVoxelIndex inputMargin = m_Grid.GetUnitMargin();
-  for (unsigned int axis = 0; axis < 3; ++axis)
+  const auto inputBox = [&window](const MedialVoxelBox & sites) { return window.GetInputBox(sites); };
+  const auto sitesBox = [](const MedialVoxelBox & sites) { return sites; };
+  visit(window.m_Object, inputBox);
+  if (window.m_SmallComponents.IsOn())
   {
-    inputMargin[axis] += m_SmallComponents.GetMargin()[axis];
+    visit(window.m_Changed, inputBox);
   }
-  visit(m_Object, inputMargin);
-  if (m_SmallComponents.IsOn())
+  if (window.m_KeepsNotANumber)
   {
-    visit(m_Changed, inputMargin);
+    visit(window.m_NotANumber, inputBox);
   }
-  if (m_KeepsNotANumber)
+  for (auto & boundary : window.m_Boundaries)
   {
-    visit(m_NotANumber, inputMargin);
-  }
-  for (const MedialVoxelBits & boundary : m_Boundaries)
-  {
-    visit(boundary, MedialVoxelIndex{ { 0, 0, 0 } });
+    visit(boundary, sitesBox);
   }
 }
 
@@ -95,9 +119,8 @@ MedialVoxelMovingWindow::GetBytes(const MedialVoxelBox & sites) const
 {
   std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
   bytes += m_KeepsGray ? MedialVoxelGray::GetBytes(this->GetObjectBox(sites)) : 0;
-  this->VisitBits([&](const MedialVoxelBits &, const MedialVoxelIndex & margin) {
-    bytes += MedialVoxelBits::GetBytes(sites.Expanded(margin).Intersection(m_Grid.GetVoxelBox()));
-  });
+  VisitBits(*this,
+            [&](const MedialVoxelBits &, const auto & boxOf) { bytes += MedialVoxelBits::GetBytes(boxOf(sites)); });
   return bytes;
 }
 
@@ -107,10 +130,7 @@ MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const Medi
   std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
   bytes += m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
   std::uint64_t copy = 0; // of one after the other
-  this->VisitBits([&](const MedialVoxelBits & bits, const MedialVoxelIndex & margin) {
-    const auto boxOf = [&](const MedialVoxelBox & box) {
-      return box.Expanded(margin).Intersection(m_Grid.GetVoxelBox());
-    };
+  VisitBits(*this, [&](const MedialVoxelBits & bits, const auto & boxOf) {
     const std::uint64_t old = bits.GetReservedBytes();
     if (bits.CanReframeInPlace(boxOf(sites)))
     {
@@ -125,6 +145,25 @@ MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const Medi
   return bytes + copy;
 }
 
+std::uint64_t
+MedialVoxelMovingWindow::GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
+{
+  std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
+  bytes += m_KeepsGray ? m_Gray.GetBytesToFrame(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
+  VisitBits(*this, [&](const MedialVoxelBits & bits, const auto & boxOf) {
+    bytes += bits.GetBytesToFrame(boxOf(sites), boxOf(room));
+  });
+  return bytes;
+}
+
+std::uint64_t
+MedialVoxelMovingWindow::GetReservedBytes() const
+{
+  std::uint64_t bytes = m_Gray.GetReservedBytes();
+  VisitBits(*this, [&bytes](const MedialVoxelBits & bits, const auto &) { bytes += bits.GetReservedBytes(); });
+  return bytes;
+}
+
 void
 MedialVoxelMovingWindow::Clear()
 {
@@ -134,6 +173,7 @@ MedialVoxelMovingWindow::Clear()
   m_NotANumber = {};
   m_Gray = {};
   m_Boundaries = std::vector<MedialVoxelBits>(m_Kinds.size());
+  m_Sites = {};
 }
 
 void
@@ -141,68 +181,122 @@ MedialVoxelMovingWindow::MoveTo(const MedialVoxelBox &    sites,
                                 const MedialVoxelBox &    room,
                                 MedialVoxelObjectSource & source)
 {
-  this->FillObject(sites, room, source);
-  this->ChangeSmallComponents(sites, source);
-  for (std::size_t i = 0; i < m_Kinds.size(); ++i)
+  this->BeginMove(sites, room, nullptr);
+  for (const MedialVoxelBox & part : this->CutToFill(1))
   {
-    const auto newParts = MedialVoxelSubtractBox(sites, m_Boundaries[i].GetBox());
-    m_Boundaries[i].Reframe(sites, room);
-    for (const MedialVoxelBox & part : newParts)
-    {
-      MedialVoxelComputeBoundary(m_Object, m_Grid.GetVoxelBox(), m_Kinds[i], part, m_Boundaries[i]);
-    }
+    this->Fill(part, source);
+  }
+  this->ChangeSmallComponents(source);
+  for (const MedialVoxelBox & part : this->CutToMark(1))
+  {
+    this->Mark(part);
   }
 }
 
 void
-MedialVoxelMovingWindow::FillObject(const MedialVoxelBox &    sites,
-                                    const MedialVoxelBox &    room,
-                                    MedialVoxelObjectSource & source)
+MedialVoxelMovingWindow::BeginMove(const MedialVoxelBox &                sites,
+                                   const MedialVoxelBox &                room,
+                                   const MedialVoxelMovingWindow * const donor)
 {
-  const MedialVoxelBox inputBox = this->GetInputBox(sites);
-  const MedialVoxelBox inputRoom = this->GetInputBox(room);
-  const auto           parts = MedialVoxelSubtractBox(inputBox, m_Object.GetBox());
-  const auto           grayParts = MedialVoxelSubtractBox(this->GetObjectBox(sites), m_Gray.GetBox());
-  m_Object.Reframe(inputBox, inputRoom);
-  if (m_SmallComponents.IsOn())
+  const MedialVoxelMovingWindow & known = donor != nullptr ? *donor : *this;
+  m_Known = { donor, known.m_Object.GetBox(), known.m_Gray.GetBox(), known.m_Sites };
+  m_FinalBox = known.m_FinalBox;
+  m_Sites = sites;
+  VisitBits(*this, [&](MedialVoxelBits & bits, const auto & boxOf) {
+    if (donor != nullptr)
+    {
+      bits.Frame(boxOf(sites), boxOf(room));
+    }
+    else
+    {
+      bits.Reframe(boxOf(sites), boxOf(room));
+    }
+  });
+  if (m_KeepsGray && donor != nullptr)
   {
-    m_Changed.Reframe(inputBox, inputRoom);
+    m_Gray.Frame(this->GetObjectBox(sites), this->GetObjectBox(room));
   }
-  if (m_KeepsNotANumber)
-  {
-    m_NotANumber.Reframe(inputBox, inputRoom);
-  }
-  if (m_KeepsGray)
+  else if (m_KeepsGray)
   {
     m_Gray.Reframe(this->GetObjectBox(sites), this->GetObjectBox(room));
+  }
+}
+
+std::vector<MedialVoxelBox>
+MedialVoxelMovingWindow::CutToFill(const std::int64_t number) const
+{
+  std::vector<MedialVoxelBox> parts = CutIntoParts(m_Object.GetBox(), number);
+  if (m_Known.donor == nullptr)
+  {
+    RemoveKnownParts(parts, m_KeepsGray ? m_Known.input.Intersection(m_Known.gray) : m_Known.input);
+  }
+  return parts;
+}
+
+std::vector<MedialVoxelBox>
+MedialVoxelMovingWindow::CutToMark(const std::int64_t number) const
+{
+  std::vector<MedialVoxelBox> parts = CutIntoParts(m_Sites, number);
+  if (m_Known.donor == nullptr)
+  {
+    RemoveKnownParts(parts, m_Known.sites);
+  }
+  return parts;
+}
+
+void
+MedialVoxelMovingWindow::Fill(const MedialVoxelBox & part, MedialVoxelObjectSource & source)
+{
+  if (m_Known.donor != nullptr)
+  {
+    this->CopyRows(part);
   }
   // Where both reach equally far, the source is asked once for both.
   const bool              isTogether = m_KeepsGray && !m_SmallComponents.IsOn();
   MedialVoxelBits * const notANumber = m_KeepsNotANumber ? &m_NotANumber : nullptr;
-  for (const MedialVoxelBox & part : parts)
+  for (const MedialVoxelBox & box : MedialVoxelSubtractBox(part, m_Known.input))
   {
     if (isTogether)
     {
-      source.FillObjectAndGray(part, m_Object, notANumber, m_Gray);
+      source.FillObjectAndGray(box, m_Object, notANumber, m_Gray);
     }
     else
     {
-      source.FillObject(part, m_Object, notANumber);
+      source.FillObject(box, m_Object, notANumber);
     }
   }
-  for (const MedialVoxelBox & part : grayParts)
+  if (m_KeepsGray && !isTogether)
   {
-    if (m_KeepsGray && !isTogether)
+    for (const MedialVoxelBox & box : MedialVoxelSubtractBox(part.Intersection(m_Gray.GetBox()), m_Known.gray))
     {
-      source.FillGray(part, m_Gray);
+      source.FillGray(box, m_Gray);
     }
   }
 }
 
 void
-MedialVoxelMovingWindow::ChangeSmallComponents(const MedialVoxelBox & sites, MedialVoxelObjectSource & source)
+MedialVoxelMovingWindow::CopyRows(const MedialVoxelBox & part)
 {
-  const MedialVoxelBox objectBox = this->GetObjectBox(sites);
+  const MedialVoxelMovingWindow & donor = *m_Known.donor;
+  m_Object.CopyRows(donor.m_Object, part);
+  if (m_SmallComponents.IsOn())
+  {
+    m_Changed.CopyRows(donor.m_Changed, part);
+  }
+  if (m_KeepsNotANumber)
+  {
+    m_NotANumber.CopyRows(donor.m_NotANumber, part);
+  }
+  if (m_KeepsGray)
+  {
+    m_Gray.CopyRows(donor.m_Gray, part);
+  }
+}
+
+void
+MedialVoxelMovingWindow::ChangeSmallComponents(MedialVoxelObjectSource & source)
+{
+  const MedialVoxelBox objectBox = this->GetObjectBox(m_Sites);
   if (m_SmallComponents.IsOn())
   {
     for (const MedialVoxelBox & part : MedialVoxelSubtractBox(objectBox, m_FinalBox))
@@ -211,6 +305,22 @@ MedialVoxelMovingWindow::ChangeSmallComponents(const MedialVoxelBox & sites, Med
     }
   }
   m_FinalBox = objectBox;
+}
+
+void
+MedialVoxelMovingWindow::Mark(const MedialVoxelBox & part)
+{
+  for (std::size_t i = 0; i < m_Kinds.size(); ++i)
+  {
+    if (m_Known.donor != nullptr)
+    {
+      m_Boundaries[i].CopyRows(m_Known.donor->m_Boundaries[i], part);
+    }
+    for (const MedialVoxelBox & box : MedialVoxelSubtractBox(part, m_Known.sites))
+    {
+      MedialVoxelComputeBoundary(m_Object, m_Grid.GetVoxelBox(), m_Kinds[i], box, m_Boundaries[i]);
+    }
+  }
 }
 
 auto

@@ -26,9 +26,11 @@ MedialVoxel_EXPORT std::vector<MedialVoxelBox>
 /** \class MedialVoxelMovingWindow
  * \brief Object and boundary bits of a box that moves over the image.
  *
- * Bits that the old box and the new one share are kept, so that the source is asked once for a voxel as long as the
- * window does not return to it. When small components are changed, the object bits reach farther than the rest, by
- * the margin that this depends on; the source is asked for values, which do not, on their own.
+ * Bits that the old box and the new one share are kept, or copied from another window that has them, so that the source
+ * is asked once for a voxel as long as the window does not return to it. A move is done in parts, by any number of
+ * threads: begin, fill all parts, change small components, mark the boundary of all parts. When small components are
+ * changed, the object bits reach farther than the rest, by the margin that this depends on; the source is asked for
+ * values, which do not, on their own.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelMovingWindow
@@ -59,14 +61,53 @@ public:
   std::uint64_t
   GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const;
 
+  /** The same of a move that keeps what it can of another window. */
+  std::uint64_t
+  GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & room) const;
+
+  /** Bytes that the window has. */
+  std::uint64_t
+  GetReservedBytes() const;
+
   /** Forget everything and give the memory back. */
   void
   Clear();
 
-  /** Move so that the boundaries are known in \a sites, a box inside the image. Memory that has to be taken for that
-   * suffices for sites as many as \a room has too. */
+  /** Move in one thread so that the boundaries are known in \a sites, a box inside the image. Memory that has to be
+   * taken for that suffices for sites as many as \a room has too. */
   void
   MoveTo(const MedialVoxelBox & sites, const MedialVoxelBox & room, MedialVoxelObjectSource & source);
+
+  /** Begin to move. What \a donor has is copied from there, which stays as it is meanwhile; without one the window
+   * keeps what it has itself. */
+  void
+  BeginMove(const MedialVoxelBox & sites, const MedialVoxelBox & room, const MedialVoxelMovingWindow * donor);
+
+  /** Parts of the window that the source fills, at most \a number and of whole slices, or of rows where there is one
+   * slice. Those that need nothing are left out. */
+  std::vector<MedialVoxelBox>
+  CutToFill(std::int64_t number) const;
+
+  /** Know the object bits of a part as the source has them. Several threads may do so for different parts. */
+  void
+  Fill(const MedialVoxelBox & part, MedialVoxelObjectSource & source);
+
+  /** Whether small components are changed after all parts are filled, in one thread. */
+  bool
+  ChangesSmallComponents() const
+  {
+    return m_SmallComponents.IsOn();
+  }
+  void
+  ChangeSmallComponents(MedialVoxelObjectSource & source);
+
+  /** Parts of the sites whose boundary is to be marked. */
+  std::vector<MedialVoxelBox>
+  CutToMark(std::int64_t number) const;
+
+  /** Mark the boundary in a part. Several threads may do so for different parts. */
+  void
+  Mark(const MedialVoxelBox & part);
 
   /** Bits for a boundary of the kinds listed. */
   MedialVoxelWindow
@@ -109,18 +150,23 @@ public:
   }
 
 private:
-  /** Calls visit(bits, margin) for all bits that are kept, with the voxels that each has around the sites. */
-  template <typename TVisitor>
-  void
-  VisitBits(TVisitor && visit) const;
+  /** Calls visit(bits, boxOf) for all bits that are kept, with what tells their box for some sites. */
+  template <typename TWindow, typename TVisitor>
+  static void
+  VisitBits(TWindow & window, TVisitor && visit);
 
-  /** Have the source fill what is new, bits and values. */
-  void
-  FillObject(const MedialVoxelBox & sites, const MedialVoxelBox & room, MedialVoxelObjectSource & source);
+  /** What is known when a move begins, of the window itself or of its donor. */
+  struct Known
+  {
+    const MedialVoxelMovingWindow * donor{ nullptr };
+    MedialVoxelBox                  input;
+    MedialVoxelBox                  gray;
+    MedialVoxelBox                  sites;
+  };
 
-  /** Make the object bits final where they are needed. */
+  /** Copy what the donor has of the rows of a part. */
   void
-  ChangeSmallComponents(const MedialVoxelBox & sites, MedialVoxelObjectSource & source);
+  CopyRows(const MedialVoxelBox & part);
 
   MedialVoxelGrid                  m_Grid;
   std::vector<MedialVoxelBoundary> m_Kinds;
@@ -133,6 +179,8 @@ private:
   MedialVoxelBits                  m_NotANumber;
   MedialVoxelGray                  m_Gray;
   std::vector<MedialVoxelBits>     m_Boundaries;
+  MedialVoxelBox                   m_Sites;
+  Known                            m_Known;
 };
 
 } // end namespace itk

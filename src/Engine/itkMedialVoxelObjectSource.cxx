@@ -9,6 +9,12 @@ namespace itk
 
 MedialVoxelObjectSource::~MedialVoxelObjectSource() = default;
 
+MedialVoxelSourceThreads
+MedialVoxelObjectSource::GetSourceThreads() const
+{
+  return MedialVoxelSourceThreads::Calling;
+}
+
 void
 MedialVoxelObjectSource::FillObjectAndGray(const MedialVoxelBox &,
                                            MedialVoxelBits &,

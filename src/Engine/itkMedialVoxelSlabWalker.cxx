@@ -2,371 +2,75 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSlabWalker.h"
 
-#include "itkMedialVoxelClassifier.h"
-
 #include <algorithm>
-#include <stdexcept>
-#include <utility>
 
 namespace itk
 {
 
-namespace
-{
-
-/** Tiles of a slab below which threads would wait for each other. */
-constexpr std::int64_t EnoughTiles = 64;
-
-/** Edges of the tiles along y and z, and along x where walls are thin. */
-constexpr std::int64_t SmallestTileEdge = 32;
-constexpr std::int64_t LargestTileEdge = 96;
-constexpr std::int64_t NarrowTile = 128;
-
-/** Halo from which walls are thick. */
-constexpr std::int64_t ThickHalo = 64;
-
-/** Tiles of thick parts. */
-constexpr std::int64_t WidestTile = 1024;
-constexpr std::int64_t LargestWideEdge = 128;
-constexpr std::int64_t WideTileArea = 65536;
-constexpr std::int64_t WideTileSlices = 16;
-
-std::int64_t
-CeilingDivide(const std::int64_t value, const std::int64_t divisor)
-{
-  return (value + divisor - 1) / divisor;
-}
-
-/** Tiles of thick parts: all of the rows, or as much as is useful, as each slice of a tile is searched from what lies
- * in its plane, and the work of the halo around it is repeated. */
-MedialVoxelIndex
-WideTile(const std::int64_t columns)
-{
-  const std::int64_t parts = CeilingDivide(columns, WidestTile);
-  const std::int64_t width =
-    CeilingDivide(CeilingDivide(columns, parts), MedialVoxelBits::BitsPerWord) * MedialVoxelBits::BitsPerWord;
-  const std::int64_t edge = WideTileArea / width / SmallestTileEdge * SmallestTileEdge;
-  return { { std::max(width, NarrowTile), std::clamp(edge, SmallestTileEdge, LargestWideEdge), WideTileSlices } };
-}
-
-/** The parts of \a tiles that lie in \a slab, cut once more. */
-std::vector<MedialVoxelBox>
-CutTilesWithin(const std::vector<MedialVoxelBox> & tiles,
-               const MedialVoxelBox &              slab,
-               const MedialVoxelIndex &            tileSize)
-{
-  std::vector<MedialVoxelBox> parts;
-  for (const MedialVoxelBox & tile : tiles)
-  {
-    const auto partsOfTile = MedialVoxelCutIntoTiles(tile.Intersection(slab), tileSize);
-    parts.insert(parts.end(), partsOfTile.begin(), partsOfTile.end());
-  }
-  return parts;
-}
-
-bool
-IsLarger(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
-{
-  return a[0] > b[0] || a[1] > b[1] || a[2] > b[2];
-}
-
-} // namespace
-
-unsigned int
-MedialVoxelSlowestAxis(const MedialVoxelBox & box)
-{
-  return box.Extent(2) > 1 ? 2u : (box.Extent(1) > 1 ? 1u : 0u);
-}
-
-MedialVoxelSlabWalker::Settings
-MedialVoxelSlabWalker::Settings::ForClassification(const MedialVoxelGrid &       grid,
-                                                   const MedialVoxelParameters & parameters,
-                                                   const bool                    withObjectBoundary)
-{
-  Settings settings;
-  settings.boundaries = { MedialVoxelBoundary::Background };
-  if (withObjectBoundary)
-  {
-    settings.boundaries.push_back(MedialVoxelBoundary::Object);
-  }
-  settings.maximumPoreSize = parameters.maximumPoreSize;
-  settings.upperMargin = grid.GetUnitMargin();
-  // Boundary points of thin walls and the paths between them; thicker walls ask for more.
-  const double           epsilon = parameters.GetLargestEpsilon();
-  const MedialVoxelIndex reach = grid.MarginForMetricLength(0.5 * epsilon / grid.GetMetricUnit());
-  if (parameters.mode == MedialVoxelThicknessMode::Automatic)
-  {
-    settings.tileMargin = MedialVoxelLocalThreshold(grid, parameters).GetMargin();
-  }
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    settings.halo[axis] += std::max(reach[axis], settings.tileMargin[axis]);
-  }
-  settings.workerBytesPerVoxel = settings.boundaries.size() * MedialVoxelFeatures::BytesPerVoxel +
-                                 sizeof(std::uint8_t) +
-                                 MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(grid, parameters);
-  settings.workerBytes = MedialVoxelClassifier::GetWorkspaceBytes(grid, parameters);
-  return settings;
-}
-
-MedialVoxelSlabWalker::Settings
-MedialVoxelSlabWalker::Settings::ForDistances(const MedialVoxelBoundary boundary)
-{
-  Settings settings;
-  settings.boundaries = { boundary };
-  settings.workerBytesPerVoxel = MedialVoxelFeatures::BytesPerVoxel;
-  return settings;
-}
-
-MedialVoxelSlabWalker::MedialVoxelSlabWalker(const MedialVoxelGrid & grid, Settings settings)
-  : m_Grid(grid)
-  , m_SlowestAxis(MedialVoxelSlowestAxis(grid.GetVoxelBox()))
-  , m_Settings(std::move(settings))
-  , m_Halo(m_Settings.halo)
-  , m_Window(grid, m_Settings.boundaries, m_Settings.keepsNotANumber, m_Settings.keepsGray, m_Settings.maximumPoreSize)
+MedialVoxelSlabWalker::MedialVoxelSlabWalker(const MedialVoxelGrid & grid, const Settings & settings)
+  : m_Plan(grid, settings)
+  , m_State{ { m_Plan.MakeWindow(), m_Plan.MakeWindow() }, settings.halo, {} }
 {}
-
-MedialVoxelSlabWalker::Cut
-MedialVoxelSlabWalker::PreferredCut(const MedialVoxelBox & region, const MedialVoxelIndex & halo) const
-{
-  Cut cut{ { { 256, 256, 1 } }, m_Settings.slabThickness, halo };
-  if (m_Settings.tileSize > 0)
-  {
-    cut.tileSize.fill(m_Settings.tileSize);
-  }
-  else if (m_Grid.IsActive(2) && m_Grid.HasEqualSpacing() && std::max(halo[1], halo[2]) >= ThickHalo)
-  {
-    cut.tileSize = WideTile(region.Extent(0));
-  }
-  else if (m_Grid.IsActive(2))
-  {
-    // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
-    // halo, as a tile repeats the work of the halo around it, and those with a margin all the more.
-    const std::int64_t smallest = m_Settings.tileMargin[1] > 0 ? LargestTileEdge : SmallestTileEdge;
-    const std::int64_t edge =
-      std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, smallest, LargestTileEdge);
-    cut.tileSize = { { NarrowTile, edge, edge } };
-  }
-  if (cut.slabThickness <= 0)
-  {
-    std::int64_t tilesPerLayer = 1;
-    for (unsigned int axis = 0; axis < m_SlowestAxis; ++axis)
-    {
-      tilesPerLayer *= CeilingDivide(region.Extent(axis), cut.tileSize[axis]);
-    }
-    cut.slabThickness = cut.tileSize[m_SlowestAxis] * CeilingDivide(EnoughTiles, tilesPerLayer);
-  }
-  return cut;
-}
-
-bool
-MedialVoxelSlabWalker::MakeFiner(Cut & cut) const
-{
-  // Smaller tiles and thinner slabs both repeat more of the work of the halo, but only the tiles keep threads busy.
-  std::int64_t & edge = cut.tileSize[1];
-  if (m_Settings.tileSize <= 0 && m_SlowestAxis == 2 && edge > SmallestTileEdge)
-  {
-    edge -= SmallestTileEdge;
-    cut.tileSize[2] = std::min(cut.tileSize[2], edge);
-    return true;
-  }
-  if (cut.slabThickness > 1)
-  {
-    cut.slabThickness = (cut.slabThickness + 1) / 2;
-    return true;
-  }
-  return false;
-}
-
-MedialVoxelSlabWalker::Cut
-MedialVoxelSlabWalker::ChooseCut(const MedialVoxelBox & region) const
-{
-  Cut cut = this->PreferredCut(region, m_Halo);
-  while (!this->Fits(this->LargestSitesBox(region, cut), cut))
-  {
-    if (this->MakeFiner(cut))
-    {
-      continue;
-    }
-    // Bounds of distances are coarse, so that a smaller halo may suffice.
-    const std::int64_t largest = *std::max_element(cut.halo.begin(), cut.halo.end());
-    if (largest == 0)
-    {
-      throw MedialVoxelMemoryError(this->BytesOf(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
-    }
-    for (std::int64_t & voxels : cut.halo)
-    {
-      voxels = std::min(voxels, largest - 1);
-    }
-  }
-  return cut;
-}
-
-MedialVoxelBox
-MedialVoxelSlabWalker::GetSlab(const MedialVoxelBox & region,
-                               const std::int64_t     position,
-                               const std::int64_t     thickness) const
-{
-  MedialVoxelBox slab = region;
-  slab.lower[m_SlowestAxis] = position;
-  slab.upper[m_SlowestAxis] = std::min((position / thickness + 1) * thickness, region.upper[m_SlowestAxis]);
-  return slab;
-}
-
-MedialVoxelBox
-MedialVoxelSlabWalker::GetSitesBox(const MedialVoxelBox & slab, const MedialVoxelIndex & halo) const
-{
-  MedialVoxelBox voxels = slab;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    voxels.upper[axis] += m_Settings.upperMargin[axis];
-  }
-  return voxels.Expanded(halo).Intersection(m_Grid.GetVoxelBox());
-}
-
-MedialVoxelBox
-MedialVoxelSlabWalker::LargestSitesBox(const MedialVoxelBox & region, const Cut & cut) const
-{
-  MedialVoxelBox box;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t size = m_Grid.GetVoxelBox().upper[axis];
-    const std::int64_t ofSlab =
-      axis == m_SlowestAxis ? std::min(cut.slabThickness, region.Extent(axis)) : region.Extent(axis);
-    const std::int64_t extent = std::min(ofSlab + m_Settings.upperMargin[axis] + 2 * cut.halo[axis], size);
-    // Away from the borders, and from the first bit of a word, a box takes most.
-    box.lower[axis] = std::min(MedialVoxelBits::BitsPerWord - 1, (size - extent) / 2);
-    box.upper[axis] = box.lower[axis] + extent;
-  }
-  return box;
-}
-
-std::uint64_t
-MedialVoxelSlabWalker::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cut) const
-{
-  MedialVoxelIndex tile;
-  std::uint64_t    tileVoxels = 1;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t edge =
-      axis == m_SlowestAxis ? std::min(cut.tileSize[axis], cut.slabThickness) : cut.tileSize[axis];
-    tile[axis] = std::min(edge + m_Settings.upperMargin[axis] + 2 * m_Settings.tileMargin[axis], sites.Extent(axis));
-    tileVoxels *= static_cast<std::uint64_t>(tile[axis]);
-  }
-  // Beside the end of the image a tile can search as far as the window reaches on its other side.
-  const std::int64_t reach = sites.Extent(m_SlowestAxis) - tile[m_SlowestAxis];
-  const double       length = static_cast<double>(reach + 1) * m_Grid.GetMetricSpacing()[m_SlowestAxis];
-  const auto         margin = m_Grid.MarginForMetricLength(length);
-  const bool         isAllKnown = sites.Extent(m_SlowestAxis) == m_Grid.GetSize()[m_SlowestAxis];
-  MedialVoxelIndex   searched;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    searched[axis] = isAllKnown ? sites.Extent(axis) : std::min(tile[axis] + 2 * margin[axis], sites.Extent(axis));
-  }
-  const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel +
-                               MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
-  return m_Settings.numberOfWorkers * worker;
-}
 
 std::uint64_t
 MedialVoxelSlabWalker::GetBytes(const MedialVoxelBox & region) const
 {
-  const Cut cut = this->ChooseCut(region);
-  return this->BytesOf(this->LargestSitesBox(region, cut), cut);
+  const auto           cut = m_Plan.ChooseCut(region, m_State.halo);
+  const MedialVoxelBox sites = m_Plan.LargestSitesBox(region, cut);
+  const std::uint64_t  bytes = m_Plan.BytesOf(sites, cut);
+  const bool           isOneSlab = cut.slabThickness >= region.Extent(m_Plan.GetSlowestAxis());
+  const auto &         settings = m_Plan.GetSettings();
+  const std::uint64_t  withSecond = bytes + m_Plan.BytesOfWindow(sites);
+  const bool           readsAhead = settings.readsAhead && settings.numberOfWorkers > 1 && !isOneSlab;
+  return readsAhead && m_Plan.IsWithinLimit(withSecond) ? withSecond : bytes;
+}
+
+std::int64_t
+MedialVoxelSlabWalker::GetSlabThickness(const MedialVoxelBox & region) const
+{
+  return m_Plan.ChooseCut(region, m_State.halo).slabThickness;
 }
 
 std::vector<MedialVoxelBox>
 MedialVoxelSlabWalker::GetMissingObjectBoxes(const MedialVoxelBox & region) const
 {
-  const Cut            cut = this->ChooseCut(region);
-  const MedialVoxelBox slab = this->GetSlab(region, region.lower[m_SlowestAxis], cut.slabThickness);
-  return MedialVoxelSubtractBox(m_Window.GetInputBox(this->GetSitesBox(slab, cut.halo)), m_Window.GetObject().GetBox());
+  const auto           cut = m_Plan.ChooseCut(region, m_State.halo);
+  const MedialVoxelBox slab = m_Plan.GetSlab(region, region.lower[m_Plan.GetSlowestAxis()], cut.slabThickness);
+  const MedialVoxelBox input = m_State.windows[0].GetInputBox(m_Plan.GetSitesBox(slab, cut.halo));
+  const auto           missing = [&input](const MedialVoxelMovingWindow & window) {
+    return MedialVoxelSubtractBox(input, window.GetObject().GetBox());
+  };
+  const std::size_t best = MedialVoxelFindNearestWindow(m_State.windows, input);
+  return missing(m_State.windows[best]);
 }
 
 void
-MedialVoxelSlabWalker::Run(const MedialVoxelBox & region, MedialVoxelTileRunner & client)
+MedialVoxelSlabWalker::Run(const MedialVoxelBox &  region,
+                           const MedialVoxelBox &  nextRegion,
+                           MedialVoxelTileRunner & runner)
 {
-  this->RunSlabs(region, { region }, client);
-}
-
-void
-MedialVoxelSlabWalker::RunSlabs(const MedialVoxelBox &              region,
-                                const std::vector<MedialVoxelBox> & parts,
-                                MedialVoxelTileRunner &             client)
-{
-  for (std::int64_t position = region.lower[m_SlowestAxis]; position < region.upper[m_SlowestAxis];)
+  try
   {
-    const Cut            cut = this->ChooseCut(region);
-    const MedialVoxelBox slab = this->GetSlab(region, position, cut.slabThickness);
-    this->RunTiles(slab, cut, CutTilesWithin(parts, slab, cut.tileSize), client);
-    position = slab.upper[m_SlowestAxis];
+    MedialVoxelSlabSchedule schedule(m_Plan, m_State, runner.GetSourceThreads());
+    schedule.Begin(region, nextRegion);
+    runner.RunSchedule(schedule);
+    schedule.CheckThatAllIsDone();
   }
-}
-
-void
-MedialVoxelSlabWalker::RunTiles(const MedialVoxelBox &      slab,
-                                const Cut &                 cut,
-                                std::vector<MedialVoxelBox> tiles,
-                                MedialVoxelTileRunner &     client)
-{
-  MedialVoxelBox sites = this->GetSitesBox(slab, cut.halo);
-  while (!tiles.empty())
+  catch (...)
   {
-    this->MoveWindow(sites, slab, cut, client);
-    MedialVoxelTileSchedule schedule(std::move(tiles));
-    client.RunTiles(schedule);
-    schedule.RethrowFailure();
-    tiles = schedule.GetDeferredTiles();
-    if (tiles.empty())
+    // What a window holds after an unfinished move is not known.
+    for (MedialVoxelMovingWindow & window : m_State.windows)
     {
-      return;
+      window.Clear();
     }
-    if (sites.Contains(schedule.GetNeededBox()))
-    {
-      throw std::logic_error("MedialVoxelSlabWalker: a tile was deferred although its window holds what it needs");
-    }
-    sites = sites.Union(schedule.GetNeededBox());
-    Cut wanted = cut;
-    wanted.halo = m_Halo = this->HaloOf(slab, sites);
-    if (!this->Fits(sites, wanted))
-    {
-      if (!IsLarger(this->ChooseCut(slab).halo, cut.halo))
-      {
-        throw MedialVoxelMemoryError(this->BytesOf(sites, wanted), m_Settings.memoryLimit);
-      }
-      this->RunSlabs(slab, tiles, client);
-      return;
-    }
+    throw;
   }
 }
 
-void
-MedialVoxelSlabWalker::MoveWindow(const MedialVoxelBox &  sites,
-                                  const MedialVoxelBox &  slab,
-                                  const Cut &             cut,
-                                  MedialVoxelTileRunner & client)
+std::uint64_t
+MedialVoxelSlabWalker::GetReservedBytes() const
 {
-  // The first slabs, at the border of the image, have less around them than those that follow.
-  const MedialVoxelBox room = this->LargestSitesBox(slab, cut);
-  const std::uint64_t  bytes = m_Window.GetBytesToMove(sites, room) + this->BytesOfWorkers(sites, cut);
-  if (m_Settings.memoryLimit != 0 && bytes > m_Settings.memoryLimit)
-  {
-    m_Window.Clear();
-  }
-  m_Window.MoveTo(sites, room, client);
-}
-
-MedialVoxelIndex
-MedialVoxelSlabWalker::HaloOf(const MedialVoxelBox & slab, const MedialVoxelBox & sites) const
-{
-  MedialVoxelIndex halo = m_Halo;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t below = slab.lower[axis] - sites.lower[axis];
-    const std::int64_t above = sites.upper[axis] - slab.upper[axis] - m_Settings.upperMargin[axis];
-    halo[axis] = std::max(halo[axis], std::max(below, above));
-  }
-  return halo;
+  return m_State.windows[0].GetReservedBytes() + m_State.windows[1].GetReservedBytes();
 }
 
 } // end namespace itk

@@ -38,17 +38,23 @@ MedialVoxelBits::GetBytes(const MedialVoxelBox & box)
 }
 
 void
-MedialVoxelBits::Reshape(const MedialVoxelBox & box)
+MedialVoxelBits::SetBox(const MedialVoxelBox & box)
 {
   m_Box = box;
   m_FirstWord = box.lower[0] / BitsPerWord;
   m_WordsPerRow = WordsOfRow(box);
   m_RowPitch = m_WordsPerRow + 2;
+}
+
+void
+MedialVoxelBits::Reshape(const MedialVoxelBox & box)
+{
+  this->SetBox(box);
   const std::size_t words = WordsOfBox(box);
   if (words > m_Words.capacity())
   {
     // Freed before more is taken, so that both are never there at the same time.
-    std::vector<WordType>().swap(m_Words);
+    Words().swap(m_Words);
   }
   m_Words.assign(words, 0);
 }
@@ -56,34 +62,67 @@ MedialVoxelBits::Reshape(const MedialVoxelBox & box)
 void
 MedialVoxelBits::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room)
 {
+  if (box == m_Box)
+  {
+    return;
+  }
   if (this->CanReframeInPlace(box))
   {
     this->ReframeInPlace(box);
     return;
   }
   MedialVoxelBits result;
-  result.m_Words.reserve(std::max(WordsOfBox(box), WordsOfBox(room)));
-  result.Reshape(box);
-  const MedialVoxelBox shared = box.Intersection(m_Box);
-  if (!shared.IsEmpty())
+  result.Frame(box, room);
+  for (MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
   {
-    const std::int64_t firstWord = shared.lower[0] / BitsPerWord;
-    const std::int64_t lastWord = (shared.upper[0] - 1) / BitsPerWord;
-    for (std::int64_t z = shared.lower[2]; z < shared.upper[2]; ++z)
+    MedialVoxelPoll();
+    slice.upper[2] = slice.lower[2] + 1;
+    result.CopyRows(*this, slice);
+  }
+  *this = std::move(result);
+}
+
+std::uint64_t
+MedialVoxelBits::GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const
+{
+  return WordsOfBox(box) <= m_Words.capacity() ? this->GetReservedBytes() : std::max(GetBytes(box), GetBytes(room));
+}
+
+void
+MedialVoxelBits::Frame(const MedialVoxelBox & box, const MedialVoxelBox & room)
+{
+  this->SetBox(box);
+  const std::size_t words = WordsOfBox(box);
+  if (words > m_Words.capacity())
+  {
+    Words().swap(m_Words);
+    m_Words.reserve(std::max(words, WordsOfBox(room)));
+  }
+  m_Words.resize(words);
+}
+
+void
+MedialVoxelBits::CopyRows(const MedialVoxelBits & source, const MedialVoxelBox & rows)
+{
+  const MedialVoxelBox own = rows.Intersection(m_Box);
+  const std::int64_t   begin = std::max(m_Box.lower[0], source.m_Box.lower[0]);
+  const std::int64_t   end = std::min(m_Box.upper[0], source.m_Box.upper[0]);
+  for (std::int64_t z = own.lower[2]; z < own.upper[2]; ++z)
+  {
+    for (std::int64_t y = own.lower[1]; y < own.upper[1]; ++y)
     {
-      MedialVoxelPoll();
-      for (std::int64_t y = shared.lower[1]; y < shared.upper[1]; ++y)
+      WordType * const target = this->GetRow(y, z) - m_FirstWord;
+      std::fill_n(target + m_FirstWord - 1, m_RowPitch, 0);
+      if (begin < end && source.HasRow(y, z))
       {
-        const WordType * const source = this->GetRow(y, z) - m_FirstWord;
-        WordType * const       target = result.GetRow(y, z) - result.m_FirstWord;
-        for (std::int64_t word = firstWord; word <= lastWord; ++word)
+        const WordType * const from = source.GetRow(y, z) - source.m_FirstWord;
+        for (std::int64_t word = begin / BitsPerWord; word <= (end - 1) / BitsPerWord; ++word)
         {
-          target[word] = source[word] & RangeMask(word, shared.lower[0], shared.upper[0]);
+          target[word] = from[word] & RangeMask(word, begin, end);
         }
       }
     }
   }
-  *this = std::move(result);
 }
 
 bool

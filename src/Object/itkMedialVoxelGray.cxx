@@ -61,18 +61,47 @@ MedialVoxelGray::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
     return;
   }
   MedialVoxelGray moved;
-  moved.m_Box = box;
-  moved.m_Values.resize(static_cast<std::size_t>(std::max(box.NumberOfVoxels(), room.NumberOfVoxels())));
-  for (std::int64_t z = shared.lower[2]; z < shared.upper[2]; ++z)
+  moved.Frame(box, room);
+  for (MedialVoxelBox slice = shared; slice.lower[2] < shared.upper[2]; ++slice.lower[2])
   {
     MedialVoxelPoll();
-    for (std::int64_t y = shared.lower[1]; y < shared.upper[1] && !shared.IsEmpty(); ++y)
-    {
-      const float * const row = this->GetRow(y, z) + (shared.lower[0] - m_Box.lower[0]);
-      std::copy(row, row + shared.Extent(0), moved.GetRow(y, z) + (shared.lower[0] - box.lower[0]));
-    }
+    slice.upper[2] = slice.lower[2] + 1;
+    moved.CopyRows(*this, slice);
   }
   *this = std::move(moved);
+}
+
+std::uint64_t
+MedialVoxelGray::GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const
+{
+  return GetBytes(box) <= this->GetReservedBytes() ? this->GetReservedBytes() : std::max(GetBytes(box), GetBytes(room));
+}
+
+void
+MedialVoxelGray::Frame(const MedialVoxelBox & box, const MedialVoxelBox & room)
+{
+  const std::uint64_t bytes = this->GetBytesToFrame(box, room);
+  if (bytes != this->GetReservedBytes())
+  {
+    // Freed before more is taken, so that both are never there at the same time.
+    std::vector<float>().swap(m_Values);
+    m_Values.resize(static_cast<std::size_t>(bytes / sizeof(float)));
+  }
+  m_Box = box;
+}
+
+void
+MedialVoxelGray::CopyRows(const MedialVoxelGray & source, const MedialVoxelBox & rows)
+{
+  const MedialVoxelBox shared = rows.Intersection(m_Box).Intersection(source.m_Box);
+  for (std::int64_t z = shared.lower[2]; z < shared.upper[2]; ++z)
+  {
+    for (std::int64_t y = shared.lower[1]; y < shared.upper[1]; ++y)
+    {
+      const float * const row = source.m_Values.data() + source.OffsetOf(shared.lower[0], y, z);
+      std::copy(row, row + shared.Extent(0), m_Values.data() + this->OffsetOf(shared.lower[0], y, z));
+    }
+  }
 }
 
 } // end namespace itk

@@ -4,11 +4,15 @@
 
 #include "MaskInput.h"
 #include "ObjectValues.h"
+#include "RawImageIO.h"
 #include "ValueReader.h"
+#include "VolumeFormats.h"
 
 #include "itkMedialVoxelEngineClient.h"
 #include "itkMedialVoxelProgress.h"
 
+#include <mutex>
+#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -27,34 +31,93 @@ GetInterpolation(const JobOptions & options)
 }
 
 /** \class StreamedInput
- * \brief Reads the boxes that it is asked for. */
+ * \brief Reads the boxes that it is asked for, each thread with a reader of its own. */
 class StreamedInput : public InputVolume
 {
 public:
   StreamedInput(const VolumeHeader & header, const JobOptions & options)
     : InputVolume(GetTraits(header.pixelType).bytes)
-    , m_Type(header.pixelType)
+    , m_Header(header)
     , m_Options(options)
-    , m_Reader(MakeValueReader(header, GetInterpolation(options)))
-  {}
+    , m_IsParallel(IsReadInParallel(header))
+  {
+    m_Readers.push_back(MakeValueReader(m_Header, GetInterpolation(m_Options)));
+    m_FreeLanes.push_back({ m_Readers.front().get(), {} });
+  }
+
+  /** Resampling has threads of its own. */
+  itk::MedialVoxelSourceThreads
+  GetSourceThreads() const override
+  {
+    return m_IsParallel ? itk::MedialVoxelSourceThreads::Several : itk::MedialVoxelSourceThreads::Calling;
+  }
 
   std::uint64_t
   GetNumberOfBytesRead() const override
   {
-    return m_Reader->GetNumberOfBytesRead();
+    std::uint64_t bytes = 0;
+    for (const auto & reader : m_Readers)
+    {
+      bytes += reader->GetNumberOfBytesRead();
+    }
+    return bytes;
   }
 
 protected:
+  std::vector<itk::MedialVoxelBox>
+  CutIntoParts(const itk::MedialVoxelBox & box) const override
+  {
+    const auto bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * this->GetBytesPerVoxel();
+    if (!m_IsParallel || bytesPerSlice <= BytesPerPart)
+    {
+      return InputVolume::CutIntoParts(box);
+    }
+    std::vector<itk::MedialVoxelBox> parts;
+    for (itk::MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
+    {
+      slice.upper[2] = slice.lower[2] + 1;
+      const auto rows = InputVolume::CutIntoParts(slice);
+      parts.insert(parts.end(), rows.begin(), rows.end());
+    }
+    return parts;
+  }
+
   void
   FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) override
   {
-    m_Values.resize(static_cast<std::size_t>(part.NumberOfVoxels()) * GetTraits(m_Type).bytes);
-    this->MeasureReading([&] { m_Reader->Read(part, m_Values.data()); });
-    DispatchPixelType(
-      m_Type, [&](auto zero) { this->Pack(reinterpret_cast<const decltype(zero) *>(m_Values.data()), part, targets); });
+    Lane lane = this->TakeLane();
+    lane.values.resize(static_cast<std::size_t>(part.NumberOfVoxels()) * this->GetBytesPerVoxel());
+    this->MeasureReading([&] { lane.reader->Read(part, lane.values.data()); });
+    DispatchPixelType(m_Header.pixelType, [&](auto zero) {
+      this->Pack(reinterpret_cast<const decltype(zero) *>(lane.values.data()), part, targets);
+    });
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    m_FreeLanes.push_back(std::move(lane));
   }
 
 private:
+  /** What a thread needs to read. */
+  struct Lane
+  {
+    ValueReader *          reader{ nullptr };
+    std::vector<std::byte> values; // of a part
+  };
+
+  /** The lane that was used last goes on, so that one thread reads ahead in the file. */
+  Lane
+  TakeLane()
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    if (m_FreeLanes.empty())
+    {
+      m_Readers.push_back(MakeValueReader(m_Header, GetInterpolation(m_Options)));
+      return { m_Readers.back().get(), {} };
+    }
+    Lane lane = std::move(m_FreeLanes.back());
+    m_FreeLanes.pop_back();
+    return lane;
+  }
+
   template <typename TValue>
   void
   Pack(const TValue * values, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const
@@ -74,18 +137,32 @@ private:
     }
   }
 
-  PixelType                    m_Type;
-  JobOptions                   m_Options;
-  std::unique_ptr<ValueReader> m_Reader;
-  std::vector<std::byte>       m_Values; ///< of a part
+  VolumeHeader                              m_Header;
+  JobOptions                                m_Options;
+  bool                                      m_IsParallel;
+  std::mutex                                m_Mutex; // of what follows
+  std::vector<std::unique_ptr<ValueReader>> m_Readers;
+  std::vector<Lane>                         m_FreeLanes;
 };
 
 } // namespace
 
+std::vector<itk::MedialVoxelBox>
+InputVolume::CutIntoParts(const itk::MedialVoxelBox & box) const
+{
+  return itk::MedialVoxelEngineClient::CutForPull(box, m_BytesPerVoxel);
+}
+
+bool
+InputVolume::IsReadInParallel(const VolumeHeader & header)
+{
+  return header.CanStream() && !header.stored && header.format->input.makeReader == MakeRawImageIO;
+}
+
 void
 InputVolume::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets)
 {
-  for (const itk::MedialVoxelBox & part : itk::MedialVoxelEngineClient::CutForPull(box, m_BytesPerVoxel))
+  for (const itk::MedialVoxelBox & part : this->CutIntoParts(box))
   {
     itk::MedialVoxelPoll();
     this->FillPart(part, targets);

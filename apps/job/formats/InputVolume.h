@@ -6,15 +6,16 @@
 #include "Options.h"
 #include "VolumeHeader.h"
 
-#include "itkMedialVoxelBits.h"
-#include "itkMedialVoxelGray.h"
+#include "itkMedialVoxelObjectSource.h"
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -53,20 +54,34 @@ public:
     return 0;
   }
 
-  /** Fills what is wanted of a box, in parts between which the thread polls. Called by one thread at a time.
+  /** Threads that may call Fill(). */
+  virtual itk::MedialVoxelSourceThreads
+  GetSourceThreads() const
+  {
+    return itk::MedialVoxelSourceThreads::OneAtATime;
+  }
+
+  /** Fills what is wanted of a box, in parts between which the thread polls.
    * \throw JobError CorruptInput, itk::ExceptionObject */
   void
   Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets);
+
+  /** Bytes that a part of a box takes while it is read, for each thread that reads. */
+  static constexpr std::uint64_t BytesPerPart = std::uint64_t{ 1 } << 20;
+
+  /** Whether several threads may read the volume; parts are then rows where a slice has more bytes. */
+  static bool
+  IsReadInParallel(const VolumeHeader & header);
 
   /** Bytes read from the file so far. */
   virtual std::uint64_t
   GetNumberOfBytesRead() const = 0;
 
-  /** Seconds spent in reading so far. */
+  /** Seconds that all threads together spent in reading so far. */
   double
   GetReadSeconds() const
   {
-    return m_ReadSeconds;
+    return m_ReadSeconds.load();
   }
 
 protected:
@@ -74,6 +89,10 @@ protected:
   explicit InputVolume(std::size_t bytesPerVoxel)
     : m_BytesPerVoxel(bytesPerVoxel)
   {}
+
+  /** Parts that are read one after the other. */
+  virtual std::vector<itk::MedialVoxelBox>
+  CutIntoParts(const itk::MedialVoxelBox & box) const;
 
   virtual void
   FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) = 0;
@@ -85,12 +104,22 @@ protected:
   {
     const auto start = std::chrono::steady_clock::now();
     function();
-    m_ReadSeconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    double       before = m_ReadSeconds.load();
+    while (!m_ReadSeconds.compare_exchange_weak(before, before + seconds))
+    {
+    }
+  }
+
+  std::size_t
+  GetBytesPerVoxel() const
+  {
+    return m_BytesPerVoxel;
   }
 
 private:
-  std::size_t m_BytesPerVoxel;
-  double      m_ReadSeconds{ 0.0 };
+  std::size_t         m_BytesPerVoxel;
+  std::atomic<double> m_ReadSeconds{ 0.0 };
 };
 
 /** Opens a volume that ReadVolumeHeader() has checked. One that does not stream becomes a mask of the object that the

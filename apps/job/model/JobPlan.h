@@ -47,6 +47,7 @@ struct JobPlan
   std::uint64_t bytesPerSlice{ 0 };    ///< results
   std::uint64_t surplusBytes{ 0 };     ///< for what waits until a piece is done, counted in fixedBytes
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
+  bool          readsAhead{ true };    ///< a second window is prepared for the next slab
   std::uint64_t numberOfEngines{ 1 };  ///< that keep windows
 
   ScratchSpace          growingScratch; ///< of files that grow with the results, as planned
@@ -55,6 +56,13 @@ struct JobPlan
 
   SliceRange
   GetPiece(std::uint64_t piece) const;
+
+  /** The piece after this one, empty after the last one. */
+  SliceRange
+  GetNextPiece(std::uint64_t piece) const
+  {
+    return piece + 1 < divisions ? this->GetPiece(piece + 1) : SliceRange{};
+  }
 
   /** Memory for the windows and threads of each engine beside the results of so many slices; 0 is without limit. */
   std::uint64_t

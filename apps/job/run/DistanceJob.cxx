@@ -89,7 +89,7 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   loop.Prepare(*input);
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
-    result.sums += loop.Run(engine, result.plan.GetPiece(piece), writer);
+    result.sums += loop.Run(engine, result.plan.GetPiece(piece), result.plan.GetNextPiece(piece), writer);
   }
   writer.Wait();
 

@@ -130,7 +130,7 @@ public:
     m_Run.Prepare();
     for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
     {
-      m_Result.sums += m_Run.Run(m_Result.plan.GetPiece(piece));
+      m_Result.sums += m_Run.Run(m_Result.plan.GetPiece(piece), m_Result.plan.GetNextPiece(piece));
     }
     m_Run.Wait();
     CheckCounts(m_Result.sums.counts);

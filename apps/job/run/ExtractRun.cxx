@@ -76,12 +76,12 @@ ExtractRun::Prepare()
 }
 
 itk::MedialVoxelSums
-ExtractRun::Run(const SliceRange & range)
+ExtractRun::Run(const SliceRange & range, const SliceRange & nextRange)
 {
-  itk::MedialVoxelSums sums = m_Loop.Run(*m_Engine, range, m_Writer);
+  itk::MedialVoxelSums sums = m_Loop.Run(*m_Engine, range, nextRange, m_Writer);
   if (m_DistanceEngine)
   {
-    itk::MedialVoxelSums distances = m_Loop.Run(*m_DistanceEngine, range, m_Writer);
+    itk::MedialVoxelSums distances = m_Loop.Run(*m_DistanceEngine, range, nextRange, m_Writer);
     distances.counts = {}; // of the same voxels
     sums += distances;
   }

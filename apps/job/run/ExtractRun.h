@@ -44,11 +44,11 @@ public:
   void
   Prepare();
 
-  /** Computes a range; writing it may still be under way.
+  /** Computes a range, and reads the one that comes next, if any; writing it may still be under way.
    * \return its sums, with the time of the distances but not their counts
    * \throw StoppedBySignal when the sink asks to stop. */
   itk::MedialVoxelSums
-  Run(const SliceRange & range);
+  Run(const SliceRange & range, const SliceRange & nextRange = {});
 
   /** Waits until all is written; throws what failed. */
   void

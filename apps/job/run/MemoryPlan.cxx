@@ -4,6 +4,7 @@
 
 #include "BitStore.h"
 #include "FreeMemory.h"
+#include "InputVolume.h"
 #include "Resampling.h"
 #include "Text.h"
 
@@ -29,8 +30,9 @@ constexpr std::uint64_t BytesOfUnpacking = 3 * MiB;
 /** An engine pulls input in whole slices of at least this many bytes. */
 constexpr std::uint64_t BytesPerPull = 1 * MiB;
 
-/** Results of a piece when nothing else limits them; larger ones gain nothing. */
+/** Results of a piece when nothing else limits them, of all threads and of each; larger ones gain nothing. */
 constexpr std::uint64_t BytesOfPiece = 32 * MiB;
+constexpr std::uint64_t BytesOfPiecePerThread = 2 * MiB;
 
 /** The largest piece for which writing it in the background is worth a second one in memory. */
 constexpr std::uint64_t BytesWrittenBehind = 256 * MiB;
@@ -67,7 +69,9 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const bool           isMask = !header.CanStream();
   const std::uint64_t  bytesPerVoxel = isMask ? 1 : GetTraits(header.pixelType).bytes;
   const std::uint64_t  voxels = header.geometry.GetNumberOfVoxels();
-  const std::uint64_t  pull = std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
+  const std::uint64_t  pull = InputVolume::IsReadInParallel(header)
+                                ? plan.threads * InputVolume::BytesPerPart
+                                : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
   const std::uint64_t  resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
@@ -81,6 +85,7 @@ MakeEngine(const JobPlan & plan, const Request & request, itk::MedialVoxelEngine
 {
   settings.numberOfWorkers = plan.threads;
   settings.slabThickness = static_cast<std::int64_t>(plan.slabThickness);
+  settings.readsAhead = plan.readsAhead;
   return std::make_unique<const itk::MedialVoxelEngine>(request.footprint.grid, settings);
 }
 
@@ -119,8 +124,9 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
   }
   else
   {
+    const std::uint64_t largest = std::max(BytesOfPiece, plan.threads * BytesOfPiecePerThread);
     // Most of the rest is for the engines, should walls be thicker than planned.
-    const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), BytesOfPiece);
+    const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), largest);
     const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
     plan.sliceUnit = slices < request.footprint.preferredSlices ? 1 : request.footprint.preferredSlices;
     const std::uint64_t unitsPerPiece = std::min(slices / plan.sliceUnit, plan.GetNumberOfUnits());
@@ -137,19 +143,27 @@ GainsFromWritingBehind(const JobPlan & plan)
   return plan.divisions > 1 && plan.GetMaximumSlices() * plan.bytesPerSlice <= BytesWrittenBehind;
 }
 
-/** Thinner slabs read and do more twice, so that the thickest that fit are taken. */
+/** Thinner slabs read and do more twice, so that the thickest that fit are taken, first without a second window. */
 bool
 TrySlabs(JobPlan & plan, const Request & request)
 {
   plan.slabThickness = 0;
   const std::uint64_t preferred = GetPreferredSlabThickness(plan, request);
   plan.slabSlices = preferred;
-  plan.writesBehind = plan.numberOfEngines == 1;
-  if (plan.writesBehind && TryDivisions(plan, request, preferred) && GainsFromWritingBehind(plan))
+  for (const bool readsAhead : { true, false })
   {
-    return true;
+    plan.readsAhead = readsAhead;
+    plan.writesBehind = plan.numberOfEngines == 1;
+    if (plan.writesBehind && TryDivisions(plan, request, preferred) && GainsFromWritingBehind(plan))
+    {
+      return true;
+    }
+    plan.writesBehind = false;
+    if (readsAhead && TryDivisions(plan, request, preferred))
+    {
+      return true;
+    }
   }
-  plan.writesBehind = false;
   for (std::uint64_t slab = preferred;; slab /= 2)
   {
     if (TryDivisions(plan, request, slab))

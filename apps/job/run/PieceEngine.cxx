@@ -56,6 +56,7 @@ PieceEngine::PieceEngine(InputVolume &                      input,
   m_Settings.slabThickness = static_cast<std::int64_t>(plan.slabThickness);
   m_Settings.memoryLimit = plan.GetEngineLimit(plan.GetMaximumSlices());
   m_Settings.numberOfWorkers = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  m_Settings.readsAhead = plan.readsAhead;
 }
 
 bool
@@ -90,9 +91,9 @@ PieceEngine::SetMemoryLimit(std::uint64_t bytes)
 }
 
 PieceResults
-PieceEngine::Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices)
+PieceEngine::Run(const SliceRange & slices, const SliceRange & nextSlices)
 {
-  m_Region = this->GetRegion(firstSlice, numberOfSlices);
+  m_Region = this->GetRegion(slices);
   PieceResults results;
   for (Destination & destination : m_Destinations)
   {
@@ -106,7 +107,7 @@ PieceEngine::Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices)
   }
   try
   {
-    results.sums = m_Engine->Run(m_Region, *this);
+    results.sums = m_Engine->Run(m_Region, *this, this->GetRegion(nextSlices));
   }
   catch (...)
   {
@@ -199,12 +200,12 @@ PieceEngine::UpdateProgress(float fraction)
 }
 
 itk::MedialVoxelBox
-PieceEngine::GetRegion(std::uint64_t firstSlice, std::uint64_t numberOfSlices) const
+PieceEngine::GetRegion(const SliceRange & slices) const
 {
   const unsigned int  last = m_Geometry.GetDimension() - 1;
   itk::MedialVoxelBox region = m_Grid.GetVoxelBox();
-  region.lower[last] = static_cast<std::int64_t>(firstSlice);
-  region.upper[last] = static_cast<std::int64_t>(firstSlice + numberOfSlices);
+  region.lower[last] = static_cast<std::int64_t>(slices.begin);
+  region.upper[last] = static_cast<std::int64_t>(slices.end);
   return region;
 }
 

@@ -81,12 +81,13 @@ public:
   void
   SetMemoryLimit(std::uint64_t bytes);
 
-  /** Slices are indices along the last axis. The results are valid until the next run, or Release(). A piece without a
-   * cell to decide and without an object is all zero, which sparse volumes need not be told.
+  /** Slices are indices along the last axis; those that come next, if any, are read meanwhile. The results are valid
+   * until the next run, or Release(). A piece without a cell to decide and without an object is all zero, which sparse
+   * volumes need not be told.
    * \throw itk::MedialVoxelAborted when the observer stops it
    * \throw itk::MedialVoxelMemoryError; what the input and the tile observers throw */
   PieceResults
-  Run(std::uint64_t firstSlice, std::uint64_t numberOfSlices);
+  Run(const SliceRange & slices, const SliceRange & nextSlices);
 
   /** Gives back the memory of the results. */
   void
@@ -122,6 +123,12 @@ private:
     std::array<Buffer, 2> buffers;
   };
 
+  itk::MedialVoxelSourceThreads
+  GetSourceThreads() const override
+  {
+    return m_Input.GetSourceThreads();
+  }
+
   void
   FillObject(const itk::MedialVoxelBox & box,
              itk::MedialVoxelBits &      object,
@@ -155,7 +162,7 @@ private:
   }
 
   itk::MedialVoxelBox
-  GetRegion(std::uint64_t firstSlice, std::uint64_t numberOfSlices) const;
+  GetRegion(const SliceRange & slices) const;
 
   bool
   MakesLabels() const;

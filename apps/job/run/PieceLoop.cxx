@@ -80,7 +80,7 @@ PieceLoop::Prepare(InputVolume & input)
 }
 
 itk::MedialVoxelSums
-PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & writer)
+PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, const SliceRange & nextPiece, WriteBehind & writer)
 {
   itk::MedialVoxelSums sums;
   for (SliceRange slices{ piece.begin, 0 }; slices.begin < piece.end;)
@@ -88,7 +88,12 @@ PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & wri
     slices.end = std::min(slices.begin + m_SlicesAtOnce, piece.end);
     try
     {
-      sums += this->RunSlices(engine, slices, writer);
+      SliceRange next{ slices.end, std::min(slices.end + m_SlicesAtOnce, piece.end) };
+      if (next.begin == next.end)
+      {
+        next = { nextPiece.begin, std::min(nextPiece.begin + m_SlicesAtOnce, nextPiece.end) };
+      }
+      sums += this->RunSlices(engine, slices, next, writer);
       slices.begin = slices.end;
     }
     catch (const itk::MedialVoxelMemoryError & error)
@@ -124,7 +129,10 @@ PieceLoop::ShortenPieces(const PieceEngine & engine, const double share, const c
 }
 
 itk::MedialVoxelSums
-PieceLoop::RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehind & writer)
+PieceLoop::RunSlices(PieceEngine &      engine,
+                     const SliceRange & slices,
+                     const SliceRange & nextSlices,
+                     WriteBehind &      writer)
 {
   this->ThrowIfStopRequested();
   m_SlicesOfPiece = slices.end - slices.begin;
@@ -133,7 +141,7 @@ PieceLoop::RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehin
   PieceResults results;
   try
   {
-    results = engine.Run(slices.begin, m_SlicesOfPiece);
+    results = engine.Run(slices, nextSlices);
   }
   catch (const itk::MedialVoxelAborted &)
   {

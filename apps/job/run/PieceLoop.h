@@ -33,11 +33,11 @@ public:
   Prepare(InputVolume & input);
 
   /** Runs a piece and has its results written, in smaller ones when the walls need more memory than results of this
-   * size leave.
+   * size leave. The piece that comes next, if any, is read meanwhile.
    * \return its sums
    * \throw StoppedBySignal when the sink asks to stop. */
   itk::MedialVoxelSums
-  Run(PieceEngine & engine, const SliceRange & piece, WriteBehind & writer);
+  Run(PieceEngine & engine, const SliceRange & piece, const SliceRange & nextPiece, WriteBehind & writer);
 
   void
   ThrowIfStopRequested() const;
@@ -51,7 +51,7 @@ public:
 
 private:
   itk::MedialVoxelSums
-  RunSlices(PieceEngine & engine, const SliceRange & slices, WriteBehind & writer);
+  RunSlices(PieceEngine & engine, const SliceRange & slices, const SliceRange & nextSlices, WriteBehind & writer);
 
   void
   RecordPiece(const PieceEngine & engine, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
