@@ -5,6 +5,7 @@
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace itk
@@ -45,17 +46,9 @@ MedialVoxelGray::Reframe(const MedialVoxelBox & box, const MedialVoxelBox & room
     if (!shared.IsEmpty())
     {
       const float * const from = this->GetRow(m_Box.lower[1], shared.lower[2]);
-      const float * const end = from + shared.Extent(2) * m_Box.Extent(1) * m_Box.Extent(0);
+      const auto          values = static_cast<std::size_t>(shared.Extent(2) * m_Box.Extent(1) * m_Box.Extent(0));
       m_Box = box;
-      float * const to = this->GetRow(m_Box.lower[1], shared.lower[2]);
-      if (to < from)
-      {
-        std::copy(from, end, to);
-      }
-      else
-      {
-        std::copy_backward(from, end, to + (end - from));
-      }
+      std::memmove(this->GetRow(m_Box.lower[1], shared.lower[2]), from, values * sizeof(float));
     }
     m_Box = box;
     return;

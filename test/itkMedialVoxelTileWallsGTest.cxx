@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+
+// Walls of a tile measured on gray values that a window knows in part.
+
+#include "itkMedialVoxelTileWalls.h"
+
+#include "MedialVoxelTestKernels.h"
+#include "MedialVoxelTestPhantoms.h"
+
+#include "itkMedialVoxelClassifier.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+namespace
+{
+using namespace MedialVoxelTest;
+
+using Values = std::function<double(const itk::MedialVoxelIndex &)>;
+
+void
+FillGray(const Values & values, const itk::MedialVoxelBox & box, itk::MedialVoxelGray & gray)
+{
+  gray.Frame(box, box);
+  ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
+    gray.GetRow(v[1], v[2])[v[0] - box.lower[0]] = static_cast<float>(values(v));
+  });
+}
+
+/** A tile of a volume whose voxels of at least 50 are the object, classified with a thickness of 3. */
+class Tile
+{
+public:
+  Tile(const Values & values, const itk::MedialVoxelBox & box)
+    : m_Volume(MakeVolume({ { 24, 24, 24 } },
+                          { { 1.0, 1.0, 1.0 } },
+                          [&](const Index3 & v) { return values(KernelIndex(v)) >= 50.0; }))
+    , m_Grid(GridOf(m_Volume))
+    , m_Object(ObjectBits(m_Volume, m_Grid.GetVoxelBox()))
+    , m_Sites(SiteBits(BoundarySites(m_Volume), m_Grid.GetVoxelBox()))
+    , m_Classifier(m_Grid, Parameters())
+  {
+    const itk::MedialVoxelWindow                window{ &m_Object, &m_Sites };
+    itk::MedialVoxelFeatureTransform::Workspace transform;
+    EXPECT_TRUE(
+      itk::MedialVoxelFeatureTransform(m_Grid).Compute(window, this->GetImage(), transform, m_Features).IsEmpty());
+    itk::MedialVoxelClassifier::Workspace workspace;
+    workspace.keepsRows = true;
+    std::vector<std::uint8_t>        labels;
+    itk::MedialVoxelCounts           counts;
+    const itk::MedialVoxelNoProgress progress;
+    EXPECT_TRUE(m_Classifier.Classify(window, box, m_Features, progress, workspace, labels, counts).IsEmpty());
+    m_Rows = workspace.rows;
+    for (itk::MedialVoxelCellRow & row : m_Rows)
+    {
+      row.measured = row.byBound | row.byGeodesic;
+    }
+  }
+
+  itk::MedialVoxelBox
+  GetImage() const
+  {
+    return m_Grid.GetVoxelBox();
+  }
+
+  std::vector<itk::MedialVoxelWall>
+  Measure() const
+  {
+    std::vector<itk::MedialVoxelWall> walls;
+    itk::MedialVoxelMeasureWalls(
+      itk::MedialVoxelThickness(m_Grid), m_Classifier, { &m_Object, &m_Sites }, m_Features, m_Rows, walls);
+    return walls;
+  }
+
+  itk::MedialVoxelBox
+  Refine(const itk::MedialVoxelGray & gray, std::vector<itk::MedialVoxelWall> & walls) const
+  {
+    return itk::MedialVoxelRefineWalls(this->GetThickness(), m_Classifier, gray, m_Features, m_Rows, walls);
+  }
+
+  itk::MedialVoxelGrayThickness
+  GetThickness() const
+  {
+    return { m_Grid, 50.0, std::numeric_limits<double>::infinity() };
+  }
+
+  std::vector<itk::MedialVoxelWallPoints>
+  GetPoints() const
+  {
+    std::vector<itk::MedialVoxelWallPoints> points;
+    const auto                              walls = this->Measure();
+    itk::MedialVoxelForEachWall(m_Rows, walls, [&](const itk::MedialVoxelIndex & cell, const itk::MedialVoxelWall &) {
+      points.emplace_back();
+      EXPECT_TRUE(m_Classifier.GetWallPoints(m_Features, cell, points.back()));
+    });
+    return points;
+  }
+
+private:
+  static itk::MedialVoxelParameters
+  Parameters()
+  {
+    itk::MedialVoxelParameters parameters;
+    parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(3.0);
+    return parameters;
+  }
+
+  Volume                               m_Volume;
+  itk::MedialVoxelGrid                 m_Grid;
+  itk::MedialVoxelBits                 m_Object;
+  itk::MedialVoxelBits                 m_Sites;
+  itk::MedialVoxelClassifier           m_Classifier;
+  itk::MedialVoxelFeatures             m_Features;
+  std::vector<itk::MedialVoxelCellRow> m_Rows;
+};
+
+} // namespace
+
+TEST(MedialVoxelTileWalls, AsksForGrayValuesThatAreNotKnown)
+{
+  const Values         plate = [](const itk::MedialVoxelIndex & v) { return v[2] >= 9 && v[2] < 15 ? 100.0 : 0.0; };
+  const Tile           tile(plate, MakeBox({ { 8, 8, 8 } }, { { 16, 16, 16 } }));
+  itk::MedialVoxelGray gray;
+  auto                 expected = tile.Measure();
+  const auto           measured = expected;
+  ASSERT_GE(measured.size(), 64u);
+  FillGray(plate, tile.GetImage(), gray);
+  ASSERT_TRUE(tile.Refine(gray, expected).IsEmpty());
+
+  // Not all values around the boundary points of the wall are known here.
+  const itk::MedialVoxelBox small = MakeBox({ { 7, 7, 8 } }, { { 17, 17, 16 } });
+  FillGray(plate, small, gray);
+  auto                      walls = measured;
+  const itk::MedialVoxelBox missing = tile.Refine(gray, walls);
+  ASSERT_FALSE(missing.IsEmpty());
+  EXPECT_TRUE(tile.GetImage().Contains(missing));
+  EXPECT_FALSE(small.Contains(missing));
+  FillGray(plate, small.Union(missing), gray);
+  walls = measured;
+  EXPECT_TRUE(tile.Refine(gray, walls).IsEmpty());
+  for (std::size_t i = 0; i < walls.size(); ++i)
+  {
+    EXPECT_EQ(walls[i].thickness, expected[i].thickness);
+    EXPECT_EQ(walls[i].area, expected[i].area);
+  }
+}
+
+TEST(MedialVoxelGrayThickness, BothSidesOfAWedgeCountTheSame)
+{
+  // Faces at 17 degrees to each other; the values are linear across them.
+  const Values wedge = [](const itk::MedialVoxelIndex & v) {
+    const double toLower = static_cast<double>(v[2]) - 7.7;
+    const double toUpper = (13.0 + 0.3 * static_cast<double>(v[0] - 12) - static_cast<double>(v[2])) / std::sqrt(1.09);
+    return 100.0 * std::clamp(0.5 + 0.4 * std::min(toLower, toUpper), 0.0, 1.0);
+  };
+  const Tile           tile(wedge, MakeBox({ { 6, 6, 6 } }, { { 18, 18, 18 } }));
+  const auto           thickness = tile.GetThickness();
+  itk::MedialVoxelGray gray;
+  FillGray(wedge, tile.GetImage(), gray);
+  const auto refined = [&](const itk::MedialVoxelWallPoints & points) {
+    itk::MedialVoxelWall wall;
+    thickness.Refine(gray, points, thickness.FindCrossings(gray, points), wall);
+    return wall;
+  };
+  std::size_t compared = 0;
+  for (const itk::MedialVoxelWallPoints & points : tile.GetPoints())
+  {
+    itk::MedialVoxelWallPoints turned = points;
+    std::swap(turned.a, turned.b);
+    EXPECT_NEAR(refined(points).thickness, refined(turned).thickness, 1e-4);
+    ++compared;
+  }
+  EXPECT_GT(compared, 64u);
+}
