@@ -5,6 +5,7 @@
 
 #include "MedialVoxelTestHardCases.h"
 
+#include "itkMedialVoxelBucketQueue.h"
 #include "itkMedialSurfaceMeshFilter.h"
 
 #include <algorithm>
@@ -200,6 +201,38 @@ PollFor(double seconds)
   }
 }
 } // namespace
+
+TEST(MedialVoxelPolling, AQueueOfPathsPolls)
+{
+  class Aborted : public itk::MedialVoxelProgress
+  {
+  public:
+    bool
+    IsAborted() const override
+    {
+      return true;
+    }
+    void
+    Advance(std::uint64_t) override
+    {}
+  };
+  itk::MedialVoxelBucketQueue<int> queue;
+  queue.Begin({ { { 8, 8, 8 } }, { { 1.0, 1.0, 1.0 } } });
+  queue.Push(0, 0.0);
+  Aborted                         aborted;
+  const itk::MedialVoxelPollScope scope(aborted);
+  int                             visits = 0;
+  const auto                      run = [&] {
+    queue.Run([](const int point) { return static_cast<double>(point); },
+              [&](const int point, const double length) {
+                queue.Push(point + 1, length + 1.0);
+                return ++visits < 100000;
+              },
+              [](const double) { return false; });
+  };
+  EXPECT_THROW(run(), itk::MedialVoxelAborted);
+  EXPECT_LE(visits, 8192);
+}
 
 TEST(MedialVoxelPolling, AsksTheProgressOfTheInnermostScope)
 {
