@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace
@@ -89,6 +90,7 @@ public:
     const auto & bits = *schedule.GetWindow(work).GetWindow(itk::MedialVoxelBoundary::Background).sites;
     if (!bits.GetBox().Contains(needed))
     {
+      m_MostDeferrals = std::max(m_MostDeferrals, ++m_Deferrals[m_Volume.Offset(OracleIndex(work.box.lower))]);
       schedule.Defer(work, needed);
       return;
     }
@@ -112,6 +114,8 @@ public:
   const Volume &                m_Volume;
   std::vector<Index3>           m_Sites;
   std::vector<int>              m_Done;
+  std::map<std::size_t, int>    m_Deferrals; // by the first voxel of the tile
+  int                           m_MostDeferrals{ 0 };
   std::size_t                   m_Wrong{ 0 };
   int                           m_Reach;
   std::uint64_t                 m_LargestWindowBytes{ 0 };
@@ -197,6 +201,22 @@ TEST(MedialVoxelSlabWalker, LargeDemandsAreRememberedForTheNextSlabs)
   client.m_Engine = &engine;
   engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
   EXPECT_LE(client.m_NumberOfSlabs, 10 + 3); // ten slabs, and few of them twice
+}
+
+TEST(MedialVoxelSlabWalker, NoTileIsDeferredTwice)
+{
+  const Volume volume = RandomBoxes({ { 20, 20, 80 } }, UnitSpacing, 12, 219);
+  for (unsigned int seed = 1; seed < 6; ++seed)
+  {
+    auto settings = SettingsOf(8, 100, { { 2, 2, 2 } });
+    settings.numberOfWorkers = 3;
+    DemandingClient       client(volume, 9, seed);
+    MedialVoxelSlabWalker engine(GridOf(volume), settings);
+    client.m_Engine = &engine;
+    // Tiles at both ends need more, on different sides.
+    engine.Run(MakeBox({ { 0, 0, 20 } }, { { 20, 20, 60 } }), {}, client);
+    EXPECT_EQ(client.m_MostDeferrals, 1);
+  }
 }
 
 TEST(MedialVoxelSlabWalker, AMemoryLimitHoldsAndChangesNothingElse)
