@@ -98,11 +98,13 @@ MedialVoxelFeatureTransform::Compute(const MedialVoxelWindow &         window,
                                      const MedialVoxelProgress * const progress) const
 {
   // One voxel beyond, nothing is final; two beyond would look like a distance.
-  assert(window.sites->GetBox().Expanded({ { 1, 1, 1 } }).Contains(tileBox));
-  assert(window.object->GetBox().Contains(tileBox));
-  features.Reset(tileBox);
   const MedialVoxelBox & known = window.sites->GetBox();
-  Tile                   tile{ window, features, workspace.m_Remaining, known, progress };
+  if (!known.Expanded({ { 1, 1, 1 } }).Contains(tileBox) || !window.object->GetBox().Contains(tileBox))
+  {
+    return known.Union(tileBox);
+  }
+  features.Reset(tileBox);
+  Tile tile{ window, features, workspace.m_Remaining, known, progress };
   tile.squaredDistanceToUnknown = SquaredDistanceToUnknown(m_Grid, known, tileBox);
   tile.firstWord = tileBox.lower[0] >> 6;
   tile.words = ((tileBox.upper[0] - 1) >> 6) - tile.firstWord + 1;

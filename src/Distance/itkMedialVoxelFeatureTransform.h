@@ -92,8 +92,7 @@ public:
                                        MedialVoxelRegion       region = MedialVoxelRegion::Inside,
                                        double maximumDistance = std::numeric_limits<double>::infinity());
 
-  /** Displacements of the voxels of \a tile, which is in the box of window.object, and at most one voxel beyond that of
-   * window.sites.
+  /** Displacements of the voxels of \a tile, which a window with little memory may hold in part.
    *
    * \param progress  asked for an abort between rows, after which \a features is incomplete; null never aborts
    * \return an empty box when \a features is final, otherwise the box of sites that must be known to make it so. */
