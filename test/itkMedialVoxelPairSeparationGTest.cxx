@@ -38,6 +38,33 @@ Scenes()
   scenes.emplace_back(RandomBoxes({ { 45, 40, 1 } }, UnitSpacing, 11, 704));
   return scenes;
 }
+/** The same pairs of points for every seed, each with a threshold above its free-space length, and their geodesic
+ * distances. */
+std::vector<itk::MedialVoxelSeparationQuery>
+RandomQueries(const Scene & scene, const unsigned int seed, std::vector<double> & distances)
+{
+  const BoundaryGraph                          graph(scene.volume, scene.sites);
+  const itk::MedialVoxelDualCell               cell(GridOf(scene.volume));
+  std::mt19937                                 generator(seed);
+  std::vector<itk::MedialVoxelSeparationQuery> queries;
+  for (std::size_t i = 0; i < scene.sites.size(); i += scene.sites.size() / 25 + 1)
+  {
+    const auto fromHere = graph.DistancesFrom(static_cast<int>(i));
+    for (std::size_t j = 0; j < scene.sites.size(); j += 7)
+    {
+      const double epsilon = 3.05 + 0.1 * static_cast<double>(generator() % 130);
+      const auto   a = KernelIndex(scene.sites[i]);
+      const auto   b = KernelIndex(scene.sites[j]);
+      if (i != j && cell.FreeSpaceLength({ { a[0] - b[0], a[1] - b[1], a[2] - b[2] } }) < epsilon)
+      {
+        queries.push_back({ a, b, epsilon, distances.size() });
+        distances.push_back(fromHere[j]);
+      }
+    }
+  }
+  return queries;
+}
+
 } // namespace
 
 TEST(MedialVoxelBoxComponents, PointsAreConnectedWhenAPathInTheBoxJoinsThem)
@@ -115,29 +142,11 @@ TEST(MedialVoxelPairSeparation, PairsWithTheirOwnThresholdAreDecidedLikeByDijkst
   std::size_t shorter = 0;
   for (const Scene & scene : Scenes())
   {
-    const BoundaryGraph                          graph(scene.volume, scene.sites);
-    const itk::MedialVoxelDualCell               cell(GridOf(scene.volume));
-    const itk::MedialVoxelPairSeparation         separation(GridOf(scene.volume));
-    itk::MedialVoxelPairSeparation::Workspace    workspace;
-    const itk::MedialVoxelNoProgress             progress;
-    std::vector<itk::MedialVoxelSeparationQuery> queries;
-    std::vector<double>                          distances;
-    std::mt19937                                 generator(10);
-    for (std::size_t i = 0; i < scene.sites.size(); i += scene.sites.size() / 25 + 1)
-    {
-      const auto fromHere = graph.DistancesFrom(static_cast<int>(i));
-      for (std::size_t j = 0; j < scene.sites.size(); j += 7)
-      {
-        const double epsilon = 3.05 + 0.1 * static_cast<double>(generator() % 130);
-        const auto   a = KernelIndex(scene.sites[i]);
-        const auto   b = KernelIndex(scene.sites[j]);
-        if (i != j && cell.FreeSpaceLength({ { a[0] - b[0], a[1] - b[1], a[2] - b[2] } }) < epsilon)
-        {
-          queries.push_back({ a, b, epsilon, distances.size() });
-          distances.push_back(fromHere[j]);
-        }
-      }
-    }
+    const itk::MedialVoxelPairSeparation      separation(GridOf(scene.volume));
+    itk::MedialVoxelPairSeparation::Workspace workspace;
+    const itk::MedialVoxelNoProgress          progress;
+    std::vector<double>                       distances;
+    auto                                      queries = RandomQueries(scene, 10, distances);
     EXPECT_TRUE(separation.FindSeparated(scene.bits, progress, workspace, queries).IsEmpty());
     for (auto & query : queries)
     {
@@ -161,28 +170,15 @@ TEST(MedialVoxelPairSeparation, WhatWasFoundForOneThresholdServesOthers)
   std::size_t decided = 0;
   for (const Scene & scene : Scenes())
   {
-    const BoundaryGraph                       graph(scene.volume, scene.sites);
-    const itk::MedialVoxelDualCell            cell(GridOf(scene.volume));
     const itk::MedialVoxelPairSeparation      separation(GridOf(scene.volume));
     itk::MedialVoxelPairSeparation::Workspace workspace;
-    std::mt19937                              generator(11);
-    for (std::size_t i = 0; i < scene.sites.size(); i += scene.sites.size() / 12 + 1)
+    for (const unsigned int seed : { 11u, 12u, 13u, 14u })
     {
-      const auto distances = graph.DistancesFrom(static_cast<int>(i));
-      for (std::size_t j = 0; j < scene.sites.size(); j += 11)
+      std::vector<double> distances;
+      for (auto & query : RandomQueries(scene, seed, distances))
       {
-        const auto a = KernelIndex(scene.sites[i]);
-        const auto b = KernelIndex(scene.sites[j]);
-        for (unsigned int repeat = 0; repeat < 4; ++repeat)
-        {
-          const double                    epsilon = 3.05 + 0.1 * static_cast<double>(generator() % 130);
-          itk::MedialVoxelSeparationQuery query{ a, b, epsilon, 0 };
-          if (i != j && cell.FreeSpaceLength({ { a[0] - b[0], a[1] - b[1], a[2] - b[2] } }) < epsilon)
-          {
-            ASSERT_EQ(separation.Reaches(scene.bits, query, workspace), distances[j] >= epsilon);
-            ++decided;
-          }
-        }
+        ASSERT_EQ(separation.Reaches(scene.bits, query, workspace), distances[query.cell] >= query.epsilon);
+        ++decided;
       }
     }
   }

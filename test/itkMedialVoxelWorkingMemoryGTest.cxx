@@ -73,14 +73,21 @@ constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 TEST(MedialVoxelWorkingMemory, ALimitHoldsForTheSurfaceToo)
 {
   const Volume volume = Sheets();
-  const auto   parameters =
+  const auto   automatic =
     itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
-  for (const std::uint64_t limit : { 100 * MiB, 225 * MiB })
+  // A fixed thickness whose cells are decided together.
+  itk::MedialVoxelParameters fixed;
+  fixed.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(6.0);
+  fixed.bound = itk::MedialVoxelPseudoGeodesicBound::FreeSpace;
+  for (const auto & [parameters, limit] : { std::make_pair(automatic, 100 * MiB),
+                                            std::make_pair(automatic, 225 * MiB),
+                                            std::make_pair(fixed, 30 * MiB),
+                                            std::make_pair(fixed, 60 * MiB) })
   {
     NoSurface       nobody;
     MeasuredSurface surface(GridOf(volume), parameters, UnitSpacing, {}, nobody);
-    auto            filter = MakeMedialFilter<3>(volume, 3.0);
-    filter->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
+    auto            filter = MakeMedialFilter<3>(volume, 6.0);
+    filter->SetThicknessMode(parameters.mode);
     filter->SetNumberOfWorkUnits(1);
     filter->SetWorkingMemoryLimit(limit);
     filter->SetTileObservers({ &surface });
@@ -91,6 +98,17 @@ TEST(MedialVoxelWorkingMemory, ALimitHoldsForTheSurfaceToo)
     EXPECT_GT(surface.m_LargestTile, 0);
     EXPECT_LE(surface.m_Most, before + labels + limit) << surface.m_LargestTile;
   }
+}
+
+TEST(MedialVoxelWorkingMemory, EdgesThatAreDecidedTogetherAreCounted)
+{
+  const itk::MedialVoxelGrid grid({ { 50, 50, 50 } }, { { 1.0, 1.0, 1.0 } });
+  const auto                 bytesFor = [&grid](const double thickness) {
+    itk::MedialVoxelParameters parameters;
+    parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(thickness);
+    return itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(grid, parameters);
+  };
+  EXPECT_GE(bytesFor(6.0), bytesFor(3.0) + sizeof(itk::MedialVoxelSeparationQuery) / 8);
 }
 
 TEST(MedialVoxelWorkingMemory, TheSurfaceNeedsALimitThatHoldsItsWorkspace)

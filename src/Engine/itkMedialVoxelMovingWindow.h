@@ -150,7 +150,7 @@ public:
   }
 
 private:
-  /** Calls visit(bits, boxOf) for all bits that are kept, with what tells their box for some sites. */
+  /** Calls visit(bits, boxOf) for all bits that are kept; boxOf(sites) is their box. */
   template <typename TWindow, typename TVisitor>
   static void
   VisitBits(TWindow & window, TVisitor && visit);

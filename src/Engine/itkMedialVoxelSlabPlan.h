@@ -169,7 +169,7 @@ private:
   MedialVoxelGrid         m_Grid;
   unsigned int            m_SlowestAxis;
   Settings                m_Settings;
-  MedialVoxelMovingWindow m_Window; // tells its bytes, and stays empty
+  MedialVoxelMovingWindow m_Window; // empty; for the sizes of windows
 };
 
 } // end namespace itk

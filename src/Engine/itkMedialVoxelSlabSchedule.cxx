@@ -118,7 +118,7 @@ MedialVoxelSlabSchedule::HasTiles() const
   });
 }
 
-/** Slabs whose window was prepared before others told that they need a larger one are prepared again. */
+/** Prepare slabs again whose windows are too small by what other slabs needed meanwhile. */
 void
 MedialVoxelSlabSchedule::RenewSlabs()
 {

@@ -363,12 +363,13 @@ MedialVoxelSurfaceCrossings::EpsilonOf(const MedialVoxelIndex & cell, const Work
 }
 
 std::uint64_t
-MedialVoxelSurfaceCrossings::GetBytesPerVoxel(const MedialVoxelParameters & parameters)
+MedialVoxelSurfaceCrossings::GetBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
   constexpr std::uint64_t bytesOfQuery = sizeof(Workspace::Edge) + sizeof(MedialVoxelSeparationQuery) + 128;
-  return parameters.mode == MedialVoxelThicknessMode::Automatic
-           ? sizeof(EdgeMask) + 3 * sizeof(double) + (sizeof(MedialVoxelInscribedBall) + bytesOfQuery) / 8
-           : sizeof(EdgeMask);
+  constexpr std::uint64_t bytesOfThreshold = 3 * sizeof(double) + sizeof(MedialVoxelInscribedBall) / 8;
+  const bool              isAutomatic = parameters.mode == MedialVoxelThicknessMode::Automatic;
+  const bool              hasQueries = MedialVoxelClassifier::DecidesTogether(grid, parameters);
+  return sizeof(EdgeMask) + (isAutomatic ? bytesOfThreshold : 0) + (hasQueries ? bytesOfQuery / 8 : 0);
 }
 
 } // end namespace itk

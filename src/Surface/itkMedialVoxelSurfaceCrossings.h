@@ -95,7 +95,7 @@ public:
 
   /** Bytes of a workspace for each voxel of a tile when an eighth of them are near a surface. */
   static std::uint64_t
-  GetBytesPerVoxel(const MedialVoxelParameters & parameters);
+  GetBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
 private:
   /** A row of voxels, and the axis of the edges that begin there. */

@@ -42,7 +42,7 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
                                                        const MedialVoxelGrid::SpacingType & spacing,
                                                        const MedialVoxelSurfacePlacement &  placement,
                                                        MedialVoxelSurfaceConsumer &         consumer)
-  : m_Parameters(parameters)
+  : m_WorkerBytesPerVoxel(GetWorkerBytesPerVoxel(grid, parameters))
   , m_Kernel(grid, parameters, spacing)
   , m_Builder(placement, spacing, consumer)
   , m_Trimmer(m_Builder)
@@ -56,9 +56,10 @@ MedialVoxelSurfaceObserver::MeasureOnGrayValues(const double lower, const double
 }
 
 std::uint64_t
-MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(const MedialVoxelParameters & parameters)
+MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(const MedialVoxelGrid &       grid,
+                                                   const MedialVoxelParameters & parameters)
 {
-  return MedialVoxelSurfaceCrossings::GetBytesPerVoxel(parameters) + MedialVoxelCellRow::BytesPerVoxel +
+  return MedialVoxelSurfaceCrossings::GetBytesPerVoxel(grid, parameters) + MedialVoxelCellRow::BytesPerVoxel +
          sizeof(MedialVoxelSurfaceCell) / 16;
 }
 

@@ -38,7 +38,7 @@ class MedialVoxel_EXPORT MedialVoxelSurfaceObserver : public MedialVoxelTileObse
 public:
   /** Bytes for each voxel of a tile that a worker takes for thin walls and their noise. */
   static std::uint64_t
-  GetWorkerBytesPerVoxel(const MedialVoxelParameters & parameters);
+  GetWorkerBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
   /** The arguments are those of MedialVoxelSurfaceCells and MedialVoxelSurfaceBuilder. */
   MedialVoxelSurfaceObserver(const MedialVoxelGrid &              grid,
@@ -62,7 +62,7 @@ public:
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
-    return GetWorkerBytesPerVoxel(m_Parameters);
+    return m_WorkerBytesPerVoxel;
   }
 
   std::unique_ptr<Workspace>
@@ -88,7 +88,7 @@ private:
   /** The cells of the tile at hand, beside what finds them. */
   struct Worker;
 
-  MedialVoxelParameters     m_Parameters;
+  std::uint64_t             m_WorkerBytesPerVoxel;
   MedialVoxelSurfaceCells   m_Kernel;
   MedialVoxelSurfaceBuilder m_Builder;
   MedialVoxelSurfaceTrimmer m_Trimmer;

@@ -75,7 +75,8 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   if (!options.meshFile.empty())
   {
-    extraction.observerBytesPerVoxel += itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(extraction.parameters);
+    extraction.observerBytesPerVoxel +=
+      itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(footprint.grid, extraction.parameters);
     footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
     footprint.surplus = { SurfaceMesh::MostBytesPerVoxel, SurfaceMesh::PlannedBytesPerVoxel };
     footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
