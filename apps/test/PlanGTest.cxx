@@ -177,18 +177,48 @@ TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)
   EXPECT_FALSE(MakePlanFor(options, header, 8).writesBehind);
   EXPECT_TRUE(MakePlanFor(options, header, 1).writesBehind);
   options.divisions.reset();
-  EXPECT_FALSE(MakePlanFor(options, header, 40).writesBehind);
-  // Rather one buffer than thinner slabs.
-  bool isSingle = false;
-  for (std::uint64_t memory = 600 * MiB; memory > 20 * MiB && !isSingle; memory -= MiB / 4)
+  options.memoryBytes = 8192 * MiB;
+  EXPECT_TRUE(MakePlanFor(options, header, 40).writesBehind);
+  EXPECT_FALSE(MakePlanFor(options, header, 80).writesBehind);
+}
+
+TEST(Plan, ThinnerSlabsComeBeforeWaitingForTheDisk)
+{
+  const VolumeHeader header = MakeHeader({ 500, 500, 500 });
+  JobOptions         options;
+  options.threads = 2;
+  options.memoryBytes = 600 * MiB;
+  const std::uint64_t widest = MakePlanFor(options, header, 16).slabSlices;
+  std::uint64_t       thinnest = widest;
+  bool                isBehind = true;
+  for (std::uint64_t memory = 600 * MiB; memory > 25 * MiB && isBehind; memory -= MiB / 4)
   {
     options.memoryBytes = memory;
     const JobPlan plan = MakePlanFor(options, header, 16);
     EXPECT_LE(plan.memoryBytes, memory);
-    EXPECT_EQ(plan.slabThickness, 0u);
-    isSingle = !plan.writesBehind;
+    isBehind = plan.writesBehind;
+    if (isBehind)
+    {
+      EXPECT_LE(plan.slabSlices, thinnest);
+      thinnest = plan.slabSlices;
+    }
   }
-  EXPECT_TRUE(isSingle);
+  EXPECT_FALSE(isBehind);
+  EXPECT_EQ(thinnest, widest / 4);
+}
+
+TEST(Plan, LargeResultsHalveTheSlabsOfTheEngine)
+{
+  const VolumeHeader header = MakeHeader({ 500, 500, 500 });
+  JobOptions         options;
+  options.threads = 2;
+  options.memoryBytes = 8192 * MiB;
+  const JobPlan small = MakePlanFor(options, header, 1);
+  EXPECT_EQ(small.slabThickness, 0u);
+  const JobPlan large = MakePlanFor(options, header, 40);
+  EXPECT_EQ(large.slabThickness, small.slabSlices / 2);
+  EXPECT_EQ(large.slabSlices, small.slabSlices / 2);
+  EXPECT_EQ(MakePlanFor(options, header, 400).slabThickness, small.slabSlices / 2);
 }
 
 TEST(Plan, ShorterPiecesLeaveMoreToTheEngines)
@@ -201,8 +231,8 @@ TEST(Plan, ShorterPiecesLeaveMoreToTheEngines)
   const std::uint64_t slices = plan.GetMaximumSlices();
   ASSERT_GT(slices, 1u);
   const std::uint64_t limit = plan.GetEngineLimit(slices);
-  EXPECT_EQ(limit + slices * plan.bytesPerSlice + plan.fixedBytes, 150 * MiB);
-  EXPECT_EQ(plan.GetEngineLimit(slices - 1), limit + plan.bytesPerSlice);
+  EXPECT_EQ(limit + plan.GetResultBytes(slices) + plan.fixedBytes, 150 * MiB);
+  EXPECT_EQ(plan.GetEngineLimit(slices - 1), limit + plan.GetResultBytes(1));
   // 0 would be without limit.
   EXPECT_EQ(plan.GetEngineLimit(1000000), 1u);
 }

@@ -34,6 +34,9 @@ constexpr std::uint64_t BytesPerPull = 1 * MiB;
 constexpr std::uint64_t BytesOfPiece = 32 * MiB;
 constexpr std::uint64_t BytesOfPiecePerThread = 2 * MiB;
 
+/** Results of a slab above which half a slab saves more memory than its repeated halo costs time. */
+constexpr std::uint64_t BytesOfLargeSlab = 128 * MiB;
+
 /** The largest piece for which writing it in the background is worth a second one in memory. */
 constexpr std::uint64_t BytesWrittenBehind = 256 * MiB;
 
@@ -101,13 +104,21 @@ EstimateEngines(const JobPlan & plan, const Request & request)
   return bytes;
 }
 
-/** Slices of a slab when memory does not matter. */
+/** Slices of a slab that the engine chooses when memory does not matter. */
 std::uint64_t
-GetPreferredSlabThickness(const JobPlan & plan, const Request & request)
+GetSlabThicknessOfEngine(const JobPlan & plan, const Request & request)
 {
   const auto engine = MakeEngine(plan, request, request.footprint.engines.front());
   const auto thickness = static_cast<std::uint64_t>(engine->GetSlabThickness(request.footprint.grid.GetVoxelBox()));
   return std::min(thickness, plan.numberOfSlices);
+}
+
+/** Slices of a slab when there is no limit: half of what the engine chooses where results are large. */
+std::uint64_t
+GetPreferredSlabThickness(const JobPlan & plan, std::uint64_t slabOfEngine)
+{
+  const bool isLarge = slabOfEngine > 1 && slabOfEngine * plan.bytesPerSlice > BytesOfLargeSlab;
+  return isLarge ? slabOfEngine / 2 : slabOfEngine;
 }
 
 /** Divides the slices for the threads, slabs and scratch folder of the plan; true when that fits.
@@ -143,40 +154,49 @@ GainsFromWritingBehind(const JobPlan & plan)
   return plan.divisions > 1 && plan.GetMaximumSlices() * plan.bytesPerSlice <= BytesWrittenBehind;
 }
 
-/** Thinner slabs read and do more twice, so that the thickest that fit are taken, first without a second window. */
+/** Divides with slabs of so many slices, with a second window if it fits. */
+bool
+TrySlab(JobPlan & plan, const Request & request, bool writesBehind, std::uint64_t slab)
+{
+  for (const bool readsAhead : { true, false })
+  {
+    plan.readsAhead = readsAhead;
+    plan.writesBehind = writesBehind;
+    if (TryDivisions(plan, request, slab))
+    {
+      plan.writesBehind = writesBehind && GainsFromWritingBehind(plan);
+      return plan.writesBehind == writesBehind || TryDivisions(plan, request, slab);
+    }
+  }
+  return false;
+}
+
+/** Thinner slabs read and do more twice, so that the thickest that fit are taken; waiting for the disk costs more than
+ * slabs of a quarter. */
 bool
 TrySlabs(JobPlan & plan, const Request & request)
 {
   plan.slabThickness = 0;
-  const std::uint64_t preferred = GetPreferredSlabThickness(plan, request);
-  plan.slabSlices = preferred;
-  for (const bool readsAhead : { true, false })
+  const std::uint64_t slabOfEngine = GetSlabThicknessOfEngine(plan, request);
+  const std::uint64_t preferred = GetPreferredSlabThickness(plan, slabOfEngine);
+  for (const bool writesBehind : { true, false })
   {
-    plan.readsAhead = readsAhead;
-    plan.writesBehind = plan.numberOfEngines == 1;
-    if (plan.writesBehind && TryDivisions(plan, request, preferred) && GainsFromWritingBehind(plan))
+    if (writesBehind && plan.numberOfEngines > 1)
     {
-      return true;
+      continue;
     }
-    plan.writesBehind = false;
-    if (readsAhead && TryDivisions(plan, request, preferred))
+    const std::uint64_t thinnest = writesBehind ? std::max(slabOfEngine / 4, std::uint64_t{ 1 }) : 1;
+    for (std::uint64_t slab = preferred; slab >= thinnest; slab /= 2)
     {
-      return true;
+      plan.slabThickness = slab == slabOfEngine ? 0 : slab;
+      plan.slabSlices = slab;
+      if (TrySlab(plan, request, writesBehind, slab))
+      {
+        return true;
+      }
     }
   }
-  for (std::uint64_t slab = preferred;; slab /= 2)
-  {
-    if (TryDivisions(plan, request, slab))
-    {
-      return true;
-    }
-    if (slab == 1)
-    {
-      return false;
-    }
-    plan.slabThickness = slab / 2;
-    plan.slabSlices = plan.slabThickness;
-  }
+  return false;
 }
 
 /** A mask is in memory when that fits, otherwise in the scratch folder if there is one. */
