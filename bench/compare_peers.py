@@ -170,13 +170,14 @@ class Program:
 class Extraction:
     """medialvoxel extract; the first labels of each run that shares `labels` must be the same bytes."""
 
-    def __init__(self, build, volume, size, threads, thickness, *options, labels=None, pixel_type="uint8"):
-        self.output = volume.with_name("labels.mha")
-        self.report = volume.with_name("report.json")
+    def __init__(self, build, volume, size, threads, thickness, *options, labels=None, pixel_type="uint8", scratch=None):
+        self.output = (scratch or volume.parent) / "labels.mha"
+        self.report = self.output.with_name("report.json")
         self.labels = labels
         self.is_checked = labels is None
-        self.command = [common.find_program(build, "medialvoxel"), "extract", volume, self.output, "--raw-size", size]
-        self.command += ["--raw-type", pixel_type, "--thickness", thickness, "--threads", threads, *options]
+        self.command = [common.find_program(build, "medialvoxel"), "extract", volume, self.output]
+        self.command += ["--raw-size", size, "--raw-type", pixel_type] if size else []
+        self.command += ["--thickness", thickness, "--threads", threads, *options]
         self.command += ["--progress", "none", "--overwrite"]
 
     def __call__(self, scratch, limit):

@@ -40,6 +40,16 @@ def parse_arguments():
     return parser.parse_args()
 
 
+# Reading the volume and writing so many bytes per voxel.
+FLOORS = {"floor of labels": 1, "floor of labels and distances": 1 + 4, "floor of labels and vectors": 1 + 12}
+
+
+def make_floors(arguments, volume, size):
+    copy = volume.with_name("floor.raw")
+    command = [common.find_program(arguments.build, "medialvoxel-floor"), volume, size, 1, copy, "--bytes-per-voxel"]
+    return {name: compare_peers.Program([*command, number], copy) for name, number in FLOORS.items()}
+
+
 def measure(arguments, scratch):
     volume, labels = scratch / "volume.raw", set()
     size, phantom = compare_peers.make_phantom(arguments.build, "side-frame", (), arguments.size, volume, scratch)
@@ -48,7 +58,7 @@ def measure(arguments, scratch):
             arguments.build, volume, size, 1, 3, *(word.replace("FILE", str(scratch / "extra")) for word in words), labels=labels
         )
         for way, words in WAYS.items()
-    }
+    } | make_floors(arguments, volume, size)
     runs, _ = compare_peers.run_rounds(programs, scratch, arguments.rounds, 3600, 3600)
     return {
         "size": phantom["size"],

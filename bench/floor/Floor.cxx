@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // medialvoxel-floor: the least that any extraction must do, to measure extractions against.
-// Reads a headerless volume of unsigned bytes slice by slice, thresholds it, writes a file of the same size.
+// Reads a headerless volume of unsigned bytes slice by slice, thresholds it, writes a file with so many bytes per
+// voxel.
 
 #include "FloorSupport.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -22,7 +24,8 @@ struct Arguments
   std::string                 output;
   std::array<std::int64_t, 3> size;
   int                         threshold;
-  bool                        flush;
+  bool                        flush{ false };
+  std::size_t                 bytesPerVoxel{ 1 };
 };
 
 class Descriptor
@@ -84,15 +87,50 @@ private:
   int         m_Value;
 };
 
+[[noreturn]] void
+RefuseUsage()
+{
+  throw std::invalid_argument(
+    "usage: medialvoxel-floor INPUT.raw X,Y,Z THRESHOLD OUTPUT.raw [--flush] [--bytes-per-voxel N]");
+}
+
 Arguments
 ParseArguments(const std::vector<std::string> & words)
 {
-  const bool flush = words.size() == 5 && words[4] == "--flush";
-  if (words.size() != 4 && !flush)
+  if (words.size() < 4)
   {
-    throw std::invalid_argument("usage: medialvoxel-floor INPUT.raw X,Y,Z THRESHOLD OUTPUT.raw [--flush]");
+    RefuseUsage();
   }
-  return { words[0], words[3], ParseSize(words[1]), std::stoi(words[2]), flush };
+  Arguments arguments{ words[0], words[3], ParseSize(words[1]), std::stoi(words[2]) };
+  for (std::size_t i = 4; i < words.size(); ++i)
+  {
+    if (words[i] == "--flush")
+    {
+      arguments.flush = true;
+    }
+    else if (words[i] == "--bytes-per-voxel" && i + 1 < words.size())
+    {
+      arguments.bytesPerVoxel = std::stoul(words[++i]);
+    }
+    else
+    {
+      RefuseUsage();
+    }
+  }
+  return arguments;
+}
+
+/** \return the number of voxels at the threshold or above, which become 1; the others become 0. */
+std::int64_t
+Threshold(std::vector<unsigned char> & slice, int threshold)
+{
+  std::int64_t objectVoxels = 0;
+  for (unsigned char & value : slice)
+  {
+    value = value >= threshold;
+    objectVoxels += value;
+  }
+  return objectVoxels;
 }
 
 std::int64_t
@@ -101,18 +139,17 @@ CopyThresholded(const Arguments & arguments)
   Descriptor                 input(arguments.input, O_RDONLY);
   Descriptor                 output(arguments.output, O_WRONLY | O_CREAT | O_TRUNC);
   std::vector<unsigned char> slice(static_cast<std::size_t>(arguments.size[0] * arguments.size[1]));
+  std::vector<unsigned char> wide(slice.size() * arguments.bytesPerVoxel);
   std::int64_t               objectVoxels = 0;
   for (std::int64_t z = 0; z < arguments.size[2]; ++z)
   {
     input.Read(slice);
-    std::int64_t inSlice = 0;
-    for (unsigned char & value : slice)
+    objectVoxels += Threshold(slice, arguments.threshold);
+    for (std::size_t i = 0; i < slice.size(); ++i)
     {
-      value = value >= arguments.threshold;
-      inSlice += value;
+      std::fill_n(wide.data() + i * arguments.bytesPerVoxel, arguments.bytesPerVoxel, slice[i]);
     }
-    objectVoxels += inSlice;
-    output.Write(slice);
+    output.Write(wide);
   }
   if (arguments.flush)
   {
