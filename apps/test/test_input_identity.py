@@ -117,6 +117,20 @@ class InputIdentityTest(ProgramTestCase):
             self.assert_reading(path, "does not stream: its values are scaled")
             self.assert_same(path, lower=10)
 
+    def test_both_versions_of_nifti_have_one_place(self):
+        for changes in (
+            {"pixdim": (1, 0.5, 0.25, 2, 1, 1, 1, 1), "xyzt_units": 3},
+            {"qform_code": 1, "quatern": (0.5, 0.5, 0.5), "qoffset": (1, -2, 3.5)},
+            {"pixdim": (-1, 0.5, 0.25, 2, 1, 1, 1, 1), "qform_code": 2, "quatern": (0, 0, 1), "qoffset": (1, -2, 3.5)},
+            {"sform_code": 2, "srow": (0, 0.25, 0, 10, -0.5, 0, 0, 20, 0, 0, 2, 30)},
+        ):
+            headers = []
+            for version in (1, 2):
+                path = volumes.write_nifti(self.folder / "in.nii", self.volume, version=version, **changes)
+                self.extract(path, "place.mha", "--overwrite", "--lower", 50)
+                headers.append(volumes.read_header(self.folder / "place.mha"))
+            self.assertEqual(*headers)
+
     def test_nifti_pairs(self):
         for version in (1, 2):
             for big_endian in (False, True):
@@ -193,6 +207,21 @@ class InputIdentityTest(ProgramTestCase):
                     path = volumes.write_tiff(self.folder / "in.tif", self.volume, big_endian, "deflate", **options)
                     self.assert_reading(path, "does not stream: it is compressed")
                     self.assert_same(path)
+
+    @needs_tiff
+    def test_values_and_jobs_of_tiles(self):
+        volumes.write_tiff(self.folder / "in.tif", self.volume, tile=(32, 16))
+        values, maps = [], []
+        for name in ("in.tif", "reference.mha"):
+            values.append(self.run_program("info", name, "--values").stdout.split("\nvalues ")[1])
+            self.extract(name, "sub.mha", "--thickness-map", "t.mha", "--sub-voxel", "--lower", 50, "--overwrite")
+            maps.append(volumes.read_data(self.folder / "t.mha"))
+        self.assertEqual(*values)
+        self.assertEqual(*maps)
+        self.run_program("plan", "in.tif", "out.mha", "job", "--lower", 50, "--thickness", 3)
+        self.run_program("work", "job")
+        self.run_program("finalize", "job")
+        self.assertEqual(volumes.read_data(self.folder / "out.mha"), self.expected[0])
 
     @needs_tiff
     def test_tiff_of_all_types(self):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Voxels that a text of keys and values describes: the labels of other formats, and clear errors."""
 
+import shutil
 import unittest
 
 import text_headers
@@ -57,6 +58,24 @@ class TextHeadersTest(ProgramTestCase):
             if "vol" not in name:
                 self.assert_same(name.upper())
             (self.folder / name.upper()).unlink()
+
+    def test_jobs(self):
+        """All processes of a job read the voxels; a change of either file ends it."""
+        for name in ("in.vgi", "in.vol"):
+            self.write("in.vgi")
+            self.run_program("plan", name, "out.mha", "job", "--lower", 72, "--thickness", 2, "--overwrite")
+            self.run_program("work", "job")
+            self.run_program("finalize", "job")
+            self.assertEqual(volumes.read_data(self.folder / "out.mha"), self.expected[1])
+            shutil.rmtree(self.folder / "job")
+            for changed in ("in.vgi", "in.vol"):
+                self.run_program("plan", name, "out.mha", "job", "--lower", 72, "--overwrite")
+                path = self.folder / changed
+                content = path.read_bytes()
+                path.write_bytes(content + b"\n")
+                self.assert_fails(FAILURE, [changed, "has changed since the job was planned"], "work", "job")
+                path.write_bytes(content)
+                shutil.rmtree(self.folder / "job")
 
     def test_what_may_be_left_out(self):
         self.write("in.vol.info", ("DATA_TYPE = float32\n", ""), volume=self.volume.as_type("float32"))
