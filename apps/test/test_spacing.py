@@ -85,11 +85,11 @@ class SpacingTest(ProgramTestCase):
 
     def test_units_of_mrc(self):
         """A cell is in Angstroms; without one the spacing is 1. The origin is that of the header, or of the start."""
-        steps = (1e-7, 2.5e-4, 3.0)
-        volume = volumes.Volume(self.volume.size, self.volume.voxels, steps)
-        volumes.write_mrc(self.folder / "in.mrc", volume)
-        for found, step in zip(self.spacing("in.mrc"), steps):
-            self.assertAlmostEqual(found, step, delta=1e-6 * step)
+        for steps in ((1e-7, 2e-7, 3e-7), (2.5e-4, 5e-4, 2.5e-4), (3.0, 4.0, 5.0)):
+            volume = volumes.Volume(self.volume.size, self.volume.voxels, steps)
+            volumes.write_mrc(self.folder / "in.mrc", volume)
+            for found, step in zip(self.spacing("in.mrc"), steps):
+                self.assertAlmostEqual(found, step, delta=1e-6 * step)
         volumes.write_mrc(self.folder / "in.mrc", self.volume, cell=(0, 0, 0), intervals=(0, 0, 0))
         self.assertEqual(self.spacing("in.mrc"), [1, 1, 1])
         for changes, origin in (
