@@ -29,7 +29,7 @@ Require(bool isTrue, const std::string & what)
 }
 
 /** \class InputFile
- * \brief The bytes at hand as a file, beside a file of voxels that a header may name. */
+ * \brief The bytes at hand as a file, beside files of voxels that a header may name. */
 class InputFile
 {
 public:
@@ -40,6 +40,7 @@ public:
   {
     m_Folder.Write(name, content);
     m_Folder.Write("voxels.img", std::string(BytesOfVoxels, '\1'));
+    m_Folder.Write("voxels.vol", std::string(BytesOfVoxels, '\1'));
   }
 
   void

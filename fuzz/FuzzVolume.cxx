@@ -23,7 +23,7 @@ namespace
 using namespace medialvoxel;
 
 /** No way of packing that is read makes one byte out of more than this many. */
-constexpr std::uint64_t MaximumRatio = 4096;
+constexpr std::uint64_t MaximumRatio = 32768;
 
 constexpr std::uint64_t MaximumBytesToRead = 1 << 20;
 
@@ -106,11 +106,11 @@ ReadZarrVoxels(const VolumeHeader & header)
   }
 }
 
-/** A reader of a part of voxels as they lie, as the program has it. */
+/** A reader of a part of voxels, as the program has it. */
 itk::StreamingRawImageIO::Pointer
-MakeRawImageIO(const VolumeHeader & header)
+MakeReader(const VolumeHeader & header)
 {
-  auto               imageIO = itk::StreamingRawImageIO::New();
+  const auto         imageIO = header.format->input.makeReader(header);
   const unsigned int dimension = header.geometry.GetDimension();
   imageIO->SetNumberOfDimensions(dimension);
   for (unsigned int axis = 0; axis < dimension; ++axis)
@@ -165,7 +165,7 @@ ReadVoxels(const VolumeHeader & header)
     stream->CheckEnd();
     return;
   }
-  const auto              imageIO = MakeRawImageIO(header);
+  const auto              imageIO = MakeReader(header);
   const std::vector<char> whole = ReadFrom(*imageIO, header, 0);
   const std::vector<char> end = ReadFrom(*imageIO, header, header.geometry.size.back() - 1);
   Require(std::equal(end.rbegin(), end.rend(), whole.rbegin()), "a part of the voxels differs from the whole");

@@ -230,27 +230,12 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   AddLog(line, app, options.logFile);
 }
 
-/** One that begins with the one before is its end in brackets, as in .nii[.gz]. */
-std::string
-JoinInputExtensions()
-{
-  std::string text;
-  std::string last;
-  for (const std::string & extension : ListInputExtensions())
-  {
-    const bool isLonger = !last.empty() && extension.compare(0, last.size(), last) == 0;
-    text += isLonger ? "[" + extension.substr(last.size()) + "]" : (text.empty() ? "" : " ") + extension;
-    last = extension;
-  }
-  return text;
-}
-
 } // namespace
 
 void
 AddInput(CLI::App & app, JobOptions & options)
 {
-  AddFile(app, "INPUT", "Volume: " + JoinInputExtensions(), options.input)->required();
+  AddFile(app, "INPUT", "Volume: " + CLI::detail::join(ListInputFormats(), " "), options.input)->required();
   AddSpacing(app, "--spacing", "Spacing, instead of that of the file", [&]() -> auto & { return options.spacing; });
   AddText(app, "--resample", "Resample to the spacing S; auto: to the smallest", "S", [&](const std::string & text) {
     options.resample = text == AutomaticSpacing ? 0.0 : ToPositive(text);

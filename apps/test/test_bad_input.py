@@ -264,6 +264,34 @@ class BadInputTest(ProgramTestCase):
         (self.folder / "in.nrrd").write_bytes(b"NRRD0004\ntype: " + b"x" * 3 * 10**6)
         self.assert_refused("in.nrrd", ["line 2"])
 
+    def test_mrc(self):
+        million = 10**6
+        for parts, changes in (
+            (["NX NY NZ", "'0'", "from 1 on"], {"size": (0, 20, 16)}),
+            (["NX NY NZ", "'-24'"], {"size": (-24, 20, 16)}),
+            (["more voxels"], {"size": (2**31 - 1, 2**31 - 1, 2**31 - 1)}),
+            ([str(million**2), "bytes of header"], {"size": (million, million, 1)}),
+            (["MODE is 12", "float16"], {"mode": 12}),
+            (["MODE is 4", "0, 1, 2 and 6"], {"mode": 4}),
+            (["MODE is -1"], {"mode": -1}),
+            (["MAPC, MAPR, MAPS are 3 2 1", "1 2 3"], {"axes": (3, 2, 1)}),
+            (["MAPC, MAPR, MAPS are 0 0 0"], {"axes": (0, 0, 0)}),
+            (["90 90 120", "right angles"], {"angles": (90, 90, 120)}),
+            (["ISPG is 401", "single volumes"], {"ispg": 401}),
+            (["MX MY MZ are 0 20 16", "from 1 on"], {"intervals": (0, 20, 16)}),
+            (["spacing along axis 1", "-1"], {"cell": (24, -2e8, 16)}),
+            (["spacing along axis 0"], {"cell": (float("nan"), 20, 16)}),
+            (["origin along axis 2"], {"origin": (0, 0, float("inf"))}),
+            (["NSYMBT is -1", "from 0 on"], {"nsymbt": -1}),
+            ([2**31 - 1 + 1024, "bytes of header"], {"nsymbt": 2**31 - 1}),
+            (["MAP"], {"map": b"    "}),
+            (["machine stamp", "18", "68", "17"], {"machst": (18, 0, 0, 0)}),
+        ):
+            path = volumes.write_mrc(self.folder / "in.mrc", self.volume, **changes)
+            self.assert_refused(path, parts)
+        (self.folder / "in.mrc").write_bytes(volumes.mrc_header(self.volume)[:1023])
+        self.assert_refused("in.mrc", ["shorter", 1024])
+
     def test_raw_file_of_another_size(self):
         path = volumes.write_raw(self.folder / "in.raw", self.volume)
         options = volumes.raw_options(self.volume)

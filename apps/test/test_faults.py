@@ -3,12 +3,15 @@
 """Files that are cut, hostile or that shrink while they are read, and stops while a volume is unpacked: an error with
 the right status, and never a file that looks like a result."""
 
+import itertools
 import signal
 import struct
 import subprocess
 import time
 import unittest
+import unittest.mock
 
+import text_headers
 import volumes
 from program import CORRUPT, PATIENCE, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
 
@@ -24,12 +27,21 @@ def write_all_formats(folder, volume):
         for name in ("c.nrrd", "d.nhdr"):
             path = volumes.write_nrrd(folder / f"{compressed}{name}", volume, compressed=compressed)
             yield path, path if path.suffix == ".nrrd" else path.with_suffix(".img")
-    for name in ("e.nii", "f.nii.gz"):
-        path = volumes.write_nifti(folder / name, volume)
-        yield path, path
+    for version in (1, 2):
+        for name in (f"e{version}.nii", f"f{version}.nii.gz"):
+            path = volumes.write_nifti(folder / name, volume, version=version)
+            yield path, path
+        path = volumes.write_nifti(folder / f"g{version}.hdr", volume, version=version)
+        yield path, path.with_suffix(".img")
+    path = volumes.write_mrc(folder / "h.mrc", volume)
+    yield path, path
+    for name in ("i.vgi", "j.pcr", "k.vol.info"):
+        yield from [(path, folder / (path.name[0] + ".vol")) for path in (text_headers.write(folder / name, volume),)]
     for packing in volumes.TIFF_PACKERS if READS_TIFF else ():
-        path = volumes.write_tiff(folder / f"{packing}.tif", volume, packing=packing, rows_per_strip=100)
-        yield path, path
+        for tile in (None, (16, 16)):
+            name = f"{packing}{tile is not None}.tif"
+            path = volumes.write_tiff(folder / name, volume, packing=packing, rows_per_strip=100, tile=tile)
+            yield path, path
 
 
 class CutFileTest(ProgramTestCase):
@@ -59,11 +71,12 @@ class HostileHeaderTest(ProgramTestCase):
         self.volume = volumes.box_with_plate(kind="int16")
 
     def assert_refused(self, path, *parts, status=CORRUPT):
-        self.assert_fails(status, [path.name, *parts], "extract", path, "out.mha", "--thickness", 3)
-        self.assert_fails(status, [path.name, *parts], "info", path)
+        self.assert_fails(status, [path.stem, *parts], "extract", path, "out.mha", "--thickness", 3)
+        self.assert_fails(status, [path.stem, *parts], "info", path)
 
     def test_nifti(self):
-        for name in ("in.nii", "in.nii.gz"):
+        for name, version in itertools.product(("in.nii", "in.nii.gz", "in.hdr"), (1, 2)):
+            offset = 0 if name == "in.hdr" else volumes.NIFTI_FIELDS[version][0] + 4
             for parts, changes in (
                 (["dim"], {"dim": (3, 24, 20, -16, 1, 1, 1, 1)}),
                 (["dim"], {"dim": (3, 24, 0, 16, 1, 1, 1, 1)}),
@@ -74,20 +87,28 @@ class HostileHeaderTest(ProgramTestCase):
                 (["dimensions"], {"dim": (32767, 24, 20, 16, 1, 1, 1, 1)}),
                 (["datatype", 128], {"datatype": 128}),
                 (["bitpix", 8], {"bitpix": 8}),
-                (["vox_offset"], {"vox_offset": -352}),
-                (["vox_offset"], {"vox_offset": float("nan")}),
-                (["vox_offset"], {"vox_offset": 1e30}),
-                (["vox_offset"], {"vox_offset": 352.5}),
-                (["vox_offset"], {"vox_offset": 0}),
+                (["vox_offset", f"from {offset} on"], {"vox_offset": -352}),
+                (["vox_offset"], {"vox_offset": 10**16}),
+                *(([(["vox_offset"], {"vox_offset": value}) for value in (float("nan"), 1e30, 352.5)]) if version == 1 else []),
+                *([(["vox_offset"], {"vox_offset": offset - 1})] if offset else []),
                 (["spacing"], {"pixdim": (1, 1, -1, 1, 1, 1, 1, 1)}),
                 (["spacing"], {"pixdim": (1, 1, 0, 1, 1, 1, 1, 1)}),
                 (["spacing"], {"pixdim": (1, float("nan"), 1, 1, 1, 1, 1, 1)}),
                 (["directions"], {"sform_code": 1, "srow": (1, 0, 0, 0) * 3}),
                 (["origin"], {"qform_code": 1, "qoffset": (0, float("inf"), 0)}),
-                (["NIfTI"], {"sizeof_hdr": 540}),
-                (["one file"], {"magic": b"ni1\0"}),
+                (["does not begin"], {"sizeof_hdr": 349}),
+                ([f"NIfTI-{version}", ".img" if name == "in.hdr" else "one file"], {"magic": b"nix"}),
             ):
-                self.assert_refused(volumes.write_nifti(self.folder / name, self.volume, **changes), *parts)
+                path = volumes.write_nifti(self.folder / name, self.volume, version=version, **changes)
+                self.assert_refused(path, *parts)
+        volumes.write_nifti(self.folder / "in.nii", self.volume, sizeof_hdr=540)
+        self.assert_refused(self.folder / "in.nii", "NIfTI-2")
+        volumes.write_nifti(self.folder / "in.nii", self.volume, version=2, dim=(3, 2**62, 2**62, 2**62, 1, 1, 1, 1))
+        self.assert_refused(self.folder / "in.nii", "dim", "more voxels than any file")
+        (self.folder / "in.nii").write_bytes(volumes.nifti_header(self.volume, version=2)[:539])
+        self.assert_refused(self.folder / "in.nii", "shorter", 540)
+        volumes.write_nifti(self.folder / "lost.hdr", self.volume).with_suffix(".img").unlink()
+        self.assert_refused(self.folder / "lost.hdr", "lost.img", "missing")
         path = volumes.write_nifti(self.folder / "in.nii", self.volume, vox_offset=1e9)
         self.assert_fails(CORRUPT, ["in.nii", 10**9], "info", path)
         path = volumes.write_nifti(self.folder / "in.nii.gz", self.volume, vox_offset=1e9)
@@ -107,7 +128,9 @@ class HostileHeaderTest(ProgramTestCase):
                 (["compression", 7], {"tag_259": 7}),
                 (["black to white", 2], {"tag_262": 2}),
                 (["one value", 3], {"tag_277": 3}),
-                (["tiles"], {"tag_322": 16}),
+                ([], {"tag_322": 16}),
+                ([], {"tag_322": 16, "tag_323": 0}),
+                ([], {"tag_322": 16, "tag_323": 16, "tag_278": None}),
                 (["top to bottom"], {"tag_274": 3}),
                 (["highest bit first"], {"tag_266": 2}),
                 (["reduced"], {"tag_254": 1}),
@@ -122,6 +145,31 @@ class HostileHeaderTest(ProgramTestCase):
                 self.assert_refused(volumes.write_tiff(path, self.volume, packing=packing, **changes), *parts)
         path = volumes.write_tiff(self.folder / "in.tif", self.volume, packing="deflate", tag_317=9)
         self.assert_fails(CORRUPT, ["in.tif", "Predictor"], "extract", path, "out.mha", "--thickness", 3)
+
+    @needs_tiff
+    def test_tiles_of_tiff(self):
+        for packing in volumes.TIFF_PACKERS:
+            for parts, changes in (
+                (["cannot hold"], {"tag_322": 2**20}),
+                (["empty or has more than 64.0 MiB"], {"tag_322": 2**24, "tag_323": 2**24}),
+                (["libtiff"], {"tag_322": 0}),
+                (["libtiff"], {"tag_323": 0}),
+                (["lie at 0"], {"tag_324": [8]}),
+                (["2147483648"], {"tag_325": [2**31] * 4}),
+                ([2**32 - 8], {"tag_324": [2**32 - 8] * 4}),
+                (["cannot hold"], {"tag_325": [0] * 4}),
+                (["one slice"], {"tag_32997": 2}),
+                (["one slice"], {"tag_32998": 16}),
+                (["compression", 50001], {"tag_259": 50001}),
+            ):
+                path = self.folder / "in.tif"
+                path = volumes.write_tiff(path, self.volume, packing=packing, tile=(16, 16), **changes)
+                self.assert_refused(path, *parts)
+        nothing = {"nothing": (1, lambda part: b"")}
+        with unittest.mock.patch.dict(volumes.TIFF_PACKERS, nothing):
+            places = {"tag_324": [8] * 4, "tag_325": [512] * 4}
+            volumes.write_tiff(path, self.volume, packing="nothing", tile=(16, 16), **places)
+        self.assert_refused(path, "its voxels have 15360")
 
     @needs_tiff
     def test_directories_of_tiff(self):

@@ -23,6 +23,9 @@ FORMATS = {
     "NrrdHeader": "in.nrrd",
     "NiftiHeader": "in.nii",
     "PackedNifti": "in.nii.gz",
+    "MrcHeader": "in.mrc",
+    "VgiHeader": "voxels.vgi",
+    "PyHstHeader": "voxels.vol.info",
     **({"TiffHeader": "in.tif"} if READS_TIFF else {}),
 }
 
@@ -150,7 +153,8 @@ class HostileTest(ProgramTestCase):
         (self.folder / "in.nrrd").write_bytes(content)
 
     def test_corpus_of_the_fuzzers(self):
-        (self.folder / "voxels.img").write_bytes(b"\1" * 4096)
+        for name in ("voxels.img", "voxels.vol"):
+            (self.folder / name).write_bytes(b"\1" * 4096)
         for format_name, file_name in FORMATS.items():
             files = sorted((CORPUS / format_name).iterdir())
             self.assertGreater(len(files), 3, format_name)

@@ -108,6 +108,55 @@ class InputIdentityTest(ProgramTestCase):
             self.assert_same(path)
         self.assert_same(volumes.write_nifti(self.folder / "in.NII.GZ", self.volume, dim=(5, 70, 40, 12, 1, 1, 1, 1)))
 
+    def test_nifti_of_the_second_version(self):
+        for big_endian in (False, True):
+            self.assert_same(volumes.write_nifti(self.folder / "in.nii", self.volume, big_endian, version=2))
+            self.assert_same(volumes.write_nifti(self.folder / "in.nii.gz", self.volume, big_endian, version=2))
+            scale = {"scl_slope": 0.25, "scl_inter": -5}
+            path = volumes.write_nifti(self.folder / "in.nii", self.volume, big_endian, version=2, **scale)
+            self.assert_reading(path, "does not stream: its values are scaled")
+            self.assert_same(path, lower=10)
+
+    def test_both_versions_of_nifti_have_one_place(self):
+        for changes in (
+            {"pixdim": (1, 0.5, 0.25, 2, 1, 1, 1, 1), "xyzt_units": 3},
+            {"qform_code": 1, "quatern": (0.5, 0.5, 0.5), "qoffset": (1, -2, 3.5)},
+            {"pixdim": (-1, 0.5, 0.25, 2, 1, 1, 1, 1), "qform_code": 2, "quatern": (0, 0, 1), "qoffset": (1, -2, 3.5)},
+            {"sform_code": 2, "srow": (0, 0.25, 0, 10, -0.5, 0, 0, 20, 0, 0, 2, 30)},
+        ):
+            headers = []
+            for version in (1, 2):
+                path = volumes.write_nifti(self.folder / "in.nii", self.volume, version=version, **changes)
+                self.extract(path, "place.mha", "--overwrite", "--lower", 50)
+                headers.append(volumes.read_header(self.folder / "place.mha"))
+            self.assertEqual(*headers)
+
+    def test_nifti_pairs(self):
+        for version in (1, 2):
+            for big_endian in (False, True):
+                path = volumes.write_nifti(self.folder / "in.hdr", self.volume, big_endian, version=version)
+                self.assert_reading(path, "streams")
+                self.assert_same(path)
+            volumes.write_nifti(self.folder / "in.hdr", self.volume, version=version, vox_offset=16)
+            path.with_suffix(".img").write_bytes(bytes(16) + self.volume.data())
+            self.assert_same(path)
+
+    def test_mrc(self):
+        for big_endian in (False, True):
+            for kind in ("int8", "int16", "uint16", "float32"):
+                path = volumes.write_mrc(self.folder / "in.mrc", self.volume.as_type(kind), big_endian, b"extended")
+                self.assert_reading(path, "streams")
+                self.assert_same(path)
+        bright = self.volume.as_type("uint8")
+        bright.voxels = [voxel + 100 for voxel in self.volume.voxels]
+        for flags in (0, 2):
+            path = volumes.write_mrc(self.folder / "in.rec", bright, imod=(1146047817, flags))
+            self.assertIn("uint8", self.run_program("info", path).stdout)
+            self.assert_same(path, lower=150)
+        for imod in ((1146047817, 1), (0, 0)):
+            path = volumes.write_mrc(self.folder / "in.map", self.volume.as_type("int8"), imod=imod)
+            self.assertRegex(self.run_program("info", path).stdout, r"type +int8")
+
     def test_nifti_of_all_types(self):
         volume = volumes.box_with_plate(size=(30, 20, 12))
         self.expected = self.result(volumes.write_meta(self.folder / "reference.mha", volume))
@@ -147,12 +196,42 @@ class InputIdentityTest(ProgramTestCase):
                 self.assert_same(path)
 
     @needs_tiff
+    def test_tiles(self):
+        for big in (False, True):
+            for big_endian in (False, True):
+                for tile in ((16, 16), (32, 48), (128, 64)):
+                    options = {"big": big, "tile": tile}
+                    path = volumes.write_tiff(self.folder / "in.tif", self.volume, big_endian, **options)
+                    self.assert_reading(path, "streams")
+                    self.assert_same(path)
+                    path = volumes.write_tiff(self.folder / "in.tif", self.volume, big_endian, "deflate", **options)
+                    self.assert_reading(path, "does not stream: it is compressed")
+                    self.assert_same(path)
+
+    @needs_tiff
+    def test_values_and_jobs_of_tiles(self):
+        volumes.write_tiff(self.folder / "in.tif", self.volume, tile=(32, 16))
+        values, maps = [], []
+        for name in ("in.tif", "reference.mha"):
+            values.append(self.run_program("info", name, "--values").stdout.split("\nvalues ")[1])
+            self.extract(name, "sub.mha", "--thickness-map", "t.mha", "--sub-voxel", "--lower", 50, "--overwrite")
+            maps.append(volumes.read_data(self.folder / "t.mha"))
+        self.assertEqual(*values)
+        self.assertEqual(*maps)
+        self.run_program("plan", "in.tif", "out.mha", "job", "--lower", 50, "--thickness", 3)
+        self.run_program("work", "job")
+        self.run_program("finalize", "job")
+        self.assertEqual(volumes.read_data(self.folder / "out.mha"), self.expected[0])
+
+    @needs_tiff
     def test_tiff_of_all_types(self):
         volume = volumes.box_with_plate(size=(30, 20, 12))
         self.expected = self.result(volumes.write_meta(self.folder / "reference.mha", volume))
         for kind in volumes.TYPES:
             for packing in ("none", "deflate"):
-                self.assert_same(volumes.write_tiff(self.folder / "in.tif", volume.as_type(kind), packing=packing))
+                for tile in (None, (16, 16)):
+                    path = self.folder / "in.tif"
+                    self.assert_same(volumes.write_tiff(path, volume.as_type(kind), packing=packing, tile=tile))
 
     @needs_tiff
     def test_tiff_that_lists_one_slice_of_many(self):

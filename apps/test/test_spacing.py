@@ -79,6 +79,63 @@ class SpacingTest(ProgramTestCase):
             volumes.write_tiff(self.folder / "in.tif", self.volume, **resolution)
             self.assert_refused("in.tif", ["largest spacing to its smallest", "must not exceed 1000"])
 
+    def spacing(self, name):
+        text = self.run_program("info", name).stdout.split("\nspacing")[1].split("\n")[0]
+        return [float(part) for part in text.split(" x ")]
+
+    def test_units_of_mrc(self):
+        """A cell is in Angstroms; without one the spacing is 1. The origin is that of the header, or of the start."""
+        for steps in ((1e-7, 2e-7, 3e-7), (2.5e-4, 5e-4, 2.5e-4), (3.0, 4.0, 5.0)):
+            volume = volumes.Volume(self.volume.size, self.volume.voxels, steps)
+            volumes.write_mrc(self.folder / "in.mrc", volume)
+            for found, step in zip(self.spacing("in.mrc"), steps):
+                self.assertAlmostEqual(found, step, delta=1e-6 * step)
+        volumes.write_mrc(self.folder / "in.mrc", self.volume, cell=(0, 0, 0), intervals=(0, 0, 0))
+        self.assertEqual(self.spacing("in.mrc"), [1, 1, 1])
+        for changes, origin in (
+            ({"origin": (1e7, -2e7, 5e6), "start": (1, 1, 1)}, "1, -2, 0.5"),
+            ({"start": (3, -4, 5)}, "3, -4, 5"),
+            ({}, "0, 0, 0"),
+        ):
+            volumes.write_mrc(self.folder / "in.mrc", self.volume, **changes)
+            self.assertRegex(self.run_program("info", "in.mrc").stdout, rf"\norigin +{origin}\n")
+        volumes.write_mrc(self.folder / "in.mrc", self.volume, cell=(1, 20e7, 16e7))
+        self.assert_refused("in.mrc", ["ratio of its largest spacing to its smallest"])
+
+    @needs_tiff
+    def test_descriptions(self):
+        """ImageJ and OME-TIFF tell the distance of slices; resolutions are 4 voxels per unit."""
+        ome = '<OME><Image><Pixels SizeC="1" SizeT="{}" SizeZ="{}" PhysicalSizeX="{}" PhysicalSizeZ="3"{}/></Image></OME>'
+        for text, unit, expected in (
+            ("ImageJ=1.53t\nimages=16\nslices=16\nunit=mm\nspacing=0.5\n", 1, [0.25, 0.25, 0.5]),
+            ("ImageJ=1.53t\nimages=16\nunit=\\u00B5m\nspacing=2\n", 1, [0.00025, 0.00025, 0.002]),
+            ("ImageJ=1.53t\nimages=16\nframes=16\nunit=cm\n", 1, [2.5, 2.5, 1]),
+            ("ImageJ=1.53t\nimages=16\nunit=pixel\nspacing=2\n", 1, [1, 1, 1]),
+            ("ImageJ=1.53t\nimages=16\nunit=mm\nspacing=-2\n", 1, [0.25, 0.25, 1]),
+            ("ImageJ=1.53t\nspacing=2\n", 3, [2.5, 2.5, 1]),
+            ("spacing=2\nunit=mm\n", 1, [1, 1, 1]),
+            (ome.format(1, 16, 250, ' PhysicalSizeZUnit="mm"'), 1, [0.25, 1, 3]),
+            (ome.format(1, 16, 2, ' PhysicalSizeXUnit="&#181;m"'), 1, [0.002, 1, 0.003]),
+            (ome.format(1, 16, "wide", ' PhysicalSizeZUnit="furlong"'), 1, [1, 1, 1]),
+            (ome.format(16, 1, 1000, ' PhysicalSizeYUnit="mm" PhysicalSizeY="0.5"'), 1, [1, 0.5, 0.003]),
+        ):
+            with self.subTest(text):
+                tags = {"tag_270": text.encode() + b"\0", "tag_282": (4, 1), "tag_283": (4, 1), "tag_296": unit}
+                volumes.write_tiff(self.folder / "in.tif", self.volume, **tags)
+                self.assertEqual(self.spacing("in.tif"), expected)
+
+    @needs_tiff
+    def test_descriptions_of_several_volumes(self):
+        for text, part in (
+            ("ImageJ=1.53t\nimages=16\nchannels=2\nslices=8\n", "2 channels"),
+            ("ImageJ=1.53t\nimages=16\nslices=8\nframes=2\n", "2 points in time"),
+            ('<OME><Pixels SizeC="3" SizeT="1" SizeZ="16"/></OME>', "3 channels"),
+            ('<OME><Pixels SizeC="1" SizeT="2" SizeZ="8"/></OME>', "2 points in time"),
+            ('<OME><Pixels SizeC="1"/><Pixels SizeC="1"/></OME>', "several images"),
+        ):
+            volumes.write_tiff(self.folder / "in.tif", self.volume, tag_270=text.encode() + b"\0")
+            self.assert_refused("in.tif", [part, "only one v"])
+
     def test_scales_of_zarr(self):
         for scale in (0.0, -2.0, 1e13, 1e300, 1e-160):
             volume = volumes.Volume(self.volume.size, self.volume.voxels, (scale, 1.0, 1.0))

@@ -198,52 +198,138 @@ NIFTI_TYPES = {
     "uint64": 1280,
 }
 
-# Of the fields that are not 0 in every header: offset and struct code.
+# Of each version the bytes of the header, and of the fields that are not 0 in every header offset and struct code.
 NIFTI_FIELDS = {
-    "sizeof_hdr": (0, "i"),
-    "dim": (40, "8h"),
-    "datatype": (70, "h"),
-    "bitpix": (72, "h"),
-    "pixdim": (76, "8f"),
-    "vox_offset": (108, "f"),
-    "scl_slope": (112, "f"),
-    "scl_inter": (116, "f"),
-    "xyzt_units": (123, "B"),
-    "qform_code": (252, "h"),
-    "sform_code": (254, "h"),
-    "quatern": (256, "3f"),
-    "qoffset": (268, "3f"),
-    "srow": (280, "12f"),
-    "magic": (344, "4s"),
+    1: (
+        348,
+        {
+            "sizeof_hdr": (0, "i"),
+            "dim": (40, "8h"),
+            "datatype": (70, "h"),
+            "bitpix": (72, "h"),
+            "pixdim": (76, "8f"),
+            "vox_offset": (108, "f"),
+            "scl_slope": (112, "f"),
+            "scl_inter": (116, "f"),
+            "xyzt_units": (123, "B"),
+            "qform_code": (252, "h"),
+            "sform_code": (254, "h"),
+            "quatern": (256, "3f"),
+            "qoffset": (268, "3f"),
+            "srow": (280, "12f"),
+            "magic": (344, "4s"),
+        },
+        b"n+1\0",
+    ),
+    2: (
+        540,
+        {
+            "sizeof_hdr": (0, "i"),
+            "magic": (4, "8s"),
+            "datatype": (12, "h"),
+            "bitpix": (14, "h"),
+            "dim": (16, "8q"),
+            "pixdim": (104, "8d"),
+            "vox_offset": (168, "q"),
+            "scl_slope": (176, "d"),
+            "scl_inter": (184, "d"),
+            "qform_code": (344, "i"),
+            "sform_code": (348, "i"),
+            "quatern": (352, "3d"),
+            "qoffset": (376, "3d"),
+            "srow": (400, "12d"),
+            "xyzt_units": (500, "i"),
+        },
+        b"n+2\0\r\n\x1a\n",
+    ),
 }
 
 
-def nifti_header(volume, big_endian=False, **changes):
-    """Header of a NIfTI-1 file; changes replace fields."""
+def pack_fields(header, places, fields, big_endian):
+    """Puts values, or sequences of them, where the fields lie; places are offsets and struct codes."""
+    for name, value in fields.items():
+        offset, code = places[name]
+        values = value if isinstance(value, (tuple, list)) else (value,)
+        struct.pack_into((">" if big_endian else "<") + code, header, offset, *values)
+
+
+def nifti_header(volume, big_endian=False, version=1, **changes):
+    """Header of a NIfTI file; changes replace fields."""
+    size, places, magic = NIFTI_FIELDS[version]
     dimension = len(volume.size)
     fields = {
-        "sizeof_hdr": 348,
+        "sizeof_hdr": size,
         "dim": (dimension, *volume.size, *[1] * (7 - dimension)),
         "datatype": NIFTI_TYPES[volume.kind],
         "bitpix": 8 * array.array(TYPES[volume.kind][0]).itemsize,
         "pixdim": (1, *volume.spacing, *[1] * (7 - dimension)),
-        "vox_offset": 352,
+        "vox_offset": size + 4,
         "xyzt_units": 2,
-        "magic": b"n+1\0",
+        "magic": magic,
     }
     fields.update(changes)
-    header = bytearray(352)
-    for name, value in fields.items():
-        offset, code = NIFTI_FIELDS[name]
-        values = value if isinstance(value, (tuple, list)) else (value,)
-        struct.pack_into((">" if big_endian else "<") + code, header, offset, *values)
+    header = bytearray(size + 4)
+    pack_fields(header, places, fields, big_endian)
     return bytes(header)
 
 
-def write_nifti(path, volume, big_endian=False, **changes):
+def write_nifti(path, volume, big_endian=False, version=1, **changes):
+    """A file, or a pair of .hdr and .img."""
     path = pathlib.Path(path)
-    content = nifti_header(volume, big_endian, **changes) + volume.data(big_endian)
+    if path.suffix == ".hdr":
+        changes = {"vox_offset": 0, "magic": NIFTI_FIELDS[version][2].replace(b"n+", b"ni"), **changes}
+    header = nifti_header(volume, big_endian, version, **changes)
+    if path.suffix == ".hdr":
+        path.write_bytes(header)
+        path.with_suffix(".img").write_bytes(volume.data(big_endian))
+        return path
+    content = header + volume.data(big_endian)
     path.write_bytes(gzip(content) if path.suffix.lower() == ".gz" else content)
+    return path
+
+
+MRC_MODES = {"int8": 0, "int16": 1, "float32": 2, "uint16": 6}
+
+MRC_FIELDS = {
+    "size": (0, "3i"),
+    "mode": (12, "i"),
+    "start": (16, "3i"),
+    "intervals": (28, "3i"),
+    "cell": (40, "3f"),
+    "angles": (52, "3f"),
+    "axes": (64, "3i"),
+    "ispg": (88, "i"),
+    "nsymbt": (92, "i"),
+    "imod": (152, "2i"),
+    "origin": (196, "3f"),
+    "map": (208, "4s"),
+    "machst": (212, "4B"),
+}
+
+
+def mrc_header(volume, big_endian=False, **changes):
+    """Header of a MRC file, in ten millionths of the spacing; changes replace fields."""
+    fields = {
+        "size": volume.size,
+        "mode": MRC_MODES.get(volume.kind, 0),
+        "intervals": volume.size,
+        "cell": [1e7 * count * step for count, step in zip(volume.size, volume.spacing)],
+        "angles": (90, 90, 90),
+        "axes": (1, 2, 3),
+        "ispg": 1,
+        "map": b"MAP ",
+        "machst": (0x11, 0x11, 0, 0) if big_endian else (0x44, 0x44, 0, 0),
+    }
+    fields.update(changes)
+    header = bytearray(1024)
+    pack_fields(header, MRC_FIELDS, fields, big_endian)
+    return bytes(header)
+
+
+def write_mrc(path, volume, big_endian=False, extended=b"", **changes):
+    path = pathlib.Path(path)
+    header = mrc_header(volume, big_endian, **{"nsymbt": len(extended), **changes})
+    path.write_bytes(header + extended + volume.data(big_endian))
     return path
 
 
@@ -254,8 +340,21 @@ TIFF_PACKERS = {
 }
 
 
-def write_tiff(path, volume, big_endian=False, packing="none", rows_per_strip=7, big=False, **changes):
-    """A stack with one directory per slice; changes replace values of tags, named tag_NUMBER, or drop those of None."""
+def cut_into_tiles(slice_data, width, height, tile, bytes_per_voxel):
+    """Tiles of a slice row by row; those at the ends are filled up with zeros."""
+    for y in range(0, height, tile[1]):
+        for x in range(0, width, tile[0]):
+            rows = [
+                slice_data[(row * width + x) * bytes_per_voxel : (row * width + min(x + tile[0], width)) * bytes_per_voxel]
+                for row in range(y, min(y + tile[1], height))
+            ]
+            whole = b"".join(row.ljust(tile[0] * bytes_per_voxel, b"\0") for row in rows)
+            yield whole.ljust(tile[0] * tile[1] * bytes_per_voxel, b"\0")
+
+
+def write_tiff(path, volume, big_endian=False, packing="none", rows_per_strip=7, big=False, tile=None, **changes):
+    """A stack with one directory per slice; changes replace values of tags, named tag_NUMBER, or drop those of None. With
+    a tile of X x Y voxels there are no strips."""
     path = pathlib.Path(path)
     order = ">" if big_endian else "<"
     offset_code = "Q" if big else "I"
@@ -270,11 +369,12 @@ def write_tiff(path, volume, big_endian=False, packing="none", rows_per_strip=7,
     link = len(content) - struct.calcsize(offset_code)
     for z in range(slices):
         offsets, counts = [], []
-        for begin in range(0, slice_bytes, rows_per_strip * row_bytes):
-            end = min(begin + rows_per_strip * row_bytes, slice_bytes)
-            strip = data[z * slice_bytes + begin : z * slice_bytes + end]
+        slice_data = data[z * slice_bytes : (z + 1) * slice_bytes]
+        step = rows_per_strip * row_bytes
+        parts = [slice_data[begin : begin + step] for begin in range(0, slice_bytes, step)]
+        for part in cut_into_tiles(slice_data, width, height, tile, row_bytes // width) if tile else parts:
             offsets.append(len(content))
-            content += packer(strip)
+            content += packer(part)
             counts.append(len(content) - offsets[-1])
         kind = volume.kind.rstrip("0123456789")
         tags = {
@@ -289,6 +389,10 @@ def write_tiff(path, volume, big_endian=False, packing="none", rows_per_strip=7,
             279: counts,
             339: {"uint": 1, "int": 2, "float": 3}[kind],
         }
+        if tile:
+            for tag in (273, 278, 279):
+                del tags[tag]
+            tags.update({322: tile[0], 323: tile[1], 324: offsets, 325: counts})
         tags.update({int(name[4:]): value for name, value in changes.items()})
         struct.pack_into(order + offset_code, content, link, len(content))
         link = write_tiff_directory(content, tags, order, offset_code)

@@ -28,6 +28,14 @@ VolumeHeader
 ReadNrrdHeader(const std::filesystem::path & fileName);
 VolumeHeader
 ReadNiftiHeader(const std::filesystem::path & fileName);
+VolumeHeader
+ReadMrcHeader(const std::filesystem::path & fileName);
+/** Of a text of keys and values that describes the voxels beside it, or of these voxels. */
+VolumeHeader
+ReadKeyedHeader(const std::filesystem::path & fileName);
+/** Of these texts and these voxels. */
+std::vector<const char *>
+ListKeyedExtensions();
 /** Of a group of OME-Zarr 0.4, or of an array. \throw HeaderError; JobError for files that are not JSON */
 VolumeHeader
 ReadZarrHeader(const std::filesystem::path & folder);

@@ -4,7 +4,6 @@
 
 #include "MaskInput.h"
 #include "ObjectValues.h"
-#include "RawImageIO.h"
 #include "ValueReader.h"
 #include "VolumeFormats.h"
 
@@ -156,7 +155,7 @@ InputVolume::CutIntoParts(const itk::MedialVoxelBox & box) const
 bool
 InputVolume::IsReadInParallel(const VolumeHeader & header)
 {
-  return header.CanStream() && !header.stored && header.format->input.makeReader == MakeRawImageIO;
+  return header.CanStream() && !header.stored && header.liesInRows;
 }
 
 void

@@ -24,10 +24,17 @@ IsCompressed(const std::filesystem::path & fileName)
   return ToLower(fileName.extension().string()) == ".gz";
 }
 
-std::vector<unsigned char>
-ReadBytes(const std::filesystem::path & fileName)
+/** True for a header whose voxels are in a file of their own. */
+bool
+IsOfPair(const std::filesystem::path & fileName)
 {
-  std::vector<unsigned char> bytes(HeaderBytes);
+  return ToLower(fileName.extension().string()) == ".hdr";
+}
+
+std::vector<unsigned char>
+ReadBytes(const std::filesystem::path & fileName, std::int32_t count)
+{
+  std::vector<unsigned char> bytes(static_cast<std::size_t>(count));
   if (IsCompressed(fileName))
   {
     InflateReader(fileName, 0).Read(bytes.data(), bytes.size());
@@ -37,35 +44,86 @@ ReadBytes(const std::filesystem::path & fileName)
   file.read(reinterpret_cast<char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
   if (!file.good())
   {
-    RefuseHeader(fileName, "it is shorter than a header of NIfTI, " + std::to_string(HeaderBytes) + " bytes");
+    RefuseHeader(fileName, "it is shorter than a header of NIfTI, " + std::to_string(count) + " bytes");
   }
   return bytes;
 }
 
-BinaryHeader
-ReadFields(const std::filesystem::path & fileName, bool & bigEndian)
+/** \class NiftiNumbers
+ * \brief The fields of a header of either version and byte order. */
+class NiftiNumbers
 {
-  const std::vector<unsigned char> bytes = ReadBytes(fileName);
-  bigEndian = BinaryHeader(bytes, true).Get<std::int32_t>(SizeOfHeader) == HeaderBytes;
-  const BinaryHeader fields(bytes, bigEndian);
-  if (fields.Get<std::int32_t>(SizeOfHeader) != HeaderBytes)
+public:
+  explicit NiftiNumbers(const std::filesystem::path & fileName)
   {
-    RefuseHeader(fileName, "it does not begin as a file of NIfTI-1 does");
+    const std::vector<unsigned char> start = ReadBytes(fileName, sizeof(std::int32_t));
+    for (m_Version = 0; m_Version < Versions.size(); ++m_Version)
+    {
+      for (const bool bigEndian : { false, true })
+      {
+        if (BinaryHeader(start, bigEndian).Get<std::int32_t>(0) == this->GetVersion().headerBytes)
+        {
+          m_BigEndian = bigEndian;
+          const std::vector<unsigned char> bytes = ReadBytes(fileName, this->GetVersion().headerBytes);
+          this->CheckMagic(fileName, bytes);
+          m_Bytes = BinaryHeader(bytes, bigEndian);
+          return;
+        }
+      }
+    }
+    RefuseHeader(fileName, "it does not begin as a file of NIfTI does");
   }
-  if (std::string(bytes.begin() + Magic, bytes.end()) != std::string("n+1", 4))
+
+  const Version &
+  GetVersion() const
   {
-    RefuseHeader(fileName, "it is not a NIfTI-1 file with header and voxels in one file");
+    return Versions[m_Version];
   }
-  return fields;
-}
+
+  bool
+  IsBigEndian() const
+  {
+    return m_BigEndian;
+  }
+
+  template <typename TResult>
+  TResult
+  Get(const Field & field, std::size_t index = 0) const
+  {
+    const Place & place = field[m_Version];
+    return DispatchNumber(place.type, [&](auto zero) {
+      return static_cast<TResult>(m_Bytes.Get<decltype(zero)>(place.offset + index * sizeof(zero)));
+    });
+  }
+
+private:
+  void
+  CheckMagic(const std::filesystem::path & fileName, const std::vector<unsigned char> & bytes) const
+  {
+    const bool             isOfPair = IsOfPair(fileName);
+    const std::string_view expected = isOfPair ? this->GetVersion().magicOfPair : this->GetVersion().magicOfFile;
+    if (!std::equal(
+          expected.begin(), expected.end(), bytes.begin() + static_cast<std::ptrdiff_t>(this->GetVersion().magic)))
+    {
+      const std::string what = isOfPair ? "it is not the header of a NIfTI-" : "it is not a NIfTI-";
+      RefuseHeader(fileName,
+                   what + std::to_string(m_Version + 1) +
+                     (isOfPair ? " pair, of files .hdr and .img" : " file with header and voxels in one file"));
+    }
+  }
+
+  std::size_t  m_Version{ 0 };
+  bool         m_BigEndian{ false };
+  BinaryHeader m_Bytes;
+};
 
 std::vector<std::uint64_t>
-ReadSize(const std::filesystem::path & fileName, const BinaryHeader & fields)
+ReadSize(const std::filesystem::path & fileName, const NiftiNumbers & fields)
 {
-  const auto dimOf = [&fields](int axis) {
-    return fields.Get<std::int16_t>(Dim + static_cast<std::size_t>(axis) * sizeof(std::int16_t));
+  const auto dimOf = [&fields](std::int64_t axis) {
+    return fields.Get<std::int64_t>(Dim, static_cast<std::size_t>(axis));
   };
-  int dimension = dimOf(0);
+  std::int64_t dimension = dimOf(0);
   while (dimension > 3 && dimension <= 7 && dimOf(dimension) == 1)
   {
     --dimension;
@@ -74,17 +132,17 @@ ReadSize(const std::filesystem::path & fileName, const BinaryHeader & fields)
   {
     RefuseHeader(fileName, "it has " + std::to_string(dimension) + " dimensions; only volumes with 2 or 3 are read");
   }
-  std::vector<std::int16_t> sizes;
-  for (int axis = 1; axis <= dimension; ++axis)
+  std::vector<std::int64_t> sizes;
+  for (std::int64_t axis = 1; axis <= dimension; ++axis)
   {
     sizes.push_back(dimOf(axis));
   }
-  const std::string text = Join(sizes, " ", [](std::int16_t size) { return std::to_string(size); });
+  const std::string text = Join(sizes, " ", [](std::int64_t size) { return std::to_string(size); });
   return ParseSizes(fileName, "dim", text, sizes.size());
 }
 
 PixelType
-ReadPixelType(const std::filesystem::path & fileName, const BinaryHeader & fields)
+ReadPixelType(const std::filesystem::path & fileName, const NiftiNumbers & fields)
 {
   const auto code = fields.Get<std::int16_t>(DataType);
   const auto found =
@@ -103,27 +161,28 @@ ReadPixelType(const std::filesystem::path & fileName, const BinaryHeader & field
   return found->second;
 }
 
-/** Bytes before the voxels, which the format keeps as a real number. */
+/** Bytes before the voxels, which the first version keeps as a real number. */
 std::uint64_t
-ReadDataOffset(const std::filesystem::path & fileName, const BinaryHeader & fields)
+ReadDataOffset(const std::filesystem::path & fileName, const NiftiNumbers & fields)
 {
   constexpr double greatest = 1e15;
-  const double     offset = fields.Get<float>(VoxelOffset);
-  if (!(offset >= MinimumDataOffset && offset <= greatest) || std::floor(offset) != offset)
+  const double     least = IsOfPair(fileName) ? 0.0 : fields.GetVersion().minimumDataOffset;
+  const auto       offset = fields.Get<double>(VoxelOffset);
+  if (!(offset >= least && offset <= greatest) || std::floor(offset) != offset)
   {
     RefuseHeader(fileName,
-                 "vox_offset is " + FormatNumber(offset) + "; it must be a whole number from " +
-                   FormatNumber(MinimumDataOffset) + " on");
+                 "vox_offset is " + FormatNumber(offset) + "; it must be a whole number from " + FormatNumber(least) +
+                   " on");
   }
   return static_cast<std::uint64_t>(offset);
 }
 
 /** Nothing when numbers are values. Writers put not a number for "none", and the format 0. */
 std::optional<ValueScale>
-ReadScale(const BinaryHeader & fields)
+ReadScale(const NiftiNumbers & fields)
 {
-  const double slope = fields.Get<float>(ScaleSlope);
-  const double intercept = fields.Get<float>(ScaleIntercept);
+  const auto   slope = fields.Get<double>(ScaleSlope);
+  const auto   intercept = fields.Get<double>(ScaleIntercept);
   const double usedIntercept = std::isfinite(intercept) ? intercept : 0.0;
   if (!std::isfinite(slope) || slope == 0.0 || (slope == 1.0 && usedIntercept == 0.0))
   {
@@ -134,11 +193,11 @@ ReadScale(const BinaryHeader & fields)
 
 /** Millimeters of the unit of lengths; 1 for an unknown one. */
 double
-ReadUnit(const BinaryHeader & fields)
+ReadUnit(const NiftiNumbers & fields)
 {
   constexpr unsigned int meter = 1;
   constexpr unsigned int micrometer = 3;
-  const unsigned int     unit = fields.Get<std::uint8_t>(Units) & 7u;
+  const unsigned int     unit = fields.Get<std::uint32_t>(Units) & 7u;
   return unit == meter ? 1e3 : (unit == micrometer ? 1e-3 : 1.0);
 }
 
@@ -146,25 +205,23 @@ ReadUnit(const BinaryHeader & fields)
 using Placement = std::array<std::array<double, 4>, 3>;
 
 Placement
-PlaceByRows(const BinaryHeader & fields)
+PlaceByRows(const NiftiNumbers & fields)
 {
   Placement placement{};
   for (std::size_t row = 0; row < 3; ++row)
   {
     for (std::size_t column = 0; column < 4; ++column)
     {
-      placement[row][column] = fields.Get<float>(SRows + (4 * row + column) * sizeof(float));
+      placement[row][column] = fields.Get<double>(SRows, 4 * row + column);
     }
   }
   return placement;
 }
 
 Placement
-PlaceByQuaternion(const BinaryHeader & fields)
+PlaceByQuaternion(const NiftiNumbers & fields)
 {
-  const auto number = [&fields](std::size_t offset, std::size_t index) -> double {
-    return fields.Get<float>(offset + index * sizeof(float));
-  };
+  const auto   number = [&fields](const Field & field, std::size_t index) { return fields.Get<double>(field, index); };
   double       b = number(Quaternion, 0);
   double       c = number(Quaternion, 1);
   double       d = number(Quaternion, 2);
@@ -200,11 +257,11 @@ HasRightAngles(const Placement & placement)
 
 /** The placement that ITK would take of the two that a header can have; nothing when it has none. */
 std::optional<Placement>
-ReadPlacement(const BinaryHeader & fields)
+ReadPlacement(const NiftiNumbers & fields)
 {
   constexpr int scannerCode = 1;
-  const int     byQuaternion = fields.Get<std::int16_t>(QFormCode);
-  const int     byRows = fields.Get<std::int16_t>(SFormCode);
+  const int     byQuaternion = fields.Get<int>(QFormCode);
+  const int     byRows = fields.Get<int>(SFormCode);
   if (byRows > 0 && (byQuaternion <= 0 || (byRows == scannerCode && HasRightAngles(PlaceByRows(fields)))))
   {
     return PlaceByRows(fields);
@@ -213,14 +270,14 @@ ReadPlacement(const BinaryHeader & fields)
 }
 
 void
-ReadGeometry(VolumeHeader & header, const BinaryHeader & fields)
+ReadGeometry(VolumeHeader & header, const NiftiNumbers & fields)
 {
   VolumeGeometry &  geometry = header.geometry;
   const std::size_t dimension = geometry.size.size();
   const double      unit = ReadUnit(fields);
   for (std::size_t axis = 0; axis < dimension; ++axis)
   {
-    geometry.spacing.push_back(unit * fields.Get<float>(PixDim + (axis + 1) * sizeof(float)));
+    geometry.spacing.push_back(unit * fields.Get<double>(PixDim, axis + 1));
   }
   geometry.origin.assign(dimension, 0.0);
   geometry.SetIdentityDirection();
@@ -262,15 +319,20 @@ ReadGeometry(VolumeHeader & header, const BinaryHeader & fields)
 VolumeHeader
 ReadNiftiHeader(const std::filesystem::path & fileName)
 {
+  const NiftiNumbers fields(fileName);
   VolumeHeader       header;
-  const BinaryHeader fields = ReadFields(fileName, header.bigEndian);
   header.fileName = fileName;
+  header.bigEndian = fields.IsBigEndian();
   header.geometry.size = ReadSize(fileName, fields);
   header.pixelType = ReadPixelType(fileName, fields);
   ReadGeometry(header, fields);
   header.scale = ReadScale(fields);
   header.dataFile = fileName;
-  header.dataFileSize = GetDataFileSize(fileName, fileName);
+  if (IsOfPair(fileName))
+  {
+    header.dataFile.replace_extension(".img");
+  }
+  header.dataFileSize = GetDataFileSize(fileName, header.dataFile);
   header.compressed = IsCompressed(fileName);
   // With compression the header is packed too.
   (header.compressed ? header.skipAfterInflation : header.dataOffset) = ReadDataOffset(fileName, fields);

@@ -12,26 +12,35 @@ namespace medialvoxel
 namespace
 {
 
-template <typename TNumber>
+using namespace NiftiFields;
+
+/** The first version is written, which all programs read. */
+constexpr std::size_t     WrittenVersion = 0;
+constexpr const Version & Written = Versions[WrittenVersion];
+
+/** Sets one of the numbers of a field. */
+template <typename TValue>
 void
-Set(std::string & header, std::size_t offset, TNumber value)
+Set(std::string & header, const Field & field, TValue value, std::size_t index = 0)
 {
-  std::memcpy(&header[offset], &value, sizeof(value));
+  const Place & place = field[WrittenVersion];
+  DispatchNumber(place.type, [&](auto zero) {
+    const auto number = static_cast<decltype(zero)>(value);
+    std::memcpy(&header[place.offset + index * sizeof(number)], &number, sizeof(number));
+  });
 }
 
 void
 SetSize(std::string & header, const VolumeGeometry & geometry)
 {
-  using namespace NiftiFields;
   constexpr std::size_t axes = 7;
-  Set(header, Dim, static_cast<std::int16_t>(geometry.GetDimension()));
-  Set(header, PixDim, 1.0F); // of a quaternion, which is not used
+  Set(header, Dim, geometry.GetDimension());
+  Set(header, PixDim, 1.0); // of a quaternion, which is not used
   for (std::size_t axis = 0; axis < axes; ++axis)
   {
     const bool isPresent = axis < geometry.size.size();
-    Set(
-      header, Dim + (axis + 1) * sizeof(std::int16_t), static_cast<std::int16_t>(isPresent ? geometry.size[axis] : 1));
-    Set(header, PixDim + (axis + 1) * sizeof(float), isPresent ? static_cast<float>(geometry.spacing[axis]) : 1.0F);
+    Set(header, Dim, isPresent ? geometry.size[axis] : 1, axis + 1);
+    Set(header, PixDim, isPresent ? geometry.spacing[axis] : 1.0, axis + 1);
   }
 }
 
@@ -39,22 +48,20 @@ SetSize(std::string & header, const VolumeGeometry & geometry)
 void
 SetPlacement(std::string & header, const VolumeGeometry & geometry)
 {
-  using namespace NiftiFields;
-  constexpr std::int16_t scannerCode = 1;
+  constexpr int scannerCode = 1;
   Set(header, SFormCode, scannerCode);
   for (std::size_t row = 0; row < 3; ++row)
   {
     const double sign = row < 2 ? -1.0 : 1.0;
-    const auto   set = [&header, row](std::size_t column, double value) {
-      Set(header, SRows + (4 * row + column) * sizeof(float), static_cast<float>(value));
-    };
-    const bool isPresent = row < geometry.size.size();
+    const bool   isPresent = row < geometry.size.size();
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const bool has = isPresent && axis < geometry.size.size();
-      set(axis, has ? sign * geometry.direction[axis][row] * geometry.spacing[axis] : (axis == row ? 1.0 : 0.0));
+      const bool   has = isPresent && axis < geometry.size.size();
+      const double step =
+        has ? sign * geometry.direction[axis][row] * geometry.spacing[axis] : (axis == row ? 1.0 : 0.0);
+      Set(header, SRows, step, 4 * row + axis);
     }
-    set(3, isPresent ? sign * geometry.origin[row] : 0.0);
+    Set(header, SRows, isPresent ? sign * geometry.origin[row] : 0.0, 4 * row + 3);
   }
 }
 
@@ -63,19 +70,18 @@ SetPlacement(std::string & header, const VolumeGeometry & geometry)
 std::string
 MakeNiftiHeader(const VolumeGeometry & geometry, const VoxelLayout & layout)
 {
-  using namespace NiftiFields;
-  constexpr char millimeters = 2;
-  std::string    header(static_cast<std::size_t>(MinimumDataOffset), '\0');
-  Set(header, SizeOfHeader, HeaderBytes);
+  constexpr int millimeters = 2;
+  std::string   header(static_cast<std::size_t>(Written.minimumDataOffset), '\0');
+  Set(header, SizeOfHeader, Written.headerBytes);
   SetSize(header, geometry);
   const auto type = std::find_if(
     DataTypes.begin(), DataTypes.end(), [&layout](const auto & known) { return known.second == layout.pixelType; });
   Set(header, DataType, type->first);
-  Set(header, BitsPerVoxel, static_cast<std::int16_t>(8 * GetTraits(layout.pixelType).bytes));
-  Set(header, VoxelOffset, static_cast<float>(MinimumDataOffset));
+  Set(header, BitsPerVoxel, 8 * GetTraits(layout.pixelType).bytes);
+  Set(header, VoxelOffset, Written.minimumDataOffset);
   Set(header, Units, millimeters);
   SetPlacement(header, geometry);
-  header.replace(Magic, 3, "n+1");
+  header.replace(Written.magic, Written.magicOfFile.size(), Written.magicOfFile);
   return header;
 }
 

@@ -14,8 +14,8 @@
 namespace medialvoxel
 {
 
-/** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), Zarr
- * (.zarr), TIFF (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
+/** Reads and checks the header of a volume: of one of the formats of VolumeFormats.cxx (TIFF when built with
+ * libtiff) or, with a description, a headerless file.
  *
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
  * ones: may be), and its place in space is within itk::MedialVoxelGridLimits.

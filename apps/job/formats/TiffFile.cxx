@@ -4,6 +4,8 @@
 
 #include "HeaderParsing.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <array>
 #include <cstdio>
 
@@ -45,20 +47,100 @@ TiffFile::NextDirectory()
   return true;
 }
 
-TiffRows
-TiffFile::GetRows() const
+std::uint64_t
+TiffFile::GetDirectoryOffset() const
 {
-  const auto height = this->Get<std::uint32_t>(TIFFTAG_IMAGELENGTH, 0);
-  return { height, std::min(height, this->Get<std::uint32_t>(TIFFTAG_ROWSPERSTRIP, height)) };
+  return TIFFCurrentDirOffset(m_Handle.get());
 }
 
 void
-TiffFile::ReadStrip(std::uint32_t strip, void * voxels, std::uint64_t numberOfBytes)
+TiffFile::SetDirectory(std::uint64_t offset)
 {
+  const bool isRead = TIFFSetSubDirectory(m_Handle.get(), offset) == 1;
+  this->CheckDirectory(isRead, "its directories are damaged");
+}
+
+TiffBands
+TiffFile::GetBands() const
+{
+  const auto width = this->Get<std::uint32_t>(TIFFTAG_IMAGEWIDTH, 0);
+  const auto height = this->Get<std::uint32_t>(TIFFTAG_IMAGELENGTH, 0);
+  if (TIFFIsTiled(m_Handle.get()) != 0)
+  {
+    return {
+      width, height, this->Get<std::uint32_t>(TIFFTAG_TILELENGTH, 0), this->Get<std::uint32_t>(TIFFTAG_TILEWIDTH, 0)
+    };
+  }
+  return { width, height, std::min(height, this->Get<std::uint32_t>(TIFFTAG_ROWSPERSTRIP, height)), 0 };
+}
+
+std::uint64_t
+TiffFile::GetBytesPerVoxel() const
+{
+  return this->Get<std::uint16_t>(TIFFTAG_BITSPERSAMPLE, 1) / 8u;
+}
+
+std::uint64_t
+TiffFile::GetBytesToRead(std::uint64_t band) const
+{
+  const TiffBands     bands = this->GetBands();
+  const std::uint64_t parts = bands.GetParts();
+  std::uint64_t       largest = 0;
+  for (std::uint64_t part = band * parts; part < (band + 1) * parts; ++part)
+  {
+    largest = std::max(largest, TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(part)));
+  }
+  return largest + this->GetBytesPerVoxel() * (bands.GetRows(band) * bands.width + bands.rows * bands.tileWidth);
+}
+
+std::uint64_t
+TiffFile::ReadBand(std::uint64_t band, char * voxels, std::uint64_t numberOfBytes)
+{
+  const TiffBands bands = this->GetBands();
+  if (bands.GetRows(band) * bands.width * this->GetBytesPerVoxel() != numberOfBytes)
+  {
+    this->Refuse("its slices changed while it was read");
+  }
+  const std::uint64_t parts = bands.GetParts();
+  std::uint64_t       packedBytes = 0;
+  for (std::uint64_t part = band * parts; part < (band + 1) * parts; ++part)
+  {
+    packedBytes += TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(part));
+  }
+  if (bands.tileWidth > 0)
+  {
+    this->ReadTiles(bands, band, voxels);
+    return packedBytes;
+  }
   const auto size = static_cast<tmsize_t>(numberOfBytes);
-  if (TIFFReadEncodedStrip(m_Handle.get(), strip, voxels, size) != size)
+  if (TIFFReadEncodedStrip(m_Handle.get(), static_cast<std::uint32_t>(band), voxels, size) != size)
   {
     this->Refuse("its compressed voxels are damaged or end early");
+  }
+  return packedBytes;
+}
+
+void
+TiffFile::ReadTiles(const TiffBands & bands, std::uint64_t band, char * voxels)
+{
+  const std::uint64_t bytesPerVoxel = this->GetBytesPerVoxel();
+  const std::uint64_t bytesPerTileRow = bands.tileWidth * bytesPerVoxel;
+  m_Tile.resize(bands.rows * bytesPerTileRow);
+  const auto size = static_cast<tmsize_t>(m_Tile.size());
+  for (std::uint64_t column = 0; column < bands.GetParts(); ++column)
+  {
+    itk::MedialVoxelPoll();
+    const auto tile = static_cast<std::uint32_t>(band * bands.GetParts() + column);
+    if (TIFFReadEncodedTile(m_Handle.get(), tile, m_Tile.data(), size) != size)
+    {
+      this->Refuse("its tiles are damaged or end early");
+    }
+    const std::uint64_t first = column * bands.tileWidth;
+    const std::uint64_t bytes = std::min(bands.tileWidth, bands.width - first) * bytesPerVoxel;
+    for (std::uint64_t row = 0; row < bands.GetRows(band); ++row)
+    {
+      std::copy_n(m_Tile.data() + row * bytesPerTileRow, bytes, voxels + (row * bands.width + first) * bytesPerVoxel);
+    }
   }
 }
 

@@ -10,23 +10,39 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <tiffio.h>
 
 namespace medialvoxel
 {
 
-/** How the rows of a slice are divided into strips. */
-struct TiffRows
+/** How a slice is divided into bands of rows, which are strips, or rows of tiles. */
+struct TiffBands
 {
+  std::uint64_t width{ 0 };
   std::uint64_t height{ 0 };
-  std::uint64_t perStrip{ 0 };
+  std::uint64_t rows{ 0 };      ///< of a band
+  std::uint64_t tileWidth{ 0 }; ///< 0: strips
 
-  /** Rows of a strip; the last one may have less than the others. */
   std::uint64_t
-  Of(std::uint64_t strip) const
+  GetCount() const
   {
-    return std::min(perStrip, height - std::min(height, strip * perStrip));
+    return rows == 0 ? 0 : (height + rows - 1) / rows;
+  }
+
+  /** Strips or tiles of a band. */
+  std::uint64_t
+  GetParts() const
+  {
+    return tileWidth == 0 ? 1 : (width + tileWidth - 1) / tileWidth;
+  }
+
+  /** Rows of a band; the last one may have less than the others. */
+  std::uint64_t
+  GetRows(std::uint64_t band) const
+  {
+    return std::min(rows, height - std::min(height, band * rows));
   }
 };
 
@@ -73,13 +89,25 @@ public:
     return m_Handle.get();
   }
 
-  TiffRows
-  GetRows() const;
+  /** Where the directory lies. */
+  std::uint64_t
+  GetDirectoryOffset() const;
 
-  /** Unpacks a strip into the byte order of the machine.
-   * \throw HeaderError Corrupt when it is damaged or has less than \a numberOfBytes */
+  /** Reads the directory that lies there. \throw HeaderError Corrupt when it is damaged. */
   void
-  ReadStrip(std::uint32_t strip, void * voxels, std::uint64_t numberOfBytes);
+  SetDirectory(std::uint64_t offset);
+
+  TiffBands
+  GetBands() const;
+
+  /** Memory that ReadBand() takes, with the voxels. */
+  std::uint64_t
+  GetBytesToRead(std::uint64_t band) const;
+
+  /** Unpacks the rows of a band into the byte order of the machine. Returns the bytes that it has in the file.
+   * \throw HeaderError Corrupt when it is damaged or has not \a numberOfBytes */
+  std::uint64_t
+  ReadBand(std::uint64_t band, char * voxels, std::uint64_t numberOfBytes);
 
 private:
   struct Closer
@@ -102,6 +130,12 @@ private:
   static int
   DropWarning(TIFF *, void *, const char *, const char *, va_list);
 
+  std::uint64_t
+  GetBytesPerVoxel() const;
+
+  void
+  ReadTiles(const TiffBands & bands, std::uint64_t band, char * voxels);
+
   /** What libtiff read of a directory was there. */
   void
   CheckDirectory(bool isRead, const char * what) const;
@@ -112,6 +146,7 @@ private:
   bool                          m_EndsEarly{ false };
   std::string                   m_Complaint; ///< the first one, which is the cause of those that follow
   std::unique_ptr<TIFF, Closer> m_Handle;
+  std::vector<char>             m_Tile;
 };
 
 } // end namespace medialvoxel

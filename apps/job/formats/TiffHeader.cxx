@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HeaderParsing.h"
 #include "Text.h"
+#include "TiffDescription.h"
 #include "TiffFile.h"
 
 #include "itkMedialVoxelFileRegion.h"
@@ -19,8 +20,23 @@ namespace
 /** No more slices than this are believed to be in a file that lists only the first. */
 constexpr std::int64_t MaximumUnlistedSlices = std::int64_t{ 1 } << 20;
 
-/** No way of packing makes one byte out of more than this many. */
-constexpr std::uint64_t MaximumRatio = 4096;
+/** Memory that a tile may take, however small the part of it is that a slice uses. */
+constexpr std::uint64_t MaximumBytesOfTile = std::uint64_t{ 1 } << 26;
+
+/** A way of packing that loses nothing and unpacks a part in little more memory than the part takes. */
+struct Packing
+{
+  std::uint16_t    number;
+  std::string_view name;
+  std::uint64_t    maximumRatio; ///< it makes one byte out of no more than this many
+};
+
+constexpr std::array<Packing, 6> Packings{ { { COMPRESSION_NONE, "none", 1 },
+                                             { COMPRESSION_LZW, "LZW", 4096 },
+                                             { COMPRESSION_ADOBE_DEFLATE, "Deflate", 4096 },
+                                             { COMPRESSION_DEFLATE, "Deflate", 4096 },
+                                             { COMPRESSION_PACKBITS, "PackBits", 4096 },
+                                             { COMPRESSION_ZSTD, "Zstandard", 32768 } } };
 
 /** What all slices share. */
 struct SliceFormat
@@ -30,12 +46,13 @@ struct SliceFormat
   std::uint16_t bits;
   std::uint16_t sampleFormat;
   std::uint16_t compression;
+  bool          isTiled;
 
   bool
   operator==(const SliceFormat & other) const
   {
     return width == other.width && height == other.height && bits == other.bits && sampleFormat == other.sampleFormat &&
-           compression == other.compression;
+           compression == other.compression && isTiled == other.isTiled;
   }
 };
 
@@ -46,13 +63,15 @@ GetFormat(const TiffFile & file)
            file.Get<std::uint32_t>(TIFFTAG_IMAGELENGTH, 0),
            file.Get<std::uint16_t>(TIFFTAG_BITSPERSAMPLE, 1),
            file.Get<std::uint16_t>(TIFFTAG_SAMPLEFORMAT, SAMPLEFORMAT_UINT),
-           file.Get<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE) };
+           file.Get<std::uint16_t>(TIFFTAG_COMPRESSION, COMPRESSION_NONE),
+           TIFFIsTiled(file.GetHandle()) != 0 };
 }
 
+template <typename TValue = std::uint16_t>
 void
-Require(const TiffFile & file, std::uint32_t tag, std::uint16_t value, const char * what)
+Require(const TiffFile & file, std::uint32_t tag, TValue value, const char * what)
 {
-  const auto found = file.Get<std::uint16_t>(tag, value);
+  const auto found = file.Get<TValue>(tag, value);
   if (found != value)
   {
     file.Refuse(std::string(what) + " (tag " + std::to_string(tag) + " is " + std::to_string(found) + ")");
@@ -62,32 +81,31 @@ Require(const TiffFile & file, std::uint32_t tag, std::uint16_t value, const cha
 void
 CheckVariant(const TiffFile & file)
 {
-  Require(file, TIFFTAG_SAMPLESPERPIXEL, 1, "only one value per voxel is read");
-  Require(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK, "only gray values that grow from black to white are read");
-  Require(file, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT, "only rows from top to bottom, and left to right, are read");
-  Require(file, TIFFTAG_FILLORDER, FILLORDER_MSB2LSB, "only bytes with the highest bit first are read");
-  if (TIFFIsTiled(file.GetHandle()) != 0)
-  {
-    file.Refuse("its slices are stored in tiles; only strips are read");
-  }
+  Require<std::uint16_t>(file, TIFFTAG_SAMPLESPERPIXEL, 1, "only one value per voxel is read");
+  Require<std::uint16_t>(
+    file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK, "only gray values that grow from black to white are read");
+  Require<std::uint16_t>(
+    file, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT, "only rows from top to bottom, and left to right, are read");
+  Require<std::uint16_t>(file, TIFFTAG_FILLORDER, FILLORDER_MSB2LSB, "only bytes with the highest bit first are read");
+  Require<std::uint32_t>(file, TIFFTAG_IMAGEDEPTH, 1, "only directories of one slice are read");
+  Require<std::uint32_t>(file, TIFFTAG_TILEDEPTH, 1, "only tiles of one slice are read");
   if ((file.Get<std::uint32_t>(TIFFTAG_SUBFILETYPE, 0) & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0)
   {
     file.Refuse("it has reduced images or masks beside its slices, which are not read");
   }
 }
 
-/** Those that unpack a strip in little more memory than the strip takes, and lose nothing. */
-void
-CheckCompression(const TiffFile & file, std::uint16_t compression)
+const Packing &
+FindPacking(const TiffFile & file, std::uint16_t compression)
 {
-  constexpr std::array<std::uint16_t, 5> known{
-    COMPRESSION_NONE, COMPRESSION_LZW, COMPRESSION_ADOBE_DEFLATE, COMPRESSION_DEFLATE, COMPRESSION_PACKBITS
-  };
-  if (std::find(known.begin(), known.end(), compression) == known.end() || TIFFIsCODECConfigured(compression) == 0)
+  const auto found =
+    std::find_if(Packings.begin(), Packings.end(), [&](const Packing & known) { return known.number == compression; });
+  if (found == Packings.end() || TIFFIsCODECConfigured(compression) == 0)
   {
     file.Refuse("its compression is number " + std::to_string(compression) +
-                "; only none, LZW, Deflate and PackBits are read");
+                "; only none, LZW, Deflate, PackBits and, with a libtiff that has it, Zstandard (50000) are read");
   }
+  return *found;
 }
 
 PixelType
@@ -109,19 +127,18 @@ GetPixelType(const TiffFile & file, const SliceFormat & format)
   return *type;
 }
 
-/** Millimeters; 1 where the file has none. */
+/** Millimeters along x and y; 1 where the file has none. */
 std::vector<double>
-GetSpacing(const TiffFile & file)
+GetSpacing(const TiffFile & file, const TiffDescription & description)
 {
   const auto   unit = file.Get<std::uint16_t>(TIFFTAG_RESOLUTIONUNIT, RESUNIT_NONE);
   const double x = static_cast<double>(file.Get<float>(TIFFTAG_XRESOLUTION, 1.0F));
   const double y = static_cast<double>(file.Get<float>(TIFFTAG_YRESOLUTION, 1.0F));
-  if ((unit != RESUNIT_INCH && unit != RESUNIT_CENTIMETER) || !(x > 0) || !(y > 0))
-  {
-    return { 1.0, 1.0 };
-  }
-  const double millimeters = unit == RESUNIT_INCH ? 25.4 : 10.0;
-  return { millimeters / x, millimeters / y };
+  const double known = unit == RESUNIT_INCH ? 25.4 : unit == RESUNIT_CENTIMETER ? 10.0 : 0.0;
+  const double millimeters = description.unit.value_or(known);
+  const bool   isTold = millimeters > 0 && x > 0 && y > 0;
+  return { description.spacing[0].value_or(isTold ? millimeters / x : 1.0),
+           description.spacing[1].value_or(isTold ? millimeters / y : 1.0) };
 }
 
 /** \class StackReader
@@ -158,16 +175,23 @@ private:
   {
     m_Format = GetFormat(m_File);
     CheckVariant(m_File);
-    CheckCompression(m_File, m_Format.compression);
+    m_Packing = FindPacking(m_File, m_Format.compression);
+    m_Description = ReadTiffDescription(m_File.Get<const char *>(TIFFTAG_IMAGEDESCRIPTION, ""));
+    if (!m_Description.refusal.empty())
+    {
+      m_File.Refuse(m_Description.refusal);
+    }
     if (itk::CheckedFileSize({ m_Format.width, m_Format.height, 8 }) == 0)
     {
       m_File.Refuse("a slice of " + FormatSize({ m_Format.width, m_Format.height }) + " voxels is empty or too large");
     }
     m_Header.pixelType = GetPixelType(m_File, m_Format);
-    m_Header.geometry.spacing = GetSpacing(m_File);
+    m_Header.geometry.spacing = GetSpacing(m_File, m_Description);
     m_Header.compressed = m_Format.compression != COMPRESSION_NONE;
+    m_Header.liesInRows = !m_Format.isTiled;
     // libtiff unpacks into the order of the machine.
-    m_Header.bigEndian = m_Header.compressed ? itk::MachineIsBigEndian() : TIFFIsBigEndian(m_File.GetHandle()) != 0;
+    m_IsUnpacked = m_Header.compressed || m_Format.isTiled;
+    m_Header.bigEndian = m_IsUnpacked ? itk::MachineIsBigEndian() : TIFFIsBigEndian(m_File.GetHandle()) != 0;
   }
 
   void
@@ -179,23 +203,46 @@ private:
       m_File.Refuse("its slices differ in size, type or compression");
     }
     TIFF * const        handle = m_File.GetHandle();
-    const std::uint32_t strips = TIFFNumberOfStrips(handle);
-    const TiffRows      rows = m_File.GetRows();
-    if (rows.perStrip == 0 || strips != (rows.height - 1) / rows.perStrip + 1)
+    const TiffBands     bands = m_File.GetBands();
+    const std::uint64_t parts = bands.GetCount() * bands.GetParts();
+    const std::uint32_t found = m_Format.isTiled ? TIFFNumberOfTiles(handle) : TIFFNumberOfStrips(handle);
+    if (parts == 0 || parts != found)
     {
-      m_File.Refuse("a slice of " + std::to_string(rows.height) + " rows has " + std::to_string(strips) +
-                    " strips of " + std::to_string(rows.perStrip) + " rows");
+      m_File.Refuse("a slice of " + FormatSize({ bands.width, bands.height }) + " voxels has " + std::to_string(found) +
+                    (m_Format.isTiled ? " tiles of " + FormatSize({ bands.tileWidth, bands.rows }) + " voxels"
+                                      : " strips of " + std::to_string(bands.rows) + " rows"));
     }
-    for (std::uint32_t strip = 0; strip < strips; ++strip)
+    for (std::uint32_t part = 0; part < found; ++part)
     {
-      this->AddStrip(TIFFGetStrileOffset(handle, strip),
-                     TIFFGetStrileByteCount(handle, strip),
-                     rows.Of(strip) * this->GetRowBytes());
+      this->AddPart(
+        TIFFGetStrileOffset(handle, part), TIFFGetStrileByteCount(handle, part), this->GetBytes(bands, part));
+    }
+    for (std::uint64_t band = 0; m_IsUnpacked && band < bands.GetCount(); ++band)
+    {
+      m_Header.unpackBytes = std::max(m_Header.unpackBytes, m_File.GetBytesToRead(band));
     }
   }
 
+  /** Of a strip, or of a tile, which is whole at the ends of a slice too. */
+  std::uint64_t
+  GetBytes(const TiffBands & bands, std::uint64_t part) const
+  {
+    if (!m_Format.isTiled)
+    {
+      return bands.GetRows(part) * this->GetRowBytes();
+    }
+    const std::uint64_t bytes =
+      itk::CheckedFileSize({ bands.tileWidth, bands.rows, GetTraits(m_Header.pixelType).bytes });
+    if (bytes == 0 || bytes > MaximumBytesOfTile)
+    {
+      m_File.Refuse("a tile of " + FormatSize({ bands.tileWidth, bands.rows }) + " voxels is empty or has more than " +
+                    FormatBytes(MaximumBytesOfTile));
+    }
+    return bytes;
+  }
+
   void
-  AddStrip(std::uint64_t offset, std::uint64_t packedBytes, std::uint64_t bytes)
+  AddPart(std::uint64_t offset, std::uint64_t packedBytes, std::uint64_t bytes)
   {
     const std::uint64_t size = m_Header.dataFileSize;
     // libtiff puts strips that a table does not list at 0, where the file has its own header.
@@ -204,16 +251,12 @@ private:
       m_File.Refuse("it has " + std::to_string(size) + " bytes; " + std::to_string(packedBytes) +
                     " bytes of voxels should lie at " + std::to_string(offset));
     }
-    if (bytes / (m_Header.compressed ? MaximumRatio : 1) > packedBytes || packedBytes == 0)
+    if (bytes / m_Packing.maximumRatio > packedBytes || packedBytes == 0)
     {
-      m_File.Refuse("a strip of " + std::to_string(packedBytes) + " bytes cannot hold " + std::to_string(bytes) +
-                    " bytes of voxels");
+      m_File.Refuse((m_Format.isTiled ? "a tile of " : "a strip of ") + std::to_string(packedBytes) +
+                    " bytes cannot hold " + std::to_string(bytes) + " bytes of voxels");
     }
-    if (m_Header.compressed)
-    {
-      m_Header.unpackBytes = std::max(m_Header.unpackBytes, packedBytes + bytes);
-    }
-    else
+    if (!m_IsUnpacked)
     {
       this->AddSegment(offset, bytes);
     }
@@ -239,15 +282,11 @@ private:
   std::uint64_t
   AddUnlistedSlices()
   {
-    constexpr std::string_view field = "\nimages=";
-    const std::string          text = m_File.Get<const char *>(TIFFTAG_IMAGEDESCRIPTION, "");
-    const size_t               begin = text.find(field);
-    if (text.rfind("ImageJ=", 0) != 0 || begin == std::string::npos)
+    if (m_Description.images.empty())
     {
       return 1;
     }
-    const size_t end = text.find('\n', begin + field.size());
-    const auto   images = ParseInteger(text.substr(begin + field.size(), end - begin - field.size()));
+    const std::optional<std::int64_t> images = ParseInteger(m_Description.images);
     if (!images || *images < 1 || *images > MaximumUnlistedSlices)
     {
       m_File.Refuse("its description has no valid number of images");
@@ -260,7 +299,7 @@ private:
     for (std::int64_t slice = 1; slice < *images; ++slice)
     {
       const itk::MedialVoxelFileSegment & known = m_Header.segments.back();
-      this->AddStrip(known.offset + known.numberOfBytes, bytes, bytes);
+      this->AddPart(known.offset + known.numberOfBytes, bytes, bytes);
     }
     return static_cast<std::uint64_t>(*images);
   }
@@ -272,12 +311,19 @@ private:
     geometry.size = { m_Format.width, m_Format.height };
     if (slices > 1)
     {
-      // The format has no distance of slices.
+      // The format itself has no distance of slices.
       geometry.size.push_back(slices);
-      geometry.spacing.push_back(1.0);
+      geometry.spacing.push_back(m_Description.spacing[2].value_or(1.0));
     }
     geometry.origin.assign(geometry.size.size(), 0.0);
     geometry.SetIdentityDirection();
+    // Tiles may lie in one place; without this, a small file could stand for a large volume.
+    const std::uint64_t bytes = slices * m_Format.height * this->GetRowBytes();
+    if (m_Format.isTiled && !m_Header.compressed && bytes > m_Header.dataFileSize)
+    {
+      m_File.Refuse("it has " + std::to_string(m_Header.dataFileSize) + " bytes, its voxels have " +
+                    std::to_string(bytes));
+    }
   }
 
   std::uint64_t
@@ -286,9 +332,12 @@ private:
     return std::uint64_t{ m_Format.width } * GetTraits(m_Header.pixelType).bytes;
   }
 
-  TiffFile     m_File;
-  SliceFormat  m_Format{};
-  VolumeHeader m_Header;
+  TiffFile        m_File;
+  SliceFormat     m_Format{};
+  Packing         m_Packing{};
+  bool            m_IsUnpacked{ false }; ///< by libtiff, which puts tiles together too
+  TiffDescription m_Description;
+  VolumeHeader    m_Header;
 };
 
 } // namespace

@@ -14,7 +14,7 @@ namespace
 {
 
 /** \class TiffStream
- * \brief Unpacks one strip after the other. */
+ * \brief Unpacks one strip, or row of tiles, after the other. */
 class TiffStream : public PartStream
 {
 public:
@@ -29,23 +29,20 @@ private:
   ReadPart(std::vector<char> & voxels) override
   try
   {
-    if (m_NextStrip == TIFFNumberOfStrips(m_File.GetHandle()))
+    if (m_NextBand == m_File.GetBands().GetCount())
     {
-      m_NextStrip = 0;
+      m_NextBand = 0;
       if (!m_File.NextDirectory())
       {
         m_File.Refuse("its slices became less while it was read");
       }
     }
-    const std::uint64_t packedBytes = TIFFGetStrileByteCount(m_File.GetHandle(), m_NextStrip);
-    const std::uint64_t bytes = m_File.GetRows().Of(m_NextStrip) * m_RowBytes;
-    if (bytes + packedBytes > m_MaximumBytes)
+    if (m_File.GetBytesToRead(m_NextBand) > m_MaximumBytes)
     {
-      m_File.Refuse("its strips became larger while it was read");
+      m_File.Refuse("its strips or tiles became larger while it was read");
     }
-    voxels.resize(bytes);
-    m_File.ReadStrip(m_NextStrip++, voxels.data(), bytes);
-    return packedBytes;
+    voxels.resize(m_File.GetBands().GetRows(m_NextBand) * m_RowBytes);
+    return m_File.ReadBand(m_NextBand++, voxels.data(), voxels.size());
   }
   catch (const HeaderError & error)
   {
@@ -55,7 +52,7 @@ private:
   TiffFile      m_File;
   std::uint64_t m_MaximumBytes;
   std::uint64_t m_RowBytes;
-  std::uint32_t m_NextStrip{ 0 };
+  std::uint64_t m_NextBand{ 0 };
 };
 
 } // namespace

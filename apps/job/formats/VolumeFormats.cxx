@@ -14,6 +14,7 @@
 #include "ZarrStream.h"
 #include "ZarrVolume.h"
 #ifdef MEDIALVOXEL_WITH_TIFF
+#  include "TiffImageIO.h"
 #  include "TiffStream.h"
 #endif
 
@@ -81,6 +82,16 @@ MakeNiftiRow()
            writer };
 }
 
+/** Headers whose voxels are in a file of their own are only read. */
+VolumeFormat
+MakeNiftiPairRow()
+{
+  return { "NIfTI",
+           { { ".hdr" } },
+           { ReadNiftiHeader, DataSizeCheck::AtLeast, OpenInflatedStream, MakeRawImageIO },
+           std::nullopt };
+}
+
 VolumeFormat
 MakeZarrRow()
 {
@@ -99,6 +110,28 @@ MakeZarrRow()
            writer };
 }
 
+VolumeFormat
+MakeMrcRow()
+{
+  return { "MRC",
+           { { ".mrc" }, { ".map" }, { ".rec" } },
+           { ReadMrcHeader, DataSizeCheck::AtLeast, OpenInflatedStream, MakeRawImageIO },
+           std::nullopt };
+}
+
+VolumeFormat
+MakeKeyedRow()
+{
+  std::vector<VolumeExtension> extensions;
+  for (const char * const extension : ListKeyedExtensions())
+  {
+    extensions.push_back({ extension });
+  }
+  return {
+    "VOL", extensions, { ReadKeyedHeader, DataSizeCheck::Exactly, OpenInflatedStream, MakeRawImageIO }, std::nullopt
+  };
+}
+
 /** The one place that knows all formats, in the order in which messages list them. */
 const std::vector<VolumeFormat> &
 GetFormats()
@@ -107,13 +140,16 @@ GetFormats()
     MakeMetaImageRow(),
     MakeNrrdRow(),
     MakeNiftiRow(),
+    MakeNiftiPairRow(),
     MakeZarrRow(),
 #ifdef MEDIALVOXEL_WITH_TIFF
     { "TIFF",
       { { ".tif" }, { ".tiff" } },
-      { ReadTiffHeader, DataSizeCheck::ByReader, OpenTiffStream, MakeRawImageIO },
+      { ReadTiffHeader, DataSizeCheck::ByReader, OpenTiffStream, MakeTiffImageIO },
       std::nullopt },
 #endif
+    MakeMrcRow(),
+    MakeKeyedRow(),
   };
   return formats;
 }
@@ -216,6 +252,20 @@ ListInputExtensions()
     }
   }
   return extensions;
+}
+
+std::vector<std::string>
+ListInputFormats()
+{
+  std::vector<std::string> names;
+  for (const VolumeFormat & format : GetFormats())
+  {
+    if (names.empty() || names.back() != format.name) // some have several rows
+    {
+      names.emplace_back(format.name);
+    }
+  }
+  return names;
 }
 
 std::vector<std::string>

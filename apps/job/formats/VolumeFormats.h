@@ -117,6 +117,10 @@ FindOutputFormat(const std::filesystem::path & fileName);
 std::vector<std::string>
 ListInputExtensions();
 
+/** Names of the formats that are read. */
+std::vector<std::string>
+ListInputFormats();
+
 /** Extensions of the volumes that are written: those of formats that have so many components. */
 std::vector<std::string>
 ListOutputExtensions(unsigned int components = 1);

@@ -420,6 +420,7 @@ ReadZarrHeader(const Path & folder)
   header.pixelType = array.grid.layout.pixelType;
   header.bigEndian = array.bigEndian;
   header.compressed = array.compression != ZarrCompression::None;
+  header.liesInRows = false;
   header.unpackBytes = header.compressed ? GetUnpackBytes(array.grid) : 0;
   return header;
 }

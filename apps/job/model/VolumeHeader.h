@@ -87,9 +87,11 @@ struct VolumeHeader
 
   /** Of uncompressed voxels that lie in several places or files, one after the other; empty: they lie in one place. */
   std::vector<itk::MedialVoxelFileSegment> segments;
-  std::optional<ValueScale>                scale; ///< of the numbers in the file; none: they are the values
+  bool                      liesInRows{ true }; ///< so that several threads read it at once; not in tiles or chunks
+  std::optional<ValueScale> scale;              ///< of the numbers in the file; none: they are the values
 
-  /** Memory that unpacking takes beside the bits and a few MiB: the largest strip of a TIFF, a layer of a Zarr. */
+  /** Memory that reading takes beside voxels or bits and a few MiB: the largest strip of a compressed TIFF, a row of
+   * its tiles, a layer of a compressed Zarr. */
   std::uint64_t unpackBytes{ 0 };
 
   /** Of a volume that is resampled while it is read: what is in the file. */

@@ -75,7 +75,7 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t  pull = InputVolume::IsReadInParallel(header)
                                 ? plan.threads * InputVolume::BytesPerPart
                                 : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
-  const std::uint64_t  unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
+  const std::uint64_t  unpacking = header.unpackBytes + (isMask ? BytesOfUnpacking : 0);
   const std::uint64_t  resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
   const std::uint64_t  writing = plan.writesBehind ? BytesOfWriting : 0;

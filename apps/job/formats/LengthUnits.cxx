@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "LengthUnits.h"
+
+#include "Text.h"
+
+#include <algorithm>
+#include <array>
+
+namespace medialvoxel
+{
+namespace
+{
+
+struct Unit
+{
+  const char * name; ///< in lower case
+  double       millimeters;
+};
+
+constexpr std::array<Unit, 21> Units{
+  { { "m", 1e3 },          { "meter", 1e3 },    { "cm", 10.0 },         { "centimeter", 10.0 }, { "mm", 1.0 },
+    { "millimeter", 1.0 }, { "um", 1e-3 },      { "\u00b5m", 1e-3 }, // micro sign
+    { "\u03bcm", 1e-3 },                                             // Greek letter mu
+    { "\xb5m", 1e-3 },                                               // micro sign of Latin-1
+    { "\\u00b5m", 1e-3 },                                            // as ImageJ writes it
+    { "&#181;m", 1e-3 },                                             // as XML may write it
+    { "micron", 1e-3 },    { "microns", 1e-3 }, { "micrometer", 1e-3 }, { "nm", 1e-6 },         { "nanometer", 1e-6 },
+    { "angstrom", 1e-7 },  { "\u00c5", 1e-7 },  { "in", 25.4 },         { "inch", 25.4 } }
+};
+
+} // namespace
+
+std::optional<double>
+GetMillimeters(const std::string & unit)
+{
+  const std::string lower = ToLower(unit);
+  const auto        found =
+    std::find_if(Units.begin(), Units.end(), [&lower](const Unit & known) { return lower == known.name; });
+  return found == Units.end() ? std::nullopt : std::optional<double>(found->millimeters);
+}
+
+} // end namespace medialvoxel
