@@ -308,7 +308,11 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
 {
   AddThickness(app, options);
   AddObjectOptions(app, options);
+  AddText(app, "--labels", "Each value is an object: all, or L1,L2,...", "LIST", [&](const std::string & text) {
+    options.labels = ParseLabelSelection(text);
+  });
   const std::string group = "Further outputs";
+  AddFile(app, "--objects", "With --labels: the label of each cell's object", options.objectFile)->group(group);
   AddFile(app, "--vectors", "Vectors to the nearest boundary point", options.vectorFile)->group(group);
   AddChoice<itk::MedialVoxelBoundary>(
     line, app, "--vector-boundary", "Boundary that they lead to", "KIND", options.vectorBoundary, Boundaries)

@@ -31,6 +31,14 @@ ListOptionDetails()
     { "", "--upper", "Values of at most U are object." },
     { "", "--label", "From -2^63 to 2^64 - 1. Not with --lower and --upper." },
     { "",
+      "--labels",
+      "Objects that touch are kept apart, and each has a row in the report. all: every value but 0, at most 65535. "
+      "Labels of cells are those of runs with one --label at a time, put together." },
+    { "",
+      "--objects",
+      "Of the type of the input, on the grid of the labels. A cell that is medial for several objects has the smallest "
+      "label." },
+    { "",
       "--vectors",
       "32-bit real components x, y, z at object voxels, 0 elsewhere; in units of the spacing, along the axes of "
       "space." },

@@ -54,6 +54,19 @@ AddSmallComponents(TextTable & table, const itk::MedialVoxelCounts & counts)
 }
 
 void
+AddLabelMap(TextTable & table, const JobResult & result)
+{
+  if (result.objects)
+  {
+    const LabelMapSummary & summary = *result.objects;
+    table.emplace_back("objects",
+                       std::to_string(summary.objects.size()) + " in " + std::to_string(summary.passes) +
+                         (summary.passes == 1 ? " pass, " : " passes, ") + std::to_string(summary.sharedCells) +
+                         " cells medial for several");
+  }
+}
+
+void
 AddThickness(TextTable & table, const ExtractOptions & options, const JobResult & result)
 {
   if (result.thickness && result.thickness->cells > 0)
@@ -106,6 +119,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("resolution", FormatSize(result.input.geometry.size));
   table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options)));
   AddObject(table, options, result);
+  AddLabelMap(table, result);
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
   AddNotANumber(table, result.sums.counts);
   AddSmallComponents(table, counts);

@@ -45,6 +45,10 @@ RefuseUnsupported(const ExtractOptions & options)
       refuse(kind.refusal->what, kind.refusal->remedy);
     }
   }
+  if (options.labels)
+  {
+    refuse("labels of several objects", "run medialvoxel extract without --resume, or a job for each --label");
+  }
   if (options.sparse)
   {
     refuse("sparse outputs, whose space is not reserved and may be missing when most is done,",

@@ -4,14 +4,13 @@
 
 #include "MaskInput.h"
 #include "ObjectValues.h"
-#include "ValueReader.h"
+#include "ReaderPool.h"
 #include "VolumeFormats.h"
 
 #include "itkMedialVoxelEngineClient.h"
 #include "itkMedialVoxelProgress.h"
 
-#include <mutex>
-#include <utility>
+#include <chrono>
 #include <vector>
 
 namespace medialvoxel
@@ -36,87 +35,43 @@ class StreamedInput : public InputVolume
 public:
   StreamedInput(const VolumeHeader & header, const JobOptions & options)
     : InputVolume(GetTraits(header.pixelType).bytes)
-    , m_Header(header)
+    , m_PixelType(header.pixelType)
     , m_Options(options)
-    , m_IsParallel(IsReadInParallel(header))
-  {
-    m_Readers.push_back(MakeValueReader(m_Header, GetInterpolation(m_Options)));
-    m_FreeLanes.push_back({ m_Readers.front().get(), {} });
-  }
+    , m_Readers(header, GetInterpolation(options))
+  {}
 
   /** Resampling has threads of its own. */
   itk::MedialVoxelSourceThreads
   GetSourceThreads() const override
   {
-    return m_IsParallel ? itk::MedialVoxelSourceThreads::Several : itk::MedialVoxelSourceThreads::Calling;
+    return m_Readers.IsParallel() ? itk::MedialVoxelSourceThreads::Several : itk::MedialVoxelSourceThreads::Calling;
   }
 
   std::uint64_t
   GetNumberOfBytesRead() const override
   {
-    std::uint64_t bytes = 0;
-    for (const auto & reader : m_Readers)
-    {
-      bytes += reader->GetNumberOfBytesRead();
-    }
-    return bytes;
+    return m_Readers.GetNumberOfBytesRead();
   }
 
 protected:
   std::vector<itk::MedialVoxelBox>
   CutIntoParts(const itk::MedialVoxelBox & box) const override
   {
-    const auto bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * this->GetBytesPerVoxel();
-    if (!m_IsParallel || bytesPerSlice <= BytesPerPart)
-    {
-      return InputVolume::CutIntoParts(box);
-    }
-    std::vector<itk::MedialVoxelBox> parts;
-    for (itk::MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
-    {
-      slice.upper[2] = slice.lower[2] + 1;
-      const auto rows = InputVolume::CutIntoParts(slice);
-      parts.insert(parts.end(), rows.begin(), rows.end());
-    }
-    return parts;
+    return m_Readers.CutIntoParts(box);
   }
 
   void
   FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) override
   {
-    Lane lane = this->TakeLane();
-    lane.values.resize(static_cast<std::size_t>(part.NumberOfVoxels()) * this->GetBytesPerVoxel());
-    this->MeasureReading([&] { lane.reader->Read(part, lane.values.data()); });
-    DispatchPixelType(m_Header.pixelType, [&](auto zero) {
-      this->Pack(reinterpret_cast<const decltype(zero) *>(lane.values.data()), part, targets);
+    const auto start = std::chrono::steady_clock::now();
+    m_Readers.Read(part, [&](const std::byte * values) {
+      this->AddReadSeconds(start);
+      DispatchPixelType(
+        m_PixelType, [&](auto zero) { this->Pack(reinterpret_cast<const decltype(zero) *>(values), part, targets); });
     });
-    const std::lock_guard<std::mutex> lock(m_Mutex);
-    m_FreeLanes.push_back(std::move(lane));
   }
 
 private:
-  /** What a thread needs to read. */
-  struct Lane
-  {
-    ValueReader *          reader{ nullptr };
-    std::vector<std::byte> values; // of a part
-  };
-
-  /** The lane that was used last goes on, so that one thread reads ahead in the file. */
-  Lane
-  TakeLane()
-  {
-    const std::lock_guard<std::mutex> lock(m_Mutex);
-    if (m_FreeLanes.empty())
-    {
-      m_Readers.push_back(MakeValueReader(m_Header, GetInterpolation(m_Options)));
-      return { m_Readers.back().get(), {} };
-    }
-    Lane lane = std::move(m_FreeLanes.back());
-    m_FreeLanes.pop_back();
-    return lane;
-  }
-
   template <typename TValue>
   void
   Pack(const TValue * values, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const
@@ -136,12 +91,9 @@ private:
     }
   }
 
-  VolumeHeader                              m_Header;
-  JobOptions                                m_Options;
-  bool                                      m_IsParallel;
-  std::mutex                                m_Mutex; // of what follows
-  std::vector<std::unique_ptr<ValueReader>> m_Readers;
-  std::vector<Lane>                         m_FreeLanes;
+  PixelType  m_PixelType;
+  JobOptions m_Options;
+  ReaderPool m_Readers;
 };
 
 } // namespace

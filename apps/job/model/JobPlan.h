@@ -52,6 +52,7 @@ struct JobPlan
 
   ScratchSpace          growingScratch; ///< of files that grow with the results, as planned
   std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
+  std::uint64_t         maskBytes{ 0 }; ///< of a volume that does not stream
   std::uint64_t         diskBytes{ 0 }; ///< of all outputs; with sparse outputs the most they can grow to
 
   SliceRange

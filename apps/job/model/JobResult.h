@@ -5,6 +5,7 @@
 
 #include "JobPlan.h"
 #include "NamedCounts.h"
+#include "ObjectSummary.h"
 #include "OutputRequest.h"
 #include "SurfaceSummary.h"
 #include "ThicknessSummary.h"
@@ -40,6 +41,7 @@ struct JobResult
   itk::MedialVoxelSums                 sums;
   std::optional<itk::MedialVoxelLimit> otsu;      ///< lower threshold, when it was measured
   std::optional<ThicknessSummary>      thickness; ///< of an extraction
+  std::optional<LabelMapSummary>       objects;   ///< of a label map
   std::optional<SurfaceSummary>        surface;   ///< when a mesh was asked for
   std::vector<Warning>                 warnings;
   JobSeconds                           seconds;

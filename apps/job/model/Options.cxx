@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 namespace medialvoxel
 {
@@ -118,6 +119,28 @@ CheckJobOptions(const JobOptions & options)
   }
 }
 
+/** Objects of a label map have no other description, and not all outputs. */
+void
+CheckLabelOptions(const ExtractOptions & options)
+{
+  const std::pair<const char *, bool> others[] = {
+    { "a label", options.label.has_value() },
+    { "a threshold", options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu },
+    { "sub-voxel measures", options.subVoxel },
+    { "vectors", !options.vectorFile.empty() },
+    { "distances", !options.distanceFile.empty() },
+    { "a mesh", !options.meshFile.empty() },
+    { "return parameters", !options.returnParameterFile.empty() },
+  };
+  for (const auto & [name, isGiven] : others)
+  {
+    if (isGiven)
+    {
+      Fail(ExitStatus::Usage, "the labels of several objects and ", name, " are asked for; they do not go together");
+    }
+  }
+}
+
 } // namespace
 
 std::optional<LabelValue>
@@ -132,6 +155,33 @@ ParseLabel(const std::string & text)
   }
   std::int64_t negative = 0;
   return isWhole(std::from_chars(text.data(), end, negative)) ? std::optional<LabelValue>(negative) : std::nullopt;
+}
+
+LabelSelection
+ParseLabelSelection(const std::string & text)
+{
+  if (text == "all")
+  {
+    return { true, {} };
+  }
+  LabelSelection     selection;
+  std::istringstream stream(text + ",");
+  for (std::string word; std::getline(stream, word, ',');)
+  {
+    const std::optional<LabelValue>   label = ParseLabel(word);
+    const std::optional<std::int64_t> value = label ? ConvertLabel<std::int64_t>(*label) : std::nullopt;
+    if (!value || *value == 0)
+    {
+      Fail(ExitStatus::Usage,
+           "'",
+           word,
+           "' is not a label; give all, or whole numbers other than 0 from -2^63 to 2^63 - 1 with commas between them");
+    }
+    selection.values.push_back(*value);
+  }
+  std::sort(selection.values.begin(), selection.values.end());
+  selection.values.erase(std::unique(selection.values.begin(), selection.values.end()), selection.values.end());
+  return selection;
 }
 
 std::string
@@ -200,6 +250,10 @@ CheckOptions(const ExtractOptions & options)
   if (options.minimumBranchLength != 0)
   {
     CheckPositive("the minimum branch length", options.minimumBranchLength, false);
+  }
+  if (options.labels)
+  {
+    CheckLabelOptions(options);
   }
   if (options.subVoxel && !options.lowerThreshold && !options.upperThreshold && !options.lowerIsOtsu)
   {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -28,6 +29,17 @@ FormatLabel(const LabelValue & label);
 
 /** In place of a file name: write it to the standard output. */
 constexpr const char * StandardOutput = "-";
+
+/** Values of a label map that are objects of their own. */
+struct LabelSelection
+{
+  bool                      all{ false }; ///< all but 0
+  std::vector<std::int64_t> values;       ///< otherwise these, none of them 0
+};
+
+/** "all", or labels with commas between them. \throw JobError Usage for other texts. */
+LabelSelection
+ParseLabelSelection(const std::string & text);
 
 /** What every job on a volume is told. Empty file names mean: not wanted. */
 struct JobOptions
@@ -77,6 +89,9 @@ struct ExtractOptions : JobOptions
   /** Voxels of the largest pores and grains that are taken for noise, up to LargestPoreSize; unset: 32 with the
    * automatic thickness, otherwise 0, for none. */
   std::optional<std::uint64_t> maximumPoreSize;
+
+  std::optional<LabelSelection> labels;     ///< each of these values is an object of its own, without thresholds
+  std::string                   objectFile; ///< label of the object of each cell, of the type of the input
 
   std::string              vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary vectorBoundary{ itk::MedialVoxelBoundary::Object };

@@ -18,7 +18,8 @@ namespace medialvoxel
 enum class VolumeFiller
 {
   Extraction,
-  Distance
+  Distance,
+  Objects ///< the passes over a label map together
 };
 
 /** A file that a job is to write. */

@@ -29,6 +29,14 @@ WriteLabels(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
   tile.WriteLabels(static_cast<std::uint8_t *>(target.first), target.strides);
 }
 
+/** What the values of the input are. */
+VoxelLayout
+GetObjectLayout(const VolumeHeader & input)
+{
+  const VolumeHeader & stored = input.GetStored();
+  return { stored.scale ? PixelType::Float64 : stored.pixelType, 1 };
+}
+
 VoxelLayout
 GetThicknessLayout(const VolumeHeader &)
 {
@@ -84,6 +92,8 @@ constexpr VolumeKind Labels{ WriteLabels, Extraction, true, GetLabelLayout };
 constexpr VolumeKind Thicknesses{ WriteThickness, Extraction, true, GetThicknessLayout, true };
 constexpr VolumeKind Distances{ WriteDistances, Distance, false, GetDistanceLayout };
 
+constexpr VolumeKind Objects{ nullptr, VolumeFiller::Objects, true, GetObjectLayout };
+
 constexpr VolumeKind
 MakeVectors(VolumeFiller filler)
 {
@@ -106,6 +116,15 @@ MakeFileKind(const char * role,
              const char *                  name)
 {
   return { role, option, role, std::nullopt, std::move(extensions), name };
+}
+
+/** Of volumes that a job of several processes does not make. */
+ExtractKind
+MakeObjectKind()
+{
+  ExtractKind kind{ "objects", &ExtractOptions::objectFile, nullptr, Objects };
+  kind.refusal = { "a map of objects", "run medialvoxel extract" };
+  return kind;
 }
 
 /** Of what a job of several processes does not make. */
@@ -177,6 +196,7 @@ ListOutputKinds(const ExtractOptions &)
 {
   static const std::vector<ExtractKind> kinds{
     { "labels", &ExtractOptions::output, "output", Labels },
+    MakeObjectKind(),
     { "vectors", &ExtractOptions::vectorFile, "vectors", MakeVectors(Extraction) },
     { "distance", &ExtractOptions::distanceFile, "distance", Distances },
     { "thickness_map", &ExtractOptions::thicknessFile, "thickness_map", Thicknesses },

@@ -140,6 +140,22 @@ GetThreadEfficiency(const JobResult & result)
   return possible > 0.0 ? Json(result.sums.threadSeconds / possible) : Json(nullptr);
 }
 
+/** Of each object of a label map. */
+Json
+MakeObjects(const LabelMapSummary & summary)
+{
+  Json objects = Json::array();
+  for (const ObjectSummary & object : summary.objects)
+  {
+    objects.push_back({ { "label", object.label },
+                        { "voxels", object.voxels },
+                        { "candidate_cells", object.candidateCells },
+                        { "medial_cells", object.medialCells },
+                        { "thickness", MakeThickness(object.thickness) } });
+  }
+  return objects;
+}
+
 void
 AddRun(Json & report, const JobResult & result)
 {
@@ -196,6 +212,10 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
     parameters["maximum_thickness"] = limits.maximum;
   }
   AddObject(parameters, options, result);
+  if (options.labels)
+  {
+    parameters["labels"] = options.labels->all ? Json("all") : Json(options.labels->values);
+  }
   parameters["maximum_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
   parameters["sub_voxel"] = options.subVoxel;
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
@@ -215,6 +235,12 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["counts"] = MakeCounts(result.sums.counts);
   report["percent"] = MakePercent(result.sums.counts);
   report["thickness"] = MakeThickness(result.thickness);
+  if (result.objects)
+  {
+    report["passes"] = result.objects->passes;
+    report["shared_cells"] = result.objects->sharedCells;
+    report["objects"] = MakeObjects(*result.objects);
+  }
   if (result.surface)
   {
     report["mesh"] = { { "vertices", result.surface->vertices },

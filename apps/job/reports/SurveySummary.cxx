@@ -52,12 +52,18 @@ MakeStatistics(const LengthHistogram & histogram)
 ThicknessSummary
 Summarize(const Survey & survey)
 {
-  const LengthHistogram & histogram = survey.GetThickness();
-  const LengthHistogram & byArea = survey.GetThicknessByArea();
+  return Summarize({ survey.GetThickness(), survey.GetThicknessByArea(), survey.GetRimCells() }, survey);
+}
+
+ThicknessSummary
+Summarize(const ThicknessSums & sums, const Survey & survey)
+{
+  const LengthHistogram & histogram = sums.thickness;
+  const LengthHistogram & byArea = sums.area;
   ThicknessSummary        summary;
   static_cast<ThicknessStatistics &>(summary) = MakeStatistics(histogram);
   summary.cells = histogram.GetTotal();
-  summary.rimCells = survey.GetRimCells();
+  summary.rimCells = sums.rimCells;
   summary.step = survey.GetStep();
   summary.resolution = histogram.GetBinWidth();
   summary.minimum = histogram.GetMinimum();

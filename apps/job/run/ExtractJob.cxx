@@ -81,6 +81,12 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     footprint.surplus = { SurfaceMesh::MostBytesPerVoxel, SurfaceMesh::PlannedBytesPerVoxel };
     footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
   }
+  if (options.labels)
+  {
+    footprint.bytesPerVoxel += footprint.bytesPerVoxel + ObjectUnion::BytesPerVoxel;
+    footprint.bytesBeside += ObjectSurvey::BytesPerObject * options.labels->values.size();
+    footprint.maskBits = LabelMap::UnpackedBits;
+  }
   AddEngine(footprint, header, extraction);
   AddOutputs(footprint, options, header, ListOutputs(options, header));
   if (!options.distanceFile.empty())
@@ -134,6 +140,7 @@ public:
       m_Result.sums += m_Run.Run(m_Result.plan.GetPiece(piece), m_Result.plan.GetNextPiece(piece));
     }
     m_Run.Wait();
+    m_Result.objects = m_Run.SummarizeObjects();
     CheckCounts(m_Result.sums.counts);
     const auto finishStart = JobClock::now();
     JobEnd     end;

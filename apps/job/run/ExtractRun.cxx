@@ -29,8 +29,30 @@ MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
   return extraction;
 }
 
+namespace
+{
+
+std::uint64_t
+GetMaximumPoreSize(const ExtractOptions & options, const JobResult & job)
+{
+  return GetParameters(options, GetGrid(options, job.input)).maximumPoreSize;
+}
+
+std::unique_ptr<InputVolume>
+OpenInput(const ExtractOptions & options, const JobResult & job)
+{
+  if (options.labels)
+  {
+    return std::make_unique<LabelMap>(
+      job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.scratchFolder);
+  }
+  return OpenInputVolume(job.input, options, job.plan.scratchFolder);
+}
+
+} // namespace
+
 ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, ProgressSink & sink)
-  : m_Input(OpenInputVolume(job.input, options, job.plan.scratchFolder))
+  : m_Input(OpenInput(options, job))
   , m_Loop(job.plan, job.input, options.distanceFile.empty() ? 1 : 2, sink)
   , m_Survey(job.input.geometry, GetGrid(options, job.input), GetSurveySettings(options))
   , m_Writer(job.plan.writesBehind)
@@ -47,13 +69,24 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   {
     m_DistanceEngine = makeEngine(itk::MedialVoxelDistanceMap{});
   }
+  if (options.labels)
+  {
+    m_Objects = std::make_unique<LabelMapRun>(
+      static_cast<LabelMap &>(*m_Input), job.input.geometry, GetMaximumPoreSize(options, job), m_Survey);
+    m_Engine->AddObserver(m_Objects->GetObserver());
+  }
 }
 
 void
 ExtractRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 {
+  if (request.filler == VolumeFiller::Objects)
+  {
+    m_Objects->GetUnion().AddObjects(request, volume);
+    return;
+  }
   PieceEngine & engine = request.filler == VolumeFiller::Extraction ? *m_Engine : *m_DistanceEngine;
-  engine.AddVolume(request, volume);
+  engine.AddVolume(request, m_Objects ? m_Objects->GetUnion().AddVolume(request, volume) : volume);
 }
 
 void
@@ -73,11 +106,19 @@ ExtractRun::Prepare()
 {
   m_Engine->AddObserver(m_Survey);
   m_Loop.Prepare(*m_Input);
+  if (m_Objects)
+  {
+    m_Loop.SetRunsPerPiece(m_Objects->GetNumberOfPasses());
+  }
 }
 
 itk::MedialVoxelSums
 ExtractRun::Run(const SliceRange & range, const SliceRange & nextRange)
 {
+  if (m_Objects)
+  {
+    return m_Objects->Run(m_Loop, *m_Engine, range, m_Writer);
+  }
   itk::MedialVoxelSums sums = m_Loop.Run(*m_Engine, range, nextRange, m_Writer);
   if (m_DistanceEngine)
   {
@@ -86,6 +127,12 @@ ExtractRun::Run(const SliceRange & range, const SliceRange & nextRange)
     sums += distances;
   }
   return sums;
+}
+
+std::optional<LabelMapSummary>
+ExtractRun::SummarizeObjects() const
+{
+  return m_Objects ? std::optional<LabelMapSummary>(m_Objects->Summarize()) : std::nullopt;
 }
 
 void

@@ -4,12 +4,14 @@
 #define medialvoxelExtractRun_h
 
 #include "JobResult.h"
+#include "LabelMapRun.h"
 #include "OutputSet.h"
 #include "PieceLoop.h"
 #include "Survey.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace medialvoxel
@@ -63,6 +65,10 @@ public:
   DropEngines();
 
 
+  /** What was found of the objects of a label map; nothing for other volumes. */
+  std::optional<LabelMapSummary>
+  SummarizeObjects() const;
+
   Survey &
   GetSurvey()
   {
@@ -94,7 +100,8 @@ private:
   std::unique_ptr<PieceEngine> m_Engine;
   std::unique_ptr<PieceEngine> m_DistanceEngine; ///< null when no distances are wanted
   Survey                       m_Survey;
-  WriteBehind                  m_Writer; // ends before what it writes
+  std::unique_ptr<LabelMapRun> m_Objects; ///< of a label map
+  WriteBehind                  m_Writer;  // ends before what it writes
 };
 
 } // end namespace medialvoxel

@@ -77,7 +77,7 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
                                 : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  unpacking = header.unpackBytes + (isMask ? BytesOfUnpacking : 0);
   const std::uint64_t  resampling = header.stored ? EstimateResampling(header) : 0;
-  const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
+  const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? plan.maskBytes : 0;
   const std::uint64_t  writing = plan.writesBehind ? BytesOfWriting : 0;
   return BytesOfProgram + BytesPerThread * plan.threads + writing + std::min(pull, voxels * bytesPerVoxel) + mask +
          unpacking + resampling + request.footprint.bytesBeside;
@@ -261,6 +261,7 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   plan.numberOfSlices = header.geometry.size.back();
   plan.bytesPerSlice = header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
   plan.numberOfEngines = footprint.engines.size();
+  plan.maskBytes = header.CanStream() ? 0 : GetBitStoreBytes(header.geometry.GetNumberOfVoxels() * footprint.maskBits);
   plan.memoryLimit = std::min(wanted, GetRestOfLimits());
   bool fits = TryScratch(plan, request);
   if (!fits && !options.threads)

@@ -89,6 +89,13 @@ public:
   PieceResults
   Run(const SliceRange & slices, const SliceRange & nextSlices);
 
+  /** Forgets what it knows of the input, which is another one from now on. */
+  void
+  DropWindow()
+  {
+    m_Engine.reset();
+  }
+
   /** Gives back the memory of the results. */
   void
   Release();

@@ -57,7 +57,7 @@ PieceLoop::GetObserver()
   return [this](double fraction) {
     m_FractionOfPiece = fraction;
     const double slices = static_cast<double>(m_DoneSlices) + fraction * static_cast<double>(m_SlicesOfPiece);
-    const double done = slices / static_cast<double>(m_SlicesToDo * m_EnginesPerPiece);
+    const double done = slices / static_cast<double>(m_SlicesToDo * m_EnginesPerPiece * m_RunsPerPiece);
     m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation) * done);
     return m_Sink.IsStopRequested();
   };

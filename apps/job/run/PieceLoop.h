@@ -49,6 +49,13 @@ public:
     m_SlicesToDo = slices;
   }
 
+  /** For the progress, when each piece is given to an engine several times. */
+  void
+  SetRunsPerPiece(unsigned int runs)
+  {
+    m_RunsPerPiece = runs;
+  }
+
 private:
   itk::MedialVoxelSums
   RunSlices(PieceEngine & engine, const SliceRange & slices, const SliceRange & nextSlices, WriteBehind & writer);
@@ -65,6 +72,7 @@ private:
   std::uint64_t  m_SlicesToDo;
   std::uint64_t  m_VoxelsPerSlice;
   unsigned int   m_EnginesPerPiece;
+  unsigned int   m_RunsPerPiece{ 1 };
   ProgressSink & m_Sink;
   InputVolume *  m_Input{ nullptr };
   double         m_ShareOfPreparation{ 0.0 };

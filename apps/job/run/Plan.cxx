@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Plan.h"
 
-#include "BitStore.h"
 #include "MemoryPlan.h"
 #include "ReadVolumeHeader.h"
 #include "Text.h"
@@ -117,7 +116,7 @@ DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vecto
                        " voxels, up to " + FormatBytes(plan.memoryLimit) + " for thicker ones");
   if (!header.CanStream())
   {
-    const std::string mask = FormatBytes(GetBitStoreBytes(header.geometry.GetNumberOfVoxels()));
+    const std::string mask = FormatBytes(plan.maskBytes);
     table.emplace_back("mask",
                        mask + (plan.scratchFolder.empty() ? " in memory" : " in " + plan.scratchFolder.string()));
   }

@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "LabelMap.h"
+
+#include "BitStore.h"
+#include "LabelSurvey.h"
+#include "ReaderPool.h"
+#include "Text.h"
+#include "ValueStream.h"
+
+#include "itkMedialVoxelEngineClient.h"
+#include "itkMedialVoxelObjectPredicate.h"
+
+#include <algorithm>
+#include <cstring>
+#include <mutex>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** 1 along unused axes. */
+itk::MedialVoxelIndex
+GetSize(const VolumeHeader & header)
+{
+  itk::MedialVoxelIndex size{ { 1, 1, 1 } };
+  std::copy(header.geometry.size.begin(), header.geometry.size.end(), size.begin());
+  return size;
+}
+
+} // namespace
+
+/** \class LabelMap::Source
+ * \brief Where the objects of a box come from. */
+class LabelMap::Source
+{
+public:
+  virtual ~Source() = default;
+
+  /** Shows all values to a survey, once. */
+  virtual void
+  Show(LabelSurvey & survey, const ReadObserver & observer) = 0;
+
+  /** Learns the objects before the first box. */
+  virtual void
+  Learn(const LabelSurvey::Result & found) = 0;
+
+  virtual std::vector<itk::MedialVoxelBox>
+  CutIntoParts(const itk::MedialVoxelBox & box) const = 0;
+
+  virtual void
+  Read(const itk::MedialVoxelBox & part, ObjectNumber * objects) = 0;
+
+  virtual itk::MedialVoxelSourceThreads
+  GetThreads() const = 0;
+
+  virtual std::uint64_t
+  GetNumberOfBytesRead() const = 0;
+};
+
+/** \class LabelMap::StreamedSource
+ * \brief Reads values and looks their objects up. */
+class LabelMap::StreamedSource : public Source
+{
+public:
+  explicit StreamedSource(const VolumeHeader & header)
+    : m_Header(header)
+    , m_Readers(header, Interpolation::Nearest)
+  {}
+
+  void
+  Show(LabelSurvey & survey, const ReadObserver & observer) override
+  {
+    itk::MedialVoxelBox all;
+    all.upper = GetSize(m_Header);
+    const auto parts = m_Readers.CutIntoParts(all);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      observer(static_cast<double>(i) / static_cast<double>(parts.size()));
+      this->WithValues(parts[i], [&](const auto * values, std::size_t count) { survey.Add(values, count); });
+    }
+  }
+
+  void
+  Learn(const LabelSurvey::Result & found) override
+  {
+    m_Table = LabelTable(found.values);
+  }
+
+  std::vector<itk::MedialVoxelBox>
+  CutIntoParts(const itk::MedialVoxelBox & box) const override
+  {
+    return m_Readers.CutIntoParts(box);
+  }
+
+  void
+  Read(const itk::MedialVoxelBox & part, ObjectNumber * objects) override
+  {
+    this->WithValues(part, [&](const auto * values, std::size_t count) { m_Table.Translate(values, count, objects); });
+  }
+
+  itk::MedialVoxelSourceThreads
+  GetThreads() const override
+  {
+    return m_Readers.IsParallel() ? itk::MedialVoxelSourceThreads::Several : itk::MedialVoxelSourceThreads::Calling;
+  }
+
+  std::uint64_t
+  GetNumberOfBytesRead() const override
+  {
+    return m_Readers.GetNumberOfBytesRead();
+  }
+
+private:
+  template <typename TFunction>
+  void
+  WithValues(const itk::MedialVoxelBox & part, TFunction && function)
+  {
+    m_Readers.Read(part, [&](const std::byte * bytes) {
+      DispatchPixelType(m_Header.pixelType, [&](auto zero) {
+        function(reinterpret_cast<const decltype(zero) *>(bytes), static_cast<std::size_t>(part.NumberOfVoxels()));
+      });
+    });
+  }
+
+  VolumeHeader m_Header;
+  ReaderPool   m_Readers;
+  LabelTable   m_Table;
+};
+
+/** \class LabelMap::UnpackedSource
+ * \brief Unpacks the volume once, to a number per voxel. */
+class LabelMap::UnpackedSource : public Source
+{
+public:
+  UnpackedSource(const VolumeHeader & header, const std::filesystem::path & scratchFolder)
+    : m_Header(header)
+    , m_Size(GetSize(header))
+    , m_Store(scratchFolder.empty()
+                ? MakeBitStoreInMemory(UnpackedBits * header.geometry.GetNumberOfVoxels())
+                : MakeBitStoreInFile(scratchFolder, UnpackedBits * header.geometry.GetNumberOfVoxels()))
+  {}
+
+  void
+  Show(LabelSurvey & survey, const ReadObserver & observer) override
+  {
+    DispatchValueType(m_Header.GetStored(), [&](auto zero) {
+      using ValueType = decltype(zero);
+      const auto add = [&](const auto * values, std::size_t count) { this->Store(survey.Add(values, count)); };
+      if (!m_Header.stored)
+      {
+        m_BytesRead = StreamValues<ValueType>(
+          m_Header, observer, [&](const std::vector<ValueType> & values) { add(values.data(), values.size()); });
+        return;
+      }
+      SliceResampler resampler(
+        m_Header, Interpolation::Nearest, [&](const double * row, std::uint64_t count) { add(row, count); });
+      m_BytesRead = StreamValues<ValueType>(
+        m_Header.GetStored(), observer, [&](const std::vector<ValueType> & values) { resampler.Append(values); });
+    });
+    m_Pending.resize((m_Pending.size() + NumbersPerWord - 1) / NumbersPerWord * NumbersPerWord, 0);
+    this->Store({});
+  }
+
+  void
+  Learn(const LabelSurvey::Result & found) override
+  {
+    m_Numbers = found.numbers;
+  }
+
+  std::vector<itk::MedialVoxelBox>
+  CutIntoParts(const itk::MedialVoxelBox & box) const override
+  {
+    return itk::MedialVoxelEngineClient::CutForPull(box, sizeof(ObjectNumber));
+  }
+
+  void
+  Read(const itk::MedialVoxelBox & part, ObjectNumber * objects) override
+  {
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    const auto                        width = static_cast<std::size_t>(part.Extent(0));
+    for (std::int64_t z = part.lower[2]; z < part.upper[2]; ++z)
+    {
+      for (std::int64_t y = part.lower[1]; y < part.upper[1]; ++y, objects += width)
+      {
+        this->ReadRow(static_cast<std::uint64_t>((z * m_Size[1] + y) * m_Size[0] + part.lower[0]), width, objects);
+      }
+    }
+  }
+
+  itk::MedialVoxelSourceThreads
+  GetThreads() const override
+  {
+    return itk::MedialVoxelSourceThreads::OneAtATime;
+  }
+
+  std::uint64_t
+  GetNumberOfBytesRead() const override
+  {
+    return m_BytesRead;
+  }
+
+private:
+  static constexpr std::size_t NumbersPerWord = sizeof(BitStore::WordType) / sizeof(ObjectNumber);
+
+  /** Keeps numbers as they came; those that fill no word yet wait. */
+  void
+  Store(const std::vector<ObjectNumber> & objects)
+  {
+    m_Pending.insert(m_Pending.end(), objects.begin(), objects.end());
+    if (m_Pending.size() < (objects.empty() ? 1 : VoxelsPerChunk))
+    {
+      return;
+    }
+    m_Words.resize(m_Pending.size() / NumbersPerWord);
+    std::memcpy(m_Words.data(), m_Pending.data(), m_Words.size() * sizeof(BitStore::WordType));
+    m_Pending.erase(m_Pending.begin(),
+                    m_Pending.begin() + static_cast<std::ptrdiff_t>(m_Words.size() * NumbersPerWord));
+    m_Store->Append(m_Words);
+  }
+
+  void
+  ReadRow(std::uint64_t firstVoxel, std::size_t width, ObjectNumber * objects)
+  {
+    const std::uint64_t firstWord = firstVoxel / NumbersPerWord;
+    const std::uint64_t lastWord = (firstVoxel + width - 1) / NumbersPerWord;
+    m_Words.resize(lastWord - firstWord + 1);
+    m_Store->Read(firstWord, m_Words.size(), m_Words.data());
+    const auto * const numbers = reinterpret_cast<const ObjectNumber *>(m_Words.data()) + firstVoxel % NumbersPerWord;
+    std::transform(numbers, numbers + width, objects, [this](ObjectNumber came) { return m_Numbers[came]; });
+  }
+
+  VolumeHeader                    m_Header;
+  itk::MedialVoxelIndex           m_Size;
+  std::unique_ptr<BitStore>       m_Store;
+  std::mutex                      m_Mutex; ///< of the words
+  std::vector<BitStore::WordType> m_Words;
+  std::vector<ObjectNumber>       m_Pending;
+  std::vector<ObjectNumber>       m_Numbers; ///< of the objects, by the numbers that are stored
+  std::uint64_t                   m_BytesRead{ 0 };
+};
+
+LabelMap::LabelMap(const VolumeHeader &          header,
+                   const LabelSelection &        selection,
+                   std::uint64_t                 maximumPoreSize,
+                   const std::filesystem::path & scratchFolder)
+  : InputVolume(sizeof(ObjectNumber))
+  , m_Header(header)
+  , m_Selection(selection)
+  , m_MaximumPoreSize(maximumPoreSize)
+{
+  if (header.CanStream())
+  {
+    m_Source = std::make_unique<StreamedSource>(header);
+  }
+  else
+  {
+    m_Source = std::make_unique<UnpackedSource>(header, scratchFolder);
+  }
+}
+
+LabelMap::~LabelMap() = default;
+
+std::string
+LabelMap::Prepare(const ReadObserver & observer)
+{
+  LabelSurvey survey(m_Header.fileName, m_Selection, GetSize(m_Header), m_MaximumPoreSize);
+  this->MeasureReading([&] { m_Source->Show(survey, observer); });
+  const LabelSurvey::Result found = survey.Finish();
+  m_Source->Learn(found);
+  m_Table = LabelTable(found.values);
+  m_Passes = found.passes;
+  m_ObjectVoxels = found.voxels;
+  m_NumberOfPasses = *std::max_element(m_Passes.begin(), m_Passes.end()) + 1u;
+  m_NotANumberVoxels = survey.GetNotANumberVoxels();
+  if (m_Header.CanStream())
+  {
+    return {};
+  }
+  const std::uint64_t unpacked = GetBitStoreBytes(UnpackedBits * m_Header.geometry.GetNumberOfVoxels());
+  return m_Header.fileName.string() +
+         " is compressed and was unpacked once: " + FormatBytes(this->GetNumberOfBytesRead()) + " read, " +
+         FormatBytes(unpacked) + " of labels, " + FormatSeconds(this->GetReadSeconds());
+}
+
+void
+LabelMap::ReadObjects(const itk::MedialVoxelBox & box, ObjectNumber * objects)
+{
+  for (const itk::MedialVoxelBox & part : this->CutIntoParts(box))
+  {
+    this->MeasureReading([&] { m_Source->Read(part, objects); });
+    objects += part.NumberOfVoxels();
+  }
+}
+
+itk::MedialVoxelSourceThreads
+LabelMap::GetSourceThreads() const
+{
+  return m_Source->GetThreads();
+}
+
+std::uint64_t
+LabelMap::GetNumberOfBytesRead() const
+{
+  return m_Source->GetNumberOfBytesRead();
+}
+
+std::vector<itk::MedialVoxelBox>
+LabelMap::CutIntoParts(const itk::MedialVoxelBox & box) const
+{
+  return m_Source->CutIntoParts(box);
+}
+
+void
+LabelMap::FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets)
+{
+  if (targets.object == nullptr)
+  {
+    return;
+  }
+  std::vector<ObjectNumber> objects(static_cast<std::size_t>(part.NumberOfVoxels()));
+  this->MeasureReading([&] { m_Source->Read(part, objects.data()); });
+  const itk::MedialVoxelStrides strides{ 1, part.Extent(0), part.Extent(0) * part.Extent(1) };
+  const auto isShown = [this](ObjectNumber object) { return object > 0 && m_Passes[object] == m_ShownPass; };
+  itk::MedialVoxelPackBox(objects.data(), strides, part, isShown, *targets.object);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ObjectSurvey.h"
+
+#include "SurveySummary.h"
+
+#include <cmath>
+
+namespace medialvoxel
+{
+
+ObjectSurvey::ObjectSurvey(const Survey & survey, const ObjectPiece & piece)
+  : m_Survey(survey)
+  , m_Piece(piece)
+{}
+
+void
+ObjectSurvey::Begin()
+{
+  m_Pending.clear();
+  m_Unknown.clear();
+}
+
+void
+ObjectSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
+{
+  using WordType = itk::MedialVoxelBits::WordType;
+  const std::lock_guard<std::mutex> lock(m_Mutex);
+  Sums *                            sums = nullptr;
+  ObjectNumber                      last = 0;
+  const auto                        find = [&](const itk::MedialVoxelIndex & cell) {
+    const ObjectNumber object = m_Piece.FindObject(cell, m_Pass);
+    if (object != last)
+    {
+      last = object;
+      sums = object > 0 ? &this->GetSums(m_Pending, object) : nullptr;
+    }
+    return sums;
+  };
+  for (const itk::MedialVoxelCellRow & row : tile.rows)
+  {
+    itk::MedialVoxelIndex cell = row.first;
+    WordType              medial = row.byBound | row.byGeodesic;
+    for (WordType rest = row.candidates; rest != 0; rest >>= 1, medial >>= 1, ++cell[0])
+    {
+      const bool isMedial = (medial & 1) != 0;
+      if ((rest & 1) == 0)
+      {
+        continue;
+      }
+      if (Sums * const found = find(cell))
+      {
+        AddCell(*found, isMedial);
+      }
+      else
+      {
+        m_Unknown.push_back({ cell, isMedial, std::nullopt });
+      }
+    }
+  }
+  itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & cell, const auto & wall) {
+    if (Sums * const found = find(cell))
+    {
+      this->AddWall(*found, wall);
+    }
+    else
+    {
+      m_Unknown.push_back({ cell, true, wall });
+    }
+  });
+}
+
+void
+ObjectSurvey::Commit()
+{
+  for (const Unknown & unknown : m_Unknown)
+  {
+    Sums & sums = this->GetSums(m_Pending, m_Piece.FindObjectOfPore(unknown.cell, m_Pass));
+    if (unknown.wall)
+    {
+      this->AddWall(sums, *unknown.wall);
+    }
+    else
+    {
+      AddCell(sums, unknown.isMedial);
+    }
+  }
+  for (const auto & [object, sums] : m_Pending)
+  {
+    Sums & total = this->GetSums(m_Total, object);
+    total.candidateCells += sums.candidateCells;
+    total.medialCells += sums.medialCells;
+    total.rimCells += sums.rimCells;
+    total.thickness.Add(sums.thickness);
+    total.area.Add(sums.area);
+  }
+}
+
+void
+ObjectSurvey::AddCell(Sums & sums, bool isMedial)
+{
+  ++sums.candidateCells;
+  sums.medialCells += isMedial ? 1 : 0;
+}
+
+void
+ObjectSurvey::AddWall(Sums & sums, const itk::MedialVoxelWall & wall) const
+{
+  if (wall.isRim)
+  {
+    ++sums.rimCells;
+    return;
+  }
+  const std::size_t bin = sums.thickness.GetBin(static_cast<double>(wall.thickness));
+  sums.thickness.Add(bin);
+  sums.area.Add(bin, static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_Survey.GetAreaUnit())));
+}
+
+std::vector<ObjectSummary>
+ObjectSurvey::Summarize(const LabelMap & map) const
+{
+  std::vector<ObjectSummary> objects;
+  const LabelTable &         table = map.GetTable();
+  for (std::size_t number = 1; number <= table.GetNumberOfObjects(); ++number)
+  {
+    const auto    object = static_cast<ObjectNumber>(number);
+    ObjectSummary summary;
+    summary.label = table.GetValue(object);
+    summary.voxels = map.GetObjectVoxels()[number];
+    const auto   found = m_Total.find(object);
+    const Sums   none(m_Survey.GetThickness().GetBinWidth());
+    const Sums & sums = found == m_Total.end() ? none : found->second;
+    summary.candidateCells = sums.candidateCells;
+    summary.medialCells = sums.medialCells;
+    summary.thickness = medialvoxel::Summarize({ sums.thickness, sums.area, sums.rimCells }, m_Survey);
+    objects.push_back(summary);
+  }
+  return objects;
+}
+
+auto
+ObjectSurvey::GetSums(SumsByObject & sums, ObjectNumber object) const -> Sums &
+{
+  return sums.try_emplace(object, m_Survey.GetThickness().GetBinWidth()).first->second;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelLabelMapRun_h
+#define medialvoxelLabelMapRun_h
+
+#include "ObjectSurvey.h"
+#include "ObjectUnion.h"
+#include "PieceLoop.h"
+
+namespace medialvoxel
+{
+
+/** \class LabelMapRun
+ * \brief Runs an engine over each piece of a label map once for every pass, and puts the results together. */
+class LabelMapRun
+{
+public:
+  /** \param map the input of the engine; map and survey must outlive it
+   * \param maximumPoreSize of the extraction */
+  LabelMapRun(LabelMap & map, const VolumeGeometry & geometry, std::uint64_t maximumPoreSize, const Survey & survey);
+
+  /** To be added to the engine. */
+  itk::MedialVoxelTileObserver &
+  GetObserver()
+  {
+    return m_Survey;
+  }
+
+  ObjectUnion &
+  GetUnion()
+  {
+    return m_Union;
+  }
+
+  /** To be asked when the map is prepared. */
+  unsigned int
+  GetNumberOfPasses() const
+  {
+    return m_Map.GetNumberOfPasses();
+  }
+
+  /** \return sums over all objects; throws as PieceLoop::Run() */
+  itk::MedialVoxelSums
+  Run(PieceLoop & loop, PieceEngine & engine, const SliceRange & piece, WriteBehind & writer);
+
+  LabelMapSummary
+  Summarize() const;
+
+private:
+  LabelMap &   m_Map;
+  ObjectUnion  m_Union;
+  ObjectSurvey m_Survey;
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ObjectUnion.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint8_t SmallestMedialLabel = 2;
+
+/** Of a cell in the labels of a piece, until they are written: medial for several objects. */
+constexpr std::uint8_t SharedMark = 0x80;
+
+} // namespace
+
+/** \class ObjectUnion::PassVolume
+ * \brief Takes the results of passes for a volume. */
+class ObjectUnion::PassVolume : public VoxelOutput
+{
+public:
+  PassVolume(ObjectUnion & owner, const VolumeRequest & request, VoxelOutput & volume)
+    : m_Owner(owner)
+    , m_Volume(volume)
+    , m_BytesPerVoxel(request.layout.GetBytes())
+  {}
+
+  void
+  Begin(std::uint64_t numberOfVoxels)
+  {
+    m_Union.assign(numberOfVoxels * m_BytesPerVoxel, std::byte{ 0 });
+  }
+
+  void
+  WriteUnion(std::uint64_t firstVoxel) const
+  {
+    m_Volume.Write(firstVoxel, m_Union.size() / m_BytesPerVoxel, m_Union.data());
+  }
+
+  std::uint8_t *
+  GetLabels()
+  {
+    return reinterpret_cast<std::uint8_t *>(m_Union.data());
+  }
+
+  /** Results of a pass. */
+  void
+  Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) override
+  {
+    if (this == m_Owner.m_Volumes.front().get())
+    {
+      m_Owner.TakeLabels(firstVoxel, numberOfVoxels, static_cast<const std::uint8_t *>(data));
+      return;
+    }
+    const auto * const from = static_cast<const std::byte *>(data);
+    std::byte * const  to = m_Union.data() + (firstVoxel - m_Owner.m_Piece.GetFirstVoxel()) * m_BytesPerVoxel;
+    for (std::uint64_t voxel = 0; voxel < numberOfVoxels; ++voxel)
+    {
+      if (m_Owner.m_IsTaken[voxel] != 0)
+      {
+        std::memcpy(to + voxel * m_BytesPerVoxel, from + voxel * m_BytesPerVoxel, m_BytesPerVoxel);
+      }
+    }
+  }
+
+  // The volume itself is created, finished and published by those who made it.
+  void
+  Create(const VolumeGeometry &, const VoxelLayout &) override
+  {}
+  void
+  Finish() override
+  {}
+  void
+  Read(std::uint64_t, std::uint64_t, void *) const override
+  {}
+  bool
+  ReadPlane(unsigned int, std::uint64_t, void *) const override
+  {
+    return false;
+  }
+  void
+  Publish() override
+  {}
+
+private:
+  ObjectUnion &          m_Owner;
+  VoxelOutput &          m_Volume;
+  std::uint64_t          m_BytesPerVoxel;
+  std::vector<std::byte> m_Union;
+};
+
+ObjectUnion::ObjectUnion(LabelMap & map, const VolumeGeometry & geometry, std::uint64_t maximumPoreSize)
+  : m_Map(map)
+  , m_VoxelsPerSlice(geometry.GetVoxelsPerSlice())
+  , m_Piece(map, geometry, maximumPoreSize)
+{}
+
+ObjectUnion::~ObjectUnion() = default;
+
+VoxelOutput &
+ObjectUnion::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
+{
+  m_Volumes.push_back(std::make_unique<PassVolume>(*this, request, volume));
+  return *m_Volumes.back();
+}
+
+void
+ObjectUnion::AddObjects(const VolumeRequest & request, VoxelOutput & volume)
+{
+  m_ObjectVolume = &volume;
+  m_ObjectType = request.layout.pixelType;
+}
+
+void
+ObjectUnion::BeginPiece(const SliceRange & piece)
+{
+  m_Piece.Read(piece.begin, piece.end);
+  const std::uint64_t voxels = (piece.end - piece.begin) * m_VoxelsPerSlice;
+  m_Objects.assign(voxels, 0);
+  for (const auto & volume : m_Volumes)
+  {
+    volume->Begin(voxels);
+  }
+}
+
+void
+ObjectUnion::TakeLabels(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const std::uint8_t * labels)
+{
+  const std::uint64_t offset = firstVoxel - m_Piece.GetFirstVoxel();
+  m_IsTaken.assign(numberOfVoxels, 0);
+  const std::uint8_t * const end = labels + numberOfVoxels;
+  for (const std::uint8_t * label = labels; label < end; ++label)
+  {
+    // Most cells have no corner in the objects of a pass.
+    label = std::find_if(label, end, [](std::uint8_t value) { return value != 0; });
+    if (label < end)
+    {
+      const auto cell = static_cast<std::uint64_t>(label - labels);
+      m_IsTaken[cell] = this->TakeCell(offset + cell, *label) ? 1 : 0;
+    }
+  }
+}
+
+bool
+ObjectUnion::TakeCell(std::uint64_t offset, std::uint8_t label)
+{
+  const std::uint64_t voxel = m_Piece.GetFirstVoxel() + offset;
+  const ObjectNumber  corner = m_Piece.FindObject(voxel, m_Pass);
+  const ObjectNumber  object = corner > 0 ? corner : m_Piece.FindObjectOfPore(voxel, m_Pass);
+  assert(object > 0);
+  std::uint8_t & known = m_Volumes.front()->GetLabels()[offset];
+  ObjectNumber & owner = m_Objects[offset];
+  const bool     isMedial = label >= SmallestMedialLabel;
+  const bool     wasMedial = (known & ~SharedMark) >= SmallestMedialLabel;
+  std::uint8_t   mark = known & SharedMark;
+  if (isMedial && wasMedial && mark == 0)
+  {
+    ++m_SharedCells;
+    mark = SharedMark;
+  }
+  const bool isTaken = owner == 0 || (isMedial == wasMedial ? object < owner : isMedial);
+  if (isTaken)
+  {
+    known = label;
+    owner = object;
+  }
+  known |= mark;
+  return isTaken;
+}
+
+void
+ObjectUnion::FinishPiece()
+{
+  std::uint8_t * const labels = m_Volumes.front()->GetLabels();
+  std::for_each(labels, labels + m_Objects.size(), [](std::uint8_t & label) { label &= ~SharedMark & 0xff; });
+  for (const auto & volume : m_Volumes)
+  {
+    volume->WriteUnion(m_Piece.GetFirstVoxel());
+  }
+  if (m_ObjectVolume == nullptr)
+  {
+    return;
+  }
+  DispatchPixelType(m_ObjectType, [this](auto zero) {
+    using ValueType = decltype(zero);
+    std::vector<ValueType> slice(m_VoxelsPerSlice);
+    for (std::uint64_t voxel = 0; voxel < m_Objects.size(); voxel += slice.size())
+    {
+      const auto first = m_Objects.begin() + static_cast<std::ptrdiff_t>(voxel);
+      std::transform(
+        first, first + static_cast<std::ptrdiff_t>(slice.size()), slice.begin(), [this](ObjectNumber object) {
+          return object > 0 ? static_cast<ValueType>(m_Map.GetTable().GetValue(object)) : ValueType{};
+        });
+      m_ObjectVolume->Write(m_Piece.GetFirstVoxel() + voxel, slice.size(), slice.data());
+    }
+  });
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelObjectAdjacency_h
+#define itkMedialVoxelObjectAdjacency_h
+
+#include "itkMedialVoxelGrid.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelObjectAdjacency
+ * \brief Which objects of a label map are so close that one may change the result of the other, and passes without such
+ * pairs.
+ *
+ * Two objects whose voxels are at least 4 apart along one axis share no boundary voxel, and no path on the boundary
+ * leads from one to the other. When small pores are filled, they must also be too far apart for one to lie in a pore of
+ * the other, so that the reach grows with the size of the pores. Objects are looked for in blocks of the reach: those
+ * of the same block or of neighboring blocks count as close, which is never too few.
+ *
+ * Objects have numbers from 1 on; 0 is the background. Rows are added from the first to the last, x fastest.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelObjectAdjacency
+{
+public:
+  using ObjectType = std::uint16_t;
+
+  /** \param size of the image, 1 along unused axes
+   * \param maximumPoreSize voxels of the largest pores that are filled, 0 for none */
+  MedialVoxelObjectAdjacency(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
+
+  /** Largest difference of indices, along the axis where it is largest, of voxels that may influence each other. */
+  static std::int64_t
+  GetReach(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
+
+  /** Add the objects of the next row. */
+  void
+  AddRow(const ObjectType * row);
+
+  /** The pass of each object from 0 on, by number; no two close objects share a pass. Background has pass 0. The same
+   * for any order of the pairs: the object with the fewest passes left comes first, then that with most neighbors, then
+   * the smaller number; it gets the first pass that is free.
+   * \param numberOfObjects not less than the largest number of a row */
+  std::vector<ObjectType>
+  MakePasses(std::size_t numberOfObjects) const;
+
+private:
+  using Block = std::vector<ObjectType>; ///< the objects in it, each once
+
+  void
+  FinishLayer();
+
+  void
+  Connect(const Block & block, const Block & other);
+
+  MedialVoxelIndex                  m_Size;
+  std::int64_t                      m_BlockEdge;
+  std::int64_t                      m_BlocksX;
+  std::int64_t                      m_BlocksY;
+  std::int64_t                      m_NextY{ 0 };
+  std::int64_t                      m_NextZ{ 0 };
+  std::vector<Block>                m_Layer;         ///< of blocks that rows are added to
+  std::vector<Block>                m_PreviousLayer; ///< the one before
+  std::unordered_set<std::uint32_t> m_Pairs;         ///< smaller number above, larger below
+};
+
+} // end namespace itk
+
+#endif
