@@ -51,8 +51,8 @@ FindDistance(const itk::MedialVoxelIndex & size,
       {
         const itk::MedialVoxelIndex a = indexOf(i);
         const itk::MedialVoxelIndex b = indexOf(j);
-        smallest = std::min(
-          smallest, std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) }));
+        smallest =
+          std::min(smallest, std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) }));
       }
     }
   }
@@ -125,8 +125,8 @@ TEST(MedialVoxelObjectAdjacency, AFlatMapNeedsFewPasses)
       objects.push_back(static_cast<Adjacency::ObjectType>(1 + course * 11 + (x + course % 2 * 12) / 24));
     }
   }
-  const std::size_t count = *std::max_element(objects.begin(), objects.end());
-  const auto        passes = FindPasses(size, objects, count);
+  const std::size_t                     count = *std::max_element(objects.begin(), objects.end());
+  const auto                            passes = FindPasses(size, objects, count);
   const std::set<Adjacency::ObjectType> used(passes.begin() + 1, passes.end());
   EXPECT_LE(used.size(), 4u);
 }
