@@ -93,10 +93,11 @@ CheckListing()
   for (const VolumeRequest & volume : ListVolumes(options, MakeHeader()))
   {
     writers.insert(volume.write);
-    const bool isOfCells = volume.role == "labels" || volume.role == "thickness_map";
+    const bool isOfLabels = volume.role == "labels" || volume.role == "objects";
+    const bool isOfCells = isOfLabels || volume.role == "thickness_map";
     EXPECT_EQ(volume.geometry.origin.front(), isOfCells ? 0.5 : 0.0) << volume.role;
     EXPECT_EQ(volume.layout.components, volume.role == "vectors" ? 3 : 1) << volume.role;
-    EXPECT_EQ(volume.layout.pixelType, volume.role == "labels" ? PixelType::UInt8 : PixelType::Float32) << volume.role;
+    EXPECT_EQ(volume.layout.pixelType, isOfLabels ? PixelType::UInt8 : PixelType::Float32) << volume.role;
   }
   EXPECT_EQ(writers.size(), ListVolumes(options, MakeHeader()).size()) << "two volumes are written the same way";
   EXPECT_TRUE(ListOutputs(TOptions(), MakeHeader()).empty());
@@ -105,7 +106,7 @@ CheckListing()
 TEST(MedialVoxelOutputs, OfAnExtractionAreListed)
 {
   CheckListing<ExtractOptions>();
-  EXPECT_EQ(ListVolumeNames(AskForAll<ExtractOptions>()).size(), 4);
+  EXPECT_EQ(ListVolumeNames(AskForAll<ExtractOptions>()).size(), 5);
 }
 
 TEST(MedialVoxelOutputs, OfDistancesAreListed)
