@@ -35,14 +35,13 @@ GetInterpolation(const JobOptions & options)
 class StreamedInput : public InputVolume
 {
 public:
-  StreamedInput(const VolumeHeader & header, const JobOptions & options)
-    : InputVolume(GetTraits(header.pixelType).bytes)
-    , m_Header(header)
+  StreamedInput(const VolumeHeader & header, const JobOptions & options, std::uint64_t bytesToKeep)
+    : m_Header(header)
     , m_Options(options)
     , m_IsParallel(IsReadInParallel(header))
   {
-    m_Readers.push_back(MakeValueReader(m_Header, GetInterpolation(m_Options)));
-    m_FreeLanes.push_back({ m_Readers.front().get(), {} });
+    m_Readers.push_back(MakeValueReader(m_Header, GetInterpolation(m_Options), bytesToKeep));
+    m_FreeReaders.push_back(m_Readers.front().get());
   }
 
   /** Resampling has threads of its own. */
@@ -50,6 +49,12 @@ public:
   GetSourceThreads() const override
   {
     return m_IsParallel ? itk::MedialVoxelSourceThreads::Several : itk::MedialVoxelSourceThreads::Calling;
+  }
+
+  std::int64_t
+  GetRowsReadTogether() const override
+  {
+    return m_Readers.front()->GetRowsReadTogether();
   }
 
   std::uint64_t
@@ -63,77 +68,55 @@ public:
     return bytes;
   }
 
-protected:
-  std::vector<itk::MedialVoxelBox>
-  CutIntoParts(const itk::MedialVoxelBox & box) const override
-  {
-    const auto bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * this->GetBytesPerVoxel();
-    if (!m_IsParallel || bytesPerSlice <= BytesPerPart)
-    {
-      return InputVolume::CutIntoParts(box);
-    }
-    std::vector<itk::MedialVoxelBox> parts;
-    for (itk::MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
-    {
-      slice.upper[2] = slice.lower[2] + 1;
-      const auto rows = InputVolume::CutIntoParts(slice);
-      parts.insert(parts.end(), rows.begin(), rows.end());
-    }
-    return parts;
-  }
-
   void
-  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) override
+  Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets) override
   {
-    Lane lane = this->TakeLane();
-    lane.values.resize(static_cast<std::size_t>(part.NumberOfVoxels()) * this->GetBytesPerVoxel());
-    this->MeasureReading([&] { lane.reader->Read(part, lane.values.data()); });
+    ValueReader * const reader = this->TakeReader();
     DispatchPixelType(m_Header.pixelType, [&](auto zero) {
-      this->Pack(reinterpret_cast<const decltype(zero) *>(lane.values.data()), part, targets);
+      reader->ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
+        itk::MedialVoxelPoll();
+        ValueView view;
+        this->MeasureReading([&] { view = reader->Look(part); });
+        this->Pack<decltype(zero)>(view, part, targets);
+      });
     });
     const std::lock_guard<std::mutex> lock(m_Mutex);
-    m_FreeLanes.push_back(std::move(lane));
+    m_FreeReaders.push_back(reader);
   }
 
 private:
-  /** What a thread needs to read. */
-  struct Lane
-  {
-    ValueReader *          reader{ nullptr };
-    std::vector<std::byte> values; // of a part
-  };
-
-  /** The lane that was used last goes on, so that one thread reads ahead in the file. */
-  Lane
-  TakeLane()
+  /** The one that was used last goes on, so that one thread reads ahead in the file. */
+  ValueReader *
+  TakeReader()
   {
     const std::lock_guard<std::mutex> lock(m_Mutex);
-    if (m_FreeLanes.empty())
+    if (m_FreeReaders.empty())
     {
-      m_Readers.push_back(MakeValueReader(m_Header, GetInterpolation(m_Options)));
-      return { m_Readers.back().get(), {} };
+      m_Readers.push_back(m_Readers.front()->MakeAnother());
+      return m_Readers.back().get();
     }
-    Lane lane = std::move(m_FreeLanes.back());
-    m_FreeLanes.pop_back();
-    return lane;
+    ValueReader * const reader = m_FreeReaders.back();
+    m_FreeReaders.pop_back();
+    return reader;
   }
 
   template <typename TValue>
   void
-  Pack(const TValue * values, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const
+  Pack(const ValueView & view, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const
   {
-    const itk::MedialVoxelStrides strides{ 1, part.Extent(0), part.Extent(0) * part.Extent(1) };
-    if (targets.object != nullptr)
-    {
-      itk::MedialVoxelPackBox(values, strides, part, MakeObjectPredicate<TValue>(m_Options), *targets.object);
-    }
-    if (targets.notANumber != nullptr)
-    {
-      itk::MedialVoxelPackBox(values, strides, part, [](TValue value) { return value != value; }, *targets.notANumber);
-    }
+    const auto * const values = static_cast<const TValue *>(view.values);
+    const auto         pack = [&](const auto & predicate, itk::MedialVoxelBits * bits) {
+      // Bits that stay clear need no look at each voxel.
+      if (bits != nullptr && !(view.areEqual && !predicate(*values)))
+      {
+        itk::MedialVoxelPackBox(values, view.strides, part, predicate, *bits);
+      }
+    };
+    pack(MakeObjectPredicate<TValue>(m_Options), targets.object);
+    pack([](TValue value) { return value != value; }, targets.notANumber);
     if (targets.gray != nullptr)
     {
-      itk::MedialVoxelCopyBox(values, strides, part, *targets.gray);
+      itk::MedialVoxelCopyBox(values, view.strides, part, *targets.gray);
     }
   }
 
@@ -142,39 +125,26 @@ private:
   bool                                      m_IsParallel;
   std::mutex                                m_Mutex; // of what follows
   std::vector<std::unique_ptr<ValueReader>> m_Readers;
-  std::vector<Lane>                         m_FreeLanes;
+  std::vector<ValueReader *>                m_FreeReaders;
 };
 
 } // namespace
 
-std::vector<itk::MedialVoxelBox>
-InputVolume::CutIntoParts(const itk::MedialVoxelBox & box) const
-{
-  return itk::MedialVoxelEngineClient::CutForPull(box, m_BytesPerVoxel);
-}
-
 bool
 InputVolume::IsReadInParallel(const VolumeHeader & header)
 {
-  return header.CanStream() && !header.stored && header.format->input.makeReader == MakeRawImageIO;
-}
-
-void
-InputVolume::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets)
-{
-  for (const itk::MedialVoxelBox & part : this->CutIntoParts(box))
-  {
-    itk::MedialVoxelPoll();
-    this->FillPart(part, targets);
-  }
+  return header.CanStream() && !header.stored && (header.chunks || header.format->input.makeReader == MakeRawImageIO);
 }
 
 std::unique_ptr<InputVolume>
-OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder)
+OpenInputVolume(const VolumeHeader & header,
+                const JobOptions &   options,
+                const std::filesystem::path & scratchFolder,
+                std::uint64_t        bytesToKeep)
 {
   if (header.CanStream())
   {
-    return std::make_unique<StreamedInput>(header, options);
+    return std::make_unique<StreamedInput>(header, options, bytesToKeep);
   }
   return OpenMaskInput(header, options, GetInterpolation(options), scratchFolder);
 }

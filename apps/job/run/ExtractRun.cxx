@@ -30,7 +30,7 @@ MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
 }
 
 ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, ProgressSink & sink)
-  : m_Input(OpenInputVolume(job.input, options, job.plan.scratchFolder))
+  : m_Input(OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep))
   , m_Loop(job.plan, job.input, options.distanceFile.empty() ? 1 : 2, sink)
   , m_Survey(job.input.geometry, GetGrid(options, job.input), GetSurveySettings(options))
   , m_Writer(job.plan.writesBehind)
