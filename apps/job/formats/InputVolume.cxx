@@ -137,10 +137,10 @@ InputVolume::IsReadInParallel(const VolumeHeader & header)
 }
 
 std::unique_ptr<InputVolume>
-OpenInputVolume(const VolumeHeader & header,
-                const JobOptions &   options,
+OpenInputVolume(const VolumeHeader &          header,
+                const JobOptions &            options,
                 const std::filesystem::path & scratchFolder,
-                std::uint64_t        bytesToKeep)
+                std::uint64_t                 bytesToKeep)
 {
   if (header.CanStream())
   {

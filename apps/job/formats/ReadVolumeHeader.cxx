@@ -208,8 +208,7 @@ DescribeHeader(const VolumeHeader & seen)
   table.emplace_back("format", header.format->name);
   if (header.numberOfLevels > 1)
   {
-    table.emplace_back("level",
-                       std::to_string(header.level) + " of 0 to " + std::to_string(header.numberOfLevels - 1));
+    table.emplace_back("level", std::to_string(header.level) + " of 0 to " + std::to_string(header.numberOfLevels - 1));
   }
   table.emplace_back("size", FormatSize(header.geometry.size));
   table.emplace_back("spacing", FormatNumbers(header.geometry.spacing, " x "));

@@ -21,8 +21,8 @@ namespace medialvoxel
  * ones: may be), and its place in space is within itk::MedialVoxelGridLimits.
  * \param spacing along each axis, in place of that of the file; empty: that of the file
  * \param level of an image that is there in several sizes, 0 the largest
- * \throw JobError: Usage for an unknown extension, another number of spacings than of axes or a level that is not there, Failure for a file that
- * cannot be read, CorruptInput for all else. */
+ * \throw JobError: Usage for an unknown extension, another number of spacings than of axes or a level that is not
+ * there, Failure for a file that cannot be read, CorruptInput for all else. */
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,

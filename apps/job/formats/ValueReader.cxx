@@ -192,8 +192,9 @@ private:
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       const std::uint64_t first = axis == 0 ? 0 : static_cast<std::uint64_t>(box.lower[axis]);
-      const std::uint64_t last = axis == 0 ? m_Header.geometry.size[0] - 1 : static_cast<std::uint64_t>(box.upper[axis] - 1);
-      const auto          ends = m_Resampling.GetStored(axis, first, last);
+      const std::uint64_t last =
+        axis == 0 ? m_Header.geometry.size[0] - 1 : static_cast<std::uint64_t>(box.upper[axis] - 1);
+      const auto ends = m_Resampling.GetStored(axis, first, last);
       stored.lower[axis] = static_cast<std::int64_t>(ends[0]);
       stored.upper[axis] = static_cast<std::int64_t>(ends[1]) + 1;
     }

@@ -187,14 +187,18 @@ Measure(const VolumeHeader & header, const ReadObserver & observer)
   else
   {
     ForEachValue<TValue>(
-      header, [&](double share) { observer(0.5 * share); }, [&](const auto & values, std::uint64_t times) { range.Add(values, times); });
+      header,
+      [&](double share) { observer(0.5 * share); },
+      [&](const auto & values, std::uint64_t times) { range.Add(values, times); });
     if (range.GetCount() == 0)
     {
       return { 0, range.GetExcluded(), 0, 0, 0, 0, {}, std::nullopt };
     }
     ValueBins<TValue> bins(range.GetMinimum(), range.GetMaximum(), MostValueBins);
     ForEachValue<TValue>(
-      header, [&](double share) { observer(0.5 + 0.5 * share); }, [&](const auto & values, std::uint64_t times) { bins.Add(values, times); });
+      header,
+      [&](double share) { observer(0.5 + 0.5 * share); },
+      [&](const auto & values, std::uint64_t times) { bins.Add(values, times); });
     return Summarize(range, bins);
   }
 }

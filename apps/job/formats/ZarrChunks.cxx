@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 #include "FileTransfer.h"
+#include "MemoryPacking.h"
 #include "ZarrShardIndex.h"
 
 #include "itkByteSwapper.h"
@@ -62,13 +63,13 @@ ZarrChunks::ZarrChunks(const std::filesystem::path & folder, ZarrArray array, st
   : m_Folder(folder)
   , m_Array(std::move(array))
   , m_ShardGrid(m_Array.GetShardGrid())
-  , m_MostKept(bytesToKeep / m_Array.grid.GetChunkBytes())
+  , m_BytesToKeep(bytesToKeep)
 {}
 
 ZarrChunks::Buffers
 ZarrChunks::MakeBuffers() const
 {
-  return { ZarrUnpacker(m_Array.codecs, m_Array.grid.GetChunkBytes()), nullptr, {} };
+  return { ZarrUnpacker(m_Array.codecs, m_Array.grid.GetChunkBytes()), {}, {} };
 }
 
 std::uint64_t
@@ -76,7 +77,7 @@ ZarrChunks::GetBufferBytes(const ZarrArray & array)
 {
   const std::uint64_t chunk = array.grid.GetChunkBytes();
   return ZarrUnpacker::GetMemoryBytes(array.codecs, chunk) + (array.IsTransposed() ? chunk : 0) +
-         (array.shards ? array.shards->GetIndexBytes() : 0);
+         (array.shards ? array.shards->GetIndexBytes() : 0) + BytesOfMemoryPacking;
 }
 
 std::uint64_t
@@ -90,29 +91,32 @@ ZarrChunks::GetIndexBytes(const ZarrArray & array)
   return indices * (array.shards->GetIndexBytes() + BytesBesideIndex);
 }
 
-ZarrChunks::Chunk
-ZarrChunks::Read(std::uint64_t component, const ZarrIndex & index, bool isNeededAgain, Buffers & buffers)
+const char *
+ZarrChunks::Read(std::uint64_t component, const ZarrIndex & index, const Slices & slices, Buffers & buffers)
 {
-  const std::uint64_t number = this->GetNumber(m_Array.grid, component, index);
-  if (Chunk kept = this->FindKept(number, isNeededAgain))
+  const ZarrGrid &    grid = m_Array.grid;
+  const std::uint64_t number = this->GetNumber(grid, component, index);
+  const std::uint64_t perSlice = grid.chunk[0] * grid.chunk[1];
+  const std::uint64_t valueBytes = GetTraits(grid.layout.pixelType).bytes;
+  if (const Kept kept = m_BytesToKeep > 0 ? this->FindKept(number, slices.moreFollow) : nullptr)
   {
-    return kept;
+    buffers.chunk.resize(slices.count * grid.GetPlaneBytes());
+    UnpackFromMemory(*kept, valueBytes, slices.first * perSlice, slices.count * perSlice, buffers.chunk.data());
+    return buffers.chunk.data();
   }
   const std::optional<Place> place = this->Find(component, index, buffers);
   if (!place)
   {
     return nullptr;
   }
-  if (!buffers.chunk || buffers.chunk.use_count() > 1)
-  {
-    buffers.chunk = std::make_shared<std::vector<char>>();
-  }
   this->Unpack(*place, buffers);
-  if (isNeededAgain)
+  if (slices.moreFollow && m_BytesToKeep > 0)
   {
-    this->Keep(number, buffers.chunk);
+    this->Keep(
+      number,
+      std::make_shared<const std::vector<char>>(PackInMemory(buffers.chunk, valueBytes, buffers.unpacker.GetPacked())));
   }
-  return buffers.chunk;
+  return buffers.chunk.data() + slices.first * grid.GetPlaneBytes();
 }
 
 bool
@@ -239,8 +243,7 @@ ZarrChunks::Unpack(const Place & place, Buffers & buffers) const
          " has ",
          place.numberOfBytes,
          m_Array.shards ? " bytes for a chunk" : " bytes",
-         m_Array.codecs.empty() ? "; the chunks of its array have "
-                                : "; packed chunks of its array have at most ",
+         m_Array.codecs.empty() ? "; the chunks of its array have " : "; packed chunks of its array have at most ",
          most);
   }
   std::vector<char> & packed = buffers.unpacker.GetPacked();
@@ -250,7 +253,7 @@ ZarrChunks::Unpack(const Place & place, Buffers & buffers) const
     FailWithErrno("read", place.fileName);
   }
   buffers.bytesRead += packed.size();
-  if (!buffers.unpacker.Unpack(*buffers.chunk))
+  if (!buffers.unpacker.Unpack(buffers.chunk))
   {
     Fail(ExitStatus::CorruptInput,
          place.fileName.string(),
@@ -262,13 +265,13 @@ ZarrChunks::Unpack(const Place & place, Buffers & buffers) const
   }
   if (m_Array.IsTransposed())
   {
-    ToRowOrder(m_Array, *buffers.chunk, buffers.transposed);
-    buffers.chunk->swap(buffers.transposed);
+    ToRowOrder(m_Array, buffers.chunk, buffers.transposed);
+    buffers.chunk.swap(buffers.transposed);
   }
-  SwapToMachineOrder(m_Array, *buffers.chunk);
+  SwapToMachineOrder(m_Array, buffers.chunk);
 }
 
-ZarrChunks::Chunk
+ZarrChunks::Kept
 ZarrChunks::FindKept(std::uint64_t number, bool isNeededAgain)
 {
   const std::lock_guard<std::mutex> lock(m_Mutex);
@@ -277,9 +280,10 @@ ZarrChunks::FindKept(std::uint64_t number, bool isNeededAgain)
   {
     return nullptr;
   }
-  Chunk chunk = found->second;
+  Kept chunk = found->second;
   if (!isNeededAgain)
   {
+    m_KeptBytes -= chunk->size();
     m_Kept.erase(found);
   }
   return chunk;
@@ -287,17 +291,19 @@ ZarrChunks::FindKept(std::uint64_t number, bool isNeededAgain)
 
 /** Only chunks of slices that were passed make room: of a layer that does not fit as a whole, a part stays. */
 void
-ZarrChunks::Keep(std::uint64_t number, const Chunk & chunk)
+ZarrChunks::Keep(std::uint64_t number, const Kept & chunk)
 {
   const std::uint64_t               perLayer = m_Array.grid.GetChunksPerLayer();
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  while (!m_Kept.empty() && m_Kept.size() >= m_MostKept && m_Kept.begin()->first / perLayer < number / perLayer)
+  while (!m_Kept.empty() && m_KeptBytes + chunk->size() > m_BytesToKeep &&
+         m_Kept.begin()->first / perLayer < number / perLayer)
   {
+    m_KeptBytes -= m_Kept.begin()->second->size();
     m_Kept.erase(m_Kept.begin());
   }
-  if (m_Kept.size() < m_MostKept)
+  if (m_KeptBytes + chunk->size() <= m_BytesToKeep && m_Kept.emplace(number, chunk).second)
   {
-    m_Kept[number] = chunk;
+    m_KeptBytes += chunk->size();
   }
 }
 
@@ -320,7 +326,7 @@ SwapToMachineOrder(const ZarrArray & array, std::vector<char> & voxels)
     auto * const values = reinterpret_cast<ValueType *>(voxels.data());
     const auto   count = voxels.size() / sizeof(ValueType);
     array.bigEndian ? Swapper::SwapRangeFromSystemToBigEndian(values, count)
-                    : Swapper::SwapRangeFromSystemToLittleEndian(values, count);
+                      : Swapper::SwapRangeFromSystemToLittleEndian(values, count);
   });
 }
 

@@ -23,20 +23,25 @@ namespace medialvoxel
 class ZarrChunks
 {
 public:
-  /** The voxels of a chunk, x fastest, in the byte order of this machine. */
-  using Chunk = std::shared_ptr<const std::vector<char>>;
-
   /** What a thread needs. */
   struct Buffers
   {
-    ZarrUnpacker                       unpacker;
-    std::shared_ptr<std::vector<char>> chunk;
-    std::vector<char>                  transposed;
-    std::uint64_t                      bytesRead{ 0 }; ///< from files
+    ZarrUnpacker      unpacker;
+    std::vector<char> chunk;
+    std::vector<char> transposed;
+    std::uint64_t     bytesRead{ 0 }; ///< from files
+  };
+
+  /** Slices of a chunk. */
+  struct Slices
+  {
+    std::uint64_t first{ 0 };
+    std::uint64_t count{ 0 };
+    bool          moreFollow{ false }; ///< those behind them will be asked for: the chunk is kept when there is room
   };
 
   /** \param folder of the array
-   * \param bytesToKeep of chunks that are needed again */
+   * \param bytesToKeep of chunks that are needed again, packed by LZ4 meanwhile */
   ZarrChunks(const std::filesystem::path & folder, ZarrArray array, std::uint64_t bytesToKeep);
 
   const ZarrArray &
@@ -48,10 +53,17 @@ public:
   Buffers
   MakeBuffers() const;
 
-  /** Reads a chunk; null when there is none, so that its voxels have the fill value.
-   * \param isNeededAgain keep it, when there is room, until it is asked for with false */
-  Chunk
-  Read(std::uint64_t component, const ZarrIndex & index, bool isNeededAgain, Buffers & buffers);
+  /** Reads slices of a chunk, x fastest, in the byte order of this machine; they stay until the next call. Null when
+   * there is no chunk, so that its voxels have the fill value. */
+  const char *
+  Read(std::uint64_t component, const ZarrIndex & index, const Slices & slices, Buffers & buffers);
+
+  /** A whole chunk. */
+  const char *
+  Read(std::uint64_t component, const ZarrIndex & index, Buffers & buffers)
+  {
+    return this->Read(component, index, { 0, m_Array.grid.chunk[2] }, buffers);
+  }
 
   /** Reads some bytes of a chunk of a plain array, in the byte order of this machine; false when there is none. */
   bool
@@ -91,19 +103,23 @@ private:
   void
   Unpack(const Place & place, Buffers & buffers) const;
 
-  Chunk
+  /** A chunk that is packed in memory. */
+  using Kept = std::shared_ptr<const std::vector<char>>;
+
+  Kept
   FindKept(std::uint64_t number, bool isNeededAgain);
 
   void
-  Keep(std::uint64_t number, const Chunk & chunk);
+  Keep(std::uint64_t number, const Kept & chunk);
 
   std::filesystem::path m_Folder;
   ZarrArray             m_Array;
   ZarrGrid              m_ShardGrid;
-  std::uint64_t         m_MostKept;
+  std::uint64_t         m_BytesToKeep;
 
   std::mutex                          m_Mutex; ///< of what follows
-  std::map<std::uint64_t, Chunk>      m_Kept;  ///< slices that come first are first
+  std::map<std::uint64_t, Kept>       m_Kept;  ///< slices that come first are first
+  std::uint64_t                       m_KeptBytes{ 0 };
   std::map<std::uint64_t, ShardIndex> m_ShardIndices;
 };
 

@@ -66,7 +66,7 @@ Inflate(const ZarrBytes & packed, char * target, std::uint64_t room)
   {
     ~Ender() { inflateEnd(&stream); }
     z_stream & stream;
-  } const       ender{ stream };
+  } const ender{ stream };
   std::uint64_t done = 0;
   for (int result = Z_OK; result != Z_STREAM_END || stream.avail_in > 0;)
   {
@@ -140,7 +140,7 @@ PackBlosc(const ZarrBytes & bytes, std::uint64_t valueBytes, char * target, std:
 
 #else
 
-constexpr auto NeedBlosc = NeedNothing;
+constexpr auto           NeedBlosc = NeedNothing;
 constexpr std::nullptr_t UnpackBlosc = nullptr;
 constexpr std::nullptr_t PackBlosc = nullptr;
 
@@ -163,7 +163,7 @@ UnpackZstd(const ZarrBytes & packed, char * target, std::uint64_t room)
 
 #else
 
-constexpr auto NeedZstd = NeedNothing;
+constexpr auto           NeedZstd = NeedNothing;
 constexpr std::nullptr_t UnpackZstd = nullptr;
 
 #endif

@@ -40,7 +40,10 @@ struct ZarrCodec
   std::optional<std::uint64_t> (*unpack)(const ZarrBytes & packed, char * target, std::uint64_t room);
 
   /** The other way; nothing when memory is short. Null: it is only read. */
-  std::optional<std::uint64_t> (*pack)(const ZarrBytes & bytes, std::uint64_t valueBytes, char * target, std::uint64_t room);
+  std::optional<std::uint64_t> (*pack)(const ZarrBytes & bytes,
+                                       std::uint64_t     valueBytes,
+                                       char *            target,
+                                       std::uint64_t     room);
 };
 
 /** Of a name in the metadata of a version of Zarr, 2 or 3; null for one that is not read. */

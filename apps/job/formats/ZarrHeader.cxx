@@ -34,7 +34,8 @@ ReadDatasetPath(const Path & fileName, const Json & dataset)
   const bool leavesFolder = path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
   if (path.empty() || leavesFolder)
   {
-    RefuseHeader(fileName, "the path of its dataset is " + ZarrFields::Show(dataset.at("path")) + "; it must stay in the folder");
+    RefuseHeader(fileName,
+                 "the path of its dataset is " + ZarrFields::Show(dataset.at("path")) + "; it must stay in the folder");
   }
   return path;
 }
@@ -55,7 +56,8 @@ ReadDimension(const Path & fileName, const Json & multiscale)
   const bool isKnown = axes.empty() || (spaceIsLast && (space == "zyx" || space == "yx"));
   if (!isKnown)
   {
-    RefuseHeader(fileName, "its axes are " + ZarrFields::Show(axes) + "; those of space must be the last ones, z, y, x or y, x");
+    RefuseHeader(fileName,
+                 "its axes are " + ZarrFields::Show(axes) + "; those of space must be the last ones, z, y, x or y, x");
   }
   return static_cast<unsigned int>(space.size());
 }
@@ -126,8 +128,8 @@ ReadImage(const Path & folder, unsigned int level)
   {
     const Path version3 = folder / ZarrFile;
     const Path fileName = std::filesystem::exists(version3) ? version3 : folder / ".zattrs";
-    image = ZarrFields::WithJson(
-      fileName, [&](const Json & metadata) { return ReadGroup(folder, fileName, metadata, level); });
+    image = ZarrFields::WithJson(fileName,
+                                 [&](const Json & metadata) { return ReadGroup(folder, fileName, metadata, level); });
   }
   if (level >= image.numberOfLevels)
   {
@@ -136,7 +138,8 @@ ReadImage(const Path & folder, unsigned int level)
          ": it has no level ",
          level,
          "; ",
-         image.numberOfLevels == 1 ? "its only level is 0" : "its levels are 0 to " + std::to_string(image.numberOfLevels - 1));
+         image.numberOfLevels == 1 ? "its only level is 0"
+                                   : "its levels are 0 to " + std::to_string(image.numberOfLevels - 1));
   }
   return image;
 }
@@ -149,7 +152,8 @@ ReadNumbersOfSpace(const Path & fileName, const Json & values, size_t dimension)
   if (numbers.size() < dimension)
   {
     RefuseHeader(fileName,
-                 ZarrFields::Show(values) + " has " + std::to_string(numbers.size()) + " numbers, one per axis is needed");
+                 ZarrFields::Show(values) + " has " + std::to_string(numbers.size()) +
+                   " numbers, one per axis is needed");
   }
   return { numbers.rbegin(), numbers.rbegin() + static_cast<std::ptrdiff_t>(dimension) };
 }
@@ -163,7 +167,8 @@ ApplyTransforms(const Path & fileName, const ZarrImage & image, VolumeGeometry &
     const auto type = transform.at("type").get<std::string>();
     if (type != "scale" && type != "translation" && type != "identity")
     {
-      RefuseHeader(fileName, "a transform of it is " + ZarrFields::Show(transform) + "; only scale and translation are read");
+      RefuseHeader(fileName,
+                   "a transform of it is " + ZarrFields::Show(transform) + "; only scale and translation are read");
     }
     if (type == "identity")
     {

@@ -105,9 +105,9 @@ Json
 MakeDataset(const ZarrLevel & level)
 {
   const unsigned int leadingAxes = level.grid.leadingAxes;
-  const Json scale{ { "type", "scale" }, { "scale", InFileOrder(level.geometry.spacing, leadingAxes, 1.0) } };
-  const Json translation{ { "type", "translation" },
-                          { "translation", InFileOrder(level.geometry.origin, leadingAxes, 0.0) } };
+  const Json         scale{ { "type", "scale" }, { "scale", InFileOrder(level.geometry.spacing, leadingAxes, 1.0) } };
+  const Json         translation{ { "type", "translation" },
+                                  { "translation", InFileOrder(level.geometry.origin, leadingAxes, 0.0) } };
   return { { "path", level.folder }, { "coordinateTransformations", { scale, translation } } };
 }
 
@@ -142,10 +142,10 @@ MakeZarrAttributesText(const std::string & name, const std::vector<ZarrLevel> & 
   Json                   datasets = Json::array();
   std::transform(levels.begin(), levels.end(), std::back_inserter(datasets), MakeDataset);
   Json attributes{ { "multiscales",
-                           Json::array({ { { "version", "0.4" },
-                                           { "name", name },
-                                           { "axes", MakeAxes(geometry.GetDimension(), levels.front().grid.leadingAxes) },
-                                           { "datasets", datasets } } }) } };
+                     Json::array({ { { "version", "0.4" },
+                                     { "name", name },
+                                     { "axes", MakeAxes(geometry.GetDimension(), levels.front().grid.leadingAxes) },
+                                     { "datasets", datasets } } }) } };
   if (!IsIdentity(geometry.direction))
   {
     // A unit vector for each axis, in the order of the axes, with its components along z, y, x of space.

@@ -52,10 +52,10 @@ MakeZarrAttributesText(const std::string & name, const std::vector<ZarrLevel> & 
 /** How chunks lie together in files, the shards of version 3. */
 struct ZarrShards
 {
-  ZarrIndex chunks{ { 1, 1, 1 } };          ///< of a shard, along each axis
-  bool      indexAtStart{ false };          ///< where in the file is written where its chunks are; otherwise at its end
-  bool      indexIsBigEndian{ false };      ///< byte order of the numbers there
-  bool      indexHasChecksum{ false };      ///< CRC-32C
+  ZarrIndex chunks{ { 1, 1, 1 } };     ///< of a shard, along each axis
+  bool      indexAtStart{ false };     ///< where in the file is written where its chunks are; otherwise at its end
+  bool      indexIsBigEndian{ false }; ///< byte order of the numbers there
+  bool      indexHasChecksum{ false }; ///< CRC-32C
 
   std::uint64_t
   GetNumberOfChunks() const

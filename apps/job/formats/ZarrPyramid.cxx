@@ -120,10 +120,10 @@ ZarrPyramid::ZarrPyramid(const std::filesystem::path & folder, ZarrCompression c
 std::uint64_t
 ZarrPyramid::Write(const ZarrLevel & from, const ZarrLevel & to)
 {
-  ZarrChunks                     chunks(m_Folder / from.folder, MakeZarrArray(from.grid, m_Compression), 0);
-  auto                           buffers = chunks.MakeBuffers();
-  std::vector<char>              half(to.grid.GetChunkBytes());
-  std::uint64_t                  numberOfFiles = 0;
+  ZarrChunks        chunks(m_Folder / from.folder, MakeZarrArray(from.grid, m_Compression), 0);
+  auto              buffers = chunks.MakeBuffers();
+  std::vector<char> half(to.grid.GetChunkBytes());
+  std::uint64_t     numberOfFiles = 0;
   ForEachChunk(to.grid, { { 0, 0, 0 }, to.grid.size }, [&](std::uint64_t component, const ZarrIndex & index) {
     bool isEmpty = true;
     for (std::uint64_t number = 0; number < 8; ++number)
@@ -134,12 +134,11 @@ ZarrPyramid::Write(const ZarrLevel & from, const ZarrLevel & to)
       bool            isInside = true;
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        // Along an axis of length 1 there is nothing to halve.
         source[axis] = 2 * index[axis] + place[axis];
         isInside = isInside && source[axis] < from.grid.GetNumberOfChunks(axis);
       }
-      const ZarrChunks::Chunk chunk = isInside ? chunks.Read(component, source, false, buffers) : nullptr;
-      if (!chunk)
+      const char * const chunk = isInside ? chunks.Read(component, source, buffers) : nullptr;
+      if (chunk == nullptr)
       {
         continue;
       }
@@ -151,7 +150,7 @@ ZarrPyramid::Write(const ZarrLevel & from, const ZarrLevel & to)
       RaiseChunk(from.grid,
                  from.grid.GetBox(source).size,
                  place,
-                 reinterpret_cast<const Label *>(chunk->data()),
+                 reinterpret_cast<const Label *>(chunk),
                  reinterpret_cast<Label *>(half.data()));
     }
     if (!isEmpty && std::any_of(half.begin(), half.end(), [](char label) { return label != '\0'; }))

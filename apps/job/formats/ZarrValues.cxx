@@ -106,10 +106,9 @@ public:
                ? this->MakeView(m_Rows.data() + column * valueBytes)
                : this->MakeFill();
     }
-    const bool isNeededAgain = wanted.begin[2] + wanted.size[2] < chunk.begin[2] + chunk.size[2];
-    m_Chunk = nullptr; // so that its memory is there for the next one
-    m_Chunk = m_Chunks->Read(0, index, isNeededAgain, m_Buffers);
-    return m_Chunk ? this->MakeView(m_Chunk->data() + (firstRow + column) * valueBytes) : this->MakeFill();
+    const bool         isNeededAgain = wanted.begin[2] + wanted.size[2] < chunk.begin[2] + chunk.size[2];
+    const char * const planes = m_Chunks->Read(0, index, { slice, wanted.size[2], isNeededAgain }, m_Buffers);
+    return planes != nullptr ? this->MakeView(planes + (row * grid.chunk[0] + column) * valueBytes) : this->MakeFill();
   }
 
   std::uint64_t
@@ -160,9 +159,9 @@ private:
     const auto         most = [](std::uint64_t bytes) {
       return static_cast<std::int64_t>(std::max<std::uint64_t>(1, BytesAtOnce / bytes));
     };
-    const bool         isWhole = m_Array.grid.GetPlaneBytes() <= BytesAtOnce;
-    const std::int64_t slices = isWhole ? most(m_Array.grid.GetPlaneBytes()) : 1;
-    const std::int64_t rows = isWhole ? part.Extent(y) : most(GetRowBytes(m_Array.grid));
+    const bool          isWhole = m_Array.grid.GetPlaneBytes() <= BytesAtOnce;
+    const std::int64_t  slices = isWhole ? most(m_Array.grid.GetPlaneBytes()) : 1;
+    const std::int64_t  rows = isWhole ? part.Extent(y) : most(GetRowBytes(m_Array.grid));
     itk::MedialVoxelBox some = part;
     for (some.lower[z] = part.lower[z]; some.lower[z] < part.upper[z]; some.lower[z] = some.upper[z])
     {
@@ -192,7 +191,6 @@ private:
   std::shared_ptr<ZarrChunks> m_Chunks;
   const ZarrArray &           m_Array;
   ZarrChunks::Buffers         m_Buffers;
-  ZarrChunks::Chunk           m_Chunk; ///< that was looked at last
   std::vector<char>           m_Rows;
   std::vector<char>           m_FillRow;
 };
@@ -202,10 +200,8 @@ private:
 std::unique_ptr<ValueReader>
 MakeZarrValues(const VolumeHeader & header, std::uint64_t bytesToKeep)
 {
-  return std::make_unique<ZarrValues>(
-    std::make_shared<ZarrChunks>(header.dataFile.parent_path(),
-                                 ReadZarrArray(header.dataFile, header.geometry.GetDimension()),
-                                 bytesToKeep));
+  return std::make_unique<ZarrValues>(std::make_shared<ZarrChunks>(
+    header.dataFile.parent_path(), ReadZarrArray(header.dataFile, header.geometry.GetDimension()), bytesToKeep));
 }
 
 std::uint64_t

@@ -129,7 +129,8 @@ SetCodecs(const ZarrFields & fields, const Json & codecs, ZarrArray & array)
     }
     else
     {
-      fields.Refuse("its codecs are " + ZarrFields::Show(codecs) + "; only bytes, or transpose and bytes, may come first");
+      fields.Refuse("its codec " + ZarrFields::Show(codec.name) +
+                    " is not read there; only bytes, or transpose and bytes, may come first");
     }
   }
   if (!hasBytes)

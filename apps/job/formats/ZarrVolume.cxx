@@ -51,9 +51,10 @@ std::uint64_t
 ZarrVolume::GetBytesOfSmallerLevels(const VolumeGeometry & geometry, const VoxelLayout & layout)
 {
   const std::vector<ZarrLevel> levels = MakeZarrLevels(geometry, layout);
-  return std::accumulate(levels.begin() + 1, levels.end(), std::uint64_t{ 0 }, [](std::uint64_t sum, const auto & level) {
-    return sum + level.grid.GetNumberOfAllChunks() * level.grid.GetChunkBytes();
-  });
+  return std::accumulate(
+    levels.begin() + 1, levels.end(), std::uint64_t{ 0 }, [](std::uint64_t sum, const auto & level) {
+      return sum + level.grid.GetNumberOfAllChunks() * level.grid.GetChunkBytes();
+    });
 }
 
 void
@@ -64,12 +65,11 @@ ZarrVolume::Describe(const VolumeGeometry & geometry, const VoxelLayout & layout
   m_Writer.emplace(m_Compression, m_Grid.GetChunkBytes(), GetTraits(layout.pixelType).bytes, process);
   m_Chunk.resize(m_Grid.GetChunkBytes());
   const std::string name = GetImageName(m_Folder.GetName());
-  m_Metadata = { { ".zgroup", MakeZarrGroupText() },
-                 { ".zattrs", MakeZarrAttributesText(name, m_Levels) } };
+  m_Metadata = { { ".zgroup", MakeZarrGroupText() }, { ".zattrs", MakeZarrAttributesText(name, m_Levels) } };
   for (const ZarrLevel & level : m_Levels)
   {
-    m_Metadata.push_back({ std::filesystem::path(level.folder) / ZarrArrayFile,
-                           MakeZarrArrayText(level.grid, m_Compression) });
+    m_Metadata.push_back(
+      { std::filesystem::path(level.folder) / ZarrArrayFile, MakeZarrArrayText(level.grid, m_Compression) });
   }
 }
 
@@ -115,7 +115,8 @@ ZarrVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout)
   if (!m_Sparse && m_Compression == ZarrCompression::None)
   {
     m_Reserve.emplace(m_Folder.GetPath() / ".reserve",
-                      m_Grid.GetNumberOfAllChunks() * m_Grid.GetChunkBytes() + GetBytesOfSmallerLevels(geometry, layout));
+                      m_Grid.GetNumberOfAllChunks() * m_Grid.GetChunkBytes() +
+                        GetBytesOfSmallerLevels(geometry, layout));
   }
 }
 
@@ -460,14 +461,15 @@ ZarrVolume::ReadBox(const ZarrBox & box, void * data) const
   }
   const auto readChunk = [&](std::uint64_t component, const ZarrIndex & index) {
     itk::MedialVoxelPoll();
-    const ZarrBox chunkBox = m_Grid.GetBox(index);
-    const ZarrBox part = Intersect(chunkBox, box);
-    const ZarrChunks::Chunk chunk = m_Reader->chunks->Read(component, index, false, m_Reader->buffers);
-    if (!chunk)
+    const ZarrBox      chunkBox = m_Grid.GetBox(index);
+    const ZarrBox      part = Intersect(chunkBox, box);
+    const char * const chunk = m_Reader->chunks->Read(component, index, m_Reader->buffers);
+    if (chunk == nullptr)
     {
       std::fill(m_Chunk.begin(), m_Chunk.end(), '\0');
     }
-    const char * const planes = (chunk ? chunk->data() : m_Chunk.data()) + (part.begin[2] - chunkBox.begin[2]) * m_Grid.GetPlaneBytes();
+    const char * const planes =
+      (chunk != nullptr ? chunk : m_Chunk.data()) + (part.begin[2] - chunkBox.begin[2]) * m_Grid.GetPlaneBytes();
     ScatterSlices(m_Grid, component, index, part, planes, box, data);
   };
   ForEachChunk(m_Grid, box, readChunk);

@@ -75,12 +75,12 @@ struct VolumeFormat;
 /** Boxes of voxels that a volume is stored in, each by itself. */
 struct VolumeChunks
 {
-  std::array<std::uint64_t, 3> size{ { 1, 1, 1 } };  ///< along x, y and the slices
-  std::string                  packing;              ///< in words; empty: they are not packed
-  bool                         inShards{ false };    ///< several in one file
-  std::uint64_t                bytesPerThread{ 0 };  ///< memory of a thread that reads them
-  std::uint64_t                bytesOfIndices{ 0 };  ///< memory of where they are, for all threads together
-  std::uint64_t                bytesPerLayer{ 0 };   ///< of those beside each other; 0: none is kept for slices further on
+  std::array<std::uint64_t, 3> size{ { 1, 1, 1 } }; ///< along x, y and the slices
+  std::string                  packing;             ///< in words; empty: they are not packed
+  bool                         inShards{ false };   ///< several in one file
+  std::uint64_t                bytesPerThread{ 0 }; ///< memory of a thread that reads them
+  std::uint64_t                bytesOfIndices{ 0 }; ///< memory of where they are, for all threads together
+  std::uint64_t bytesPerLayer{ 0 }; ///< of those beside each other; 0: none is kept for slices further on
 };
 
 /** Everything there is to know about a volume before its voxels are read. */

@@ -39,7 +39,9 @@ const std::array<LimitOption, 2> LimitOptions{ { { "lower", &ExtractOptions::low
 constexpr std::array<itk::MedialVoxelBoundary, 2> Boundaries{ { itk::MedialVoxelBoundary::Object,
                                                                 itk::MedialVoxelBoundary::Background } };
 
-constexpr std::array<ZarrCompression, 3> Compressions{ { ZarrCompression::None, ZarrCompression::Gzip, ZarrCompression::BloscZstd } };
+constexpr std::array<ZarrCompression, 3> Compressions{
+  { ZarrCompression::None, ZarrCompression::Gzip, ZarrCompression::BloscZstd }
+};
 
 template <typename TEnum, std::size_t VSize>
 TEnum

@@ -81,13 +81,14 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t  pull = InputVolume::IsReadInParallel(header)
                                 ? plan.threads * InputVolume::BytesPerPart
                                 : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
-  const std::uint64_t  reading = header.GetStored().chunks ? EstimateChunks(plan, header)
-                                                           : std::min(pull, voxels * bytesPerVoxel);
-  const std::uint64_t  unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
-  const std::uint64_t  resampling = header.stored ? EstimateResampling(header) : 0;
-  const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
-  const std::uint64_t  writing = plan.writesBehind ? BytesOfWriting : 0;
-  return BytesOfProgram + BytesPerThread * plan.threads + writing + reading + mask + unpacking + resampling + request.footprint.bytesBeside;
+  const std::uint64_t  reading =
+    header.GetStored().chunks ? EstimateChunks(plan, header) : std::min(pull, voxels * bytesPerVoxel);
+  const std::uint64_t unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
+  const std::uint64_t resampling = header.stored ? EstimateResampling(header) : 0;
+  const std::uint64_t mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
+  const std::uint64_t writing = plan.writesBehind ? BytesOfWriting : 0;
+  return BytesOfProgram + BytesPerThread * plan.threads + writing + reading + mask + unpacking + resampling +
+         request.footprint.bytesBeside;
 }
 
 std::unique_ptr<const itk::MedialVoxelEngine>
