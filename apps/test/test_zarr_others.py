@@ -46,6 +46,10 @@ class ZarrOfOthersTest(ProgramTestCase):
         )  # fmt: skip
         self.assertEqual(result.returncode, 0, result.stderr)
         self.names = json.loads(result.stdout.splitlines()[-1])
+        for name in ("v2-blosc-3.zarr", "v2-zstd-2.zarr"):
+            found = subprocess.run([PROGRAM, "info", self.folder / name], capture_output=True, text=True, check=False)
+            if "built without" in found.stderr:
+                self.skipTest(found.stderr)
         self.source = volumes.write_meta(self.folder / "in.mha", self.volume)
         self.expected = self.labels(self.source)
 

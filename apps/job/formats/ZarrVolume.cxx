@@ -36,7 +36,13 @@ ZarrVolume::ZarrVolume(const std::filesystem::path & name, bool overwrite, bool 
   : m_Folder(name, overwrite)
   , m_Sparse(sparse)
   , m_Compression(compression)
-{}
+{
+  const ZarrCodec * const codec = GetZarrCodec(compression);
+  if (codec != nullptr && codec->pack == nullptr)
+  {
+    Fail(ExitStatus::Usage, name.string(), ": this program was built without ", codec->neededLibrary);
+  }
+}
 
 std::uint64_t
 ZarrVolume::GetMemoryBytes(const VolumeGeometry & geometry, const VoxelLayout & layout, ZarrCompression compression)
