@@ -256,7 +256,7 @@ AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: " + JoinInputExtensions(), options.input)->required();
   AddSpacing(app, "--spacing", "Spacing, instead of that of the file", [&]() -> auto & { return options.spacing; });
-  AddText(app, "--level", "Size of an image with several, 0 the largest (default)", "N", [&](const std::string & text) {
+  AddText(app, "--level", "Of an image with several sizes; 0 (default): largest", "N", [&](const std::string & text) {
     options.level = static_cast<unsigned int>(ToCount(text, 0, LargestLevel));
   });
   AddText(app, "--resample", "Resample to the spacing S; auto: to the smallest", "S", [&](const std::string & text) {
