@@ -172,7 +172,7 @@ def make_formats(catalog):
         "All are read. Headerless files are read with `--raw-size` and `--raw-type`.\n",
         table(["extension", "format", "written", "vectors written", "packed"], volumes),
         "[Large volumes](../how-to/large-volumes.md#which-files-stream) lists which variants are read and which of them stream.\n"
-        "TIFF needs a program built with libtiff.\n",
+        "TIFF needs a program built with libtiff; Zarr that is packed by Blosc or zstd needs one built with libblosc or libzstd.\n",
         "## Meshes\n",
         "All are written.\n",
         table(["extension", "format", "faces", "thickness", "limit"], meshes),

@@ -6,10 +6,8 @@
 #include "ReadVolumeHeader.h"
 #include "VolumeFormats.h"
 #include "VolumeText.h"
+#include "ValueReader.h"
 #include "VoxelStream.h"
-#include "ZarrChunkFile.h"
-#include "ZarrImageIO.h"
-#include "ZarrStream.h"
 
 #include "itkStreamingRawImageIO.h"
 
@@ -29,6 +27,9 @@ constexpr std::uint64_t MaximumBytesToRead = 1 << 20;
 
 /** Each voxel may be a chunk, which is looked for. */
 constexpr std::uint64_t MaximumBytesOfChunks = 1 << 12;
+
+/** Of a chunk, while it is unpacked, and what a codec takes for itself. */
+constexpr std::uint64_t MaximumCopies = 16;
 
 void
 CheckHeader(const VolumeHeader & header)
@@ -76,33 +77,33 @@ CheckOutputHeader(const VolumeHeader & header)
           "another geometry after writing and reading it:\n" + text);
 }
 
-/** From front to back, as packed chunks are read, and by regions, as others are. */
+/** As a whole, part by part, and with a reader that keeps chunks: always the same. */
 void
-ReadZarrVoxels(const VolumeHeader & header)
+ReadChunks(const VolumeHeader & header)
 {
-  const ZarrArray     array = ReadZarrArray(header.dataFile, header.geometry.GetDimension());
   const std::uint64_t bytes = header.GetVoxelBytes();
-  if (bytes > MaximumBytesOfChunks || array.grid.GetChunkBytes() > MaximumBytesToRead)
+  const auto &        chunk = header.chunks->size;
+  if (bytes > MaximumBytesOfChunks || chunk[0] * chunk[1] * chunk[2] > MaximumBytesToRead ||
+      header.chunks->bytesPerThread > MaximumBytesToRead * MaximumCopies)
   {
     return;
   }
-  std::vector<char>                  inFileOrder(bytes);
-  const std::unique_ptr<VoxelStream> stream = OpenZarrStream(header);
-  stream->Read(inFileOrder.data(), bytes);
-  stream->CheckEnd();
-  if (header.CanStream())
+  itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
+  std::copy(header.geometry.size.begin(), header.geometry.size.end(), box.upper.begin());
+  std::vector<char> whole(bytes);
+  const auto        reader = MakeValueReader(header);
+  reader->Read(box, whole.data());
+  const auto keeping = MakeValueReader(header, Interpolation::Linear, MaximumBytesToRead)->MakeAnother();
+  const auto valueBytes = static_cast<std::int64_t>(GetTraits(header.pixelType).bytes);
+  for (std::int64_t z = 0; z < box.upper[2]; ++z)
   {
-    const auto         imageIO = MakeZarrImageIO(header);
-    itk::ImageIORegion region(header.geometry.GetDimension());
-    for (unsigned int axis = 0; axis < header.geometry.GetDimension(); ++axis)
-    {
-      region.SetSize(axis, header.geometry.size[axis]);
-    }
-    std::vector<char> voxels(bytes);
-    imageIO->SetIORegion(region);
-    imageIO->Read(voxels.data());
-    SwapToMachineOrder(array, inFileOrder);
-    Require(voxels == inFileOrder, "regions differ from what is read from front to back");
+    itk::MedialVoxelBox slice = box;
+    slice.lower[2] = z;
+    slice.upper[2] = z + 1;
+    std::vector<char> voxels(static_cast<std::size_t>(slice.NumberOfVoxels() * valueBytes));
+    keeping->Read(slice, voxels.data());
+    Require(std::equal(voxels.begin(), voxels.end(), whole.begin() + box.OffsetOf(slice.lower) * valueBytes),
+            "slices differ from the whole");
   }
 }
 
@@ -180,9 +181,9 @@ try
   const VolumeHeader header = ReadVolumeHeader(file.GetPath(), raw);
   CheckHeader(header);
   CheckOutputHeader(header);
-  if (header.format->IsFolder())
+  if (header.chunks)
   {
-    ReadZarrVoxels(header);
+    ReadChunks(header);
     return;
   }
   CheckFiles(header);

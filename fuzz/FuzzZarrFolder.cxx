@@ -14,18 +14,10 @@ namespace
 
 using namespace MedialVoxelFuzz;
 
-constexpr std::array<std::string_view, 12> Names{ { ".zattrs",
-                                                    ".zarray",
-                                                    "0/.zarray",
-                                                    "0/0.0.0",
-                                                    "0/0.0.1",
-                                                    "0/1.0.0",
-                                                    "0/0.0",
-                                                    "0/0.0.0.0",
-                                                    "0/0/0/0",
-                                                    "0/0/0/1",
-                                                    "0.0.0",
-                                                    "0.0" } };
+constexpr std::array<std::string_view, 20> Names{ { ".zattrs", ".zarray",     "0/.zarray", "0/0.0.0",   "0/0.0.1",
+                                                    "0/1.0.0", "0/0.0",       "0/0.0.0.0", "0/0/0/0",   "0/0/0/1",
+                                                    "0.0.0",   "0.0",         "zarr.json", "c/0/0/0",   "c/0/0/1",
+                                                    "c/0/0",   "0/zarr.json", "0/c/0/0/0", "0/c/0/0/1", "0/c/1/0/0" } };
 
 /** Takes a file from the front of the text: its name, which may be none of ours, and its bytes. */
 std::pair<std::string_view, std::string_view>
@@ -44,7 +36,10 @@ void
 WriteFolder(const std::filesystem::path & folder, std::string_view text)
 {
   std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder / "0" / "0" / "0");
+  for (const char * const name : { "0/0/0", "c/0/0", "0/c/0/0", "0/c/1/0" })
+  {
+    std::filesystem::create_directories(folder / name);
+  }
   std::ofstream(folder / ".zgroup") << "{}";
   text.remove_prefix(std::min<std::size_t>(1, text.size()));
   while (!text.empty())

@@ -35,6 +35,11 @@ public:
   virtual MedialVoxelSourceThreads
   GetSourceThreads() const;
 
+  /** Rows, from a multiple of them on, that are best filled by one thread, in all slices that are asked for; 1, the
+   * default: several threads fill slices. */
+  virtual std::int64_t
+  GetRowsReadTogether() const;
+
   /** Set the bits of the object voxels of \a box, which are clear, and in \a notANumber, unless it is null, those of
    * the voxels whose value is not a number. */
   virtual void

@@ -22,6 +22,9 @@ namespace medialvoxel
 namespace
 {
 
+/** More than any volume has: each has half the size of the one before. */
+constexpr std::uint64_t LargestLevel = 64;
+
 /** The description of a headerless file comes to life with the first option that belongs to it. */
 RawDescription &
 GetRaw(JobOptions & options)
@@ -207,6 +210,7 @@ AddCompression(CommandLine & line, CLI::App & app, JobOptions & options)
                              "KIND",
                              options.zarrCompression,
                              { { GetName(ZarrCompression::Gzip), ZarrCompression::Gzip },
+                               { GetName(ZarrCompression::BloscZstd), ZarrCompression::BloscZstd },
                                { GetName(ZarrCompression::None), ZarrCompression::None } })
     ->group("Run");
 }
@@ -237,6 +241,9 @@ AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: " + CLI::detail::join(ListInputFormats(), " "), options.input)->required();
   AddSpacing(app, "--spacing", "Spacing, instead of that of the file", [&]() -> auto & { return options.spacing; });
+  AddText(app, "--level", "Of an image with several sizes; 0 (default): largest", "N", [&](const std::string & text) {
+    options.level = static_cast<unsigned int>(ToCount(text, 0, LargestLevel));
+  });
   AddText(app, "--resample", "Resample to the spacing S; auto: to the smallest", "S", [&](const std::string & text) {
     options.resample = text == AutomaticSpacing ? 0.0 : ToPositive(text);
   });

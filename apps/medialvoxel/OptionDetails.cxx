@@ -12,6 +12,7 @@ ListOptionDetails()
     { "",
       "--spacing",
       "Default: that of the file, or 1. From 1e-12 to 1e12; the largest at most 1000 times the smallest." },
+    { "", "--level", "Needs an OME-Zarr image with so many levels. Each has about half the size of the one before." },
     { "",
       "--resample",
       "The input is brought to this spacing while it is read. Values between voxels are linear with a threshold; "
@@ -89,7 +90,9 @@ ListOptionDetails()
     { "",
       "--compress",
       "zlib for .mha, gzip for .nrrd. Packed files do not stream. Not in jobs of several processes." },
-    { "", "--zarr-compression", "Needs a .zarr output." },
+    { "",
+      "--zarr-compression",
+      "Needs a .zarr output. blosc-zstd makes smaller files than gzip, and makes them sooner." },
     { "", "--resume", "The job folder is OUTPUT.job until the run is complete. The same command continues." },
     { "", "--raw-size", "2 or 3 numbers, x first. The file must have exactly this size." },
     { "", "--values", "Reads the volume once, or twice for values of more than 16 bits." },

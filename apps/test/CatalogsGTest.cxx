@@ -26,8 +26,8 @@ TEST(MedialVoxelVolumeFormats, HaveExtensionsOfTheirOwn)
     const VolumeFormat & format = FindInputFormat("no-such-file" + extension);
     EXPECT_EQ(&FindInputFormat("NO-SUCH-FILE" + extension), &format) << extension;
     EXPECT_TRUE(format.input.readHeader) << extension;
-    EXPECT_TRUE(format.input.openCompressed) << extension;
-    EXPECT_TRUE(format.input.makeReader) << extension;
+    EXPECT_NE(format.input.makeReader == nullptr, format.input.makeChunkReader == nullptr) << extension;
+    EXPECT_EQ(format.input.openCompressed == nullptr, format.input.makeReader == nullptr) << extension;
   }
 }
 

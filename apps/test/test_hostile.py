@@ -170,6 +170,7 @@ class HostileTest(ProgramTestCase):
             (folder / ".zgroup").write_text("{}")
             for part in (b"\n" + path.read_bytes()).split(b"\n@")[1:]:
                 name, _, content = part.partition(b"\n")
+                (folder / name.decode()).parent.mkdir(parents=True, exist_ok=True)
                 (folder / name.decode()).write_bytes(content)
             self.assert_clear("in.zarr", (DONE, CORRUPT), path.name)
             shutil.rmtree(folder)

@@ -62,6 +62,17 @@ class ZarrOutputTest(ProgramTestCase):
                 {"type": "translation", "translation": [-3.5 + 0.375, 2.5 + 0.25, 1.5 + 0.125]},
             ],
         )
+        self.assertEqual(
+            multiscale["datasets"][1],
+            {
+                "path": "1",
+                "coordinateTransformations": [
+                    {"type": "scale", "scale": [1.5, 1.0, 0.5]},
+                    {"type": "translation", "translation": [-3.5 + 0.75, 2.5 + 0.5, 1.5 + 0.25]},
+                ],
+            },
+        )
+        self.assertEqual(len(multiscale["datasets"]), 2)
         self.assertNotIn("medialvoxel", attributes)
         self.assertEqual(description["dtype"], "|u1")
         self.assertEqual(description["shape"], [80, 70, 300])
@@ -70,6 +81,36 @@ class ZarrOutputTest(ProgramTestCase):
         self.assertEqual([axis["name"] for axis in attributes["multiscales"][0]["axes"]], ["c", "z", "y", "x"])
         self.assertEqual(description["shape"], [3, 80, 70, 300])
         self.assertEqual(description["chunks"], [1, 27, 70, 150])
+
+    def test_labels_have_smaller_levels(self):
+        """Each voxel is the largest one of the block that it stands for; chunks of zeros have no file."""
+        source = volumes.write_meta(self.folder / "in.mha", make_part((1100, 75, 40)))
+        for name, arguments in (("a.zarr", []), ("b.zarr", ["--divisions", 7, "--sparse"])):
+            self.extract(source, name, *arguments)
+            shape, labels = (40, 75, 1100), zarr_folder.read_data(self.folder / name)
+            for level in ("1", "2", "3"):
+                half = tuple((length + 1) // 2 for length in shape)
+                largest = bytearray(half[0] * half[1] * half[2])
+                for z in range(shape[0]):
+                    for y in range(shape[1]):
+                        row = labels[(z * shape[1] + y) * shape[2] :][: shape[2]]
+                        pairs = bytes(map(max, row[::2], row[1::2] + row[-1:] * (shape[2] % 2)))
+                        begin = (z // 2 * half[1] + y // 2) * half[2]
+                        largest[begin : begin + half[2]] = map(max, largest[begin : begin + half[2]], pairs)
+                self.assertEqual(zarr_folder.read_metadata(self.folder / name, level)[1]["shape"], list(half))
+                shape, labels = half, zarr_folder.read_data(self.folder / name, level)
+                self.assertEqual(labels, bytes(largest), f"{name} {level}")
+            self.assertFalse((self.folder / name / "4").exists())
+        self.extract("a.zarr", "small.mha", "--level", 3, "--overwrite")
+        self.assertEqual(volumes.read_header(self.folder / "small.mha")[0]["DimSize"], "138 10 5")
+
+    def test_flat_labels_have_smaller_levels(self):
+        volume = volumes.Volume((600, 1), [1 if 10 <= x < 14 else 0 for x in range(600)])
+        self.extract(volumes.write_meta(self.folder / "in.mha", volume), "a.zarr")
+        attributes, description = zarr_folder.read_metadata(self.folder / "a.zarr", "2")
+        self.assertEqual(description["shape"], [1, 150])
+        scales = [dataset["coordinateTransformations"][0]["scale"] for dataset in attributes["multiscales"][0]["datasets"]]
+        self.assertEqual(scales, [[1.0, 1.0], [1.0, 2.0], [1.0, 4.0]])
 
     def test_directions_are_kept(self):
         matrix = "0 1 0 -1 0 0 0 0 1"
@@ -213,7 +254,7 @@ class ZarrReadersTest(ProgramTestCase):
     def setUp(self):
         super().setUp()
         source = volumes.write_meta(self.folder / "in.mha", make_part(), Offset="1.5 2.5 -3.5")
-        for compression in ("none", "gzip"):
+        for compression in ("none", "gzip", "blosc-zstd"):
             names = (f"l-{compression}.zarr", "--vectors", f"v-{compression}.zarr")
             self.extract(source, *names, "--sparse", "--zarr-compression", compression)
         self.extract(source, "l.mha", "--vectors", "v.mha")
@@ -222,7 +263,7 @@ class ZarrReadersTest(ProgramTestCase):
         python = python_with(module)
         if not python:
             self.skipTest(f"no Python with the module {module} here")
-        for name in ("l-none", "l-gzip", "v-none", "v-gzip"):
+        for name in ("l-none", "l-gzip", "l-blosc-zstd", "v-none", "v-gzip", "v-blosc-zstd"):
             result = subprocess.run(
                 [python, READ_ZARR, module, self.folder / f"{name}.zarr", self.folder / "data.raw"],
                 capture_output=True, text=True, check=False,
@@ -231,6 +272,7 @@ class ZarrReadersTest(ProgramTestCase):
             data = (self.folder / "data.raw").read_bytes()
             self.assertEqual(data, volumes.read_data(self.folder / f"{name[0]}.mha"), f"{module} {name}")
             found = json.loads(result.stdout.splitlines()[-1])
+            self.assertEqual(found["levels"], 2 if name[0] == "l" else 1)
             shift = 0.5 if name[0] == "l" else 0.0
             self.assertEqual(found["scale"][-3:], [0.75, 0.5, 0.25])
             self.assertEqual(
@@ -242,6 +284,9 @@ class ZarrReadersTest(ProgramTestCase):
 
     def test_ngff_zarr(self):
         self.check("ngff_zarr")
+
+    def test_ome_zarr_models(self):
+        self.check("ome_zarr_models")
 
 
 if __name__ == "__main__":

@@ -51,6 +51,12 @@ MedialVoxelExecution::GetSourceThreads() const
   return m_Client.GetSourceThreads();
 }
 
+std::int64_t
+MedialVoxelExecution::GetRowsReadTogether() const
+{
+  return m_Client.GetRowsReadTogether();
+}
+
 void
 MedialVoxelExecution::FillObject(const MedialVoxelBox &  box,
                                  MedialVoxelBits &       object,

@@ -44,6 +44,9 @@ public:
   MedialVoxelSourceThreads
   GetSourceThreads() const override;
 
+  std::int64_t
+  GetRowsReadTogether() const override;
+
   void
   FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * notANumber) override;
 

@@ -59,6 +59,20 @@ CutIntoParts(const MedialVoxelBox & box, const std::int64_t number)
   return parts;
 }
 
+/** Cuts along y, at multiples of \a unit. */
+std::vector<MedialVoxelBox>
+CutIntoRows(const MedialVoxelBox & box, const std::int64_t number, const std::int64_t unit)
+{
+  const std::int64_t          units = (box.Extent(1) - 1) / unit / number + 1;
+  std::vector<MedialVoxelBox> parts;
+  for (MedialVoxelBox part = box; part.lower[1] < box.upper[1]; part.lower[1] = part.upper[1])
+  {
+    part.upper[1] = std::min((part.lower[1] / unit + units) * unit, box.upper[1]);
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 void
 RemoveKnownParts(std::vector<MedialVoxelBox> & parts, const MedialVoxelBox & known)
 {
@@ -182,7 +196,7 @@ MedialVoxelMovingWindow::MoveTo(const MedialVoxelBox &    sites,
                                 MedialVoxelObjectSource & source)
 {
   this->BeginMove(sites, room, nullptr);
-  for (const MedialVoxelBox & part : this->CutToFill(1))
+  for (const MedialVoxelBox & part : this->CutToFill(1, 1))
   {
     this->Fill(part, source);
   }
@@ -223,9 +237,10 @@ MedialVoxelMovingWindow::BeginMove(const MedialVoxelBox &                sites,
 }
 
 std::vector<MedialVoxelBox>
-MedialVoxelMovingWindow::CutToFill(const std::int64_t number) const
+MedialVoxelMovingWindow::CutToFill(const std::int64_t number, const std::int64_t rows) const
 {
-  std::vector<MedialVoxelBox> parts = CutIntoParts(m_Object.GetBox(), number);
+  std::vector<MedialVoxelBox> parts =
+    rows > 1 ? CutIntoRows(m_Object.GetBox(), number, rows) : CutIntoParts(m_Object.GetBox(), number);
   if (m_Known.donor == nullptr)
   {
     RemoveKnownParts(parts, m_KeepsGray ? m_Known.input.Intersection(m_Known.gray) : m_Known.input);

@@ -84,9 +84,10 @@ public:
   BeginMove(const MedialVoxelBox & sites, const MedialVoxelBox & room, const MedialVoxelMovingWindow * donor);
 
   /** Parts of the window that the source fills, at most \a number and of whole slices, or of rows where there is one
-   * slice. Those that need nothing are left out. */
+   * slice. Those that need nothing are left out.
+   * \param rows that belong together; more than 1: parts have rows of all slices and begin with a multiple of it */
   std::vector<MedialVoxelBox>
-  CutToFill(std::int64_t number) const;
+  CutToFill(std::int64_t number, std::int64_t rows) const;
 
   /** Know the object bits of a part as the source has them. Several threads may do so for different parts. */
   void

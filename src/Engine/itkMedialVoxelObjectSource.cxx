@@ -15,6 +15,12 @@ MedialVoxelObjectSource::GetSourceThreads() const
   return MedialVoxelSourceThreads::Calling;
 }
 
+std::int64_t
+MedialVoxelObjectSource::GetRowsReadTogether() const
+{
+  return 1;
+}
+
 void
 MedialVoxelObjectSource::FillObjectAndGray(const MedialVoxelBox &,
                                            MedialVoxelBits &,

@@ -41,12 +41,13 @@ MedialVoxelFindNearestWindow(const MedialVoxelSlabSchedule::Windows & windows, c
   return CountShared(windows[1], input) > CountShared(windows[0], input) ? 1 : 0;
 }
 
-MedialVoxelSlabSchedule::MedialVoxelSlabSchedule(const MedialVoxelSlabPlan &    plan,
-                                                 State &                        state,
-                                                 const MedialVoxelSourceThreads threads)
+MedialVoxelSlabSchedule::MedialVoxelSlabSchedule(const MedialVoxelSlabPlan &     plan,
+                                                 State &                         state,
+                                                 const MedialVoxelObjectSource & source)
   : m_Plan(plan)
   , m_State(state)
-  , m_Threads(threads)
+  , m_Threads(source.GetSourceThreads())
+  , m_RowsReadTogether(source.GetRowsReadTogether())
 {}
 
 void
@@ -401,7 +402,8 @@ MedialVoxelSlabSchedule::EnterPhase(Slab & slab, const Phase phase)
   switch (phase)
   {
     case Phase::Fill:
-      boxes = window.CutToFill(m_Threads == MedialVoxelSourceThreads::Several ? parts : 1);
+      boxes = m_Threads == MedialVoxelSourceThreads::Several ? window.CutToFill(parts, m_RowsReadTogether)
+                                                             : window.CutToFill(1, 1);
       break;
     case Phase::ChangeSmallComponents:
       boxes.resize(window.ChangesSmallComponents() ? 1 : 0);

@@ -62,7 +62,7 @@ public:
   };
 
   /** \a plan and \a state outlive the schedule. */
-  MedialVoxelSlabSchedule(const MedialVoxelSlabPlan & plan, State & state, MedialVoxelSourceThreads threads);
+  MedialVoxelSlabSchedule(const MedialVoxelSlabPlan & plan, State & state, const MedialVoxelObjectSource & source);
 
   /** Set the work: process \a region, and prepare a window for the first slab of \a nextRegion meanwhile. */
   void
@@ -223,6 +223,7 @@ private:
   const MedialVoxelSlabPlan & m_Plan;
   State &                     m_State;
   MedialVoxelSourceThreads    m_Threads;
+  std::int64_t                m_RowsReadTogether;
   unsigned int                m_NumberOfWorkers{ 1 };
   std::vector<Pending>        m_Pending; // the last one comes next
   MedialVoxelBox              m_NextRegion;

@@ -51,7 +51,7 @@ MedialVoxelSlabWalker::Run(const MedialVoxelBox &  region,
 {
   try
   {
-    MedialVoxelSlabSchedule schedule(m_Plan, m_State, runner.GetSourceThreads());
+    MedialVoxelSlabSchedule schedule(m_Plan, m_State, runner);
     schedule.Begin(region, nextRegion);
     runner.RunSchedule(schedule);
     schedule.CheckThatAllIsDone();

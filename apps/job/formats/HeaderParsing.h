@@ -36,9 +36,10 @@ ReadKeyedHeader(const std::filesystem::path & fileName);
 /** Of these texts and these voxels. */
 std::vector<const char *>
 ListKeyedExtensions();
-/** Of a group of OME-Zarr 0.4, or of an array. \throw HeaderError; JobError for files that are not JSON */
+/** Of a level of an image of OME-Zarr 0.4 or 0.5, 0 the largest, or of an array, which has no other.
+ * \throw HeaderError; JobError for files that are not JSON, and Usage for a level that is not there */
 VolumeHeader
-ReadZarrHeader(const std::filesystem::path & folder);
+ReadZarrHeader(const std::filesystem::path & folder, unsigned int level);
 #ifdef MEDIALVOXEL_WITH_TIFF
 VolumeHeader
 ReadTiffHeader(const std::filesystem::path & fileName);

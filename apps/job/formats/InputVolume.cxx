@@ -10,8 +10,6 @@
 #include "itkMedialVoxelEngineClient.h"
 #include "itkMedialVoxelProgress.h"
 
-#include <chrono>
-#include <vector>
 
 namespace medialvoxel
 {
@@ -33,18 +31,24 @@ GetInterpolation(const JobOptions & options)
 class StreamedInput : public InputVolume
 {
 public:
-  StreamedInput(const VolumeHeader & header, const JobOptions & options)
-    : InputVolume(GetTraits(header.pixelType).bytes)
-    , m_PixelType(header.pixelType)
+  StreamedInput(const VolumeHeader & header, const JobOptions & options, std::uint64_t bytesToKeep)
+    : m_PixelType(header.pixelType)
     , m_Options(options)
-    , m_Readers(header, GetInterpolation(options))
+    , m_IsParallel(IsReadInParallel(header))
+    , m_Readers(header, GetInterpolation(options), bytesToKeep)
   {}
 
   /** Resampling has threads of its own. */
   itk::MedialVoxelSourceThreads
   GetSourceThreads() const override
   {
-    return m_Readers.IsParallel() ? itk::MedialVoxelSourceThreads::Several : itk::MedialVoxelSourceThreads::Calling;
+    return m_IsParallel ? itk::MedialVoxelSourceThreads::Several : itk::MedialVoxelSourceThreads::Calling;
+  }
+
+  std::int64_t
+  GetRowsReadTogether() const override
+  {
+    return m_Readers.GetRowsReadTogether();
   }
 
   std::uint64_t
@@ -53,79 +57,65 @@ public:
     return m_Readers.GetNumberOfBytesRead();
   }
 
-protected:
-  std::vector<itk::MedialVoxelBox>
-  CutIntoParts(const itk::MedialVoxelBox & box) const override
-  {
-    return m_Readers.CutIntoParts(box);
-  }
-
   void
-  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) override
+  Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets) override
   {
-    const auto start = std::chrono::steady_clock::now();
-    m_Readers.Read(part, [&](const std::byte * values) {
-      this->AddReadSeconds(start);
-      DispatchPixelType(
-        m_PixelType, [&](auto zero) { this->Pack(reinterpret_cast<const decltype(zero) *>(values), part, targets); });
+    m_Readers.With([&](ValueReader & reader) {
+      DispatchPixelType(m_PixelType, [&](auto zero) {
+        reader.ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
+          itk::MedialVoxelPoll();
+          ValueView view;
+          this->MeasureReading([&] { view = reader.Look(part); });
+          this->Pack<decltype(zero)>(view, part, targets);
+        });
+      });
     });
   }
 
 private:
   template <typename TValue>
   void
-  Pack(const TValue * values, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const
+  Pack(const ValueView & view, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const
   {
-    const itk::MedialVoxelStrides strides{ 1, part.Extent(0), part.Extent(0) * part.Extent(1) };
-    if (targets.object != nullptr)
-    {
-      itk::MedialVoxelPackBox(values, strides, part, MakeObjectPredicate<TValue>(m_Options), *targets.object);
-    }
-    if (targets.notANumber != nullptr)
-    {
-      itk::MedialVoxelPackBox(values, strides, part, [](TValue value) { return value != value; }, *targets.notANumber);
-    }
+    const auto * const values = static_cast<const TValue *>(view.values);
+    const auto         pack = [&](const auto & predicate, itk::MedialVoxelBits * bits) {
+      // Bits that stay clear need no look at each voxel.
+      if (bits != nullptr && !(view.areEqual && !predicate(*values)))
+      {
+        itk::MedialVoxelPackBox(values, view.strides, part, predicate, *bits);
+      }
+    };
+    pack(MakeObjectPredicate<TValue>(m_Options), targets.object);
+    pack([](TValue value) { return value != value; }, targets.notANumber);
     if (targets.gray != nullptr)
     {
-      itk::MedialVoxelCopyBox(values, strides, part, *targets.gray);
+      itk::MedialVoxelCopyBox(values, view.strides, part, *targets.gray);
     }
   }
 
   PixelType  m_PixelType;
   JobOptions m_Options;
+  bool       m_IsParallel;
   ReaderPool m_Readers;
 };
 
 } // namespace
 
-std::vector<itk::MedialVoxelBox>
-InputVolume::CutIntoParts(const itk::MedialVoxelBox & box) const
-{
-  return itk::MedialVoxelEngineClient::CutForPull(box, m_BytesPerVoxel);
-}
-
 bool
 InputVolume::IsReadInParallel(const VolumeHeader & header)
 {
-  return header.CanStream() && !header.stored && header.liesInRows;
-}
-
-void
-InputVolume::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets)
-{
-  for (const itk::MedialVoxelBox & part : this->CutIntoParts(box))
-  {
-    itk::MedialVoxelPoll();
-    this->FillPart(part, targets);
-  }
+  return header.CanStream() && !header.stored && (header.chunks || header.liesInRows);
 }
 
 std::unique_ptr<InputVolume>
-OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder)
+OpenInputVolume(const VolumeHeader &          header,
+                const JobOptions &            options,
+                const std::filesystem::path & scratchFolder,
+                std::uint64_t                 bytesToKeep)
 {
   if (header.CanStream())
   {
-    return std::make_unique<StreamedInput>(header, options);
+    return std::make_unique<StreamedInput>(header, options, bytesToKeep);
   }
   return OpenMaskInput(header, options, GetInterpolation(options), scratchFolder);
 }

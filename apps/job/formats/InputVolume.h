@@ -61,10 +61,17 @@ public:
     return itk::MedialVoxelSourceThreads::OneAtATime;
   }
 
+  /** Rows that are best read by one thread, in all slices of a box; 1: slices are. */
+  virtual std::int64_t
+  GetRowsReadTogether() const
+  {
+    return 1;
+  }
+
   /** Fills what is wanted of a box, in parts between which the thread polls.
    * \throw JobError CorruptInput, itk::ExceptionObject */
-  void
-  Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets);
+  virtual void
+  Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets) = 0;
 
   /** Bytes that a part of a box takes while it is read, for each thread that reads. */
   static constexpr std::uint64_t BytesPerPart = std::uint64_t{ 1 } << 20;
@@ -85,18 +92,6 @@ public:
   }
 
 protected:
-  /** \param bytesPerVoxel that a part of a box takes while it is read */
-  explicit InputVolume(std::size_t bytesPerVoxel)
-    : m_BytesPerVoxel(bytesPerVoxel)
-  {}
-
-  /** Parts that are read one after the other. */
-  virtual std::vector<itk::MedialVoxelBox>
-  CutIntoParts(const itk::MedialVoxelBox & box) const;
-
-  virtual void
-  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) = 0;
-
   /** Calls function() and adds what it takes to the seconds of reading. */
   template <typename TFunction>
   void
@@ -118,22 +113,19 @@ protected:
     }
   }
 
-  std::size_t
-  GetBytesPerVoxel() const
-  {
-    return m_BytesPerVoxel;
-  }
-
 private:
-  std::size_t         m_BytesPerVoxel;
   std::atomic<double> m_ReadSeconds{ 0.0 };
 };
 
 /** Opens a volume that ReadVolumeHeader() has checked. One that does not stream becomes a mask of the object that the
  * options describe, in memory or, when a scratch folder is given, in a file there.
+ * \param bytesToKeep of chunks whose further slices are needed later, as the plan has it
  * \throw JobError Refused when the scratch folder has no space. */
 std::unique_ptr<InputVolume>
-OpenInputVolume(const VolumeHeader & header, const JobOptions & options, const std::filesystem::path & scratchFolder);
+OpenInputVolume(const VolumeHeader &          header,
+                const JobOptions &            options,
+                const std::filesystem::path & scratchFolder,
+                std::uint64_t                 bytesToKeep = 0);
 
 } // end namespace medialvoxel
 

@@ -10,6 +10,7 @@
 
 #include "itkMedialVoxelEngineClient.h"
 #include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
 #include <cstring>
@@ -30,6 +31,12 @@ GetSize(const VolumeHeader & header)
   return size;
 }
 
+std::vector<itk::MedialVoxelBox>
+CutIntoParts(const itk::MedialVoxelBox & box)
+{
+  return itk::MedialVoxelEngineClient::CutForPull(box, sizeof(ObjectNumber));
+}
+
 } // namespace
 
 /** \class LabelMap::Source
@@ -47,9 +54,6 @@ public:
   virtual void
   Learn(const LabelSurvey::Result & found) = 0;
 
-  virtual std::vector<itk::MedialVoxelBox>
-  CutIntoParts(const itk::MedialVoxelBox & box) const = 0;
-
   virtual void
   Read(const itk::MedialVoxelBox & part, ObjectNumber * objects) = 0;
 
@@ -65,9 +69,9 @@ public:
 class LabelMap::StreamedSource : public Source
 {
 public:
-  explicit StreamedSource(const VolumeHeader & header)
+  StreamedSource(const VolumeHeader & header, std::uint64_t bytesToKeep)
     : m_Header(header)
-    , m_Readers(header, Interpolation::Nearest)
+    , m_Readers(header, Interpolation::Nearest, bytesToKeep)
   {}
 
   void
@@ -75,7 +79,7 @@ public:
   {
     itk::MedialVoxelBox all;
     all.upper = GetSize(m_Header);
-    const auto parts = m_Readers.CutIntoParts(all);
+    const auto parts = CutIntoParts(all);
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       observer(static_cast<double>(i) / static_cast<double>(parts.size()));
@@ -89,12 +93,6 @@ public:
     m_Table = LabelTable(found.values);
   }
 
-  std::vector<itk::MedialVoxelBox>
-  CutIntoParts(const itk::MedialVoxelBox & box) const override
-  {
-    return m_Readers.CutIntoParts(box);
-  }
-
   void
   Read(const itk::MedialVoxelBox & part, ObjectNumber * objects) override
   {
@@ -104,7 +102,8 @@ public:
   itk::MedialVoxelSourceThreads
   GetThreads() const override
   {
-    return m_Readers.IsParallel() ? itk::MedialVoxelSourceThreads::Several : itk::MedialVoxelSourceThreads::Calling;
+    return InputVolume::IsReadInParallel(m_Header) ? itk::MedialVoxelSourceThreads::Several
+                                                   : itk::MedialVoxelSourceThreads::Calling;
   }
 
   std::uint64_t
@@ -118,11 +117,11 @@ private:
   void
   WithValues(const itk::MedialVoxelBox & part, TFunction && function)
   {
-    m_Readers.Read(part, [&](const std::byte * bytes) {
-      DispatchPixelType(m_Header.pixelType, [&](auto zero) {
-        function(reinterpret_cast<const decltype(zero) *>(bytes), static_cast<std::size_t>(part.NumberOfVoxels()));
-      });
-    });
+    const auto             count = static_cast<std::size_t>(part.NumberOfVoxels());
+    std::vector<std::byte> bytes(count * GetTraits(m_Header.pixelType).bytes);
+    m_Readers.With([&](ValueReader & reader) { reader.Read(part, bytes.data()); });
+    DispatchPixelType(m_Header.pixelType,
+                      [&](auto zero) { function(reinterpret_cast<const decltype(zero) *>(bytes.data()), count); });
   }
 
   VolumeHeader m_Header;
@@ -168,12 +167,6 @@ public:
   Learn(const LabelSurvey::Result & found) override
   {
     m_Numbers = found.numbers;
-  }
-
-  std::vector<itk::MedialVoxelBox>
-  CutIntoParts(const itk::MedialVoxelBox & box) const override
-  {
-    return itk::MedialVoxelEngineClient::CutForPull(box, sizeof(ObjectNumber));
   }
 
   void
@@ -245,15 +238,15 @@ private:
 LabelMap::LabelMap(const VolumeHeader &          header,
                    const LabelSelection &        selection,
                    std::uint64_t                 maximumPoreSize,
-                   const std::filesystem::path & scratchFolder)
-  : InputVolume(sizeof(ObjectNumber))
-  , m_Header(header)
+                   const std::filesystem::path & scratchFolder,
+                   std::uint64_t                 bytesToKeep)
+  : m_Header(header)
   , m_Selection(selection)
   , m_MaximumPoreSize(maximumPoreSize)
 {
   if (header.CanStream())
   {
-    m_Source = std::make_unique<StreamedSource>(header);
+    m_Source = std::make_unique<StreamedSource>(header, bytesToKeep);
   }
   else
   {
@@ -288,7 +281,7 @@ LabelMap::Prepare(const ReadObserver & observer)
 void
 LabelMap::ReadObjects(const itk::MedialVoxelBox & box, ObjectNumber * objects)
 {
-  for (const itk::MedialVoxelBox & part : this->CutIntoParts(box))
+  for (const itk::MedialVoxelBox & part : CutIntoParts(box))
   {
     this->MeasureReading([&] { m_Source->Read(part, objects); });
     objects += part.NumberOfVoxels();
@@ -307,24 +300,28 @@ LabelMap::GetNumberOfBytesRead() const
   return m_Source->GetNumberOfBytesRead();
 }
 
-std::vector<itk::MedialVoxelBox>
-LabelMap::CutIntoParts(const itk::MedialVoxelBox & box) const
-{
-  return m_Source->CutIntoParts(box);
-}
-
 void
-LabelMap::FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets)
+LabelMap::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets)
 {
   if (targets.object == nullptr)
   {
     return;
   }
+  for (const itk::MedialVoxelBox & part : CutIntoParts(box))
+  {
+    itk::MedialVoxelPoll();
+    this->FillPart(part, *targets.object);
+  }
+}
+
+void
+LabelMap::FillPart(const itk::MedialVoxelBox & part, itk::MedialVoxelBits & bits)
+{
   std::vector<ObjectNumber> objects(static_cast<std::size_t>(part.NumberOfVoxels()));
   this->MeasureReading([&] { m_Source->Read(part, objects.data()); });
   const itk::MedialVoxelStrides strides{ 1, part.Extent(0), part.Extent(0) * part.Extent(1) };
   const auto isShown = [this](ObjectNumber object) { return object > 0 && m_Passes[object] == m_ShownPass; };
-  itk::MedialVoxelPackBox(objects.data(), strides, part, isShown, *targets.object);
+  itk::MedialVoxelPackBox(objects.data(), strides, part, isShown, bits);
 }
 
 } // end namespace medialvoxel

@@ -27,11 +27,13 @@ public:
   /** \param selection the values that are objects
    * \param maximumPoreSize of the extraction
    * \param scratchFolder for a volume that does not stream; empty: in memory
+   * \param bytesToKeep of chunks whose further slices are needed later
    * \throw JobError Refused when there is no space in the scratch folder. */
   LabelMap(const VolumeHeader &          header,
            const LabelSelection &        selection,
            std::uint64_t                 maximumPoreSize,
-           const std::filesystem::path & scratchFolder);
+           const std::filesystem::path & scratchFolder,
+           std::uint64_t                 bytesToKeep);
   ~LabelMap() override;
 
   /** Reads all voxels once: finds the objects and their passes.
@@ -89,14 +91,13 @@ public:
   std::uint64_t
   GetNumberOfBytesRead() const override;
 
-protected:
-  std::vector<itk::MedialVoxelBox>
-  CutIntoParts(const itk::MedialVoxelBox & box) const override;
-
   void
-  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) override;
+  Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets) override;
 
 private:
+  void
+  FillPart(const itk::MedialVoxelBox & part, itk::MedialVoxelBits & bits);
+
   class Source;
   class StreamedSource;
   class UnpackedSource;

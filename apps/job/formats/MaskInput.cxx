@@ -7,6 +7,9 @@
 #include "Text.h"
 #include "ValueStream.h"
 
+#include "itkMedialVoxelEngineClient.h"
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cassert>
 #include <type_traits>
@@ -57,8 +60,7 @@ public:
             const JobOptions &            options,
             Interpolation                 interpolation,
             const std::filesystem::path & scratchFolder)
-    : InputVolume(1)
-    , m_Header(header)
+    : m_Header(header)
     , m_Options(options)
     , m_Interpolation(interpolation)
     , m_ScratchFolder(scratchFolder)
@@ -90,18 +92,27 @@ public:
     return m_BytesRead;
   }
 
-protected:
   void
-  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets) override
+  Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets) override
   {
     assert(targets.notANumber == nullptr && targets.gray == nullptr);
+    for (const itk::MedialVoxelBox & part : itk::MedialVoxelEngineClient::CutForPull(box, 1))
+    {
+      itk::MedialVoxelPoll();
+      this->FillPart(part, targets);
+    }
+  }
+
+private:
+  void
+  FillPart(const itk::MedialVoxelBox & part, const VoxelTargets & targets)
+  {
     for (std::int64_t z = part.lower[2]; z < part.upper[2]; ++z)
     {
       this->MeasureReading([&] { this->FillSlice(part, z, *targets.object); });
     }
   }
 
-private:
   template <typename TValue>
   void
   Unpack(const ReadObserver & observer)

@@ -46,6 +46,22 @@ DescribeRawVolume(const std::filesystem::path & fileName, const RawDescription &
   return header;
 }
 
+VolumeHeader
+ReadLevel(const VolumeFormat & format, const std::filesystem::path & fileName, unsigned int level)
+{
+  if (format.input.readLevel == nullptr)
+  {
+    Fail(ExitStatus::Usage,
+         fileName.string(),
+         ": it has no level ",
+         level,
+         "; ",
+         format.name,
+         " has one size of an image, level 0");
+  }
+  return format.input.readLevel(fileName, level);
+}
+
 /** Lengths are measured along the axes, so that a direction must not stretch them. */
 void
 CheckDirection(const VolumeHeader & header, unsigned int axis)
@@ -152,11 +168,14 @@ CheckDataSize(const VolumeHeader & header)
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,
-                 const std::vector<double> &           spacing)
+                 const std::vector<double> &           spacing,
+                 unsigned int                          level)
 try
 {
   const VolumeFormat & format = raw ? GetRawFormat() : FindInputFormat(fileName);
-  VolumeHeader         header = raw ? DescribeRawVolume(fileName, *raw) : format.input.readHeader(fileName);
+  VolumeHeader         header = raw         ? DescribeRawVolume(fileName, *raw)
+                                : level > 0 ? ReadLevel(format, fileName, level)
+                                            : format.input.readHeader(fileName);
   header.format = &format;
   if (!spacing.empty())
   {
@@ -175,7 +194,7 @@ catch (const HeaderError & error)
 VolumeHeader
 ReadInputHeader(const JobOptions & options)
 {
-  const VolumeHeader header = ReadVolumeHeader(options.input, options.raw, options.spacing);
+  const VolumeHeader header = ReadVolumeHeader(options.input, options.raw, options.spacing, options.level);
   return options.resample ? ResampleHeader(header, *options.resample) : header;
 }
 
@@ -187,6 +206,10 @@ DescribeHeader(const VolumeHeader & seen)
   TextTable                    table;
   table.emplace_back("file", header.fileName.string());
   table.emplace_back("format", header.format->name);
+  if (header.numberOfLevels > 1)
+  {
+    table.emplace_back("level", std::to_string(header.level) + " of 0 to " + std::to_string(header.numberOfLevels - 1));
+  }
   table.emplace_back("size", FormatSize(header.geometry.size));
   table.emplace_back("spacing", FormatNumbers(header.geometry.spacing, " x "));
   table.emplace_back("origin", FormatNumbers(header.geometry.origin, ", "));

@@ -20,12 +20,14 @@ namespace medialvoxel
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
  * ones: may be), and its place in space is within itk::MedialVoxelGridLimits.
  * \param spacing along each axis, in place of that of the file; empty: that of the file
- * \throw JobError: Usage for an unknown extension or another number of spacings than of axes, Failure for a file that
- * cannot be read, CorruptInput for all else. */
+ * \param level of an image that is there in several sizes, 0 the largest
+ * \throw JobError: Usage for an unknown extension, another number of spacings than of axes or a level that is not
+ * there, Failure for a file that cannot be read, CorruptInput for all else. */
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,
-                 const std::vector<double> &           spacing = {});
+                 const std::vector<double> &           spacing = {},
+                 unsigned int                          level = 0);
 
 /** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
 VolumeHeader

@@ -2,39 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ReaderPool.h"
 
-#include "InputVolume.h"
-
-#include "itkMedialVoxelEngineClient.h"
-
 namespace medialvoxel
 {
 
-ReaderPool::ReaderPool(const VolumeHeader & header, Interpolation interpolation)
-  : m_Header(header)
-  , m_Interpolation(interpolation)
-  , m_BytesPerVoxel(GetTraits(header.pixelType).bytes)
-  , m_IsParallel(InputVolume::IsReadInParallel(header))
+ReaderPool::ReaderPool(const VolumeHeader & header, Interpolation interpolation, std::uint64_t bytesToKeep)
 {
-  m_Readers.push_back(MakeValueReader(m_Header, m_Interpolation));
-  m_FreeLanes.push_back({ m_Readers.front().get(), {} });
-}
-
-std::vector<itk::MedialVoxelBox>
-ReaderPool::CutIntoParts(const itk::MedialVoxelBox & box) const
-{
-  const auto bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * m_BytesPerVoxel;
-  if (!m_IsParallel || bytesPerSlice <= InputVolume::BytesPerPart)
-  {
-    return itk::MedialVoxelEngineClient::CutForPull(box, m_BytesPerVoxel);
-  }
-  std::vector<itk::MedialVoxelBox> parts;
-  for (itk::MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
-  {
-    slice.upper[2] = slice.lower[2] + 1;
-    const auto rows = itk::MedialVoxelEngineClient::CutForPull(slice, m_BytesPerVoxel);
-    parts.insert(parts.end(), rows.begin(), rows.end());
-  }
-  return parts;
+  m_Readers.push_back(MakeValueReader(header, interpolation, bytesToKeep));
+  m_FreeReaders.push_back(m_Readers.front().get());
 }
 
 std::uint64_t
@@ -48,18 +22,18 @@ ReaderPool::GetNumberOfBytesRead() const
   return bytes;
 }
 
-auto
-ReaderPool::TakeLane() -> Lane
+ValueReader *
+ReaderPool::Take()
 {
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  if (m_FreeLanes.empty())
+  if (m_FreeReaders.empty())
   {
-    m_Readers.push_back(MakeValueReader(m_Header, m_Interpolation));
-    return { m_Readers.back().get(), {} };
+    m_Readers.push_back(m_Readers.front()->MakeAnother());
+    return m_Readers.back().get();
   }
-  Lane lane = std::move(m_FreeLanes.back());
-  m_FreeLanes.pop_back();
-  return lane;
+  ValueReader * const reader = m_FreeReaders.back();
+  m_FreeReaders.pop_back();
+  return reader;
 }
 
 } // end namespace medialvoxel

@@ -5,11 +5,9 @@
 
 #include "ValueReader.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -20,54 +18,37 @@ namespace medialvoxel
 class ReaderPool
 {
 public:
-  ReaderPool(const VolumeHeader & header, Interpolation interpolation);
+  /** Arguments as of MakeValueReader(). */
+  ReaderPool(const VolumeHeader & header, Interpolation interpolation, std::uint64_t bytesToKeep);
 
-  /** Parts of a box that are read one after the other: slices, or rows where a slice is large and several threads read.
-   */
-  std::vector<itk::MedialVoxelBox>
-  CutIntoParts(const itk::MedialVoxelBox & box) const;
-
-  /** Reads a part and calls function(values), with values of the pixel type of the header. */
+  /** Calls function(reader) with one that no other thread has meanwhile. */
   template <typename TFunction>
   void
-  Read(const itk::MedialVoxelBox & part, TFunction && function)
+  With(TFunction && function)
   {
-    Lane lane = this->TakeLane();
-    lane.values.resize(static_cast<std::size_t>(part.NumberOfVoxels()) * m_BytesPerVoxel);
-    lane.reader->Read(part, lane.values.data());
-    function(static_cast<const std::byte *>(lane.values.data()));
+    ValueReader * const reader = this->Take();
+    function(*reader);
     const std::lock_guard<std::mutex> lock(m_Mutex);
-    m_FreeLanes.push_back(std::move(lane));
+    m_FreeReaders.push_back(reader);
   }
 
-  bool
-  IsParallel() const
+  std::int64_t
+  GetRowsReadTogether() const
   {
-    return m_IsParallel;
+    return m_Readers.front()->GetRowsReadTogether();
   }
 
   std::uint64_t
   GetNumberOfBytesRead() const;
 
 private:
-  /** What a thread needs to read. */
-  struct Lane
-  {
-    ValueReader *          reader{ nullptr };
-    std::vector<std::byte> values; // of a part
-  };
+  /** The one that was used last goes on, so that one thread reads ahead in the file. */
+  ValueReader *
+  Take();
 
-  /** The lane that was used last goes on, so that one thread reads ahead in the file. */
-  Lane
-  TakeLane();
-
-  VolumeHeader                              m_Header;
-  Interpolation                             m_Interpolation;
-  std::size_t                               m_BytesPerVoxel;
-  bool                                      m_IsParallel;
   std::mutex                                m_Mutex; // of what follows
   std::vector<std::unique_ptr<ValueReader>> m_Readers;
-  std::vector<Lane>                         m_FreeLanes;
+  std::vector<ValueReader *>                m_FreeReaders;
 };
 
 } // end namespace medialvoxel

@@ -19,20 +19,21 @@ template <typename TValue>
 class ValueRange
 {
 public:
+  /** \param times that each of them is there */
   void
-  Add(const std::vector<TValue> & values)
+  Add(const std::vector<TValue> & values, std::uint64_t times = 1)
   {
     for (const TValue value : values)
     {
       if (!std::isfinite(static_cast<double>(value)))
       {
-        ++m_Excluded;
+        m_Excluded += times;
         continue;
       }
-      ++m_Count;
+      m_Count += times;
       m_Minimum = std::min(m_Minimum, value);
       m_Maximum = std::max(m_Maximum, value);
-      m_Sum += value;
+      m_Sum += static_cast<long double>(value) * static_cast<long double>(times);
     }
   }
 
@@ -94,14 +95,15 @@ public:
     }
   }
 
+  /** \param times that each of them is there */
   void
-  Add(const std::vector<TValue> & values)
+  Add(const std::vector<TValue> & values, std::uint64_t times = 1)
   {
     for (const TValue value : values)
     {
       if (std::isfinite(static_cast<double>(value)))
       {
-        ++m_Counts[this->GetBin(value)];
+        m_Counts[this->GetBin(value)] += times;
       }
     }
   }

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ValueReader.h"
 
+#include "InputVolume.h"
 #include "VolumeFormats.h"
 
+#include "itkMedialVoxelEngineClient.h"
 #include "itkMultiThreaderBase.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -35,15 +38,60 @@ OpenImageIO(const VolumeHeader & header)
   return imageIO;
 }
 
+/** \class CopiedValues
+ * \brief Reads parts into memory of its own: whole slices, as many as fit a megabyte. */
+template <typename TValue>
+class CopiedValues : public ValueReader
+{
+public:
+  void
+  ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function) const override
+  {
+    for (const itk::MedialVoxelBox & part : itk::MedialVoxelEngineClient::CutForPull(box, sizeof(TValue)))
+    {
+      function(part);
+    }
+  }
+
+  ValueView
+  Look(const itk::MedialVoxelBox & part) override
+  {
+    m_Values.resize(static_cast<std::size_t>(part.NumberOfVoxels()));
+    this->Read(part, m_Values.data());
+    return { m_Values.data(), { 1, part.Extent(0), part.Extent(0) * part.Extent(1) } };
+  }
+
+private:
+  std::vector<TValue> m_Values;
+};
+
 /** \class StoredValues
- * \brief Values as they are in the file. */
-class StoredValues : public ValueReader
+ * \brief Values as they are in the file; several threads may read rows of large slices. */
+template <typename TValue>
+class StoredValues : public CopiedValues<TValue>
 {
 public:
   explicit StoredValues(const VolumeHeader & header)
-    : m_Dimension(header.geometry.GetDimension())
+    : m_Header(header)
+    , m_Dimension(header.geometry.GetDimension())
     , m_ImageIO(OpenImageIO(header))
   {}
+
+  void
+  ForEachPart(const itk::MedialVoxelBox & box, const ValueReader::PartFunction & function) const override
+  {
+    const auto bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * sizeof(TValue);
+    if (bytesPerSlice <= InputVolume::BytesPerPart || !InputVolume::IsReadInParallel(m_Header))
+    {
+      CopiedValues<TValue>::ForEachPart(box, function);
+      return;
+    }
+    for (itk::MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
+    {
+      slice.upper[2] = slice.lower[2] + 1;
+      CopiedValues<TValue>::ForEachPart(slice, function);
+    }
+  }
 
   void
   Read(const itk::MedialVoxelBox & box, void * values) override
@@ -64,21 +112,42 @@ public:
     return m_ImageIO->GetNumberOfBytesRead();
   }
 
+  std::unique_ptr<ValueReader>
+  MakeAnother() const override
+  {
+    return std::make_unique<StoredValues>(m_Header);
+  }
+
 private:
+  VolumeHeader                      m_Header;
   unsigned int                      m_Dimension;
   itk::StreamingRawImageIO::Pointer m_ImageIO;
 };
 
+/** Of a volume as it is in its file. */
+std::unique_ptr<ValueReader>
+OpenStoredValues(const VolumeHeader & header, std::uint64_t bytesToKeep)
+{
+  if (header.format->input.makeChunkReader != nullptr)
+  {
+    return header.format->input.makeChunkReader(header, bytesToKeep);
+  }
+  return DispatchPixelType(header.pixelType, [&](auto zero) -> std::unique_ptr<ValueReader> {
+    return std::make_unique<StoredValues<decltype(zero)>>(header);
+  });
+}
+
 /** \class ResampledValues
  * \brief Values at equal spacing, made as doubles of the voxels of the file that have a share in them. */
 template <typename TStored>
-class ResampledValues : public ValueReader
+class ResampledValues : public CopiedValues<double>
 {
 public:
-  ResampledValues(const VolumeHeader & header, Interpolation interpolation)
-    : m_LastX(header.geometry.size[0] - 1)
+  ResampledValues(const VolumeHeader & header, Interpolation interpolation, std::unique_ptr<ValueReader> reader)
+    : m_Header(header)
+    , m_Interpolation(interpolation)
     , m_Resampling(header, interpolation)
-    , m_Reader(*header.stored)
+    , m_Reader(std::move(reader))
   {}
 
   void
@@ -86,7 +155,7 @@ public:
   {
     const itk::MedialVoxelBox stored = this->GetStored(box);
     m_Stored.resize(static_cast<std::size_t>(stored.NumberOfVoxels()));
-    m_Reader.Read(stored, m_Stored.data());
+    m_Reader->Read(stored, m_Stored.data());
     const auto rowOf = [&](std::uint64_t y, std::uint64_t z) {
       return m_Stored.data() + stored.OffsetOf({ { 0, static_cast<std::int64_t>(y), static_cast<std::int64_t>(z) } });
     };
@@ -105,7 +174,13 @@ public:
   std::uint64_t
   GetNumberOfBytesRead() const override
   {
-    return m_Reader.GetNumberOfBytesRead();
+    return m_Reader->GetNumberOfBytesRead();
+  }
+
+  std::unique_ptr<ValueReader>
+  MakeAnother() const override
+  {
+    return std::make_unique<ResampledValues>(m_Header, m_Interpolation, m_Reader->MakeAnother());
   }
 
 private:
@@ -117,17 +192,19 @@ private:
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       const std::uint64_t first = axis == 0 ? 0 : static_cast<std::uint64_t>(box.lower[axis]);
-      const std::uint64_t last = axis == 0 ? m_LastX : static_cast<std::uint64_t>(box.upper[axis] - 1);
-      const auto          ends = m_Resampling.GetStored(axis, first, last);
+      const std::uint64_t last =
+        axis == 0 ? m_Header.geometry.size[0] - 1 : static_cast<std::uint64_t>(box.upper[axis] - 1);
+      const auto ends = m_Resampling.GetStored(axis, first, last);
       stored.lower[axis] = static_cast<std::int64_t>(ends[0]);
       stored.upper[axis] = static_cast<std::int64_t>(ends[1]) + 1;
     }
     return stored;
   }
 
-  std::uint64_t                   m_LastX;
+  VolumeHeader                    m_Header;
+  Interpolation                   m_Interpolation;
   Resampling                      m_Resampling;
-  StoredValues                    m_Reader;
+  std::unique_ptr<ValueReader>    m_Reader;
   std::vector<TStored>            m_Stored; ///< of a box
   itk::MultiThreaderBase::Pointer m_Threader = itk::MultiThreaderBase::New();
 };
@@ -135,14 +212,15 @@ private:
 } // namespace
 
 std::unique_ptr<ValueReader>
-MakeValueReader(const VolumeHeader & header, Interpolation interpolation)
+MakeValueReader(const VolumeHeader & header, Interpolation interpolation, std::uint64_t bytesToKeep)
 {
+  std::unique_ptr<ValueReader> reader = OpenStoredValues(header.GetStored(), bytesToKeep);
   if (!header.stored)
   {
-    return std::make_unique<StoredValues>(header);
+    return reader;
   }
   return DispatchPixelType(header.stored->pixelType, [&](auto zero) -> std::unique_ptr<ValueReader> {
-    return std::make_unique<ResampledValues<decltype(zero)>>(header, interpolation);
+    return std::make_unique<ResampledValues<decltype(zero)>>(header, interpolation, std::move(reader));
   });
 }
 

@@ -17,7 +17,42 @@ namespace medialvoxel
 namespace
 {
 
-/** Calls function(vector) for the numbers of a volume that streams, in whole slices from front to back. */
+itk::MedialVoxelBox
+GetWholeBox(const VolumeHeader & header)
+{
+  itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
+  std::copy(header.geometry.size.begin(), header.geometry.size.end(), box.upper.begin());
+  return box;
+}
+
+/** Calls function(vector, times) for the numbers of a volume in chunks: one number for all voxels without a chunk. */
+template <typename TValue, typename TFunction>
+void
+ReadChunks(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
+{
+  const auto                reader = MakeValueReader(header);
+  const itk::MedialVoxelBox box = GetWholeBox(header);
+  const unsigned int        last = header.geometry.GetDimension() - 1;
+  std::vector<TValue>       values;
+  reader->ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
+    observer(static_cast<double>(part.lower[last]) / static_cast<double>(box.upper[last]));
+    const ValueView    view = reader->Look(part);
+    const auto * const first = static_cast<const TValue *>(view.values);
+    values.clear();
+    if (view.areEqual)
+    {
+      values.push_back(*first);
+      function(values, static_cast<std::uint64_t>(part.NumberOfVoxels()));
+      return;
+    }
+    itk::MedialVoxelForEachRow(part, view.strides, [&](const std::int64_t offset, const itk::MedialVoxelBox & row) {
+      values.insert(values.end(), first + offset, first + offset + row.Extent(0));
+    });
+    function(values, 1);
+  });
+}
+
+/** Calls function(vector, 1) for the numbers of a volume that streams, in whole slices from front to back. */
 template <typename TValue, typename TFunction>
 void
 ReadSlices(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
@@ -26,8 +61,7 @@ ReadSlices(const VolumeHeader & header, const ReadObserver & observer, TFunction
   const std::uint64_t slices = header.geometry.size.back();
   const std::uint64_t atOnce = std::max<std::uint64_t>(1, VoxelsPerChunk / perSlice);
   const auto          reader = MakeValueReader(header);
-  itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
-  std::copy(header.geometry.size.begin(), header.geometry.size.end(), box.upper.begin());
+  itk::MedialVoxelBox box = GetWholeBox(header);
   const unsigned int  last = header.geometry.GetDimension() - 1;
   std::vector<TValue> values;
   for (std::uint64_t slice = 0; slice < slices; slice += atOnce)
@@ -38,7 +72,7 @@ ReadSlices(const VolumeHeader & header, const ReadObserver & observer, TFunction
     box.upper[last] = static_cast<std::int64_t>(slice + count);
     values.resize(count * perSlice);
     reader->Read(box, values.data());
-    function(values);
+    function(values, 1);
   }
 }
 
@@ -46,13 +80,17 @@ template <typename TValue, typename TFunction>
 void
 ForEachValue(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
 {
-  if (header.CanStream())
+  if (header.CanStream() && header.chunks)
+  {
+    ReadChunks<TValue>(header, observer, function);
+  }
+  else if (header.CanStream())
   {
     ReadSlices<TValue>(header, observer, function);
   }
   else
   {
-    StreamValues<TValue>(header, observer, function);
+    StreamValues<TValue>(header, observer, [&](const std::vector<TValue> & values) { function(values, 1); });
   }
 }
 
@@ -140,23 +178,27 @@ Measure(const VolumeHeader & header, const ReadObserver & observer)
   {
     // A bin for each value that the type has, so that once through the file is enough.
     ValueBins<TValue> bins(Limits::lowest(), Limits::max(), MostValueBins);
-    ForEachValue<TValue>(header, observer, [&](const std::vector<TValue> & values) {
-      range.Add(values);
-      bins.Add(values);
+    ForEachValue<TValue>(header, observer, [&](const std::vector<TValue> & values, std::uint64_t times) {
+      range.Add(values, times);
+      bins.Add(values, times);
     });
     return Summarize(range, bins);
   }
   else
   {
     ForEachValue<TValue>(
-      header, [&](double share) { observer(0.5 * share); }, [&](const auto & values) { range.Add(values); });
+      header,
+      [&](double share) { observer(0.5 * share); },
+      [&](const auto & values, std::uint64_t times) { range.Add(values, times); });
     if (range.GetCount() == 0)
     {
       return { 0, range.GetExcluded(), 0, 0, 0, 0, {}, std::nullopt };
     }
     ValueBins<TValue> bins(range.GetMinimum(), range.GetMaximum(), MostValueBins);
     ForEachValue<TValue>(
-      header, [&](double share) { observer(0.5 + 0.5 * share); }, [&](const auto & values) { bins.Add(values); });
+      header,
+      [&](double share) { observer(0.5 + 0.5 * share); },
+      [&](const auto & values, std::uint64_t times) { bins.Add(values, times); });
     return Summarize(range, bins);
   }
 }

@@ -10,8 +10,7 @@
 #include "Text.h"
 #include "VolumeText.h"
 #include "VoxelStream.h"
-#include "ZarrImageIO.h"
-#include "ZarrStream.h"
+#include "ZarrValues.h"
 #include "ZarrVolume.h"
 #ifdef MEDIALVOXEL_WITH_TIFF
 #  include "TiffImageIO.h"
@@ -104,10 +103,14 @@ MakeZarrRow()
   writer.getSlicesOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
     return ZarrGrid::ForVolume(geometry, layout).chunk[2];
   };
-  return { "Zarr",
-           { { ".zarr" } },
-           { ReadZarrHeader, DataSizeCheck::ByReader, OpenZarrStream, MakeZarrImageIO, IsZarrFolder },
-           writer };
+  writer.getFurtherBytes = ZarrVolume::GetBytesOfSmallerLevels;
+  VolumeInput input;
+  input.readHeader = [](const std::filesystem::path & folder) { return ReadZarrHeader(folder, 0); };
+  input.sizeCheck = DataSizeCheck::ByReader;
+  input.makeChunkReader = MakeZarrValues;
+  input.readLevel = ReadZarrHeader;
+  input.isFolder = IsZarrFolder;
+  return { "Zarr", { { ".zarr" } }, input, writer };
 }
 
 VolumeFormat
@@ -343,6 +346,14 @@ GetOutputMemory(const std::filesystem::path & fileName,
   const VolumeWriter & writer = *FindOutputFormat(fileName).format.writer;
   return (IsPackedVolume(fileName, options.compress) ? PackedVolume::GetMemoryBytes() : 0) +
          (writer.getMemory ? writer.getMemory(geometry, layout, options) : 0);
+}
+
+std::uint64_t
+GetOutputBytes(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout)
+{
+  const VolumeWriter & writer = *FindOutputFormat(fileName).format.writer;
+  return geometry.GetNumberOfVoxels() * layout.GetBytes() +
+         (writer.getFurtherBytes ? writer.getFurtherBytes(geometry, layout) : 0);
 }
 
 std::uint64_t

@@ -20,6 +20,7 @@ namespace medialvoxel
 {
 
 class SharedVolume;
+class ValueReader;
 class VoxelStream;
 
 /** An extension of a format, and what it says of volumes that are written. */
@@ -52,6 +53,13 @@ struct VolumeInput
   /** Voxels that are not, in parts. */
   itk::StreamingRawImageIO::Pointer (*makeReader)(const VolumeHeader &){ nullptr };
 
+  /** Voxels in chunks, each by itself; instead of makeReader. Its argument: bytes of chunks that may be kept. */
+  std::unique_ptr<ValueReader> (*makeChunkReader)(const VolumeHeader &, std::uint64_t){ nullptr };
+
+  /** Of formats whose images are there in several sizes: reads the header of a level, 0 the largest.
+   * \throw JobError Usage, for one that is not there, and as readHeader */
+  VolumeHeader (*readLevel)(const std::filesystem::path &, unsigned int){ nullptr };
+
   /** Of formats whose volumes are folders: true for such a folder. */
   bool (*isFolder)(const std::filesystem::path &){ nullptr };
 };
@@ -77,6 +85,9 @@ struct VolumeWriter
   /** Memory beside the results of a piece, and slices that are written together. Null: none, and each by itself. */
   std::uint64_t (*getMemory)(const VolumeGeometry &, const VoxelLayout &, const JobOptions &){ nullptr };
   std::uint64_t (*getSlicesOfLayer)(const VolumeGeometry &, const VoxelLayout &){ nullptr };
+
+  /** Bytes that are written beside the voxels, when nothing is packed. Null: next to none. */
+  std::uint64_t (*getFurtherBytes)(const VolumeGeometry &, const VoxelLayout &){ nullptr };
 };
 
 /** A format of volumes: a row of the table in VolumeFormats.cxx, which all that lists formats reads. */
@@ -147,6 +158,10 @@ GetOutputMemory(const std::filesystem::path & fileName,
                 const VolumeGeometry &        geometry,
                 const VoxelLayout &           layout,
                 const JobOptions &            options);
+
+/** Bytes of a volume that is written, when it is not packed. */
+std::uint64_t
+GetOutputBytes(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
 
 /** Slices of a volume that are written together. */
 std::uint64_t

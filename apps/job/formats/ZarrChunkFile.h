@@ -35,8 +35,12 @@ class ZarrChunkWriter
 {
 public:
   /** \param numberOfBytes of a chunk, not packed
+   * \param valueBytes of one of its numbers
    * \param process a text that differs where several processes might write a chunk at the same time */
-  ZarrChunkWriter(ZarrCompression compression, std::uint64_t numberOfBytes, const std::string & process);
+  ZarrChunkWriter(ZarrCompression     compression,
+                  std::uint64_t       numberOfBytes,
+                  std::uint64_t       valueBytes,
+                  const std::string & process);
 
   /** Memory that a writer takes. */
   static std::uint64_t
@@ -85,8 +89,10 @@ private:
 
   ZarrCompression   m_Compression;
   std::uint64_t     m_NumberOfBytes;
+  std::uint64_t     m_ValueBytes;
   std::string       m_PartialExtension;
   std::vector<char> m_Packed;
+  std::vector<char> m_PackedZeros; ///< of a chunk without anything else, as soon as there was one
 
   std::optional<Checksum> m_Checksum;
 };
@@ -94,26 +100,6 @@ private:
 /** Adds the bytes of the file of a chunk, if there is one. */
 void
 AddZarrChunk(const std::filesystem::path & chunkFile, Checksum & checksum);
-
-/** Reads a chunk. \return false when it has no file
- * \throw JobError CorruptInput when the file has another number of bytes, or is damaged */
-bool
-ReadZarrChunk(const std::filesystem::path & chunkFile,
-              ZarrCompression               compression,
-              void *                        chunk,
-              std::uint64_t                 numberOfBytes);
-
-/** Reads a part of a chunk that is not packed; otherwise as ReadZarrChunk(). */
-bool
-ReadZarrChunkPart(const std::filesystem::path & chunkFile, const ZarrChunkPart & part, void * bytes);
-
-/** Sets voxels to what those of chunks without a file are, in the byte order of this machine. */
-void
-FillChunk(const ZarrArray & array, std::vector<char> & voxels);
-
-/** Brings voxels of an array into the byte order of this machine, or back. */
-void
-SwapToMachineOrder(const ZarrArray & array, std::vector<char> & voxels);
 
 } // end namespace medialvoxel
 

@@ -67,7 +67,7 @@ ZarrGrid::GetChunkName(std::uint64_t component, const ZarrIndex & index) const
     places.push_back(index[1]);
   }
   places.push_back(index[0]);
-  std::string name;
+  std::string name = prefix;
   for (const std::uint64_t place : places)
   {
     name += (name.empty() ? "" : std::string(1, separator)) + std::to_string(place);

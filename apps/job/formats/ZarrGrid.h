@@ -35,6 +35,7 @@ struct ZarrGrid
   unsigned int dimension{ 3 };
   unsigned int leadingAxes{ 0 }; ///< of the array before those of space; the last of them is that of components
   char         separator{ '/' }; ///< between the indices in the name of a chunk
+  std::string  prefix;           ///< of that name
 
   /** Chunks of 32 x 256 x 256 voxels, or 1024 x 1024 pixels, made smaller where that leaves less of them outside. The
    * shape depends on the volume alone, so that files have the same bytes however the work is divided. */

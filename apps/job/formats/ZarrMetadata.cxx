@@ -6,7 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include <array>
+#include <algorithm>
+#include <iterator>
 #include <vector>
 
 namespace medialvoxel
@@ -78,6 +79,38 @@ IsIdentity(const std::vector<std::vector<double>> & direction)
   return direction == identity.direction;
 }
 
+/** As numcodecs has it. */
+Json
+MakeCompressor(ZarrCompression compression)
+{
+  constexpr int shuffleBytes = 1;
+  constexpr int chosenByBlosc = 0;
+  switch (compression)
+  {
+    case ZarrCompression::None:
+      break;
+    case ZarrCompression::Gzip:
+      return { { "id", "gzip" }, { "level", ZarrGzipLevel } };
+    case ZarrCompression::BloscZstd:
+      return { { "id", "blosc" },
+               { "cname", "zstd" },
+               { "clevel", ZarrBloscLevel },
+               { "shuffle", shuffleBytes },
+               { "blocksize", chosenByBlosc } };
+  }
+  return nullptr;
+}
+
+Json
+MakeDataset(const ZarrLevel & level)
+{
+  const unsigned int leadingAxes = level.grid.leadingAxes;
+  const Json         scale{ { "type", "scale" }, { "scale", InFileOrder(level.geometry.spacing, leadingAxes, 1.0) } };
+  const Json         translation{ { "type", "translation" },
+                                  { "translation", InFileOrder(level.geometry.origin, leadingAxes, 0.0) } };
+  return { { "path", level.folder }, { "coordinateTransformations", { scale, translation } } };
+}
+
 } // namespace
 
 std::string
@@ -91,9 +124,8 @@ MakeZarrArrayText(const ZarrGrid & grid, ZarrCompression compression)
 {
   const PixelType type = grid.layout.pixelType;
   const bool      isReal = type == PixelType::Float32 || type == PixelType::Float64;
-  const Json      gzip{ { "id", GetName(compression) }, { "level", ZarrGzipLevel } };
   return MakeText({ { "chunks", GetArrayLengths(grid, grid.chunk, 1) },
-                    { "compressor", compression == ZarrCompression::Gzip ? gzip : Json() },
+                    { "compressor", MakeCompressor(compression) },
                     { "dimension_separator", std::string(1, grid.separator) },
                     { "dtype", MakeTypeText(type) },
                     { "fill_value", isReal ? Json(0.0) : Json(0) },
@@ -104,17 +136,16 @@ MakeZarrArrayText(const ZarrGrid & grid, ZarrCompression compression)
 }
 
 std::string
-MakeZarrAttributesText(const std::string & name, const VolumeGeometry & geometry, unsigned int leadingAxes)
+MakeZarrAttributesText(const std::string & name, const std::vector<ZarrLevel> & levels)
 {
-  const Json scale{ { "type", "scale" }, { "scale", InFileOrder(geometry.spacing, leadingAxes, 1.0) } };
-  const Json translation{ { "type", "translation" },
-                          { "translation", InFileOrder(geometry.origin, leadingAxes, 0.0) } };
-  const Json dataset{ { "path", ZarrArrayFolder }, { "coordinateTransformations", { scale, translation } } };
-  Json       attributes{ { "multiscales",
-                           Json::array({ { { "version", "0.4" },
-                                           { "name", name },
-                                           { "axes", MakeAxes(geometry.GetDimension(), leadingAxes) },
-                                           { "datasets", Json::array({ dataset }) } } }) } };
+  const VolumeGeometry & geometry = levels.front().geometry;
+  Json                   datasets = Json::array();
+  std::transform(levels.begin(), levels.end(), std::back_inserter(datasets), MakeDataset);
+  Json attributes{ { "multiscales",
+                     Json::array({ { { "version", "0.4" },
+                                     { "name", name },
+                                     { "axes", MakeAxes(geometry.GetDimension(), levels.front().grid.leadingAxes) },
+                                     { "datasets", datasets } } }) } };
   if (!IsIdentity(geometry.direction))
   {
     // A unit vector for each axis, in the order of the axes, with its components along z, y, x of space.
@@ -133,7 +164,19 @@ IsZarrFolder(const std::filesystem::path & folder)
 {
   std::error_code error;
   return std::filesystem::is_regular_file(folder / ".zgroup", error) ||
-         std::filesystem::is_regular_file(folder / ".zarray", error);
+         std::filesystem::is_regular_file(folder / ZarrArrayFile, error) ||
+         std::filesystem::is_regular_file(folder / ZarrFile, error);
+}
+
+ZarrGrid
+ZarrArray::GetShardGrid() const
+{
+  ZarrGrid shardGrid = grid;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    shardGrid.chunk[axis] *= shards ? shards->chunks[axis] : 1;
+  }
+  return shardGrid;
 }
 
 } // end namespace medialvoxel

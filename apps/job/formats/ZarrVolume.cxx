@@ -5,12 +5,14 @@
 #include "FileNames.h"
 #include "JsonFile.h"
 #include "OutputFile.h"
+#include "ZarrPyramid.h"
 #include "Text.h"
 #include "Zeros.h"
 
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 
 namespace medialvoxel
@@ -34,36 +36,61 @@ ZarrVolume::ZarrVolume(const std::filesystem::path & name, bool overwrite, bool 
   : m_Folder(name, overwrite)
   , m_Sparse(sparse)
   , m_Compression(compression)
-{}
+{
+  const ZarrCodec * const codec = GetZarrCodec(compression);
+  if (codec != nullptr && codec->pack == nullptr)
+  {
+    Fail(ExitStatus::Usage, name.string(), ": this program was built without ", codec->neededLibrary);
+  }
+}
 
 std::uint64_t
 ZarrVolume::GetMemoryBytes(const VolumeGeometry & geometry, const VoxelLayout & layout, ZarrCompression compression)
 {
-  const std::uint64_t chunk = ZarrGrid::ForVolume(geometry, layout).GetChunkBytes();
-  return chunk + ZarrChunkWriter::GetMemoryBytes(compression, chunk);
+  const ZarrGrid      grid = ZarrGrid::ForVolume(geometry, layout);
+  const std::uint64_t chunk = grid.GetChunkBytes();
+  return 2 * chunk + ZarrChunkWriter::GetMemoryBytes(compression, chunk) +
+         ZarrChunks::GetBufferBytes(MakeZarrArray(grid, compression));
+}
+
+std::uint64_t
+ZarrVolume::GetBytesOfSmallerLevels(const VolumeGeometry & geometry, const VoxelLayout & layout)
+{
+  const std::vector<ZarrLevel> levels = MakeZarrLevels(geometry, layout);
+  return std::accumulate(
+    levels.begin() + 1, levels.end(), std::uint64_t{ 0 }, [](std::uint64_t sum, const auto & level) {
+      return sum + level.grid.GetNumberOfAllChunks() * level.grid.GetChunkBytes();
+    });
 }
 
 void
 ZarrVolume::Describe(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & process)
 {
-  m_Grid = ZarrGrid::ForVolume(geometry, layout);
-  m_Writer.emplace(m_Compression, m_Grid.GetChunkBytes(), process);
+  m_Levels = MakeZarrLevels(geometry, layout);
+  m_Grid = m_Levels.front().grid;
+  m_Writer.emplace(m_Compression, m_Grid.GetChunkBytes(), GetTraits(layout.pixelType).bytes, process);
   m_Chunk.resize(m_Grid.GetChunkBytes());
   const std::string name = GetImageName(m_Folder.GetName());
-  m_Metadata = { { ".zgroup", MakeZarrGroupText() },
-                 { ".zattrs", MakeZarrAttributesText(name, geometry, m_Grid.leadingAxes) },
-                 { std::filesystem::path(ZarrArrayFolder) / ".zarray", MakeZarrArrayText(m_Grid, m_Compression) } };
+  m_Metadata = { { ".zgroup", MakeZarrGroupText() }, { ".zattrs", MakeZarrAttributesText(name, m_Levels) } };
+  for (const ZarrLevel & level : m_Levels)
+  {
+    m_Metadata.push_back(
+      { std::filesystem::path(level.folder) / ZarrArrayFile, MakeZarrArrayText(level.grid, m_Compression) });
+  }
 }
 
 void
 ZarrVolume::WriteMetadata() const
 {
-  const std::filesystem::path array = m_Folder.GetPath() / ZarrArrayFolder;
-  std::error_code             error;
-  std::filesystem::create_directory(array, error);
-  if (error)
+  for (const ZarrLevel & level : m_Levels)
   {
-    Fail(ExitStatus::Refused, "cannot create the folder ", array.string(), ": ", error.message());
+    const std::filesystem::path array = m_Folder.GetPath() / level.folder;
+    std::error_code             error;
+    std::filesystem::create_directory(array, error);
+    if (error)
+    {
+      Fail(ExitStatus::Refused, "cannot create the folder ", array.string(), ": ", error.message());
+    }
   }
   for (const MetadataFile & file : m_Metadata)
   {
@@ -93,7 +120,9 @@ ZarrVolume::Create(const VolumeGeometry & geometry, const VoxelLayout & layout)
   this->WriteMetadata();
   if (!m_Sparse && m_Compression == ZarrCompression::None)
   {
-    m_Reserve.emplace(m_Folder.GetPath() / ".reserve", m_Grid.GetNumberOfAllChunks() * m_Grid.GetChunkBytes());
+    m_Reserve.emplace(m_Folder.GetPath() / ".reserve",
+                      m_Grid.GetNumberOfAllChunks() * m_Grid.GetChunkBytes() +
+                        GetBytesOfSmallerLevels(geometry, layout));
   }
 }
 
@@ -137,7 +166,7 @@ void
 ZarrVolume::RemovePartialChunks() const
 {
   std::vector<std::filesystem::path> files;
-  for (const auto & entry : std::filesystem::recursive_directory_iterator(m_Folder.GetPath() / ZarrArrayFolder))
+  for (const auto & entry : std::filesystem::recursive_directory_iterator(m_Folder.GetPath()))
   {
     itk::MedialVoxelPoll();
     if (entry.path().extension() == PartialExtension)
@@ -249,7 +278,7 @@ ZarrVolume::ToSlices(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) con
 std::filesystem::path
 ZarrVolume::GetChunkFile(std::uint64_t component, const ZarrIndex & index) const
 {
-  return m_Folder.GetPath() / ZarrArrayFolder / m_Grid.GetChunkName(component, index);
+  return m_Folder.GetPath() / m_Levels.front().folder / m_Grid.GetChunkName(component, index);
 }
 
 /** Calls function(component, index, number of the chunk in its layer). */
@@ -359,20 +388,33 @@ ZarrVolume::Finish()
     this->CompleteOpenLayer();
   }
   m_Reserve.reset();
-  this->CheckChunkFiles();
+  this->CheckChunkFiles(m_Levels.front().folder, m_Sparse ? m_ChunkFiles : m_Grid.GetNumberOfAllChunks());
+  this->WriteSmallerLevels();
   m_Folder.Finish();
+}
+
+/** What an interrupted process left of them is replaced by the same. */
+void
+ZarrVolume::WriteSmallerLevels()
+{
+  ZarrPyramid pyramid(m_Folder.GetPath(), m_Compression, *m_Writer);
+  for (std::size_t level = 1; level < m_Levels.size(); ++level)
+  {
+    const std::uint64_t numberOfFiles = pyramid.Write(m_Levels[level - 1], m_Levels[level]);
+    this->CheckChunkFiles(m_Levels[level].folder, numberOfFiles);
+  }
 }
 
 /** All chunks are there and, when they are not packed, have their size. */
 void
-ZarrVolume::CheckChunkFiles() const
+ZarrVolume::CheckChunkFiles(const std::string & level, std::uint64_t expected) const
 {
-  const std::filesystem::path array = m_Folder.GetPath() / ZarrArrayFolder;
+  const std::filesystem::path array = m_Folder.GetPath() / level;
   std::uint64_t               files = 0;
   for (const auto & entry : std::filesystem::recursive_directory_iterator(array))
   {
     itk::MedialVoxelPoll();
-    if (entry.is_directory() || entry.path().filename() == ".zarray")
+    if (entry.is_directory() || entry.path().filename() == ZarrArrayFile)
     {
       continue;
     }
@@ -387,7 +429,6 @@ ZarrVolume::CheckChunkFiles() const
            m_Chunk.size());
     }
   }
-  const std::uint64_t expected = m_Sparse ? m_ChunkFiles : m_Grid.GetNumberOfAllChunks();
   if (files != expected)
   {
     Fail(ExitStatus::Failure, array.string(), " has ", files, " chunks after writing, not ", expected);
@@ -417,15 +458,24 @@ ZarrVolume::ReadPlane(unsigned int axis, std::uint64_t index, void * data) const
 void
 ZarrVolume::ReadBox(const ZarrBox & box, void * data) const
 {
+  if (!m_Reader)
+  {
+    auto chunks = std::make_unique<ZarrChunks>(
+      m_Folder.GetPath() / m_Levels.front().folder, MakeZarrArray(m_Grid, m_Compression), 0);
+    auto buffers = chunks->MakeBuffers();
+    m_Reader = Reader{ std::move(chunks), std::move(buffers) };
+  }
   const auto readChunk = [&](std::uint64_t component, const ZarrIndex & index) {
     itk::MedialVoxelPoll();
-    const ZarrBox chunkBox = m_Grid.GetBox(index);
-    const ZarrBox part = Intersect(chunkBox, box);
-    if (!ReadZarrChunk(this->GetChunkFile(component, index), m_Compression, m_Chunk.data(), m_Chunk.size()))
+    const ZarrBox      chunkBox = m_Grid.GetBox(index);
+    const ZarrBox      part = Intersect(chunkBox, box);
+    const char * const chunk = m_Reader->chunks->Read(component, index, m_Reader->buffers);
+    if (chunk == nullptr)
     {
       std::fill(m_Chunk.begin(), m_Chunk.end(), '\0');
     }
-    const char * const planes = m_Chunk.data() + (part.begin[2] - chunkBox.begin[2]) * m_Grid.GetPlaneBytes();
+    const char * const planes =
+      (chunk != nullptr ? chunk : m_Chunk.data()) + (part.begin[2] - chunkBox.begin[2]) * m_Grid.GetPlaneBytes();
     ScatterSlices(m_Grid, component, index, part, planes, box, data);
   };
   ForEachChunk(m_Grid, box, readChunk);

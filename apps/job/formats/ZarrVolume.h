@@ -7,6 +7,7 @@
 #include "SharedVolume.h"
 #include "SpaceReserve.h"
 #include "ZarrChunkFile.h"
+#include "ZarrChunks.h"
 
 #include <memory>
 #include <optional>
@@ -19,7 +20,7 @@ namespace medialvoxel
  * \brief A folder with a volume as OME-Zarr 0.4: an array of Zarr's version 2, its chunks in files.
  *
  * Slices come in any division. Those that do not fill a layer of chunks wait in the files of their chunks, so that the
- * memory is that of one chunk. Clusters must be whole layers. */
+ * memory is that of one chunk. Clusters must be whole layers. Smaller levels are made when all chunks are there. */
 class ZarrVolume : public SharedVolume
 {
 public:
@@ -29,6 +30,10 @@ public:
   /** Memory that the output takes. */
   static std::uint64_t
   GetMemoryBytes(const VolumeGeometry & geometry, const VoxelLayout & layout, ZarrCompression compression);
+
+  /** Bytes of the smaller levels, when nothing is packed. */
+  static std::uint64_t
+  GetBytesOfSmallerLevels(const VolumeGeometry & geometry, const VoxelLayout & layout);
 
   void
   Create(const VolumeGeometry & geometry, const VoxelLayout & layout) override;
@@ -85,6 +90,12 @@ private:
     std::string           text;
   };
 
+  struct Reader
+  {
+    std::unique_ptr<ZarrChunks> chunks;
+    ZarrChunks::Buffers         buffers;
+  };
+
   struct Slices
   {
     std::uint64_t begin;
@@ -132,15 +143,20 @@ private:
   ReadBox(const ZarrBox & box, void * data) const;
 
   void
-  CheckChunkFiles() const;
+  WriteSmallerLevels();
+
+  void
+  CheckChunkFiles(const std::string & level, std::uint64_t expected) const;
 
   OutputFolder                   m_Folder;
   bool                           m_Sparse;
   ZarrCompression                m_Compression;
-  ZarrGrid                       m_Grid;
+  std::vector<ZarrLevel>         m_Levels;
+  ZarrGrid                       m_Grid; ///< of the first one
   std::vector<MetadataFile>      m_Metadata;
   std::optional<ZarrChunkWriter> m_Writer;
   std::optional<SpaceReserve>    m_Reserve;
+  mutable std::optional<Reader>  m_Reader;          ///< of what was written
   mutable std::vector<char>      m_Chunk;           ///< memory for one
   std::optional<std::uint64_t>   m_OpenLayer;       ///< some of its slices are written
   std::vector<bool>              m_HasPart;         ///< of each of its chunks

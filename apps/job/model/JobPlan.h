@@ -43,9 +43,10 @@ struct JobPlan
   std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
   std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
 
-  std::uint64_t fixedBytes{ 0 };       ///< memory that depends neither on pieces nor on windows
-  std::uint64_t bytesPerSlice{ 0 };    ///< results
-  std::uint64_t surplusBytes{ 0 };     ///< for what waits until a piece is done, counted in fixedBytes
+  std::uint64_t fixedBytes{ 0 };    ///< memory that depends neither on pieces nor on windows
+  std::uint64_t bytesPerSlice{ 0 }; ///< results
+  std::uint64_t surplusBytes{ 0 };  ///< for what waits until a piece is done, counted in fixedBytes
+  std::uint64_t bytesToKeep{ 0 };   ///< of chunks of the input whose further slices are needed, counted in fixedBytes
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
   bool          readsAhead{ true };    ///< a second window is prepared for the next slab
   std::uint64_t numberOfEngines{ 1 };  ///< that keep windows

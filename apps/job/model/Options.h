@@ -47,7 +47,8 @@ struct JobOptions
   std::string                   input;
   std::optional<RawDescription> raw; ///< set for headerless files
 
-  std::vector<double>   spacing;  ///< along each axis, in place of that of the input; empty: as the input has it
+  unsigned int          level{ 0 }; ///< of an input that is there in several sizes, 0 the largest
+  std::vector<double>   spacing;    ///< along each axis, in place of that of the input; empty: as the input has it
   std::optional<double> resample; ///< spacing that the input is brought to; 0: the smallest of its own; unset: as it is
 
   std::optional<itk::MedialVoxelLimit> lowerThreshold; ///< object: value >= lower; unset: no limit

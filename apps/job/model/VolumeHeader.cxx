@@ -44,6 +44,16 @@ GetCellGeometry(const VolumeGeometry & voxels)
 std::string
 VolumeHeader::DescribeReading() const
 {
+  if (this->CanStream() && chunks)
+  {
+    std::string shape;
+    for (unsigned int axis = 0; axis < geometry.GetDimension(); ++axis)
+    {
+      shape += (axis == 0 ? "" : " x ") + std::to_string(chunks->size[geometry.GetDimension() == 2 ? 2 * axis : axis]);
+    }
+    return "streams: chunks of " + shape + (chunks->packing.empty() ? "" : ", packed by " + chunks->packing + ",") +
+           " are read as they are needed" + (chunks->inShards ? ", each alone from its shard" : "");
+  }
   if (this->CanStream())
   {
     return "streams: parts are read as they are needed";

@@ -7,6 +7,7 @@
 
 #include "itkMedialVoxelFileRegion.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -71,6 +72,17 @@ struct ValueScale
 
 struct VolumeFormat;
 
+/** Boxes of voxels that a volume is stored in, each by itself. */
+struct VolumeChunks
+{
+  std::array<std::uint64_t, 3> size{ { 1, 1, 1 } }; ///< along x, y and the slices
+  std::string                  packing;             ///< in words; empty: they are not packed
+  bool                         inShards{ false };   ///< several in one file
+  std::uint64_t                bytesPerThread{ 0 }; ///< memory of a thread that reads them
+  std::uint64_t                bytesOfIndices{ 0 }; ///< memory of where they are, for all threads together
+  std::uint64_t bytesPerLayer{ 0 }; ///< of those beside each other; 0: none is kept for slices further on
+};
+
 /** Everything there is to know about a volume before its voxels are read. */
 struct VolumeHeader
 {
@@ -91,8 +103,13 @@ struct VolumeHeader
   std::optional<ValueScale> scale;              ///< of the numbers in the file; none: they are the values
 
   /** Memory that reading takes beside voxels or bits and a few MiB: the largest strip of a compressed TIFF, a row of
-   * its tiles, a layer of a compressed Zarr. */
+   * its tiles. */
   std::uint64_t unpackBytes{ 0 };
+
+  std::optional<VolumeChunks> chunks; ///< of volumes that are stored so
+
+  unsigned int level{ 0 }; ///< of an image that is there in several sizes, 0 the largest
+  unsigned int numberOfLevels{ 1 };
 
   /** Of a volume that is resampled while it is read: what is in the file. */
   std::shared_ptr<const VolumeHeader> stored;

@@ -9,18 +9,28 @@
 namespace medialvoxel
 {
 
-/** How the chunks of a Zarr array are packed. */
+/** How the chunks of a Zarr array are packed when they are written. */
 enum class ZarrCompression : std::uint8_t
 {
   None,
-  Gzip ///< written as gzip, which more readers have than zlib; of arrays that are read, both
+  Gzip,
+  BloscZstd ///< zstd in the container of Blosc, as other programs write by default
 };
 
 /** Name of how chunks are packed, on the command line and in files. */
 inline std::string
 GetName(ZarrCompression compression)
 {
-  return compression == ZarrCompression::Gzip ? "gzip" : "none";
+  switch (compression)
+  {
+    case ZarrCompression::None:
+      return "none";
+    case ZarrCompression::Gzip:
+      return "gzip";
+    case ZarrCompression::BloscZstd:
+      break;
+  }
+  return "blosc-zstd";
 }
 
 } // end namespace medialvoxel

@@ -39,7 +39,9 @@ const std::array<LimitOption, 2> LimitOptions{ { { "lower", &ExtractOptions::low
 constexpr std::array<itk::MedialVoxelBoundary, 2> Boundaries{ { itk::MedialVoxelBoundary::Object,
                                                                 itk::MedialVoxelBoundary::Background } };
 
-constexpr std::array<ZarrCompression, 2> Compressions{ { ZarrCompression::None, ZarrCompression::Gzip } };
+constexpr std::array<ZarrCompression, 3> Compressions{
+  { ZarrCompression::None, ZarrCompression::Gzip, ZarrCompression::BloscZstd }
+};
 
 template <typename TEnum, std::size_t VSize>
 TEnum
@@ -136,6 +138,7 @@ OptionsToJson(const ExtractOptions & options)
   json["voxel_units"] = options.voxelUnits;
   json["sub_voxel"] = options.subVoxel;
   json[OverwriteName] = options.overwrite;
+  json["level"] = options.level;
   json["spacing"] = options.spacing;
   json["raw"] = RawToJson(options.raw);
   return json;
@@ -169,6 +172,7 @@ OptionsFromJson(const Json & json)
   json.at("voxel_units").get_to(options.voxelUnits);
   json.at("sub_voxel").get_to(options.subVoxel);
   json.at(OverwriteName).get_to(options.overwrite);
+  ReadWhole(json.at("level"), options.level);
   json.at("spacing").get_to(options.spacing);
   options.raw = RawFromJson(json.at("raw"));
   return options;

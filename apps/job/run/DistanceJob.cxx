@@ -70,7 +70,7 @@ private:
 void
 Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto  input = OpenInputVolume(result.input, options, result.plan.scratchFolder);
+  const auto  input = OpenInputVolume(result.input, options, result.plan.scratchFolder, result.plan.bytesToKeep);
   PieceLoop   loop(result.plan, result.input, 1, sink);
   PieceEngine engine(*input, result.input, options, result.plan, MakeDistanceMap(options), loop.GetObserver());
   OutputSet   outputs(options, result.plan.writesBehind);

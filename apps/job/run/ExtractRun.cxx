@@ -44,9 +44,9 @@ OpenInput(const ExtractOptions & options, const JobResult & job)
   if (options.labels)
   {
     return std::make_unique<LabelMap>(
-      job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.scratchFolder);
+      job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.scratchFolder, job.plan.bytesToKeep);
   }
-  return OpenInputVolume(job.input, options, job.plan.scratchFolder);
+  return OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep);
 }
 
 } // namespace

@@ -64,6 +64,15 @@ EstimateResampling(const VolumeHeader & header)
   return BytesPerPull + 3 * bytesPerSlice;
 }
 
+/** Readers of chunks. Resampling has one and asks for a few slices at a time, so that a layer of chunks stays. */
+std::uint64_t
+EstimateChunks(const JobPlan & plan, const VolumeHeader & header)
+{
+  const VolumeChunks & chunks = *header.GetStored().chunks;
+  return chunks.bytesOfIndices +
+         (header.stored ? chunks.bytesPerThread + chunks.bytesPerLayer : plan.threads * chunks.bytesPerThread);
+}
+
 /** Memory that depends neither on pieces nor on slabs. */
 std::uint64_t
 EstimateFixedMemory(const JobPlan & plan, const Request & request)
@@ -75,12 +84,14 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t  pull = InputVolume::IsReadInParallel(header)
                                 ? plan.threads * InputVolume::BytesPerPart
                                 : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
-  const std::uint64_t  unpacking = header.unpackBytes + (isMask ? BytesOfUnpacking : 0);
-  const std::uint64_t  resampling = header.stored ? EstimateResampling(header) : 0;
-  const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? plan.maskBytes : 0;
-  const std::uint64_t  writing = plan.writesBehind ? BytesOfWriting : 0;
-  return BytesOfProgram + BytesPerThread * plan.threads + writing + std::min(pull, voxels * bytesPerVoxel) + mask +
-         unpacking + resampling + request.footprint.bytesBeside;
+  const std::uint64_t  reading =
+    header.GetStored().chunks ? EstimateChunks(plan, header) : std::min(pull, voxels * bytesPerVoxel);
+  const std::uint64_t unpacking = header.unpackBytes + (isMask ? BytesOfUnpacking : 0);
+  const std::uint64_t resampling = header.stored ? EstimateResampling(header) : 0;
+  const std::uint64_t mask = isMask && plan.scratchFolder.empty() ? plan.maskBytes : 0;
+  const std::uint64_t writing = plan.writesBehind ? BytesOfWriting : 0;
+  return BytesOfProgram + BytesPerThread * plan.threads + writing + reading + mask + unpacking + resampling +
+         request.footprint.bytesBeside;
 }
 
 std::unique_ptr<const itk::MedialVoxelEngine>
@@ -216,6 +227,25 @@ TryScratch(JobPlan & plan, const Request & request)
   return TrySlabs(plan, request);
 }
 
+/** A part of the memory that is left is for chunks that reach beyond a slab, or they are unpacked for each slab. */
+void
+AddChunksToKeep(JobPlan & plan, const Request & request)
+{
+  const VolumeHeader & header = request.header;
+  if (!header.GetStored().chunks)
+  {
+    return;
+  }
+  constexpr std::uint64_t shareOfRest = 4;
+  const std::uint64_t     layer = header.GetStored().chunks->bytesPerLayer;
+  plan.bytesToKeep = header.stored ? layer : std::min((plan.memoryLimit - plan.memoryBytes) / shareOfRest, layer);
+  if (!header.stored)
+  {
+    plan.fixedBytes += plan.bytesToKeep;
+    plan.memoryBytes += plan.bytesToKeep;
+  }
+}
+
 /** A part of the memory that is left is for what waits until a piece is done. */
 void
 AddSurplus(JobPlan & plan, const Request & request)
@@ -273,6 +303,7 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   {
     RefuseLackOfMemory(plan, request);
   }
+  AddChunksToKeep(plan, request);
   AddSurplus(plan, request);
   return plan;
 }

@@ -136,6 +136,12 @@ private:
     return m_Input.GetSourceThreads();
   }
 
+  std::int64_t
+  GetRowsReadTogether() const override
+  {
+    return m_Input.GetRowsReadTogether();
+  }
+
   void
   FillObject(const itk::MedialVoxelBox & box,
              itk::MedialVoxelBits &      object,

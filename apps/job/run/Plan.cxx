@@ -21,7 +21,7 @@ namespace
 std::uint64_t
 GetOutputBytes(const VolumeHeader & header, const OutputRequest & output)
 {
-  return output.layout ? header.geometry.GetNumberOfVoxels() * output.layout->GetBytes() : 0;
+  return output.layout ? GetOutputBytes(output.fileName, header.geometry, *output.layout) : 0;
 }
 
 std::filesystem::path

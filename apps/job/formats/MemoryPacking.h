@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelMemoryPacking_h
+#define medialvoxelMemoryPacking_h
+
+#include <cstdint>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Packs values that are needed again, with LZ4, of which any part is unpacked alone; without libblosc a copy.
+ * \param valueBytes of one of them
+ * \param workspace what was in it is lost */
+std::vector<char>
+PackInMemory(const std::vector<char> & values, std::uint64_t valueBytes, std::vector<char> & workspace);
+
+/** Unpacks \a count values from the \a first on. */
+void
+UnpackFromMemory(const std::vector<char> & packed,
+                 std::uint64_t             valueBytes,
+                 std::uint64_t             first,
+                 std::uint64_t             count,
+                 char *                    target);
+
+/** Memory that packing takes beside values and workspace. */
+constexpr std::uint64_t BytesOfMemoryPacking = std::uint64_t{ 1 } << 21;
+
+} // end namespace medialvoxel
+
+#endif
