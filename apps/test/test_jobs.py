@@ -132,7 +132,7 @@ class SmallJobTest(JobTestCase):
             "--voxel-units": None, "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
             "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
-            "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75,
+            "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--level": 1,
         }  # fmt: skip
         of_raw = {word for word in raw.split() if word.startswith("--")}
         self.assertEqual(set(re.findall(r"^  (--[a-z-]+)", help_text, re.MULTILINE)), of_run | (of_raw - {"--raw-spacing"}) | set(values))
@@ -143,15 +143,18 @@ class SmallJobTest(JobTestCase):
             self.clear_target()
             return found
 
+        volumes.write_meta(self.folder / "long.mha", volumes.box_with_plate((300, 20, 16)))
+        self.extract("long.mha", "levels.zarr")
         plain = parameters("../in.mha")
         for option, value in values.items():
+            source = "../levels.zarr" if option == "--level" else "../in.mha"
             needed = {
                 "--sub-voxel": ["--lower", 50],
                 "--vector-boundary": ["--vectors", "v.mha"],
                 "--zarr-compression": ["--distance", "d.zarr"],
             }.get(option, [])
-            before = parameters("../in.mha", *needed) if needed else plain
-            found = parameters("../in.mha", option, *([] if value is None else [value]), *needed)
+            before = plain if source == "../in.mha" and not needed else parameters(source, *needed)
+            found = parameters(source, option, *([] if value is None else [value]), *needed)
             self.assertEqual(len([name for name in found if found[name] != before[name]]), 1, option)
         (self.folder / "in.raw").write_bytes(bytes(5 + 40 * 36 * 33))
         expected = {"size": [40, 36, 33], "type": "uint8", "spacing": [1, 2, 3], "header_bytes": 5, "big_endian": True}

@@ -166,12 +166,16 @@ void
 ZarrVolume::RemovePartialChunks() const
 {
   std::vector<std::filesystem::path> files;
-  for (const auto & entry : std::filesystem::recursive_directory_iterator(m_Folder.GetPath()))
+  // Not in the folder of the image, whose own mark has this extension too.
+  for (const ZarrLevel & level : m_Levels)
   {
-    itk::MedialVoxelPoll();
-    if (entry.path().extension() == PartialExtension)
+    for (const auto & entry : std::filesystem::recursive_directory_iterator(m_Folder.GetPath() / level.folder))
     {
-      files.push_back(entry.path());
+      itk::MedialVoxelPoll();
+      if (entry.path().extension() == PartialExtension)
+      {
+        files.push_back(entry.path());
+      }
     }
   }
   for (const std::filesystem::path & file : files)
