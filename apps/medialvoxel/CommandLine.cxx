@@ -251,6 +251,16 @@ void
 AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: " + JoinInputExtensions(), options.input)->required();
+  AddText(app, "--slices", "Of a folder or pattern of images: these only", "FIRST-LAST", [&](const std::string & text) {
+    const std::size_t dash = text.find('-');
+    for (const std::string & number : { text.substr(0, dash), text.substr(dash == std::string::npos ? 0 : dash + 1) })
+    {
+      options.slices.range.push_back(ToCount(number, 0, LargestCount));
+    }
+  });
+  app.add_option("--series", options.slices.series, "The DICOM series of a folder that has several")
+    ->type_name("UID")
+    ->group(""); // not shown, as the message that lists the series says it
   AddSpacing(app, "--spacing", "Spacing, instead of that of the file", [&]() -> auto & { return options.spacing; });
   AddText(app, "--resample", "Resample to the spacing S; auto: to the smallest", "S", [&](const std::string & text) {
     options.resample = text == AutomaticSpacing ? 0.0 : ToPositive(text);

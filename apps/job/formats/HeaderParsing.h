@@ -31,6 +31,9 @@ ReadNiftiHeader(const std::filesystem::path & fileName);
 /** Of a group of OME-Zarr 0.4, or of an array. \throw HeaderError; JobError for files that are not JSON */
 VolumeHeader
 ReadZarrHeader(const std::filesystem::path & folder);
+/** Of a folder or pattern of images, each of which is a slice. */
+VolumeHeader
+ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice);
 #ifdef MEDIALVOXEL_WITH_TIFF
 VolumeHeader
 ReadTiffHeader(const std::filesystem::path & fileName);

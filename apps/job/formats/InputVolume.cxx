@@ -156,7 +156,8 @@ InputVolume::CutIntoParts(const itk::MedialVoxelBox & box) const
 bool
 InputVolume::IsReadInParallel(const VolumeHeader & header)
 {
-  return header.CanStream() && !header.stored && header.format->input.makeReader == MakeRawImageIO;
+  const VolumeInput & input = header.format->input;
+  return header.CanStream() && !header.stored && (input.isParallel || input.makeReader == MakeRawImageIO);
 }
 
 void

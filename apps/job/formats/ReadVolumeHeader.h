@@ -15,17 +15,20 @@ namespace medialvoxel
 {
 
 /** Reads and checks the header of a volume: MetaImage (.mha, .mhd), NRRD (.nrrd, .nhdr), NIfTI (.nii, .nii.gz), Zarr
- * (.zarr), TIFF (.tif, .tiff; when built with libtiff) or, with a description, a headerless file.
+ * (.zarr), TIFF (.tif, .tiff; when built with libtiff), a folder or pattern of images that are slices or, with a
+ * description, a headerless file.
  *
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
  * ones: may be), and its place in space is within itk::MedialVoxelGridLimits.
  * \param spacing along each axis, in place of that of the file; empty: that of the file
+ * \param slices that are chosen among those of a folder or pattern
  * \throw JobError: Usage for an unknown extension or another number of spacings than of axes, Failure for a file that
  * cannot be read, CorruptInput for all else. */
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,
-                 const std::vector<double> &           spacing = {});
+                 const std::vector<double> &           spacing = {},
+                 const SliceChoice &                   slices = {});
 
 /** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
 VolumeHeader

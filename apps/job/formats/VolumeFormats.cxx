@@ -7,6 +7,10 @@
 #include "OutputVolume.h"
 #include "PackedVolume.h"
 #include "RawImageIO.h"
+#include "SeriesImageIO.h"
+#include "SliceNames.h"
+#include "SeriesImageIO.h"
+#include "SliceNames.h"
 #include "Text.h"
 #include "VolumeText.h"
 #include "VoxelStream.h"
@@ -162,6 +166,21 @@ GetRawFormat()
 }
 
 const VolumeFormat &
+GetSeriesFormat()
+{
+  static const VolumeFormat series = [] {
+    VolumeInput input;
+    input.sizeCheck = DataSizeCheck::ByReader;
+    input.makeReader = MakeSeriesImageIO;
+    input.readChoice = ReadSeriesHeader;
+    input.isParallel = true;
+    input.getMemory = GetSeriesMemory;
+    return VolumeFormat{ "series of slices", {}, input, std::nullopt };
+  }();
+  return series;
+}
+
+const VolumeFormat &
 FindInputFormat(const std::filesystem::path & fileName)
 {
   std::error_code error;
@@ -173,6 +192,10 @@ FindInputFormat(const std::filesystem::path & fileName)
     {
       return format;
     }
+  }
+  if (NamesSlices(fileName))
+  {
+    return GetSeriesFormat();
   }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
@@ -187,7 +210,8 @@ FindInputFormat(const std::filesystem::path & fileName)
   }
   RefuseExtension(fileName,
                   JoinExtensions(ListInputExtensions(), ", ") +
-                    " are read, and headerless files with --raw-size and --raw-type");
+                    " are read, series of slices by their folder or a pattern such as 'scan/*.png', and headerless files "
+                    "with --raw-size and --raw-type");
 }
 
 OutputFormat

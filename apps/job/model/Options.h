@@ -33,7 +33,8 @@ constexpr const char * StandardOutput = "-";
 struct JobOptions
 {
   std::string                   input;
-  std::optional<RawDescription> raw; ///< set for headerless files
+  std::optional<RawDescription> raw;    ///< set for headerless files
+  SliceChoice                   slices; ///< of an input that is a series of images
 
   std::vector<double>   spacing;  ///< along each axis, in place of that of the input; empty: as the input has it
   std::optional<double> resample; ///< spacing that the input is brought to; 0: the smallest of its own; unset: as it is

@@ -70,6 +70,20 @@ struct ValueScale
 };
 
 struct VolumeFormat;
+struct SliceSeries;
+
+/** Which images of a folder or pattern make up a volume. */
+struct SliceChoice
+{
+  std::string                series; ///< instance UID of a DICOM series; empty: the only one
+  std::vector<std::uint64_t> range;  ///< first and last slice, counted from 0, or numbers of a pattern; empty: all
+
+  bool
+  IsGiven() const
+  {
+    return !series.empty() || !range.empty();
+  }
+};
 
 /** Everything there is to know about a volume before its voxels are read. */
 struct VolumeHeader
@@ -91,6 +105,9 @@ struct VolumeHeader
 
   /** Memory that unpacking takes beside the bits and a few MiB: the largest strip of a TIFF, a layer of a Zarr. */
   std::uint64_t unpackBytes{ 0 };
+
+  /** Of a volume whose slices are images of their own. */
+  std::shared_ptr<const SliceSeries> series;
 
   /** Of a volume that is resampled while it is read: what is in the file. */
   std::shared_ptr<const VolumeHeader> stored;

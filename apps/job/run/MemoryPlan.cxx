@@ -7,6 +7,7 @@
 #include "InputVolume.h"
 #include "Resampling.h"
 #include "Text.h"
+#include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -73,11 +74,13 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
                                 ? plan.threads * InputVolume::BytesPerPart
                                 : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  unpacking = isMask ? BytesOfUnpacking + header.unpackBytes : 0;
+  const VolumeInput &  input = header.format->input;
+  const std::uint64_t  reading = input.getMemory ? input.getMemory(header.GetStored(), plan.threads) : 0;
   const std::uint64_t  resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t  mask = isMask && plan.scratchFolder.empty() ? GetBitStoreBytes(voxels) : 0;
   const std::uint64_t  writing = plan.writesBehind ? BytesOfWriting : 0;
   return BytesOfProgram + BytesPerThread * plan.threads + writing + std::min(pull, voxels * bytesPerVoxel) + mask +
-         unpacking + resampling + request.footprint.bytesBeside;
+         unpacking + reading + resampling + request.footprint.bytesBeside;
 }
 
 std::unique_ptr<const itk::MedialVoxelEngine>
