@@ -4,6 +4,7 @@
 
 #include "HeaderParsing.h"
 #include "ReadVolumeHeader.h"
+#include "ValueReader.h"
 #include "VolumeFormats.h"
 #include "VolumeText.h"
 #include "VoxelStream.h"
@@ -106,6 +107,19 @@ ReadZarrVoxels(const VolumeHeader & header)
   }
 }
 
+/** The program's way into slices. */
+void
+ReadSlices(const VolumeHeader & header)
+{
+  if (header.GetVoxelBytes() <= MaximumBytesToRead)
+  {
+    itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
+    std::copy(header.geometry.size.begin(), header.geometry.size.end(), box.upper.begin());
+    std::vector<char> voxels(header.GetVoxelBytes());
+    MakeValueReader(header)->Read(box, voxels.data());
+  }
+}
+
 /** A reader of a part of voxels as they lie, as the program has it. */
 itk::StreamingRawImageIO::Pointer
 MakeRawImageIO(const VolumeHeader & header)
@@ -183,6 +197,11 @@ try
   if (header.format->IsFolder())
   {
     ReadZarrVoxels(header);
+    return;
+  }
+  if (header.series)
+  {
+    ReadSlices(header);
     return;
   }
   CheckFiles(header);

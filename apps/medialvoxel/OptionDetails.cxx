@@ -11,7 +11,8 @@ ListOptionDetails()
   static const std::vector<OptionDetails> rows{
     { "",
       "--slices",
-      "Counted from 0 in the order of the slices; of a pattern with %d the numbers in the names. Both belong to the volume." },
+      "Counted from 0 in the order of the slices; of a pattern with %d the numbers in the names. Both belong to the "
+      "volume." },
     { "",
       "--spacing",
       "Default: that of the file, or 1. From 1e-12 to 1e12; the largest at most 1000 times the smallest." },

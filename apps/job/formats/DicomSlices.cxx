@@ -46,7 +46,8 @@ ListModulePlaces()
   std::error_code             error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   const std::filesystem::path name = std::string("MedialVoxelDicom") + itksys::DynamicLoader::LibExtension();
-  return { (program.parent_path() / MEDIALVOXEL_MODULE_FOLDER / name).lexically_normal(), program.parent_path() / name };
+  return { (program.parent_path() / MEDIALVOXEL_MODULE_FOLDER / name).lexically_normal(),
+           program.parent_path() / name };
 }
 
 /** Null functions where there is no module, or one that cannot be loaded. */
@@ -94,9 +95,8 @@ CheckSize(const std::filesystem::path & fileName, const DicomStructure & structu
 {
   // Factors of 16 bits do not overflow.
   const std::uint64_t bytes = structure.columns * structure.rows * structure.samples * ((structure.bits + 7) / 8);
-  const bool          fits = structure.isPacked
-                               ? bytes <= std::max(SmallImageBytes, MaximumRatio * structure.voxelBytes)
-                               : bytes <= structure.voxelBytes;
+  const bool fits = structure.isPacked ? bytes <= std::max(SmallImageBytes, MaximumRatio * structure.voxelBytes)
+                                       : bytes <= structure.voxelBytes;
   if (bytes == 0 || !fits)
   {
     RefuseHeader(fileName,
@@ -147,8 +147,7 @@ ReadVoxels(const SliceHeader & expected, void * voxels)
   dicom.columns = static_cast<std::uint32_t>(expected.size[0]);
   dicom.rows = static_cast<std::uint32_t>(expected.size[1]);
   dicom.pixelType = static_cast<std::uint32_t>(expected.pixelType);
-  if (const char * const problem =
-        GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), &dicom, voxels))
+  if (const char * const problem = GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), &dicom, voxels))
   {
     RefuseHeader(expected.fileName, problem);
   }

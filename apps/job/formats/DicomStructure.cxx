@@ -70,7 +70,11 @@ public:
   DicomStructure
   Walk()
   {
-    m_Position = BytesOfPreamble + Signature.size();
+    this->MoveTo(BytesOfPreamble);
+    if (m_Size < BytesOfPreamble + Signature.size() || this->ReadText(Signature.size()) != Signature)
+    {
+      RefuseHeader(m_FileName, "it is not DICOM: bytes 128 to 131 are not DICM");
+    }
     m_Encoding = this->ReadMetaInformation();
     this->WalkElements(m_Size, 0);
     return m_Structure;
@@ -91,13 +95,28 @@ private:
       this->Refuse("the file ends within an element");
     }
     std::string text(count, '\0');
-    m_File.seekg(static_cast<std::streamoff>(m_Position));
     if (!m_File.read(text.data(), static_cast<std::streamsize>(count)))
     {
       this->Refuse("the file ends within an element");
     }
     m_Position += count;
     return text;
+  }
+
+  /** A seek drops what was read ahead, so that short ways are read through. */
+  void
+  MoveTo(std::uint64_t position)
+  {
+    constexpr std::uint64_t shortWay = 4096;
+    if (position < m_Position || position - m_Position > shortWay)
+    {
+      m_File.seekg(static_cast<std::streamoff>(position));
+    }
+    else
+    {
+      m_File.ignore(static_cast<std::streamsize>(position - m_Position));
+    }
+    m_Position = position;
   }
 
   template <typename TNumber>
@@ -183,7 +202,7 @@ private:
     for (std::uint64_t begin = m_Position; begin < m_Size; begin = m_Position)
     {
       const std::uint32_t group = this->ReadTag() >> 16;
-      m_Position = begin;
+      this->MoveTo(begin);
       if (group != metaGroup)
       {
         break;
@@ -197,7 +216,7 @@ private:
       }
       else
       {
-        m_Position += element.length;
+        this->MoveTo(m_Position + element.length);
       }
     }
     constexpr std::string_view standard = "1.2.840.10008.1.2";
@@ -236,10 +255,13 @@ private:
     {
       m_Structure.isPacked = isUndefined;
       const std::uint64_t begin = m_Position;
-      m_Position += isUndefined ? 0 : element.length;
       if (isUndefined)
       {
         this->WalkFragments(end);
+      }
+      else
+      {
+        this->MoveTo(m_Position + element.length);
       }
       m_Structure.voxelBytes = m_Position - begin;
     }
@@ -253,7 +275,7 @@ private:
     }
     else
     {
-      m_Position += element.length;
+      this->MoveTo(m_Position + element.length);
     }
   }
 
@@ -265,7 +287,7 @@ private:
                                                                              { Rows, &m_Structure.rows },
                                                                              { Columns, &m_Structure.columns },
                                                                              { BitsAllocated, &m_Structure.bits } } };
-    const auto found = std::find_if(
+    const auto                                                     found = std::find_if(
       wanted.begin(), wanted.end(), [&element](const auto & number) { return number.first == element.tag; });
     if (found == wanted.end() || element.length != sizeof(std::uint16_t))
     {
@@ -322,7 +344,7 @@ private:
         this->Refuse("its packed voxels are not in fragments");
       }
       this->RequireRoom(fragment.length, end);
-      m_Position += fragment.length;
+      this->MoveTo(m_Position + fragment.length);
     }
   }
 
@@ -349,11 +371,6 @@ IsDicomFile(const std::filesystem::path & fileName)
 DicomStructure
 CheckDicomStructure(const std::filesystem::path & fileName)
 {
-  OpenRegularFile(fileName);
-  if (!IsDicomFile(fileName))
-  {
-    RefuseHeader(fileName, "it is not DICOM: bytes 128 to 131 are not DICM");
-  }
   return Walker(fileName).Walk();
 }
 

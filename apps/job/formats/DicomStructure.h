@@ -15,7 +15,7 @@ struct DicomStructure
   std::uint64_t columns{ 0 };
   std::uint64_t rows{ 0 };
   std::uint64_t samples{ 1 };
-  std::uint64_t bits{ 0 }; ///< allocated for a sample
+  std::uint64_t bits{ 0 };       ///< allocated for a sample
   std::uint64_t voxelBytes{ 0 }; ///< in the file, packed or not; 0: the file has no image
   bool          isPacked{ false };
 };
@@ -24,8 +24,9 @@ struct DicomStructure
 bool
 IsDicomFile(const std::filesystem::path & fileName);
 
-/** Walks through all elements of a DICOM file, items of sequences included: GDCM allocates what their lengths say before
- * it reads. \throw HeaderError when one does not fit into what is around it, or the transfer syntax is not read */
+/** Walks through all elements of a DICOM file, items of sequences included: GDCM allocates what their lengths say
+ * before it reads. \throw HeaderError when one does not fit into what is around it, or the transfer syntax is not read
+ */
 DicomStructure
 CheckDicomStructure(const std::filesystem::path & fileName);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// PNG, BMP and JPEG as ITK reads them. ITK's readers trust the headers of BMP, and miss the end of cut BMP and JPEG.
+// BMP and JPEG as ITK reads them. ITK's readers trust the headers of BMP, and miss the end of cut BMP and JPEG.
 
 #include "BinaryHeader.h"
 #include "HeaderParsing.h"
@@ -11,7 +11,6 @@
 
 #include "itkBMPImageIO.h"
 #include "itkJPEGImageIO.h"
-#include "itkPNGImageIO.h"
 
 #include <algorithm>
 #include <array>
@@ -52,28 +51,22 @@ RequireSignature(const std::filesystem::path & fileName, std::string_view signat
   }
 }
 
-void
-CheckPng(const std::filesystem::path & fileName)
-{
-  RequireSignature(fileName, "\x89PNG\r\n\x1a\n", "PNG");
-}
-
 /** Its size and what ITK's reader would not check: rows without packing, all of them in the file. */
 void
 CheckBmp(const std::filesystem::path & fileName)
 try
 {
   RequireSignature(fileName, "BM", "BMP");
-  constexpr std::size_t      bytesOfHeader = 54;
-  constexpr std::uint32_t    bytesOfInformation = 40;
-  constexpr std::uint64_t    largest = std::uint64_t{ 1 } << 20;
-  const BinaryHeader         header(ReadBytes(fileName, 0, bytesOfHeader), false);
-  const auto                 columns = header.Get<std::int32_t>(18);
-  const std::int64_t         rows = header.Get<std::int32_t>(22);
-  const auto                 bits = header.Get<std::uint16_t>(28);
-  const auto                 compression = header.Get<std::uint32_t>(30);
-  const auto                 width = static_cast<std::uint64_t>(std::max(columns, 0));
-  const auto                 height = static_cast<std::uint64_t>(std::abs(rows));
+  constexpr std::size_t   bytesOfHeader = 54;
+  constexpr std::uint32_t bytesOfInformation = 40;
+  constexpr std::uint64_t largest = std::uint64_t{ 1 } << 20;
+  const BinaryHeader      header(ReadBytes(fileName, 0, bytesOfHeader), false);
+  const auto              columns = header.Get<std::int32_t>(18);
+  const std::int64_t      rows = header.Get<std::int32_t>(22);
+  const auto              bits = header.Get<std::uint16_t>(28);
+  const auto              compression = header.Get<std::uint32_t>(30);
+  const auto              width = static_cast<std::uint64_t>(std::max(columns, 0));
+  const auto              height = static_cast<std::uint64_t>(std::abs(rows));
   if (header.Get<std::uint32_t>(14) != bytesOfInformation || bits != 8 || compression != 0)
   {
     RefuseHeader(fileName,
@@ -92,8 +85,7 @@ try
   const std::uint64_t available = GetDataFileSize(fileName, fileName);
   if (needed > available)
   {
-    RefuseHeader(fileName,
-                 "it has " + std::to_string(available) + " bytes; its size needs " + std::to_string(needed));
+    RefuseHeader(fileName, "it has " + std::to_string(available) + " bytes; its size needs " + std::to_string(needed));
   }
 }
 catch (const std::out_of_range &)
@@ -106,10 +98,10 @@ void
 CheckJpeg(const std::filesystem::path & fileName)
 {
   RequireSignature(fileName, "\xff\xd8", "JPEG");
-  constexpr std::uint64_t              searched = 4096;
+  constexpr std::uint64_t                searched = 4096;
   constexpr std::array<unsigned char, 2> endMark{ { 0xff, 0xd9 } };
-  const std::uint64_t                  size = GetDataFileSize(fileName, fileName);
-  const std::vector<unsigned char>     end = ReadBytes(fileName, size - std::min(size, searched), searched);
+  const std::uint64_t                    size = GetDataFileSize(fileName, fileName);
+  const std::vector<unsigned char>       end = ReadBytes(fileName, size - std::min(size, searched), searched);
   if (std::search(end.begin(), end.end(), endMark.begin(), endMark.end()) == end.end())
   {
     RefuseHeader(fileName, "it ends early: the mark of its end is missing");
@@ -156,7 +148,8 @@ GetPixelType(const itk::ImageIOBase & imageIO, const std::filesystem::path & fil
       return PixelType::UInt16;
     default:
       RefuseHeader(fileName,
-                   "its voxels are of the type " + itk::ImageIOBase::GetComponentTypeAsString(imageIO.GetComponentType()) +
+                   "its voxels are of the type " +
+                     itk::ImageIOBase::GetComponentTypeAsString(imageIO.GetComponentType()) +
                      "; 8 and 16 bits are read",
                    HeaderError::Kind::Unsupported);
   }
@@ -228,12 +221,6 @@ MakeFormat(const char * name, const std::vector<const char *> & extensions)
 }
 
 } // namespace
-
-SliceFormat
-MakePngSliceFormat()
-{
-  return MakeFormat<Picture<itk::PNGImageIO, CheckPng>>("PNG", { ".png" });
-}
 
 SliceFormat
 MakeBmpSliceFormat()

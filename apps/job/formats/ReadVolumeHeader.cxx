@@ -155,8 +155,7 @@ DescribeSlices(const SliceSeries & series)
   const SliceHeader & first = series.slices.front();
   return std::string(series.format->name) + (first.series.empty() ? "" : " series " + first.series) + ", " +
          std::to_string(series.slices.size()) + (series.slices.size() == 1 ? " file, " : " files, ") +
-         first.fileName.string() +
-         (series.slices.size() == 1 ? "" : " to " + series.slices.back().fileName.string());
+         first.fileName.string() + (series.slices.size() == 1 ? "" : " to " + series.slices.back().fileName.string());
 }
 
 } // namespace

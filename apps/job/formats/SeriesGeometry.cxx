@@ -108,7 +108,8 @@ CheckSteps(const std::filesystem::path & input, const Slices & slices, const Vec
     const double      step = steps[slice];
     if (!(step > tolerance))
     {
-      RefuseHeader(input, pair + " have the same place " + Describe(slices[slice].place->origin) + "; a slice is doubled");
+      RefuseHeader(input,
+                   pair + " have the same place " + Describe(slices[slice].place->origin) + "; a slice is doubled");
     }
     if (!(std::abs(step - usual) <= tolerance))
     {
@@ -117,7 +118,7 @@ CheckSteps(const std::filesystem::path & input, const Slices & slices, const Vec
       RefuseHeader(input,
                    (isGap ? FormatNumber(more) + (more > 1 ? " slices are" : " slice is") + " missing between " + pair
                           : "the slices are not equally spaced: " + pair + " do not fit") +
-                     "; their distance is " + FormatNumber(step) + ", that of others " + FormatNumber(usual));
+                     "; their distance is " + FormatShort(step) + ", that of others " + FormatShort(usual));
     }
   }
 }
@@ -127,7 +128,8 @@ void
 CheckLine(const std::filesystem::path & input, const Slices & slices, const Vector & normal)
 {
   const Vector & first = slices.front().place->origin;
-  const double   spacing = Dot(Subtract(slices.back().place->origin, first), normal) / static_cast<double>(slices.size() - 1);
+  const double   spacing =
+    Dot(Subtract(slices.back().place->origin, first), normal) / static_cast<double>(slices.size() - 1);
   for (std::size_t slice = 1; slice < slices.size(); ++slice)
   {
     const Vector way = Subtract(slices[slice].place->origin, first);
@@ -136,8 +138,8 @@ CheckLine(const std::filesystem::path & input, const Slices & slices, const Vect
     if (!(beside <= SlicePositionTolerance * spacing * static_cast<double>(slice)))
     {
       RefuseHeader(input,
-                   slices[slice].fileName.string() + " is shifted by " + FormatShort(beside) + " mm along its plane against " +
-                     slices.front().fileName.string() +
+                   slices[slice].fileName.string() + " is shifted by " + FormatShort(beside) +
+                     " mm along its plane against " + slices.front().fileName.string() +
                      ", as with a tilted gantry; resample the series to a straight one first",
                    HeaderError::Kind::Unsupported);
     }

@@ -12,14 +12,14 @@
 namespace medialvoxel
 {
 
-/** How far the distance of two slices may be from that of the others, and a slice from the line through the first voxels:
- * this share of the spacing. */
+/** How far the distance of two slices may be from that of the others, and a slice from the line through the first
+ * voxels: this share of the spacing. */
 constexpr double SlicePositionTolerance = 0.01;
 
 /** Sorts slices that all have a place in the direction of the normal, as ITK does.
  * \param input that messages begin with
- * \throw HeaderError that names the slices when their directions differ, or one is missing, doubled, unequally spaced, or
- * beside the others, as with a tilted gantry */
+ * \throw HeaderError that names the slices when their directions differ, or one is missing, doubled, unequally spaced,
+ * or beside the others, as with a tilted gantry */
 void
 SortAlongNormal(const std::filesystem::path & input, std::vector<SliceHeader> & slices);
 

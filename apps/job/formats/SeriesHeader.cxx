@@ -110,8 +110,9 @@ ChooseSeries(const std::filesystem::path & input, const Slices & slices, const s
   {
     throw JobError(ExitStatus::Usage,
                    input.string() + ": " +
-                     (wanted.empty() ? "it has " + std::to_string(series.size()) + " series; choose one with --series UID: "
-                                     : "it has no series " + wanted + ", but ") +
+                     (wanted.empty()
+                        ? "it has " + std::to_string(series.size()) + " series; choose one with --series UID: "
+                        : "it has no series " + wanted + ", but ") +
                      Join(series, ", ", [](const auto & one) { return DescribeSeries(one.second); }));
   }
   return found->second;

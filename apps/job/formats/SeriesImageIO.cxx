@@ -129,7 +129,8 @@ GetSeriesMemory(const VolumeHeader & header, unsigned int threads)
     decodeBytes = std::max(decodeBytes, slice.decodeBytes);
   }
   // A thread may still copy from a slice that is no longer kept.
-  const std::uint64_t slices = std::min<std::uint64_t>(GetCapacity(threads) + threads - 1, series.slices.size() + threads);
+  const std::uint64_t slices =
+    std::min<std::uint64_t>(GetCapacity(threads) + threads - 1, series.slices.size() + threads);
   return series.format->libraryBytes + slices * series.slices.front().GetVoxelBytes() + threads * decodeBytes;
 }
 

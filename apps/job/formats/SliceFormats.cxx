@@ -23,10 +23,11 @@ GetSliceFormats()
 #ifdef MEDIALVOXEL_WITH_TIFF
     MakeTiffSliceFormat(),
 #endif
-#ifdef MEDIALVOXEL_WITH_PICTURES
+#ifdef MEDIALVOXEL_WITH_PNG
     MakePngSliceFormat(),
-    MakeBmpSliceFormat(),
-    MakeJpegSliceFormat(),
+#endif
+#ifdef MEDIALVOXEL_WITH_PICTURES
+    MakeBmpSliceFormat(),   MakeJpegSliceFormat(),
 #endif
   };
   return formats;
@@ -40,8 +41,8 @@ FindSliceFormat(const std::filesystem::path & fileName)
   const std::string extension = ToLower(fileName.extension().string());
   for (const SliceFormat & format : GetSliceFormats())
   {
-    const bool isNamed = std::find(format.extensions.begin(), format.extensions.end(), extension) !=
-                         format.extensions.end();
+    const bool isNamed =
+      std::find(format.extensions.begin(), format.extensions.end(), extension) != format.extensions.end();
     if (isNamed || (format.isKnown && format.isKnown(fileName)))
     {
       return &format;

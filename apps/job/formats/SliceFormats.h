@@ -36,9 +36,11 @@ MakeDicomSliceFormat();
 SliceFormat
 MakeTiffSliceFormat();
 #endif
-#ifdef MEDIALVOXEL_WITH_PICTURES
+#ifdef MEDIALVOXEL_WITH_PNG
 SliceFormat
 MakePngSliceFormat();
+#endif
+#ifdef MEDIALVOXEL_WITH_PICTURES
 SliceFormat
 MakeBmpSliceFormat();
 SliceFormat

@@ -64,7 +64,7 @@ struct NumberPattern
 {
   std::string prefix;
   std::string suffix;
-  std::size_t width{ 0 }; ///< least digits
+  std::size_t width{ 0 };        ///< least digits
   bool        isFilled{ false }; ///< with zeros
 
   std::string
@@ -167,7 +167,9 @@ ListFolder(const std::filesystem::path & folder, TIsWanted && isWanted)
 }
 
 std::vector<std::filesystem::path>
-ListNumbers(const std::filesystem::path & folder, const NumberPattern & pattern, const std::vector<std::uint64_t> & range)
+ListNumbers(const std::filesystem::path &      folder,
+            const NumberPattern &              pattern,
+            const std::vector<std::uint64_t> & range)
 {
   std::vector<std::filesystem::path> files;
   for (std::uint64_t number = range[0]; number <= range[1]; ++number)
@@ -184,7 +186,8 @@ ListNumbers(const std::filesystem::path & folder, const NumberPattern & pattern,
     }
     if (files.size() > MostSlices)
     {
-      RefuseHeader(folder / pattern.MakeName(range[0]), "more than " + std::to_string(MostSlices) + " slices are wanted");
+      RefuseHeader(folder / pattern.MakeName(range[0]),
+                   "more than " + std::to_string(MostSlices) + " slices are wanted");
     }
   }
   return files;
@@ -276,8 +279,8 @@ IsBefore(const std::filesystem::path & a, const std::filesystem::path & b)
 {
   const std::vector<Token> tokensOfA = SplitAtNumbers(a);
   const std::vector<Token> tokensOfB = SplitAtNumbers(b);
-  const auto [inA, inB] =
-    std::mismatch(tokensOfA.begin(), tokensOfA.end(), tokensOfB.begin(), tokensOfB.end(), [](const auto & x, const auto & y) {
+  const auto [inA, inB] = std::mismatch(
+    tokensOfA.begin(), tokensOfA.end(), tokensOfB.begin(), tokensOfB.end(), [](const auto & x, const auto & y) {
       return x.isNumber && y.isNumber ? x.number == y.number : x.text == y.text;
     });
   if (inA == tokensOfA.end() || inB == tokensOfB.end())

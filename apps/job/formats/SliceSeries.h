@@ -19,8 +19,8 @@ namespace medialvoxel
 /** Where a slice lies in space, in millimeters. */
 struct SlicePlace
 {
-  std::array<double, 3> origin;    ///< center of the first voxel
-  std::array<double, 3> rowAxis;   ///< unit vector of increasing columns
+  std::array<double, 3> origin;     ///< center of the first voxel
+  std::array<double, 3> rowAxis;    ///< unit vector of increasing columns
   std::array<double, 3> columnAxis; ///< unit vector of increasing rows
 };
 

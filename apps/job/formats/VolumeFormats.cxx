@@ -208,10 +208,11 @@ FindInputFormat(const std::filesystem::path & fileName)
       return format;
     }
   }
-  RefuseExtension(fileName,
-                  JoinExtensions(ListInputExtensions(), ", ") +
-                    " are read, series of slices by their folder or a pattern such as 'scan/*.png', and headerless files "
-                    "with --raw-size and --raw-type");
+  RefuseExtension(
+    fileName,
+    JoinExtensions(ListInputExtensions(), ", ") +
+      " are read, series of slices by their folder or a pattern such as 'scan/*.png', and headerless files "
+      "with --raw-size and --raw-type");
 }
 
 OutputFormat
