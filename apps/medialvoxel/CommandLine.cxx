@@ -251,7 +251,7 @@ void
 AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: " + JoinInputExtensions(), options.input)->required();
-  AddText(app, "--slices", "Of a folder or pattern of images: these only", "FIRST-LAST", [&](const std::string & text) {
+  AddText(app, "--slices", "FIRST-LAST, of a folder or pattern of slices", "RANGE", [&](const std::string & text) {
     const std::size_t dash = text.find('-');
     for (const std::string & number : { text.substr(0, dash), text.substr(dash == std::string::npos ? 0 : dash + 1) })
     {

@@ -362,7 +362,7 @@ class PictureTest(SeriesTestCase):
         deep = self.write_pillow("a{:02}.png", "deep", self.volume.as_type("uint16"))
         color = self.write_pillow("a{:02}.png", "color", mode="RGB")
         palette = self.write_pillow("a{:02}.bmp", "palette", mode="P", options={})
-        for other, parts in ((smaller, ["24 x 20", "24 x 19"]), (deep, ["uint8", "uint16"]), (color, ["color image", "3"])):
+        for other, parts in ((smaller, ["24 x 20", "24 x 19"]), (deep, ["uint8", "uint16"]), (color, ["color image", "color type 2"])):
             (folder / "a07.png").write_bytes((other / "a07.png").read_bytes())
             self.assert_fails(CORRUPT, ["a07.png", *parts], "info", folder)
         (folder / "a07.png").write_bytes(good)

@@ -193,7 +193,11 @@ FindInputFormat(const std::filesystem::path & fileName)
       return format;
     }
   }
-  if (NamesSlices(fileName))
+  // A folder with the name of a file is more likely a mistake than a series.
+  const bool hasNameOfFile = std::any_of(GetFormats().begin(), GetFormats().end(), [&](const VolumeFormat & format) {
+    return std::filesystem::is_directory(status) && FindExtension(format, fileName);
+  });
+  if (NamesSlices(fileName) && !hasNameOfFile)
   {
     return GetSeriesFormat();
   }
