@@ -179,8 +179,9 @@ class DicomTest(SeriesTestCase):
             (
                 "color",
                 {"SamplesPerPixel": 3, "PhotometricInterpretation": "RGB", "PlanarConfiguration": 0, "Rows": 5},
-                ["color image", "RGB"],
+                ["color image", "3 values"],
             ),
+            ("bits", {"BitsStored": 17, "HighBit": 16}, ["16 bits, of which 17 are stored"]),
         ):
             with self.subTest(name=name):
                 folder = self.write_dicom(volume, name, bits=12, changes={"5": change})

@@ -89,11 +89,36 @@ GetModule(const std::filesystem::path & fileName)
   return functions;
 }
 
+/** What GDCM takes for granted. */
+void
+CheckVoxels(const std::filesystem::path & fileName, const DicomStructure & structure)
+{
+  if (structure.samples != 1)
+  {
+    RefuseHeader(fileName,
+                 "it is a color image (" + std::to_string(structure.samples) +
+                   " values per voxel); only gray values are read",
+                 HeaderError::Kind::Unsupported);
+  }
+  const bool isWhole = structure.bits == 8 || structure.bits == 16 || structure.bits == 32;
+  if (!isWhole || structure.storedBits == 0 || structure.storedBits > structure.bits ||
+      structure.highBit + 1 != structure.storedBits || structure.isSigned > 1)
+  {
+    RefuseHeader(fileName,
+                 "its voxels have " + std::to_string(structure.bits) + " bits, of which " +
+                   std::to_string(structure.storedBits) + " are stored up to bit " + std::to_string(structure.highBit) +
+                   ", and the representation " + std::to_string(structure.isSigned) +
+                   "; 8, 16 or 32 bits are read, of which the lowest are stored, and representation 0 or 1",
+                 HeaderError::Kind::Unsupported);
+  }
+}
+
 /** Before GDCM allocates anything. */
 void
 CheckSize(const std::filesystem::path & fileName, const DicomStructure & structure)
 {
   // Factors of 16 bits do not overflow.
+  CheckVoxels(fileName, structure);
   const std::uint64_t bytes = structure.columns * structure.rows * structure.samples * ((structure.bits + 7) / 8);
   const bool fits = structure.isPacked ? bytes <= std::max(SmallImageBytes, MaximumRatio * structure.voxelBytes)
                                        : bytes <= structure.voxelBytes;

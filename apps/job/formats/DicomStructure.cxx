@@ -33,6 +33,9 @@ constexpr std::uint32_t Samples = 0x00280002;
 constexpr std::uint32_t Rows = 0x00280010;
 constexpr std::uint32_t Columns = 0x00280011;
 constexpr std::uint32_t BitsAllocated = 0x00280100;
+constexpr std::uint32_t BitsStored = 0x00280101;
+constexpr std::uint32_t HighBit = 0x00280102;
+constexpr std::uint32_t PixelRepresentation = 0x00280103;
 constexpr std::uint32_t PixelData = 0x7fe00010;
 constexpr std::uint32_t Item = 0xfffee000;
 constexpr std::uint32_t EndOfItem = 0xfffee00d;
@@ -283,10 +286,14 @@ private:
   bool
   TakeNumber(const Element & element)
   {
-    const std::array<std::pair<std::uint32_t, std::uint64_t *>, 4> wanted{ { { Samples, &m_Structure.samples },
+    const std::array<std::pair<std::uint32_t, std::uint64_t *>, 7> wanted{ { { Samples, &m_Structure.samples },
                                                                              { Rows, &m_Structure.rows },
                                                                              { Columns, &m_Structure.columns },
-                                                                             { BitsAllocated, &m_Structure.bits } } };
+                                                                             { BitsAllocated, &m_Structure.bits },
+                                                                             { BitsStored, &m_Structure.storedBits },
+                                                                             { HighBit, &m_Structure.highBit },
+                                                                             { PixelRepresentation,
+                                                                               &m_Structure.isSigned } } };
     const auto                                                     found = std::find_if(
       wanted.begin(), wanted.end(), [&element](const auto & number) { return number.first == element.tag; });
     if (found == wanted.end() || element.length != sizeof(std::uint16_t))

@@ -16,6 +16,9 @@ struct DicomStructure
   std::uint64_t rows{ 0 };
   std::uint64_t samples{ 1 };
   std::uint64_t bits{ 0 };       ///< allocated for a sample
+  std::uint64_t storedBits{ 0 }; ///< of the allocated ones
+  std::uint64_t highBit{ 0 };    ///< of the stored ones
+  std::uint64_t isSigned{ 0 };   ///< 0 or 1
   std::uint64_t voxelBytes{ 0 }; ///< in the file, packed or not; 0: the file has no image
   bool          isPacked{ false };
 };
