@@ -4,9 +4,9 @@
 
 #include "HeaderParsing.h"
 #include "ReadVolumeHeader.h"
+#include "ValueReader.h"
 #include "VolumeFormats.h"
 #include "VolumeText.h"
-#include "ValueReader.h"
 #include "VoxelStream.h"
 
 #include "itkStreamingRawImageIO.h"
@@ -107,6 +107,19 @@ ReadChunks(const VolumeHeader & header)
   }
 }
 
+/** The program's way into slices. */
+void
+ReadSlices(const VolumeHeader & header)
+{
+  if (header.GetVoxelBytes() <= MaximumBytesToRead)
+  {
+    itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
+    std::copy(header.geometry.size.begin(), header.geometry.size.end(), box.upper.begin());
+    std::vector<char> voxels(header.GetVoxelBytes());
+    MakeValueReader(header)->Read(box, voxels.data());
+  }
+}
+
 /** A reader of a part of voxels, as the program has it. */
 itk::StreamingRawImageIO::Pointer
 MakeReader(const VolumeHeader & header)
@@ -184,6 +197,11 @@ try
   if (header.chunks)
   {
     ReadChunks(header);
+    return;
+  }
+  if (header.series)
+  {
+    ReadSlices(header);
     return;
   }
   CheckFiles(header);

@@ -21,6 +21,7 @@ set(folder_of_itkMedialVoxelText Foundation)
 set(program
     job/base
     job/model
+    job/dicom
     job/files
     job/records
     job/formats

@@ -240,6 +240,16 @@ void
 AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: " + CLI::detail::join(ListInputFormats(), " "), options.input)->required();
+  AddText(app, "--slices", "FIRST-LAST, of a folder or pattern of slices", "RANGE", [&](const std::string & text) {
+    const std::size_t dash = text.find('-');
+    for (const std::string & number : { text.substr(0, dash), text.substr(dash == std::string::npos ? 0 : dash + 1) })
+    {
+      options.slices.range.push_back(ToCount(number, 0, LargestCount));
+    }
+  });
+  app.add_option("--series", options.slices.series, "The DICOM series of a folder that has several")
+    ->type_name("UID")
+    ->group(""); // not shown, as the message that lists the series says it
   AddSpacing(app, "--spacing", "Spacing, instead of that of the file", [&]() -> auto & { return options.spacing; });
   AddText(app, "--level", "Of an image with several sizes; 0 (default): largest", "N", [&](const std::string & text) {
     options.level = static_cast<unsigned int>(ToCount(text, 0, LargestLevel));

@@ -10,6 +10,10 @@ ListOptionDetails()
 {
   static const std::vector<OptionDetails> rows{
     { "",
+      "--slices",
+      "Counted from 0 in the order of the slices; of a pattern with %d the numbers in the names. Both belong to the "
+      "volume." },
+    { "",
       "--spacing",
       "Default: that of the file, or 1. From 1e-12 to 1e12; the largest at most 1000 times the smallest." },
     { "", "--level", "Needs an OME-Zarr image with so many levels. Each has about half the size of the one before." },

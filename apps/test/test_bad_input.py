@@ -38,8 +38,8 @@ class BadInputTest(ProgramTestCase):
         (self.folder / "in.mha").mkdir()
         self.assert_refused("in.mha", ["it is a folder, not a regular file"], FAILURE)
         (self.folder / "slices").mkdir()
-        self.assert_refused("slices", ["it is a folder, not a regular file"], FAILURE)
-        self.assert_refused(".", ["it is a folder, not a regular file"], FAILURE)
+        self.assert_refused("slices", ["there are no slices"], CORRUPT)
+        self.assert_refused(".", ["there are no slices"], CORRUPT)
 
     def test_no_extension(self):
         (self.folder / "in").write_bytes(b"\0")

@@ -31,6 +31,22 @@ CountSlices(const Manifest & manifest, const std::vector<std::uint64_t> & cluste
   return slices;
 }
 
+/** A series may have got slices, while its other files stayed as they were. */
+void
+CheckSlices(const Manifest & manifest, const VolumeHeader & input)
+{
+  if (input.geometry.size.back() != manifest.numberOfSlices)
+  {
+    Fail(ExitStatus::Failure,
+         "the input ",
+         input.fileName.string(),
+         " has changed since the job was planned: it has ",
+         input.geometry.size.back(),
+         " slices, it had ",
+         manifest.numberOfSlices);
+  }
+}
+
 } // namespace
 
 ClusterWorker::ClusterWorker(const SharedJob & job, const JobResult & plan, ProgressSink & sink)
@@ -40,6 +56,7 @@ ClusterWorker::ClusterWorker(const SharedJob & job, const JobResult & plan, Prog
   , m_Locks(job.folder.GetLocksName())
   , m_Run(job.manifest.options, plan, sink)
 {
+  CheckSlices(job.manifest, plan.input);
   m_Requests = ListVolumes(job.manifest.options, plan.input);
   for (const VolumeRequest & request : m_Requests)
   {

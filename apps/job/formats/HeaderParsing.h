@@ -40,6 +40,9 @@ ListKeyedExtensions();
  * \throw HeaderError; JobError for files that are not JSON, and Usage for a level that is not there */
 VolumeHeader
 ReadZarrHeader(const std::filesystem::path & folder, unsigned int level);
+/** Of a folder or pattern of images, each of which is a slice. */
+VolumeHeader
+ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice);
 #ifdef MEDIALVOXEL_WITH_TIFF
 VolumeHeader
 ReadTiffHeader(const std::filesystem::path & fileName);

@@ -4,6 +4,7 @@
 
 #include "HeaderParsing.h"
 #include "Resampling.h"
+#include "SliceSeries.h"
 #include "Text.h"
 #include "VolumeFormats.h"
 
@@ -163,19 +164,40 @@ CheckDataSize(const VolumeHeader & header)
        header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
 }
 
+/** "DICOM series UID, 108 files from a to b" */
+std::string
+DescribeSlices(const SliceSeries & series)
+{
+  const SliceHeader & first = series.slices.front();
+  return std::string(series.format->name) + (first.series.empty() ? "" : " series " + first.series) + ", " +
+         std::to_string(series.slices.size()) + (series.slices.size() == 1 ? " file, " : " files, ") +
+         first.fileName.string() + (series.slices.size() == 1 ? "" : " to " + series.slices.back().fileName.string());
+}
+
 } // namespace
 
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,
                  const std::vector<double> &           spacing,
-                 unsigned int                          level)
+                 unsigned int                          level,
+                 const SliceChoice &                   slices)
 try
 {
   const VolumeFormat & format = raw ? GetRawFormat() : FindInputFormat(fileName);
-  VolumeHeader         header = raw         ? DescribeRawVolume(fileName, *raw)
-                                : level > 0 ? ReadLevel(format, fileName, level)
-                                            : format.input.readHeader(fileName);
+  if (slices.IsGiven() && !format.input.readChoice)
+  {
+    Fail(ExitStatus::Usage,
+         fileName.string(),
+         ": ",
+         slices.series.empty() ? "--slices" : "--series",
+         " needs a folder or a pattern of slices; this is ",
+         format.name);
+  }
+  VolumeHeader header = raw                       ? DescribeRawVolume(fileName, *raw)
+                        : level > 0               ? ReadLevel(format, fileName, level)
+                        : format.input.readChoice ? format.input.readChoice(fileName, slices)
+                                                  : format.input.readHeader(fileName);
   header.format = &format;
   if (!spacing.empty())
   {
@@ -194,7 +216,8 @@ catch (const HeaderError & error)
 VolumeHeader
 ReadInputHeader(const JobOptions & options)
 {
-  const VolumeHeader header = ReadVolumeHeader(options.input, options.raw, options.spacing, options.level);
+  const VolumeHeader header =
+    ReadVolumeHeader(options.input, options.raw, options.spacing, options.level, options.slices);
   return options.resample ? ResampleHeader(header, *options.resample) : header;
 }
 
@@ -221,7 +244,11 @@ DescribeHeader(const VolumeHeader & seen)
   table.emplace_back("voxels", std::to_string(header.geometry.GetNumberOfVoxels()));
   table.emplace_back("bytes",
                      std::to_string(header.GetVoxelBytes()) + " (" + FormatBytes(header.GetVoxelBytes()) + ")");
-  if (header.dataFile != header.fileName)
+  if (header.series)
+  {
+    table.emplace_back("slices", itk::MedialVoxelText::MakePrintable(DescribeSlices(*header.series)));
+  }
+  else if (header.dataFile != header.fileName)
   {
     table.emplace_back("data file", itk::MedialVoxelText::MakePrintable(header.dataFile.string()));
   }

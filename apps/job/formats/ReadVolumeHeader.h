@@ -15,19 +15,21 @@ namespace medialvoxel
 {
 
 /** Reads and checks the header of a volume: of one of the formats of VolumeFormats.cxx (TIFF when built with
- * libtiff) or, with a description, a headerless file.
+ * libtiff), a folder or pattern of images that are slices or, with a description, a headerless file.
  *
  * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
  * ones: may be), and its place in space is within itk::MedialVoxelGridLimits.
  * \param spacing along each axis, in place of that of the file; empty: that of the file
  * \param level of an image that is there in several sizes, 0 the largest
+ * \param slices that are chosen among those of a folder or pattern
  * \throw JobError: Usage for an unknown extension, another number of spacings than of axes or a level that is not
  * there, Failure for a file that cannot be read, CorruptInput for all else. */
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,
                  const std::vector<double> &           spacing = {},
-                 unsigned int                          level = 0);
+                 unsigned int                          level = 0,
+                 const SliceChoice &                   slices = {});
 
 /** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
 VolumeHeader

@@ -7,6 +7,10 @@
 #include "OutputVolume.h"
 #include "PackedVolume.h"
 #include "RawImageIO.h"
+#include "SeriesImageIO.h"
+#include "SliceNames.h"
+#include "SeriesImageIO.h"
+#include "SliceNames.h"
 #include "Text.h"
 #include "VolumeText.h"
 #include "VoxelStream.h"
@@ -201,6 +205,20 @@ GetRawFormat()
 }
 
 const VolumeFormat &
+GetSeriesFormat()
+{
+  static const VolumeFormat series = [] {
+    VolumeInput input;
+    input.sizeCheck = DataSizeCheck::ByReader;
+    input.makeReader = MakeSeriesImageIO;
+    input.readChoice = ReadSeriesHeader;
+    input.getMemory = GetSeriesMemory;
+    return VolumeFormat{ "series of slices", {}, input, std::nullopt };
+  }();
+  return series;
+}
+
+const VolumeFormat &
 FindInputFormat(const std::filesystem::path & fileName)
 {
   std::error_code error;
@@ -213,6 +231,14 @@ FindInputFormat(const std::filesystem::path & fileName)
       return format;
     }
   }
+  // A folder with the name of a file is more likely a mistake than a series.
+  const bool hasNameOfFile = std::any_of(GetFormats().begin(), GetFormats().end(), [&](const VolumeFormat & format) {
+    return std::filesystem::is_directory(status) && FindExtension(format, fileName);
+  });
+  if (NamesSlices(fileName) && !hasNameOfFile)
+  {
+    return GetSeriesFormat();
+  }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
     OpenRegularFile(fileName); // tells what it is
@@ -224,9 +250,11 @@ FindInputFormat(const std::filesystem::path & fileName)
       return format;
     }
   }
-  RefuseExtension(fileName,
-                  JoinExtensions(ListInputExtensions(), ", ") +
-                    " are read, and headerless files with --raw-size and --raw-type");
+  RefuseExtension(
+    fileName,
+    JoinExtensions(ListInputExtensions(), ", ") +
+      " are read, series of slices by their folder or a pattern such as 'scan/*.png', and headerless files "
+      "with --raw-size and --raw-type");
 }
 
 OutputFormat

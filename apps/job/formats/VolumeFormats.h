@@ -62,6 +62,12 @@ struct VolumeInput
 
   /** Of formats whose volumes are folders: true for such a folder. */
   bool (*isFolder)(const std::filesystem::path &){ nullptr };
+
+  /** In place of readHeader, where the options choose among the files that a name stands for. */
+  VolumeHeader (*readChoice)(const std::filesystem::path &, const SliceChoice &){ nullptr };
+
+  /** Memory that the readers of so many threads take beside the parts that are read; null: none. */
+  std::uint64_t (*getMemory)(const VolumeHeader &, unsigned int){ nullptr };
 };
 
 /** How volumes of a format are written. */
@@ -109,7 +115,11 @@ struct VolumeFormat
 const VolumeFormat &
 GetRawFormat();
 
-/** The format of an existing file or folder. \throw JobError Usage for an unknown one */
+/** Of folders and patterns of images, each of which is a slice. */
+const VolumeFormat &
+GetSeriesFormat();
+
+/** The format of an existing file or folder, or of a pattern of slices. \throw JobError Usage for an unknown one */
 const VolumeFormat &
 FindInputFormat(const std::filesystem::path & fileName);
 

@@ -91,6 +91,11 @@ CheckJobOptions(const JobOptions & options)
   {
     CheckOptions(*options.raw);
   }
+  const std::vector<std::uint64_t> & range = options.slices.range;
+  if (range.size() == 2 && range[0] > range[1])
+  {
+    Fail(ExitStatus::Usage, "the first slice is ", range[0], ", the last one ", range[1], "; it must not be before");
+  }
   CheckThreshold("lower", options.lowerThreshold);
   CheckThreshold("upper", options.upperThreshold);
   if (options.label && (options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu))

@@ -45,7 +45,8 @@ ParseLabelSelection(const std::string & text);
 struct JobOptions
 {
   std::string                   input;
-  std::optional<RawDescription> raw; ///< set for headerless files
+  std::optional<RawDescription> raw;    ///< set for headerless files
+  SliceChoice                   slices; ///< of an input that is a series of images
 
   unsigned int          level{ 0 }; ///< of an input that is there in several sizes, 0 the largest
   std::vector<double>   spacing;    ///< along each axis, in place of that of the input; empty: as the input has it

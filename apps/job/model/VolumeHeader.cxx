@@ -56,7 +56,7 @@ VolumeHeader::DescribeReading() const
   }
   if (this->CanStream())
   {
-    return "streams: parts are read as they are needed";
+    return series ? "streams: slices are decoded as they are needed" : "streams: parts are read as they are needed";
   }
   return compressed ? "does not stream: it is compressed and unpacked once to one bit per voxel"
                     : "does not stream: its values are scaled, and it is read once to one bit per voxel";

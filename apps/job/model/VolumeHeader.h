@@ -71,6 +71,20 @@ struct ValueScale
 };
 
 struct VolumeFormat;
+struct SliceSeries;
+
+/** Which images of a folder or pattern make up a volume. */
+struct SliceChoice
+{
+  std::string                series; ///< instance UID of a DICOM series; empty: the only one
+  std::vector<std::uint64_t> range;  ///< first and last slice, counted from 0, or numbers of a pattern; empty: all
+
+  bool
+  IsGiven() const
+  {
+    return !series.empty() || !range.empty();
+  }
+};
 
 /** Boxes of voxels that a volume is stored in, each by itself. */
 struct VolumeChunks
@@ -110,6 +124,9 @@ struct VolumeHeader
 
   unsigned int level{ 0 }; ///< of an image that is there in several sizes, 0 the largest
   unsigned int numberOfLevels{ 1 };
+
+  /** Of a volume whose slices are images of their own. */
+  std::shared_ptr<const SliceSeries> series;
 
   /** Of a volume that is resampled while it is read: what is in the file. */
   std::shared_ptr<const VolumeHeader> stored;

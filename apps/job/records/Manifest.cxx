@@ -21,7 +21,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 5;
+constexpr int ManifestFormat = 6;
 
 constexpr const char * OverwriteName = "overwrite";
 
@@ -140,6 +140,8 @@ OptionsToJson(const ExtractOptions & options)
   json[OverwriteName] = options.overwrite;
   json["level"] = options.level;
   json["spacing"] = options.spacing;
+  json["series"] = options.slices.series;
+  json["slices"] = options.slices.range;
   json["raw"] = RawToJson(options.raw);
   return json;
 }
@@ -174,6 +176,15 @@ OptionsFromJson(const Json & json)
   json.at(OverwriteName).get_to(options.overwrite);
   ReadWhole(json.at("level"), options.level);
   json.at("spacing").get_to(options.spacing);
+  json.at("series").get_to(options.slices.series);
+  for (const Json & slice : json.at("slices"))
+  {
+    ReadWhole(slice, options.slices.range.emplace_back());
+  }
+  if (options.slices.range.size() != 0 && options.slices.range.size() != 2)
+  {
+    throw std::invalid_argument("its range of slices has " + std::to_string(options.slices.range.size()) + " numbers");
+  }
   options.raw = RawFromJson(json.at("raw"));
   return options;
 }

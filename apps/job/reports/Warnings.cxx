@@ -5,6 +5,7 @@
 #include "JobResult.h"
 #include "Options.h"
 #include "Progress.h"
+#include "SliceSeries.h"
 #include "Survey.h"
 #include "Text.h"
 
@@ -152,8 +153,25 @@ CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
                     { "largest_accurate_ratio", itk::MedialVoxelGridLimits::AccurateRatio } } };
 }
 
+/** Pictures do not tell how far slices are from each other. */
+std::optional<Finding>
+CheckSliceDistance(const JobOptions & options, const VolumeHeader & input)
+{
+  const VolumeHeader & stored = input.GetStored();
+  const bool           isKnown = !stored.series || stored.series->slices.front().place || !options.spacing.empty();
+  if (isKnown || stored.geometry.GetDimension() < 3)
+  {
+    return std::nullopt;
+  }
+  return Finding{ "the slices do not tell how far they are from each other; the spacing " +
+                    FormatNumbers(stored.geometry.spacing, " x ") + " is assumed, --spacing X,Y,Z sets it",
+                  {} };
+}
+
 const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
   { "unequal_spacing", CheckSpacing },
+  { "unknown_spacing",
+    [](const ExtractOptions & options, const VolumeHeader & input) { return CheckSliceDistance(options, input); } },
   { "unusual_thickness",
     [](const ExtractOptions & options, const VolumeHeader & input) {
       return CheckLength("thickness", options.thickness, options, input);
@@ -173,6 +191,8 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
 };
 
 const std::vector<Rule<DistanceOptions, VolumeHeader>> DistanceRequestRules{
+  { "unknown_spacing",
+    [](const DistanceOptions & options, const VolumeHeader & input) { return CheckSliceDistance(options, input); } },
   { "unusual_maximum_distance", CheckMaximumDistance },
   { "unused_scratch",
     [](const DistanceOptions & options, const VolumeHeader & input) { return CheckScratch(options, input); } },

@@ -7,6 +7,7 @@
 #include "InputVolume.h"
 #include "Resampling.h"
 #include "Text.h"
+#include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
 
@@ -86,11 +87,13 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
                                 : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  reading =
     header.GetStored().chunks ? EstimateChunks(plan, header) : std::min(pull, voxels * bytesPerVoxel);
+  const VolumeInput & input = header.format->input;
+  const std::uint64_t decoding = input.getMemory ? input.getMemory(header.GetStored(), plan.threads) : 0;
   const std::uint64_t unpacking = header.unpackBytes + (isMask ? BytesOfUnpacking : 0);
   const std::uint64_t resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t mask = isMask && plan.scratchFolder.empty() ? plan.maskBytes : 0;
   const std::uint64_t writing = plan.writesBehind ? BytesOfWriting : 0;
-  return BytesOfProgram + BytesPerThread * plan.threads + writing + reading + mask + unpacking + resampling +
+  return BytesOfProgram + BytesPerThread * plan.threads + writing + reading + decoding + mask + unpacking + resampling +
          request.footprint.bytesBeside;
 }
 

@@ -5,6 +5,7 @@
 #include "DataFile.h"
 #include "Errors.h"
 #include "FileNames.h"
+#include "SliceSeries.h"
 #include "VolumeFormats.h"
 
 #include <algorithm>
@@ -15,7 +16,16 @@ namespace medialvoxel
 std::set<std::filesystem::path>
 ListInputFiles(const VolumeHeader & input)
 {
-  std::set<std::filesystem::path> files{ input.fileName, input.dataFile };
+  std::set<std::filesystem::path> files;
+  if (input.series)
+  {
+    for (const SliceHeader & slice : input.series->slices)
+    {
+      files.insert(slice.fileName);
+    }
+    return files;
+  }
+  files = { input.fileName, input.dataFile };
   for (const itk::MedialVoxelFileSegment & segment : input.segments)
   {
     files.insert(segment.fileName);

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "DicomModule.h"
+
+#include "PixelType.h"
+
+#include <gdcmImageHelper.h>
+#include <gdcmImageReader.h>
+#include <gdcmRescaler.h>
+#include <gdcmTrace.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#ifdef _WIN32
+#  define MEDIALVOXEL_MODULE_EXPORT __declspec(dllexport)
+#else
+#  define MEDIALVOXEL_MODULE_EXPORT __attribute__((visibility("default")))
+#endif
+
+namespace
+{
+
+using medialvoxel::PixelType;
+
+using TypePair = std::pair<gdcm::PixelFormat::ScalarType, PixelType>;
+
+constexpr std::array<TypePair, 8> Types{ { { gdcm::PixelFormat::UINT8, PixelType::UInt8 },
+                                           { gdcm::PixelFormat::INT8, PixelType::Int8 },
+                                           { gdcm::PixelFormat::UINT16, PixelType::UInt16 },
+                                           { gdcm::PixelFormat::INT16, PixelType::Int16 },
+                                           { gdcm::PixelFormat::UINT32, PixelType::UInt32 },
+                                           { gdcm::PixelFormat::INT32, PixelType::Int32 },
+                                           { gdcm::PixelFormat::FLOAT32, PixelType::Float32 },
+                                           { gdcm::PixelFormat::FLOAT64, PixelType::Float64 } } };
+
+/** The values of every modality are the rescaled ones, as ITK has it; messages are the program's. */
+void
+PrepareGdcm()
+{
+  static const bool isPrepared = [] {
+    gdcm::ImageHelper::SetForceRescaleInterceptSlope(true);
+    gdcm::Trace::DebugOff();
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
+    return true;
+  }();
+  (void)isPrepared;
+}
+
+/** Text of an element without the padding; empty when there is none. */
+std::string
+GetText(const gdcm::DataSet & data, const gdcm::Tag & tag)
+{
+  const gdcm::ByteValue * const bytes = data.FindDataElement(tag) ? data.GetDataElement(tag).GetByteValue() : nullptr;
+  if (bytes == nullptr)
+  {
+    return "";
+  }
+  const std::string text(bytes->GetPointer(), bytes->GetLength());
+  return text.substr(0, text.find_last_not_of(std::string(" \0", 2)) + 1);
+}
+
+template <std::size_t VSize>
+void
+CopyText(const std::string & text, char (&target)[VSize])
+{
+  const std::size_t length = std::min(text.size(), VSize - 1);
+  std::memcpy(target, text.data(), length);
+  target[length] = '\0';
+}
+
+gdcm::Rescaler
+MakeRescaler(const gdcm::File & file)
+{
+  const std::vector<double> scale = gdcm::ImageHelper::GetRescaleInterceptSlopeValue(file);
+  gdcm::Rescaler            rescaler;
+  rescaler.SetIntercept(scale.at(0));
+  rescaler.SetSlope(scale.at(1));
+  rescaler.SetPixelFormat(gdcm::ImageHelper::GetPixelFormatValue(file));
+  return rescaler;
+}
+
+PixelType
+GetValueType(const gdcm::File & file)
+{
+  const gdcm::PixelFormat stored = gdcm::ImageHelper::GetPixelFormatValue(file);
+  const auto              scalar = MakeRescaler(file).ComputeInterceptSlopePixelType();
+  const auto              type =
+    std::find_if(Types.begin(), Types.end(), [scalar](const TypePair & pair) { return pair.first == scalar; });
+  if (type == Types.end() || stored.GetBitsAllocated() % 8 != 0)
+  {
+    throw std::runtime_error("its voxels have " + std::to_string(stored.GetBitsAllocated()) +
+                             " bits; 8, 16 and 32 are read");
+  }
+  return type->second;
+}
+
+void
+CheckGray(const gdcm::File & file)
+{
+  const auto samples = gdcm::ImageHelper::GetPixelFormatValue(file).GetSamplesPerPixel();
+  const auto meaning = gdcm::ImageHelper::GetPhotometricInterpretationValue(file);
+  if (samples != 1 || (meaning != gdcm::PhotometricInterpretation::MONOCHROME2 &&
+                       meaning != gdcm::PhotometricInterpretation::MONOCHROME1))
+  {
+    throw std::runtime_error("it is a color image (" + std::string(meaning.GetString()) + ", " +
+                             std::to_string(samples) + " values per voxel); only gray values are read");
+  }
+}
+
+MedialVoxelDicomHeader
+GetHeader(const gdcm::File & file)
+{
+  CheckGray(file);
+  MedialVoxelDicomHeader          header{};
+  const gdcm::DataSet &           data = file.GetDataSet();
+  const std::vector<unsigned int> size = gdcm::ImageHelper::GetDimensionsValue(file);
+  if (size.size() > 2 && size[2] > 1)
+  {
+    throw std::runtime_error("it has " + std::to_string(size[2]) +
+                             " frames; only series with a file for each slice are read");
+  }
+  header.columns = size.at(0);
+  header.rows = size.at(1);
+  header.pixelType = static_cast<std::uint32_t>(GetValueType(file));
+  const std::vector<double> spacing = gdcm::ImageHelper::GetSpacingValue(file);
+  const std::vector<double> origin = gdcm::ImageHelper::GetOriginValue(file);
+  const std::vector<double> directions = gdcm::ImageHelper::GetDirectionCosinesValue(file);
+  std::copy_n(spacing.begin(), std::min<std::size_t>(spacing.size(), 2), header.spacing);
+  std::copy_n(origin.begin(), std::min<std::size_t>(origin.size(), 3), header.origin);
+  std::copy_n(directions.begin(), std::min<std::size_t>(directions.size(), 6), header.directions);
+  const gdcm::Tag position(0x0020, 0x0032);
+  const gdcm::Tag orientation(0x0020, 0x0037);
+  header.hasPosition = data.FindDataElement(position) && data.FindDataElement(orientation) ? 1 : 0;
+  CopyText(GetText(data, gdcm::Tag(0x0020, 0x000e)), header.series);
+  CopyText(GetText(data, gdcm::Tag(0x0008, 0x103e)), header.description);
+  return header;
+}
+
+void
+ReadVoxels(const char * fileName, const MedialVoxelDicomHeader & expected, void * voxels)
+{
+  gdcm::ImageReader reader;
+  reader.SetFileName(fileName);
+  if (!reader.Read())
+  {
+    throw std::runtime_error("GDCM cannot read its voxels");
+  }
+  const MedialVoxelDicomHeader header = GetHeader(reader.GetFile());
+  if (header.columns != expected.columns || header.rows != expected.rows || header.pixelType != expected.pixelType)
+  {
+    throw std::runtime_error("it changed its size or type while it was read");
+  }
+  const gdcm::Image & image = reader.GetImage();
+  const std::size_t   numberOfVoxels = std::size_t{ header.columns } * header.rows;
+  gdcm::Rescaler      rescaler = MakeRescaler(reader.GetFile());
+  std::vector<char>   stored(image.GetBufferLength());
+  const std::size_t   storedBytes = image.GetPixelFormat().GetPixelSize();
+  if (stored.size() != numberOfVoxels * storedBytes)
+  {
+    throw std::runtime_error("it has " + std::to_string(stored.size()) + " bytes of voxels; its size needs " +
+                             std::to_string(numberOfVoxels * storedBytes));
+  }
+  if (!image.GetBuffer(stored.data()))
+  {
+    throw std::runtime_error("its voxels are damaged or end early, or their compression is unknown to GDCM");
+  }
+  if (!rescaler.Rescale(static_cast<char *>(voxels), stored.data(), stored.size()))
+  {
+    throw std::runtime_error("its voxels cannot be rescaled");
+  }
+}
+
+/** Exceptions do not leave the module. */
+template <typename TFunction>
+const char *
+Guard(TFunction && function)
+{
+  thread_local std::string message;
+  try
+  {
+    PrepareGdcm();
+    function();
+    return nullptr;
+  }
+  catch (const std::exception & error)
+  {
+    message = error.what();
+  }
+  catch (...)
+  {
+    message = "GDCM fails";
+  }
+  return message.c_str();
+}
+
+} // namespace
+
+extern "C"
+{
+  MEDIALVOXEL_MODULE_EXPORT const char *
+  MedialVoxelModuleReadDicomHeader(const char * fileName, MedialVoxelDicomHeader * header)
+  {
+    return Guard([&] {
+      gdcm::Reader reader;
+      reader.SetFileName(fileName);
+      const gdcm::Tag voxels(0x7fe0, 0x0010);
+      if (!reader.ReadUpToTag(voxels))
+      {
+        throw std::runtime_error("GDCM cannot read its header");
+      }
+      *header = GetHeader(reader.GetFile());
+    });
+  }
+
+  MEDIALVOXEL_MODULE_EXPORT const char *
+  MedialVoxelModuleReadDicomVoxels(const char * fileName, const MedialVoxelDicomHeader * header, void * voxels)
+  {
+    return Guard([&] { ReadVoxels(fileName, *header, voxels); });
+  }
+}

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelDicomModule_h
+#define medialvoxelDicomModule_h
+
+#include <cstdint>
+
+// What the module that links GDCM gives the program, in plain types, since the program loads it only for DICOM files:
+// GDCM's tables take 20 ms and 10 MiB in each process that has it.
+
+extern "C"
+{
+  /** What the header of a DICOM file with one gray image says. Lengths are in millimeters. */
+  struct MedialVoxelDicomHeader
+  {
+    std::uint32_t columns;
+    std::uint32_t rows;
+    std::uint32_t pixelType;   ///< medialvoxel::PixelType of the values after rescale slope and intercept
+    std::uint32_t hasPosition; ///< 0: origin and directions mean nothing
+    double        spacing[2];  ///< between columns, and between rows
+    double        origin[3];
+    double        directions[6]; ///< of increasing columns, then of increasing rows
+    char          series[65];    ///< instance UID of the series
+    char          description[65];
+  };
+
+  /** \return null, or what is wrong, which holds until the next call of the thread */
+  using MedialVoxelReadDicomHeader = const char * (*)(const char * fileName, MedialVoxelDicomHeader * header);
+
+  /** Reads the values, rescaled, row by row, when the header still says the same.
+   * \return null, or what is wrong, which holds until the next call of the thread */
+  using MedialVoxelReadDicomVoxels = const char * (*)(const char *                   fileName,
+                                                      const MedialVoxelDicomHeader * header,
+                                                      void *                         voxels);
+}
+
+/** Names of the functions in the module. */
+constexpr const char * MedialVoxelReadDicomHeaderName = "MedialVoxelModuleReadDicomHeader";
+constexpr const char * MedialVoxelReadDicomVoxelsName = "MedialVoxelModuleReadDicomVoxels";
+
+#endif

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "DicomModule.h"
+#include "DicomStructure.h"
+#include "HeaderParsing.h"
+#include "SliceFormats.h"
+#include "Text.h"
+
+#include <itksys/DynamicLoader.hxx>
+#include <itksys/SystemTools.hxx>
+
+#include <cstdlib>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
+
+/** No way of packing makes one byte out of more than this many, but for small images of one value. */
+constexpr std::uint64_t MaximumRatio = 4096;
+constexpr std::uint64_t SmallImageBytes = 16 * MiB;
+
+/** Measured: GDCM and its tables. */
+constexpr std::uint64_t BytesOfGdcm = 12 * MiB;
+
+/** In place of the module's usual places. */
+constexpr const char * ModuleVariable = "MEDIALVOXEL_DICOM_MODULE";
+
+/** The functions of the module. */
+struct DicomFunctions
+{
+  MedialVoxelReadDicomHeader readHeader{ nullptr };
+  MedialVoxelReadDicomVoxels readVoxels{ nullptr };
+};
+
+/** Where the module may be: where it is installed, and beside the program, as it is built. */
+std::vector<std::filesystem::path>
+ListModulePlaces()
+{
+  if (const char * const place = std::getenv(ModuleVariable))
+  {
+    return { place };
+  }
+  std::error_code             error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path name = std::string("MedialVoxelDicom") + itksys::DynamicLoader::LibExtension();
+  return { (program.parent_path() / MEDIALVOXEL_MODULE_FOLDER / name).lexically_normal(),
+           program.parent_path() / name };
+}
+
+/** Null functions where there is no module, or one that cannot be loaded. */
+DicomFunctions
+LoadModule()
+{
+  DicomFunctions functions;
+  for (const std::filesystem::path & place : ListModulePlaces())
+  {
+    std::error_code error;
+    if (!std::filesystem::exists(place, error))
+    {
+      continue;
+    }
+    if (const auto module = itksys::DynamicLoader::OpenLibrary(place.string()))
+    {
+      functions.readHeader = reinterpret_cast<MedialVoxelReadDicomHeader>(
+        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomHeaderName));
+      functions.readVoxels = reinterpret_cast<MedialVoxelReadDicomVoxels>(
+        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomVoxelsName));
+      break;
+    }
+  }
+  return functions;
+}
+
+const DicomFunctions &
+GetModule(const std::filesystem::path & fileName)
+{
+  static const DicomFunctions functions = LoadModule();
+  if (!functions.readHeader || !functions.readVoxels)
+  {
+    RefuseHeader(fileName,
+                 "DICOM is read by a module that is not at " +
+                   Join(ListModulePlaces(), " or ", [](const auto & place) { return place.string(); }) +
+                   "; build it with an ITK that has GDCM",
+                 HeaderError::Kind::Unsupported);
+  }
+  return functions;
+}
+
+/** What GDCM takes for granted. */
+void
+CheckVoxels(const std::filesystem::path & fileName, const DicomStructure & structure)
+{
+  if (structure.samples != 1)
+  {
+    RefuseHeader(fileName,
+                 "it is a color image (" + std::to_string(structure.samples) +
+                   " values per voxel); only gray values are read",
+                 HeaderError::Kind::Unsupported);
+  }
+  const bool isWhole = structure.bits == 8 || structure.bits == 16 || structure.bits == 32;
+  if (!isWhole || structure.storedBits == 0 || structure.storedBits > structure.bits ||
+      structure.highBit + 1 != structure.storedBits || structure.isSigned > 1)
+  {
+    RefuseHeader(fileName,
+                 "its voxels have " + std::to_string(structure.bits) + " bits, of which " +
+                   std::to_string(structure.storedBits) + " are stored up to bit " + std::to_string(structure.highBit) +
+                   ", and the representation " + std::to_string(structure.isSigned) +
+                   "; 8, 16 or 32 bits are read, of which the lowest are stored, and representation 0 or 1",
+                 HeaderError::Kind::Unsupported);
+  }
+}
+
+/** Before GDCM allocates anything. */
+void
+CheckSize(const std::filesystem::path & fileName, const DicomStructure & structure)
+{
+  // Factors of 16 bits do not overflow.
+  CheckVoxels(fileName, structure);
+  const std::uint64_t bytes = structure.columns * structure.rows * structure.samples * ((structure.bits + 7) / 8);
+  const bool fits = structure.isPacked ? bytes <= std::max(SmallImageBytes, MaximumRatio * structure.voxelBytes)
+                                       : bytes <= structure.voxelBytes;
+  if (bytes == 0 || !fits)
+  {
+    RefuseHeader(fileName,
+                 "its " + FormatSize({ structure.columns, structure.rows }) + " voxels of " +
+                   std::to_string(structure.samples) + " x " + std::to_string(structure.bits) + " bits cannot be in " +
+                   std::to_string(structure.voxelBytes) + " bytes");
+  }
+}
+
+std::optional<SliceHeader>
+ReadHeader(const std::filesystem::path & fileName)
+{
+  const DicomStructure structure = CheckDicomStructure(fileName);
+  if (structure.voxelBytes == 0)
+  {
+    return std::nullopt;
+  }
+  CheckSize(fileName, structure);
+  MedialVoxelDicomHeader dicom{};
+  if (const char * const problem = GetModule(fileName).readHeader(fileName.c_str(), &dicom))
+  {
+    RefuseHeader(fileName, problem, HeaderError::Kind::Unsupported);
+  }
+  SliceHeader header;
+  header.fileName = fileName;
+  header.size = { { dicom.columns, dicom.rows } };
+  header.pixelType = static_cast<PixelType>(dicom.pixelType);
+  header.spacing = { { dicom.spacing[0], dicom.spacing[1] } };
+  header.series = itk::MedialVoxelText::MakePrintable(dicom.series);
+  header.description = itk::MedialVoxelText::MakePrintable(dicom.description);
+  if (dicom.hasPosition != 0)
+  {
+    header.place.emplace();
+    std::copy_n(dicom.origin, 3, header.place->origin.begin());
+    std::copy_n(dicom.directions, 3, header.place->rowAxis.begin());
+    std::copy_n(dicom.directions + 3, 3, header.place->columnAxis.begin());
+  }
+  // The file in memory, and what it is unpacked to on the way.
+  header.decodeBytes = structure.voxelBytes + (structure.isPacked ? 3 : 1) * header.GetVoxelBytes() + MiB;
+  return header;
+}
+
+void
+ReadVoxels(const SliceHeader & expected, void * voxels)
+{
+  CheckSize(expected.fileName, CheckDicomStructure(expected.fileName));
+  MedialVoxelDicomHeader dicom{};
+  dicom.columns = static_cast<std::uint32_t>(expected.size[0]);
+  dicom.rows = static_cast<std::uint32_t>(expected.size[1]);
+  dicom.pixelType = static_cast<std::uint32_t>(expected.pixelType);
+  if (const char * const problem = GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), &dicom, voxels))
+  {
+    RefuseHeader(expected.fileName, problem);
+  }
+}
+
+} // namespace
+
+SliceFormat
+MakeDicomSliceFormat()
+{
+  return { "DICOM", { ".dcm", ".dicom", ".ima" }, IsDicomFile, ReadHeader, ReadVoxels, BytesOfGdcm };
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "DicomStructure.h"
+
+#include "HeaderParsing.h"
+
+#include "itkMedialVoxelFileRegion.h"
+#include "itkMedialVoxelProgress.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t    BytesOfPreamble = 128;
+constexpr std::string_view Signature = "DICM";
+
+/** More are not believed: GDCM keeps each in memory. */
+constexpr std::uint64_t MostElements = std::uint64_t{ 1 } << 17;
+constexpr unsigned int  DeepestSequence = 16;
+
+constexpr std::uint32_t UndefinedLength = 0xffffffff;
+
+// Tags, as group * 65536 + element.
+constexpr std::uint32_t TransferSyntax = 0x00020010;
+constexpr std::uint32_t Samples = 0x00280002;
+constexpr std::uint32_t Rows = 0x00280010;
+constexpr std::uint32_t Columns = 0x00280011;
+constexpr std::uint32_t BitsAllocated = 0x00280100;
+constexpr std::uint32_t BitsStored = 0x00280101;
+constexpr std::uint32_t HighBit = 0x00280102;
+constexpr std::uint32_t PixelRepresentation = 0x00280103;
+constexpr std::uint32_t PixelData = 0x7fe00010;
+constexpr std::uint32_t Item = 0xfffee000;
+constexpr std::uint32_t EndOfItem = 0xfffee00d;
+constexpr std::uint32_t EndOfSequence = 0xfffee0dd;
+
+/** Value representations by the bytes of their length. */
+constexpr std::string_view ShortRepresentations = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
+constexpr std::string_view LongRepresentations = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+
+/** How elements are written. */
+struct Encoding
+{
+  bool isExplicit{ true }; ///< with the value representation
+  bool isBigEndian{ false };
+};
+
+struct Element
+{
+  std::uint32_t tag{ 0 };
+  std::string   representation; ///< empty: not written
+  std::uint32_t length{ 0 };
+};
+
+/** \class Walker
+ * \brief Steps from element to element. */
+class Walker
+{
+public:
+  explicit Walker(const std::filesystem::path & fileName)
+    : m_FileName(fileName)
+    , m_File(OpenRegularFile(fileName))
+    , m_Size(GetDataFileSize(fileName, fileName))
+  {}
+
+  DicomStructure
+  Walk()
+  {
+    this->MoveTo(BytesOfPreamble);
+    if (m_Size < BytesOfPreamble + Signature.size() || this->ReadText(Signature.size()) != Signature)
+    {
+      RefuseHeader(m_FileName, "it is not DICOM: bytes 128 to 131 are not DICM");
+    }
+    m_Encoding = this->ReadMetaInformation();
+    this->WalkElements(m_Size, 0);
+    return m_Structure;
+  }
+
+private:
+  [[noreturn]] void
+  Refuse(const std::string & what, HeaderError::Kind kind = HeaderError::Kind::Corrupt) const
+  {
+    RefuseHeader(m_FileName, what + " (at byte " + std::to_string(m_Position) + ")", kind);
+  }
+
+  std::string
+  ReadText(std::uint64_t count)
+  {
+    if (count > m_Size - std::min(m_Size, m_Position))
+    {
+      this->Refuse("the file ends within an element");
+    }
+    std::string text(count, '\0');
+    if (!m_File.read(text.data(), static_cast<std::streamsize>(count)))
+    {
+      this->Refuse("the file ends within an element");
+    }
+    m_Position += count;
+    return text;
+  }
+
+  /** A seek drops what was read ahead, so that short ways are read through. */
+  void
+  MoveTo(std::uint64_t position)
+  {
+    constexpr std::uint64_t shortWay = 4096;
+    if (position < m_Position || position - m_Position > shortWay)
+    {
+      m_File.seekg(static_cast<std::streamoff>(position));
+    }
+    else
+    {
+      m_File.ignore(static_cast<std::streamsize>(position - m_Position));
+    }
+    m_Position = position;
+  }
+
+  template <typename TNumber>
+  TNumber
+  ReadNumber()
+  {
+    const std::string bytes = this->ReadText(sizeof(TNumber));
+    TNumber           number{};
+    std::memcpy(&number, bytes.data(), sizeof(number));
+    if (m_Encoding.isBigEndian != itk::MachineIsBigEndian())
+    {
+      itk::SwapComponentBytes(&number, sizeof(number), sizeof(number));
+    }
+    return number;
+  }
+
+  std::uint32_t
+  ReadTag()
+  {
+    const auto group = this->ReadNumber<std::uint16_t>();
+    return std::uint32_t{ group } << 16 | this->ReadNumber<std::uint16_t>();
+  }
+
+  Element
+  ReadElement()
+  {
+    if (++m_Elements > MostElements)
+    {
+      this->Refuse("it has more than " + std::to_string(MostElements) + " elements");
+    }
+    if (m_Elements % 1024 == 0)
+    {
+      itk::MedialVoxelPoll();
+    }
+    Element element;
+    element.tag = this->ReadTag();
+    const bool isMark = element.tag == Item || element.tag == EndOfItem || element.tag == EndOfSequence;
+    if (!m_Encoding.isExplicit || isMark)
+    {
+      element.length = this->ReadNumber<std::uint32_t>();
+      return element;
+    }
+    element.representation = this->ReadText(2);
+    if (Contains(ShortRepresentations, element.representation))
+    {
+      element.length = this->ReadNumber<std::uint16_t>();
+    }
+    else if (Contains(LongRepresentations, element.representation))
+    {
+      this->ReadText(2);
+      element.length = this->ReadNumber<std::uint32_t>();
+    }
+    else
+    {
+      this->Refuse("an element has the unknown value representation '" + element.representation + "'");
+    }
+    return element;
+  }
+
+  static bool
+  Contains(std::string_view representations, const std::string & text)
+  {
+    return text.find(' ') == std::string::npos && representations.find(text) != std::string_view::npos;
+  }
+
+  /** The bytes of an element are within what is around it. */
+  void
+  RequireRoom(std::uint64_t length, std::uint64_t end) const
+  {
+    if (m_Position > end || length > end - m_Position)
+    {
+      this->Refuse("an element has " + std::to_string(length) + " bytes where " +
+                   std::to_string(end - std::min(end, m_Position)) + " are left");
+    }
+  }
+
+  /** The elements at the begin, which are always in the same encoding, tell that of the others. */
+  Encoding
+  ReadMetaInformation()
+  {
+    constexpr std::uint32_t metaGroup = 2;
+    std::string             syntax;
+    for (std::uint64_t begin = m_Position; begin < m_Size; begin = m_Position)
+    {
+      const std::uint32_t group = this->ReadTag() >> 16;
+      this->MoveTo(begin);
+      if (group != metaGroup)
+      {
+        break;
+      }
+      const Element element = this->ReadElement();
+      this->RequireRoom(element.length, m_Size);
+      if (element.tag == TransferSyntax && element.length <= 64)
+      {
+        syntax = this->ReadText(element.length);
+        syntax.erase(syntax.find_last_not_of(std::string_view(" \0", 2)) + 1);
+      }
+      else
+      {
+        this->MoveTo(m_Position + element.length);
+      }
+    }
+    constexpr std::string_view standard = "1.2.840.10008.1.2";
+    if (syntax == std::string(standard) + ".1.99" || syntax.compare(0, standard.size(), standard) != 0)
+    {
+      this->Refuse("its transfer syntax '" + itk::MedialVoxelText::MakePrintable(syntax) + "' is not read",
+                   HeaderError::Kind::Unsupported);
+    }
+    return { syntax != standard, syntax == std::string(standard) + ".2" };
+  }
+
+  /** Elements up to \a end, or up to the end of an item whose length is not told. */
+  void
+  WalkElements(std::uint64_t end, unsigned int depth)
+  {
+    while (m_Position < end)
+    {
+      const Element element = this->ReadElement();
+      if (element.tag == EndOfItem)
+      {
+        return;
+      }
+      this->WalkValue(element, end, depth);
+    }
+  }
+
+  void
+  WalkValue(const Element & element, std::uint64_t end, unsigned int depth)
+  {
+    const bool isUndefined = element.length == UndefinedLength;
+    if (!isUndefined)
+    {
+      this->RequireRoom(element.length, end);
+    }
+    if (depth == 0 && element.tag == PixelData)
+    {
+      m_Structure.isPacked = isUndefined;
+      const std::uint64_t begin = m_Position;
+      if (isUndefined)
+      {
+        this->WalkFragments(end);
+      }
+      else
+      {
+        this->MoveTo(m_Position + element.length);
+      }
+      m_Structure.voxelBytes = m_Position - begin;
+    }
+    else if (element.representation == "SQ" || isUndefined)
+    {
+      this->WalkSequence(element, isUndefined ? end : m_Position + element.length, depth);
+    }
+    else if (depth == 0 && this->TakeNumber(element))
+    {
+      return;
+    }
+    else
+    {
+      this->MoveTo(m_Position + element.length);
+    }
+  }
+
+  /** True for one of the numbers that are wanted. */
+  bool
+  TakeNumber(const Element & element)
+  {
+    const std::array<std::pair<std::uint32_t, std::uint64_t *>, 7> wanted{ { { Samples, &m_Structure.samples },
+                                                                             { Rows, &m_Structure.rows },
+                                                                             { Columns, &m_Structure.columns },
+                                                                             { BitsAllocated, &m_Structure.bits },
+                                                                             { BitsStored, &m_Structure.storedBits },
+                                                                             { HighBit, &m_Structure.highBit },
+                                                                             { PixelRepresentation,
+                                                                               &m_Structure.isSigned } } };
+    const auto                                                     found = std::find_if(
+      wanted.begin(), wanted.end(), [&element](const auto & number) { return number.first == element.tag; });
+    if (found == wanted.end() || element.length != sizeof(std::uint16_t))
+    {
+      return false;
+    }
+    *found->second = this->ReadNumber<std::uint16_t>();
+    return true;
+  }
+
+  void
+  WalkSequence(const Element & sequence, std::uint64_t end, unsigned int depth)
+  {
+    if (depth == DeepestSequence)
+    {
+      this->Refuse("its sequences are more than " + std::to_string(DeepestSequence) + " deep");
+    }
+    const Encoding outer = m_Encoding;
+    if (sequence.representation == "UN")
+    {
+      m_Encoding = { false, false }; // as the standard has it for sequences of unknown representation
+    }
+    while (m_Position < end)
+    {
+      const Element item = this->ReadElement();
+      if (item.tag == EndOfSequence)
+      {
+        break;
+      }
+      if (item.tag != Item)
+      {
+        this->Refuse("a sequence has something else than items");
+      }
+      if (item.length != UndefinedLength)
+      {
+        this->RequireRoom(item.length, end);
+      }
+      this->WalkElements(item.length == UndefinedLength ? end : m_Position + item.length, depth + 1);
+    }
+    m_Encoding = outer;
+  }
+
+  void
+  WalkFragments(std::uint64_t end)
+  {
+    for (;;)
+    {
+      const Element fragment = this->ReadElement();
+      if (fragment.tag == EndOfSequence)
+      {
+        return;
+      }
+      if (fragment.tag != Item)
+      {
+        this->Refuse("its packed voxels are not in fragments");
+      }
+      this->RequireRoom(fragment.length, end);
+      this->MoveTo(m_Position + fragment.length);
+    }
+  }
+
+  std::filesystem::path m_FileName;
+  std::ifstream         m_File;
+  std::uint64_t         m_Size;
+  std::uint64_t         m_Position{ 0 };
+  std::uint64_t         m_Elements{ 0 };
+  Encoding              m_Encoding;
+  DicomStructure        m_Structure;
+};
+
+} // namespace
+
+bool
+IsDicomFile(const std::filesystem::path & fileName)
+{
+  std::ifstream                      file(fileName, std::ios::binary);
+  std::array<char, Signature.size()> bytes{};
+  file.seekg(BytesOfPreamble);
+  return file.read(bytes.data(), bytes.size()) && std::equal(bytes.begin(), bytes.end(), Signature.begin());
+}
+
+DicomStructure
+CheckDicomStructure(const std::filesystem::path & fileName)
+{
+  return Walker(fileName).Walk();
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSeriesGeometry_h
+#define medialvoxelSeriesGeometry_h
+
+#include "SliceSeries.h"
+#include "VolumeHeader.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** How far the distance of two slices may be from that of the others, and a slice from the line through the first
+ * voxels: this share of the spacing. */
+constexpr double SlicePositionTolerance = 0.01;
+
+/** Sorts slices that all have a place in the direction of the normal, as ITK does.
+ * \param input that messages begin with
+ * \throw HeaderError that names the slices when their directions differ, or one is missing, doubled, unequally spaced,
+ * or beside the others, as with a tilted gantry */
+void
+SortAlongNormal(const std::filesystem::path & input, std::vector<SliceHeader> & slices);
+
+/** Where the volume of sorted slices of one size lies; a single slice is an image of two dimensions. The distance of
+ * slices without places is 1. \throw HeaderError for spacings that differ from slice to slice */
+VolumeGeometry
+MakeSeriesGeometry(const std::filesystem::path & input, const std::vector<SliceHeader> & slices);
+
+} // end namespace medialvoxel
+
+#endif

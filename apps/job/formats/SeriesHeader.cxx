@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "HeaderParsing.h"
+#include "SeriesGeometry.h"
+#include "SliceFormats.h"
+#include "SliceNames.h"
+#include "Text.h"
+
+#include "itkMedialVoxelProgress.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using Files = std::vector<std::filesystem::path>;
+using Slices = std::vector<SliceHeader>;
+
+/** A file that the user named by a pattern must be a slice; others in a folder are left out. */
+bool
+IsFolder(const std::filesystem::path & input)
+{
+  std::error_code error;
+  return std::filesystem::is_directory(input, error);
+}
+
+/** The files of the one format that they have. */
+std::pair<const SliceFormat *, Files>
+FindFormat(const std::filesystem::path & input, const Files & candidates)
+{
+  const SliceFormat * format = nullptr;
+  Files               files;
+  for (const std::filesystem::path & file : candidates)
+  {
+    itk::MedialVoxelPoll();
+    const SliceFormat * const own = FindSliceFormat(file);
+    if (!own && IsFolder(input))
+    {
+      continue;
+    }
+    if (!own)
+    {
+      RefuseHeader(file, "it is not an image that can be a slice; those are " + DescribeSliceFormats());
+    }
+    if (format && own != format)
+    {
+      RefuseHeader(input,
+                   files.front().string() + " is " + format->name + " and " + file.string() + " is " + own->name +
+                     "; name the slices by a pattern such as " + (input / "*.tif").string());
+    }
+    format = own;
+    files.push_back(file);
+  }
+  if (!format)
+  {
+    RefuseHeader(input, "there are no slices; those are images of " + DescribeSliceFormats());
+  }
+  return { format, files };
+}
+
+Slices
+ReadHeaders(const std::filesystem::path & input, const SliceFormat & format, const Files & files)
+{
+  Slices slices;
+  for (const std::filesystem::path & file : files)
+  {
+    itk::MedialVoxelPoll();
+    std::optional<SliceHeader> slice = format.readHeader(file);
+    if (slice)
+    {
+      slices.push_back(std::move(*slice));
+    }
+    else if (!IsFolder(input))
+    {
+      RefuseHeader(file, "it has no image");
+    }
+  }
+  if (slices.empty())
+  {
+    RefuseHeader(input, "none of its " + std::to_string(files.size()) + " files has an image");
+  }
+  return slices;
+}
+
+/** "UID (108 slices of 512 x 512, 'description')" */
+std::string
+DescribeSeries(const Slices & slices)
+{
+  const SliceHeader & first = slices.front();
+  return first.series + " (" + std::to_string(slices.size()) + (slices.size() == 1 ? " slice of " : " slices of ") +
+         FormatSize({ first.size[0], first.size[1] }) +
+         (first.description.empty() ? "" : ", '" + first.description + "'") + ")";
+}
+
+/** Slices of the series that is wanted, or of the only one. */
+Slices
+ChooseSeries(const std::filesystem::path & input, const Slices & slices, const std::string & wanted)
+{
+  std::map<std::string, Slices> series;
+  for (const SliceHeader & slice : slices)
+  {
+    series[slice.series].push_back(slice);
+  }
+  const auto found = wanted.empty() ? series.begin() : series.find(wanted);
+  if (found == series.end() || (wanted.empty() && series.size() > 1))
+  {
+    throw JobError(ExitStatus::Usage,
+                   input.string() + ": " +
+                     (wanted.empty()
+                        ? "it has " + std::to_string(series.size()) + " series; choose one with --series UID: "
+                        : "it has no series " + wanted + ", but ") +
+                     Join(series, ", ", [](const auto & one) { return DescribeSeries(one.second); }));
+  }
+  return found->second;
+}
+
+void
+CheckAlike(const std::filesystem::path & input, const Slices & slices)
+{
+  const SliceHeader & first = slices.front();
+  const auto          describe = [](const SliceHeader & slice) {
+    return slice.fileName.string() + " has " + FormatSize({ slice.size[0], slice.size[1] }) + " voxels of " +
+           std::string(GetTraits(slice.pixelType).name);
+  };
+  const auto other = std::find_if(slices.begin(), slices.end(), [&first](const SliceHeader & slice) {
+    return slice.size != first.size || slice.pixelType != first.pixelType;
+  });
+  if (other != slices.end())
+  {
+    RefuseHeader(input, "its slices differ: " + describe(first) + ", " + describe(*other));
+  }
+}
+
+/** Those from the first to the last one of the range, counted from 0. */
+Slices
+TakeRange(const std::filesystem::path & input, const Slices & slices, const std::vector<std::uint64_t> & range)
+{
+  if (range.empty())
+  {
+    return slices;
+  }
+  if (range[1] >= slices.size())
+  {
+    throw JobError(ExitStatus::Usage,
+                   input.string() + ": slices " + std::to_string(range[0]) + " to " + std::to_string(range[1]) +
+                     " are wanted; it has " + std::to_string(slices.size()) + ", counted from 0");
+  }
+  const auto begin = slices.begin();
+  return { begin + static_cast<std::ptrdiff_t>(range[0]), begin + static_cast<std::ptrdiff_t>(range[1]) + 1 };
+}
+
+/** In order along the normal where they have places, otherwise in that of their names, and without a gap. */
+Slices
+SortSlices(const std::filesystem::path & input, Slices slices)
+{
+  const auto hasPlace = [](const SliceHeader & slice) { return slice.place.has_value(); };
+  const auto without = std::find_if_not(slices.begin(), slices.end(), hasPlace);
+  const auto with = std::find_if(slices.begin(), slices.end(), hasPlace);
+  if (without != slices.end() && with != slices.end())
+  {
+    RefuseHeader(input, with->fileName.string() + " has a position and " + without->fileName.string() + " has none");
+  }
+  if (without == slices.end())
+  {
+    SortAlongNormal(input, slices);
+    return slices;
+  }
+  Files files;
+  std::transform(
+    slices.begin(), slices.end(), std::back_inserter(files), [](const SliceHeader & slice) { return slice.fileName; });
+  CheckNumbers(input, files);
+  return slices;
+}
+
+} // namespace
+
+VolumeHeader
+ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice)
+{
+  const bool countsNumbers = IsNumberPattern(input);
+  const auto [format, files] =
+    FindFormat(input, ListSliceFiles(input, countsNumbers ? choice.range : std::vector<std::uint64_t>{}));
+  Slices slices = ReadHeaders(input, *format, files);
+  slices = SortSlices(input, ChooseSeries(input, slices, choice.series));
+  slices = TakeRange(input, slices, countsNumbers ? std::vector<std::uint64_t>{} : choice.range);
+  CheckAlike(input, slices);
+
+  VolumeHeader header;
+  header.fileName = input;
+  header.dataFile = slices.front().fileName;
+  header.pixelType = slices.front().pixelType;
+  header.geometry = MakeSeriesGeometry(input, slices);
+  const auto series = std::make_shared<SliceSeries>();
+  series->format = format;
+  series->slices = std::move(slices);
+  header.series = series;
+  return header;
+}
+
+} // end namespace medialvoxel

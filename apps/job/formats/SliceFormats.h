@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSliceFormats_h
+#define medialvoxelSliceFormats_h
+
+#include "SliceSeries.h"
+
+#include <filesystem>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** The format of an image that can be a slice; null for other files. */
+const SliceFormat *
+FindSliceFormat(const std::filesystem::path & fileName);
+
+/** "DICOM, TIFF (.tif .tiff), ...": what can be a slice. */
+std::string
+DescribeSliceFormats();
+
+/** Refuses an image that its file cannot hold.
+ * \param ratio bytes of voxels that one byte of the file can become
+ * \throw HeaderError */
+void
+CheckSliceSize(const SliceHeader & header, std::uint64_t fileBytes, std::uint64_t ratio);
+
+/** \throw HeaderError when the size or type is no longer the one that was read first */
+void
+RequireSameSlice(const SliceHeader & first, const SliceHeader & now);
+
+// The rows of the table, each in a file of its own.
+SliceFormat
+MakeDicomSliceFormat();
+#ifdef MEDIALVOXEL_WITH_TIFF
+SliceFormat
+MakeTiffSliceFormat();
+#endif
+#ifdef MEDIALVOXEL_WITH_PNG
+SliceFormat
+MakePngSliceFormat();
+#endif
+#ifdef MEDIALVOXEL_WITH_PICTURES
+SliceFormat
+MakeBmpSliceFormat();
+SliceFormat
+MakeJpegSliceFormat();
+#endif
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSliceSeries_h
+#define medialvoxelSliceSeries_h
+
+#include "PixelType.h"
+#include "SliceCache.h"
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Where a slice lies in space, in millimeters. */
+struct SlicePlace
+{
+  std::array<double, 3> origin;     ///< center of the first voxel
+  std::array<double, 3> rowAxis;    ///< unit vector of increasing columns
+  std::array<double, 3> columnAxis; ///< unit vector of increasing rows
+};
+
+/** What the image of a slice says before its voxels are read. */
+struct SliceHeader
+{
+  std::filesystem::path        fileName;
+  std::array<std::uint64_t, 2> size{ { 0, 0 } }; ///< columns and rows
+  PixelType                    pixelType{ PixelType::UInt8 };
+  std::array<double, 2>        spacing{ { 1.0, 1.0 } };
+  std::optional<SlicePlace>    place;            ///< of DICOM
+  std::string                  series;           ///< instance UID of the DICOM series; empty: none
+  std::string                  description;      ///< of the series
+  std::uint64_t                decodeBytes{ 0 }; ///< memory that decoding takes beside the slice
+
+  std::uint64_t
+  GetVoxelBytes() const
+  {
+    return size[0] * size[1] * GetTraits(pixelType).bytes;
+  }
+};
+
+/** A format of images that are slices: a row of the table in SliceFormats.cxx. */
+struct SliceFormat
+{
+  const char *              name;
+  std::vector<const char *> extensions;
+
+  /** Whether a file without such an extension is of the format; null: never. */
+  bool (*isKnown)(const std::filesystem::path &);
+
+  /** Nothing for a file of the format that has no image. \throw HeaderError */
+  std::optional<SliceHeader> (*readHeader)(const std::filesystem::path &);
+
+  /** Reads all values of the slice, x fastest, in the byte order of this machine.
+   * \throw HeaderError when they are damaged, end early, or are others than the header said */
+  void (*readVoxels)(const SliceHeader &, void *);
+
+  /** Memory that reading takes once, for the libraries. */
+  std::uint64_t libraryBytes;
+};
+
+/** \class SliceSeries
+ * \brief Images that make up a volume, in order along its last axis: all of one size and type. */
+struct SliceSeries
+{
+  const SliceFormat *      format{ nullptr };
+  std::vector<SliceHeader> slices;
+
+  /** Slices that were decoded last, for all readers of the volume. */
+  mutable SliceCache cache;
+};
+
+} // end namespace medialvoxel
+
+#endif

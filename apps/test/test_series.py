@@ -1,0 +1,428 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Series of slices that other programs wrote: the same results as the volume in one file, and every fault refused."""
+
+import json
+import os
+import pathlib
+import struct
+import subprocess
+import unittest
+import zlib
+
+import volumes
+from interpreters import python_with
+from program import CORRUPT, FAILURE, REFUSED, USAGE, ProgramTestCase, needs_tiff
+
+WRITE_SLICES = pathlib.Path(__file__).with_name("write_slices.py")
+READS_DICOM = os.environ.get("MEDIALVOXEL_READS_DICOM", "1") == "1"
+READS_PICTURES = os.environ.get("MEDIALVOXEL_READS_PICTURES", "1") == "1"
+SERIES = "1.2.826.0.1.3680043.10.1"
+OTHER_SERIES = "1.2.826.0.1.3680043.10.2"
+
+needs_pictures = unittest.skipUnless(READS_PICTURES, "the program was built without ITK's readers of pictures")
+
+
+def in_hounsfield_units(spacing=(0.8, 0.7, 1.5)):
+    """A tilted wall of -1000 in air and 3000 in metal."""
+    volume = volumes.blurred_wall(size=(40, 36, 24))
+    volume.spacing = spacing
+    return volume
+
+
+class SeriesTestCase(ProgramTestCase):
+    def write(self, kind, module, volume, folder, **spec):
+        """Writes the slices of a volume to a folder; skips the test where the writer is missing."""
+        python = python_with(module)
+        if python is None or python_with("numpy") is None:
+            self.skipTest(f"{module} is not installed; scripts/install-packages slices does it")
+        path = self.folder / folder
+        path.mkdir(exist_ok=True)
+        raw = volumes.write_raw(self.folder / "written.raw", volume)
+        spec = {"raw": str(raw), "type": volume.kind, "size": volume.size, "folder": str(path), **spec}
+        spec.setdefault("spacing", volume.spacing)
+        subprocess.run([python, WRITE_SLICES, kind, json.dumps(spec)], check=True)
+        raw.unlink()
+        return path
+
+    def info(self, *arguments):
+        lines = self.run_program("info", *arguments).stdout.splitlines()
+        return {line.split("  ", 1)[0]: line.split("  ", 1)[1].strip() for line in lines}
+
+    def results(self, source, *arguments):
+        """Labels and sub-voxel thickness."""
+        options = ["--lower", 1000, "--sub-voxel", "--thickness-map", "t.mha", "--overwrite", *arguments]
+        self.extract(source, "l.mha", *options, thickness="auto")
+        return [(self.folder / name).read_bytes() for name in ("l.mha", "t.mha")]
+
+
+@unittest.skipUnless(READS_DICOM, "the program was built without GDCM")
+class DicomTest(SeriesTestCase):
+    def write_dicom(self, volume, folder="dicom", **spec):
+        spec = {"series": SERIES, "intercept": -1024, **spec}
+        if spec.get("syntax", "").startswith("jpeg") and python_with("gdcm") is None:
+            self.skipTest("python3-gdcm is not installed; scripts/install-packages slices does it")
+        return self.write("dicom", "pydicom", volume, folder, **spec)
+
+    def test_every_transfer_syntax_gives_the_results_of_the_volume(self):
+        volume = in_hounsfield_units()
+        expected = self.results(volumes.write_meta(self.folder / "in.mha", volume, Offset="-3 4.5 -20"))
+        for syntax in ("explicit", "implicit", "big", "rle", "jpeg-ls", "jpeg", "jpeg-2000"):
+            with self.subTest(syntax=syntax):
+                folder = self.write_dicom(volume, syntax, syntax=syntax, origin=(-3, 4.5, -20), bits=12)
+                self.assertEqual(self.results(folder), expected)
+                for options in (["--threads", 1], ["--threads", 2, "--divisions", 5], ["--memory", "64M"]):
+                    self.assertEqual(self.results(folder, *options), expected, options)
+
+    def test_values_are_hounsfield_units(self):
+        volume = in_hounsfield_units()
+        volumes.write_meta(self.folder / "in.mha", volume)
+        for bits, kind in ((12, "int16"), (16, "int32")):
+            table = self.info(self.write_dicom(volume, f"bits-{bits}", bits=bits), "--values")
+            self.assertEqual(table["type"], kind)
+            expected = self.info("in.mha", "--values")
+            for name in ("minimum", "maximum", "mean", "Otsu threshold"):
+                if name in expected:
+                    self.assertEqual(table[name], expected[name])
+        table = self.info(self.write_dicom(volume, "half", slope=0.5), "--values")
+        self.assertEqual(table["type"], "float64")
+        self.assertEqual(float(table["minimum"]), min(volume.voxels))
+
+    def test_order_follows_the_normal_and_not_names_or_numbers(self):
+        volume = in_hounsfield_units()
+        expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
+        folder = self.write_dicom(volume)
+        self.assertEqual(self.results(folder), expected)
+        # Rows from left to right and from back to front: the normal points down, and so does the order.
+        flipped = self.write_dicom(volume, "down", directions=[1, 0, 0, 0, -1, 0])
+        table = self.info(flipped)
+        self.assertEqual(table["spacing"], "0.8 x 0.7 x 1.5")
+        self.results(flipped)
+        matrix = volumes.read_header(self.folder / "l.mha")[0]["TransformMatrix"]
+        self.assertEqual([float(number) for number in matrix.split()], [1, 0, 0, 0, -1, 0, 0, 0, -1])
+        labels = volumes.read_data(self.folder / "l.mha")
+        self.results("in.mha")
+        self.assertEqual(volumes.read_data(self.folder / "l.mha"), labels)
+
+    def test_info_names_the_series_and_how_it_is_read(self):
+        table = self.info(self.write_dicom(in_hounsfield_units(), origin=(1, 2, 3)))
+        self.assertEqual(table["size"], "40 x 36 x 24")
+        self.assertEqual(table["origin"], "1, 2, 3")
+        self.assertIn(f"DICOM series {SERIES}, 24 files", table["slices"])
+        self.assertIn("slices are decoded as they are needed", table["reading"])
+
+    def test_a_range_counts_along_the_normal(self):
+        volume = in_hounsfield_units()
+        folder = self.write_dicom(volume)
+        table = self.info(folder, "--slices", "4-9")
+        self.assertEqual((table["size"], table["origin"]), ("40 x 36 x 6", "0, 0, 6"))
+        part = volumes.Volume((40, 36, 6), volume.voxels[4 * 1440 : 10 * 1440], volume.spacing, volume.kind)
+        volumes.write_meta(self.folder / "part.mha", part, Offset="0 0 6")
+        self.assertEqual(self.results(folder, "--slices", "4-9"), self.results("part.mha"))
+        self.assert_fails(USAGE, ["4 to 24", "has 24, counted from 0"], "info", folder, "--slices", "4-24")
+        self.assert_fails(USAGE, ["first slice is 9"], "info", folder, "--slices", "9-4")
+        self.assert_fails(USAGE, ["--slices", "'x'"], "info", folder, "--slices", "4-x")
+
+    def test_faults_of_places_name_the_files(self):
+        volume = in_hounsfield_units()
+        spacing = 1.5
+        even = [spacing * number for number in range(24)]
+        moved, doubled, gap = list(even), list(even), list(even)
+        moved[10] += 0.1
+        doubled[10] = even[9]
+        gap[12:] = [place + 2 * spacing for place in gap[12:]]
+        for places, parts in (
+            (moved, ["not equally spaced", "1.6", "1.5"]),
+            (doubled, ["have the same place", "doubled"]),
+            (gap, ["2 slices are missing between", "distance is 4.5", "that of others 1.5"]),
+        ):
+            folder = self.write_dicom(volume, "faulty", places=places)
+            self.assert_fails(CORRUPT, [str(folder), "IM00", *parts], "info", folder)
+        folder = self.write_dicom(volume, "gap", without=[7])
+        self.assert_fails(CORRUPT, ["1 slice is missing between", "IM00"], "extract", folder, "no.mha")
+        # A thousandth of the spacing is what rounding does.
+        moved[10] = even[10] + spacing / 1000
+        self.info(self.write_dicom(volume, "nearly", places=moved))
+
+    def test_tilted_gantry_and_other_directions_are_refused(self):
+        volume = in_hounsfield_units()
+        folder = self.write_dicom(volume, "tilted", shear=[0, 0.2, 0])
+        self.assert_fails(CORRUPT, ["is shifted by", "gantry"], "info", folder)
+        turned = {"3": {"ImageOrientationPatient": ["0.8", "0.6", "0", "-0.6", "0.8", "0"]}}
+        folder = self.write_dicom(volume, "turned", changes=turned)
+        self.assert_fails(CORRUPT, ["different directions", "0.8"], "info", folder)
+        folder = self.write_dicom(volume, "spaced", changes={"3": {"PixelSpacing": ["0.7", "0.9"]}})
+        self.assert_fails(CORRUPT, ["different spacings", "0.9"], "info", folder)
+
+    def test_several_series_are_listed_and_chosen(self):
+        volume = in_hounsfield_units()
+        expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
+        folder = self.write_dicom(volume)
+        small = volumes.box_with_plate(kind="int16")
+        self.write_dicom(small, series=OTHER_SERIES, name="other{:03}", description="scout")
+        listed = ["2 series", "--series", f"{SERIES} (24 slices of 40 x 36)", f"{OTHER_SERIES} (16 slices of 24 x 20, 'scout')"]
+        self.assert_fails(USAGE, listed, "extract", folder, "no.mha")
+        self.assert_fails(USAGE, ["no series 1.2", *listed[2:]], "info", folder, "--series", "1.2")
+        self.assertEqual(self.results(folder, "--series", SERIES), expected)
+        self.assertEqual(self.info(folder, "--series", OTHER_SERIES)["size"], "24 x 20 x 16")
+
+    def test_slices_that_differ_or_are_no_gray_slices_are_refused(self):
+        volume = volumes.box_with_plate(kind="int16")
+        row = {"Rows": 19, "PixelData": 2 * 24 * 19}
+        for name, change, parts in (
+            ("size", row, ["differ", "24 x 20", "24 x 19"]),
+            ("type", {"RescaleSlope": "0.5"}, ["differ", "int16", "float64"]),
+            ("short", {"PixelData": 100}, ["cannot be in 100 bytes"]),
+            ("empty", {"Rows": 0}, ["24 x 0", "cannot be"]),
+            ("huge", {"Rows": 65535, "Columns": 65535}, ["65535 x 65535", "cannot be in"]),
+            ("frames", {"NumberOfFrames": "3", "Rows": 2, "PixelData": 6 * 48}, ["3 frames"]),
+            (
+                "color",
+                {"SamplesPerPixel": 3, "PhotometricInterpretation": "RGB", "PlanarConfiguration": 0, "Rows": 5},
+                ["color image", "3 values"],
+            ),
+            ("bits", {"BitsStored": 17, "HighBit": 16}, ["16 bits, of which 17 are stored"]),
+        ):
+            with self.subTest(name=name):
+                folder = self.write_dicom(volume, name, bits=12, changes={"5": change})
+                self.assert_fails(CORRUPT, [str(folder), "IM00", *parts], "info", folder)
+
+    def test_slices_without_a_position_are_in_the_order_of_their_names(self):
+        volume = volumes.box_with_plate(kind="int16")
+        folder = self.write_dicom(volume, has_position=False)
+        self.assertEqual(self.info(folder)["spacing"], "1 x 1 x 1")
+        result = self.extract(folder, "l.mha", "--lower", 50)
+        self.assertEqual(len(result.warnings), 1)
+        self.assertIn("--spacing", result.warnings[0])
+        result = self.extract(folder, "l.mha", "--lower", 50, "--spacing", "1,1,1", "--overwrite")
+        self.assertEqual(result.warnings, [])
+
+    def test_other_files_of_a_folder_are_left_out(self):
+        volume = in_hounsfield_units()
+        folder = self.write_dicom(volume)
+        (folder / "notes.txt").write_text("no slice")
+        (folder / ".hidden").write_bytes(bytes(128) + b"DICM")
+        self.assertEqual(self.info(folder)["size"], "40 x 36 x 24")
+        (folder / "cut.dcm").write_bytes((folder / "IM0003").read_bytes()[:500])
+        self.assert_fails(CORRUPT, ["cut.dcm", "ends within an element"], "info", folder)
+
+    def test_hostile_lengths_are_refused_before_anything_is_allocated(self):
+        volume = volumes.box_with_plate(kind="int16")
+        folder = self.write_dicom(volume)
+        victim = folder / "IM0003"
+        content = victim.read_bytes()
+        for what, old, new, part in (
+            ("length", b"\xe0\x7f\x10\x00OW\0\0" + struct.pack("<I", 960), b"\xe0\x7f\x10\x00OW\0\0" + b"\xf0\xff\xff\x7f", "are left"),
+            ("representation", b"\x28\x00\x10\x00US", b"\x28\x00\x10\x00ZZ", "'ZZ'"),
+            ("syntax", b"1.2.840.10008.1.2.1\0", b"1.2.840.10008.1.3.1\0", "1.2.840.10008.1.3.1"),
+        ):
+            with self.subTest(what=what):
+                self.assertIn(old, content)
+                victim.write_bytes(content.replace(old, new))
+                self.assert_fails(CORRUPT, ["IM0003", part], "info", folder)
+
+    def test_peak_memory_keeps_to_the_plan(self):
+        volume = volumes.Volume((700, 700, 40), [], kind="int16")
+        volume.voxels = [100 if 300 < x < 310 else 0 for x in range(700)] * 700 * 40
+        expected = None
+        for syntax in ("explicit", "jpeg-ls"):
+            folder = self.write_dicom(volume, syntax, syntax=syntax, intercept=0)
+            for options in (["--memory", "1G"], ["--memory", "100M"], ["--memory", "64M", "--threads", 1]):
+                self.extract(folder, "l.mha", "--report", "r.json", "--overwrite", *options)
+                report = json.loads((self.folder / "r.json").read_text())
+                self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"], (syntax, options))
+                labels = volumes.read_data(self.folder / "l.mha")
+                expected = expected or labels
+                self.assertEqual(labels, expected)
+
+    def test_jobs_know_all_slices(self):
+        volume = in_hounsfield_units()
+        folder = self.write_dicom(volume)
+        self.write_dicom(volumes.box_with_plate(), series=OTHER_SERIES, name="other{}")
+        options = ["--lower", 1000, "--thickness", 3]
+        self.run_program("plan", folder, "l.mha", "job", *options, "--series", SERIES, "--slices", "2-21", "--divisions", 3)
+        self.run_program("work", "job", "--clusters", 1)
+        first = self.info(folder, "--series", SERIES, "--slices", "2-21")["slices"].split(", ")[-1].split(" to ")[0]
+        victim = pathlib.Path(first)
+        written = victim.stat().st_mtime_ns
+        os.utime(victim, ns=(1, 1))
+        self.assert_fails(FAILURE, [victim.name, "written at another time"], "work", "job")
+        os.utime(victim, ns=(written, written))
+        self.run_program("work", "job")
+        self.run_program("finalize", "job")
+        part = volumes.Volume((40, 36, 20), volume.voxels[2 * 1440 : 22 * 1440], volume.spacing, volume.kind)
+        self.extract(volumes.write_meta(self.folder / "in.mha", part, Offset="0 0 3"), "expected.mha", "--lower", 1000)
+        self.assertEqual((self.folder / "l.mha").read_bytes(), (self.folder / "expected.mha").read_bytes())
+
+    def test_a_job_notices_slices_that_were_added(self):
+        volume = in_hounsfield_units()
+        added = self.write_dicom(volume, "added", without=list(range(20)), name="last{}")
+        folder = self.write_dicom(volume, without=[20, 21, 22, 23])
+        self.run_program("plan", folder, "l.mha", "job", "--lower", 1000, "--thickness", 3, "--divisions", 3)
+        for path in added.iterdir():
+            path.rename(folder / path.name)
+        self.assert_fails(FAILURE, ["has 24 slices, it had 20"], "work", "job")
+
+
+class PictureTest(SeriesTestCase):
+    """Images that say nothing of space, in the order of the numbers in their names."""
+
+    SPACING = ["--spacing", "0.8,0.7,1.5"]
+
+    def setUp(self):
+        super().setUp()
+        self.volume = volumes.box_with_plate(spacing=(0.8, 0.7, 1.5))
+        self.extract(volumes.write_meta(self.folder / "in.mha", self.volume), "expected.mha", "--lower", 50)
+        self.expected = (self.folder / "expected.mha").read_bytes()
+
+    def write_pillow(self, name, folder="pictures", volume=None, **spec):
+        return self.write("pillow", "PIL", volume or self.volume, folder, name=name, **spec)
+
+    def write_tifffile(self, name="slice_{:03}.tif", folder="tiff", volume=None, **spec):
+        return self.write("tifffile", "tifffile", volume or self.volume, folder, name=name, **spec)
+
+    def assert_same(self, source, *arguments):
+        result = self.extract(source, "l.mha", "--lower", 50, "--overwrite", *self.SPACING, *arguments)
+        self.assertEqual((self.folder / "l.mha").read_bytes(), self.expected, source)
+        self.assertEqual(result.warnings, [])
+
+    @needs_tiff
+    def test_stacks_of_tiff(self):
+        for name, options in (
+            ("plain", {}),
+            ("big", {"byteorder": ">"}),
+            ("packed", {"compression": "zlib"}),
+            ("bigtiff", {"bigtiff": True}),
+        ):
+            self.assert_same(self.write_tifffile(folder=name, options=options))
+        for kind in ("uint16", "int16", "float32"):
+            folder = self.write_tifffile(folder=kind, volume=self.volume.as_type(kind))
+            self.assert_same(folder)
+            self.assertEqual(self.info(folder)["type"], kind)
+
+    @needs_pictures
+    def test_stacks_of_pictures(self):
+        for name, spec in (
+            ("a{}.png", {}),
+            ("a{}.bmp", {}),
+            ("a{}.jpg", {"options": {"quality": 95}}),
+            ("a{}.jpeg", {"options": {"quality": 95, "progressive": True}}),
+        ):
+            self.assert_same(self.write_pillow(name, folder=name[4:], **spec))
+        folder = self.write_pillow("a{}.png", "deep", self.volume.as_type("uint16"))
+        self.assert_same(folder)
+        self.assertEqual(self.info(folder)["type"], "uint16")
+
+    @needs_pictures
+    def test_patterns_and_ranges(self):
+        folder = self.write_pillow("s_{:04}.png", first=98)
+        self.write_pillow("other{}.png")
+        (folder / "notes.txt").write_text("no slice")
+        for pattern in ("s_*.png", "s_0???.png", "s_%04d.png"):
+            self.assert_same(folder / pattern)
+        self.assert_fails(CORRUPT, ["s_%d.png", "no slices"], "info", folder / "s_%d.png")
+        self.assert_same(folder / "s_%04d.png", "--slices", "98-113")
+        self.assertEqual(self.info(folder / "s_%04d.png", "--slices", "100-101")["size"], "24 x 20 x 2")
+        self.assertEqual(self.info(folder / "s_*.png", "--slices", "2-3")["size"], "24 x 20 x 2")
+        self.assertEqual(self.info(folder / "s_*.png", "--slices", "2-2")["size"], "24 x 20")
+        self.assert_fails(
+            FAILURE, ["s_0114.png", "missing", "98 to 114"], "info", folder / "s_%04d.png", "--slices", "98-114"
+        )
+        self.assert_fails(CORRUPT, ["notes.txt", "not an image"], "info", folder / "n*")
+        self.assert_fails(CORRUPT, ["x*.png", "no slices", "DICOM", "PNG"], "info", folder / "x*.png")
+        self.assert_fails(FAILURE, ["nowhere"], "info", "nowhere/*.png")
+        self.assert_fails(USAGE, ["--slices", "MetaImage"], "info", "in.mha", "--slices", "1-2")
+        self.assert_fails(USAGE, ["--series", "MetaImage"], "info", "in.mha", "--series", "1.2")
+        self.assert_fails(USAGE, ["'scan/*.png'"], "info", folder / "notes.txt")
+
+    @needs_pictures
+    def test_numbers_count_as_numbers(self):
+        self.assert_same(self.write_pillow("a{}.png", first=95))
+        folder = self.write_pillow("b{}.png", "tens", options={})
+        for number in reversed(range(16)):
+            (folder / f"b{number}.png").rename(folder / f"b{10 * number + 5}.png")
+        self.assert_same(folder)
+
+    @needs_pictures
+    def test_missing_and_doubled_numbers_name_the_files(self):
+        folder = self.write_pillow("a{:02}.png")
+        (folder / "a07.png").rename(folder / "a7.png")
+        self.assert_same(folder)
+        (folder / "a07.png").write_bytes((folder / "a06.png").read_bytes())
+        self.assert_fails(CORRUPT, ["a07.png", "a7.png", "doubled"], "info", folder)
+        (folder / "a07.png").unlink()
+        (folder / "a7.png").unlink()
+        for source in (folder, folder / "*.png", folder / "a%02d.png"):
+            self.assert_fails(CORRUPT, ["missing between", "a06.png", "a08.png"], "info", source)
+
+    @needs_pictures
+    def test_slices_that_differ_or_are_no_gray_pictures_are_refused(self):
+        folder = self.write_pillow("a{:02}.png")
+        good = (folder / "a07.png").read_bytes()
+        smaller = self.write_pillow("a{:02}.png", "small", volumes.box_with_plate((24, 19, 16)))
+        deep = self.write_pillow("a{:02}.png", "deep", self.volume.as_type("uint16"))
+        color = self.write_pillow("a{:02}.png", "color", mode="RGB")
+        palette = self.write_pillow("a{:02}.bmp", "palette", mode="P", options={})
+        for other, parts in ((smaller, ["24 x 20", "24 x 19"]), (deep, ["uint8", "uint16"]), (color, ["color image", "color type 2"])):
+            (folder / "a07.png").write_bytes((other / "a07.png").read_bytes())
+            self.assert_fails(CORRUPT, ["a07.png", *parts], "info", folder)
+        (folder / "a07.png").write_bytes(good)
+        (folder / "a07.bmp").write_bytes((palette / "a07.bmp").read_bytes())
+        self.assert_fails(CORRUPT, ["PNG", "BMP", "a07.bmp", "pattern"], "info", folder)
+        self.assert_same(folder / "*.png")
+
+    @needs_pictures
+    def test_damaged_pictures_are_refused(self):
+        for name in ("a{:02}.png", "a{:02}.bmp", "a{:02}.jpg"):
+            folder = self.write_pillow(name, name[7:])
+            victim = folder / name.format(7)
+            good = victim.read_bytes()
+            for content, sees in ((good[: len(good) * 2 // 3], False), (good[:20], True), (b"", True), (b"MZ" + good[2:], True)):
+                victim.write_bytes(content)
+                if sees:
+                    self.assert_fails(CORRUPT, [victim], "info", folder)
+                self.assert_fails(CORRUPT, [victim], "extract", folder, "no.mha", "--lower", 50, "--thickness", 3)
+            victim.write_bytes(good)
+            self.assert_same(folder)
+
+    @needs_pictures
+    def test_hostile_sizes_are_refused(self):
+        folder = self.write_pillow("a{:02}.png")
+        victim = folder / "a07.png"
+        good = victim.read_bytes()
+        header = struct.pack(">II", 900000, 900000) + good[24:29]
+        checksum = struct.pack(">I", zlib.crc32(b"IHDR" + header))
+        victim.write_bytes(good[:16] + header + checksum + good[33:])
+        self.assert_fails(CORRUPT, ["a07.png", "900000 x 900000", "cannot be in"], "info", folder)
+        folder = self.write_pillow("a{:02}.bmp", "bmp")
+        victim = folder / "a07.bmp"
+        good = victim.read_bytes()
+        for place, value, part in ((18, 9999, "its size needs"), (22, 1 << 30, "1048576"), (30, 1, "compression 1")):
+            victim.write_bytes(good[:place] + struct.pack("<I", value) + good[place + 4 :])
+            self.assert_fails(CORRUPT, ["a07.bmp", part], "info", folder)
+
+    @needs_pictures
+    def test_outputs_do_not_replace_slices(self):
+        folder = self.write_pillow("a{:02}.png")
+        self.assert_fails(
+            USAGE,
+            ["a03.png", "would replace the input"],
+            *("extract", folder, "l.mha", "--preview", folder / "a03.png", "--overwrite", "--lower", 50),
+        )
+        self.extract(folder / "*.png", folder / "l.mha", "--lower", 50, *self.SPACING)
+        self.assert_same(folder)
+
+    @needs_pictures
+    def test_no_distance_of_slices_is_a_warning(self):
+        result = self.extract(self.write_pillow("a{:02}.png"), "l.mha", "--lower", 50, "--report", "r.json")
+        self.assertIn("how far they are from each other", result.warnings[0])
+        report = json.loads((self.folder / "r.json").read_text())
+        self.assertEqual(report["warnings"][0]["code"], "unknown_spacing")
+
+    def test_empty_folders_are_refused(self):
+        (self.folder / "empty").mkdir()
+        self.assert_fails(CORRUPT, ["empty", "there are no slices", "DICOM"], "info", "empty")
+
+
+if __name__ == "__main__":
+    unittest.main()
