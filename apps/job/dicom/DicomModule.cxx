@@ -90,8 +90,12 @@ PixelType
 GetValueType(const gdcm::File & file)
 {
   const gdcm::PixelFormat stored = gdcm::ImageHelper::GetPixelFormatValue(file);
-  const auto              scalar = MakeRescaler(file).ComputeInterceptSlopePixelType();
-  const auto              type =
+  if (stored.GetScalarType() == gdcm::PixelFormat::UNKNOWN)
+  {
+    throw std::runtime_error("GDCM does not know the type of its voxels");
+  }
+  const auto scalar = MakeRescaler(file).ComputeInterceptSlopePixelType();
+  const auto type =
     std::find_if(Types.begin(), Types.end(), [scalar](const TypePair & pair) { return pair.first == scalar; });
   if (type == Types.end() || stored.GetBitsAllocated() % 8 != 0)
   {

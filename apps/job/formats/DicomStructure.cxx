@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -296,9 +297,14 @@ private:
                                                                                &m_Structure.isSigned } } };
     const auto                                                     found = std::find_if(
       wanted.begin(), wanted.end(), [&element](const auto & number) { return number.first == element.tag; });
-    if (found == wanted.end() || element.length != sizeof(std::uint16_t))
+    if (found == wanted.end())
     {
       return false;
+    }
+    const bool isNumber = element.representation.empty() || element.representation == "US";
+    if (element.length != sizeof(std::uint16_t) || !isNumber || !m_Taken.insert(element.tag).second)
+    {
+      this->Refuse("what describes its voxels is not one whole number, or there twice");
     }
     *found->second = this->ReadNumber<std::uint16_t>();
     return true;
@@ -355,13 +361,14 @@ private:
     }
   }
 
-  std::filesystem::path m_FileName;
-  std::ifstream         m_File;
-  std::uint64_t         m_Size;
-  std::uint64_t         m_Position{ 0 };
-  std::uint64_t         m_Elements{ 0 };
-  Encoding              m_Encoding;
-  DicomStructure        m_Structure;
+  std::filesystem::path   m_FileName;
+  std::ifstream           m_File;
+  std::uint64_t           m_Size;
+  std::uint64_t           m_Position{ 0 };
+  std::uint64_t           m_Elements{ 0 };
+  Encoding                m_Encoding;
+  std::set<std::uint32_t> m_Taken; ///< tags of numbers
+  DicomStructure          m_Structure;
 };
 
 } // namespace
