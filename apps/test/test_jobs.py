@@ -15,7 +15,7 @@ import unittest
 import jobs
 import volumes
 from jobs import ALL_OUTPUTS, JobTestCase
-from program import FAILURE, PATIENCE, REFUSED, USAGE
+from program import FAILURE, PATIENCE, READS_TIFF, REFUSED, USAGE
 from test_identity import rough_shell
 from test_pores import solid, with_noise
 
@@ -133,6 +133,7 @@ class SmallJobTest(JobTestCase):
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
             "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
             "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--level": 1,
+            "--slices": "2-6",
         }  # fmt: skip
         of_raw = {word for word in raw.split() if word.startswith("--")}
         self.assertEqual(set(re.findall(r"^  (--[a-z-]+)", help_text, re.MULTILINE)), of_run | (of_raw - {"--raw-spacing"}) | set(values))
@@ -145,9 +146,14 @@ class SmallJobTest(JobTestCase):
 
         volumes.write_meta(self.folder / "long.mha", volumes.box_with_plate((300, 20, 16)))
         self.extract("long.mha", "levels.zarr")
+        sources = {"--level": "../levels.zarr", "--slices": "../slice_*.tif"}
+        for number in range(9 if READS_TIFF else 0):
+            volumes.write_tiff(self.folder / f"slice_{number}.tif", volumes.Volume((20, 16, 1), [number] * 320))
         plain = parameters("../in.mha")
         for option, value in values.items():
-            source = "../levels.zarr" if option == "--level" else "../in.mha"
+            source = sources.get(option, "../in.mha")
+            if option == "--slices" and not READS_TIFF:
+                continue
             needed = {
                 "--sub-voxel": ["--lower", 50],
                 "--vector-boundary": ["--vectors", "v.mha"],
