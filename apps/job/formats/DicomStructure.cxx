@@ -31,6 +31,7 @@ constexpr std::uint32_t UndefinedLength = 0xffffffff;
 // Tags, as group * 65536 + element.
 constexpr std::uint32_t TransferSyntax = 0x00020010;
 constexpr std::uint32_t Samples = 0x00280002;
+constexpr std::uint32_t Interpretation = 0x00280004;
 constexpr std::uint32_t Rows = 0x00280010;
 constexpr std::uint32_t Columns = 0x00280011;
 constexpr std::uint32_t BitsAllocated = 0x00280100;
@@ -45,6 +46,12 @@ constexpr std::uint32_t EndOfSequence = 0xfffee0dd;
 /** Value representations by the bytes of their length. */
 constexpr std::string_view ShortRepresentations = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
 constexpr std::string_view LongRepresentations = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+
+/** What numbers of voxels mean: names that GDCM knows; it ends the program for others. */
+constexpr std::array<std::string_view, 12> Interpretations{ "MONOCHROME1", "MONOCHROME2", "PALETTE COLOR",
+                                                            "RGB",         "HSV",         "ARGB",
+                                                            "CMYK",        "YBR_FULL",    "YBR_FULL_422",
+                                                            "YBR_ICT",     "YBR_RCT",     "YBR_PARTIAL_420" };
 
 /** How elements are written. */
 struct Encoding
@@ -273,6 +280,10 @@ private:
     {
       this->WalkSequence(element, isUndefined ? end : m_Position + element.length, depth);
     }
+    else if (element.tag == Interpretation)
+    {
+      this->CheckInterpretation(element);
+    }
     else if (depth == 0 && this->TakeNumber(element))
     {
       return;
@@ -280,6 +291,20 @@ private:
     else
     {
       this->MoveTo(m_Position + element.length);
+    }
+  }
+
+  void
+  CheckInterpretation(const Element & element)
+  {
+    constexpr std::uint32_t longestName = 16;
+    std::string             name = this->ReadText(std::min(element.length, longestName));
+    name.erase(name.find_last_not_of(std::string_view(" \0", 2)) + 1);
+    const bool isKnown = std::find(Interpretations.begin(), Interpretations.end(), name) != Interpretations.end();
+    if (element.length > longestName || !isKnown)
+    {
+      this->Refuse("its photometric interpretation '" + itk::MedialVoxelText::MakePrintable(name) + "' is not known",
+                   HeaderError::Kind::Unsupported);
     }
   }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// BMP and JPEG as ITK reads them. ITK's readers trust the headers of BMP, and miss the end of cut BMP and JPEG.
+// BMP as ITK reads them. ITK's reader trusts their headers, and misses the end of cut files.
 
 #include "BinaryHeader.h"
 #include "HeaderParsing.h"
@@ -10,7 +10,6 @@
 #include "itkMedialVoxelFileRegion.h"
 
 #include "itkBMPImageIO.h"
-#include "itkJPEGImageIO.h"
 
 #include <algorithm>
 #include <array>
@@ -91,21 +90,6 @@ try
 catch (const std::out_of_range &)
 {
   RefuseHeader(fileName, "it ends in its header");
-}
-
-/** ITK fills what a cut file lacks with gray: the mark of the end must be there, padding may follow. */
-void
-CheckJpeg(const std::filesystem::path & fileName)
-{
-  RequireSignature(fileName, "\xff\xd8", "JPEG");
-  constexpr std::uint64_t                searched = 4096;
-  constexpr std::array<unsigned char, 2> endMark{ { 0xff, 0xd9 } };
-  const std::uint64_t                    size = GetDataFileSize(fileName, fileName);
-  const std::vector<unsigned char>       end = ReadBytes(fileName, size - std::min(size, searched), searched);
-  if (std::search(end.begin(), end.end(), endMark.begin(), endMark.end()) == end.end())
-  {
-    RefuseHeader(fileName, "it ends early: the mark of its end is missing");
-  }
 }
 
 /** Gray BMP have a palette, whose colors must be the numbers of the voxels. */
@@ -226,12 +210,6 @@ SliceFormat
 MakeBmpSliceFormat()
 {
   return MakeFormat<Picture<itk::BMPImageIO, CheckBmp>>("BMP", { ".bmp" });
-}
-
-SliceFormat
-MakeJpegSliceFormat()
-{
-  return MakeFormat<Picture<itk::JPEGImageIO, CheckJpeg>>("JPEG", { ".jpg", ".jpeg" });
 }
 
 } // end namespace medialvoxel

@@ -27,7 +27,7 @@ GetSliceFormats()
     MakePngSliceFormat(),
 #endif
 #ifdef MEDIALVOXEL_WITH_PICTURES
-    MakeBmpSliceFormat(),   MakeJpegSliceFormat(),
+    MakeBmpSliceFormat(),
 #endif
   };
   return formats;

@@ -43,8 +43,6 @@ MakePngSliceFormat();
 #ifdef MEDIALVOXEL_WITH_PICTURES
 SliceFormat
 MakeBmpSliceFormat();
-SliceFormat
-MakeJpegSliceFormat();
 #endif
 
 } // end namespace medialvoxel
