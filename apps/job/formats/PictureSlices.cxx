@@ -110,10 +110,6 @@ CheckPalette(const itk::BMPImageIO & imageIO, const std::filesystem::path & file
   }
 }
 
-void
-CheckPalette(const itk::ImageIOBase &, const std::filesystem::path &)
-{}
-
 PixelType
 GetPixelType(const itk::ImageIOBase & imageIO, const std::filesystem::path & fileName)
 {
@@ -149,7 +145,7 @@ struct Picture
     VCheck(fileName);
     const auto imageIO = TImageIO::New();
     imageIO->SetFileName(fileName.string());
-    imageIO->SetExpandRGBPalette(!std::is_same<TImageIO, itk::BMPImageIO>::value);
+    imageIO->SetExpandRGBPalette(false);
     imageIO->ReadImageInformation();
     CheckPalette(*imageIO, fileName);
     return imageIO;
