@@ -19,11 +19,14 @@ namespace medialvoxel
 namespace
 {
 
+/** Empty for what is gone, also when a process ends between opening and reading, which an iterator would throw. */
 std::string
 ReadSmallFile(const std::filesystem::path & fileName)
 {
-  std::ifstream file(fileName, std::ios::binary);
-  return { std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>() };
+  std::ifstream      file(fileName, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
 struct ProcessState
