@@ -311,6 +311,19 @@ AddThickness(CLI::App & app, ExtractOptions & options)
   app.add_flag("--voxel-units", options.voxelUnits, "Lengths are in voxels, not in units of the spacing");
 }
 
+LabelSelection
+ToLabels(const std::string & text)
+{
+  const std::optional<LabelSelection> labels = ParseLabelSelection(text);
+  if (!labels)
+  {
+    throw CLI::ValidationError("'" + text +
+                               "' is neither all nor whole numbers other than 0, from -2^63 to 2^63 - 1, " +
+                               "with commas between them");
+  }
+  return *labels;
+}
+
 } // namespace
 
 void
@@ -326,7 +339,7 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
   AddThickness(app, options);
   AddObjectOptions(app, options);
   AddText(app, "--labels", "Each value is an object: all, or L1,L2,...", "LIST", [&](const std::string & text) {
-    options.labels = ParseLabelSelection(text);
+    options.labels = ToLabels(text);
   });
   const std::string group = "Further outputs";
   AddFile(app, "--objects", "With --labels: the label of each cell's object", options.objectFile)->group(group);

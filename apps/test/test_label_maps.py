@@ -163,9 +163,9 @@ class LabelMapTest(ProgramTestCase):
     def test_refusals(self):
         volumes.write_meta(self.folder / "map.mha", volumes.box_with_plate())
         run = ("extract", "map.mha", "out.mha", "--labels")
-        self.assert_fails(USAGE, ["'x'", "not a label"], *run, "1,x")
-        self.assert_fails(USAGE, ["'0'", "not a label"], *run, "0")
-        self.assert_fails(USAGE, ["''", "not a label"], *run, "1,,2")
+        self.assert_fails(USAGE, ["--labels", "'1,x'"], *run, "1,x")
+        self.assert_fails(USAGE, ["--labels", "'0'"], *run, "0")
+        self.assert_fails(USAGE, ["--labels", "'1,,2'"], *run, "1,,2")
         self.assert_fails(USAGE, ["map.mha", "label 5"], *run, "100,5")
         for options, part in (
             (("--lower", 7), "threshold"),

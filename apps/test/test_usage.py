@@ -51,6 +51,10 @@ class UsageTest(ProgramTestCase):
         for value in ("3x", "", "three", "0x3", "Autos"):
             self.assert_usage(["--thickness", f"'{value}'"], "extract", "in.mha", "out.mha", "--thickness", value)
 
+    def test_labels_of_objects(self):
+        for value in ("2G", "", "0", "1,,2", "1,0", "All", "1.5", "9223372036854775808"):
+            self.assert_extract_usage(["--labels", f"'{value}'", "whole numbers other than 0"], "--labels", value)
+
     def test_limits_of_the_automatic_thickness(self):
         command = ["extract", "in.mha", "out.mha"]
         for name in ("minimum", "maximum"):

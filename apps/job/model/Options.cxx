@@ -162,12 +162,12 @@ ParseLabel(const std::string & text)
   return isWhole(std::from_chars(text.data(), end, negative)) ? std::optional<LabelValue>(negative) : std::nullopt;
 }
 
-LabelSelection
+std::optional<LabelSelection>
 ParseLabelSelection(const std::string & text)
 {
   if (text == "all")
   {
-    return { true, {} };
+    return LabelSelection{ true, {} };
   }
   LabelSelection     selection;
   std::istringstream stream(text + ",");
@@ -177,10 +177,7 @@ ParseLabelSelection(const std::string & text)
     const std::optional<std::int64_t> value = label ? ConvertLabel<std::int64_t>(*label) : std::nullopt;
     if (!value || *value == 0)
     {
-      Fail(ExitStatus::Usage,
-           "'",
-           word,
-           "' is not a label; give all, or whole numbers other than 0 from -2^63 to 2^63 - 1 with commas between them");
+      return std::nullopt;
     }
     selection.values.push_back(*value);
   }

@@ -37,8 +37,8 @@ struct LabelSelection
   std::vector<std::int64_t> values;       ///< otherwise these, none of them 0
 };
 
-/** "all", or labels with commas between them. \throw JobError Usage for other texts. */
-LabelSelection
+/** "all", or labels from -2^63 to 2^63 - 1 other than 0 with commas between them; nothing for other texts. */
+std::optional<LabelSelection>
 ParseLabelSelection(const std::string & text);
 
 /** What every job on a volume is told. Empty file names mean: not wanted. */
