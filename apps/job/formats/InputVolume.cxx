@@ -7,9 +7,7 @@
 #include "ReaderPool.h"
 #include "VolumeFormats.h"
 
-#include "itkMedialVoxelEngineClient.h"
 #include "itkMedialVoxelProgress.h"
-
 
 namespace medialvoxel
 {

@@ -99,13 +99,6 @@ protected:
   {
     const auto start = std::chrono::steady_clock::now();
     function();
-    this->AddReadSeconds(start);
-  }
-
-  /** Adds the time since \a start to the seconds of reading. */
-  void
-  AddReadSeconds(std::chrono::steady_clock::time_point start)
-  {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     double       before = m_ReadSeconds.load();
     while (!m_ReadSeconds.compare_exchange_weak(before, before + seconds))

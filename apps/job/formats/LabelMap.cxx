@@ -31,10 +31,24 @@ GetSize(const VolumeHeader & header)
   return size;
 }
 
+/** In the order of the voxels: slices, or rows of large slices. */
 std::vector<itk::MedialVoxelBox>
-CutIntoParts(const itk::MedialVoxelBox & box)
+CutIntoParts(const itk::MedialVoxelBox & box, const VolumeHeader & header)
 {
-  return itk::MedialVoxelEngineClient::CutForPull(box, sizeof(ObjectNumber));
+  const std::size_t bytesPerVoxel = std::max(sizeof(ObjectNumber), std::size_t{ GetTraits(header.pixelType).bytes });
+  const auto        bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * bytesPerVoxel;
+  if (bytesPerSlice <= InputVolume::BytesPerPart)
+  {
+    return itk::MedialVoxelEngineClient::CutForPull(box, bytesPerVoxel);
+  }
+  std::vector<itk::MedialVoxelBox> parts;
+  for (itk::MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
+  {
+    slice.upper[2] = slice.lower[2] + 1;
+    const auto rows = itk::MedialVoxelEngineClient::CutForPull(slice, bytesPerVoxel);
+    parts.insert(parts.end(), rows.begin(), rows.end());
+  }
+  return parts;
 }
 
 } // namespace
@@ -79,7 +93,7 @@ public:
   {
     itk::MedialVoxelBox all;
     all.upper = GetSize(m_Header);
-    const auto parts = CutIntoParts(all);
+    const auto parts = CutIntoParts(all, m_Header);
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
       observer(static_cast<double>(i) / static_cast<double>(parts.size()));
@@ -274,14 +288,15 @@ LabelMap::Prepare(const ReadObserver & observer)
   }
   const std::uint64_t unpacked = GetBitStoreBytes(UnpackedBits * m_Header.geometry.GetNumberOfVoxels());
   return m_Header.fileName.string() +
-         " is compressed and was unpacked once: " + FormatBytes(this->GetNumberOfBytesRead()) + " read, " +
-         FormatBytes(unpacked) + " of labels, " + FormatSeconds(this->GetReadSeconds());
+         (m_Header.compressed ? " is compressed and was unpacked once: " : " has scaled values and was read once: ") +
+         FormatBytes(this->GetNumberOfBytesRead()) + " read, " + FormatBytes(unpacked) + " of labels, " +
+         FormatSeconds(this->GetReadSeconds());
 }
 
 void
 LabelMap::ReadObjects(const itk::MedialVoxelBox & box, ObjectNumber * objects)
 {
-  for (const itk::MedialVoxelBox & part : CutIntoParts(box))
+  for (const itk::MedialVoxelBox & part : CutIntoParts(box, m_Header))
   {
     this->MeasureReading([&] { m_Source->Read(part, objects); });
     objects += part.NumberOfVoxels();
@@ -307,7 +322,7 @@ LabelMap::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets)
   {
     return;
   }
-  for (const itk::MedialVoxelBox & part : CutIntoParts(box))
+  for (const itk::MedialVoxelBox & part : CutIntoParts(box, m_Header))
   {
     itk::MedialVoxelPoll();
     this->FillPart(part, *targets.object);
