@@ -1,0 +1,307 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSmoothing_h
+#define itkMedialVoxelSmoothing_h
+
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelRows.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace itk
+{
+
+/** \brief Numbers of the smoothing F = 3 B^2 - 2 B^4, where B is the binomial step [1 2 1] / 4 along each axis.
+ *
+ * F removes noise and leaves edges and thin walls in place, since it has the same first three moments as no smoothing.
+ * Beyond a face of the image it is as if the image were mirrored at the face. Values are integers times Scale.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelSmoothingNumbers
+{
+  static constexpr std::int64_t Margin = 4;                      ///< voxels along each axis that F depends on
+  static constexpr std::int64_t ScaleOfTwo = 1 << 12;            ///< of B^2
+  static constexpr std::int64_t Scale = std::int64_t{ 1 } << 24; ///< of B^4 and F
+
+  /** The voxels that F in \a box depends on. */
+  static MedialVoxelBox
+  GetInputBox(const MedialVoxelBox & box, const MedialVoxelBox & image)
+  {
+    return box.Expanded({ Margin, Margin, Margin }).Intersection(image);
+  }
+
+  /** The index from 0 to \a length - 1 that a mirrored image has at \a index. */
+  static std::int64_t
+  Mirror(std::int64_t index, const std::int64_t length)
+  {
+    const std::int64_t period = 2 * length;
+    index = ((index % period) + period) % period;
+    return index < length ? index : period - 1 - index;
+  }
+};
+
+/** \class MedialVoxelMaskSmoothing
+ * \brief The mask of a predicate is smoothed, and what is at least one half becomes object.
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel>
+class MedialVoxelMaskSmoothing
+{
+public:
+  using FirstType = std::int32_t; ///< up to B^2
+  using ThirdType = std::int32_t; ///< beyond
+  using SumType = std::int32_t;   ///< of F
+
+  explicit MedialVoxelMaskSmoothing(const MedialVoxelObjectPredicate<TPixel> & predicate)
+    : m_Predicate(predicate)
+  {}
+
+  FirstType
+  GetValue(const TPixel pixel) const
+  {
+    return m_Predicate(pixel) ? 1 : 0;
+  }
+
+  bool
+  operator()(const SumType sum) const
+  {
+    return sum >= static_cast<SumType>(MedialVoxelSmoothingNumbers::Scale / 2);
+  }
+
+  SumType
+  GetSumOfBackground() const
+  {
+    return 0;
+  }
+
+private:
+  MedialVoxelObjectPredicate<TPixel> m_Predicate;
+};
+
+/** \class MedialVoxelValueSmoothing
+ * \brief Values are smoothed and compared with a threshold.
+ *
+ * Exact for integers of up to 32 bits; others are doubles, which are added in one order. Values that are not finite
+ * count as the threshold, which is for neither side, and NaN stays background.
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel>
+class MedialVoxelValueSmoothing
+{
+public:
+  static constexpr bool IsShort = std::is_integral<TPixel>::value && sizeof(TPixel) <= 2;
+  static constexpr bool IsLong = std::is_integral<TPixel>::value && sizeof(TPixel) == 4;
+
+  using SumType = std::conditional_t<IsLong, std::int64_t, double>;
+  using FirstType = std::conditional_t<IsShort, std::int32_t, SumType>;
+  using ThirdType = std::conditional_t<sizeof(TPixel) == 1, std::int32_t, SumType>;
+
+  /** Object are the values from \a limit on. It is finite. */
+  static MedialVoxelValueSmoothing
+  FromLower(const MedialVoxelLimit & limit)
+  {
+    return MedialVoxelValueSmoothing(1, limit.GetFirstDouble(), GetFirst(limit));
+  }
+
+  /** Object are the values up to \a limit. It is finite. */
+  static MedialVoxelValueSmoothing
+  FromUpper(const MedialVoxelLimit & limit)
+  {
+    return MedialVoxelValueSmoothing(-1, limit.GetLastDouble(), GetLast(limit));
+  }
+
+  FirstType
+  GetValue(const TPixel pixel) const
+  {
+    if constexpr (std::is_floating_point<TPixel>::value)
+    {
+      return std::isfinite(pixel) ? static_cast<FirstType>(pixel) : m_Threshold;
+    }
+    else
+    {
+      return static_cast<FirstType>(pixel);
+    }
+  }
+
+  bool
+  operator()(const SumType sum) const
+  {
+    return m_Sign > 0 ? sum >= m_Limit : sum <= m_Limit;
+  }
+
+  SumType
+  GetSumOfBackground() const
+  {
+    return m_Sign > 0 ? std::numeric_limits<SumType>::lowest() : std::numeric_limits<SumType>::max();
+  }
+
+private:
+  MedialVoxelValueSmoothing(const int sign, const double threshold, const SumType limit)
+    : m_Sign(sign)
+    , m_Threshold(threshold)
+    , m_Limit(limit)
+  {}
+
+  /** Between two integers the threshold is the next one inside; beyond the type it is the same number for F. */
+  static SumType
+  GetFirst(const MedialVoxelLimit & limit)
+  {
+    return ScaleThreshold(std::is_integral<TPixel>::value ? std::ceil(limit.GetFirstDouble()) : limit.GetFirstDouble());
+  }
+  static SumType
+  GetLast(const MedialVoxelLimit & limit)
+  {
+    return ScaleThreshold(std::is_integral<TPixel>::value ? std::floor(limit.GetLastDouble()) : limit.GetLastDouble());
+  }
+
+  static SumType
+  ScaleThreshold(const double threshold)
+  {
+    // No sum of 32-bit values is beyond these.
+    constexpr double largest = 1LL << 36;
+    const double     scale = static_cast<double>(MedialVoxelSmoothingNumbers::Scale);
+    return static_cast<SumType>((IsLong ? std::max(-largest, std::min(threshold, largest)) : threshold) * scale);
+  }
+
+  int     m_Sign;
+  double  m_Threshold;
+  SumType m_Limit;
+};
+
+/** \class MedialVoxelSmoother
+ * \brief The object bits of the smoothed values of a box. One thread has one.
+ *
+ * \tparam TRule MedialVoxelMaskSmoothing or MedialVoxelValueSmoothing
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel, typename TRule>
+class MedialVoxelSmoother
+{
+public:
+  using Numbers = MedialVoxelSmoothingNumbers;
+
+  MedialVoxelSmoother(const MedialVoxelBox & image, const TRule & rule)
+    : m_Image(image)
+    , m_Rule(rule)
+  {}
+
+  /** Set the bits of the object voxels of \a box, which are clear.
+   * \param first the pixel of the lowest voxel of Numbers::GetInputBox(), all of which is there
+   * \param strides of the pixels */
+  void
+  Run(const TPixel * first, const MedialVoxelStrides & strides, const MedialVoxelBox & box, MedialVoxelBits & object);
+
+  /** Bytes that the smoother takes. */
+  static constexpr std::uint64_t
+  GetBytes()
+  {
+    constexpr std::uint64_t voxels = (LargestX + 2 * Numbers::Margin) * (LargestY + 2 * Numbers::Margin);
+    return voxels * (9 * sizeof(FirstType) + 5 * sizeof(ThirdType) + sizeof(SumType));
+  }
+
+private:
+  using FirstType = typename TRule::FirstType;
+  using ThirdType = typename TRule::ThirdType;
+  using SumType = typename TRule::SumType;
+
+  /** Voxels that are smoothed together fit a cache. */
+  static constexpr std::int64_t LargestX = 512;
+  static constexpr std::int64_t LargestY = 32;
+
+  /** Values of a slice of the block and of some voxels around it. */
+  template <typename TValue>
+  struct Slice
+  {
+    std::vector<TValue> values;
+    bool                areEqual{ false }; ///< all of them
+
+    void
+    SetAll(const TValue value)
+    {
+      std::fill(values.begin(), values.end(), value);
+      areEqual = true;
+    }
+  };
+
+  struct View
+  {
+    const TPixel *     first;
+    MedialVoxelStrides strides;
+    MedialVoxelBox     box;
+  };
+
+  void
+  RunBlock(const View & view, const MedialVoxelBox & block, MedialVoxelBits & object);
+
+  /** Reads the values of a slice and of Margin voxels around it. */
+  void
+  Load(const View & view, const MedialVoxelBox & block, std::int64_t z);
+
+  /** (1 4 6 4 1) along x and y; the result has two voxels less on each side. */
+  template <typename TIn, typename TOut>
+  static void
+  SmoothSlice(const Slice<TIn> &  in,
+              std::int64_t        width,
+              std::int64_t        height,
+              std::vector<TOut> & row,
+              Slice<TOut> &       out);
+
+  /** Sets the bits of the slice that the last five slices of m_Third lie around. */
+  void
+  SetObject(const View & view, const MedialVoxelBox & block, std::int64_t step, MedialVoxelBits & object);
+
+  /** F of B^2 and B^4. */
+  static SumType
+  AddUp(const FirstType two, const SumType four)
+  {
+    return static_cast<SumType>(3 * Numbers::ScaleOfTwo) * static_cast<SumType>(two) - 2 * four;
+  }
+
+  /** (1 4 6 4 1) of five values; symmetric, so that a mirrored image has the same results. */
+  template <typename TOut, typename TIn>
+  static TOut
+  Weigh(const TIn a, const TIn b, const TIn c, const TIn d, const TIn e)
+  {
+    return (static_cast<TOut>(a) + static_cast<TOut>(e)) + 4 * (static_cast<TOut>(b) + static_cast<TOut>(d)) +
+           6 * static_cast<TOut>(c);
+  }
+
+  /** True when all values of all slices are the same. */
+  template <typename TValue, std::size_t VNumber>
+  static bool
+  AreEqual(const Slice<TValue> (&slices)[VNumber])
+  {
+    return std::all_of(std::begin(slices), std::end(slices), [&slices](const Slice<TValue> & slice) {
+      return slice.areEqual && !(slice.values.front() != slices[0].values.front());
+    });
+  }
+
+  static constexpr std::int64_t NumberOfTaps = 5;
+  static constexpr std::int64_t NumberOfTwice = 3;
+
+  MedialVoxelBox         m_Image;
+  TRule                  m_Rule;
+  Slice<FirstType>       m_Loaded;
+  Slice<FirstType>       m_Once[NumberOfTaps];   ///< smoothed along x and y
+  Slice<FirstType>       m_Twice[NumberOfTwice]; ///< B^2
+  Slice<ThirdType>       m_Third[NumberOfTaps];  ///< B^2, smoothed along x and y
+  std::vector<FirstType> m_FirstRow;
+  std::vector<ThirdType> m_ThirdRow;
+  std::vector<SumType>   m_Sums;
+};
+
+} // end namespace itk
+
+#include "itkMedialVoxelSmoothing.hxx"
+
+#endif
