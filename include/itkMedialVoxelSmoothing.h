@@ -66,10 +66,23 @@ public:
     : m_Predicate(predicate)
   {}
 
-  FirstType
-  GetValue(const TPixel pixel) const
+  void
+  GetValues(const TPixel * pixels, std::int64_t count, FirstType * values) const
   {
-    return m_Predicate(pixel) ? 1 : 0;
+    // Comparisons to bytes and their widening are two loops, each of which compilers vectorize. Bytes might be a part
+    // of this object, but not of a copy.
+    const MedialVoxelObjectPredicate<TPixel> predicate = m_Predicate;
+    constexpr std::int64_t                   most = 64;
+    for (; count > 0; count -= most, pixels += most, values += most)
+    {
+      const std::int64_t number = std::min(count, most);
+      std::uint8_t       fulfilled[most] = {};
+      for (std::int64_t i = 0; i < number; ++i)
+      {
+        fulfilled[i] = predicate(pixels[i]) ? 1 : 0;
+      }
+      std::copy_n(fulfilled, number, values);
+    }
   }
 
   bool
@@ -120,16 +133,19 @@ public:
     return MedialVoxelValueSmoothing(-1, limit.GetLastDouble(), GetLast(limit));
   }
 
-  FirstType
-  GetValue(const TPixel pixel) const
+  void
+  GetValues(const TPixel * const pixels, const std::int64_t count, FirstType * const values) const
   {
-    if constexpr (std::is_floating_point<TPixel>::value)
+    for (std::int64_t i = 0; i < count; ++i)
     {
-      return std::isfinite(pixel) ? static_cast<FirstType>(pixel) : m_Threshold;
-    }
-    else
-    {
-      return static_cast<FirstType>(pixel);
+      if constexpr (std::is_floating_point<TPixel>::value)
+      {
+        values[i] = std::isfinite(pixels[i]) ? static_cast<FirstType>(pixels[i]) : m_Threshold;
+      }
+      else
+      {
+        values[i] = static_cast<FirstType>(pixels[i]);
+      }
     }
   }
 

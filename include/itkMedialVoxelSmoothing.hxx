@@ -97,18 +97,15 @@ MedialVoxelSmoother<TPixel, TRule>::Load(const View & view, const MedialVoxelBox
     const TPixel * const pixels = view.first + (z - view.box.lower[2]) * view.strides[2] +
                                   (y - view.box.lower[1]) * view.strides[1] - view.box.lower[0];
     FirstType * const values = m_Loaded.values.data() + row * width - firstX;
-    for (std::int64_t x = innerBegin; x < innerEnd; ++x)
-    {
-      values[x] = m_Rule.GetValue(pixels[x]);
-    }
-    for (std::int64_t x = firstX; x < innerBegin; ++x)
-    {
-      values[x] = m_Rule.GetValue(pixels[Numbers::Mirror(x, m_Image.upper[0])]);
-    }
-    for (std::int64_t x = innerEnd; x < firstX + width; ++x)
-    {
-      values[x] = m_Rule.GetValue(pixels[Numbers::Mirror(x, m_Image.upper[0])]);
-    }
+    m_Rule.GetValues(pixels + innerBegin, innerEnd - innerBegin, values + innerBegin);
+    const auto mirror = [&](const std::int64_t begin, const std::int64_t end) {
+      for (std::int64_t x = begin; x < end; ++x)
+      {
+        m_Rule.GetValues(pixels + Numbers::Mirror(x, m_Image.upper[0]), 1, values + x);
+      }
+    };
+    mirror(firstX, innerBegin);
+    mirror(innerEnd, firstX + width);
     if (!differ)
     {
       const FirstType one = m_Loaded.values.front();

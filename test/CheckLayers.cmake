@@ -15,6 +15,7 @@ set(image_io "^itkStreaming[A-Za-z]*$")
 set(folder_of_itkMedialVoxelObjectPredicate Object)
 set(folder_of_itkMedialVoxelRows Foundation)
 set(folder_of_itkMedialVoxelSiteKey Distance)
+set(folder_of_itkMedialVoxelSmoothing Object)
 set(folder_of_itkMedialVoxelText Foundation)
 
 # Folders of apps. The two programs at the end know nothing of each other.

@@ -106,6 +106,12 @@ AddObjectParameters(CLI::App & app, ModuleOptions & options)
                        options.thicknessMode,
                        { { "Automatic", Mode::Automatic }, { "Fixed", Mode::Fixed } });
   AddDouble(app, "thickness", "The fixed thickness of walls, in the units of the spacing", options.thickness);
+  AddEnumeration<std::optional<Smoothing>>(
+    app,
+    "smoothing",
+    "Smooth noise of the object away",
+    options.job.smoothing,
+    { { "Automatic", std::nullopt }, { "On", Smoothing::On }, { "Off", Smoothing::Off } });
   AddBoolean(app, "voxelUnits", "Take lengths in voxels", options.job.voxelUnits);
   AddBoolean(app, "resample", "Bring the input to its smallest spacing first", options.resample);
   AddInteger(app,

@@ -290,7 +290,7 @@ AddSubVoxel(CLI::App & app, ExtractOptions & options)
 }
 
 void
-AddThickness(CLI::App & app, ExtractOptions & options)
+AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
 {
   AddText(app, "--thickness", "Thickness of the walls, or auto (default: auto)", "T", [&](const std::string & text) {
     options.thickness = ToLower(text) == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
@@ -308,6 +308,15 @@ AddThickness(CLI::App & app, ExtractOptions & options)
     app, "--max-pore-size", "Largest pore or grain left out (auto: 32, else 0)", "K", [&](const std::string & text) {
       options.maximumPoreSize = ToCount(text, 0, LargestPoreSize);
     });
+  AddChoice<std::optional<Smoothing>>(line,
+                                      app,
+                                      "--smooth",
+                                      "Noise of the object: smooth it away?",
+                                      "KIND",
+                                      options.smoothing,
+                                      { { GetName(Smoothing::Automatic), Smoothing::Automatic },
+                                        { GetName(Smoothing::On), Smoothing::On },
+                                        { GetName(Smoothing::Off), Smoothing::Off } });
   app.add_flag("--voxel-units", options.voxelUnits, "Lengths are in voxels, not in units of the spacing");
 }
 
@@ -336,7 +345,7 @@ AddLabels(CLI::App & app, ExtractOptions & options)
 void
 AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, bool * const resumes)
 {
-  AddThickness(app, options);
+  AddThickness(line, app, options);
   AddObjectOptions(app, options);
   AddText(app, "--labels", "Each value is an object: all, or L1,L2,...", "LIST", [&](const std::string & text) {
     options.labels = ToLabels(text);
@@ -390,7 +399,7 @@ DefineMesh(CommandLine & line)
   ExtractOptions & options = line.meshOptions;
   AddInput(app, options);
   AddMesh(app, "OUTPUT", options)->required();
-  AddThickness(app, options);
+  AddThickness(line, app, options);
   AddObjectOptions(app, options);
   const std::string group = "Mesh";
   app.add_flag("--triangles", options.meshTriangles, "Split the quadrilaterals")->group(group);

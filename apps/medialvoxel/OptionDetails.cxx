@@ -27,6 +27,12 @@ ListOptionDetails()
     { "",
       "--max-pore-size",
       "In voxels, from 0 to 1000000. Cavities and grains of up to this size are taken for noise; 0 keeps all." },
+    { "",
+      "--smooth",
+      "on: smooth the values when one threshold is given, otherwise the mask; edges and thin walls stay in place. "
+      "auto: "
+      "when 0.75 % or more of the border voxels stand alone, which reads the volume once more. Default: auto with the "
+      "thickness auto, otherwise off." },
     { "", "--voxel-units", "Coordinates and thickness of meshes stay in units of the spacing." },
     { "",
       "--lower",

@@ -32,6 +32,15 @@ AddObject(TextTable & table, const JobOptions & options, const JobResult & resul
 }
 
 void
+AddSmoothing(TextTable & table, const ExtractOptions & options, const JobResult & result)
+{
+  if (IsSmoothed(options, result) || result.roughness)
+  {
+    table.emplace_back("smoothed", DescribeSmoothing(options, result));
+  }
+}
+
+void
 AddNotANumber(TextTable & table, const itk::MedialVoxelCounts & counts)
 {
   if (counts.notANumberVoxels > 0)
@@ -122,6 +131,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   AddLabelMap(table, result);
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
   AddNotANumber(table, result.sums.counts);
+  AddSmoothing(table, options, result);
   AddSmallComponents(table, counts);
   table.emplace_back("candidate cells", std::to_string(counts.candidateCells));
   table.emplace_back("  trivial", FormatCount(counts.trivialCells, counts.candidateCells));

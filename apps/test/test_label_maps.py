@@ -105,7 +105,7 @@ class LabelMapTest(ProgramTestCase):
     def run_label(self, name, label, *options, thickness="auto"):
         self.extract(
             name, "one.mha", "--label", label, "--thickness-map", "wall.mha", "--report", "one.json", "--overwrite",
-            *options, thickness=thickness,
+            "--smooth", "off", *options, thickness=thickness,
         )  # fmt: skip
         return {
             "labels": volumes.read_data(self.folder / "one.mha"),

@@ -43,7 +43,7 @@ class PoresTest(ProgramTestCase):
         volumes.write_meta(self.folder / "in.mha", self.noisy)
 
     def results(self, *arguments, source="in.mha"):
-        self.run_program("extract", source, "l.mha", "--thickness-map", "t.mha", "--report", "r.json", "--overwrite", *arguments)
+        self.run_program("extract", source, "l.mha", "--thickness-map", "t.mha", "--report", "r.json", "--overwrite", "--smooth", "off", *arguments)
         report = json.loads((self.folder / "r.json").read_text())
         return [volumes.read_data(self.folder / name) for name in ("l.mha", "t.mha")], report
 
@@ -66,7 +66,7 @@ class PoresTest(ProgramTestCase):
             _, report = self.results(*arguments)
             self.assertEqual(report["parameters"]["maximum_pore_size"], size)
             self.assertEqual(report["counts"]["filled_voxels"], self.filled if size else 0)
-        table = self.run_program("extract", "in.mha", "l.mha", "--overwrite").stdout
+        table = self.run_program("extract", "in.mha", "l.mha", "--overwrite", "--smooth", "off").stdout
         self.assertRegex(table, rf"pores +{self.filled} voxels, taken as object\n")
         self.assertRegex(table, rf"dust +{self.removed} voxels, taken as background\n")
         self.assertNotIn("dust", self.run_program("extract", "clean.mha", "l.mha", "--overwrite").stdout)
@@ -99,7 +99,7 @@ class PoresTest(ProgramTestCase):
 
     def test_meshes(self):
         def mesh(*arguments):
-            self.run_program("mesh", *arguments, "--overwrite")
+            self.run_program("mesh", *arguments, "--overwrite", "--smooth", "off")
             return (self.folder / arguments[1]).read_bytes()
 
         expected = mesh("clean.mha", "out.ply")

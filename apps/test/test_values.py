@@ -209,7 +209,7 @@ class ValuesTest(ProgramTestCase):
 class LabelTest(ProgramTestCase):
     def count(self, name, label, *arguments):
         """Object voxels."""
-        self.run_program("extract", name, "out.mha", "--label", label, "--report", "r.json", "--overwrite", *arguments)
+        self.run_program("extract", name, "out.mha", "--label", label, "--report", "r.json", "--overwrite", "--smooth", "off", *arguments)
         report = json.loads((self.folder / "r.json").read_text())
         self.assertEqual(report["parameters"]["label"], label)
         return report["counts"]["object_voxels"]

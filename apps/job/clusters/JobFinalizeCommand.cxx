@@ -93,6 +93,7 @@ public:
     , m_Survey(m_Job.input.geometry, GetGrid(m_Options, m_Job.input), GetSurveySettings(m_Options))
   {
     m_Job.otsu = m_Options.lowerIsOtsu ? m_Options.lowerThreshold : std::nullopt;
+    m_Job.roughness = m_Options.roughness;
     m_Job.plan.numberOfSlices = shared.manifest.numberOfSlices;
     m_Job.plan.divisions = shared.manifest.numberOfClusters;
   }

@@ -3,6 +3,7 @@
 #include "ExtractParts.h"
 #include "ExtractRun.h"
 #include "FileNames.h"
+#include "InputVolume.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
 #include "Outputs.h"
@@ -130,6 +131,19 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
   return manifest;
 }
 
+/** All processes of the job smooth, or none. */
+void
+MeasureRoughness(ExtractOptions & options, const JobResult & job, const ProgressSink & sink)
+{
+  if (GetSmoothing(options) == Smoothing::Automatic)
+  {
+    const auto input =
+      OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep, Smoothing::Automatic);
+    input->Prepare([&sink](double) { ThrowIfStopRequested(sink); });
+    options.roughness = input->GetRoughness();
+  }
+}
+
 void
 RemoveVolumes(const Manifest & manifest)
 {
@@ -198,6 +212,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     const auto  volumes = ListVolumes(options, job.input);
     PlanOptions own = options;
     MeasureThreshold(own, job.input, sink);
+    MeasureRoughness(own, job, sink);
     const Manifest manifest = MakeManifest(own, job, folder);
     folder.Create();
     JobLocks   locks(folder.GetLocksName());

@@ -24,6 +24,7 @@ RefuseOtherJob(ExtractOptions options, const JobFolder & folder)
   {
     options.lowerThreshold = manifest.options.lowerThreshold; // was measured on the same input
   }
+  options.roughness = manifest.options.roughness; // was measured, too
   const std::string difference = FindDifference(WithAbsoluteNames(options, std::filesystem::current_path()),
                                                 WithAbsoluteNames(manifest.options, manifest.folder));
   if (!difference.empty())

@@ -11,6 +11,22 @@ namespace medialvoxel
 namespace
 {
 
+using WordType = BitStore::WordType;
+
+/** \a count bits, 1 to 64, of \a words from bit \a first on. */
+WordType
+GetBits(const WordType * words, std::uint64_t first, std::uint64_t count)
+{
+  const WordType *    word = words + first / BitStore::BitsPerWord;
+  const std::uint64_t shift = first % BitStore::BitsPerWord;
+  WordType            bits = word[0] >> shift;
+  if (shift + count > BitStore::BitsPerWord)
+  {
+    bits |= word[1] << (BitStore::BitsPerWord - shift);
+  }
+  return count == BitStore::BitsPerWord ? bits : bits & ((WordType{ 1 } << count) - 1);
+}
+
 class MemoryBitStore : public BitStore
 {
 public:
@@ -63,6 +79,24 @@ private:
 };
 
 } // namespace
+
+void
+CopyBits(const BitStore::WordType * words,
+         std::uint64_t              first,
+         std::int64_t               x,
+         std::int64_t               count,
+         BitStore::WordType *       row)
+{
+  constexpr std::int64_t bitsPerWord = BitStore::BitsPerWord;
+  for (const std::int64_t end = x + count; x < end;)
+  {
+    const std::int64_t next = std::min((x / bitsPerWord + 1) * bitsPerWord, end);
+    const auto         number = static_cast<std::uint64_t>(next - x);
+    row[x / bitsPerWord] |= GetBits(words, first, number) << (x % bitsPerWord);
+    first += number;
+    x = next;
+  }
+}
 
 std::unique_ptr<BitStore>
 MakeBitStoreInMemory(std::uint64_t numberOfVoxels)

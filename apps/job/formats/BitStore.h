@@ -38,6 +38,15 @@ GetBitStoreBytes(std::uint64_t numberOfVoxels)
   return (numberOfVoxels + BitStore::BitsPerWord - 1) / BitStore::BitsPerWord * sizeof(BitStore::WordType);
 }
 
+/** Sets those of \a count bits of \a words from \a first on in a row of bits, from \a x on; \a row points to its word
+ * 0. */
+void
+CopyBits(const BitStore::WordType * words,
+         std::uint64_t              first,
+         std::int64_t               x,
+         std::int64_t               count,
+         BitStore::WordType *       row);
+
 std::unique_ptr<BitStore>
 MakeBitStoreInMemory(std::uint64_t numberOfVoxels);
 

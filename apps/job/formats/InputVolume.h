@@ -7,6 +7,7 @@
 #include "VolumeHeader.h"
 
 #include "itkMedialVoxelObjectSource.h"
+#include "itkMedialVoxelRoughness.h"
 
 #include <atomic>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +54,13 @@ public:
   GetNumberOfNotANumberVoxels() const
   {
     return 0;
+  }
+
+  /** How rough the object is that is not smoothed, when Prepare() measured it. */
+  virtual std::optional<itk::MedialVoxelRoughness>
+  GetRoughness() const
+  {
+    return std::nullopt;
   }
 
   /** Threads that may call Fill(). */
@@ -113,12 +122,14 @@ private:
 /** Opens a volume that ReadVolumeHeader() has checked. One that does not stream becomes a mask of the object that the
  * options describe, in memory or, when a scratch folder is given, in a file there.
  * \param bytesToKeep of chunks whose further slices are needed later, as the plan has it
+ * \param smoothing of the object
  * \throw JobError Refused when the scratch folder has no space. */
 std::unique_ptr<InputVolume>
 OpenInputVolume(const VolumeHeader &          header,
                 const JobOptions &            options,
                 const std::filesystem::path & scratchFolder,
-                std::uint64_t                 bytesToKeep = 0);
+                std::uint64_t                 bytesToKeep = 0,
+                Smoothing                     smoothing = Smoothing::Off);
 
 } // end namespace medialvoxel
 

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "MaskInput.h"
 
+#include "BitAppender.h"
 #include "BitStore.h"
+#include "ObjectRoughness.h"
 #include "ObjectValues.h"
+#include "SmoothedSlices.h"
+#include "SmoothingRule.h"
 #include "Text.h"
 #include "ValueStream.h"
 
@@ -20,37 +24,6 @@ namespace medialvoxel
 namespace
 {
 
-using WordType = BitStore::WordType;
-
-/** \a count bits, 1 to 64, of \a words from bit \a first on. */
-WordType
-GetBits(const WordType * words, std::uint64_t first, std::uint64_t count)
-{
-  const WordType *    word = words + first / BitStore::BitsPerWord;
-  const std::uint64_t shift = first % BitStore::BitsPerWord;
-  WordType            bits = word[0] >> shift;
-  if (shift + count > BitStore::BitsPerWord)
-  {
-    bits |= word[1] << (BitStore::BitsPerWord - shift);
-  }
-  return count == BitStore::BitsPerWord ? bits : bits & ((WordType{ 1 } << count) - 1);
-}
-
-/** Sets those of \a count bits from \a first on in a row, from \a x on; \a row points to its word 0. */
-void
-SetBits(const WordType * words, std::uint64_t first, std::int64_t x, std::int64_t count, WordType * row)
-{
-  constexpr std::int64_t bitsPerWord = BitStore::BitsPerWord;
-  for (const std::int64_t end = x + count; x < end;)
-  {
-    const std::int64_t next = std::min((x / bitsPerWord + 1) * bitsPerWord, end);
-    const auto         number = static_cast<std::uint64_t>(next - x);
-    row[x / bitsPerWord] |= GetBits(words, first, number) << (x % bitsPerWord);
-    first += number;
-    x = next;
-  }
-}
-
 /** \class MaskInput
  * \brief One bit per voxel, made once. */
 class MaskInput : public InputVolume
@@ -59,25 +32,44 @@ public:
   MaskInput(const VolumeHeader &          header,
             const JobOptions &            options,
             Interpolation                 interpolation,
-            const std::filesystem::path & scratchFolder)
+            const std::filesystem::path & scratchFolder,
+            Smoothing                     smoothing)
     : m_Header(header)
     , m_Options(options)
     , m_Interpolation(interpolation)
     , m_ScratchFolder(scratchFolder)
-    , m_Bits(scratchFolder.empty() ? MakeBitStoreInMemory(header.geometry.GetNumberOfVoxels())
-                                   : MakeBitStoreInFile(scratchFolder, header.geometry.GetNumberOfVoxels()))
-  {}
+    , m_Smoothing(smoothing)
+  {
+    this->MakeBits();
+  }
 
   std::string
   Prepare(const ReadObserver & observer) override
   {
-    this->MeasureReading(
-      [&] { DispatchValueType(m_Header.GetStored(), [&](auto zero) { this->Unpack<decltype(zero)>(observer); }); });
+    this->Unpack(observer, m_Smoothing == Smoothing::On);
+    bool isRead = false; // once more
+    if (m_Smoothing == Smoothing::Automatic)
+    {
+      m_Roughness = MeasureRoughness(*this, this->GetImage(), 1, observer);
+      isRead = m_Roughness->NeedsSmoothing();
+    }
+    if (isRead)
+    {
+      this->MakeBits();
+      this->Unpack(observer, true);
+    }
+    const std::string times = isRead ? "twice, as its object is rough: " : "once: ";
     return m_Header.fileName.string() +
-           (m_Header.compressed ? " is compressed and was unpacked once: " : " has scaled values and was read once: ") +
+           (m_Header.compressed ? " is compressed and was unpacked " : " has scaled values and was read ") + times +
            FormatBytes(m_BytesRead) + " read, " + FormatBytes(GetBitStoreBytes(m_Header.geometry.GetNumberOfVoxels())) +
            " of mask " + (m_ScratchFolder.empty() ? "in memory" : "in " + m_ScratchFolder.string()) + ", " +
            FormatSeconds(this->GetReadSeconds());
+  }
+
+  std::optional<itk::MedialVoxelRoughness>
+  GetRoughness() const override
+  {
+    return m_Roughness;
   }
 
   std::uint64_t
@@ -113,65 +105,102 @@ private:
     }
   }
 
-  template <typename TValue>
+  /** The old ones go first, or there would be two of them. */
   void
-  Unpack(const ReadObserver & observer)
+  MakeBits()
   {
-    if (m_Header.stored)
-    {
-      this->Resample<TValue>(observer);
-      return;
-    }
-    const auto predicate = MakeObjectPredicate<TValue>(m_Options);
-    m_BytesRead = StreamValues<TValue>(
-      m_Header, observer, [&](const std::vector<TValue> & values) { this->Append(values, predicate); });
+    const std::uint64_t voxels = m_Header.geometry.GetNumberOfVoxels();
+    m_Bits.reset();
+    m_Bits = m_ScratchFolder.empty() ? MakeBitStoreInMemory(voxels) : MakeBitStoreInFile(m_ScratchFolder, voxels);
+  }
+
+  void
+  Unpack(const ReadObserver & observer, bool smooths)
+  {
+    m_NotANumberVoxels = 0;
+    this->MeasureReading([&] {
+      DispatchValueType(m_Header.GetStored(),
+                        [&](auto zero) { this->UnpackValues<decltype(zero)>(observer, smooths); });
+    });
   }
 
   template <typename TValue>
   void
-  Resample(const ReadObserver & observer)
+  UnpackValues(const ReadObserver & observer, bool smooths)
   {
-    const auto          predicate = MakeObjectPredicate<double>(m_Options);
+    if (m_Header.stored)
+    {
+      this->Pack<double>(smooths, [&](const auto & take) { this->Resample<TValue>(observer, take); });
+      return;
+    }
+    this->Pack<TValue>(smooths,
+                       [&](const auto & take) { m_BytesRead += StreamValues<TValue>(m_Header, observer, take); });
+  }
+
+  /** Calls stream(take), which calls take(values) for all values from front to back, and keeps the object. */
+  template <typename TValue, typename TStream>
+  void
+  Pack(bool smooths, TStream && stream)
+  {
+    BitAppender bits(*m_Bits);
+    if (smooths)
+    {
+      WithSmoothingRule<TValue>(m_Options, [&](const auto & rule) {
+        using RuleType = std::decay_t<decltype(rule)>;
+        SmoothedSlices<TValue, RuleType> slices(
+          this->GetImage(), rule, [&](const itk::MedialVoxelBits & object) { bits.Append(object); });
+        stream([&](const std::vector<TValue> & values) {
+          this->CountNotANumber(values);
+          slices.Append(values);
+        });
+      });
+    }
+    else
+    {
+      const auto predicate = MakeObjectPredicate<TValue>(m_Options);
+      stream([&](const std::vector<TValue> & values) {
+        this->CountNotANumber(values);
+        bits.Append(values, predicate);
+      });
+    }
+    bits.Finish();
+  }
+
+  template <typename TValue, typename TTake>
+  void
+  Resample(const ReadObserver & observer, const TTake & take)
+  {
     std::vector<double> values;
     SliceResampler      resampler(m_Header, m_Interpolation, [&](const double * row, std::uint64_t count) {
       values.insert(values.end(), row, row + count);
       if (values.size() >= VoxelsPerChunk)
       {
-        // Only the last words may have room.
-        const auto end = values.begin() + static_cast<std::ptrdiff_t>(values.size() / BitStore::BitsPerWord) *
-                                            static_cast<std::ptrdiff_t>(BitStore::BitsPerWord);
-        const std::vector<double> rest(end, values.end());
-        values.erase(end, values.end());
-        this->Append(values, predicate);
-        values = rest;
+        take(values);
+        values.clear();
       }
     });
-    m_BytesRead = StreamValues<TValue>(
+    m_BytesRead += StreamValues<TValue>(
       m_Header.GetStored(), observer, [&](const std::vector<TValue> & stored) { resampler.Append(stored); });
-    this->Append(values, predicate);
+    take(values);
   }
 
   template <typename TValue>
   void
-  Append(const std::vector<TValue> & values, const itk::MedialVoxelObjectPredicate<TValue> & predicate)
+  CountNotANumber(const std::vector<TValue> & values)
   {
-    m_Words.assign(GetBitStoreBytes(values.size()) / sizeof(BitStore::WordType), 0);
-    this->Pack(values, predicate, m_Words);
-    m_Bits->Append(m_Words);
-  }
-
-  template <typename TValue>
-  void
-  Pack(const std::vector<TValue> &                     values,
-       const itk::MedialVoxelObjectPredicate<TValue> & predicate,
-       std::vector<BitStore::WordType> &               words)
-  {
-    itk::MedialVoxelPackRow(values.data(), 0, static_cast<std::int64_t>(values.size()), predicate, words.data());
     if constexpr (std::is_floating_point<TValue>::value)
     {
       m_NotANumberVoxels += static_cast<std::uint64_t>(
         std::count_if(values.begin(), values.end(), [](TValue value) { return value != value; }));
     }
+  }
+
+  itk::MedialVoxelBox
+  GetImage() const
+  {
+    itk::MedialVoxelBox image{ {}, { { 1, 1, 1 } } };
+    std::copy(m_Header.geometry.size.begin(), m_Header.geometry.size.end(), image.upper.begin());
+    return image;
   }
 
   /** Reads all words from the first to the last row of a slice at once. */
@@ -186,7 +215,7 @@ private:
     {
       const std::uint64_t first = this->GetVoxel(part.lower[0], y, z) - firstWord * BitStore::BitsPerWord;
       auto * const        row = object.GetRow(y, z) - object.GetFirstWord();
-      SetBits(m_Words.data(), first, part.lower[0], part.Extent(0), row);
+      CopyBits(m_Words.data(), first, part.lower[0], part.Extent(0), row);
     }
   }
 
@@ -199,14 +228,16 @@ private:
            static_cast<std::uint64_t>(x);
   }
 
-  VolumeHeader                    m_Header;
-  JobOptions                      m_Options;
-  Interpolation                   m_Interpolation;
-  std::filesystem::path           m_ScratchFolder;
-  std::unique_ptr<BitStore>       m_Bits;
-  std::vector<BitStore::WordType> m_Words; ///< of a chunk, or a slice of a part
-  std::uint64_t                   m_NotANumberVoxels{ 0 };
-  std::uint64_t                   m_BytesRead{ 0 };
+  VolumeHeader                             m_Header;
+  JobOptions                               m_Options;
+  Interpolation                            m_Interpolation;
+  std::filesystem::path                    m_ScratchFolder;
+  Smoothing                                m_Smoothing;
+  std::optional<itk::MedialVoxelRoughness> m_Roughness;
+  std::unique_ptr<BitStore>                m_Bits;
+  std::vector<BitStore::WordType>          m_Words; ///< of a slice of a part
+  std::uint64_t                            m_NotANumberVoxels{ 0 };
+  std::uint64_t                            m_BytesRead{ 0 };
 };
 
 } // namespace
@@ -215,9 +246,23 @@ std::unique_ptr<InputVolume>
 OpenMaskInput(const VolumeHeader &          header,
               const JobOptions &            options,
               Interpolation                 interpolation,
-              const std::filesystem::path & scratchFolder)
+              const std::filesystem::path & scratchFolder,
+              Smoothing                     smoothing)
 {
-  return std::make_unique<MaskInput>(header, options, interpolation, scratchFolder);
+  return std::make_unique<MaskInput>(header, options, interpolation, scratchFolder, smoothing);
+}
+
+std::uint64_t
+GetBytesOfSmoothedSlices(const VolumeHeader & header)
+{
+  using LargestSmoother = itk::MedialVoxelSmoother<double, itk::MedialVoxelValueSmoothing<double>>;
+  const VolumeHeader & stored = header.GetStored();
+  const bool           isDouble = header.stored || stored.scale;
+  const auto &         size = header.geometry.size;
+  const std::uint64_t  slices =
+    size.size() > 2 ? std::min<std::uint64_t>(SmoothedSlicesNumbers::MostSlices, size[2]) : 1;
+  const std::uint64_t bytes = isDouble ? sizeof(double) : GetTraits(stored.pixelType).bytes;
+  return (slices * size[0] * size[1] + VoxelsPerChunk) * bytes + LargestSmoother::GetBytes();
 }
 
 } // end namespace medialvoxel

@@ -13,7 +13,8 @@ namespace medialvoxel
 {
 
 /** Opens a volume that does not stream; InputVolume::Prepare() will unpack it once from front to back into one bit per
- * voxel, which is set where the voxel is object. It has no values then.
+ * voxel, which is set where the voxel is object. It has no values then. A rough object that is smoothed automatically
+ * is unpacked a second time.
  * \param interpolation of a resampled volume
  * \param scratchFolder where the bits are kept; empty: in memory
  * \throw JobError Refused when there is no space in the scratch folder. */
@@ -21,7 +22,12 @@ std::unique_ptr<InputVolume>
 OpenMaskInput(const VolumeHeader &          header,
               const JobOptions &            options,
               Interpolation                 interpolation,
-              const std::filesystem::path & scratchFolder);
+              const std::filesystem::path & scratchFolder,
+              Smoothing                     smoothing);
+
+/** Bytes that smoothing takes beside the mask while the volume is unpacked. */
+std::uint64_t
+GetBytesOfSmoothedSlices(const VolumeHeader & header);
 
 } // end namespace medialvoxel
 

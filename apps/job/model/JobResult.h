@@ -6,6 +6,7 @@
 #include "JobPlan.h"
 #include "NamedCounts.h"
 #include "ObjectSummary.h"
+#include "Options.h"
 #include "OutputRequest.h"
 #include "SurfaceSummary.h"
 #include "ThicknessSummary.h"
@@ -35,19 +36,28 @@ struct JobSeconds
 /** What a job did, or with dryRun would do. */
 struct JobResult
 {
-  VolumeHeader                         input;
-  std::vector<OutputRequest>           outputs;
-  JobPlan                              plan;
-  itk::MedialVoxelSums                 sums;
-  std::optional<itk::MedialVoxelLimit> otsu;      ///< lower threshold, when it was measured
-  std::optional<ThicknessSummary>      thickness; ///< of an extraction
-  std::optional<LabelMapSummary>       objects;   ///< of a label map
-  std::optional<SurfaceSummary>        surface;   ///< when a mesh was asked for
-  std::vector<Warning>                 warnings;
-  JobSeconds                           seconds;
-  std::uint64_t                        peakMemoryBytes{ 0 }; ///< of the process
-  std::uint64_t                        bytesRead{ 0 };
+  VolumeHeader                             input;
+  std::vector<OutputRequest>               outputs;
+  JobPlan                                  plan;
+  itk::MedialVoxelSums                     sums;
+  std::optional<itk::MedialVoxelLimit>     otsu;      ///< lower threshold, when it was measured
+  std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it was measured
+  std::optional<ThicknessSummary>          thickness; ///< of an extraction
+  std::optional<LabelMapSummary>           objects;   ///< of a label map
+  std::optional<SurfaceSummary>            surface;   ///< when a mesh was asked for
+  std::vector<Warning>                     warnings;
+  JobSeconds                               seconds;
+  std::uint64_t                            peakMemoryBytes{ 0 }; ///< of the process
+  std::uint64_t                            bytesRead{ 0 };
 };
+
+/** Whether the object of an extraction was smoothed. */
+bool
+IsSmoothed(const ExtractOptions & options, const JobResult & result);
+
+/** The same for a reader, with the roughness that decided. */
+std::string
+DescribeSmoothing(const ExtractOptions & options, const JobResult & result);
 
 } // end namespace medialvoxel
 

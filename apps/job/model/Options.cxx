@@ -132,6 +132,7 @@ CheckLabelOptions(const ExtractOptions & options)
     { "a label", options.label.has_value() },
     { "a threshold", options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu },
     { "sub-voxel measures", options.subVoxel },
+    { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off },
     { "vectors", !options.vectorFile.empty() },
     { "distances", !options.distanceFile.empty() },
     { "a mesh", !options.meshFile.empty() },
@@ -276,6 +277,24 @@ GetGrid(const JobOptions & options, const VolumeHeader & header)
   return { size, spacing };
 }
 
+Smoothing
+GetRequestedSmoothing(const ExtractOptions & options)
+{
+  const bool isOff = options.thickness || options.labels;
+  return options.smoothing.value_or(isOff ? Smoothing::Off : Smoothing::Automatic);
+}
+
+Smoothing
+GetSmoothing(const ExtractOptions & options)
+{
+  const Smoothing smoothing = GetRequestedSmoothing(options);
+  if (smoothing != Smoothing::Automatic || !options.roughness)
+  {
+    return smoothing;
+  }
+  return options.roughness->NeedsSmoothing() ? Smoothing::On : Smoothing::Off;
+}
+
 itk::MedialVoxelParameters::Limits
 GetLimitsOfWalls(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
 {
@@ -332,6 +351,21 @@ std::string
 GetName(itk::MedialVoxelBoundary boundary)
 {
   return boundary == itk::MedialVoxelBoundary::Object ? "object" : "background";
+}
+
+std::string
+GetName(Smoothing smoothing)
+{
+  switch (smoothing)
+  {
+    case Smoothing::Off:
+      return "off";
+    case Smoothing::On:
+      return "on";
+    case Smoothing::Automatic:
+      return "auto";
+  }
+  return "unknown";
 }
 
 std::string

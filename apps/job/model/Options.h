@@ -9,6 +9,7 @@
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelParameters.h"
+#include "itkMedialVoxelRoughness.h"
 
 #include <cstdint>
 #include <optional>
@@ -78,6 +79,14 @@ struct JobOptions
 /** Largest value of ExtractOptions::maximumPoreSize. */
 constexpr std::uint64_t LargestPoreSize = itk::MedialVoxelParameters::LargestMaximumPoreSize;
 
+/** Whether noise of the object is smoothed away; automatic: where the object is rough. */
+enum class Smoothing : std::uint8_t
+{
+  Off,
+  On,
+  Automatic
+};
+
 /** Medial voxels. */
 struct ExtractOptions : JobOptions
 {
@@ -91,6 +100,9 @@ struct ExtractOptions : JobOptions
   /** Voxels of the largest pores and grains that are taken for noise, up to LargestPoreSize; unset: 32 with the
    * automatic thickness, otherwise 0, for none. */
   std::optional<std::uint64_t> maximumPoreSize;
+
+  std::optional<Smoothing>                 smoothing; ///< unset: automatic with the automatic thickness, otherwise off
+  std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it is known before
 
   std::optional<LabelSelection> labels;     ///< each of these values is an object of its own, without thresholds
   std::string                   objectFile; ///< label of the object of each cell, of the type of the input
@@ -137,6 +149,14 @@ GetReportFile(const JobOptions & options);
 itk::MedialVoxelGrid
 GetGrid(const JobOptions & options, const VolumeHeader & header);
 
+/** The smoothing that is asked for. */
+Smoothing
+GetRequestedSmoothing(const ExtractOptions & options);
+
+/** The same, on or off when the roughness is known. */
+Smoothing
+GetSmoothing(const ExtractOptions & options);
+
 /** What decides the thickness, with the limits in effect on \a grid.
  * \throw JobError Usage when the limits contradict each other. */
 itk::MedialVoxelParameters
@@ -165,6 +185,8 @@ std::string
 GetName(itk::MedialVoxelBoundary boundary);
 std::string
 GetName(itk::MedialVoxelRegion region);
+std::string
+GetName(Smoothing smoothing);
 
 } // end namespace medialvoxel
 

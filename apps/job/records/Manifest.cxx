@@ -21,7 +21,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 6;
+constexpr int ManifestFormat = 7;
 
 constexpr const char * OverwriteName = "overwrite";
 
@@ -42,6 +42,8 @@ constexpr std::array<itk::MedialVoxelBoundary, 2> Boundaries{ { itk::MedialVoxel
 constexpr std::array<ZarrCompression, 3> Compressions{
   { ZarrCompression::None, ZarrCompression::Gzip, ZarrCompression::BloscZstd }
 };
+
+constexpr std::array<Smoothing, 3> Smoothings{ { Smoothing::Off, Smoothing::On, Smoothing::Automatic } };
 
 template <typename TEnum, std::size_t VSize>
 TEnum
@@ -111,6 +113,25 @@ LabelFromJson(const Json & json)
 }
 
 Json
+RoughnessToJson(const std::optional<itk::MedialVoxelRoughness> & roughness)
+{
+  return roughness ? Json{ roughness->roughVoxels, roughness->borderVoxels } : Json(nullptr);
+}
+
+std::optional<itk::MedialVoxelRoughness>
+RoughnessFromJson(const Json & json)
+{
+  if (json.is_null())
+  {
+    return std::nullopt;
+  }
+  itk::MedialVoxelRoughness roughness;
+  ReadWhole(json.at(0), roughness.roughVoxels);
+  ReadWhole(json.at(1), roughness.borderVoxels);
+  return roughness;
+}
+
+Json
 OptionsToJson(const ExtractOptions & options)
 {
   Json json = Json::object();
@@ -131,6 +152,8 @@ OptionsToJson(const ExtractOptions & options)
     json[name] = LimitToJson(options.*member);
   }
   json["maximum_pore_size"] = OptionalToJson(options.maximumPoreSize);
+  json["smooth"] = options.smoothing ? Json(GetName(*options.smoothing)) : Json(nullptr);
+  json["roughness"] = RoughnessToJson(options.roughness);
   json["vector_boundary"] = GetName(options.vectorBoundary);
   json["zarr_compression"] = GetName(options.zarrCompression);
   json["lower_otsu"] = options.lowerIsOtsu;
@@ -167,6 +190,11 @@ OptionsFromJson(const Json & json)
     options.*member = LimitFromJson(json.at(name));
   }
   ReadWhole(json.at("maximum_pore_size"), options.maximumPoreSize);
+  if (!json.at("smooth").is_null())
+  {
+    options.smoothing = EnumFromJson(json.at("smooth"), Smoothings);
+  }
+  options.roughness = RoughnessFromJson(json.at("roughness"));
   options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
   options.zarrCompression = EnumFromJson(json.at("zarr_compression"), Compressions);
   json.at("lower_otsu").get_to(options.lowerIsOtsu);

@@ -175,9 +175,9 @@ DescribeInput(const VolumeHeader & header)
 }
 
 TextTable
-DescribeParameters(const ExtractOptions & options, const VolumeHeader & input)
+DescribeParameters(const ExtractOptions & options, const JobResult & result)
 {
-  const itk::MedialVoxelGrid grid = GetGrid(options, input);
+  const itk::MedialVoxelGrid grid = GetGrid(options, result.input);
   TextTable                  table{ { "thickness (tau)", DescribeThickness(options, "") } };
   if (!options.thickness)
   {
@@ -190,6 +190,7 @@ DescribeParameters(const ExtractOptions & options, const VolumeHeader & input)
     { "lower threshold", FormatLimit(options.lowerThreshold) + (options.lowerIsOtsu ? " (otsu)" : "") },
     { "upper threshold", FormatLimit(options.upperThreshold) },
     { "label", options.label ? FormatLabel(*options.label) : "none" },
+    { "smoothed", DescribeSmoothing(options, result) },
     { "largest pores left out", std::to_string(GetParameters(options, grid).maximumPoreSize) + " voxels" }
   };
   table.insert(table.end(), others.begin(), others.end());
@@ -254,7 +255,7 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
   page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, options.subVoxel);
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);
   page += "<div class=\"columns\">\n<div><h2>Input</h2>\n" + MakeRows(DescribeInput(result.input), "text") +
-          "</div>\n<div><h2>Parameters</h2>\n" + MakeRows(DescribeParameters(options, result.input), "text") +
+          "</div>\n<div><h2>Parameters</h2>\n" + MakeRows(DescribeParameters(options, result), "text") +
           "</div>\n<div><h2>Versions</h2>\n" +
           MakeRows({ { "MedialVoxel", GetVersion() }, { "ITK", GetItkVersion() } }, "text") + "</div>\n</div>\n";
   page += "<h2>How to cite</h2>\n" + MakeCitation();

@@ -132,6 +132,15 @@ AddObject(Json & parameters, const JobOptions & options, const JobResult & resul
   parameters["resampled_spacing"] = result.input.stored ? Json(result.input.geometry.spacing) : Json(nullptr);
 }
 
+Json
+MakeRoughness(const std::optional<itk::MedialVoxelRoughness> & roughness)
+{
+  return roughness ? Json{ { "rough_voxels", roughness->roughVoxels },
+                           { "border_voxels", roughness->borderVoxels },
+                           { "ratio", roughness->GetRatio() } }
+                   : Json(nullptr);
+}
+
 /** Share of the time of the threads, while there were tiles, that they worked on tiles. */
 Json
 GetThreadEfficiency(const JobResult & result)
@@ -217,6 +226,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
     parameters["labels"] = options.labels->all ? Json("all") : Json(options.labels->values);
   }
   parameters["maximum_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
+  parameters["smooth"] = GetName(GetRequestedSmoothing(options));
   parameters["sub_voxel"] = options.subVoxel;
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
   if (!options.meshFile.empty())
@@ -234,6 +244,8 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["size"] = result.input.geometry.size;
   report["counts"] = MakeCounts(result.sums.counts);
   report["percent"] = MakePercent(result.sums.counts);
+  report["smoothed"] = IsSmoothed(options, result);
+  report["roughness"] = MakeRoughness(result.roughness);
   report["thickness"] = MakeThickness(result.thickness);
   if (result.objects)
   {

@@ -5,12 +5,14 @@
 #include "ExtractSummary.h"
 #include "FinishJob.h"
 #include "JobClock.h"
+#include "MaskInput.h"
 #include "MemoryPlan.h"
 #include "Outputs.h"
 #include "PipelineErrors.h"
 #include "PrepareJob.h"
 #include "Preview.h"
 #include "ReadVolumeHeader.h"
+#include "SmoothedInput.h"
 #include "StopListener.h"
 #include "SurfaceMesh.h"
 #include "ThicknessPreview.h"
@@ -60,6 +62,17 @@ CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
  * page has as text, also while it grows. */
 constexpr std::uint64_t PageBytesPerPixel = 3;
 
+void
+AddSmoothing(PieceFootprint & footprint, const ExtractOptions & options, const VolumeHeader & header)
+{
+  if (GetSmoothing(options) == Smoothing::Off)
+  {
+    return;
+  }
+  std::uint64_t & bytes = InputVolume::IsReadInParallel(header) ? footprint.bytesPerThread : footprint.bytesBeside;
+  bytes += header.CanStream() ? SmoothedInput::GetBytesPerThread(header) : GetBytesOfSmoothedSlices(header);
+}
+
 PieceFootprint
 GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
@@ -73,6 +86,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   extraction.isObserved = true;
   extraction.observerBytesPerVoxel = Survey::WorkerBytesPerVoxel;
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
+  AddSmoothing(footprint, options, header);
   if (!options.meshFile.empty())
   {
     extraction.observerBytesPerVoxel +=
@@ -135,6 +149,7 @@ public:
   Run(JobClock::time_point start)
   {
     m_Run.Prepare();
+    m_Result.roughness = m_Run.GetInput().GetRoughness();
     for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
     {
       m_Result.sums += m_Run.Run(m_Result.plan.GetPiece(piece), m_Result.plan.GetNextPiece(piece));

@@ -46,7 +46,7 @@ OpenInput(const ExtractOptions & options, const JobResult & job)
     return std::make_unique<LabelMap>(
       job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.scratchFolder, job.plan.bytesToKeep);
   }
-  return OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep);
+  return OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep, GetSmoothing(options));
 }
 
 } // namespace

@@ -93,7 +93,8 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t mask = isMask && plan.scratchFolder.empty() ? plan.maskBytes : 0;
   const std::uint64_t writing = plan.writesBehind ? BytesOfWriting : 0;
-  return BytesOfProgram + BytesPerThread * plan.threads + writing + reading + decoding + mask + unpacking + resampling +
+  const std::uint64_t perThread = BytesPerThread + request.footprint.bytesPerThread;
+  return BytesOfProgram + perThread * plan.threads + writing + reading + decoding + mask + unpacking + resampling +
          request.footprint.bytesBeside;
 }
 

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "JobResult.h"
+
+#include "Text.h"
+
+namespace medialvoxel
+{
+
+bool
+IsSmoothed(const ExtractOptions & options, const JobResult & result)
+{
+  ExtractOptions known = options;
+  known.roughness = result.roughness;
+  return GetSmoothing(known) == Smoothing::On;
+}
+
+std::string
+DescribeSmoothing(const ExtractOptions & options, const JobResult & result)
+{
+  const std::string text = IsSmoothed(options, result) ? "yes" : "no";
+  return result.roughness ? text + ", roughness " + FormatFixed(100 * result.roughness->GetRatio(), 2) + " %" : text;
+}
+
+} // end namespace medialvoxel
