@@ -33,6 +33,9 @@ struct MedialVoxelSmoothingNumbers
   static constexpr std::int64_t ScaleOfTwo = 1 << 12;            ///< of B^2
   static constexpr std::int64_t Scale = std::int64_t{ 1 } << 24; ///< of B^4 and F
 
+  static constexpr std::int64_t RowsOfStrip = 32;
+  static constexpr std::int64_t SlicesOfStrip = 64;
+
   /** The voxels that F in \a box depends on. */
   static MedialVoxelBox
   GetInputBox(const MedialVoxelBox & box, const MedialVoxelBox & image)
@@ -49,6 +52,30 @@ struct MedialVoxelSmoothingNumbers
     return index < length ? index : period - 1 - index;
   }
 };
+
+/** \brief Call \a function(part) for strips of \a rows rows in a few slices of \a box, each of which is best read
+ * together with its margin: few voxels are in memory, and few are read twice.
+ * \ingroup MedialVoxel
+ */
+template <typename TFunction>
+void
+MedialVoxelForEachStrip(const MedialVoxelBox & box, const std::int64_t rows, TFunction && function)
+{
+  constexpr std::int64_t slices = MedialVoxelSmoothingNumbers::SlicesOfStrip;
+  for (std::int64_t z = box.lower[2]; z < box.upper[2]; z += slices)
+  {
+    for (std::int64_t y = box.lower[1]; y < box.upper[1];)
+    {
+      MedialVoxelBox part = box;
+      part.lower[1] = y;
+      part.lower[2] = z;
+      part.upper[1] = std::min((y / rows + 1) * rows, box.upper[1]);
+      part.upper[2] = std::min(z + slices, box.upper[2]);
+      function(part);
+      y = part.upper[1];
+    }
+  }
+}
 
 /** \class MedialVoxelMaskSmoothing
  * \brief The mask of a predicate is smoothed, and what is at least one half becomes object.

@@ -4,7 +4,6 @@
 
 #include "itkMultiThreaderBase.h"
 
-#include <algorithm>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -16,9 +15,6 @@ namespace
 {
 
 using Box = itk::MedialVoxelBox;
-
-/** Few, as they are in memory, but enough for all threads. */
-constexpr std::uint64_t LeastSlices = 16;
 
 /** \class PartRunner
  * \brief Does something for each of some parts, in threads when that is allowed. */
@@ -62,61 +58,22 @@ private:
   itk::MultiThreaderBase::Pointer m_Threader{ itk::MultiThreaderBase::New() };
 };
 
-/** Slices, or strips of rows that are read together. */
-std::vector<Box>
-Cut(const Box & box, std::int64_t rows)
-{
-  std::vector<Box>   parts;
-  const unsigned int axis = rows > 1 || box.Extent(2) == 1 ? 1 : 2;
-  const std::int64_t unit = axis == 1 ? std::max<std::int64_t>(rows, 32) : 1;
-  for (Box part = box; part.lower[axis] < box.upper[axis]; part.lower[axis] = part.upper[axis])
-  {
-    part.upper[axis] = std::min((part.lower[axis] / unit + 1) * unit, box.upper[axis]);
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-Box
-WithSlices(Box box, std::int64_t begin, std::int64_t end)
-{
-  box.lower[2] = begin;
-  box.upper[2] = end;
-  return box;
-}
-
 } // namespace
 
 itk::MedialVoxelRoughness
 MeasureRoughness(InputVolume & input, const Box & image, std::uint64_t slicesOfChunk, const ReadObserver & observer)
 {
-  const std::int64_t        end = image.upper[2];
-  const auto                step = static_cast<std::int64_t>(std::max(LeastSlices, slicesOfChunk));
-  const bool                isParallel = input.GetSourceThreads() == itk::MedialVoxelSourceThreads::Several;
-  PartRunner                runner;
-  itk::MedialVoxelBits      object;
-  itk::MedialVoxelRoughness roughness;
-  std::mutex                mutex;
-  // Slices are counted when the next one is there.
-  std::int64_t counted = 0;
-  for (std::int64_t z = 0; z < end; z += step)
-  {
-    observer(static_cast<double>(z) / static_cast<double>(end));
-    const Box read = WithSlices(image, z, std::min(z + step, end));
-    const Box window = WithSlices(image, std::max<std::int64_t>(counted - 1, 0), read.upper[2]);
-    object.Reframe(window, window);
-    runner.Run(Cut(read, input.GetRowsReadTogether()), isParallel, [&](const Box & part) {
-      input.Fill(part, { &object, nullptr, nullptr });
-    });
-    const Box ready = WithSlices(image, counted, read.upper[2] == end ? end : read.upper[2] - 1);
-    runner.Run(Cut(ready, 1), isParallel, [&](const Box & part) {
-      const itk::MedialVoxelRoughness   ofPart = itk::MedialVoxelMeasureRoughness(object, part, image);
-      const std::lock_guard<std::mutex> lock(mutex);
-      roughness += ofPart;
-    });
-    counted = ready.upper[2];
-  }
-  return roughness;
+  const bool                    isParallel = input.GetSourceThreads() == itk::MedialVoxelSourceThreads::Several;
+  PartRunner                    runner;
+  itk::MedialVoxelRoughnessPass pass;
+  pass.fill = [&input](const Box & box, itk::MedialVoxelBits & object) {
+    input.Fill(box, { &object, nullptr, nullptr });
+  };
+  pass.forEach = [&](const auto & boxes, const auto & work) { runner.Run(boxes, isParallel, work); };
+  pass.observe = observer;
+  pass.rows = input.GetRowsReadTogether();
+  pass.slices = static_cast<std::int64_t>(slicesOfChunk);
+  return itk::MedialVoxelMeasureRoughness(pass, image);
 }
 
 } // end namespace medialvoxel

@@ -19,17 +19,13 @@ namespace
 
 using Numbers = itk::MedialVoxelSmoothingNumbers;
 
-/** Voxels that are read together with a margin of their own: few in memory, with little of them read twice. */
-constexpr std::int64_t LeastRows = 32;
-constexpr std::int64_t MostSlices = 64;
-
 /** A multiple of the rows of chunks. */
 std::int64_t
 GetRowsOfStrip(const VolumeHeader & header)
 {
   const auto & chunks = header.GetStored().chunks;
   const auto   rows = chunks && !header.stored ? static_cast<std::int64_t>(chunks->size[1]) : 1;
-  return (LeastRows + rows - 1) / rows * rows;
+  return (Numbers::RowsOfStrip + rows - 1) / rows * rows;
 }
 
 itk::MedialVoxelBox
@@ -38,26 +34,6 @@ GetImage(const VolumeHeader & header)
   itk::MedialVoxelBox image{ {}, { { 1, 1, 1 } } };
   std::copy(header.geometry.size.begin(), header.geometry.size.end(), image.upper.begin());
   return image;
-}
-
-/** Calls function(part) for strips of rows in a few slices. */
-template <typename TFunction>
-void
-ForEachStrip(const itk::MedialVoxelBox & box, std::int64_t rows, TFunction && function)
-{
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; z += MostSlices)
-  {
-    for (std::int64_t y = box.lower[1]; y < box.upper[1];)
-    {
-      itk::MedialVoxelBox part = box;
-      part.lower[1] = y;
-      part.lower[2] = z;
-      part.upper[1] = std::min((y / rows + 1) * rows, box.upper[1]);
-      part.upper[2] = std::min(z + MostSlices, box.upper[2]);
-      function(part);
-      y = part.upper[1];
-    }
-  }
 }
 
 } // namespace
@@ -118,7 +94,7 @@ SmoothedInput::FillSmoothed(ValueReader &               reader,
   const itk::MedialVoxelBox               image = GetImage(this->GetHeader());
   itk::MedialVoxelSmoother<TValue, TRule> smoother(image, rule);
   std::vector<TValue>                     values;
-  ForEachStrip(box, GetRowsOfStrip(this->GetHeader()), [&](const itk::MedialVoxelBox & part) {
+  itk::MedialVoxelForEachStrip(box, GetRowsOfStrip(this->GetHeader()), [&](const itk::MedialVoxelBox & part) {
     itk::MedialVoxelPoll();
     const itk::MedialVoxelBox input = Numbers::GetInputBox(part, image);
     values.resize(static_cast<std::size_t>(input.NumberOfVoxels()));
@@ -136,7 +112,7 @@ SmoothedInput::GetBytesPerThread(const VolumeHeader & header)
   const itk::MedialVoxelBox image = GetImage(header);
   itk::MedialVoxelBox       strip = image;
   strip.upper[1] = std::min(image.upper[1], GetRowsOfStrip(header) + 2 * Numbers::Margin);
-  strip.upper[2] = std::min(image.upper[2], MostSlices + 2 * Numbers::Margin);
+  strip.upper[2] = std::min(image.upper[2], Numbers::SlicesOfStrip + 2 * Numbers::Margin);
   using LargestSmoother = itk::MedialVoxelSmoother<double, itk::MedialVoxelValueSmoothing<double>>;
   return static_cast<std::uint64_t>(strip.NumberOfVoxels()) * GetTraits(header.pixelType).bytes +
          LargestSmoother::GetBytes();
