@@ -84,7 +84,7 @@ class Runner:
         printed = json.loads(compare_peers.run_child(command, self.scratch, math.inf)[0])
         return read_voxels(output, numpy.float32, size), printed["call_cpu_seconds"], printed["version"]
 
-    def extract(self, volume, size, thickness):
+    def extract(self, volume, size, thickness, smoothing="off"):
         """Map and CPU seconds of the program."""
         import numpy
 
@@ -92,7 +92,7 @@ class Runner:
         command = [self.program, "extract", volume, labels, "--raw-size", ",".join(map(str, size)), "--raw-type", "uint8"]
         command += ["--thickness", thickness, "--thickness-map", walls, "--threads", 1, "--quiet", "--overwrite"]
         # All programs get the volume as it is.
-        command += ["--max-pore-size", 0]
+        command += ["--max-pore-size", 0, "--smooth", smoothing]
         measured = compare_peers.run_child(command, self.scratch, math.inf)[1]
         medial = read_voxels(labels, numpy.uint8, size) >= 2
         return numpy.where(medial, read_voxels(walls, numpy.float32, size), numpy.nan), measured["cpu_seconds"]
