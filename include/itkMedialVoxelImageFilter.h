@@ -8,6 +8,8 @@
 #include "itkImage.h"
 #include "itkVector.h"
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace itk
@@ -59,6 +61,15 @@ namespace itk
  * the measurement: walls parallel to an axis are exact, others to a layer of voxels. SubvoxelThicknessOn() measures on
  * the gray values at the thresholds, see MedialVoxelGrayThickness.
  *
+ * \par Objects
+ * SeparateObjectsOn() takes each value of a label map but 0 for an object of its own; SetObjectLabels() chooses some.
+ * The boundary of an object is every voxel that is not in it, so that objects that touch stay apart. The result is that
+ * of updates with one ObjectValue at a time, put together: a cell that is medial for several objects, or for none of
+ * those it belongs to, gets the smallest label. The output GetObjectOutput() has the label of the object of each cell.
+ * Numbers of voxels and cells are sums over the objects. Objects that are more than a reach apart
+ * (MedialVoxelObjectAdjacency) share a pass. An update reads all of the input once to find them, and holds 2 bytes more
+ * for each voxel of the requested region.
+ *
  * \par Departures from the paper
  * doc/explanation/method.md gives the reasons.
  * - The boundary consists of background voxels with an object voxel among their 3^D-1 neighbors. Background corners of
@@ -99,9 +110,12 @@ public:
   using InputImageType = TInputImage;
   using OutputImageType = TOutputImage;
   using OutputPixelType = typename OutputImageType::PixelType;
+  using InputPixelType = typename InputImageType::PixelType;
   using VectorImageType = Image<Vector<float, ImageDimension>, ImageDimension>;
 
   using ThicknessImageType = Image<float, ImageDimension>;
+  using ObjectImageType = Image<InputPixelType, ImageDimension>;
+  using ObjectLabelsType = std::vector<std::int64_t>;
 
   using ThicknessModeEnum = MedialVoxelEnums::ThicknessMode;
   using PseudoGeodesicBoundEnum = MedialVoxelEnums::PseudoGeodesicBound;
@@ -192,6 +206,55 @@ public:
   const ThicknessImageType *
   GetThicknessOutput() const;
 
+  /** Take each value of the input but 0 for an object of its own, and produce the object output. Values are whole
+   * numbers from -2^63 to 2^63 - 1, at most 65535 different ones. Default off. Not together with thresholds,
+   * ObjectValue, BackgroundValue, GenerateVectorDistance and SubvoxelThickness. */
+  virtual void
+  SetSeparateObjects(bool separate);
+  itkGetConstMacro(SeparateObjects, bool);
+  itkBooleanMacro(SeparateObjects);
+
+  /** Values that are objects of their own; setting them turns SeparateObjects on. None of them is 0, and some voxel has
+   * each. Empty (default): all values but 0. */
+  virtual void
+  SetObjectLabels(const ObjectLabelsType & labels);
+  itkGetConstReferenceMacro(ObjectLabels, ObjectLabelsType);
+
+  /** Label of the object of each cell; 0 where no corner of the cell is in an object. Null unless SeparateObjects is
+   * on.
+   */
+  ObjectImageType *
+  GetObjectOutput();
+  const ObjectImageType *
+  GetObjectOutput() const;
+
+  /** Labels of the objects that the last update with SeparateObjects found in the whole input, ascending. */
+  ObjectLabelsType
+  GetFoundLabels() const;
+
+  /** Passes over the input that these objects take; 1 without an object. */
+  SizeValueType
+  GetNumberOfPasses() const;
+
+  /** Number of cells that are medial for several objects; summed like the counts. */
+  SizeValueType
+  GetNumberOfSharedCells() const;
+
+  /** Number of voxels of the whole input with a label, before pores are filled. The label is one of GetFoundLabels().
+   */
+  SizeValueType
+  GetNumberOfVoxelsWithLabel(std::int64_t label) const;
+
+  /** Number of cells with a corner in the object with a label; summed like the counts. The label is one of
+   * GetFoundLabels(). */
+  SizeValueType
+  GetNumberOfCandidateCellsWithLabel(std::int64_t label) const;
+
+  /** Number of cells that are medial for the object with a label, shared ones too; summed like the counts. The label is
+   * one of GetFoundLabels(). */
+  SizeValueType
+  GetNumberOfMedialCellsWithLabel(std::int64_t label) const;
+
   /** Numbers of voxels and cells of the requested regions since the last UpdateOutputInformation() that was followed by
    * an execution. The pieces of a streamed update add up to the whole; an aborted execution adds nothing. */
   SizeValueType
@@ -259,8 +322,8 @@ public:
   MakeOutput(const ProcessObject::DataObjectIdentifierType & name) override;
 
 protected:
-  MedialVoxelImageFilter() = default;
-  ~MedialVoxelImageFilter() override = default;
+  MedialVoxelImageFilter();
+  ~MedialVoxelImageFilter() override;
 
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
@@ -277,9 +340,21 @@ protected:
   void
   TakeTile(const MedialVoxelTileResult & tile) override;
 
+  MedialVoxelSums
+  RunRegion(const MedialVoxelBox & region) override;
+
+  void
+  KeepSums(bool isNew) override;
+
+  const MedialVoxelObjectMap *
+  GetObjectMap() const override;
+
 private:
+  class Objects;
+
   static constexpr const char * VectorDistanceName = "VectorDistance";
   static constexpr const char * ThicknessName = "Thickness";
+  static constexpr const char * ObjectsName = "Objects";
 
   /** Create a named output when it is switched on, remove it when it is switched off. */
   void
@@ -287,6 +362,13 @@ private:
 
   MedialVoxelParameters
   GetParameters(const MedialVoxelGrid & grid) const;
+
+  void
+  VerifyObjectLabels() const;
+
+  /** Of an object that the last update found; throws for other labels. */
+  MedialVoxelObjectNumber
+  FindObjectNumber(std::int64_t label) const;
 
   ThicknessModeEnum       m_ThicknessMode{ ThicknessModeEnum::Fixed };
   double                  m_Thickness{ 3.0 };
@@ -299,6 +381,12 @@ private:
   BoundaryEnum            m_VectorDistanceBoundary{ BoundaryEnum::Object };
   bool                    m_GenerateThickness{ false };
   bool                    m_SubvoxelThickness{ false };
+  bool                    m_SeparateObjects{ false };
+  ObjectLabelsType        m_ObjectLabels; ///< ascending, each once
+
+  /** Of the input at a time. */
+  std::unique_ptr<Objects> m_Objects;
+  ModifiedTimeType         m_ObjectsMTime{ 0 };
 
   std::vector<MedialVoxelTileObserver *> m_TileObservers;
 };
@@ -307,6 +395,7 @@ private:
 
 #ifndef ITK_MANUAL_INSTANTIATION
 #  include "itkMedialVoxelImageFilter.hxx"
+#  include "itkMedialVoxelImageFilterObjects.hxx"
 #endif
 
 #endif

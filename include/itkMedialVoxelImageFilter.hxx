@@ -117,6 +117,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeOutput(const ProcessObjec
   {
     return ThicknessImageType::New().GetPointer();
   }
+  if (name == ObjectsName)
+  {
+    return ObjectImageType::New().GetPointer();
+  }
   return Superclass::MakeOutput(name);
 }
 
@@ -142,6 +146,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("MaximumPoreSize is " << this->GetMaximumPoreSize() << "; it must not exceed "
                                             << MedialVoxelParameters::LargestMaximumPoreSize << '.');
+  }
+  if (m_SeparateObjects)
+  {
+    this->VerifyObjectLabels();
   }
   if (m_SubvoxelThickness && !this->GetUseThresholds())
   {
@@ -175,6 +183,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   if (m_GenerateThickness)
   {
     this->GetThicknessOutput()->SetOrigin(output->GetOrigin());
+  }
+  if (m_SeparateObjects)
+  {
+    this->GetObjectOutput()->SetOrigin(output->GetOrigin());
   }
 }
 
@@ -213,6 +225,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
   MedialVoxelExtraction extraction;
   extraction.parameters = this->GetParameters(grid);
   extraction.measuresThickness = m_GenerateThickness;
+  if (m_SeparateObjects && m_GenerateThickness)
+  {
+    // Of a tile, until its cells have their objects.
+    extraction.observerBytesPerVoxel += sizeof(float);
+  }
   if (m_GenerateVectorDistance)
   {
     extraction.vectorBoundary = m_VectorDistanceBoundary;
@@ -232,6 +249,11 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTileResult & tile)
 {
+  if (m_SeparateObjects)
+  {
+    m_Objects->TakeTile(tile);
+    return;
+  }
   TOutputImage & labels = *this->GetOutput();
   tile.WriteLabels(this->FirstPixelOf(labels, tile.box), this->StridesOf(labels));
   if (m_GenerateThickness)
@@ -260,6 +282,15 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
   os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
+  os << indent << "SeparateObjects: " << (m_SeparateObjects ? "On" : "Off") << std::endl;
+  os << indent << "ObjectLabels:";
+  for (const std::int64_t label : m_ObjectLabels)
+  {
+    os << ' ' << label;
+  }
+  os << std::endl;
+  os << indent << "NumberOfPasses: " << this->GetNumberOfPasses() << std::endl;
+  os << indent << "NumberOfSharedCells: " << this->GetNumberOfSharedCells() << std::endl;
   os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
   os << indent << "NumberOfBoundaryVoxels: " << this->GetNumberOfBoundaryVoxels() << std::endl;
   os << indent << "NumberOfFilledVoxels: " << this->GetNumberOfFilledVoxels() << std::endl;

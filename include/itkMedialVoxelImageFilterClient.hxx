@@ -6,6 +6,7 @@
 #include "itkMedialVoxelImageFilterBase.h"
 
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelRows.h"
 #include "itkMultiThreaderBase.h"
 
 #include <exception>
@@ -20,9 +21,12 @@ template <typename TInputImage, typename TOutputImage>
 class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::Client : public MedialVoxelEngineClient
 {
 public:
-  explicit Client(Self & filter)
+  Client(Self & filter, const unsigned int run, const unsigned int numberOfRuns)
     : m_Filter(filter)
     , m_Predicate(filter.GetPredicate())
+    , m_Objects(filter.GetObjectMap())
+    , m_Run(run)
+    , m_NumberOfRuns(numberOfRuns)
   {}
 
   /** Pipelines run in the thread of the update; an image without one lies in memory for all to read. */
@@ -51,12 +55,9 @@ public:
   void
   FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray) override
   {
-    for (const MedialVoxelBox & part : CutForPull(box))
-    {
-      MedialVoxelPoll();
-      this->Pull(part);
-      MedialVoxelCopyBox(this->FirstPixelOf(part), this->Strides(), part, gray);
-    }
+    m_Filter.ForEachPart(box, [&](const MedialVoxelBox & part, const InputPixelType * const first) {
+      MedialVoxelCopyBox(first, this->Strides(), part, gray);
+    });
   }
 
   void
@@ -82,7 +83,7 @@ public:
   void
   UpdateProgress(const float fraction) override
   {
-    m_Filter.UpdateProgress(fraction);
+    m_Filter.UpdateProgress((static_cast<float>(m_Run) + fraction) / static_cast<float>(m_NumberOfRuns));
   }
 
   bool
@@ -94,9 +95,7 @@ public:
   std::exception_ptr
   GetAbortException() const override
   {
-    ProcessAborted exception(__FILE__, __LINE__);
-    exception.SetDescription("Filter execution was aborted by an external request");
-    return std::make_exception_ptr(exception);
+    return MakeAbortException();
   }
 
   static std::vector<MedialVoxelBox>
@@ -106,53 +105,42 @@ public:
   }
 
 private:
-  /** Have the pipeline produce a part of the input. */
-  void
-  Pull(const MedialVoxelBox & part)
-  {
-    auto * const               input = const_cast<InputImageType *>(m_Filter.GetInput());
-    const InputImageRegionType region = m_Filter.RegionOf(part);
-    if (this->GetSourceThreads() == MedialVoxelSourceThreads::Calling)
-    {
-      input->SetRequestedRegion(region);
-      input->PropagateRequestedRegion();
-      input->UpdateOutputData();
-    }
-    if (!input->GetBufferedRegion().IsInside(region))
-    {
-      itkGenericExceptionMacro("The input image holds " << input->GetBufferedRegion() << " but " << region
-                                                        << " is needed.");
-    }
-  }
-
   void
   Fill(const MedialVoxelBox &  box,
        MedialVoxelBits &       object,
        MedialVoxelBits * const notANumber,
        MedialVoxelGray * const gray)
   {
-    for (const MedialVoxelBox & part : CutForPull(box))
-    {
-      MedialVoxelPoll();
-      this->Pull(part);
-      const InputPixelType * const first = this->FirstPixelOf(part);
-      MedialVoxelPackBox(first, this->Strides(), part, m_Predicate, object);
-      if (notANumber != nullptr)
+    // Each run over the same region sees the same voxels, which count once.
+    MedialVoxelBits * const counted = m_Run == 0 ? notANumber : nullptr;
+    m_Filter.ForEachPart(box, [&](const MedialVoxelBox & part, const InputPixelType * const first) {
+      this->FillObjectOfPart(part, first, object);
+      if (counted != nullptr)
       {
         MedialVoxelPackBox(
-          first, this->Strides(), part, [](const InputPixelType value) { return value != value; }, *notANumber);
+          first, this->Strides(), part, [](const InputPixelType value) { return value != value; }, *counted);
       }
       if (gray != nullptr)
       {
         MedialVoxelCopyBox(first, this->Strides(), part, *gray);
       }
-    }
+    });
   }
 
-  const InputPixelType *
-  FirstPixelOf(const MedialVoxelBox & part) const
+  void
+  FillObjectOfPart(const MedialVoxelBox & part, const InputPixelType * const first, MedialVoxelBits & object) const
   {
-    return m_Filter.FirstPixelOf(*m_Filter.GetInput(), part);
+    if (m_Objects == nullptr)
+    {
+      MedialVoxelPackBox(first, this->Strides(), part, m_Predicate, object);
+      return;
+    }
+    std::vector<MedialVoxelObjectNumber> numbers(static_cast<std::size_t>(part.Extent(0)));
+    MedialVoxelForEachRow(part, this->Strides(), [&](const std::int64_t offset, const MedialVoxelBox & row) {
+      m_Objects->GetTable().Translate(first + offset, numbers.size(), numbers.data());
+      const auto isShown = [this](const MedialVoxelObjectNumber number) { return m_Objects->IsShown(number); };
+      MedialVoxelPackBox(numbers.data(), {}, row, isShown, object);
+    });
   }
 
   MedialVoxelStrides
@@ -161,8 +149,11 @@ private:
     return Self::StridesOf(*m_Filter.GetInput());
   }
 
-  Self &        m_Filter;
-  PredicateType m_Predicate;
+  Self &                       m_Filter;
+  PredicateType                m_Predicate;
+  const MedialVoxelObjectMap * m_Objects;
+  unsigned int                 m_Run;
+  unsigned int                 m_NumberOfRuns;
 };
 
 } // end namespace itk
