@@ -44,6 +44,11 @@ namespace itk
  * MaximumThickness then become one sheet each, without branches. A larger MinimumThickness or MaximumThickness never
  * adds medial cells.
  *
+ * \par Smoothing
+ * With the Smoothing On, the values are smoothed before they are compared with the threshold. When there are two
+ * thresholds, an ObjectValue or none of them, the mask is. Walls from 2 voxels on and edges stay in place;
+ * MedialVoxelSmoothingNumbers has the definition. Automatic smooths when the object is rough.
+ *
  * \par Pores and dust
  * With MaximumPoreSize K, each connected component of the background of at most K voxels becomes object first. Then
  * each component of the object of at most K voxels becomes background. Everything else refers to this object. Voxels
@@ -118,6 +123,7 @@ public:
   using ObjectLabelsType = std::vector<std::int64_t>;
 
   using ThicknessModeEnum = MedialVoxelEnums::ThicknessMode;
+  using SmoothingEnum = MedialVoxelEnums::Smoothing;
   using PseudoGeodesicBoundEnum = MedialVoxelEnums::PseudoGeodesicBound;
   using BoundaryEnum = MedialVoxelEnums::Boundary;
 
@@ -164,6 +170,31 @@ public:
   /** Return to the default. */
   virtual void
   UnsetMaximumPoreSize();
+
+  /** Smooth noise of the object away, before pores and dust are looked for. Until a value is set it is Automatic when
+   * ThicknessMode is Automatic, and Off when it is Fixed or SeparateObjects is on. Automatic reads all of the input
+   * once more. SubvoxelThickness measures the values that are not smoothed. */
+  virtual void
+  SetSmoothing(SmoothingEnum smoothing);
+  SmoothingEnum
+  GetSmoothing() const;
+  virtual void
+  UnsetSmoothing();
+
+  /** True when the last update smoothed the object. */
+  bool
+  GetObjectIsSmoothed() const
+  {
+    return m_SmoothsObject;
+  }
+
+  /** Share of the voxels at the border of the object that stand alone, from 0 to 1, when the last update measured it
+   * for the Automatic smoothing; otherwise 0. See MedialVoxelRoughness. */
+  double
+  GetRoughness() const
+  {
+    return m_Roughness.GetRatio();
+  }
 
   /** Bound that decides cells without a search. Default FreeSpace. */
   itkSetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
@@ -349,6 +380,12 @@ protected:
   const MedialVoxelObjectMap *
   GetObjectMap() const override;
 
+  bool
+  SmoothsObject() const override
+  {
+    return m_SmoothsObject;
+  }
+
 private:
   class Objects;
 
@@ -366,6 +403,14 @@ private:
   void
   VerifyObjectLabels() const;
 
+  /** Decide whether the object is smoothed, once for each change of the input. */
+  void
+  PrepareSmoothing();
+
+  /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not tell. */
+  ModifiedTimeType
+  GetPixelMTime() const;
+
   /** Of an object that the last update found; throws for other labels. */
   MedialVoxelObjectNumber
   FindObjectNumber(std::int64_t label) const;
@@ -382,6 +427,11 @@ private:
   bool                    m_GenerateThickness{ false };
   bool                    m_SubvoxelThickness{ false };
   bool                    m_SeparateObjects{ false };
+  bool                    m_HasSmoothing{ false };
+  SmoothingEnum           m_Smoothing{ SmoothingEnum::Off };
+  bool                    m_SmoothsObject{ false };
+  MedialVoxelRoughness    m_Roughness;
+  ModifiedTimeType        m_RoughnessMTime{ 0 };
   ObjectLabelsType        m_ObjectLabels; ///< ascending, each once
 
   /** Of the input at a time. */

@@ -45,6 +45,70 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::UnsetMaximumPoreSize()
 
 template <typename TInputImage, typename TOutputImage>
 void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetSmoothing(const SmoothingEnum smoothing)
+{
+  if (!m_HasSmoothing || m_Smoothing != smoothing)
+  {
+    m_HasSmoothing = true;
+    m_Smoothing = smoothing;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetSmoothing() const -> SmoothingEnum
+{
+  if (m_HasSmoothing)
+  {
+    return m_Smoothing;
+  }
+  const bool isAutomatic = m_ThicknessMode == ThicknessModeEnum::Automatic && !m_SeparateObjects;
+  return isAutomatic ? SmoothingEnum::Automatic : SmoothingEnum::Off;
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::UnsetSmoothing()
+{
+  if (m_HasSmoothing)
+  {
+    m_HasSmoothing = false;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareSmoothing()
+{
+  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
+  if (m_RoughnessMTime == modifiedTime)
+  {
+    return;
+  }
+  m_RoughnessMTime = 0;
+  m_SmoothsObject = false;
+  m_Roughness = {};
+  if (this->GetSmoothing() == SmoothingEnum::Automatic)
+  {
+    m_Roughness = this->MeasureRoughness();
+  }
+  m_SmoothsObject = this->GetSmoothing() == SmoothingEnum::On || m_Roughness.NeedsSmoothing();
+  m_RoughnessMTime = modifiedTime;
+}
+
+template <typename TInputImage, typename TOutputImage>
+ModifiedTimeType
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetPixelMTime() const
+{
+  const auto * const     input = this->GetInput();
+  const ModifiedTimeType inputMTime = input->GetSource() == nullptr ? input->GetMTime() : 0;
+  return std::max(this->GetWindowMTime(), inputMTime);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateVectorDistance(const bool generate)
 {
   this->SwitchOutput(m_GenerateVectorDistance, generate, VectorDistanceName);
@@ -277,6 +341,9 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "MinimumThickness: " << m_MinimumThickness << std::endl;
   os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
   os << indent << "MaximumPoreSize: " << this->GetMaximumPoreSize() << std::endl;
+  os << indent << "Smoothing: " << this->GetSmoothing() << std::endl;
+  os << indent << "ObjectIsSmoothed: " << (m_SmoothsObject ? "Yes" : "No") << std::endl;
+  os << indent << "Roughness: " << this->GetRoughness() << std::endl;
   os << indent << "PseudoGeodesicBound: " << m_PseudoGeodesicBound << std::endl;
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;

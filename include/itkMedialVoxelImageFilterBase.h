@@ -7,6 +7,7 @@
 #include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelRoughness.h"
 
 #include "itkImageToImageFilter.h"
 
@@ -252,6 +253,14 @@ protected:
   {
     m_Engine.reset();
   }
+
+  /** True when the object is that of smoothed values; false by default. */
+  virtual bool
+  SmoothsObject() const;
+
+  /** Read all of the input once. SmoothsObject() is false meanwhile. */
+  MedialVoxelRoughness
+  MeasureRoughness();
 
   /** The objects of the input, of which those that it shows are object; null, the default: values define one object. */
   virtual const MedialVoxelObjectMap *

@@ -265,6 +265,34 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::RunEngine(const MedialVox
 }
 
 template <typename TInputImage, typename TOutputImage>
+bool
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SmoothsObject() const
+{
+  return false;
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelRoughness
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MeasureRoughness()
+{
+  Client                   client(*this, 0, 1);
+  MedialVoxelRoughnessPass pass;
+  pass.fill = [&client](const MedialVoxelBox & box, MedialVoxelBits & object) {
+    client.FillObject(box, object, nullptr);
+  };
+  pass.forEach = [](const MedialVoxelRoughnessPass::Boxes & boxes, const MedialVoxelRoughnessPass::Work & work) {
+    std::for_each(boxes.begin(), boxes.end(), work);
+  };
+  pass.observe = [&client](double) {
+    if (client.IsAbortRequested())
+    {
+      std::rethrow_exception(client.GetAbortException());
+    }
+  };
+  return MedialVoxelMeasureRoughness(pass, this->GetGrid().GetVoxelBox());
+}
+
+template <typename TInputImage, typename TOutputImage>
 const MedialVoxelObjectMap *
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetObjectMap() const
 {

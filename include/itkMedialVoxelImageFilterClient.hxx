@@ -7,10 +7,12 @@
 
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelRows.h"
+#include "itkMedialVoxelSmoothing.h"
 #include "itkMultiThreaderBase.h"
 
 #include <exception>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace itk
@@ -24,6 +26,7 @@ public:
   Client(Self & filter, const unsigned int run, const unsigned int numberOfRuns)
     : m_Filter(filter)
     , m_Predicate(filter.GetPredicate())
+    , m_IsSmoothed(filter.SmoothsObject())
     , m_Objects(filter.GetObjectMap())
     , m_Run(run)
     , m_NumberOfRuns(numberOfRuns)
@@ -35,6 +38,12 @@ public:
   {
     return m_Filter.GetInput()->GetSource() == nullptr ? MedialVoxelSourceThreads::Several
                                                        : MedialVoxelSourceThreads::Calling;
+  }
+
+  std::int64_t
+  GetRowsReadTogether() const override
+  {
+    return m_IsSmoothed ? MedialVoxelSmoothingNumbers::RowsOfStrip : 1;
   }
 
   void
@@ -113,18 +122,54 @@ private:
   {
     // Each run over the same region sees the same voxels, which count once.
     MedialVoxelBits * const counted = m_Run == 0 ? notANumber : nullptr;
+    if (m_IsSmoothed)
+    {
+      this->FillSmoothed(box, object, counted, gray);
+      return;
+    }
     m_Filter.ForEachPart(box, [&](const MedialVoxelBox & part, const InputPixelType * const first) {
       this->FillObjectOfPart(part, first, object);
-      if (counted != nullptr)
-      {
-        MedialVoxelPackBox(
-          first, this->Strides(), part, [](const InputPixelType value) { return value != value; }, *counted);
-      }
-      if (gray != nullptr)
-      {
-        MedialVoxelCopyBox(first, this->Strides(), part, *gray);
-      }
+      this->FillValuesOfPart(part, first, counted, gray);
     });
+  }
+
+  /** Each strip of the box is pulled with its margin. */
+  void
+  FillSmoothed(const MedialVoxelBox &  box,
+               MedialVoxelBits &       object,
+               MedialVoxelBits * const notANumber,
+               MedialVoxelGray * const gray)
+  {
+    const InputImageType & input = *m_Filter.GetInput();
+    const MedialVoxelBox   image = m_Filter.GetGrid().GetVoxelBox();
+    const auto             fill = [&](const auto & rule) {
+      MedialVoxelSmoother<InputPixelType, std::decay_t<decltype(rule)>> smoother(image, rule);
+      MedialVoxelForEachStrip(box, MedialVoxelSmoothingNumbers::RowsOfStrip, [&](const MedialVoxelBox & part) {
+        MedialVoxelPoll();
+        const MedialVoxelBox margin = MedialVoxelSmoothingNumbers::GetInputBox(part, image);
+        m_Filter.Pull(margin);
+        smoother.Run(m_Filter.FirstPixelOf(input, margin), this->Strides(), part, object);
+        this->FillValuesOfPart(part, m_Filter.FirstPixelOf(input, part), notANumber, gray);
+      });
+    };
+    MedialVoxelWithSmoothingRule(m_Predicate, m_Filter.m_LowerThreshold, m_Filter.m_UpperThreshold, fill);
+  }
+
+  void
+  FillValuesOfPart(const MedialVoxelBox &       part,
+                   const InputPixelType * const first,
+                   MedialVoxelBits * const      notANumber,
+                   MedialVoxelGray * const      gray) const
+  {
+    if (notANumber != nullptr)
+    {
+      const auto isNotANumber = [](const InputPixelType value) { return value != value; };
+      MedialVoxelPackBox(first, this->Strides(), part, isNotANumber, *notANumber);
+    }
+    if (gray != nullptr)
+    {
+      MedialVoxelCopyBox(first, this->Strides(), part, *gray);
+    }
   }
 
   void
@@ -151,6 +196,7 @@ private:
 
   Self &                       m_Filter;
   PredicateType                m_Predicate;
+  bool                         m_IsSmoothed;
   const MedialVoxelObjectMap * m_Objects;
   unsigned int                 m_Run;
   unsigned int                 m_NumberOfRuns;

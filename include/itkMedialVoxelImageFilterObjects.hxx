@@ -375,6 +375,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyObjectLabels() const
       "SeparateObjects is on: each value but 0 is an object; LowerThreshold, UpperThreshold, ObjectValue "
       "and BackgroundValue must not be set.");
   }
+  if (this->GetSmoothing() != SmoothingEnum::Off)
+  {
+    itkExceptionMacro("SeparateObjects is on: objects are not smoothed; Smoothing must be Off or unset.");
+  }
   if (m_GenerateVectorDistance || !m_TileObservers.empty())
   {
     itkExceptionMacro("SeparateObjects is on: vectors and tile observers are for one object; set ObjectValue instead.");
@@ -396,14 +400,12 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelSums
 MedialVoxelImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBox & region)
 {
+  this->PrepareSmoothing();
   if (!m_SeparateObjects)
   {
     return Superclass::RunRegion(region);
   }
-  // The pipeline time does not tell when an image without a source was changed.
-  const auto * const     input = this->GetInput();
-  const ModifiedTimeType inputMTime = input->GetSource() == nullptr ? input->GetMTime() : 0;
-  const ModifiedTimeType modifiedTime = std::max(this->GetWindowMTime(), inputMTime);
+  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
   if (!m_Objects || m_ObjectsMTime != modifiedTime)
   {
     m_Objects.reset();
