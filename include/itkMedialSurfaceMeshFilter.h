@@ -80,6 +80,7 @@ public:
   static_assert(InputImageType::ImageDimension == 3 && OutputMeshType::PointDimension == 3, "Surfaces are in 3-D.");
 
   using ThicknessModeEnum = MedialVoxelEnums::ThicknessMode;
+  using SmoothingEnum = MedialVoxelEnums::Smoothing;
 
   /** Whether Thickness holds everywhere (Fixed, default) or the walls set it themselves (Automatic), within
    * MinimumThickness and MaximumThickness, as in MedialVoxelImageFilter. */
@@ -110,6 +111,14 @@ public:
   GetMaximumPoreSize() const;
   void
   UnsetMaximumPoreSize();
+
+  /** Smooth noise of the object away, as in MedialVoxelImageFilter. */
+  void
+  SetSmoothing(SmoothingEnum smoothing);
+  SmoothingEnum
+  GetSmoothing() const;
+  void
+  UnsetSmoothing();
 
   /** Value of the background as long as no threshold is set. Default 0. */
   void

@@ -70,6 +70,27 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetMaximumThickness() const
 
 template <typename TInputImage, typename TOutputMesh>
 void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetSmoothing(const SmoothingEnum smoothing)
+{
+  this->Change([=](LabelFilterType & filter) { filter.SetSmoothing(smoothing); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+auto
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSmoothing() const -> SmoothingEnum
+{
+  return m_LabelFilter->GetSmoothing();
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::UnsetSmoothing()
+{
+  this->Change([](LabelFilterType & filter) { filter.UnsetSmoothing(); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetMaximumPoreSize(const SizeValueType numberOfVoxels)
 {
   this->Change([=](LabelFilterType & filter) { filter.SetMaximumPoreSize(numberOfVoxels); });

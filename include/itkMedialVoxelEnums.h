@@ -66,12 +66,27 @@ public:
     Fixed = 0,
     Automatic = 1
   };
+
+  /** \class Smoothing
+   * \ingroup MedialVoxel
+   * Whether noise of the object is smoothed away.
+   *
+   * Off: never.
+   * On: always.
+   * Automatic: where the object is rough, see MedialVoxelRoughness. */
+  enum class Smoothing : std::uint8_t
+  {
+    Off = 0,
+    On = 1,
+    Automatic = 2
+  };
 };
 
 using MedialVoxelPseudoGeodesicBound = MedialVoxelEnums::PseudoGeodesicBound;
 using MedialVoxelBoundary = MedialVoxelEnums::Boundary;
 using MedialVoxelRegion = MedialVoxelEnums::Region;
 using MedialVoxelThicknessMode = MedialVoxelEnums::ThicknessMode;
+using MedialVoxelSmoothing = MedialVoxelEnums::Smoothing;
 
 /** Print the name of an enumerator. */
 extern MedialVoxel_EXPORT std::ostream &
@@ -82,6 +97,8 @@ extern MedialVoxel_EXPORT std::ostream &
                           operator<<(std::ostream & out, MedialVoxelEnums::Region value);
 extern MedialVoxel_EXPORT std::ostream &
                           operator<<(std::ostream & out, MedialVoxelEnums::ThicknessMode value);
+extern MedialVoxel_EXPORT std::ostream &
+                          operator<<(std::ostream & out, MedialVoxelEnums::Smoothing value);
 
 } // end namespace itk
 

@@ -8,6 +8,8 @@
 #include "itkImage.h"
 #include "itkVector.h"
 
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace itk
@@ -42,6 +44,11 @@ namespace itk
  * MaximumThickness then become one sheet each, without branches. A larger MinimumThickness or MaximumThickness never
  * adds medial cells.
  *
+ * \par Smoothing
+ * With the Smoothing On, the values are smoothed before they are compared with the threshold. When there are two
+ * thresholds, an ObjectValue or none of them, the mask is. Walls from 2 voxels on and edges stay in place;
+ * MedialVoxelSmoothingNumbers has the definition. Automatic smooths when the object is rough.
+ *
  * \par Pores and dust
  * With MaximumPoreSize K, each connected component of the background of at most K voxels becomes object first. Then
  * each component of the object of at most K voxels becomes background. Everything else refers to this object. Voxels
@@ -58,6 +65,15 @@ namespace itk
  * negative of the measured value, zero elsewhere. Its geometry is that of the labels. MedialVoxelThickness describes
  * the measurement: walls parallel to an axis are exact, others to a layer of voxels. SubvoxelThicknessOn() measures on
  * the gray values at the thresholds, see MedialVoxelGrayThickness.
+ *
+ * \par Objects
+ * SeparateObjectsOn() takes each value of a label map but 0 for an object of its own; SetObjectLabels() chooses some.
+ * The boundary of an object is every voxel that is not in it, so that objects that touch stay apart. The result is that
+ * of updates with one ObjectValue at a time, put together: a cell that is medial for several objects, or for none of
+ * those it belongs to, gets the smallest label. The output GetObjectOutput() has the label of the object of each cell.
+ * Numbers of voxels and cells are sums over the objects. Objects that are more than a reach apart
+ * (MedialVoxelObjectAdjacency) share a pass. An update reads all of the input once to find them, and holds 2 bytes more
+ * for each voxel of the requested region.
  *
  * \par Departures from the paper
  * doc/explanation/method.md gives the reasons.
@@ -99,11 +115,15 @@ public:
   using InputImageType = TInputImage;
   using OutputImageType = TOutputImage;
   using OutputPixelType = typename OutputImageType::PixelType;
+  using InputPixelType = typename InputImageType::PixelType;
   using VectorImageType = Image<Vector<float, ImageDimension>, ImageDimension>;
 
   using ThicknessImageType = Image<float, ImageDimension>;
+  using ObjectImageType = Image<InputPixelType, ImageDimension>;
+  using ObjectLabelsType = std::vector<std::int64_t>;
 
   using ThicknessModeEnum = MedialVoxelEnums::ThicknessMode;
+  using SmoothingEnum = MedialVoxelEnums::Smoothing;
   using PseudoGeodesicBoundEnum = MedialVoxelEnums::PseudoGeodesicBound;
   using BoundaryEnum = MedialVoxelEnums::Boundary;
 
@@ -151,6 +171,31 @@ public:
   virtual void
   UnsetMaximumPoreSize();
 
+  /** Smooth noise of the object away, before pores and dust are looked for. Until a value is set it is Automatic when
+   * ThicknessMode is Automatic, and Off when it is Fixed or SeparateObjects is on. Automatic reads all of the input
+   * once more. SubvoxelThickness measures the values that are not smoothed. */
+  virtual void
+  SetSmoothing(SmoothingEnum smoothing);
+  SmoothingEnum
+  GetSmoothing() const;
+  virtual void
+  UnsetSmoothing();
+
+  /** True when the last update smoothed the object. */
+  bool
+  GetObjectIsSmoothed() const
+  {
+    return m_SmoothsObject;
+  }
+
+  /** Share of the voxels at the border of the object that stand alone, from 0 to 1, when the last update measured it
+   * for the Automatic smoothing; otherwise 0. See MedialVoxelRoughness. */
+  double
+  GetRoughness() const
+  {
+    return m_Roughness.GetRatio();
+  }
+
   /** Bound that decides cells without a search. Default FreeSpace. */
   itkSetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
   itkGetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
@@ -191,6 +236,55 @@ public:
   GetThicknessOutput();
   const ThicknessImageType *
   GetThicknessOutput() const;
+
+  /** Take each value of the input but 0 for an object of its own, and produce the object output. Values are whole
+   * numbers from -2^63 to 2^63 - 1, at most 65535 different ones. Default off. Not together with thresholds,
+   * ObjectValue, BackgroundValue, GenerateVectorDistance and SubvoxelThickness. */
+  virtual void
+  SetSeparateObjects(bool separate);
+  itkGetConstMacro(SeparateObjects, bool);
+  itkBooleanMacro(SeparateObjects);
+
+  /** Values that are objects of their own; setting them turns SeparateObjects on. None of them is 0, and some voxel has
+   * each. Empty (default): all values but 0. */
+  virtual void
+  SetObjectLabels(const ObjectLabelsType & labels);
+  itkGetConstReferenceMacro(ObjectLabels, ObjectLabelsType);
+
+  /** Label of the object of each cell; 0 where no corner of the cell is in an object. Null unless SeparateObjects is
+   * on.
+   */
+  ObjectImageType *
+  GetObjectOutput();
+  const ObjectImageType *
+  GetObjectOutput() const;
+
+  /** Labels of the objects that the last update with SeparateObjects found in the whole input, ascending. */
+  ObjectLabelsType
+  GetFoundLabels() const;
+
+  /** Passes over the input that these objects take; 1 without an object. */
+  SizeValueType
+  GetNumberOfPasses() const;
+
+  /** Number of cells that are medial for several objects; summed like the counts. */
+  SizeValueType
+  GetNumberOfSharedCells() const;
+
+  /** Number of voxels of the whole input with a label, before pores are filled. The label is one of GetFoundLabels().
+   */
+  SizeValueType
+  GetNumberOfVoxelsWithLabel(std::int64_t label) const;
+
+  /** Number of cells with a corner in the object with a label; summed like the counts. The label is one of
+   * GetFoundLabels(). */
+  SizeValueType
+  GetNumberOfCandidateCellsWithLabel(std::int64_t label) const;
+
+  /** Number of cells that are medial for the object with a label, shared ones too; summed like the counts. The label is
+   * one of GetFoundLabels(). */
+  SizeValueType
+  GetNumberOfMedialCellsWithLabel(std::int64_t label) const;
 
   /** Numbers of voxels and cells of the requested regions since the last UpdateOutputInformation() that was followed by
    * an execution. The pieces of a streamed update add up to the whole; an aborted execution adds nothing. */
@@ -259,8 +353,8 @@ public:
   MakeOutput(const ProcessObject::DataObjectIdentifierType & name) override;
 
 protected:
-  MedialVoxelImageFilter() = default;
-  ~MedialVoxelImageFilter() override = default;
+  MedialVoxelImageFilter();
+  ~MedialVoxelImageFilter() override;
 
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
@@ -277,9 +371,27 @@ protected:
   void
   TakeTile(const MedialVoxelTileResult & tile) override;
 
+  MedialVoxelSums
+  RunRegion(const MedialVoxelBox & region) override;
+
+  void
+  KeepSums(bool isNew) override;
+
+  const MedialVoxelObjectMap *
+  GetObjectMap() const override;
+
+  bool
+  SmoothsObject() const override
+  {
+    return m_SmoothsObject;
+  }
+
 private:
+  class Objects;
+
   static constexpr const char * VectorDistanceName = "VectorDistance";
   static constexpr const char * ThicknessName = "Thickness";
+  static constexpr const char * ObjectsName = "Objects";
 
   /** Create a named output when it is switched on, remove it when it is switched off. */
   void
@@ -287,6 +399,21 @@ private:
 
   MedialVoxelParameters
   GetParameters(const MedialVoxelGrid & grid) const;
+
+  void
+  VerifyObjectLabels() const;
+
+  /** Decide whether the object is smoothed, once for each change of the input. */
+  void
+  PrepareSmoothing();
+
+  /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not tell. */
+  ModifiedTimeType
+  GetPixelMTime() const;
+
+  /** Of an object that the last update found; throws for other labels. */
+  MedialVoxelObjectNumber
+  FindObjectNumber(std::int64_t label) const;
 
   ThicknessModeEnum       m_ThicknessMode{ ThicknessModeEnum::Fixed };
   double                  m_Thickness{ 3.0 };
@@ -299,6 +426,17 @@ private:
   BoundaryEnum            m_VectorDistanceBoundary{ BoundaryEnum::Object };
   bool                    m_GenerateThickness{ false };
   bool                    m_SubvoxelThickness{ false };
+  bool                    m_SeparateObjects{ false };
+  bool                    m_HasSmoothing{ false };
+  SmoothingEnum           m_Smoothing{ SmoothingEnum::Off };
+  bool                    m_SmoothsObject{ false };
+  MedialVoxelRoughness    m_Roughness;
+  ModifiedTimeType        m_RoughnessMTime{ 0 };
+  ObjectLabelsType        m_ObjectLabels; ///< ascending, each once
+
+  /** Of the input at a time. */
+  std::unique_ptr<Objects> m_Objects;
+  ModifiedTimeType         m_ObjectsMTime{ 0 };
 
   std::vector<MedialVoxelTileObserver *> m_TileObservers;
 };
@@ -307,6 +445,7 @@ private:
 
 #ifndef ITK_MANUAL_INSTANTIATION
 #  include "itkMedialVoxelImageFilter.hxx"
+#  include "itkMedialVoxelImageFilterObjects.hxx"
 #endif
 
 #endif

@@ -45,6 +45,70 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::UnsetMaximumPoreSize()
 
 template <typename TInputImage, typename TOutputImage>
 void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetSmoothing(const SmoothingEnum smoothing)
+{
+  if (!m_HasSmoothing || m_Smoothing != smoothing)
+  {
+    m_HasSmoothing = true;
+    m_Smoothing = smoothing;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetSmoothing() const -> SmoothingEnum
+{
+  if (m_HasSmoothing)
+  {
+    return m_Smoothing;
+  }
+  const bool isAutomatic = m_ThicknessMode == ThicknessModeEnum::Automatic && !m_SeparateObjects;
+  return isAutomatic ? SmoothingEnum::Automatic : SmoothingEnum::Off;
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::UnsetSmoothing()
+{
+  if (m_HasSmoothing)
+  {
+    m_HasSmoothing = false;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareSmoothing()
+{
+  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
+  if (m_RoughnessMTime == modifiedTime)
+  {
+    return;
+  }
+  m_RoughnessMTime = 0;
+  m_SmoothsObject = false;
+  m_Roughness = {};
+  if (this->GetSmoothing() == SmoothingEnum::Automatic)
+  {
+    m_Roughness = this->MeasureRoughness();
+  }
+  m_SmoothsObject = this->GetSmoothing() == SmoothingEnum::On || m_Roughness.NeedsSmoothing();
+  m_RoughnessMTime = modifiedTime;
+}
+
+template <typename TInputImage, typename TOutputImage>
+ModifiedTimeType
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetPixelMTime() const
+{
+  const auto * const     input = this->GetInput();
+  const ModifiedTimeType inputMTime = input->GetSource() == nullptr ? input->GetMTime() : 0;
+  return std::max(this->GetWindowMTime(), inputMTime);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateVectorDistance(const bool generate)
 {
   this->SwitchOutput(m_GenerateVectorDistance, generate, VectorDistanceName);
@@ -117,6 +181,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeOutput(const ProcessObjec
   {
     return ThicknessImageType::New().GetPointer();
   }
+  if (name == ObjectsName)
+  {
+    return ObjectImageType::New().GetPointer();
+  }
   return Superclass::MakeOutput(name);
 }
 
@@ -142,6 +210,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("MaximumPoreSize is " << this->GetMaximumPoreSize() << "; it must not exceed "
                                             << MedialVoxelParameters::LargestMaximumPoreSize << '.');
+  }
+  if (m_SeparateObjects)
+  {
+    this->VerifyObjectLabels();
   }
   if (m_SubvoxelThickness && !this->GetUseThresholds())
   {
@@ -175,6 +247,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   if (m_GenerateThickness)
   {
     this->GetThicknessOutput()->SetOrigin(output->GetOrigin());
+  }
+  if (m_SeparateObjects)
+  {
+    this->GetObjectOutput()->SetOrigin(output->GetOrigin());
   }
 }
 
@@ -213,6 +289,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
   MedialVoxelExtraction extraction;
   extraction.parameters = this->GetParameters(grid);
   extraction.measuresThickness = m_GenerateThickness;
+  if (m_SeparateObjects && m_GenerateThickness)
+  {
+    // Of a tile, until its cells have their objects.
+    extraction.observerBytesPerVoxel += sizeof(float);
+  }
   if (m_GenerateVectorDistance)
   {
     extraction.vectorBoundary = m_VectorDistanceBoundary;
@@ -232,6 +313,11 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTileResult & tile)
 {
+  if (m_SeparateObjects)
+  {
+    m_Objects->TakeTile(tile);
+    return;
+  }
   TOutputImage & labels = *this->GetOutput();
   tile.WriteLabels(this->FirstPixelOf(labels, tile.box), this->StridesOf(labels));
   if (m_GenerateThickness)
@@ -255,11 +341,23 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "MinimumThickness: " << m_MinimumThickness << std::endl;
   os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
   os << indent << "MaximumPoreSize: " << this->GetMaximumPoreSize() << std::endl;
+  os << indent << "Smoothing: " << this->GetSmoothing() << std::endl;
+  os << indent << "ObjectIsSmoothed: " << (m_SmoothsObject ? "Yes" : "No") << std::endl;
+  os << indent << "Roughness: " << this->GetRoughness() << std::endl;
   os << indent << "PseudoGeodesicBound: " << m_PseudoGeodesicBound << std::endl;
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
   os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
+  os << indent << "SeparateObjects: " << (m_SeparateObjects ? "On" : "Off") << std::endl;
+  os << indent << "ObjectLabels:";
+  for (const std::int64_t label : m_ObjectLabels)
+  {
+    os << ' ' << label;
+  }
+  os << std::endl;
+  os << indent << "NumberOfPasses: " << this->GetNumberOfPasses() << std::endl;
+  os << indent << "NumberOfSharedCells: " << this->GetNumberOfSharedCells() << std::endl;
   os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
   os << indent << "NumberOfBoundaryVoxels: " << this->GetNumberOfBoundaryVoxels() << std::endl;
   os << indent << "NumberOfFilledVoxels: " << this->GetNumberOfFilledVoxels() << std::endl;

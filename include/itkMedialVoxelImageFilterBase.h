@@ -5,11 +5,14 @@
 
 #include "itkMedialVoxelEngine.h"
 #include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelRoughness.h"
 
 #include "itkImageToImageFilter.h"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <memory>
 #include <type_traits>
@@ -231,6 +234,52 @@ protected:
   virtual void
   TakeTile(const MedialVoxelTileResult & tile) = 0;
 
+  /** Process \a region; what was found up to an exception does not count. Runs the engine once, unless the derived
+   * class needs more. */
+  virtual MedialVoxelSums
+  RunRegion(const MedialVoxelBox & region);
+
+  /** Count what the last RunRegion() found; \a isNew when sums begin again. Does nothing by default. */
+  virtual void
+  KeepSums(bool isNew);
+
+  /** Run the engine over \a region. Tells the progress of the run \a run of \a numberOfRuns over the same region. */
+  MedialVoxelSums
+  RunEngine(const MedialVoxelBox & region, unsigned int run = 0, unsigned int numberOfRuns = 1);
+
+  /** Forget the window, because the object changes. */
+  void
+  DropWindow()
+  {
+    m_Engine.reset();
+  }
+
+  /** True when the object is that of smoothed values; false by default. */
+  virtual bool
+  SmoothsObject() const;
+
+  /** Read all of the input once. SmoothsObject() is false meanwhile. */
+  MedialVoxelRoughness
+  MeasureRoughness();
+
+  /** The objects of the input, of which those that it shows are object; null, the default: values define one object. */
+  virtual const MedialVoxelObjectMap *
+  GetObjectMap() const;
+
+  /** Have the pipeline produce \a box part by part, in the order of the voxels, and call function(part, first pixel).
+   */
+  template <typename TFunction>
+  void
+  ForEachPart(const MedialVoxelBox & box, TFunction && function);
+
+  /** What ends an execution that is aborted. */
+  static std::exception_ptr
+  MakeAbortException();
+
+  /** Latest change of anything that the window depends on. */
+  ModifiedTimeType
+  GetWindowMTime() const;
+
   /** Sums over the requested regions since the last UpdateOutputInformation() that was followed by an execution. */
   const MedialVoxelSums &
   GetSums() const
@@ -289,9 +338,9 @@ private:
   void
   PrepareEngine(const MedialVoxelGrid & grid);
 
-  /** Latest change of anything that the window depends on. */
-  ModifiedTimeType
-  GetWindowMTime() const;
+  /** Have the pipeline produce a part of the input. */
+  void
+  Pull(const MedialVoxelBox & part);
 
   using PredicateType = MedialVoxelObjectPredicate<InputPixelType>;
 

@@ -211,12 +211,10 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
     return;
   }
   const MedialVoxelBox region = this->BoxOf(requested);
-  this->PrepareEngine(this->GetGrid());
-  Client          client(*this);
-  MedialVoxelSums sums;
+  MedialVoxelSums      sums;
   try
   {
-    sums = m_Engine->Run(region, client);
+    sums = this->RunRegion(region);
   }
   catch (...)
   {
@@ -228,17 +226,118 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
     }
     throw;
   }
-  if (m_Engine->IsLast(region))
+  if (m_Engine && m_Engine->IsLast(region))
   {
     // Nobody needs the window.
-    m_Engine.reset();
+    this->DropWindow();
   }
-  if (std::exchange(m_StartNewSum, false))
+  const bool isNew = std::exchange(m_StartNewSum, false);
+  if (isNew)
   {
     m_Sums = {};
   }
   m_Sums += sums;
+  this->KeepSums(isNew);
   this->UpdateProgress(1.0f);
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelSums
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBox & region)
+{
+  return this->RunEngine(region);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::KeepSums(bool)
+{}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelSums
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::RunEngine(const MedialVoxelBox & region,
+                                                                 const unsigned int     run,
+                                                                 const unsigned int     numberOfRuns)
+{
+  this->PrepareEngine(this->GetGrid());
+  Client client(*this, run, numberOfRuns);
+  return m_Engine->Run(region, client);
+}
+
+template <typename TInputImage, typename TOutputImage>
+bool
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SmoothsObject() const
+{
+  return false;
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelRoughness
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MeasureRoughness()
+{
+  Client                   client(*this, 0, 1);
+  MedialVoxelRoughnessPass pass;
+  pass.fill = [&client](const MedialVoxelBox & box, MedialVoxelBits & object) {
+    client.FillObject(box, object, nullptr);
+  };
+  pass.forEach = [](const MedialVoxelRoughnessPass::Boxes & boxes, const MedialVoxelRoughnessPass::Work & work) {
+    std::for_each(boxes.begin(), boxes.end(), work);
+  };
+  pass.observe = [&client](double) {
+    if (client.IsAbortRequested())
+    {
+      std::rethrow_exception(client.GetAbortException());
+    }
+  };
+  return MedialVoxelMeasureRoughness(pass, this->GetGrid().GetVoxelBox());
+}
+
+template <typename TInputImage, typename TOutputImage>
+const MedialVoxelObjectMap *
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetObjectMap() const
+{
+  return nullptr;
+}
+
+template <typename TInputImage, typename TOutputImage>
+template <typename TFunction>
+void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ForEachPart(const MedialVoxelBox & box, TFunction && function)
+{
+  for (const MedialVoxelBox & part : Client::CutForPull(box))
+  {
+    MedialVoxelPoll();
+    this->Pull(part);
+    function(part, this->FirstPixelOf(*this->GetInput(), part));
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::Pull(const MedialVoxelBox & part)
+{
+  auto * const               input = const_cast<InputImageType *>(this->GetInput());
+  const InputImageRegionType region = this->RegionOf(part);
+  if (input->GetSource() != nullptr)
+  {
+    input->SetRequestedRegion(region);
+    input->PropagateRequestedRegion();
+    input->UpdateOutputData();
+  }
+  if (!input->GetBufferedRegion().IsInside(region))
+  {
+    itkGenericExceptionMacro("The input image holds " << input->GetBufferedRegion() << " but " << region
+                                                      << " is needed.");
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+std::exception_ptr
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MakeAbortException()
+{
+  ProcessAborted exception(__FILE__, __LINE__);
+  exception.SetDescription("Filter execution was aborted by an external request");
+  return std::make_exception_ptr(exception);
 }
 
 /** A buffer is used again for the next piece; one that is too small must go first, or there would be two of them. */

@@ -6,10 +6,13 @@
 #include "itkMedialVoxelImageFilterBase.h"
 
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelRows.h"
+#include "itkMedialVoxelSmoothing.h"
 #include "itkMultiThreaderBase.h"
 
 #include <exception>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace itk
@@ -20,9 +23,13 @@ template <typename TInputImage, typename TOutputImage>
 class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::Client : public MedialVoxelEngineClient
 {
 public:
-  explicit Client(Self & filter)
+  Client(Self & filter, const unsigned int run, const unsigned int numberOfRuns)
     : m_Filter(filter)
     , m_Predicate(filter.GetPredicate())
+    , m_IsSmoothed(filter.SmoothsObject())
+    , m_Objects(filter.GetObjectMap())
+    , m_Run(run)
+    , m_NumberOfRuns(numberOfRuns)
   {}
 
   /** Pipelines run in the thread of the update; an image without one lies in memory for all to read. */
@@ -31,6 +38,12 @@ public:
   {
     return m_Filter.GetInput()->GetSource() == nullptr ? MedialVoxelSourceThreads::Several
                                                        : MedialVoxelSourceThreads::Calling;
+  }
+
+  std::int64_t
+  GetRowsReadTogether() const override
+  {
+    return m_IsSmoothed ? MedialVoxelSmoothingNumbers::RowsOfStrip : 1;
   }
 
   void
@@ -51,12 +64,9 @@ public:
   void
   FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray) override
   {
-    for (const MedialVoxelBox & part : CutForPull(box))
-    {
-      MedialVoxelPoll();
-      this->Pull(part);
-      MedialVoxelCopyBox(this->FirstPixelOf(part), this->Strides(), part, gray);
-    }
+    m_Filter.ForEachPart(box, [&](const MedialVoxelBox & part, const InputPixelType * const first) {
+      MedialVoxelCopyBox(first, this->Strides(), part, gray);
+    });
   }
 
   void
@@ -82,7 +92,7 @@ public:
   void
   UpdateProgress(const float fraction) override
   {
-    m_Filter.UpdateProgress(fraction);
+    m_Filter.UpdateProgress((static_cast<float>(m_Run) + fraction) / static_cast<float>(m_NumberOfRuns));
   }
 
   bool
@@ -94,9 +104,7 @@ public:
   std::exception_ptr
   GetAbortException() const override
   {
-    ProcessAborted exception(__FILE__, __LINE__);
-    exception.SetDescription("Filter execution was aborted by an external request");
-    return std::make_exception_ptr(exception);
+    return MakeAbortException();
   }
 
   static std::vector<MedialVoxelBox>
@@ -106,53 +114,78 @@ public:
   }
 
 private:
-  /** Have the pipeline produce a part of the input. */
-  void
-  Pull(const MedialVoxelBox & part)
-  {
-    auto * const               input = const_cast<InputImageType *>(m_Filter.GetInput());
-    const InputImageRegionType region = m_Filter.RegionOf(part);
-    if (this->GetSourceThreads() == MedialVoxelSourceThreads::Calling)
-    {
-      input->SetRequestedRegion(region);
-      input->PropagateRequestedRegion();
-      input->UpdateOutputData();
-    }
-    if (!input->GetBufferedRegion().IsInside(region))
-    {
-      itkGenericExceptionMacro("The input image holds " << input->GetBufferedRegion() << " but " << region
-                                                        << " is needed.");
-    }
-  }
-
   void
   Fill(const MedialVoxelBox &  box,
        MedialVoxelBits &       object,
        MedialVoxelBits * const notANumber,
        MedialVoxelGray * const gray)
   {
-    for (const MedialVoxelBox & part : CutForPull(box))
+    // Each run over the same region sees the same voxels, which count once.
+    MedialVoxelBits * const counted = m_Run == 0 ? notANumber : nullptr;
+    if (m_IsSmoothed)
     {
-      MedialVoxelPoll();
-      this->Pull(part);
-      const InputPixelType * const first = this->FirstPixelOf(part);
-      MedialVoxelPackBox(first, this->Strides(), part, m_Predicate, object);
-      if (notANumber != nullptr)
-      {
-        MedialVoxelPackBox(
-          first, this->Strides(), part, [](const InputPixelType value) { return value != value; }, *notANumber);
-      }
-      if (gray != nullptr)
-      {
-        MedialVoxelCopyBox(first, this->Strides(), part, *gray);
-      }
+      this->FillSmoothed(box, object, counted, gray);
+      return;
+    }
+    m_Filter.ForEachPart(box, [&](const MedialVoxelBox & part, const InputPixelType * const first) {
+      this->FillObjectOfPart(part, first, object);
+      this->FillValuesOfPart(part, first, counted, gray);
+    });
+  }
+
+  /** Each strip of the box is pulled with its margin. */
+  void
+  FillSmoothed(const MedialVoxelBox &  box,
+               MedialVoxelBits &       object,
+               MedialVoxelBits * const notANumber,
+               MedialVoxelGray * const gray)
+  {
+    const InputImageType & input = *m_Filter.GetInput();
+    const MedialVoxelBox   image = m_Filter.GetGrid().GetVoxelBox();
+    const auto             fill = [&](const auto & rule) {
+      MedialVoxelSmoother<InputPixelType, std::decay_t<decltype(rule)>> smoother(image, rule);
+      MedialVoxelForEachStrip(box, MedialVoxelSmoothingNumbers::RowsOfStrip, [&](const MedialVoxelBox & part) {
+        MedialVoxelPoll();
+        const MedialVoxelBox margin = MedialVoxelSmoothingNumbers::GetInputBox(part, image);
+        m_Filter.Pull(margin);
+        smoother.Run(m_Filter.FirstPixelOf(input, margin), this->Strides(), part, object);
+        this->FillValuesOfPart(part, m_Filter.FirstPixelOf(input, part), notANumber, gray);
+      });
+    };
+    MedialVoxelWithSmoothingRule(m_Predicate, m_Filter.m_LowerThreshold, m_Filter.m_UpperThreshold, fill);
+  }
+
+  void
+  FillValuesOfPart(const MedialVoxelBox &       part,
+                   const InputPixelType * const first,
+                   MedialVoxelBits * const      notANumber,
+                   MedialVoxelGray * const      gray) const
+  {
+    if (notANumber != nullptr)
+    {
+      const auto isNotANumber = [](const InputPixelType value) { return value != value; };
+      MedialVoxelPackBox(first, this->Strides(), part, isNotANumber, *notANumber);
+    }
+    if (gray != nullptr)
+    {
+      MedialVoxelCopyBox(first, this->Strides(), part, *gray);
     }
   }
 
-  const InputPixelType *
-  FirstPixelOf(const MedialVoxelBox & part) const
+  void
+  FillObjectOfPart(const MedialVoxelBox & part, const InputPixelType * const first, MedialVoxelBits & object) const
   {
-    return m_Filter.FirstPixelOf(*m_Filter.GetInput(), part);
+    if (m_Objects == nullptr)
+    {
+      MedialVoxelPackBox(first, this->Strides(), part, m_Predicate, object);
+      return;
+    }
+    std::vector<MedialVoxelObjectNumber> numbers(static_cast<std::size_t>(part.Extent(0)));
+    MedialVoxelForEachRow(part, this->Strides(), [&](const std::int64_t offset, const MedialVoxelBox & row) {
+      m_Objects->GetTable().Translate(first + offset, numbers.size(), numbers.data());
+      const auto isShown = [this](const MedialVoxelObjectNumber number) { return m_Objects->IsShown(number); };
+      MedialVoxelPackBox(numbers.data(), {}, row, isShown, object);
+    });
   }
 
   MedialVoxelStrides
@@ -161,8 +194,12 @@ private:
     return Self::StridesOf(*m_Filter.GetInput());
   }
 
-  Self &        m_Filter;
-  PredicateType m_Predicate;
+  Self &                       m_Filter;
+  PredicateType                m_Predicate;
+  bool                         m_IsSmoothed;
+  const MedialVoxelObjectMap * m_Objects;
+  unsigned int                 m_Run;
+  unsigned int                 m_NumberOfRuns;
 };
 
 } // end namespace itk

@@ -221,6 +221,33 @@ private:
   SumType m_Limit;
 };
 
+/** \brief Call \a function(rule) with the rule for an object: values when there is one finite threshold, otherwise the
+ * mask of \a predicate.
+ * \ingroup MedialVoxel
+ */
+template <typename TPixel, typename TFunction>
+void
+MedialVoxelWithSmoothingRule(const MedialVoxelObjectPredicate<TPixel> & predicate,
+                             const MedialVoxelLimit &                   lower,
+                             const MedialVoxelLimit &                   upper,
+                             TFunction &&                               function)
+{
+  const bool hasLower = std::isfinite(lower.GetNearestDouble());
+  const bool hasUpper = std::isfinite(upper.GetNearestDouble());
+  if (hasLower && !hasUpper)
+  {
+    function(MedialVoxelValueSmoothing<TPixel>::FromLower(lower));
+  }
+  else if (hasUpper && !hasLower)
+  {
+    function(MedialVoxelValueSmoothing<TPixel>::FromUpper(upper));
+  }
+  else
+  {
+    function(MedialVoxelMaskSmoothing<TPixel>(predicate));
+  }
+}
+
 /** \class MedialVoxelSmoother
  * \brief The object bits of the smoothed values of a box. One thread has one.
  *

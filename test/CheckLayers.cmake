@@ -13,6 +13,7 @@ set(image_io "^itkStreaming[A-Za-z]*$")
 
 # A header in include/ belongs to the folder of its .cxx. These have none, or another folder than their .cxx.
 set(folder_of_itkMedialVoxelObjectPredicate Object)
+set(folder_of_itkMedialVoxelObjectUnion Object)
 set(folder_of_itkMedialVoxelRows Foundation)
 set(folder_of_itkMedialVoxelSiteKey Distance)
 set(folder_of_itkMedialVoxelSmoothing Object)

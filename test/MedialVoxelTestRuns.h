@@ -43,6 +43,8 @@ MakeMedialFilter(const Volume & volume, double thickness, Bound bound = Bound::F
   filter->SetInput(MakeImage<MaskImage<D>>(volume));
   filter->SetThickness(thickness);
   filter->SetPseudoGeodesicBound(FilterBound(bound));
+  // The oracles take the object as it is.
+  filter->SetSmoothing(itk::MedialVoxelSmoothing::Off);
   return filter;
 }
 

@@ -28,6 +28,7 @@ MACROS = {
     "itkSetMacro": ("Set{}",),
     "itkSetEnumMacro": ("Set{}",),
     "itkGetConstMacro": ("Get{}",),
+    "itkGetConstReferenceMacro": ("Get{}",),
     "itkGetEnumMacro": ("Get{}",),
     "itkBooleanMacro": ("{}On", "{}Off"),
 }

@@ -61,4 +61,19 @@ operator<<(std::ostream & out, const MedialVoxelEnums::ThicknessMode value)
   return out << "INVALID VALUE FOR itk::MedialVoxelEnums::ThicknessMode";
 }
 
+std::ostream &
+operator<<(std::ostream & out, const MedialVoxelEnums::Smoothing value)
+{
+  switch (value)
+  {
+    case MedialVoxelEnums::Smoothing::Off:
+      return out << "itk::MedialVoxelEnums::Smoothing::Off";
+    case MedialVoxelEnums::Smoothing::On:
+      return out << "itk::MedialVoxelEnums::Smoothing::On";
+    case MedialVoxelEnums::Smoothing::Automatic:
+      return out << "itk::MedialVoxelEnums::Smoothing::Automatic";
+  }
+  return out << "INVALID VALUE FOR itk::MedialVoxelEnums::Smoothing";
+}
+
 } // end namespace itk

@@ -42,6 +42,13 @@ class BadInput(unittest.TestCase):
         self.assert_refused("thresholds are 5 and 4", thickness=3.0, lower_threshold=5.0, upper_threshold=4.0)
         self.assert_refused("thresholds", thickness=3.0, lower_threshold=float("nan"))
 
+    def test_objects(self):
+        self.assert_refused("SeparateObjects", separate_objects=True, lower_threshold=1.0)
+        self.assert_refused("ObjectLabels has 256", "from 0 to 255", object_labels=[1, 256])
+        self.assert_refused("No voxel", "label 9", object_labels=[1, 9])
+        self.assert_refused("not a label map", "0.5", image=0.5 * blobs("float32"), separate_objects=True)
+        self.assert_refused(exception=TypeError, object_labels=[1.5])
+
     def test_arguments_of_a_wrong_type(self):
         self.assert_refused(exception=TypeError, thickness="thick")
 

@@ -136,6 +136,37 @@ class MedialVoxels(unittest.TestCase):
         medial.SetThicknessMode(itk.MedialVoxelEnums.ThicknessMode_Automatic)
         self.assertEqual(medial.GetMaximumPoreSize(), 32)
 
+    def test_objects_are_those_of_single_updates(self):
+        for name in PIXEL_TYPES:
+            with self.subTest(type=name):
+                cells = 3 * blobs(name, seed=2)
+                cells[blobs(name, seed=3) != 0] = 120
+                single = {
+                    label: itk.medial_voxel_image_filter((cells == label).astype("uint8"), thickness=3.0)
+                    for label in (3, 120)
+                }
+                medial = itk.MedialVoxelImageFilter.New(image_of(cells), separate_objects=True, thickness=3.0)
+                medial.Update()
+                labels = itk.array_from_image(medial.GetOutput())
+                objects = itk.array_from_image(medial.GetObjectOutput())
+                # The larger label has the cells where it alone is medial, or where the smaller one has no corner.
+                larger = (single[3] == 0) | ((single[3] == 1) & (single[120] >= 2))
+                larger &= single[120] > 0
+                np.testing.assert_array_equal(labels, np.where(larger, single[120], single[3]))
+                np.testing.assert_array_equal(objects, np.where(larger, 120, 3 * (single[3] > 0)))
+                self.assertEqual(objects.dtype, cells.dtype)
+                self.assertEqual(list(medial.GetFoundLabels()), [3, 120])
+                shared = np.count_nonzero((single[3] >= 2) & (single[120] >= 2))
+                self.assertEqual(medial.GetNumberOfSharedCells(), shared)
+                for label in (3, 120):
+                    medial_cells = medial.GetNumberOfMedialCellsWithLabel(label)
+                    self.assertEqual(medial_cells, np.count_nonzero(single[label] >= 2))
+                    self.assertEqual(medial.GetNumberOfVoxelsWithLabel(label), np.count_nonzero(cells == label))
+                from_array = itk.medial_voxel_image_filter(cells, separate_objects=True, thickness=3.0)
+                np.testing.assert_array_equal(from_array, labels)
+                chosen = itk.medial_voxel_image_filter(cells, object_labels=[120], thickness=3.0)
+                np.testing.assert_array_equal(chosen, single[120])
+
     def test_streamed_pieces_are_the_whole(self):
         image = image_of(blobs())
         expected = itk.array_from_image(itk.medial_voxel_image_filter(image, thickness=3.0))

@@ -3,7 +3,7 @@
 #include "LabelMap.h"
 
 #include "BitStore.h"
-#include "LabelSurvey.h"
+#include "Errors.h"
 #include "ReaderPool.h"
 #include "Text.h"
 #include "ValueStream.h"
@@ -62,11 +62,11 @@ public:
 
   /** Shows all values to a survey, once. */
   virtual void
-  Show(LabelSurvey & survey, const ReadObserver & observer) = 0;
+  Show(itk::MedialVoxelLabelSurvey & survey, const ReadObserver & observer) = 0;
 
   /** Learns the objects before the first box. */
   virtual void
-  Learn(const LabelSurvey::Result & found) = 0;
+  Learn(const itk::MedialVoxelLabelSurvey::Result & found) = 0;
 
   virtual void
   Read(const itk::MedialVoxelBox & part, ObjectNumber * objects) = 0;
@@ -89,7 +89,7 @@ public:
   {}
 
   void
-  Show(LabelSurvey & survey, const ReadObserver & observer) override
+  Show(itk::MedialVoxelLabelSurvey & survey, const ReadObserver & observer) override
   {
     itk::MedialVoxelBox all;
     all.upper = GetSize(m_Header);
@@ -102,9 +102,9 @@ public:
   }
 
   void
-  Learn(const LabelSurvey::Result & found) override
+  Learn(const itk::MedialVoxelLabelSurvey::Result & found) override
   {
-    m_Table = LabelTable(found.values);
+    m_Table = itk::MedialVoxelLabelTable(found.values);
   }
 
   void
@@ -138,9 +138,9 @@ private:
                       [&](auto zero) { function(reinterpret_cast<const decltype(zero) *>(bytes.data()), count); });
   }
 
-  VolumeHeader m_Header;
-  ReaderPool   m_Readers;
-  LabelTable   m_Table;
+  VolumeHeader               m_Header;
+  ReaderPool                 m_Readers;
+  itk::MedialVoxelLabelTable m_Table;
 };
 
 /** \class LabelMap::UnpackedSource
@@ -157,7 +157,7 @@ public:
   {}
 
   void
-  Show(LabelSurvey & survey, const ReadObserver & observer) override
+  Show(itk::MedialVoxelLabelSurvey & survey, const ReadObserver & observer) override
   {
     DispatchValueType(m_Header.GetStored(), [&](auto zero) {
       using ValueType = decltype(zero);
@@ -178,7 +178,7 @@ public:
   }
 
   void
-  Learn(const LabelSurvey::Result & found) override
+  Learn(const itk::MedialVoxelLabelSurvey::Result & found) override
   {
     m_Numbers = found.numbers;
   }
@@ -273,14 +273,27 @@ LabelMap::~LabelMap() = default;
 std::string
 LabelMap::Prepare(const ReadObserver & observer)
 {
-  LabelSurvey survey(m_Header.fileName, m_Selection, GetSize(m_Header), m_MaximumPoreSize);
-  this->MeasureReading([&] { m_Source->Show(survey, observer); });
-  const LabelSurvey::Result found = survey.Finish();
+  itk::MedialVoxelLabelSurvey survey(
+    m_Selection.all ? std::vector<std::int64_t>{} : m_Selection.values, GetSize(m_Header), m_MaximumPoreSize);
+  try
+  {
+    this->MeasureReading([&] { m_Source->Show(survey, observer); });
+  }
+  catch (const itk::MedialVoxelLabelError & error)
+  {
+    Fail(ExitStatus::CorruptInput, m_Header.fileName.string(), ": ", error.what());
+  }
+  const auto found = survey.Finish();
+  if (!found.missing.empty())
+  {
+    Fail(ExitStatus::Usage, m_Header.fileName.string(), ": no voxel has the label ", found.missing.front());
+  }
+  if (found.values.empty())
+  {
+    Fail(ExitStatus::Usage, m_Header.fileName.string(), ": all voxels are 0; there is no object");
+  }
   m_Source->Learn(found);
-  m_Table = LabelTable(found.values);
-  m_Passes = found.passes;
-  m_ObjectVoxels = found.voxels;
-  m_NumberOfPasses = *std::max_element(m_Passes.begin(), m_Passes.end()) + 1u;
+  this->Learn(found);
   m_NotANumberVoxels = survey.GetNotANumberVoxels();
   if (m_Header.CanStream())
   {
@@ -335,7 +348,7 @@ LabelMap::FillPart(const itk::MedialVoxelBox & part, itk::MedialVoxelBits & bits
   std::vector<ObjectNumber> objects(static_cast<std::size_t>(part.NumberOfVoxels()));
   this->MeasureReading([&] { m_Source->Read(part, objects.data()); });
   const itk::MedialVoxelStrides strides{ 1, part.Extent(0), part.Extent(0) * part.Extent(1) };
-  const auto isShown = [this](ObjectNumber object) { return object > 0 && m_Passes[object] == m_ShownPass; };
+  const auto                    isShown = [this](ObjectNumber object) { return this->IsShown(object); };
   itk::MedialVoxelPackBox(objects.data(), strides, part, isShown, bits);
 }
 

@@ -4,7 +4,9 @@
 #define medialvoxelLabelMap_h
 
 #include "InputVolume.h"
-#include "LabelTable.h"
+#include "ObjectNumber.h"
+
+#include "itkMedialVoxelObjectMap.h"
 
 #include <filesystem>
 #include <memory>
@@ -16,9 +18,10 @@ namespace medialvoxel
 /** \class LabelMap
  * \brief An opened volume with many objects, each with a value of its own, which are shown in passes.
  *
- * Objects of a pass are so far apart that none changes the result of another. A volume that does not stream is unpacked
- * once, to two bytes per voxel in memory or in a scratch file. */
-class LabelMap : public InputVolume
+ * A volume that does not stream is unpacked once, to two bytes per voxel in memory or in a scratch file. */
+class LabelMap
+  : public InputVolume
+  , public itk::MedialVoxelObjectMap
 {
 public:
   /** Bits per voxel that unpacking takes. */
@@ -37,47 +40,13 @@ public:
   ~LabelMap() override;
 
   /** Reads all voxels once: finds the objects and their passes.
-   * \throw JobError CorruptInput for a number that is not whole or more than MostObjects values; Usage for a selected
+   * \throw JobError CorruptInput for a number that is not whole or too many values; Usage for a selected
    * value that no voxel has */
   std::string
   Prepare(const ReadObserver & observer) override;
 
-  const LabelTable &
-  GetTable() const
-  {
-    return m_Table;
-  }
-
-  /** Voxels of each object, by its number. */
-  const std::vector<std::uint64_t> &
-  GetObjectVoxels() const
-  {
-    return m_ObjectVoxels;
-  }
-
-  unsigned int
-  GetNumberOfPasses() const
-  {
-    return m_NumberOfPasses;
-  }
-
-  /** Pass of an object, from 0 on. */
-  unsigned int
-  GetPass(ObjectNumber object) const
-  {
-    return m_Passes[object];
-  }
-
-  /** Shows the objects of a pass from now on. */
   void
-  ShowPass(unsigned int pass)
-  {
-    m_ShownPass = pass;
-  }
-
-  /** Reads the objects of a box, x fastest. */
-  void
-  ReadObjects(const itk::MedialVoxelBox & box, ObjectNumber * objects);
+  ReadObjects(const itk::MedialVoxelBox & box, ObjectNumber * objects) override;
 
   std::uint64_t
   GetNumberOfNotANumberVoxels() const override
@@ -102,16 +71,11 @@ private:
   class StreamedSource;
   class UnpackedSource;
 
-  VolumeHeader               m_Header;
-  LabelSelection             m_Selection;
-  std::uint64_t              m_MaximumPoreSize;
-  std::unique_ptr<Source>    m_Source;
-  LabelTable                 m_Table;
-  std::vector<ObjectNumber>  m_Passes; ///< by object
-  std::vector<std::uint64_t> m_ObjectVoxels;
-  std::uint64_t              m_NotANumberVoxels{ 0 };
-  unsigned int               m_NumberOfPasses{ 0 };
-  unsigned int               m_ShownPass{ 0 };
+  VolumeHeader            m_Header;
+  LabelSelection          m_Selection;
+  std::uint64_t           m_MaximumPoreSize;
+  std::unique_ptr<Source> m_Source;
+  std::uint64_t           m_NotANumberVoxels{ 0 };
 };
 
 } // end namespace medialvoxel

@@ -3,7 +3,6 @@
 #include "ObjectPiece.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace medialvoxel
 {
@@ -19,151 +18,33 @@ GetImage(const VolumeGeometry & geometry)
   return image;
 }
 
-/** The voxels at most \a reach from a box, in the image. */
-itk::MedialVoxelBox
-Enlarge(itk::MedialVoxelBox box, std::int64_t reach, const itk::MedialVoxelBox & image)
-{
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    box.lower[axis] = std::max(box.lower[axis] - reach, image.lower[axis]);
-    box.upper[axis] = std::min(box.upper[axis] + reach, image.upper[axis]);
-  }
-  return box;
-}
-
-itk::MedialVoxelIndex
-GetIndex(const itk::MedialVoxelBox & box, std::int64_t offset)
-{
-  const std::int64_t row = offset / box.Extent(0);
-  return {
-    { box.lower[0] + offset % box.Extent(0), box.lower[1] + row % box.Extent(1), box.lower[2] + row / box.Extent(1) }
-  };
-}
-
-/** Calls function(index) for a voxel and those around it that are in the box. */
-template <typename TFunction>
-void
-ForEachAround(const itk::MedialVoxelIndex & center, const itk::MedialVoxelBox & box, TFunction && function)
-{
-  const itk::MedialVoxelBox around = Enlarge({ center, { { center[0] + 1, center[1] + 1, center[2] + 1 } } }, 1, box);
-  itk::MedialVoxelIndex     index;
-  for (index[2] = around.lower[2]; index[2] < around.upper[2]; ++index[2])
-  {
-    for (index[1] = around.lower[1]; index[1] < around.upper[1]; ++index[1])
-    {
-      for (index[0] = around.lower[0]; index[0] < around.upper[0]; ++index[0])
-      {
-        function(index);
-      }
-    }
-  }
-}
-
-/** What is known of the component of a voxel that no object has. */
-struct Component
-{
-  std::uint64_t voxels{ 0 };
-  ObjectNumber  object{ 0 }; ///< beside it
-};
-
-/** \param objects of the box; those that are not to be seen are 0
- * \param most voxels after which it is not followed any more */
-Component
-FollowComponent(const itk::MedialVoxelBox &       box,
-                const std::vector<ObjectNumber> & objects,
-                const itk::MedialVoxelIndex &     start,
-                std::uint64_t                     most)
-{
-  Component                          component;
-  std::vector<bool>                  isKnown(objects.size());
-  std::vector<itk::MedialVoxelIndex> open(1, start);
-  isKnown[static_cast<std::size_t>(box.OffsetOf(start))] = true;
-  while (!open.empty() && component.voxels <= most)
-  {
-    const itk::MedialVoxelIndex voxel = open.back();
-    open.pop_back();
-    ++component.voxels;
-    ForEachAround(voxel, box, [&](const itk::MedialVoxelIndex & index) {
-      const auto offset = static_cast<std::size_t>(box.OffsetOf(index));
-      if (objects[offset] > 0)
-      {
-        component.object = objects[offset];
-      }
-      else if (!isKnown[offset])
-      {
-        isKnown[offset] = true;
-        open.push_back(index);
-      }
-    });
-  }
-  return component;
-}
-
 } // namespace
 
-ObjectPiece::ObjectPiece(LabelMap & map, const VolumeGeometry & geometry, std::uint64_t maximumPoreSize)
-  : m_Map(map)
-  , m_MaximumPoreSize(maximumPoreSize)
+ObjectPiece::ObjectPiece(itk::MedialVoxelObjectMap & map,
+                         const VolumeGeometry &      geometry,
+                         std::uint64_t               maximumPoreSize)
+  : MedialVoxelObjectRegion(map, GetImage(geometry).upper, maximumPoreSize)
   , m_Image(GetImage(geometry))
   , m_LastAxis(geometry.GetDimension() - 1)
   , m_VoxelsPerSlice(geometry.GetVoxelsPerSlice())
-  , m_Corners(1, 0)
-{
-  std::size_t stride = 1;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    // An axis with one voxel drops out of the cells.
-    const std::size_t known = m_Image.Extent(axis) > 1 ? m_Corners.size() : 0;
-    for (std::size_t i = 0; i < known; ++i)
-    {
-      m_Corners.push_back(m_Corners[i] + stride);
-    }
-    stride *= static_cast<std::size_t>(m_Image.Extent(axis));
-  }
-}
+{}
 
 void
 ObjectPiece::Read(std::uint64_t firstSlice, std::uint64_t endSlice)
 {
-  itk::MedialVoxelBox box = m_Image;
-  box.lower[m_LastAxis] = static_cast<std::int64_t>(firstSlice);
-  box.upper[m_LastAxis] = std::min(static_cast<std::int64_t>(endSlice) + 1, m_Image.upper[m_LastAxis]);
-  m_Objects.resize(static_cast<std::size_t>(box.NumberOfVoxels()));
-  m_Map.ReadObjects(box, m_Objects.data());
+  itk::MedialVoxelBox slices = m_Image;
+  slices.lower[m_LastAxis] = static_cast<std::int64_t>(firstSlice);
+  slices.upper[m_LastAxis] = static_cast<std::int64_t>(endSlice);
+  this->MedialVoxelObjectRegion::Read(slices);
   m_FirstVoxel = firstSlice * m_VoxelsPerSlice;
 }
 
 ObjectNumber
 ObjectPiece::FindObjectOfPore(std::uint64_t voxel, unsigned int pass) const
 {
-  const itk::MedialVoxelIndex lowest = GetIndex(m_Image, static_cast<std::int64_t>(voxel));
-  const itk::MedialVoxelBox cell = Enlarge({ lowest, { { lowest[0] + 2, lowest[1] + 2, lowest[2] + 2 } } }, 0, m_Image);
-  // Most pores are small; a pore is in the box when no voxel more of it is in the next larger one.
-  for (std::int64_t reach = 4;; reach *= 2)
-  {
-    const itk::MedialVoxelBox box = Enlarge(cell, reach, m_Image);
-    std::vector<ObjectNumber> objects(static_cast<std::size_t>(box.NumberOfVoxels()));
-    m_Map.ReadObjects(box, objects.data());
-    std::replace_if(
-      objects.begin(),
-      objects.end(),
-      [&](ObjectNumber object) { return object > 0 && m_Map.GetPass(object) != pass; },
-      ObjectNumber{ 0 });
-    const bool isAll = static_cast<std::uint64_t>(reach) > m_MaximumPoreSize + 1;
-    for (std::int64_t corner = 0; corner < cell.NumberOfVoxels(); ++corner)
-    {
-      const Component component = FollowComponent(box, objects, GetIndex(cell, corner), m_MaximumPoreSize);
-      const bool      isWithin = isAll || component.voxels <= static_cast<std::uint64_t>(reach);
-      if (component.voxels <= m_MaximumPoreSize && isWithin)
-      {
-        return component.object;
-      }
-    }
-    if (isAll)
-    {
-      return 0;
-    }
-  }
+  const auto x = static_cast<std::int64_t>(voxel);
+  const auto y = x / m_Image.Extent(0);
+  return this->FindObjectOfPore({ { x % m_Image.Extent(0), y % m_Image.Extent(1), y / m_Image.Extent(1) } }, pass);
 }
 
 } // end namespace medialvoxel

@@ -7,34 +7,21 @@
 
 #include "itkMedialVoxelSmoothing.h"
 
-#include <cmath>
+#include <limits>
 
 namespace medialvoxel
 {
 
-/** Calls function(rule) with what is smoothed: the values when there is one threshold, otherwise the mask. */
+/** Calls function(rule) with what is smoothed. */
 template <typename TValue, typename TFunction>
 void
 WithSmoothingRule(const JobOptions & options, TFunction && function)
 {
-  using ValueRule = itk::MedialVoxelValueSmoothing<TValue>;
-  const auto isLimit = [](const std::optional<itk::MedialVoxelLimit> & limit) {
-    return limit && std::isfinite(limit->GetNearestDouble());
-  };
-  const bool hasLower = isLimit(options.lowerThreshold);
-  const bool hasUpper = isLimit(options.upperThreshold);
-  if (hasLower && !hasUpper)
-  {
-    function(ValueRule::FromLower(*options.lowerThreshold));
-  }
-  else if (hasUpper && !hasLower)
-  {
-    function(ValueRule::FromUpper(*options.upperThreshold));
-  }
-  else
-  {
-    function(itk::MedialVoxelMaskSmoothing<TValue>(MakeObjectPredicate<TValue>(options)));
-  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  itk::MedialVoxelWithSmoothingRule(MakeObjectPredicate<TValue>(options),
+                                    options.lowerThreshold.value_or(-infinity),
+                                    options.upperThreshold.value_or(infinity),
+                                    function);
 }
 
 } // end namespace medialvoxel

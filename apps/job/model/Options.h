@@ -79,13 +79,7 @@ struct JobOptions
 /** Largest value of ExtractOptions::maximumPoreSize. */
 constexpr std::uint64_t LargestPoreSize = itk::MedialVoxelParameters::LargestMaximumPoreSize;
 
-/** Whether noise of the object is smoothed away; automatic: where the object is rough. */
-enum class Smoothing : std::uint8_t
-{
-  Off,
-  On,
-  Automatic
-};
+using Smoothing = itk::MedialVoxelSmoothing;
 
 /** Medial voxels. */
 struct ExtractOptions : JobOptions

@@ -117,10 +117,10 @@ ObjectSurvey::AddWall(Sums & sums, const itk::MedialVoxelWall & wall) const
 }
 
 std::vector<ObjectSummary>
-ObjectSurvey::Summarize(const LabelMap & map) const
+ObjectSurvey::Summarize(const itk::MedialVoxelObjectMap & map) const
 {
   std::vector<ObjectSummary> objects;
-  const LabelTable &         table = map.GetTable();
+  const auto &               table = map.GetTable();
   for (std::size_t number = 1; number <= table.GetNumberOfObjects(); ++number)
   {
     const auto    object = static_cast<ObjectNumber>(number);

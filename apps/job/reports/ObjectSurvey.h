@@ -53,7 +53,7 @@ public:
 
   /** All objects of a map, also those without a cell. */
   std::vector<ObjectSummary>
-  Summarize(const LabelMap & map) const;
+  Summarize(const itk::MedialVoxelObjectMap & map) const;
 
 private:
   struct Sums

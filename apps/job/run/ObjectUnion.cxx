@@ -2,21 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ObjectUnion.h"
 
+#include "itkMedialVoxelObjectUnion.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstring>
 
 namespace medialvoxel
 {
-namespace
-{
-
-constexpr std::uint8_t SmallestMedialLabel = 2;
-
-/** Of a cell in the labels of a piece, until they are written: medial for several objects. */
-constexpr std::uint8_t SharedMark = 0x80;
-
-} // namespace
 
 /** \class ObjectUnion::PassVolume
  * \brief Takes the results of passes for a volume. */
@@ -152,31 +145,17 @@ ObjectUnion::TakeCell(std::uint64_t offset, std::uint8_t label)
   const ObjectNumber  corner = m_Piece.FindObject(voxel, m_Pass);
   const ObjectNumber  object = corner > 0 ? corner : m_Piece.FindObjectOfPore(voxel, m_Pass);
   assert(object > 0);
-  std::uint8_t & known = m_Volumes.front()->GetLabels()[offset];
-  ObjectNumber & owner = m_Objects[offset];
-  const bool     isMedial = label >= SmallestMedialLabel;
-  const bool     wasMedial = (known & ~SharedMark) >= SmallestMedialLabel;
-  std::uint8_t   mark = known & SharedMark;
-  if (isMedial && wasMedial && mark == 0)
-  {
-    ++m_SharedCells;
-    mark = SharedMark;
-  }
-  const bool isTaken = owner == 0 || (isMedial == wasMedial ? object < owner : isMedial);
-  if (isTaken)
-  {
-    known = label;
-    owner = object;
-  }
-  known |= mark;
-  return isTaken;
+  const auto change =
+    itk::MedialVoxelObjectUnion::TakeCell(label, object, m_Volumes.front()->GetLabels()[offset], m_Objects[offset]);
+  m_SharedCells += change.isShared ? 1 : 0;
+  return change.isTaken;
 }
 
 void
 ObjectUnion::FinishPiece()
 {
   std::uint8_t * const labels = m_Volumes.front()->GetLabels();
-  std::for_each(labels, labels + m_Objects.size(), [](std::uint8_t & label) { label &= ~SharedMark & 0xff; });
+  std::transform(labels, labels + m_Objects.size(), labels, itk::MedialVoxelObjectUnion::WithoutMark<std::uint8_t>);
   for (const auto & volume : m_Volumes)
   {
     volume->WriteUnion(m_Piece.GetFirstVoxel());

@@ -4,6 +4,7 @@
 #define medialvoxelObjectUnion_h
 
 #include "JobPlan.h"
+#include "LabelMap.h"
 #include "ObjectPiece.h"
 #include "OutputRequest.h"
 #include "VoxelOutput.h"

@@ -4,6 +4,7 @@
 #define itkMedialVoxelObjectAdjacency_h
 
 #include "itkMedialVoxelGrid.h"
+#include "itkMedialVoxelLabelTable.h"
 
 #include "MedialVoxelExport.h"
 
@@ -30,7 +31,7 @@ namespace itk
 class MedialVoxel_EXPORT MedialVoxelObjectAdjacency
 {
 public:
-  using ObjectType = std::uint16_t;
+  using ObjectType = MedialVoxelObjectNumber;
 
   /** \param size of the image, 1 along unused axes
    * \param maximumPoreSize voxels of the largest pores that are filled, 0 for none */

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "LabelTable.h"
+#include "itkMedialVoxelLabelTable.h"
 
 #include <utility>
 
-namespace medialvoxel
+namespace itk
 {
 
-LabelTable::LabelTable(std::vector<std::int64_t> values)
+MedialVoxelLabelTable::MedialVoxelLabelTable(std::vector<std::int64_t> values)
   : m_Values(std::move(values))
 {
   constexpr std::uint64_t mostEntries = std::uint64_t{ 1 } << 20;
@@ -24,8 +24,8 @@ LabelTable::LabelTable(std::vector<std::int64_t> values)
   m_Near.assign(last + 1, 0);
   for (std::size_t i = 0; i < m_Values.size(); ++i)
   {
-    m_Near[static_cast<std::size_t>(m_Values[i] - m_Values.front())] = static_cast<ObjectNumber>(i + 1);
+    m_Near[static_cast<std::size_t>(m_Values[i] - m_Values.front())] = static_cast<MedialVoxelObjectNumber>(i + 1);
   }
 }
 
-} // end namespace medialvoxel
+} // end namespace itk

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelObjectRegion_h
+#define itkMedialVoxelObjectRegion_h
+
+#include "itkMedialVoxelObjectMap.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cassert>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelObjectRegion
+ * \brief The objects of the voxels of a region, and so those of its cells.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelObjectRegion
+{
+public:
+  /** \param map must outlive it
+   * \param size of the image, 1 along unused axes
+   * \param maximumPoreSize of the extraction */
+  MedialVoxelObjectRegion(MedialVoxelObjectMap & map, const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
+
+  /** Bytes of a voxel of the region, and of the voxels that its last cells reach into. */
+  static constexpr std::uint64_t BytesPerVoxel = sizeof(MedialVoxelObjectNumber);
+
+  /** Read the voxels of a region, and those that its last cells reach into. */
+  void
+  Read(const MedialVoxelBox & region);
+
+  /** The voxels that were read. */
+  const MedialVoxelBox &
+  GetBox() const
+  {
+    return m_Box;
+  }
+
+  /** The object of a pass that a cell has a corner in; 0 when it has none. Two objects of a pass are never in one cell.
+   * \param cell of the region */
+  MedialVoxelObjectNumber
+  FindObject(const MedialVoxelIndex & cell, const unsigned int pass) const
+  {
+    return this->FindObjectAt(m_Box.OffsetOf(cell), pass);
+  }
+
+  /** The same for the offset of the cell in the voxels that were read. */
+  MedialVoxelObjectNumber
+  FindObjectAt(const std::size_t offset, const unsigned int pass) const
+  {
+    const MedialVoxelObjectNumber * const lowest = m_Objects.data() + offset;
+    for (const std::size_t corner : m_Corners)
+    {
+      assert(lowest + corner < m_Objects.data() + m_Objects.size());
+      const MedialVoxelObjectNumber object = lowest[corner];
+      if (object > 0 && m_Map.GetPass(object) == pass)
+      {
+        return object;
+      }
+    }
+    return 0;
+  }
+
+  /** The object with the filled pore that a cell without a corner in an object lies in; 0 when there is none. Reads the
+   * voxels around it, so that it must not be called from threads of the engine. */
+  MedialVoxelObjectNumber
+  FindObjectOfPore(const MedialVoxelIndex & cell, unsigned int pass) const;
+
+private:
+  MedialVoxelObjectMap &               m_Map;
+  std::uint64_t                        m_MaximumPoreSize;
+  MedialVoxelBox                       m_Image;
+  MedialVoxelBox                       m_Box;
+  std::vector<std::size_t>             m_Corners; ///< of a cell, from the lowest one
+  std::vector<MedialVoxelObjectNumber> m_Objects;
+};
+
+} // end namespace itk
+
+#endif
