@@ -170,9 +170,8 @@ class LabelMapTest(ProgramTestCase):
         for options, part in (
             (("--lower", 7), "threshold"),
             (("--label", 7), "a label"),
-            (("--mesh", "out.vtp"), "mesh"),
             (("--vectors", "v.mha"), "vectors"),
-            (("--distance", "d.mha"), "distances"),
+            (("--distance", "d.mha"), "--label"),
         ):
             self.assert_fails(USAGE, [part], *run, "all", *options)
         self.assert_fails(USAGE, ["--objects", "--labels"], "extract", "map.mha", "out.mha", "--objects", "o.mha")

@@ -70,6 +70,15 @@ public:
     return this->FindObjectOfPore(static_cast<std::uint64_t>(m_Image.OffsetOf(cell)), pass);
   }
 
+  /** One or the other: of every cell that a pass has results for. Like the latter not for threads of the engine. */
+  template <typename TCell>
+  ObjectNumber
+  FindOwner(const TCell & cell, unsigned int pass) const
+  {
+    const ObjectNumber object = this->FindObject(cell, pass);
+    return object > 0 ? object : this->FindObjectOfPore(cell, pass);
+  }
+
 private:
   LabelMap &                m_Map;
   std::uint64_t             m_MaximumPoreSize;

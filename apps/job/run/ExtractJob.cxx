@@ -141,7 +141,7 @@ public:
     {
       m_Mesh = std::make_unique<SurfaceMesh>(
         options, result.input.geometry, GetGrid(options, result.input), result.plan.surplusBytes);
-      m_Run.AddObserver(m_Mesh->GetObserver());
+      m_Run.AddMesh(*m_Mesh);
     }
   }
 

@@ -96,6 +96,16 @@ ExtractRun::AddObserver(itk::MedialVoxelTileObserver & observer)
 }
 
 void
+ExtractRun::AddMesh(SurfaceMesh & mesh)
+{
+  this->AddObserver(mesh.GetObserver());
+  if (m_Objects)
+  {
+    m_Objects->AddMesh(mesh);
+  }
+}
+
+void
 ExtractRun::SetSlicesToDo(std::uint64_t slices)
 {
   m_Loop.SetSlicesToDo(slices);

@@ -37,6 +37,10 @@ public:
   void
   AddObserver(itk::MedialVoxelTileObserver & observer);
 
+  /** Lets a mesh see the tiles. */
+  void
+  AddMesh(SurfaceMesh & mesh);
+
   /** For the progress, when not all of the slices are to be done. */
   void
   SetSlicesToDo(std::uint64_t slices);

@@ -6,6 +6,7 @@
 #include "ObjectSurvey.h"
 #include "ObjectUnion.h"
 #include "PieceLoop.h"
+#include "SurfaceMesh.h"
 
 namespace medialvoxel
 {
@@ -32,6 +33,10 @@ public:
     return m_Union;
   }
 
+  /** A mesh that sees the tiles of the engine, and is to tell the objects apart. */
+  void
+  AddMesh(SurfaceMesh & mesh);
+
   /** To be asked when the map is prepared. */
   unsigned int
   GetNumberOfPasses() const
@@ -47,9 +52,11 @@ public:
   Summarize() const;
 
 private:
-  LabelMap &   m_Map;
-  ObjectUnion  m_Union;
-  ObjectSurvey m_Survey;
+  LabelMap &    m_Map;
+  ObjectUnion   m_Union;
+  ObjectSurvey  m_Survey;
+  SurfaceMesh * m_Mesh{ nullptr };
+  unsigned int  m_Pass{ 0 };
 };
 
 } // end namespace medialvoxel
