@@ -99,6 +99,8 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   {
     footprint.bytesPerVoxel += footprint.bytesPerVoxel + ObjectUnion::BytesPerVoxel;
     footprint.bytesBeside += ObjectSurvey::BytesPerObject * options.labels->values.size();
+    footprint.bytesBeside += itk::MedialVoxelObjectAdjacency::GetBytes(
+      footprint.grid.GetSize(), GetParameters(options, footprint.grid).maximumPoreSize);
     footprint.maskBits = LabelMap::UnpackedBits;
   }
   AddEngine(footprint, header, extraction);
