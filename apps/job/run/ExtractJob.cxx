@@ -254,6 +254,12 @@ PrepareExtract(const ExtractOptions & options)
   return result;
 }
 
+JobPlan
+PlanObjects(const ExtractOptions & options, const VolumeHeader & header)
+{
+  return FitToMemory(options, header, GetFootprint(options, header));
+}
+
 JobResult
 PrepareSharedExtract(const ExtractOptions & options)
 {
