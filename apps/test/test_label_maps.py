@@ -190,6 +190,21 @@ class LabelMapTest(ProgramTestCase):
         volumes.write_meta(self.folder / "map.mha", volume)
         self.assert_fails(CORRUPT, ["map.mha", "2.5", "whole"], "info", "map.mha", "--labels")
 
+    def test_memory_of_many_objects(self):
+        """The number of objects is known after the plan, which then counts them, or the run is refused."""
+        volume = volumes.Volume((90, 90, 9), [], kind="uint16")
+        volume.voxels = [1 + x // 3 + 30 * (y // 3) for x, y, _ in volume.indices()]
+        volumes.write_meta(self.folder / "map.mha", volume)
+        run = ("map.mha", "o.mha", "--labels", "all", "--threads", 1, "--report", "r.json", "--overwrite")
+        self.extract(*run)
+        report = json.loads((self.folder / "r.json").read_text(encoding="utf-8"))
+        self.assertEqual(len(report["objects"]), 900)
+        self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"])
+        self.assertGreater(report["planned_peak_bytes"], 836 * 32768)
+        limit = f"{report['planned_peak_bytes'] // 1024 - 1024}K"
+        parts = ["map.mha", "--memory", "fewer objects"]
+        self.assert_fails(REFUSED, parts, "extract", *run, "--memory", limit, "--thickness", 3)
+
     def test_refusals(self):
         volumes.write_meta(self.folder / "map.mha", volumes.box_with_plate())
         run = ("extract", "map.mha", "out.mha", "--labels")

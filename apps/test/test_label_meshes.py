@@ -73,7 +73,8 @@ class LabelMeshTest(ProgramTestCase):
         return (self.folder / mesh).read_bytes()
 
     def mesh_label(self, name, mesh, label, *options, thickness="auto"):
-        self.extract(name, "one.mha", "--label", label, "--mesh", mesh, "--overwrite", *options, thickness=thickness)
+        arguments = ("--label", label, "--smooth", "off", "--mesh", mesh, "--overwrite", *options)
+        self.extract(name, "one.mha", *arguments, thickness=thickness)
 
     def check_map(self, volume, *options, run=(), thickness="auto", compressed=False):
         """Compares the mesh of all labels with those of each.

@@ -2,8 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "LabelMapRun.h"
 
+#include <algorithm>
+
 namespace medialvoxel
 {
+namespace
+{
+
+/** Objects that are planned for when all are wanted. */
+constexpr std::size_t PlannedObjects = 64;
+
+} // namespace
 
 LabelMapRun::LabelMapRun(LabelMap &             map,
                          const VolumeGeometry & geometry,
@@ -13,6 +22,19 @@ LabelMapRun::LabelMapRun(LabelMap &             map,
   , m_Union(map, geometry, maximumPoreSize)
   , m_Survey(survey, m_Union.GetPiece())
 {}
+
+std::uint64_t
+LabelMapRun::GetPlannedBytes(const LabelSelection & selection)
+{
+  return ObjectSurvey::BytesPerObject * (selection.all ? PlannedObjects : selection.values.size());
+}
+
+std::uint64_t
+LabelMapRun::GetUnplannedBytes(const LabelSelection & selection, std::size_t numberOfObjects)
+{
+  const std::uint64_t bytes = ObjectSurvey::BytesPerObject * numberOfObjects;
+  return bytes - std::min(bytes, GetPlannedBytes(selection));
+}
 
 void
 LabelMapRun::AddMesh(SurfaceMesh & mesh)

@@ -20,6 +20,14 @@ public:
    * \param maximumPoreSize of the extraction */
   LabelMapRun(LabelMap & map, const VolumeGeometry & geometry, std::uint64_t maximumPoreSize, const Survey & survey);
 
+  /** Memory that is planned for objects before the map is read. */
+  static std::uint64_t
+  GetPlannedBytes(const LabelSelection & selection);
+
+  /** What they take beyond that when their number is known. */
+  static std::uint64_t
+  GetUnplannedBytes(const LabelSelection & selection, std::size_t numberOfObjects);
+
   /** To be added to the engine. */
   itk::MedialVoxelTileObserver &
   GetObserver()
@@ -42,6 +50,13 @@ public:
   GetNumberOfPasses() const
   {
     return m_Map.GetNumberOfPasses();
+  }
+
+  /** The same. */
+  std::size_t
+  GetNumberOfObjects() const
+  {
+    return m_Map.GetTable().GetNumberOfObjects();
   }
 
   /** \return sums over all objects; throws as PieceLoop::Run() */

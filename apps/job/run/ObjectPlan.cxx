@@ -3,7 +3,7 @@
 #include "ObjectPlan.h"
 
 #include "ExtractParts.h"
-#include "LabelMap.h"
+#include "LabelMapRun.h"
 
 #include <algorithm>
 #include <string>
@@ -56,7 +56,9 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
     { "largest", DescribeSize(map, std::max_element(firstObject, map.GetObjectVoxels().end())) },
     { "passes", std::to_string(map.GetNumberOfPasses()) + " for extract --labels all" },
     { "labels", DescribeReadingOfLabels(map, plan, header) },
-    { "memory", "about " + FormatBytes(plan.memoryBytes) + " with " + std::to_string(plan.threads) + " threads" },
+    { "memory",
+      "about " + FormatBytes(plan.memoryBytes + LabelMapRun::GetUnplannedBytes(*own.labels, labels.size())) + " with " +
+        std::to_string(plan.threads) + " threads" },
   };
 }
 
