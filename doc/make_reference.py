@@ -28,14 +28,14 @@ NOTICE = """<!-- SPDX-FileCopyrightText: MedialVoxel contributors -->
 """
 
 MESH_FORMATS = {
-    ".vtp": ("VTK XML PolyData, appended binary", "triangles, quads", "at vertices", "none"),
-    ".vtu": ("VTK XML UnstructuredGrid, appended binary", "triangles, quads", "at vertices", "none"),
-    ".vtk": ("VTK legacy 3.0, binary", "triangles, quads", "at vertices", "2³¹ - 1 numbers in faces"),
-    ".ply": ("binary, little endian", "triangles, quads", "at vertices", "2³¹ - 1 vertices, faces"),
-    ".stl": ("binary", "triangles", "none", "2³² - 1 triangles"),
-    ".obj": ("text", "triangles, quads", "none", "none"),
-    ".inp": ("Abaqus, CalculiX", "S3, S4", "of sections", "999 999 999 nodes, elements"),
-    ".bdf": ("Nastran", "CTRIA3, CQUAD4", "of properties", "99 999 999 nodes, elements"),
+    ".vtp": ("VTK XML PolyData, appended binary", "triangles, quads", "at vertices", "`Object` of faces", "none"),
+    ".vtu": ("VTK XML UnstructuredGrid, appended binary", "triangles, quads", "at vertices", "`Object` of faces", "none"),
+    ".vtk": ("VTK legacy 3.0, binary", "triangles, quads", "at vertices", "`Object` of faces", "2³¹ - 1 numbers in faces"),
+    ".ply": ("binary, little endian", "triangles, quads", "at vertices", "`object` of vertices", "2³¹ - 1 vertices, faces"),
+    ".stl": ("binary", "triangles", "none", "none", "2³² - 1 triangles"),
+    ".obj": ("text", "triangles, quads", "none", "groups", "none"),
+    ".inp": ("Abaqus, CalculiX", "S3, S4", "of sections", "sets", "999 999 999 nodes, elements"),
+    ".bdf": ("Nastran", "CTRIA3, CQUAD4", "of properties", "properties", "99 999 999 nodes, elements"),
 }
 
 PROGRESS = {
@@ -176,7 +176,7 @@ def make_formats(catalog):
         "TIFF needs a program built with libtiff; Zarr that is packed by Blosc or zstd needs one built with libblosc or libzstd.\n",
         "## Meshes\n",
         "All are written.\n",
-        table(["extension", "format", "faces", "thickness", "limit"], meshes),
+        table(["extension", "format", "faces", "thickness", "objects of a label map", "limit"], meshes),
         "[Meshes and FEM](../how-to/meshes-and-fem.md#in-the-files) has the details.\n",
         "## Outputs\n",
         "*Cells*: the grid of the dual cells, half a voxel from that of the input. *Jobs*: whether jobs of several processes\n"

@@ -8,8 +8,10 @@
 
 #include "MedialVoxelExport.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -41,6 +43,10 @@ public:
   static std::int64_t
   GetReach(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
+  /** Bytes of the blocks of an image of this size, of which nearly none has more than MostInBlock objects. */
+  static std::uint64_t
+  GetBytes(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
+
   /** Add the objects of the next row. */
   void
   AddRow(const ObjectType * row);
@@ -53,13 +59,29 @@ public:
   MakePasses(std::size_t numberOfObjects) const;
 
 private:
-  using Block = std::vector<ObjectType>; ///< the objects in it, each once
+  /** Objects of a block that are kept in place; lists for each of millions of blocks would take ten times the memory.
+   */
+  static constexpr std::size_t MostInBlock = 4;
+
+  /** The objects of blocks, each once. */
+  struct Layer
+  {
+    std::vector<std::array<ObjectType, MostInBlock>>         first; ///< those that came first; 0: no more
+    std::unordered_map<std::size_t, std::vector<ObjectType>> rest;
+  };
+
+  static void
+  AddObject(Layer & layer, std::size_t block, ObjectType object);
+
+  template <typename TFunction>
+  static void
+  ForEachObject(const Layer & layer, std::size_t block, TFunction && function);
 
   void
   FinishLayer();
 
   void
-  Connect(const Block & block, const Block & other);
+  Connect(std::size_t block, const Layer & otherLayer, std::size_t other);
 
   MedialVoxelIndex                  m_Size;
   std::int64_t                      m_BlockEdge;
@@ -67,8 +89,8 @@ private:
   std::int64_t                      m_BlocksY;
   std::int64_t                      m_NextY{ 0 };
   std::int64_t                      m_NextZ{ 0 };
-  std::vector<Block>                m_Layer;         ///< of blocks that rows are added to
-  std::vector<Block>                m_PreviousLayer; ///< the one before
+  Layer                             m_Layer;         ///< of blocks that rows are added to
+  Layer                             m_PreviousLayer; ///< the one before
   std::unordered_set<std::uint32_t> m_Pairs;         ///< smaller number above, larger below
 };
 

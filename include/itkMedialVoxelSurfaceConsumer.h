@@ -41,6 +41,7 @@ struct MedialVoxelSurfaceVertex
 {
   std::array<double, 3> point{};        ///< physical
   double                thickness{ 0 }; ///< of the wall, in physical units
+  std::uint16_t         part{ 0 };      ///< of the image, where parts are told apart
 };
 
 /** \struct MedialVoxelSurfaceQuad

@@ -103,6 +103,33 @@ TEST(MedialVoxelObjectAdjacency, CloseObjectsHaveDifferentPasses)
   }
 }
 
+TEST(MedialVoxelObjectAdjacency, BlocksHoldAnyNumberOfObjects)
+{
+  const itk::MedialVoxelIndex size{ { 12, 7, 8 } };
+  Objects                     objects(static_cast<std::size_t>(size[0] * size[1] * size[2]));
+  for (std::size_t voxel = 0; voxel < objects.size(); ++voxel)
+  {
+    objects[voxel] = static_cast<Adjacency::ObjectType>(voxel + 1);
+  }
+  const auto passes = FindPasses(size, objects, objects.size());
+  for (std::size_t first = 0; first < objects.size(); ++first)
+  {
+    for (std::size_t second = 0; second < first; ++second)
+    {
+      if (FindDistance(size, objects, objects[first], objects[second]) <= Adjacency::GetReach(size, 0))
+      {
+        EXPECT_NE(passes[first + 1], passes[second + 1]);
+      }
+    }
+  }
+}
+
+TEST(MedialVoxelObjectAdjacency, BytesAreThoseOfTwoLayersOfBlocks)
+{
+  EXPECT_EQ(Adjacency::GetBytes({ { 4000, 4000, 4000 } }, 32), 2 * 1334 * 1334 * 8u);
+  EXPECT_EQ(Adjacency::GetBytes({ { 10, 1, 1 } }, 32), 2 * 8u);
+}
+
 TEST(MedialVoxelObjectAdjacency, FarObjectsShareAPass)
 {
   Objects objects(64 * 8 * 8, 0);

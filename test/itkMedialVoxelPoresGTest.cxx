@@ -293,6 +293,7 @@ TEST(MedialVoxelPores, MeshesAreThoseOfTheCleanVolume)
     filter->SetThicknessMode(Mode::Automatic);
     EXPECT_EQ(filter->GetMaximumPoreSize(), 32u);
     filter->SetMaximumPoreSize(poreSize);
+    filter->SetSmoothing(itk::MedialVoxelSmoothing::Off);
     filter->SetInput(MakeImage<MaskImage<3>>(input));
     filter->SetNumberOfSlicesPerPiece(slices);
     filter->Update();

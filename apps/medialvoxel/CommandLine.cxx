@@ -461,6 +461,7 @@ DefineInfo(CommandLine & line)
 {
   AddInput(*line.info, line.infoOptions);
   line.info->add_flag("--values", line.showsValues, "Read the values: range, mean, percentiles, Otsu");
+  line.info->add_flag("--labels", line.showsLabels, "Read a label map: objects, and passes for all of them");
   AddRawOptions(line, *line.info, line.infoOptions);
   line.examples[line.info] = { "medialvoxel info part.mha --values",
                                "medialvoxel info scan.raw --raw-size 708,965,325 --raw-type uint16" };

@@ -34,6 +34,7 @@ struct CommandLine
   DistanceOptions distanceOptions;
   JobOptions      infoOptions;
   bool            showsValues{ false }; ///< of the volume
+  bool            showsLabels{ false }; ///< what its objects take when it is a label map
   bool            resumes{ false };     ///< the extraction
   PlanOptions     planOptions;
   WorkOptions     workOptions;

@@ -65,7 +65,9 @@ ListOptionDetails()
       "and "
       "an input that streams." },
     { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
-    { "", "--mesh", "The medial surface, as medialvoxel mesh writes it." },
+    { "",
+      "--mesh",
+      "The medial surface, as medialvoxel mesh writes it. With --labels: that of each object, told apart." },
     { "",
       "--section-width",
       "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in .inp or .bdf." },

@@ -5,6 +5,7 @@
 #include "CommandTable.h"
 #include "CommandText.h"
 #include "Log.h"
+#include "ObjectPlan.h"
 #include "OptionEffects.h"
 #include "PhaseTable.h"
 #include "Plan.h"
@@ -221,18 +222,24 @@ DescribeInput(const CommandLine & line)
   CheckOptions(line.infoOptions);
   const VolumeHeader header = ReadInputHeader(line.infoOptions);
   TextTable          table = DescribeHeader(header);
+  const auto         append = [&table](const TextTable & more) { table.insert(table.end(), more.begin(), more.end()); };
+  const auto         sink = MakeSink(line);
+  const auto         observer = [&sink](double share) {
+    sink->Report(share);
+    if (sink->IsStopRequested())
+    {
+      throw StoppedBySignal(GetStopSignal());
+    }
+  };
   if (line.showsValues)
   {
-    const auto sink = MakeSink(line);
     sink->Start("medialvoxel", "reading values");
-    const TextTable values = DescribeValues(MeasureValues(header, [&sink](double share) {
-      sink->Report(share);
-      if (sink->IsStopRequested())
-      {
-        throw StoppedBySignal(GetStopSignal());
-      }
-    }));
-    table.insert(table.end(), values.begin(), values.end());
+    append(DescribeValues(MeasureValues(header, observer)));
+  }
+  if (line.showsLabels)
+  {
+    sink->Start("medialvoxel", "reading labels");
+    append(DescribeObjects(line.infoOptions, header, observer));
   }
   PrintTable(std::cout, table);
 }

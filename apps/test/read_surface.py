@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads mesh files with a library and writes what they hold as JSON by file: read_surface.py READER JSON-FILE FILE...
 
-Keys: points; faces, as lists of places in points; if the format has them: thickness of the points; area, rim,
-junction and section_thickness of the faces; sets, the places of the elements by name."""
+Keys: points; faces, as lists of places in points; if the format has them: thickness and object_of_points of the points;
+area, rim, junction, object, group and section_thickness of the faces; sets, the places of the elements by name."""
 
 import json
 import sys
@@ -17,7 +17,7 @@ def read_with_pyvista(path):
     content = {"points": mesh.points.tolist(), "faces": [list(cell.point_ids) for cell in cells]}
     names = {"thickness": "Thickness"}
     content |= {key: mesh.point_data[name].tolist() for key, name in names.items() if name in mesh.point_data}
-    names = {"area": "Area", "rim": "RimEdges", "junction": "JunctionEdges"}
+    names = {"area": "Area", "rim": "RimEdges", "junction": "JunctionEdges", "object": "Object"}
     return content | {key: mesh.cell_data[name].tolist() for key, name in names.items() if name in mesh.cell_data}
 
 
@@ -29,8 +29,10 @@ def read_with_meshio(path):
     for name in ("Thickness", "thickness"):
         if name in mesh.point_data:
             content["thickness"] = mesh.point_data[name].tolist()
+    if "object" in mesh.point_data:
+        content["object_of_points"] = mesh.point_data["object"].tolist()
     for name, blocks in mesh.cell_data.items():
-        key = {"Area": "area", "RimEdges": "rim", "JunctionEdges": "junction"}.get(name)
+        key = {"Area": "area", "RimEdges": "rim", "JunctionEdges": "junction", "Object": "object", "obj:group_ids": "group"}.get(name)
         if key:
             content[key] = [value.item() for block in blocks for value in block]
     first = [sum(len(block.data) for block in mesh.cells[:index]) for index in range(len(mesh.cells))]

@@ -160,6 +160,51 @@ class LabelMapTest(ProgramTestCase):
         self.assertEqual([row["label"] for row in report["objects"]], [1, 3])
         self.assertEqual(set(read_values(self.folder / "objects.mha", "uint8")), {0, 1, 3})
 
+    def info(self, name):
+        """What info --labels tells of the objects, by name."""
+        lines = self.run_program("info", name, "--labels").stdout.splitlines()
+        return {line[:10].strip(): line[10:] for line in lines}
+
+    def test_info(self):
+        for seed in range(12):
+            dice = random.Random(seed)
+            volume = make_map(dice)
+            for compressed in (False, True):
+                volumes.write_meta(self.folder / "map.mha", volume, compressed=compressed)
+                info = self.info("map.mha")
+                self.extract("map.mha", "o.mha", "--labels", "all", "--report", "r.json", "--overwrite", thickness="auto")
+                report = json.loads((self.folder / "r.json").read_text(encoding="utf-8"))
+                labels = [row["label"] for row in report["objects"]]
+                self.assertEqual(info["objects"], f"{len(labels)}, labels {labels[0]} to {labels[-1]}")
+                self.assertEqual(info["passes"], f"{report['passes']} for extract --labels all")
+                smallest = min(report["objects"], key=lambda row: row["voxels"])
+                self.assertEqual(info["smallest"], f"{smallest['voxels']} voxels (label {smallest['label']})")
+                largest = max(report["objects"], key=lambda row: row["voxels"])
+                self.assertEqual(info["largest"], f"{largest['voxels']} voxels (label {largest['label']})")
+                again = f"streamed, each part {report['passes'] + 1} times"
+                self.assertTrue(info["labels"].startswith("unpacked once" if compressed else again), info["labels"])
+
+    def test_info_of_other_values(self):
+        volume = volumes.box_with_plate(kind="float32")
+        volume.voxels[17] = 2.5
+        volumes.write_meta(self.folder / "map.mha", volume)
+        self.assert_fails(CORRUPT, ["map.mha", "2.5", "whole"], "info", "map.mha", "--labels")
+
+    def test_memory_of_many_objects(self):
+        """The number of objects is known after the plan, which then counts them, or the run is refused."""
+        volume = volumes.Volume((90, 90, 9), [], kind="uint16")
+        volume.voxels = [1 + x // 3 + 30 * (y // 3) for x, y, _ in volume.indices()]
+        volumes.write_meta(self.folder / "map.mha", volume)
+        run = ("map.mha", "o.mha", "--labels", "all", "--threads", 1, "--report", "r.json", "--overwrite")
+        self.extract(*run)
+        report = json.loads((self.folder / "r.json").read_text(encoding="utf-8"))
+        self.assertEqual(len(report["objects"]), 900)
+        self.assertLessEqual(report["peak_memory_bytes"], report["planned_peak_bytes"])
+        self.assertGreater(report["planned_peak_bytes"], 836 * 32768)
+        limit = f"{report['planned_peak_bytes'] // 1024 - 1024}K"
+        parts = ["map.mha", "--memory", "fewer objects"]
+        self.assert_fails(REFUSED, parts, "extract", *run, "--memory", limit, "--thickness", 3)
+
     def test_refusals(self):
         volumes.write_meta(self.folder / "map.mha", volumes.box_with_plate())
         run = ("extract", "map.mha", "out.mha", "--labels")
@@ -170,9 +215,8 @@ class LabelMapTest(ProgramTestCase):
         for options, part in (
             (("--lower", 7), "threshold"),
             (("--label", 7), "a label"),
-            (("--mesh", "out.vtp"), "mesh"),
             (("--vectors", "v.mha"), "vectors"),
-            (("--distance", "d.mha"), "distances"),
+            (("--distance", "d.mha"), "--label"),
         ):
             self.assert_fails(USAGE, [part], *run, "all", *options)
         self.assert_fails(USAGE, ["--objects", "--labels"], "extract", "map.mha", "out.mha", "--objects", "o.mha")

@@ -16,14 +16,14 @@ from test_identity import rough_shell
 
 
 class Mesh:
-    """Vertices (x, y, z, thickness) and faces of a PLY file."""
+    """Vertices (x, y, z, thickness), of a label map with the label of the object, and faces of a PLY file."""
 
     def __init__(self, path):
         header, data = path.read_bytes().split(b"end_header\n", 1)
         vertices = int(re.search(rb"element vertex (\d+)", header)[1])
         faces = int(re.search(rb"element face (\d+)", header)[1])
         self.is_double = b"property double x" in header
-        record = struct.Struct("<dddf" if self.is_double else "<ffff")
+        record = struct.Struct(("<dddf" if self.is_double else "<ffff") + ("i" if b"property int object" in header else ""))
         position = record.size * vertices
         self.vertices = list(record.iter_unpack(data[:position]))
         self.faces = []

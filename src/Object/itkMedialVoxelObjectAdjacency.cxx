@@ -51,9 +51,10 @@ MedialVoxelObjectAdjacency::MedialVoxelObjectAdjacency(const MedialVoxelIndex & 
   , m_BlockEdge(GetReach(size, maximumPoreSize))
   , m_BlocksX((size[0] + m_BlockEdge - 1) / m_BlockEdge)
   , m_BlocksY((size[1] + m_BlockEdge - 1) / m_BlockEdge)
-  , m_Layer(static_cast<std::size_t>(m_BlocksX * m_BlocksY))
-  , m_PreviousLayer(m_Layer.size())
-{}
+{
+  m_Layer.first.resize(static_cast<std::size_t>(m_BlocksX * m_BlocksY));
+  m_PreviousLayer.first.resize(m_Layer.first.size());
+}
 
 std::int64_t
 MedialVoxelObjectAdjacency::GetReach(const MedialVoxelIndex & size, const std::uint64_t maximumPoreSize)
@@ -67,11 +68,56 @@ MedialVoxelObjectAdjacency::GetReach(const MedialVoxelIndex & size, const std::u
   return reach;
 }
 
+std::uint64_t
+MedialVoxelObjectAdjacency::GetBytes(const MedialVoxelIndex & size, const std::uint64_t maximumPoreSize)
+{
+  const std::int64_t edge = GetReach(size, maximumPoreSize);
+  const auto         blocks = static_cast<std::uint64_t>(((size[0] + edge - 1) / edge) * ((size[1] + edge - 1) / edge));
+  return 2 * blocks * sizeof(std::array<ObjectType, MostInBlock>);
+}
+
+void
+MedialVoxelObjectAdjacency::AddObject(Layer & layer, const std::size_t block, const ObjectType object)
+{
+  for (ObjectType & known : layer.first[block])
+  {
+    if (known == 0 || known == object)
+    {
+      known = object;
+      return;
+    }
+  }
+  std::vector<ObjectType> & rest = layer.rest[block];
+  if (std::find(rest.begin(), rest.end(), object) == rest.end())
+  {
+    rest.push_back(object);
+  }
+}
+
+template <typename TFunction>
+void
+MedialVoxelObjectAdjacency::ForEachObject(const Layer & layer, const std::size_t block, TFunction && function)
+{
+  for (const ObjectType object : layer.first[block])
+  {
+    if (object == 0)
+    {
+      return;
+    }
+    function(object);
+  }
+  const auto rest = layer.rest.find(block);
+  if (rest != layer.rest.end())
+  {
+    std::for_each(rest->second.begin(), rest->second.end(), function);
+  }
+}
+
 void
 MedialVoxelObjectAdjacency::AddRow(const ObjectType * const row)
 {
   assert(m_NextZ < m_Size[2]);
-  Block * const blocks = m_Layer.data() + m_NextY / m_BlockEdge * m_BlocksX;
+  const std::int64_t firstBlock = m_NextY / m_BlockEdge * m_BlocksX;
   for (std::int64_t block = 0; block < m_BlocksX; ++block)
   {
     const ObjectType * const end = row + std::min((block + 1) * m_BlockEdge, m_Size[0]);
@@ -80,11 +126,7 @@ MedialVoxelObjectAdjacency::AddRow(const ObjectType * const row)
     {
       if (*object != last && *object != 0)
       {
-        Block & known = blocks[block];
-        if (std::find(known.begin(), known.end(), *object) == known.end())
-        {
-          known.push_back(*object);
-        }
+        AddObject(m_Layer, static_cast<std::size_t>(firstBlock + block), *object);
       }
       last = *object;
     }
@@ -110,39 +152,33 @@ MedialVoxelObjectAdjacency::FinishLayer()
   {
     for (std::int64_t x = 0; x < m_BlocksX; ++x)
     {
-      const Block & block = m_Layer[at(x, y)];
-      if (block.empty())
-      {
-        continue;
-      }
-      this->Connect(block, block);
+      const std::size_t block = at(x, y);
       for (std::int64_t otherY = std::max<std::int64_t>(y - 1, 0); otherY <= std::min(y + 1, m_BlocksY - 1); ++otherY)
       {
         for (std::int64_t otherX = std::max<std::int64_t>(x - 1, 0); otherX <= std::min(x + 1, m_BlocksX - 1); ++otherX)
         {
-          this->Connect(block, m_Layer[at(otherX, otherY)]);
-          this->Connect(block, m_PreviousLayer[at(otherX, otherY)]);
+          this->Connect(block, m_Layer, at(otherX, otherY));
+          this->Connect(block, m_PreviousLayer, at(otherX, otherY));
         }
       }
     }
   }
   std::swap(m_Layer, m_PreviousLayer);
-  std::for_each(m_Layer.begin(), m_Layer.end(), [](Block & block) { block.clear(); });
+  std::fill(m_Layer.first.begin(), m_Layer.first.end(), std::array<ObjectType, MostInBlock>{});
+  m_Layer.rest.clear();
 }
 
 void
-MedialVoxelObjectAdjacency::Connect(const Block & block, const Block & other)
+MedialVoxelObjectAdjacency::Connect(const std::size_t block, const Layer & otherLayer, const std::size_t other)
 {
-  for (const ObjectType first : block)
-  {
-    for (const ObjectType second : other)
-    {
+  ForEachObject(m_Layer, block, [&](const ObjectType first) {
+    ForEachObject(otherLayer, other, [&](const ObjectType second) {
       if (first != second)
       {
         m_Pairs.insert(MakePair(first, second));
       }
-    }
-  }
+    });
+  });
 }
 
 auto

@@ -298,7 +298,7 @@ MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
       std::uint32_t end = begin;
       for (; end < numberOfCells && KeyOf(cells[end]) == KeyOf(cells[begin]); ++end)
       {
-        vertices.push_back({ this->PointOf(slice, end), static_cast<double>(cells[end].thickness) });
+        vertices.push_back({ this->PointOf(slice, end), static_cast<double>(cells[end].thickness), cells[end].part });
       }
       for (unsigned int axis = 0; axis < 3; ++axis)
       {

@@ -28,6 +28,7 @@ struct MedialVoxelSurfaceCell
 {
   std::array<std::int32_t, 3>          index{};       ///< of the cell
   MedialVoxelSurfaceTopology::EdgeMask quads{ 0 };    ///< voxel edges whose quadrilateral has it, at least one
+  std::uint16_t                        part{ 0 };     ///< of the image, where parts are told apart
   std::array<float, 3>                 offset{};      ///< of the vertex from the center of the cell
   std::array<float, 3>                 normal{};      ///< of the plane midway between the walls, of length 1
   float                                distance{ 0 }; ///< of that plane from the center, along the normal

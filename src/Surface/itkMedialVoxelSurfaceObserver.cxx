@@ -122,6 +122,13 @@ MedialVoxelSurfaceObserver::Commit()
   {
     MedialVoxelPoll();
     auto & cells = m_Pending[slice];
+    if (m_FindPart)
+    {
+      for (MedialVoxelSurfaceCell & cell : cells)
+      {
+        cell.part = m_FindPart({ { cell.index[0], cell.index[1], cell.index[2] } });
+      }
+    }
     std::sort(cells.begin(), cells.end(), MedialVoxelIsBefore);
     m_Trimmer.AddSlice(m_FirstSlice + static_cast<std::int64_t>(slice), std::move(cells));
   }

@@ -7,10 +7,12 @@
 #include "itkMedialVoxelTileObserver.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace itk
@@ -59,6 +61,14 @@ public:
     m_MaximumNumberOfCells = number;
   }
 
+  /** Have vertices tell the part of the image that \a find names for the index of their cell. It is called for the
+   * cells of an execution when that is done, by one thread. */
+  void
+  FindPartsWith(std::function<std::uint16_t(const MedialVoxelIndex & cell)> find)
+  {
+    m_FindPart = std::move(find);
+  }
+
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
@@ -94,6 +104,8 @@ private:
   MedialVoxelSurfaceTrimmer m_Trimmer;
   std::uint64_t             m_MaximumNumberOfCells{ std::numeric_limits<std::uint64_t>::max() };
   std::mutex                m_Mutex;
+
+  std::function<std::uint16_t(const MedialVoxelIndex & cell)> m_FindPart; ///< may be empty
 
   /** Cells by slice, from m_FirstSlice on; of each slice in any order. */
   std::vector<std::vector<MedialVoxelSurfaceCell>> m_Pending;

@@ -148,13 +148,17 @@ private:
 class LabelMap::UnpackedSource : public Source
 {
 public:
-  UnpackedSource(const VolumeHeader & header, const std::filesystem::path & scratchFolder)
+  /** \param keepsVoxels whether Read() is to be called */
+  UnpackedSource(const VolumeHeader & header, const std::filesystem::path & scratchFolder, bool keepsVoxels)
     : m_Header(header)
     , m_Size(GetSize(header))
-    , m_Store(scratchFolder.empty()
-                ? MakeBitStoreInMemory(UnpackedBits * header.geometry.GetNumberOfVoxels())
-                : MakeBitStoreInFile(scratchFolder, UnpackedBits * header.geometry.GetNumberOfVoxels()))
-  {}
+  {
+    const std::uint64_t bits = UnpackedBits * header.geometry.GetNumberOfVoxels();
+    if (keepsVoxels)
+    {
+      m_Store = scratchFolder.empty() ? MakeBitStoreInMemory(bits) : MakeBitStoreInFile(scratchFolder, bits);
+    }
+  }
 
   void
   Show(itk::MedialVoxelLabelSurvey & survey, const ReadObserver & observer) override
@@ -216,6 +220,10 @@ private:
   void
   Store(const std::vector<ObjectNumber> & objects)
   {
+    if (!m_Store)
+    {
+      return;
+    }
     m_Pending.insert(m_Pending.end(), objects.begin(), objects.end());
     if (m_Pending.size() < (objects.empty() ? 1 : VoxelsPerChunk))
     {
@@ -241,7 +249,7 @@ private:
 
   VolumeHeader                    m_Header;
   itk::MedialVoxelIndex           m_Size;
-  std::unique_ptr<BitStore>       m_Store;
+  std::unique_ptr<BitStore>       m_Store; ///< null: nothing is kept
   std::mutex                      m_Mutex; ///< of the words
   std::vector<BitStore::WordType> m_Words;
   std::vector<ObjectNumber>       m_Pending;
@@ -253,7 +261,8 @@ LabelMap::LabelMap(const VolumeHeader &          header,
                    const LabelSelection &        selection,
                    std::uint64_t                 maximumPoreSize,
                    const std::filesystem::path & scratchFolder,
-                   std::uint64_t                 bytesToKeep)
+                   std::uint64_t                 bytesToKeep,
+                   bool                          keepsVoxels)
   : m_Header(header)
   , m_Selection(selection)
   , m_MaximumPoreSize(maximumPoreSize)
@@ -264,7 +273,7 @@ LabelMap::LabelMap(const VolumeHeader &          header,
   }
   else
   {
-    m_Source = std::make_unique<UnpackedSource>(header, scratchFolder);
+    m_Source = std::make_unique<UnpackedSource>(header, scratchFolder, keepsVoxels);
   }
 }
 

@@ -31,12 +31,14 @@ public:
    * \param maximumPoreSize of the extraction
    * \param scratchFolder for a volume that does not stream; empty: in memory
    * \param bytesToKeep of chunks whose further slices are needed later
+   * \param keepsVoxels false to find the objects and read no voxel after that, for which nothing is unpacked
    * \throw JobError Refused when there is no space in the scratch folder. */
   LabelMap(const VolumeHeader &          header,
            const LabelSelection &        selection,
            std::uint64_t                 maximumPoreSize,
            const std::filesystem::path & scratchFolder,
-           std::uint64_t                 bytesToKeep);
+           std::uint64_t                 bytesToKeep,
+           bool                          keepsVoxels = true);
   ~LabelMap() override;
 
   /** Reads all voxels once: finds the objects and their passes.

@@ -46,6 +46,15 @@ public:
   ObjectNumber
   FindObjectOfPore(std::uint64_t voxel, unsigned int pass) const;
 
+  /** One or the other: of every cell that a pass has results for. Like the latter not for threads of the engine. */
+  template <typename TCell>
+  ObjectNumber
+  FindOwner(const TCell & cell, unsigned int pass) const
+  {
+    const ObjectNumber object = this->FindObject(cell, pass);
+    return object > 0 ? object : this->FindObjectOfPore(cell, pass);
+  }
+
 private:
   itk::MedialVoxelBox m_Image;
   unsigned int        m_LastAxis;

@@ -158,6 +158,32 @@ WriteEdgeSet(SurfaceReader & reader, const char * name, std::uint8_t SurfaceFace
   lines.Finish();
 }
 
+/** A set for each object of a label map, whose elements follow each other. */
+void
+WriteObjectSets(SurfaceReader & reader, const std::vector<std::int64_t> & labels, BufferedOutput & output)
+{
+  std::uint32_t object = 0;
+  std::uint64_t first = 1;
+  std::uint64_t last = 0;
+  const auto    write = [&] {
+    if (object > 0)
+    {
+      output.Text("*ELSET, ELSET=" + GetObjectName(labels[object - 1]) + ", GENERATE\n");
+      output.Integer(first).Text(", ").Integer(last).Text(", 1\n");
+    }
+  };
+  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
+    if (reader.GetObject(face) != object)
+    {
+      write();
+      object = reader.GetObject(face);
+      first = number;
+    }
+    last = number;
+  });
+  write();
+}
+
 void
 WriteProperties(const std::vector<SurfaceSection> & sections, BufferedOutput & output)
 {
@@ -175,12 +201,12 @@ WriteProperties(const std::vector<SurfaceSection> & sections, BufferedOutput & o
 void
 WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(1, 6);
+  reader.SetNumberOfPasses(1, 7);
   const SurfaceSections sections(reader, options.thicknessClassWidth);
   CheckElementsFit(SurfaceFormat::Abaqus, reader, sections);
   const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptElements);
   const std::uint64_t       elementPasses = (sections.GetNumberOfTriangles() > 0) + (sections.GetNumberOfQuads() > 0);
-  reader.SetNumberOfPasses(1, 3 + elementPasses + ends.size());
+  reader.SetNumberOfPasses(1, 4 + elementPasses + ends.size());
 
   output.Text("*HEADING\nMedial surface by MedialVoxel, lengths in the units of the image\n");
   WriteNodes(reader, output);
@@ -200,6 +226,7 @@ WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, 
   }
   WriteEdgeSet(reader, "RIM", &SurfaceFace::rimEdges, output);
   WriteEdgeSet(reader, "JUNCTION", &SurfaceFace::junctionEdges, output);
+  WriteObjectSets(reader, options.objectLabels, output);
   WriteProperties(sections.GetSections(), output);
 }
 

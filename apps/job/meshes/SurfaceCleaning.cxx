@@ -132,7 +132,7 @@ CopyVertices(const SurfaceSpool & from, SurfaceSpool & to, TIsKept && isKept)
     {
       if (isKept(first + i))
       {
-        kept.push_back({ vertices[i].position, vertices[i].thickness });
+        kept.push_back({ vertices[i].position, vertices[i].thickness, vertices[i].object });
       }
     }
     to.AddVertices(kept);

@@ -127,6 +127,13 @@ HoldsDouble(SurfaceFormat format)
   return format != SurfaceFormat::Stl;
 }
 
+std::string
+GetObjectName(std::int64_t label)
+{
+  const std::string digits = std::to_string(label);
+  return label < 0 ? "OBJECT_MINUS_" + digits.substr(1) : "OBJECT_" + digits;
+}
+
 void
 CheckSurfaceFits(SurfaceFormat format,
                  std::uint64_t numberOfVertices,

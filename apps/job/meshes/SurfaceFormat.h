@@ -47,6 +47,10 @@ struct SurfaceWriteOptions
    * spacing. */
   double thicknessClassWidth{ 1.0 };
 
+  /** The labels of the objects of a label map, by their numbers from 1 on; the faces of an object follow each other.
+   * Empty: the surface is that of one object, and nothing is written of it. */
+  std::vector<std::int64_t> objectLabels;
+
   /** Abaqus: numbers of elements kept at once, 8 bytes each, while they are put into sections; no other influence. */
   std::uint64_t keptElements{ std::uint64_t{ 1 } << 22 };
 

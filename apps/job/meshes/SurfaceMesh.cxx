@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "FileNames.h"
 #include "SurfaceReader.h"
+#include "SurfaceSorting.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -111,40 +112,54 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
                          const VolumeGeometry &       geometry,
                          const itk::MedialVoxelGrid & grid,
                          const std::uint64_t          surplusBytes)
-  : m_Format(GetSurfaceFormat(options.meshFile))
-  , m_AsTriangles(options.meshTriangles)
-  , m_SectionWidth(
-      options.sectionWidth.value_or(0.25 * *std::min_element(geometry.spacing.begin(), geometry.spacing.end())))
+  : m_Options(options)
+  , m_Geometry(geometry)
+  , m_Grid(grid)
+  , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplusBytes / BytesPerPendingCell)
   , m_Cleaning(GetCleaning(options))
   , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry)))
-  , m_Observer(grid, GetParameters(options, grid), GetSpacing(geometry), GetPlacement(geometry), *this)
 {
-  m_Observer.SetMaximumNumberOfCells(GetPendingCells(geometry) + surplusBytes / BytesPerPendingCell);
   m_Cleaning.memoryBytes = GetCleaningBytes(m_Cleaning, GetPlannedVertices(geometry));
-  if (options.subVoxel)
+  if (options.labels)
+  {
+    itk::MedialVoxelSurfaceConsumer & consumer = *this;
+    m_Passes = std::make_unique<SurfacePasses>([this](auto & ofPass) { return this->MakeObserver(ofPass); }, consumer);
+  }
+  else
+  {
+    m_Observer = this->MakeObserver(*this);
+  }
+}
+
+std::unique_ptr<itk::MedialVoxelSurfaceObserver>
+SurfaceMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
+{
+  auto observer = std::make_unique<itk::MedialVoxelSurfaceObserver>(
+    m_Grid, GetParameters(m_Options, m_Grid), GetSpacing(m_Geometry), GetPlacement(m_Geometry), consumer);
+  observer->SetMaximumNumberOfCells(m_MaximumNumberOfCells);
+  if (m_Options.subVoxel)
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    m_Observer.MeasureOnGrayValues(options.lowerThreshold.value_or(-infinity).GetNearestDouble(),
-                                   options.upperThreshold.value_or(infinity).GetNearestDouble());
+    observer->MeasureOnGrayValues(m_Options.lowerThreshold.value_or(-infinity).GetNearestDouble(),
+                                  m_Options.upperThreshold.value_or(infinity).GetNearestDouble());
   }
+  if (m_Options.labels)
+  {
+    observer->FindPartsWith([this](const itk::MedialVoxelIndex & cell) { return m_FindObject(cell); });
+  }
+  return observer;
 }
 
 SurfaceSummary
 SurfaceMesh::Write(OutputFile & file, std::uint64_t memoryBytes, const std::function<void(double)> & progress)
 {
-  m_Observer.Finish();
-  if (m_Cleaning.IsOn())
-  {
-    m_Cleaning.memoryBytes += memoryBytes;
-    m_Cleaning.progress = progress;
-    m_Spool = CleanSurface(std::move(m_Spool), m_Cleaning);
-    m_Area = 0.0;
-    SurfaceReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const SurfaceFace & face) { m_Area += face.area; });
-  }
+  this->Finish(memoryBytes, progress);
   SurfaceWriteOptions options;
-  options.thicknessClassWidth = m_SectionWidth;
+  options.thicknessClassWidth =
+    m_Options.sectionWidth.value_or(0.25 * *std::min_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end()));
+  options.objectLabels = m_ObjectLabels;
   options.progress = progress;
-  WriteSurface(m_Format, *m_Spool, options, file);
+  WriteSurface(GetSurfaceFormat(m_Options.meshFile), *m_Spool, options, file);
   SurfaceSummary summary;
   summary.vertices = m_Spool->GetNumberOfVertices();
   summary.faces = m_Spool->GetNumberOfFaces();
@@ -152,12 +167,38 @@ SurfaceMesh::Write(OutputFile & file, std::uint64_t memoryBytes, const std::func
   return summary;
 }
 
+/** Sorts the surface and rids it of what is too short or too small. */
+void
+SurfaceMesh::Finish(std::uint64_t memoryBytes, const std::function<void(double)> & progress)
+{
+  if (m_Passes)
+  {
+    m_Passes->Finish();
+    m_Spool = SortSurfaceByObject(std::move(m_Spool), m_ObjectLabels.size(), m_Cleaning.scratchFolder, progress);
+  }
+  else
+  {
+    m_Observer->Finish();
+  }
+  if (m_Cleaning.IsOn())
+  {
+    m_Cleaning.memoryBytes += memoryBytes;
+    m_Cleaning.progress = progress;
+    m_Spool = CleanSurface(std::move(m_Spool), m_Cleaning);
+  }
+  if (m_Passes || m_Cleaning.IsOn())
+  {
+    m_Area = 0.0;
+    SurfaceReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const SurfaceFace & face) { m_Area += face.area; });
+  }
+}
+
 void
 SurfaceMesh::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertices)
 {
   m_Vertices.resize(vertices.size());
   std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [](const auto & vertex) {
-    return SurfaceVertex{ vertex.point, vertex.thickness };
+    return SurfaceVertex{ vertex.point, vertex.thickness, vertex.part };
   });
   m_Spool->AddVertices(m_Vertices);
 }
@@ -169,7 +210,7 @@ SurfaceMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
   for (const itk::MedialVoxelSurfaceQuad & quad : quads)
   {
     m_Area += quad.GetArea();
-    if (m_AsTriangles)
+    if (m_Options.meshTriangles)
     {
       this->AddTriangles(quad);
     }
@@ -213,9 +254,11 @@ ScratchSpace
 SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
   const SurfaceCleaning cleaning = GetCleaning(options);
-  const std::uint64_t   spools = cleaning.IsOn() ? 2 : 1;
+  const std::uint64_t   spools = cleaning.IsOn() || options.labels ? 2 : 1;
+  const std::uint64_t   sorting = options.labels ? ScratchBytesPerSortedVertex : 0;
   return { cleaning.scratchFolder,
-           spools * GetPlannedVertices(geometry) * (SurfaceSpool::BytesPerVertex + SurfaceSpool::BytesPerFace) };
+           GetPlannedVertices(geometry) *
+             (spools * (SurfaceSpool::BytesPerVertex + SurfaceSpool::BytesPerFace) + sorting) };
 }
 
 void

@@ -7,6 +7,7 @@
 #include "JobPlan.h"
 #include "SurfaceCleaning.h"
 #include "SurfaceFormat.h"
+#include "SurfacePasses.h"
 #include "SurfaceSpool.h"
 #include "SurfaceSummary.h"
 
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -43,7 +45,31 @@ public:
   itk::MedialVoxelTileObserver &
   GetObserver()
   {
-    return m_Observer;
+    return m_Passes ? static_cast<itk::MedialVoxelTileObserver &>(*m_Passes) : *m_Observer;
+  }
+
+  /** The number of the object that a cell belongs to in the current pass, from 1 on. */
+  using FindObject = std::function<std::uint16_t(const itk::MedialVoxelIndex & cell)>;
+
+  /** Of a label map, before the first piece. */
+  void
+  FindObjectsWith(FindObject find)
+  {
+    m_FindObject = std::move(find);
+  }
+
+  /** The pass over a label map that the tiles from now on belong to. */
+  void
+  BeginPass(unsigned int pass)
+  {
+    m_Passes->BeginPass(pass);
+  }
+
+  /** The labels of the objects of a label map, by number, before the surface is written. */
+  void
+  SetObjectLabels(std::vector<std::int64_t> labels)
+  {
+    m_ObjectLabels = std::move(labels);
   }
 
   /** Writes the surface after the last piece, and finishes the file. \a progress may throw to stop.
@@ -67,18 +93,30 @@ private:
   void
   AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads) override;
 
+  std::unique_ptr<itk::MedialVoxelSurfaceObserver>
+  MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const;
+
+  void
+  Finish(std::uint64_t memoryBytes, const std::function<void(double)> & progress);
+
   void
   AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);
 
-  SurfaceFormat                   m_Format;
-  bool                            m_AsTriangles;
-  double                          m_SectionWidth;
-  SurfaceCleaning                 m_Cleaning;
-  std::unique_ptr<SurfaceSpool>   m_Spool;
-  std::vector<SurfaceVertex>      m_Vertices; // of one slice, for the spool
-  std::vector<SurfaceFace>        m_Faces;
-  double                          m_Area{ 0 };
-  itk::MedialVoxelSurfaceObserver m_Observer;
+  ExtractOptions                m_Options;
+  VolumeGeometry                m_Geometry;
+  itk::MedialVoxelGrid          m_Grid;
+  std::uint64_t                 m_MaximumNumberOfCells;
+  SurfaceCleaning               m_Cleaning;
+  std::unique_ptr<SurfaceSpool> m_Spool;
+  std::vector<SurfaceVertex>    m_Vertices; // of one slice, for the spool
+  std::vector<SurfaceFace>      m_Faces;
+  double                        m_Area{ 0 };
+  FindObject                    m_FindObject;
+  std::vector<std::int64_t>     m_ObjectLabels;
+
+  // One of them.
+  std::unique_ptr<itk::MedialVoxelSurfaceObserver> m_Observer;
+  std::unique_ptr<SurfacePasses>                   m_Passes; ///< of a label map
 };
 
 /** \throw JobError Usage for a volume that is not 3-D, which has no surface, or for a format without the precision that

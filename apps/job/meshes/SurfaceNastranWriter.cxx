@@ -58,12 +58,19 @@ GetReal(double value)
 }
 
 void
-WriteProperties(const std::vector<SurfaceSection> & sections, BufferedOutput & output)
+WriteProperties(const std::vector<SurfaceSection> & sections,
+                const std::vector<std::int64_t> &   labels,
+                BufferedOutput &                    output)
 {
   output.Text("$ A placeholder (aluminum in N, mm, t): put in your material.\n"
               "MAT1,1,70000.,,.33,2.7-9\n");
   for (size_t section = 0; section < sections.size(); ++section)
   {
+    const std::uint32_t object = sections[section].object;
+    if (object > 0 && (section == 0 || sections[section - 1].object != object))
+    {
+      output.Text("$ " + GetObjectName(labels[object - 1]) + "\n");
+    }
     const std::string material = GetField("1", LargeField);
     output.Text("PSHELL* ")
       .Text(GetField(std::to_string(section + 1), LargeField))
@@ -118,7 +125,7 @@ WriteSurfaceNastran(SurfaceReader & reader, const SurfaceWriteOptions & options,
   const SurfaceSections sections(reader, options.thicknessClassWidth);
   CheckElementsFit(SurfaceFormat::Nastran, reader, sections);
   output.Text("$ Medial surface by MedialVoxel, lengths in the units of the image\nSOL 101\nCEND\nBEGIN BULK\n");
-  WriteProperties(sections.GetSections(), output);
+  WriteProperties(sections.GetSections(), options.objectLabels, output);
   WriteNodes(reader, output);
   WriteElements(reader, sections, output);
   output.Text("ENDDATA\n");

@@ -6,7 +6,7 @@ namespace medialvoxel
 {
 
 void
-WriteSurfaceObj(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOutput & output)
+WriteSurfaceObj(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 1);
   output.Text("# Medial surface by MedialVoxel, lengths in the units of the image\n");
@@ -15,7 +15,13 @@ WriteSurfaceObj(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOut
     ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.Text(" ").Float(coordinate); });
     output.Text("\n");
   });
+  std::uint32_t object = 0;
   reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+    if (!options.objectLabels.empty() && reader.GetObject(face) != object)
+    {
+      object = reader.GetObject(face);
+      output.Text("g " + GetObjectName(GetLabel(reader, options, face)) + "\n");
+    }
     output.Text("f");
     for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
     {

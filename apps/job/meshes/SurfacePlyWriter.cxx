@@ -2,24 +2,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SurfaceWriters.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace medialvoxel
 {
+namespace
+{
+
+/** PLY has no whole numbers of more bits. */
+bool
+FitInt32(const std::vector<std::int64_t> & labels)
+{
+  using Limits = std::numeric_limits<std::int32_t>;
+  return std::all_of(
+    labels.begin(), labels.end(), [](std::int64_t label) { return label >= Limits::min() && label <= Limits::max(); });
+}
+
+} // namespace
 
 void
-WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOutput & output)
+WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 1);
   output.Text("ply\nformat binary_little_endian 1.0\ncomment Medial surface by MedialVoxel\nelement vertex ");
   output.Integer(reader.GetSurface().GetNumberOfVertices());
   const std::string type = reader.GetSurface().GetPrecision() == SurfacePrecision::Double ? "double" : "float";
-  output.Text("\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type +
-              " z\nproperty float thickness\nelement face ");
+  output.Text("\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type + " z\nproperty float thickness");
+  // A face has the object of its vertices.
+  const bool hasObjects = !options.objectLabels.empty();
+  const bool isInt32 = FitInt32(options.objectLabels);
+  output.Text(!hasObjects ? "" : isInt32 ? "\nproperty int object" : "\nproperty double object");
+  output.Text("\nelement face ");
   output.Integer(reader.GetSurface().GetNumberOfFaces());
   // Nothing more per face: not every reader skips it, that of meshio does not.
   output.Text("\nproperty list uchar int vertex_indices\nend_header\n");
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
     ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
     output.LittleEndian(vertex.thickness);
+    if (hasObjects)
+    {
+      const std::int64_t label = options.objectLabels[vertex.object - 1];
+      isInt32 ? output.LittleEndian(static_cast<std::int32_t>(label)) : output.LittleEndian(static_cast<double>(label));
+    }
   });
   reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
     output.LittleEndian(face.numberOfVertices);

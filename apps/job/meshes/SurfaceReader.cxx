@@ -7,7 +7,10 @@ namespace medialvoxel
 SurfaceReader::SurfaceReader(const SurfaceSpool & surface, const std::function<void(double)> & progress)
   : m_Surface(surface)
   , m_Progress(progress)
-  , m_Slots(NumberOfSlots)
+  , m_Blocks(surface.GetNumberOfVertices(),
+             [&surface](std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) {
+               surface.ReadVertices(first, count, vertices);
+             })
 {}
 
 void
@@ -26,20 +29,6 @@ SurfaceReader::AddDone(std::uint64_t count)
     m_Fraction = std::max(m_Fraction, std::min(1.0, static_cast<double>(m_Done) / static_cast<double>(m_Expected)));
     m_Progress(m_Fraction);
   }
-}
-
-const SurfaceReader::Vertex &
-SurfaceReader::GetVertex(std::uint64_t number)
-{
-  const std::uint64_t block = number / BlockSize;
-  Slot &              slot = m_Slots[block % NumberOfSlots];
-  if (slot.block != block)
-  {
-    const std::uint64_t first = block * BlockSize;
-    m_Surface.ReadVertices(first, std::min(BlockSize, m_Surface.GetNumberOfVertices() - first), slot.vertices);
-    slot.block = block;
-  }
-  return slot.vertices[number % BlockSize];
 }
 
 } // end namespace medialvoxel

@@ -3,6 +3,7 @@
 #ifndef medialvoxelSurfaceReader_h
 #define medialvoxelSurfaceReader_h
 
+#include "SurfaceBlocks.h"
 #include "SurfaceSpool.h"
 
 #include <algorithm>
@@ -55,12 +56,20 @@ public:
 
   /** One vertex; fast when those asked for lie near each other, as those of successive faces do. */
   const Vertex &
-  GetVertex(std::uint64_t number);
+  GetVertex(std::uint64_t number)
+  {
+    return m_Blocks.Get(number);
+  }
+
+  /** The object that a face belongs to, as in SurfaceVertex. */
+  std::uint32_t
+  GetObject(const SurfaceFace & face)
+  {
+    return this->GetVertex(face.vertices[0]).object;
+  }
 
 private:
   static constexpr std::uint64_t BlockSize = 1024;
-  static constexpr std::uint64_t NumberOfSlots = 512;
-  static constexpr std::uint64_t NoBlock = ~std::uint64_t{ 0 };
 
   template <typename TRead, typename TCall>
   void
@@ -81,13 +90,6 @@ private:
   void
   AddDone(std::uint64_t count);
 
-  /** Vertices of one block of numbers. */
-  struct Slot
-  {
-    std::uint64_t       block{ NoBlock };
-    std::vector<Vertex> vertices;
-  };
-
   const SurfaceSpool &        m_Surface;
   std::function<void(double)> m_Progress;
   std::uint64_t               m_Expected{ 0 };
@@ -95,7 +97,7 @@ private:
   double                      m_Fraction{ 0.0 };
   std::vector<Vertex>         m_Vertices;
   std::vector<SurfaceFace>    m_Faces;
-  std::vector<Slot>           m_Slots;
+  SurfaceBlocks<Vertex>       m_Blocks;
 };
 
 } // end namespace medialvoxel

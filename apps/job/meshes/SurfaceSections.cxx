@@ -73,21 +73,23 @@ SurfaceSections::SurfaceSections(SurfaceReader & reader, double classWidth)
   {
     Fail(ExitStatus::Usage, "the width of thickness classes is ", FormatNumber(classWidth), ", it must be > 0");
   }
-  std::map<ClassType, Sums>          classes;
-  std::map<ClassType, std::uint64_t> elements;
-  Sums                               known;
+  std::map<Key, Sums>           classes;
+  std::map<Key, std::uint64_t>  elements;
+  std::map<std::uint32_t, Sums> knownOfObject;
+  Sums                          known;
   reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
     const std::optional<double> thickness = GetFaceThickness(reader, face);
-    const ClassType             thicknessClass = this->GetClass(thickness);
-    classes[thicknessClass].Add(face.area, thickness.value_or(0));
+    const Key                   key{ reader.GetObject(face), this->GetClass(thickness) };
+    classes[key].Add(face.area, thickness.value_or(0));
     for (const auto & corners : GetElements(reader, face))
     {
-      ++elements[thicknessClass];
+      ++elements[key];
       ++(corners.size() == 3 ? m_NumberOfTriangles : m_NumberOfQuads);
     }
     if (thickness)
     {
       known.Add(face.area, *thickness);
+      knownOfObject[key.object].Add(face.area, *thickness);
     }
     if (classes.size() > MaximumNumberOfSections)
     {
@@ -96,7 +98,7 @@ SurfaceSections::SurfaceSections(SurfaceReader & reader, double classWidth)
            FormatNumber(m_ClassWidth),
            " give more than ",
            MaximumNumberOfSections,
-           " sections; take wider ones");
+           " sections; take wider ones, or fewer labels of a label map");
     }
   });
   if (!classes.empty() && known.number == 0)
@@ -104,11 +106,13 @@ SurfaceSections::SurfaceSections(SurfaceReader & reader, double classWidth)
     Fail(ExitStatus::Failure, "no vertex of the mesh has a thickness, which the sections of elements need");
   }
   const ClassType unknown = this->GetClass(std::nullopt);
-  for (const auto & [thicknessClass, sums] : classes)
+  for (const auto & [key, sums] : classes)
   {
-    m_SectionOfClass[thicknessClass] = m_Sections.size();
-    const double mean = thicknessClass == unknown ? known.GetMean() : sums.GetMean();
-    m_Sections.push_back({ static_cast<float>(mean), elements[thicknessClass] });
+    m_SectionOfKey[key] = m_Sections.size();
+    const auto   ofObject = knownOfObject.find(key.object);
+    const Sums & others = ofObject == knownOfObject.end() ? known : ofObject->second;
+    const double mean = key.thicknessClass == unknown ? others.GetMean() : sums.GetMean();
+    m_Sections.push_back({ key.object, static_cast<float>(mean), elements[key] });
   }
 }
 
@@ -123,7 +127,7 @@ SurfaceSections::GetClass(const std::optional<double> & thickness) const
 size_t
 SurfaceSections::GetSection(SurfaceReader & reader, const SurfaceFace & face) const
 {
-  return m_SectionOfClass.at(this->GetClass(GetFaceThickness(reader, face)));
+  return m_SectionOfKey.at({ reader.GetObject(face), this->GetClass(GetFaceThickness(reader, face)) });
 }
 
 void

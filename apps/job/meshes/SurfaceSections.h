@@ -8,6 +8,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 
 namespace medialvoxel
 {
@@ -20,6 +21,7 @@ GetFaceThickness(SurfaceReader & reader, const SurfaceFace & face);
 /** Elements that share a thickness. */
 struct SurfaceSection
 {
+  std::uint32_t object;           ///< of all elements, as in SurfaceVertex
   float         thickness;        ///< mean of the elements, weighted by area
   std::uint64_t numberOfElements; ///< at least 1
 };
@@ -27,8 +29,9 @@ struct SurfaceSection
 /** \class SurfaceSections
  * \brief Puts the faces of a surface into sections by thickness.
  *
- * Faces whose thickness has the same nearest multiple of the class width share a section. Those without a known
- * thickness have a section of their own with the mean of all others. */
+ * Faces of an object whose thickness has the same nearest multiple of the class width share a section. Those without a
+ * known thickness have a section of their own with the mean of all others of the object, or of all objects where it has
+ * none. */
 class SurfaceSections
 {
 public:
@@ -40,7 +43,7 @@ public:
    * \throw JobError Failure when there are faces, but no thickness is known */
   SurfaceSections(SurfaceReader & reader, double classWidth);
 
-  /** By rising thickness, faces without a known one last. */
+  /** By objects, in them by rising thickness, faces without a known one last. */
   const std::vector<SurfaceSection> &
   GetSections() const
   {
@@ -70,8 +73,21 @@ private:
   ClassType
   GetClass(const std::optional<double> & thickness) const;
 
+  /** What the faces of a section share. */
+  struct Key
+  {
+    std::uint32_t object;
+    ClassType     thicknessClass;
+
+    bool
+    operator<(const Key & other) const
+    {
+      return std::tie(object, thicknessClass) < std::tie(other.object, other.thicknessClass);
+    }
+  };
+
   double                      m_ClassWidth;
-  std::map<ClassType, size_t> m_SectionOfClass;
+  std::map<Key, size_t>       m_SectionOfKey;
   std::vector<SurfaceSection> m_Sections;
   std::uint64_t               m_NumberOfTriangles{ 0 };
   std::uint64_t               m_NumberOfQuads{ 0 };

@@ -22,6 +22,7 @@ struct SurfaceVertex
 {
   std::array<double, 3> position;       ///< physical units of the image
   double                thickness{ 0 }; ///< of the wall, physical units; not finite or not above 0: unknown
+  std::uint32_t         object{ 0 }; ///< number of the object of a label map that its faces belong to; 0: no label map
 };
 
 /** A triangle or a quad of a surface. */

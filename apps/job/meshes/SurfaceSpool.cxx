@@ -29,7 +29,7 @@ static_assert(SurfaceSpool::BytesPerFace == sizeof(FaceRecord));
 SurfaceSpool::Vertex
 Pack(const SurfaceVertex & vertex, SurfacePrecision precision)
 {
-  SurfaceSpool::Vertex record{ vertex.position, static_cast<float>(vertex.thickness) };
+  SurfaceSpool::Vertex record{ vertex.position, static_cast<float>(vertex.thickness), vertex.object };
   if (precision == SurfacePrecision::Single)
   {
     for (double & coordinate : record.position)
@@ -67,16 +67,28 @@ SurfaceSpool::AddVertices(const std::vector<SurfaceVertex> & vertices)
   std::transform(vertices.begin(), vertices.end(), records.begin(), [this](const auto & vertex) {
     return Pack(vertex, m_Precision);
   });
-  m_VertexFile.WriteAt(m_NumberOfVertices * BytesPerVertex, records.data(), records.size() * BytesPerVertex);
-  m_NumberOfVertices += records.size();
+  this->PutVertices(m_NumberOfVertices, records);
+}
+
+void
+SurfaceSpool::PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices)
+{
+  m_VertexFile.WriteAt(first * BytesPerVertex, vertices.data(), vertices.size() * BytesPerVertex);
+  m_NumberOfVertices += vertices.size();
 }
 
 void
 SurfaceSpool::AddFaces(const std::vector<SurfaceFace> & faces)
 {
+  this->PutFaces(this->GetNumberOfFaces(), faces);
+}
+
+void
+SurfaceSpool::PutFaces(std::uint64_t first, const std::vector<SurfaceFace> & faces)
+{
   std::vector<FaceRecord> records(faces.size());
   std::transform(faces.begin(), faces.end(), records.begin(), [](const auto & face) { return Pack(face); });
-  m_FaceFile.WriteAt(this->GetNumberOfFaces() * BytesPerFace, records.data(), records.size() * BytesPerFace);
+  m_FaceFile.WriteAt(first * BytesPerFace, records.data(), records.size() * BytesPerFace);
   for (const SurfaceFace & face : faces)
   {
     ++(face.numberOfVertices == 3 ? m_NumberOfTriangles : m_NumberOfQuads);

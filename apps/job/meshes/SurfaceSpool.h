@@ -27,6 +27,7 @@ public:
   {
     std::array<double, 3> position;  ///< rounded to the precision of the surface
     float                 thickness; ///< as in SurfaceVertex
+    std::uint32_t         object;    ///< as in SurfaceVertex
   };
 
   /** \param folder where the scratch files are, without a name
@@ -38,6 +39,14 @@ public:
   AddVertices(const std::vector<SurfaceVertex> & vertices) override;
   void
   AddFaces(const std::vector<SurfaceFace> & faces) override;
+
+  /** Vertices in any order: those from number \a first on. All numbers up to the largest must come, each once. */
+  void
+  PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices);
+
+  /** The same for faces. */
+  void
+  PutFaces(std::uint64_t first, const std::vector<SurfaceFace> & faces);
 
   SurfacePrecision
   GetPrecision() const

@@ -56,9 +56,9 @@ WriteGeometry(SurfaceReader & reader, BufferedOutput & output)
 } // namespace
 
 void
-WriteSurfaceVtk(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOutput & output)
+WriteSurfaceVtk(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(2, 4);
+  reader.SetNumberOfPasses(2, options.objectLabels.empty() ? 4 : 5);
   output.Text("# vtk DataFile Version 3.0\nMedial surface by MedialVoxel\nBINARY\nDATASET POLYDATA\n");
   WriteGeometry(reader, output);
   output.Text("POINT_DATA ").Integer(reader.GetSurface().GetNumberOfVertices()).Text("\n");
@@ -71,6 +71,12 @@ WriteSurfaceVtk(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOut
     reader, "JunctionEdges", "unsigned_char", output, [](const SurfaceFace & face) { return face.junctionEdges; });
   WriteFaceScalars(
     reader, "Area", "float", output, [](const SurfaceFace & face) { return static_cast<float>(face.area); });
+  if (!options.objectLabels.empty())
+  {
+    WriteFaceScalars(reader, "Object", "vtktypeint64", output, [&](const SurfaceFace & face) {
+      return GetLabel(reader, options, face);
+    });
+  }
 }
 
 } // end namespace medialvoxel

@@ -92,15 +92,22 @@ AddFaceArray(SurfaceReader & reader, AppendedArrays & arrays, const char * name,
 }
 
 std::string
-AddCellData(SurfaceReader & reader, AppendedArrays & arrays)
+AddCellData(SurfaceReader & reader, const SurfaceWriteOptions & options, AppendedArrays & arrays)
 {
+  std::string objects;
+  if (!options.objectLabels.empty())
+  {
+    objects = AddFaceArray(reader, arrays, "Object", "Int64", [&reader, &options](const SurfaceFace & face) {
+      return GetLabel(reader, options, face);
+    });
+  }
   return "      <CellData>\n" +
          AddFaceArray(reader, arrays, "RimEdges", "UInt8", [](const SurfaceFace & face) { return face.rimEdges; }) +
          AddFaceArray(
            reader, arrays, "JunctionEdges", "UInt8", [](const SurfaceFace & face) { return face.junctionEdges; }) +
          AddFaceArray(
            reader, arrays, "Area", "Float32", [](const SurfaceFace & face) { return static_cast<float>(face.area); }) +
-         "      </CellData>\n";
+         objects + "      </CellData>\n";
 }
 
 /** Corners of all faces, one after the other, and where each face ends. */
@@ -145,25 +152,26 @@ WriteFile(const char *           dataSet,
 } // namespace
 
 void
-WriteSurfaceVtp(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOutput & output)
+WriteSurfaceVtp(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(2, 5);
+  reader.SetNumberOfPasses(2, options.objectLabels.empty() ? 5 : 6);
   AppendedArrays    arrays;
-  const std::string content = AddPointData(reader, arrays) + AddCellData(reader, arrays) + AddPoints(reader, arrays) +
-                              "      <Polys>\n" + AddCorners(reader, arrays) + "      </Polys>\n";
+  const std::string content = AddPointData(reader, arrays) + AddCellData(reader, options, arrays) +
+                              AddPoints(reader, arrays) + "      <Polys>\n" + AddCorners(reader, arrays) +
+                              "      </Polys>\n";
   const std::string counts = R"(NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")" +
                              std::to_string(reader.GetSurface().GetNumberOfFaces()) + "\"";
   WriteFile("PolyData", reader, counts, content, arrays, output);
 }
 
 void
-WriteSurfaceVtu(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOutput & output)
+WriteSurfaceVtu(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(2, 6);
+  reader.SetNumberOfPasses(2, options.objectLabels.empty() ? 6 : 7);
   AppendedArrays    arrays;
   const std::string content =
-    AddPointData(reader, arrays) + AddCellData(reader, arrays) + AddPoints(reader, arrays) + "      <Cells>\n" +
-    AddCorners(reader, arrays) +
+    AddPointData(reader, arrays) + AddCellData(reader, options, arrays) + AddPoints(reader, arrays) +
+    "      <Cells>\n" + AddCorners(reader, arrays) +
     AddFaceArray(reader,
                  arrays,
                  "types",

@@ -31,6 +31,17 @@ ForEachCoordinate(const SurfaceReader & reader, const SurfaceSpool::Vertex & ver
   }
 }
 
+/** The label of the object that a face belongs to, in the surface of a label map. */
+inline std::int64_t
+GetLabel(SurfaceReader & reader, const SurfaceWriteOptions & options, const SurfaceFace & face)
+{
+  return options.objectLabels[reader.GetObject(face) - 1];
+}
+
+/** Of groups and sets of the faces of an object: OBJECT_7, and OBJECT_MINUS_7 where no sign is allowed. */
+std::string
+GetObjectName(std::int64_t label);
+
 SurfaceWriter WriteSurfaceVtp;
 SurfaceWriter WriteSurfaceVtu;
 SurfaceWriter WriteSurfaceVtk;

@@ -128,21 +128,28 @@ CheckJobOptions(const JobOptions & options)
 void
 CheckLabelOptions(const ExtractOptions & options)
 {
-  const std::pair<const char *, bool> others[] = {
-    { "a label", options.label.has_value() },
-    { "a threshold", options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu },
-    { "sub-voxel measures", options.subVoxel },
-    { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off },
-    { "vectors", !options.vectorFile.empty() },
-    { "distances", !options.distanceFile.empty() },
-    { "a mesh", !options.meshFile.empty() },
-    { "return parameters", !options.returnParameterFile.empty() },
-  };
-  for (const auto & [name, isGiven] : others)
+  struct Other
   {
-    if (isGiven)
+    const char * name;
+    bool         isGiven;
+    const char * remedy;
+  };
+  constexpr const char * oneOfThem = "they do not go together";
+  constexpr const char * oneObject = "they are of one object: take --label, a run for each object";
+  const Other            others[] = {
+    { "a label", options.label.has_value(), oneOfThem },
+    { "a threshold", options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu, oneOfThem },
+    { "sub-voxel measures", options.subVoxel, "these need gray values and a threshold" },
+    { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off, oneObject },
+    { "vectors", !options.vectorFile.empty(), oneObject },
+    { "distances", !options.distanceFile.empty(), oneObject },
+    { "return parameters", !options.returnParameterFile.empty(), "these are of one object: use --report" },
+  };
+  for (const Other & other : others)
+  {
+    if (other.isGiven)
     {
-      Fail(ExitStatus::Usage, "the labels of several objects and ", name, " are asked for; they do not go together");
+      Fail(ExitStatus::Usage, "the labels of several objects and ", other.name, " are asked for; ", other.remedy);
     }
   }
 }

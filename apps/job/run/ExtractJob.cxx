@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "Errors.h"
 #include "ExtractParts.h"
 #include "ExtractRun.h"
 #include "ExtractSummary.h"
@@ -15,6 +16,7 @@
 #include "SmoothedInput.h"
 #include "StopListener.h"
 #include "SurfaceMesh.h"
+#include "Text.h"
 #include "ThicknessPreview.h"
 #include "ValueStatistics.h"
 #include "VolumeFormats.h"
@@ -98,7 +100,9 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   if (options.labels)
   {
     footprint.bytesPerVoxel += footprint.bytesPerVoxel + ObjectUnion::BytesPerVoxel;
-    footprint.bytesBeside += ObjectSurvey::BytesPerObject * options.labels->values.size();
+    footprint.bytesBeside += LabelMapRun::GetPlannedBytes(*options.labels);
+    footprint.bytesBeside += itk::MedialVoxelObjectAdjacency::GetBytes(
+      footprint.grid.GetSize(), GetParameters(options, footprint.grid).maximumPoreSize);
     footprint.maskBits = LabelMap::UnpackedBits;
   }
   AddEngine(footprint, header, extraction);
@@ -141,7 +145,7 @@ public:
     {
       m_Mesh = std::make_unique<SurfaceMesh>(
         options, result.input.geometry, GetGrid(options, result.input), result.plan.surplusBytes);
-      m_Run.AddObserver(m_Mesh->GetObserver());
+      m_Run.AddMesh(*m_Mesh);
     }
   }
 
@@ -150,6 +154,7 @@ public:
   {
     m_Run.Prepare();
     m_Result.roughness = m_Run.GetInput().GetRoughness();
+    this->PlanObjects();
     for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
     {
       m_Result.sums += m_Run.Run(m_Result.plan.GetPiece(piece), m_Result.plan.GetNextPiece(piece));
@@ -167,6 +172,32 @@ public:
   }
 
 private:
+  /** The number of objects of a label map is known once it is prepared. */
+  void
+  PlanObjects()
+  {
+    JobPlan &           plan = m_Result.plan;
+    const std::uint64_t bytes = m_Run.GetUnplannedBytes();
+    if (bytes > plan.memoryLimit - std::min(plan.memoryLimit, plan.memoryBytes))
+    {
+      Fail(ExitStatus::Refused,
+           m_Result.input.fileName.string(),
+           ": its objects take ",
+           FormatBytes(bytes),
+           " of memory beside the ",
+           FormatBytes(plan.memoryBytes),
+           " that are planned, ",
+           FormatBytes(plan.memoryLimit),
+           " are allowed; allow more with --memory, or name fewer objects with --labels");
+    }
+    if (bytes > 0)
+    {
+      plan.fixedBytes += bytes;
+      plan.memoryBytes += bytes;
+      m_Run.SetPlan(plan);
+    }
+  }
+
   void
   WriteMesh()
   {
@@ -250,6 +281,12 @@ PrepareExtract(const ExtractOptions & options)
   JobResult  result = PrepareJob(options, std::move(header), std::move(outputs), footprint);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
+}
+
+JobPlan
+PlanObjects(const ExtractOptions & options, const VolumeHeader & header)
+{
+  return FitToMemory(options, header, GetFootprint(options, header));
 }
 
 JobResult

@@ -20,6 +20,11 @@ PrepareExtract(const ExtractOptions & options);
 JobResult
 PrepareSharedExtract(const ExtractOptions & options);
 
+/** The memory that the objects of a label map take to be extracted, without outputs beside their labels.
+ * \throw JobError Refused when nothing fits */
+JobPlan
+PlanObjects(const ExtractOptions & options, const VolumeHeader & header);
+
 /** The header of the input, and the outputs that are asked for. */
 JobResult
 DescribeExtract(const ExtractOptions & options);

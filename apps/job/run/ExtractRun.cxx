@@ -55,6 +55,7 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   : m_Input(OpenInput(options, job))
   , m_Loop(job.plan, job.input, options.distanceFile.empty() ? 1 : 2, sink)
   , m_Survey(job.input.geometry, GetGrid(options, job.input), GetSurveySettings(options))
+  , m_Labels(options.labels.value_or(LabelSelection{}))
   , m_Writer(job.plan.writesBehind)
 {
   const auto makeEngine = [&](const itk::MedialVoxelEngineTask & task) {
@@ -96,6 +97,16 @@ ExtractRun::AddObserver(itk::MedialVoxelTileObserver & observer)
 }
 
 void
+ExtractRun::AddMesh(SurfaceMesh & mesh)
+{
+  this->AddObserver(mesh.GetObserver());
+  if (m_Objects)
+  {
+    m_Objects->AddMesh(mesh);
+  }
+}
+
+void
 ExtractRun::SetSlicesToDo(std::uint64_t slices)
 {
   m_Loop.SetSlicesToDo(slices);
@@ -110,6 +121,19 @@ ExtractRun::Prepare()
   {
     m_Loop.SetRunsPerPiece(m_Objects->GetNumberOfPasses());
   }
+}
+
+std::uint64_t
+ExtractRun::GetUnplannedBytes() const
+{
+  return m_Objects ? LabelMapRun::GetUnplannedBytes(m_Labels, m_Objects->GetNumberOfObjects()) : 0;
+}
+
+void
+ExtractRun::SetPlan(const JobPlan & plan)
+{
+  m_Loop.SetPlan(plan);
+  m_Engine->SetMemoryLimit(plan.GetEngineLimit(plan.GetMaximumSlices()));
 }
 
 itk::MedialVoxelSums

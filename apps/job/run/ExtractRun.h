@@ -37,6 +37,10 @@ public:
   void
   AddObserver(itk::MedialVoxelTileObserver & observer);
 
+  /** Lets a mesh see the tiles. */
+  void
+  AddMesh(SurfaceMesh & mesh);
+
   /** For the progress, when not all of the slices are to be done. */
   void
   SetSlicesToDo(std::uint64_t slices);
@@ -45,6 +49,14 @@ public:
    * \throw StoppedBySignal when the sink asks to stop. */
   void
   Prepare();
+
+  /** Memory that the objects of a label map take beyond the plan; to be asked when it is prepared. */
+  std::uint64_t
+  GetUnplannedBytes() const;
+
+  /** A plan with other limits of memory, before the first range. */
+  void
+  SetPlan(const JobPlan & plan);
 
   /** Computes a range, and reads the one that comes next, if any; writing it may still be under way.
    * \return its sums, with the time of the distances but not their counts
@@ -101,6 +113,7 @@ private:
   std::unique_ptr<PieceEngine> m_DistanceEngine; ///< null when no distances are wanted
   Survey                       m_Survey;
   std::unique_ptr<LabelMapRun> m_Objects; ///< of a label map
+  LabelSelection               m_Labels;  ///< the same
   WriteBehind                  m_Writer;  // ends before what it writes
 };
 

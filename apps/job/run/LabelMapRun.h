@@ -6,6 +6,7 @@
 #include "ObjectSurvey.h"
 #include "ObjectUnion.h"
 #include "PieceLoop.h"
+#include "SurfaceMesh.h"
 
 namespace medialvoxel
 {
@@ -18,6 +19,14 @@ public:
   /** \param map the input of the engine; map and survey must outlive it
    * \param maximumPoreSize of the extraction */
   LabelMapRun(LabelMap & map, const VolumeGeometry & geometry, std::uint64_t maximumPoreSize, const Survey & survey);
+
+  /** Memory that is planned for objects before the map is read. */
+  static std::uint64_t
+  GetPlannedBytes(const LabelSelection & selection);
+
+  /** What they take beyond that when their number is known. */
+  static std::uint64_t
+  GetUnplannedBytes(const LabelSelection & selection, std::size_t numberOfObjects);
 
   /** To be added to the engine. */
   itk::MedialVoxelTileObserver &
@@ -32,11 +41,22 @@ public:
     return m_Union;
   }
 
+  /** A mesh that sees the tiles of the engine, and is to tell the objects apart. */
+  void
+  AddMesh(SurfaceMesh & mesh);
+
   /** To be asked when the map is prepared. */
   unsigned int
   GetNumberOfPasses() const
   {
     return m_Map.GetNumberOfPasses();
+  }
+
+  /** The same. */
+  std::size_t
+  GetNumberOfObjects() const
+  {
+    return m_Map.GetTable().GetNumberOfObjects();
   }
 
   /** \return sums over all objects; throws as PieceLoop::Run() */
@@ -47,9 +67,11 @@ public:
   Summarize() const;
 
 private:
-  LabelMap &   m_Map;
-  ObjectUnion  m_Union;
-  ObjectSurvey m_Survey;
+  LabelMap &    m_Map;
+  ObjectUnion   m_Union;
+  ObjectSurvey  m_Survey;
+  SurfaceMesh * m_Mesh{ nullptr };
+  unsigned int  m_Pass{ 0 };
 };
 
 } // end namespace medialvoxel

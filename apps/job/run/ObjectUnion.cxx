@@ -142,8 +142,7 @@ bool
 ObjectUnion::TakeCell(std::uint64_t offset, std::uint8_t label)
 {
   const std::uint64_t voxel = m_Piece.GetFirstVoxel() + offset;
-  const ObjectNumber  corner = m_Piece.FindObject(voxel, m_Pass);
-  const ObjectNumber  object = corner > 0 ? corner : m_Piece.FindObjectOfPore(voxel, m_Pass);
+  const ObjectNumber  object = m_Piece.FindOwner(voxel, m_Pass);
   assert(object > 0);
   const auto change =
     itk::MedialVoxelObjectUnion::TakeCell(label, object, m_Volumes.front()->GetLabels()[offset], m_Objects[offset]);

@@ -49,6 +49,13 @@ public:
     m_SlicesToDo = slices;
   }
 
+  /** A plan with other limits of memory. */
+  void
+  SetPlan(const JobPlan & plan)
+  {
+    m_Plan = plan;
+  }
+
   /** For the progress, when each piece is given to an engine several times. */
   void
   SetRunsPerPiece(unsigned int runs)

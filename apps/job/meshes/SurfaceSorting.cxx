@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "SurfaceSorting.h"
+
+#include "ScratchFile.h"
+#include "SurfaceBlocks.h"
+#include "SurfaceReader.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <vector>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** Vertices or faces that are sorted at a time. */
+constexpr std::uint64_t SortedAtATime = std::uint64_t{ 1 } << 14;
+
+/** \class SortedPlaces
+ * \brief The next place of each object in a sorted list. */
+class SortedPlaces
+{
+public:
+  explicit SortedPlaces(std::size_t numberOfObjects)
+    : m_Places(numberOfObjects + 2, 0)
+  {}
+
+  void
+  Count(std::uint32_t object)
+  {
+    ++m_Places[object + std::size_t{ 1 }];
+  }
+
+  /** When all are counted. */
+  void
+  Start()
+  {
+    std::partial_sum(m_Places.begin(), m_Places.end(), m_Places.begin());
+  }
+
+  /** The place of the next \a count records of an object. */
+  std::uint64_t
+  Take(std::uint32_t object, std::uint64_t count)
+  {
+    const std::uint64_t place = m_Places[object];
+    m_Places[object] += count;
+    return place;
+  }
+
+private:
+  std::vector<std::uint64_t> m_Places;
+};
+
+/** Calls function(first, count) for all blocks of records. */
+template <typename TFunction>
+void
+ForEachBlock(std::uint64_t records, const std::function<void(double)> & progress, TFunction && function)
+{
+  for (std::uint64_t first = 0; first < records; first += SortedAtATime)
+  {
+    function(first, std::min(SortedAtATime, records - first));
+    progress(0.0);
+  }
+}
+
+/** Writes the vertices to their places. \return their new numbers, in a file */
+std::unique_ptr<ScratchFile>
+SortVertices(const SurfaceSpool &                from,
+             SurfaceSpool &                      to,
+             SortedPlaces &                      places,
+             const std::filesystem::path &       folder,
+             const std::function<void(double)> & progress)
+{
+  auto                              numbers = std::make_unique<ScratchFile>(folder);
+  std::vector<SurfaceSpool::Vertex> vertices;
+  ForEachBlock(from.GetNumberOfVertices(), progress, [&](std::uint64_t first, std::uint64_t count) {
+    from.ReadVertices(first, count, vertices);
+    std::map<std::uint32_t, std::vector<SurfaceSpool::Vertex>> sorted;
+    for (const SurfaceSpool::Vertex & vertex : vertices)
+    {
+      sorted[vertex.object].push_back(vertex);
+    }
+    std::map<std::uint32_t, std::uint64_t> next;
+    for (const auto & [object, ofObject] : sorted)
+    {
+      next[object] = places.Take(object, ofObject.size());
+      to.PutVertices(next[object], ofObject);
+    }
+    std::vector<std::uint64_t> ofBlock(count);
+    std::transform(vertices.begin(), vertices.end(), ofBlock.begin(), [&next](const SurfaceSpool::Vertex & vertex) {
+      return next[vertex.object]++;
+    });
+    numbers->WriteAt(first * sizeof(std::uint64_t), ofBlock.data(), count * sizeof(std::uint64_t));
+  });
+  return numbers;
+}
+
+/** Writes the faces to their places, with the new numbers of their vertices. */
+void
+SortFaces(const SurfaceSpool &                from,
+          SurfaceSpool &                      to,
+          SortedPlaces &                      places,
+          const ScratchFile &                 numbers,
+          const std::function<void(double)> & progress)
+{
+  SurfaceReader                reader(from, {});
+  SurfaceBlocks<std::uint64_t> newNumbers(
+    from.GetNumberOfVertices(), [&numbers](std::uint64_t first, std::uint64_t count, auto & records) {
+      records.resize(count);
+      numbers.ReadAt(first * sizeof(std::uint64_t), records.data(), count * sizeof(std::uint64_t));
+    });
+  std::vector<SurfaceFace> faces;
+  ForEachBlock(from.GetNumberOfFaces(), progress, [&](std::uint64_t first, std::uint64_t count) {
+    from.ReadFaces(first, count, faces);
+    std::map<std::uint32_t, std::vector<SurfaceFace>> sorted;
+    for (SurfaceFace & face : faces)
+    {
+      const std::uint32_t object = reader.GetObject(face);
+      const auto          end = face.vertices.begin() + face.numberOfVertices;
+      std::transform(face.vertices.begin(), end, face.vertices.begin(), [&](std::uint64_t vertex) {
+        return newNumbers.Get(vertex);
+      });
+      sorted[object].push_back(face);
+    }
+    for (const auto & [object, ofObject] : sorted)
+    {
+      to.PutFaces(places.Take(object, ofObject.size()), ofObject);
+    }
+  });
+}
+
+} // namespace
+
+std::unique_ptr<SurfaceSpool>
+SortSurfaceByObject(std::unique_ptr<SurfaceSpool>       surface,
+                    std::size_t                         numberOfObjects,
+                    const std::filesystem::path &       scratchFolder,
+                    const std::function<void(double)> & progress)
+{
+  SortedPlaces  vertexPlaces(numberOfObjects);
+  SortedPlaces  facePlaces(numberOfObjects);
+  SurfaceReader reader(*surface, {});
+  reader.ForEachVertex([&](std::uint64_t, const auto & vertex) { vertexPlaces.Count(vertex.object); });
+  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) { facePlaces.Count(reader.GetObject(face)); });
+  vertexPlaces.Start();
+  facePlaces.Start();
+
+  auto       sorted = std::make_unique<SurfaceSpool>(scratchFolder, surface->GetPrecision());
+  const auto numbers = SortVertices(*surface, *sorted, vertexPlaces, scratchFolder, progress);
+  SortFaces(*surface, *sorted, facePlaces, *numbers, progress);
+  return sorted;
+}
+
+} // end namespace medialvoxel
