@@ -136,7 +136,6 @@ CheckLabelOptions(const ExtractOptions & options)
     { "vectors", !options.vectorFile.empty() },
     { "distances", !options.distanceFile.empty() },
     { "a mesh", !options.meshFile.empty() },
-    { "return parameters", !options.returnParameterFile.empty() },
   };
   for (const auto & [name, isGiven] : others)
   {
@@ -168,12 +167,18 @@ ParseLabelSelection(const std::string & text)
 {
   if (text == "all")
   {
-    return LabelSelection{ true, {} };
+    return LabelSelection{ true, {}, {} };
   }
   LabelSelection     selection;
   std::istringstream stream(text + ",");
   for (std::string word; std::getline(stream, word, ',');)
   {
+    const bool isNumber = word.find_first_not_of("-0123456789") == std::string::npos;
+    if (!isNumber)
+    {
+      selection.names.push_back(word);
+      continue;
+    }
     const std::optional<LabelValue>   label = ParseLabel(word);
     const std::optional<std::int64_t> value = label ? ConvertLabel<std::int64_t>(*label) : std::nullopt;
     if (!value || *value == 0)
