@@ -273,9 +273,9 @@ CheckNames(const JobOptions &, const JobResult & result)
                   { { "labels", static_cast<double>(unknown.size()) } } };
 }
 
-const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "labels_without_segment", CheckNames },
-                                                            { "no_object", CheckObject },
-                                                            { "no_background", CheckBackground } };
+const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject },
+                                                            { "no_background", CheckBackground },
+                                                            { "labels_without_segment", CheckNames } };
 
 /** What is known of the walls after an extraction. */
 struct WallFacts

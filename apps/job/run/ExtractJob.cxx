@@ -131,6 +131,10 @@ FindSegments(const ExtractOptions & options, const VolumeHeader & header)
 {
   if (!options.labels)
   {
+    if (!options.objectFile.empty())
+    {
+      Fail(ExitStatus::Usage, options.objectFile, ": objects are those of several labels; none are chosen");
+    }
     return {};
   }
   const SegmentTable all =
