@@ -47,7 +47,8 @@ LLVMFuzzerTestOneInput(const std::uint8_t * data, std::size_t size)
   file.Write(data + 1, size - 1);
   try
   {
-    for (const Segment & segment : ReadSegments(file.GetPath()).GetSegments())
+    const SegmentTable table = ReadSegments(file.GetPath());
+    for (const Segment & segment : table.GetSegments())
     {
       CheckSegment(segment);
     }
