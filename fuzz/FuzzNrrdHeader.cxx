@@ -4,6 +4,7 @@
 // The library's reader of NRRD headers, the ImageIO on top of it, and the program's use of it.
 
 #include "FuzzVolume.h"
+#include "NrrdSegments.h"
 
 #include "itkMedialVoxelHeaderText.h"
 #include "itkMedialVoxelNrrdHeader.h"
@@ -30,6 +31,29 @@ CheckRoundTrip(itk::MedialVoxelNrrdHeader header)
           "another header after writing and reading it:\n" + text);
 }
 
+/** The names of segments survive being written and read again. */
+void
+CheckSegments(const itk::MedialVoxelNrrdHeader & header)
+{
+  using namespace medialvoxel;
+  const std::vector<Segment> segments = ParseNrrdSegments(header.fileName, header.keyValues).GetSegments();
+  SegmentTable               table;
+  for (const Segment & segment : segments)
+  {
+    Require(table.Add(segment), "a label is there twice");
+  }
+  const std::vector<Segment> again =
+    ParseNrrdSegments(header.fileName, MakeNrrdSegments(table, header.size)).GetSegments();
+  Require(again.size() == segments.size(), "another number of segments");
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    const bool hasName = !segments[i].name.empty();
+    Require(again[i].label == segments[i].label && again[i].color == segments[i].color &&
+              (!hasName || again[i].name == segments[i].name),
+            "another segment after writing and reading it");
+  }
+}
+
 void
 ReadByLibrary(const InputFile & file)
 try
@@ -38,6 +62,7 @@ try
   Require(itk::CheckedFileSize({ header.GetNumberOfBytes() }) > 0, "no valid number of bytes");
   Require(!header.dataFiles.empty(), "no data file");
   CheckRoundTrip(header);
+  CheckSegments(header);
   LocateMedialVoxelNrrdVoxels(header);
 }
 catch (const itk::MedialVoxelText::HeaderError & error)

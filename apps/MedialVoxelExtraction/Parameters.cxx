@@ -84,7 +84,8 @@ AddObjectParameters(CLI::App & app, ModuleOptions & options)
                                                                     { "AboveLower", ObjectSelection::AboveLower },
                                                                     { "BelowUpper", ObjectSelection::BelowUpper },
                                                                     { "Between", ObjectSelection::Between },
-                                                                    { "Label", ObjectSelection::Label } });
+                                                                    { "Label", ObjectSelection::Label },
+                                                                    { "Labels", ObjectSelection::Labels } });
   // Without a selection these would have no effect.
   AddDouble(app, "lowerThreshold", "Smallest value of the object, for AboveLower and Between", options.lowerThreshold)
     ->needs(selection);
@@ -99,6 +100,15 @@ AddObjectParameters(CLI::App & app, ModuleOptions & options)
              Limits::max(),
              [&options](std::int64_t value) { options.labelValue = value; })
     ->needs(selection);
+  AddText(app,
+          "--labels",
+          "Values or names that are objects, for Labels",
+          "LIST",
+          [&options](const std::string & text) {
+            options.labels = text.empty() ? LabelSelection{ true, {}, {} } : ToLabels(text);
+          })
+    ->default_str("all");
+  AddPath(app, "colorTable", "Names and colors of the labels, for Labels", options.colorTable);
   using Mode = itk::MedialVoxelThicknessMode;
   AddEnumeration<Mode>(app,
                        "thicknessMode",
@@ -132,6 +142,7 @@ void
 AddOutputParameters(CLI::App & app, ExtractOptions & job)
 {
   using Boundary = itk::MedialVoxelBoundary;
+  AddPath(app, "objectsVolume", "The label of each cell's object, for Labels", job.objectFile);
   AddPath(app, "vectorVolume", "Vectors to the nearest boundary point", job.vectorFile);
   AddEnumeration<Boundary>(
     app,
@@ -242,6 +253,16 @@ CompleteJob(const CLI::App & app, ModuleOptions & options)
   if (selection == ObjectSelection::Label)
   {
     options.job.label = ParseLabel(std::to_string(options.labelValue));
+  }
+  if (selection == ObjectSelection::Labels)
+  {
+    options.job.labels = options.labels;
+    options.job.segmentFile = options.colorTable;
+  }
+  const bool hasLabels = app.count("--labels") > 0 && !app["--labels"]->results().front().empty();
+  if (hasLabels && app.count("--objectSelection") == 0)
+  {
+    Fail(ExitStatus::Usage, "--labels requires --objectSelection");
   }
   const bool isImplied = app.count("--thickness") > 0 && app.count("--thicknessMode") == 0;
   if (isImplied || options.thicknessMode == itk::MedialVoxelThicknessMode::Fixed)

@@ -22,7 +22,8 @@ enum class ObjectSelection
   AboveLower, ///< lower threshold and more
   BelowUpper, ///< upper threshold and less
   Between,    ///< lower to upper threshold
-  Label       ///< the label value alone
+  Label,      ///< the label value alone
+  Labels      ///< each of several labels, as an object of its own
 };
 
 /** What the command line of the module says. The thresholds, the thickness and the resampled spacing of the job stay
@@ -34,6 +35,8 @@ struct ModuleOptions
   double          lowerThreshold{ 1 };
   double          upperThreshold{ 65535 };
   std::int64_t    labelValue{ 1 };
+  LabelSelection  labels{ true, {}, {} };
+  std::string     colorTable; ///< names of the labels
   double          thickness{ 3 };
 
   itk::MedialVoxelThicknessMode thicknessMode{ itk::MedialVoxelThicknessMode::Automatic };

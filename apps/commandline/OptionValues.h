@@ -3,6 +3,7 @@
 #ifndef medialvoxelOptionValues_h
 #define medialvoxelOptionValues_h
 
+#include "Options.h"
 #include "SuggestName.h"
 #include "Text.h"
 
@@ -82,6 +83,19 @@ ToByteSize(const std::string & text)
     throw CLI::ValidationError("'" + text + "' is not a size such as 500M, 2G or 2GiB");
   }
   return *bytes;
+}
+
+inline LabelSelection
+ToLabels(const std::string & text)
+{
+  const std::optional<LabelSelection> labels = ParseLabelSelection(text);
+  if (!labels)
+  {
+    throw CLI::ValidationError("'" + text +
+                               "' is neither all nor whole numbers other than 0, from -2^63 to 2^63 - 1, " +
+                               "or names of segments, with commas between them");
+  }
+  return *labels;
 }
 
 constexpr std::uint64_t LargestCount = std::uint64_t{ 1 } << 62;

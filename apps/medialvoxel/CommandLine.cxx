@@ -320,19 +320,6 @@ AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
   app.add_flag("--voxel-units", options.voxelUnits, "Lengths are in voxels, not in units of the spacing");
 }
 
-LabelSelection
-ToLabels(const std::string & text)
-{
-  const std::optional<LabelSelection> labels = ParseLabelSelection(text);
-  if (!labels)
-  {
-    throw CLI::ValidationError("'" + text +
-                               "' is neither all nor whole numbers other than 0, from -2^63 to 2^63 - 1, " +
-                               "with commas between them");
-  }
-  return *labels;
-}
-
 } // namespace
 
 void
@@ -350,6 +337,7 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
   AddText(app, "--labels", "Each value is an object: all, or L1,L2,...", "LIST", [&](const std::string & text) {
     options.labels = ToLabels(text);
   });
+  AddFile(app, "--segments", "Names and colors of labels (.ctbl, .csv, .nrrd)", options.segmentFile);
   const std::string group = "Further outputs";
   AddFile(app, "--objects", "With --labels: the label of each cell's object", options.objectFile)->group(group);
   AddFile(app, "--vectors", "Vectors to the nearest boundary point", options.vectorFile)->group(group);

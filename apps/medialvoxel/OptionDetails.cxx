@@ -44,11 +44,16 @@ ListOptionDetails()
     { "",
       "--labels",
       "Objects that touch are kept apart, and each has a row in the report. all: every value but 0, at most 65535. "
+      "L1: a value, or the name of a segment. "
       "Labels of cells are those of runs with one --label at a time, put together." },
+    { "",
+      "--segments",
+      "A color table of 3D Slicer (.ctbl, .txt, .csv, .tsv) or a segmentation (.nrrd, .nhdr). Default: names of the "
+      "input, where it is a segmentation." },
     { "",
       "--objects",
       "Of the type of the input, on the grid of the labels. A cell that is medial for several objects has the smallest "
-      "label." },
+      "label. Named .seg.nrrd, 3D Slicer loads it as a segmentation with the names and colors." },
     { "",
       "--vectors",
       "32-bit real components x, y, z at object voxels, 0 elsewhere; in units of the spacing, along the axes of "

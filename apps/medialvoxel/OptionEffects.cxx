@@ -59,6 +59,7 @@ const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
   { "--maximum-thickness", IsAutomatic, "the thickness auto" },
   { "--vector-boundary", [](const ExtractOptions & options) { return !options.vectorFile.empty(); }, "--vectors" },
   { "--objects", [](const ExtractOptions & options) { return options.labels.has_value(); }, "--labels" },
+  { "--segments", [](const ExtractOptions & options) { return options.labels.has_value(); }, "--labels" },
   { "--section-width", HasSections, "a mesh that is written as .inp or .bdf" },
   { "--zarr-compression", WritesZarr<ExtractOptions>, "an output that is written as .zarr" },
 };

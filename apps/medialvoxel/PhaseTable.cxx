@@ -6,11 +6,14 @@
 #include "Text.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace medialvoxel
 {
 namespace
 {
+
+constexpr std::size_t MostRowsOfObjects = 20;
 
 std::string
 FormatCount(std::uint64_t count, std::uint64_t all)
@@ -62,6 +65,15 @@ AddSmallComponents(TextTable & table, const itk::MedialVoxelCounts & counts)
   }
 }
 
+/** Of an object of a label map. */
+std::string
+DescribeObject(const ObjectSummary & object)
+{
+  return (object.name.empty() ? "" : object.name + ": ") + std::to_string(object.voxels) + " voxels, " +
+         std::to_string(object.medialCells) + " medial cells" +
+         (object.thickness.cells > 0 ? ", mean thickness " + FormatShort(object.thickness.mean) : "");
+}
+
 void
 AddLabelMap(TextTable & table, const JobResult & result)
 {
@@ -72,6 +84,16 @@ AddLabelMap(TextTable & table, const JobResult & result)
                        std::to_string(summary.objects.size()) + " in " + std::to_string(summary.passes) +
                          (summary.passes == 1 ? " pass, " : " passes, ") + std::to_string(summary.sharedCells) +
                          " cells medial for several");
+    const std::size_t rows = std::min(summary.objects.size(), MostRowsOfObjects);
+    for (std::size_t i = 0; i < rows; ++i)
+    {
+      const ObjectSummary & object = summary.objects[i];
+      table.emplace_back("  label " + std::to_string(object.label), DescribeObject(object));
+    }
+    if (rows < summary.objects.size())
+    {
+      table.emplace_back("  others", std::to_string(summary.objects.size() - rows) + ", --report has all");
+    }
   }
 }
 

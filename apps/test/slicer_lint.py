@@ -12,6 +12,11 @@ SYSTEMS = ("ijk", "lps", "ras")
 IMAGE_TYPES = ("any", "scalar", "label", "tensor", "diffusion-weighted", "vector", "signal", "multichannel")
 ANY = None
 
+# First extensions of volumes that stream when Slicer writes them as it does for modules.
+STREAMED = (".mha", ".nrrd", ".seg.nrrd")
+# Parameters of this module that may be segmentations.
+SEGMENTATIONS = ("inputVolume",)
+
 # The attributes that Slicer's parser takes of each element, and their values. It refuses a whole module for one more, or
 # for another value, in files and places; in the others it takes no notice of them, so that they do nothing.
 ATTRIBUTES = {
@@ -125,8 +130,11 @@ def lint_attributes(element, name):
 
 
 def lint_volume(element, name, root):
-    if element.tag == "image" and not element.get("fileExtensions", "").startswith(".mha"):
-        yield f"{name}: .mha is not the first extension, Slicer would write a file that does not stream"
+    first = element.get("fileExtensions", "").split(",")[0]
+    if element.tag == "image" and first not in STREAMED:
+        yield f"{name}: {first} is not the first extension of a file that streams"
+    if element.tag == "image" and first == ".mha" and text_of(element, "channel") == "input" and name in SEGMENTATIONS:
+        yield f"{name}: Slicer writes segmentations as NRRD, whatever their name"
     images = [text_of(other, "name") for other in parameters_of(root) if other.tag == "image"]
     if "reference" in element.attrib and element.get("reference") not in images:
         yield f"{name}: reference to no image"

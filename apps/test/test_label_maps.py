@@ -208,7 +208,7 @@ class LabelMapTest(ProgramTestCase):
     def test_refusals(self):
         volumes.write_meta(self.folder / "map.mha", volumes.box_with_plate())
         run = ("extract", "map.mha", "out.mha", "--labels")
-        self.assert_fails(USAGE, ["--labels", "'1,x'"], *run, "1,x")
+        self.assert_fails(USAGE, ["labels", "'x'", "names"], *run, "1,x")
         self.assert_fails(USAGE, ["--labels", "'0'"], *run, "0")
         self.assert_fails(USAGE, ["--labels", "'1,,2'"], *run, "1,,2")
         self.assert_fails(USAGE, ["map.mha", "label 5"], *run, "100,5")

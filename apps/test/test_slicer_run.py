@@ -69,6 +69,28 @@ class RunTest(ModuleTestCase):
             labels, expected = self.extract_both([], [], extension)
             self.assertEqual(labels, expected)
 
+    def test_objects_of_a_label_map_equal_those_of_the_program(self):
+        table = "# Color table file\n8 the_box 255 0 0 255\n100 the_plate 0 0 255 255\n"
+        (self.folder / "names.ctbl").write_text(table, encoding="utf-8")
+        for labels, names in ((["--labels=the plate"], True), ([], True), (["--labels", "100"], False)):
+            with self.subTest(labels):
+                table = ["--colorTable", "names.ctbl"] if names else []
+                module = ["--objectSelection", "Labels", *labels, "--returnparameterfile", "r.txt", *table]
+                self.run_module(*module, "--objectsVolume", "m.seg.nrrd", "in.mha", "m.mha")
+                names = ["--segments", "names.ctbl"] if names else []
+                program = labels[-1].split("=")[-1] if labels else "all"
+                program = ["--labels", program, *names, "--objects", "p.seg.nrrd", "--overwrite"]
+                self.extract("in.mha", "p.mha", *program, thickness="auto")
+                for one, other in (("m.seg.nrrd", "p.seg.nrrd"), ("m.mha", "p.mha")):
+                    self.assertEqual((self.folder / one).read_bytes(), (self.folder / other).read_bytes())
+                self.assertEqual(b"Segment0_Name:=the" in (self.folder / "m.seg.nrrd").read_bytes(), bool(names))
+                self.assertIn("medialCells = ", (self.folder / "r.txt").read_text(encoding="utf-8"))
+        # As Slicer gives all parameters, these have no effect with another selection.
+        self.run_module("--objectSelection", "NonZero", "--labels", "all", "--colorTable", "none.ctbl", "in.mha", "m.mha")
+        self.assert_module_fails(USAGE, ["--labels requires --objectSelection"], "--labels", "8", "in.mha", "new.mha")
+        parts = ["o.seg.nrrd", "several labels"]
+        self.assert_module_fails(USAGE, parts, "--objectsVolume", "o.seg.nrrd", "in.mha", "new.mha")
+
     def test_further_outputs_equal_those_of_the_program(self):
         def run(name, flag_of, runner):
             files = {"vectorVolume": "v.mha", "distanceVolume": "d.mha", "thicknessMap": "t.mha", "meshModel": "s.vtp"}

@@ -47,7 +47,8 @@ RELATIONS = {
     "default outside": ("<minimum>0<", "<minimum>1<", "outside the constraints"),
     "reference to nothing": ('reference="inputVolume"', 'reference="input"', "reference to no image"),
     "flag of every module": ("<longflag>memory<", "<longflag>echo<", "every module has"),
-    "first extension": ('fileExtensions=".mha,.mhd', 'fileExtensions=".nrrd,.mhd', "not the first extension"),
+    "first extension": ('fileExtensions=".mha,.mhd', 'fileExtensions=".nii,.mhd', "not the first extension"),
+    "name of a segmentation": ('fileExtensions=".nrrd,', 'fileExtensions=".mha,', "writes segmentations as NRRD"),
     "blank before": ("<?xml version", "\n<?xml version", None),
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "HeaderParsing.h"
+#include "NrrdSegments.h"
 
 #include "itkMedialVoxelNrrdHeader.h"
 
@@ -33,6 +34,14 @@ VolumeHeader
 ReadNrrdHeader(const std::filesystem::path & fileName)
 {
   const itk::MedialVoxelNrrdHeader nrrd = itk::ReadMedialVoxelNrrdHeader(fileName);
+  if (nrrd.componentKind == "list" && HasNrrdSegments(nrrd.keyValues))
+  {
+    RefuseHeader(
+      fileName,
+      "it is a segmentation with " + std::to_string(nrrd.numberOfComponents) +
+        " layers, as its segments overlap; only one layer is read. In 3D Slicer, export a label map, or each "
+        "layer's segments to a file of their own");
+  }
   if (!nrrd.componentKind.empty())
   {
     RefuseHeader(fileName,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "VolumeText.h"
 
+#include "NrrdSegments.h"
 #include "Text.h"
 
 #include "itkByteSwapper.h"
@@ -68,6 +69,10 @@ MakeNrrdText(const VolumeGeometry &               geometry,
   header.numberOfComponents = layout.components;
   header.bigEndian = itk::ByteSwapper<int>::SystemIsBigEndian();
   header.encoding = packedBytes ? "gzip" : "raw";
+  if (layout.segments != nullptr)
+  {
+    header.keyValues = MakeNrrdSegments(*layout.segments, geometry.size);
+  }
   if (!dataFile.empty())
   {
     header.dataFiles = { dataFile };

@@ -8,6 +8,7 @@
 #include "ObjectSummary.h"
 #include "Options.h"
 #include "OutputRequest.h"
+#include "Segments.h"
 #include "SurfaceSummary.h"
 #include "ThicknessSummary.h"
 #include "VolumeHeader.h"
@@ -44,6 +45,7 @@ struct JobResult
   std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it was measured
   std::optional<ThicknessSummary>          thickness; ///< of an extraction
   std::optional<LabelMapSummary>           objects;   ///< of a label map
+  SegmentTable                             segments;  ///< names of its labels; empty: there are none
   std::optional<SurfaceSummary>            surface;   ///< when a mesh was asked for
   std::vector<Warning>                     warnings;
   JobSeconds                               seconds;

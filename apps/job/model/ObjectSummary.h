@@ -3,9 +3,12 @@
 #ifndef medialvoxelObjectSummary_h
 #define medialvoxelObjectSummary_h
 
+#include "Segments.h"
 #include "ThicknessSummary.h"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace medialvoxel
@@ -19,6 +22,9 @@ struct ObjectSummary
   std::uint64_t    candidateCells{ 0 };
   std::uint64_t    medialCells{ 0 };
   ThicknessSummary thickness;
+
+  std::string                 name; ///< empty: it has none
+  std::optional<SegmentColor> color;
 };
 
 /** All objects of a label map. */

@@ -143,7 +143,6 @@ CheckLabelOptions(const ExtractOptions & options)
     { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off, oneObject },
     { "vectors", !options.vectorFile.empty(), oneObject },
     { "distances", !options.distanceFile.empty(), oneObject },
-    { "return parameters", !options.returnParameterFile.empty(), "these are of one object: use --report" },
   };
   for (const Other & other : others)
   {
@@ -175,12 +174,18 @@ ParseLabelSelection(const std::string & text)
 {
   if (text == "all")
   {
-    return LabelSelection{ true, {} };
+    return LabelSelection{ true, {}, {} };
   }
   LabelSelection     selection;
   std::istringstream stream(text + ",");
   for (std::string word; std::getline(stream, word, ',');)
   {
+    const bool isNumber = word.find_first_not_of("-0123456789") == std::string::npos;
+    if (!isNumber)
+    {
+      selection.names.push_back(word);
+      continue;
+    }
     const std::optional<LabelValue>   label = ParseLabel(word);
     const std::optional<std::int64_t> value = label ? ConvertLabel<std::int64_t>(*label) : std::nullopt;
     if (!value || *value == 0)

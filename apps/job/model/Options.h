@@ -36,9 +36,11 @@ struct LabelSelection
 {
   bool                      all{ false }; ///< all but 0
   std::vector<std::int64_t> values;       ///< otherwise these, none of them 0
+  std::vector<std::string>  names;        ///< and those of the segments with these names
 };
 
-/** "all", or labels from -2^63 to 2^63 - 1 other than 0 with commas between them; nothing for other texts. */
+/** "all", or labels from -2^63 to 2^63 - 1 other than 0, and names, with commas between them; nothing for other texts.
+ */
 std::optional<LabelSelection>
 ParseLabelSelection(const std::string & text);
 
@@ -100,6 +102,7 @@ struct ExtractOptions : JobOptions
 
   std::optional<LabelSelection> labels;     ///< each of these values is an object of its own, without thresholds
   std::string                   objectFile; ///< label of the object of each cell, of the type of the input
+  std::string segmentFile; ///< names and colors of the labels; empty: those of the input, where it has some
 
   std::string              vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary vectorBoundary{ itk::MedialVoxelBoundary::Object };

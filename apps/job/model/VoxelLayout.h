@@ -10,11 +10,16 @@
 namespace medialvoxel
 {
 
+class SegmentTable;
+
 /** What the voxels of an output are: \a components values of one type each. */
 struct VoxelLayout
 {
   PixelType    pixelType{ PixelType::UInt8 };
   unsigned int components{ 1 };
+
+  /** Of labels with names, for formats that have these. It must outlive the volume. */
+  const SegmentTable * segments{ nullptr };
 
   std::uint64_t
   GetBytes() const

@@ -6,7 +6,11 @@
 #include "Version.h"
 #include "VolumeFormats.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace medialvoxel
 {
@@ -106,6 +110,46 @@ MakePhaseTable(const itk::MedialVoxelCounts & counts)
          row("<span class=\"geodesic\"></span>", "geodesic search: medial", counts.geodesicMedialCells) +
          row("", "geodesic search: not medial", counts.geodesicNonMedialCells) +
          row("", "all cells with an object corner", all) + "</table>\n";
+}
+
+/** A square of a color; nothing without one. */
+std::string
+MakeSwatch(const std::optional<SegmentColor> & color)
+{
+  if (!color)
+  {
+    return "";
+  }
+  constexpr double largest = 255.0;
+  return "<span class=\"object\" style=\"background:rgb(" +
+         Join(*color, ",", [](double shade) { return std::to_string(std::lround(shade * largest)); }) + ")\"></span>";
+}
+
+/** The objects of a label map, a row each. */
+std::string
+MakeObjectTable(const LabelMapSummary & summary, const std::string & unit)
+{
+  constexpr std::size_t mostRows = 1000;
+  const std::size_t     rows = std::min(summary.objects.size(), mostRows);
+  const auto            number = [](const std::string & text) { return "<td class=\"number\">" + text + "</td>"; };
+  std::string           text = "<h2>Objects</h2>\n<table>\n<tr><th>label</th><th>name</th><th>voxels</th><th>medial "
+                               "cells</th><th>mean thickness</th><th>median</th></tr>\n";
+  for (std::size_t i = 0; i < rows; ++i)
+  {
+    const ObjectSummary & object = summary.objects[i];
+    const bool            isMeasured = object.thickness.cells > 0;
+    text += "<tr>" + number(std::to_string(object.label)) + "<td class=\"text\">" + MakeSwatch(object.color) +
+            Escape(object.name) + "</td>" + number(std::to_string(object.voxels)) +
+            number(std::to_string(object.medialCells)) + number(isMeasured ? FormatShort(object.thickness.mean) : "-") +
+            number(isMeasured ? FormatShort(object.thickness.GetMedian()) : "-") + "</tr>\n";
+  }
+  text += "</table>\n<p class=\"muted\">Thickness in " + unit + ".";
+  if (rows < summary.objects.size())
+  {
+    text += " These are " + std::to_string(rows) + " of " + std::to_string(summary.objects.size()) +
+            " objects; the report has all.";
+  }
+  return text + "</p>\n";
 }
 
 std::string
@@ -253,6 +297,7 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
       "color.</p>\n";
   }
   page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, options.subVoxel);
+  page += result.objects ? MakeObjectTable(*result.objects, unit) : "";
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);
   page += "<div class=\"columns\">\n<div><h2>Input</h2>\n" + MakeRows(DescribeInput(result.input), "text") +
           "</div>\n<div><h2>Parameters</h2>\n" + MakeRows(DescribeParameters(options, result), "text") +

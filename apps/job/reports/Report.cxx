@@ -157,6 +157,8 @@ MakeObjects(const LabelMapSummary & summary)
   for (const ObjectSummary & object : summary.objects)
   {
     objects.push_back({ { "label", object.label },
+                        { "name", object.name.empty() ? Json(nullptr) : Json(object.name) },
+                        { "color", object.color ? Json(*object.color) : Json(nullptr) },
                         { "voxels", object.voxels },
                         { "candidate_cells", object.candidateCells },
                         { "medial_cells", object.medialCells },

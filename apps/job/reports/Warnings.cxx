@@ -247,8 +247,35 @@ CheckBackground(const JobOptions & options, const JobResult & result)
   };
 }
 
+/** Objects that are there are not in a table of names. */
+std::optional<Finding>
+CheckNames(const JobOptions &, const JobResult & result)
+{
+  if (!result.objects || result.segments.IsEmpty())
+  {
+    return std::nullopt;
+  }
+  std::vector<std::int64_t> unknown;
+  for (const ObjectSummary & object : result.objects->objects)
+  {
+    if (result.segments.Find(object.label) == nullptr)
+    {
+      unknown.push_back(object.label);
+    }
+  }
+  if (unknown.empty())
+  {
+    return std::nullopt;
+  }
+  return Finding{ "of " + std::to_string(result.objects->objects.size()) + " labels " + std::to_string(unknown.size()) +
+                    " are of no segment, as is " + std::to_string(unknown.front()) +
+                    "; they have no name, and 3D Slicer does not show them in a segmentation",
+                  { { "labels", static_cast<double>(unknown.size()) } } };
+}
+
 const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject },
-                                                            { "no_background", CheckBackground } };
+                                                            { "no_background", CheckBackground },
+                                                            { "labels_without_segment", CheckNames } };
 
 /** What is known of the walls after an extraction. */
 struct WallFacts

@@ -8,11 +8,13 @@
 #include "JobClock.h"
 #include "MaskInput.h"
 #include "MemoryPlan.h"
+#include "OutputChecks.h"
 #include "Outputs.h"
 #include "PipelineErrors.h"
 #include "PrepareJob.h"
 #include "Preview.h"
 #include "ReadVolumeHeader.h"
+#include "SegmentFiles.h"
 #include "SmoothedInput.h"
 #include "StopListener.h"
 #include "SurfaceMesh.h"
@@ -26,6 +28,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -125,6 +128,42 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   return footprint;
 }
 
+/** Names and colors of the labels that the options choose. */
+SegmentTable
+FindSegments(const ExtractOptions & options, const VolumeHeader & header)
+{
+  if (!options.labels)
+  {
+    if (!options.objectFile.empty())
+    {
+      Fail(ExitStatus::Usage, options.objectFile, ": objects are those of several labels; none are chosen");
+    }
+    return {};
+  }
+  const SegmentTable all =
+    options.segmentFile.empty() ? ReadSegmentsOfVolume(header) : ReadSegments(options.segmentFile);
+  SegmentTable selected = SelectSegments(all, ResolveNames(*options.labels, all));
+  CheckSegments(options.objectFile, selected);
+  return selected;
+}
+
+void
+NameObjects(JobResult & result)
+{
+  if (!result.objects)
+  {
+    return;
+  }
+  for (ObjectSummary & object : result.objects->objects)
+  {
+    if (const Segment * const segment = result.segments.Find(object.label))
+    {
+      object.name = segment->name;
+      object.color = segment->color;
+    }
+  }
+}
+
 /** The part of the job that has the volume open. */
 class Extraction
 {
@@ -135,8 +174,9 @@ public:
     , m_Outputs(options, result.plan.writesBehind)
     , m_Run(options, result, sink)
   {
-    for (const VolumeRequest & request : ListVolumes(options, result.input))
+    for (VolumeRequest & request : ListVolumes(options, result.input))
     {
+      request.layout.segments = request.filler == VolumeFiller::Objects ? &result.segments : nullptr;
       m_Run.AddVolume(request, m_Outputs.AddVolume(request));
     }
     m_MeshFile = m_Outputs.AddFile(options.meshFile);
@@ -161,6 +201,7 @@ public:
     }
     m_Run.Wait();
     m_Result.objects = m_Run.SummarizeObjects();
+    NameObjects(m_Result);
     CheckCounts(m_Result.sums.counts);
     const auto finishStart = JobClock::now();
     JobEnd     end;
@@ -278,7 +319,10 @@ PrepareExtract(const ExtractOptions & options)
   CheckLabel(options, header);
   auto       outputs = ListOutputs(options, header);
   const auto footprint = GetFootprint(options, header);
-  JobResult  result = PrepareJob(options, std::move(header), std::move(outputs), footprint);
+  auto       segments = FindSegments(options, header);
+  CheckOtherInput(outputs, options.segmentFile);
+  JobResult result = PrepareJob(options, std::move(header), std::move(outputs), footprint);
+  result.segments = std::move(segments);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
 }
@@ -311,6 +355,10 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
     return result;
   }
   ExtractOptions own = options;
+  if (own.labels)
+  {
+    own.labels = ResolveNames(*options.labels, result.segments);
+  }
   MeasureThreshold(own, result.input, sink);
   result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;
   WithPipelineErrors([&] {

@@ -26,7 +26,8 @@ LabelMapRun::LabelMapRun(LabelMap &             map,
 std::uint64_t
 LabelMapRun::GetPlannedBytes(const LabelSelection & selection)
 {
-  return ObjectSurvey::BytesPerObject * (selection.all ? PlannedObjects : selection.values.size());
+  return ObjectSurvey::BytesPerObject *
+         (selection.all ? PlannedObjects : selection.values.size() + selection.names.size());
 }
 
 std::uint64_t

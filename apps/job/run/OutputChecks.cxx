@@ -217,6 +217,23 @@ CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & in
 }
 
 void
+CheckOtherInput(const std::vector<OutputRequest> & outputs, const std::filesystem::path & input)
+{
+  for (const OutputRequest & output : outputs)
+  {
+    if (!input.empty() && AreSameFile(output.fileName, input))
+    {
+      Fail(ExitStatus::Usage,
+           output.fileName.string(),
+           ": the ",
+           output.role,
+           " would replace the input ",
+           input.string());
+    }
+  }
+}
+
+void
 CheckJobFolder(const std::filesystem::path & folder, const std::vector<OutputRequest> & outputs)
 {
   for (const OutputRequest & output : outputs)

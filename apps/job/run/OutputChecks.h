@@ -22,6 +22,11 @@ ListInputFiles(const VolumeHeader & input);
 void
 CheckOutputs(const std::vector<OutputRequest> & outputs, const VolumeHeader & input, bool overwrite);
 
+/** Refuses outputs that would replace another file that is read; \a input may be empty, for none.
+ * \throw JobError Usage */
+void
+CheckOtherInput(const std::vector<OutputRequest> & outputs, const std::filesystem::path & input);
+
 /** Refuses a folder that would be removed with a Zarr folder that is replaced. \throw JobError Usage */
 void
 CheckJobFolder(const std::filesystem::path & folder, const std::vector<OutputRequest> & outputs);
