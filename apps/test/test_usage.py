@@ -52,8 +52,10 @@ class UsageTest(ProgramTestCase):
             self.assert_usage(["--thickness", f"'{value}'"], "extract", "in.mha", "out.mha", "--thickness", value)
 
     def test_labels_of_objects(self):
-        for value in ("2G", "", "0", "1,,2", "1,0", "All", "1.5", "9223372036854775808"):
+        for value in ("", "0", "1,,2", "1,0", "9223372036854775808"):
             self.assert_extract_usage(["--labels", f"'{value}'", "whole numbers other than 0"], "--labels", value)
+        for value in ("2G", "All", "1.5"):
+            self.assert_extract_usage(["labels", f"'{value}'", "no names", "--segments"], "--labels", value)
 
     def test_limits_of_the_automatic_thickness(self):
         command = ["extract", "in.mha", "out.mha"]

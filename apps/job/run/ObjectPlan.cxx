@@ -39,7 +39,7 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
 {
   ExtractOptions own;
   static_cast<JobOptions &>(own) = options;
-  own.labels = LabelSelection{ true, {} };
+  own.labels = LabelSelection{ true, {}, {} };
   const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(own, header)).maximumPoreSize;
 
   const JobPlan plan = PlanObjects(own, header);
