@@ -169,7 +169,7 @@ def make_formats(catalog):
         "# Formats\n",
         "After this page you know which files the program reads and writes.\n",
         "## Volumes\n",
-        "All are read. Headerless files are read with `--raw-size` and `--raw-type`, series of DICOM, TIFF, PNG and BMP slices by\n"
+        "All are read. Headerless files are read with `--raw-size` and `--raw-type`, series of DICOM, TIFF, PNG, JPEG and BMP slices by\n"
         "[their folder or a pattern](../how-to/large-volumes.md#series-of-slices).\n",
         table(["extension", "format", "written", "vectors written", "packed"], volumes),
         "[Large volumes](../how-to/large-volumes.md#which-files-stream) lists which variants are read and which of them stream.\n"

@@ -20,7 +20,7 @@ READS_PICTURES = os.environ.get("MEDIALVOXEL_READS_PICTURES", "1") == "1"
 SERIES = "1.2.826.0.1.3680043.10.1"
 OTHER_SERIES = "1.2.826.0.1.3680043.10.2"
 
-needs_pictures = unittest.skipUnless(READS_PICTURES, "the program was built without ITK's readers of pictures")
+needs_pictures = unittest.skipUnless(READS_PICTURES, "the program was built without readers of pictures")
 
 
 def in_hounsfield_units(spacing=(0.8, 0.7, 1.5)):
@@ -307,6 +307,8 @@ class PictureTest(SeriesTestCase):
         for name, spec in (
             ("a{}.png", {}),
             ("a{}.bmp", {}),
+            ("a{}.jpg", {"options": {"quality": 95}}),
+            ("a{}.jpeg", {"options": {"quality": 95, "progressive": True}}),
         ):
             self.assert_same(self.write_pillow(name, folder=name[4:], **spec))
         folder = self.write_pillow("a{}.png", "deep", self.volume.as_type("uint16"))
@@ -373,7 +375,7 @@ class PictureTest(SeriesTestCase):
 
     @needs_pictures
     def test_damaged_pictures_are_refused(self):
-        for name in ("a{:02}.png", "a{:02}.bmp"):
+        for name in ("a{:02}.png", "a{:02}.bmp", "a{:02}.jpg"):
             folder = self.write_pillow(name, name[7:])
             victim = folder / name.format(7)
             good = victim.read_bytes()

@@ -26,6 +26,9 @@ GetSliceFormats()
 #ifdef MEDIALVOXEL_WITH_PNG
     MakePngSliceFormat(),
 #endif
+#ifdef MEDIALVOXEL_WITH_JPEG
+    MakeJpegSliceFormat(),
+#endif
 #ifdef MEDIALVOXEL_WITH_PICTURES
     MakeBmpSliceFormat(),
 #endif

@@ -40,6 +40,10 @@ MakeTiffSliceFormat();
 SliceFormat
 MakePngSliceFormat();
 #endif
+#ifdef MEDIALVOXEL_WITH_JPEG
+SliceFormat
+MakeJpegSliceFormat();
+#endif
 #ifdef MEDIALVOXEL_WITH_PICTURES
 SliceFormat
 MakeBmpSliceFormat();
