@@ -221,6 +221,13 @@ class DicomTest(SeriesTestCase):
                 victim.write_bytes(content.replace(old, new))
                 self.assert_fails(CORRUPT, ["IM0003", part], "info", folder)
 
+        end = b"\xfe\xff\xdd\xe0\0\0\0\0"
+        packed = self.write_dicom(volume, "rle", syntax="rle")
+        content = (packed / "IM0003").read_bytes()
+        self.assertIn(end, content)
+        (packed / "IM0003").write_bytes(content.replace(end, end[:4] + b"\0\0\0\7"))
+        self.assert_fails(CORRUPT, ["IM0003", "117440512 bytes"], "info", packed)
+
     def test_peak_memory_keeps_to_the_plan(self):
         volume = volumes.Volume((700, 700, 40), [], kind="int16")
         volume.voxels = [100 if 300 < x < 310 else 0 for x in range(700)] * 700 * 40

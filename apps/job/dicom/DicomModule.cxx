@@ -75,6 +75,40 @@ CopyText(const std::string & text, char (&target)[VSize])
   target[length] = '\0';
 }
 
+/** A number of 16 bits, of the element that GDCM takes. */
+unsigned int
+GetNumber(const gdcm::DataSet & data, const gdcm::Tag & tag, unsigned int otherwise)
+{
+  const gdcm::ByteValue * const bytes = data.FindDataElement(tag) ? data.GetDataElement(tag).GetByteValue() : nullptr;
+  std::uint16_t                 number = 0;
+  if (bytes == nullptr || bytes->GetLength() != sizeof(number))
+  {
+    return otherwise;
+  }
+  std::memcpy(&number, bytes->GetPointer(), sizeof(number));
+  return number;
+}
+
+/** GDCM ends the process when it is asked for a format whose numbers contradict each other. */
+gdcm::PixelFormat
+GetPixelFormat(const gdcm::File & file)
+{
+  const gdcm::DataSet & data = file.GetDataSet();
+  const unsigned int    bits = GetNumber(data, gdcm::Tag(0x0028, 0x0100), 0);
+  const unsigned int    storedBits = GetNumber(data, gdcm::Tag(0x0028, 0x0101), bits);
+  const unsigned int    highBit = GetNumber(data, gdcm::Tag(0x0028, 0x0102), storedBits - 1);
+  const unsigned int    representation = GetNumber(data, gdcm::Tag(0x0028, 0x0103), 0);
+  const bool            isWhole = bits == 8 || bits == 16 || bits == 32;
+  if (!isWhole || storedBits == 0 || storedBits > bits || highBit + 1 != storedBits || representation > 1)
+  {
+    throw std::runtime_error("its voxels have " + std::to_string(bits) + " bits, of which " +
+                             std::to_string(storedBits) + " are stored up to bit " + std::to_string(highBit) +
+                             ", in representation " + std::to_string(representation) +
+                             "; 8, 16 or 32 bits are read, of which the lowest are stored, and representation 0 or 1");
+  }
+  return gdcm::ImageHelper::GetPixelFormatValue(file);
+}
+
 gdcm::Rescaler
 MakeRescaler(const gdcm::File & file)
 {
@@ -82,14 +116,14 @@ MakeRescaler(const gdcm::File & file)
   gdcm::Rescaler            rescaler;
   rescaler.SetIntercept(scale.at(0));
   rescaler.SetSlope(scale.at(1));
-  rescaler.SetPixelFormat(gdcm::ImageHelper::GetPixelFormatValue(file));
+  rescaler.SetPixelFormat(GetPixelFormat(file));
   return rescaler;
 }
 
 PixelType
 GetValueType(const gdcm::File & file)
 {
-  const gdcm::PixelFormat stored = gdcm::ImageHelper::GetPixelFormatValue(file);
+  const gdcm::PixelFormat stored = GetPixelFormat(file);
   if (stored.GetScalarType() == gdcm::PixelFormat::UNKNOWN)
   {
     throw std::runtime_error("GDCM does not know the type of its voxels");
@@ -97,7 +131,7 @@ GetValueType(const gdcm::File & file)
   const auto scalar = MakeRescaler(file).ComputeInterceptSlopePixelType();
   const auto type =
     std::find_if(Types.begin(), Types.end(), [scalar](const TypePair & pair) { return pair.first == scalar; });
-  if (type == Types.end() || stored.GetBitsAllocated() % 8 != 0)
+  if (type == Types.end())
   {
     throw std::runtime_error("its voxels have " + std::to_string(stored.GetBitsAllocated()) +
                              " bits; 8, 16 and 32 are read");
@@ -108,7 +142,7 @@ GetValueType(const gdcm::File & file)
 void
 CheckGray(const gdcm::File & file)
 {
-  const auto samples = gdcm::ImageHelper::GetPixelFormatValue(file).GetSamplesPerPixel();
+  const auto samples = GetPixelFormat(file).GetSamplesPerPixel();
   const auto meaning = gdcm::ImageHelper::GetPhotometricInterpretationValue(file);
   if (samples != 1 || (meaning != gdcm::PhotometricInterpretation::MONOCHROME2 &&
                        meaning != gdcm::PhotometricInterpretation::MONOCHROME1))

@@ -168,6 +168,10 @@ private:
     if (!m_Encoding.isExplicit || isMark)
     {
       element.length = this->ReadNumber<std::uint32_t>();
+      if (isMark && element.tag != Item && element.length != 0)
+      {
+        this->Refuse("the end of a sequence has " + std::to_string(element.length) + " bytes; it must have none");
+      }
       return element;
     }
     element.representation = this->ReadText(2);
