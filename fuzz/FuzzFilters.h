@@ -111,7 +111,7 @@ SetTiles(TFilter & filter, const Cut & cut)
   filter.SetSlabThickness(cut.slabThickness);
 }
 
-/** All of a question but the bound, which the mesh has not. */
+/** All of a question but the bound, which the mesh has not. Brute force takes the object as it is. */
 template <typename TFilter>
 void
 SetWalls(TFilter & filter, const Question & question)
@@ -121,6 +121,7 @@ SetWalls(TFilter & filter, const Question & question)
   filter.SetThickness(question.thickness.value_or(3.0));
   filter.SetMinimumThickness(question.minimumThickness);
   filter.SetMaximumThickness(question.maximumThickness);
+  filter.SetSmoothing(itk::MedialVoxelSmoothing::Off);
   filter.UnsetMaximumPoreSize();
   if (question.maximumPoreSize)
   {
