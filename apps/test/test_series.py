@@ -214,6 +214,7 @@ class DicomTest(SeriesTestCase):
         for what, old, new, part in (
             ("length", b"\xe0\x7f\x10\x00OW\0\0" + struct.pack("<I", 960), b"\xe0\x7f\x10\x00OW\0\0" + b"\xf0\xff\xff\x7f", "are left"),
             ("representation", b"\x28\x00\x10\x00US", b"\x28\x00\x10\x00ZZ", "'ZZ'"),
+            ("other representation", b"\x20\x00\x32\x00DS", b"\x20\x00\x32\x00LO", "LO; it must have DS"),
             ("syntax", b"1.2.840.10008.1.2.1\0", b"1.2.840.10008.1.3.1\0", "1.2.840.10008.1.3.1"),
         ):
             with self.subTest(what=what):
@@ -227,6 +228,11 @@ class DicomTest(SeriesTestCase):
         self.assertIn(end, content)
         (packed / "IM0003").write_bytes(content.replace(end, end[:4] + b"\0\0\0\7"))
         self.assert_fails(CORRUPT, ["IM0003", "117440512 bytes"], "info", packed)
+        place = content.index(struct.pack("<2I", 2, 64))
+        header = content[place : place + 12]
+        for numbers, part in (((3, 64, 80), "3 segments"), ((2, 64, 1 << 30), "1073741824"), ((2, 60, 80), "byte 60"), ((2, 64, 64), "byte 64")):
+            (packed / "IM0003").write_bytes(content.replace(header, struct.pack("<3I", *numbers)))
+            self.assert_fails(CORRUPT, ["IM0003", part], "info", packed)
 
     def test_peak_memory_keeps_to_the_plan(self):
         volume = volumes.Volume((700, 700, 40), [], kind="int16")

@@ -13,6 +13,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -53,11 +54,33 @@ constexpr std::array<std::string_view, 12> Interpretations{ "MONOCHROME1", "MONO
                                                             "CMYK",        "YBR_FULL",    "YBR_FULL_422",
                                                             "YBR_ICT",     "YBR_RCT",     "YBR_PARTIAL_420" };
 
+/** Elements that GDCM takes numbers of a slice from; it ends the program when they are written as something else. */
+constexpr std::array<std::pair<std::uint32_t, std::string_view>, 17> Representations{ {
+  { 0x00180050, "DS" }, // slice thickness
+  { 0x00180088, "DS" }, // spacing between slices
+  { 0x00181114, "DS" }, // magnification
+  { 0x00181164, "DS" }, // spacing at the detector
+  { 0x00200032, "DS" }, // position
+  { 0x00200037, "DS" }, // orientation
+  { Samples, "US" },
+  { 0x00280006, "US" }, // planes
+  { 0x00280008, "IS" }, // frames
+  { Rows, "US" },
+  { Columns, "US" },
+  { 0x00280030, "DS" }, // spacing
+  { BitsAllocated, "US" },
+  { BitsStored, "US" },
+  { HighBit, "US" },
+  { 0x00281052, "DS" }, // intercept
+  { 0x00281053, "DS" }, // slope
+} };
+
 /** How elements are written. */
 struct Encoding
 {
   bool isExplicit{ true }; ///< with the value representation
   bool isBigEndian{ false };
+  bool isRunLength{ false };
 };
 
 struct Element
@@ -240,7 +263,8 @@ private:
       this->Refuse("its transfer syntax '" + itk::MedialVoxelText::MakePrintable(syntax) + "' is not read",
                    HeaderError::Kind::Unsupported);
     }
-    return { syntax != standard, syntax == std::string(standard) + ".2" };
+    const std::string name(standard);
+    return { syntax != name, syntax == name + ".2", syntax == name + ".5" };
   }
 
   /** Elements up to \a end, or up to the end of an item whose length is not told. */
@@ -266,6 +290,7 @@ private:
     {
       this->RequireRoom(element.length, end);
     }
+    this->CheckRepresentation(element);
     if (depth == 0 && element.tag == PixelData)
     {
       m_Structure.isPacked = isUndefined;
@@ -295,6 +320,18 @@ private:
     else
     {
       this->MoveTo(m_Position + element.length);
+    }
+  }
+
+  void
+  CheckRepresentation(const Element & element) const
+  {
+    const auto isOfElement = [&element](const auto & row) { return row.first == element.tag; };
+    const auto expected = std::find_if(Representations.begin(), Representations.end(), isOfElement);
+    if (m_Encoding.isExplicit && expected != Representations.end() && expected->second != element.representation)
+    {
+      this->Refuse("an element has the value representation " + element.representation + "; it must have " +
+                   std::string(expected->second));
     }
   }
 
@@ -374,6 +411,7 @@ private:
   void
   WalkFragments(std::uint64_t end)
   {
+    bool isTable = true; // the first one has places of others
     for (;;)
     {
       const Element fragment = this->ReadElement();
@@ -386,7 +424,44 @@ private:
         this->Refuse("its packed voxels are not in fragments");
       }
       this->RequireRoom(fragment.length, end);
-      this->MoveTo(m_Position + fragment.length);
+      const std::uint64_t next = m_Position + fragment.length;
+      if (m_Encoding.isRunLength && !isTable)
+      {
+        this->CheckRunLengthSegments(fragment.length);
+      }
+      this->MoveTo(next);
+      isTable = false;
+    }
+  }
+
+  /** The begin of a slice that is packed by run lengths: how many segments it has, and where 15 of them begin. GDCM
+   * believes both. */
+  void
+  CheckRunLengthSegments(std::uint64_t length)
+  {
+    constexpr std::size_t   most = 15;
+    constexpr std::uint64_t bytesOfHeader = (most + 1) * sizeof(std::uint32_t);
+    if (length < bytesOfHeader)
+    {
+      this->Refuse("a fragment of run lengths has " + std::to_string(length) + " bytes; it needs " +
+                   std::to_string(bytesOfHeader));
+    }
+    const auto segments = this->ReadNumber<std::uint32_t>();
+    if (segments != m_Structure.samples * m_Structure.bits / 8 || segments > most)
+    {
+      this->Refuse("its run lengths have " + std::to_string(segments) + " segments; its voxels have " +
+                   std::to_string(m_Structure.samples * m_Structure.bits / 8) + " bytes");
+    }
+    std::uint64_t least = bytesOfHeader;
+    for (std::uint32_t segment = 0; segment < segments; ++segment)
+    {
+      const auto begin = this->ReadNumber<std::uint32_t>();
+      if (begin < least || begin >= length || (segment == 0 && begin != bytesOfHeader))
+      {
+        this->Refuse("a segment of its run lengths begins at byte " + std::to_string(begin) + " of " +
+                     std::to_string(length));
+      }
+      least = begin + std::uint64_t{ 1 };
     }
   }
 
