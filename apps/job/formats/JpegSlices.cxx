@@ -169,26 +169,12 @@ private:
   JpegDecoder           m_Decoder{};
 };
 
-std::optional<SliceHeader>
-ReadHeader(const std::filesystem::path & fileName)
-{
-  return JpegFile(fileName).GetHeader();
-}
-
-void
-ReadVoxels(const SliceHeader & expected, void * voxels)
-{
-  JpegFile file(expected.fileName);
-  RequireSameSlice(expected, file.GetHeader());
-  file.ReadVoxels(expected, voxels);
-}
-
 } // namespace
 
 SliceFormat
 MakeJpegSliceFormat()
 {
-  return { "JPEG", { ".jpg", ".jpeg" }, nullptr, ReadHeader, ReadVoxels, 0 };
+  return MakeSliceFormat<JpegFile>("JPEG", { ".jpg", ".jpeg" });
 }
 
 } // end namespace medialvoxel

@@ -154,26 +154,12 @@ private:
   png_infop             m_Info{ nullptr };
 };
 
-std::optional<SliceHeader>
-ReadHeader(const std::filesystem::path & fileName)
-{
-  return PngFile(fileName).GetHeader();
-}
-
-void
-ReadVoxels(const SliceHeader & expected, void * voxels)
-{
-  PngFile file(expected.fileName);
-  RequireSameSlice(expected, file.GetHeader());
-  file.ReadVoxels(expected, voxels);
-}
-
 } // namespace
 
 SliceFormat
 MakePngSliceFormat()
 {
-  return { "PNG", { ".png" }, nullptr, ReadHeader, ReadVoxels, 0 };
+  return MakeSliceFormat<PngFile>("PNG", { ".png" });
 }
 
 } // end namespace medialvoxel

@@ -6,7 +6,10 @@
 #include "SliceSeries.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -28,6 +31,22 @@ CheckSliceSize(const SliceHeader & header, std::uint64_t fileBytes, std::uint64_
 /** \throw HeaderError when the size or type is no longer the one that was read first */
 void
 RequireSameSlice(const SliceHeader & first, const SliceHeader & now);
+
+/** The row of a format that TFile reads: TFile(name) reads the header, GetHeader() checks it, ReadVoxels() unpacks. */
+template <typename TFile>
+SliceFormat
+MakeSliceFormat(const char * name, std::vector<const char *> extensions)
+{
+  const auto readHeader = [](const std::filesystem::path & fileName) -> std::optional<SliceHeader> {
+    return TFile(fileName).GetHeader();
+  };
+  const auto readVoxels = [](const SliceHeader & expected, void * voxels) {
+    TFile file(expected.fileName);
+    RequireSameSlice(expected, file.GetHeader());
+    file.ReadVoxels(expected, voxels);
+  };
+  return { name, std::move(extensions), nullptr, readHeader, readVoxels, 0 };
+}
 
 // The rows of the table, each in a file of its own.
 SliceFormat
