@@ -23,14 +23,6 @@ namespace
 {
 
 /** 1 along unused axes. */
-itk::MedialVoxelIndex
-GetSize(const VolumeHeader & header)
-{
-  itk::MedialVoxelIndex size{ { 1, 1, 1 } };
-  std::copy(header.geometry.size.begin(), header.geometry.size.end(), size.begin());
-  return size;
-}
-
 /** In the order of the voxels: slices, or rows of large slices. */
 std::vector<itk::MedialVoxelBox>
 CutIntoParts(const itk::MedialVoxelBox & box, const VolumeHeader & header)
@@ -92,7 +84,7 @@ public:
   Show(itk::MedialVoxelLabelSurvey & survey, const ReadObserver & observer) override
   {
     itk::MedialVoxelBox all;
-    all.upper = GetSize(m_Header);
+    all.upper = m_Header.geometry.GetVoxelBox().upper;
     const auto parts = CutIntoParts(all, m_Header);
     for (std::size_t i = 0; i < parts.size(); ++i)
     {
@@ -151,7 +143,7 @@ public:
   /** \param keepsVoxels whether Read() is to be called */
   UnpackedSource(const VolumeHeader & header, const std::filesystem::path & scratchFolder, bool keepsVoxels)
     : m_Header(header)
-    , m_Size(GetSize(header))
+    , m_Size(header.geometry.GetVoxelBox().upper)
   {
     const std::uint64_t bits = UnpackedBits * header.geometry.GetNumberOfVoxels();
     if (keepsVoxels)
@@ -282,8 +274,9 @@ LabelMap::~LabelMap() = default;
 std::string
 LabelMap::Prepare(const ReadObserver & observer)
 {
-  itk::MedialVoxelLabelSurvey survey(
-    m_Selection.all ? std::vector<std::int64_t>{} : m_Selection.values, GetSize(m_Header), m_MaximumPoreSize);
+  itk::MedialVoxelLabelSurvey survey(m_Selection.all ? std::vector<std::int64_t>{} : m_Selection.values,
+                                     m_Header.geometry.GetVoxelBox().upper,
+                                     m_MaximumPoreSize);
   try
   {
     this->MeasureReading([&] { m_Source->Show(survey, observer); });

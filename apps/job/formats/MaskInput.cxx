@@ -46,19 +46,24 @@ public:
   std::string
   Prepare(const ReadObserver & observer) override
   {
-    this->Unpack(observer, m_Smoothing == Smoothing::On);
-    bool isRead = false; // once more
-    if (m_Smoothing == Smoothing::Automatic)
+    const bool isAutomatic = m_Smoothing == Smoothing::Automatic;
+    const auto tellPart = [&observer](double begin, double end) {
+      return [=, &observer](double fraction) { observer(begin + (end - begin) * fraction); };
+    };
+    constexpr double unpacked = 0.4;
+    constexpr double measured = 0.6;
+    this->Unpack(tellPart(0.0, isAutomatic ? unpacked : 1.0), m_Smoothing == Smoothing::On);
+    if (isAutomatic)
     {
-      m_Roughness = MeasureRoughness(*this, this->GetImage(), 1, observer);
-      isRead = m_Roughness->NeedsSmoothing();
+      m_Roughness = MeasureRoughness(*this, m_Header.geometry.GetVoxelBox(), 1, tellPart(unpacked, measured));
     }
-    if (isRead)
+    const bool isRough = m_Roughness && m_Roughness->NeedsSmoothing();
+    if (isRough)
     {
       this->MakeBits();
-      this->Unpack(observer, true);
+      this->Unpack(tellPart(measured, 1.0), true);
     }
-    const std::string times = isRead ? "twice, as its object is rough: " : "once: ";
+    const std::string times = isRough ? "twice, as its object is rough: " : "once: ";
     return m_Header.fileName.string() +
            (m_Header.compressed ? " is compressed and was unpacked " : " has scaled values and was read ") + times +
            FormatBytes(m_BytesRead) + " read, " + FormatBytes(GetBitStoreBytes(m_Header.geometry.GetNumberOfVoxels())) +
@@ -148,7 +153,7 @@ private:
       WithSmoothingRule<TValue>(m_Options, [&](const auto & rule) {
         using RuleType = std::decay_t<decltype(rule)>;
         SmoothedSlices<TValue, RuleType> slices(
-          this->GetImage(), rule, [&](const itk::MedialVoxelBits & object) { bits.Append(object); });
+          m_Header.geometry.GetVoxelBox(), rule, [&](const itk::MedialVoxelBits & object) { bits.Append(object); });
         stream([&](const std::vector<TValue> & values) {
           this->CountNotANumber(values);
           slices.Append(values);
@@ -193,14 +198,6 @@ private:
       m_NotANumberVoxels += static_cast<std::uint64_t>(
         std::count_if(values.begin(), values.end(), [](TValue value) { return value != value; }));
     }
-  }
-
-  itk::MedialVoxelBox
-  GetImage() const
-  {
-    itk::MedialVoxelBox image{ {}, { { 1, 1, 1 } } };
-    std::copy(m_Header.geometry.size.begin(), m_Header.geometry.size.end(), image.upper.begin());
-    return image;
   }
 
   /** Reads all words from the first to the last row of a slice at once. */

@@ -6,25 +6,11 @@
 
 namespace medialvoxel
 {
-namespace
-{
-
-itk::MedialVoxelBox
-GetImage(const VolumeGeometry & geometry)
-{
-  itk::MedialVoxelBox image;
-  image.upper = { { 1, 1, 1 } };
-  std::copy(geometry.size.begin(), geometry.size.end(), image.upper.begin());
-  return image;
-}
-
-} // namespace
-
 ObjectPiece::ObjectPiece(itk::MedialVoxelObjectMap & map,
                          const VolumeGeometry &      geometry,
                          std::uint64_t               maximumPoreSize)
-  : MedialVoxelObjectRegion(map, GetImage(geometry).upper, maximumPoreSize)
-  , m_Image(GetImage(geometry))
+  : MedialVoxelObjectRegion(map, geometry.GetVoxelBox().upper, maximumPoreSize)
+  , m_Image(geometry.GetVoxelBox())
   , m_LastAxis(geometry.GetDimension() - 1)
   , m_VoxelsPerSlice(geometry.GetVoxelsPerSlice())
 {}

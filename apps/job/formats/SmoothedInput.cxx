@@ -4,7 +4,6 @@
 
 #include "ObjectRoughness.h"
 #include "SmoothingRule.h"
-#include "VolumeText.h"
 
 #include "itkMedialVoxelProgress.h"
 
@@ -28,14 +27,6 @@ GetRowsOfStrip(const VolumeHeader & header)
   return (Numbers::RowsOfStrip + rows - 1) / rows * rows;
 }
 
-itk::MedialVoxelBox
-GetImage(const VolumeHeader & header)
-{
-  itk::MedialVoxelBox image{ {}, { { 1, 1, 1 } } };
-  std::copy(header.geometry.size.begin(), header.geometry.size.end(), image.upper.begin());
-  return image;
-}
-
 } // namespace
 
 SmoothedInput::SmoothedInput(const VolumeHeader & header,
@@ -55,7 +46,8 @@ SmoothedInput::Prepare(const ReadObserver & observer)
   }
   const auto & chunks = this->GetHeader().GetStored().chunks;
   m_Smoothing = Smoothing::Off;
-  m_Roughness = MeasureRoughness(*this, GetImage(this->GetHeader()), chunks ? chunks->size[2] : 1, observer);
+  m_Roughness =
+    MeasureRoughness(*this, this->GetHeader().geometry.GetVoxelBox(), chunks ? chunks->size[2] : 1, observer);
   m_Smoothing = m_Roughness->NeedsSmoothing() ? Smoothing::On : Smoothing::Off;
   return {};
 }
@@ -91,7 +83,7 @@ SmoothedInput::FillSmoothed(ValueReader &               reader,
                             const itk::MedialVoxelBox & box,
                             const VoxelTargets &        targets)
 {
-  const itk::MedialVoxelBox               image = GetImage(this->GetHeader());
+  const itk::MedialVoxelBox               image = this->GetHeader().geometry.GetVoxelBox();
   itk::MedialVoxelSmoother<TValue, TRule> smoother(image, rule);
   std::vector<TValue>                     values;
   itk::MedialVoxelForEachStrip(box, GetRowsOfStrip(this->GetHeader()), [&](const itk::MedialVoxelBox & part) {
@@ -109,7 +101,7 @@ SmoothedInput::FillSmoothed(ValueReader &               reader,
 std::uint64_t
 SmoothedInput::GetBytesPerThread(const VolumeHeader & header)
 {
-  const itk::MedialVoxelBox image = GetImage(header);
+  const itk::MedialVoxelBox image = header.geometry.GetVoxelBox();
   itk::MedialVoxelBox       strip = image;
   strip.upper[1] = std::min(image.upper[1], GetRowsOfStrip(header) + 2 * Numbers::Margin);
   strip.upper[2] = std::min(image.upper[2], Numbers::SlicesOfStrip + 2 * Numbers::Margin);

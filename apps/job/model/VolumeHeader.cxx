@@ -15,6 +15,14 @@ VolumeGeometry::GetNumberOfVoxels() const
   return std::accumulate(size.begin(), size.end(), std::uint64_t{ 1 }, std::multiplies<>());
 }
 
+itk::MedialVoxelBox
+VolumeGeometry::GetVoxelBox() const
+{
+  itk::MedialVoxelBox box{ {}, { { 1, 1, 1 } } };
+  std::copy(size.begin(), size.end(), box.upper.begin());
+  return box;
+}
+
 void
 VolumeGeometry::SetIdentityDirection()
 {

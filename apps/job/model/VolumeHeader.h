@@ -6,6 +6,7 @@
 #include "PixelType.h"
 
 #include "itkMedialVoxelFileRegion.h"
+#include "itkMedialVoxelGrid.h"
 
 #include <array>
 #include <cstdint>
@@ -35,6 +36,10 @@ struct VolumeGeometry
 
   std::uint64_t
   GetNumberOfVoxels() const;
+
+  /** All voxels; the size along axes that the volume has not is 1. */
+  itk::MedialVoxelBox
+  GetVoxelBox() const;
 
   /** Lets the axes run along those of space. */
   void
