@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelParameters.h"
+#include "itkMedialVoxelScan.h"
 
 #include "MedialVoxelExport.h"
 
@@ -25,11 +26,13 @@ class MedialVoxelTileObserver;
  */
 struct MedialVoxel_EXPORT MedialVoxelExtraction
 {
-  /** Values of the voxels that are object; one end may be infinite. */
+  /** Values of the voxels that are object, one end of which may be infinite, and what they are made of, when that is
+   * known. */
   struct GrayRange
   {
-    double lower;
-    double upper;
+    double                         lower;
+    double                         upper;
+    std::optional<MedialVoxelScan> scan{};
   };
 
   MedialVoxelParameters parameters;

@@ -134,6 +134,12 @@ public:
     return m_Size[axis] > 1;
   }
 
+  unsigned int
+  GetNumberOfActiveAxes() const
+  {
+    return (this->IsActive(0) ? 1u : 0u) + (this->IsActive(1) ? 1u : 0u) + (this->IsActive(2) ? 1u : 0u);
+  }
+
   /** Voxels of the whole image. */
   MedialVoxelBox
   GetVoxelBox() const

@@ -161,9 +161,18 @@ public:
   void
   WriteThickness(float * first, const MedialVoxelStrides & strides) const;
 
+  /** The uncertainty of the thickness of the measured walls, NaN where it is not known; 0 in other cells. */
+  void
+  WriteUncertainty(float * first, const MedialVoxelStrides & strides) const;
+
   /** Signed distances to the nearest boundary voxels, NaN without one. A tile of distances is never empty. */
   void
   WriteDistances(const MedialVoxelDistanceScale & scale, float * first, const MedialVoxelStrides & strides) const;
+
+private:
+  template <typename TGetValue>
+  void
+  WriteWalls(const TGetValue & getValue, float * first, const MedialVoxelStrides & strides) const;
 };
 
 } // end namespace itk

@@ -5,7 +5,10 @@
 #include "itkMedialVoxelDistanceTask.h"
 #include "itkMedialVoxelExecution.h"
 #include "itkMedialVoxelExtractionTask.h"
+#include "itkMedialVoxelGrayThickness.h"
 
+#include <algorithm>
+#include <cassert>
 #include <stdexcept>
 #include <variant>
 
@@ -24,6 +27,14 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extrac
   {
     settings.workerBytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel + extraction.observerBytesPerVoxel;
     settings.keepsGray = extraction.grayRange.has_value();
+  }
+  if (settings.keepsGray)
+  {
+    // Walls of the last cells of a tile ask for values around them.
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      settings.halo[axis] = std::max(settings.halo[axis], MedialVoxelGrayThickness::Reach);
+    }
   }
   return settings;
 }
@@ -94,6 +105,13 @@ MedialVoxelEngine::MedialVoxelEngine(const MedialVoxelGrid & grid, const MedialV
 {}
 
 MedialVoxelEngine::~MedialVoxelEngine() = default;
+
+void
+MedialVoxelEngine::SetScan(const std::optional<MedialVoxelScan> & scan)
+{
+  assert(!m_Implementation->m_Task);
+  std::get<MedialVoxelExtraction>(m_Implementation->m_Settings.task).grayRange->scan = scan;
+}
 
 std::uint64_t
 MedialVoxelEngine::GetBytes(const MedialVoxelBox & region) const

@@ -42,7 +42,7 @@ MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &    
 {
   if (settings.grayRange)
   {
-    m_GrayThickness.emplace(grid, settings.grayRange->lower, settings.grayRange->upper);
+    m_GrayThickness.emplace(grid, settings.grayRange->lower, settings.grayRange->upper, settings.grayRange->scan);
   }
 }
 

@@ -25,8 +25,12 @@ DistanceAt(const MedialVoxelFeatures & displacements, const std::size_t offset, 
 
 } // namespace
 
+/** The value of each measured wall, and 0 elsewhere. */
+template <typename TGetValue>
 void
-MedialVoxelTileResult::WriteThickness(float * const first, const MedialVoxelStrides & strides) const
+MedialVoxelTileResult::WriteWalls(const TGetValue &          getValue,
+                                  float * const              first,
+                                  const MedialVoxelStrides & strides) const
 {
   MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
     std::fill_n(first + offset, row.Extent(0), 0.0f);
@@ -41,8 +45,20 @@ MedialVoxelTileResult::WriteThickness(float * const first, const MedialVoxelStri
     {
       offset += (cell[axis] - box.lower[axis]) * strides[axis];
     }
-    first[offset] = wall.GetMarkedThickness();
+    first[offset] = getValue(wall);
   });
+}
+
+void
+MedialVoxelTileResult::WriteThickness(float * const first, const MedialVoxelStrides & strides) const
+{
+  this->WriteWalls([](const MedialVoxelWall & wall) { return wall.GetMarkedThickness(); }, first, strides);
+}
+
+void
+MedialVoxelTileResult::WriteUncertainty(float * const first, const MedialVoxelStrides & strides) const
+{
+  this->WriteWalls([](const MedialVoxelWall & wall) { return wall.uncertainty; }, first, strides);
 }
 
 void

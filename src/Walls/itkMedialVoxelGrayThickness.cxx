@@ -29,9 +29,55 @@ AddTo(Crossing & side, const Crossing & crossing)
   side.numberOfLines += crossing.numberOfLines;
 }
 
+/** Walls of more voxels are measured by their surfaces. */
+constexpr double ThickestFitted = 6.0;
+
+/** Cosine of two directions from which they no longer belong to the same wall. */
+constexpr double SameDirection = 0.8;
+
+/** Voxels around the boundary points that the fit of a surface may need. */
+constexpr auto ReachOfPoints = static_cast<std::int64_t>(MedialVoxelWallFit::ReachOfSurface) + 4;
+
+/** Standard deviations in an interval of 95 %, to each side; of the place between the voxels, and of the levels for
+ * each voxel of thickness. */
+constexpr double Quantile = 1.96;
+constexpr double DeviationOfPlace = 0.03;
+constexpr double DeviationOfLevels = 0.01;
+
+PositionType
+Along(const PositionType & start, const PositionType & way, const double times)
+{
+  return { { start[0] + times * way[0], start[1] + times * way[1], start[2] + times * way[2] } };
+}
+
+PositionType
+Normalized(const PositionType & vector)
+{
+  const double length = MedialVoxelNorm(vector);
+  return { { vector[0] / length, vector[1] / length, vector[2] / length } };
+}
+
 } // namespace
 
-MedialVoxelGrayThickness::MedialVoxelGrayThickness(const MedialVoxelGrid & grid, const double lower, const double upper)
+struct MedialVoxelGrayThickness::Sides
+{
+  PositionType means[2];
+  PositionType direction; // from the first to the second, of length 1
+  double       thickness; // about
+};
+
+struct MedialVoxelGrayThickness::Fitted
+{
+  PositionType normal;
+  double       thickness;
+  double       deviation;
+  bool         isResolved;
+};
+
+MedialVoxelGrayThickness::MedialVoxelGrayThickness(const MedialVoxelGrid &              grid,
+                                                   const double                         lower,
+                                                   const double                         upper,
+                                                   const std::optional<MedialVoxelScan> scan)
   : m_Grid(grid)
   , m_Boundary(grid, lower, upper)
   , m_Smallest(MedialVoxelThickness(grid).GetSmallest())
@@ -40,13 +86,18 @@ MedialVoxelGrayThickness::MedialVoxelGrayThickness(const MedialVoxelGrid & grid,
   {
     m_CellVolume *= grid.IsActive(axis) ? grid.GetSpacing()[axis] : 1.0;
   }
+  const unsigned int axes = grid.GetNumberOfActiveAxes();
+  if (scan && axes > 1)
+  {
+    m_Model.emplace(
+      Model{ MedialVoxelGrayLocal(grid, scan->background, scan->material), MedialVoxelWallFit(*scan, axes) });
+  }
 }
 
 MedialVoxelBox
-MedialVoxelGrayThickness::GetBoxAround(const MedialVoxelWallPoints & points)
+MedialVoxelGrayThickness::GetBoxAround(const MedialVoxelWallPoints & points, const std::int64_t reach)
 {
-  constexpr std::int64_t reach = MedialVoxelGrayBoundary::Reach;
-  MedialVoxelBox         box;
+  MedialVoxelBox box;
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
     const MedialVoxelIndex & point = points.corners[corner];
@@ -58,7 +109,15 @@ MedialVoxelGrayThickness::GetBoxAround(const MedialVoxelWallPoints & points)
 MedialVoxelBox
 MedialVoxelGrayThickness::GetReadBox(const MedialVoxelWallPoints & points) const
 {
-  return GetBoxAround(points).Intersection(m_Grid.GetVoxelBox());
+  if (!m_Model)
+  {
+    return GetBoxAround(points, MedialVoxelGrayBoundary::Reach).Intersection(m_Grid.GetVoxelBox());
+  }
+  const MedialVoxelIndex & cell = points.cell;
+  const MedialVoxelBox     voxel{ cell, { { cell[0] + 1, cell[1] + 1, cell[2] + 1 } } };
+  return GetBoxAround(points, ReachOfPoints)
+    .Union(voxel.Expanded({ { Reach, Reach, Reach } }))
+    .Intersection(m_Grid.GetVoxelBox());
 }
 
 auto
@@ -91,6 +150,10 @@ MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
                                  const Crossings &             crossings,
                                  MedialVoxelWall &             wall) const
 {
+  if (m_Model && !wall.isRim && this->RefineByFit(gray, points, wall))
+  {
+    return;
+  }
   Crossing sides[2];
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
@@ -106,12 +169,11 @@ MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
   }
   // The normals of both sides point into the wall.
   PositionType normal;
-  PositionType center; // of the cell
+  PositionType center = this->GetCenter(points);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     normal[axis] = sides[0].normal[axis] / sides[0].numberOfLines - sides[1].normal[axis] / sides[1].numberOfLines;
-    center[axis] =
-      (static_cast<double>(points.cell[axis]) + (m_Grid.IsActive(axis) ? 0.5 : 0.0)) * m_Grid.GetSpacing()[axis];
+    center[axis] *= m_Grid.GetSpacing()[axis];
   }
   const double length = MedialVoxelNorm(normal);
   double       extent = 0.0; // of a cell along the normal
@@ -131,7 +193,7 @@ MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
       foot[axis] = center[axis] + (sign * position - MedialVoxelDot(center, normal)) * normal[axis];
       side.normal[axis] = sign * normal[axis];
     }
-    m_Boundary.FindAround(gray, GetBoxAround(points), foot, side, position);
+    m_Boundary.FindAround(gray, GetBoxAround(points, MedialVoxelGrayBoundary::Reach), foot, side, position);
     thickness -= position;
   }
   if (thickness > 0.0)
@@ -139,6 +201,159 @@ MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
     wall.thickness = static_cast<float>(std::max(m_Smallest, thickness));
     wall.area = static_cast<float>(m_CellVolume / extent);
   }
+}
+
+bool
+MedialVoxelGrayThickness::RefineByFit(const MedialVoxelGray &       gray,
+                                      const MedialVoxelWallPoints & points,
+                                      MedialVoxelWall &             wall) const
+{
+  const Sides                 sides = GetSides(points);
+  const std::optional<Fitted> fitted =
+    sides.thickness <= ThickestFitted ? this->FitWall(gray, points, sides) : this->FitSurfaces(gray, points, sides);
+  if (!fitted)
+  {
+    return false;
+  }
+  // Planes that are a voxel apart, in voxels, have this distance in the units of the spacing.
+  PositionType normal;
+  double       extent = 0.0; // of a cell along the normal
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    normal[axis] = fitted->normal[axis] / m_Grid.GetSpacing()[axis];
+  }
+  const double scale = 1.0 / MedialVoxelNorm(normal);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    extent += std::abs(normal[axis]) * scale * (m_Grid.IsActive(axis) ? m_Grid.GetSpacing()[axis] : 0.0);
+  }
+  const double ofLevels = DeviationOfLevels * fitted->thickness;
+  const double deviation =
+    std::sqrt((fitted->deviation * fitted->deviation + DeviationOfPlace * DeviationOfPlace) + ofLevels * ofLevels);
+  wall.thickness = static_cast<float>(std::max(m_Smallest, scale * fitted->thickness));
+  wall.area = static_cast<float>(m_CellVolume / extent);
+  wall.isUnresolved = !fitted->isResolved;
+  wall.uncertainty =
+    fitted->isResolved ? static_cast<float>(scale * Quantile * deviation) : std::numeric_limits<float>::quiet_NaN();
+  return true;
+}
+
+/** Along the direction in which the values around the cell change most. */
+auto
+MedialVoxelGrayThickness::FitWall(const MedialVoxelGray &       gray,
+                                  const MedialVoxelWallPoints & points,
+                                  const Sides &                 sides) const -> std::optional<Fitted>
+{
+  const PositionType center = this->GetCenter(points);
+  Fitted             fitted{};
+  if (!m_Model->local.FindNormal(gray, center, fitted.normal) ||
+      std::abs(MedialVoxelDot(fitted.normal, sides.direction)) < SameDirection)
+  {
+    return std::nullopt;
+  }
+  std::vector<MedialVoxelGrayLocal::Sample> samples;
+  m_Model->local.FindSamples(gray, center, fitted.normal, MedialVoxelWallFit::ReachOfWall, samples);
+  const auto wall = m_Model->fit.FitWall(samples);
+  if (!wall)
+  {
+    return std::nullopt;
+  }
+  fitted.thickness = wall->thickness;
+  fitted.deviation = wall->deviation;
+  fitted.isResolved = wall->isResolved;
+  return fitted;
+}
+
+/** Each along the direction in which the values around it change most. */
+auto
+MedialVoxelGrayThickness::FitSurfaces(const MedialVoxelGray &       gray,
+                                      const MedialVoxelWallPoints & points,
+                                      const Sides &                 sides) const -> std::optional<Fitted>
+{
+  PositionType                              places[2];
+  PositionType                              normals[2]; // into the wall
+  double                                    variance = 0.0;
+  std::vector<MedialVoxelGrayLocal::Sample> samples;
+  for (const unsigned int side : { 0u, 1u })
+  {
+    const double       sign = side == 0 ? 1.0 : -1.0;
+    const PositionType foot = Along(sides.means[side], sides.direction, 0.5 * sign);
+    PositionType &     normal = normals[side];
+    if (!m_Model->local.FindNormal(gray, foot, normal))
+    {
+      return std::nullopt;
+    }
+    if (sign * MedialVoxelDot(normal, sides.direction) < 0.0)
+    {
+      normal = { { -normal[0], -normal[1], -normal[2] } };
+    }
+    m_Model->local.FindSamples(gray, foot, normal, MedialVoxelWallFit::ReachOfSurface, samples);
+    const auto surface = m_Model->fit.FitSurface(samples);
+    if (!surface)
+    {
+      return std::nullopt;
+    }
+    places[side] = Along(foot, normal, surface->place);
+    variance += surface->deviation * surface->deviation;
+  }
+  if (MedialVoxelDot(normals[0], normals[1]) > -SameDirection)
+  {
+    return std::nullopt;
+  }
+  Fitted fitted{};
+  fitted.normal = Normalized(MedialVoxelSubtract(normals[0], normals[1]));
+  const PositionType center = this->GetCenter(points);
+  const auto         alongNormal = [&](const unsigned int side) {
+    return MedialVoxelDot(MedialVoxelSubtract(places[side], center), normals[side]) /
+           MedialVoxelDot(fitted.normal, normals[side]);
+  };
+  fitted.thickness = alongNormal(1) - alongNormal(0);
+  fitted.deviation = std::sqrt(variance);
+  fitted.isResolved = true;
+  return fitted.thickness > 0.0 ? std::optional<Fitted>(fitted) : std::nullopt;
+}
+
+auto
+MedialVoxelGrayThickness::GetCenter(const MedialVoxelWallPoints & points) const -> PositionType
+{
+  PositionType center;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    center[axis] = static_cast<double>(points.cell[axis]) + (m_Grid.IsActive(axis) ? 0.5 : 0.0);
+  }
+  return center;
+}
+
+/** Corners of a and b belong to a side each, so that both have points. */
+auto
+MedialVoxelGrayThickness::GetSides(const MedialVoxelWallPoints & points) -> Sides
+{
+  Sides  sides{};
+  double numbers[2] = {};
+  for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
+  {
+    const MedialVoxelIndex & point = points.corners[corner];
+    const unsigned int       side = points.SideOf(point);
+    if (side < 2)
+    {
+      ++numbers[side];
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        sides.means[side][axis] += static_cast<double>(point[axis]);
+      }
+    }
+  }
+  for (const unsigned int side : { 0u, 1u })
+  {
+    for (double & mean : sides.means[side])
+    {
+      mean /= numbers[side];
+    }
+  }
+  const PositionType between = MedialVoxelSubtract(sides.means[1], sides.means[0]);
+  sides.thickness = MedialVoxelNorm(between) - 1.0;
+  sides.direction = Normalized(between);
+  return sides;
 }
 
 auto

@@ -5,11 +5,13 @@
 
 #include "itkMedialVoxelGrayBoundary.h"
 #include "itkMedialVoxelThickness.h"
+#include "itkMedialVoxelWallFit.h"
 
 #include "MedialVoxelExport.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace itk
 {
@@ -17,25 +19,37 @@ namespace itk
 /** \class MedialVoxelGrayThickness
  * \brief Thickness of a wall at a medial cell, measured on the gray values that the object was cut from.
  *
- * Each boundary point of the cell's corners is moved by MedialVoxelGrayBoundary to where the values cross the
- * threshold. Their means of both sides, of MedialVoxelThickness, and the mean direction of the gradients tell where the
- * line through the center of the cell meets both surfaces. The thickness is the way between the surfaces along this
- * direction, each being looked for once more around there. Where a side has no crossing within two voxels, the
- * measurement on the object is kept; rims are found on the object.
+ * With a known scan, walls of up to 6 voxels are fitted by MedialVoxelWallFit along the direction in which the values
+ * around the cell change most, or measured between the valleys to other walls. Of thicker walls both surfaces are
+ * fitted, and the thickness is the way between them through the center of the cell. Both have an uncertainty: half of
+ * the interval that holds 95 % of the true thicknesses, from the noise, 0.03 voxels for the place between the voxels
+ * and 1 % of the thickness for the levels. The fit is in voxels, so that the blur counts in voxels, too. At rims, and
+ * where the values have no such wall, the measure below is kept.
  *
- * Walls do not reach the value of their material when they are thinner than about three times the blur, nor gaps that
- * of the background: the threshold cuts such walls too thin and such gaps too narrow. doc/explanation/accuracy.md has
- * the errors.
+ * Without a scan, each boundary point of the cell's corners is moved by MedialVoxelGrayBoundary to where the values
+ * cross the threshold. The line through the center of the cell in the mean direction of the gradients meets the
+ * surfaces around the means of both sides. The thickness is the way between them. Where a side has no crossing within
+ * two voxels, the measurement on the object is kept; rims are found on the object. Walls do not reach the value of
+ * their material when they are thinner than about three times the blur: the threshold cuts them too thin.
+ * doc/explanation/accuracy.md has the errors of both.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelGrayThickness
 {
 public:
+  /** Voxels around a cell that a wall of up to 6 voxels is measured by. */
+  static constexpr std::int64_t Reach = static_cast<std::int64_t>(MedialVoxelWallFit::ReachOfWall) + 4;
+
   /** Of the boundary points of the corners, in their order. */
   using Crossings = std::array<MedialVoxelGrayBoundary::Crossing, 8>;
 
-  /** Object are the voxels from \a lower to \a upper, of which one may be infinite. */
-  MedialVoxelGrayThickness(const MedialVoxelGrid & grid, double lower, double upper);
+  /** Object are the voxels from \a lower to \a upper, of which one may be infinite.
+   *
+   * \param scan  what the values are made of, when that is known */
+  MedialVoxelGrayThickness(const MedialVoxelGrid &        grid,
+                           double                         lower,
+                           double                         upper,
+                           std::optional<MedialVoxelScan> scan = std::nullopt);
 
   /** The voxels whose values are read around the boundary points. */
   MedialVoxelBox
@@ -71,12 +85,42 @@ private:
 
   /** The voxels around the boundary points, whether or not the image has them. */
   static MedialVoxelBox
-  GetBoxAround(const MedialVoxelWallPoints & points);
+  GetBoxAround(const MedialVoxelWallPoints & points, std::int64_t reach);
+
+  /** The means of the boundary points of both sides, in voxels. */
+  struct Sides;
+
+  static Sides
+  GetSides(const MedialVoxelWallPoints & points);
+
+  /** What a fit found, in voxels. */
+  struct Fitted;
+
+  std::optional<Fitted>
+  FitWall(const MedialVoxelGray & gray, const MedialVoxelWallPoints & points, const Sides & sides) const;
+
+  std::optional<Fitted>
+  FitSurfaces(const MedialVoxelGray & gray, const MedialVoxelWallPoints & points, const Sides & sides) const;
+
+  /** \return false: the measure without a scan counts */
+  bool
+  RefineByFit(const MedialVoxelGray & gray, const MedialVoxelWallPoints & points, MedialVoxelWall & wall) const;
+
+  PositionType
+  GetCenter(const MedialVoxelWallPoints & points) const;
+
+  /** Fits need a scan. */
+  struct Model
+  {
+    MedialVoxelGrayLocal local;
+    MedialVoxelWallFit   fit;
+  };
 
   MedialVoxelGrid         m_Grid;
   MedialVoxelGrayBoundary m_Boundary;
   double                  m_CellVolume{ 1.0 }; // along the active axes
   double                  m_Smallest;          // of MedialVoxelThickness
+  std::optional<Model>    m_Model;
 };
 
 } // end namespace itk

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 namespace itk
 {
@@ -41,12 +42,22 @@ struct MedialVoxel_EXPORT MedialVoxelWall
   float        area{ 0.0f };      ///< of the mid-surface that the cell stands for, in squared units; in 2-D a length
   std::uint8_t axis{ 0 };         ///< the axis that the way through the wall is longest along
   bool         isRim{ false };    ///< the two sides do not face each other, so that the thickness is not that of a wall
+  bool         isUnresolved{ false }; ///< the gray values are those of several walls that the blur has joined
+  float        uncertainty{ std::numeric_limits<float>::quiet_NaN() }; ///< half width of the 95 % interval of the
+                                                                       ///< thickness; NaN: not known
 
-  /** The thickness, or at a rim the negative of it, as in the map. */
+  /** The thickness of a wall is known. */
+  bool
+  IsMeasured() const
+  {
+    return !isRim && !isUnresolved;
+  }
+
+  /** The thickness, or the negative of it where it is not that of a wall, as in the map. */
   float
   GetMarkedThickness() const
   {
-    return isRim ? -thickness : thickness;
+    return this->IsMeasured() ? thickness : -thickness;
   }
 };
 

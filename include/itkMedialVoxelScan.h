@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelScan_h
+#define itkMedialVoxelScan_h
+
+namespace itk
+{
+
+/** \class MedialVoxelScan
+ * \brief What the gray values of a scan are made of: two materials, a blur and noise.
+ *
+ * Across a flat surface the mean values rise from \a background to \a material like the cumulative normal distribution
+ * with the standard deviation \a blur.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelScan
+{
+  double background{ 0.0 };  ///< value of voxels without material
+  double material{ 0.0 };    ///< value of voxels inside thick walls; may be the smaller one
+  double blur{ 0.0 };        ///< in voxels, greater than 0; that of the voxel itself is included
+  double noise{ 0.0 };       ///< standard deviation of a value, at least 0
+  double correlation{ 1.0 }; ///< factor by which the variance of local means exceeds that of independent values
+
+  /** The noise of a value when the contrast of the materials is 1. */
+  double
+  GetRelativeNoise() const
+  {
+    const double contrast = material - background;
+    return noise / (contrast < 0.0 ? -contrast : contrast);
+  }
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelScanSurvey_h
+#define itkMedialVoxelScanSurvey_h
+
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelGray.h"
+#include "itkMedialVoxelScan.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace itk
+{
+
+/** \struct MedialVoxelScanLevels
+ * \brief Values of both materials.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelScanLevels
+{
+  double background{ 0.0 };
+  double material{ 0.0 };
+};
+
+/** \class MedialVoxelScanSurvey
+ * \brief Finds out from samples of a volume what its gray values are made of.
+ *
+ * - The background is the median of the values of voxels that have no object voxel within 3 voxels, but one within 8.
+ * - The material is the median of values whose object reaches 4 voxels around, or 3, or 2 when no wall is as thick.
+ * - The noise is 1.4826 times the median deviation of the background. Its correlation is the largest ratio of the
+ *   variance of means over 3^D and 5^D voxels of the background to that of independent values.
+ * - The blur is the median of fits to surfaces of walls of at least 5 voxels.
+ *
+ * Of a large volume some blocks are looked at, and of those some voxels, all chosen by their place, so that results do
+ * not depend on how the volume is divided. Axes with one voxel do not count.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelScanSurvey
+{
+public:
+  using Boxes = std::vector<MedialVoxelBox>;
+  using Work = std::function<void(const MedialVoxelBox &)>;
+
+  /** \struct Source
+   * \brief How the volume is read.
+   * \ingroup MedialVoxel
+   */
+  struct Source
+  {
+    /** Sets the bits of the object voxels of a box, and its values. */
+    std::function<void(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelGray & gray)> fill;
+
+    /** Does \a work for each of the boxes, in any order, also in several threads. */
+    std::function<void(const Boxes & boxes, const Work & work)> forEach;
+
+    /** Hears which part of the blocks was read, from 0 to 1, one call at a time; throws to stop. */
+    std::function<void(double)> observe;
+  };
+
+  /** \struct Result
+   * \brief The scan, or why there is none.
+   * \ingroup MedialVoxel
+   */
+  struct Result
+  {
+    std::optional<MedialVoxelScan> scan;
+    std::string                    reason; ///< empty with a scan
+  };
+
+  /** Bytes of what a thread has of a block, and of the samples of all blocks. */
+  static constexpr std::uint64_t BytesPerThread = std::uint64_t{ 24 } << 20;
+  static constexpr std::uint64_t BytesOfSamples = std::uint64_t{ 24 } << 20;
+
+  /** \param threshold  that cuts the object from the background
+   * \param levels     of the materials, when they are known */
+  MedialVoxelScanSurvey(const MedialVoxelGrid & grid, double threshold, std::optional<MedialVoxelScanLevels> levels);
+
+  /** Looks at the blocks of a volume.
+   * \throw what the functions of the source throw */
+  Result
+  Run(const Source & source) const;
+
+private:
+  MedialVoxelGrid                      m_Grid;
+  double                               m_Threshold;
+  std::optional<MedialVoxelScanLevels> m_Levels;
+};
+
+} // end namespace itk
+
+#endif
