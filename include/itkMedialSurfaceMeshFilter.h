@@ -175,6 +175,10 @@ public:
   bool
   GetSubvoxelThickness() const;
   itkBooleanMacro(SubvoxelThickness);
+  void
+  SetScanLevels(double background, double material);
+  void
+  UnsetScanLevels();
 
   /** Bytes that the window on the input and the memory of all threads may take, as in MedialVoxelImageFilter; 0
    * (default) is without limit. Has no influence on the mesh. */

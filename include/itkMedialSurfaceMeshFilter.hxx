@@ -209,6 +209,20 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetSubvoxelThickness(const bo
 }
 
 template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetScanLevels(const double background, const double material)
+{
+  this->Change([=](LabelFilterType & filter) { filter.SetScanLevels(background, material); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
+void
+MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::UnsetScanLevels()
+{
+  this->Change([](LabelFilterType & filter) { filter.UnsetScanLevels(); });
+}
+
+template <typename TInputImage, typename TOutputMesh>
 bool
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSubvoxelThickness() const
 {
@@ -329,10 +343,6 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   settings.placement = GetPlacement(input);
   settings.minimumBranchLength = m_MinimumBranchLength;
   settings.smallestComponent = m_SmallestComponent;
-  if (this->GetSubvoxelThickness())
-  {
-    settings.grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold() };
-  }
   MeshWriter         writer(mesh, m_GenerateTriangles, m_MarkSides);
   MedialVoxelSurface surface(settings, writer);
   m_LabelFilter->SetTileObservers({ &surface.GetObserver() });

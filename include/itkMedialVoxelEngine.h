@@ -38,11 +38,6 @@ public:
   MedialVoxelEngine &
   operator=(const MedialVoxelEngine &) = delete;
 
-  /** What the gray values are made of, which walls are measured by from then on; none: by the threshold alone. The task
-   * measures on gray values. Must come before the first run. */
-  void
-  SetScan(const std::optional<MedialVoxelScan> & scan);
-
   /** Bytes that windows and all workers take while no tile of \a region depends on more than is known to begin
    * with. */
   std::uint64_t

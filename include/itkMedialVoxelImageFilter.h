@@ -10,6 +10,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace itk
@@ -224,11 +226,63 @@ public:
   itkGetConstMacro(GenerateThickness, bool);
   itkBooleanMacro(GenerateThickness);
 
-  /** Measure the thickness on the values of the image, at the thresholds, one of which must be set. Default off. On,
-   * the window on the input keeps 4 bytes for each voxel as well; values are read in single precision. */
+  /** Measure the thickness on the values of the image; one of the thresholds must be set. Default off. Where the image
+   * has walls of 5 voxels, blurred walls are fitted to the values, which reads samples of the input once more;
+   * otherwise, and with both thresholds, walls reach to where values cross the thresholds. The window on the input
+   * keeps 4 bytes for each voxel as well; values are read in single precision. See MedialVoxelGrayThickness. */
   itkSetMacro(SubvoxelThickness, bool);
   itkGetConstMacro(SubvoxelThickness, bool);
   itkBooleanMacro(SubvoxelThickness);
+
+  /** Values of background and material for these fits, finite and not equal; those of the scan are found out without.
+   */
+  virtual void
+  SetScanLevels(double background, double material);
+  virtual void
+  UnsetScanLevels();
+
+  /** What the last update with SubvoxelThickness fitted walls with, see MedialVoxelScan: values of both materials, the
+   * blur in voxels, and the noise of a value. All are 0 when there were no fits. */
+  double
+  GetBackgroundLevel() const
+  {
+    return m_Scan.background;
+  }
+  double
+  GetMaterialLevel() const
+  {
+    return m_Scan.material;
+  }
+  double
+  GetBlur() const
+  {
+    return m_Scan.blur;
+  }
+  double
+  GetNoise() const
+  {
+    return m_Scan.noise;
+  }
+
+  /** Why the last update with SubvoxelThickness fitted no walls; empty when it did. */
+  const std::string &
+  GetReasonWithoutScan() const
+  {
+    return m_ReasonWithoutScan;
+  }
+
+  /** Produce the uncertainty output. Default off. SubvoxelThickness must be on. */
+  virtual void
+  SetGenerateUncertainty(bool generate);
+  itkGetConstMacro(GenerateUncertainty, bool);
+  itkBooleanMacro(GenerateUncertainty);
+
+  /** Half of the interval that holds the thickness in 95 % of the cases, in the units of the thickness; NaN at medial
+   * cells where it is not known, zero elsewhere. Null unless GenerateUncertainty is on. */
+  ThicknessImageType *
+  GetUncertaintyOutput();
+  const ThicknessImageType *
+  GetUncertaintyOutput() const;
 
   /** Thickness of the walls at medial cells, physical when UseImageSpacing is on, otherwise in voxels; negative at
    * rims, zero elsewhere. Null unless GenerateThickness is on. */
@@ -391,6 +445,7 @@ private:
 
   static constexpr const char * VectorDistanceName = "VectorDistance";
   static constexpr const char * ThicknessName = "Thickness";
+  static constexpr const char * UncertaintyName = "Uncertainty";
   static constexpr const char * ObjectsName = "Objects";
 
   /** Create a named output when it is switched on, remove it when it is switched off. */
@@ -406,6 +461,10 @@ private:
   /** Decide whether the object is smoothed, once for each change of the input. */
   void
   PrepareSmoothing();
+
+  /** Find out what the values are made of, once for each change of the input. */
+  void
+  PrepareScan();
 
   /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not tell. */
   ModifiedTimeType
@@ -425,6 +484,7 @@ private:
   bool                    m_GenerateVectorDistance{ false };
   BoundaryEnum            m_VectorDistanceBoundary{ BoundaryEnum::Object };
   bool                    m_GenerateThickness{ false };
+  bool                    m_GenerateUncertainty{ false };
   bool                    m_SubvoxelThickness{ false };
   bool                    m_SeparateObjects{ false };
   bool                    m_HasSmoothing{ false };
@@ -432,7 +492,12 @@ private:
   bool                    m_SmoothsObject{ false };
   MedialVoxelRoughness    m_Roughness;
   ModifiedTimeType        m_RoughnessMTime{ 0 };
+  MedialVoxelScan         m_Scan;
+  std::string             m_ReasonWithoutScan;
+  ModifiedTimeType        m_ScanMTime{ 0 };
   ObjectLabelsType        m_ObjectLabels; ///< ascending, each once
+
+  std::optional<MedialVoxelScanLevels> m_ScanLevels;
 
   /** Of the input at a time. */
   std::unique_ptr<Objects> m_Objects;

@@ -99,6 +99,49 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareSmoothing()
 }
 
 template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetScanLevels(const double background, const double material)
+{
+  m_ScanLevels = MedialVoxelScanLevels{ background, material };
+  this->Modified();
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::UnsetScanLevels()
+{
+  m_ScanLevels.reset();
+  this->Modified();
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
+{
+  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
+  if (!m_SubvoxelThickness || m_ScanMTime == modifiedTime)
+  {
+    return;
+  }
+  m_ScanMTime = 0;
+  m_Scan = {};
+  const bool isLower = std::isfinite(this->GetLowerThreshold());
+  if (isLower == std::isfinite(this->GetUpperThreshold()))
+  {
+    m_ReasonWithoutScan = "there are two thresholds";
+  }
+  else
+  {
+    const auto result = this->SurveyScan(isLower ? this->GetLowerThreshold() : this->GetUpperThreshold(), m_ScanLevels);
+    m_Scan = result.scan.value_or(MedialVoxelScan{});
+    m_ReasonWithoutScan = result.reason;
+  }
+  // Made again, for walls that are measured like this.
+  this->DropWindow();
+  m_ScanMTime = modifiedTime;
+}
+
+template <typename TInputImage, typename TOutputImage>
 ModifiedTimeType
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetPixelMTime() const
 {
@@ -119,6 +162,27 @@ void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateThickness(const bool generate)
 {
   this->SwitchOutput(m_GenerateThickness, generate, ThicknessName);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelImageFilter<TInputImage, TOutputImage>::SetGenerateUncertainty(const bool generate)
+{
+  this->SwitchOutput(m_GenerateUncertainty, generate, UncertaintyName);
+}
+
+template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetUncertaintyOutput() -> ThicknessImageType *
+{
+  return dynamic_cast<ThicknessImageType *>(this->ProcessObject::GetOutput(UncertaintyName));
+}
+
+template <typename TInputImage, typename TOutputImage>
+auto
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetUncertaintyOutput() const -> const ThicknessImageType *
+{
+  return dynamic_cast<const ThicknessImageType *>(this->ProcessObject::GetOutput(UncertaintyName));
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -177,7 +241,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeOutput(const ProcessObjec
   {
     return VectorImageType::New().GetPointer();
   }
-  if (name == ThicknessName)
+  if (name == ThicknessName || name == UncertaintyName)
   {
     return ThicknessImageType::New().GetPointer();
   }
@@ -219,6 +283,16 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("SubvoxelThickness is on; LowerThreshold or UpperThreshold must be set for it.");
   }
+  if (m_GenerateUncertainty && !m_SubvoxelThickness)
+  {
+    itkExceptionMacro("GenerateUncertainty is on; SubvoxelThickness must be on for it.");
+  }
+  if (m_ScanLevels && !(std::isfinite(m_ScanLevels->background - m_ScanLevels->material) &&
+                        m_ScanLevels->background != m_ScanLevels->material))
+  {
+    itkExceptionMacro("The levels of the scan are " << m_ScanLevels->background << " and " << m_ScanLevels->material
+                                                    << "; they must be finite and not equal.");
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -247,6 +321,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
   if (m_GenerateThickness)
   {
     this->GetThicknessOutput()->SetOrigin(output->GetOrigin());
+  }
+  if (m_GenerateUncertainty)
+  {
+    this->GetUncertaintyOutput()->SetOrigin(output->GetOrigin());
   }
   if (m_SeparateObjects)
   {
@@ -288,7 +366,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
 {
   MedialVoxelExtraction extraction;
   extraction.parameters = this->GetParameters(grid);
-  extraction.measuresThickness = m_GenerateThickness;
+  extraction.measuresThickness = m_GenerateThickness || m_GenerateUncertainty;
   if (m_SeparateObjects && m_GenerateThickness)
   {
     // Of a tile, until its cells have their objects.
@@ -301,6 +379,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
   if (m_SubvoxelThickness)
   {
     extraction.grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold() };
+    if (m_Scan.blur > 0.0)
+    {
+      extraction.grayRange->scan = m_Scan;
+    }
   }
   for (auto * const observer : m_TileObservers)
   {
@@ -324,6 +406,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTil
   {
     ThicknessImageType & thickness = *this->GetThicknessOutput();
     tile.WriteThickness(this->FirstPixelOf(thickness, tile.box), this->StridesOf(thickness));
+  }
+  if (m_GenerateUncertainty)
+  {
+    ThicknessImageType & uncertainty = *this->GetUncertaintyOutput();
+    tile.WriteUncertainty(this->FirstPixelOf(uncertainty, tile.box), this->StridesOf(uncertainty));
   }
   if (m_GenerateVectorDistance)
   {
@@ -349,6 +436,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
   os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
+  os << indent << "GenerateUncertainty: " << (m_GenerateUncertainty ? "On" : "Off") << std::endl;
+  os << indent << "ReasonWithoutScan: " << m_ReasonWithoutScan << std::endl;
   os << indent << "SeparateObjects: " << (m_SeparateObjects ? "On" : "Off") << std::endl;
   os << indent << "ObjectLabels:";
   for (const std::int64_t label : m_ObjectLabels)

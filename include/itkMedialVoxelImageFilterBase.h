@@ -8,6 +8,7 @@
 #include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelRoughness.h"
+#include "itkMedialVoxelScanSurvey.h"
 
 #include "itkImageToImageFilter.h"
 
@@ -261,6 +262,10 @@ protected:
   /** Read all of the input once. SmoothsObject() is false meanwhile. */
   MedialVoxelRoughness
   MeasureRoughness();
+
+  /** Read samples of the input. */
+  MedialVoxelScanSurvey::Result
+  SurveyScan(double threshold, const std::optional<MedialVoxelScanLevels> & levels);
 
   /** The objects of the input, of which those that it shows are object; null, the default: values define one object. */
   virtual const MedialVoxelObjectMap *

@@ -283,13 +283,25 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MeasureRoughness()
   pass.forEach = [](const MedialVoxelRoughnessPass::Boxes & boxes, const MedialVoxelRoughnessPass::Work & work) {
     std::for_each(boxes.begin(), boxes.end(), work);
   };
-  pass.observe = [&client](double) {
-    if (client.IsAbortRequested())
-    {
-      std::rethrow_exception(client.GetAbortException());
-    }
-  };
+  pass.observe = [&client](double) { client.ThrowIfAborted(); };
   return MedialVoxelMeasureRoughness(pass, this->GetGrid().GetVoxelBox());
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelScanSurvey::Result
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SurveyScan(const double threshold,
+                                                                  const std::optional<MedialVoxelScanLevels> & levels)
+{
+  Client                        client(*this, 0, 1);
+  MedialVoxelScanSurvey::Source source;
+  source.fill = [&client](const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelGray & gray) {
+    client.FillObjectAndGray(box, object, nullptr, gray);
+  };
+  source.forEach = [](const MedialVoxelScanSurvey::Boxes & boxes, const MedialVoxelScanSurvey::Work & work) {
+    std::for_each(boxes.begin(), boxes.end(), work);
+  };
+  source.observe = [&client](double) { client.ThrowIfAborted(); };
+  return MedialVoxelScanSurvey(this->GetGrid(), threshold, levels).Run(source);
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -101,6 +101,15 @@ public:
     return m_Filter.GetAbortGenerateData();
   }
 
+  void
+  ThrowIfAborted() const
+  {
+    if (this->IsAbortRequested())
+    {
+      std::rethrow_exception(this->GetAbortException());
+    }
+  }
+
   std::exception_ptr
   GetAbortException() const override
   {

@@ -401,6 +401,7 @@ MedialVoxelSums
 MedialVoxelImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBox & region)
 {
   this->PrepareSmoothing();
+  this->PrepareScan();
   if (!m_SeparateObjects)
   {
     return Superclass::RunRegion(region);

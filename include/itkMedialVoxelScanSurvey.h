@@ -74,8 +74,8 @@ public:
   };
 
   /** Bytes of what a thread has of a block, and of the samples of all blocks. */
-  static constexpr std::uint64_t BytesPerThread = std::uint64_t{ 24 } << 20;
-  static constexpr std::uint64_t BytesOfSamples = std::uint64_t{ 24 } << 20;
+  static constexpr std::uint64_t BytesPerThread = std::uint64_t{ 8 } << 20;
+  static constexpr std::uint64_t BytesOfSamples = std::uint64_t{ 6 } << 20;
 
   /** \param threshold  that cuts the object from the background
    * \param levels     of the materials, when they are known */

@@ -30,11 +30,10 @@ public:
    */
   struct Settings
   {
-    MedialVoxelGrid                                 grid; ///< in the units of the parameters
-    MedialVoxelParameters                           parameters;
-    MedialVoxelGrid::SpacingType                    spacing{}; ///< in the units of the surface
-    MedialVoxelSurfacePlacement                     placement;
-    std::optional<MedialVoxelExtraction::GrayRange> grayRange; ///< measure on gray values
+    MedialVoxelGrid              grid; ///< in the units of the parameters
+    MedialVoxelParameters        parameters;
+    MedialVoxelGrid::SpacingType spacing{}; ///< in the units of the surface
+    MedialVoxelSurfacePlacement  placement;
 
     /** Branches that are shorter, and connected components of fewer quadrilaterals, are left out. For either, the
      * surface is kept in memory until it is finished. */

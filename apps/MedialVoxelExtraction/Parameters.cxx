@@ -152,7 +152,18 @@ AddOutputParameters(CLI::App & app, ExtractOptions & job)
     { { GetName(Boundary::Object), Boundary::Object }, { GetName(Boundary::Background), Boundary::Background } });
   AddPath(app, "distanceVolume", "Signed distance, negative inside the object", job.distanceFile);
   AddPath(app, "thicknessMap", "Thickness of the walls at medial cells", job.thicknessFile);
-  AddBoolean(app, "subVoxel", "Measure on gray values, at the thresholds", job.subVoxel);
+  AddPath(app, "uncertaintyMap", "Half of the 95 % interval of the thickness", job.uncertaintyFile);
+  AddEnumeration<std::optional<bool>>(app,
+                                      "subVoxel",
+                                      "Measure walls on gray values",
+                                      job.subVoxel,
+                                      { { "Automatic", std::nullopt }, { "On", true }, { "Off", false } });
+  AddText(app, "--levels", "Values of background and material for that", "B,M", [&job](const std::string & text) {
+    if (!text.empty())
+    {
+      job.levels = ToLevels(text);
+    }
+  })->default_str("");
   AddPath(app, "meshModel", "Medial surface", job.meshFile);
   AddDouble(app, "minimumBranchLength", "Shorter branches are left out of it", job.minimumBranchLength);
   AddPath(app, "reportFile", "Report as JSON", job.reportFile);

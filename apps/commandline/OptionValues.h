@@ -175,6 +175,18 @@ SplitAtCommas(const std::string & text)
   return CLI::detail::split(text, ',');
 }
 
+/** Values of background and material. */
+inline itk::MedialVoxelScanLevels
+ToLevels(const std::string & text)
+{
+  const std::vector<std::string> values = SplitAtCommas(text);
+  if (values.size() != 2)
+  {
+    throw CLI::ValidationError("'" + text + "' is not two values, of background and material, with a comma");
+  }
+  return { ToDouble(values[0]), ToDouble(values[1]) };
+}
+
 } // end namespace medialvoxel
 
 #endif

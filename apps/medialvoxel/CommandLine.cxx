@@ -4,6 +4,7 @@
 
 #include "CommandParts.h"
 #include "CommandText.h"
+#include "MeasureOptions.h"
 #include "OptionValues.h"
 #include "SurfaceFormat.h"
 #include "Text.h"
@@ -283,12 +284,6 @@ AddSectionWidth(CLI::App & app, ExtractOptions & options)
     });
 }
 
-CLI::Option *
-AddSubVoxel(CLI::App & app, ExtractOptions & options)
-{
-  return app.add_flag("--sub-voxel", options.subVoxel, "Measure where gray values cross the threshold");
-}
-
 void
 AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
 {
@@ -345,9 +340,7 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
     line, app, "--vector-boundary", "Boundary that they lead to", "KIND", options.vectorBoundary, Boundaries)
     ->group(group);
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
-  AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
-  AddSubVoxel(app, options)->group(group);
-  AddFile(app, "--thickness-csv", "Histogram of the thickness (.csv)", options.thicknessCsvFile)->group(group);
+  AddMeasureOptions(app, options, group);
   AddMesh(app, "--mesh", options)->group(group);
   AddSectionWidth(app, options)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);

@@ -65,10 +65,16 @@ ListOptionDetails()
       "--thickness-map",
       "32-bit real, on the grid of the labels: positive at medial cells, negative at rims, 0 elsewhere." },
     { "",
+      "--uncertainty-map",
+      "32-bit real, on the grid of the labels: NaN at medial cells where it is not known. Needs one threshold, walls "
+      "of "
+      "5 voxels and an input that streams." },
+    { "",
       "--sub-voxel",
-      "Thickness and vertices are measured; labels stay the same. Needs a threshold "
-      "and "
-      "an input that streams." },
+      "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
+      "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map "
+      "of a gray scan with one threshold." },
+    { "", "--levels", "Default: those of the scan. Needs one threshold." },
     { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
     { "",
       "--mesh",

@@ -60,6 +60,7 @@ const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
   { "--vector-boundary", [](const ExtractOptions & options) { return !options.vectorFile.empty(); }, "--vectors" },
   { "--objects", [](const ExtractOptions & options) { return options.labels.has_value(); }, "--labels" },
   { "--segments", [](const ExtractOptions & options) { return options.labels.has_value(); }, "--labels" },
+  { "--levels", [](const ExtractOptions & options) { return options.subVoxel.value_or(true); }, "sub-voxel measures" },
   { "--section-width", HasSections, "a mesh that is written as .inp or .bdf" },
   { "--zarr-compression", WritesZarr<ExtractOptions>, "an output that is written as .zarr" },
 };

@@ -108,7 +108,22 @@ AddThickness(TextTable & table, const ExtractOptions & options, const JobResult 
                          ", 5 to 95 %: " + FormatShort(thickness.percentiles[1]) + " to " +
                          FormatShort(thickness.percentiles[5]) + ", in " + DescribeUnit(options) +
                          (thickness.step > 1 ? ", of one cell in " + std::to_string(thickness.step) : ""));
-    table.emplace_back("  at rims, junctions", FormatCount(thickness.rimCells, thickness.rimCells + thickness.cells));
+    const std::uint64_t all = thickness.rimCells + thickness.unresolvedCells + thickness.cells;
+    table.emplace_back("  at rims, junctions", FormatCount(thickness.rimCells, all));
+    if (thickness.unresolvedCells > 0)
+    {
+      table.emplace_back("  not resolved", FormatCount(thickness.unresolvedCells, all));
+    }
+    if (result.measure)
+    {
+      table.emplace_back("  measured", Describe(*result.measure));
+    }
+    if (thickness.uncertainCells > 0)
+    {
+      table.emplace_back("  uncertainty (95 %)",
+                         "median " + FormatShort(thickness.uncertainty.GetMedian()) + ", 95 % of cells up to " +
+                           FormatShort(thickness.uncertainty.percentiles[5]));
+    }
   }
 }
 

@@ -8,7 +8,6 @@
 #include "itkMedialVoxelGrayThickness.h"
 
 #include <algorithm>
-#include <cassert>
 #include <stdexcept>
 #include <variant>
 
@@ -105,13 +104,6 @@ MedialVoxelEngine::MedialVoxelEngine(const MedialVoxelGrid & grid, const MedialV
 {}
 
 MedialVoxelEngine::~MedialVoxelEngine() = default;
-
-void
-MedialVoxelEngine::SetScan(const std::optional<MedialVoxelScan> & scan)
-{
-  assert(!m_Implementation->m_Task);
-  std::get<MedialVoxelExtraction>(m_Implementation->m_Settings.task).grayRange->scan = scan;
-}
 
 std::uint64_t
 MedialVoxelEngine::GetBytes(const MedialVoxelBox & region) const

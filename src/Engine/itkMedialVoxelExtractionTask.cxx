@@ -43,6 +43,10 @@ MedialVoxelExtractionTask::MedialVoxelExtractionTask(const MedialVoxelGrid &    
   if (settings.grayRange)
   {
     m_GrayThickness.emplace(grid, settings.grayRange->lower, settings.grayRange->upper, settings.grayRange->scan);
+    for (auto * const observer : settings.observers)
+    {
+      observer->MeasureOnGrayValues(*settings.grayRange);
+    }
   }
 }
 

@@ -15,6 +15,10 @@ MedialVoxelTileObserver::MakeWorkspace() const -> std::unique_ptr<Workspace>
   return nullptr;
 }
 
+void
+MedialVoxelTileObserver::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange &)
+{}
+
 MedialVoxelBits::WordType
 MedialVoxelTileObserver::SelectCells(const MedialVoxelCellRow &) const
 {

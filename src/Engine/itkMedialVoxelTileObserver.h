@@ -4,6 +4,7 @@
 #define itkMedialVoxelTileObserver_h
 
 #include "itkMedialVoxelClassifier.h"
+#include "itkMedialVoxelEngineSettings.h"
 #include "itkMedialVoxelTileWalls.h"
 
 #include "MedialVoxelExport.h"
@@ -64,6 +65,11 @@ public:
   /** A workspace, which is null by default. */
   virtual std::unique_ptr<Workspace>
   MakeWorkspace() const;
+
+  /** Walls are measured on these gray values, which tiles then have. Called before the first tile of a run; does
+   * nothing by default. */
+  virtual void
+  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range);
 
   virtual void
   Begin() = 0;

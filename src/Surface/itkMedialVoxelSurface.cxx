@@ -20,12 +20,7 @@ public:
                  settings.spacing,
                  settings.placement,
                  this->LeavesOut() ? static_cast<MedialVoxelSurfaceConsumer &>(m_Store) : consumer)
-  {
-    if (settings.grayRange)
-    {
-      m_Observer.MeasureOnGrayValues(settings.grayRange->lower, settings.grayRange->upper);
-    }
-  }
+  {}
 
   bool
   LeavesOut() const

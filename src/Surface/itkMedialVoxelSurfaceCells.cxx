@@ -72,9 +72,9 @@ MedialVoxelSurfaceCells::MedialVoxelSurfaceCells(const MedialVoxelGrid &        
 {}
 
 void
-MedialVoxelSurfaceCells::MeasureOnGrayValues(const double lower, const double upper)
+MedialVoxelSurfaceCells::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range)
 {
-  m_Gray.emplace(m_PhysicalGrid, lower, upper);
+  m_Gray.emplace(m_PhysicalGrid, range.lower, range.upper, range.scan);
 }
 
 MedialVoxelBox

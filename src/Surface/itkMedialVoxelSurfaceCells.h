@@ -82,10 +82,9 @@ public:
                           const MedialVoxelParameters &        parameters,
                           const MedialVoxelGrid::SpacingType & spacing);
 
-  /** Measure on the gray values that the tiles have, of an object of the values from \a lower to \a upper, of which one
-   * may be infinite. */
+  /** Measure on the gray values that the tiles have. */
   void
-  MeasureOnGrayValues(double lower, double upper);
+  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range);
 
   /** The vertices in the cells of \a tile, in the order z, y, x of the cells and of the lowest edges.
    *

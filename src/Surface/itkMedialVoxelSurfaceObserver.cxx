@@ -49,9 +49,9 @@ MedialVoxelSurfaceObserver::MedialVoxelSurfaceObserver(const MedialVoxelGrid &  
 {}
 
 void
-MedialVoxelSurfaceObserver::MeasureOnGrayValues(const double lower, const double upper)
+MedialVoxelSurfaceObserver::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range)
 {
-  m_Kernel.MeasureOnGrayValues(lower, upper);
+  m_Kernel.MeasureOnGrayValues(range);
   m_Builder.SetWeightOfPlane(MedialVoxelSurfaceBuilder::WeightOfGrayPlane);
 }
 

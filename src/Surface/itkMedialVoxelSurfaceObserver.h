@@ -49,9 +49,9 @@ public:
                              const MedialVoxelSurfacePlacement &  placement,
                              MedialVoxelSurfaceConsumer &         consumer);
 
-  /** Measure on the gray values of the tiles, as MedialVoxelSurfaceCells; vertices keep closer to the middle then. */
+  /** As MedialVoxelSurfaceCells measures; vertices keep closer to the middle then. */
   void
-  MeasureOnGrayValues(double lower, double upper);
+  MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range) override;
 
   /** Cells that an execution over more than one slice may find before it fails with MedialVoxelSurfacePieceError; it
    * can then be run again in smaller pieces. Default without limit. */

@@ -23,8 +23,8 @@ using Vector = MedialVoxelVector3;
 using Sample = MedialVoxelGrayLocal::Sample;
 
 /** Edge of the blocks, and how many of them are looked at. */
-constexpr std::int64_t  BlockSize = 96;
-constexpr std::uint64_t NumberOfBlocks = 1024;
+constexpr std::int64_t  BlockSize = 64;
+constexpr std::uint64_t NumberOfBlocks = 2048;
 
 /** Voxels around an object voxel in which there is background of it, without and with the blur of the object. */
 constexpr std::int64_t FarFromObject = 3;
@@ -38,8 +38,8 @@ constexpr std::int64_t FarFromLargeMean = 6;
 constexpr std::int64_t Margin = 9;
 
 /** Sizes of the samples, and the least that count. */
-constexpr std::size_t LevelSamples = 32768;
-constexpr std::size_t SurfaceSamples = 1024;
+constexpr std::size_t LevelSamples = 16384;
+constexpr std::size_t SurfaceSamples = 512;
 constexpr std::size_t FewestLevels = 200;
 constexpr std::size_t FewestSurfaces = 60;
 

@@ -94,6 +94,7 @@ public:
   {
     m_Job.otsu = m_Options.lowerIsOtsu ? m_Options.lowerThreshold : std::nullopt;
     m_Job.roughness = m_Options.roughness;
+    m_Job.measure = m_Options.measure;
     m_Job.plan.numberOfSlices = shared.manifest.numberOfSlices;
     m_Job.plan.divisions = shared.manifest.numberOfClusters;
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ExtractParts.h"
 #include "ExtractRun.h"
+#include "ScanMeasure.h"
 #include "FileNames.h"
 #include "InputVolume.h"
 #include "JobCommands.h"
@@ -131,16 +132,23 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
   return manifest;
 }
 
-/** All processes of the job smooth, or none. */
+/** What all processes of the job do alike: smooth or not, and measure walls. */
 void
-MeasureRoughness(ExtractOptions & options, const JobResult & job, const ProgressSink & sink)
+MeasureVolume(ExtractOptions & options, const JobResult & job, const ProgressSink & sink)
 {
-  if (GetSmoothing(options) == Smoothing::Automatic)
+  const bool measuresGray = MayMeasureOnGrayValues(options, job.input);
+  if (GetSmoothing(options) != Smoothing::Automatic && !measuresGray)
   {
-    const auto input =
-      OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep, Smoothing::Automatic);
-    input->Prepare([&sink](double) { ThrowIfStopRequested(sink); });
-    options.roughness = input->GetRoughness();
+    return;
+  }
+  const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
+  const auto input =
+    OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep, GetSmoothing(options));
+  input->Prepare(observer);
+  options.roughness = input->GetRoughness();
+  if (measuresGray)
+  {
+    options.measure = FindWallMeasure(*input, job.input, options, observer);
   }
 }
 
@@ -212,7 +220,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     const auto  volumes = ListVolumes(options, job.input);
     PlanOptions own = options;
     MeasureThreshold(own, job.input, sink);
-    MeasureRoughness(own, job, sink);
+    MeasureVolume(own, job, sink);
     const Manifest manifest = MakeManifest(own, job, folder);
     folder.Create();
     JobLocks   locks(folder.GetLocksName());

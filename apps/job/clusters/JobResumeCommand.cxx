@@ -25,6 +25,7 @@ RefuseOtherJob(ExtractOptions options, const JobFolder & folder)
     options.lowerThreshold = manifest.options.lowerThreshold; // was measured on the same input
   }
   options.roughness = manifest.options.roughness; // was measured, too
+  options.measure = manifest.options.measure;
   const std::string difference = FindDifference(WithAbsoluteNames(options, std::filesystem::current_path()),
                                                 WithAbsoluteNames(manifest.options, manifest.folder));
   if (!difference.empty())

@@ -137,12 +137,6 @@ SurfaceMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
   auto observer = std::make_unique<itk::MedialVoxelSurfaceObserver>(
     m_Grid, GetParameters(m_Options, m_Grid), GetSpacing(m_Geometry), GetPlacement(m_Geometry), consumer);
   observer->SetMaximumNumberOfCells(m_MaximumNumberOfCells);
-  if (m_Options.subVoxel)
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    observer->MeasureOnGrayValues(m_Options.lowerThreshold.value_or(-infinity).GetNearestDouble(),
-                                  m_Options.upperThreshold.value_or(infinity).GetNearestDouble());
-  }
   if (m_Options.labels)
   {
     observer->FindPartsWith([this](const itk::MedialVoxelIndex & cell) { return m_FindObject(cell); });

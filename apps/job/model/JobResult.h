@@ -43,6 +43,7 @@ struct JobResult
   itk::MedialVoxelSums                     sums;
   std::optional<itk::MedialVoxelLimit>     otsu;      ///< lower threshold, when it was measured
   std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it was measured
+  std::optional<WallMeasure>               measure;   ///< of walls, when gray values were looked at
   std::optional<ThicknessSummary>          thickness; ///< of an extraction
   std::optional<LabelMapSummary>           objects;   ///< of a label map
   SegmentTable                             segments;  ///< names of its labels; empty: there are none

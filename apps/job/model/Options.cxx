@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace medialvoxel
@@ -139,7 +140,7 @@ CheckLabelOptions(const ExtractOptions & options)
   const Other            others[] = {
     { "a label", options.label.has_value(), oneOfThem },
     { "a threshold", options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu, oneOfThem },
-    { "sub-voxel measures", options.subVoxel, "these need gray values and a threshold" },
+    { "sub-voxel measures", options.subVoxel.value_or(false), "these need gray values and a threshold" },
     { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off, oneObject },
     { "vectors", !options.vectorFile.empty(), oneObject },
     { "distances", !options.distanceFile.empty(), oneObject },
@@ -150,6 +151,46 @@ CheckLabelOptions(const ExtractOptions & options)
     {
       Fail(ExitStatus::Usage, "the labels of several objects and ", other.name, " are asked for; ", other.remedy);
     }
+  }
+}
+
+/** Both ends are not of one material and one background. */
+bool
+HasOneThreshold(const JobOptions & options)
+{
+  const bool hasLower = options.lowerThreshold.has_value() || options.lowerIsOtsu;
+  return hasLower != options.upperThreshold.has_value();
+}
+
+void
+CheckMeasure(const ExtractOptions & options)
+{
+  const bool isOff = options.subVoxel && !*options.subVoxel;
+  const bool hasThreshold = options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu;
+  if (options.subVoxel.value_or(false) && !hasThreshold)
+  {
+    Fail(ExitStatus::Usage, "sub-voxel measures need a threshold; none is given");
+  }
+  const bool         needsFit = options.levels || !options.uncertaintyFile.empty();
+  const char * const what = options.levels ? "levels of gray values" : "the uncertainty of the thickness";
+  if (needsFit && isOff)
+  {
+    Fail(ExitStatus::Usage, what, " and no sub-voxel measures are asked for; they do not go together");
+  }
+  if (needsFit && !HasOneThreshold(options))
+  {
+    Fail(ExitStatus::Usage,
+         what,
+         " needs one threshold, --lower or --upper; ",
+         hasThreshold ? "two are" : "none is",
+         " given");
+  }
+  if (options.levels && !(options.levels->background != options.levels->material))
+  {
+    Fail(ExitStatus::Usage,
+         "the levels of background and material are both ",
+         FormatNumber(options.levels->material),
+         "; they must differ");
   }
 }
 
@@ -270,10 +311,7 @@ CheckOptions(const ExtractOptions & options)
   {
     CheckLabelOptions(options);
   }
-  if (options.subVoxel && !options.lowerThreshold && !options.upperThreshold && !options.lowerIsOtsu)
-  {
-    Fail(ExitStatus::Usage, "sub-voxel measures need a threshold; none is given");
-  }
+  CheckMeasure(options);
 }
 
 itk::MedialVoxelGrid
@@ -287,6 +325,21 @@ GetGrid(const JobOptions & options, const VolumeHeader & header)
     spacing[axis] = options.voxelUnits ? 1.0 : header.geometry.spacing[axis];
   }
   return { size, spacing };
+}
+
+bool
+MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
+{
+  const bool isWanted = !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels;
+  return options.subVoxel.value_or(isWanted && HasOneThreshold(options) && header.CanStream());
+}
+
+itk::MedialVoxelExtraction::GrayRange
+GetGrayRange(const JobOptions & options)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return { options.lowerThreshold.value_or(-infinity).GetNearestDouble(),
+           options.upperThreshold.value_or(infinity).GetNearestDouble() };
 }
 
 Smoothing

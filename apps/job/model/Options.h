@@ -9,6 +9,8 @@
 #include "itkMedialVoxelEnums.h"
 #include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelParameters.h"
+#include "WallMeasure.h"
+
 #include "itkMedialVoxelRoughness.h"
 
 #include <cstdint>
@@ -100,6 +102,12 @@ struct ExtractOptions : JobOptions
   std::optional<Smoothing>                 smoothing; ///< unset: automatic with the automatic thickness, otherwise off
   std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it is known before
 
+  /** Measure on gray values, which needs a threshold; unset: for maps of the thickness, where the values allow it. */
+  std::optional<bool> subVoxel;
+
+  std::optional<itk::MedialVoxelScanLevels> levels;  ///< values of both materials; unset: those of the scan
+  std::optional<WallMeasure>                measure; ///< how walls are measured, when it is known before
+
   std::optional<LabelSelection> labels;     ///< each of these values is an object of its own, without thresholds
   std::string                   objectFile; ///< label of the object of each cell, of the type of the input
   std::string segmentFile; ///< names and colors of the labels; empty: those of the input, where it has some
@@ -107,7 +115,7 @@ struct ExtractOptions : JobOptions
   std::string              vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary vectorBoundary{ itk::MedialVoxelBoundary::Object };
   std::string              thicknessFile;            ///< thickness at medial cells, float32
-  bool                     subVoxel{ false };        ///< measure on gray values; needs a threshold
+  std::string              uncertaintyFile;          ///< of the thickness at medial cells, float32
   std::string              thicknessCsvFile;         ///< histogram of the thickness, comma-separated values
   std::string              previewFile;              ///< PNG
   std::string              htmlFile;                 ///< report as a page with the preview
@@ -145,6 +153,14 @@ GetReportFile(const JobOptions & options);
 /** The image of the header in the units of the options. */
 itk::MedialVoxelGrid
 GetGrid(const JobOptions & options, const VolumeHeader & header);
+
+/** Whether walls may be measured on gray values; the values themselves decide where that is not asked for. */
+bool
+MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header);
+
+/** The values of the object, for measures on gray values. */
+itk::MedialVoxelExtraction::GrayRange
+GetGrayRange(const JobOptions & options);
 
 /** The smoothing that is asked for. */
 Smoothing

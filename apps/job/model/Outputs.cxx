@@ -49,6 +49,12 @@ WriteThickness(const itk::MedialVoxelTileResult & tile, const TileTarget & targe
   tile.WriteThickness(static_cast<float *>(target.first), target.strides);
 }
 
+void
+WriteUncertainty(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+{
+  tile.WriteUncertainty(static_cast<float *>(target.first), target.strides);
+}
+
 VoxelLayout
 GetDistanceLayout(const VolumeHeader &)
 {
@@ -90,6 +96,7 @@ constexpr VolumeFiller Distance = VolumeFiller::Distance;
 
 constexpr VolumeKind Labels{ WriteLabels, Extraction, true, GetLabelLayout };
 constexpr VolumeKind Thicknesses{ WriteThickness, Extraction, true, GetThicknessLayout, true };
+constexpr VolumeKind Uncertainties{ WriteUncertainty, Extraction, true, GetThicknessLayout, true };
 constexpr VolumeKind Distances{ WriteDistances, Distance, false, GetDistanceLayout };
 
 constexpr VolumeKind Objects{ nullptr, VolumeFiller::Objects, true, GetObjectLayout };
@@ -200,6 +207,7 @@ ListOutputKinds(const ExtractOptions &)
     { "vectors", &ExtractOptions::vectorFile, "vectors", MakeVectors(Extraction) },
     { "distance", &ExtractOptions::distanceFile, "distance", Distances },
     { "thickness_map", &ExtractOptions::thicknessFile, "thickness_map", Thicknesses },
+    { "uncertainty_map", &ExtractOptions::uncertaintyFile, "uncertainty_map", Uncertainties },
     MakeFileKind("thickness_csv", &ExtractOptions::thicknessCsvFile, { ".csv" }, "histogram"),
     MakeRefusedKind("mesh",
                     &ExtractOptions::meshFile,

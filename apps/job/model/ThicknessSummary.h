@@ -30,16 +30,20 @@ struct ThicknessStatistics
  * is 0. */
 struct ThicknessSummary : ThicknessStatistics ///< every cell counts the same
 {
-  std::uint64_t cells{ 0 };        ///< measured ones
-  std::uint64_t rimCells{ 0 };     ///< measured ones that are at rims, which nothing else here counts
-  unsigned int  step{ 1 };         ///< one of how many medial cells is measured
-  double        resolution{ 0.0 }; ///< of the lengths below, but for mean and deviation
+  std::uint64_t cells{ 0 };           ///< measured ones
+  std::uint64_t rimCells{ 0 };        ///< measured ones that are at rims, which nothing else here counts
+  std::uint64_t unresolvedCells{ 0 }; ///< of walls that the blur has joined, which nothing else counts either
+  unsigned int  step{ 1 };            ///< one of how many medial cells is measured
+  double        resolution{ 0.0 };    ///< of the lengths below, but for mean and deviation
   double        minimum{ 0.0 };
   double        maximum{ 0.0 };
 
   /** Of the mid-surface, as far as its cells are measured, in squared units; in two dimensions a length. */
   double              area{ 0.0 };
   ThicknessStatistics byArea; ///< cells count as much as the area that they stand for
+
+  std::uint64_t       uncertainCells{ 0 }; ///< whose uncertainty is known
+  ThicknessStatistics uncertainty;         ///< of those: half the interval of the thickness that holds 95 %
 
   /** Bin k has the lengths that are nearest to k times the width. There are at most 64 bins; what is longer than they
    * reach, less than one of two hundred cells, is counted as above. */

@@ -21,7 +21,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 7;
+constexpr int ManifestFormat = 8;
 
 constexpr const char * OverwriteName = "overwrite";
 
@@ -132,6 +132,65 @@ RoughnessFromJson(const Json & json)
 }
 
 Json
+LevelsToJson(const std::optional<itk::MedialVoxelScanLevels> & levels)
+{
+  return levels ? Json{ levels->background, levels->material } : Json(nullptr);
+}
+
+std::optional<itk::MedialVoxelScanLevels>
+LevelsFromJson(const Json & json)
+{
+  if (json.is_null())
+  {
+    return std::nullopt;
+  }
+  return itk::MedialVoxelScanLevels{ json.at(0).get<double>(), json.at(1).get<double>() };
+}
+
+Json
+MeasureToJson(const std::optional<WallMeasure> & measure)
+{
+  if (!measure)
+  {
+    return nullptr;
+  }
+  Json scan(nullptr);
+  if (measure->scan)
+  {
+    scan = { measure->scan->background,
+             measure->scan->material,
+             measure->scan->blur,
+             measure->scan->noise,
+             measure->scan->correlation };
+  }
+  return { { "gray_values", measure->usesGrayValues }, { "scan", scan }, { "reason", measure->reason } };
+}
+
+std::optional<WallMeasure>
+MeasureFromJson(const Json & json)
+{
+  if (json.is_null())
+  {
+    return std::nullopt;
+  }
+  WallMeasure  measure{ json.at("gray_values").get<bool>(), std::nullopt, json.at("reason").get<std::string>() };
+  const Json & scan = json.at("scan");
+  if (!scan.is_null())
+  {
+    measure.scan = itk::MedialVoxelScan{ scan.at(0).get<double>(),
+                                         scan.at(1).get<double>(),
+                                         scan.at(2).get<double>(),
+                                         scan.at(3).get<double>(),
+                                         scan.at(4).get<double>() };
+    if (!(measure.scan->blur > 0.0) || !(measure.scan->background != measure.scan->material))
+    {
+      throw std::invalid_argument("it has a scan without blur or contrast");
+    }
+  }
+  return measure;
+}
+
+Json
 OptionsToJson(const ExtractOptions & options)
 {
   Json json = Json::object();
@@ -159,7 +218,9 @@ OptionsToJson(const ExtractOptions & options)
   json["lower_otsu"] = options.lowerIsOtsu;
   json["label"] = options.label ? Json(FormatLabel(*options.label)) : Json(nullptr);
   json["voxel_units"] = options.voxelUnits;
-  json["sub_voxel"] = options.subVoxel;
+  json["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
+  json["levels"] = LevelsToJson(options.levels);
+  json["measure"] = MeasureToJson(options.measure);
   json[OverwriteName] = options.overwrite;
   json["level"] = options.level;
   json["spacing"] = options.spacing;
@@ -200,7 +261,12 @@ OptionsFromJson(const Json & json)
   json.at("lower_otsu").get_to(options.lowerIsOtsu);
   options.label = LabelFromJson(json.at("label"));
   json.at("voxel_units").get_to(options.voxelUnits);
-  json.at("sub_voxel").get_to(options.subVoxel);
+  if (!json.at("sub_voxel").is_null())
+  {
+    options.subVoxel = json.at("sub_voxel").get<bool>();
+  }
+  options.levels = LevelsFromJson(json.at("levels"));
+  options.measure = MeasureFromJson(json.at("measure"));
   json.at(OverwriteName).get_to(options.overwrite);
   ReadWhole(json.at("level"), options.level);
   json.at("spacing").get_to(options.spacing);

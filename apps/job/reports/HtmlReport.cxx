@@ -153,7 +153,7 @@ MakeObjectTable(const LabelMapSummary & summary, const std::string & unit)
 }
 
 std::string
-MakeThickness(const ThicknessSummary & thickness, const std::string & unit, bool subVoxel)
+MakeThickness(const ThicknessSummary & thickness, const std::string & unit, const std::optional<WallMeasure> & measure)
 {
   if (thickness.cells == 0)
   {
@@ -181,12 +181,24 @@ MakeThickness(const ThicknessSummary & thickness, const std::string & unit, bool
   {
     text += ", one of " + std::to_string(thickness.step);
   }
-  text += ", in " + unit + ", measured on the " + (subVoxel ? "gray values" : "binary object") +
+  if (thickness.unresolvedCells > 0)
+  {
+    text += ", and " + std::to_string(thickness.unresolvedCells) + " that the blur does not resolve";
+  }
+  text += ", in " + unit + ", measured " + Escape(Describe(measure.value_or(WallMeasure{}))) +
           "; lengths are multiples of " + FormatNumber(thickness.resolution) +
           ". The area of a cell is that of the sheet in it, in squared units.";
   if (thickness.above > 0)
   {
     text += " " + std::to_string(thickness.above) + " cells are thicker than the last bin.";
+  }
+  if (thickness.uncertainCells > 0)
+  {
+    text += " The uncertainty of a thickness, half of the interval that holds the truth in 95 % of the cases, has the "
+            "median " +
+            FormatShort(thickness.uncertainty.GetMedian()) + " and is up to " +
+            FormatShort(thickness.uncertainty.percentiles[5]) + " at 95 % of the cells. It covers " +
+            UncertaintyCovers + ". It leaves out " + UncertaintyLeavesOut + ".";
   }
   return text + "</p>\n";
 }
@@ -296,7 +308,7 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
       "; values outside are clamped. If several cells share a pixel, the thickest is shown. Cells at rims have no "
       "color.</p>\n";
   }
-  page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, options.subVoxel);
+  page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, result.measure);
   page += result.objects ? MakeObjectTable(*result.objects, unit) : "";
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);
   page += "<div class=\"columns\">\n<div><h2>Input</h2>\n" + MakeRows(DescribeInput(result.input), "text") +

@@ -80,6 +80,7 @@ MakeThickness(const std::optional<ThicknessSummary> & thickness)
   }
   return { { "cells", thickness->cells },
            { "rim_cells", thickness->rimCells },
+           { "unresolved_cells", thickness->unresolvedCells },
            { "one_cell_of", thickness->step },
            { "resolution", thickness->resolution },
            { "mean", LengthOfCells(*thickness, thickness->mean) },
@@ -207,6 +208,47 @@ GetPhasePercent(const itk::MedialVoxelCounts & counts)
   return PhasePercent{ 100.0 * (all - searched) / all, 100.0 * searched / all };
 }
 
+/** What it covers stands beside the numbers, so that nobody takes them for more. */
+Json
+MakeUncertainty(const ThicknessSummary & thickness)
+{
+  const ThicknessStatistics & uncertainty = thickness.uncertainty;
+  Json                        percentiles = Json::object();
+  for (std::size_t i = 0; i < uncertainty.percentiles.size(); ++i)
+  {
+    percentiles[std::to_string(ThicknessStatistics::Percents[i])] = uncertainty.percentiles[i];
+  }
+  return { { "cells", thickness.uncertainCells },
+           { "mean", uncertainty.mean },
+           { "percentiles", percentiles },
+           { "covers", UncertaintyCovers },
+           { "leaves_out", UncertaintyLeavesOut } };
+}
+
+Json
+MakeMeasure(const JobResult & result)
+{
+  if (!result.measure)
+  {
+    return { { "on", "object" }, { "scan", nullptr }, { "reason", "" }, { "uncertainty", nullptr } };
+  }
+  const WallMeasure & measure = *result.measure;
+  Json                scan(nullptr);
+  if (measure.scan)
+  {
+    scan = { { "background", measure.scan->background },
+             { "material", measure.scan->material },
+             { "blur", measure.scan->blur },
+             { "noise", measure.scan->noise },
+             { "correlation", measure.scan->correlation } };
+  }
+  const bool isUncertain = result.thickness && result.thickness->uncertainCells > 0;
+  return { { "on", measure.scan ? "fits" : (measure.usesGrayValues ? "crossings" : "object") },
+           { "scan", scan },
+           { "reason", measure.reason },
+           { "uncertainty", isUncertain ? MakeUncertainty(*result.thickness) : Json(nullptr) } };
+}
+
 std::string
 MakeReport(const ExtractOptions & options, const JobResult & result)
 {
@@ -229,7 +271,8 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   parameters["maximum_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
   parameters["smooth"] = GetName(GetRequestedSmoothing(options));
-  parameters["sub_voxel"] = options.subVoxel;
+  parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
+  parameters["levels"] = options.levels ? Json{ options.levels->background, options.levels->material } : Json(nullptr);
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
   if (!options.meshFile.empty())
   {
@@ -248,6 +291,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["percent"] = MakePercent(result.sums.counts);
   report["smoothed"] = IsSmoothed(options, result);
   report["roughness"] = MakeRoughness(result.roughness);
+  report["measure"] = MakeMeasure(result);
   report["thickness"] = MakeThickness(result.thickness);
   if (result.objects)
   {

@@ -144,7 +144,9 @@ struct Survey::TileSums
   std::int64_t                          wordsPerRow;
   std::int64_t                          lowerY;
   std::vector<Measured>                 measured;
+  std::vector<std::size_t>              uncertainties; // bins
   std::uint64_t                         rimCells{ 0 };
+  std::uint64_t                         unresolvedCells{ 0 };
   std::array<std::vector<SliceSums>, 3> slices;
   std::vector<ColumnWord>               columns;
 };
@@ -194,6 +196,8 @@ Survey::Clear()
 {
   m_Total.thickness.Clear();
   m_Total.area.Clear();
+  m_Total.uncertainty.Clear();
+  m_Total.unresolvedCells = 0;
   m_Total.rimCells = 0;
   if (m_Settings.picture)
   {
@@ -207,6 +211,8 @@ Survey::Begin()
 {
   m_Pending.thickness.Clear();
   m_Pending.area.Clear();
+  m_Pending.uncertainty.Clear();
+  m_Pending.unresolvedCells = 0;
   m_Pending.rimCells = 0;
   if (m_Settings.picture)
   {
@@ -265,10 +271,18 @@ Survey::AddWall(const itk::MedialVoxelBox &   tile,
   {
     ++sums.rimCells;
   }
+  else if (wall.isUnresolved)
+  {
+    ++sums.unresolvedCells;
+  }
   else
   {
     sums.measured.push_back(
       { bin, static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit)) });
+    if (!std::isnan(wall.uncertainty))
+    {
+      sums.uncertainties.push_back(m_Total.uncertainty.GetBin(static_cast<double>(wall.uncertainty)));
+    }
   }
   if (m_Settings.picture)
   {
@@ -280,7 +294,7 @@ Survey::AddWall(const itk::MedialVoxelBox &   tile,
     }
     TileSums::ColumnWord & columns = sums.ColumnsAt(cell);
     std::uint32_t &        thickest = columns.thickest[cell[0] - columns.seen.first[0]];
-    thickest = wall.isRim ? thickest : std::max(thickest, static_cast<std::uint32_t>(bin));
+    thickest = !wall.IsMeasured() ? thickest : std::max(thickest, static_cast<std::uint32_t>(bin));
   }
 }
 
@@ -292,7 +306,12 @@ Survey::AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & su
     m_Pending.thickness.Add(measured.bin);
     m_Pending.area.Add(measured.bin, measured.area);
   }
+  for (const std::size_t bin : sums.uncertainties)
+  {
+    m_Pending.uncertainty.Add(bin);
+  }
   m_Pending.rimCells += sums.rimCells;
+  m_Pending.unresolvedCells += sums.unresolvedCells;
   if (m_Settings.picture)
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
@@ -341,7 +360,9 @@ Survey::AddToTotal(const Sums & sums)
 {
   m_Total.thickness.Add(sums.thickness);
   m_Total.area.Add(sums.area);
+  m_Total.uncertainty.Add(sums.uncertainty);
   m_Total.rimCells += sums.rimCells;
+  m_Total.unresolvedCells += sums.unresolvedCells;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     for (std::size_t i = 0; i < sums.slices[axis].size(); ++i)

@@ -95,6 +95,20 @@ public:
     return m_Total.rimCells;
   }
 
+  /** Measured cells that the blur does not resolve, which are not in the histograms. */
+  std::uint64_t
+  GetUnresolvedCells() const
+  {
+    return m_Total.unresolvedCells;
+  }
+
+  /** Uncertainties of the thickness of the cells of which it is known. */
+  const LengthHistogram &
+  GetUncertainty() const
+  {
+    return m_Total.uncertainty;
+  }
+
   /** 2^-20 of the largest face of a voxel, in squared units of the lengths; of the longest edge in two dimensions. */
   double
   GetAreaUnit() const
@@ -162,10 +176,13 @@ private:
     explicit Sums(double binWidth)
       : thickness(binWidth)
       , area(binWidth)
+      , uncertainty(binWidth)
     {}
     LengthHistogram                       thickness;
     LengthHistogram                       area;
+    LengthHistogram                       uncertainty;
     std::uint64_t                         rimCells{ 0 };
+    std::uint64_t                         unresolvedCells{ 0 };
     std::array<std::vector<SliceSums>, 3> slices;
     Projection                            projection;
   };

@@ -164,7 +164,9 @@ Survey::Save() const
   NumberWriter numbers;
   numbers.AddAll(m_Total.thickness.GetNumbers());
   numbers.AddAll(m_Total.area.GetNumbers());
+  numbers.AddAll(m_Total.uncertainty.GetNumbers());
   numbers.Add(m_Total.rimCells);
+  numbers.Add(m_Total.unresolvedCells);
   for (const auto & slices : m_Total.slices)
   {
     numbers.Add(slices.size());
@@ -198,7 +200,7 @@ Survey::Merge(const std::string & bytes)
 {
   // No more than ten bytes for a number, and as many numbers as a survey of this size can have.
   constexpr std::uint64_t mostBins = std::uint64_t{ 1 } << 22;
-  std::uint64_t           mostNumbers = 2 * mostBins + 3 * m_Total.projection.size() + m_Blocks.size() + 8;
+  std::uint64_t           mostNumbers = 3 * mostBins + 3 * m_Total.projection.size() + m_Blocks.size() + 9;
   for (const auto & slices : m_Total.slices)
   {
     mostNumbers += 2 * slices.size();
@@ -214,7 +216,9 @@ Survey::Merge(const std::string & bytes)
   this->Resize(part);
   numbers.AddTo(part.thickness);
   numbers.AddTo(part.area);
+  numbers.AddTo(part.uncertainty);
   part.rimCells = numbers.Get();
+  part.unresolvedCells = numbers.Get();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     requireSize(m_Total.slices[axis].size());

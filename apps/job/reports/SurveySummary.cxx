@@ -52,7 +52,12 @@ MakeStatistics(const LengthHistogram & histogram)
 ThicknessSummary
 Summarize(const Survey & survey)
 {
-  return Summarize({ survey.GetThickness(), survey.GetThicknessByArea(), survey.GetRimCells() }, survey);
+  ThicknessSummary summary =
+    Summarize({ survey.GetThickness(), survey.GetThicknessByArea(), survey.GetRimCells() }, survey);
+  summary.unresolvedCells = survey.GetUnresolvedCells();
+  summary.uncertainCells = survey.GetUncertainty().GetTotal();
+  summary.uncertainty = MakeStatistics(survey.GetUncertainty());
+  return summary;
 }
 
 ThicknessSummary

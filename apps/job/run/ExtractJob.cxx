@@ -15,6 +15,7 @@
 #include "Preview.h"
 #include "ReadVolumeHeader.h"
 #include "SegmentFiles.h"
+#include "ScanMeasure.h"
 #include "SmoothedInput.h"
 #include "StopListener.h"
 #include "SurfaceMesh.h"
@@ -49,11 +50,18 @@ CheckFormats(const ExtractOptions & options)
   }
 }
 
+/** Outputs and options that are nothing without them. */
+bool
+NeedsGrayValues(const ExtractOptions & options)
+{
+  return options.subVoxel.value_or(false) || !options.uncertaintyFile.empty() || options.levels;
+}
+
 /** \throw JobError Refused when the values are to be measured on but are read only once, for the mask. */
 void
 CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  if (options.subVoxel && !header.CanStream())
+  if (NeedsGrayValues(options) && !header.CanStream())
   {
     Fail(ExitStatus::Refused,
          header.fileName.string(),
@@ -78,6 +86,17 @@ AddSmoothing(PieceFootprint & footprint, const ExtractOptions & options, const V
   bytes += header.CanStream() ? SmoothedInput::GetBytesPerThread(header) : GetBytesOfSmoothedSlices(header);
 }
 
+void
+AddScan(PieceFootprint & footprint, const ExtractOptions & options, const VolumeHeader & header)
+{
+  if (MayMeasureOnGrayValues(options, header) && !options.measure)
+  {
+    std::uint64_t & bytes = InputVolume::IsReadInParallel(header) ? footprint.bytesPerThread : footprint.bytesBeside;
+    bytes += ScanBytesPerThread;
+    footprint.bytesBeside += ScanBytes;
+  }
+}
+
 PieceFootprint
 GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
@@ -92,6 +111,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   extraction.observerBytesPerVoxel = Survey::WorkerBytesPerVoxel;
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   AddSmoothing(footprint, options, header);
+  AddScan(footprint, options, header);
   if (!options.meshFile.empty())
   {
     extraction.observerBytesPerVoxel +=
@@ -194,6 +214,7 @@ public:
   {
     m_Run.Prepare();
     m_Result.roughness = m_Run.GetInput().GetRoughness();
+    m_Result.measure = m_Run.GetMeasure();
     this->PlanObjects();
     for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
     {

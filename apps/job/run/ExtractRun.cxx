@@ -4,6 +4,7 @@
 
 #include "ExtractParts.h"
 #include "Outputs.h"
+#include "ScanMeasure.h"
 
 #include <limits>
 
@@ -13,7 +14,6 @@ namespace medialvoxel
 itk::MedialVoxelExtraction
 MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
 {
-  constexpr double           infinity = std::numeric_limits<double>::infinity();
   itk::MedialVoxelExtraction extraction;
   extraction.parameters = GetParameters(options, GetGrid(options, header));
   extraction.measuresThickness = MeasuresWalls(options);
@@ -21,10 +21,9 @@ MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
   {
     extraction.vectorBoundary = options.vectorBoundary;
   }
-  if (options.subVoxel)
+  if (MayMeasureOnGrayValues(options, header))
   {
-    extraction.grayRange = { options.lowerThreshold.value_or(-infinity).GetNearestDouble(),
-                             options.upperThreshold.value_or(infinity).GetNearestDouble() };
+    extraction.grayRange = GetGrayRange(options);
   }
   return extraction;
 }
@@ -52,7 +51,9 @@ OpenInput(const ExtractOptions & options, const JobResult & job)
 } // namespace
 
 ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, ProgressSink & sink)
-  : m_Input(OpenInput(options, job))
+  : m_Options(options)
+  , m_Header(job.input)
+  , m_Input(OpenInput(options, job))
   , m_Loop(job.plan, job.input, options.distanceFile.empty() ? 1 : 2, sink)
   , m_Survey(job.input.geometry, GetGrid(options, job.input), GetSurveySettings(options))
   , m_Labels(options.labels.value_or(LabelSelection{}))
@@ -117,10 +118,29 @@ ExtractRun::Prepare()
 {
   m_Engine->AddObserver(m_Survey);
   m_Loop.Prepare(*m_Input);
+  if (MayMeasureOnGrayValues(m_Options, m_Header))
+  {
+    this->ChooseMeasure();
+  }
   if (m_Objects)
   {
     m_Loop.SetRunsPerPiece(m_Objects->GetNumberOfPasses());
   }
+}
+
+void
+ExtractRun::ChooseMeasure()
+{
+  m_Measure = m_Options.measure
+                ? m_Options.measure
+                : FindWallMeasure(*m_Input, m_Header, m_Options, [this](double) { m_Loop.ThrowIfStopRequested(); });
+  std::optional<itk::MedialVoxelExtraction::GrayRange> range;
+  if (m_Measure->usesGrayValues)
+  {
+    range = GetGrayRange(m_Options);
+    range->scan = m_Measure->scan;
+  }
+  m_Engine->SetGrayRange(range);
 }
 
 std::uint64_t

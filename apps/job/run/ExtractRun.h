@@ -77,6 +77,13 @@ public:
   DropEngines();
 
 
+  /** How walls are measured, when gray values were looked at; to be asked when the run is prepared. */
+  const std::optional<WallMeasure> &
+  GetMeasure() const
+  {
+    return m_Measure;
+  }
+
   /** What was found of the objects of a label map; nothing for other volumes. */
   std::optional<LabelMapSummary>
   SummarizeObjects() const;
@@ -107,6 +114,12 @@ public:
   }
 
 private:
+  void
+  ChooseMeasure();
+
+  ExtractOptions               m_Options;
+  VolumeHeader                 m_Header;
+  std::optional<WallMeasure>   m_Measure;
   std::unique_ptr<InputVolume> m_Input;
   PieceLoop                    m_Loop;
   std::unique_ptr<PieceEngine> m_Engine;

@@ -81,6 +81,13 @@ public:
   void
   SetMemoryLimit(std::uint64_t bytes);
 
+  /** Has walls measured on these gray values, or on the object, before the first run. */
+  void
+  SetGrayRange(const std::optional<itk::MedialVoxelExtraction::GrayRange> & range)
+  {
+    std::get<itk::MedialVoxelExtraction>(m_Settings.task).grayRange = range;
+  }
+
   /** Slices are indices along the last axis; those that come next, if any, are read meanwhile. The results are valid
    * until the next run, or Release(). A piece without a cell to decide and without an object is all zero, which sparse
    * volumes need not be told.

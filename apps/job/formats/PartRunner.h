@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPartRunner_h
+#define medialvoxelPartRunner_h
+
+#include "itkMedialVoxelGrid.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class PartRunner
+ * \brief Does something for each of some parts, in threads when that is allowed. */
+class PartRunner
+{
+public:
+  void
+  Run(const std::vector<itk::MedialVoxelBox> &                 parts,
+      bool                                                     isParallel,
+      const std::function<void(const itk::MedialVoxelBox &)> & work)
+  {
+    std::exception_ptr error;
+    std::mutex         mutex;
+    const auto         tryPart = [&](itk::SizeValueType i) {
+      try
+      {
+        work(parts[i]);
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        error = std::current_exception();
+      }
+    };
+    if (isParallel)
+    {
+      m_Threader->ParallelizeArray(0, parts.size(), tryPart, nullptr);
+    }
+    else
+    {
+      for (std::size_t i = 0; i < parts.size() && !error; ++i)
+      {
+        tryPart(i);
+      }
+    }
+    if (error)
+    {
+      std::rethrow_exception(error);
+    }
+  }
+
+private:
+  itk::MultiThreaderBase::Pointer m_Threader{ itk::MultiThreaderBase::New() };
+};
+
+} // end namespace medialvoxel
+
+#endif

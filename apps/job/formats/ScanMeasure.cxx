@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ScanMeasure.h"
+
+#include "Errors.h"
+#include "PartRunner.h"
+
+#include <cmath>
+
+namespace medialvoxel
+{
+
+WallMeasure
+FindWallMeasure(InputVolume &          input,
+                const VolumeHeader &   header,
+                const ExtractOptions & options,
+                const ReadObserver &   observer)
+{
+  const auto  range = GetGrayRange(options);
+  WallMeasure measure{ options.subVoxel.value_or(false), std::nullopt, {} };
+  if (std::isfinite(range.lower) && std::isfinite(range.upper))
+  {
+    measure.reason = "between two thresholds";
+    return measure;
+  }
+  const bool                         isParallel = input.GetSourceThreads() == itk::MedialVoxelSourceThreads::Several;
+  PartRunner                         runner;
+  itk::MedialVoxelScanSurvey::Source source;
+  source.fill = [&input](const auto & box, auto & object, auto & gray) {
+    input.Fill(box, { &object, nullptr, &gray });
+  };
+  source.forEach = [&](const auto & boxes, const auto & work) { runner.Run(boxes, isParallel, work); };
+  source.observe = observer;
+  const itk::MedialVoxelScanSurvey survey(
+    GetGrid(options, header), std::isfinite(range.lower) ? range.lower : range.upper, options.levels);
+  const auto result = survey.Run(source);
+  if (!result.scan && !options.uncertaintyFile.empty())
+  {
+    Fail(ExitStatus::Refused,
+         header.fileName.string(),
+         ": the uncertainty of the thickness cannot be stated, as ",
+         result.reason);
+  }
+  measure.scan = result.scan;
+  measure.reason = result.reason;
+  measure.usesGrayValues = measure.usesGrayValues || measure.scan;
+  return measure;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "MeasureOptions.h"
+
+#include "CommandParts.h"
+#include "OptionValues.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+CLI::Option *
+AddLevels(CLI::App & app, ExtractOptions & options)
+{
+  return AddText(app, "--levels", "Values of background and material for that", "B,M", [&](const std::string & text) {
+    options.levels = ToLevels(text);
+  });
+}
+
+} // namespace
+
+CLI::Option *
+AddSubVoxel(CLI::App & app, ExtractOptions & options)
+{
+  const auto set = [&options](std::int64_t count) { options.subVoxel = count > 0; };
+  return app.add_flag_function("--sub-voxel,!--no-sub-voxel", set, "Measure walls on gray values, or not");
+}
+
+void
+AddMeasureOptions(CLI::App & app, ExtractOptions & options, const std::string & group)
+{
+  AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
+  AddFile(app, "--uncertainty-map", "Half of the 95 % interval of the thickness", options.uncertaintyFile)
+    ->group(group);
+  AddSubVoxel(app, options)->group(group);
+  AddLevels(app, options)->group(group);
+  AddFile(app, "--thickness-csv", "Histogram of the thickness (.csv)", options.thicknessCsvFile)->group(group);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelMeasureOptions_h
+#define medialvoxelMeasureOptions_h
+
+#include "Options.h"
+
+#include "CLI/CLI.hpp"
+
+#include <string>
+
+namespace medialvoxel
+{
+
+/** Adds the options of how walls are measured on gray values, or not. */
+CLI::Option *
+AddSubVoxel(CLI::App & app, ExtractOptions & options);
+
+/** Adds these, and the outputs that show measures of walls. */
+void
+AddMeasureOptions(CLI::App & app, ExtractOptions & options, const std::string & group);
+
+} // end namespace medialvoxel
+
+#endif
