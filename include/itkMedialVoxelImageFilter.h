@@ -243,33 +243,13 @@ public:
 
   /** What the last update with SubvoxelThickness fitted walls with, see MedialVoxelScan: values of both materials, the
    * blur in voxels, and the noise of a value. All are 0 when there were no fits. */
-  double
-  GetBackgroundLevel() const
-  {
-    return m_Scan.background;
-  }
-  double
-  GetMaterialLevel() const
-  {
-    return m_Scan.material;
-  }
-  double
-  GetBlur() const
-  {
-    return m_Scan.blur;
-  }
-  double
-  GetNoise() const
-  {
-    return m_Scan.noise;
-  }
+  itkGetConstMacro(BackgroundLevel, double);
+  itkGetConstMacro(MaterialLevel, double);
+  itkGetConstMacro(Blur, double);
+  itkGetConstMacro(Noise, double);
 
   /** Why the last update with SubvoxelThickness fitted no walls; empty when it did. */
-  const std::string &
-  GetReasonWithoutScan() const
-  {
-    return m_ReasonWithoutScan;
-  }
+  itkGetConstReferenceMacro(ReasonWithoutScan, std::string);
 
   /** Produce the uncertainty output. Default off. SubvoxelThickness must be on. */
   virtual void
@@ -492,7 +472,11 @@ private:
   bool                    m_SmoothsObject{ false };
   MedialVoxelRoughness    m_Roughness;
   ModifiedTimeType        m_RoughnessMTime{ 0 };
-  MedialVoxelScan         m_Scan;
+  double                  m_BackgroundLevel{ 0.0 };
+  double                  m_MaterialLevel{ 0.0 };
+  double                  m_Blur{ 0.0 };
+  double                  m_Noise{ 0.0 };
+  double                  m_NoiseCorrelation{ 1.0 };
   std::string             m_ReasonWithoutScan;
   ModifiedTimeType        m_ScanMTime{ 0 };
   ObjectLabelsType        m_ObjectLabels; ///< ascending, each once

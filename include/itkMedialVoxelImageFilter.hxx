@@ -124,8 +124,8 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
     return;
   }
   m_ScanMTime = 0;
-  m_Scan = {};
-  const bool isLower = std::isfinite(this->GetLowerThreshold());
+  MedialVoxelScan scan;
+  const bool      isLower = std::isfinite(this->GetLowerThreshold());
   if (isLower == std::isfinite(this->GetUpperThreshold()))
   {
     m_ReasonWithoutScan = "there are two thresholds";
@@ -133,9 +133,14 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
   else
   {
     const auto result = this->SurveyScan(isLower ? this->GetLowerThreshold() : this->GetUpperThreshold(), m_ScanLevels);
-    m_Scan = result.scan.value_or(MedialVoxelScan{});
+    scan = result.scan.value_or(scan);
     m_ReasonWithoutScan = result.reason;
   }
+  m_BackgroundLevel = scan.background;
+  m_MaterialLevel = scan.material;
+  m_Blur = scan.blur;
+  m_Noise = scan.noise;
+  m_NoiseCorrelation = scan.correlation;
   // Made again, for walls that are measured like this.
   this->DropWindow();
   m_ScanMTime = modifiedTime;
@@ -379,9 +384,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
   if (m_SubvoxelThickness)
   {
     extraction.grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold() };
-    if (m_Scan.blur > 0.0)
+    if (m_Blur > 0.0)
     {
-      extraction.grayRange->scan = m_Scan;
+      extraction.grayRange->scan =
+        MedialVoxelScan{ m_BackgroundLevel, m_MaterialLevel, m_Blur, m_Noise, m_NoiseCorrelation };
     }
   }
   for (auto * const observer : m_TileObservers)
@@ -437,6 +443,10 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, 
   os << indent << "GenerateThickness: " << (m_GenerateThickness ? "On" : "Off") << std::endl;
   os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
   os << indent << "GenerateUncertainty: " << (m_GenerateUncertainty ? "On" : "Off") << std::endl;
+  os << indent << "BackgroundLevel: " << m_BackgroundLevel << std::endl;
+  os << indent << "MaterialLevel: " << m_MaterialLevel << std::endl;
+  os << indent << "Blur: " << m_Blur << std::endl;
+  os << indent << "Noise: " << m_Noise << std::endl;
   os << indent << "ReasonWithoutScan: " << m_ReasonWithoutScan << std::endl;
   os << indent << "SeparateObjects: " << (m_SeparateObjects ? "On" : "Off") << std::endl;
   os << indent << "ObjectLabels:";

@@ -24,7 +24,7 @@ CLI::Option *
 AddSubVoxel(CLI::App & app, ExtractOptions & options)
 {
   const auto set = [&options](std::int64_t count) { options.subVoxel = count > 0; };
-  return app.add_flag_function("--sub-voxel,!--no-sub-voxel", set, "Measure walls on gray values, or not");
+  return app.add_flag_function("--sub-voxel", set, "Measure walls on gray values; =off: on the object");
 }
 
 void

@@ -75,8 +75,9 @@ class DriftTest(ModuleTestCase):
             if element.tag in ENUMERATIONS:
                 elements = [child.text for child in element.findall("element")]
                 self.assertIn(f"--{flag} {'|'.join(elements)}={elements[0]}\n", shown)
+                others = [] if flag == "objectSelection" else ["--objectSelection", "Between"]
                 for value in elements:
-                    self.assertEqual(self.read_echo(f"--{flag}", value)[flag], value)
+                    self.assertEqual(self.read_echo(*others, f"--{flag}", value)[flag], value)
                 for value in ("", "bogus", elements[0] + "s"):
                     self.assert_module_fails(USAGE, [flag, f"'{value}'", elements[-1]], f"--{flag}", value, *VOLUMES)
 

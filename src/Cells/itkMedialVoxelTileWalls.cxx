@@ -12,6 +12,7 @@ namespace
 
 /** A wall takes as long as so many short steps. */
 constexpr std::uint32_t StepsOfWall = 8;
+constexpr std::uint32_t StepsOfGrayWall = 256;
 
 } // namespace
 
@@ -60,7 +61,7 @@ MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
   {
     for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
     {
-      poll.Count(StepsOfWall);
+      poll.Count(StepsOfGrayWall);
       const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
       classifier.GetWallPoints(features, cell, points);
       const MedialVoxelBox needed = thickness.GetReadBox(points);

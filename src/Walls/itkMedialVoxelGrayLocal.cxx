@@ -21,10 +21,11 @@ using Vector = MedialVoxelVector3;
 constexpr std::int64_t WindowReach = 4;
 constexpr double       WindowSigma = 1.5;
 
-/** Extents of the values that the normal depends on: of the window, one more to each side for differences, and one
+/** Extents of the values that the normal depends on: of the window, two more to each side for differences, and one
  * more for smoothing. A window around a place between voxels has at most 9 of them along an axis. */
 constexpr std::int64_t WindowExtent = 2 * WindowReach + 1;
-constexpr std::size_t  BlockExtent = WindowExtent + 4;
+constexpr std::size_t  BlockMargin = 3;
+constexpr std::size_t  BlockExtent = WindowExtent + 2 * BlockMargin;
 
 /** Values of a box, x fastest. */
 struct Block
@@ -62,6 +63,13 @@ Smooth(Block & block, const std::size_t (&extent)[3], const unsigned int axis)
       }
     }
   }
+}
+
+/** Twelve times the derivative: central differences would find steep components too small. */
+double
+GetDifference(const double * const value, const std::size_t stride)
+{
+  return 8.0 * (value[stride] - *(value - stride)) - (value[2 * stride] - *(value - 2 * stride));
 }
 
 /** A symmetric matrix. */
@@ -161,7 +169,7 @@ MedialVoxelGrayLocal::FindNormal(const MedialVoxelGray & gray, const Vector & pl
     const bool isActive = m_Grid.IsActive(axis);
     const auto begin = isActive ? static_cast<std::int64_t>(std::ceil(place[axis] - WindowReach)) : 0;
     const auto end = isActive ? static_cast<std::int64_t>(std::floor(place[axis] + WindowReach)) + 1 : 1;
-    margin[axis] = isActive ? 2 : 0;
+    margin[axis] = isActive ? BlockMargin : 0;
     window[axis] = static_cast<std::size_t>(end - begin);
     extent[axis] = window[axis] + 2 * margin[axis];
     first[axis] = begin - static_cast<std::int64_t>(margin[axis]);
@@ -200,7 +208,7 @@ MedialVoxelGrayLocal::FindNormal(const MedialVoxelGray & gray, const Vector & pl
         double         gradient[3];
         for (unsigned int axis = 0; axis < 3; ++axis)
         {
-          gradient[axis] = margin[axis] == 0 ? 0.0 : value[BlockStrides[axis]] - *(value - BlockStrides[axis]);
+          gradient[axis] = margin[axis] == 0 ? 0.0 : GetDifference(value, BlockStrides[axis]);
         }
         const double weight = weights[0][x] * ofRow;
         for (unsigned int i = 0; i < 3; ++i)

@@ -35,7 +35,7 @@ public:
   };
 
   /** Voxels around a place whose values the normal depends on. */
-  static constexpr std::int64_t ReachOfNormal = 6;
+  static constexpr std::int64_t ReachOfNormal = 7;
 
   /** Distance from a line at which voxels no longer count: 9 lines a voxel apart average as many values. */
   static constexpr double Radius = 2.2;

@@ -238,6 +238,21 @@ MedialVoxelGrayThickness::RefineByFit(const MedialVoxelGray &       gray,
   return true;
 }
 
+/** Whether planes with a normal, in voxels, lie across the way between both sides, in the units of the spacing. */
+bool
+MedialVoxelGrayThickness::LeadsAcross(const PositionType & normal, const Sides & sides) const
+{
+  PositionType across;
+  PositionType between;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    across[axis] = normal[axis] / m_Grid.GetSpacing()[axis];
+    between[axis] = sides.direction[axis] * m_Grid.GetSpacing()[axis];
+  }
+  return std::abs(MedialVoxelDot(across, between)) >=
+         SameDirection * MedialVoxelNorm(across) * MedialVoxelNorm(between);
+}
+
 /** Along the direction in which the values around the cell change most. */
 auto
 MedialVoxelGrayThickness::FitWall(const MedialVoxelGray &       gray,
@@ -246,8 +261,7 @@ MedialVoxelGrayThickness::FitWall(const MedialVoxelGray &       gray,
 {
   const PositionType center = this->GetCenter(points);
   Fitted             fitted{};
-  if (!m_Model->local.FindNormal(gray, center, fitted.normal) ||
-      std::abs(MedialVoxelDot(fitted.normal, sides.direction)) < SameDirection)
+  if (!m_Model->local.FindNormal(gray, center, fitted.normal) || !this->LeadsAcross(fitted.normal, sides))
   {
     return std::nullopt;
   }

@@ -93,6 +93,9 @@ private:
   static Sides
   GetSides(const MedialVoxelWallPoints & points);
 
+  bool
+  LeadsAcross(const PositionType & normal, const Sides & sides) const;
+
   /** What a fit found, in voxels. */
   struct Fitted;
 

@@ -7,6 +7,7 @@
 
 #include "itkMultiThreaderBase.h"
 
+#include <atomic>
 #include <exception>
 #include <functional>
 #include <mutex>
@@ -27,7 +28,12 @@ public:
   {
     std::exception_ptr error;
     std::mutex         mutex;
+    std::atomic<bool>  hasFailed{ false };
     const auto         tryPart = [&](itk::SizeValueType i) {
+      if (hasFailed)
+      {
+        return;
+      }
       try
       {
         work(parts[i]);
@@ -36,6 +42,7 @@ public:
       {
         const std::lock_guard<std::mutex> lock(mutex);
         error = std::current_exception();
+        hasFailed = true;
       }
     };
     if (isParallel)
@@ -44,7 +51,7 @@ public:
     }
     else
     {
-      for (std::size_t i = 0; i < parts.size() && !error; ++i)
+      for (std::size_t i = 0; i < parts.size(); ++i)
       {
         tryPart(i);
       }

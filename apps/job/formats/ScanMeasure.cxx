@@ -16,7 +16,7 @@ FindWallMeasure(InputVolume &          input,
                 const ExtractOptions & options,
                 const ReadObserver &   observer)
 {
-  const auto  range = GetGrayRange(options);
+  const auto  range = GetGrayRange(options, header);
   WallMeasure measure{ options.subVoxel.value_or(false), std::nullopt, {} };
   if (std::isfinite(range.lower) && std::isfinite(range.upper))
   {

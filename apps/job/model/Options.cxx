@@ -154,14 +154,6 @@ CheckLabelOptions(const ExtractOptions & options)
   }
 }
 
-/** Both ends are not of one material and one background. */
-bool
-HasOneThreshold(const JobOptions & options)
-{
-  const bool hasLower = options.lowerThreshold.has_value() || options.lowerIsOtsu;
-  return hasLower != options.upperThreshold.has_value();
-}
-
 void
 CheckMeasure(const ExtractOptions & options)
 {
@@ -177,13 +169,9 @@ CheckMeasure(const ExtractOptions & options)
   {
     Fail(ExitStatus::Usage, what, " and no sub-voxel measures are asked for; they do not go together");
   }
-  if (needsFit && !HasOneThreshold(options))
+  if (needsFit && !hasThreshold)
   {
-    Fail(ExitStatus::Usage,
-         what,
-         " needs one threshold, --lower or --upper; ",
-         hasThreshold ? "two are" : "none is",
-         " given");
+    Fail(ExitStatus::Usage, what, " needs a threshold; none is given");
   }
   if (options.levels && !(options.levels->background != options.levels->material))
   {
@@ -327,19 +315,44 @@ GetGrid(const JobOptions & options, const VolumeHeader & header)
   return { size, spacing };
 }
 
+namespace
+{
+
+/** Whether a threshold cuts off values that a type has. */
+bool
+CutsOff(const std::optional<itk::MedialVoxelLimit> & threshold, const PixelType type, const bool isLower)
+{
+  return threshold && DispatchPixelType(type, [&](auto zero) {
+           using Limits = std::numeric_limits<decltype(zero)>;
+           return isLower ? threshold->IsAbove(Limits::lowest())
+                          : itk::MedialVoxelLimit(Limits::max()).IsAbove(*threshold);
+         });
+}
+
+} // namespace
+
+bool
+HasOneThreshold(const JobOptions & options, const VolumeHeader & header)
+{
+  const bool hasLower = options.lowerIsOtsu || CutsOff(options.lowerThreshold, header.pixelType, true);
+  return hasLower != CutsOff(options.upperThreshold, header.pixelType, false);
+}
+
 bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
   const bool isWanted = !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels;
-  return options.subVoxel.value_or(isWanted && HasOneThreshold(options) && header.CanStream());
+  return options.subVoxel.value_or(isWanted && HasOneThreshold(options, header) && header.CanStream());
 }
 
 itk::MedialVoxelExtraction::GrayRange
-GetGrayRange(const JobOptions & options)
+GetGrayRange(const JobOptions & options, const VolumeHeader & header)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  return { options.lowerThreshold.value_or(-infinity).GetNearestDouble(),
-           options.upperThreshold.value_or(infinity).GetNearestDouble() };
+  const bool       hasLower = CutsOff(options.lowerThreshold, header.pixelType, true);
+  const bool       hasUpper = CutsOff(options.upperThreshold, header.pixelType, false);
+  return { hasLower ? options.lowerThreshold->GetNearestDouble() : -infinity,
+           hasUpper ? options.upperThreshold->GetNearestDouble() : infinity };
 }
 
 Smoothing

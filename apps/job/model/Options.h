@@ -158,9 +158,13 @@ GetGrid(const JobOptions & options, const VolumeHeader & header);
 bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header);
 
+/** Whether values are cut off at one end alone; a threshold that no value of the type reaches does not count. */
+bool
+HasOneThreshold(const JobOptions & options, const VolumeHeader & header);
+
 /** The values of the object, for measures on gray values. */
 itk::MedialVoxelExtraction::GrayRange
-GetGrayRange(const JobOptions & options);
+GetGrayRange(const JobOptions & options, const VolumeHeader & header);
 
 /** The smoothing that is asked for. */
 Smoothing

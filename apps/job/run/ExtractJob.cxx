@@ -50,24 +50,32 @@ CheckFormats(const ExtractOptions & options)
   }
 }
 
-/** Outputs and options that are nothing without them. */
+/** Outputs and options that are nothing without fits to gray values. */
 bool
-NeedsGrayValues(const ExtractOptions & options)
+NeedsFits(const ExtractOptions & options)
 {
-  return options.subVoxel.value_or(false) || !options.uncertaintyFile.empty() || options.levels;
+  return !options.uncertaintyFile.empty() || options.levels;
 }
 
 /** \throw JobError Refused when the values are to be measured on but are read only once, for the mask. */
 void
 CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  if (NeedsGrayValues(options) && !header.CanStream())
+  if ((options.subVoxel.value_or(false) || NeedsFits(options)) && !header.CanStream())
   {
     Fail(ExitStatus::Refused,
          header.fileName.string(),
          ": sub-voxel measures need values that can be read in pieces, but the file is read once, to a mask (",
          header.DescribeReading(),
          "); unpack it first");
+  }
+  if (NeedsFits(options) && !HasOneThreshold(options, header))
+  {
+    Fail(ExitStatus::Usage,
+         options.levels ? "levels of gray values" : "the uncertainty of the thickness",
+         " need one threshold, --lower or --upper, that values of the type ",
+         std::string(GetTraits(header.pixelType).name),
+         " reach");
   }
 }
 

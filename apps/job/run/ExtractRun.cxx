@@ -23,7 +23,7 @@ MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
   }
   if (MayMeasureOnGrayValues(options, header))
   {
-    extraction.grayRange = GetGrayRange(options);
+    extraction.grayRange = GetGrayRange(options, header);
   }
   return extraction;
 }
@@ -137,7 +137,7 @@ ExtractRun::ChooseMeasure()
   std::optional<itk::MedialVoxelExtraction::GrayRange> range;
   if (m_Measure->usesGrayValues)
   {
-    range = GetGrayRange(m_Options);
+    range = GetGrayRange(m_Options, m_Header);
     range->scan = m_Measure->scan;
   }
   m_Engine->SetGrayRange(range);

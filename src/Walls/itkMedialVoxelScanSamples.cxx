@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelScanSamples.h"
+
+#include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelWallFit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+
+using Sample = MedialVoxelGrayLocal::Sample;
+using BackgroundSample = MedialVoxelScanSamples::Background;
+using MaterialSample = MedialVoxelScanSamples::Material;
+using SurfaceSample = MedialVoxelScanSamples::Surface;
+
+/** Fewer samples say nothing. */
+constexpr std::size_t FewestLevels = 200;
+constexpr std::size_t FewestSurfaces = 60;
+
+/** Blur of a scan; that of a mask is less. */
+constexpr double SmallestBlur = 0.2;
+constexpr double LargestBlur = 3.0;
+
+/** The middle one; the values change their order. */
+double
+TakeMedian(std::vector<double> & values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Standard deviation of normal values that a few others do not change. */
+double
+TakeDeviation(std::vector<double> values)
+{
+  const double median = TakeMedian(values);
+  for (double & value : values)
+  {
+    value = std::abs(value - median);
+  }
+  return 1.4826 * TakeMedian(values);
+}
+
+/** The value of the material in walls as thick as there are. */
+std::optional<double>
+FindMaterial(const std::vector<MaterialSample> & samples)
+{
+  for (std::int64_t depth = 4; depth >= 2; --depth)
+  {
+    std::vector<double> values;
+    for (const MaterialSample & sample : samples)
+    {
+      if (sample.depth >= depth)
+      {
+        values.push_back(sample.value);
+      }
+    }
+    if (values.size() >= FewestLevels)
+    {
+      return TakeMedian(values);
+    }
+  }
+  return std::nullopt;
+}
+
+/** Ratio of a variance of means to that of independent values, at least 1. */
+double
+FindCorrelation(const std::vector<BackgroundSample> & samples,
+                double BackgroundSample::* const mean,
+                const double                     number,
+                const double                     noise)
+{
+  std::vector<double> means;
+  for (const BackgroundSample & sample : samples)
+  {
+    if (!std::isnan(sample.*mean))
+    {
+      means.push_back(sample.*mean);
+    }
+  }
+  if (means.size() < FewestLevels || !(noise > 0.0))
+  {
+    return 1.0;
+  }
+  const double ratio = TakeDeviation(means) / noise;
+  return std::max(1.0, number * ratio * ratio);
+}
+
+/** Surfaces with flat values on both sides count. */
+bool
+IsClean(const SurfaceSample & samples, const double limit)
+{
+  double sums[2] = {};
+  double weights[2] = {};
+  for (const Sample & sample : samples)
+  {
+    if (std::abs(sample.along) >= MedialVoxelScanSamples::NearestFlat)
+    {
+      const unsigned int side = sample.along > 0.0 ? 1 : 0;
+      sums[side] += sample.weight * sample.value;
+      weights[side] += sample.weight;
+    }
+  }
+  return weights[0] > 0.0 && weights[1] > 0.0 && std::abs(sums[0] / weights[0]) < limit &&
+         std::abs(sums[1] / weights[1] - 1.0) < limit;
+}
+
+std::optional<double>
+FindBlur(std::vector<SurfaceSample> & surfaces, const MedialVoxelScan & scan)
+{
+  const double        limit = 0.1 + scan.GetRelativeNoise() * std::sqrt(scan.correlation) / 4.0;
+  std::vector<double> blurs;
+  for (SurfaceSample & surface : surfaces)
+  {
+    for (Sample & sample : surface)
+    {
+      sample.value = (sample.value - scan.background) / (scan.material - scan.background);
+    }
+    if (IsClean(surface, limit))
+    {
+      MedialVoxelPoll();
+      blurs.push_back(MedialVoxelWallFit::FitBlur(surface).value_or(0.0));
+    }
+  }
+  return blurs.size() >= FewestSurfaces ? std::optional<double>(TakeMedian(blurs)) : std::nullopt;
+}
+
+} // namespace
+
+MedialVoxelScanSurvey::Result
+MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
+                         const unsigned int                           numberOfActiveAxes,
+                         const double                                 threshold,
+                         const std::optional<MedialVoxelScanLevels> & levels)
+{
+  const std::vector<BackgroundSample> background = samples.background.Take();
+  const std::vector<MaterialSample>   material = samples.material.Take();
+  std::vector<SurfaceSample>          surfaces = samples.surfaces.Take();
+  std::vector<double>                 values;
+  values.reserve(background.size());
+  for (const BackgroundSample & sample : background)
+  {
+    values.push_back(sample.value);
+  }
+  if (values.size() < FewestLevels)
+  {
+    return { std::nullopt, "there is too little background beside the walls" };
+  }
+  MedialVoxelScan scan;
+  scan.noise = TakeDeviation(values);
+  const bool isSolid = numberOfActiveAxes == 3;
+  scan.correlation =
+    std::max(FindCorrelation(background, &BackgroundSample::smallMean, isSolid ? 27.0 : 9.0, scan.noise),
+             FindCorrelation(background, &BackgroundSample::largeMean, isSolid ? 125.0 : 25.0, scan.noise));
+  const std::optional<double> inside = levels ? levels->material : FindMaterial(material);
+  if (!inside)
+  {
+    return { std::nullopt, "too few walls are 5 voxels thick, so that the value of the material is not known" };
+  }
+  scan.background = levels ? levels->background : TakeMedian(values);
+  scan.material = *inside;
+  if (!(std::min(scan.background, scan.material) < threshold && threshold < std::max(scan.background, scan.material)))
+  {
+    return { std::nullopt, "the threshold is not between the values of background and material" };
+  }
+  if (!(scan.GetRelativeNoise() < 1.0))
+  {
+    return { std::nullopt, "the noise is larger than the contrast" };
+  }
+  const std::optional<double> blur = FindBlur(surfaces, scan);
+  if (!blur)
+  {
+    return { std::nullopt, "too few walls are 5 voxels thick, so that the blur is not known" };
+  }
+  if (!(*blur >= SmallestBlur && *blur <= LargestBlur))
+  {
+    return { std::nullopt, *blur < SmallestBlur ? "the values are those of a mask" : "the blur is too large" };
+  }
+  scan.blur = *blur;
+  return { scan, {} };
+}
+
+} // end namespace itk

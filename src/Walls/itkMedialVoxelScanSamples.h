@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelScanSamples_h
+#define itkMedialVoxelScanSamples_h
+
+#include "itkMedialVoxelGrayLocal.h"
+#include "itkMedialVoxelRandomSample.h"
+#include "itkMedialVoxelScanSurvey.h"
+
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelScanSamples
+ * \brief Values of a scan that tell what it is made of, as MedialVoxelScanSurvey takes them.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelScanSamples
+{
+  struct Background
+  {
+    double value;
+    double smallMean; ///< over 3^D voxels; NaN where it would have values of the object
+    double largeMean; ///< over 5^D voxels
+  };
+
+  struct Material
+  {
+    double       value;
+    std::int64_t depth; ///< of object around it, from 2 to 4
+  };
+
+  /** Values near a surface, that lead into the object. */
+  using Surface = std::vector<MedialVoxelGrayLocal::Sample>;
+
+  /** Ways from a surface at which voxels must be of one kind. */
+  static constexpr double NearestFlat = 2.5;
+  static constexpr double FarthestFlat = 4.5;
+
+  static constexpr std::size_t NumberOfLevels = 16384;
+  static constexpr std::size_t NumberOfSurfaces = 512;
+
+  MedialVoxelRandomSample<Background> background{ NumberOfLevels };
+  MedialVoxelRandomSample<Material>   material{ NumberOfLevels };
+  MedialVoxelRandomSample<Surface>    surfaces{ NumberOfSurfaces };
+
+  /** Items that the other samples do not want are not wanted here either. */
+  void
+  LimitTo(const MedialVoxelScanSamples & other)
+  {
+    background.LimitTo(other.background);
+    material.LimitTo(other.material);
+    surfaces.LimitTo(other.surfaces);
+  }
+
+  void
+  Add(MedialVoxelScanSamples && other)
+  {
+    background.Add(std::move(other.background));
+    material.Add(std::move(other.material));
+    surfaces.Add(std::move(other.surfaces));
+  }
+};
+
+/** \brief What the samples say of a scan; takes them.
+ * \ingroup MedialVoxel
+ */
+MedialVoxelScanSurvey::Result
+MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
+                         unsigned int                                 numberOfActiveAxes,
+                         double                                       threshold,
+                         const std::optional<MedialVoxelScanLevels> & levels);
+
+} // end namespace itk
+
+#endif
