@@ -157,7 +157,7 @@ class ExtensionTest(unittest.TestCase):
         """Slicer builds no JSON library. What is fetched must be the known file."""
         other = self.folder / "json.hpp"
         other.write_text("// another\n")
-        options = ("-DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON", f"-DMedialVoxel_JSON_URL=file://{other}")
+        options = ("-DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON", f"-DMedialVoxel_JSON_URL=file://{self.folder}")
         self.assertIn("HASH mismatch", configure(SOURCE, self.folder, *options, done=False))
 
     def test_catalog_has_the_keys_of_its_schema(self):
