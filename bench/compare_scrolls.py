@@ -96,7 +96,9 @@ def draw(masks, maps, path):
         row[0].set_ylabel(title, fontsize=11)
         for axes, name in zip(row, TITLES):
             shift = 0.5 if name in ("extract", "defaults") else 0
-            draw_sheets.draw_slice(axes, masks[title][z], maps[title][name][z], shift, 1.6)
+            draw_sheets.draw_slice(axes, masks[title][z], maps[title][name][z], shift, 2)
+            axes.set_xlim(grid[0][0].get_xlim())
+            axes.set_ylim(grid[0][0].get_ylim())
     figure.savefig(path, dpi=100)
 
 
