@@ -84,15 +84,14 @@ class Runner:
         printed = json.loads(compare_peers.run_child(command, self.scratch, math.inf)[0])
         return read_voxels(output, numpy.float32, size), printed["call_cpu_seconds"], printed["version"]
 
-    def extract(self, volume, size, thickness, smoothing="off"):
-        """Map and CPU seconds of the program."""
+    def extract(self, volume, size, thickness, smoothing="off", max_pore_size=0):
+        """Map and CPU seconds of the program; it gets the volume as it is, unless told otherwise."""
         import numpy
 
         labels, walls = self.scratch / "labels.mha", self.scratch / "thickness.mha"
         command = [self.program, "extract", volume, labels, "--raw-size", ",".join(map(str, size)), "--raw-type", "uint8"]
         command += ["--thickness", thickness, "--thickness-map", walls, "--threads", 1, "--quiet", "--overwrite"]
-        # All programs get the volume as it is.
-        command += ["--max-pore-size", 0, "--smooth", smoothing]
+        command += ["--max-pore-size", max_pore_size, "--smooth", smoothing]
         measured = compare_peers.run_child(command, self.scratch, math.inf)[1]
         medial = read_voxels(labels, numpy.uint8, size) >= 2
         return numpy.where(medial, read_voxels(walls, numpy.float32, size), numpy.nan), measured["cpu_seconds"]

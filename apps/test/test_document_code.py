@@ -27,7 +27,7 @@ NOT_RUN = (
     ("README.md", "scripts/install-packages build program", "installs packages and builds"),
     ("doc/getting-started/terminal.md", "scripts/install-packages build program", "installs packages and builds"),
     ("doc/getting-started/slicer.md", "scripts/install-packages build program", "installs packages and builds"),
-    ("doc/getting-started/slicer.md", "cmake -S slicer", "needs a build tree of 3D Slicer"),
+    ("doc/getting-started/slicer.md", "cmake -S . -B build/extension", "needs a build tree of 3D Slicer"),
     ("doc/getting-started/python.md", "scripts/build-python-wheel", "builds ITK for Python, half an hour"),
     ("doc/how-to/large-volumes.md", "medialvoxel info scan ", "needs series of slices: test_series runs them"),
     ("doc/how-to/jobs.md", "medialvoxel plan part.mha medial.mha job --memory 4G", "needs Slurm: test_slurm runs such jobs"),

@@ -5,11 +5,13 @@
 import json
 import os
 import pathlib
+import re
 import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import urllib.parse
 import zlib
 
 SOURCE = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"])
@@ -27,6 +29,13 @@ set(EXTENSION_LICENSE_FILE "of Slicer")
 set(SlicerExecutionModel_DEFAULT_CLI_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib/Slicer-5.9/cli-modules")
 set(SlicerExecutionModel_DEFAULT_CLI_INSTALL_RUNTIME_DESTINATION "lib/Slicer-5.9/cli-modules")
 set(Slicer_INSTALL_CLIMODULES_SHARE_DIR "share/Slicer-5.9/cli-modules")
+macro(slicerMacroBuildScriptedModule)
+  cmake_parse_arguments(_scripted "WITH_GENERIC_TESTS;WITH_SUBDIR;VERBOSE" NAME "SCRIPTS;RESOURCES" ${ARGN})
+  if(_scripted_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "Unknown keywords: ${_scripted_UNPARSED_ARGUMENTS}")
+  endif()
+  file(APPEND "${CMAKE_BINARY_DIR}/extension.txt" "${_scripted_NAME}=${_scripted_SCRIPTS};${_scripted_RESOURCES}\n")
+endmacro()
 """
 STAND_IN_WRITE = """
 foreach(name IN ITEMS NAME HOMEPAGE CATEGORY CONTRIBUTORS DESCRIPTION ICONURL SCREENSHOTURLS DEPENDS README_FILE LICENSE_FILE)
@@ -36,8 +45,18 @@ file(APPEND "${CMAKE_BINARY_DIR}/extension.txt" "version=${MedialVoxel_VERSION}\
 """
 
 
-def configure(source, folder):
-    """Configures the extension and returns what it tells Slicer."""
+# How scripts/check_description_files.py of Slicer/ExtensionsIndex (August 2026) reads the CMakeLists.txt of the root, and the
+# names that it takes.
+INDEX_PROJECT = r"project\s*\(\s*([^\s\)\n\r]+)"
+INDEX_ICON = r'set\s*\(EXTENSION_ICONURL\s*"([^"]+)"[ ]*\)'
+INDEX_SCREENSHOTS = r'set\s*\(EXTENSION_SCREENSHOTURLS\s*"([^"]+)"\)'
+INDEX_LICENSES = ("LICENSE", "LICENCE", "License.txt", "license.txt", "LICENSE.txt", "COPYING", "COPYING.txt")
+INDEX_CATEGORIES = ("Filtering", "Filtering.Morphology", "Quantification", "Shape Analysis", "Surface Models")
+INDEX_BYTES = 100 * 2**20
+
+
+def configure(source, folder, *options, done=True):
+    """Configures the extension and returns what it tells Slicer; not done: its error."""
     slicer = folder / "slicer"
     slicer.mkdir(parents=True)
     for name, text in {
@@ -48,13 +67,15 @@ def configure(source, folder):
     }.items():
         (slicer / name).write_text(text)
     result = subprocess.run(
-        [CMAKE, "-S", source, "-B", folder / "build", f"-DSlicer_DIR={slicer}", "-DCMAKE_BUILD_TYPE=Release"],
+        [CMAKE, "-S", source, "-B", folder / "build", f"-DSlicer_DIR={slicer}", "-DCMAKE_BUILD_TYPE=Release", *options],
         capture_output=True,
         check=False,
         text=True,
     )
-    if result.returncode:
+    if (result.returncode == 0) != done:
         raise AssertionError(result.stdout + result.stderr)
+    if not done:
+        return result.stderr
     lines = (folder / "build" / "extension.txt").read_text().splitlines()
     return dict(line.split("=", 1) for line in lines)
 
@@ -80,22 +101,64 @@ class ExtensionTest(unittest.TestCase):
         self.assertTrue(told["DESCRIPTION"] and told["CONTRIBUTORS"])
         for name in ("README_FILE", "LICENSE_FILE"):
             self.assertTrue(pathlib.Path(told[name]).is_file(), told[name])
-        repository = self.catalog["scm_url"].removesuffix(".git")
-        page = told["HOMEPAGE"].removeprefix(f"{repository}/blob/{self.catalog['scm_revision']}/")
-        self.assertTrue((SOURCE / page).is_file(), page)
-        for name in ("ICONURL", "SCREENSHOTURLS"):
-            path = told[name].split(f"/{self.catalog['scm_revision']}/")[1]
-            self.assertTrue((SOURCE / path).is_file(), path)
+        for name in ("HOMEPAGE", "ICONURL", "SCREENSHOTURLS"):
+            self.assert_in_repository(told[name])
 
-    def test_configured_from_its_folder_and_from_the_root(self):
-        """Developers name the folder; the build machines of the Extensions Index configure the root."""
-        for number, source in enumerate((SOURCE / "slicer", SOURCE)):
-            told = configure(source, self.folder / str(number))
-            self.assert_told(told)
-            self.assertRegex(told["version"], r"^\d+\.\d+\.\d+$")
-            modules = self.folder / str(number) / "build/lib/Slicer-5.9/cli-modules"
-            xml = SOURCE / "apps/MedialVoxelExtraction/MedialVoxelExtraction.xml"
-            self.assertEqual((modules / xml.name).read_bytes(), xml.read_bytes())
+    def assert_in_repository(self, address):
+        """The address is one of the file in the repository of the catalog."""
+        path = urllib.parse.urlsplit(self.catalog["scm_url"].removesuffix(".git")).path
+        places = (f"https://github.com{path}/blob/", f"https://raw.githubusercontent.com{path}/")
+        self.assertTrue(address.startswith(places), address)
+        file = address.split(f"/{self.catalog['scm_revision']}/", 1)[1]
+        self.assertTrue((SOURCE / file).is_file(), file)
+
+    def test_configured_from_the_root(self):
+        """As the machines that build extensions do."""
+        told = configure(SOURCE, self.folder)
+        self.assert_told(told)
+        self.assertRegex(told["version"], r"^\d+\.\d+\.\d+$")
+        modules = self.folder / "build/lib/Slicer-5.9/cli-modules"
+        xml = SOURCE / "apps/MedialVoxelExtraction/MedialVoxelExtraction.xml"
+        self.assertEqual((modules / xml.name).read_bytes(), xml.read_bytes())
+
+    def test_the_scripted_module_is_whole(self):
+        """Slicer installs the files that are listed, and no others."""
+        listed = configure(SOURCE, self.folder)["MedialVoxelWalls"].split(";")
+        folder = SOURCE / "apps/MedialVoxelWalls"
+        there = {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()}
+        self.assertEqual(set(listed), {name for name in there if "__pycache__" not in name} - {"CMakeLists.txt"})
+
+    def test_its_folder_by_itself_is_refused(self):
+        self.assertIn("Configure the root", configure(SOURCE / "slicer", self.folder, done=False))
+
+    def test_what_the_index_reads(self):
+        """With the index's own expressions; the extension's name is that of the file."""
+        text = (SOURCE / "CMakeLists.txt").read_text()
+        flags = re.IGNORECASE | re.MULTILINE
+        self.assertEqual(re.findall(INDEX_PROJECT, text, flags)[0].strip().strip("\"'"), "MedialVoxel")
+        (icon,) = re.findall(INDEX_ICON, text, flags)
+        (screenshots,) = re.findall(INDEX_SCREENSHOTS, text, flags)
+        for address in (icon, *screenshots.split()):
+            self.assertRegex(address, r"^https://.*\.(png|jpg|jpeg|gif)$")
+            self.assert_in_repository(address)
+
+    def test_what_the_index_checks(self):
+        address = urllib.parse.urlsplit(self.catalog["scm_url"])
+        self.assertIn(address.scheme, ("git", "https"))
+        self.assertTrue(pathlib.PurePosixPath(address.path).stem.startswith("Slicer"))
+        self.assertIn(self.catalog["category"], INDEX_CATEGORIES)
+        self.assertEqual(self.catalog["build_dependencies"], [])
+        self.assertTrue(any((SOURCE / name).is_file() for name in INDEX_LICENSES))
+        self.assertNotIn(b"\r", (SOURCE / "slicer/MedialVoxel.json").read_bytes())
+        files = subprocess.run(["git", "ls-files", "-z"], cwd=SOURCE, capture_output=True, check=False, text=True).stdout
+        self.assertLess(sum((SOURCE / name).stat().st_size for name in files.split("\0") if (SOURCE / name).is_file()), INDEX_BYTES)
+
+    def test_another_header_library_is_refused(self):
+        """Slicer builds no JSON library. What is fetched must be the known file."""
+        other = self.folder / "json.hpp"
+        other.write_text("// another\n")
+        options = ("-DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON", f"-DMedialVoxel_JSON_URL=file://{self.folder}")
+        self.assertIn("HASH mismatch", configure(SOURCE, self.folder, *options, done=False))
 
     def test_catalog_has_the_keys_of_its_schema(self):
         known = {"$schema", "category", "scm_url", "scm_revision", "scm_type", "build_dependencies"}
