@@ -60,7 +60,7 @@ public:
   std::uint64_t
   GetBytesToFrame(const MedialVoxelBox & box, const MedialVoxelBox & room) const;
 
-  /** True when Reframe() needs no memory beside what the bits have, as when a box of whole slices slides along z. */
+  /** True when Reframe() needs no memory beside what the bits have, as when a box slides along y or z. */
   bool
   CanReframeInPlace(const MedialVoxelBox & box) const;
 
@@ -178,6 +178,9 @@ private:
 
   void
   ReframeInPlace(const MedialVoxelBox & box);
+
+  void
+  ClearAround(const MedialVoxelBox & kept);
 
   /** Call \a visit(word) for the bits of \a box, word by word but for empty words, until it returns false. */
   template <typename TVisitor>

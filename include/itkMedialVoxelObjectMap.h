@@ -58,10 +58,7 @@ public:
 
   /** Show the objects of a pass from now on. */
   void
-  ShowPass(const unsigned int pass)
-  {
-    m_ShownPass = pass;
-  }
+  ShowPass(unsigned int pass);
 
   unsigned int
   GetShownPass() const
@@ -73,7 +70,7 @@ public:
   bool
   IsShown(const MedialVoxelObjectNumber object) const
   {
-    return object > 0 && m_Passes[object] == m_ShownPass;
+    return m_IsShown[object] != 0;
   }
 
 protected:
@@ -83,7 +80,8 @@ protected:
 
 private:
   MedialVoxelLabelTable                m_Table;
-  std::vector<MedialVoxelObjectNumber> m_Passes; ///< by object
+  std::vector<MedialVoxelObjectNumber> m_Passes;  ///< by object
+  std::vector<std::uint8_t>            m_IsShown; ///< the same, which each voxel asks for
   std::vector<std::uint64_t>           m_ObjectVoxels;
   unsigned int                         m_NumberOfPasses{ 0 };
   unsigned int                         m_ShownPass{ 0 };

@@ -61,7 +61,39 @@ struct WriteSettings
   bool            sparse{ false };
   ZarrCompression compression{ ZarrCompression::None };
   std::uint64_t   slicesAtOnce{ 1 };
+  std::uint64_t   rowsAtOnce{ 0 }; ///< 0: whole slices
 };
+
+/** The same rows of several slices, which follow each other. */
+std::vector<float>
+TakeRows(const std::vector<float> & values, const VolumeGeometry & geometry, const SliceRange & slices, RowRange rows)
+{
+  const std::size_t  valuesPerRow = values.size() / (geometry.size[1] * geometry.size[2]);
+  std::vector<float> taken;
+  for (std::uint64_t slice = slices.begin; slice < slices.end; ++slice)
+  {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(slice * geometry.size[1] * valuesPerRow);
+    taken.insert(taken.end(),
+                 first + static_cast<std::ptrdiff_t>(rows.begin * valuesPerRow),
+                 first + static_cast<std::ptrdiff_t>(rows.end * valuesPerRow));
+  }
+  return taken;
+}
+
+void
+WriteInRows(ZarrVolume &               volume,
+            const VolumeGeometry &     geometry,
+            const std::vector<float> & values,
+            const SliceRange &         slices,
+            std::uint64_t              rowsAtOnce)
+{
+  for (std::uint64_t row = 0; row < geometry.size[1]; row += rowsAtOnce)
+  {
+    const RowRange           rows{ row, std::min(row + rowsAtOnce, geometry.size[1]) };
+    const std::vector<float> taken = TakeRows(values, geometry, slices, rows);
+    volume.WriteRows(slices, rows, taken.data());
+  }
+}
 
 std::map<std::string, std::string>
 WriteFloats(const VolumeGeometry & geometry, unsigned int components, const WriteSettings & settings)
@@ -74,6 +106,11 @@ WriteFloats(const VolumeGeometry & geometry, unsigned int components, const Writ
   for (std::uint64_t slice = 0; slice < geometry.size.back(); slice += settings.slicesAtOnce)
   {
     const std::uint64_t slices = std::min(settings.slicesAtOnce, geometry.size.back() - slice);
+    if (settings.rowsAtOnce > 0)
+    {
+      WriteInRows(volume, geometry, values, { slice, slice + slices }, settings.rowsAtOnce);
+      continue;
+    }
     volume.Write(slice * perSlice, slices * perSlice, values.data() + slice * perSlice * components);
   }
   volume.Finish();
@@ -153,6 +190,32 @@ TEST(ZarrVolume, AnyDivisionGivesTheSameFiles)
         for (const std::uint64_t slicesAtOnce : { 5, 69 })
         {
           EXPECT_EQ(WriteFloats(geometry, components, { sparse, compression, slicesAtOnce }), expected) << slicesAtOnce;
+        }
+      }
+    }
+  }
+}
+
+TEST(ZarrVolume, RowsGiveTheSameFilesAsSlices)
+{
+  const VolumeGeometry geometry = MakeGeometry({ 20, 600, 70 });
+  const std::uint64_t  rows = ZarrGrid::ForVolume(geometry, {}).chunk[1];
+  ASSERT_EQ(rows, 200u);
+  for (const unsigned int components : { 1u, 3u })
+  {
+    for (const bool sparse : { false, true })
+    {
+      for (const ZarrCompression compression : { ZarrCompression::None, ZarrCompression::Gzip })
+      {
+        const auto expected = WriteFloats(geometry, components, { sparse, compression, 70 });
+        // Parts of a layer, whole ones, and pieces that begin and end within layers.
+        for (const std::uint64_t slicesAtOnce : { 24, 41 })
+        {
+          for (const std::uint64_t rowsAtOnce : { rows, 2 * rows })
+          {
+            EXPECT_EQ(WriteFloats(geometry, components, { sparse, compression, slicesAtOnce, rowsAtOnce }), expected)
+              << slicesAtOnce << " slices of " << rowsAtOnce << " rows";
+          }
         }
       }
     }

@@ -5,6 +5,7 @@
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <utility>
 
@@ -125,29 +126,91 @@ MedialVoxelBits::CopyRows(const MedialVoxelBits & source, const MedialVoxelBox &
   }
 }
 
+namespace
+{
+
+/** Rows of a box are numbered in the order in which they lie in memory. */
+std::int64_t
+NumberOfRow(const MedialVoxelBox & box, const std::int64_t y, const std::int64_t z)
+{
+  return (z - box.lower[2]) * box.Extent(1) + y - box.lower[1];
+}
+
+/** By how much the numbers of the rows that boxes share grow from one box to the other, at the first and the last slice
+ * of these rows; between them it lies between. */
+std::array<std::int64_t, 2>
+GrowthOfNumbers(const MedialVoxelBox & from, const MedialVoxelBox & to, const MedialVoxelBox & shared)
+{
+  const std::int64_t y = shared.lower[1];
+  const auto         growth = [&](const std::int64_t z) { return NumberOfRow(to, y, z) - NumberOfRow(from, y, z); };
+  return { growth(shared.lower[2]), growth(shared.upper[2] - 1) };
+}
+
+} // namespace
+
 bool
 MedialVoxelBits::CanReframeInPlace(const MedialVoxelBox & box) const
 {
-  const bool hasSameSlices = box.lower[0] == m_Box.lower[0] && box.upper[0] == m_Box.upper[0] &&
-                             box.lower[1] == m_Box.lower[1] && box.upper[1] == m_Box.upper[1];
-  return hasSameSlices && !box.Intersection(m_Box).IsEmpty() && WordsOfBox(box) <= m_Words.capacity();
+  const bool           hasSameRows = box.lower[0] == m_Box.lower[0] && box.upper[0] == m_Box.upper[0];
+  const MedialVoxelBox shared = box.Intersection(m_Box);
+  if (!hasSameRows || shared.IsEmpty() || WordsOfBox(box) > m_Words.capacity())
+  {
+    return false;
+  }
+  // One after the other, none over one that is still to be moved.
+  const auto growth = GrowthOfNumbers(m_Box, box, shared);
+  return (growth[0] <= 0 && growth[1] <= 0) || (growth[0] >= 0 && growth[1] >= 0);
 }
 
 void
 MedialVoxelBits::ReframeInPlace(const MedialVoxelBox & box)
 {
-  const MedialVoxelBox shared = box.Intersection(m_Box);
-  const std::ptrdiff_t wordsPerSlice = m_RowPitch * m_Box.Extent(1);
+  const MedialVoxelBox from = m_Box;
+  const MedialVoxelBox shared = box.Intersection(from);
+  const auto           growth = GrowthOfNumbers(from, box, shared);
   const std::size_t    words = WordsOfBox(box);
-  const std::ptrdiff_t source = (shared.lower[2] - m_Box.lower[2]) * wordsPerSlice;
-  const std::ptrdiff_t target = (shared.lower[2] - box.lower[2]) * wordsPerSlice;
-  const std::ptrdiff_t count = shared.Extent(2) * wordsPerSlice;
   m_Words.resize(std::max(m_Words.size(), words));
-  std::memmove(m_Words.data() + target, m_Words.data() + source, static_cast<std::size_t>(count) * sizeof(WordType));
+  // Rows of a slice lie beside each other in both boxes.
+  const auto bytes = static_cast<std::size_t>(shared.Extent(1) * m_RowPitch) * sizeof(WordType);
+  const auto moveSlice = [&](const std::int64_t z) {
+    const auto place = [&](const MedialVoxelBox & of) {
+      return m_Words.data() + NumberOfRow(of, shared.lower[1], z) * m_RowPitch;
+    };
+    std::memmove(place(box), place(from), bytes);
+  };
+  if (growth[0] <= 0 && growth[1] <= 0)
+  {
+    for (std::int64_t z = shared.lower[2]; z < shared.upper[2]; ++z)
+    {
+      moveSlice(z);
+    }
+  }
+  else
+  {
+    for (std::int64_t z = shared.upper[2]; z-- > shared.lower[2];)
+    {
+      moveSlice(z);
+    }
+  }
   m_Words.resize(words);
-  std::fill(m_Words.begin(), m_Words.begin() + target, 0);
-  std::fill(m_Words.begin() + target + count, m_Words.end(), 0);
   m_Box = box;
+  this->ClearAround(shared);
+}
+
+/** Clears all rows but those of \a kept. */
+void
+MedialVoxelBits::ClearAround(const MedialVoxelBox & kept)
+{
+  const auto clear = [this](const std::int64_t begin, const std::int64_t end) {
+    std::fill(m_Words.begin() + begin * m_RowPitch, m_Words.begin() + end * m_RowPitch, 0);
+  };
+  std::int64_t begin = 0;
+  for (std::int64_t z = kept.lower[2]; z < kept.upper[2]; ++z)
+  {
+    clear(begin, NumberOfRow(m_Box, kept.lower[1], z));
+    begin = NumberOfRow(m_Box, kept.upper[1], z);
+  }
+  clear(begin, m_Box.Extent(1) * m_Box.Extent(2));
 }
 
 bool

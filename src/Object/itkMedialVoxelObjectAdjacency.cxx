@@ -153,12 +153,21 @@ MedialVoxelObjectAdjacency::FinishLayer()
     for (std::int64_t x = 0; x < m_BlocksX; ++x)
     {
       const std::size_t block = at(x, y);
+      if (m_Layer.first[block][0] == 0)
+      {
+        continue;
+      }
       for (std::int64_t otherY = std::max<std::int64_t>(y - 1, 0); otherY <= std::min(y + 1, m_BlocksY - 1); ++otherY)
       {
         for (std::int64_t otherX = std::max<std::int64_t>(x - 1, 0); otherX <= std::min(x + 1, m_BlocksX - 1); ++otherX)
         {
-          this->Connect(block, m_Layer, at(otherX, otherY));
-          this->Connect(block, m_PreviousLayer, at(otherX, otherY));
+          const std::size_t other = at(otherX, otherY);
+          if (other <= block)
+          {
+            // The same two come again in the other order.
+            this->Connect(block, m_Layer, other);
+          }
+          this->Connect(block, m_PreviousLayer, other);
         }
       }
     }
@@ -171,6 +180,12 @@ MedialVoxelObjectAdjacency::FinishLayer()
 void
 MedialVoxelObjectAdjacency::Connect(const std::size_t block, const Layer & otherLayer, const std::size_t other)
 {
+  const auto & own = m_Layer.first[block];
+  const auto & others = otherLayer.first[other];
+  if (others[0] == 0 || (own[0] == others[0] && own[1] == 0 && others[1] == 0))
+  {
+    return;
+  }
   ForEachObject(m_Layer, block, [&](const ObjectType first) {
     ForEachObject(otherLayer, other, [&](const ObjectType second) {
       if (first != second)

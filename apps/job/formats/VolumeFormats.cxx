@@ -107,6 +107,9 @@ MakeZarrRow()
   writer.getSlicesOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
     return ZarrGrid::ForVolume(geometry, layout).chunk[2];
   };
+  writer.getRowsOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
+    return geometry.GetDimension() == 3 ? ZarrGrid::ForVolume(geometry, layout).chunk[1] : 0;
+  };
   writer.getFurtherBytes = ZarrVolume::GetBytesOfSmallerLevels;
   VolumeInput input;
   input.readHeader = [](const std::filesystem::path & folder) { return ReadZarrHeader(folder, 0); };
@@ -389,6 +392,13 @@ GetSlicesOfLayer(const std::filesystem::path & fileName, const VolumeGeometry & 
 {
   const VolumeWriter & writer = *FindOutputFormat(fileName).format.writer;
   return writer.getSlicesOfLayer ? writer.getSlicesOfLayer(geometry, layout) : 1;
+}
+
+std::uint64_t
+GetRowsOfLayer(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout)
+{
+  const VolumeWriter & writer = *FindOutputFormat(fileName).format.writer;
+  return writer.getRowsOfLayer ? writer.getRowsOfLayer(geometry, layout) : 0;
 }
 
 } // end namespace medialvoxel

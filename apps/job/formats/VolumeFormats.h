@@ -92,6 +92,9 @@ struct VolumeWriter
   std::uint64_t (*getMemory)(const VolumeGeometry &, const VoxelLayout &, const JobOptions &){ nullptr };
   std::uint64_t (*getSlicesOfLayer)(const VolumeGeometry &, const VoxelLayout &){ nullptr };
 
+  /** Rows of these slices that are written together. Null: all of them. */
+  std::uint64_t (*getRowsOfLayer)(const VolumeGeometry &, const VoxelLayout &){ nullptr };
+
   /** Bytes that are written beside the voxels, when nothing is packed. Null: next to none. */
   std::uint64_t (*getFurtherBytes)(const VolumeGeometry &, const VoxelLayout &){ nullptr };
 };
@@ -176,6 +179,10 @@ GetOutputBytes(const std::filesystem::path & fileName, const VolumeGeometry & ge
 /** Slices of a volume that are written together. */
 std::uint64_t
 GetSlicesOfLayer(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
+
+/** Rows of such slices that VoxelOutput::WriteRows() takes together; 0 when slices are written as a whole. */
+std::uint64_t
+GetRowsOfLayer(const std::filesystem::path & fileName, const VolumeGeometry & geometry, const VoxelLayout & layout);
 
 } // end namespace medialvoxel
 

@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "VoxelOutput.h"
 
+#include "Errors.h"
 #include "PackedVolume.h"
 #include "SharedVolume.h"
 #include "VolumeFormats.h"
 
 namespace medialvoxel
 {
+
+void
+VoxelOutput::WriteRows(const SliceRange & slices, const RowRange &, const void *)
+{
+  Fail(ExitStatus::Failure, "slices ", FormatSlices(slices), " are not written in parts");
+}
 
 std::unique_ptr<SharedVolume>
 MakeSharedVolume(const std::filesystem::path & fileName, const JobOptions & options)

@@ -3,6 +3,7 @@
 #ifndef medialvoxelVoxelOutput_h
 #define medialvoxelVoxelOutput_h
 
+#include "JobPlan.h"
 #include "Options.h"
 #include "VoxelLayout.h"
 
@@ -33,6 +34,12 @@ public:
   /** Writes voxels that follow each other, x fastest: whole slices. \throw JobError Failure. */
   virtual void
   Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) = 0;
+
+  /** Writes the same rows of several slices, where GetRowsOfLayer() has more than 0: multiples of it, but for the last
+   * ones. Those of a slice follow each other, and slices in layers come with all rows before those of the next layer.
+   * \throw JobError Failure. */
+  virtual void
+  WriteRows(const SliceRange & slices, const RowRange & rows, const void * data);
 
   /** Brings everything to the disk and compares sizes. \throw JobError Failure. */
   virtual void

@@ -110,6 +110,7 @@ GatherSlices(const ZarrGrid & grid,
              std::uint64_t    chunkX,
              std::uint64_t    chunkY,
              std::uint64_t    numberOfSlices,
+             const RowRange & rows,
              const void *     voxels,
              void *           planes)
 {
@@ -122,7 +123,8 @@ GatherSlices(const ZarrGrid & grid,
     {
       for (std::uint64_t y = 0; y < box.size[1]; ++y, to += grid.chunk[0])
       {
-        const std::uint64_t first = (z * grid.size[1] + box.begin[1] + y) * grid.size[0] + box.begin[0];
+        const std::uint64_t row = z * (rows.end - rows.begin) + box.begin[1] - rows.begin + y;
+        const std::uint64_t first = row * grid.size[0] + box.begin[0];
         const auto * const  from = static_cast<const ValueType *>(voxels) + first * components + component;
         CopyRow(from, components, to, 1, box.size[0]);
         std::fill(to + box.size[0], to + grid.chunk[0], zero);

@@ -3,6 +3,7 @@
 #ifndef medialvoxelZarrGrid_h
 #define medialvoxelZarrGrid_h
 
+#include "JobPlan.h"
 #include "VoxelLayout.h"
 
 #include <array>
@@ -111,6 +112,7 @@ ForEachChunk(const ZarrGrid & grid, const ZarrBox & box, TFunction && function)
 
 /** Fills slices of a chunk from a stretch of slices of the volume, all components of a voxel together, x fastest; zeros
  * where the chunk goes beyond the rows and columns of the volume.
+ * \param rows that the voxels have of each slice, among them those of the chunk
  * \param voxels begin with the first of the slices
  * \param planes receive as many slices of the chunk */
 void
@@ -119,6 +121,7 @@ GatherSlices(const ZarrGrid & grid,
              std::uint64_t    chunkX,
              std::uint64_t    chunkY,
              std::uint64_t    numberOfSlices,
+             const RowRange & rows,
              const void *     voxels,
              void *           planes);
 

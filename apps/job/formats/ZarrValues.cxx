@@ -106,7 +106,9 @@ public:
                ? this->MakeView(m_Rows.data() + column * valueBytes)
                : this->MakeFill();
     }
-    const bool         isNeededAgain = wanted.begin[2] + wanted.size[2] < chunk.begin[2] + chunk.size[2];
+    // Rows that are not asked for now are those of neighbors, to which some of these will be a halo.
+    const bool isNeededAgain =
+      wanted.begin[2] + wanted.size[2] < chunk.begin[2] + chunk.size[2] || wanted.size[1] < chunk.size[1];
     const char * const planes = m_Chunks->Read(0, index, { slice, wanted.size[2], isNeededAgain }, m_Buffers);
     return planes != nullptr ? this->MakeView(planes + (row * grid.chunk[0] + column) * valueBytes) : this->MakeFill();
   }

@@ -7,7 +7,6 @@
 #include "OutputFile.h"
 #include "ZarrPyramid.h"
 #include "Text.h"
-#include "Zeros.h"
 
 #include "itkMedialVoxelProgress.h"
 
@@ -69,7 +68,9 @@ ZarrVolume::Describe(const VolumeGeometry & geometry, const VoxelLayout & layout
   m_Levels = MakeZarrLevels(geometry, layout);
   m_Grid = m_Levels.front().grid;
   m_Writer.emplace(m_Compression, m_Grid.GetChunkBytes(), GetTraits(layout.pixelType).bytes, process);
-  m_Chunk.resize(m_Grid.GetChunkBytes());
+  m_Layers.emplace(m_Grid, m_Sparse, *m_Writer, m_Reserve, [this](std::uint64_t component, const ZarrIndex & index) {
+    return this->GetChunkFile(component, index);
+  });
   const std::string name = GetImageName(m_Folder.GetName());
   m_Metadata = { { ".zgroup", MakeZarrGroupText() }, { ".zattrs", MakeZarrAttributesText(name, m_Levels) } };
   for (const ZarrLevel & level : m_Levels)
@@ -190,12 +191,10 @@ ZarrVolume::FindFreeDataName() const
   return {};
 }
 
-/** An open layer is that of a cluster that was given up. */
 void
 ZarrVolume::StartCluster()
 {
-  m_OpenLayer.reset();
-  m_LayersOfCluster.clear();
+  m_Layers->StartCluster();
   m_Writer->StartChecksum();
 }
 
@@ -209,11 +208,11 @@ ZarrVolume::GetChecksum() const
 std::uint32_t
 ZarrVolume::ReadChecksum(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const
 {
-  const Slices slices = this->ToSlices(firstVoxel, numberOfVoxels);
-  Checksum     checksum;
+  const SliceRange slices = this->ToSlices(firstVoxel, numberOfVoxels);
+  Checksum         checksum;
   for (std::uint64_t layer = slices.begin / m_Grid.chunk[2]; layer * m_Grid.chunk[2] < slices.end; ++layer)
   {
-    this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t) {
+    this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index) {
       AddZarrChunk(this->GetChunkFile(component, index), checksum);
     });
   }
@@ -225,9 +224,9 @@ ZarrVolume::Sync()
 {
   const std::filesystem::path     top = m_Folder.GetPath();
   std::set<std::filesystem::path> folders;
-  for (const std::uint64_t layer : m_LayersOfCluster)
+  for (const std::uint64_t layer : m_Layers->GetLayersOfCluster())
   {
-    this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t) {
+    this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index) {
       const std::filesystem::path chunkFile = this->GetChunkFile(component, index);
       SyncFile(chunkFile);
       for (auto folder = chunkFile.parent_path(); folder != top && folders.insert(folder).second;)
@@ -242,32 +241,16 @@ ZarrVolume::Sync()
 void
 ZarrVolume::Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data)
 {
-  const Slices        slices = this->ToSlices(firstVoxel, numberOfVoxels);
-  const std::uint64_t sliceBytes = m_Grid.size[0] * m_Grid.size[1] * m_Grid.layout.GetBytes();
-  const auto *        voxels = static_cast<const char *>(data);
-  for (std::uint64_t begin = slices.begin; begin < slices.end;)
-  {
-    const std::uint64_t layer = begin / m_Grid.chunk[2];
-    const ZarrBox       box = m_Grid.GetBox({ 0, 0, layer });
-    const std::uint64_t end = std::min(slices.end, box.begin[2] + box.size[2]);
-    if (m_OpenLayer && m_OpenLayer != layer)
-    {
-      this->CompleteOpenLayer();
-    }
-    if (end - begin == box.size[2])
-    {
-      this->WriteLayer(layer, voxels);
-    }
-    else
-    {
-      this->WritePart(layer, { begin, end }, voxels);
-    }
-    voxels += (end - begin) * sliceBytes;
-    begin = end;
-  }
+  this->WriteRows(this->ToSlices(firstVoxel, numberOfVoxels), { 0, m_Grid.size[1] }, data);
 }
 
-ZarrVolume::Slices
+void
+ZarrVolume::WriteRows(const SliceRange & slices, const RowRange & rows, const void * data)
+{
+  m_Layers->Write(slices, rows, static_cast<const char *>(data));
+}
+
+SliceRange
 ZarrVolume::ToSlices(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const
 {
   const std::uint64_t perSlice = m_Grid.size[0] * m_Grid.size[1];
@@ -285,114 +268,26 @@ ZarrVolume::GetChunkFile(std::uint64_t component, const ZarrIndex & index) const
   return m_Folder.GetPath() / m_Levels.front().folder / m_Grid.GetChunkName(component, index);
 }
 
-/** Calls function(component, index, number of the chunk in its layer). */
+/** Calls function(component, index). */
 template <typename TFunction>
 void
 ZarrVolume::ForEachChunkOfLayer(std::uint64_t layer, TFunction && function) const
 {
-  std::uint64_t number = 0;
   ForEachChunk(m_Grid,
                { { 0, 0, layer * m_Grid.chunk[2] }, { m_Grid.size[0], m_Grid.size[1], 1 } },
                [&](std::uint64_t component, const ZarrIndex & index) {
                  itk::MedialVoxelPoll();
-                 function(component, index, number++);
+                 function(component, index);
                });
-}
-
-void
-ZarrVolume::WriteLayer(std::uint64_t layer, const char * voxels)
-{
-  const std::uint64_t slices = m_Grid.GetBox({ 0, 0, layer }).size[2];
-  const std::uint64_t bytes = slices * m_Grid.GetPlaneBytes();
-  this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t) {
-    GatherSlices(m_Grid, component, index[0], index[1], slices, voxels, m_Chunk.data());
-    if (m_Sparse && IsAllZero(m_Chunk.data(), bytes))
-    {
-      return;
-    }
-    std::fill(m_Chunk.begin() + static_cast<std::ptrdiff_t>(bytes), m_Chunk.end(), '\0');
-    this->GiveSpaceBack(m_Chunk.size());
-    this->WriteChunk(this->GetChunkFile(component, index));
-  });
-  m_LayersOfCluster.push_back(layer);
-}
-
-void
-ZarrVolume::WritePart(std::uint64_t layer, const Slices & slices, const char * voxels)
-{
-  if (!m_OpenLayer)
-  {
-    m_OpenLayer = layer;
-    m_HasPart.assign(m_Grid.GetChunksPerLayer(), false);
-  }
-  const std::uint64_t planeBytes = m_Grid.GetPlaneBytes();
-  const std::uint64_t bytes = (slices.end - slices.begin) * planeBytes;
-  const std::uint64_t offset = (slices.begin - layer * m_Grid.chunk[2]) * planeBytes;
-  this->ForEachChunkOfLayer(layer, [&](std::uint64_t component, const ZarrIndex & index, std::uint64_t number) {
-    GatherSlices(m_Grid, component, index[0], index[1], slices.end - slices.begin, voxels, m_Chunk.data());
-    if (!IsAllZero(m_Chunk.data(), bytes))
-    {
-      this->GiveSpaceBack(m_HasPart[number] ? 0 : m_Chunk.size());
-      m_Writer->WritePart(
-        this->GetChunkFile(component, index), { offset, bytes, m_Chunk.size() }, m_Chunk.data(), !m_HasPart[number]);
-      m_HasPart[number] = true;
-    }
-  });
-  const ZarrBox box = m_Grid.GetBox({ 0, 0, layer });
-  if (slices.end == box.begin[2] + box.size[2])
-  {
-    this->CompleteOpenLayer();
-  }
-}
-
-/** Chunks of which no part came have zeros only. */
-void
-ZarrVolume::CompleteOpenLayer()
-{
-  this->ForEachChunkOfLayer(*m_OpenLayer,
-                            [this](std::uint64_t component, const ZarrIndex & index, std::uint64_t number) {
-                              const std::filesystem::path chunkFile = this->GetChunkFile(component, index);
-                              if (m_HasPart[number])
-                              {
-                                m_Writer->CompleteParts(chunkFile, m_Chunk.data());
-                                ++m_ChunkFiles;
-                              }
-                              else if (!m_Sparse)
-                              {
-                                std::fill(m_Chunk.begin(), m_Chunk.end(), '\0');
-                                this->GiveSpaceBack(m_Chunk.size());
-                                this->WriteChunk(chunkFile);
-                              }
-                            });
-  m_LayersOfCluster.push_back(*m_OpenLayer);
-  m_OpenLayer.reset();
-}
-
-void
-ZarrVolume::WriteChunk(const std::filesystem::path & chunkFile)
-{
-  m_Writer->Write(chunkFile, m_Chunk.data());
-  ++m_ChunkFiles;
-}
-
-void
-ZarrVolume::GiveSpaceBack(std::uint64_t numberOfBytes)
-{
-  if (m_Reserve)
-  {
-    m_Reserve->GiveBack(numberOfBytes);
-  }
 }
 
 void
 ZarrVolume::Finish()
 {
-  if (m_OpenLayer)
-  {
-    this->CompleteOpenLayer();
-  }
+  m_Layers->Complete();
   m_Reserve.reset();
-  this->CheckChunkFiles(m_Levels.front().folder, m_Sparse ? m_ChunkFiles : m_Grid.GetNumberOfAllChunks());
+  this->CheckChunkFiles(m_Levels.front().folder,
+                        m_Sparse ? m_Layers->GetNumberOfChunkFiles() : m_Grid.GetNumberOfAllChunks());
   this->WriteSmallerLevels();
   m_Folder.Finish();
 }
@@ -423,14 +318,14 @@ ZarrVolume::CheckChunkFiles(const std::string & level, std::uint64_t expected) c
       continue;
     }
     ++files;
-    if (m_Compression == ZarrCompression::None && entry.file_size() != m_Chunk.size())
+    if (m_Compression == ZarrCompression::None && entry.file_size() != m_Grid.GetChunkBytes())
     {
       Fail(ExitStatus::Failure,
            entry.path().string(),
            " has ",
            entry.file_size(),
            " bytes after writing, not ",
-           m_Chunk.size());
+           m_Grid.GetChunkBytes());
     }
   }
   if (files != expected)
@@ -442,7 +337,7 @@ ZarrVolume::CheckChunkFiles(const std::string & level, std::uint64_t expected) c
 void
 ZarrVolume::Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const
 {
-  const Slices slices = this->ToSlices(firstVoxel, numberOfVoxels);
+  const SliceRange slices = this->ToSlices(firstVoxel, numberOfVoxels);
   this->ReadBox({ { 0, 0, slices.begin }, { m_Grid.size[0], m_Grid.size[1], slices.end - slices.begin } }, data);
 }
 
@@ -471,15 +366,16 @@ ZarrVolume::ReadBox(const ZarrBox & box, void * data) const
   }
   const auto readChunk = [&](std::uint64_t component, const ZarrIndex & index) {
     itk::MedialVoxelPoll();
-    const ZarrBox      chunkBox = m_Grid.GetBox(index);
-    const ZarrBox      part = Intersect(chunkBox, box);
-    const char * const chunk = m_Reader->chunks->Read(component, index, m_Reader->buffers);
+    const ZarrBox       chunkBox = m_Grid.GetBox(index);
+    const ZarrBox       part = Intersect(chunkBox, box);
+    const char * const  chunk = m_Reader->chunks->Read(component, index, m_Reader->buffers);
+    std::vector<char> & zeros = m_Layers->GetBuffer();
     if (chunk == nullptr)
     {
-      std::fill(m_Chunk.begin(), m_Chunk.end(), '\0');
+      std::fill(zeros.begin(), zeros.end(), '\0');
     }
     const char * const planes =
-      (chunk != nullptr ? chunk : m_Chunk.data()) + (part.begin[2] - chunkBox.begin[2]) * m_Grid.GetPlaneBytes();
+      (chunk != nullptr ? chunk : zeros.data()) + (part.begin[2] - chunkBox.begin[2]) * m_Grid.GetPlaneBytes();
     ScatterSlices(m_Grid, component, index, part, planes, box, data);
   };
   ForEachChunk(m_Grid, box, readChunk);

@@ -8,6 +8,7 @@
 #include "SpaceReserve.h"
 #include "ZarrChunkFile.h"
 #include "ZarrChunks.h"
+#include "ZarrLayerWriter.h"
 
 #include <memory>
 #include <optional>
@@ -72,6 +73,9 @@ public:
   Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) override;
 
   void
+  WriteRows(const SliceRange & slices, const RowRange & rows, const void * data) override;
+
+  void
   Finish() override;
 
   void
@@ -96,12 +100,6 @@ private:
     ZarrChunks::Buffers         buffers;
   };
 
-  struct Slices
-  {
-    std::uint64_t begin;
-    std::uint64_t end;
-  };
-
   void
   Describe(const VolumeGeometry & geometry, const VoxelLayout & layout, const std::string & process = "");
 
@@ -114,7 +112,7 @@ private:
   void
   RemovePartialChunks() const;
 
-  Slices
+  SliceRange
   ToSlices(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels) const;
 
   std::filesystem::path
@@ -125,21 +123,6 @@ private:
   ForEachChunkOfLayer(std::uint64_t layer, TFunction && function) const;
 
   void
-  WriteLayer(std::uint64_t layer, const char * voxels);
-
-  void
-  WritePart(std::uint64_t layer, const Slices & slices, const char * voxels);
-
-  void
-  CompleteOpenLayer();
-
-  void
-  WriteChunk(const std::filesystem::path & chunkFile);
-
-  void
-  GiveSpaceBack(std::uint64_t numberOfBytes);
-
-  void
   ReadBox(const ZarrBox & box, void * data) const;
 
   void
@@ -148,20 +131,16 @@ private:
   void
   CheckChunkFiles(const std::string & level, std::uint64_t expected) const;
 
-  OutputFolder                   m_Folder;
-  bool                           m_Sparse;
-  ZarrCompression                m_Compression;
-  std::vector<ZarrLevel>         m_Levels;
-  ZarrGrid                       m_Grid; ///< of the first one
-  std::vector<MetadataFile>      m_Metadata;
-  std::optional<ZarrChunkWriter> m_Writer;
-  std::optional<SpaceReserve>    m_Reserve;
-  mutable std::optional<Reader>  m_Reader;          ///< of what was written
-  mutable std::vector<char>      m_Chunk;           ///< memory for one
-  std::optional<std::uint64_t>   m_OpenLayer;       ///< some of its slices are written
-  std::vector<bool>              m_HasPart;         ///< of each of its chunks
-  std::uint64_t                  m_ChunkFiles{ 0 }; ///< complete ones
-  std::vector<std::uint64_t>     m_LayersOfCluster; ///< complete ones
+  OutputFolder                           m_Folder;
+  bool                                   m_Sparse;
+  ZarrCompression                        m_Compression;
+  std::vector<ZarrLevel>                 m_Levels;
+  ZarrGrid                               m_Grid; ///< of the first one
+  std::vector<MetadataFile>              m_Metadata;
+  std::optional<ZarrChunkWriter>         m_Writer;
+  std::optional<SpaceReserve>            m_Reserve;
+  mutable std::optional<Reader>          m_Reader; ///< of what was written
+  mutable std::optional<ZarrLayerWriter> m_Layers;
 };
 
 } // end namespace medialvoxel

@@ -42,4 +42,11 @@ JobPlan::GetMaximumSlices() const
   return this->GetPiece(0).end;
 }
 
+std::uint64_t
+JobPlan::GetSlicesAtOnce() const
+{
+  const std::uint64_t slices = this->GetMaximumSlices();
+  return slicesAtOnce == 0 ? slices : std::min(slices, slicesAtOnce);
+}
+
 } // end namespace medialvoxel

@@ -18,6 +18,13 @@ struct SliceRange
   std::uint64_t end{ 0 };
 };
 
+/** Rows of slices, begin to end, the end excluded. */
+struct RowRange
+{
+  std::uint64_t begin{ 0 };
+  std::uint64_t end{ 0 };
+};
+
 /** First and last slice. */
 std::string
 FormatSlices(const SliceRange & slices);
@@ -36,7 +43,9 @@ struct JobPlan
 {
   std::uint64_t numberOfSlices{ 0 };
   std::uint64_t divisions{ 1 };
-  std::uint64_t sliceUnit{ 1 }; ///< pieces, but the last one, have a multiple of it
+  std::uint64_t sliceUnit{ 1 };    ///< pieces, but the last one, have a multiple of it
+  std::uint64_t slicesAtOnce{ 0 }; ///< most slices that are done before they are written; 0: those of a piece
+  std::uint64_t rowsAtOnce{ 0 };   ///< rows of such slices that are done after each other; 0: all of them
   unsigned int  threads{ 1 };
   std::uint64_t slabThickness{ 0 }; ///< slices that the engines process between two pulls of input; 0: they choose
   std::uint64_t slabSlices{ 1 };    ///< the same, or what they choose
@@ -44,7 +53,7 @@ struct JobPlan
   std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
 
   std::uint64_t fixedBytes{ 0 };    ///< memory that depends neither on pieces nor on windows
-  std::uint64_t bytesPerSlice{ 0 }; ///< results
+  std::uint64_t bytesPerSlice{ 0 }; ///< results of the rows that are done at once
   std::uint64_t surplusBytes{ 0 };  ///< for what waits until a piece is done, counted in fixedBytes
   std::uint64_t bytesToKeep{ 0 };   ///< of chunks of the input whose further slices are needed, counted in fixedBytes
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
@@ -86,6 +95,10 @@ struct JobPlan
   /** Slices of the largest piece, which is the first one. */
   std::uint64_t
   GetMaximumSlices() const;
+
+  /** Slices whose results are in memory together. */
+  std::uint64_t
+  GetSlicesAtOnce() const;
 };
 
 /** Walls, in voxels, whose distances the planned windows hold. Thicker ones take what memoryLimit leaves. */

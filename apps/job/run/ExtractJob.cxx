@@ -156,6 +156,14 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   return footprint;
 }
 
+/** Chunks are read and written in any order. Surfaces, objects and distances are made of whole slices. */
+bool
+CanDoRows(const ExtractOptions & options, const VolumeHeader & header)
+{
+  return header.GetStored().chunks && !header.stored && options.meshFile.empty() && options.distanceFile.empty() &&
+         !options.labels;
+}
+
 /** Names and colors of the labels that the options choose. */
 SegmentTable
 FindSegments(const ExtractOptions & options, const VolumeHeader & header)
@@ -346,9 +354,10 @@ PrepareExtract(const ExtractOptions & options)
   }
   CheckGrayValues(options, header);
   CheckLabel(options, header);
-  auto       outputs = ListOutputs(options, header);
-  const auto footprint = GetFootprint(options, header);
-  auto       segments = FindSegments(options, header);
+  auto outputs = ListOutputs(options, header);
+  auto footprint = GetFootprint(options, header);
+  footprint.preferredRows = CanDoRows(options, header) ? GetRowsOfLayer(header, outputs) : 0;
+  auto segments = FindSegments(options, header);
   CheckOtherInput(outputs, options.segmentFile);
   JobResult result = PrepareJob(options, std::move(header), std::move(outputs), footprint);
   result.segments = std::move(segments);

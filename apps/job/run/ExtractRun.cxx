@@ -153,7 +153,7 @@ void
 ExtractRun::SetPlan(const JobPlan & plan)
 {
   m_Loop.SetPlan(plan);
-  m_Engine->SetMemoryLimit(plan.GetEngineLimit(plan.GetMaximumSlices()));
+  m_Engine->SetMemoryLimit(plan.GetEngineLimit(plan.GetSlicesAtOnce()));
 }
 
 itk::MedialVoxelSums

@@ -38,6 +38,9 @@ constexpr std::uint64_t BytesOfPiecePerThread = 2 * MiB;
 /** Results of a slab above which half a slab saves more memory than its repeated halo costs time. */
 constexpr std::uint64_t BytesOfLargeSlab = 128 * MiB;
 
+/** The same for slices that are done in rows, whose neighbors are read again for each piece. */
+constexpr std::uint64_t BytesOfRows = 256 * MiB;
+
 /** The largest piece for which writing it in the background is worth a second one in memory. */
 constexpr std::uint64_t BytesWrittenBehind = 256 * MiB;
 
@@ -107,6 +110,18 @@ MakeEngine(const JobPlan & plan, const Request & request, itk::MedialVoxelEngine
   return std::make_unique<const itk::MedialVoxelEngine>(request.footprint.grid, settings);
 }
 
+/** As much as an engine does at once has no more rows than this. */
+itk::MedialVoxelBox
+GetLargestBox(const JobPlan & plan, const Request & request)
+{
+  itk::MedialVoxelBox box = request.footprint.grid.GetVoxelBox();
+  if (plan.rowsAtOnce > 0)
+  {
+    box.upper[1] = std::min(box.upper[1], static_cast<std::int64_t>(plan.rowsAtOnce));
+  }
+  return box;
+}
+
 /** Windows and threads of all engines, for walls of up to PlannedWallThickness. */
 std::uint64_t
 EstimateEngines(const JobPlan & plan, const Request & request)
@@ -114,7 +129,7 @@ EstimateEngines(const JobPlan & plan, const Request & request)
   std::uint64_t bytes = 0;
   for (const auto & settings : request.footprint.engines)
   {
-    bytes += MakeEngine(plan, request, settings)->GetBytes(request.footprint.grid.GetVoxelBox());
+    bytes += MakeEngine(plan, request, settings)->GetBytes(GetLargestBox(plan, request));
   }
   return bytes;
 }
@@ -124,7 +139,7 @@ std::uint64_t
 GetSlabThicknessOfEngine(const JobPlan & plan, const Request & request)
 {
   const auto engine = MakeEngine(plan, request, request.footprint.engines.front());
-  const auto thickness = static_cast<std::uint64_t>(engine->GetSlabThickness(request.footprint.grid.GetVoxelBox()));
+  const auto thickness = static_cast<std::uint64_t>(engine->GetSlabThickness(GetLargestBox(plan, request)));
   return std::min(thickness, plan.numberOfSlices);
 }
 
@@ -144,21 +159,24 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
   plan.fixedBytes = EstimateFixedMemory(plan, request);
   const std::uint64_t least = plan.fixedBytes + EstimateEngines(plan, request);
   const std::uint64_t rest = plan.memoryLimit - std::min(plan.memoryLimit, least);
+  const std::uint64_t ofAll = std::max(BytesOfPiece, plan.threads * BytesOfPiecePerThread);
+  const std::uint64_t largest = plan.rowsAtOnce > 0 ? BytesOfRows : ofAll;
+  // Most of the rest is for the engines, should walls be thicker than planned.
+  const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), largest);
+  const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
+  const std::uint64_t unit = slices < request.footprint.preferredSlices ? 1 : request.footprint.preferredSlices;
+  plan.slicesAtOnce = plan.rowsAtOnce > 0 ? slices / unit * unit : 0;
   if (request.options.divisions)
   {
     plan.divisions = std::min(*request.options.divisions, plan.numberOfSlices);
   }
   else
   {
-    const std::uint64_t largest = std::max(BytesOfPiece, plan.threads * BytesOfPiecePerThread);
-    // Most of the rest is for the engines, should walls be thicker than planned.
-    const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), largest);
-    const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
-    plan.sliceUnit = slices < request.footprint.preferredSlices ? 1 : request.footprint.preferredSlices;
+    plan.sliceUnit = unit;
     const std::uint64_t unitsPerPiece = std::min(slices / plan.sliceUnit, plan.GetNumberOfUnits());
     plan.divisions = (plan.GetNumberOfUnits() - 1) / unitsPerPiece + 1;
   }
-  plan.memoryBytes = least + plan.GetResultBytes(plan.GetMaximumSlices());
+  plan.memoryBytes = least + plan.GetResultBytes(plan.GetSlicesAtOnce());
   return plan.memoryBytes <= plan.memoryLimit;
 }
 
@@ -166,7 +184,8 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
 bool
 GainsFromWritingBehind(const JobPlan & plan)
 {
-  return plan.divisions > 1 && plan.GetMaximumSlices() * plan.bytesPerSlice <= BytesWrittenBehind;
+  const std::uint64_t slices = plan.GetSlicesAtOnce();
+  return slices < plan.numberOfSlices && slices * plan.bytesPerSlice <= BytesWrittenBehind;
 }
 
 /** Divides with slabs of so many slices, with a second window if it fits. */
@@ -186,10 +205,21 @@ TrySlab(JobPlan & plan, const Request & request, bool writesBehind, std::uint64_
   return false;
 }
 
+/** Rows of the slices that the engines do at once; 0: all of them. */
+void
+SetRowsAtOnce(JobPlan & plan, const Request & request, std::uint64_t rows)
+{
+  const VolumeGeometry & geometry = request.header.geometry;
+  plan.rowsAtOnce = rows;
+  plan.bytesPerSlice =
+    (rows > 0 ? geometry.size[0] * rows : geometry.GetVoxelsPerSlice()) * request.footprint.bytesPerVoxel;
+}
+
 /** Thinner slabs read and do more twice, so that the thickest that fit are taken; waiting for the disk costs more than
- * slabs of a quarter. */
+ * slabs of a quarter.
+ * \param takesThin false: none that are thinner than this */
 bool
-TrySlabs(JobPlan & plan, const Request & request)
+TrySlabs(JobPlan & plan, const Request & request, bool takesThin)
 {
   plan.slabThickness = 0;
   const std::uint64_t slabOfEngine = GetSlabThicknessOfEngine(plan, request);
@@ -200,7 +230,7 @@ TrySlabs(JobPlan & plan, const Request & request)
     {
       continue;
     }
-    const std::uint64_t thinnest = writesBehind ? std::max(slabOfEngine / 4, std::uint64_t{ 1 }) : 1;
+    const std::uint64_t thinnest = writesBehind || !takesThin ? std::max(slabOfEngine / 4, std::uint64_t{ 1 }) : 1;
     for (std::uint64_t slab = preferred; slab >= thinnest; slab /= 2)
     {
       plan.slabThickness = slab == slabOfEngine ? 0 : slab;
@@ -214,12 +244,29 @@ TrySlabs(JobPlan & plan, const Request & request)
   return false;
 }
 
+/** Slabs that are much thinner than the halo around them cost more than halos of rows. */
+bool
+TryRows(JobPlan & plan, const Request & request)
+{
+  SetRowsAtOnce(plan, request, 0);
+  if (request.footprint.preferredRows == 0)
+  {
+    return TrySlabs(plan, request, true);
+  }
+  if (TrySlabs(plan, request, false))
+  {
+    return true;
+  }
+  SetRowsAtOnce(plan, request, request.footprint.preferredRows);
+  return TrySlabs(plan, request, true);
+}
+
 /** A mask is in memory when that fits, otherwise in the scratch folder if there is one. */
 bool
 TryScratch(JobPlan & plan, const Request & request)
 {
   plan.scratchFolder.clear();
-  if (TrySlabs(plan, request))
+  if (TryRows(plan, request))
   {
     return true;
   }
@@ -228,7 +275,7 @@ TryScratch(JobPlan & plan, const Request & request)
     return false;
   }
   plan.scratchFolder = request.options.scratchFolder;
-  return TrySlabs(plan, request);
+  return TryRows(plan, request);
 }
 
 /** A part of the memory that is left is for chunks that reach beyond a slab, or they are unpacked for each slab. */
@@ -293,7 +340,6 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   JobPlan             plan;
   plan.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   plan.numberOfSlices = header.geometry.size.back();
-  plan.bytesPerSlice = header.geometry.GetVoxelsPerSlice() * footprint.bytesPerVoxel;
   plan.numberOfEngines = footprint.engines.size();
   plan.maskBytes = header.CanStream() ? 0 : GetBitStoreBytes(header.geometry.GetNumberOfVoxels() * footprint.maskBits);
   plan.memoryLimit = std::min(wanted, GetRestOfLimits());

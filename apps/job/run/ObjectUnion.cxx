@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ObjectUnion.h"
 
+#include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelObjectUnion.h"
 
 #include <algorithm>
@@ -10,6 +11,13 @@
 
 namespace medialvoxel
 {
+namespace
+{
+
+/** Cells that a look tells to be all without a result. */
+constexpr std::uint64_t CellsLookedAt = 64;
+
+} // namespace
 
 /** \class ObjectUnion::PassVolume
  * \brief Takes the results of passes for a volume. */
@@ -124,16 +132,24 @@ void
 ObjectUnion::TakeLabels(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const std::uint8_t * labels)
 {
   const std::uint64_t offset = firstVoxel - m_Piece.GetFirstVoxel();
-  m_IsTaken.assign(numberOfVoxels, 0);
-  const std::uint8_t * const end = labels + numberOfVoxels;
-  for (const std::uint8_t * label = labels; label < end; ++label)
+  // Only other volumes ask for it.
+  const bool keepsTaken = m_Volumes.size() > 1;
+  m_IsTaken.assign(keepsTaken ? numberOfVoxels : 0, 0);
+  for (std::uint64_t begin = 0; begin < numberOfVoxels; begin += CellsLookedAt)
   {
+    const std::uint64_t end = std::min(begin + CellsLookedAt, numberOfVoxels);
     // Most cells have no corner in the objects of a pass.
-    label = std::find_if(label, end, [](std::uint8_t value) { return value != 0; });
-    if (label < end)
+    if (itk::MedialVoxelAllBytesAreZero(labels + begin, static_cast<std::int64_t>(end - begin)))
     {
-      const auto cell = static_cast<std::uint64_t>(label - labels);
-      m_IsTaken[cell] = this->TakeCell(offset + cell, *label) ? 1 : 0;
+      continue;
+    }
+    for (std::uint64_t cell = begin; cell < end; ++cell)
+    {
+      const bool isTaken = labels[cell] != 0 && this->TakeCell(offset + cell, labels[cell]);
+      if (keepsTaken)
+      {
+        m_IsTaken[cell] = isTaken ? 1 : 0;
+      }
     }
   }
 }

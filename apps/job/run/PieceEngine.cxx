@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PieceEngine.h"
 
+#include <cstring>
+#include <new>
 #include <utility>
 #include <variant>
 
@@ -26,8 +28,12 @@ PieceEngine::Buffer::Reserve(std::uint64_t bytes)
   {
     // First, or there would be two of them.
     this->Release();
-    // Not set to zero: tiles write every voxel.
-    m_Bytes.reset(new std::byte[bytes]);
+    // Zeros take no memory before something is written.
+    m_Bytes.reset(static_cast<std::byte *>(std::calloc(bytes, 1)));
+    if (!m_Bytes)
+    {
+      throw std::bad_alloc();
+    }
     m_Size = bytes;
   }
 }
@@ -37,6 +43,12 @@ PieceEngine::Buffer::Release()
 {
   m_Bytes.reset();
   m_Size = 0;
+}
+
+void
+PieceEngine::Buffer::Clear()
+{
+  std::memset(m_Bytes.get(), 0, m_Size);
 }
 
 PieceEngine::PieceEngine(InputVolume &                      input,
@@ -54,7 +66,7 @@ PieceEngine::PieceEngine(InputVolume &                      input,
   , m_Observer(observer)
 {
   m_Settings.slabThickness = static_cast<std::int64_t>(plan.slabThickness);
-  m_Settings.memoryLimit = plan.GetEngineLimit(plan.GetMaximumSlices());
+  m_Settings.memoryLimit = plan.GetEngineLimit(plan.GetSlicesAtOnce());
   m_Settings.numberOfWorkers = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
   m_Settings.readsAhead = plan.readsAhead;
 }
@@ -91,15 +103,14 @@ PieceEngine::SetMemoryLimit(std::uint64_t bytes)
 }
 
 PieceResults
-PieceEngine::Run(const SliceRange & slices, const SliceRange & nextSlices)
+PieceEngine::Run(const PieceRange & range, const PieceRange & nextRange)
 {
-  m_Region = this->GetRegion(slices);
+  m_Region = this->GetRegion(range);
+  this->PrepareBuffers();
   PieceResults results;
-  for (Destination & destination : m_Destinations)
+  for (const Destination & destination : m_Destinations)
   {
-    Buffer & buffer = destination.buffers[m_Set];
-    buffer.Reserve(static_cast<std::uint64_t>(m_Region.NumberOfVoxels()) * destination.request.layout.GetBytes());
-    results.parts.push_back({ destination.volume, buffer.Get() });
+    results.parts.push_back({ destination.volume, destination.buffers[m_Set].Get() });
   }
   if (!m_Engine)
   {
@@ -107,14 +118,14 @@ PieceEngine::Run(const SliceRange & slices, const SliceRange & nextSlices)
   }
   try
   {
-    results.sums = m_Engine->Run(m_Region, *this, this->GetRegion(nextSlices));
+    results.sums = m_Engine->Run(m_Region, *this, this->GetRegion(nextRange));
   }
   catch (...)
   {
     m_Engine.reset();
     throw;
   }
-  if (m_Engine->IsLast(m_Region))
+  if (nextRange.slices.begin == nextRange.slices.end && m_Engine->IsLast(m_Region))
   {
     // Nobody needs the window.
     m_Engine.reset();
@@ -127,6 +138,21 @@ PieceEngine::Run(const SliceRange & slices, const SliceRange & nextSlices)
   // Not before: the results of the piece before may be in use when this one is tried again.
   m_Set = (m_Set + 1) % m_NumberOfSets;
   return results;
+}
+
+void
+PieceEngine::PrepareBuffers()
+{
+  const bool mustClear = this->MakesLabels() && m_HasResults[m_Set].exchange(false);
+  for (Destination & destination : m_Destinations)
+  {
+    Buffer & buffer = destination.buffers[m_Set];
+    if (mustClear && buffer.Get() != nullptr)
+    {
+      buffer.Clear();
+    }
+    buffer.Reserve(static_cast<std::uint64_t>(m_Region.NumberOfVoxels()) * destination.request.layout.GetBytes());
+  }
 }
 
 void
@@ -180,6 +206,11 @@ PieceEngine::RunTile(const itk::MedialVoxelBox & tile)
 void
 PieceEngine::TakeTile(const itk::MedialVoxelTileResult & tile)
 {
+  if (tile.isEmpty)
+  {
+    return;
+  }
+  m_HasResults[m_Set] = true;
   const std::size_t offset = m_Region.OffsetOf(tile.box.lower);
   TileTarget        target{ nullptr,
                             { 1, m_Region.Extent(0), m_Region.Extent(0) * m_Region.Extent(1) },
@@ -200,12 +231,17 @@ PieceEngine::UpdateProgress(float fraction)
 }
 
 itk::MedialVoxelBox
-PieceEngine::GetRegion(const SliceRange & slices) const
+PieceEngine::GetRegion(const PieceRange & range) const
 {
   const unsigned int  last = m_Geometry.GetDimension() - 1;
   itk::MedialVoxelBox region = m_Grid.GetVoxelBox();
-  region.lower[last] = static_cast<std::int64_t>(slices.begin);
-  region.upper[last] = static_cast<std::int64_t>(slices.end);
+  region.lower[last] = static_cast<std::int64_t>(range.slices.begin);
+  region.upper[last] = static_cast<std::int64_t>(range.slices.end);
+  if (range.rows)
+  {
+    region.lower[1] = static_cast<std::int64_t>(range.rows->begin);
+    region.upper[1] = static_cast<std::int64_t>(range.rows->end);
+  }
   return region;
 }
 

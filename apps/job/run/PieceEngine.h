@@ -13,14 +13,24 @@
 #include "itkMultiThreaderBase.h"
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace medialvoxel
 {
+
+/** What is done at once of a piece. */
+struct PieceRange
+{
+  SliceRange              slices;
+  std::optional<RowRange> rows{}; ///< of these slices; nothing: all of them
+};
 
 /** Results of one piece. */
 struct PieceResults
@@ -74,7 +84,7 @@ public:
   void
   KeepPreviousResults()
   {
-    m_NumberOfSets = 2;
+    m_NumberOfSets = MostSets;
   }
 
   /** Sets what windows and threads may take from the next run on, in bytes; 0 is without limit. */
@@ -88,13 +98,13 @@ public:
     std::get<itk::MedialVoxelExtraction>(m_Settings.task).grayRange = range;
   }
 
-  /** Slices are indices along the last axis; those that come next, if any, are read meanwhile. The results are valid
+  /** What comes next, if anything, is read meanwhile. The results are valid
    * until the next run, or Release(). A piece without a cell to decide and without an object is all zero, which sparse
    * volumes need not be told.
    * \throw itk::MedialVoxelAborted when the observer stops it
    * \throw itk::MedialVoxelMemoryError; what the input and the tile observers throw */
   PieceResults
-  Run(const SliceRange & slices, const SliceRange & nextSlices);
+  Run(const PieceRange & range, const PieceRange & nextRange);
 
   /** Forgets what it knows of the input, which is another one from now on. */
   void
@@ -108,6 +118,8 @@ public:
   Release();
 
 private:
+  static constexpr std::size_t MostSets = 2;
+
   /** Results of one kind for a piece; kept for the next one when they suffice for it. */
   class Buffer
   {
@@ -118,6 +130,10 @@ private:
     void
     Release();
 
+    /** Sets all bytes to zero, as new ones are. */
+    void
+    Clear();
+
     std::byte *
     Get() const
     {
@@ -125,16 +141,25 @@ private:
     }
 
   private:
-    std::unique_ptr<std::byte[]> m_Bytes;
-    std::uint64_t                m_Size{ 0 };
+    struct Freer
+    {
+      void
+      operator()(std::byte * bytes) const
+      {
+        std::free(bytes);
+      }
+    };
+
+    std::unique_ptr<std::byte[], Freer> m_Bytes;
+    std::uint64_t                       m_Size{ 0 };
   };
 
   /** A volume, and where its results of pieces go by turns. */
   struct Destination
   {
-    VolumeRequest         request;
-    VoxelOutput *         volume;
-    std::array<Buffer, 2> buffers;
+    VolumeRequest                request;
+    VoxelOutput *                volume;
+    std::array<Buffer, MostSets> buffers;
   };
 
   itk::MedialVoxelSourceThreads
@@ -182,7 +207,11 @@ private:
   }
 
   itk::MedialVoxelBox
-  GetRegion(const SliceRange & slices) const;
+  GetRegion(const PieceRange & range) const;
+
+  /** Of the set. Results of tiles without object are zero, so that none need be written there. */
+  void
+  PrepareBuffers();
 
   bool
   MakesLabels() const;
@@ -201,6 +230,8 @@ private:
   std::size_t                             m_NumberOfSets{ 1 };
   std::size_t                             m_Set{ 0 }; ///< of buffers, for the piece
   bool                                    m_IsStopped{ false };
+
+  std::array<std::atomic<bool>, MostSets> m_HasResults{}; ///< a set that is not all zero
 };
 
 } // end namespace medialvoxel

@@ -42,6 +42,25 @@ GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> &
   return slices;
 }
 
+/** All volumes of a job have as many rows. */
+std::uint64_t
+GetRowsOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & outputs)
+{
+  std::uint64_t rows = 0;
+  for (const OutputRequest & output : outputs)
+  {
+    if (output.IsVolume())
+    {
+      rows = GetRowsOfLayer(output.fileName, header.geometry, *output.layout);
+      if (rows == 0)
+      {
+        return 0;
+      }
+    }
+  }
+  return rows;
+}
+
 void
 AddOutputs(PieceFootprint &                   footprint,
            const JobOptions &                 options,

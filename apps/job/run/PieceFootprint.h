@@ -33,6 +33,7 @@ struct PieceFootprint
   PieceSurplus         surplus;              ///< what waits for its piece to be done
   std::uint64_t        maskBits{ 1 };        ///< of a voxel of an input that does not stream
   std::uint64_t        preferredSlices{ 1 }; ///< pieces have a multiple of it where they can: a layer of chunks
+  std::uint64_t        preferredRows{ 0 };   ///< of slices that may be done in rows, a multiple of it; 0: as a whole
   itk::MedialVoxelGrid grid;
   ScratchSpace         scratch; ///< of files that grow with the results
 
@@ -51,6 +52,10 @@ AddEngine(PieceFootprint & footprint, const VolumeHeader & header, const itk::Me
 /** Slices that the outputs write together: a layer of chunks. */
 std::uint64_t
 GetSlicesOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & outputs);
+
+/** Rows of slices that all volumes write together: those of chunks; 0 when some are written slice by slice. */
+std::uint64_t
+GetRowsOfLayer(const VolumeHeader & header, const std::vector<OutputRequest> & outputs);
 
 /** Counts in what outputs take beside the results of a piece. */
 void

@@ -35,6 +35,18 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
              { "planned_memory_bytes", std::to_string(plan.memoryBytes) } } };
 }
 
+void
+WritePart(const PieceResults::Part & part, const PieceRange & range, std::uint64_t voxelsPerSlice)
+{
+  const SliceRange & slices = range.slices;
+  if (range.rows)
+  {
+    part.volume->WriteRows(slices, *range.rows, part.voxels);
+    return;
+  }
+  part.volume->Write(slices.begin * voxelsPerSlice, (slices.end - slices.begin) * voxelsPerSlice, part.voxels);
+}
+
 } // namespace
 
 PieceLoop::PieceLoop(const JobPlan &      plan,
@@ -42,9 +54,10 @@ PieceLoop::PieceLoop(const JobPlan &      plan,
                      unsigned int         enginesPerPiece,
                      ProgressSink &       sink)
   : m_Plan(plan)
-  , m_SlicesAtOnce(plan.GetMaximumSlices())
+  , m_SlicesAtOnce(plan.GetSlicesAtOnce())
   , m_SlicesToDo(plan.numberOfSlices)
   , m_VoxelsPerSlice(header.geometry.GetVoxelsPerSlice())
+  , m_RowsPerSlice(header.geometry.GetDimension() == 3 ? header.geometry.size[1] : 1)
   , m_EnginesPerPiece(enginesPerPiece)
   , m_Sink(sink)
 {
@@ -55,9 +68,10 @@ PieceObserver
 PieceLoop::GetObserver()
 {
   return [this](double fraction) {
-    m_FractionOfPiece = fraction;
-    const double slices = static_cast<double>(m_DoneSlices) + fraction * static_cast<double>(m_SlicesOfPiece);
-    const double done = slices / static_cast<double>(m_SlicesToDo * m_EnginesPerPiece * m_RunsPerPiece);
+    m_FractionOfRange = fraction;
+    const double voxels = static_cast<double>(m_DoneVoxels) + fraction * static_cast<double>(m_VoxelsOfRange);
+    const double all = static_cast<double>(m_SlicesToDo * m_EnginesPerPiece * m_RunsPerPiece);
+    const double done = voxels / (all * static_cast<double>(m_VoxelsPerSlice));
     m_Sink.Report(m_ShareOfPreparation + (1.0 - m_ShareOfPreparation) * done);
     return m_Sink.IsStopRequested();
   };
@@ -82,36 +96,65 @@ PieceLoop::Prepare(InputVolume & input)
 itk::MedialVoxelSums
 PieceLoop::Run(PieceEngine & engine, const SliceRange & piece, const SliceRange & nextPiece, WriteBehind & writer)
 {
-  itk::MedialVoxelSums sums;
-  for (SliceRange slices{ piece.begin, 0 }; slices.begin < piece.end;)
+  if (m_Plan.rowsAtOnce == 0)
   {
-    slices.end = std::min(slices.begin + m_SlicesAtOnce, piece.end);
+    return this->RunSlices(engine, { piece }, { nextPiece }, writer);
+  }
+  itk::MedialVoxelSums sums;
+  for (SliceRange slices{ piece.begin, 0 }; slices.begin < piece.end; slices.begin = slices.end)
+  {
+    // Whole layers of chunks, wherever the piece begins.
+    slices.end = std::min((slices.begin / m_Plan.slicesAtOnce + 1) * m_Plan.slicesAtOnce, piece.end);
+    for (RowRange rows = this->GetRowsFrom(0); rows.begin < m_RowsPerSlice; rows = this->GetRowsFrom(rows.end))
+    {
+      const RowRange next = this->GetRowsFrom(rows.end);
+      sums += this->RunSlices(
+        engine, { slices, rows }, { next.begin < m_RowsPerSlice ? slices : SliceRange{}, next }, writer);
+    }
+  }
+  return sums;
+}
+
+RowRange
+PieceLoop::GetRowsFrom(std::uint64_t begin) const
+{
+  return { begin, std::min(begin + m_Plan.rowsAtOnce, m_RowsPerSlice) };
+}
+
+/** In smaller ranges when the walls need more memory than results of this size leave. */
+itk::MedialVoxelSums
+PieceLoop::RunSlices(PieceEngine & engine, const PieceRange & range, const PieceRange & nextRange, WriteBehind & writer)
+{
+  itk::MedialVoxelSums sums;
+  const auto           limit = [this](PieceRange some) {
+    some.slices.end = std::min(some.slices.begin + m_SlicesAtOnce, some.slices.end);
+    return some;
+  };
+  for (PieceRange rest = range; rest.slices.begin < range.slices.end;)
+  {
+    const PieceRange now = limit(rest);
+    const PieceRange then = limit({ { now.slices.end, range.slices.end }, range.rows });
     try
     {
-      SliceRange next{ slices.end, std::min(slices.end + m_SlicesAtOnce, piece.end) };
-      if (next.begin == next.end)
-      {
-        next = { nextPiece.begin, std::min(nextPiece.begin + m_SlicesAtOnce, nextPiece.end) };
-      }
-      sums += this->RunSlices(engine, slices, next, writer);
-      slices.begin = slices.end;
+      sums += this->RunRange(engine, now, now.slices.end < range.slices.end ? then : limit(nextRange), writer);
+      rest.slices.begin = now.slices.end;
     }
     catch (const itk::MedialVoxelMemoryError & error)
     {
       this->ShortenPieces(engine, 0.5, "memory of windows");
-      const std::uint64_t limit = m_Plan.GetEngineLimit(m_SlicesAtOnce);
-      if (limit <= error.GetAllowedBytes())
+      const std::uint64_t bytes = m_Plan.GetEngineLimit(m_SlicesAtOnce);
+      if (bytes <= error.GetAllowedBytes())
       {
         throw;
       }
       writer.Wait();
       engine.Release();
-      engine.SetMemoryLimit(limit);
+      engine.SetMemoryLimit(bytes);
     }
     catch (const itk::MedialVoxelSurfacePieceError &)
     {
       // What fitted, with room for parts that have more of it.
-      this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfPiece, 0.125, 0.5), "memory of the surface");
+      this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfRange, 0.125, 0.5), "memory of the surface");
     }
   }
   return sums;
@@ -129,38 +172,33 @@ PieceLoop::ShortenPieces(const PieceEngine & engine, const double share, const c
 }
 
 itk::MedialVoxelSums
-PieceLoop::RunSlices(PieceEngine &      engine,
-                     const SliceRange & slices,
-                     const SliceRange & nextSlices,
-                     WriteBehind &      writer)
+PieceLoop::RunRange(PieceEngine & engine, const PieceRange & range, const PieceRange & nextRange, WriteBehind & writer)
 {
   this->ThrowIfStopRequested();
-  m_SlicesOfPiece = slices.end - slices.begin;
-  m_FractionOfPiece = 0.0;
+  m_VoxelsOfRange = this->CountVoxels(range);
+  m_FractionOfRange = 0.0;
   const auto   start = JobClock::now();
   PieceResults results;
   try
   {
-    results = engine.Run(slices, nextSlices);
+    results = engine.Run(range, nextRange);
   }
   catch (const itk::MedialVoxelAborted &)
   {
     throw StoppedBySignal(GetStopSignal());
   }
-  this->RecordPiece(engine, slices, SecondsSince(start), results.sums.recomputedVoxels);
+  this->RecordPiece(engine, range, SecondsSince(start), results.sums.recomputedVoxels);
   const auto computed = JobClock::now();
-  writer.Submit([parts = results.parts,
-                 firstVoxel = slices.begin * m_VoxelsPerSlice,
-                 numberOfVoxels = m_SlicesOfPiece * m_VoxelsPerSlice] {
+  writer.Submit([range, parts = results.parts, voxelsPerSlice = m_VoxelsPerSlice] {
     for (const PieceResults::Part & part : parts)
     {
-      part.volume->Write(firstVoxel, numberOfVoxels, part.voxels);
+      WritePart(part, range, voxelsPerSlice);
     }
   });
   m_Sink.Record({ LogLevel::Debug,
                   "write",
                   { { "of", engine.GetName() },
-                    { "slices", FormatSlices(slices) },
+                    { "slices", FormatSlices(range.slices) },
                     { "seconds_waited", FormatFixed(SecondsSince(computed), 3) } } });
   // A single engine uses the memory of its results again, which is much cheaper than new memory for each piece.
   if (m_EnginesPerPiece > 1)
@@ -168,20 +206,28 @@ PieceLoop::RunSlices(PieceEngine &      engine,
     writer.Wait();
     engine.Release();
   }
-  m_DoneSlices += m_SlicesOfPiece;
+  m_DoneVoxels += m_VoxelsOfRange;
   return results.sums;
+}
+
+std::uint64_t
+PieceLoop::CountVoxels(const PieceRange & range) const
+{
+  const std::uint64_t perRow = m_VoxelsPerSlice / m_RowsPerSlice;
+  const std::uint64_t perSlice = range.rows ? (range.rows->end - range.rows->begin) * perRow : m_VoxelsPerSlice;
+  return (range.slices.end - range.slices.begin) * perSlice;
 }
 
 void
 PieceLoop::RecordPiece(const PieceEngine & engine,
-                       const SliceRange &  slices,
+                       const PieceRange &  range,
                        double              seconds,
                        std::uint64_t       recomputedVoxels)
 {
   m_Sink.Record({ LogLevel::Info,
                   "piece",
                   { { "of", engine.GetName() },
-                    { "slices", FormatSlices(slices) },
+                    { "slices", FormatSlices(range.slices) },
                     { "seconds", FormatFixed(seconds, 3) },
                     { "recomputed_voxels", std::to_string(recomputedVoxels) },
                     { "bytes_read", std::to_string(m_Input->GetNumberOfBytesRead()) },

@@ -65,10 +65,20 @@ public:
 
 private:
   itk::MedialVoxelSums
-  RunSlices(PieceEngine & engine, const SliceRange & slices, const SliceRange & nextSlices, WriteBehind & writer);
+  RunSlices(PieceEngine & engine, const PieceRange & range, const PieceRange & nextRange, WriteBehind & writer);
+
+  itk::MedialVoxelSums
+  RunRange(PieceEngine & engine, const PieceRange & range, const PieceRange & nextRange, WriteBehind & writer);
+
+  /** Rows that are done together; none at the end of the slices. */
+  RowRange
+  GetRowsFrom(std::uint64_t begin) const;
+
+  std::uint64_t
+  CountVoxels(const PieceRange & range) const;
 
   void
-  RecordPiece(const PieceEngine & engine, const SliceRange & slices, double seconds, std::uint64_t recomputedVoxels);
+  RecordPiece(const PieceEngine & engine, const PieceRange & range, double seconds, std::uint64_t recomputedVoxels);
 
   /** Takes a share of the slices that are done at once. */
   void
@@ -78,14 +88,15 @@ private:
   std::uint64_t  m_SlicesAtOnce;
   std::uint64_t  m_SlicesToDo;
   std::uint64_t  m_VoxelsPerSlice;
+  std::uint64_t  m_RowsPerSlice;
   unsigned int   m_EnginesPerPiece;
   unsigned int   m_RunsPerPiece{ 1 };
   ProgressSink & m_Sink;
   InputVolume *  m_Input{ nullptr };
   double         m_ShareOfPreparation{ 0.0 };
-  std::uint64_t  m_DoneSlices{ 0 };
-  std::uint64_t  m_SlicesOfPiece{ 0 };
-  double         m_FractionOfPiece{ 0.0 }; // that is done
+  std::uint64_t  m_DoneVoxels{ 0 };
+  std::uint64_t  m_VoxelsOfRange{ 0 };
+  double         m_FractionOfRange{ 0.0 }; // that is done
 };
 
 } // end namespace medialvoxel

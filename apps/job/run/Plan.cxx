@@ -106,10 +106,13 @@ TextTable
 DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vector<OutputRequest> & outputs)
 {
   TextTable table = DescribeHeader(header);
-  table.emplace_back("pieces",
-                     std::to_string(plan.divisions) + " of up to " + std::to_string(plan.GetMaximumSlices()) +
-                       " slices" +
-                       (plan.slabThickness > 0 ? ", done in slabs of " + std::to_string(plan.slabThickness) : ""));
+  table.emplace_back(
+    "pieces",
+    std::to_string(plan.divisions) + " of up to " + std::to_string(plan.GetMaximumSlices()) + " slices" +
+      (plan.rowsAtOnce > 0
+         ? ", " + std::to_string(plan.slicesAtOnce) + " slices of " + std::to_string(plan.rowsAtOnce) + " rows at once"
+         : "") +
+      (plan.slabThickness > 0 ? ", done in slabs of " + std::to_string(plan.slabThickness) : ""));
   table.emplace_back("threads", std::to_string(plan.threads));
   table.emplace_back("memory",
                      FormatBytes(plan.memoryBytes) + " for walls of up to " + std::to_string(PlannedWallThickness) +
