@@ -88,7 +88,7 @@ def measure_edges(rays, thickness, values):
     total = np.zeros(len(points))
     for side in (-1, 1):
         places = points[:, None, :] + side * steps[:, None] * normals[:, None, :]
-        profile = ndimage.map_coordinates(values, places[..., ::-1].reshape(-1, 3).T, order=1).reshape(len(points), -1)
+        profile = ndimage.map_coordinates(values, places[..., ::-1].reshape(-1, 3).T, order=1).reshape(len(points), len(steps))
         below = profile < 0.5
         first = below.argmax(axis=1)
         row = np.arange(len(points))
