@@ -61,22 +61,25 @@ def measure_scans(task):
                 values = scan.digitize(values)
                 sums = runs.judge(part, rays, runs.to_unit(values), program.run(values))
                 result += [((kind, sigma, noise, percent, wall.thickness), tilt, row) for wall, row in zip(part.walls, sums)]
-    return result
+    return result, []
 
 
 def measure_tomography(task):
     # RTK is only needed here.
     import virtual_tomography
 
-    return virtual_tomography.measure(*task)
+    build, group, tilt, count = task
+    repetitions = range(list(parts.TILTS).index(tilt), count, len(parts.TILTS))
+    return virtual_tomography.measure(build, WALLS[group], tilt, repetitions, (SEED, group))
 
 
 def collect(pool, work, tasks):
-    """Rows of figures, sorted by their keys."""
-    groups = {}
-    for number, found in enumerate(pool.imap_unordered(work, tasks, chunksize=1)):
+    """Rows of figures, sorted by their keys, and descriptions of volumes."""
+    groups, volumes = {}, []
+    for number, (found, described) in enumerate(pool.imap_unordered(work, tasks, chunksize=1)):
         for key, tilt, row in found:
             groups.setdefault(key, []).append((tilt, row))
+        volumes += described
         print(f"{number + 1} of {len(tasks)}", end="\r", file=sys.stderr)
     order = list(parts.TILTS)
     rows = []
@@ -84,7 +87,7 @@ def collect(pool, work, tasks):
         entries = sorted(groups[key], key=lambda entry: order.index(entry[0]))
         names = ("part", "blur", "noise", "noise_percent", "wall")
         rows.append(dict(zip(names, key)) | runs.summarize([row for _, row in entries], [tilt for tilt, _ in entries]))
-    return rows
+    return rows, sorted(volumes, key=str)
 
 
 def parse_arguments():
@@ -93,6 +96,7 @@ def parse_arguments():
     parser.add_argument("--repetitions", type=int, default=20, help="default 20, four for each tilt")
     parser.add_argument("--quick", action="store_true", help="one blur, four noises")
     parser.add_argument("--tomography", action="store_true", help="also from projections; needs itk-rtk")
+    parser.add_argument("--program-commit", help="commit that the program is of; default: that of this script")
     parser.add_argument("--processes", type=int, default=2, help="default 2")
     parser.add_argument("--output", type=pathlib.Path, default=common.BENCH / "results" / "step-wedge.json")
     return parser.parse_args()
@@ -102,7 +106,7 @@ def main():
     arguments = parse_arguments()
     blurs, noises = (QUICK_BLURS, QUICK_NOISES) if arguments.quick else (BLURS, NOISES)
     with tempfile.TemporaryDirectory() as folder:
-        program = runs.Program(arguments.build, pathlib.Path(folder)).describe()
+        program = runs.Program(arguments.build, pathlib.Path(folder)).describe(arguments.program_commit)
     start = time.process_time() + sum(children_seconds())
     document = common.describe_run(arguments.build, program=program, repetitions=arguments.repetitions)
     document["checks"] = virtual_checks.run_checks()
@@ -112,10 +116,11 @@ def main():
         for kind in MAKERS for group in groups for repetition in range(arguments.repetitions)
     ]  # fmt: skip
     with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
-        document["rows"] = collect(pool, measure_scans, tasks)
+        document["rows"], _ = collect(pool, measure_scans, tasks)
         if arguments.tomography:
-            tasks = [(arguments.build, group, repetition) for group in groups for repetition in range(arguments.repetitions)]
-            document["rows"] += collect(pool, measure_tomography, tasks)
+            tasks = [(arguments.build, group, tilt, arguments.repetitions) for group in groups for tilt in parts.TILTS]
+            rows, document["reconstructed"] = collect(pool, measure_tomography, tasks)
+            document["rows"] += rows
         pool.close()
         pool.join()
     document["cpu_seconds"] = round(time.process_time() + sum(children_seconds()) - start)

@@ -32,9 +32,10 @@ class Program:
     def knows(self, option):
         return option in self.options
 
-    def describe(self):
+    def describe(self, commit=None):
+        commit = commit or common.describe_revision()["commit"]
         version = subprocess.run([self.path, "--version"], capture_output=True, text=True, check=True).stdout.strip()
-        return {"version": version, "uncertainty": self.knows("--uncertainty-map"), "levels": self.knows("--levels")}
+        return {"version": version, "commit": commit[:10], "uncertainty": self.knows("--uncertainty-map"), "levels": self.knows("--levels")}
 
     def run(self, values, levels=None, options=()):
         """Centers of the medial cells (x, y, z), their thickness (negative at rims), and the half widths or None."""

@@ -64,12 +64,12 @@ def select(rows, **values):
 def cases_of(rows):
     """(blur, noise, percent) in the order of the rows, white first."""
     cases = dict.fromkeys((row["blur"], row["noise"], row["noise_percent"]) for row in rows)
-    return sorted(cases, key=lambda case: (case[0] if not isinstance(case[0], str) else 0, case[1] != "white", case[2]))
+    return sorted(cases, key=lambda case: (str(case[0]), case[1] != "white", case[2]))
 
 
 def noise_name(noise, percent):
-    if isinstance(percent, str):
-        return percent
+    if noise == "photons":
+        return f"{percent} photons"
     return "none" if percent == 0 else f"{percent} % {noise}"
 
 
