@@ -73,15 +73,14 @@ def measure_tomography(task):
     return virtual_tomography.measure(build, WALLS[group], tilt, repetitions, (SEED, group))
 
 
-def collect(pool, work, tasks):
-    """Rows of figures, sorted by their keys, and descriptions of volumes."""
+def collect(pool, work, tasks, order):
+    """Rows of figures, sorted by their keys, and descriptions of volumes; order: of the tilts."""
     groups, volumes = {}, []
     for number, (found, described) in enumerate(pool.imap_unordered(work, tasks, chunksize=1)):
         for key, tilt, row in found:
             groups.setdefault(key, []).append((tilt, row))
         volumes += described
         print(f"{number + 1} of {len(tasks)}", end="\r", file=sys.stderr)
-    order = list(parts.TILTS)
     rows = []
     for key in sorted(groups):
         entries = sorted(groups[key], key=lambda entry: order.index(entry[0]))
@@ -116,10 +115,10 @@ def main():
         for kind in MAKERS for group in groups for repetition in range(arguments.repetitions)
     ]  # fmt: skip
     with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
-        document["rows"], _ = collect(pool, measure_scans, tasks)
+        document["rows"], _ = collect(pool, measure_scans, tasks, list(parts.TILTS))
         if arguments.tomography:
             tasks = [(arguments.build, group, tilt, arguments.repetitions) for group in groups for tilt in parts.TILTS]
-            rows, document["reconstructed"] = collect(pool, measure_tomography, tasks)
+            rows, document["reconstructed"] = collect(pool, measure_tomography, tasks, list(parts.TILTS))
             document["rows"] += rows
         pool.close()
         pool.join()

@@ -115,7 +115,7 @@ SECTIONS = {
 
 
 def format_all(document):
-    parts = [f"program: {document['program']}", f"checks: {json.dumps(document['checks'])}"]
+    parts = [f"{key}: {json.dumps(document[key])}" for key in ("program", "levels", "checks", "reconstructed") if key in document]
     for kind in dict.fromkeys(row["part"] for row in document["rows"]):
         rows = select(document["rows"], part=kind)
         parts += [f"## {TITLES.get(kind, kind)}", format_limits(rows)]
