@@ -116,6 +116,7 @@ def main():
     ]  # fmt: skip
     with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
         document["rows"], _ = collect(pool, measure_scans, tasks, list(parts.TILTS))
+        tables.write(document, arguments.output)
         if arguments.tomography:
             tasks = [(arguments.build, group, tilt, arguments.repetitions) for group in groups for tilt in parts.TILTS]
             rows, document["reconstructed"] = collect(pool, measure_tomography, tasks, list(parts.TILTS))

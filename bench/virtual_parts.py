@@ -99,11 +99,16 @@ class Wall:
     def is_clear(self, points, size):
         """Away from all that is not this wall, and from the faces of the volume."""
         margin = self.thickness / 2 + MARGIN
-        clear = ((points >= margin) & (points <= np.array(size) - 1 - margin)).all(axis=1)
+        return ((points >= margin) & (points <= np.array(size) - 1 - margin)).all(axis=1) & self.is_inner(points)
+
+    def is_inner(self, points):
+        """Away from all that is not this wall."""
+        margin = self.thickness / 2 + MARGIN
+        inner = np.ones(len(points), bool)
         for limit in self.limits:
             distance = limit.distance(points)[0]
-            clear &= (distance >= limit.low + margin) & (distance <= limit.high - margin)
-        return clear
+            inner &= (distance >= limit.low + margin) & (distance <= limit.high - margin)
+        return inner
 
     def sample(self, size):
         """Points of the middle about a voxel apart, and the normals there."""

@@ -133,9 +133,9 @@ def describe(values, part):
     """Fitted blur of the faces of the thickest wall without the share of the voxel, and the noise of the background."""
     points = np.indices(values.shape)[::-1].reshape(3, -1).T
     wall = part.walls[-1]
-    clear = wall.is_clear(points, part.size)
+    clear = wall.is_inner(points)
     distance = wall.thickness / 2 - np.abs(wall.offset(points[clear]))
-    width = checks.fit_edge(values.reshape(-1)[clear], distance, min(5.0, wall.thickness / 2))
+    width = checks.fit_edge(values.reshape(-1)[clear], distance, 3.5)
     inside = clear & (np.abs(wall.offset(points)) < wall.thickness / 2 - 2)
     corner = values[:8] - ndimage.uniform_filter(values[:8], 7)
     return {
