@@ -43,8 +43,9 @@ class Program:
         source, size = self.scratch / "in.raw", values.shape[::-1]
         values.tofile(source)
         command = [self.path, "extract", source, names["labels"], "--raw-size", ",".join(map(str, size)), "--raw-type", "uint16"]
-        command += ["--lower", THRESHOLD, "--thickness-map", names["thickness"], "--sub-voxel", "--threads", 1]
-        command += ["--uncertainty-map", names["uncertainty"]] if self.knows("--uncertainty-map") else []
+        command += ["--lower", THRESHOLD, "--thickness-map", names["thickness"], "--threads", 1]
+        # Programs before the uncertainty measured gray values on request only.
+        command += ["--uncertainty-map", names["uncertainty"]] if self.knows("--uncertainty-map") else ["--sub-voxel"]
         command += ["--levels", ",".join(map(str, levels))] if levels else []
         subprocess.run([str(word) for word in [*command, *options, "--quiet", "--overwrite"]], check=True)
         index = np.argwhere(read_voxels(names["labels"], np.uint8, size) >= 2)
