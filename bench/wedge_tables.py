@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes and prints the results of measure_step_wedge.py and measure_thin_walls.py.
 
-Usage: bench/wedge_tables.py [results/step-wedge.json]          prints the tables of a result
+Usage: bench/wedge_tables.py [results/step-wedge.json] [--page]     prints the tables of a result, or those of the page
 """
 
 import json
@@ -124,6 +124,45 @@ def format_all(document):
     return "\n\n".join(parts)
 
 
+def format_limits_of_page(rows):
+    """Noise over blur: smallest wall found by half, by 95 %, and measured."""
+    blurs = sorted({row["blur"] for row in rows})
+    lines = []
+    for noise, percent in dict.fromkeys((noise, percent) for _, noise, percent in cases_of(rows)):
+        words = []
+        for blur in blurs:
+            case = select(rows, blur=blur, noise=noise, noise_percent=percent)
+            goals = [lambda row, share=share: (row["covered_percent"] or 0) >= share for share in FOUND]
+            words.append(" / ".join(find_smallest(case, goal) for goal in [*goals, measured]))
+        lines.append([noise_name(noise, percent), *words])
+    return format_table(["noise", *(f"blur {blur:g}" for blur in blurs)], lines)
+
+
+PAGE_CASES = (("white", 0), ("white", 10), ("white", 20), ("white", 40), ("correlated", 20))
+
+
+def format_page(document):
+    """The tables of doc/explanation/accuracy.md."""
+    rows = document["rows"]
+    parts = [format_limits_of_page(select(rows, part="wedge"))]
+    for kind in ("wedge", "tubes"):
+        kept = [row for row in select(rows, part=kind) if row["blur"] in (0.5, 0.8, 1.5)]
+        kept = [row for row in kept if (row["noise"], row["noise_percent"]) in PAGE_CASES and row["wall"] >= 0.75]
+        parts += [f"{kind}: bias / rms / in interval", format_errors(kept)]
+    for title, what in (("repeatability", repeat), ("edges", edge)):
+        parts += [title, format_errors(select(rows, part="wedge", blur=0.8), what)]
+    reconstructed = select(rows, part="tomography")
+    if reconstructed:
+        parts += ["reconstructed", format_errors(reconstructed), format_limits(reconstructed)]
+    return "\n\n".join(parts)
+
+
+def main():
+    words = [word for word in sys.argv[1:] if word != "--page"]
+    path = pathlib.Path(words[0]) if words else RESULTS / "step-wedge.json"
+    document = json.loads(path.read_text(encoding="utf-8"))
+    print(format_page(document) if "--page" in sys.argv else format_all(document))
+
+
 if __name__ == "__main__":
-    path = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else RESULTS / "step-wedge.json"
-    print(format_all(json.loads(path.read_text(encoding="utf-8"))))
+    main()
