@@ -58,7 +58,7 @@ def draw(rows, draw_one, title, limits, truth, path):
             axes.grid(alpha=0.3)
             axes.set_title(f"blur {blur:g}, {noise} noise", fontsize=9)
         line[0].set_ylabel(title)
-        line[0].legend(fontsize=7, loc="lower right")
+        line[0].legend(fontsize=7, loc="upper left")
     for axes in grid[-1]:
         axes.set_xlabel("wall, voxels")
     figure.savefig(path, dpi=100)
@@ -70,7 +70,7 @@ def main():
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "doc" / "figures")
     arguments = parser.parse_args()
     rows = json.loads(arguments.file.read_text(encoding="utf-8"))["rows"]
-    draw(rows, draw_errors, "error, voxels", (-1.2, 1.2), 0, arguments.folder / "step-wedge.png")
+    draw(rows, draw_errors, "error, voxels", (-2.1, 1.1), 0, arguments.folder / "step-wedge.png")
     if any(row["in_interval_percent"] is not None for row in rows):
         draw(rows, draw_intervals, "cells in their interval, %", (50, 101), 95, arguments.folder / "step-wedge-intervals.png")
 
