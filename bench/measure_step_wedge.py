@@ -41,6 +41,8 @@ MAKERS = {"wedge": parts.step_wedge, "tubes": parts.cylinders}
 BLURS = (0.5, 0.8, 1.0, 1.5)
 # Kind of noise and its standard deviation in percent of the contrast.
 NOISES = (("white", 0), *((kind, percent) for kind in ("white", "correlated") for percent in (5, 10, 20, 40)))
+# Results are saved after this many parts, so that a stopped run is not lost; rows say how many volumes they are of.
+SAVED = 10
 QUICK_BLURS = (0.8,)
 QUICK_NOISES = (("white", 0), ("white", 10), ("white", 20), ("correlated", 20))
 
@@ -73,20 +75,26 @@ def measure_tomography(task):
     return virtual_tomography.measure(build, WALLS[group], tilt, repetitions, (SEED, group))
 
 
-def collect(pool, work, tasks, order):
-    """Rows of figures, sorted by their keys, and descriptions of volumes; order: of the tilts."""
+def collect(pool, work, tasks, order, save=lambda rows: None):
+    """Rows of figures, sorted by their keys, and descriptions of volumes; order: of the tilts; save: gets early rows."""
     groups, volumes = {}, []
     for number, (found, described) in enumerate(pool.imap_unordered(work, tasks, chunksize=1)):
         for key, tilt, row in found:
             groups.setdefault(key, []).append((tilt, row))
         volumes += described
         print(f"{number + 1} of {len(tasks)}", end="\r", file=sys.stderr)
+        if (number + 1) % SAVED == 0:
+            save(make_rows(groups, order))
+    return make_rows(groups, order), sorted(volumes, key=str)
+
+
+def make_rows(groups, order):
     rows = []
     for key in sorted(groups):
         entries = sorted(groups[key], key=lambda entry: order.index(entry[0]))
         names = ("part", "blur", "noise", "noise_percent", "wall")
         rows.append(dict(zip(names, key)) | runs.summarize([row for _, row in entries], [tilt for tilt, _ in entries]))
-    return rows, sorted(volumes, key=str)
+    return rows
 
 
 def parse_arguments():
@@ -94,6 +102,8 @@ def parse_arguments():
     parser.add_argument("build", type=pathlib.Path, help="build folder")
     parser.add_argument("--repetitions", type=int, default=20, help="default 20, four for each tilt")
     parser.add_argument("--quick", action="store_true", help="one blur, four noises")
+    parser.add_argument("--blurs", nargs="+", type=float, default=BLURS, help="default 0.5 0.8 1 1.5")
+    parser.add_argument("--noises", nargs="+", type=int, help=f"indices of {NOISES}; default: all")
     parser.add_argument("--tomography", action="store_true", help="also from projections; needs itk-rtk")
     parser.add_argument("--program-commit", help="commit that the program is of; default: that of this script")
     parser.add_argument("--processes", type=int, default=2, help="default 2")
@@ -103,7 +113,8 @@ def parse_arguments():
 
 def main():
     arguments = parse_arguments()
-    blurs, noises = (QUICK_BLURS, QUICK_NOISES) if arguments.quick else (BLURS, NOISES)
+    blurs, noises = (QUICK_BLURS, QUICK_NOISES) if arguments.quick else (arguments.blurs, NOISES)
+    noises = noises if arguments.noises is None else [NOISES[k] for k in arguments.noises]
     with tempfile.TemporaryDirectory() as folder:
         program = runs.Program(arguments.build, pathlib.Path(folder)).describe(arguments.program_commit)
     start = time.process_time() + sum(children_seconds())
@@ -112,11 +123,15 @@ def main():
     groups = range(len(WALLS))
     tasks = [
         (arguments.build, kind, group, repetition, blurs, noises)
-        for kind in MAKERS for group in groups for repetition in range(arguments.repetitions)
+        for repetition in range(arguments.repetitions) for kind in MAKERS for group in groups
     ]  # fmt: skip
     with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
-        document["rows"], _ = collect(pool, measure_scans, tasks, list(parts.TILTS))
-        tables.write(document, arguments.output)
+
+        def save(rows):
+            tables.write(document | {"rows": rows}, arguments.output)
+
+        document["rows"], _ = collect(pool, measure_scans, tasks, list(parts.TILTS), save)
+        save(document["rows"])
         if arguments.tomography:
             tasks = [(arguments.build, group, tilt, arguments.repetitions) for group in groups for tilt in parts.TILTS]
             rows, document["reconstructed"] = collect(pool, measure_tomography, tasks, list(parts.TILTS))

@@ -142,6 +142,7 @@ def summarize(rows, tilts):
         return round(factor * float(total[name] / total[count]), digits) if total[count] else None
 
     return {
+        "volumes": len(rows),
         "cells": int(total["cells"]),
         "covered_percent": ratio("covered", "rays", 100, 1),
         "bias": ratio("error", "cells"),
