@@ -72,12 +72,10 @@ class _Call:
         return vectors if vectors is None or len(self.shape) == 3 else np.ascontiguousarray(vectors[..., 1:])
 
     def run(self, arguments: Sequence[str], outputs: dict[str, np.ndarray | None], progress: Progress) -> Any:
-        missing = 3 - len(self.shape)
-        values = self.values.reshape((1,) * missing + self.shape)
-        spacing = (1.0,) * missing + self.spacing
         bar = _make_bar() if progress is True else None
+        show = bar.show if bar else progress or None
         try:
-            numbers, surface = _native.run(values, spacing, arguments, outputs, bar.show if bar else progress or None)
+            numbers, surface = _native.run(self.values, self.spacing, arguments, outputs, show)
         finally:
             if bar:
                 bar.close()
@@ -142,7 +140,8 @@ def extract(
     sub_voxel: measure the thickness where gray values cross the threshold.
     threads: 1 or more; default one for each processor. memory: limit of what the work takes beside arrays, in bytes or as
         text such as "2G"; default none. Neither changes results.
-    progress: called with the share that is done, from 0 to 1; True shows a bar of tqdm. An exception of it stops the work.
+    progress: called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work.
+        True shows a bar of tqdm.
 
     Raises ValueError for wrong values, with the message of the program, MemoryError, and what progress raises. Ctrl-C
     stops the work. Warns where the spacing makes results inaccurate.

@@ -23,6 +23,7 @@ class _Array(ctypes.Structure):
     _fields_ = [
         ("values", ctypes.c_void_p),
         ("type", ctypes.c_char_p),
+        ("dimension", ctypes.c_int64),
         ("size", ctypes.c_int64 * 3),
         ("spacing", ctypes.c_double * 3),
     ]
@@ -108,14 +109,12 @@ def _take_mesh(result: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 def _watch(worker: threading.Thread, control: _Control, progress: Callable[[float], object] | None) -> None:
     """Waits for the worker. An exception here, such as that of Ctrl-C, stops it first."""
-    told = -1.0
     try:
         while worker.is_alive():
             worker.join(_SECONDS_BETWEEN_LOOKS)
-            if progress is not None and control.done > told:
-                told = control.done
-                progress(min(told, 1.0))
-        if progress is not None and told < 1.0:
+            if progress is not None and worker.is_alive():
+                progress(min(control.done, 1.0))
+        if progress is not None:
             progress(1.0)
     except BaseException:
         control.stop = 1
@@ -134,14 +133,15 @@ def run(
     outputs: dict[str, np.ndarray | None],
     progress: Callable[[float], object] | None,
 ) -> tuple[dict[str, Any], tuple[np.ndarray, np.ndarray, np.ndarray]]:
-    """Runs a command of the program on an array of three axes and of native numbers without gaps.
+    """Runs a command of the program on an array of 2 or 3 axes and of native numbers without gaps.
 
     The lock of the interpreter is free meanwhile. Returns numbers of the run, and the parts of the mesh."""
     described = _Array(
         array.ctypes.data,
         array.dtype.name.encode(),
-        (ctypes.c_int64 * 3)(*reversed(array.shape)),
-        (ctypes.c_double * 3)(*reversed(spacing)),
+        array.ndim,
+        (ctypes.c_int64 * 3)(*(array.shape[::-1] + (1,))[:3]),
+        (ctypes.c_double * 3)(*(tuple(spacing)[::-1] + (1.0,))[:3]),
     )
     words = [argument.encode() for argument in arguments]
     places = _Outputs(**{name: place.ctypes.data for name, place in outputs.items() if place is not None})

@@ -29,9 +29,13 @@ def make_options(values: dict[str, Any]) -> list[str]:
     """Arguments of the program for keywords. None: the option is left to its default."""
     arguments: list[str] = []
     for name, value in values.items():
-        if value is not None:
-            # In one word, so that a value may begin with a minus sign.
-            arguments.append(f"--{name.replace('_', '-')}={format_value(value)}")
+        if value is None:
+            continue
+        option, text = f"--{name.replace('_', '-')}", format_value(value)
+        if not text:
+            raise ValueError(f"{option}: its value is empty")
+        # In one word, so that a value may begin with a minus sign.
+        arguments.append(f"{option}={text}")
     return arguments
 
 

@@ -95,7 +95,7 @@ class Mesh:
         first = np.sum((corners[:, 0] - corners[:, 2]) ** 2, axis=1)
         second = np.sum((corners[:, 1] - corners[:, 3]) ** 2, axis=1)
         halves = np.where(
-            (first <= second)[:, None, None], [[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]]
+            (first <= second)[:, None, None], [[0, 1, 2], [2, 3, 0]], [[1, 2, 3], [3, 0, 1]]
         )
         return np.take_along_axis(self.faces, halves.reshape(len(self.faces), 6), axis=1).reshape(-1, 3)
 

@@ -7,13 +7,16 @@
 
 #include "itkMedialVoxelGridLimits.h"
 #include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelProgress.h"
 #include "itkObject.h"
 #include "itkProcessObject.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <new>
 #include <string>
+#include <vector>
 
 struct MedialVoxelResult
 {
@@ -40,8 +43,12 @@ MakeHeader(const MedialVoxelArray & array)
   header.geometry.spacing.assign(array.spacing, array.spacing + 3);
   header.geometry.origin.assign(3, 0.0);
   header.geometry.SetIdentityDirection();
-  const VolumeGeometry & geometry = header.geometry;
-  const std::string problem = itk::MedialVoxelGridLimits::FindProblem(geometry.size, geometry.spacing, geometry.origin);
+  // Messages count axes as the array does, from the slowest one on.
+  std::vector<std::uint64_t> size(array.size, array.size + array.dimension);
+  std::vector<double>        spacing(array.spacing, array.spacing + array.dimension);
+  std::reverse(size.begin(), size.end());
+  std::reverse(spacing.begin(), spacing.end());
+  const std::string problem = itk::MedialVoxelGridLimits::FindProblem(size, spacing, std::vector<double>(size.size()));
   if (!problem.empty())
   {
     Fail(ExitStatus::CorruptInput, "array: ", problem);
@@ -49,13 +56,17 @@ MakeHeader(const MedialVoxelArray & array)
   return header;
 }
 
-/** Filters begin a message with their name and address, and a new line. */
+/** Without what filters begin a message with: "ITK ERROR: ", and mostly their name and address. */
 std::string
 GetMessage(const itk::ExceptionObject & error)
 {
-  const std::string text = error.GetDescription();
-  const std::size_t end = text.find("): ");
-  return end == std::string::npos ? text : text.substr(end + 3);
+  std::string text = error.GetDescription();
+  for (const std::string mark : { "ITK ERROR: ", "): " })
+  {
+    const std::size_t end = text.find(mark);
+    text = end == std::string::npos ? text : text.substr(end + mark.size());
+  }
+  return text;
 }
 
 /** Sets status and text of what \a work throws. */

@@ -15,12 +15,13 @@
 #  define MEDIALVOXEL_BINDING extern "C" __attribute__((visibility("default")))
 #endif
 
-/** Voxels in memory without gaps, x fastest, in the byte order of the machine. Axes that there are not have the size 1.
+/** Voxels in memory without gaps, x fastest, in the byte order of the machine. The sizes beyond the dimension are 1.
  */
 struct MedialVoxelArray
 {
   const void * values;
   const char * type; ///< a name of PixelTypes
+  std::int64_t dimension;
   std::int64_t size[3];
   double       spacing[3];
 };
