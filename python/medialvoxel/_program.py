@@ -59,6 +59,8 @@ def _fail(status: int, text: str) -> NoReturn:
     message = lines[-1].removeprefix("medialvoxel: ") if lines else text.strip() or f"exit status {status}"
     if status == 3 and " memory" in message and "needs" in message:
         raise MemoryError(message)
+    if message.endswith("no such file"):
+        raise FileNotFoundError(message)
     raise (ValueError if status in _WRONG_VALUES else RuntimeError)(message)
 
 
@@ -70,7 +72,8 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
         and as the program takes them as a text: spacing=(2, 1, 1) is spacing="1,1,2".
 
     Returns the report, whose keys doc/reference/report.md lists. Raises ValueError for what the program refuses,
-    MemoryError for a limit of memory that is too small, RuntimeError for failures. Ctrl-C stops the program."""
+    FileNotFoundError, MemoryError for a limit of memory that is too small, RuntimeError for other failures. Ctrl-C stops
+    the program."""
     with tempfile.TemporaryDirectory(prefix="medialvoxel-") as folder:
         wanted = options.pop("report", None)
         report = os.fspath(wanted) if wanted else os.path.join(folder, "report.json")
