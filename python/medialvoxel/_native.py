@@ -107,22 +107,18 @@ def _take_mesh(result: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     )
 
 
-def _watch(worker: threading.Thread, control: _Control, progress: Callable[[float], object] | None) -> None:
-    """Waits for the worker. An exception here, such as that of Ctrl-C, stops it first."""
+def _watch(finished: threading.Event, control: _Control, progress: Callable[[float], object] | None) -> None:
+    """Waits for the work. An exception here, such as that of Ctrl-C, stops it first."""
     try:
-        while worker.is_alive():
-            worker.join(_SECONDS_BETWEEN_LOOKS)
-            if progress is not None and worker.is_alive():
+        # Not Thread.join(), which takes a thread for ended when Ctrl-C interrupts it.
+        while not finished.wait(_SECONDS_BETWEEN_LOOKS):
+            if progress is not None:
                 progress(min(control.done, 1.0))
         if progress is not None:
             progress(1.0)
     except BaseException:
         control.stop = 1
-        while worker.is_alive():
-            try:
-                worker.join()
-            except BaseException:  # a second Ctrl-C: the worker still writes to arrays that would be gone
-                continue
+        finished.wait()
         raise
 
 
@@ -147,17 +143,21 @@ def run(
     places = _Outputs(**{name: place.ctypes.data for name, place in outputs.items() if place is not None})
     control = _Control()
     results: list[int | None] = []
+    finished = threading.Event()
 
-    def work() -> None:
-        results.append(
-            _library.medialvoxel_run(described, (ctypes.c_char_p * len(words))(*words), len(words), places, control)
-        )
+    def work(*kept: Any) -> None:
+        # The arrays are arguments so that they live as long as the work, also when an exception ends the caller first.
+        try:
+            results.append(
+                _library.medialvoxel_run(described, (ctypes.c_char_p * len(words))(*words), len(words), places, control)
+            )
+        finally:
+            finished.set()
 
-    worker = threading.Thread(target=work, name="medialvoxel", daemon=True)
-    worker.start()
     try:
-        _watch(worker, control, progress)
-        result = results[0]
+        threading.Thread(target=work, args=(array, outputs), name="medialvoxel", daemon=True).start()
+        _watch(finished, control, progress)
+        result = results[0] if results else None
         if result is None:
             raise MemoryError("out of memory")
         text = _library.medialvoxel_text(result).decode()

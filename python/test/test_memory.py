@@ -38,14 +38,15 @@ class Memory(unittest.TestCase):
             lambda: medialvoxel.distance(values.astype(">i2"), lower=40),
             fail,
         )
-        for call in calls * 10:
-            call()
-        before = resident()
-        for i in range(200):
-            calls[i % len(calls)]()
-        growth = resident() - before
+        # Threads of the system come and go with memory of their own; what is lost at each call is lost in each round.
+        sizes = []
+        for _ in range(4):
+            for i in range(200):
+                calls[i % len(calls)]()
+            sizes.append(resident())
+        growth = min(after - before for before, after in zip(sizes, sizes[1:]))
         print(f"200 calls grow by {growth / 2**20:.2f} MiB")
-        self.assertLess(growth, 4 * 2**20)
+        self.assertLess(growth, 2**20)
 
 
 if __name__ == "__main__":
