@@ -137,7 +137,7 @@ def extract(
     voxel_units: lengths are in voxels instead of units of the spacing.
     thickness_map, vectors: make these outputs too, of 4 and 12 bytes for each voxel; vectors not with `labels`.
     vector_boundary: voxels that vectors lead to: those of the object, or of the background.
-    sub_voxel: measure the thickness where gray values cross the threshold.
+    sub_voxel: measure the thickness where gray values cross the threshold, which the program does by itself for maps.
     threads: 1 or more; default one for each processor. memory: limit of what the work takes beside arrays, in bytes or as
         text such as "2G"; default none. Neither changes results.
     progress: called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work.

@@ -98,7 +98,7 @@ SetWalls(TFilter & filter, const ExtractOptions & options)
   filter.SetThickness(options.thickness.value_or(filter.GetThickness()));
   filter.SetMinimumThickness(options.minimumThickness.value_or(0.0));
   filter.SetMaximumThickness(options.maximumThickness.value_or(0.0));
-  filter.SetSubvoxelThickness(options.subVoxel);
+  filter.SetSubvoxelThickness(options.subVoxel.value_or(false));
   filter.SetSmoothing(GetRequestedSmoothing(options));
   if (options.maximumPoreSize)
   {
