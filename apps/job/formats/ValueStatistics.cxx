@@ -94,6 +94,20 @@ ForEachValue(const VolumeHeader & header, const ReadObserver & observer, TFuncti
   }
 }
 
+/** Calls function(vector, 1) for values in memory, in parts. */
+template <typename TValue, typename TFunction>
+void
+ReadMemory(const TValue * values, std::uint64_t number, const ReadObserver & observer, TFunction && function)
+{
+  std::vector<TValue> part;
+  for (std::uint64_t begin = 0; begin < number; begin += VoxelsPerChunk)
+  {
+    observer(static_cast<double>(begin) / static_cast<double>(number));
+    part.assign(values + begin, values + std::min<std::uint64_t>(number, begin + VoxelsPerChunk));
+    function(part, 1);
+  }
+}
+
 /** The last bin of the lower class for which the variance between both classes is largest; the number of a bin stands
  * for its values, as the bins are equal. */
 std::optional<std::size_t>
@@ -168,9 +182,10 @@ Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins)
   return statistics;
 }
 
-template <typename TValue>
+/** \param forEach calls what it gets with all values, and an observer meanwhile */
+template <typename TValue, typename TForEach>
 ValueStatistics
-Measure(const VolumeHeader & header, const ReadObserver & observer)
+Measure(const ReadObserver & observer, TForEach && forEach)
 {
   ValueRange<TValue> range;
   using Limits = std::numeric_limits<TValue>;
@@ -178,7 +193,7 @@ Measure(const VolumeHeader & header, const ReadObserver & observer)
   {
     // A bin for each value that the type has, so that once through the file is enough.
     ValueBins<TValue> bins(Limits::lowest(), Limits::max(), MostValueBins);
-    ForEachValue<TValue>(header, observer, [&](const std::vector<TValue> & values, std::uint64_t times) {
+    forEach(observer, [&](const std::vector<TValue> & values, std::uint64_t times) {
       range.Add(values, times);
       bins.Add(values, times);
     });
@@ -186,19 +201,15 @@ Measure(const VolumeHeader & header, const ReadObserver & observer)
   }
   else
   {
-    ForEachValue<TValue>(
-      header,
-      [&](double share) { observer(0.5 * share); },
-      [&](const auto & values, std::uint64_t times) { range.Add(values, times); });
+    forEach([&](double share) { observer(0.5 * share); },
+            [&](const auto & values, std::uint64_t times) { range.Add(values, times); });
     if (range.GetCount() == 0)
     {
       return { 0, range.GetExcluded(), 0, 0, 0, 0, {}, std::nullopt };
     }
     ValueBins<TValue> bins(range.GetMinimum(), range.GetMaximum(), MostValueBins);
-    ForEachValue<TValue>(
-      header,
-      [&](double share) { observer(0.5 + 0.5 * share); },
-      [&](const auto & values, std::uint64_t times) { bins.Add(values, times); });
+    forEach([&](double share) { observer(0.5 + 0.5 * share); },
+            [&](const auto & values, std::uint64_t times) { bins.Add(values, times); });
     return Summarize(range, bins);
   }
 }
@@ -211,7 +222,23 @@ MeasureValues(const VolumeHeader & header, const ReadObserver & observer)
   return WithPipelineErrors([&] {
     // Resampling is for the object; the values are those of the file.
     const VolumeHeader & stored = header.GetStored();
-    return DispatchValueType(stored, [&](auto zero) { return Measure<decltype(zero)>(stored, observer); });
+    return DispatchValueType(stored, [&](auto zero) {
+      using Value = decltype(zero);
+      return Measure<Value>(observer, [&stored](const ReadObserver & share, auto && function) {
+        ForEachValue<Value>(stored, share, function);
+      });
+    });
+  });
+}
+
+ValueStatistics
+MeasureValues(PixelType type, const void * values, std::uint64_t number, const ReadObserver & observer)
+{
+  return DispatchPixelType(type, [&](auto zero) {
+    using Value = decltype(zero);
+    return Measure<Value>(observer, [&](const ReadObserver & share, auto && function) {
+      ReadMemory(static_cast<const Value *>(values), number, share, function);
+    });
   });
 }
 
@@ -222,7 +249,12 @@ MeasureThreshold(JobOptions & options, const VolumeHeader & header, const Progre
   {
     return;
   }
-  const ValueStatistics statistics = MeasureValues(header, [&sink](double) { ThrowIfStopRequested(sink); });
+  SetOtsuThreshold(options, header, MeasureValues(header, [&sink](double) { ThrowIfStopRequested(sink); }));
+}
+
+void
+SetOtsuThreshold(JobOptions & options, const VolumeHeader & header, const ValueStatistics & statistics)
+{
   if (!statistics.otsu)
   {
     Fail(ExitStatus::Refused,

@@ -46,6 +46,15 @@ struct ValueStatistics
 ValueStatistics
 MeasureValues(const VolumeHeader & header, const ReadObserver & observer);
 
+/** The same for so many values in memory. */
+ValueStatistics
+MeasureValues(PixelType type, const void * values, std::uint64_t number, const ReadObserver & observer);
+
+/** Sets the lower threshold to that of Otsu.
+ * \throw JobError Refused when all values are the same; Usage when the upper threshold is below */
+void
+SetOtsuThreshold(JobOptions & options, const VolumeHeader & header, const ValueStatistics & statistics);
+
 /** Sets the lower threshold if it is to be measured and is not set.
  * \throw JobError Refused when all values are the same; Usage when the upper threshold is below
  * \throw StoppedBySignal when the sink asks to stop */

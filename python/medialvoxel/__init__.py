@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Medial voxels, wall thickness and distances of NumPy arrays.
+
+Everything has the order of NumPy's axes: spacing, vectors, points and voxels are (z, y, x), or (y, x) in two dimensions.
+Results have the bytes of the program `medialvoxel`, which this package brings, and own their memory.
+
+    >>> import numpy as np
+    >>> import medialvoxel
+    >>> plate = np.zeros((24, 40, 40), bool)
+    >>> plate[10:14, 4:36, 4:36] = True
+    >>> sheet = medialvoxel.extract(plate)
+    >>> int(np.count_nonzero(sheet.medial)), float(np.median(sheet.thickness[sheet.thickness > 0]))
+    (841, 4.0)
+"""
+
+from ._arrays import distance, extract, mesh
+from ._native import version as _version
+from ._program import extract_file
+from ._results import Distances, Medial, Mesh
+
+__all__ = ["Distances", "Medial", "Mesh", "distance", "extract", "extract_file", "mesh"]
+__version__ = _version()

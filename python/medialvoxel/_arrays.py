@@ -1,0 +1,302 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The functions for arrays."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, Literal, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _native
+from ._options import make_flags, make_options
+from ._results import Distances, Medial, Mesh
+
+Number = Union[int, float, np.integer, np.floating]
+Progress = Union[Callable[[float], object], bool, None]
+Smooth = Union[Literal["auto", "on", "off"], bool, None]
+
+
+def _prepare(array: ArrayLike) -> np.ndarray:
+    """The values as the library reads them; a copy only where they are not so already."""
+    if isinstance(array, np.ma.MaskedArray):
+        raise ValueError("the array is masked; fill it first, such as by array.filled(0)")
+    values = np.asarray(array)
+    if values.ndim not in (2, 3):
+        raise ValueError(f"the array has {values.ndim} axes; it must have 2 or 3")
+    if values.size == 0:
+        raise ValueError(f"the array has the shape {values.shape}; each size must be 1 or more")
+    kind, size = values.dtype.kind, values.dtype.itemsize
+    if kind == "b":
+        return np.ascontiguousarray(values).view(np.uint8)
+    if kind == "f" and size == 2:
+        return np.ascontiguousarray(values, np.float32)
+    if kind in "iuf" and size <= 8:
+        return np.ascontiguousarray(values, values.dtype.newbyteorder("="))
+    raise ValueError(
+        f"the values are {values.dtype}; they must be bool, integers of 8 to 64 bits, or real numbers of 16, 32 or 64 bits"
+    )
+
+
+def _check_spacing(spacing: Any, dimension: int) -> tuple[float, ...]:
+    if spacing is None:
+        return (1.0,) * dimension
+    try:
+        numbers = tuple(float(part) for part in np.broadcast_to(spacing, (dimension,)))
+    except (TypeError, ValueError):
+        axes = "(z, y, x)" if dimension == 3 else "(y, x)"
+        raise ValueError(f"the spacing is {spacing!r}; it must be a number or one for each axis, {axes}") from None
+    return numbers
+
+
+class _Call:
+    """An array, and what is made of it."""
+
+    def __init__(self, array: ArrayLike, spacing: Any) -> None:
+        self.values = _prepare(array)
+        self.shape = self.values.shape
+        self.spacing = _check_spacing(spacing, self.values.ndim)
+
+    def make(self, dtype: Any, components: int = 1) -> np.ndarray:
+        """An output for run(), which writes each of its values."""
+        return np.empty(self.shape + ((components,) if components > 1 else ()), dtype)
+
+    def make_vectors(self, wanted: bool) -> np.ndarray | None:
+        return self.make(np.float32, 3) if wanted else None
+
+    def take_vectors(self, vectors: np.ndarray | None) -> np.ndarray | None:
+        """Vectors with a number for each axis of the array."""
+        return vectors if vectors is None or len(self.shape) == 3 else np.ascontiguousarray(vectors[..., 1:])
+
+    def run(self, arguments: Sequence[str], outputs: dict[str, np.ndarray | None], progress: Progress) -> Any:
+        bar = _make_bar() if progress is True else None
+        show = bar.show if bar else progress or None
+        try:
+            numbers, surface = _native.run(self.values, self.spacing, arguments, outputs, show)
+        finally:
+            if bar:
+                bar.close()
+        for text in numbers["warnings"]:
+            warnings.warn(text, stacklevel=4)
+        return numbers, surface
+
+
+class _Bar:
+    def __init__(self, bar: Any) -> None:
+        self._bar = bar
+
+    def show(self, done: float) -> None:
+        self._bar.update(done - self._bar.n)
+
+    def close(self) -> None:
+        self._bar.close()
+
+
+def _make_bar() -> _Bar:
+    from tqdm.auto import tqdm
+
+    return _Bar(tqdm(total=1.0, bar_format="{l_bar}{bar}| {elapsed}<{remaining}"))
+
+
+def extract(
+    array: ArrayLike,
+    thickness: Number | Literal["auto"] = "auto",
+    spacing: Number | Sequence[Number] | None = None,
+    lower: Number | Literal["otsu"] | None = None,
+    upper: Number | None = None,
+    *,
+    label: int | None = None,
+    labels: Literal["all"] | Iterable[int] | None = None,
+    smooth: Smooth = None,
+    minimum_thickness: Number | None = None,
+    maximum_thickness: Number | None = None,
+    max_pore_size: int | None = None,
+    voxel_units: bool = False,
+    thickness_map: bool = True,
+    vectors: bool = True,
+    vector_boundary: Literal["object", "background"] = "object",
+    sub_voxel: bool = False,
+    threads: int | None = None,
+    memory: int | str | None = None,
+    progress: Progress = None,
+) -> Medial:
+    """The medial cells of an object, the thickness of its walls, and vectors to its boundary.
+
+    array: 2 or 3 axes of bool, integers of 8 to 64 bits or real numbers of 16, 32 or 64 bits; any order, strides and byte
+        order. A contiguous array of native numbers is not copied.
+    thickness: of the walls that become sheets, > 0; "auto" (default): each wall by its own thickness.
+    spacing: (z, y, x), from 1e-12 to 1e12, or one number for all axes; default 1.
+    lower, upper: smallest and largest value of the object; lower="otsu" measures it. Default: all values but 0.
+    label: the one value of the object. labels: each of these values, or "all", is an object of its own.
+    smooth: noise of the object: "on", "off", or "auto", the default with thickness="auto", where it is rough.
+    minimum_thickness, maximum_thickness: limits of "auto"; default 3 and 16 voxels of the smallest spacing.
+    max_pore_size: largest pore or grain that is left out, from 0 to 1000000 voxels; default 32 with "auto", otherwise 0.
+    voxel_units: lengths are in voxels instead of units of the spacing.
+    thickness_map, vectors: make these outputs too, of 4 and 12 bytes for each voxel; vectors not with `labels`.
+    vector_boundary: voxels that vectors lead to: those of the object, or of the background.
+    sub_voxel: measure the thickness where gray values cross the threshold, which the program does by itself for maps.
+    threads: 1 or more; default one for each processor. memory: limit of what the work takes beside arrays, in bytes or as
+        text such as "2G"; default none. Neither changes results.
+    progress: called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work.
+        True shows a bar of tqdm.
+
+    Raises ValueError for wrong values, with the message of the program, MemoryError, and what progress raises. Ctrl-C
+    stops the work. Warns where the spacing makes results inaccurate.
+
+        >>> import numpy as np
+        >>> ring = np.hypot(*np.mgrid[-20:21, -20:21])
+        >>> walls = extract(ring, lower=8, upper=13, spacing=0.5)
+        >>> walls.labels.shape, walls.vectors.shape, walls.origin
+        ((41, 41), (41, 41, 2), (0.25, 0.25))
+    """
+    call = _Call(array, spacing)
+    separate = labels is not None
+    vectors = vectors and not separate
+    outputs = {
+        "labels": call.make(np.uint8),
+        "thickness": call.make(np.float32) if thickness_map else None,
+        "vectors": call.make_vectors(vectors),
+        "objects": call.make(call.values.dtype) if separate else None,
+    }
+    options = _make_thickness_options(thickness, smooth, minimum_thickness, maximum_thickness, max_pore_size)
+    options |= {
+        "lower": lower,
+        "upper": upper,
+        "label": label,
+        "labels": labels,
+        "thickness_map": "thickness.mha" if thickness_map else None,
+        "vectors": "vectors.mha" if vectors else None,
+        "vector_boundary": vector_boundary if vectors else None,
+        "threads": threads,
+        "memory": memory,
+    }
+    flags = make_flags({"voxel_units": voxel_units, "sub_voxel": sub_voxel})
+    numbers, _ = call.run(["extract", "array", "labels.mha", *make_options(options), *flags], outputs, progress)
+    return Medial(
+        labels=outputs["labels"],
+        thickness=outputs["thickness"],
+        vectors=call.take_vectors(outputs["vectors"]),
+        objects=outputs["objects"],
+        counts=numbers["counts"],
+        object_counts=numbers.get("objects", []),
+        origin=tuple(0.5 * step if size > 1 else 0.0 for size, step in zip(call.shape, call.spacing)),
+        spacing=call.spacing,
+        smoothed=numbers["smoothed"],
+        roughness=numbers["roughness"],
+        lower=numbers["lower"],
+    )
+
+
+def mesh(
+    array: ArrayLike,
+    thickness: Number | Literal["auto"] = "auto",
+    spacing: Number | Sequence[Number] | None = None,
+    lower: Number | Literal["otsu"] | None = None,
+    upper: Number | None = None,
+    *,
+    label: int | None = None,
+    smooth: Smooth = None,
+    minimum_thickness: Number | None = None,
+    maximum_thickness: Number | None = None,
+    max_pore_size: int | None = None,
+    voxel_units: bool = False,
+    triangles: bool = False,
+    smallest_component: int | None = None,
+    min_branch_length: Number | None = None,
+    sub_voxel: bool = False,
+    threads: int | None = None,
+    memory: int | str | None = None,
+    progress: Progress = None,
+) -> Mesh:
+    """The medial surface of an object of 3 axes as a mesh, with the thickness of the walls at its points.
+
+    triangles: split the quadrilaterals.
+    smallest_component: leave out connected pieces of fewer quadrilaterals.
+    min_branch_length: leave out branches that are shorter, in units of the spacing.
+
+    Other parameters and errors: as extract().
+
+        >>> import numpy as np
+        >>> plate = np.zeros((12, 30, 30))
+        >>> plate[4:8, 3:27, 3:27] = 1
+        >>> surface = mesh(plate)
+        >>> surface.faces.shape[1], float(surface.points[:, 0].mean().round(3))
+        (4, 5.5)
+    """
+    call = _Call(array, spacing)
+    if len(call.shape) != 3:
+        raise ValueError(f"the array has {len(call.shape)} axes; a mesh needs 3")
+    options = _make_thickness_options(thickness, smooth, minimum_thickness, maximum_thickness, max_pore_size)
+    options |= {
+        "lower": lower,
+        "upper": upper,
+        "label": label,
+        "smallest_component": smallest_component,
+        "min_branch_length": min_branch_length,
+        "threads": threads,
+        "memory": memory,
+    }
+    flags = make_flags({"voxel_units": voxel_units, "triangles": triangles, "sub_voxel": sub_voxel})
+    numbers, surface = call.run(["mesh", "array", "mesh.vtp", *make_options(options), *flags], {}, progress)
+    return Mesh(*surface, lower=numbers["lower"])
+
+
+def distance(
+    array: ArrayLike,
+    spacing: Number | Sequence[Number] | None = None,
+    lower: Number | Literal["otsu"] | None = None,
+    upper: Number | None = None,
+    *,
+    label: int | None = None,
+    boundary: Literal["object", "background"] = "object",
+    region: Literal["both", "inside", "outside"] = "both",
+    maximum_distance: Number | None = None,
+    voxel_units: bool = False,
+    threads: int | None = None,
+    memory: int | str | None = None,
+    progress: Progress = None,
+) -> Distances:
+    """Exact vectors and signed distances to the nearest boundary voxel.
+
+    boundary: voxels that distances are measured to: those of the object, or of the background.
+    region: voxels that get a value; 0 elsewhere.
+    maximum_distance: > 0; voxels further away are NaN.
+
+    Other parameters and errors: as extract().
+
+        >>> import numpy as np
+        >>> bar = np.zeros((7, 7), np.uint8)
+        >>> bar[2:5, :] = 1
+        >>> distance(bar).distance[:, 3].tolist()
+        [2.0, 1.0, 0.0, -1.0, 0.0, 1.0, 2.0]
+    """
+    call = _Call(array, spacing)
+    outputs = {"vectors": call.make_vectors(True), "distance": call.make(np.float32)}
+    options = {
+        "lower": lower,
+        "upper": upper,
+        "label": label,
+        "boundary": boundary,
+        "region": region,
+        "maximum_distance": maximum_distance,
+        "threads": threads,
+        "memory": memory,
+    }
+    words = ["distance", "array", "vectors.mha", *make_options(options), *make_flags({"voxel_units": voxel_units})]
+    numbers, _ = call.run(words, outputs, progress)
+    return Distances(outputs["distance"], call.take_vectors(outputs["vectors"]), numbers["counts"], numbers["lower"])
+
+
+def _make_thickness_options(
+    thickness: Any, smooth: Any, minimum_thickness: Any, maximum_thickness: Any, max_pore_size: Any
+) -> dict[str, Any]:
+    return {
+        "thickness": thickness,
+        "smooth": smooth,
+        "minimum_thickness": minimum_thickness,
+        "maximum_thickness": maximum_thickness,
+        "max_pore_size": max_pore_size,
+    }

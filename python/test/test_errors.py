@@ -1,0 +1,127 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Wrong values are a ValueError with what the program says of a file with the same values."""
+
+import unittest
+import warnings
+
+import medialvoxel
+import numpy as np
+
+from support import Folder, run, scene, write
+
+# Keywords of extract, and the same as options of the program.
+OF_THE_PROGRAM = [
+    ({"lower": 5, "upper": 3}, ["--lower=5", "--upper=3"]),
+    ({"lower": "nan"}, ["--lower=nan"]),
+    ({"lower": float("nan")}, ["--lower=nan"]),
+    ({"lower": "many"}, ["--lower=many"]),
+    ({"label": 300}, ["--label=300"]),
+    ({"label": 1.5}, ["--label=1.5"]),
+    ({"label": 3, "lower": 1}, ["--label=3", "--lower=1"]),
+    ({"thickness": -1}, ["--thickness=-1"]),
+    ({"thickness": "thick"}, ["--thickness=thick"]),
+    ({"thickness": float("inf")}, ["--thickness=inf"]),
+    ({"minimum_thickness": 5, "maximum_thickness": 4}, ["--minimum-thickness=5", "--maximum-thickness=4"]),
+    ({"thickness": 3, "maximum_thickness": 4}, ["--thickness=3", "--maximum-thickness=4"]),
+    ({"max_pore_size": 10**7}, ["--max-pore-size=10000000"]),
+    ({"max_pore_size": -1}, ["--max-pore-size=-1"]),
+    ({"smooth": "maybe"}, ["--smooth=maybe"]),
+    ({"sub_voxel": True}, ["--sub-voxel"]),
+    ({"labels": "all", "lower": 3}, ["--labels=all", "--lower=3"]),
+    ({"labels": [0]}, ["--labels=0"]),
+    ({"threads": 0}, ["--threads=0"]),
+    ({"memory": "much"}, ["--memory=much"]),
+    ({"vector_boundary": "none"}, ["--vectors={folder}/v.mha", "--vector-boundary=none"]),
+]
+
+# Of NumPy alone: what is refused, and a part of the message.
+OF_ARRAYS = [
+    (np.zeros((3, 3, 3), complex), "the values are complex128"),
+    (np.zeros((3, 3, 3), np.longdouble), "the values are float128"),
+    (np.zeros((3, 3, 3), object), "the values are object"),
+    (np.zeros((3, 3, 3), "U3"), "the values are <U3"),
+    (np.zeros((3, 3, 3), "datetime64[s]"), "the values are datetime64[s]"),
+    (np.zeros((3, 3, 3), [("a", "u1")]), "the values are [('a', 'u1')]"),
+    (np.ma.masked_array(np.zeros((3, 3, 3)), True), "masked"),
+    (np.zeros(5), "the array has 1 axes"),
+    (np.zeros((2, 2, 2, 2)), "the array has 4 axes"),
+    (np.float32(3), "the array has 0 axes"),
+    (np.zeros((3, 0, 3)), "the array has the shape (3, 0, 3)"),
+    (None, "the array has 0 axes"),
+]
+
+SPACINGS = [
+    (0, "axis 0"),
+    ((1, 1, 0), "axis 2 is 0"),
+    ((-1, 1, 1), "axis 0 is -1"),
+    ((1, float("nan"), 1), "axis 1"),
+    ((1, 1), "one for each axis, (z, y, x)"),
+    ("wide", "one for each axis"),
+    ((1, 1, 5000), "ratio"),
+]
+
+
+class Errors(Folder):
+    def test_messages_of_the_program(self):
+        values = scene().astype("uint8")
+        write(self.folder / "in.mha", values)
+        for keywords, options in OF_THE_PROGRAM:
+            with self.subTest(keywords):
+                options = [option.format(folder=self.folder) for option in options]
+                status, errors = run(["extract", self.folder / "in.mha", self.folder / "out.mha", *options])
+                self.assertIn(status, (2, 3, 4))
+                said = errors.splitlines()[-1].removeprefix("medialvoxel: ").removesuffix(" (see medialvoxel --help)")
+                with self.assertRaises(ValueError) as caught:
+                    medialvoxel.extract(values, **keywords)
+                self.assertEqual(str(caught.exception), said.replace(str(self.folder / "in.mha"), "array"))
+
+    def test_arrays(self):
+        for array, message in OF_ARRAYS:
+            with self.subTest(message), self.assertRaises(ValueError) as caught:
+                medialvoxel.extract(array)
+            self.assertIn(message, str(caught.exception))
+
+    def test_spacings(self):
+        for spacing, message in SPACINGS:
+            with self.subTest(spacing), self.assertRaises(ValueError) as caught:
+                medialvoxel.distance(scene(), spacing)
+            self.assertIn(message, str(caught.exception))
+
+    def test_labels(self):
+        cells = np.ones((4, 4, 4), np.int16)
+        for labels, message in (([7], "No voxel of the input has the label 7"), (["bone"], "is a name"), ([], "is empty")):
+            with self.subTest(labels), self.assertRaises(ValueError) as caught:
+                medialvoxel.extract(cells, labels=labels)
+            self.assertIn(message, str(caught.exception))
+
+    def test_lack_of_memory(self):
+        with self.assertRaises(MemoryError) as caught:
+            medialvoxel.extract(scene(), lower=40, memory=1)
+        self.assertIn("1 bytes are allowed", str(caught.exception))
+        with self.assertRaises(MemoryError):
+            medialvoxel.extract(np.broadcast_to(np.uint8(1), (2**16, 2**16, 2**16)))
+
+    def test_otsu_of_equal_values(self):
+        with self.assertRaises(ValueError) as caught:
+            medialvoxel.mesh(np.ones((4, 4, 4)), lower="otsu")
+        self.assertIn("array: all its values are 1; the threshold of Otsu needs two", str(caught.exception))
+
+    def test_a_mesh_needs_three_axes(self):
+        with self.assertRaises(ValueError):
+            medialvoxel.mesh(scene()[0])
+
+    def test_unequal_spacing_is_a_warning(self):
+        with self.assertWarnsRegex(UserWarning, "unequal"):
+            medialvoxel.extract(scene(), lower=40, spacing=(8, 1, 1))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            medialvoxel.extract(scene(), lower=40, spacing=(2, 1, 1))
+
+    def test_unknown_keywords(self):
+        with self.assertRaises(TypeError):
+            medialvoxel.extract(scene(), lower_threshold=3)
+
+
+if __name__ == "__main__":
+    unittest.main()

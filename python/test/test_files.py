@@ -1,0 +1,94 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Files by way of the program, and the command."""
+
+import json
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+import medialvoxel
+import numpy as np
+
+from support import PATIENCE, Folder, program, read, scene, slow_noise, write
+
+
+class Files(Folder):
+    def setUp(self):
+        super().setUp()
+        program()
+        self.input = self.folder / "in.mha"
+        write(self.input, scene().astype("uint8"), (2.0, 1.0, 0.5))
+
+    def test_a_file_gives_what_an_array_gives(self):
+        report = medialvoxel.extract_file(
+            self.input, self.folder / "out.mha", lower=40, thickness_map=self.folder / "map.mha", no_sub_voxel=True
+        )
+        found = medialvoxel.extract(scene().astype("uint8"), lower=40, spacing=(2.0, 1.0, 0.5))
+        np.testing.assert_array_equal(read(self.folder / "out.mha"), found.labels)
+        np.testing.assert_array_equal(read(self.folder / "map.mha"), found.thickness)
+        for name, number in found.counts.items():
+            self.assertEqual(report["counts"][name], number)
+
+    def test_values_of_all_axes_are_z_first(self):
+        raw = self.folder / "in.raw"
+        raw.write_bytes(scene().astype("uint8").tobytes())
+        options = {"raw_type": "uint8", "lower": 40, "overwrite": True}
+        expected = medialvoxel.extract(scene().astype("uint8"), lower=40, spacing=(2.0, 1.0, 0.5)).labels
+        for size, spacing in ((scene().shape, (2, 1, 0.5)), ("34,30,22", "0.5,1,2")):
+            medialvoxel.extract_file(raw, self.folder / "out.mha", raw_size=size, spacing=spacing, **options)
+            np.testing.assert_array_equal(read(self.folder / "out.mha"), expected)
+
+    def test_a_report_of_ones_own(self):
+        report = medialvoxel.extract_file(self.input, self.folder / "out.mha", report=self.folder / "r.json", lower=40)
+        self.assertEqual(json.loads((self.folder / "r.json").read_text()), report)
+
+    def test_errors(self):
+        out = self.folder / "out.mha"
+        cases = [
+            ((self.folder / "absent.mha", out), {}, FileNotFoundError, "absent.mha"),
+            ((self.input, out), {"lower": 5, "upper": 3}, ValueError, "lower threshold 5 is greater than upper"),
+            ((self.input, out), {"loewr": 5}, ValueError, "'--loewr' is not an option of extract"),
+            ((self.input, out), {"memory": 1000}, MemoryError, "needs at least"),
+            ((self.input, self.folder / "none" / "out.mha"), {}, ValueError, "does not exist"),
+        ]
+        for files, options, kind, message in cases:
+            with self.subTest(message), self.assertRaises(kind) as caught:
+                medialvoxel.extract_file(*files, **options)
+            self.assertIn(message, str(caught.exception))
+            self.assertFalse(out.exists())
+
+    def test_ctrl_c(self):
+        write(self.input, slow_noise().astype("uint8"))
+        source = (
+            "import medialvoxel, time, sys\nprint('begin', flush=True)\n"
+            f"try:\n    medialvoxel.extract_file({str(self.input)!r}, {str(self.folder / 'out.mha')!r}, thickness=154)\n"
+            "except KeyboardInterrupt:\n    print(time.time())\n"
+        )
+        # The best of a few: other processes of the machine disturb.
+        waits = []
+        while len(waits) < 3 and min(waits, default=9.0) >= 1.0 * PATIENCE:
+            process = subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE, text=True)
+            process.stdout.readline()
+            time.sleep(1.5)
+            sent = time.time()
+            process.send_signal(signal.SIGINT)
+            output, _ = process.communicate(timeout=60)
+            waits.append(float(output) - sent)
+        print(f"Ctrl-C stops extract_file after {min(waits):.2f} s")
+        self.assertLess(min(waits), 1.0 * PATIENCE)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["in.mha"])
+
+    def test_the_command(self):
+        for command in ([sys.executable, "-m", "medialvoxel"], [program()]):
+            done = subprocess.run([*command, "--version"], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (0, f"medialvoxel {medialvoxel.__version__}\n"))
+        done = subprocess.run([sys.executable, "-m", "medialvoxel", "info"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("medialvoxel: ", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,213 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Every type and memory order of arrays gives the bytes that the program writes for a file of the same values."""
+
+import unittest
+
+import medialvoxel
+import numpy as np
+
+from support import Folder, read, read_ply, run, scene, write
+
+INTEGERS = ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"]
+REALS = ["float16", "float32", "float64"]
+
+
+def spread(values):
+    """Every second voxel of a larger array."""
+    larger = np.full(tuple(2 * size for size in values.shape), 99, values.dtype)
+    view = larger[::2, 1::2, ::2]
+    view[...] = values
+    return view
+
+
+ORDERS = {
+    "C": np.ascontiguousarray,
+    "Fortran": np.asfortranarray,
+    "reversed": lambda values: np.ascontiguousarray(values[::-1, ::-1, ::-1])[::-1, ::-1, ::-1],
+    "transposed": lambda values: np.ascontiguousarray(values.transpose(1, 2, 0)).transpose(2, 0, 1),
+    "every second": spread,
+    "unaligned": lambda values: np.frombuffer(b"-" + values.tobytes(), values.dtype, offset=1).reshape(values.shape),
+    "big-endian": lambda values: values.astype(values.dtype.newbyteorder(">")),
+    "little-endian": lambda values: values.astype(values.dtype.newbyteorder("<")),
+    "read-only": lambda values: np.frombuffer(values.tobytes(), values.dtype).reshape(values.shape),
+}
+
+SPACING = (1.5, 1.0, 0.75)
+
+# Name: keywords, and options of the program.
+EXTRACTIONS = {
+    "auto": ({"lower": 40}, ["--lower", "40"]),
+    "fixed": ({"lower": 40, "thickness": 2.5}, ["--lower", "40", "--thickness", "2.5"]),
+    "otsu": ({"lower": "otsu", "smooth": "on"}, ["--lower", "otsu", "--smooth", "on"]),
+    "range": ({"lower": 40, "upper": 90.5, "max_pore_size": 5}, ["--lower=40", "--upper=90.5", "--max-pore-size=5"]),
+    "all but 0": ({"voxel_units": True, "smooth": "off"}, ["--voxel-units", "--smooth", "off"]),
+    "sub-voxel": ({"lower": 40.25, "sub_voxel": True}, ["--lower", "40.25", "--sub-voxel"]),
+    "background": ({"lower": 40, "vector_boundary": "background"}, ["--lower=40", "--vector-boundary=background"]),
+}
+
+
+class Results(Folder):
+    def assert_same(self, found, expected):
+        self.assertEqual(found.dtype, expected.dtype)
+        np.testing.assert_array_equal(found, expected)
+        self.assertTrue(found.flags.owndata and found.flags.c_contiguous and found.flags.writeable)
+
+    def program(self, command, values, *arguments):
+        write(self.folder / "in.mha", values, SPACING)
+        if command == "extract" and "--sub-voxel" not in arguments:
+            # The program measures on gray values by itself, the function when it is asked to.
+            arguments = (*arguments, "--sub-voxel=off")
+        status, errors = run([command, self.folder / "in.mha", *arguments, "--overwrite", "--quiet"])
+        self.assertEqual(status, 0, errors)
+
+    def test_extract_of_every_type_and_order(self):
+        outputs = [self.folder / f"{name}.mha" for name in ("labels", "thickness", "vectors")]
+        for dtype in [*INTEGERS, *REALS, "bool"]:
+            values = scene() > 40 if dtype == "bool" else scene().astype(dtype)
+            keywords, options = EXTRACTIONS["all but 0" if dtype == "bool" else "auto"]
+            stored = values.astype({"bool": "uint8", "float16": "float32"}.get(dtype, dtype))
+            files = [outputs[0], f"--thickness-map={outputs[1]}", f"--vectors={outputs[2]}"]
+            self.program("extract", stored, *files, *options)
+            expected = [read(path) for path in outputs]
+            self.assertGreater(np.count_nonzero(expected[0] >= 2), 1000)
+            for order, arrange in ORDERS.items():
+                with self.subTest(dtype=dtype, order=order):
+                    array = arrange(values)
+                    before = array.copy()
+                    found = medialvoxel.extract(array, spacing=SPACING, **keywords)
+                    for part, whole in zip((found.labels, found.thickness, found.vectors), expected):
+                        self.assert_same(part, whole)
+                    np.testing.assert_array_equal(array, before)
+
+    def test_extract_with_every_option(self):
+        outputs = [self.folder / f"{name}.mha" for name in ("labels", "thickness", "vectors")]
+        files = [outputs[0], f"--thickness-map={outputs[1]}", f"--vectors={outputs[2]}"]
+        for dtype in ("uint8", "float32", "int64"):
+            values = scene().astype(dtype)
+            for name, (keywords, options) in EXTRACTIONS.items():
+                with self.subTest(dtype=dtype, options=name):
+                    self.program("extract", values, *files, *options)
+                    found = medialvoxel.extract(values, spacing=SPACING, threads=1, **keywords)
+                    for part, path in zip((found.labels, found.thickness, found.vectors), outputs):
+                        self.assert_same(part, read(path))
+
+    def test_distance_of_every_type_and_order(self):
+        files = [self.folder / "vectors.mha", f"--distance={self.folder / 'distance.mha'}"]
+        for dtype in [*INTEGERS, *REALS]:
+            values = scene().astype(dtype)
+            self.program("distance", values.astype("float32") if dtype == "float16" else values, *files, "--lower=40")
+            for order, arrange in ORDERS.items():
+                with self.subTest(dtype=dtype, order=order):
+                    found = medialvoxel.distance(arrange(values), spacing=SPACING, lower=40)
+                    self.assert_same(found.vectors, read(files[0]))
+                    self.assert_same(found.distance, read(self.folder / "distance.mha"))
+
+    def test_distance_with_every_option(self):
+        files = [self.folder / "vectors.mha", f"--distance={self.folder / 'distance.mha'}"]
+        for keywords in ({"boundary": "background"}, {"region": "inside"}, {"maximum_distance": 2.5}, {"label": 80}):
+            with self.subTest(keywords):
+                options = [f"--{name.replace('_', '-')}={value}" for name, value in keywords.items()]
+                if "label" not in keywords:
+                    keywords, options = {**keywords, "lower": 40}, [*options, "--lower=40"]
+                self.program("distance", scene().astype("uint8"), *files, *options)
+                found = medialvoxel.distance(scene().astype("uint8"), spacing=SPACING, **keywords)
+                self.assert_same(found.vectors, read(files[0]))
+                self.assert_same(found.distance, read(self.folder / "distance.mha"))
+
+    def assert_same_mesh(self, found, path):
+        points, faces, thickness = read_ply(path)
+        np.testing.assert_array_equal(found.points.astype(points.dtype), points)
+        np.testing.assert_array_equal(found.faces, faces)
+        np.testing.assert_array_equal(found.thickness, thickness)
+
+    def test_mesh_of_every_type_and_order(self):
+        path = self.folder / "mesh.ply"
+        for dtype in [*INTEGERS, *REALS]:
+            values = scene().astype(dtype)
+            self.program("mesh", values.astype("float32") if dtype == "float16" else values, path, "--lower=40")
+            for order, arrange in ORDERS.items():
+                with self.subTest(dtype=dtype, order=order):
+                    found = medialvoxel.mesh(arrange(values), spacing=SPACING, lower=40)
+                    self.assertGreater(len(found.faces), 1000)
+                    self.assert_same_mesh(found, path)
+
+    def test_mesh_with_every_option(self):
+        path = self.folder / "mesh.ply"
+        cases = {
+            ("--triangles",): {"triangles": True},
+            ("--smallest-component=50",): {"smallest_component": 50},
+            ("--min-branch-length=3",): {"min_branch_length": 3},
+            ("--sub-voxel", "--smooth=off", "--thickness=3"): {"sub_voxel": True, "smooth": False, "thickness": 3},
+        }
+        for options, keywords in cases.items():
+            with self.subTest(keywords):
+                self.program("mesh", scene().astype("int16"), path, "--lower=40", *options)
+                self.assert_same_mesh(
+                    medialvoxel.mesh(scene().astype("int16"), spacing=SPACING, lower=40, **keywords), path
+                )
+
+    def test_labels_of_every_type(self):
+        cells = np.zeros((20, 24, 28))
+        cells[2:18, 2:22, 2:12] = 3
+        cells[2:18, 2:22, 12:26] = 70
+        files = [self.folder / "labels.mha", f"--objects={self.folder / 'objects.mha'}"]
+        for dtype in INTEGERS:
+            for labels in ("all", [70]):
+                with self.subTest(dtype=dtype, labels=labels):
+                    text = labels if labels == "all" else "70"
+                    self.program("extract", cells.astype(dtype), *files, f"--labels={text}", "--thickness=3")
+                    found = medialvoxel.extract(cells.astype(dtype), 3, SPACING, labels=labels)
+                    self.assert_same(found.labels, read(files[0]))
+                    self.assert_same(found.objects, read(self.folder / "objects.mha"))
+                    self.assertEqual([row["label"] for row in found.object_counts], [70] if text == "70" else [3, 70])
+                    self.assertIsNone(found.vectors)
+
+    def test_two_dimensions(self):
+        values = scene()[4].astype("uint8")
+        outputs = [self.folder / f"{name}.mha" for name in ("labels", "thickness", "vectors")]
+        write(self.folder / "in.mha", values, (1.0, 0.5))
+        files = [outputs[0], f"--thickness-map={outputs[1]}", f"--vectors={outputs[2]}"]
+        status, errors = run(["extract", self.folder / "in.mha", *files, "--lower=40", "--sub-voxel=off", "--quiet"])
+        self.assertEqual(status, 0, errors)
+        found = medialvoxel.extract(values, spacing=(1.0, 0.5), lower=40)
+        for part, path in zip((found.labels, found.thickness, found.vectors), outputs):
+            self.assert_same(part, read(path))
+
+    def test_whole_numbers_of_64_bits_are_exact(self):
+        values = np.full((6, 12, 12), 2**63, np.uint64)
+        values[2:5, 2:10, 2:10] += np.uint64(1)
+        found = medialvoxel.extract(values, 3.0, lower=2**63 + 1)
+        self.assertEqual(found.counts["object_voxels"], 3 * 8 * 8)
+
+    def test_scalars_of_numpy(self):
+        values = scene().astype("uint8")
+        plain = medialvoxel.extract(values, 3, lower=40, spacing=0.5)
+        for kind in (np.float32, np.float64, np.int32, np.uint8, np.array):
+            found = medialvoxel.extract(values, kind(3), lower=kind(40), spacing=np.float32([0.5] * 3))
+            np.testing.assert_array_equal(found.labels, plain.labels)
+
+    def test_counts_are_those_of_the_arrays(self):
+        found = medialvoxel.extract(scene(), lower=40, smooth=False, max_pore_size=0)
+        self.assertEqual(found.counts["object_voxels"], np.count_nonzero(scene() >= 40))
+        self.assertEqual(found.counts["medial_cells"], np.count_nonzero(found.medial))
+        self.assertEqual(found.counts["candidate_cells"], np.count_nonzero(found.labels))
+        self.assertEqual((found.lower, found.smoothed, found.origin), (40.0, False, (0.5, 0.5, 0.5)))
+
+    def test_outputs_that_are_not_wanted(self):
+        found = medialvoxel.extract(scene(), lower=40, thickness_map=False, vectors=False)
+        self.assertIsNone(found.thickness)
+        self.assertIsNone(found.vectors)
+
+    def test_results_outlive_the_input(self):
+        values = scene()
+        found = medialvoxel.extract(values, lower=40)
+        before = found.labels.copy()
+        values[...] = 0
+        del values
+        medialvoxel.extract(scene(seed=4), lower=40)
+        np.testing.assert_array_equal(found.labels, before)
+
+
+if __name__ == "__main__":
+    unittest.main()
