@@ -328,6 +328,7 @@ protected:
 
 private:
   class Client;
+  class PassProgress;
 
   void
   ReleaseSmallOutputs();

@@ -275,15 +275,17 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelRoughness
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MeasureRoughness()
 {
-  Client                   client(*this, 0, 1);
-  MedialVoxelRoughnessPass pass;
+  Client                     client(*this, 0, 1);
+  PassProgress               progress(client);
+  const MedialVoxelPollScope scope(progress);
+  MedialVoxelRoughnessPass   pass;
   pass.fill = [&client](const MedialVoxelBox & box, MedialVoxelBits & object) {
     client.FillObject(box, object, nullptr);
   };
   pass.forEach = [](const MedialVoxelRoughnessPass::Boxes & boxes, const MedialVoxelRoughnessPass::Work & work) {
     std::for_each(boxes.begin(), boxes.end(), work);
   };
-  pass.observe = [&client](double) { client.ThrowIfAborted(); };
+  pass.observe = [](double) { MedialVoxelPoll(); };
   return MedialVoxelMeasureRoughness(pass, this->GetGrid().GetVoxelBox());
 }
 
@@ -293,6 +295,8 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SurveyScan(const double t
                                                                   const std::optional<MedialVoxelScanLevels> & levels)
 {
   Client                        client(*this, 0, 1);
+  PassProgress                  progress(client);
+  const MedialVoxelPollScope    scope(progress);
   MedialVoxelScanSurvey::Source source;
   source.fill = [&client](const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelGray & gray) {
     client.FillObjectAndGray(box, object, nullptr, gray);
@@ -300,7 +304,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SurveyScan(const double t
   source.forEach = [](const MedialVoxelScanSurvey::Boxes & boxes, const MedialVoxelScanSurvey::Work & work) {
     std::for_each(boxes.begin(), boxes.end(), work);
   };
-  source.observe = [&client](double) { client.ThrowIfAborted(); };
+  source.observe = [](double) { MedialVoxelPoll(); };
   return MedialVoxelScanSurvey(this->GetGrid(), threshold, levels).Run(source);
 }
 

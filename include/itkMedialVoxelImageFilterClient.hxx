@@ -101,15 +101,6 @@ public:
     return m_Filter.GetAbortGenerateData();
   }
 
-  void
-  ThrowIfAborted() const
-  {
-    if (this->IsAbortRequested())
-    {
-      std::rethrow_exception(this->GetAbortException());
-    }
-  }
-
   std::exception_ptr
   GetAbortException() const override
   {
@@ -209,6 +200,41 @@ private:
   const MedialVoxelObjectMap * m_Objects;
   unsigned int                 m_Run;
   unsigned int                 m_NumberOfRuns;
+};
+
+/** Lets a pass before the extraction be stopped. Its progress is that of the begin. */
+template <typename TInputImage, typename TOutputImage>
+class MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PassProgress : public MedialVoxelProgress
+{
+public:
+  explicit PassProgress(Client & client)
+    : m_Client(client)
+  {}
+
+  bool
+  IsAborted() const override
+  {
+    return m_Client.IsAbortRequested();
+  }
+
+  void
+  Advance(std::uint64_t) override
+  {}
+
+  void
+  Beat() override
+  {
+    m_Client.UpdateProgress(0.0f);
+  }
+
+  [[noreturn]] void
+  ThrowAborted() const override
+  {
+    std::rethrow_exception(m_Client.GetAbortException());
+  }
+
+private:
+  Client & m_Client;
 };
 
 } // end namespace itk

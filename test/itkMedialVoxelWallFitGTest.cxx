@@ -318,7 +318,7 @@ TEST(MedialVoxelScanSurvey, SaysWhyThereIsNone)
   EXPECT_EQ(reasonOf(MakeWall(8.0, 0.8), Material + 1.0),
             "the threshold is not between the values of background and material");
   EXPECT_EQ(reasonOf([](double s) { return std::abs(s) < 4.0 ? 1.0 : 0.0; }, Threshold),
-            "the values are those of a mask");
+            "the edges are as sharp as those of a mask");
 }
 
 TEST(MedialVoxelScanSurvey, LevelsThatAreKnownNeedNoThickWallsButTheBlurDoes)

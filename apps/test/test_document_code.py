@@ -45,6 +45,7 @@ PREPARED = {
     ("doc/how-to/label-maps.md", "medialvoxel extract segments.mha"): "cp part.mha segments.mha",
     ("doc/how-to/label-maps.md", "medialvoxel extract scan.seg.nrrd"): "medialvoxel extract part.mha scan.seg.nrrd",
     ("doc/how-to/label-maps.md", "python3 -c"): "medialvoxel extract part.mha x.mha --labels all --report report.json",
+    ("doc/how-to/wall-thickness.md", "medialvoxel extract plain.mha"): "cp gray.mha plain.mha",
     ("doc/how-to/wall-thickness.md", "awk -F,"): "medialvoxel extract part.mha x.mha --lower 72 --thickness-csv thickness.csv",
     ("doc/how-to/large-volumes.md", "import zarr"): "medialvoxel extract part.mha part.ome.zarr --lower 72",
 }
@@ -72,6 +73,7 @@ class DocumentCodeTest(ProgramTestCase):
         super().setUp()
         volumes.write_meta(self.folder / "part.mha", volumes.box_with_plate((60, 50, 40)))
         volumes.write_raw(self.folder / "scan.raw", volumes.box_with_plate((60, 50, 40)).as_type("uint16"))
+        volumes.write_meta(self.folder / "gray.mha", volumes.blurred_wall(7))
         path = [str(pathlib.Path(name).parent) for name in (PROGRAM, MODULE)]
         self.environment = {**os.environ, "PATH": os.pathsep.join([*path, os.environ["PATH"]])}
 

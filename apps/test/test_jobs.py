@@ -131,7 +131,7 @@ class SmallJobTest(JobTestCase):
             "--thickness": 2, "--minimum-thickness": 2, "--maximum-thickness": 7, "--max-pore-size": 3,
             "--smooth": "on", "--voxel-units": None, "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
-            "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
+            "--uncertainty-map": "u.mha", "--levels": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
             "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--level": 1,
             "--slices": "2-6",
         }  # fmt: skip
@@ -146,7 +146,8 @@ class SmallJobTest(JobTestCase):
 
         volumes.write_meta(self.folder / "long.mha", volumes.box_with_plate((300, 20, 16)))
         self.extract("long.mha", "levels.zarr")
-        sources = {"--level": "../levels.zarr", "--slices": "../slice_*.tif"}
+        volumes.write_meta(self.folder / "gray.mha", volumes.blurred_wall(7))
+        sources = {"--uncertainty-map": "../gray.mha", "--level": "../levels.zarr", "--slices": "../slice_*.tif"}
         for number in range(9 if READS_TIFF else 0):
             volumes.write_tiff(self.folder / f"slice_{number}.tif", volumes.Volume((20, 16, 1), [number] * 320))
         plain = parameters("../in.mha")
@@ -156,12 +157,14 @@ class SmallJobTest(JobTestCase):
                 continue
             needed = {
                 "--sub-voxel": ["--lower", 50],
+                "--uncertainty-map": ["--lower", 1000],
+                "--levels": ["--lower", 50],
                 "--vector-boundary": ["--vectors", "v.mha"],
                 "--zarr-compression": ["--distance", "d.zarr"],
             }.get(option, [])
             before = plain if source == "../in.mha" and not needed else parameters(source, *needed)
             found = parameters(source, option, *([] if value is None else [value]), *needed)
-            self.assertEqual(len([name for name in found if name != "roughness" and found[name] != before[name]]), 1, option)
+            self.assertEqual(len([name for name in found if name not in ("roughness", "measure") and found[name] != before[name]]), 1, option)
         (self.folder / "in.raw").write_bytes(bytes(5 + 40 * 36 * 33))
         expected = {"size": [40, 36, 33], "type": "uint8", "spacing": [1, 2, 3], "header_bytes": 5, "big_endian": True}
         self.assertEqual(parameters("../in.raw", *raw.split())["raw"], expected)

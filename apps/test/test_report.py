@@ -30,6 +30,7 @@ KEYS = [
     "percent",
     "smoothed",
     "roughness",
+    "measure",
     "thickness",
     "warnings",
     *RUN_KEYS,
@@ -200,7 +201,7 @@ class ReportTest(ProgramTestCase):
     def test_report_of_distance(self):
         self.run_program("distance", "in.mha", "v.mha", "--lower", 72, "--report", "r.json", "--maximum-distance", 5)
         report = json.loads((self.folder / "r.json").read_text())
-        self.assertEqual(list(report), [key for key in KEYS if key not in ("percent", "smoothed", "roughness", "thickness")])
+        self.assertEqual(list(report), [key for key in KEYS if key not in ("percent", "smoothed", "roughness", "measure", "thickness")])
         self.assertEqual(report["parameters"]["maximum_distance"], 5)
         self.assertEqual(report["parameters"]["boundary"], "object")
 

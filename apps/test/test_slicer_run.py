@@ -22,7 +22,7 @@ PAIRS = [
     (["--objectSelection=Label", "--labelValue=100", "--voxelUnits"], ["--label", "100", "--voxel-units"]),
     (["--thicknessMode", "Automatic"], []),
     (["--thicknessMode=Fixed", "--thickness", "3"], []),
-    (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5", "--subVoxel"], ["--lower", "72.5", "--sub-voxel"]),
+    (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5", "--subVoxel", "On"], ["--lower", "72.5", "--sub-voxel"]),
     (["--maximumPoreSize", "0"], ["--max-pore-size", "0"]),
     (["--resample", "--objectSelection=AboveLower", "--lowerThreshold=72"], ["--resample", "auto", "--lower", "72"]),
     (["--maximumPoreSize=-1", "--thickness", "2"], []),

@@ -18,6 +18,9 @@ from ._options import format_value
 # Where values of all axes are: x first for the program.
 _PER_AXIS = ("spacing", "raw_size", "raw_spacing")
 
+# Options that are automatic unless they are on or off.
+_SWITCHES = ("smooth", "sub_voxel")
+
 _WRONG_VALUES = (2, 3, 4)  # of its exit status: usage, refused, corrupt input
 
 
@@ -43,6 +46,9 @@ def _make_arguments(options: dict[str, Any]) -> list[str]:
     arguments: list[str] = []
     for name, value in options.items():
         option = f"--{name.replace('_', '-')}"
+        if name in _SWITCHES and isinstance(value, bool):
+            arguments.append(f"{option}={'on' if value else 'off'}")
+            continue
         if value is None or value is False:
             continue
         if value is True:
@@ -68,7 +74,7 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
     """Extracts the medial cells of a file of any size into a file, as `medialvoxel extract INPUT OUTPUT` does.
 
     options: those of the program, with underscores: thickness_map="map.mha", lower=72, memory="2G", overwrite=True.
-        True switches an option on; None and False leave it to its default. Values of all axes are (z, y, x) as numbers,
+        True switches an option on; None and False leave it to its default. smooth=False and sub_voxel=False switch off. Values of all axes are (z, y, x) as numbers,
         and as the program takes them as a text: spacing=(2, 1, 1) is spacing="1,1,2".
 
     Returns the report, whose keys doc/reference/report.md lists. Raises ValueError for what the program refuses,

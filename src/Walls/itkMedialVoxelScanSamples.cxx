@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace itk
 {
@@ -22,8 +23,12 @@ using SurfaceSample = MedialVoxelScanSamples::Surface;
 constexpr std::size_t FewestLevels = 200;
 constexpr std::size_t FewestSurfaces = 60;
 
-/** Blur of a scan; that of a mask is less. */
-constexpr double SmallestBlur = 0.2;
+/** From the middle of a wall to its faces, in units of the blur: there the value is lower by 0.7 %. */
+constexpr double       SmallestDepth = 2.7;
+constexpr std::int64_t UnlimitedDepth = std::numeric_limits<std::int64_t>::max() / 2;
+
+/** Blur of a scan; that of a mask, and of walls that are averaged over the voxels alone, is less. */
+constexpr double SmallestBlur = 0.4;
 constexpr double LargestBlur = 3.0;
 
 /** The middle one; the values change their order. */
@@ -47,8 +52,14 @@ TakeDeviation(std::vector<double> values)
   return 1.4826 * TakeMedian(values);
 }
 
+struct MaterialLevel
+{
+  double       value;
+  std::int64_t depth; // of object around it
+};
+
 /** The value of the material in walls as thick as there are. */
-std::optional<double>
+std::optional<MaterialLevel>
 FindMaterial(const std::vector<MaterialSample> & samples)
 {
   for (std::int64_t depth = 4; depth >= 2; --depth)
@@ -63,7 +74,7 @@ FindMaterial(const std::vector<MaterialSample> & samples)
     }
     if (values.size() >= FewestLevels)
     {
-      return TakeMedian(values);
+      return MaterialLevel{ TakeMedian(values), depth };
     }
   }
   return std::nullopt;
@@ -158,13 +169,14 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
   scan.correlation =
     std::max(FindCorrelation(background, &BackgroundSample::smallMean, isSolid ? 27.0 : 9.0, scan.noise),
              FindCorrelation(background, &BackgroundSample::largeMean, isSolid ? 125.0 : 25.0, scan.noise));
-  const std::optional<double> inside = levels ? levels->material : FindMaterial(material);
+  const std::optional<MaterialLevel> inside =
+    levels ? MaterialLevel{ levels->material, UnlimitedDepth } : FindMaterial(material);
   if (!inside)
   {
     return { std::nullopt, "too few walls are 5 voxels thick, so that the value of the material is not known" };
   }
   scan.background = levels ? levels->background : TakeMedian(values);
-  scan.material = *inside;
+  scan.material = inside->value;
   if (!(std::min(scan.background, scan.material) < threshold && threshold < std::max(scan.background, scan.material)))
   {
     return { std::nullopt, "the threshold is not between the values of background and material" };
@@ -180,7 +192,11 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
   }
   if (!(*blur >= SmallestBlur && *blur <= LargestBlur))
   {
-    return { std::nullopt, *blur < SmallestBlur ? "the values are those of a mask" : "the blur is too large" };
+    return { std::nullopt, *blur < SmallestBlur ? "the edges are as sharp as those of a mask" : "the blur is too large" };
+  }
+  if (0.5 + static_cast<double>(inside->depth) < SmallestDepth * *blur)
+  {
+    return { std::nullopt, "no wall is thick enough for the blur, so that the value of the material is not known" };
   }
   scan.blur = *blur;
   return { scan, {} };

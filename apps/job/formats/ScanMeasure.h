@@ -18,10 +18,6 @@ FindWallMeasure(InputVolume &          input,
                 const ExtractOptions & options,
                 const ReadObserver &   observer);
 
-/** Memory that this takes, for each thread and beside. */
-constexpr std::uint64_t ScanBytesPerThread = itk::MedialVoxelScanSurvey::BytesPerThread;
-constexpr std::uint64_t ScanBytes = itk::MedialVoxelScanSurvey::BytesOfSamples;
-
 } // end namespace medialvoxel
 
 #endif

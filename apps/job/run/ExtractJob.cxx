@@ -94,17 +94,6 @@ AddSmoothing(PieceFootprint & footprint, const ExtractOptions & options, const V
   bytes += header.CanStream() ? SmoothedInput::GetBytesPerThread(header) : GetBytesOfSmoothedSlices(header);
 }
 
-void
-AddScan(PieceFootprint & footprint, const ExtractOptions & options, const VolumeHeader & header)
-{
-  if (MayMeasureOnGrayValues(options, header) && !options.measure)
-  {
-    std::uint64_t & bytes = InputVolume::IsReadInParallel(header) ? footprint.bytesPerThread : footprint.bytesBeside;
-    bytes += ScanBytesPerThread;
-    footprint.bytesBeside += ScanBytes;
-  }
-}
-
 PieceFootprint
 GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
@@ -119,7 +108,6 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   extraction.observerBytesPerVoxel = Survey::WorkerBytesPerVoxel;
   footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
   AddSmoothing(footprint, options, header);
-  AddScan(footprint, options, header);
   if (!options.meshFile.empty())
   {
     extraction.observerBytesPerVoxel +=
