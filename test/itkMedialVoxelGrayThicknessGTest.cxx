@@ -155,11 +155,11 @@ const Tilt Tilts[] = { { "along an axis", { { 0, 0, 1 } } },
 
 struct PlateErrors
 {
-  double       mean{ 0.0 };         // over the places of the means of plates
-  double       smallest{ 1e9 };     // mean of a plate
-  double       largest{ -1e9 };     // mean of a plate
-  double       deviation{ 0.0 };    // of the cells of a plate, mean over the places
-  unsigned int numberOfFits{ 0 };   // plates of which the scan is known
+  double       mean{ 0.0 };          // over the places of the means of plates
+  double       smallest{ 1e9 };      // mean of a plate
+  double       largest{ -1e9 };      // mean of a plate
+  double       deviation{ 0.0 };     // of the cells of a plate, mean over the places
+  unsigned int numberOfFits{ 0 };    // plates of which the scan is known
   double       largestOfFits{ 0.0 }; // of the means of these, without sign
 };
 
@@ -181,8 +181,8 @@ MeasurePlates(const Vector3 & normal, double thickness, double blur, double gap 
     const auto image = BlurredWall({ { 38, 38, 38 } }, UnitSpacing, thickness, blur, distance, gap);
     // The other wall is not measured.
     const auto filter = MakeGrayFilter(image, thickness < 6 ? 3.0 : 5.0);
-    const auto part = ErrorsOf(
-      filter, thickness, 10, [&](const Vector3 & p) { return std::abs(distance(p)) <= thickness / 2; });
+    const auto part =
+      ErrorsOf(filter, thickness, 10, [&](const Vector3 & p) { return std::abs(distance(p)) <= thickness / 2; });
     if (filter->GetReasonWithoutScan().empty())
     {
       ++errors.numberOfFits;

@@ -109,6 +109,7 @@ MeasureErrors(const Volume & volume, const double thickness, const itk::MedialVo
   const itk::MedialVoxelWallFit                  fit(scan, volume.grid.GetNumberOfActiveAxes());
   std::vector<itk::MedialVoxelGrayLocal::Sample> samples;
   Errors                                         errors;
+  std::size_t                                    missing = 0;
   double                                         extent = 0.0;
   Index3                                         margin{};
   for (unsigned int axis = 0; axis < 3; ++axis)
@@ -131,7 +132,7 @@ MeasureErrors(const Volume & volume, const double thickness, const itk::MedialVo
         }
         local.FindSamples(volume.gray, center, normal, itk::MedialVoxelWallFit::ReachOfWall, samples);
         const auto wall = fit.FitWall(samples);
-        EXPECT_TRUE(wall.has_value());
+        missing += wall ? 0 : 1;
         if (wall)
         {
           const double error = wall->thickness - thickness;
@@ -144,6 +145,7 @@ MeasureErrors(const Volume & volume, const double thickness, const itk::MedialVo
       }
     }
   }
+  EXPECT_LE(1000 * missing, errors.cells);
   const auto cells = static_cast<double>(errors.cells);
   errors.bias /= cells;
   errors.rms = std::sqrt(errors.rms / cells);
@@ -295,7 +297,8 @@ TEST(MedialVoxelScanSurvey, FindsWhatTheValuesWereMadeOf)
       const auto                       result = survey.Run(MakeSource(volume));
       ASSERT_TRUE(result.scan) << result.reason << ' ' << blur << ' ' << noise;
       EXPECT_NEAR(result.scan->background, Background, 20.0);
-      EXPECT_NEAR(result.scan->material, Material, 20.0);
+      // The middle of a wall is lower by about 1 % of the contrast at most.
+      EXPECT_NEAR(result.scan->material, Material, 0.012 * (Material - Background));
       EXPECT_NEAR(result.scan->blur, blur, 0.04 * blur + 0.1 * noise) << noise;
       EXPECT_NEAR(result.scan->GetRelativeNoise(), noise, 0.03 * noise) << blur;
       EXPECT_NEAR(result.scan->correlation, 1.0, 0.35) << blur << ' ' << noise;

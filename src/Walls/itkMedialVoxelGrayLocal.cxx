@@ -21,8 +21,8 @@ using Vector = MedialVoxelVector3;
 constexpr std::int64_t WindowReach = 4;
 constexpr double       WindowSigma = 1.5;
 
-/** Extents of the values that the normal depends on: of the window, two more to each side for differences, and one
- * more for smoothing. A window around a place between voxels has at most 9 of them along an axis. */
+/** Extents of the values that the normal depends on: of the window, and three more to each side for differences. A
+ * window around a place between voxels has at most 9 of them along an axis. */
 constexpr std::int64_t WindowExtent = 2 * WindowReach + 1;
 constexpr std::size_t  BlockMargin = 3;
 constexpr std::size_t  BlockExtent = WindowExtent + 2 * BlockMargin;
@@ -65,11 +65,13 @@ Smooth(Block & block, const std::size_t (&extent)[3], const unsigned int axis)
   }
 }
 
-/** Twelve times the derivative: central differences would find steep components too small. */
+/** 240 times the derivative of values that are smoothed by (1 2 1) / 4, right to the sixth power of the frequency: the
+ * components of a gradient must fit together, or normals would turn to the axes. */
 double
 GetDifference(const double * const value, const std::size_t stride)
 {
-  return 8.0 * (value[stride] - *(value - stride)) - (value[2 * stride] - *(value - 2 * stride));
+  const auto across = [&](const std::size_t steps) { return value[steps * stride] - *(value - steps * stride); };
+  return 95.0 * across(1) + (14.0 * across(2) - across(3));
 }
 
 /** A symmetric matrix. */
@@ -178,23 +180,28 @@ MedialVoxelGrayLocal::FindNormal(const MedialVoxelGray & gray, const Vector & pl
       weights[axis][i] = GetWindowWeight(static_cast<double>(begin) + static_cast<double>(i) - place[axis]);
     }
   }
-  Block block;
+  std::array<Block, 3> blocks; // for the derivative along each axis
   for (std::size_t z = 0; z < extent[2]; ++z)
   {
     for (std::size_t y = 0; y < extent[1]; ++y)
     {
       for (std::size_t x = 0; x < extent[0]; ++x)
       {
-        const Index voxel{ { first[0] + static_cast<std::int64_t>(x),
-                             first[1] + static_cast<std::int64_t>(y),
-                             first[2] + static_cast<std::int64_t>(z) } };
-        block.values[Block::At(x, y, z)] = this->GetValue(gray, voxel);
+        const Index  voxel{ { first[0] + static_cast<std::int64_t>(x),
+                              first[1] + static_cast<std::int64_t>(y),
+                              first[2] + static_cast<std::int64_t>(z) } };
+        const double value = this->GetValue(gray, voxel);
+        for (Block & block : blocks)
+        {
+          block.values[Block::At(x, y, z)] = value;
+        }
       }
     }
   }
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    Smooth(block, extent, axis);
+    Smooth(blocks[axis], extent, (axis + 1) % 3);
+    Smooth(blocks[axis], extent, (axis + 2) % 3);
   }
   Matrix tensor{};
   for (std::size_t z = 0; z < window[2]; ++z)
@@ -204,10 +211,11 @@ MedialVoxelGrayLocal::FindNormal(const MedialVoxelGray & gray, const Vector & pl
       const double ofRow = weights[1][y] * weights[2][z];
       for (std::size_t x = 0; x < window[0]; ++x)
       {
-        const double * value = block.values.data() + Block::At(x + margin[0], y + margin[1], z + margin[2]);
-        double         gradient[3];
+        const std::size_t at = Block::At(x + margin[0], y + margin[1], z + margin[2]);
+        double            gradient[3];
         for (unsigned int axis = 0; axis < 3; ++axis)
         {
+          const double * const value = blocks[axis].values.data() + at;
           gradient[axis] = margin[axis] == 0 ? 0.0 : GetDifference(value, BlockStrides[axis]);
         }
         const double weight = weights[0][x] * ofRow;

@@ -23,9 +23,9 @@ using SurfaceSample = MedialVoxelScanSamples::Surface;
 constexpr std::size_t FewestLevels = 200;
 constexpr std::size_t FewestSurfaces = 60;
 
-/** From the middle of a wall to its faces, in units of the blur: there the value is lower by 0.7 %. */
-constexpr double       SmallestDepth = 2.7;
-constexpr std::int64_t UnlimitedDepth = std::numeric_limits<std::int64_t>::max() / 2;
+/** From material to the faces of its wall, in units of the blur: there the value is lower by 1 %. */
+constexpr double SmallestWay = 2.7;
+
 
 /** Blur of a scan; that of a mask, and of walls that are averaged over the voxels alone, is less. */
 constexpr double SmallestBlur = 0.4;
@@ -54,15 +54,16 @@ TakeDeviation(std::vector<double> values)
 
 struct MaterialLevel
 {
-  double       value;
-  std::int64_t depth; // of object around it
+  double value;
+  double toFace; // from the places of the values
 };
 
 /** The value of the material in walls as thick as there are. */
 std::optional<MaterialLevel>
 FindMaterial(const std::vector<MaterialSample> & samples)
 {
-  for (std::int64_t depth = 4; depth >= 2; --depth)
+  for (double depth = MedialVoxelScanSamples::LargestDepth; depth >= MedialVoxelScanSamples::SmallestDepth;
+       depth -= 0.5)
   {
     std::vector<double> values;
     for (const MaterialSample & sample : samples)
@@ -74,7 +75,7 @@ FindMaterial(const std::vector<MaterialSample> & samples)
     }
     if (values.size() >= FewestLevels)
     {
-      return MaterialLevel{ TakeMedian(values), depth };
+      return MaterialLevel{ TakeMedian(values), depth - 0.5 };
     }
   }
   return std::nullopt;
@@ -170,7 +171,7 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
     std::max(FindCorrelation(background, &BackgroundSample::smallMean, isSolid ? 27.0 : 9.0, scan.noise),
              FindCorrelation(background, &BackgroundSample::largeMean, isSolid ? 125.0 : 25.0, scan.noise));
   const std::optional<MaterialLevel> inside =
-    levels ? MaterialLevel{ levels->material, UnlimitedDepth } : FindMaterial(material);
+    levels ? MaterialLevel{ levels->material, std::numeric_limits<double>::infinity() } : FindMaterial(material);
   if (!inside)
   {
     return { std::nullopt, "too few walls are 5 voxels thick, so that the value of the material is not known" };
@@ -192,9 +193,10 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
   }
   if (!(*blur >= SmallestBlur && *blur <= LargestBlur))
   {
-    return { std::nullopt, *blur < SmallestBlur ? "the edges are as sharp as those of a mask" : "the blur is too large" };
+    return { std::nullopt,
+             *blur < SmallestBlur ? "the edges are as sharp as those of a mask" : "the blur is too large" };
   }
-  if (0.5 + static_cast<double>(inside->depth) < SmallestDepth * *blur)
+  if (inside->toFace < SmallestWay * *blur)
   {
     return { std::nullopt, "no wall is thick enough for the blur, so that the value of the material is not known" };
   }

@@ -30,9 +30,12 @@ struct MedialVoxelScanSamples
 
   struct Material
   {
-    double       value;
-    std::int64_t depth; ///< of object around it, from 2 to 4
+    double value;
+    double depth; ///< distance to the nearest background, from SmallestDepth to LargestDepth
   };
+
+  static constexpr double SmallestDepth = 2.5;
+  static constexpr double LargestDepth = 5.5;
 
   /** Values near a surface, that lead into the object. */
   using Surface = std::vector<MedialVoxelGrayLocal::Sample>;

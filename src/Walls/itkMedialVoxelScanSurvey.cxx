@@ -43,13 +43,51 @@ constexpr std::uint32_t StepsOfSurface = 128;
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
+struct Neighbor
+{
+  Index  offset;
+  double distance;
+};
+
+/** Around a voxel along the axes that the image has, the nearest first. */
+std::vector<Neighbor>
+ListNeighbors(const MedialVoxelGrid & grid)
+{
+  const auto reach = [&grid](const unsigned int axis) {
+    return grid.IsActive(axis) ? static_cast<std::int64_t>(Samples::LargestDepth) : 0;
+  };
+  std::vector<Neighbor> neighbors;
+  for (std::int64_t z = -reach(2); z <= reach(2); ++z)
+  {
+    for (std::int64_t y = -reach(1); y <= reach(1); ++y)
+    {
+      for (std::int64_t x = -reach(0); x <= reach(0); ++x)
+      {
+        const double distance = std::sqrt(static_cast<double>(x * x + y * y + z * z));
+        if (distance < Samples::LargestDepth)
+        {
+          neighbors.push_back({ { { x, y, z } }, distance });
+        }
+      }
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end(), [](const Neighbor & first, const Neighbor & second) {
+    return first.distance < second.distance;
+  });
+  return neighbors;
+}
+
 /** \class BlockLook
  * \brief Takes the samples of one block. */
 class BlockLook
 {
 public:
-  BlockLook(const MedialVoxelGrid & grid, const MedialVoxelBits & object, const MedialVoxelGray & gray)
+  BlockLook(const MedialVoxelGrid &       grid,
+            const std::vector<Neighbor> & neighbors,
+            const MedialVoxelBits &       object,
+            const MedialVoxelGray &       gray)
     : m_Grid(grid)
+    , m_Neighbors(neighbors)
     , m_Local(grid, 0.0, 1.0)
     , m_Object(object)
     , m_Gray(gray)
@@ -86,12 +124,8 @@ private:
   {
     if (samples.material.Wants(hash))
     {
-      std::int64_t depth = 1;
-      while (depth < 4 && this->IsObject(this->Around(voxel, depth + 1)))
-      {
-        ++depth;
-      }
-      if (depth > 1)
+      const double depth = this->FindDepth(voxel);
+      if (depth >= Samples::SmallestDepth)
       {
         samples.material.Add(hash, { static_cast<double>(m_Gray.Get(voxel)), depth });
       }
@@ -191,10 +225,20 @@ private:
     return one.Expanded({ { reach, reach, reach } }).Intersection(m_Grid.GetVoxelBox());
   }
 
-  bool
-  IsObject(const Box & box) const
+  /** Distance to the nearest voxel that is background or not in the image, up to a limit. */
+  double
+  FindDepth(const Index & voxel)
   {
-    return m_Object.Count(box) == static_cast<std::uint64_t>(box.NumberOfVoxels());
+    for (const Neighbor & neighbor : m_Neighbors)
+    {
+      const Index at{ { voxel[0] + neighbor.offset[0], voxel[1] + neighbor.offset[1], voxel[2] + neighbor.offset[2] } };
+      m_Poll.Count();
+      if (!m_Grid.GetVoxelBox().Contains(at) || !m_Object.Test(at))
+      {
+        return neighbor.distance;
+      }
+    }
+    return Samples::LargestDepth;
   }
 
   double
@@ -216,11 +260,12 @@ private:
     return sum / static_cast<double>(box.NumberOfVoxels());
   }
 
-  const MedialVoxelGrid & m_Grid;
-  MedialVoxelGrayLocal    m_Local;
-  const MedialVoxelBits & m_Object;
-  const MedialVoxelGray & m_Gray;
-  MedialVoxelPollCounter  m_Poll;
+  const MedialVoxelGrid &       m_Grid;
+  const std::vector<Neighbor> & m_Neighbors;
+  MedialVoxelGrayLocal          m_Local;
+  const MedialVoxelBits &       m_Object;
+  const MedialVoxelGray &       m_Gray;
+  MedialVoxelPollCounter        m_Poll;
 };
 
 /** All of a small image, otherwise some. */
@@ -262,11 +307,12 @@ MedialVoxelScanSurvey::MedialVoxelScanSurvey(const MedialVoxelGrid &            
 auto
 MedialVoxelScanSurvey::Run(const Source & source) const -> Result
 {
-  const Box   image = m_Grid.GetVoxelBox();
-  const Boxes blocks = ChooseBlocks(image);
-  Samples     samples;
-  std::mutex  mutex;
-  std::size_t done = 0;
+  const Box                   image = m_Grid.GetVoxelBox();
+  const Boxes                 blocks = ChooseBlocks(image);
+  const std::vector<Neighbor> neighbors = ListNeighbors(m_Grid);
+  Samples                     samples;
+  std::mutex                  mutex;
+  std::size_t                 done = 0;
   source.observe(0.0);
   source.forEach(blocks, [&](const Box & block) {
     const Box       box = block.Expanded({ { Margin, Margin, Margin } }).Intersection(image);
@@ -282,7 +328,7 @@ MedialVoxelScanSurvey::Run(const Source & source) const -> Result
         const std::lock_guard<std::mutex> lock(mutex);
         ofBlock.LimitTo(samples);
       }
-      BlockLook(m_Grid, object, gray)
+      BlockLook(m_Grid, neighbors, object, gray)
         .Take(block, MedialVoxelHash(static_cast<std::uint64_t>(image.OffsetOf(block.lower))), ofBlock);
       const std::lock_guard<std::mutex> lock(mutex);
       samples.Add(std::move(ofBlock));
