@@ -145,7 +145,7 @@ MeasureErrors(const Volume & volume, const double thickness, const itk::MedialVo
       }
     }
   }
-  EXPECT_LE(1000 * missing, errors.cells);
+  EXPECT_LE(200 * missing, errors.cells);
   const auto cells = static_cast<double>(errors.cells);
   errors.bias /= cells;
   errors.rms = std::sqrt(errors.rms / cells);
