@@ -308,6 +308,7 @@ class JobFaultTest(JobTestCase):
         """It is halted in a cluster, and goes on when there is another job in its folder."""
         self.plan()
         worker = self.halt_in_a_cluster()
+        halted = f"{int(self.status()['running']['clusters']):06}.json"
         self.clear_target()
         self.plan()
         self.in_target("work", "job", "--clusters", "0-5")
@@ -316,7 +317,9 @@ class JobFaultTest(JobTestCase):
         out, error = worker.communicate(timeout=60)
         self.assertEqual((worker.returncode, out), (FAILURE, ""))
         self.assertIn(f"{self.job} is no longer the folder of this job", error)
-        self.assertEqual(self.markers(), before)
+        # Halted just before its marker, it writes this one, which does not count: it is that of another job.
+        changed = {name for name, time_ in self.markers().items() if before.get(name) != time_}
+        self.assertLessEqual(changed, {halted})
         self.in_target("work", "job")
         self.assert_finishes()
 

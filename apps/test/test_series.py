@@ -5,6 +5,7 @@
 import json
 import os
 import pathlib
+import random
 import struct
 import subprocess
 import unittest
@@ -12,7 +13,7 @@ import zlib
 
 import volumes
 from interpreters import python_with
-from program import CORRUPT, FAILURE, REFUSED, USAGE, ProgramTestCase, needs_tiff
+from program import CORRUPT, FAILURE, PROGRAM, REFUSED, USAGE, ProgramTestCase, needs_tiff
 
 WRITE_SLICES = pathlib.Path(__file__).with_name("write_slices.py")
 READS_DICOM = os.environ.get("MEDIALVOXEL_READS_DICOM", "1") == "1"
@@ -233,6 +234,28 @@ class DicomTest(SeriesTestCase):
         for numbers, part in (((3, 64, 80), "3 segments"), ((2, 64, 1 << 30), "1073741824"), ((2, 60, 80), "byte 60"), ((2, 64, 64), "byte 64")):
             (packed / "IM0003").write_bytes(content.replace(header, struct.pack("<3I", *numbers)))
             self.assert_fails(CORRUPT, ["IM0003", part], "info", packed)
+
+    def test_damaged_bytes_never_end_without_a_message(self):
+        """GDCM decodes what it gets; where it would end the process, the program says why."""
+        volume = in_hounsfield_units()
+        rng = random.Random(11)
+        for syntax in ("jpeg", "jpeg-ls", "jpeg-2000", "rle"):
+            folder = self.write_dicom(volume, syntax, syntax=syntax)
+            victim = folder / "IM0003"
+            content = victim.read_bytes()
+            begin = content.index(b"\xe0\x7f\x10\x00") + 40
+            for _ in range(10):
+                damaged = bytearray(content)
+                for _ in range(rng.choice((1, 3, 30))):
+                    damaged[rng.randrange(begin, len(damaged))] = rng.randrange(256)
+                victim.write_bytes(damaged)
+                result = subprocess.run(
+                    [PROGRAM, "extract", folder, self.folder / f"{syntax}.mha", "--lower", "1000", "--thickness", "3", "--overwrite"],
+                    capture_output=True, text=True, check=False, errors="replace",
+                )  # fmt: skip
+                self.assertIn(result.returncode, (0, CORRUPT), result.stderr)
+                if result.returncode != 0:
+                    self.assertRegex(result.stderr.splitlines()[-1], "^medialvoxel: .*IM0003")
 
     def test_peak_memory_keeps_to_the_plan(self):
         volume = volumes.Volume((700, 700, 40), [], kind="int16")

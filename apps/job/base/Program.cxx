@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Program.h"
 
+#include "AbortNotice.h"
 #include "Errors.h"
 #include "Signals.h"
 #include "StopListener.h"
@@ -23,6 +24,7 @@ RunProgram(const std::string & name, const std::function<int()> & body)
     return status;
   };
   CatchSignals();
+  SetNameForAborts(name);
   // The job tells in a line of its own what a filter would warn of in three.
   itk::Object::GlobalWarningDisplayOff();
   try

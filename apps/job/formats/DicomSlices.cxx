@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "AbortNotice.h"
 #include "DicomModule.h"
 #include "DicomStructure.h"
+#include "Errors.h"
 #include "HeaderParsing.h"
 #include "SliceFormats.h"
 #include "Text.h"
@@ -131,6 +133,13 @@ CheckSize(const std::filesystem::path & fileName, const DicomStructure & structu
   }
 }
 
+/** GDCM checks some of what it decodes by assertions. */
+std::string
+TextOfAbort(const std::filesystem::path & fileName)
+{
+  return fileName.string() + " is damaged: GDCM cannot decode it";
+}
+
 std::optional<SliceHeader>
 ReadHeader(const std::filesystem::path & fileName)
 {
@@ -141,6 +150,7 @@ ReadHeader(const std::filesystem::path & fileName)
   }
   CheckSize(fileName, structure);
   MedialVoxelDicomHeader dicom{};
+  const AbortNotice      notice(ExitStatus::CorruptInput, TextOfAbort(fileName));
   if (const char * const problem = GetModule(fileName).readHeader(fileName.c_str(), &dicom))
   {
     RefuseHeader(fileName, problem, HeaderError::Kind::Unsupported);
@@ -172,6 +182,7 @@ ReadVoxels(const SliceHeader & expected, void * voxels)
   dicom.columns = static_cast<std::uint32_t>(expected.size[0]);
   dicom.rows = static_cast<std::uint32_t>(expected.size[1]);
   dicom.pixelType = static_cast<std::uint32_t>(expected.pixelType);
+  const AbortNotice notice(ExitStatus::CorruptInput, TextOfAbort(expected.fileName));
   if (const char * const problem = GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), &dicom, voxels))
   {
     RefuseHeader(expected.fileName, problem);

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "AbortNotice.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <thread>
+
+namespace
+{
+using medialvoxel::AbortNotice;
+using medialvoxel::ExitStatus;
+using medialvoxel::SetNameForAborts;
+
+TEST(AbortNoticeDeathTest, AnAbortEndsWithItsLine)
+{
+  const auto abortWithNotice = [] {
+    SetNameForAborts("program");
+    const AbortNotice notice(ExitStatus::CorruptInput, "a\nfile is damaged");
+    std::abort();
+  };
+  EXPECT_EXIT(abortWithNotice(), testing::ExitedWithCode(4), "program: a.*file is damaged");
+}
+
+TEST(AbortNoticeDeathTest, OnlyItsThreadAndItsTimeCount)
+{
+  const auto abortAfterNotice = [] {
+    { const AbortNotice notice(ExitStatus::CorruptInput, "over"); }
+    std::abort();
+  };
+  EXPECT_EXIT(abortAfterNotice(), testing::KilledBySignal(SIGABRT), "^$");
+  const auto abortElsewhere = [] {
+    const AbortNotice notice(ExitStatus::CorruptInput, "of another thread");
+    std::thread([] { std::abort(); }).join();
+  };
+  EXPECT_EXIT(abortElsewhere(), testing::KilledBySignal(SIGABRT), "^$");
+}
+
+} // namespace
