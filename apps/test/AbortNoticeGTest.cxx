@@ -26,7 +26,9 @@ TEST(AbortNoticeDeathTest, AnAbortEndsWithItsLine)
 TEST(AbortNoticeDeathTest, OnlyItsThreadAndItsTimeCount)
 {
   const auto abortAfterNotice = [] {
-    { const AbortNotice notice(ExitStatus::CorruptInput, "over"); }
+    {
+      const AbortNotice notice(ExitStatus::CorruptInput, "over");
+    }
     std::abort();
   };
   EXPECT_EXIT(abortAfterNotice(), testing::KilledBySignal(SIGABRT), "^$");
