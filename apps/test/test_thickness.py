@@ -230,7 +230,7 @@ class ThicknessTest(ProgramTestCase):
         volumes.write_meta(self.folder / "large.mha", volume)
         planned = []
         size = 2 * 400 * 400 * 60
-        for arguments, most in (["--sub-voxel=off"], size), (["--sub-voxel"], 3 * size):
+        for arguments, most in (["--sub-voxel=off"], size), (["--sub-voxel"], 4 * size):
             self.map("--lower", 450, "--threads", 1, "--divisions", 6, *arguments, source="large.mha", thickness=3)
             planned.append(self.report["planned_peak_bytes"])
             self.assertLessEqual(self.report["peak_memory_bytes"], planned[-1])

@@ -43,6 +43,12 @@ public:
     return hash <= m_Limit;
   }
 
+  std::size_t
+  GetSize() const
+  {
+    return std::min(m_Items.size(), m_Size);
+  }
+
   /** Items that the other sample does not want are not wanted here either. */
   void
   LimitTo(const MedialVoxelRandomSample & other)

@@ -51,6 +51,14 @@ struct MedialVoxelScanSamples
   MedialVoxelRandomSample<Material>   material{ NumberOfLevels };
   MedialVoxelRandomSample<Surface>    surfaces{ NumberOfSurfaces };
 
+  /** Whether more of them would hardly change what they say. */
+  bool
+  AreEnough() const
+  {
+    return background.GetSize() >= NumberOfLevels / 4 && material.GetSize() >= NumberOfLevels / 4 &&
+           surfaces.GetSize() >= NumberOfSurfaces;
+  }
+
   /** Items that the other samples do not want are not wanted here either. */
   void
   LimitTo(const MedialVoxelScanSamples & other)

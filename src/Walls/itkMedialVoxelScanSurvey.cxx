@@ -22,9 +22,12 @@ using Box = MedialVoxelBox;
 using Vector = MedialVoxelVector3;
 using Samples = MedialVoxelScanSamples;
 
-/** Edge of the blocks, and how many of them are looked at. */
-constexpr std::int64_t  BlockSize = 64;
-constexpr std::uint64_t NumberOfBlocks = 2048;
+/** Blocks are flat, since volumes may come by whole slices. */
+constexpr std::int64_t BlockSize[3] = { 256, 256, 16 };
+
+/** Blocks that are looked at, until the samples are enough. */
+constexpr std::size_t MostBlocks = 480;
+constexpr std::size_t BlocksPerRound = 24;
 
 /** Voxels around an object voxel in which there is background of it, without and with the blur of the object. */
 constexpr std::int64_t FarFromObject = 3;
@@ -268,16 +271,16 @@ private:
   MedialVoxelPollCounter        m_Poll;
 };
 
-/** All of a small image, otherwise some. */
+/** All of a small image, otherwise some, in the order of their hashes. */
 std::vector<Box>
 ChooseBlocks(const Box & image)
 {
   std::int64_t blocks[3];
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    blocks[axis] = (image.Extent(axis) + BlockSize - 1) / BlockSize;
+    blocks[axis] = (image.Extent(axis) + BlockSize[axis] - 1) / BlockSize[axis];
   }
-  MedialVoxelRandomSample<Box> chosen(NumberOfBlocks);
+  MedialVoxelRandomSample<Box> chosen(MostBlocks);
   std::uint64_t                number = 0;
   for (std::int64_t z = 0; z < blocks[2]; ++z)
   {
@@ -285,8 +288,8 @@ ChooseBlocks(const Box & image)
     {
       for (std::int64_t x = 0; x < blocks[0]; ++x)
       {
-        const Index lower{ { x * BlockSize, y * BlockSize, z * BlockSize } };
-        const Box   block{ lower, { { lower[0] + BlockSize, lower[1] + BlockSize, lower[2] + BlockSize } } };
+        const Index lower{ { x * BlockSize[0], y * BlockSize[1], z * BlockSize[2] } };
+        const Box   block{ lower, { { lower[0] + BlockSize[0], lower[1] + BlockSize[1], lower[2] + BlockSize[2] } } };
         chosen.Add(MedialVoxelHash(number++), block.Intersection(image));
       }
     }
@@ -314,7 +317,7 @@ MedialVoxelScanSurvey::Run(const Source & source) const -> Result
   std::mutex                  mutex;
   std::size_t                 done = 0;
   source.observe(0.0);
-  source.forEach(blocks, [&](const Box & block) {
+  const auto take = [&](const Box & block) {
     const Box       box = block.Expanded({ { Margin, Margin, Margin } }).Intersection(image);
     MedialVoxelBits object;
     MedialVoxelGray gray;
@@ -335,7 +338,12 @@ MedialVoxelScanSurvey::Run(const Source & source) const -> Result
     }
     const std::lock_guard<std::mutex> lock(mutex);
     source.observe(static_cast<double>(++done) / static_cast<double>(blocks.size()));
-  });
+  };
+  for (std::size_t begin = 0; begin < blocks.size() && !samples.AreEnough(); begin += BlocksPerRound)
+  {
+    const std::size_t end = std::min(begin + BlocksPerRound, blocks.size());
+    source.forEach(Boxes(blocks.data() + begin, blocks.data() + end), take);
+  }
   return MedialVoxelSummarizeScan(samples, m_Grid.GetNumberOfActiveAxes(), m_Threshold, m_Levels);
 }
 

@@ -7,6 +7,7 @@
 
 #include "itkMultiThreaderBase.h"
 
+#include <algorithm>
 #include <atomic>
 #include <exception>
 #include <functional>
@@ -21,6 +22,13 @@ namespace medialvoxel
 class PartRunner
 {
 public:
+  /** At most so many threads, where each needs much memory. */
+  void
+  LimitThreads(unsigned int most)
+  {
+    m_Threader->SetNumberOfWorkUnits(std::min<itk::ThreadIdType>(m_Threader->GetNumberOfWorkUnits(), most));
+  }
+
   void
   Run(const std::vector<itk::MedialVoxelBox> &                 parts,
       bool                                                     isParallel,

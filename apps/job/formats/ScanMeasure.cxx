@@ -9,6 +9,13 @@
 
 namespace medialvoxel
 {
+namespace
+{
+
+/** With these the survey stays below the smallest limit of memory. */
+constexpr unsigned int MostThreads = 3;
+
+} // namespace
 
 WallMeasure
 FindWallMeasure(InputVolume &          input,
@@ -23,8 +30,9 @@ FindWallMeasure(InputVolume &          input,
     measure.reason = "between two thresholds";
     return measure;
   }
-  const bool                         isParallel = input.GetSourceThreads() == itk::MedialVoxelSourceThreads::Several;
-  PartRunner                         runner;
+  const bool isParallel = input.GetSourceThreads() == itk::MedialVoxelSourceThreads::Several;
+  PartRunner runner;
+  runner.LimitThreads(MostThreads);
   itk::MedialVoxelScanSurvey::Source source;
   source.fill = [&input](const auto & box, auto & object, auto & gray) {
     input.Fill(box, { &object, nullptr, &gray });
