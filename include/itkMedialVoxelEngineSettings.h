@@ -76,7 +76,17 @@ struct MedialVoxelDistanceMap
   double              maximumDistance{ std::numeric_limits<double>::infinity() };
 };
 
-using MedialVoxelEngineTask = std::variant<MedialVoxelExtraction, MedialVoxelDistanceMap>;
+/** \struct MedialVoxelLocalThickness
+ * \brief The task to find, for each object voxel, the diameter of the largest ball inside the object that covers it.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelLocalThickness
+{
+  /** Diameter at which balls are cut, in the units of the spacing; positive and finite. */
+  double maximumThickness{ 0.0 };
+};
+
+using MedialVoxelEngineTask = std::variant<MedialVoxelExtraction, MedialVoxelDistanceMap, MedialVoxelLocalThickness>;
 
 /** \struct MedialVoxelEngineSettings
  * \brief A task, and how its work is divided, which has no influence on results.

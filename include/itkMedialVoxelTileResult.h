@@ -118,6 +118,9 @@ public:
   /** Object bits in a box that holds the tile. */
   const MedialVoxelBits * object{ nullptr };
 
+  /** Radii of the largest balls that cover the voxels, x fastest; 0 in background. */
+  const std::vector<float> * radii{ nullptr };
+
   /** The cells whose walls were measured, and the walls. */
   const std::vector<MedialVoxelCellRow> * rows{ nullptr };
   const std::vector<MedialVoxelWall> *    walls{ nullptr };
@@ -164,6 +167,10 @@ public:
   /** The uncertainty of the thickness of the measured walls, NaN where it is not known; 0 in other cells. */
   void
   WriteUncertainty(float * first, const MedialVoxelStrides & strides) const;
+
+  /** Twice the radii; 0 in background. */
+  void
+  WriteLocalThickness(float * first, const MedialVoxelStrides & strides) const;
 
   /** Signed distances to the nearest boundary voxels, NaN without one. A tile of distances is never empty. */
   void

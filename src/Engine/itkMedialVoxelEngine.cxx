@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelEngine.h"
 
+#include "itkMedialVoxelBallPainter.h"
 #include "itkMedialVoxelDistanceTask.h"
 #include "itkMedialVoxelExecution.h"
 #include "itkMedialVoxelExtractionTask.h"
 #include "itkMedialVoxelGrayThickness.h"
+#include "itkMedialVoxelLocalThicknessTask.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -44,6 +46,20 @@ GetSettingsOf(const MedialVoxelGrid &, const MedialVoxelDistanceMap & distances)
   return MedialVoxelSlabWalker::Settings::ForDistances(distances.boundary);
 }
 
+MedialVoxelSlabWalker::Settings
+GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & thickness)
+{
+  const MedialVoxelBallPainter painter(grid, 0.5 * thickness.maximumThickness);
+  auto settings = MedialVoxelSlabWalker::Settings::ForDistances(MedialVoxelBoundary::Background);
+  settings.tileMargin = painter.GetMargin();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    settings.halo[axis] = 2 * settings.tileMargin[axis] + 1;
+  }
+  settings.workerBytesPerVoxel += MedialVoxelBallPainter::BytesPerVoxel + sizeof(float);
+  return settings;
+}
+
 /** The settings of the task, with those that all tasks have. */
 MedialVoxelSlabWalker::Settings
 GetWalkerSettings(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings & engine)
@@ -68,6 +84,12 @@ std::unique_ptr<const MedialVoxelTileTask>
 MakeTask(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & distances)
 {
   return std::make_unique<const MedialVoxelDistanceTask>(grid, distances);
+}
+
+std::unique_ptr<const MedialVoxelTileTask>
+MakeTask(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & thickness)
+{
+  return std::make_unique<const MedialVoxelLocalThicknessTask>(grid, thickness);
 }
 
 } // namespace

@@ -62,6 +62,22 @@ MedialVoxelTileResult::WriteUncertainty(float * const first, const MedialVoxelSt
 }
 
 void
+MedialVoxelTileResult::WriteLocalThickness(float * const first, const MedialVoxelStrides & strides) const
+{
+  const float * source = radii == nullptr ? nullptr : radii->data();
+  MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+    float * const target = first + offset;
+    if (isEmpty)
+    {
+      std::fill_n(target, row.Extent(0), 0.0f);
+      return;
+    }
+    std::transform(source, source + row.Extent(0), target, [](const float radius) { return 2.0f * radius; });
+    source += row.Extent(0);
+  });
+}
+
+void
 MedialVoxelTileResult::WriteDistances(const MedialVoxelDistanceScale & scale,
                                       float * const                    first,
                                       const MedialVoxelStrides &       strides) const

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkLocalThicknessImageFilter_h
+#define itkLocalThicknessImageFilter_h
+
+#include "itkMedialVoxelImageFilterBase.h"
+
+#include "itkImage.h"
+
+namespace itk
+{
+
+/** \class LocalThicknessImageFilter
+ * \brief Local thickness of each object voxel: the diameter of the largest ball inside the object that covers it.
+ *
+ * This is the definition of Hildebrand and Ruegsegger (1997). Balls lie around object voxels; their radius is the
+ * distance R to the nearest background voxel, and they cover the voxels that are nearer than R. The value is the
+ * largest 2 R of the balls that cover a voxel, in physical units when UseImageSpacing is on, otherwise in voxels; 0 in
+ * background. A plate of w voxels reads w where w is even and w + 1 where it is odd, as in other programs with this
+ * definition.
+ *
+ * Balls are cut at MaximumThickness, so that a value depends on voxels within MaximumThickness alone: the filter
+ * streams, and any requested region gives the same values as the whole image, for any number of threads. Nothing is
+ * known outside of the image, so that an object which the image cuts may be found too thick beside its faces.
+ *
+ * \sa MedialVoxelImageFilter, whose thickness output measures walls from face to face
+ * \ingroup MedialVoxel
+ */
+template <typename TInputImage>
+class ITK_TEMPLATE_EXPORT LocalThicknessImageFilter
+  : public MedialVoxelImageFilterBase<TInputImage, Image<float, TInputImage::ImageDimension>>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(LocalThicknessImageFilter);
+
+  using Self = LocalThicknessImageFilter;
+  using Superclass = MedialVoxelImageFilterBase<TInputImage, Image<float, TInputImage::ImageDimension>>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+#ifdef itkOverrideGetNameOfClassMacro
+  itkOverrideGetNameOfClassMacro(LocalThicknessImageFilter);
+#else
+  itkTypeMacro(LocalThicknessImageFilter, MedialVoxelImageFilterBase);
+#endif
+
+  using Superclass::ImageDimension;
+  using InputImageType = TInputImage;
+  using OutputImageType = Image<float, TInputImage::ImageDimension>;
+
+  /** Diameter at which balls are cut, in physical units when UseImageSpacing is on, otherwise in voxels. Positive, at
+   * most 256 voxels of the smallest spacing; default 32 voxels of the largest spacing. Memory and time grow with it. */
+  void
+  SetMaximumThickness(double thickness);
+  void
+  UnsetMaximumThickness();
+
+  /** What was set; 0 without. */
+  itkGetConstMacro(MaximumThickness, double);
+
+  /** Sum over the requested regions since the last UpdateOutputInformation(). */
+  SizeValueType
+  GetNumberOfObjectVoxels() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().counts.objectVoxels);
+  }
+
+protected:
+  LocalThicknessImageFilter() = default;
+  ~LocalThicknessImageFilter() override = default;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  MedialVoxelEngineTask
+  GetTask(const MedialVoxelGrid & grid) const override;
+
+  void
+  TakeTile(const MedialVoxelTileResult & tile) override;
+
+private:
+  static constexpr double DefaultVoxels = 32.0;
+  static constexpr double MostVoxels = 256.0;
+
+  double m_MaximumThickness{ 0.0 };
+};
+
+} // end namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkLocalThicknessImageFilter.hxx"
+#endif
+
+#endif

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkLocalThicknessImageFilter_hxx
+#define itkLocalThicknessImageFilter_hxx
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace itk
+{
+
+template <typename TInputImage>
+void
+LocalThicknessImageFilter<TInputImage>::SetMaximumThickness(const double thickness)
+{
+  if (!(thickness > 0.0) || !std::isfinite(thickness))
+  {
+    itkExceptionMacro("MaximumThickness is " << thickness << "; it must be positive and finite.");
+  }
+  if (thickness != m_MaximumThickness)
+  {
+    m_MaximumThickness = thickness;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage>
+void
+LocalThicknessImageFilter<TInputImage>::UnsetMaximumThickness()
+{
+  if (m_MaximumThickness != 0.0)
+  {
+    m_MaximumThickness = 0.0;
+    this->Modified();
+  }
+}
+
+template <typename TInputImage>
+MedialVoxelEngineTask
+LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) const
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    if (grid.IsActive(axis))
+    {
+      smallest = std::min(smallest, grid.GetSpacing()[axis]);
+      largest = std::max(largest, grid.GetSpacing()[axis]);
+    }
+  }
+  if (m_MaximumThickness > MostVoxels * smallest)
+  {
+    itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must be at most " << MostVoxels
+                                             << " voxels, which is " << MostVoxels * smallest << " here.");
+  }
+  const bool isSet = m_MaximumThickness > 0.0;
+  return MedialVoxelLocalThickness{ isSet ? m_MaximumThickness : DefaultVoxels * (largest > 0.0 ? largest : 1.0) };
+}
+
+template <typename TInputImage>
+void
+LocalThicknessImageFilter<TInputImage>::TakeTile(const MedialVoxelTileResult & tile)
+{
+  OutputImageType & output = *this->GetOutput();
+  tile.WriteLocalThickness(this->FirstPixelOf(output, tile.box), this->StridesOf(output));
+}
+
+template <typename TInputImage>
+void
+LocalThicknessImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
+  os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
+}
+
+} // end namespace itk
+
+#endif

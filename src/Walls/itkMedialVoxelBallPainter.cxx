@@ -1,0 +1,519 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelBallPainter.h"
+
+#include "itkMedialVoxelProgress.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+namespace itk
+{
+namespace
+{
+
+using Index = MedialVoxelIndex;
+using Box = MedialVoxelBox;
+
+/** Rows of a brick along y and z; the ones without open voxels are passed by. */
+constexpr std::int64_t BrickSize = 8;
+
+constexpr std::int64_t BitsPerWord = 64;
+
+/** A ball takes as long as so many short steps. */
+constexpr std::uint32_t StepsOfBall = 64;
+
+std::size_t
+ToSize(const std::int64_t number)
+{
+  return static_cast<std::size_t>(number);
+}
+
+std::int64_t
+DivideUp(const std::int64_t number, const std::int64_t by)
+{
+  return (number + by - 1) / by;
+}
+
+} // namespace
+
+/** A tile, and what is known of the voxels whose balls may reach it. */
+struct MedialVoxelBallPainter::Tile
+{
+  Box                         box;
+  Box                         centers;
+  const MedialVoxelBits &     object;
+  const MedialVoxelFeatures & features;
+  Workspace &                 workspace;
+  std::vector<float> &        radii;
+  std::int64_t                words;  // of a row
+  std::int64_t                bricks; // along y
+  Box                         padded; // the centers, and one more to each side, whose rank is 0
+
+  std::uint64_t *
+  GetOpenRow(const std::int64_t y, const std::int64_t z) const
+  {
+    return workspace.m_Open.data() + ((z - box.lower[2]) * box.Extent(1) + (y - box.lower[1])) * words;
+  }
+
+  /** The brick of a voxel of the tile, and all bricks that a part of it meets. */
+  Index
+  GetBrickOf(const Index & voxel) const
+  {
+    return { { (voxel[0] - box.lower[0]) / BitsPerWord,
+               (voxel[1] - box.lower[1]) / BrickSize,
+               (voxel[2] - box.lower[2]) / BrickSize } };
+  }
+
+  Box
+  GetBricks(const Box & part) const
+  {
+    const Index last = this->GetBrickOf({ { part.upper[0] - 1, part.upper[1] - 1, part.upper[2] - 1 } });
+    return { this->GetBrickOf(part.lower), { { last[0] + 1, last[1] + 1, last[2] + 1 } } };
+  }
+
+  /** The voxels of a brick. */
+  Box
+  GetBrick(const Index & brick) const
+  {
+    const Index lower{ { box.lower[0] + brick[0] * BitsPerWord,
+                         box.lower[1] + brick[1] * BrickSize,
+                         box.lower[2] + brick[2] * BrickSize } };
+    return { lower, { { lower[0] + BitsPerWord, lower[1] + BrickSize, lower[2] + BrickSize } } };
+  }
+
+  std::size_t
+  GetPlaceOfBrick(const Index & brick) const
+  {
+    return ToSize((brick[2] * bricks + brick[1]) * words + brick[0]);
+  }
+
+  std::uint32_t &
+  GetOpenOfBrick(const std::int64_t word, const std::int64_t y, const std::int64_t z) const
+  {
+    return workspace.m_OpenOfBricks[this->GetPlaceOfBrick(
+      { { word, (y - box.lower[1]) / BrickSize, (z - box.lower[2]) / BrickSize } })];
+  }
+
+  /** Gives a radius to open voxels of a word; their bits are those of \a wanted. */
+  void
+  Close(const std::int64_t y, const std::int64_t z, const std::int64_t word, std::uint64_t wanted, const float radius)
+    const
+  {
+    std::uint64_t & open = this->GetOpenRow(y, z)[word];
+    wanted &= open;
+    if (wanted == 0)
+    {
+      return;
+    }
+    open &= ~wanted;
+    this->GetOpenOfBrick(word, y, z) -= static_cast<std::uint32_t>(MedialVoxelPopulationCount(wanted));
+    float * const row = radii.data() + box.OffsetOf({ { box.lower[0], y, z } }) + word * BitsPerWord;
+    for (; wanted != 0; wanted &= wanted - 1)
+    {
+      row[MedialVoxelLowestBit(wanted)] = radius;
+    }
+  }
+};
+
+MedialVoxelBallPainter::MedialVoxelBallPainter(const MedialVoxelGrid & grid, const double maximumRadius)
+  : m_Grid(grid)
+  , m_MaximumRadius(maximumRadius)
+  , m_Margin(grid.MarginForMetricLength(maximumRadius / grid.GetMetricUnit()))
+{
+  assert(maximumRadius > 0.0 && std::isfinite(maximumRadius));
+  std::size_t displacements = 1;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    // No displacement leads out of the image.
+    m_Margin[axis] = std::min(m_Margin[axis], grid.GetSize()[axis] - 1);
+    displacements *= ToSize(m_Margin[axis] + 1);
+  }
+  m_RankOfDisplacement.resize(displacements);
+  this->RankDisplacements();
+}
+
+/** From the shortest to the longest displacement, of which all from the maximum on have the last rank. */
+void
+MedialVoxelBallPainter::RankDisplacements()
+{
+  struct Displacement
+  {
+    double square;
+    Index  at;
+  };
+  std::vector<Displacement> displacements;
+  displacements.reserve(m_RankOfDisplacement.size());
+  for (std::int64_t z = 0; z <= m_Margin[2]; ++z)
+  {
+    for (std::int64_t y = 0; y <= m_Margin[1]; ++y)
+    {
+      for (std::int64_t x = 0; x <= m_Margin[0]; ++x)
+      {
+        displacements.push_back({ m_Grid.SquaredMetricLength(x, y, z), { { x, y, z } } });
+      }
+    }
+  }
+  std::sort(displacements.begin(), displacements.end(), [](const Displacement & a, const Displacement & b) {
+    return a.square < b.square;
+  });
+
+  const double          radius = m_MaximumRadius / m_Grid.GetMetricUnit();
+  const double          largest = radius * radius;
+  std::array<double, 8> needed{}; // by the voxels of the balls so far
+  this->AddRank(0.0, needed);     // background, whose displacement is 0
+  std::array<double, 8> next = needed;
+  for (const Displacement & displacement : displacements)
+  {
+    const double square = std::min(displacement.square, largest);
+    if (square > m_Squares.back())
+    {
+      needed = next;
+      this->AddRank(square, needed);
+    }
+    const Index & at = displacement.at;
+    m_RankOfDisplacement[this->GetPlace(at[0], at[1], at[2])] = static_cast<std::uint32_t>(m_Squares.size() - 1);
+    for (unsigned int step = 0; step < next.size() && displacement.square < largest; ++step)
+    {
+      const double fromNeighbor =
+        m_Grid.SquaredMetricLength(at[0] + (step & 1 ? 1 : 0), at[1] + (step & 2 ? 1 : 0), at[2] + (step & 4 ? 1 : 0));
+      next[step] = std::max(next[step], fromNeighbor);
+    }
+  }
+  if (m_Squares.back() < largest)
+  {
+    this->AddRank(largest, next);
+  }
+}
+
+/** A ball with this square of the radius, and for steps to neighbors what contains all of its voxels. */
+void
+MedialVoxelBallPainter::AddRank(const double square, const std::array<double, 8> & needed)
+{
+  m_Squares.push_back(square);
+  for (std::size_t step = 0; step < needed.size(); ++step)
+  {
+    m_Needed[step].push_back(needed[step]);
+  }
+}
+
+std::size_t
+MedialVoxelBallPainter::GetPlace(const std::int64_t x, const std::int64_t y, const std::int64_t z) const
+{
+  return ToSize((z * (m_Margin[1] + 1) + y) * (m_Margin[0] + 1) + x);
+}
+
+std::uint32_t
+MedialVoxelBallPainter::GetRank(const MedialVoxelFeatures & features, const std::size_t offset) const
+{
+  if (!features.HasSite(offset))
+  {
+    return static_cast<std::uint32_t>(m_Squares.size() - 1);
+  }
+  const std::int64_t x = std::abs(features.dx[offset]);
+  const std::int64_t y = std::abs(features.dy[offset]);
+  const std::int64_t z = std::abs(features.dz[offset]);
+  if (x > m_Margin[0] || y > m_Margin[1] || z > m_Margin[2])
+  {
+    return static_cast<std::uint32_t>(m_Squares.size() - 1);
+  }
+  return m_RankOfDisplacement[this->GetPlace(x, y, z)];
+}
+
+void
+MedialVoxelBallPainter::Paint(const Box &                 box,
+                              const MedialVoxelBits &     object,
+                              const MedialVoxelFeatures & features,
+                              Workspace &                 workspace,
+                              std::vector<float> &        radii) const
+{
+  radii.assign(ToSize(box.NumberOfVoxels()), 0.0f);
+  const Tile tile{ box,
+                   this->GetCenterBox(box),
+                   object,
+                   features,
+                   workspace,
+                   radii,
+                   DivideUp(box.Extent(0), BitsPerWord),
+                   DivideUp(box.Extent(1), BrickSize),
+                   this->GetCenterBox(box).Expanded({ { 1, 1, 1 } }) };
+  this->OpenObject(tile);
+  this->RankBalls(tile);
+  this->SortBalls(tile);
+  this->PaintBalls(tile);
+}
+
+/** Opens all object voxels of the tile. */
+void
+MedialVoxelBallPainter::OpenObject(const Tile & tile) const
+{
+  Workspace & workspace = tile.workspace;
+  workspace.m_Open.assign(ToSize(tile.words * tile.box.Extent(1) * tile.box.Extent(2)), 0);
+  workspace.m_OpenOfBricks.assign(ToSize(tile.words * tile.bricks * DivideUp(tile.box.Extent(2), BrickSize)), 0);
+  for (std::int64_t z = tile.box.lower[2]; z < tile.box.upper[2]; ++z)
+  {
+    for (std::int64_t y = tile.box.lower[1]; y < tile.box.upper[1]; ++y)
+    {
+      std::uint64_t * const open = tile.GetOpenRow(y, z);
+      for (std::int64_t word = 0; word < tile.words; ++word)
+      {
+        const std::int64_t x = tile.box.lower[0] + word * BitsPerWord;
+        open[word] = tile.object.Extract(x, y, z) & MedialVoxelBits::RangeMask(0, 0, tile.box.upper[0] - x);
+        tile.GetOpenOfBrick(word, y, z) += static_cast<std::uint32_t>(MedialVoxelPopulationCount(open[word]));
+      }
+    }
+  }
+}
+
+void
+MedialVoxelBallPainter::RankBalls(const Tile & tile) const
+{
+  std::vector<std::uint32_t> & ranks = tile.workspace.m_Ranks;
+  ranks.assign(ToSize(tile.padded.NumberOfVoxels()), 0);
+  for (std::int64_t z = tile.centers.lower[2]; z < tile.centers.upper[2]; ++z)
+  {
+    for (std::int64_t y = tile.centers.lower[1]; y < tile.centers.upper[1]; ++y)
+    {
+      const std::size_t     first = tile.features.OffsetOf(tile.centers.lower[0], y, z);
+      std::uint32_t * const row = ranks.data() + tile.padded.OffsetOf({ { tile.centers.lower[0], y, z } });
+      for (std::int64_t x = tile.centers.lower[0]; x < tile.centers.upper[0]; x += BitsPerWord)
+      {
+        std::uint64_t bits = tile.object.Extract(x, y, z) & MedialVoxelBits::RangeMask(0, 0, tile.centers.upper[0] - x);
+        for (; bits != 0; bits &= bits - 1)
+        {
+          const auto column = ToSize(x - tile.centers.lower[0] + MedialVoxelLowestBit(bits));
+          row[column] = this->GetRank(tile.features, first + column);
+        }
+      }
+    }
+    MedialVoxelPoll();
+  }
+}
+
+auto
+MedialVoxelBallPainter::ListNeighbors(const Box & padded) const -> std::vector<Neighbor>
+{
+  std::vector<Neighbor> neighbors;
+  for (int z = -1; z <= 1; ++z)
+  {
+    for (int y = -1; y <= 1; ++y)
+    {
+      for (int x = -1; x <= 1; ++x)
+      {
+        const auto axes = static_cast<unsigned int>((x & 1) | (y & 1) << 1 | (z & 1) << 2);
+        if (axes != 0)
+        {
+          neighbors.push_back({ axes, (z * padded.Extent(1) + y) * padded.Extent(0) + x });
+        }
+      }
+    }
+  }
+  // Most balls are in one of those that share a face.
+  std::stable_sort(neighbors.begin(), neighbors.end(), [](const Neighbor & a, const Neighbor & b) {
+    return MedialVoxelPopulationCount(a.axes) < MedialVoxelPopulationCount(b.axes);
+  });
+  return neighbors;
+}
+
+/** Whether all voxels of a ball are in that of a neighbor. */
+bool
+MedialVoxelBallPainter::IsInBallOfNeighbor(const std::uint32_t * const   ball,
+                                           const std::vector<Neighbor> & neighbors) const
+{
+  return std::any_of(neighbors.begin(), neighbors.end(), [&](const Neighbor & neighbor) {
+    const std::uint32_t other = ball[neighbor.step];
+    return other > *ball && m_Needed[neighbor.axes][*ball] < m_Squares[other];
+  });
+}
+
+/** Whether a ball of the largest radius is covered by those around it but for its center, as is its own ball. */
+bool
+MedialVoxelBallPainter::IsAmongLargest(const std::uint32_t * const ball, const std::vector<Neighbor> & neighbors) const
+{
+  return std::all_of(neighbors.begin(), neighbors.end(), [&](const Neighbor & neighbor) {
+    const bool isOnAxis = neighbor.axes == 1 || neighbor.axes == 2 || neighbor.axes == 4;
+    return !isOnAxis || !m_Grid.IsActive(neighbor.axes >> 1) || ball[neighbor.step] == *ball;
+  });
+}
+
+/** The balls that reach the tile and are not in those of their neighbors, the largest first. */
+void
+MedialVoxelBallPainter::SortBalls(const Tile & tile) const
+{
+  const std::vector<std::uint32_t> & ranks = tile.workspace.m_Ranks;
+  const std::vector<Neighbor>        neighbors = this->ListNeighbors(tile.padded);
+  std::vector<std::uint32_t> &       kept = tile.workspace.m_Kept;
+  const auto                         cap = static_cast<std::uint32_t>(m_Squares.size() - 1);
+  const auto                         radius = static_cast<float>(m_MaximumRadius);
+  const auto                         toTile = [&tile](const std::int64_t at, const unsigned int axis) {
+    return std::max<std::int64_t>({ tile.box.lower[axis] - at, at - tile.box.upper[axis] + 1, 0 });
+  };
+  kept.clear();
+  Index center;
+  for (center[2] = tile.centers.lower[2]; center[2] < tile.centers.upper[2]; ++center[2])
+  {
+    for (center[1] = tile.centers.lower[1]; center[1] < tile.centers.upper[1]; ++center[1])
+    {
+      const std::int64_t y = toTile(center[1], 1);
+      const std::int64_t z = toTile(center[2], 2);
+      center[0] = tile.centers.lower[0];
+      std::size_t place = tile.padded.OffsetOf(center);
+      for (; center[0] < tile.centers.upper[0]; ++center[0], ++place)
+      {
+        const std::uint32_t rank = ranks[place];
+        if (rank == 0 || !(m_Grid.SquaredMetricLength(toTile(center[0], 0), y, z) < m_Squares[rank]))
+        {
+          continue;
+        }
+        if (rank == cap && this->IsAmongLargest(&ranks[place], neighbors))
+        {
+          if (tile.box.Contains(center))
+          {
+            const std::int64_t x = center[0] - tile.box.lower[0];
+            tile.Close(center[1], center[2], x / BitsPerWord, std::uint64_t{ 1 } << ToSize(x % BitsPerWord), radius);
+          }
+        }
+        else if (!this->IsInBallOfNeighbor(&ranks[place], neighbors))
+        {
+          kept.push_back(static_cast<std::uint32_t>(place));
+        }
+      }
+    }
+    MedialVoxelPoll();
+  }
+  this->OrderByRank(tile.workspace);
+}
+
+/** The kept balls, the largest first. */
+void
+MedialVoxelBallPainter::OrderByRank(Workspace & workspace) const
+{
+  std::vector<std::uint32_t> & begins = workspace.m_Begins;
+  begins.assign(m_Squares.size() + 1, 0);
+  for (const std::uint32_t ball : workspace.m_Kept)
+  {
+    ++begins[m_Squares.size() - workspace.m_Ranks[ball]];
+  }
+  std::partial_sum(begins.begin(), begins.end(), begins.begin());
+  workspace.m_Order.resize(workspace.m_Kept.size());
+  for (const std::uint32_t ball : workspace.m_Kept)
+  {
+    workspace.m_Order[begins[m_Squares.size() - 1 - workspace.m_Ranks[ball]]++] = ball;
+  }
+}
+
+void
+MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
+{
+  Workspace &            workspace = tile.workspace;
+  MedialVoxelPollCounter poll;
+  const std::int64_t     columns = tile.padded.Extent(0);
+  const std::int64_t     rows = tile.padded.Extent(1);
+  std::uint32_t          spansOf = 0;
+  for (const std::uint32_t ball : workspace.m_Order)
+  {
+    const std::uint32_t rank = workspace.m_Ranks[ball];
+    if (rank != spansOf)
+    {
+      if (std::all_of(workspace.m_OpenOfBricks.begin(), workspace.m_OpenOfBricks.end(), [](const std::uint32_t open) {
+            return open == 0;
+          }))
+      {
+        return;
+      }
+      this->FindSpans(rank, workspace);
+      spansOf = rank;
+    }
+    poll.Count(StepsOfBall);
+    this->PaintBall(tile,
+                    { { tile.padded.lower[0] + ball % columns,
+                        tile.padded.lower[1] + ball / columns % rows,
+                        tile.padded.lower[2] + ball / (columns * rows) } },
+                    rank + 1 == m_Squares.size()
+                      ? static_cast<float>(m_MaximumRadius)
+                      : static_cast<float>(std::sqrt(m_Squares[rank]) * m_Grid.GetMetricUnit()));
+  }
+}
+
+/** For rows by their absolute distances from the center: voxels to each side that are covered, or -1. */
+void
+MedialVoxelBallPainter::FindSpans(const std::uint32_t rank, Workspace & workspace) const
+{
+  const double square = m_Squares[rank];
+  Index &      reach = workspace.m_Reach;
+  reach = { { 0, 0, 0 } };
+  workspace.m_Spans.assign(ToSize((m_Margin[1] + 1) * (m_Margin[2] + 1)), -1);
+  std::int32_t * row = workspace.m_Spans.data();
+  for (std::int64_t z = 0; z <= m_Margin[2]; ++z, row += m_Margin[1] + 1)
+  {
+    std::int64_t width = m_Margin[0];
+    for (std::int64_t y = 0; y <= m_Margin[1] && width >= 0; ++y)
+    {
+      while (width >= 0 && !(m_Grid.SquaredMetricLength(width, y, z) < square))
+      {
+        --width;
+      }
+      row[y] = static_cast<std::int32_t>(width);
+      if (width >= 0)
+      {
+        reach = { { std::max(reach[0], width), std::max(reach[1], y), z } };
+      }
+    }
+  }
+}
+
+void
+MedialVoxelBallPainter::PaintBall(const Tile & tile, const Index & center, const float radius) const
+{
+  const Index & reach = tile.workspace.m_Reach;
+  const Box     ball =
+    Box{ center, { { center[0] + 1, center[1] + 1, center[2] + 1 } } }.Expanded(reach).Intersection(tile.box);
+  if (ball.IsEmpty())
+  {
+    return;
+  }
+  const Box bricks = tile.GetBricks(ball);
+  Index     brick;
+  for (brick[2] = bricks.lower[2]; brick[2] < bricks.upper[2]; ++brick[2])
+  {
+    for (brick[1] = bricks.lower[1]; brick[1] < bricks.upper[1]; ++brick[1])
+    {
+      for (brick[0] = bricks.lower[0]; brick[0] < bricks.upper[0]; ++brick[0])
+      {
+        if (tile.workspace.m_OpenOfBricks[tile.GetPlaceOfBrick(brick)] != 0)
+        {
+          this->PaintInBrick(tile, tile.GetBrick(brick).Intersection(ball), center, radius);
+        }
+      }
+    }
+  }
+}
+
+/** A part of a ball that is within a brick, whose rows are words. */
+void
+MedialVoxelBallPainter::PaintInBrick(const Tile &  tile,
+                                     const Box &   part,
+                                     const Index & center,
+                                     const float   radius) const
+{
+  const std::int64_t word = (part.lower[0] - tile.box.lower[0]) / BitsPerWord;
+  const std::int64_t first = tile.box.lower[0] + word * BitsPerWord;
+  for (std::int64_t z = part.lower[2]; z < part.upper[2]; ++z)
+  {
+    const std::int32_t * const spans = tile.workspace.m_Spans.data() + std::abs(z - center[2]) * (m_Margin[1] + 1);
+    for (std::int64_t y = part.lower[1]; y < part.upper[1]; ++y)
+    {
+      const std::int64_t width = spans[std::abs(y - center[1])];
+      if (width >= 0)
+      {
+        tile.Close(
+          y, z, word, MedialVoxelBits::RangeMask(0, center[0] - width - first, center[0] + width + 1 - first), radius);
+      }
+    }
+  }
+}
+
+} // end namespace itk

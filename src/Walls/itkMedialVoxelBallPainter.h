@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelBallPainter_h
+#define itkMedialVoxelBallPainter_h
+
+#include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelFeatures.h"
+#include "itkMedialVoxelGrid.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelBallPainter
+ * \brief Gives each object voxel of a tile the radius of the largest ball inside the object that covers it.
+ *
+ * A ball around an object voxel has the distance to the nearest boundary voxel as its radius, but not more than a
+ * maximum. It covers the voxels that are nearer than its radius. Balls are cut, not results: so a result depends on
+ * voxels within twice the maximum alone.
+ *
+ * Balls of which all voxels are in the ball of a neighbor are left out. The others are painted from the largest to the
+ * smallest, each voxel once.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelBallPainter
+{
+public:
+  /** \class Workspace
+   * \brief Memory of one thread, kept from tile to tile.
+   * \ingroup MedialVoxel
+   */
+  class Workspace
+  {
+  private:
+    friend class MedialVoxelBallPainter;
+
+    std::vector<std::uint32_t> m_Ranks;   ///< of the balls around the voxels of the padded center box; 0 in background
+    std::vector<std::uint32_t> m_Kept;    ///< places of the balls that are painted
+    std::vector<std::uint32_t> m_Order;   ///< the same, the largest first
+    std::vector<std::uint32_t> m_Begins;  ///< in the order, of the balls of each rank
+    std::vector<std::int32_t>  m_Spans;   ///< half widths of the rows of a ball
+    MedialVoxelIndex           m_Reach{}; ///< of that ball
+    std::vector<std::uint64_t> m_Open;    ///< voxels of the tile that are not painted yet
+    std::vector<std::uint32_t> m_OpenOfBricks;
+  };
+
+  /** Bytes of a workspace for each voxel of a center box, beside its displacements. */
+  static constexpr std::uint64_t BytesPerVoxel = 3 * sizeof(std::uint32_t) + 1;
+
+  /** \param maximumRadius  of a ball, in the units of the spacing; positive and finite */
+  MedialVoxelBallPainter(const MedialVoxelGrid & grid, double maximumRadius);
+
+  /** Voxels around a tile whose balls may reach it. */
+  const MedialVoxelIndex &
+  GetMargin() const
+  {
+    return m_Margin;
+  }
+
+  /** The voxels whose balls may reach a tile. */
+  MedialVoxelBox
+  GetCenterBox(const MedialVoxelBox & tile) const
+  {
+    return tile.Expanded(m_Margin).Intersection(m_Grid.GetVoxelBox());
+  }
+
+  /** \param object    bits of the center box of the tile
+   * \param features   displacements of the object voxels of the center box to their nearest boundary voxels; those
+   *                   that are farther than the maximum may be missing
+   * \param radii      of the voxels of the tile, x fastest; 0 in background */
+  void
+  Paint(const MedialVoxelBox &      tile,
+        const MedialVoxelBits &     object,
+        const MedialVoxelFeatures & features,
+        Workspace &                 workspace,
+        std::vector<float> &        radii) const;
+
+private:
+  struct Tile;
+
+  struct Neighbor
+  {
+    unsigned int   axes; ///< bits of those along which it lies
+    std::ptrdiff_t step; ///< to it in the ranks
+  };
+
+  void
+  RankDisplacements();
+
+  void
+  AddRank(double square, const std::array<double, 8> & needed);
+
+  std::size_t
+  GetPlace(std::int64_t x, std::int64_t y, std::int64_t z) const;
+
+  std::uint32_t
+  GetRank(const MedialVoxelFeatures & features, std::size_t offset) const;
+
+  void
+  RankBalls(const Tile & tile) const;
+
+  std::vector<Neighbor>
+  ListNeighbors(const MedialVoxelBox & padded) const;
+
+  bool
+  IsInBallOfNeighbor(const std::uint32_t * ball, const std::vector<Neighbor> & neighbors) const;
+
+  bool
+  IsAmongLargest(const std::uint32_t * ball, const std::vector<Neighbor> & neighbors) const;
+
+  void
+  SortBalls(const Tile & tile) const;
+
+  void
+  OrderByRank(Workspace & workspace) const;
+
+  void
+  OpenObject(const Tile & tile) const;
+
+  void
+  PaintBalls(const Tile & tile) const;
+
+  void
+  FindSpans(std::uint32_t rank, Workspace & workspace) const;
+
+  void
+  PaintBall(const Tile & tile, const MedialVoxelIndex & center, float radius) const;
+
+  void
+  PaintInBrick(const Tile & tile, const MedialVoxelBox & part, const MedialVoxelIndex & center, float radius) const;
+
+  MedialVoxelGrid  m_Grid;
+  double           m_MaximumRadius;
+  MedialVoxelIndex m_Margin;
+
+  std::vector<std::uint32_t> m_RankOfDisplacement; ///< by its absolute components, x fastest
+  std::vector<double>        m_Squares; ///< of the radii of the ranks, in units of the metric; rank 0 is background
+
+  /** For steps to a neighbor along these axes (bits) and ranks: the largest square of the distance of a voxel of the
+   * ball from that neighbor. */
+  std::array<std::vector<double>, 8> m_Needed;
+};
+
+} // end namespace itk
+
+#endif
