@@ -121,107 +121,8 @@ struct MedialVoxelBallPainter::Tile
 
 MedialVoxelBallPainter::MedialVoxelBallPainter(const MedialVoxelGrid & grid, const double maximumRadius)
   : m_Grid(grid)
-  , m_MaximumRadius(maximumRadius)
-  , m_Margin(grid.MarginForMetricLength(maximumRadius / grid.GetMetricUnit()))
-{
-  assert(maximumRadius > 0.0 && std::isfinite(maximumRadius));
-  std::size_t displacements = 1;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    // No displacement leads out of the image.
-    m_Margin[axis] = std::min(m_Margin[axis], grid.GetSize()[axis] - 1);
-    displacements *= ToSize(m_Margin[axis] + 1);
-  }
-  m_RankOfDisplacement.resize(displacements);
-  this->RankDisplacements();
-}
-
-/** From the shortest to the longest displacement, of which all from the maximum on have the last rank. */
-void
-MedialVoxelBallPainter::RankDisplacements()
-{
-  struct Displacement
-  {
-    double square;
-    Index  at;
-  };
-  std::vector<Displacement> displacements;
-  displacements.reserve(m_RankOfDisplacement.size());
-  for (std::int64_t z = 0; z <= m_Margin[2]; ++z)
-  {
-    for (std::int64_t y = 0; y <= m_Margin[1]; ++y)
-    {
-      for (std::int64_t x = 0; x <= m_Margin[0]; ++x)
-      {
-        displacements.push_back({ m_Grid.SquaredMetricLength(x, y, z), { { x, y, z } } });
-      }
-    }
-  }
-  std::sort(displacements.begin(), displacements.end(), [](const Displacement & a, const Displacement & b) {
-    return a.square < b.square;
-  });
-
-  const double          radius = m_MaximumRadius / m_Grid.GetMetricUnit();
-  const double          largest = radius * radius;
-  std::array<double, 8> needed{}; // by the voxels of the balls so far
-  this->AddRank(0.0, needed);     // background, whose displacement is 0
-  std::array<double, 8> next = needed;
-  for (const Displacement & displacement : displacements)
-  {
-    const double square = std::min(displacement.square, largest);
-    if (square > m_Squares.back())
-    {
-      needed = next;
-      this->AddRank(square, needed);
-    }
-    const Index & at = displacement.at;
-    m_RankOfDisplacement[this->GetPlace(at[0], at[1], at[2])] = static_cast<std::uint32_t>(m_Squares.size() - 1);
-    for (unsigned int step = 0; step < next.size() && displacement.square < largest; ++step)
-    {
-      const double fromNeighbor =
-        m_Grid.SquaredMetricLength(at[0] + (step & 1 ? 1 : 0), at[1] + (step & 2 ? 1 : 0), at[2] + (step & 4 ? 1 : 0));
-      next[step] = std::max(next[step], fromNeighbor);
-    }
-  }
-  if (m_Squares.back() < largest)
-  {
-    this->AddRank(largest, next);
-  }
-}
-
-/** A ball with this square of the radius, and for steps to neighbors what contains all of its voxels. */
-void
-MedialVoxelBallPainter::AddRank(const double square, const std::array<double, 8> & needed)
-{
-  m_Squares.push_back(square);
-  for (std::size_t step = 0; step < needed.size(); ++step)
-  {
-    m_Needed[step].push_back(needed[step]);
-  }
-}
-
-std::size_t
-MedialVoxelBallPainter::GetPlace(const std::int64_t x, const std::int64_t y, const std::int64_t z) const
-{
-  return ToSize((z * (m_Margin[1] + 1) + y) * (m_Margin[0] + 1) + x);
-}
-
-std::uint32_t
-MedialVoxelBallPainter::GetRank(const MedialVoxelFeatures & features, const std::size_t offset) const
-{
-  if (!features.HasSite(offset))
-  {
-    return static_cast<std::uint32_t>(m_Squares.size() - 1);
-  }
-  const std::int64_t x = std::abs(features.dx[offset]);
-  const std::int64_t y = std::abs(features.dy[offset]);
-  const std::int64_t z = std::abs(features.dz[offset]);
-  if (x > m_Margin[0] || y > m_Margin[1] || z > m_Margin[2])
-  {
-    return static_cast<std::uint32_t>(m_Squares.size() - 1);
-  }
-  return m_RankOfDisplacement[this->GetPlace(x, y, z)];
-}
+  , m_Ranks(grid, maximumRadius)
+{}
 
 void
 MedialVoxelBallPainter::Paint(const Box &                 box,
@@ -285,7 +186,7 @@ MedialVoxelBallPainter::RankBalls(const Tile & tile) const
         for (; bits != 0; bits &= bits - 1)
         {
           const auto column = ToSize(x - tile.centers.lower[0] + MedialVoxelLowestBit(bits));
-          row[column] = this->GetRank(tile.features, first + column);
+          row[column] = m_Ranks.GetRank(tile.features, first + column);
         }
       }
     }
@@ -325,7 +226,7 @@ MedialVoxelBallPainter::IsInBallOfNeighbor(const std::uint32_t * const   ball,
 {
   return std::any_of(neighbors.begin(), neighbors.end(), [&](const Neighbor & neighbor) {
     const std::uint32_t other = ball[neighbor.step];
-    return other > *ball && m_Needed[neighbor.axes][*ball] < m_Squares[other];
+    return other > *ball && m_Ranks.IsInBall(*ball, neighbor.axes, other);
   });
 }
 
@@ -346,8 +247,8 @@ MedialVoxelBallPainter::SortBalls(const Tile & tile) const
   const std::vector<std::uint32_t> & ranks = tile.workspace.m_Ranks;
   const std::vector<Neighbor>        neighbors = this->ListNeighbors(tile.padded);
   std::vector<std::uint32_t> &       kept = tile.workspace.m_Kept;
-  const auto                         cap = static_cast<std::uint32_t>(m_Squares.size() - 1);
-  const auto                         radius = static_cast<float>(m_MaximumRadius);
+  const auto                         cap = m_Ranks.GetLast();
+  const auto                         radius = m_Ranks.GetRadius(cap);
   const auto                         toTile = [&tile](const std::int64_t at, const unsigned int axis) {
     return std::max<std::int64_t>({ tile.box.lower[axis] - at, at - tile.box.upper[axis] + 1, 0 });
   };
@@ -364,7 +265,7 @@ MedialVoxelBallPainter::SortBalls(const Tile & tile) const
       for (; center[0] < tile.centers.upper[0]; ++center[0], ++place)
       {
         const std::uint32_t rank = ranks[place];
-        if (rank == 0 || !(m_Grid.SquaredMetricLength(toTile(center[0], 0), y, z) < m_Squares[rank]))
+        if (rank == 0 || !(m_Grid.SquaredMetricLength(toTile(center[0], 0), y, z) < m_Ranks.GetSquare(rank)))
         {
           continue;
         }
@@ -392,16 +293,17 @@ void
 MedialVoxelBallPainter::OrderByRank(Workspace & workspace) const
 {
   std::vector<std::uint32_t> & begins = workspace.m_Begins;
-  begins.assign(m_Squares.size() + 1, 0);
+  const std::uint32_t          last = m_Ranks.GetLast();
+  begins.assign(last + 2, 0);
   for (const std::uint32_t ball : workspace.m_Kept)
   {
-    ++begins[m_Squares.size() - workspace.m_Ranks[ball]];
+    ++begins[last + 1 - workspace.m_Ranks[ball]];
   }
   std::partial_sum(begins.begin(), begins.end(), begins.begin());
   workspace.m_Order.resize(workspace.m_Kept.size());
   for (const std::uint32_t ball : workspace.m_Kept)
   {
-    workspace.m_Order[begins[m_Squares.size() - 1 - workspace.m_Ranks[ball]]++] = ball;
+    workspace.m_Order[begins[last - workspace.m_Ranks[ball]]++] = ball;
   }
 }
 
@@ -432,9 +334,7 @@ MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
                     { { tile.padded.lower[0] + ball % columns,
                         tile.padded.lower[1] + ball / columns % rows,
                         tile.padded.lower[2] + ball / (columns * rows) } },
-                    rank + 1 == m_Squares.size()
-                      ? static_cast<float>(m_MaximumRadius)
-                      : static_cast<float>(std::sqrt(m_Squares[rank]) * m_Grid.GetMetricUnit()));
+                    m_Ranks.GetRadius(rank));
   }
 }
 
@@ -442,15 +342,16 @@ MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
 void
 MedialVoxelBallPainter::FindSpans(const std::uint32_t rank, Workspace & workspace) const
 {
-  const double square = m_Squares[rank];
-  Index &      reach = workspace.m_Reach;
+  const double  square = m_Ranks.GetSquare(rank);
+  const Index & margin = this->GetMargin();
+  Index &       reach = workspace.m_Reach;
   reach = { { 0, 0, 0 } };
-  workspace.m_Spans.assign(ToSize((m_Margin[1] + 1) * (m_Margin[2] + 1)), -1);
+  workspace.m_Spans.assign(ToSize((margin[1] + 1) * (margin[2] + 1)), -1);
   std::int32_t * row = workspace.m_Spans.data();
-  for (std::int64_t z = 0; z <= m_Margin[2]; ++z, row += m_Margin[1] + 1)
+  for (std::int64_t z = 0; z <= margin[2]; ++z, row += margin[1] + 1)
   {
-    std::int64_t width = m_Margin[0];
-    for (std::int64_t y = 0; y <= m_Margin[1] && width >= 0; ++y)
+    std::int64_t width = margin[0];
+    for (std::int64_t y = 0; y <= margin[1] && width >= 0; ++y)
     {
       while (width >= 0 && !(m_Grid.SquaredMetricLength(width, y, z) < square))
       {
@@ -503,7 +404,8 @@ MedialVoxelBallPainter::PaintInBrick(const Tile &  tile,
   const std::int64_t first = tile.box.lower[0] + word * BitsPerWord;
   for (std::int64_t z = part.lower[2]; z < part.upper[2]; ++z)
   {
-    const std::int32_t * const spans = tile.workspace.m_Spans.data() + std::abs(z - center[2]) * (m_Margin[1] + 1);
+    const std::int32_t * const spans =
+      tile.workspace.m_Spans.data() + std::abs(z - center[2]) * (this->GetMargin()[1] + 1);
     for (std::int64_t y = part.lower[1]; y < part.upper[1]; ++y)
     {
       const std::int64_t width = spans[std::abs(y - center[1])];

@@ -3,11 +3,11 @@
 #ifndef itkMedialVoxelBallPainter_h
 #define itkMedialVoxelBallPainter_h
 
+#include "itkMedialVoxelBallRanks.h"
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelFeatures.h"
 #include "itkMedialVoxelGrid.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -58,14 +58,14 @@ public:
   const MedialVoxelIndex &
   GetMargin() const
   {
-    return m_Margin;
+    return m_Ranks.GetMargin();
   }
 
   /** The voxels whose balls may reach a tile. */
   MedialVoxelBox
   GetCenterBox(const MedialVoxelBox & tile) const
   {
-    return tile.Expanded(m_Margin).Intersection(m_Grid.GetVoxelBox());
+    return tile.Expanded(m_Ranks.GetMargin()).Intersection(m_Grid.GetVoxelBox());
   }
 
   /** \param object    bits of the center box of the tile
@@ -87,18 +87,6 @@ private:
     unsigned int   axes; ///< bits of those along which it lies
     std::ptrdiff_t step; ///< to it in the ranks
   };
-
-  void
-  RankDisplacements();
-
-  void
-  AddRank(double square, const std::array<double, 8> & needed);
-
-  std::size_t
-  GetPlace(std::int64_t x, std::int64_t y, std::int64_t z) const;
-
-  std::uint32_t
-  GetRank(const MedialVoxelFeatures & features, std::size_t offset) const;
 
   void
   RankBalls(const Tile & tile) const;
@@ -133,16 +121,8 @@ private:
   void
   PaintInBrick(const Tile & tile, const MedialVoxelBox & part, const MedialVoxelIndex & center, float radius) const;
 
-  MedialVoxelGrid  m_Grid;
-  double           m_MaximumRadius;
-  MedialVoxelIndex m_Margin;
-
-  std::vector<std::uint32_t> m_RankOfDisplacement; ///< by its absolute components, x fastest
-  std::vector<double>        m_Squares; ///< of the radii of the ranks, in units of the metric; rank 0 is background
-
-  /** For steps to a neighbor along these axes (bits) and ranks: the largest square of the distance of a voxel of the
-   * ball from that neighbor. */
-  std::array<std::vector<double>, 8> m_Needed;
+  MedialVoxelGrid      m_Grid;
+  MedialVoxelBallRanks m_Ranks;
 };
 
 } // end namespace itk
