@@ -30,6 +30,7 @@ suppress_warnings = ["duplicate_declaration.cpp"]
 
 CPP_CLASSES = (
     "MedialVoxelImageFilter",
+    "LocalThicknessImageFilter",
     "VectorDistanceMapImageFilter",
     "MedialSurfaceMeshFilter",
     "MedialVoxelImageFilterBase",

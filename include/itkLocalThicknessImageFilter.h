@@ -66,6 +66,13 @@ public:
     return static_cast<SizeValueType>(this->GetSums().counts.objectVoxels);
   }
 
+  /** Object voxels whose value is MaximumThickness, so that their balls may be larger. Summed in the same way. */
+  SizeValueType
+  GetNumberOfVoxelsAtMaximum() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().voxelsAtMaximum);
+  }
+
 protected:
   LocalThicknessImageFilter() = default;
   ~LocalThicknessImageFilter() override = default;

@@ -74,6 +74,7 @@ LocalThicknessImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent inde
   Superclass::PrintSelf(os, indent);
   os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
   os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
+  os << indent << "NumberOfVoxelsAtMaximum: " << this->GetNumberOfVoxelsAtMaximum() << std::endl;
 }
 
 } // end namespace itk

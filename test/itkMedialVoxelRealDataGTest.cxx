@@ -3,6 +3,7 @@
 
 // Real CT volumes: crops against brute force, whole volumes against ITK's distance maps.
 
+#include "MedialVoxelTestLocalThickness.h"
 #include "MedialVoxelTestMaurer.h"
 #include "MedialVoxelTestMesh.h"
 
@@ -85,6 +86,22 @@ ExpectCropsAreBruteForce(const Volume & whole)
   }
 }
 
+void
+ExpectLocalThicknessIsBruteForce(const Volume & whole)
+{
+  for (const Volume & crop : InterestingCrops(whole, { { 34, 30, 28 } }, 3, 8))
+  {
+    for (const double maximum : { 9.0, 32.0 })
+    {
+      auto filter = ThicknessFilter<3>::New();
+      filter->SetInput(MakeImage<MaskImage<3>>(crop));
+      filter->SetMaximumThickness(maximum);
+      filter->Update();
+      EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), ExpectedThickness(crop, maximum))) << maximum;
+    }
+  }
+}
+
 /** Thresholds inside the filter, on the original pixel values, give what the mask gives. */
 template <typename TPixel>
 void
@@ -122,6 +139,16 @@ TEST(MedialVoxelRealData, CropsOfTheShellAreBruteForce)
   const auto path = RealDataPath(Shell.fileName);
   MEDIALVOXEL_SKIP_WITHOUT(path, Shell.fileName);
   ExpectCropsAreBruteForce(Load(path, Shell));
+}
+
+TEST(MedialVoxelRealData, LocalThicknessOfCropsIsBruteForce)
+{
+  for (const RealVolume & real : { Engine, Cranium, Shell })
+  {
+    const auto path = RealDataPath(real.fileName);
+    MEDIALVOXEL_SKIP_WITHOUT(path, real.fileName);
+    ExpectLocalThicknessIsBruteForce(Load(path, real));
+  }
 }
 
 TEST(MedialVoxelRealData, ThresholdOfTheEngineIsTheMask)

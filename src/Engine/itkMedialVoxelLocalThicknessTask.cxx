@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelLocalThicknessTask.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace itk
@@ -17,7 +18,8 @@ struct MedialVoxelLocalThicknessTask::TileWorkspace : public Workspace
 
 MedialVoxelLocalThicknessTask::MedialVoxelLocalThicknessTask(const MedialVoxelGrid &           grid,
                                                              const MedialVoxelLocalThickness & settings)
-  : m_Painter(grid, 0.5 * settings.maximumThickness)
+  : m_MaximumRadius(static_cast<float>(0.5 * settings.maximumThickness))
+  , m_Painter(grid, 0.5 * settings.maximumThickness)
   , m_Transform(grid, MedialVoxelRegion::Inside, 0.5 * settings.maximumThickness)
 {}
 
@@ -57,6 +59,8 @@ MedialVoxelLocalThicknessTask::Process(const MedialVoxelBox &          tile,
     m_Painter.Paint(tile, window.GetObject(), workspace.features, workspace.painter, workspace.radii);
     sums.classificationSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - middle).count();
     result.radii = &workspace.radii;
+    sums.voxelsAtMaximum =
+      static_cast<std::uint64_t>(std::count(workspace.radii.begin(), workspace.radii.end(), m_MaximumRadius));
   }
   sums.counts.objectVoxels = window.GetObject().Count(tile);
   client.TakeTile(result);

@@ -34,6 +34,7 @@ public:
 private:
   struct TileWorkspace;
 
+  float                       m_MaximumRadius;
   MedialVoxelBallPainter      m_Painter;
   MedialVoxelFeatureTransform m_Transform;
 };

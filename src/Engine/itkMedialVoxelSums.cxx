@@ -9,6 +9,7 @@ MedialVoxelSums &
 MedialVoxelSums::operator+=(const MedialVoxelSums & other)
 {
   counts += other.counts;
+  voxelsAtMaximum += other.voxelsAtMaximum;
   recomputedVoxels += other.recomputedVoxels;
   distanceSeconds += other.distanceSeconds;
   classificationSeconds += other.classificationSeconds;
