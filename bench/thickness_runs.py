@@ -37,19 +37,26 @@ class Program:
         version = subprocess.run([self.path, "--version"], capture_output=True, text=True, check=True).stdout.strip()
         return {"version": version, "commit": commit[:10], "uncertainty": self.knows("--uncertainty-map"), "levels": self.knows("--levels")}
 
-    def run(self, values, levels=None, options=()):
-        """Centers of the medial cells (x, y, z), their thickness (negative at rims), and the half widths or None."""
+    def run(self, values, levels=None, options=(), threshold=THRESHOLD, measure=None):
+        """Centers of the medial cells (x, y, z), their thickness (negative at rims), and the half widths or None.
+
+        measure: the option of another measure than the default, which has no half widths
+        """
         names = {name: self.scratch / f"{name}.mha" for name in ("labels", "thickness", "uncertainty")}
         source, size = self.scratch / "in.raw", values.shape[::-1]
         values.tofile(source)
         command = [self.path, "extract", source, names["labels"], "--raw-size", ",".join(map(str, size)), "--raw-type", "uint16"]
-        command += ["--lower", THRESHOLD, "--thickness-map", names["thickness"], "--threads", 1]
+        command += ["--lower", threshold, "--thickness-map", names["thickness"], "--threads", 1]
         # Programs before the uncertainty measured gray values on request only.
-        command += ["--uncertainty-map", names["uncertainty"]] if self.knows("--uncertainty-map") else ["--sub-voxel"]
+        if measure or not self.knows("--uncertainty-map"):
+            names.pop("uncertainty")
+            command.append(measure or "--sub-voxel")
+        else:
+            command += ["--uncertainty-map", names["uncertainty"]]
         command += ["--levels", ",".join(map(str, levels))] if levels else []
         subprocess.run([str(word) for word in [*command, *options, "--quiet", "--overwrite"]], check=True)
         index = np.argwhere(read_voxels(names["labels"], np.uint8, size) >= 2)
-        maps = [read_voxels(names[name], np.float32, size) for name in ("thickness", "uncertainty") if names[name].exists()]
+        maps = [read_voxels(names[name], np.float32, size) for name in ("thickness", "uncertainty") if name in names]
         maps = [found[tuple(index.T)].astype(float) for found in maps]
         # The center of a cell is half a voxel behind that of its voxel.
         return index[:, ::-1] + 0.5, maps[0], maps[1] if len(maps) > 1 else None

@@ -31,7 +31,8 @@ struct MedialVoxelScanLevels
 /** \class MedialVoxelScanSurvey
  * \brief Finds out from samples of a volume what its gray values are made of.
  *
- * - The background is the median of the values of voxels that have no object voxel within 3 voxels, but one within 8.
+ * - The background is the median of the values of voxels that have no object voxel within 3 voxels, but one within 8,
+ *   without those whose surroundings are raised by a wall that the object lacks.
  * - The material is the median of values deep in the object: 5.5 voxels, or less when no wall is as thick.
  * - The noise is 1.4826 times the median deviation of the background. Its correlation is the largest ratio of the
  *   variance of means over 3^D and 5^D voxels of the background to that of independent values.

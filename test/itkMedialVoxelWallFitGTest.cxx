@@ -310,6 +310,85 @@ TEST(MedialVoxelScanSurvey, FindsWhatTheValuesWereMadeOf)
   }
 }
 
+TEST(MedialVoxelScanSurvey, AWallThatTheObjectLacksIsNotBackground)
+{
+  for (const double noise : { 0.0, 0.1, 0.3 })
+  {
+    for (const double thickness : { 0.5, 1.0 })
+    {
+      // It fills a third of the background beside the thick wall, and the whole of it on one side.
+      const Share  thick = MakeWall(8.0, 0.85);
+      const Share  thin = MakeWall(thickness, 0.85, 9.5);
+      const Volume volume(
+        { { 110, 60, 60 } }, { { 1, 2, 5 } }, 0.2, [&](double s) { return thick(s) + thin(s); }, noise);
+      const itk::MedialVoxelScanSurvey survey(volume.grid, Threshold, std::nullopt);
+      const auto                       result = survey.Run(MakeSource(volume));
+      ASSERT_TRUE(result.scan) << result.reason;
+      EXPECT_NEAR(result.scan->background, Background, 0.005 * (Material - Background)) << thickness << ' ' << noise;
+      EXPECT_NEAR(result.scan->GetRelativeNoise(), noise, 0.04 * noise + 0.001) << thickness << ' ' << noise;
+      EXPECT_NEAR(result.scan->correlation, 1.0, 0.35) << thickness << ' ' << noise;
+    }
+  }
+}
+
+namespace
+{
+/** Walls of 8 along an axis, each in blocks of its own, that cost nothing to make. */
+itk::MedialVoxelScanSurvey::Source
+MakeRows(std::size_t & looked, const bool isReversed)
+{
+  itk::MedialVoxelScanSurvey::Source source;
+  source.fill = [](const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelGray & gray) {
+    const Share wall = MakeWall(8.0, 0.85, 32.2);
+    for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+    {
+      const double share = wall(static_cast<double>(z % 64));
+      for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+      {
+        for (std::int64_t x = box.lower[0]; x < box.upper[0]; ++x)
+        {
+          const auto   random = static_cast<double>(itk::MedialVoxelHash((z * 4096 + y) * 4096 + x) >> 11) / 9007199254740992.0;
+          const double value = share + 0.1 * (random - 0.5);
+          gray.GetRow(y, z)[x - box.lower[0]] = static_cast<float>(Background + (Material - Background) * value);
+          if (value >= 0.5)
+          {
+            object.Set({ { x, y, z } });
+          }
+        }
+      }
+    }
+  };
+  source.forEach = [&looked, isReversed](auto boxes, const auto & work) {
+    looked += boxes.size();
+    if (isReversed)
+    {
+      std::reverse(boxes.begin(), boxes.end());
+    }
+    std::for_each(boxes.begin(), boxes.end(), work);
+  };
+  source.observe = [](double) {};
+  return source;
+}
+} // namespace
+
+TEST(MedialVoxelScanSurvey, EndsWhenTheSamplesAreEnough)
+{
+  const itk::MedialVoxelGrid       grid({ { 640, 640, 640 } }, { { 1.0, 1.0, 1.0 } });
+  const itk::MedialVoxelScanSurvey survey(grid, Threshold, std::nullopt);
+  std::size_t                      looked[2] = {};
+  const auto                       result = survey.Run(MakeRows(looked[0], false));
+  const auto                       other = survey.Run(MakeRows(looked[1], true));
+  ASSERT_TRUE(result.scan && other.scan) << result.reason;
+  EXPECT_LT(looked[0], 100u); // of 360
+  EXPECT_EQ(looked[0], looked[1]);
+  EXPECT_EQ(result.scan->blur, other.scan->blur);
+  EXPECT_EQ(result.scan->background, other.scan->background);
+  EXPECT_EQ(result.scan->material, other.scan->material);
+  EXPECT_EQ(result.scan->noise, other.scan->noise);
+  EXPECT_EQ(result.scan->correlation, other.scan->correlation);
+  EXPECT_NEAR(result.scan->blur, 0.85, 0.03);
+}
+
 TEST(MedialVoxelScanSurvey, SaysWhyThereIsNone)
 {
   const auto reasonOf = [](const Share & share, const double threshold) {

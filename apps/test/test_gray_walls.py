@@ -146,30 +146,47 @@ class GrayWallsTest(ProgramTestCase):
             self.assertIn("noise", stated["covers"])
             self.assertIn("beam hardening", stated["leaves_out"])
 
-    def test_the_same_bytes_for_any_division(self):
-        volume, _ = scan(size=(70, 30, 62), noise=0.2)
+    def check_the_same_bytes(self, volume, runs, *options):
+        """Labels, maps and meshes are the same for all runs, and but for meshes for a job of 3 clusters."""
         volumes.write_nrrd(self.folder / "in.nrrd", volume)
-        options = ("--lower", 5000, "--uncertainty-map", "u.mha", "--mesh", "m.vtp")
-        names = ("l.mha", "t.mha", "u.mha", "m.vtp")
+        names = ("l.mha", "t.mha", "u.mha")
+        meshes = [name for name in options if name.endswith(".vtp")]
 
         def run(*more):
-            _, report = self.measure("in.nrrd", *options, *more)
-            return [(self.folder / name).read_bytes() for name in names], report["measure"], report["thickness"]
+            _, report = self.measure("in.nrrd", "--lower", 5000, "--uncertainty-map", "u.mha", *options, *more)
+            files = [(self.folder / name).read_bytes() for name in (*names, *meshes)]
+            return files, report["measure"], report["thickness"]
 
         expected = run("--threads", 1)
         self.assertEqual(expected[1]["on"], "fits")
-        for more in (("--threads", 2), ("--divisions", 5), ("--divisions", 61, "--threads", 3), ("--memory", "64M")):
+        self.assertGreater(expected[1]["uncertainty"]["cells"], 100)
+        for more in runs:
             self.assertEqual(run(*more), expected, more)
         self.run_program(
             "plan", "in.nrrd", "jl.mha", "job", "--divisions", 3, "--lower", 5000, "--thickness-map", "jt.mha",
-            "--uncertainty-map", "ju.mha", "--report", "jr.json",
+            "--uncertainty-map", "ju.mha", "--report", "jr.json", "--overwrite",
         )  # fmt: skip
-        self.run_program("work", "job")
+        for cluster in (2, 0, 1):
+            self.run_program("work", "job", "--clusters", cluster)
         self.run_program("finalize", "job")
-        for name, content in zip(names[:3], expected[0]):
+        for name, content in zip(names, expected[0]):
             self.assertEqual((self.folder / ("j" + name)).read_bytes(), content, name)
         report = json.loads((self.folder / "jr.json").read_text("utf-8"))
         self.assertEqual((report["measure"], report["thickness"]), expected[1:])
+
+    def test_the_same_bytes_for_any_division(self):
+        volume, _ = scan(size=(70, 30, 62), noise=0.2)
+        more = (("--threads", 2), ("--divisions", 5), ("--divisions", 61, "--threads", 3), ("--memory", "64M"))
+        self.check_the_same_bytes(volume, more, "--mesh", "m.vtp")
+
+    def test_the_same_bytes_with_unequal_spacing(self):
+        volume, _ = scan(size=(60, 30, 62), noise=0.2, spacing=(0.5, 0.5, 1.25))
+        self.check_the_same_bytes(volume, (("--divisions", 5, "--threads", 2), ("--memory", "64M")))
+
+    def test_the_same_bytes_of_a_picture(self):
+        volume, _ = scan(size=(150, 120, 1), normal=(1, 3, 0), noise=0.1)
+        flat = volumes.Volume(volume.size[:2], volume.voxels, (1, 1), "uint16")
+        self.check_the_same_bytes(flat, (("--divisions", 5, "--threads", 2), ("--memory", "64M")))
 
     def test_levels(self):
         volume, normal = scan()

@@ -23,9 +23,11 @@ using SurfaceSample = MedialVoxelScanSamples::Surface;
 constexpr std::size_t FewestLevels = 200;
 constexpr std::size_t FewestSurfaces = 60;
 
+/** Fewer means around background do not tell which are usual. */
+constexpr std::size_t FewestMeans = 2000;
+
 /** From material to the faces of its wall, in units of the blur: there the value is lower by 1 %. */
 constexpr double SmallestWay = 2.7;
-
 
 /** Blur of a scan; that of a mask, and of walls that are averaged over the voxels alone, is less. */
 constexpr double SmallestBlur = 0.4;
@@ -50,6 +52,59 @@ TakeDeviation(std::vector<double> values)
     value = std::abs(value - median);
   }
   return 1.4826 * TakeMedian(values);
+}
+
+/** Background whose means are usual: walls that the object lacks raise the others. The usual ones are within three
+ * deviations of the middle of the shortest interval that holds half of them. Nothing when too few means are known. */
+std::vector<BackgroundSample>
+SelectUsual(const std::vector<BackgroundSample> & samples, double BackgroundSample::* const mean)
+{
+  std::vector<double> means;
+  for (const BackgroundSample & sample : samples)
+  {
+    if (!std::isnan(sample.*mean))
+    {
+      means.push_back(sample.*mean);
+    }
+  }
+  if (means.size() < FewestMeans)
+  {
+    return {};
+  }
+  std::sort(means.begin(), means.end());
+  const std::size_t half = means.size() / 2;
+  std::size_t       first = 0;
+  for (std::size_t i = 1; i + half < means.size(); ++i)
+  {
+    first = means[i + half] - means[i] < means[first + half] - means[first] ? i : first;
+  }
+  const double middle = 0.5 * (means[first] + means[first + half]);
+  const double limit = 3.0 * 1.4826 * (0.5 * (means[first + half] - means[first]));
+
+  std::vector<BackgroundSample> usual;
+  for (const BackgroundSample & sample : samples)
+  {
+    if (std::abs(sample.*mean - middle) <= limit)
+    {
+      usual.push_back(sample);
+    }
+  }
+  return usual;
+}
+
+/** By the largest means that are known; all when there are none. */
+std::vector<BackgroundSample>
+SelectBackground(std::vector<BackgroundSample> samples)
+{
+  for (double BackgroundSample::* const mean : { &BackgroundSample::largeMean, &BackgroundSample::smallMean })
+  {
+    std::vector<BackgroundSample> usual = SelectUsual(samples, mean);
+    if (!usual.empty())
+    {
+      return usual;
+    }
+  }
+  return samples;
 }
 
 struct MaterialLevel
@@ -151,7 +206,7 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
                          const double                                 threshold,
                          const std::optional<MedialVoxelScanLevels> & levels)
 {
-  const std::vector<BackgroundSample> background = samples.background.Take();
+  const std::vector<BackgroundSample> background = SelectBackground(samples.background.Take());
   const std::vector<MaterialSample>   material = samples.material.Take();
   std::vector<SurfaceSample>          surfaces = samples.surfaces.Take();
   std::vector<double>                 values;

@@ -171,6 +171,10 @@ private:
       {
         continue;
       }
+      if (!this->MayBeFlat(voxel, neighbor))
+      {
+        return;
+      }
       m_Poll.Count(StepsOfSurface);
       Vector place;
       Vector inwards;
@@ -197,6 +201,29 @@ private:
       samples.surfaces.Add(hash, std::move(sample));
       return;
     }
+  }
+
+  /** Whether there is room for flat sides along an axis: normals take long to find, and most surfaces of thin walls
+   * have none. \a inside is the object voxel of a face, \a outside its other voxel. */
+  bool
+  MayBeFlat(const Index & inside, const Index & outside) const
+  {
+    for (std::int64_t way = 2; way <= 4; ++way)
+    {
+      Index inwards;
+      Index outwards;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        inwards[axis] = inside[axis] + way * (inside[axis] - outside[axis]);
+        outwards[axis] = outside[axis] + way * (outside[axis] - inside[axis]);
+      }
+      if ((m_Grid.GetVoxelBox().Contains(inwards) && !m_Object.Test(inwards)) ||
+          (m_Grid.GetVoxelBox().Contains(outwards) && m_Object.Test(outwards)))
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Whether the voxels along a normal are object on its side and background on the other. */
