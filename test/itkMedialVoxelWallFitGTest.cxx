@@ -347,7 +347,8 @@ MakeRows(std::size_t & looked, const bool isReversed)
       {
         for (std::int64_t x = box.lower[0]; x < box.upper[0]; ++x)
         {
-          const auto   random = static_cast<double>(itk::MedialVoxelHash((z * 4096 + y) * 4096 + x) >> 11) / 9007199254740992.0;
+          const auto random =
+            static_cast<double>(itk::MedialVoxelHash((z * 4096 + y) * 4096 + x) >> 11) / 9007199254740992.0;
           const double value = share + 0.1 * (random - 0.5);
           gray.GetRow(y, z)[x - box.lower[0]] = static_cast<float>(Background + (Material - Background) * value);
           if (value >= 0.5)
