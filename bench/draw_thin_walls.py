@@ -25,7 +25,7 @@ OUTPUT = pathlib.Path(__file__).resolve().parents[1] / "doc" / "figures" / "thin
 THICK, WALLS = 8, (2, 3)
 SIZE, FIRST = 72, 28  # edge of the volume, and the first slice that is shown
 BLUR, NOISE = 1.0, 0.2
-LARGEST = 4
+SMALLEST, LARGEST = 1, 4
 MEASURES = {"on the object": "--sub-voxel=off", "crossings of the threshold": "--sub-voxel", "fits of blurred walls": None}
 
 
@@ -57,7 +57,7 @@ def main():
     values = scan.blur(part.fill(scan.DIVISION), BLUR)
     values = scan.digitize(values + scan.make_noise(values.shape, NOISE, False, random))
     middle = SIZE // 2
-    figure, grid = pyplot.subplots(1, 3, figsize=(10.5, 3.5), layout="constrained")
+    figure, grid = pyplot.subplots(1, 3, figsize=(10.5, 2.7), layout="constrained")
     with tempfile.TemporaryDirectory() as folder:
         program = runs.Program(build, pathlib.Path(folder))
         for axes, name in zip(grid, MEASURES):
@@ -65,8 +65,8 @@ def main():
             axes.imshow(runs.to_unit(values[:, middle]), cmap="gray", vmin=-0.7, vmax=1.7, origin="lower", interpolation="nearest")
             here = (np.floor(centers[:, 1]) == middle) & (thickness > 0)
             x, z = centers[here, 0], centers[here, 2]
-            drawn = axes.scatter(x, z, c=thickness[here], s=9, marker="s", linewidths=0, cmap="plasma", vmin=0, vmax=LARGEST)
-            axes.set_ylim(FIRST, SIZE)
+            drawn = axes.scatter(x, z, c=thickness[here], s=9, marker="s", linewidths=0, cmap="plasma", vmin=SMALLEST, vmax=LARGEST)
+            axes.set_ylim(FIRST, SIZE - 10)
             axes.set_title(f"{name}\n{describe(part, centers, thickness)}", fontsize=10)
             axes.set_axis_off()
     figure.colorbar(drawn, ax=grid[-1], fraction=0.04).set_label("thickness, voxels")

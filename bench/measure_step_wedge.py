@@ -42,7 +42,7 @@ BLURS = (0.5, 0.8, 1.0, 1.5)
 # Kind of noise and its standard deviation in percent of the contrast.
 NOISES = (("white", 0), *((kind, percent) for kind in ("white", "correlated") for percent in (5, 10, 20, 40)))
 # Results are saved after this many parts, so that a stopped run is not lost; rows say how many volumes they are of.
-SAVED = 10
+SAVED = 2
 QUICK_BLURS = (0.8,)
 QUICK_NOISES = (("white", 0), ("white", 10), ("white", 20), ("correlated", 20))
 

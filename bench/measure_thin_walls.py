@@ -16,6 +16,7 @@ Usage: bench/measure_thin_walls.py BUILD [options]           needs numpy and sci
 import argparse
 import multiprocessing
 import pathlib
+import subprocess
 import tempfile
 import zlib
 
@@ -39,6 +40,8 @@ THICK = 8
 THIN = 2
 LOW = 0.22
 LARGEST_NOISE_OF_LOW = 10
+# Exit status where an uncertainty cannot be stated; such a volume does not count.
+REFUSED = 3
 
 
 def plates(walls):
@@ -68,7 +71,7 @@ def shell(wall, radius):
 
     def make(_, shift):
         part = parts.shell(wall, radius, shift)
-        part.pieces.append([parts.RoundBand(part.walls[0].band.origin, None, -1, 6.5)])
+        part.pieces.append([parts.RoundBand(part.walls[0].band.origin, None, -1, 9)])
         return part
 
     return make
@@ -132,7 +135,12 @@ def measure(task):
                 walls = [wall for wall in part.walls if share != LOW or wall.thickness < THIN]
                 if not walls or (share == LOW and percent > LARGEST_NOISE_OF_LOW):
                     continue
-                found = program.run(values, levels, threshold=scan.BACKGROUND + round(share * scan.CONTRAST))
+                try:
+                    found = program.run(values, levels, threshold=scan.BACKGROUND + round(share * scan.CONTRAST))
+                except subprocess.CalledProcessError as error:
+                    if error.returncode != REFUSED:
+                        raise
+                    continue
                 sums = runs.judge(part, rays, runs.to_unit(values), found)
                 of = name if share != LOW else f"{name}, threshold of {100 * LOW:.0f} %"
                 result += [

@@ -3,6 +3,7 @@
 """Writes and prints the results of measure_step_wedge.py and measure_thin_walls.py.
 
 Usage: bench/wedge_tables.py [results/step-wedge.json] [--page]     prints the tables of a result, or those of the page
+       bench/wedge_tables.py results/thin-walls.json --thin-walls   all parts together, as on the page
 """
 
 import json
@@ -157,11 +158,42 @@ def format_page(document):
     return "\n\n".join(parts)
 
 
+def pool(rows):
+    """Rows of one wall in several parts, as one; cells count evenly."""
+    cells = sum(row["cells"] for row in rows)
+
+    def mean(name):
+        return sum(row["cells"] * row[name] for row in rows if row["cells"]) / max(cells, 1)
+
+    return {
+        **rows[0],
+        "cells": cells,
+        "bias": mean("bias"),
+        "rms": (sum(row["cells"] * row["rms"] ** 2 for row in rows if row["cells"]) / max(cells, 1)) ** 0.5,
+        "in_interval_percent": mean("in_interval_percent"),
+    }
+
+
+def format_thin_walls(document):
+    """All parts of a result of measure_thin_walls.py together: walls that the lower threshold has by that one."""
+    low = {row["wall"] for row in document["rows"] if "threshold" in row["part"]}
+    groups = {}
+    for row in document["rows"]:
+        has_low = row["wall"] in low and row["noise_percent"] <= 10
+        if is_found(row) and has_low == ("threshold" in row["part"]):
+            groups.setdefault((row["blur"], row["noise"], row["noise_percent"], row["wall"]), []).append(row)
+    return format_errors([pool(rows) for rows in groups.values()])
+
+
+PAGES = {"--page": format_page, "--thin-walls": format_thin_walls}
+
+
 def main():
-    words = [word for word in sys.argv[1:] if word != "--page"]
+    words = [word for word in sys.argv[1:] if word not in PAGES]
     path = pathlib.Path(words[0]) if words else RESULTS / "step-wedge.json"
     document = json.loads(path.read_text(encoding="utf-8"))
-    print(format_page(document) if "--page" in sys.argv else format_all(document))
+    format_one = next((PAGES[word] for word in sys.argv if word in PAGES), format_all)
+    print(format_one(document))
 
 
 if __name__ == "__main__":
