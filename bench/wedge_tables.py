@@ -175,14 +175,20 @@ def pool(rows):
 
 
 def format_thin_walls(document):
-    """All parts of a result of measure_thin_walls.py together: walls that the lower threshold has by that one."""
-    low = {row["wall"] for row in document["rows"] if "threshold" in row["part"]}
+    """Flat walls and tubes together, and the other parts; walls that the lower threshold has by that one."""
+    low = {(row["part"].split(",")[0], row["wall"]) for row in document["rows"] if "threshold" in row["part"]}
     groups = {}
     for row in document["rows"]:
-        has_low = row["wall"] in low and row["noise_percent"] <= 10
+        kind = row["part"].split(",")[0]
+        has_low = (kind, row["wall"]) in low and row["noise_percent"] <= 10
         if is_found(row) and has_low == ("threshold" in row["part"]):
-            groups.setdefault((row["blur"], row["noise"], row["noise_percent"], row["wall"]), []).append(row)
-    return format_errors([pool(rows) for rows in groups.values()])
+            name = "plates and tubes" if kind in ("plates", "tubes") else kind
+            case = (row["blur"], row["noise"], row["noise_percent"], row["wall"])
+            groups.setdefault(name, {}).setdefault(case, []).append(row)
+    parts = []
+    for name, cases in sorted(groups.items(), reverse=True):
+        parts += [name, format_errors([pool(rows) for rows in cases.values()])]
+    return "\n\n".join(parts)
 
 
 PAGES = {"--page": format_page, "--thin-walls": format_thin_walls}
