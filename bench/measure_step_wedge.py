@@ -61,7 +61,10 @@ def measure_scans(task):
             for noise, percent in noises:
                 values = blurred + scan.make_noise(blurred.shape, percent / 100, noise == "correlated", random)
                 values = scan.digitize(values)
-                sums = runs.judge(part, rays, runs.to_unit(values), program.run(values))
+                found = runs.run_unless_refused(program, values)
+                if found is None:
+                    continue
+                sums = runs.judge(part, rays, runs.to_unit(values), found)
                 result += [((kind, sigma, noise, percent, wall.thickness), tilt, row) for wall, row in zip(part.walls, sums)]
     return result, []
 

@@ -16,7 +16,6 @@ Usage: bench/measure_thin_walls.py BUILD [options]           needs numpy and sci
 import argparse
 import multiprocessing
 import pathlib
-import subprocess
 import tempfile
 import zlib
 
@@ -40,8 +39,6 @@ THICK = 8
 THIN = 2
 LOW = 0.22
 LARGEST_NOISE_OF_LOW = 10
-# Exit status where an uncertainty cannot be stated; such a volume does not count.
-REFUSED = 3
 
 
 def plates(walls):
@@ -135,11 +132,9 @@ def measure(task):
                 walls = [wall for wall in part.walls if share != LOW or wall.thickness < THIN]
                 if not walls or (share == LOW and percent > LARGEST_NOISE_OF_LOW):
                     continue
-                try:
-                    found = program.run(values, levels, threshold=scan.BACKGROUND + round(share * scan.CONTRAST))
-                except subprocess.CalledProcessError as error:
-                    if error.returncode != REFUSED:
-                        raise
+                threshold = scan.BACKGROUND + round(share * scan.CONTRAST)
+                found = runs.run_unless_refused(program, values, levels=levels, threshold=threshold)
+                if found is None:
                     continue
                 sums = runs.judge(part, rays, runs.to_unit(values), found)
                 of = name if share != LOW else f"{name}, threshold of {100 * LOW:.0f} %"

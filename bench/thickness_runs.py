@@ -15,6 +15,8 @@ from virtual_scan import BACKGROUND, CONTRAST, THRESHOLD
 FAR = 1.5
 # Rays through one wall at most.
 RAYS = 300
+# Exit status where an uncertainty cannot be stated.
+REFUSED = 3
 # What is added up over cells and rays of one wall in one volume.
 FIELDS = (
     *("cells", "error", "square", "rims", "far", "inside", "intervals", "width"),
@@ -66,6 +68,16 @@ class Program:
         path = self.scratch / "report.json"
         self.run(values, options=("--report", path), **options)
         return json.loads(path.read_text(encoding="utf-8"))
+
+
+def run_unless_refused(program, values, **options):
+    """What the program finds, or None where it cannot state the uncertainty; such a volume does not count."""
+    try:
+        return program.run(values, **options)
+    except subprocess.CalledProcessError as error:
+        if error.returncode != REFUSED:
+            raise
+        return None
 
 
 def make_rays(part):
