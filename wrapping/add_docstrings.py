@@ -27,6 +27,7 @@ CLASSES = (
 MACROS = {
     "itkSetMacro": ("Set{}",),
     "itkSetEnumMacro": ("Set{}",),
+    "itkMedialVoxelSetEnumMacro": ("Set{}",),
     "itkGetConstMacro": ("Get{}",),
     "itkGetConstReferenceMacro": ("Get{}",),
     "itkGetEnumMacro": ("Get{}",),
