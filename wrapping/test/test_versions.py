@@ -27,7 +27,7 @@ CALLS = ("itk.medial_voxel_image_filter", "itk.MedialSurfaceMeshFilter.New()", "
 def call_with(version, call):
     """What the script says."""
     command = [sys.executable, "-c", SCRIPT.format(version=version, call=call)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     return done.stdout.splitlines(), done.stderr
 
 
