@@ -89,7 +89,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual(surface.GetSmallestComponent(), 7)
 
     def test_labels(self):
-        cells = np.zeros((20, 20, 20), np.int16)
+        cells = np.zeros((20, 20, 20), np.uint8)
         cells[2:18, 2:18, 2:8] = 2
         cells[2:18, 2:18, 10:18] = 5
         expected = itk.medial_voxel_image_filter(cells, object_labels=[2, 5], thickness=3.0)
@@ -106,7 +106,7 @@ class Numbers(unittest.TestCase):
             for value in (2.5, np.float32(2.5), "3", None, [1, 2], np.array([1, 2])):
                 with self.subTest(value=repr(value)), self.assertRaises(TypeError):
                     set_value(value)
-        for value in ("3", None, 1j, np.array([1.0, 2.0]), np.complex64(1)):
+        for value in ("3", None, 1j, np.array([1.0, 2.0])):
             with self.subTest(value=repr(value)), self.assertRaises(TypeError):
                 medial.SetThickness(value)
 
