@@ -20,7 +20,7 @@ import xml.etree.ElementTree
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "wrapping"))
 
-import add_docstrings  # noqa: E402
+import header_comments  # noqa: E402
 
 NOTICE = """<!-- SPDX-FileCopyrightText: MedialVoxel contributors -->
 <!-- SPDX-License-Identifier: Apache-2.0 -->
@@ -271,25 +271,19 @@ def make_report(catalog, schema):
 
 def read_public(name):
     """Summary of a class, and the comment of each group of public members that is wrapped: names, then text."""
-    text = (ROOT / "include" / f"itk{name}.h").read_text(encoding="utf-8").split("\nprotected:")[0]
-    text = re.sub(r"#ifndef ITK_WRAPPING_PARSER.*?#endif\n", "", text, flags=re.DOTALL)
     summary, members = "", []
-    for comment, code in add_docstrings.COMMENT.findall(text):
-        plain = add_docstrings.plain(comment)
+    for comment, code in header_comments.COMMENT.findall(header_comments.read_public(name)):
+        plain = header_comments.plain(comment)
         if re.search(rf"\\class {name}\b", comment):
             summary = " ".join(plain.split("\n\n")[0].split())
             continue
         names = []
         for declared, argument in re.findall(r"^  (?:\w+ )*(\w+)\((\w*)", code, re.MULTILINE):
-            names += [form.format(argument) for form in add_docstrings.MACROS.get(declared, ("{1}",))] if (
+            names += [form.format(argument) for form in header_comments.MACROS.get(declared, ("{1}",))] if (
                 declared.startswith("itk")
             ) else [declared]
         members.append((names, " ".join(plain.split())))
     return summary, members
-
-
-def to_snake(name):
-    return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 def make_member_tables(members):
@@ -298,7 +292,7 @@ def make_member_tables(members):
         setters = [name.removeprefix("Set") for name in names if re.match(r"Set[A-Z]", name)]
         getters = [name for name in dict.fromkeys(names) if re.match(r"(Get|Unset)[A-Z]", name)]
         if setters:
-            parameters.append([", ".join(f"`{to_snake(name)}`" for name in dict.fromkeys(setters)), text])
+            parameters.append([", ".join(f"`{header_comments.to_snake(name)}`" for name in dict.fromkeys(setters)), text])
         elif getters:
             methods.append([", ".join(f"`{name}()`" for name in getters), text])
     tables = [table(["parameter", "meaning"], parameters)] if parameters else []
@@ -314,14 +308,14 @@ def make_python():
         "same text. A parameter `lower_threshold` is an argument of the function and of `New()`, and `SetLowerThreshold()` and\n"
         "`GetLowerThreshold()` of the object.\n",
     ]
-    for name in (*add_docstrings.FILTERS, "MedialSurfaceMeshFilter"):
+    for name in header_comments.FILTERS:
         summary, members = read_public(name)
-        parts.append(f"## {name}\n\n{summary} Function: `itk.{to_snake(name)}(image, ...)`.\n")
+        parts.append(f"## {name}\n\n{summary} Function: `itk.{header_comments.to_snake(name)}(image, ...)`.\n")
         parts += make_member_tables(members)
-        if name in add_docstrings.FILTERS:
+        if name in header_comments.IMAGE_FILTERS:
             parts.append("And the [common parameters](#common-parameters).\n")
     parts.append("## Common parameters\n\nOf MedialVoxelImageFilter and VectorDistanceMapImageFilter.\n")
-    parts += make_member_tables(read_public(add_docstrings.BASE)[1])
+    parts += make_member_tables(read_public(header_comments.BASE)[1])
     return "\n".join(parts)
 
 

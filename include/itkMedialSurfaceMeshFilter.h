@@ -126,8 +126,8 @@ public:
   InputPixelType
   GetBackgroundValue() const;
 
-  /** Smallest and largest value of an object voxel; setting one replaces BackgroundValue. Integers are exact, the
-   * getters return the nearest double. */
+  /** Smallest and largest value of an object voxel, as in MedialVoxelImageFilter; setting one replaces BackgroundValue.
+   * Integers are exact, the getters return the nearest double. */
   void
   SetLowerThreshold(double threshold);
 #ifndef ITK_WRAPPING_PARSER
@@ -175,6 +175,8 @@ public:
   bool
   GetSubvoxelThickness() const;
   itkBooleanMacro(SubvoxelThickness);
+
+  /** Values of background and material, as in MedialVoxelImageFilter. */
   void
   SetScanLevels(double background, double material);
   void

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <ostream>
+#include <string>
 
 namespace itk
 {
@@ -100,6 +101,40 @@ extern MedialVoxel_EXPORT std::ostream &
 extern MedialVoxel_EXPORT std::ostream &
                           operator<<(std::ostream & out, MedialVoxelEnums::Smoothing value);
 
+/** Empty for an enumerator; for any other number its value and those that there are. */
+extern MedialVoxel_EXPORT std::string
+                          MedialVoxelFindEnumProblem(MedialVoxelEnums::PseudoGeodesicBound value);
+extern MedialVoxel_EXPORT std::string
+                          MedialVoxelFindEnumProblem(MedialVoxelEnums::Boundary value);
+extern MedialVoxel_EXPORT std::string
+                          MedialVoxelFindEnumProblem(MedialVoxelEnums::Region value);
+extern MedialVoxel_EXPORT std::string
+                          MedialVoxelFindEnumProblem(MedialVoxelEnums::ThicknessMode value);
+extern MedialVoxel_EXPORT std::string
+                          MedialVoxelFindEnumProblem(MedialVoxelEnums::Smoothing value);
+
 } // end namespace itk
+
+/** Throws when \a value, of the property \a name of a filter, is no enumerator: a caller in another language can give
+ * any number. */
+#define itkMedialVoxelCheckEnumMacro(name, value)                                             \
+  if (const std::string problem = ::itk::MedialVoxelFindEnumProblem(value); !problem.empty()) \
+  {                                                                                           \
+    itkExceptionMacro(#name " is " << problem);                                               \
+  }                                                                                           \
+  ITK_MACROEND_NOOP_STATEMENT
+
+/** As itkSetEnumMacro, for enumerators alone. */
+#define itkMedialVoxelSetEnumMacro(name, type) \
+  virtual void Set##name(const type value)     \
+  {                                            \
+    itkMedialVoxelCheckEnumMacro(name, value); \
+    if (m_##name != value)                     \
+    {                                          \
+      m_##name = value;                        \
+      this->Modified();                        \
+    }                                          \
+  }                                            \
+  ITK_MACROEND_NOOP_STATEMENT
 
 #endif

@@ -131,7 +131,7 @@ public:
 
   /** Source of the threshold on the geodesic distance. Fixed (default): Thickness, for all cells. Automatic: the wall
    * around each cell. */
-  itkSetEnumMacro(ThicknessMode, ThicknessModeEnum);
+  itkMedialVoxelSetEnumMacro(ThicknessMode, ThicknessModeEnum);
   itkGetEnumMacro(ThicknessMode, ThicknessModeEnum);
 
   /** Thickness tau of the walls that become sheets when ThicknessMode is Fixed; it sets epsilon = pi tau / 2.
@@ -199,7 +199,7 @@ public:
   }
 
   /** Bound that decides cells without a search. Default FreeSpace. */
-  itkSetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
+  itkMedialVoxelSetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
   itkGetEnumMacro(PseudoGeodesicBound, PseudoGeodesicBoundEnum);
 
   /** Produce the vector distance output. Default off, which costs neither time nor memory. */
@@ -210,7 +210,7 @@ public:
 
   /** Boundary that the vectors lead to: Object (default; their norm is the distance of
    * SignedMaurerDistanceMapImageFilter inside the object) or Background (the vectors that classify the cells). */
-  itkSetEnumMacro(VectorDistanceBoundary, BoundaryEnum);
+  itkMedialVoxelSetEnumMacro(VectorDistanceBoundary, BoundaryEnum);
   itkGetEnumMacro(VectorDistanceBoundary, BoundaryEnum);
 
   /** Displacements to the nearest boundary voxel, physical when UseImageSpacing is on (direction cosines applied),

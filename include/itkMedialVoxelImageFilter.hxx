@@ -47,6 +47,7 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::SetSmoothing(const SmoothingEnum smoothing)
 {
+  itkMedialVoxelCheckEnumMacro(Smoothing, smoothing);
   if (!m_HasSmoothing || m_Smoothing != smoothing)
   {
     m_HasSmoothing = true;

@@ -66,11 +66,11 @@ public:
 
   /** Voxels that distances are measured to: Object (default, that of SignedMaurerDistanceMapImageFilter) or Background
    * (the boundary that MedialVoxelImageFilter classifies with). */
-  itkSetEnumMacro(Boundary, BoundaryEnum);
+  itkMedialVoxelSetEnumMacro(Boundary, BoundaryEnum);
   itkGetEnumMacro(Boundary, BoundaryEnum);
 
   /** Voxels that get a value. Default Both. */
-  itkSetEnumMacro(Region, RegionEnum);
+  itkMedialVoxelSetEnumMacro(Region, RegionEnum);
   itkGetEnumMacro(Region, RegionEnum);
 
   /** Distance beyond which voxels are NaN, in physical units when UseImageSpacing is on, otherwise in voxels. Positive;

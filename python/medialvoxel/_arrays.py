@@ -116,9 +116,11 @@ def extract(
     max_pore_size: int | None = None,
     voxel_units: bool = False,
     thickness_map: bool = True,
+    uncertainty: bool = False,
     vectors: bool = True,
     vector_boundary: Literal["object", "background"] = "object",
-    sub_voxel: bool = False,
+    sub_voxel: bool | None = None,
+    levels: tuple[Number, Number] | None = None,
     threads: int | None = None,
     memory: int | str | None = None,
     progress: Progress = None,
@@ -136,8 +138,11 @@ def extract(
     max_pore_size: largest pore or grain that is left out, from 0 to 1000000 voxels; default 32 with "auto", otherwise 0.
     voxel_units: lengths are in voxels instead of units of the spacing.
     thickness_map, vectors: make these outputs too, of 4 and 12 bytes for each voxel; vectors not with `labels`.
+    uncertainty: make this output too, of 4 bytes for each voxel; it needs `lower` or `upper`, and walls that can be fitted.
     vector_boundary: voxels that vectors lead to: those of the object, or of the background.
-    sub_voxel: measure the thickness where gray values cross the threshold, which the program does by itself for maps.
+    sub_voxel: measure the thickness on gray values, which needs `lower` or `upper`: by fits of blurred walls, or, where these
+        cannot be, where values cross the threshold. False: on the object. Default: by fits, else on the object.
+    levels: values of (background, material) for these fits, which differ; default those of the scan.
     threads: 1 or more; default one for each processor. memory: limit of what the work takes beside arrays, in bytes or as
         text such as "2G"; default none. Neither changes results.
     progress: called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work.
@@ -158,6 +163,7 @@ def extract(
     outputs = {
         "labels": call.make(np.uint8),
         "thickness": call.make(np.float32) if thickness_map else None,
+        "uncertainty": call.make(np.float32) if uncertainty else None,
         "vectors": call.make_vectors(vectors),
         "objects": call.make(call.values.dtype) if separate else None,
     }
@@ -168,22 +174,27 @@ def extract(
         "label": label,
         "labels": labels,
         "thickness_map": "thickness.mha" if thickness_map else None,
+        "uncertainty_map": "uncertainty.mha" if uncertainty else None,
+        "sub_voxel": sub_voxel,
+        "levels": levels,
         "vectors": "vectors.mha" if vectors else None,
         "vector_boundary": vector_boundary if vectors else None,
         "threads": threads,
         "memory": memory,
     }
-    flags = make_flags({"voxel_units": voxel_units, "sub_voxel": sub_voxel})
+    flags = make_flags({"voxel_units": voxel_units})
     numbers, _ = call.run(["extract", "array", "labels.mha", *make_options(options), *flags], outputs, progress)
     return Medial(
         labels=outputs["labels"],
         thickness=outputs["thickness"],
+        uncertainty=outputs["uncertainty"],
         vectors=call.take_vectors(outputs["vectors"]),
         objects=outputs["objects"],
         counts=numbers["counts"],
         object_counts=numbers.get("objects", []),
         origin=tuple(0.5 * step if size > 1 else 0.0 for size, step in zip(call.shape, call.spacing)),
         spacing=call.spacing,
+        measure=numbers["measure"],
         smoothed=numbers["smoothed"],
         roughness=numbers["roughness"],
         lower=numbers["lower"],

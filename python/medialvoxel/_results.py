@@ -23,6 +23,9 @@ class Medial:
     """uint8: 0 no object, 1 not medial, 2 medial by the bound, 3 medial by the search."""
     thickness: np.ndarray | None
     """float32: thickness of the wall at medial cells, negative at rims, 0 elsewhere; None when switched off."""
+    uncertainty: np.ndarray | None
+    """float32: half of the interval that holds the thickness in 95 % of the cases; NaN at medial cells where it is not known, 0
+    elsewhere; None when not asked for."""
     vectors: np.ndarray | None
     """float32, with a last axis (z, y, x): from each object voxel to the nearest boundary voxel; None when switched
     off."""
@@ -36,6 +39,9 @@ class Medial:
     """Position of the first cell, in the units of the spacing: half a voxel along each axis longer than 1."""
     spacing: tuple[float, ...]
     """That of the array."""
+    measure: dict[str, Any]
+    """How the thickness was measured, as in the report of the program: `on` "object", "crossings" of the threshold or "fits";
+    `scan` with background, material, blur (in voxels) and noise of the values, or None, and the `reason` for that."""
     smoothed: bool
     """Whether the object was smoothed."""
     roughness: float

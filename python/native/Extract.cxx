@@ -5,19 +5,23 @@
 
 #include "itkMedialVoxelImageFilter.h"
 
+#include <cmath>
+#include <variant>
+
 namespace medialvoxel
 {
 namespace
 {
 
-/** Shows the sums. */
+/** Shows the sums, and measures walls as the program does: without being asked, on gray values alone where it can fit
+ * them. */
 template <typename TImage>
-class CountingFilter final : public itk::MedialVoxelImageFilter<TImage>
+class ProgramFilter final : public itk::MedialVoxelImageFilter<TImage>
 {
 public:
-  ITK_DISALLOW_COPY_AND_MOVE(CountingFilter);
+  ITK_DISALLOW_COPY_AND_MOVE(ProgramFilter);
 
-  using Self = CountingFilter;
+  using Self = ProgramFilter;
   using Superclass = itk::MedialVoxelImageFilter<TImage>;
   using Pointer = itk::SmartPointer<Self>;
 
@@ -25,10 +29,100 @@ public:
 
   using Superclass::GetSums;
 
+  void
+  SetMeasure(const ArrayCall & call, const ExtractOptions & options)
+  {
+    m_MeasuresCrossings = options.subVoxel.value_or(false);
+    const bool mayFit = MayMeasureOnGrayValues(options, call.header);
+    this->SetSubvoxelThickness(mayFit);
+    if (!mayFit)
+    {
+      return;
+    }
+    // Thresholds that no value reaches do not count.
+    const auto range = GetGrayRange(options, call.header);
+    if (std::isinf(range.lower))
+    {
+      this->SetLowerThreshold(range.lower);
+    }
+    if (std::isinf(range.upper))
+    {
+      this->SetUpperThreshold(range.upper);
+    }
+    if (options.levels)
+    {
+      this->SetScanLevels(options.levels->background, options.levels->material);
+    }
+  }
+
+  /** As the report of the program has it. */
+  nlohmann::json
+  DescribeMeasure() const
+  {
+    const bool hasScan = this->HasScan();
+    if (!this->GetSubvoxelThickness() || !(hasScan || m_MeasuresCrossings))
+    {
+      return { { "on", "object" }, { "scan", nullptr }, { "reason", this->GetReasonWithoutScan() } };
+    }
+    nlohmann::json scan;
+    if (hasScan)
+    {
+      scan = { { "background", this->GetBackgroundLevel() },
+               { "material", this->GetMaterialLevel() },
+               { "blur", this->GetBlur() },
+               { "noise", this->GetNoise() } };
+    }
+    return { { "on", hasScan ? "fits" : "crossings" }, { "scan", scan }, { "reason", this->GetReasonWithoutScan() } };
+  }
+
+protected:
+  itk::MedialVoxelEngineTask
+  GetTask(const itk::MedialVoxelGrid & grid) const override
+  {
+    auto task = Superclass::GetTask(grid);
+    if (!this->GetSubvoxelThickness() || this->HasScan())
+    {
+      return task;
+    }
+    // Tasks are asked for before the scan is known, too: then there is no reason yet.
+    if (this->GetGenerateUncertainty() && !this->GetReasonWithoutScan().empty())
+    {
+      Fail(ExitStatus::Refused,
+           "array: the uncertainty of the thickness cannot be stated, as ",
+           this->GetReasonWithoutScan());
+    }
+    if (!m_MeasuresCrossings)
+    {
+      std::get<itk::MedialVoxelExtraction>(task).grayRange.reset();
+    }
+    return task;
+  }
+
 private:
-  CountingFilter() = default;
-  ~CountingFilter() override = default;
+  ProgramFilter() = default;
+  ~ProgramFilter() override = default;
+
+  bool
+  HasScan() const
+  {
+    return this->GetBlur() > 0.0;
+  }
+
+  bool m_MeasuresCrossings{ false };
 };
+
+/** \throw JobError when fits are asked for and there is no threshold for them */
+void
+CheckFits(const ArrayCall & call, const ExtractOptions & options)
+{
+  const bool isUncertain = call.outputs.uncertainty != nullptr;
+  if ((isUncertain || options.levels) && !HasOneThreshold(options, call.header))
+  {
+    Fail(ExitStatus::Usage,
+         isUncertain ? "the uncertainty of the thickness needs" : "levels of gray values need",
+         " one threshold, lower or upper, that values of the array reach");
+  }
+}
 
 nlohmann::json
 DescribeCounts(const itk::MedialVoxelCounts & counts)
@@ -77,17 +171,20 @@ template <typename TPixel>
 nlohmann::json
 Extract(const ArrayCall & call, const ExtractOptions & options)
 {
-  using FilterType = CountingFilter<ArrayImage<TPixel>>;
+  using FilterType = ProgramFilter<ArrayImage<TPixel>>;
   const MedialVoxelOutputs & outputs = call.outputs;
   auto                       filter = FilterType::New();
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   SetWalls(*filter, options);
+  CheckFits(call, options);
+  filter->SetMeasure(call, options);
   if (options.labels)
   {
     SetObjects(*filter, *options.labels);
   }
   filter->SetGenerateThickness(outputs.thickness != nullptr);
+  filter->SetGenerateUncertainty(outputs.uncertainty != nullptr);
   filter->SetGenerateVectorDistance(outputs.vectors != nullptr);
   filter->SetVectorDistanceBoundary(options.vectorBoundary);
   auto * const vectors = reinterpret_cast<itk::Vector<float, 3> *>(outputs.vectors);
@@ -95,6 +192,10 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
   if (outputs.thickness != nullptr)
   {
     UseMemory(*filter->GetThicknessOutput(), outputs.thickness, call.array);
+  }
+  if (outputs.uncertainty != nullptr)
+  {
+    UseMemory(*filter->GetUncertaintyOutput(), outputs.uncertainty, call.array);
   }
   if (vectors != nullptr)
   {
@@ -110,6 +211,10 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
   {
     KeepPixels(*filter->GetThicknessOutput(), outputs.thickness);
   }
+  if (outputs.uncertainty != nullptr)
+  {
+    KeepPixels(*filter->GetUncertaintyOutput(), outputs.uncertainty);
+  }
   if (vectors != nullptr)
   {
     KeepPixels(*filter->GetVectorDistanceOutput(), vectors);
@@ -120,6 +225,7 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
     KeepPixels(*filter->GetObjectOutput(), static_cast<TPixel *>(outputs.objects));
   }
   nlohmann::json numbers{ { "counts", DescribeCounts(filter->GetSums().counts) },
+                          { "measure", filter->DescribeMeasure() },
                           { "smoothed", filter->GetObjectIsSmoothed() },
                           { "roughness", filter->GetRoughness() } };
   if (options.labels)

@@ -38,6 +38,18 @@ def scene(shape=(22, 30, 34), seed=3):
     return np.floor(np.clip(values + random.normal(0, 8, shape), 0, 100))
 
 
+def scan(shape=(40, 44, 60), noise=1.5):
+    """Walls of 2, 3, 6 and 8 voxels, with values from 10 to 110, as a scanner blurs them, as float64."""
+    values = np.zeros(shape)
+    for begin, thickness in ((4, 2), (12, 8), (25, 3), (32, 6)):
+        values[begin : begin + thickness, 4:-4, 4:-4] = 100
+    steps = np.arange(-4, 5)
+    kernel = np.exp(-(steps**2) / (2 * 0.8**2))
+    for axis in range(values.ndim):
+        values = np.apply_along_axis(np.convolve, axis, values, kernel / kernel.sum(), "same")
+    return values + 10 + np.random.default_rng(8).normal(0, noise, shape)
+
+
 def blob(size=256):
     """A thick object that keeps the engine busy for seconds."""
     mask = np.ones((size,) * 3, np.uint8)

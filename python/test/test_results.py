@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every type and memory order of arrays gives the bytes that the program writes for a file of the same values."""
 
+import json
 import unittest
 
 import medialvoxel
 import numpy as np
 
-from support import Folder, read, read_ply, run, scene, write
+from support import Folder, read, read_ply, run, scan, scene, write
 
 INTEGERS = ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"]
 REALS = ["float16", "float32", "float64"]
@@ -33,6 +34,18 @@ ORDERS = {
     "read-only": lambda values: np.frombuffer(values.tobytes(), values.dtype).reshape(values.shape),
 }
 
+# Keywords of measures on gray values, options of the program, and what the values are measured on.
+MEASURES = {
+    "by itself": ({}, [], "fits"),
+    "asked for": ({"sub_voxel": True}, ["--sub-voxel"], "fits"),
+    "refused": ({"sub_voxel": False}, ["--sub-voxel=off"], "object"),
+    "levels": ({"levels": (10, 110)}, ["--levels=10,110"], "fits"),
+    "levels of NumPy": ({"levels": np.float32([5, 120])}, ["--levels=5,120"], "fits"),
+    "smoothed": ({"smooth": True}, ["--smooth=on"], "fits"),
+    "a limit of the type": ({"upper": 255}, ["--upper=255"], "fits"),
+    "fixed, of voxels": ({"thickness": 3, "voxel_units": True}, ["--thickness=3", "--voxel-units"], "fits"),
+}
+
 SPACING = (1.5, 1.0, 0.75)
 
 # Name: keywords, and options of the program.
@@ -55,9 +68,6 @@ class Results(Folder):
 
     def program(self, command, values, *arguments):
         write(self.folder / "in.mha", values, SPACING)
-        if command == "extract" and "--sub-voxel" not in arguments:
-            # The program measures on gray values by itself, the function when it is asked to.
-            arguments = (*arguments, "--sub-voxel=off")
         status, errors = run([command, self.folder / "in.mha", *arguments, "--overwrite", "--quiet"])
         self.assertEqual(status, 0, errors)
 
@@ -91,6 +101,41 @@ class Results(Folder):
                     found = medialvoxel.extract(values, spacing=SPACING, threads=1, **keywords)
                     for part, path in zip((found.labels, found.thickness, found.vectors), outputs):
                         self.assert_same(part, read(path))
+
+    def test_measures_on_gray_values(self):
+        names = ("labels", "thickness", "uncertainty")
+        outputs = [self.folder / f"{name}.mha" for name in names]
+        report = self.folder / "report.json"
+        for dtype in ("uint8", "float32"):
+            values = scan().astype(dtype)
+            for name, (keywords, options, expected) in MEASURES.items():
+                if dtype == "float32" and "upper" in keywords:
+                    continue
+                with self.subTest(dtype=dtype, measure=name):
+                    is_uncertain = expected == "fits"
+                    files = [outputs[0], f"--thickness-map={outputs[1]}", f"--report={report}"]
+                    files += [f"--uncertainty-map={outputs[2]}"] if is_uncertain else []
+                    self.program("extract", values, *files, "--lower=60", *options)
+                    found = medialvoxel.extract(values, spacing=SPACING, lower=60, uncertainty=is_uncertain, **keywords)
+                    self.assertEqual(found.measure["on"], expected)
+                    written = json.loads(report.read_text())["measure"]
+                    for key in ("on", "reason"):
+                        self.assertEqual(found.measure[key], written[key])
+                    for key, value in (found.measure["scan"] or {}).items():
+                        self.assertEqual(value, written["scan"][key])
+                    self.assert_same(found.labels, read(outputs[0]))
+                    self.assert_same(found.thickness, read(outputs[1]))
+                    if is_uncertain:
+                        self.assert_same(found.uncertainty, read(outputs[2]))
+                        self.assertGreater(np.count_nonzero(found.uncertainty > 0), 1000)
+                    else:
+                        self.assertIsNone(found.uncertainty)
+
+    def test_values_without_a_scan_are_measured_on_the_object(self):
+        values = scene().astype("uint8")
+        found = medialvoxel.extract(values, lower=40, upper=90)
+        self.assertEqual(found.measure["on"], "object")
+        self.assertEqual(medialvoxel.extract(values > 40).measure, {"on": "object", "scan": None, "reason": ""})
 
     def test_distance_of_every_type_and_order(self):
         files = [self.folder / "vectors.mha", f"--distance={self.folder / 'distance.mha'}"]
@@ -168,7 +213,7 @@ class Results(Folder):
         outputs = [self.folder / f"{name}.mha" for name in ("labels", "thickness", "vectors")]
         write(self.folder / "in.mha", values, (1.0, 0.5))
         files = [outputs[0], f"--thickness-map={outputs[1]}", f"--vectors={outputs[2]}"]
-        status, errors = run(["extract", self.folder / "in.mha", *files, "--lower=40", "--sub-voxel=off", "--quiet"])
+        status, errors = run(["extract", self.folder / "in.mha", *files, "--lower=40", "--quiet"])
         self.assertEqual(status, 0, errors)
         found = medialvoxel.extract(values, spacing=(1.0, 0.5), lower=40)
         for part, path in zip((found.labels, found.thickness, found.vectors), outputs):

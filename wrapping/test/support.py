@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import subprocess
 import unittest
 
 import itk
@@ -13,6 +14,9 @@ PIXEL_TYPES = {"uint8": itk.UC, "int16": itk.SS, "uint16": itk.US, "float32": it
 
 # File, smallest value of the object, thickness and its unit.
 REAL_VOLUMES = {"engine": ("engine.mha", 72, 3.0, "voxels"), "cranium": ("cranium.mha", 200, 3.0, "mm")}
+
+# First slice of the walls of scan() and their thickness.
+WALLS = {4: 2, 12: 8, 25: 3, 32: 6}
 
 
 def plate(dtype="uint8", thickness=4):
@@ -31,6 +35,18 @@ def blobs(dtype="uint8", shape=(30, 34, 38), seed=1):
         high = [start + random.integers(2, 12) for start in low]
         mask[tuple(slice(*ends) for ends in zip(low, high))] = 1
     return mask
+
+
+def scan(dtype="float32", noise=1.5, shape=(40, 44, 60)):
+    """Walls of 2, 8, 3 and 6 voxels across z, with values from 10 to 110, as a scanner blurs them by 0.8 voxels."""
+    values = np.zeros(shape)
+    for begin, thickness in WALLS.items():
+        values[begin : begin + thickness, 4:-4, 4:-4] = 100
+    steps = np.arange(-4, 5)
+    kernel = np.exp(-(steps**2) / (2 * 0.8**2))
+    for axis in range(3):
+        values = np.apply_along_axis(np.convolve, axis, values, kernel / kernel.sum(), "same")
+    return (values + 10 + np.random.default_rng(8).normal(0, noise, shape)).astype(dtype)
 
 
 def image_of(array, spacing=None, origin=None, direction=None):
@@ -60,3 +76,16 @@ def program():
     if not path.is_file():
         raise unittest.SkipTest(f"skipped: MEDIALVOXEL_PROGRAM ({path}) is no file")
     return path
+
+
+def run_program(folder, image, *options):
+    """Extracts with the program; returns its outputs labels, thickness and more as arrays by name, as far as they are wanted.
+
+    Options end with "=" for a file that they name, which stands for "--thickness-map=" and others."""
+    itk.imwrite(image, str(folder / "in.mha"))
+    names = {option: folder / f"{option.strip('-=')}.mha" for option in options if option.endswith("=")}
+    words = [f"{option}{names.get(option, '')}" for option in options]
+    command = [program(), "extract", folder / "in.mha", folder / "labels.mha", "--overwrite", "--quiet", *words]
+    subprocess.run(list(map(str, command)), check=True)
+    files = {"labels": folder / "labels.mha", **{path.stem: path for path in names.values()}}
+    return {name: itk.array_from_image(itk.imread(path)) for name, path in files.items()}
