@@ -66,6 +66,9 @@ private:
   std::string m_Bytes;
 };
 
+/** Deflated bytes never become more; so a few of them do not take much memory before they are found to be damaged. */
+constexpr std::uint64_t MostRatio = 1040;
+
 [[noreturn]] void
 RefusePart()
 {
@@ -85,7 +88,7 @@ public:
     {
       size |= std::uint64_t{ static_cast<std::uint8_t>(packed[i]) } << (8 * i);
     }
-    if (size == 0 || size > mostBytes)
+    if (size == 0 || size > mostBytes || size > MostRatio * packed.size())
     {
       RefusePart();
     }
