@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Time of series of slices against the same volume in one file, and whether the results have the same bytes.
 
-The volumes are written as slices of DICOM (shuffled names, against the direction of z, intercept -1024), TIFF and PNG.
+The volumes are written as slices of DICOM (shuffled names, intercept -1024), TIFF and PNG.
 Runs are interleaved; the times are medians. A stack in one TIFF file may be given too.
 
 Usage: bench/measure_slices.py BUILD DATA [options]
@@ -78,7 +78,7 @@ ElementDataFile = LOCAL
 
 
 def write_series(folder, voxels, spacing, kind, module, details):
-    """The slices, of which those of DICOM lie against the direction of z in the order of their names."""
+    """The slices; the names of those of DICOM are shuffled."""
     python = python_with(module)
     if python is None:
         sys.exit(f"measure_slices.py: no Python with {module}; scripts/install-packages slices installs it")
