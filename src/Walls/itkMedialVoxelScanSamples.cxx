@@ -54,10 +54,8 @@ TakeDeviation(std::vector<double> values)
   return 1.4826 * TakeMedian(values);
 }
 
-/** Background whose means are usual: walls that the object lacks raise the others. The usual ones are within three
- * deviations of the middle of the shortest interval that holds half of them. Nothing when too few means are known. */
-std::vector<BackgroundSample>
-SelectUsual(const std::vector<BackgroundSample> & samples, double BackgroundSample::* const mean)
+std::vector<double>
+ListKnown(const std::vector<BackgroundSample> & samples, double BackgroundSample::* const mean)
 {
   std::vector<double> means;
   for (const BackgroundSample & sample : samples)
@@ -67,6 +65,15 @@ SelectUsual(const std::vector<BackgroundSample> & samples, double BackgroundSamp
       means.push_back(sample.*mean);
     }
   }
+  return means;
+}
+
+/** Background whose means are usual: walls that the object lacks raise the others. The usual ones are within three
+ * deviations of the middle of the shortest interval that holds half of them. Nothing when too few means are known. */
+std::vector<BackgroundSample>
+SelectUsual(const std::vector<BackgroundSample> & samples, double BackgroundSample::* const mean)
+{
+  std::vector<double> means = ListKnown(samples, mean);
   if (means.size() < FewestMeans)
   {
     return {};
@@ -143,14 +150,7 @@ FindCorrelation(const std::vector<BackgroundSample> & samples,
                 const double                     number,
                 const double                     noise)
 {
-  std::vector<double> means;
-  for (const BackgroundSample & sample : samples)
-  {
-    if (!std::isnan(sample.*mean))
-    {
-      means.push_back(sample.*mean);
-    }
-  }
+  const std::vector<double> means = ListKnown(samples, mean);
   if (means.size() < FewestLevels || !(noise > 0.0))
   {
     return 1.0;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ExtractParts.h"
 #include "ExtractRun.h"
-#include "ScanMeasure.h"
 #include "FileNames.h"
 #include "InputVolume.h"
 #include "JobCommands.h"
@@ -11,6 +10,7 @@
 #include "OutputChecks.h"
 #include "PieceFootprint.h"
 #include "PipelineErrors.h"
+#include "ScanMeasure.h"
 #include "SharedJob.h"
 #include "ValueStatistics.h"
 #include "Version.h"
