@@ -77,11 +77,13 @@ FindSurfaceCells(const Volume &                             volume,
   const itk::MedialVoxelWindow            knownWindow{ &object, &knownSites };
   const itk::MedialVoxelPairDecision      decision(grid, parameters);
   decision.Begin(knownSites, tile, workspace.geodesic);
-  const std::vector<itk::MedialVoxelWall> noWalls;
-  const itk::MedialVoxelGray              noGray;
-  return kernel.Find({ tile, knownWindow, features, classifier, workspace.rows, noWalls, workspace, progress, noGray },
-                     surfaceWorkspace,
-                     cells);
+  const std::vector<itk::MedialVoxelWall>  noWalls;
+  const itk::MedialVoxelGray               noGray;
+  itk::MedialVoxelGrayThickness::Workspace noFits;
+  return kernel.Find(
+    { tile, knownWindow, features, classifier, workspace.rows, noWalls, workspace, progress, noGray, noFits },
+    surfaceWorkspace,
+    cells);
 }
 
 /** Index i is at the point i * spacing. */

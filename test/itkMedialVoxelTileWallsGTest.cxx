@@ -81,7 +81,8 @@ public:
   itk::MedialVoxelBox
   Refine(const itk::MedialVoxelGray & gray, std::vector<itk::MedialVoxelWall> & walls) const
   {
-    return itk::MedialVoxelRefineWalls(this->GetThickness(), m_Classifier, gray, m_Features, m_Rows, walls);
+    itk::MedialVoxelGrayThickness::Workspace workspace;
+    return itk::MedialVoxelRefineWalls(this->GetThickness(), m_Classifier, gray, m_Features, m_Rows, workspace, walls);
   }
 
   itk::MedialVoxelGrayThickness
@@ -164,8 +165,9 @@ TEST(MedialVoxelGrayThickness, BothSidesOfAWedgeCountTheSame)
   itk::MedialVoxelGray gray;
   FillGray(wedge, tile.GetImage(), gray);
   const auto refined = [&](const itk::MedialVoxelWallPoints & points) {
-    itk::MedialVoxelWall wall;
-    thickness.Refine(gray, points, thickness.FindCrossings(gray, points), wall);
+    itk::MedialVoxelGrayThickness::Workspace workspace;
+    itk::MedialVoxelWall                     wall;
+    thickness.Refine(gray, points, workspace, wall);
     return wall;
   };
   std::size_t compared = 0;

@@ -51,6 +51,7 @@ MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
                        const MedialVoxelGray &                 gray,
                        const MedialVoxelFeatures &             features,
                        const std::vector<MedialVoxelCellRow> & rows,
+                       MedialVoxelGrayThickness::Workspace &   workspace,
                        std::vector<MedialVoxelWall> &          walls)
 {
   MedialVoxelBox         missing;
@@ -67,7 +68,7 @@ MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
       const MedialVoxelBox needed = thickness.GetReadBox(points);
       if (gray.GetBox().Contains(needed))
       {
-        thickness.Refine(gray, points, thickness.FindCrossings(gray, points), *wall);
+        thickness.Refine(gray, points, workspace, *wall);
       }
       else
       {

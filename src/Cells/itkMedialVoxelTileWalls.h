@@ -48,6 +48,7 @@ MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
                        const MedialVoxelGray &                 gray,
                        const MedialVoxelFeatures &             features,
                        const std::vector<MedialVoxelCellRow> & rows,
+                       MedialVoxelGrayThickness::Workspace &   workspace,
                        std::vector<MedialVoxelWall> &          walls);
 
 /** \brief Calls function(cell, wall) for the measured cells of rows.

@@ -28,6 +28,7 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extrac
   {
     settings.workerBytesPerVoxel += MedialVoxelTileWallsBytesPerVoxel + extraction.observerBytesPerVoxel;
     settings.keepsGray = extraction.grayRange.has_value();
+    settings.workerBytes += settings.keepsGray && extraction.grayRange->scan ? MedialVoxelGrayNormals::GetBytes() : 0;
   }
   if (settings.keepsGray)
   {

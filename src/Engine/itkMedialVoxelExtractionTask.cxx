@@ -28,6 +28,7 @@ struct MedialVoxelExtractionTask::TileWorkspace : public Workspace
   MedialVoxelClassifier::Workspace       classifier;
   std::vector<std::uint8_t>              labels;
   std::vector<MedialVoxelWall>           walls;
+  MedialVoxelGrayThickness::Workspace    fits;
 
   /** Of each observer. */
   std::vector<std::unique_ptr<MedialVoxelTileObserver::Workspace>> observers;
@@ -166,10 +167,14 @@ MedialVoxelExtractionTask::MeasureWalls(const Tile & tile) const
     }
   }
   MedialVoxelMeasureWalls(m_Thickness, m_Classifier, tile.window, workspace.features, rows, workspace.walls);
-  return m_GrayThickness
-           ? MedialVoxelRefineWalls(
-               *m_GrayThickness, m_Classifier, tile.moving.GetGray(), workspace.features, rows, workspace.walls)
-           : MedialVoxelBox{};
+  return m_GrayThickness ? MedialVoxelRefineWalls(*m_GrayThickness,
+                                                  m_Classifier,
+                                                  tile.moving.GetGray(),
+                                                  workspace.features,
+                                                  rows,
+                                                  workspace.fits,
+                                                  workspace.walls)
+                         : MedialVoxelBox{};
 }
 
 /** To no observer before all of them know what they need to. */
@@ -178,8 +183,8 @@ MedialVoxelExtractionTask::Show(const Tile & tile) const
 {
   TileWorkspace &                 workspace = tile.workspace;
   const MedialVoxelClassifiedTile classified{
-    tile.box,        tile.window,          workspace.features, m_Classifier,         workspace.classifier.rows,
-    workspace.walls, workspace.classifier, tile.progress,      tile.moving.GetGray()
+    tile.box,        tile.window,          workspace.features, m_Classifier,          workspace.classifier.rows,
+    workspace.walls, workspace.classifier, tile.progress,      tile.moving.GetGray(), workspace.fits
   };
   const auto &   observers = m_Settings.observers;
   MedialVoxelBox missing;

@@ -36,6 +36,8 @@ struct MedialVoxelClassifiedTile
   const MedialVoxelProgress & progress;
 
   const MedialVoxelGray & gray; ///< values around the tile; empty unless the filter measures on them
+
+  MedialVoxelGrayThickness::Workspace & fits; ///< memory to measure on them
 };
 
 /** \class MedialVoxelTileObserver

@@ -5,7 +5,10 @@
 
 #include "MedialVoxelExport.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
 
 namespace itk
 {
@@ -30,6 +33,33 @@ public:
 
   double
   Density(double x) const;
+
+  /** \struct Values
+   * \brief Both functions at a place.
+   * \ingroup MedialVoxel
+   */
+  struct Values
+  {
+    double cumulative;
+    double density;
+  };
+
+  /** Both from the polynomials of Cumulative(), and faster: the error of the density is below 1e-6. */
+  Values
+  Evaluate(double x) const
+  {
+    const double at = std::min(std::abs(x) * Steps, static_cast<double>(Steps * Reach));
+    const auto   i = static_cast<std::size_t>(at);
+    const double t = at - static_cast<double>(i);
+    const double rest = 1.0 - t;
+    const double rise = m_Cumulative[i + 1] - m_Cumulative[i];
+    const double first = m_Density[i] / Steps - rise;
+    const double last = m_Density[i + 1] / Steps - rise;
+    const double bend = rest * first - t * last;
+    const double upper = m_Cumulative[i] + t * rise + t * rest * bend;
+    const double slope = rise + (rest - t) * bend - t * rest * (first + last);
+    return { x < 0.0 ? 1.0 - upper : upper, slope * Steps };
+  }
 
 private:
   MedialVoxelNormalDistribution();

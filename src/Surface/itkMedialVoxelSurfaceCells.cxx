@@ -227,7 +227,7 @@ MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
   if (m_Gray)
   {
     const auto crossings = m_Gray->FindCrossings(tile.gray, points);
-    m_Gray->Refine(tile.gray, points, crossings, wall);
+    m_Gray->Refine(tile.gray, points, crossings, tile.fits, wall);
     this->FitToGrayValues(tile.gray, index, crossed, points, crossings, fit);
   }
   else

@@ -15,7 +15,7 @@ namespace itk
 {
 
 /** \class MedialVoxelGrayLocal
- * \brief Gray values around a place, as the measurements of walls need them. Lengths are in voxels.
+ * \brief Gray values along a line, as the measurements of walls need them. Lengths are in voxels.
  *
  * Beyond a face of the image the outermost voxels are continued. Values are normalized: 0 is background, 1 is material.
  * \ingroup MedialVoxel
@@ -34,9 +34,6 @@ public:
     double value;  ///< normalized
   };
 
-  /** Voxels around a place whose values the normal depends on. */
-  static constexpr std::int64_t ReachOfNormal = 7;
-
   /** Distance from a line at which voxels no longer count: 9 lines a voxel apart average as many values. */
   static constexpr double Radius = 2.2;
 
@@ -45,12 +42,6 @@ public:
   GetEffectiveNumber(unsigned int numberOfActiveAxes);
 
   MedialVoxelGrayLocal(const MedialVoxelGrid & grid, double background, double material);
-
-  /** The direction in which values change most around a place, of length 1 in voxels: the first eigenvector of the
-   * structure tensor, in a Gaussian window of 1.5 voxels, of values that are smoothed by (1 2 1) / 4.
-   * \return false where the values do not change, or are not finite */
-  bool
-  FindNormal(const MedialVoxelGray & gray, const MedialVoxelVector3 & place, MedialVoxelVector3 & normal) const;
 
   /** The voxels near a line through a place, up to \a reach along it to both sides. */
   void

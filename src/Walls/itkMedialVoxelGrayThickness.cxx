@@ -90,7 +90,7 @@ MedialVoxelGrayThickness::MedialVoxelGrayThickness(const MedialVoxelGrid &      
   if (scan && axes > 1)
   {
     m_Model.emplace(
-      Model{ MedialVoxelGrayLocal(grid, scan->background, scan->material), MedialVoxelWallFit(*scan, axes) });
+      Model{ *scan, MedialVoxelGrayLocal(grid, scan->background, scan->material), MedialVoxelWallFit(*scan, axes) });
   }
 }
 
@@ -147,13 +147,34 @@ MedialVoxelGrayThickness::FindCrossings(const MedialVoxelGray & gray, const Medi
 void
 MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
                                  const MedialVoxelWallPoints & points,
-                                 const Crossings &             crossings,
+                                 Workspace &                   workspace,
                                  MedialVoxelWall &             wall) const
 {
-  if (m_Model && !wall.isRim && this->RefineByFit(gray, points, wall))
+  if (!this->RefineByFit(gray, points, workspace, wall))
   {
-    return;
+    this->RefineByCrossings(gray, points, this->FindCrossings(gray, points), wall);
   }
+}
+
+void
+MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
+                                 const MedialVoxelWallPoints & points,
+                                 const Crossings &             crossings,
+                                 Workspace &                   workspace,
+                                 MedialVoxelWall &             wall) const
+{
+  if (!this->RefineByFit(gray, points, workspace, wall))
+  {
+    this->RefineByCrossings(gray, points, crossings, wall);
+  }
+}
+
+void
+MedialVoxelGrayThickness::RefineByCrossings(const MedialVoxelGray &       gray,
+                                            const MedialVoxelWallPoints & points,
+                                            const Crossings &             crossings,
+                                            MedialVoxelWall &             wall) const
+{
   Crossing sides[2];
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
@@ -206,11 +227,21 @@ MedialVoxelGrayThickness::Refine(const MedialVoxelGray &       gray,
 bool
 MedialVoxelGrayThickness::RefineByFit(const MedialVoxelGray &       gray,
                                       const MedialVoxelWallPoints & points,
+                                      Workspace &                   workspace,
                                       MedialVoxelWall &             wall) const
 {
+  if (!m_Model || wall.isRim)
+  {
+    return false;
+  }
+  if (!workspace.normals)
+  {
+    workspace.normals.emplace(m_Grid, m_Model->scan.background, m_Model->scan.material);
+  }
   const Sides                 sides = GetSides(points);
-  const std::optional<Fitted> fitted =
-    sides.thickness <= ThickestFitted ? this->FitWall(gray, points, sides) : this->FitSurfaces(gray, points, sides);
+  const std::optional<Fitted> fitted = sides.thickness <= ThickestFitted
+                                         ? this->FitWall(gray, points, sides, workspace)
+                                         : this->FitSurfaces(gray, points, sides, workspace);
   if (!fitted)
   {
     return false;
@@ -257,17 +288,17 @@ MedialVoxelGrayThickness::LeadsAcross(const PositionType & normal, const Sides &
 auto
 MedialVoxelGrayThickness::FitWall(const MedialVoxelGray &       gray,
                                   const MedialVoxelWallPoints & points,
-                                  const Sides &                 sides) const -> std::optional<Fitted>
+                                  const Sides &                 sides,
+                                  Workspace &                   workspace) const -> std::optional<Fitted>
 {
   const PositionType center = this->GetCenter(points);
   Fitted             fitted{};
-  if (!m_Model->local.FindNormal(gray, center, fitted.normal) || !this->LeadsAcross(fitted.normal, sides))
+  if (!workspace.normals->Find(gray, center, fitted.normal) || !this->LeadsAcross(fitted.normal, sides))
   {
     return std::nullopt;
   }
-  std::vector<MedialVoxelGrayLocal::Sample> samples;
-  m_Model->local.FindSamples(gray, center, fitted.normal, MedialVoxelWallFit::ReachOfWall, samples);
-  const auto wall = m_Model->fit.FitWall(samples);
+  m_Model->local.FindSamples(gray, center, fitted.normal, MedialVoxelWallFit::ReachOfWall, workspace.samples);
+  const auto wall = m_Model->fit.FitWall(workspace.samples);
   if (!wall)
   {
     return std::nullopt;
@@ -282,18 +313,18 @@ MedialVoxelGrayThickness::FitWall(const MedialVoxelGray &       gray,
 auto
 MedialVoxelGrayThickness::FitSurfaces(const MedialVoxelGray &       gray,
                                       const MedialVoxelWallPoints & points,
-                                      const Sides &                 sides) const -> std::optional<Fitted>
+                                      const Sides &                 sides,
+                                      Workspace &                   workspace) const -> std::optional<Fitted>
 {
-  PositionType                              places[2];
-  PositionType                              normals[2]; // into the wall
-  double                                    variance = 0.0;
-  std::vector<MedialVoxelGrayLocal::Sample> samples;
+  PositionType places[2];
+  PositionType normals[2]; // into the wall
+  double       variance = 0.0;
   for (const unsigned int side : { 0u, 1u })
   {
     const double       sign = side == 0 ? 1.0 : -1.0;
     const PositionType foot = Along(sides.means[side], sides.direction, 0.5 * sign);
     PositionType &     normal = normals[side];
-    if (!m_Model->local.FindNormal(gray, foot, normal))
+    if (!workspace.normals->Find(gray, foot, normal))
     {
       return std::nullopt;
     }
@@ -301,8 +332,8 @@ MedialVoxelGrayThickness::FitSurfaces(const MedialVoxelGray &       gray,
     {
       normal = { { -normal[0], -normal[1], -normal[2] } };
     }
-    m_Model->local.FindSamples(gray, foot, normal, MedialVoxelWallFit::ReachOfSurface, samples);
-    const auto surface = m_Model->fit.FitSurface(samples);
+    m_Model->local.FindSamples(gray, foot, normal, MedialVoxelWallFit::ReachOfSurface, workspace.samples);
+    const auto surface = m_Model->fit.FitSurface(workspace.samples);
     if (!surface)
     {
       return std::nullopt;

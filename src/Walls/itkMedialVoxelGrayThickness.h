@@ -4,6 +4,7 @@
 #define itkMedialVoxelGrayThickness_h
 
 #include "itkMedialVoxelGrayBoundary.h"
+#include "itkMedialVoxelGrayNormals.h"
 #include "itkMedialVoxelThickness.h"
 #include "itkMedialVoxelWallFit.h"
 
@@ -40,6 +41,16 @@ public:
   /** Voxels around a cell that a wall of up to 6 voxels is measured by. */
   static constexpr std::int64_t Reach = static_cast<std::int64_t>(MedialVoxelWallFit::ReachOfWall) + 4;
 
+  /** \class Workspace
+   * \brief Memory of one thread, kept from cell to cell of one image.
+   * \ingroup MedialVoxel
+   */
+  struct Workspace
+  {
+    std::optional<MedialVoxelGrayNormals>     normals; // with the first fit
+    std::vector<MedialVoxelGrayLocal::Sample> samples;
+  };
+
   /** Of the boundary points of the corners, in their order. */
   using Crossings = std::array<MedialVoxelGrayBoundary::Crossing, 8>;
 
@@ -66,7 +77,15 @@ public:
   void
   Refine(const MedialVoxelGray &       gray,
          const MedialVoxelWallPoints & points,
+         Workspace &                   workspace,
+         MedialVoxelWall &             wall) const;
+
+  /** The same when the crossings are known. */
+  void
+  Refine(const MedialVoxelGray &       gray,
+         const MedialVoxelWallPoints & points,
          const Crossings &             crossings,
+         Workspace &                   workspace,
          MedialVoxelWall &             wall) const;
 
   /** What moves the points. */
@@ -100,14 +119,30 @@ private:
   struct Fitted;
 
   std::optional<Fitted>
-  FitWall(const MedialVoxelGray & gray, const MedialVoxelWallPoints & points, const Sides & sides) const;
+  FitWall(const MedialVoxelGray &       gray,
+          const MedialVoxelWallPoints & points,
+          const Sides &                 sides,
+          Workspace &                   workspace) const;
 
   std::optional<Fitted>
-  FitSurfaces(const MedialVoxelGray & gray, const MedialVoxelWallPoints & points, const Sides & sides) const;
+  FitSurfaces(const MedialVoxelGray &       gray,
+              const MedialVoxelWallPoints & points,
+              const Sides &                 sides,
+              Workspace &                   workspace) const;
 
   /** \return false: the measure without a scan counts */
   bool
-  RefineByFit(const MedialVoxelGray & gray, const MedialVoxelWallPoints & points, MedialVoxelWall & wall) const;
+  RefineByFit(const MedialVoxelGray &       gray,
+              const MedialVoxelWallPoints & points,
+              Workspace &                   workspace,
+              MedialVoxelWall &             wall) const;
+
+  /** By the surfaces that the lines through the crossings meet. */
+  void
+  RefineByCrossings(const MedialVoxelGray &       gray,
+                    const MedialVoxelWallPoints & points,
+                    const Crossings &             crossings,
+                    MedialVoxelWall &             wall) const;
 
   PositionType
   GetCenter(const MedialVoxelWallPoints & points) const;
@@ -115,6 +150,7 @@ private:
   /** Fits need a scan. */
   struct Model
   {
+    MedialVoxelScan      scan;
     MedialVoxelGrayLocal local;
     MedialVoxelWallFit   fit;
   };

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelScanSurvey.h"
 
 #include "itkMedialVoxelGrayLocal.h"
+#include "itkMedialVoxelGrayNormals.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelScanSamples.h"
 #include "itkMedialVoxelWallFit.h"
@@ -39,6 +40,9 @@ constexpr std::int64_t FarFromLargeMean = 6;
 
 /** Voxels around a block that must be there. */
 constexpr std::int64_t Margin = 9;
+
+/** Voxels of a row that are passed over at once when they are far from the object. */
+constexpr std::int64_t StepOfRow = 64;
 
 /** A row of voxels, and a surface, take as long as so many short steps. */
 constexpr std::uint32_t StepsOfRow = 128;
@@ -92,6 +96,7 @@ public:
     : m_Grid(grid)
     , m_Neighbors(neighbors)
     , m_Local(grid, 0.0, 1.0)
+    , m_Normals(grid, 0.0, 1.0)
     , m_Object(object)
     , m_Gray(gray)
   {}
@@ -105,23 +110,40 @@ public:
       for (voxel[1] = block.lower[1]; voxel[1] < block.upper[1]; ++voxel[1])
       {
         m_Poll.Count(StepsOfRow);
-        for (voxel[0] = block.lower[0]; voxel[0] < block.upper[0]; ++voxel[0])
+        for (voxel[0] = block.lower[0]; voxel[0] < block.upper[0];)
         {
-          const std::uint64_t hash = MedialVoxelHash(seed + static_cast<std::uint64_t>(block.OffsetOf(voxel)));
-          if (m_Object.Test(voxel))
+          const std::int64_t end = std::min(voxel[0] + StepOfRow, block.upper[0]);
+          const Box          part{ voxel, { { end, voxel[1] + 1, voxel[2] + 1 } } };
+          if (m_Object.Any(this->AroundBox(part, NearObject)))
           {
-            this->TakeObject(voxel, hash, samples);
+            this->TakePart(part, block, seed, samples);
           }
-          else if (samples.background.Wants(hash))
-          {
-            this->TakeBackground(voxel, hash, samples);
-          }
+          voxel[0] = end;
         }
       }
     }
   }
 
 private:
+  /** \a part of a row of a block. */
+  void
+  TakePart(const Box & part, const Box & block, const std::uint64_t seed, Samples & samples)
+  {
+    Index voxel = part.lower;
+    for (; voxel[0] < part.upper[0]; ++voxel[0])
+    {
+      const std::uint64_t hash = MedialVoxelHash(seed + static_cast<std::uint64_t>(block.OffsetOf(voxel)));
+      if (m_Object.Test(voxel))
+      {
+        this->TakeObject(voxel, hash, samples);
+      }
+      else if (samples.background.Wants(hash))
+      {
+        this->TakeBackground(voxel, hash, samples);
+      }
+    }
+  }
+
   void
   TakeObject(const Index & voxel, const std::uint64_t hash, Samples & samples)
   {
@@ -184,7 +206,7 @@ private:
         place[i] = 0.5 * static_cast<double>(voxel[i] + neighbor[i]);
         inwards[i] = static_cast<double>(voxel[i] - neighbor[i]);
       }
-      if (!m_Local.FindNormal(m_Gray, place, normal))
+      if (!m_Normals.Find(m_Gray, place, normal))
       {
         return;
       }
@@ -251,8 +273,13 @@ private:
   Box
   Around(const Index & voxel, const std::int64_t reach) const
   {
-    const Box one{ voxel, { { voxel[0] + 1, voxel[1] + 1, voxel[2] + 1 } } };
-    return one.Expanded({ { reach, reach, reach } }).Intersection(m_Grid.GetVoxelBox());
+    return this->AroundBox({ voxel, { { voxel[0] + 1, voxel[1] + 1, voxel[2] + 1 } } }, reach);
+  }
+
+  Box
+  AroundBox(const Box & box, const std::int64_t reach) const
+  {
+    return box.Expanded({ { reach, reach, reach } }).Intersection(m_Grid.GetVoxelBox());
   }
 
   /** Distance to the nearest voxel that is background or not in the image, up to a limit. */
@@ -293,6 +320,7 @@ private:
   const MedialVoxelGrid &       m_Grid;
   const std::vector<Neighbor> & m_Neighbors;
   MedialVoxelGrayLocal          m_Local;
+  MedialVoxelGrayNormals        m_Normals;
   const MedialVoxelBits &       m_Object;
   const MedialVoxelGray &       m_Gray;
   MedialVoxelPollCounter        m_Poll;

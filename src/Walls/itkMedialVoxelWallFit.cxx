@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace itk
 {
@@ -15,8 +16,10 @@ namespace
 
 using Sample = MedialVoxelGrayLocal::Sample;
 
-/** Iterations of a fit, and the standard deviations of the blur beyond a surface up to which values count. */
+/** Steps of a fit, at most; shorter steps, in voxels, end it. Standard deviations of the blur beyond a surface up to
+ * which values count. */
 constexpr int    Iterations = 12;
+constexpr double ShortestStep = 1e-6;
 constexpr double Tail = 2.5;
 
 /** Thicknesses that a fit may have. */
@@ -26,17 +29,40 @@ constexpr double Thickest = 12.0;
 /** Way of the middle of a wall from where it was looked for, at most. */
 constexpr double LargestShift = 2.5;
 
-/** Cumulative and density of the blurred surface at a place. */
-struct Blurred
+/** \class BlurredSurface
+ * \brief Values of a surface at the place 0 that a Gaussian has blurred, and their slope. */
+class BlurredSurface
 {
-  Blurred(const double place, const double blur)
-    : cumulative(MedialVoxelNormalDistribution::Get().Cumulative(place / blur))
-    , density(MedialVoxelNormalDistribution::Get().Density(place / blur) / blur)
+public:
+  explicit BlurredSurface(const double blur)
+    : m_Distribution(MedialVoxelNormalDistribution::Get())
+    , m_Inverse(1.0 / blur)
   {}
 
-  double cumulative;
-  double density;
+  MedialVoxelNormalDistribution::Values
+  At(const double place) const
+  {
+    auto values = m_Distribution.Evaluate(place * m_Inverse);
+    values.density *= m_Inverse;
+    return values;
+  }
+
+private:
+  const MedialVoxelNormalDistribution & m_Distribution;
+  double                                m_Inverse;
 };
+
+/** Those of a list that are near a place. */
+std::vector<Sample>
+SelectNear(const std::vector<Sample> & samples, const double place, const double reach)
+{
+  std::vector<Sample> near;
+  near.reserve(samples.size());
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(near), [&](const Sample & sample) {
+    return std::abs(sample.along - place) <= reach;
+  });
+  return near;
+}
 
 /** \class NormalEquations
  * \brief Of a fit with two parameters: a symmetric matrix and a right side. */
@@ -233,23 +259,20 @@ MedialVoxelWallFit::FitWall(const std::vector<Sample> & samples) const -> std::o
 void
 MedialVoxelWallFit::Fit(const std::vector<Sample> & samples, Wall & wall) const
 {
-  const double reach = 0.5 * wall.thickness + Tail * m_Blur;
-  const double middle = wall.center;
-  for (int iteration = 0; iteration <= Iterations; ++iteration)
+  const BlurredSurface      surface(m_Blur);
+  const std::vector<Sample> near = SelectNear(samples, wall.center, 0.5 * wall.thickness + Tail * m_Blur);
+  for (int iteration = 0; iteration < Iterations; ++iteration)
   {
     NormalEquations equations;
-    for (const Sample & sample : samples)
+    for (const Sample & sample : near)
     {
-      if (std::abs(sample.along - middle) <= reach)
-      {
-        const double  s = sample.along - wall.center;
-        const Blurred first(s + 0.5 * wall.thickness, m_Blur);
-        const Blurred second(s - 0.5 * wall.thickness, m_Blur);
-        equations.Add(sample.weight,
-                      0.5 * (first.density + second.density),
-                      second.density - first.density,
-                      sample.value - (first.cumulative - second.cumulative));
-      }
+      const double s = sample.along - wall.center;
+      const auto   first = surface.At(s + 0.5 * wall.thickness);
+      const auto   second = surface.At(s - 0.5 * wall.thickness);
+      equations.Add(sample.weight,
+                    0.5 * (first.density + second.density),
+                    second.density - first.density,
+                    sample.value - (first.cumulative - second.cumulative));
     }
     const double determinant = equations.GetDeterminant();
     if (!(determinant > 0.0))
@@ -258,12 +281,13 @@ MedialVoxelWallFit::Fit(const std::vector<Sample> & samples, Wall & wall) const
       return;
     }
     wall.deviation = m_Noise * std::sqrt(equations.GetVarianceOfFirst());
-    if (iteration < Iterations)
+    const double thicker = (equations.bb * equations.a - equations.ab * equations.b) / determinant;
+    const double farther = (equations.aa * equations.b - equations.ab * equations.a) / determinant;
+    wall.thickness = std::clamp(wall.thickness + std::clamp(thicker, -1.0, 1.0), Thinnest, Thickest);
+    wall.center += std::clamp(farther, -0.5, 0.5);
+    if (std::max(std::abs(thicker), std::abs(farther)) < ShortestStep)
     {
-      const double thicker = (equations.bb * equations.a - equations.ab * equations.b) / determinant;
-      const double farther = (equations.aa * equations.b - equations.ab * equations.a) / determinant;
-      wall.thickness = std::clamp(wall.thickness + std::clamp(thicker, -1.0, 1.0), Thinnest, Thickest);
-      wall.center += std::clamp(farther, -0.5, 0.5);
+      return;
     }
   }
 }
@@ -272,17 +296,18 @@ MedialVoxelWallFit::Fit(const std::vector<Sample> & samples, Wall & wall) const
 bool
 MedialVoxelWallFit::IsResolved(const std::vector<Sample> & samples, const Wall & wall) const
 {
-  const double core = std::max(0.5, 0.25 * wall.thickness);
-  double       sum = 0.0;
-  double       weights = 0.0;
-  double       squares = 0.0;
+  const double         core = std::max(0.5, 0.25 * wall.thickness);
+  double               sum = 0.0;
+  double               weights = 0.0;
+  double               squares = 0.0;
+  const BlurredSurface surface(m_Blur);
   for (const Sample & sample : samples)
   {
     const double s = sample.along - wall.center;
     if (std::abs(s) <= core)
     {
-      const double first = Blurred(s + 0.5 * wall.thickness, m_Blur).cumulative;
-      const double second = Blurred(s - 0.5 * wall.thickness, m_Blur).cumulative;
+      const double first = surface.At(s + 0.5 * wall.thickness).cumulative;
+      const double second = surface.At(s - 0.5 * wall.thickness).cumulative;
       sum += sample.weight * (sample.value - (first - second));
       weights += sample.weight;
       squares += sample.weight * sample.weight;
@@ -311,29 +336,32 @@ MedialVoxelWallFit::FitSurface(const std::vector<Sample> & samples) const -> std
   {
     return std::nullopt;
   }
-  Surface      surface{ *crossing, 0.0 };
-  const double reach = 1.5 * m_Blur;
+  Surface                   surface{ *crossing, 0.0 };
+  const BlurredSurface      blurred(m_Blur);
+  const std::vector<Sample> near = SelectNear(samples, *crossing, 1.5 * m_Blur);
   for (int iteration = 0; iteration < Iterations; ++iteration)
   {
     double squares = 0.0;
     double sum = 0.0;
     double squaredWeights = 0.0;
-    for (const Sample & sample : samples)
+    for (const Sample & sample : near)
     {
-      if (std::abs(sample.along - *crossing) <= reach)
-      {
-        const Blurred model(sample.along - surface.place, m_Blur);
-        squares += sample.weight * model.density * model.density;
-        sum += sample.weight * model.density * (model.cumulative - sample.value);
-        squaredWeights += sample.weight * sample.weight * model.density * model.density;
-      }
+      const auto model = blurred.At(sample.along - surface.place);
+      squares += sample.weight * model.density * model.density;
+      sum += sample.weight * model.density * (model.cumulative - sample.value);
+      squaredWeights += sample.weight * sample.weight * model.density * model.density;
     }
     if (!(squares > 0.0))
     {
       return std::nullopt;
     }
-    surface.place += std::clamp(sum / squares, -0.5, 0.5);
+    const double deeper = sum / squares;
+    surface.place += std::clamp(deeper, -0.5, 0.5);
     surface.deviation = m_Noise * std::sqrt(squaredWeights) / squares;
+    if (std::abs(deeper) < ShortestStep)
+    {
+      break;
+    }
   }
   return std::isfinite(surface.place) && std::abs(surface.place - *crossing) < 1.0 ? std::optional<Surface>(surface)
                                                                                    : std::nullopt;
@@ -346,10 +374,11 @@ MedialVoxelWallFit::FitBlur(const std::vector<Sample> & samples)
   double blur = 0.8;
   for (int iteration = 0; iteration < 2 * Iterations; ++iteration)
   {
-    NormalEquations equations;
+    const BlurredSurface surface(blur);
+    NormalEquations      equations;
     for (const Sample & sample : samples)
     {
-      const Blurred model(sample.along - place, blur);
+      const auto model = surface.At(sample.along - place);
       equations.Add(
         sample.weight, -model.density, -model.density * (sample.along - place) / blur, sample.value - model.cumulative);
     }
