@@ -40,7 +40,11 @@ def __getattr__(name: str) -> Any: ...
 """
 
 # Of the array that is returned for an array; a mesh is a mesh.
-RESULTS = {"MedialVoxelImageFilter": "np.uint8", "VectorDistanceMapImageFilter": "np.float32"}
+RESULTS = {
+    "MedialVoxelImageFilter": "np.uint8",
+    "VectorDistanceMapImageFilter": "np.float32",
+    "LocalThicknessImageFilter": "np.float32",
+}
 
 
 def type_of(types):

@@ -18,11 +18,12 @@ import itk
 FUNCTIONS = {
     itk.medial_voxel_image_filter: itk.MedialVoxelImageFilter,
     itk.vector_distance_map_image_filter: itk.VectorDistanceMapImageFilter,
+    itk.local_thickness_image_filter: itk.LocalThicknessImageFilter,
     itk.medial_surface_mesh_filter: itk.MedialSurfaceMeshFilter,
 }
 
 # Words of the help that a reader needs: meaning, units, defaults, errors.
-NEEDED = ("physical units", "(default", "Default off", "Raises RuntimeError", "TypeError", "lower_threshold: ", ">>> ")
+NEEDED = ("physical units", "(default", "Default ", "Raises RuntimeError", "TypeError", "lower_threshold: ", ">>> ")
 
 TYPED = """
 import itk
