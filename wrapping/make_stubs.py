@@ -15,7 +15,7 @@ from filter_functions import FUNCTIONS
 from header_comments import ENUMERATIONS, read_enumerators, read_setters, to_snake
 
 TYPES = {
-    "bool": "bool",
+    "bool": "bool | np.bool_",
     "double": "_Number",
     "InputPixelType": "_Number",
     "SizeValueType": "_Whole",
