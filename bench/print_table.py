@@ -22,6 +22,12 @@ def size_of(volume):
     return " x ".join(str(n) for n in volume["size"])
 
 
+def volumes_by_name(document):
+    """Those of a file that names them; others have a list, or none."""
+    volumes = document.get("volumes")
+    return volumes if isinstance(volumes, dict) else {}
+
+
 def table(header, rows):
     lines = [header, ["---"] * len(header), *rows]
     return "\n".join("| " + " | ".join(str(cell) for cell in line) + " |" for line in lines) + "\n"
@@ -133,7 +139,7 @@ def main():
             print("\n".join([*costs(document), *peer_speeds(document), *variants(document)]))
         elif "with `--report`" in document.get("results", {}):
             print("\n".join(options(document)))
-        elif any("on_paper" in v for v in document.get("volumes", {}).values()):
+        elif any("on_paper" in volume for volume in volumes_by_name(document).values()):
             print("\n".join(thread_bounds(document)))
 
 

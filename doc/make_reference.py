@@ -314,7 +314,8 @@ def make_python():
         parts += make_member_tables(members)
         if name in header_comments.IMAGE_FILTERS:
             parts.append("And the [common parameters](#common-parameters).\n")
-    parts.append("## Common parameters\n\nOf MedialVoxelImageFilter and VectorDistanceMapImageFilter.\n")
+    *others, last = header_comments.IMAGE_FILTERS
+    parts.append(f"## Common parameters\n\nOf {', '.join(others)} and {last}.\n")
     parts += make_member_tables(read_public(header_comments.BASE)[1])
     return "\n".join(parts)
 

@@ -231,6 +231,19 @@ TEST(MedialVoxelAbort, ProgressRisesToOne)
   EXPECT_FLOAT_EQ(filter->GetProgress(), 1.0f);
 }
 
+TEST(MedialVoxelAbort, AnObserverThatThrowsIsNotCalledAgain)
+{
+  auto filter = MakeMedialFilter<3>(LongWork(), LongThickness);
+  filter->SetNumberOfWorkUnits(4);
+  unsigned int calls = 0;
+  filter->AddObserver(itk::ProgressEvent(), [&calls](const itk::EventObject &) {
+    ++calls;
+    throw std::runtime_error("not today");
+  });
+  EXPECT_THROW(filter->Update(), std::runtime_error);
+  EXPECT_EQ(calls, 1u);
+}
+
 TEST(MedialVoxelAbort, AFailingWorkerFailsTheUpdateAndNoMore)
 {
   const Volume volume = RandomBoxes({ { 40, 38, 36 } }, UnitSpacing, 30, 105);

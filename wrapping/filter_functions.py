@@ -40,6 +40,19 @@ FUNCTIONS = {
         [0.0, 2.0]
         """,
     ),
+    "LocalThicknessImageFilter": (
+        "the diameters, of float: an image for an image, an array\nfor an array. The filter object, "
+        "itk.LocalThicknessImageFilter.New(image, ...), has the numbers of voxels too",
+        """
+        >>> import itk
+        >>> import numpy as np
+        >>> plate = np.zeros((12, 30, 30), np.uint8)
+        >>> plate[4:8, :, :] = 1  # axes z, y, x
+        >>> thickness = itk.local_thickness_image_filter(plate, maximum_thickness=10)
+        >>> np.unique(thickness).tolist()
+        [0.0, 4.0]
+        """,
+    ),
     "MedialSurfaceMeshFilter": (
         "the itk.Mesh",
         """

@@ -8,7 +8,7 @@ import re
 INCLUDE = pathlib.Path(__file__).resolve().parents[1] / "include"
 
 BASE = "MedialVoxelImageFilterBase"
-IMAGE_FILTERS = ("MedialVoxelImageFilter", "VectorDistanceMapImageFilter")
+IMAGE_FILTERS = ("MedialVoxelImageFilter", "VectorDistanceMapImageFilter", "LocalThicknessImageFilter")
 FILTERS = (*IMAGE_FILTERS, "MedialSurfaceMeshFilter")
 ENUMERATIONS = "MedialVoxelEnums"
 MACROS = {

@@ -15,7 +15,7 @@ from filter_functions import FUNCTIONS
 from header_comments import ENUMERATIONS, read_enumerators, read_setters, to_snake
 
 TYPES = {
-    "bool": "bool",
+    "bool": "bool | np.bool_",
     "double": "_Number",
     "InputPixelType": "_Number",
     "SizeValueType": "_Whole",
@@ -40,7 +40,11 @@ def __getattr__(name: str) -> Any: ...
 """
 
 # Of the array that is returned for an array; a mesh is a mesh.
-RESULTS = {"MedialVoxelImageFilter": "np.uint8", "VectorDistanceMapImageFilter": "np.float32"}
+RESULTS = {
+    "MedialVoxelImageFilter": "np.uint8",
+    "VectorDistanceMapImageFilter": "np.float32",
+    "LocalThicknessImageFilter": "np.float32",
+}
 
 
 def type_of(types):

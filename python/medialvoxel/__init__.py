@@ -14,10 +14,10 @@ Results have the bytes of the program `medialvoxel`, which this package brings, 
     (841, 4.0)
 """
 
-from ._arrays import distance, extract, mesh
+from ._arrays import distance, extract, local_thickness, mesh
 from ._native import version as _version
 from ._program import extract_file
-from ._results import Distances, Medial, Mesh
+from ._results import Distances, LocalThickness, Medial, Mesh
 
-__all__ = ["Distances", "Medial", "Mesh", "distance", "extract", "extract_file", "mesh"]
+__all__ = ["Distances", "LocalThickness", "Medial", "Mesh", "distance", "extract", "extract_file", "local_thickness", "mesh"]
 __version__ = _version()

@@ -79,6 +79,21 @@ class Distances:
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
+class LocalThickness:
+    """Diameters of the largest balls inside an object."""
+
+    thickness: np.ndarray
+    """float32: the diameter, in units of the spacing; 0 in the background."""
+    counts: dict[str, int]
+    """Numbers of voxels; `voxels_at_maximum` are those whose balls may be larger than `maximum`."""
+    lower: float | None
+    """The lower threshold, also that of Otsu."""
+
+    def __repr__(self) -> str:
+        return f"LocalThickness(thickness={_describe(self.thickness)}, {self.counts['object_voxels']} object voxels)"
+
+
+@dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class Mesh:
     """The medial surface."""
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct ArrayMesh
   std::int64_t              cornersPerFace{ 4 };
 };
 
+/** Of a command that only arrays have. */
+struct LocalThicknessOptions : JobOptions
+{
+  std::optional<double> maximum; ///< diameter at which balls are cut
+};
+
 /** Each returns numbers of the run.
  * \throw JobError, itk::ExceptionObject and what the engine throws */
 nlohmann::json
@@ -41,8 +48,10 @@ nlohmann::json
 MeshArray(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mesh);
 nlohmann::json
 MeasureDistances(const ArrayCall & call, const DistanceOptions & options);
+nlohmann::json
+MeasureLocalThickness(const ArrayCall & call, const LocalThicknessOptions & options);
 
-/** Parses the arguments as the program does, checks them and calls what they name. */
+/** Parses the arguments as the program does, and those of local-thickness, checks them and calls what they name. */
 nlohmann::json
 RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMesh & mesh);
 

@@ -4,6 +4,7 @@
 
 #include "CommandLine.h"
 #include "OptionEffects.h"
+#include "OptionValues.h"
 #include "ValueStatistics.h"
 
 #include "itkMedialVoxelGridLimits.h"
@@ -14,6 +15,8 @@ namespace medialvoxel
 {
 namespace
 {
+
+constexpr const char * LocalThicknessCommand = "local-thickness";
 
 /** Sets the threshold of Otsu where it is asked for, and refuses labels that the values cannot have. */
 void
@@ -46,6 +49,16 @@ AddHints(nlohmann::json & numbers, const ArrayCall & call, const JobOptions & op
   }
 }
 
+/** Has the command distance be local-thickness, which the program has not: both say the same of object and run. */
+void
+DefineLocalThickness(CommandLine & line, std::optional<double> & maximum)
+{
+  line.distance->name(LocalThicknessCommand);
+  AddText(*line.distance, "--maximum", "Diameter at which balls are cut", "T", [&maximum](const std::string & text) {
+    maximum = ToDouble(text);
+  });
+}
+
 template <typename TOptions, typename TRun>
 nlohmann::json
 Run(const ArrayCall & call, TOptions & options, TRun && run)
@@ -62,11 +75,22 @@ Run(const ArrayCall & call, TOptions & options, TRun && run)
 nlohmann::json
 RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMesh & mesh)
 {
-  CommandLine line;
-  const auto  app = DefineCommandLine(line);
+  CommandLine           line;
+  const auto            app = DefineCommandLine(line);
+  const bool            isLocalThickness = arguments.front() == LocalThicknessCommand;
+  std::optional<double> maximum;
+  if (isLocalThickness)
+  {
+    DefineLocalThickness(line, maximum);
+  }
   std::reverse(arguments.begin(), arguments.end());
   app->parse(std::move(arguments));
   CheckOptionEffects(line);
+  if (isLocalThickness)
+  {
+    LocalThicknessOptions options{ line.distanceOptions, maximum };
+    return Run(call, options, [&] { return MeasureLocalThickness(call, options); });
+  }
   if (line.distance->parsed())
   {
     return Run(call, line.distanceOptions, [&] { return MeasureDistances(call, line.distanceOptions); });

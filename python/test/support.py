@@ -24,8 +24,32 @@ META_TYPES = {
     "float64": "MET_DOUBLE",
 }
 
+INTEGERS = ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"]
+REALS = ["float16", "float32", "float64"]
+
 # How many times longer than usual a test may wait for what must not take long.
 PATIENCE = float(os.environ.get("MEDIALVOXEL_PATIENCE", 1))
+
+
+def spread(values):
+    """Every second voxel of a larger array."""
+    larger = np.full(tuple(2 * size for size in values.shape), 99, values.dtype)
+    view = larger[::2, 1::2, ::2]
+    view[...] = values
+    return view
+
+
+ORDERS = {
+    "C": np.ascontiguousarray,
+    "Fortran": np.asfortranarray,
+    "reversed": lambda values: np.ascontiguousarray(values[::-1, ::-1, ::-1])[::-1, ::-1, ::-1],
+    "transposed": lambda values: np.ascontiguousarray(values.transpose(1, 2, 0)).transpose(2, 0, 1),
+    "every second": spread,
+    "unaligned": lambda values: np.frombuffer(b"-" + values.tobytes(), values.dtype, offset=1).reshape(values.shape),
+    "big-endian": lambda values: values.astype(values.dtype.newbyteorder(">")),
+    "little-endian": lambda values: values.astype(values.dtype.newbyteorder("<")),
+    "read-only": lambda values: np.frombuffer(values.tobytes(), values.dtype).reshape(values.shape),
+}
 
 
 def scene(shape=(22, 30, 34), seed=3):

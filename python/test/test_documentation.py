@@ -27,7 +27,7 @@ class Documentation(unittest.TestCase):
         self.assertTrue((pathlib.Path(medialvoxel.__file__).parent / "py.typed").exists())
 
     def test_every_parameter_is_described(self):
-        for function in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance):
+        for function in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance, medialvoxel.local_thickness):
             described = medialvoxel.extract.__doc__ + function.__doc__
             for name in inspect.signature(function).parameters:
                 self.assertIn(name, described)

@@ -36,6 +36,7 @@ class Memory(unittest.TestCase):
             lambda: medialvoxel.extract(values, lower=40),
             lambda: medialvoxel.mesh(values, lower=40),
             lambda: medialvoxel.distance(values.astype(">i2"), lower=40),
+            lambda: medialvoxel.local_thickness(values, lower=40),
             fail,
         )
         # Threads of the system come and go with memory of their own; what is lost at each call is lost in each round.

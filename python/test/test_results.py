@@ -8,31 +8,7 @@ import unittest
 import medialvoxel
 import numpy as np
 
-from support import Folder, read, read_ply, run, scan, scene, write
-
-INTEGERS = ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"]
-REALS = ["float16", "float32", "float64"]
-
-
-def spread(values):
-    """Every second voxel of a larger array."""
-    larger = np.full(tuple(2 * size for size in values.shape), 99, values.dtype)
-    view = larger[::2, 1::2, ::2]
-    view[...] = values
-    return view
-
-
-ORDERS = {
-    "C": np.ascontiguousarray,
-    "Fortran": np.asfortranarray,
-    "reversed": lambda values: np.ascontiguousarray(values[::-1, ::-1, ::-1])[::-1, ::-1, ::-1],
-    "transposed": lambda values: np.ascontiguousarray(values.transpose(1, 2, 0)).transpose(2, 0, 1),
-    "every second": spread,
-    "unaligned": lambda values: np.frombuffer(b"-" + values.tobytes(), values.dtype, offset=1).reshape(values.shape),
-    "big-endian": lambda values: values.astype(values.dtype.newbyteorder(">")),
-    "little-endian": lambda values: values.astype(values.dtype.newbyteorder("<")),
-    "read-only": lambda values: np.frombuffer(values.tobytes(), values.dtype).reshape(values.shape),
-}
+from support import INTEGERS, ORDERS, REALS, Folder, read, read_ply, run, scan, scene, write
 
 # Keywords of measures on gray values, options of the program, and what the values are measured on.
 MEASURES = {

@@ -122,8 +122,11 @@ class Threads(unittest.TestCase):
     def test_interrupted_distance(self):
         self.interrupt("distance(values)", "support.blob(500)")
 
+    def test_interrupted_local_thickness(self):
+        self.interrupt("local_thickness(values, maximum=200)", "support.blob(400)")
+
     def test_progress(self):
-        for call in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance):
+        for call in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance, medialvoxel.local_thickness):
             seen = []
             call(scene(), lower=40, progress=seen.append)
             self.assertEqual(seen, sorted(seen))

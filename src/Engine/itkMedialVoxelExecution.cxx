@@ -171,7 +171,7 @@ MedialVoxelExecution::WaitForWork(Work & work)
   return false;
 }
 
-/** The calling thread gives signs of life meanwhile. */
+/** The calling thread gives signs of life meanwhile. Not of work that stops, whose observer may have thrown. */
 void
 MedialVoxelExecution::WaitForNews(std::unique_lock<std::mutex> & lock)
 {
@@ -179,7 +179,7 @@ MedialVoxelExecution::WaitForNews(std::unique_lock<std::mutex> & lock)
   ++m_NumberOfWaitingWorkers;
   m_HasNews.wait_for(lock, beatInterval);
   --m_NumberOfWaitingWorkers;
-  if (this->IsCallingThread())
+  if (this->IsCallingThread() && !this->IsAborted())
   {
     lock.unlock();
     this->Beat();

@@ -18,11 +18,12 @@ import itk
 FUNCTIONS = {
     itk.medial_voxel_image_filter: itk.MedialVoxelImageFilter,
     itk.vector_distance_map_image_filter: itk.VectorDistanceMapImageFilter,
+    itk.local_thickness_image_filter: itk.LocalThicknessImageFilter,
     itk.medial_surface_mesh_filter: itk.MedialSurfaceMeshFilter,
 }
 
 # Words of the help that a reader needs: meaning, units, defaults, errors.
-NEEDED = ("physical units", "(default", "Default off", "Raises RuntimeError", "TypeError", "lower_threshold: ", ">>> ")
+NEEDED = ("physical units", "(default", "Default ", "Raises RuntimeError", "TypeError", "lower_threshold: ", ">>> ")
 
 TYPED = """
 import itk
@@ -32,6 +33,8 @@ mask = np.zeros((4, 5, 6), np.uint8)
 labels: np.ndarray = itk.medial_voxel_image_filter(mask, thickness=np.float32(3), maximum_pore_size=np.int64(2))
 labels.astype(np.int16)
 itk.medial_voxel_image_filter(itk.imread("part.mha"), scan_levels=(1, 2.5), object_labels=[1, 2])
+itk.local_thickness_image_filter(mask, maximum_thickness=10, use_image_spacing=False).astype(np.float64)
+itk.medial_surface_mesh_filter(mask, subvoxel_thickness=np.bool_(True))
 itk.medial_surface_mesh_filter(mask, thickness_mode=itk.MedialVoxelEnums.ThicknessMode_Automatic)
 itk.median_image_filter(mask, radius=2)
 """

@@ -88,6 +88,19 @@ class Numbers(unittest.TestCase):
         surface = itk.MedialSurfaceMeshFilter.New(image_of(blobs()), smallest_component=np.int64(7))
         self.assertEqual(surface.GetSmallestComponent(), 7)
 
+    def test_booleans(self):
+        medial = itk.MedialVoxelImageFilter.New(image_of(plate()))
+        for value in (np.bool_(True), True, np.array(True), np.True_):
+            medial.SetGenerateThickness(False)
+            medial.SetGenerateThickness(value)
+            self.assertIs(medial.GetGenerateThickness(), True)
+        medial.SetGenerateThickness(np.bool_(False))
+        self.assertIs(medial.GetGenerateThickness(), False)
+        itk.medial_voxel_image_filter(plate(), generate_thickness=np.bool_(True))
+        for value in (1, 0.0, np.int8(1), np.float32(0), np.array([True, False]), "True", None):
+            with self.subTest(value=repr(value)), self.assertRaises(TypeError):
+                medial.SetGenerateThickness(value)
+
     def test_labels(self):
         cells = np.zeros((20, 20, 20), np.uint8)
         cells[2:18, 2:18, 2:8] = 2

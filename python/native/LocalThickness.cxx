@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "FilterRun.h"
+
+#include "itkLocalThicknessImageFilter.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+template <typename TPixel>
+nlohmann::json
+Measure(const ArrayCall & call, const LocalThicknessOptions & options)
+{
+  auto filter = itk::LocalThicknessImageFilter<ArrayImage<TPixel>>::New();
+  filter->SetInput(MakeImage<TPixel>(call.array));
+  SetJobOptions(*filter, options);
+  if (options.maximum)
+  {
+    filter->SetMaximumThickness(*options.maximum);
+  }
+  UseMemory(*filter->GetOutput(), call.outputs.thickness, call.array);
+  RunFilter(*filter, call.control);
+  KeepPixels(*filter->GetOutput(), call.outputs.thickness);
+  return { { "counts",
+             { { "object_voxels", filter->GetNumberOfObjectVoxels() },
+               { "voxels_at_maximum", filter->GetNumberOfVoxelsAtMaximum() },
+               { "not_a_number_voxels", filter->GetNumberOfNotANumberVoxels() } } } };
+}
+
+} // namespace
+
+nlohmann::json
+MeasureLocalThickness(const ArrayCall & call, const LocalThicknessOptions & options)
+{
+  return DispatchPixelType(call.header.pixelType, [&](auto zero) { return Measure<decltype(zero)>(call, options); });
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Local thickness against the definition, ball by ball in NumPy, for every type and memory order."""
+
+import unittest
+
+import medialvoxel
+import numpy as np
+
+from support import INTEGERS, ORDERS, REALS, scene
+
+SHAPE = (14, 18, 20)
+
+# Numbers without rounding, so that equal lengths are equal.
+SPACING = (1.5, 1.0, 0.75)
+
+
+def largest_balls(mask, spacing, maximum):
+    """The diameter of the largest ball that covers each voxel."""
+    places = np.stack(np.indices(mask.shape), axis=-1).reshape(-1, mask.ndim) * np.array(spacing, float)
+    inside = mask.ravel() != 0
+    found = np.zeros(inside.size)
+    for center in places[inside]:
+        squares = ((places - center) ** 2).sum(axis=1)
+        radius = min(squares[~inside].min(initial=np.inf), maximum**2 / 4)
+        covered = squares < radius
+        found[covered] = np.maximum(found[covered], radius)
+    return (2 * np.sqrt(found)).astype(np.float32).reshape(mask.shape)
+
+
+class LocalThickness(unittest.TestCase):
+    def assert_same(self, found, expected):
+        self.assertEqual(found.thickness.dtype, np.float32)
+        np.testing.assert_array_equal(found.thickness, expected)
+        self.assertTrue(found.thickness.flags.owndata and found.thickness.flags.c_contiguous)
+        self.assertTrue(found.thickness.flags.writeable)
+        self.assertEqual(found.counts["object_voxels"], np.count_nonzero(expected))
+
+    def test_of_every_type_and_order(self):
+        expected = largest_balls(scene(SHAPE) >= 40, SPACING, 48)
+        self.assertGreater(len(np.unique(expected)), 5)
+        for dtype in [*INTEGERS, *REALS, "bool"]:
+            values = scene(SHAPE) >= 40 if dtype == "bool" else scene(SHAPE).astype(dtype)
+            for order, arrange in ORDERS.items():
+                with self.subTest(dtype=dtype, order=order):
+                    array = arrange(values)
+                    before = array.copy()
+                    lower = None if dtype == "bool" else 40
+                    self.assert_same(medialvoxel.local_thickness(array, SPACING, lower), expected)
+                    np.testing.assert_array_equal(array, before)
+
+    def test_with_every_option(self):
+        values = scene(SHAPE).astype("int16")
+        solid = (values >= 40) & (values <= 90)
+        cases = [
+            ({"lower": 40, "upper": 90}, solid, SPACING, 48),
+            ({"lower": 40, "upper": 90, "maximum": 4}, solid, SPACING, 4),
+            ({"lower": 40, "upper": 90, "maximum": np.float32(2.5)}, solid, SPACING, 2.5),
+            ({"lower": 40, "upper": 90, "voxel_units": True}, solid, (1, 1, 1), 32),
+            ({"lower": 40, "upper": 90, "threads": 1, "memory": "1M"}, solid, SPACING, 48),
+            ({"label": 0}, values == 0, SPACING, 48),
+            ({}, values != 0, SPACING, 48),
+        ]
+        for keywords, mask, spacing, maximum in cases:
+            with self.subTest(keywords):
+                found = medialvoxel.local_thickness(values, SPACING, **keywords)
+                self.assert_same(found, largest_balls(mask, spacing, maximum))
+                at_maximum = np.count_nonzero(found.thickness == np.float32(maximum))
+                self.assertEqual(found.counts["voxels_at_maximum"], at_maximum)
+
+    def test_otsu_measures_the_threshold(self):
+        found = medialvoxel.local_thickness(scene(SHAPE), lower="otsu")
+        self.assertEqual(found.lower, medialvoxel.distance(scene(SHAPE), lower="otsu").lower)
+        self.assert_same(found, largest_balls(scene(SHAPE) >= found.lower, (1, 1, 1), 32))
+
+    def test_two_dimensions(self):
+        mask = scene()[4] >= 40
+        self.assert_same(medialvoxel.local_thickness(mask, (1.0, 0.5)), largest_balls(mask, (1.0, 0.5), 32))
+
+    def test_nothing_but_object_and_nothing_at_all(self):
+        full = medialvoxel.local_thickness(np.ones((5, 6, 7)), maximum=3)
+        self.assertEqual((full.thickness == 3).sum(), full.counts["voxels_at_maximum"])
+        self.assert_same(medialvoxel.local_thickness(np.zeros((5, 6, 7))), np.zeros((5, 6, 7), np.float32))
+
+    def test_wrong_values(self):
+        cases = [
+            ({"maximum": 0}, "is 0; it must be positive"),
+            ({"maximum": float("nan")}, "must be positive and finite"),
+            ({"maximum": 300}, "at most 256 voxels"),
+            ({"maximum": "thick"}, "--maximum: 'thick' is not a number"),
+            ({"lower": 5, "upper": 3}, "5"),
+            ({"threads": 0}, "--threads"),
+            ({"spacing": (1, 1, 0)}, "axis 2 is 0"),
+        ]
+        for keywords, message in cases:
+            with self.subTest(keywords), self.assertRaises(ValueError) as caught:
+                medialvoxel.local_thickness(scene(SHAPE), **keywords)
+            self.assertIn(message, str(caught.exception))
+        with self.assertRaises(MemoryError):
+            medialvoxel.local_thickness(scene(), lower=40, memory=1)
+
+
+if __name__ == "__main__":
+    unittest.main()
