@@ -156,7 +156,7 @@ ClusterWorker::DoCluster(std::uint64_t cluster)
   }
   CheckUnchanged(m_Job.manifest.input);
   m_Job.folder.CheckStillOf(m_Job.manifest);
-  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, m_Run.GetSurvey().Save());
+  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, m_Run.GetFindings().Save());
   this->RecordCluster(cluster, marker);
 }
 
@@ -181,7 +181,7 @@ ClusterWorker::Compute(const SliceRange & range)
   const double readBefore = m_Run.GetInput().GetReadSeconds();
   const double writtenBefore = m_Run.GetWriteSeconds();
   const auto   bytesBefore = m_Run.GetInput().GetNumberOfBytesRead();
-  m_Run.GetSurvey().Clear();
+  m_Run.GetFindings().Clear();
   for (const auto & volume : m_Volumes)
   {
     volume->StartCluster();

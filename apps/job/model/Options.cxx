@@ -144,6 +144,7 @@ CheckLabelOptions(const ExtractOptions & options)
     { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off, oneObject },
     { "vectors", !options.vectorFile.empty(), oneObject },
     { "distances", !options.distanceFile.empty(), oneObject },
+    { "thin or thick places", ListsPlaces(options), oneObject },
   };
   for (const Other & other : others)
   {
@@ -179,6 +180,53 @@ CheckMeasure(const ExtractOptions & options)
          "the levels of background and material are both ",
          FormatNumber(options.levels->material),
          "; they must differ");
+  }
+}
+
+void
+CheckPlaces(const char * name, PlaceKind kind, const std::optional<PlaceLimits> & limits)
+{
+  if (!limits)
+  {
+    return;
+  }
+  CheckLimit(name, limits->limit);
+  const std::string nameOfSecond = std::string("the second limit of ") + name;
+  CheckLimit(nameOfSecond.c_str(), limits->growLimit);
+  const double growLimit = limits->GetGrowLimit(kind);
+  const bool   isThin = kind == PlaceKind::Thin;
+  if (isThin ? growLimit < limits->limit : growLimit > limits->limit)
+  {
+    Fail(ExitStatus::Usage,
+         nameOfSecond,
+         " is ",
+         FormatNumber(growLimit),
+         "; it must not be ",
+         isThin ? "less" : "greater",
+         " than the first one, ",
+         FormatNumber(limits->limit));
+  }
+}
+
+void
+CheckPlaceOptions(const ExtractOptions & options)
+{
+  CheckPlaces("the thickness of thin places", PlaceKind::Thin, options.thinBelow);
+  CheckPlaces("the thickness of thick places", PlaceKind::Thick, options.thickAbove);
+  if (options.smallestPlace && !(*options.smallestPlace >= 0.0 && std::isfinite(*options.smallestPlace)))
+  {
+    Fail(ExitStatus::Usage,
+         "the smallest area of places is ",
+         FormatNumber(*options.smallestPlace),
+         "; it must be a finite number of 0 or more");
+  }
+  if (options.failsIfThin && !options.thinBelow)
+  {
+    Fail(ExitStatus::Usage, "a failure for thin places needs the thickness of thin places; none is given");
+  }
+  if (!options.placesFile.empty() && !ListsPlaces(options))
+  {
+    Fail(ExitStatus::Usage, options.placesFile, ": a list of places needs the thickness of thin or thick places");
   }
 }
 
@@ -233,6 +281,12 @@ FormatLabel(const LabelValue & label)
 {
   const std::optional<std::int64_t> value = ConvertLabel<std::int64_t>(label);
   return value ? std::to_string(*value) : std::to_string(ConvertLabel<std::uint64_t>(label).value());
+}
+
+bool
+ListsPlaces(const ExtractOptions & options)
+{
+  return options.thinBelow || options.thickAbove;
 }
 
 std::string
@@ -300,6 +354,7 @@ CheckOptions(const ExtractOptions & options)
     CheckLabelOptions(options);
   }
   CheckMeasure(options);
+  CheckPlaceOptions(options);
 }
 
 itk::MedialVoxelGrid
@@ -341,7 +396,8 @@ HasOneThreshold(const JobOptions & options, const VolumeHeader & header)
 bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const bool isWanted = !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels;
+  const bool isWanted =
+    !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels || ListsPlaces(options);
   return options.subVoxel.value_or(isWanted && HasOneThreshold(options, header) && header.CanStream());
 }
 

@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "JobClock.h"
 #include "PeakMemory.h"
+#include "PlaceSurvey.h"
 #include "Signals.h"
 #include "Text.h"
 #include "VolumeFormats.h"
@@ -155,6 +156,10 @@ PieceLoop::RunSlices(PieceEngine & engine, const PieceRange & range, const Piece
     {
       // What fitted, with room for parts that have more of it.
       this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfRange, 0.125, 0.5), "memory of the surface");
+    }
+    catch (const PlaceMemoryError &)
+    {
+      this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfRange, 0.125, 0.5), "memory of thin or thick places");
     }
   }
   return sums;
