@@ -78,12 +78,14 @@ ListOptionDetails()
     { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
     { "",
       "--thin-below",
-      "T or T,G in units of the spacing; greater than 0. A place is connected medial cells with walls thinner than G, one of them "
+      "T or T,G in units of the spacing; greater than 0. A place is connected medial cells with walls thinner than G, "
+      "one of them "
       "thinner than T; default of G: 1.125 T. Measured as --thickness-map. Walls thinner than 3 voxels may have holes. "
       "Not with --labels." },
     { "",
       "--thick-above",
-      "T or T,G in units of the spacing; default of G: 0.875 T. Walls thicker than --maximum-thickness have no medial cells." },
+      "T or T,G in units of the spacing; default of G: 0.875 T. Walls thicker than --maximum-thickness have no medial "
+      "cells." },
     { "", "--smallest-place", "In squared units of the spacing; default: that of ten faces of voxels. 0 keeps all." },
     { "",
       "--places",

@@ -63,9 +63,7 @@ const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
   { "--levels", [](const ExtractOptions & options) { return options.subVoxel.value_or(true); }, "sub-voxel measures" },
   { "--smallest-place", ListsPlaces, "--thin-below or --thick-above" },
   { "--places", ListsPlaces, "--thin-below or --thick-above" },
-  { "--fail-if-thin",
-    [](const ExtractOptions & options) { return options.thinBelow.has_value(); },
-    "--thin-below" },
+  { "--fail-if-thin", [](const ExtractOptions & options) { return options.thinBelow.has_value(); }, "--thin-below" },
   { "--section-width", HasSections, "a mesh that is written as .inp or .bdf" },
   { "--zarr-compression", WritesZarr<ExtractOptions>, "an output that is written as .zarr" },
 };

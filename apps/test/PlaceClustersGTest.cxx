@@ -69,9 +69,8 @@ FindRows(Cells cells, const PlaceRule & rule, const PlaceGrid & grid)
       for (int step = 0; step < 27; ++step)
       {
         const itk::MedialVoxelIndex next{ { at[0] + step % 3 - 1, at[1] + step / 3 % 3 - 1, at[2] + step / 9 - 1 } };
-        const auto found = std::find_if(cells.begin(), cells.end(), [&](const auto & other) {
-          return grid.GetCell(other.first) == next;
-        });
+        const auto                  found = std::find_if(
+          cells.begin(), cells.end(), [&](const auto & other) { return grid.GetCell(other.first) == next; });
         if (found != cells.end())
         {
           border.push_back(found->second);
@@ -163,7 +162,7 @@ protected:
     for (const auto & [key, cell] : m_Cells)
     {
       const itk::MedialVoxelIndex index = m_Grid->GetCell(key);
-      const auto isInside = [&](unsigned int axis) {
+      const auto                  isInside = [&](unsigned int axis) {
         return index[axis] >= region.lower[axis] && index[axis] < region.upper[axis];
       };
       if (isInside(0) && isInside(1) && isInside(2))

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Places with too thin or too thick walls: the same as by a flood fill over the thickness map, for any division."""
 
+import itertools
 import json
 import pathlib
 import random
@@ -42,8 +43,8 @@ def random_part(seed, size=(44, 38, 36), spacing=(0.5, 0.75, 0.6)):
 
 
 class PlacesTest(ProgramTestCase):
-    def places(self, *arguments, source="in.mha", table="p.csv", status=0):
-        self.extract(source, "l.mha", "--places", table, "--overwrite", *arguments, status=status)
+    def places(self, *arguments, source="in.mha", table="p.csv", thickness=3):
+        self.extract(source, "l.mha", "--places", table, "--overwrite", *arguments, thickness=thickness)
         return read_places(self.folder / table)
 
     def assert_same_places(self, rows, expected, geometry):
@@ -63,36 +64,47 @@ class PlacesTest(ProgramTestCase):
             for axis, spacing in zip(axes, geometry.spacing):
                 self.assertAlmostEqual(row[axis], (row["index_" + axis] + 0.5) * spacing, places=9)
 
-    def assert_sides(self, row, geometry):
-        """Two voxels of background beside the object, on both sides of the cell, no nearer than the wall is thick."""
+    def assert_sides(self, row, part, spacing):
+        """Two voxels of background, each the nearest one of a corner of the cell."""
         points = [[row[f"side_{side}_{axis}"] for axis in AXES] for side in "ab"]
-        center = [row[axis] for axis in AXES]
-        width, height, _ = geometry.size
+        self.assertNotEqual(*points)
+        width, height, _ = part.size
+        cell = [row[f"index_{axis}"] for axis in AXES]
+
+        def is_background(index):
+            inside = all(0 <= i < n for i, n in zip(index, part.size))
+            return inside and part.voxels[(index[2] * height + index[1]) * width + index[0]] == 0
+
+        def squared(a, b):
+            return sum(((i - j) * s) ** 2 for i, j, s in zip(a, b, spacing))
+
+        around = [index for index in itertools.product(*(range(c - 6, c + 8) for c in cell)) if is_background(index)]
+        corners = list(itertools.product(*((c, c + 1) for c in cell)))
         for point in points:
-            index = [round(p / s) for p, s in zip(point, geometry.spacing)]
-            self.assertTrue(all(abs(i * s - p) < 1e-9 for i, s, p in zip(index, geometry.spacing, point)))
-            self.assertEqual(geometry.voxels[(index[2] * height + index[1]) * width + index[0]], 0)
-        ways = [[p - c for p, c in zip(point, center)] for point in points]
-        self.assertLess(sum(a * b for a, b in zip(*ways)), 0)
+            index = [round(p / s) for p, s in zip(point, part.spacing)]
+            self.assertTrue(all(abs(i * s - p) < 1e-9 for i, s, p in zip(index, part.spacing, point)))
+            self.assertTrue(is_background(index))
+            nearest = (min(squared(corner, other) for other in around) for corner in corners)
+            self.assertTrue(any(squared(corner, index) <= n + 1e-9 for corner, n in zip(corners, nearest)), row)
 
     def test_places_are_those_of_the_map(self):
         found = 0
-        for seed, unit in ((1, []), (2, ["--voxel-units"]), (3, ["--thickness", "auto"])):
+        for seed, unit, thickness in ((1, [], 3), (2, ["--voxel-units"], 3), (3, [], "auto")):
             part = random_part(seed)
             volumes.write_meta(self.folder / "in.mha", part)
             for limits in (("2.0,2.0", "2.6,2.6"), ("1.7,2.4", "3,2.5"), ("2.4", "2.5"), ("0.6", "9"), ("99", "0.01")):
                 arguments = ["--thin-below", limits[0], "--thick-above", limits[1], "--smallest-place", 0, *unit]
-                rows = self.places("--thickness-map", "t.mha", "--report", "r.json", *arguments)
+                rows = self.places("--thickness-map", "t.mha", "--report", "r.json", *arguments, thickness=thickness)
                 values = volumes.read_floats(self.folder / "t.mha")
                 report = json.loads((self.folder / "r.json").read_text())
-                spacing_of = volumes.Volume(part.size, part.voxels, part.spacing)
                 for kind, text, factor in (("thin", limits[0], 1.125), ("thick", limits[1], 0.875)):
                     limit, *grow = map(float, text.split(","))
                     expected = find_places(values, part.size, kind, limit, *(grow or [limit * factor]))
                     own = [row for row in rows if row["kind"] == kind]
-                    self.assert_same_places(own, expected, spacing_of)
-                    for row in own:
-                        self.assert_sides(row, part)
+                    self.assert_same_places(own, expected, part)
+                    if seed < 3:  # without pores that are taken for object
+                        for row in own[:4]:
+                            self.assert_sides(row, part, (1, 1, 1) if unit else part.spacing)
                     told = report["places"][kind]
                     self.assertEqual((told["number"], told["smaller"]), (len(expected), 0))
                     self.assertEqual(told["cells"], sum(place["cells"] for place in expected))
@@ -140,7 +152,7 @@ class PlacesTest(ProgramTestCase):
         self.extract("in.mha", "x.zarr", "--overwrite")
         self.extract("x.zarr", "y.zarr", "--thin-below", 2.2, "--smallest-place", 0, "--places", "a.csv", thickness=1)
         whole = (self.folder / "a.csv").read_bytes()
-        for run in (["--memory", "30M", "--threads", 1], ["--divisions", 3]):
+        for run in (["--memory", "40M", "--threads", 1], ["--divisions", 3]):
             self.extract("x.zarr", "z.zarr", *arguments, "--places", "b.csv", "--overwrite", *run, thickness=1)
             self.assertEqual((self.folder / "b.csv").read_bytes(), whole, run)
         self.assertGreater(expected.count(b"\n"), 3)

@@ -14,9 +14,9 @@ namespace medialvoxel
 enum class ExitStatus : int
 {
   Done = 0,
-  Failure = 1,     ///< failed for a reason outside the other classes
-  Usage = 2,       ///< wrong or contradictory option
-  Refused = 3,     ///< refused before the start: space, memory, permissions, existing output
+  Failure = 1,      ///< failed for a reason outside the other classes
+  Usage = 2,        ///< wrong or contradictory option
+  Refused = 3,      ///< refused before the start: space, memory, permissions, existing output
   CorruptInput = 4, ///< input that is corrupt, inconsistent or not a scalar volume
   TooThin = 5       ///< done, and there are thin places, which were to fail
 };

@@ -262,8 +262,8 @@ MeasuresWalls(const ExtractOptions & options)
 {
   const auto & kinds = ListOutputKinds(options);
   return ListsPlaces(options) || std::any_of(kinds.begin(), kinds.end(), [&options](const ExtractKind & kind) {
-    return kind.volume && kind.volume->measuresWalls && !(options.*kind.option).empty();
-  });
+           return kind.volume && kind.volume->measuresWalls && !(options.*kind.option).empty();
+         });
 }
 
 std::vector<std::string>

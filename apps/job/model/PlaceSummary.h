@@ -28,7 +28,7 @@ GetName(PlaceKind kind)
 struct PlaceLimits
 {
   double                limit{ 0.0 }; ///< length > 0; each place has a cell beyond it
-  std::optional<double> growLimit;    ///< all cells are beyond it; unset: an eighth of the limit on the other side of it
+  std::optional<double> growLimit; ///< all cells are beyond it; unset: an eighth of the limit on the other side of it
 
   double
   GetGrowLimit(PlaceKind kind) const
@@ -37,8 +37,8 @@ struct PlaceLimits
   }
 };
 
-/** Connected medial cells whose walls are too thin or too thick. Points are in physical space, indices count cells; what
- * an image has no axes for is 0. */
+/** Connected medial cells whose walls are too thin or too thick. Points are in physical space, indices count cells;
+ * what an image has no axes for is 0. */
 struct WallPlace
 {
   using Point = std::array<double, 3>;

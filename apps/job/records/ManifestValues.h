@@ -11,8 +11,8 @@
 namespace medialvoxel
 {
 
-/** Values of options in a manifest; what is not set is null. Reading throws Json::exception or std::invalid_argument for
- * what was not written so. */
+/** Values of options in a manifest; what is not set is null. Reading throws Json::exception or std::invalid_argument
+ * for what was not written so. */
 Json
 RawToJson(const std::optional<RawDescription> & raw);
 std::optional<RawDescription>

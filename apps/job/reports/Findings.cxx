@@ -20,8 +20,7 @@ Findings::Findings(const VolumeGeometry &       geometry,
 {
   if (!settings.places.limits.empty())
   {
-    m_Places =
-      std::make_unique<PlaceSurvey>(geometry, grid, settings.places, m_Survey.GetAreaUnit(), surplusBytes);
+    m_Places = std::make_unique<PlaceSurvey>(geometry, grid, settings.places, m_Survey.GetAreaUnit(), surplusBytes);
   }
 }
 

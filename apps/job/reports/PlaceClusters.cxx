@@ -151,10 +151,10 @@ PlaceClusters::Join(Nodes                          nodes,
 std::vector<std::uint32_t>
 PlaceClusters::FindRoots(const Nodes & nodes, std::size_t numberOfPlaces) const
 {
-  Unions                     unions(nodes.size());
-  std::vector<std::uint32_t> firstOf(numberOfPlaces, None);
-  const auto                 rowsBefore = m_Grid.GetRowsBefore();
-  std::array<std::size_t, 4> cursors{};
+  Unions                      unions(nodes.size());
+  std::vector<std::uint32_t>  firstOf(numberOfPlaces, None);
+  const auto                  rowsBefore = m_Grid.GetRowsBefore();
+  std::array<std::size_t, 4>  cursors{};
   itk::MedialVoxelPollCounter poll;
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
   {
@@ -248,8 +248,7 @@ PlaceClusters::Merge(NumberReader & numbers)
     }
     nodes.push_back({ key, offset + static_cast<std::uint32_t>(place) });
   }
-  this->Join(
-    std::move(nodes), places, {}, [&](std::int64_t open) { return m_Grid.GetSlice(open) == m_EndSlice - 1; });
+  this->Join(std::move(nodes), places, {}, [&](std::int64_t open) { return m_Grid.GetSlice(open) == m_EndSlice - 1; });
 }
 
 PlaceList

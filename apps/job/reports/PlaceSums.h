@@ -40,8 +40,8 @@ struct PlaceRule
   }
 };
 
-/** Numbers the cells of a volume so that the neighbors of each have fixed differences to it. The numbers rise with z, y,
- * x; a row and a column beyond the image keep the ends of rows and slices apart. */
+/** Numbers the cells of a volume so that the neighbors of each have fixed differences to it. The numbers rise with z,
+ * y, x; a row and a column beyond the image keep the ends of rows and slices apart. */
 class PlaceGrid
 {
 public:

@@ -67,8 +67,8 @@ PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
     rule.kind = kind;
     rule.limit = limits.limit;
     rule.growLimit = limits.GetGrowLimit(kind);
-    rule.smallestArea = smallest < 0x1p63 ? static_cast<std::uint64_t>(std::ceil(smallest))
-                                          : std::numeric_limits<std::uint64_t>::max();
+    rule.smallestArea =
+      smallest < 0x1p63 ? static_cast<std::uint64_t>(std::ceil(smallest)) : std::numeric_limits<std::uint64_t>::max();
     rule.lengthUnit = GetLengthUnit(grid, geometry.GetDimension());
     m_Findings.push_back({ PlaceClusters(rule, m_Grid), {} });
   }
@@ -223,8 +223,7 @@ PlaceSurvey::GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & ste
     point[row] = m_Geometry.origin[row];
     for (unsigned int axis = 0; axis < m_Geometry.GetDimension(); ++axis)
     {
-      const double voxels =
-        static_cast<double>(index[axis] + step[axis]) + (m_Geometry.size[axis] > 1 ? shift : 0.0);
+      const double voxels = static_cast<double>(index[axis] + step[axis]) + (m_Geometry.size[axis] > 1 ? shift : 0.0);
       point[row] += m_Geometry.direction[axis][row] * m_Geometry.spacing[axis] * voxels;
     }
   }

@@ -142,9 +142,9 @@ MakePlacesCsv(const std::vector<PlaceSummary> & summaries)
     std::size_t number = 0;
     for (const WallPlace & place : summary.places)
     {
-      text += std::string(GetName(summary.kind)) + ',' + std::to_string(++number) + ',' + FormatNumber(place.area) + ',' +
-              std::to_string(place.cells) + ',' + FormatNumber(place.minimum) + ',' + FormatNumber(place.mean) + ',' +
-              FormatNumber(place.maximum);
+      text += std::string(GetName(summary.kind)) + ',' + std::to_string(++number) + ',' + FormatNumber(place.area) +
+              ',' + std::to_string(place.cells) + ',' + FormatNumber(place.minimum) + ',' + FormatNumber(place.mean) +
+              ',' + FormatNumber(place.maximum);
       for (const Column & column : Columns)
       {
         for (unsigned int axis = 0; axis < dimension; ++axis)
@@ -188,7 +188,8 @@ MakePlacesHtml(const std::vector<PlaceSummary> & summaries, const std::string & 
       {
         text += MakeHtmlRow(i + 1, summary.places[i], summary.dimension);
       }
-      text += "</table>\n<p class=\"muted\">Thickness in " + unit + ". Positions are in the space of the volume, at the " +
+      text += "</table>\n<p class=\"muted\">Thickness in " + unit +
+              ". Positions are in the space of the volume, at the " +
               (summary.kind == PlaceKind::Thin ? "thinnest" : "thickest") + " cell. These are " + std::to_string(rows) +
               " of " + std::to_string(summary.number) + " places.</p>\n";
     }

@@ -224,21 +224,21 @@ private:
   bool
   MakesLabels() const;
 
-  InputVolume &                           m_Input;
-  VolumeGeometry                          m_Geometry;
-  bool                                    m_UsesVoxelUnits;
-  bool                                    m_SkipsEmptyPieces;
-  itk::MedialVoxelGrid                    m_Grid;
-  itk::MedialVoxelEngineSettings          m_Settings;
+  InputVolume &                                                 m_Input;
+  VolumeGeometry                                                m_Geometry;
+  bool                                                          m_UsesVoxelUnits;
+  bool                                                          m_SkipsEmptyPieces;
+  itk::MedialVoxelGrid                                          m_Grid;
+  itk::MedialVoxelEngineSettings                                m_Settings;
   std::vector<std::function<void(const itk::MedialVoxelBox &)>> m_RegionListeners;
-  PieceObserver                           m_Observer;
-  itk::MultiThreaderBase::Pointer         m_Threader = itk::MultiThreaderBase::New();
-  std::unique_ptr<itk::MedialVoxelEngine> m_Engine; ///< keeps its window from piece to piece
-  itk::MedialVoxelBox                     m_Region; ///< of the piece
-  std::vector<Destination>                m_Destinations;
-  std::size_t                             m_NumberOfSets{ 1 };
-  std::size_t                             m_Set{ 0 }; ///< of buffers, for the piece
-  bool                                    m_IsStopped{ false };
+  PieceObserver                                                 m_Observer;
+  itk::MultiThreaderBase::Pointer                               m_Threader = itk::MultiThreaderBase::New();
+  std::unique_ptr<itk::MedialVoxelEngine>                       m_Engine; ///< keeps its window from piece to piece
+  itk::MedialVoxelBox                                           m_Region; ///< of the piece
+  std::vector<Destination>                                      m_Destinations;
+  std::size_t                                                   m_NumberOfSets{ 1 };
+  std::size_t                                                   m_Set{ 0 }; ///< of buffers, for the piece
+  bool                                                          m_IsStopped{ false };
 
   std::array<std::atomic<bool>, MostSets> m_HasResults{}; ///< a set that is not all zero
 };
