@@ -5,15 +5,14 @@
 #include "LabelValues.h"
 #include "Text.h"
 
-
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <sstream>
 
 namespace medialvoxel
 {
+
 std::optional<LabelValue>
 ParseLabel(const std::string & text)
 {
