@@ -52,6 +52,7 @@ class DriftTest(ModuleTestCase):
             value = self.other_value(flag, element)
             self.assertNotEqual(value, text_of(element, "default"))
             others = [] if flag == "objectSelection" else selection
+            others = [*others, "--thinBelow", "2"] if flag == "placesFile" else others
             forms = [[f"--{flag}", value], [f"--{flag}={value}"]]
             if element.tag == "boolean":
                 forms[0] = [f"--{flag}"]
