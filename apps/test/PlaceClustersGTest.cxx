@@ -42,10 +42,10 @@ MakeRow(const PlaceSums & sums)
 }
 
 Rows
-ListRows(const PlaceList & list)
+ListRows(PlaceList list)
 {
   Rows       rows;
-  const auto places = list.GetSorted();
+  const auto places = list.TakeSorted();
   std::transform(places.begin(), places.end(), std::back_inserter(rows), MakeRow);
   return rows;
 }

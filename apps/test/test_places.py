@@ -4,6 +4,7 @@
 
 import itertools
 import json
+import math
 import pathlib
 import random
 import shutil
@@ -40,6 +41,38 @@ def random_part(seed, size=(44, 38, 36), spacing=(0.5, 0.75, 0.6)):
 
     volume.voxels = [value(*index[: len(size)]) for index in volume.indices()]
     return volume
+
+
+def pitted_wall(size=(96, 96, 28), lower=8, upper=18, depth=6, radius=7):
+    """A wall of ten voxels with round pits from one side, and the places of these."""
+    pits = [(x, y) for y in (20, 48, 76) for x in (20, 48, 76)]
+
+    def value(x, y, z):
+        top = upper - depth if any(math.dist((x, y), pit) < radius for pit in pits) else upper
+        return 1 if 4 <= x < size[0] - 4 and 4 <= y < size[1] - 4 and lower <= z < top else 0
+
+    volume = volumes.Volume(size, [])
+    volume.voxels = [value(*index) for index in volume.indices()]
+    return volume, pits
+
+
+def flip_surface(part, seed):
+    """A tenth of the voxels with another value among their 26 neighbors changes sides."""
+    noise = random.Random(seed)
+    width, height, depth = part.size
+    steps = [(z * height + y) * width + x for x, y, z in itertools.product((-1, 0, 1), repeat=3)]
+
+    def is_beside(at, x, y, z):
+        if not (0 < x < width - 1 and 0 < y < height - 1 and 0 < z < depth - 1):
+            return False
+        return len({part.voxels[at + step] for step in steps}) == 2
+
+    flipped = volumes.Volume(part.size, [])
+    flipped.voxels = [
+        value ^ (is_beside(at, *index) and noise.random() < 0.1)
+        for at, (value, index) in enumerate(zip(part.voxels, part.indices()))
+    ]
+    return flipped
 
 
 class PlacesTest(ProgramTestCase):
@@ -188,6 +221,21 @@ class PlacesTest(ProgramTestCase):
         )
         self.assertEqual(result.returncode, status, f"{arguments}\n{result.stdout}{result.stderr}")
         return result.stdout
+
+    def test_noise_hides_no_place(self):
+        part, pits = pitted_wall()
+        volumes.write_meta(self.folder / "in.mha", part)
+        clean = self.places("--thin-below", 5, "--voxel-units", thickness="auto")
+        self.assertEqual(len(clean), len(pits))
+        for seed in range(3):
+            volumes.write_meta(self.folder / "noisy.mha", flip_surface(part, seed))
+            options = ["--thin-below", 5, "--voxel-units", "--smooth", "auto", "--report", "r.json"]
+            noisy = self.places(*options, source="noisy.mha", thickness="auto")
+            self.assertTrue(json.loads((self.folder / "r.json").read_text())["smoothed"])
+            for x, y in pits:
+                over = [row for row in noisy if math.dist((row["index_x"], row["index_y"]), (x, y)) < 6]
+                self.assertEqual(len(over), 1, (seed, x, y, noisy))
+            self.assertEqual(len(noisy), len(pits), seed)
 
     def test_page_has_the_first_places(self):
         volumes.write_meta(self.folder / "in.mha", random_part(1))

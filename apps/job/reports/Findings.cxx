@@ -81,7 +81,7 @@ std::uint64_t
 Findings::GetBytes(const VolumeGeometry & geometry, const FindingSettings & settings)
 {
   return Survey::GetBytes(geometry, settings.survey) +
-         (settings.places.limits.empty() ? 0 : PlaceSurvey::GetBytes(geometry));
+         (settings.places.limits.empty() ? 0 : PlaceSurvey::GetBytes(geometry, settings.places));
 }
 
 } // end namespace medialvoxel

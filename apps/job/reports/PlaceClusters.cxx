@@ -91,10 +91,16 @@ PlaceClusters::Join(Nodes                          nodes,
 {
   std::sort(nodes.begin(), nodes.end(), [](const Node & a, const Node & b) { return a.key < b.key; });
   std::vector<std::uint32_t> joinedOf = this->FindRoots(nodes, places.size());
-  std::vector<PlaceSums>     joined;
-  std::vector<bool>          isJoinedOpen;
-  std::vector<bool>          isCounted(places.size(), false);
-  Nodes                      openCells;
+  std::uint32_t              numberOfRoots = 0;
+  for (std::uint32_t i = 0; i < nodes.size(); ++i)
+  {
+    numberOfRoots += joinedOf[i] == i ? 1 : 0;
+  }
+  std::vector<PlaceSums> joined;
+  std::vector<bool>      isJoinedOpen;
+  std::vector<bool>      isCounted(places.size(), false);
+  std::size_t            numberOfOpenCells = 0;
+  joined.reserve(numberOfRoots);
   for (std::uint32_t i = 0; i < nodes.size(); ++i)
   {
     // Roots come first, and become the numbers of what they stand for.
@@ -108,8 +114,8 @@ PlaceClusters::Join(Nodes                          nodes,
     {
       joinedOf[i] = joinedOf[joinedOf[i]];
     }
-    const Node & node = nodes[i];
-    PlaceSums &  sums = joined[joinedOf[i]];
+    const Node  node = nodes[i];
+    PlaceSums & sums = joined[joinedOf[i]];
     if (node.number >= places.size())
     {
       sums.Add(cells[node.number - places.size()], m_Rule, m_Grid);
@@ -122,11 +128,12 @@ PlaceClusters::Join(Nodes                          nodes,
     if (isOpen(node.key))
     {
       isJoinedOpen[joinedOf[i]] = true;
-      openCells.push_back({ node.key, joinedOf[i] });
+      nodes[numberOfOpenCells++] = { node.key, joinedOf[i] };
     }
   }
   std::vector<PlaceSums>     openPlaces;
   std::vector<std::uint32_t> openOf(joined.size(), None);
+  openPlaces.reserve(joined.size());
   for (std::size_t place = 0; place < joined.size(); ++place)
   {
     if (isJoinedOpen[place])
@@ -139,11 +146,11 @@ PlaceClusters::Join(Nodes                          nodes,
       m_Complete.Add(joined[place], m_Rule);
     }
   }
-  for (Node & cell : openCells)
+  m_OpenCells.assign(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(numberOfOpenCells));
+  for (Node & cell : m_OpenCells)
   {
     cell.number = openOf[cell.number];
   }
-  m_OpenCells = std::move(openCells);
   m_OpenPlaces = std::move(openPlaces);
 }
 

@@ -22,9 +22,12 @@ namespace medialvoxel
 class PlaceClusters
 {
 public:
-  /** Bytes of a cell of a region while it is added, at most, and of one that is kept. */
-  static constexpr std::uint64_t BytesPerCell = 96;
+  /** Bytes of a cell of a region while it is added, at most. */
+  static constexpr std::uint64_t BytesPerCell = 128;
+
+  /** Bytes of a cell that is kept, and of a place that is, while a region is added. */
   static constexpr std::uint64_t BytesPerOpenCell = 64;
+  static constexpr std::uint64_t BytesPerOpenPlace = 3 * sizeof(PlaceSums);
 
   PlaceClusters(const PlaceRule & rule, const PlaceGrid & grid);
 
@@ -37,6 +40,13 @@ public:
   /** Adds the cells of a region. The first one after Clear() may be any; slices before it belong to others. */
   void
   Add(const std::deque<PlaceCell> & cells, const itk::MedialVoxelBox & region);
+
+  /** Of what is kept, while a region is added. */
+  std::uint64_t
+  GetOpenBytes() const
+  {
+    return m_OpenCells.size() * BytesPerOpenCell + m_OpenPlaces.size() * BytesPerOpenPlace;
+  }
 
   void
   Clear();

@@ -3,6 +3,7 @@
 #include "PlaceList.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -48,16 +49,17 @@ PlaceList::Keep(const PlaceSums & place)
     std::pop_heap(m_Largest.begin(), m_Largest.end(), IsLarger);
     m_Largest.pop_back();
   }
+  // Memory that is not used yet is not taken, but that of a vector that grows is taken twice.
+  m_Largest.reserve(MostPlaces);
   m_Largest.push_back(place);
   std::push_heap(m_Largest.begin(), m_Largest.end(), IsLarger);
 }
 
 std::vector<PlaceSums>
-PlaceList::GetSorted() const
+PlaceList::TakeSorted()
 {
-  std::vector<PlaceSums> sorted = m_Largest;
-  std::sort(sorted.begin(), sorted.end(), IsLarger);
-  return sorted;
+  std::sort(m_Largest.begin(), m_Largest.end(), IsLarger);
+  return std::move(m_Largest);
 }
 
 void

@@ -40,9 +40,9 @@ public:
     return m_Totals;
   }
 
-  /** The largest area first, then by the keys of their worst cells. */
+  /** The largest area first, then by the keys of their worst cells. None are left. */
   std::vector<PlaceSums>
-  GetSorted() const;
+  TakeSorted();
 
   void
   Clear();

@@ -42,8 +42,9 @@ PlaceSums::Add(const PlaceCell & cell, const PlaceRule & rule, const PlaceGrid &
   const itk::MedialVoxelIndex index = grid.GetCell(cell.key);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    first[axis] = std::min(first[axis], index[axis]);
-    last[axis] = std::max(last[axis], index[axis]);
+    const auto position = static_cast<std::int32_t>(index[axis]);
+    first[axis] = std::min(first[axis], position);
+    last[axis] = std::max(last[axis], position);
   }
   hasBegun = hasBegun || rule.Begins(static_cast<double>(cell.thickness));
 }
@@ -110,8 +111,8 @@ PlaceSums::Load(NumberReader & numbers)
   sums.maximum = GetFloat(numbers);
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    sums.first[axis] = numbers.GetSigned();
-    sums.last[axis] = numbers.GetSigned();
+    sums.first[axis] = static_cast<std::int32_t>(numbers.GetSigned());
+    sums.last[axis] = static_cast<std::int32_t>(numbers.GetSigned());
     sums.worst.a[axis] = static_cast<std::int32_t>(numbers.GetSigned());
     sums.worst.b[axis] = static_cast<std::int32_t>(numbers.GetSigned());
   }

@@ -119,7 +119,7 @@ private:
   std::int64_t          m_SliceStep;
 };
 
-/** Steps of voxels from a cell. */
+/** Steps of voxels from a cell, or its index. */
 using PlaceStep = std::array<std::int32_t, 3>;
 
 /** A cell of a place. */
@@ -136,17 +136,17 @@ struct PlaceCell
  * \brief What is known of connected cells. */
 struct PlaceSums
 {
-  static constexpr std::int64_t Far = std::numeric_limits<std::int64_t>::max();
+  static constexpr std::int32_t Far = std::numeric_limits<std::int32_t>::max();
 
-  std::uint64_t         cells{ 0 };
-  std::uint64_t         area{ 0 };
-  std::uint64_t         thickness{ 0 }; ///< sum, in units of length
-  float                 minimum{ std::numeric_limits<float>::infinity() };
-  float                 maximum{ 0.0f };
-  itk::MedialVoxelIndex first{ { Far, Far, Far } };
-  itk::MedialVoxelIndex last{ { -1, -1, -1 } };
-  PlaceCell             worst; ///< the cell with the minimum, or the maximum; of several the one with the smallest key
-  bool                  hasBegun{ false };
+  std::uint64_t cells{ 0 };
+  std::uint64_t area{ 0 };
+  std::uint64_t thickness{ 0 }; ///< sum, in units of length
+  float         minimum{ std::numeric_limits<float>::infinity() };
+  float         maximum{ 0.0f };
+  PlaceStep     first{ { Far, Far, Far } };
+  PlaceStep     last{ { -1, -1, -1 } };
+  PlaceCell     worst; ///< the cell with the minimum, or the maximum; of several the one with the smallest key
+  bool          hasBegun{ false };
 
   void
   Add(const PlaceCell & cell, const PlaceRule & rule, const PlaceGrid & grid);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace medialvoxel
 {
@@ -25,12 +26,24 @@ GetLengthUnit(const itk::MedialVoxelGrid & grid, unsigned int dimension)
   return *std::min_element(spacing.begin(), spacing.begin() + dimension) / LengthUnitsPerVoxel;
 }
 
-/** Cells of a slice that are planned for. */
+/** Of cells of a slice that are planned for: they are new, or of two slices that are open. */
 std::uint64_t
-GetPlannedCells(const VolumeGeometry & geometry)
+GetPlannedCellBytes(const VolumeGeometry & geometry)
 {
   constexpr std::uint64_t least = 1024;
-  return least + geometry.GetVoxelsPerSlice() / VoxelsPerOpenCell;
+  const std::uint64_t     cells = least + geometry.GetVoxelsPerSlice() / VoxelsPerOpenCell;
+  return cells * (PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell);
+}
+
+/** Places of a kind that are listed, at most: no two of them touch. */
+std::uint64_t
+GetMostPlaces(const VolumeGeometry & geometry, const PlaceSettings & settings)
+{
+  constexpr std::uint64_t voxelsOfTenCells = 16;
+  const std::uint64_t     voxelsOfCell = std::uint64_t{ 1 } << geometry.GetDimension();
+  const std::uint64_t     places =
+    geometry.GetNumberOfVoxels() / (settings.smallestArea ? voxelsOfCell : voxelsOfTenCells) + 1;
+  return std::min<std::uint64_t>(places, PlaceList::MostPlaces);
 }
 
 PlaceStep
@@ -46,8 +59,9 @@ GetStep(const itk::MedialVoxelIndex & from, const itk::MedialVoxelIndex & to)
 
 } // namespace
 
-PlaceMemoryError::PlaceMemoryError()
+PlaceMemoryError::PlaceMemoryError(std::uint64_t allowedBytes)
   : std::runtime_error("thin or thick places take more memory than is planned")
+  , m_AllowedBytes(allowedBytes)
 {}
 
 PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
@@ -58,7 +72,7 @@ PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
   : m_Geometry(geometry)
   , m_Grid(grid.GetSize(), geometry.GetDimension())
   , m_AreaUnit(areaUnit)
-  , m_MostPending(GetPlannedCells(geometry) + surplusBytes / PlaceClusters::BytesPerCell)
+  , m_AllowedBytes(GetPlannedCellBytes(geometry) + surplusBytes)
 {
   const double smallest = settings.smallestArea.value_or(FacesOfSmallestPlace * AreaUnitsPerFace * areaUnit) / areaUnit;
   for (const auto & [kind, limits] : settings.limits)
@@ -114,11 +128,20 @@ PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
     });
     const std::lock_guard<std::mutex> lock(m_Mutex);
     finding.pending.insert(finding.pending.end(), cells.begin(), cells.end());
-    if (finding.pending.size() > m_MostPending / m_Findings.size() && m_Region.Extent(m_Grid.GetSliceAxis()) > 1)
+    if (this->GetUsedBytes() > m_AllowedBytes)
     {
-      throw PlaceMemoryError();
+      throw PlaceMemoryError(m_AllowedBytes);
     }
   }
+}
+
+std::uint64_t
+PlaceSurvey::GetUsedBytes() const
+{
+  return std::accumulate(
+    m_Findings.begin(), m_Findings.end(), std::uint64_t{ 0 }, [](std::uint64_t bytes, const Finding & finding) {
+      return bytes + finding.clusters.GetOpenBytes() + finding.pending.size() * PlaceClusters::BytesPerCell;
+    });
 }
 
 void
@@ -171,7 +194,7 @@ PlaceSurvey::Summarize() const
   for (const Finding & finding : m_Findings)
   {
     const PlaceRule & rule = finding.clusters.GetRule();
-    const PlaceList   list = finding.clusters.Finish();
+    PlaceList         list = finding.clusters.Finish();
     PlaceSummary &    summary = summaries.emplace_back();
     summary.kind = rule.kind;
     summary.dimension = m_Geometry.GetDimension();
@@ -182,7 +205,9 @@ PlaceSurvey::Summarize() const
     summary.cells = list.GetTotals().cells;
     summary.area = static_cast<double>(list.GetTotals().area) * m_AreaUnit;
     summary.smaller = list.GetTotals().smaller;
-    for (const PlaceSums & sums : list.GetSorted())
+    const std::vector<PlaceSums> sorted = list.TakeSorted();
+    summary.places.reserve(sorted.size());
+    for (const PlaceSums & sums : sorted)
     {
       summary.places.push_back(this->Describe(sums, rule.lengthUnit));
     }
@@ -231,12 +256,12 @@ PlaceSurvey::GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & ste
 }
 
 std::uint64_t
-PlaceSurvey::GetBytes(const VolumeGeometry & geometry)
+PlaceSurvey::GetBytes(const VolumeGeometry & geometry, const PlaceSettings & settings)
 {
-  // The places that are listed, sorted, described and as text; two slices of open cells, each with a place for four.
-  constexpr std::uint64_t bytesPerPlace = 3 * sizeof(PlaceSums) + 2 * sizeof(WallPlace);
-  return PlaceList::MostPlaces * bytesPerPlace +
-         GetPlannedCells(geometry) * (PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell);
+  // The places that are listed, sorted, described and as text.
+  constexpr std::uint64_t bytesOfText = 256;
+  constexpr std::uint64_t bytesPerPlace = 2 * sizeof(PlaceSums) + sizeof(WallPlace) + bytesOfText;
+  return settings.limits.size() * GetMostPlaces(geometry, settings) * bytesPerPlace + GetPlannedCellBytes(geometry);
 }
 
 } // end namespace medialvoxel

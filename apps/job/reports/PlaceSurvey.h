@@ -33,7 +33,17 @@ struct PlaceSettings
 class PlaceMemoryError : public std::runtime_error
 {
 public:
-  PlaceMemoryError();
+  /** \param allowedBytes that are planned */
+  explicit PlaceMemoryError(std::uint64_t allowedBytes);
+
+  std::uint64_t
+  GetAllowedBytes() const
+  {
+    return m_AllowedBytes;
+  }
+
+private:
+  std::uint64_t m_AllowedBytes;
 };
 
 /** \class PlaceSurvey
@@ -47,6 +57,10 @@ public:
   /** Bytes for each voxel of a piece: all walls are thin and there is noise; walls are thin here and there. */
   static constexpr std::uint64_t MostBytesPerVoxel = 8;
   static constexpr std::uint64_t PlannedBytesPerVoxel = 1;
+
+  /** Bytes for each voxel of a slice beside those of the piece: a thin wall lies in it. */
+  static constexpr std::uint64_t MostBytesPerVoxelOfSlice =
+    PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell;
 
   /** \param areaUnit     of which areas are multiples, in squared units of the grid
    * \param surplusBytes for the cells of a region, beside GetBytes() */
@@ -75,7 +89,7 @@ public:
   itk::MedialVoxelBits::WordType
   SelectCells(const itk::MedialVoxelCellRow & row) const override;
 
-  /** \throw PlaceMemoryError unless the region is one slice */
+  /** \throw PlaceMemoryError when the cells take more memory than is planned */
   void
   Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace) override;
 
@@ -100,7 +114,7 @@ public:
 
   /** Memory that it takes, also of its summary. */
   static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry);
+  GetBytes(const VolumeGeometry & geometry, const PlaceSettings & settings);
 
 private:
   /** What is found of a kind. */
@@ -109,6 +123,9 @@ private:
     PlaceClusters         clusters;
     std::deque<PlaceCell> pending;
   };
+
+  std::uint64_t
+  GetUsedBytes() const;
 
   WallPlace
   Describe(const PlaceSums & sums, double lengthUnit) const;
@@ -119,7 +136,7 @@ private:
   VolumeGeometry       m_Geometry;
   PlaceGrid            m_Grid;
   double               m_AreaUnit;
-  std::uint64_t        m_MostPending;
+  std::uint64_t        m_AllowedBytes; ///< of cells that are pending or open
   itk::MedialVoxelBox  m_Region;
   std::mutex           m_Mutex; // of the cells that are pending
   std::vector<Finding> m_Findings;

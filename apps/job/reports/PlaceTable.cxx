@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numeric>
 
 namespace medialvoxel
 {
@@ -13,6 +14,7 @@ namespace
 
 constexpr std::size_t MostPlacesOfReport = 100;
 constexpr std::size_t MostPlacesOfPage = 20;
+constexpr std::size_t MostBytesOfRow = 512;
 
 const std::array<const char *, 3> AxisNames{ "x", "y", "z" };
 
@@ -137,6 +139,11 @@ MakePlacesCsv(const std::vector<PlaceSummary> & summaries)
     }
   }
   text += '\n';
+  const std::size_t rows =
+    std::accumulate(summaries.begin(), summaries.end(), std::size_t{ 1 }, [](std::size_t sum, const auto & summary) {
+      return sum + summary.places.size();
+    });
+  text.reserve(rows * MostBytesOfRow);
   for (const PlaceSummary & summary : summaries)
   {
     std::size_t number = 0;

@@ -110,7 +110,10 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   if (ListsPlaces(options))
   {
     extraction.observerBytesPerVoxel += PlaceSurvey::WorkerBytesPerVoxel;
-    footprint.surplus = { PlaceSurvey::MostBytesPerVoxel, PlaceSurvey::PlannedBytesPerVoxel };
+    // A slice in one wall has many cells at once: half of what is left beside the walls themselves.
+    footprint.surplus = {
+      PlaceSurvey::MostBytesPerVoxel, PlaceSurvey::PlannedBytesPerVoxel, PlaceSurvey::MostBytesPerVoxelOfSlice, 2
+    };
   }
   AddSmoothing(footprint, options, header);
   if (!options.meshFile.empty())
@@ -147,6 +150,15 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     const unsigned int  pictures = options.thicknessFile.empty() ? 1 : 2;
     footprint.bytesBeside += pictures * PageBytesPerPixel * layout.width * layout.height;
   }
+  return footprint;
+}
+
+/** Of a process that works on a part, whose findings it saves. */
+PieceFootprint
+GetSharedFootprint(const ExtractOptions & options, const VolumeHeader & header)
+{
+  PieceFootprint footprint = GetFootprint(options, header);
+  footprint.bytesBeside += Findings::GetBytes(header.geometry, GetFindingSettings(options)); // as they are saved
   return footprint;
 }
 
@@ -353,8 +365,12 @@ DescribeExtract(const ExtractOptions & options)
   return result;
 }
 
+namespace
+{
+
+template <typename TGetFootprint>
 JobResult
-PrepareExtract(const ExtractOptions & options)
+Prepare(const ExtractOptions & options, const TGetFootprint & getFootprint)
 {
   CheckOptions(options);
   CheckFormats(options);
@@ -366,7 +382,7 @@ PrepareExtract(const ExtractOptions & options)
   CheckGrayValues(options, header);
   CheckLabel(options, header);
   auto outputs = ListOutputs(options, header);
-  auto footprint = GetFootprint(options, header);
+  auto footprint = getFootprint(options, header);
   footprint.preferredRows = CanDoRows(options, header) ? GetRowsOfLayer(header, outputs) : 0;
   auto segments = FindSegments(options, header);
   CheckOtherInput(outputs, options.segmentFile);
@@ -374,6 +390,20 @@ PrepareExtract(const ExtractOptions & options)
   result.segments = std::move(segments);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
+}
+
+} // namespace
+
+JobResult
+PrepareExtract(const ExtractOptions & options)
+{
+  return Prepare(options, GetFootprint);
+}
+
+JobResult
+PrepareProcesses(const ExtractOptions & options)
+{
+  return Prepare(options, GetSharedFootprint);
 }
 
 JobPlan
@@ -385,10 +415,8 @@ PlanObjects(const ExtractOptions & options, const VolumeHeader & header)
 JobResult
 PrepareSharedExtract(const ExtractOptions & options)
 {
-  JobResult      job = DescribeExtract(options);
-  PieceFootprint footprint = GetFootprint(options, job.input);
-  footprint.bytesBeside += Findings::GetBytes(job.input.geometry, GetFindingSettings(options)); // as they are saved
-  job.plan = FitToMemory(options, job.input, footprint);
+  JobResult job = DescribeExtract(options);
+  job.plan = FitToMemory(options, job.input, GetSharedFootprint(options, job.input));
   PrepareProcess(job.plan);
   return job;
 }

@@ -15,7 +15,13 @@ namespace medialvoxel
 JobResult
 PrepareExtract(const ExtractOptions & options);
 
-/** The same without the outputs, which exist already and are being written: header, plan for this machine, threads.
+/** The same for processes that share the outputs, with the memory that each of them takes.
+ * \throw JobError */
+JobResult
+PrepareProcesses(const ExtractOptions & options);
+
+/** The part of such a process, without the outputs, which exist already and are being written: header, plan for this
+ * machine, threads.
  * \throw JobError */
 JobResult
 PrepareSharedExtract(const ExtractOptions & options);

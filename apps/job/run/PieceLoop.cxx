@@ -36,6 +36,18 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
              { "planned_memory_bytes", std::to_string(plan.memoryBytes) } } };
 }
 
+[[noreturn]] void
+RefusePlaces(std::uint64_t slice, std::uint64_t allowedBytes)
+{
+  Fail(ExitStatus::Refused,
+       "the thin or thick places of slice ",
+       slice,
+       " need more than the ",
+       FormatBytes(allowedBytes),
+       " of the memory that are left for them; allow more with --memory, or look for fewer: a smaller --thin-below, a "
+       "larger --thick-above");
+}
+
 void
 WritePart(const PieceResults::Part & part, const PieceRange & range, std::uint64_t voxelsPerSlice)
 {
@@ -157,8 +169,12 @@ PieceLoop::RunSlices(PieceEngine & engine, const PieceRange & range, const Piece
       // What fitted, with room for parts that have more of it.
       this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfRange, 0.125, 0.5), "memory of the surface");
     }
-    catch (const PlaceMemoryError &)
+    catch (const PlaceMemoryError & error)
     {
+      if (now.slices.end - now.slices.begin == 1)
+      {
+        RefusePlaces(now.slices.begin, error.GetAllowedBytes());
+      }
       this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfRange, 0.125, 0.5), "memory of thin or thick places");
     }
   }
