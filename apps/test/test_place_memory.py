@@ -67,7 +67,7 @@ class PlaceMemoryTest(ProgramTestCase):
         self.extract("in.mha", "l.mha", *options, "--memory", "1G")
         self.assertIn(b"thin,1,", (self.folder / "p.csv").read_bytes())
         memory = f"{int(self.needed('in.mha', 'l.mha', *options)) + 1}M"
-        parts = ["thin or thick places of slice 19 ", "--memory", "--thin-below"]
+        parts = ["slice 19 needs more", "thin or thick places", "--memory", "--thin-below"]
         command = ["in.mha", "l.mha", "--thickness", 3, *options, "--memory", memory]
         self.assert_fails(REFUSED, parts, "extract", *command)
         options[options.index("--thin-below") + 1] = 1

@@ -16,8 +16,8 @@ Results have the bytes of the program `medialvoxel`, which this package brings, 
 
 from ._arrays import distance, extract, mesh
 from ._native import version as _version
-from ._program import extract_file
+from ._program import ThinPlacesError, extract_file
 from ._results import Distances, Medial, Mesh
 
-__all__ = ["Distances", "Medial", "Mesh", "distance", "extract", "extract_file", "mesh"]
+__all__ = ["Distances", "Medial", "Mesh", "ThinPlacesError", "distance", "extract", "extract_file", "mesh"]
 __version__ = _version()

@@ -40,11 +40,11 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
 RefusePlaces(std::uint64_t slice, std::uint64_t allowedBytes)
 {
   Fail(ExitStatus::Refused,
-       "the thin or thick places of slice ",
+       "slice ",
        slice,
-       " need more than the ",
+       " needs more than the ",
        FormatBytes(allowedBytes),
-       " of the memory that are left for them; allow more with --memory, or look for fewer: a smaller --thin-below, a "
+       " of memory that are left for its thin or thick places; allow more with --memory, or look for fewer: a smaller --thin-below, a "
        "larger --thick-above");
 }
 
