@@ -116,7 +116,7 @@ def main():
     legend.set_axis_off()
     figure.canvas.draw()
     picture = Image.fromarray(numpy.asarray(figure.canvas.buffer_rgba())[:, :, :3])
-    picture.quantize(96, dither=Image.Dither.NONE).save(output, optimize=True)
+    picture.quantize(256, Image.Quantize.MAXCOVERAGE).save(output, optimize=True)
 
 
 if __name__ == "__main__":
