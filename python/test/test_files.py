@@ -49,12 +49,13 @@ class Files(Folder):
     def test_thin_places(self):
         table = self.folder / "places.csv"
         options = {"lower": 40, "thin_below": (2.5, 3), "smallest_place": 0, "places": table, "overwrite": True}
-        report = medialvoxel.extract_file(self.input, self.folder / "out.mha", thickness_map=self.folder / "map.mha", **options)
+        map_file = self.folder / "map.mha"
+        report = medialvoxel.extract_file(self.input, self.folder / "out.mha", thickness_map=map_file, **options)
         thin = report["places"]["thin"]
         self.assertEqual((thin["limit"], thin["grow_limit"]), (2.5, 3))
         self.assertGreater(thin["number"], 0)
         self.assertIsNone(report["places"]["thick"])
-        thickness = read(self.folder / "map.mha")
+        thickness = read(map_file)
         with table.open(newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual(len(rows), thin["number"])

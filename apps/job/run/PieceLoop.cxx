@@ -44,7 +44,8 @@ RefusePlaces(std::uint64_t slice, std::uint64_t allowedBytes)
        slice,
        " needs more than the ",
        FormatBytes(allowedBytes),
-       " of memory that are left for its thin or thick places; allow more with --memory, or look for fewer: a smaller --thin-below, a "
+       " of memory that are left for its thin or thick places; allow more with --memory, or look for fewer: a smaller "
+       "--thin-below, a "
        "larger --thick-above");
 }
 
