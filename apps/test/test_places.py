@@ -43,8 +43,8 @@ def random_part(seed, size=(44, 38, 36), spacing=(0.5, 0.75, 0.6)):
     return volume
 
 
-def pitted_wall(size=(96, 96, 28), lower=8, upper=18, depth=6, radius=7):
-    """A wall of ten voxels with round pits from one side, and the places of these."""
+def pitted_wall(size=(96, 96, 28), lower=8, upper=14, depth=2, radius=7):
+    """A wall of six voxels with round pits from one side, and the places of these."""
     pits = [(x, y) for y in (20, 48, 76) for x in (20, 48, 76)]
 
     def value(x, y, z):
@@ -236,6 +236,9 @@ class PlacesTest(ProgramTestCase):
                 over = [row for row in noisy if math.dist((row["index_x"], row["index_y"]), (x, y)) < 6]
                 self.assertEqual(len(over), 1, (seed, x, y, noisy))
             self.assertEqual(len(noisy), len(pits), seed)
+            # The noise matters.
+            rough = self.places("--thin-below", 5, "--voxel-units", "--smooth", "off", source="noisy.mha", thickness="auto")
+            self.assertGreater(len(rough), len(pits), seed)
 
     def test_page_has_the_first_places(self):
         volumes.write_meta(self.folder / "in.mha", random_part(1))
