@@ -75,6 +75,22 @@ class PlaceMemoryTest(ProgramTestCase):
 
 
 class PlaceMemoryOfJobsTest(jobs.JobTestCase):
+    def test_a_cluster_with_too_many_cells_does_not_keep_others_from_being_done(self):
+        volumes.write_meta(self.folder / "in.mha", flat_wall())
+        options = ["--thickness", 3, "--thin-below", 4, "--places", "p.csv", "--threads", 1]
+        expected = self.expect("extract", "../in.mha", "out.mha", *options)
+        plan = ["plan", "../in.mha", "out.mha", "job", *options, "--divisions", 4]
+        error = self.in_target(*plan, "--memory", "1M", status=REFUSED).stderr
+        memory = f"{int(float(re.search(r'at least ([0-9.]+) MiB', error)[1])) + 1}M"
+        self.in_target(*plan)
+        error = self.in_target("work", "job", "--memory", memory, "--threads", 1, status=REFUSED).stderr
+        self.assertIn("slice 19 needs more", error)
+        self.assertEqual(self.status()["done"], {"number": 3, "clusters": "0,2-3"})
+        self.assert_nothing_published()
+        self.in_target("work", "job", "--memory", "1G")
+        self.in_target("finalize", "job")
+        self.assertEqual(jobs.results(self.target), expected)
+
     def test_what_is_planned_can_be_done(self):
         volumes.write_meta(self.folder / "in.mha", islands())
         options = ["--thickness", 3, "--thin-below", 4, "--smallest-place", 0, "--places", "p.csv", "--threads", 1]

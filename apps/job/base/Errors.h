@@ -41,6 +41,16 @@ private:
   ExitStatus m_Status;
 };
 
+/** \class PieceMemoryError
+ * \brief A piece of the volume needs more memory than is allowed; others may not. */
+class PieceMemoryError : public JobError
+{
+public:
+  explicit PieceMemoryError(const std::string & message)
+    : JobError(ExitStatus::Refused, message)
+  {}
+};
+
 /** \class StoppedBySignal
  * \brief The job was asked to stop and has removed what it had begun to write. */
 class StoppedBySignal : public std::runtime_error

@@ -15,6 +15,7 @@
 #include "itkMedialVoxelSurfaceObserver.h"
 
 #include <algorithm>
+#include <string>
 
 namespace medialvoxel
 {
@@ -39,14 +40,9 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
 [[noreturn]] void
 RefusePlaces(std::uint64_t slice, std::uint64_t allowedBytes)
 {
-  Fail(ExitStatus::Refused,
-       "slice ",
-       slice,
-       " needs more than the ",
-       FormatBytes(allowedBytes),
-       " of memory that are left for its thin or thick places; allow more with --memory, or look for fewer: a smaller "
-       "--thin-below, a "
-       "larger --thick-above");
+  throw PieceMemoryError("slice " + std::to_string(slice) + " needs more than the " + FormatBytes(allowedBytes) +
+                         " of memory that are left for its thin or thick places; allow more with --memory, or look for "
+                         "fewer: a smaller --thin-below, a larger --thick-above");
 }
 
 void
