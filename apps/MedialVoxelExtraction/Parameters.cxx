@@ -139,6 +139,14 @@ AddObjectParameters(CLI::App & app, ModuleOptions & options)
 }
 
 void
+AddPlaceLimits(CLI::App & app, const std::string & name, const std::string & help, std::optional<PlaceLimits> & target)
+{
+  AddText(app, "--" + name, help, "T,G", [&target](const std::string & text) {
+    target = text.empty() ? std::nullopt : std::optional<PlaceLimits>(ToPlaceLimits(text));
+  })->default_str("");
+}
+
+void
 AddOutputParameters(CLI::App & app, ExtractOptions & job)
 {
   using Boundary = itk::MedialVoxelBoundary;
@@ -164,6 +172,9 @@ AddOutputParameters(CLI::App & app, ExtractOptions & job)
       job.levels = ToLevels(text);
     }
   })->default_str("");
+  AddPlaceLimits(app, "thinBelow", "List places thinner than T, grown to G", job.thinBelow);
+  AddPlaceLimits(app, "thickAbove", "List places thicker than T, grown to G", job.thickAbove);
+  AddPath(app, "placesFile", "Table of these places (.csv)", job.placesFile);
   AddPath(app, "meshModel", "Medial surface", job.meshFile);
   AddDouble(app, "minimumBranchLength", "Shorter branches are left out of it", job.minimumBranchLength);
   AddPath(app, "reportFile", "Report as JSON", job.reportFile);

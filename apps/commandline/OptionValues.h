@@ -175,6 +175,18 @@ SplitAtCommas(const std::string & text)
   return CLI::detail::split(text, ',');
 }
 
+/** A limit on the thickness of walls, and perhaps the one that places grow to. */
+inline PlaceLimits
+ToPlaceLimits(const std::string & text)
+{
+  const std::vector<std::string> values = SplitAtCommas(text);
+  if (values.empty() || values.size() > 2)
+  {
+    throw CLI::ValidationError("'" + text + "' is not one length, or two with a comma");
+  }
+  return { ToDouble(values[0]), values.size() > 1 ? std::optional<double>(ToDouble(values[1])) : std::nullopt };
+}
+
 /** Values of background and material. */
 inline itk::MedialVoxelScanLevels
 ToLevels(const std::string & text)

@@ -340,12 +340,12 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
     line, app, "--vector-boundary", "Boundary that they lead to", "KIND", options.vectorBoundary, Boundaries)
     ->group(group);
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
-  AddMeasureOptions(app, options, group);
   AddMesh(app, "--mesh", options)->group(group);
   AddSectionWidth(app, options)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
   AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group(group);
+  AddMeasureOptions(app, options);
   AddRunOptions(line, app, options);
   AddCompression(line, app, options);
   if (resumes != nullptr)
@@ -476,7 +476,7 @@ DefineCommandLine(CommandLine & line)
   line.examples[app.get()] = { "medialvoxel info part.mha --values",
                                "medialvoxel extract part.mha out.mha --lower otsu --html part.html" };
   app->footer("Exit status: 0 done, 1 failure, 2 wrong usage, 3 refused before the start,\n"
-              "4 corrupt input, 130 or 143 stopped by a signal.\n"
+              "4 corrupt input, 5 thin places (--fail-if-thin), 130 or 143 stopped by a signal.\n"
               "Help on a command: medialvoxel COMMAND --help");
   UseCompactHelp(line, *app);
   return app;

@@ -18,6 +18,23 @@ AddLevels(CLI::App & app, ExtractOptions & options)
   });
 }
 
+void
+AddPlaceOptions(CLI::App & app, ExtractOptions & options)
+{
+  const std::string group = "Thin and thick places";
+  AddText(app, "--thin-below", "List places thinner than T, grown to G", "T,G", [&](const std::string & text) {
+    options.thinBelow = ToPlaceLimits(text);
+  })->group(group);
+  AddText(app, "--thick-above", "List places thicker than T, grown to G", "T,G", [&](const std::string & text) {
+    options.thickAbove = ToPlaceLimits(text);
+  })->group(group);
+  AddText(app, "--smallest-place", "Least area of these places", "A", [&](const std::string & text) {
+    options.smallestPlace = ToDouble(text);
+  })->group(group);
+  AddFile(app, "--places", "Table of these places (.csv)", options.placesFile)->group(group);
+  app.add_flag("--fail-if-thin", options.failsIfThin, "Exit status 5 when there are thin places")->group(group);
+}
+
 } // namespace
 
 CLI::Option *
@@ -28,14 +45,16 @@ AddSubVoxel(CLI::App & app, ExtractOptions & options)
 }
 
 void
-AddMeasureOptions(CLI::App & app, ExtractOptions & options, const std::string & group)
+AddMeasureOptions(CLI::App & app, ExtractOptions & options)
 {
+  const std::string group = "Wall thickness";
   AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
   AddFile(app, "--uncertainty-map", "Half of the 95 % interval of the thickness", options.uncertaintyFile)
     ->group(group);
   AddSubVoxel(app, options)->group(group);
   AddLevels(app, options)->group(group);
   AddFile(app, "--thickness-csv", "Histogram of the thickness (.csv)", options.thicknessCsvFile)->group(group);
+  AddPlaceOptions(app, options);
 }
 
 } // end namespace medialvoxel

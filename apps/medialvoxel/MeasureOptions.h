@@ -7,8 +7,6 @@
 
 #include "CLI/CLI.hpp"
 
-#include <string>
-
 namespace medialvoxel
 {
 
@@ -16,9 +14,9 @@ namespace medialvoxel
 CLI::Option *
 AddSubVoxel(CLI::App & app, ExtractOptions & options);
 
-/** Adds these, and the outputs that show measures of walls. */
+/** Adds these, and the outputs that show measures of walls, in groups of their own. */
 void
-AddMeasureOptions(CLI::App & app, ExtractOptions & options, const std::string & group);
+AddMeasureOptions(CLI::App & app, ExtractOptions & options);
 
 } // end namespace medialvoxel
 

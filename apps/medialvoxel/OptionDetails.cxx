@@ -72,10 +72,26 @@ ListOptionDetails()
     { "",
       "--sub-voxel",
       "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
-      "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map "
-      "of a gray scan with one threshold." },
+      "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map, "
+      "--thin-below and --thick-above of a gray scan with one threshold." },
     { "", "--levels", "Default: those of the scan. Needs one threshold." },
     { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
+    { "",
+      "--thin-below",
+      "T or T,G in units of the spacing; greater than 0. A place is connected medial cells with walls thinner than G, "
+      "one of them "
+      "thinner than T; default of G: 1.125 T. Measured as --thickness-map. Walls thinner than 3 voxels may have holes. "
+      "Not with --labels." },
+    { "",
+      "--thick-above",
+      "T or T,G in units of the spacing; default of G: 0.875 T. Walls thicker than --maximum-thickness have no medial "
+      "cells." },
+    { "", "--smallest-place", "In squared units of the spacing; default: that of ten faces of voxels. 0 keeps all." },
+    { "",
+      "--places",
+      "The 10000 largest of each kind, the largest first: area, cells, thickness; position and index of the thinnest "
+      "(thickest) cell, its two opposite boundary voxels, first and last index." },
+    { "", "--fail-if-thin", "All outputs are written. Needs --thin-below." },
     { "",
       "--mesh",
       "The medial surface, as medialvoxel mesh writes it. With --labels: that of each object, told apart." },

@@ -61,6 +61,9 @@ const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
   { "--objects", [](const ExtractOptions & options) { return options.labels.has_value(); }, "--labels" },
   { "--segments", [](const ExtractOptions & options) { return options.labels.has_value(); }, "--labels" },
   { "--levels", [](const ExtractOptions & options) { return options.subVoxel.value_or(true); }, "sub-voxel measures" },
+  { "--smallest-place", ListsPlaces, "--thin-below or --thick-above" },
+  { "--places", ListsPlaces, "--thin-below or --thick-above" },
+  { "--fail-if-thin", [](const ExtractOptions & options) { return options.thinBelow.has_value(); }, "--thin-below" },
   { "--section-width", HasSections, "a mesh that is written as .inp or .bdf" },
   { "--zarr-compression", WritesZarr<ExtractOptions>, "an output that is written as .zarr" },
 };

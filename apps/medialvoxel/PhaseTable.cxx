@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PhaseTable.h"
 
+#include "PlaceTable.h"
+
 #include "Report.h"
 #include "Text.h"
 
@@ -179,6 +181,8 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("pseudo", percent ? FormatFixed(percent->pseudo, 2) + " %" : "-");
   table.emplace_back("correct", percent ? FormatFixed(percent->correct, 2) + " %" : "-");
   AddThickness(table, options, result);
+  const TextTable places = DescribePlaces(result.places);
+  table.insert(table.end(), places.begin(), places.end());
   if (result.surface)
   {
     table.emplace_back("mesh",

@@ -81,8 +81,14 @@ CheckStandardOutput(const CommandLine & line, const JobOptions & options)
   }
 }
 
+ExitStatus
+GetStatus(const ExtractOptions & options, bool hasThinPlaces)
+{
+  return options.failsIfThin && hasThinPlaces ? ExitStatus::TooThin : ExitStatus::Done;
+}
+
 /** Labels, a mesh, or both. */
-void
+ExitStatus
 Extract(const CommandLine & line, ExtractOptions options, const std::string & command)
 {
   options.command = command;
@@ -97,6 +103,7 @@ Extract(const CommandLine & line, ExtractOptions options, const std::string & co
   {
     PrintResult(line, options, result, [&] { PrintPhaseTable(std::cout, options, result); });
   }
+  return GetStatus(options, HasThinPlaces(result));
 }
 
 /** The command that was typed, to be typed again. */
@@ -129,7 +136,7 @@ PrintEnd(const CommandLine & line, const FinalizeResult & result)
   }
 }
 
-void
+ExitStatus
 ExtractWithResume(const CommandLine & line, const std::string & command)
 {
   CheckStandardOutput(line, line.extractOptions);
@@ -144,6 +151,7 @@ ExtractWithResume(const CommandLine & line, const std::string & command)
   {
     PrintEnd(line, result);
   }
+  return GetStatus(result.options, result.hasThinPlaces);
 }
 
 void
@@ -177,12 +185,13 @@ Work(const CommandLine & line)
   }
 }
 
-void
+ExitStatus
 Finalize(const CommandLine & line)
 {
   const FinalizeResult result =
     RunLogged(line, line.logFile, [&line](ProgressSink & sink) { return RunFinalize(line.finalizeOptions, sink); });
   PrintEnd(line, result);
+  return GetStatus(result.options, result.hasThinPlaces);
 }
 
 void
@@ -244,16 +253,16 @@ DescribeInput(const CommandLine & line)
   PrintTable(std::cout, table);
 }
 
-void
+ExitStatus
 RunCommand(const CommandLine & line, const std::string & command)
 {
   if (line.extract->parsed() && line.resumes)
   {
-    ExtractWithResume(line, command);
+    return ExtractWithResume(line, command);
   }
   else if (line.extract->parsed())
   {
-    Extract(line, line.extractOptions, command);
+    return Extract(line, line.extractOptions, command);
   }
   else if (line.plan->parsed())
   {
@@ -265,7 +274,7 @@ RunCommand(const CommandLine & line, const std::string & command)
   }
   else if (line.finalize->parsed())
   {
-    Finalize(line);
+    return Finalize(line);
   }
   else if (line.status->parsed())
   {
@@ -273,7 +282,7 @@ RunCommand(const CommandLine & line, const std::string & command)
   }
   else if (line.mesh->parsed())
   {
-    Extract(line, line.meshOptions, command);
+    return Extract(line, line.meshOptions, command);
   }
   else if (line.distance->parsed())
   {
@@ -283,6 +292,7 @@ RunCommand(const CommandLine & line, const std::string & command)
   {
     DescribeInput(line);
   }
+  return ExitStatus::Done;
 }
 
 /** What was typed in place of a command, or the option that the command lacks, with the name that was probably meant;
@@ -357,7 +367,6 @@ main(int argc, char * argv[])
       return static_cast<int>(ExitStatus::Done);
     }
     CheckOptionEffects(line);
-    RunCommand(line, JoinCommand(argc, argv));
-    return static_cast<int>(ExitStatus::Done);
+    return static_cast<int>(RunCommand(line, JoinCommand(argc, argv)));
   });
 }

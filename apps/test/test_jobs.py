@@ -133,7 +133,8 @@ class SmallJobTest(JobTestCase):
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
             "--uncertainty-map": "u.mha", "--levels": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
             "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--level": 1,
-            "--slices": "2-6",
+            "--slices": "2-6", "--thin-below": 2, "--thick-above": 2, "--smallest-place": 3, "--places": "p.csv",
+            "--fail-if-thin": None,
         }  # fmt: skip
         of_raw = {word for word in raw.split() if word.startswith("--")}
         self.assertEqual(set(re.findall(r"^  (--[a-z-]+)", help_text, re.MULTILINE)), of_run | (of_raw - {"--raw-spacing"}) | set(values))
@@ -160,6 +161,9 @@ class SmallJobTest(JobTestCase):
                 "--uncertainty-map": ["--lower", 1000],
                 "--levels": ["--lower", 50],
                 "--vector-boundary": ["--vectors", "v.mha"],
+                "--smallest-place": ["--thin-below", 2],
+                "--places": ["--thin-below", 2],
+                "--fail-if-thin": ["--thin-below", 2],
                 "--zarr-compression": ["--distance", "d.zarr"],
             }.get(option, [])
             before = plain if source == "../in.mha" and not needed else parameters(source, *needed)

@@ -105,6 +105,7 @@ class ReportTest(ProgramTestCase):
             self.report("--lower", 72, *everything)[0],
             self.report("--lower", 101)[0],
             self.report("--lower", 72, "--voxel-units", "--upper", 200.5)[0],
+            self.report("--lower", 72, "--thin-below", 99, "--thick-above", "0.2,0.1", "--places", "p.csv")[0],
         ]
         self.run_program("distance", "in.mha", "v2.mha", "--lower", 72, "--report", "d.json", "--maximum-distance", 5)
         reports.append(json.loads((self.folder / "d.json").read_text()))

@@ -41,7 +41,7 @@ class TextsTest(ProgramTestCase):
     def test_help_fits_a_screen_and_shows_two_examples(self):
         for command in ((), *((name,) for name in (*COMMANDS, "generate"))):
             lines = self.help(*command).splitlines()
-            self.assertLessEqual(len(lines), 59, command)
+            self.assertLessEqual(len(lines), 66, command)
             self.assertLessEqual(max(map(len, lines)), 80, command)
             self.assertEqual(sum(line.startswith("  medialvoxel ") for line in lines), 2, command)
         self.assertNotIn("generate", self.help())
@@ -69,7 +69,7 @@ class TextsTest(ProgramTestCase):
     def test_bash_completes(self):
         self.assertEqual(self.complete("ex"), ["extract"])
         self.assertEqual(self.complete(""), [*COMMANDS, "-h", "--help", "--version"])
-        self.assertEqual(self.complete("extract", "--th"), ["--thickness", "--thickness-map", "--thickness-csv", "--threads"])
+        self.assertEqual(self.complete("extract", "--th"), ["--thickness", "--thickness-map", "--thickness-csv", "--thin-below", "--thick-above", "--threads"])
         self.assertEqual(self.complete("distance", "--th"), ["--threads"])
         self.assertEqual(self.complete("extract", "--vector-boundary", ""), ["object", "background"])
         self.assertEqual(self.complete("extract", "--vector-boundary", "="), ["object", "background"])

@@ -22,6 +22,19 @@ _PER_AXIS = ("spacing", "raw_size", "raw_spacing")
 _SWITCHES = ("smooth", "sub_voxel")
 
 _WRONG_VALUES = (2, 3, 4)  # of its exit status: usage, refused, corrupt input
+_TOO_THIN = 5  # all is written, and there are thin places
+
+
+class ThinPlacesError(RuntimeError):
+    """There are places with too thin walls, and fail_if_thin was on. All outputs are written.
+
+    report: what extract_file() returns otherwise; report["places"]["thin"] has their number and the first of them."""
+
+    report: dict[str, Any]
+
+    def __init__(self, report: dict[str, Any]) -> None:
+        super().__init__(f"{report['places']['thin']['number']} thin places")
+        self.report = report
 
 
 def find_program() -> str:
@@ -74,12 +87,13 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
     """Extracts the medial cells of a file of any size into a file, as `medialvoxel extract INPUT OUTPUT` does.
 
     options: those of the program, with underscores: thickness_map="map.mha", lower=72, memory="2G", overwrite=True.
-        True switches an option on; None and False leave it to its default. smooth=False and sub_voxel=False switch off. Values of all axes are (z, y, x) as numbers,
-        and as the program takes them as a text: spacing=(2, 1, 1) is spacing="1,1,2".
+        True switches an option on; None and False leave it to its default. smooth=False and sub_voxel=False switch off.
+        Values of all axes are (z, y, x) as numbers, and as the program takes them as a text: spacing=(2, 1, 1) is
+        spacing="1,1,2". Two limits of places are a tuple: thin_below=(2, 2.5).
 
     Returns the report, whose keys doc/reference/report.md lists. Raises ValueError for what the program refuses,
-    FileNotFoundError, MemoryError for a limit of memory that is too small, RuntimeError for other failures. Ctrl-C stops
-    the program."""
+    FileNotFoundError, MemoryError for a limit of memory that is too small, ThinPlacesError with fail_if_thin=True when
+    there are thin places, RuntimeError for other failures. Ctrl-C stops the program."""
     with tempfile.TemporaryDirectory(prefix="medialvoxel-") as folder:
         wanted = options.pop("report", None)
         report = os.fspath(wanted) if wanted else os.path.join(folder, "report.json")
@@ -93,8 +107,11 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
             process.terminate()
             process.wait()
             raise
-        if process.returncode != 0:
+        if process.returncode not in (0, _TOO_THIN):
             _fail(process.returncode, errors)
         if options.get("dry_run"):
             return {}
-        return json.loads(pathlib.Path(report).read_text())
+        found = json.loads(pathlib.Path(report).read_text())
+        if process.returncode == _TOO_THIN:
+            raise ThinPlacesError(found)
+        return found

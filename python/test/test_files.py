@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files by way of the program, and the command."""
 
+import csv
 import json
 import signal
 import subprocess
@@ -44,6 +45,35 @@ class Files(Folder):
     def test_a_report_of_ones_own(self):
         report = medialvoxel.extract_file(self.input, self.folder / "out.mha", report=self.folder / "r.json", lower=40)
         self.assertEqual(json.loads((self.folder / "r.json").read_text()), report)
+
+    def test_thin_places(self):
+        table = self.folder / "places.csv"
+        options = {"lower": 40, "thin_below": (2.5, 3), "smallest_place": 0, "places": table, "overwrite": True}
+        map_file = self.folder / "map.mha"
+        report = medialvoxel.extract_file(self.input, self.folder / "out.mha", thickness_map=map_file, **options)
+        thin = report["places"]["thin"]
+        self.assertEqual((thin["limit"], thin["grow_limit"]), (2.5, 3))
+        self.assertGreater(thin["number"], 0)
+        self.assertIsNone(report["places"]["thick"])
+        thickness = read(map_file)
+        with table.open(newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), thin["number"])
+        for row in rows:
+            index = tuple(int(row[f"index_{axis}"]) for axis in "zyx")
+            self.assertEqual(float(row["minimum"]), thickness[index])
+        # With a limit of all places their cells are those that the map has.
+        every = medialvoxel.extract_file(self.input, self.folder / "out.mha", **{**options, "thin_below": 99})
+        self.assertEqual(every["places"]["thin"]["cells"], np.count_nonzero(thickness > 0))
+        before = table.read_bytes()
+        with self.assertRaises(medialvoxel.ThinPlacesError) as caught:
+            medialvoxel.extract_file(self.input, self.folder / "out.mha", fail_if_thin=True, **options)
+        self.assertEqual(caught.exception.report["places"]["thin"], thin)
+        self.assertEqual(str(caught.exception), f"{thin['number']} thin places")
+        self.assertNotEqual(table.read_bytes(), before)
+        options["thin_below"] = 0.01
+        report = medialvoxel.extract_file(self.input, self.folder / "out.mha", fail_if_thin=True, **options)
+        self.assertEqual(report["places"]["thin"]["number"], 0)
 
     def test_errors(self):
         out = self.folder / "out.mha"

@@ -14,10 +14,11 @@ namespace medialvoxel
 enum class ExitStatus : int
 {
   Done = 0,
-  Failure = 1,     ///< failed for a reason outside the other classes
-  Usage = 2,       ///< wrong or contradictory option
-  Refused = 3,     ///< refused before the start: space, memory, permissions, existing output
-  CorruptInput = 4 ///< input that is corrupt, inconsistent or not a scalar volume
+  Failure = 1,      ///< failed for a reason outside the other classes
+  Usage = 2,        ///< wrong or contradictory option
+  Refused = 3,      ///< refused before the start: space, memory, permissions, existing output
+  CorruptInput = 4, ///< input that is corrupt, inconsistent or not a scalar volume
+  TooThin = 5       ///< done, and there are thin places, which were to fail
 };
 
 /** \class JobError
@@ -38,6 +39,16 @@ public:
 
 private:
   ExitStatus m_Status;
+};
+
+/** \class PieceMemoryError
+ * \brief A piece of the volume needs more memory than is allowed; others may not. */
+class PieceMemoryError : public JobError
+{
+public:
+  explicit PieceMemoryError(const std::string & message)
+    : JobError(ExitStatus::Refused, message)
+  {}
 };
 
 /** \class StoppedBySignal

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ClusterWorker.h"
 
+#include "Errors.h"
 #include "ExtractParts.h"
 #include "JobClock.h"
 #include "Outputs.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <set>
 #include <thread>
 
@@ -73,11 +75,17 @@ ClusterWorker::ClusterWorker(const SharedJob & job, const JobResult & plan, Prog
 WorkResult
 ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
 {
-  WorkResult                                 result;
-  std::set<std::uint64_t>                    free(clusters.begin(), clusters.end());
-  std::set<std::uint64_t>                    busy;
-  std::optional<std::uint64_t>               last;
-  std::optional<itk::MedialVoxelMemoryError> lackOfMemory;
+  WorkResult                   result;
+  std::set<std::uint64_t>      free(clusters.begin(), clusters.end());
+  std::set<std::uint64_t>      busy;
+  std::optional<std::uint64_t> last;
+  std::exception_ptr           lackOfMemory;
+  // Thick walls, or many places, in one cluster do not keep the others from being done.
+  const auto postpone = [&] {
+    lackOfMemory = std::current_exception();
+    m_Run.Wait();
+    m_Run.Release();
+  };
   m_Run.SetSlicesToDo(CountSlices(m_Job.manifest, clusters));
   m_Run.Prepare();
   while (!free.empty() || !busy.empty())
@@ -107,17 +115,18 @@ ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
           break;
       }
     }
-    catch (const itk::MedialVoxelMemoryError & error)
+    catch (const itk::MedialVoxelMemoryError &)
     {
-      // Thick walls in one place do not keep the others from being done.
-      lackOfMemory = error;
-      m_Run.Wait();
-      m_Run.Release();
+      postpone();
+    }
+    catch (const PieceMemoryError &)
+    {
+      postpone();
     }
   }
   if (lackOfMemory)
   {
-    throw *lackOfMemory;
+    std::rethrow_exception(lackOfMemory);
   }
   return result;
 }
@@ -156,7 +165,7 @@ ClusterWorker::DoCluster(std::uint64_t cluster)
   }
   CheckUnchanged(m_Job.manifest.input);
   m_Job.folder.CheckStillOf(m_Job.manifest);
-  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, m_Run.GetSurvey().Save());
+  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, m_Run.GetFindings().Save());
   this->RecordCluster(cluster, marker);
 }
 
@@ -181,7 +190,7 @@ ClusterWorker::Compute(const SliceRange & range)
   const double readBefore = m_Run.GetInput().GetReadSeconds();
   const double writtenBefore = m_Run.GetWriteSeconds();
   const auto   bytesBefore = m_Run.GetInput().GetNumberOfBytesRead();
-  m_Run.GetSurvey().Clear();
+  m_Run.GetFindings().Clear();
   for (const auto & volume : m_Volumes)
   {
     volume->StartCluster();

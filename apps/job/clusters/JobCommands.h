@@ -52,7 +52,8 @@ struct WorkResult
 struct FinalizeResult
 {
   ExtractOptions           options;
-  std::optional<JobResult> job; ///< nothing when the job was finished before
+  std::optional<JobResult> job;                    ///< nothing when the job was finished before
+  bool                     hasThinPlaces{ false }; ///< as HasThinPlaces(), also then
 };
 
 /** How far a job is. */

@@ -90,7 +90,7 @@ public:
     , m_Sink(sink)
     , m_Markers(ReadMarkers(shared))
     , m_Job(DescribeExtract(m_Options))
-    , m_Survey(m_Job.input.geometry, GetGrid(m_Options, m_Job.input), GetSurveySettings(m_Options))
+    , m_Findings(m_Job.input.geometry, GetGrid(m_Options, m_Job.input), GetFindingSettings(m_Options), 0)
   {
     m_Job.otsu = m_Options.lowerIsOtsu ? m_Options.lowerThreshold : std::nullopt;
     m_Job.roughness = m_Options.roughness;
@@ -109,7 +109,7 @@ public:
       this->VerifyVolumes();
     }
     this->MergeParts();
-    ExtractSummary summary(m_Options, m_Survey, *m_Outputs);
+    ExtractSummary summary(m_Options, m_Findings, *m_Outputs);
     JobEnd         end;
     end.measure = [this, start] { m_Job.seconds.total += SecondsSince(start); };
     end.publish = [this] { this->Publish(); };
@@ -196,7 +196,7 @@ private:
       const std::optional<std::string> part = m_Shared.folder.ReadSurvey(cluster, m_Markers[cluster]);
       if (part)
       {
-        m_Survey.Merge(*part);
+        m_Findings.Merge(*part);
       }
       else
       {
@@ -235,7 +235,7 @@ private:
     // What was replaced goes before the job counts as finished, or nobody would remove it.
     m_Volumes.clear();
     m_Outputs.reset();
-    m_Shared.folder.WriteFinished(m_Shared.manifest);
+    m_Shared.folder.WriteFinished(m_Shared.manifest, HasThinPlaces(m_Job));
     m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });
   }
 
@@ -244,7 +244,7 @@ private:
   ProgressSink &              m_Sink;
   std::vector<ClusterMarker>  m_Markers;
   JobResult                   m_Job;
-  Survey                      m_Survey;
+  Findings                    m_Findings;
   std::vector<VolumeRequest>  m_Requests;
   DataNames                   m_DataNames;
   std::unique_ptr<OutputSet>  m_Outputs;
@@ -257,7 +257,7 @@ FinalizeResult
 RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
 {
   const SharedJob job = OpenSharedJob(options.jobFolder);
-  FinalizeResult  result{ job.manifest.options, std::nullopt };
+  FinalizeResult  result{ job.manifest.options, std::nullopt, false };
   JobLocks        locks(job.folder.GetLocksName());
   const auto      lock = locks.TryLock(JobLocks::Finalizing);
   if (!lock)
@@ -266,6 +266,7 @@ RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
   }
   if (job.folder.IsFinished(job.manifest))
   {
+    result.hasThinPlaces = job.folder.HasThinPlaces(job.manifest);
     return result;
   }
   try
@@ -274,6 +275,7 @@ RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
       sink.Start("medialvoxel", "verifying and publishing");
       const StopListener listener(&sink);
       result.job = Finalization(job, options.overwrite, sink).Run(options.verifies);
+      result.hasThinPlaces = HasThinPlaces(*result.job);
       sink.Finish(result.job->seconds.total);
     });
   }

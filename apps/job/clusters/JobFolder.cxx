@@ -271,9 +271,16 @@ JobFolder::WriteDataNames(const Manifest & manifest, const DataNames & names) co
 }
 
 void
-JobFolder::WriteFinished(const Manifest & manifest) const
+JobFolder::WriteFinished(const Manifest & manifest, bool hasThinPlaces) const
 {
-  WriteSealed(m_Path / FinishedName, { { "job", manifest.jobId } });
+  WriteSealed(m_Path / FinishedName, { { "job", manifest.jobId }, { "thin_places", hasThinPlaces } });
+}
+
+bool
+JobFolder::HasThinPlaces(const Manifest & manifest) const
+{
+  const std::optional<Json> record = ReadSealed(m_Path / FinishedName);
+  return record && record->value("job", "") == manifest.jobId && record->value("thin_places", false);
 }
 
 void

@@ -104,7 +104,11 @@ public:
   WriteDataNames(const Manifest & manifest, const DataNames & names) const;
 
   void
-  WriteFinished(const Manifest & manifest) const;
+  WriteFinished(const Manifest & manifest, bool hasThinPlaces) const;
+
+  /** What the job that is finished has found. */
+  bool
+  HasThinPlaces(const Manifest & manifest) const;
 
   /** Removes the files that this class knows, but for the locks. */
   void

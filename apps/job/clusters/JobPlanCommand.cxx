@@ -201,7 +201,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
   RefuseUnsupported(options);
   ExtractOptions ofProcess = options;
   ofProcess.divisions.reset(); // those are clusters, which each process divides for its memory
-  PlanResult job{ PrepareExtract(ofProcess), std::nullopt };
+  PlanResult job{ PrepareProcesses(ofProcess), std::nullopt };
   RefusePacked(job.input);
   TellWarnings(sink, job.warnings);
   const JobFolder folder(options.jobFolder);

@@ -4,8 +4,18 @@
 
 #include "Text.h"
 
+#include <algorithm>
+
 namespace medialvoxel
 {
+
+bool
+HasThinPlaces(const JobResult & result)
+{
+  return std::any_of(result.places.begin(), result.places.end(), [](const PlaceSummary & summary) {
+    return summary.kind == PlaceKind::Thin && summary.number > 0;
+  });
+}
 
 bool
 IsSmoothed(const ExtractOptions & options, const JobResult & result)

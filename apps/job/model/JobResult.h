@@ -8,6 +8,7 @@
 #include "ObjectSummary.h"
 #include "Options.h"
 #include "OutputRequest.h"
+#include "PlaceSummary.h"
 #include "Segments.h"
 #include "SurfaceSummary.h"
 #include "ThicknessSummary.h"
@@ -45,6 +46,7 @@ struct JobResult
   std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it was measured
   std::optional<WallMeasure>               measure;   ///< of walls, when gray values were looked at
   std::optional<ThicknessSummary>          thickness; ///< of an extraction
+  std::vector<PlaceSummary>                places;    ///< with too thin or too thick walls; of the kinds looked for
   std::optional<LabelMapSummary>           objects;   ///< of a label map
   SegmentTable                             segments;  ///< names of its labels; empty: there are none
   std::optional<SurfaceSummary>            surface;   ///< when a mesh was asked for
@@ -53,6 +55,10 @@ struct JobResult
   std::uint64_t                            peakMemoryBytes{ 0 }; ///< of the process
   std::uint64_t                            bytesRead{ 0 };
 };
+
+/** Whether there are places with too thin walls. */
+bool
+HasThinPlaces(const JobResult & result);
 
 /** Whether the object of an extraction was smoothed. */
 bool

@@ -5,184 +5,13 @@
 #include "LabelValues.h"
 #include "Text.h"
 
-#include "itkMedialVoxelGridLimits.h"
-
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <sstream>
 
 namespace medialvoxel
 {
-namespace
-{
-
-void
-CheckThreshold(const char * name, const std::optional<itk::MedialVoxelLimit> & threshold)
-{
-  if (threshold && threshold->IsNotANumber())
-  {
-    Fail(ExitStatus::Usage, name, " threshold is nan; it must be a number");
-  }
-}
-
-void
-CheckPositive(const char * name, double value, bool mayBeInfinite)
-{
-  if (!(value > 0) || (!mayBeInfinite && std::isinf(value)))
-  {
-    Fail(ExitStatus::Usage,
-         name,
-         " is ",
-         FormatNumber(value),
-         "; it must be ",
-         mayBeInfinite ? "greater than 0" : "a finite number greater than 0");
-  }
-}
-
-/** Of walls that set their own threshold. */
-void
-CheckLimit(const char * name, const std::optional<double> & limit)
-{
-  constexpr double largest = itk::MedialVoxelGridLimits::LargestLength;
-  if (limit)
-  {
-    CheckPositive(name, *limit, false);
-  }
-  if (limit && *limit > largest)
-  {
-    Fail(ExitStatus::Usage, name, " is ", FormatNumber(*limit), "; it must not exceed ", FormatNumber(largest));
-  }
-}
-
-void
-CheckSpacing(const char * name, double spacing)
-{
-  using Limits = itk::MedialVoxelGridLimits;
-  if (!(spacing >= Limits::SmallestSpacing && spacing <= Limits::LargestSpacing))
-  {
-    Fail(ExitStatus::Usage,
-         name,
-         " is ",
-         FormatNumber(spacing),
-         "; it must be greater than 0, from ",
-         FormatNumber(Limits::SmallestSpacing),
-         " to ",
-         FormatNumber(Limits::LargestSpacing));
-  }
-}
-
-void
-CheckJobOptions(const JobOptions & options)
-{
-  for (const double spacing : options.spacing)
-  {
-    CheckSpacing("the spacing", spacing);
-  }
-  if (options.resample && *options.resample != 0.0)
-  {
-    CheckSpacing("the resampled spacing", *options.resample);
-  }
-  if (options.raw && !options.raw->spacing.empty() && !options.spacing.empty())
-  {
-    Fail(ExitStatus::Usage, "both the spacing and the raw spacing are given; they are the same, and one is enough");
-  }
-  if (options.raw)
-  {
-    CheckOptions(*options.raw);
-  }
-  const std::vector<std::uint64_t> & range = options.slices.range;
-  if (range.size() == 2 && range[0] > range[1])
-  {
-    Fail(ExitStatus::Usage, "the first slice is ", range[0], ", the last one ", range[1], "; it must not be before");
-  }
-  CheckThreshold("lower", options.lowerThreshold);
-  CheckThreshold("upper", options.upperThreshold);
-  if (options.label && (options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu))
-  {
-    Fail(ExitStatus::Usage,
-         "the label ",
-         FormatLabel(*options.label),
-         " and a threshold are given; either one value or a range of values is the object");
-  }
-  if (options.lowerThreshold && options.upperThreshold && options.lowerThreshold->IsAbove(*options.upperThreshold))
-  {
-    Fail(ExitStatus::Usage,
-         "lower threshold ",
-         options.lowerThreshold->Format(),
-         " is greater than upper threshold ",
-         options.upperThreshold->Format(),
-         "; it must not be");
-  }
-  if (options.threads && *options.threads == 0)
-  {
-    Fail(ExitStatus::Usage, "the number of threads is 0; it must be 1 or more");
-  }
-  if (options.divisions && *options.divisions == 0)
-  {
-    Fail(ExitStatus::Usage, "the number of divisions is 0; it must be 1 or more");
-  }
-}
-
-/** Objects of a label map have no other description, and not all outputs. */
-void
-CheckLabelOptions(const ExtractOptions & options)
-{
-  struct Other
-  {
-    const char * name;
-    bool         isGiven;
-    const char * remedy;
-  };
-  constexpr const char * oneOfThem = "they do not go together";
-  constexpr const char * oneObject = "they are of one object: take --label, a run for each object";
-  const Other            others[] = {
-    { "a label", options.label.has_value(), oneOfThem },
-    { "a threshold", options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu, oneOfThem },
-    { "sub-voxel measures", options.subVoxel.value_or(false), "these need gray values and a threshold" },
-    { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off, oneObject },
-    { "vectors", !options.vectorFile.empty(), oneObject },
-    { "distances", !options.distanceFile.empty(), oneObject },
-  };
-  for (const Other & other : others)
-  {
-    if (other.isGiven)
-    {
-      Fail(ExitStatus::Usage, "the labels of several objects and ", other.name, " are asked for; ", other.remedy);
-    }
-  }
-}
-
-void
-CheckMeasure(const ExtractOptions & options)
-{
-  const bool isOff = options.subVoxel && !*options.subVoxel;
-  const bool hasThreshold = options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu;
-  if (options.subVoxel.value_or(false) && !hasThreshold)
-  {
-    Fail(ExitStatus::Usage, "sub-voxel measures need a threshold; none is given");
-  }
-  const bool         needsFit = options.levels || !options.uncertaintyFile.empty();
-  const char * const what = options.levels ? "levels of gray values" : "the uncertainty of the thickness";
-  if (needsFit && isOff)
-  {
-    Fail(ExitStatus::Usage, what, " and no sub-voxel measures are asked for; they do not go together");
-  }
-  if (needsFit && !hasThreshold)
-  {
-    Fail(ExitStatus::Usage, what, " needs a threshold; none is given");
-  }
-  if (options.levels && !(options.levels->background != options.levels->material))
-  {
-    Fail(ExitStatus::Usage,
-         "the levels of background and material are both ",
-         FormatNumber(options.levels->material),
-         "; they must differ");
-  }
-}
-
-} // namespace
 
 std::optional<LabelValue>
 ParseLabel(const std::string & text)
@@ -235,71 +64,16 @@ FormatLabel(const LabelValue & label)
   return value ? std::to_string(*value) : std::to_string(ConvertLabel<std::uint64_t>(label).value());
 }
 
+bool
+ListsPlaces(const ExtractOptions & options)
+{
+  return options.thinBelow || options.thickAbove;
+}
+
 std::string
 GetReportFile(const JobOptions & options)
 {
   return options.reportFile == StandardOutput ? "" : options.reportFile;
-}
-
-void
-CheckOptions(const RawDescription & raw)
-{
-  const size_t dimension = raw.size.size();
-  if (dimension < 2 || dimension > 3)
-  {
-    Fail(ExitStatus::Usage, "the raw size has ", dimension, " values; it must have 2 or 3");
-  }
-  std::uint64_t voxels = 1;
-  for (const std::uint64_t size : raw.size)
-  {
-    if (size == 0 || size > itk::MedialVoxelGridLimits::MostVoxels / voxels)
-    {
-      Fail(ExitStatus::Usage,
-           "the raw size is ",
-           FormatSize(raw.size),
-           "; each size must be 1 or more, and their product less than 2^59");
-    }
-    voxels *= size;
-  }
-  if (!raw.spacing.empty() && raw.spacing.size() != dimension)
-  {
-    Fail(ExitStatus::Usage, "the raw spacing has ", raw.spacing.size(), " values; the raw size has ", dimension);
-  }
-  for (const double spacing : raw.spacing)
-  {
-    CheckSpacing("the raw spacing", spacing);
-  }
-}
-
-void
-CheckOptions(const JobOptions & options)
-{
-  CheckJobOptions(options);
-}
-
-void
-CheckOptions(const ExtractOptions & options)
-{
-  CheckJobOptions(options);
-  if (options.thickness)
-  {
-    CheckPositive("thickness", *options.thickness, false);
-  }
-  CheckLimit("minimum thickness", options.minimumThickness);
-  CheckLimit("maximum thickness", options.maximumThickness);
-  if (options.sectionWidth)
-  {
-    CheckPositive("the width of sections", *options.sectionWidth, false);
-  }
-  if (options.minimumBranchLength != 0)
-  {
-    CheckPositive("the minimum branch length", options.minimumBranchLength, false);
-  }
-  if (options.labels)
-  {
-    CheckLabelOptions(options);
-  }
-  CheckMeasure(options);
 }
 
 itk::MedialVoxelGrid
@@ -341,7 +115,8 @@ HasOneThreshold(const JobOptions & options, const VolumeHeader & header)
 bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const bool isWanted = !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels;
+  const bool isWanted =
+    !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels || ListsPlaces(options);
   return options.subVoxel.value_or(isWanted && HasOneThreshold(options, header) && header.CanStream());
 }
 
@@ -413,16 +188,6 @@ std::string
 DescribeThickness(const ExtractOptions & options, const std::string & unit)
 {
   return options.thickness ? FormatNumber(*options.thickness) + unit : AutomaticThickness;
-}
-
-void
-CheckOptions(const DistanceOptions & options)
-{
-  CheckJobOptions(options);
-  if (options.maximumDistance)
-  {
-    CheckPositive("maximum distance", *options.maximumDistance, true);
-  }
 }
 
 std::string

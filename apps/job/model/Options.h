@@ -3,6 +3,7 @@
 #ifndef medialvoxelOptions_h
 #define medialvoxelOptions_h
 
+#include "PlaceSummary.h"
 #include "VolumeHeader.h"
 #include "ZarrCompression.h"
 
@@ -112,19 +113,25 @@ struct ExtractOptions : JobOptions
   std::string                   objectFile; ///< label of the object of each cell, of the type of the input
   std::string segmentFile; ///< names and colors of the labels; empty: those of the input, where it has some
 
-  std::string              vectorFile; ///< vectors to the nearest boundary point, float32
-  itk::MedialVoxelBoundary vectorBoundary{ itk::MedialVoxelBoundary::Object };
-  std::string              thicknessFile;            ///< thickness at medial cells, float32
-  std::string              uncertaintyFile;          ///< of the thickness at medial cells, float32
-  std::string              thicknessCsvFile;         ///< histogram of the thickness, comma-separated values
-  std::string              previewFile;              ///< PNG
-  std::string              htmlFile;                 ///< report as a page with the preview
-  std::string              returnParameterFile;      ///< counts and seconds for 3D Slicer, a line each
-  std::string              meshFile;                 ///< medial surface; then the labels may be empty too
-  bool                     meshTriangles{ false };   ///< split its quadrilaterals
-  double                   minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
-  std::uint64_t            smallestComponent{ 0 };   ///< quadrilaterals of pieces that stay in the mesh
-  std::optional<double>    sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
+  std::string                vectorFile; ///< vectors to the nearest boundary point, float32
+  itk::MedialVoxelBoundary   vectorBoundary{ itk::MedialVoxelBoundary::Object };
+  std::string                thicknessFile;    ///< thickness at medial cells, float32
+  std::string                uncertaintyFile;  ///< of the thickness at medial cells, float32
+  std::string                thicknessCsvFile; ///< histogram of the thickness, comma-separated values
+  std::optional<PlaceLimits> thinBelow;        ///< places with thinner walls are listed; not with labels
+  std::optional<PlaceLimits> thickAbove;       ///< places with thicker walls are listed; not with labels
+  std::optional<double>      smallestPlace;    ///< area of places that count; unset: that of ten faces of voxels
+  std::string                placesFile;       ///< these places, comma-separated values
+  bool failsIfThin{ false };                   ///< the program ends with ExitStatus::TooThin when there are thin ones
+
+  std::string           previewFile;              ///< PNG
+  std::string           htmlFile;                 ///< report as a page with the preview
+  std::string           returnParameterFile;      ///< counts and seconds for 3D Slicer, a line each
+  std::string           meshFile;                 ///< medial surface; then the labels may be empty too
+  bool                  meshTriangles{ false };   ///< split its quadrilaterals
+  double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
+  std::uint64_t         smallestComponent{ 0 };   ///< quadrilaterals of pieces that stay in the mesh
+  std::optional<double> sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 
 /** Vector and signed distances. */
@@ -145,6 +152,10 @@ void
 CheckOptions(const JobOptions & options);
 void
 CheckOptions(const RawDescription & raw);
+
+/** Whether places with too thin or too thick walls are listed. */
+bool
+ListsPlaces(const ExtractOptions & options);
 
 /** The file of the report; empty when it goes to the standard output. */
 std::string

@@ -209,6 +209,7 @@ ListOutputKinds(const ExtractOptions &)
     { "thickness_map", &ExtractOptions::thicknessFile, "thickness_map", Thicknesses },
     { "uncertainty_map", &ExtractOptions::uncertaintyFile, "uncertainty_map", Uncertainties },
     MakeFileKind("thickness_csv", &ExtractOptions::thicknessCsvFile, { ".csv" }, "histogram"),
+    MakeFileKind("places", &ExtractOptions::placesFile, { ".csv" }, "list of places"),
     MakeRefusedKind("mesh",
                     &ExtractOptions::meshFile,
                     { "a mesh, which joins what lies in all clusters,", "run medialvoxel mesh for it" }),
@@ -260,9 +261,9 @@ bool
 MeasuresWalls(const ExtractOptions & options)
 {
   const auto & kinds = ListOutputKinds(options);
-  return std::any_of(kinds.begin(), kinds.end(), [&options](const ExtractKind & kind) {
-    return kind.volume && kind.volume->measuresWalls && !(options.*kind.option).empty();
-  });
+  return ListsPlaces(options) || std::any_of(kinds.begin(), kinds.end(), [&options](const ExtractKind & kind) {
+           return kind.volume && kind.volume->measuresWalls && !(options.*kind.option).empty();
+         });
 }
 
 std::vector<std::string>

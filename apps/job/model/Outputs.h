@@ -72,7 +72,7 @@ ListVolumes(const ExtractOptions & options, const VolumeHeader & input);
 std::vector<VolumeRequest>
 ListVolumes(const DistanceOptions & options, const VolumeHeader & input);
 
-/** Whether one of the volumes shows measures of walls. */
+/** Whether one of the volumes or the list of places shows measures of walls. */
 bool
 MeasuresWalls(const ExtractOptions & options);
 

@@ -3,9 +3,9 @@
 #include "Manifest.h"
 
 #include "FileNames.h"
+#include "ManifestValues.h"
 #include "Options.h"
 #include "Outputs.h"
-#include "PixelType.h"
 #include "SealedJson.h"
 #include "Version.h"
 #include "VolumeHeader.h"
@@ -21,17 +21,18 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 8;
+constexpr int ManifestFormat = 9;
 
 constexpr const char * OverwriteName = "overwrite";
 
 using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
 using LimitOption = std::pair<const char *, std::optional<itk::MedialVoxelLimit> ExtractOptions::*>;
 
-const std::array<NumberOption, 4> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
+const std::array<NumberOption, 5> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
                                                    { "minimum_thickness", &ExtractOptions::minimumThickness },
                                                    { "maximum_thickness", &ExtractOptions::maximumThickness },
-                                                   { "resample", &ExtractOptions::resample } } };
+                                                   { "resample", &ExtractOptions::resample },
+                                                   { "smallest_place", &ExtractOptions::smallestPlace } } };
 
 const std::array<LimitOption, 2> LimitOptions{ { { "lower", &ExtractOptions::lowerThreshold },
                                                  { "upper", &ExtractOptions::upperThreshold } } };
@@ -57,137 +58,6 @@ EnumFromJson(const Json & name, const std::array<TEnum, VSize> & values)
     }
   }
   throw std::invalid_argument("it has the unknown choice " + name.dump());
-}
-
-Json
-RawToJson(const std::optional<RawDescription> & raw)
-{
-  if (!raw)
-  {
-    return nullptr;
-  }
-  return { { "size", raw->size },
-           { "type", std::string(GetTraits(raw->pixelType).name) },
-           { "spacing", raw->spacing },
-           { "header_bytes", raw->headerBytes },
-           { "big_endian", raw->bigEndian } };
-}
-
-std::optional<RawDescription>
-RawFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  RawDescription raw;
-  for (const Json & length : json.at("size"))
-  {
-    ReadWhole(length, raw.size.emplace_back());
-  }
-  const auto type = PixelTypeFromName(json.at("type").get<std::string>());
-  if (!type)
-  {
-    throw std::invalid_argument("it has the unknown type of voxels " + json.at("type").dump());
-  }
-  raw.pixelType = *type;
-  json.at("spacing").get_to(raw.spacing);
-  ReadWhole(json.at("header_bytes"), raw.headerBytes);
-  json.at("big_endian").get_to(raw.bigEndian);
-  return raw;
-}
-
-std::optional<LabelValue>
-LabelFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  const std::optional<LabelValue> label = ParseLabel(json.get<std::string>());
-  if (!label)
-  {
-    throw std::invalid_argument("it has the unknown label " + json.dump());
-  }
-  return label;
-}
-
-Json
-RoughnessToJson(const std::optional<itk::MedialVoxelRoughness> & roughness)
-{
-  return roughness ? Json{ roughness->roughVoxels, roughness->borderVoxels } : Json(nullptr);
-}
-
-std::optional<itk::MedialVoxelRoughness>
-RoughnessFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  itk::MedialVoxelRoughness roughness;
-  ReadWhole(json.at(0), roughness.roughVoxels);
-  ReadWhole(json.at(1), roughness.borderVoxels);
-  return roughness;
-}
-
-Json
-LevelsToJson(const std::optional<itk::MedialVoxelScanLevels> & levels)
-{
-  return levels ? Json{ levels->background, levels->material } : Json(nullptr);
-}
-
-std::optional<itk::MedialVoxelScanLevels>
-LevelsFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  return itk::MedialVoxelScanLevels{ json.at(0).get<double>(), json.at(1).get<double>() };
-}
-
-Json
-MeasureToJson(const std::optional<WallMeasure> & measure)
-{
-  if (!measure)
-  {
-    return nullptr;
-  }
-  Json scan(nullptr);
-  if (measure->scan)
-  {
-    scan = { measure->scan->background,
-             measure->scan->material,
-             measure->scan->blur,
-             measure->scan->noise,
-             measure->scan->correlation };
-  }
-  return { { "gray_values", measure->usesGrayValues }, { "scan", scan }, { "reason", measure->reason } };
-}
-
-std::optional<WallMeasure>
-MeasureFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  WallMeasure  measure{ json.at("gray_values").get<bool>(), std::nullopt, json.at("reason").get<std::string>() };
-  const Json & scan = json.at("scan");
-  if (!scan.is_null())
-  {
-    measure.scan = itk::MedialVoxelScan{ scan.at(0).get<double>(),
-                                         scan.at(1).get<double>(),
-                                         scan.at(2).get<double>(),
-                                         scan.at(3).get<double>(),
-                                         scan.at(4).get<double>() };
-    if (!(measure.scan->blur > 0.0) || !(measure.scan->background != measure.scan->material))
-    {
-      throw std::invalid_argument("it has a scan without blur or contrast");
-    }
-  }
-  return measure;
 }
 
 Json
@@ -221,6 +91,9 @@ OptionsToJson(const ExtractOptions & options)
   json["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
   json["levels"] = LevelsToJson(options.levels);
   json["measure"] = MeasureToJson(options.measure);
+  json["thin_below"] = PlacesToJson(options.thinBelow);
+  json["thick_above"] = PlacesToJson(options.thickAbove);
+  json["fail_if_thin"] = options.failsIfThin;
   json[OverwriteName] = options.overwrite;
   json["level"] = options.level;
   json["spacing"] = options.spacing;
@@ -267,6 +140,9 @@ OptionsFromJson(const Json & json)
   }
   options.levels = LevelsFromJson(json.at("levels"));
   options.measure = MeasureFromJson(json.at("measure"));
+  options.thinBelow = PlacesFromJson(json.at("thin_below"));
+  options.thickAbove = PlacesFromJson(json.at("thick_above"));
+  json.at("fail_if_thin").get_to(options.failsIfThin);
   json.at(OverwriteName).get_to(options.overwrite);
   ReadWhole(json.at("level"), options.level);
   json.at("spacing").get_to(options.spacing);

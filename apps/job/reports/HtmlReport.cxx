@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
+#include "PlaceTable.h"
 #include "Text.h"
 #include "Version.h"
 #include "VolumeFormats.h"
@@ -309,6 +310,7 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
       "color.</p>\n";
   }
   page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, result.measure);
+  page += MakePlacesHtml(result.places, unit);
   page += result.objects ? MakeObjectTable(*result.objects, unit) : "";
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);
   page += "<div class=\"columns\">\n<div><h2>Input</h2>\n" + MakeRows(DescribeInput(result.input), "text") +

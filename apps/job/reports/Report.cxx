@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Report.h"
 
+#include "PlaceTable.h"
 #include "SealedJson.h"
 #include "Version.h"
 #include "VolumeFormats.h"
@@ -293,6 +294,10 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["roughness"] = MakeRoughness(result.roughness);
   report["measure"] = MakeMeasure(result);
   report["thickness"] = MakeThickness(result.thickness);
+  if (!result.places.empty())
+  {
+    report["places"] = MakePlacesJson(result.places);
+  }
   if (result.objects)
   {
     report["passes"] = result.objects->passes;

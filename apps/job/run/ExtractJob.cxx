@@ -102,18 +102,27 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   footprint.bytesPerVoxel =
     std::max(GetBytesPerVoxel(volumes, VolumeFiller::Extraction), GetBytesPerVoxel(volumes, VolumeFiller::Distance));
   footprint.grid = GetGrid(options, header);
-  const SurveySettings       survey = GetSurveySettings(options);
+  const FindingSettings      findings = GetFindingSettings(options);
   itk::MedialVoxelExtraction extraction = MakeExtraction(options, header);
   extraction.isObserved = true;
   extraction.observerBytesPerVoxel = Survey::WorkerBytesPerVoxel;
-  footprint.bytesBeside += Survey::GetBytes(header.geometry, survey);
+  footprint.bytesBeside += Findings::GetBytes(header.geometry, findings);
+  if (ListsPlaces(options))
+  {
+    extraction.observerBytesPerVoxel += PlaceSurvey::WorkerBytesPerVoxel;
+    // A slice in one wall has many cells at once: half of what is left beside the walls themselves.
+    footprint.surplus = {
+      PlaceSurvey::MostBytesPerVoxel, PlaceSurvey::PlannedBytesPerVoxel, PlaceSurvey::MostBytesPerVoxelOfSlice, 2
+    };
+  }
   AddSmoothing(footprint, options, header);
   if (!options.meshFile.empty())
   {
     extraction.observerBytesPerVoxel +=
       itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(footprint.grid, extraction.parameters);
     footprint.bytesBeside += SurfaceMesh::GetBytes(options, header.geometry);
-    footprint.surplus = { SurfaceMesh::MostBytesPerVoxel, SurfaceMesh::PlannedBytesPerVoxel };
+    footprint.surplus.mostBytesPerVoxel += SurfaceMesh::MostBytesPerVoxel;
+    footprint.surplus.plannedBytesPerVoxel += SurfaceMesh::PlannedBytesPerVoxel;
     footprint.scratch = SurfaceMesh::GetScratchSpace(options, header.geometry);
   }
   if (options.labels)
@@ -130,7 +139,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   {
     AddEngine(footprint, header, itk::MedialVoxelDistanceMap{});
   }
-  if (survey.picture)
+  if (findings.survey.picture)
   {
     footprint.bytesBeside += GetPreviewBytes(header.geometry);
     footprint.bytesBeside += options.thicknessFile.empty() ? 0 : GetThicknessPreviewBytes(header.geometry);
@@ -141,6 +150,15 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     const unsigned int  pictures = options.thicknessFile.empty() ? 1 : 2;
     footprint.bytesBeside += pictures * PageBytesPerPixel * layout.width * layout.height;
   }
+  return footprint;
+}
+
+/** Of a process that works on a part, whose findings it saves. */
+PieceFootprint
+GetSharedFootprint(const ExtractOptions & options, const VolumeHeader & header)
+{
+  PieceFootprint footprint = GetFootprint(options, header);
+  footprint.bytesBeside += Findings::GetBytes(header.geometry, GetFindingSettings(options)); // as they are saved
   return footprint;
 }
 
@@ -204,11 +222,11 @@ public:
       m_Run.AddVolume(request, m_Outputs.AddVolume(request));
     }
     m_MeshFile = m_Outputs.AddFile(options.meshFile);
-    m_Summary = std::make_unique<ExtractSummary>(options, m_Run.GetSurvey(), m_Outputs);
+    m_Summary = std::make_unique<ExtractSummary>(options, m_Run.GetFindings(), m_Outputs);
     if (m_MeshFile)
     {
       m_Mesh = std::make_unique<SurfaceMesh>(
-        options, result.input.geometry, GetGrid(options, result.input), result.plan.surplusBytes);
+        options, result.input.geometry, GetGrid(options, result.input), GetSurplusShare(options, result.plan));
       m_Run.AddMesh(*m_Mesh);
     }
   }
@@ -292,12 +310,13 @@ constexpr std::uint64_t FullyMeasuredVoxelsOfTable = std::uint64_t{ 1 } << 16;
 
 } // namespace
 
-SurveySettings
-GetSurveySettings(const ExtractOptions & options)
+FindingSettings
+GetFindingSettings(const ExtractOptions & options)
 {
-  SurveySettings settings;
+  FindingSettings  findings;
+  SurveySettings & settings = findings.survey;
   settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
-  const bool showsAll = !options.thicknessFile.empty() || !options.thicknessCsvFile.empty();
+  const bool showsAll = !options.thicknessFile.empty() || !options.thicknessCsvFile.empty() || ListsPlaces(options);
   if (showsAll)
   {
     settings.fullyMeasuredVoxels = std::numeric_limits<std::uint64_t>::max();
@@ -306,7 +325,23 @@ GetSurveySettings(const ExtractOptions & options)
   {
     settings.fullyMeasuredVoxels = FullyMeasuredVoxelsOfTable;
   }
-  return settings;
+  for (const auto & [kind, limits] :
+       { std::pair(PlaceKind::Thin, options.thinBelow), std::pair(PlaceKind::Thick, options.thickAbove) })
+  {
+    if (limits)
+    {
+      findings.places.limits[kind] = *limits;
+    }
+  }
+  findings.places.smallestArea = options.smallestPlace;
+  return findings;
+}
+
+std::uint64_t
+GetSurplusShare(const ExtractOptions & options, const JobPlan & plan)
+{
+  const bool isShared = ListsPlaces(options) && !options.meshFile.empty();
+  return isShared ? plan.surplusBytes / 2 : plan.surplusBytes;
 }
 
 void
@@ -330,8 +365,12 @@ DescribeExtract(const ExtractOptions & options)
   return result;
 }
 
+namespace
+{
+
+template <typename TGetFootprint>
 JobResult
-PrepareExtract(const ExtractOptions & options)
+Prepare(const ExtractOptions & options, const TGetFootprint & getFootprint)
 {
   CheckOptions(options);
   CheckFormats(options);
@@ -343,7 +382,7 @@ PrepareExtract(const ExtractOptions & options)
   CheckGrayValues(options, header);
   CheckLabel(options, header);
   auto outputs = ListOutputs(options, header);
-  auto footprint = GetFootprint(options, header);
+  auto footprint = getFootprint(options, header);
   footprint.preferredRows = CanDoRows(options, header) ? GetRowsOfLayer(header, outputs) : 0;
   auto segments = FindSegments(options, header);
   CheckOtherInput(outputs, options.segmentFile);
@@ -351,6 +390,20 @@ PrepareExtract(const ExtractOptions & options)
   result.segments = std::move(segments);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
+}
+
+} // namespace
+
+JobResult
+PrepareExtract(const ExtractOptions & options)
+{
+  return Prepare(options, GetFootprint);
+}
+
+JobResult
+PrepareProcesses(const ExtractOptions & options)
+{
+  return Prepare(options, GetSharedFootprint);
 }
 
 JobPlan
@@ -362,10 +415,8 @@ PlanObjects(const ExtractOptions & options, const VolumeHeader & header)
 JobResult
 PrepareSharedExtract(const ExtractOptions & options)
 {
-  JobResult      job = DescribeExtract(options);
-  PieceFootprint footprint = GetFootprint(options, job.input);
-  footprint.bytesBeside += Survey::GetBytes(job.input.geometry, GetSurveySettings(options)); // as it is saved
-  job.plan = FitToMemory(options, job.input, footprint);
+  JobResult job = DescribeExtract(options);
+  job.plan = FitToMemory(options, job.input, GetSharedFootprint(options, job.input));
   PrepareProcess(job.plan);
   return job;
 }

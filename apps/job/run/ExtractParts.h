@@ -3,9 +3,9 @@
 #ifndef medialvoxelExtractParts_h
 #define medialvoxelExtractParts_h
 
+#include "Findings.h"
 #include "JobResult.h"
 #include "Options.h"
-#include "Survey.h"
 
 namespace medialvoxel
 {
@@ -15,7 +15,13 @@ namespace medialvoxel
 JobResult
 PrepareExtract(const ExtractOptions & options);
 
-/** The same without the outputs, which exist already and are being written: header, plan for this machine, threads.
+/** The same for processes that share the outputs, with the memory that each of them takes.
+ * \throw JobError */
+JobResult
+PrepareProcesses(const ExtractOptions & options);
+
+/** The part of such a process, without the outputs, which exist already and are being written: header, plan for this
+ * machine, threads.
  * \throw JobError */
 JobResult
 PrepareSharedExtract(const ExtractOptions & options);
@@ -30,8 +36,12 @@ JobResult
 DescribeExtract(const ExtractOptions & options);
 
 /** What the outputs need to know about the medial cells. */
-SurveySettings
-GetSurveySettings(const ExtractOptions & options);
+FindingSettings
+GetFindingSettings(const ExtractOptions & options);
+
+/** What each of those that keep something until a piece is done may take of the surplus of a plan. */
+std::uint64_t
+GetSurplusShare(const ExtractOptions & options, const JobPlan & plan);
 
 /** Each cell must have been decided once. \throw JobError Failure */
 void

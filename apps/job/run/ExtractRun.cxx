@@ -55,7 +55,10 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   , m_Header(job.input)
   , m_Input(OpenInput(options, job))
   , m_Loop(job.plan, job.input, options.distanceFile.empty() ? 1 : 2, sink)
-  , m_Survey(job.input.geometry, GetGrid(options, job.input), GetSurveySettings(options))
+  , m_Findings(job.input.geometry,
+               GetGrid(options, job.input),
+               GetFindingSettings(options),
+               GetSurplusShare(options, job.plan))
   , m_Labels(options.labels.value_or(LabelSelection{}))
   , m_Writer(job.plan.writesBehind)
 {
@@ -74,7 +77,7 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   if (options.labels)
   {
     m_Objects = std::make_unique<LabelMapRun>(
-      static_cast<LabelMap &>(*m_Input), job.input.geometry, GetMaximumPoreSize(options, job), m_Survey);
+      static_cast<LabelMap &>(*m_Input), job.input.geometry, GetMaximumPoreSize(options, job), m_Findings.GetSurvey());
     m_Engine->AddObserver(m_Objects->GetObserver());
   }
 }
@@ -116,7 +119,12 @@ ExtractRun::SetSlicesToDo(std::uint64_t slices)
 void
 ExtractRun::Prepare()
 {
-  m_Engine->AddObserver(m_Survey);
+  m_Engine->AddObserver(m_Findings.GetSurvey());
+  if (PlaceSurvey * const places = m_Findings.GetPlaces())
+  {
+    m_Engine->AddObserver(*places);
+    m_Engine->AddRegionListener([places](const itk::MedialVoxelBox & region) { places->BeginRegion(region); });
+  }
   m_Loop.Prepare(*m_Input);
   if (MayMeasureOnGrayValues(m_Options, m_Header))
   {

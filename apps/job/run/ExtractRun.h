@@ -3,11 +3,11 @@
 #ifndef medialvoxelExtractRun_h
 #define medialvoxelExtractRun_h
 
+#include "Findings.h"
 #include "JobResult.h"
 #include "LabelMapRun.h"
 #include "OutputSet.h"
 #include "PieceLoop.h"
-#include "Survey.h"
 
 #include <functional>
 #include <memory>
@@ -88,10 +88,10 @@ public:
   std::optional<LabelMapSummary>
   SummarizeObjects() const;
 
-  Survey &
-  GetSurvey()
+  Findings &
+  GetFindings()
   {
-    return m_Survey;
+    return m_Findings;
   }
 
   const InputVolume &
@@ -124,7 +124,7 @@ private:
   PieceLoop                    m_Loop;
   std::unique_ptr<PieceEngine> m_Engine;
   std::unique_ptr<PieceEngine> m_DistanceEngine; ///< null when no distances are wanted
-  Survey                       m_Survey;
+  Findings                     m_Findings;
   std::unique_ptr<LabelMapRun> m_Objects; ///< of a label map
   LabelSelection               m_Labels;  ///< the same
   WriteBehind                  m_Writer;  // ends before what it writes

@@ -3,6 +3,7 @@
 #include "ExtractSummary.h"
 
 #include "Outputs.h"
+#include "PlaceTable.h"
 #include "Preview.h"
 #include "Report.h"
 #include "ReturnParameters.h"
@@ -31,14 +32,16 @@ AddFile(OutputSet & outputs, const ExtractOptions & options, std::string Extract
 
 const std::vector<ExtractSummary::Text> ExtractSummary::Texts{
   { &ExtractOptions::thicknessCsvFile, &ExtractSummary::MakeCsv },
+  { &ExtractOptions::placesFile, &ExtractSummary::MakePlaces },
   { &ExtractOptions::htmlFile, &ExtractSummary::MakePage },
   { &ExtractOptions::reportFile, &ExtractSummary::MakeJson },
   { &ExtractOptions::returnParameterFile, &ExtractSummary::MakeParameters }
 };
 
-ExtractSummary::ExtractSummary(const ExtractOptions & options, const Survey & survey, OutputSet & outputs)
+ExtractSummary::ExtractSummary(const ExtractOptions & options, const Findings & findings, OutputSet & outputs)
   : m_Options(options)
-  , m_Survey(survey)
+  , m_Findings(findings)
+  , m_Survey(findings.GetSurvey())
   , m_Preview(AddFile(outputs, options, &ExtractOptions::previewFile))
 {
   for (const Text & text : Texts)
@@ -75,6 +78,7 @@ void
 ExtractSummary::Write(JobResult & result)
 {
   result.thickness = Summarize(m_Survey);
+  result.places = m_Findings.SummarizePlaces();
   const std::vector<Warning> found = FindWarningsOfResult(m_Options, result, m_Survey);
   result.warnings.insert(result.warnings.end(), found.begin(), found.end());
   for (std::size_t i = 0; i < Texts.size(); ++i)
@@ -90,6 +94,12 @@ std::string
 ExtractSummary::MakeCsv(const JobResult &) const
 {
   return MakeThicknessCsv(m_Survey);
+}
+
+std::string
+ExtractSummary::MakePlaces(const JobResult & result) const
+{
+  return MakePlacesCsv(result.places);
 }
 
 std::string

@@ -3,11 +3,11 @@
 #ifndef medialvoxelExtractSummary_h
 #define medialvoxelExtractSummary_h
 
+#include "Findings.h"
 #include "FinishJob.h"
 #include "HtmlReport.h"
 #include "Options.h"
 #include "OutputSet.h"
-#include "Survey.h"
 
 #include <vector>
 
@@ -19,8 +19,8 @@ namespace medialvoxel
 class ExtractSummary : public JobSummary
 {
 public:
-  /** Creates the files that the options ask for. \param survey of the whole volume when the first output is made */
-  ExtractSummary(const ExtractOptions & options, const Survey & survey, OutputSet & outputs);
+  /** Creates the files that the options ask for. \param findings of the whole volume when the first output is made */
+  ExtractSummary(const ExtractOptions & options, const Findings & findings, OutputSet & outputs);
 
   /** Draws the pictures from the survey and the finished volumes, and writes the preview. */
   void
@@ -44,6 +44,9 @@ private:
   MakeCsv(const JobResult & result) const;
 
   std::string
+  MakePlaces(const JobResult & result) const;
+
+  std::string
   MakePage(const JobResult & result) const;
 
   std::string
@@ -53,6 +56,7 @@ private:
   MakeParameters(const JobResult & result) const;
 
   const ExtractOptions &    m_Options;
+  const Findings &          m_Findings;
   const Survey &            m_Survey;
   std::vector<OutputFile *> m_Texts; ///< in the order of the table; null where none is wanted
   OutputFile *              m_Preview;

@@ -301,11 +301,12 @@ AddChunksToKeep(JobPlan & plan, const Request & request)
 void
 AddSurplus(JobPlan & plan, const Request & request)
 {
-  constexpr std::uint64_t shareOfRest = 4;
-  const PieceSurplus &    surplus = request.footprint.surplus;
-  const std::uint64_t     voxels = plan.GetMaximumSlices() * request.header.geometry.GetVoxelsPerSlice();
-  const std::uint64_t     rest = plan.memoryLimit - plan.memoryBytes;
-  plan.surplusBytes = std::min(rest / shareOfRest, voxels * surplus.mostBytesPerVoxel);
+  const PieceSurplus & surplus = request.footprint.surplus;
+  const std::uint64_t  perSlice = request.header.geometry.GetVoxelsPerSlice();
+  const std::uint64_t  voxels = plan.GetMaximumSlices() * perSlice;
+  const std::uint64_t  rest = plan.memoryLimit - plan.memoryBytes;
+  const std::uint64_t  most = voxels * surplus.mostBytesPerVoxel + perSlice * surplus.mostBytesPerVoxelOfSlice;
+  plan.surplusBytes = std::min(rest / surplus.shareOfRest, most);
   plan.fixedBytes += plan.surplusBytes;
   plan.memoryBytes += std::min(plan.surplusBytes, voxels * surplus.plannedBytesPerVoxel);
 }

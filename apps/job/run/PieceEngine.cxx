@@ -106,6 +106,8 @@ PieceResults
 PieceEngine::Run(const PieceRange & range, const PieceRange & nextRange)
 {
   m_Region = this->GetRegion(range);
+  std::for_each(
+    m_RegionListeners.begin(), m_RegionListeners.end(), [this](const auto & listener) { listener(m_Region); });
   this->PrepareBuffers();
   PieceResults results;
   for (const Destination & destination : m_Destinations)

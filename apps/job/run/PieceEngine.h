@@ -20,6 +20,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -85,6 +86,13 @@ public:
   KeepPreviousResults()
   {
     m_NumberOfSets = MostSets;
+  }
+
+  /** Lets someone know the region of each run before its first tile, before the first run. */
+  void
+  AddRegionListener(std::function<void(const itk::MedialVoxelBox &)> listener)
+  {
+    m_RegionListeners.push_back(std::move(listener));
   }
 
   /** Sets what windows and threads may take from the next run on, in bytes; 0 is without limit. */
@@ -216,20 +224,21 @@ private:
   bool
   MakesLabels() const;
 
-  InputVolume &                           m_Input;
-  VolumeGeometry                          m_Geometry;
-  bool                                    m_UsesVoxelUnits;
-  bool                                    m_SkipsEmptyPieces;
-  itk::MedialVoxelGrid                    m_Grid;
-  itk::MedialVoxelEngineSettings          m_Settings;
-  PieceObserver                           m_Observer;
-  itk::MultiThreaderBase::Pointer         m_Threader = itk::MultiThreaderBase::New();
-  std::unique_ptr<itk::MedialVoxelEngine> m_Engine; ///< keeps its window from piece to piece
-  itk::MedialVoxelBox                     m_Region; ///< of the piece
-  std::vector<Destination>                m_Destinations;
-  std::size_t                             m_NumberOfSets{ 1 };
-  std::size_t                             m_Set{ 0 }; ///< of buffers, for the piece
-  bool                                    m_IsStopped{ false };
+  InputVolume &                                                 m_Input;
+  VolumeGeometry                                                m_Geometry;
+  bool                                                          m_UsesVoxelUnits;
+  bool                                                          m_SkipsEmptyPieces;
+  itk::MedialVoxelGrid                                          m_Grid;
+  itk::MedialVoxelEngineSettings                                m_Settings;
+  std::vector<std::function<void(const itk::MedialVoxelBox &)>> m_RegionListeners;
+  PieceObserver                                                 m_Observer;
+  itk::MultiThreaderBase::Pointer                               m_Threader = itk::MultiThreaderBase::New();
+  std::unique_ptr<itk::MedialVoxelEngine>                       m_Engine; ///< keeps its window from piece to piece
+  itk::MedialVoxelBox                                           m_Region; ///< of the piece
+  std::vector<Destination>                                      m_Destinations;
+  std::size_t                                                   m_NumberOfSets{ 1 };
+  std::size_t                                                   m_Set{ 0 }; ///< of buffers, for the piece
+  bool                                                          m_IsStopped{ false };
 
   std::array<std::atomic<bool>, MostSets> m_HasResults{}; ///< a set that is not all zero
 };

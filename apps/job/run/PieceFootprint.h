@@ -22,6 +22,8 @@ struct PieceSurplus
 {
   std::uint64_t mostBytesPerVoxel{ 0 };
   std::uint64_t plannedBytesPerVoxel{ 0 };
+  std::uint64_t mostBytesPerVoxelOfSlice{ 0 }; ///< of a piece of one slice, beside the first
+  std::uint64_t shareOfRest{ 4 };              ///< it takes one of so many parts of the memory that is left
 };
 
 /** What a job keeps in memory at the same time, and on the disk beside its outputs. */

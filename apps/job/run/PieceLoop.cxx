@@ -5,6 +5,7 @@
 #include "Errors.h"
 #include "JobClock.h"
 #include "PeakMemory.h"
+#include "PlaceSurvey.h"
 #include "Signals.h"
 #include "Text.h"
 #include "VolumeFormats.h"
@@ -14,6 +15,7 @@
 #include "itkMedialVoxelSurfaceObserver.h"
 
 #include <algorithm>
+#include <string>
 
 namespace medialvoxel
 {
@@ -33,6 +35,14 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
              { "slices_of_piece", std::to_string(plan.GetMaximumSlices()) },
              { "threads", std::to_string(plan.threads) },
              { "planned_memory_bytes", std::to_string(plan.memoryBytes) } } };
+}
+
+[[noreturn]] void
+RefusePlaces(std::uint64_t slice, std::uint64_t allowedBytes)
+{
+  throw PieceMemoryError("slice " + std::to_string(slice) + " needs more than the " + FormatBytes(allowedBytes) +
+                         " of memory that are left for its thin or thick places; allow more with --memory, or look for "
+                         "fewer: a smaller --thin-below, a larger --thick-above");
 }
 
 void
@@ -155,6 +165,14 @@ PieceLoop::RunSlices(PieceEngine & engine, const PieceRange & range, const Piece
     {
       // What fitted, with room for parts that have more of it.
       this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfRange, 0.125, 0.5), "memory of the surface");
+    }
+    catch (const PlaceMemoryError & error)
+    {
+      if (now.slices.end - now.slices.begin == 1)
+      {
+        RefusePlaces(now.slices.begin, error.GetAllowedBytes());
+      }
+      this->ShortenPieces(engine, std::clamp(0.7 * m_FractionOfRange, 0.125, 0.5), "memory of thin or thick places");
     }
   }
   return sums;

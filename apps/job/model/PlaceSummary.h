@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPlaceSummary_h
+#define medialvoxelPlaceSummary_h
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** What is the matter with the walls of a place. */
+enum class PlaceKind
+{
+  Thin,
+  Thick
+};
+
+constexpr const char *
+GetName(PlaceKind kind)
+{
+  return kind == PlaceKind::Thin ? "thin" : "thick";
+}
+
+/** Walls that are beyond a limit, and the cells around them that are beyond a second one. */
+struct PlaceLimits
+{
+  double                limit{ 0.0 }; ///< length > 0; each place has a cell beyond it
+  std::optional<double> growLimit; ///< all cells are beyond it; unset: an eighth of the limit on the other side of it
+
+  double
+  GetGrowLimit(PlaceKind kind) const
+  {
+    return growLimit.value_or(limit * (kind == PlaceKind::Thin ? 1.125 : 0.875));
+  }
+};
+
+/** Connected medial cells whose walls are too thin or too thick. Points are in physical space, indices count cells;
+ * what an image has no axes for is 0. */
+struct WallPlace
+{
+  using Point = std::array<double, 3>;
+  using Index = std::array<std::int64_t, 3>;
+
+  std::uint64_t cells{ 0 };
+  double        area{ 0.0 }; ///< of the mid-surface, in squared units of the job's lengths; 2-D: a length
+  double        minimum{ 0.0 };
+  double        mean{ 0.0 }; ///< every cell counts the same
+  double        maximum{ 0.0 };
+  Point         center{}; ///< of the cell with the minimum, where walls are thick with the maximum
+  Index         index{};  ///< of that cell
+  Point         sideA{};  ///< center of the boundary voxel on one side of the wall at that cell
+  Point         sideB{};  ///< of that on the other side
+  Index         first{};  ///< smallest index of the cells along each axis
+  Index         last{};   ///< largest one
+};
+
+/** All places of a kind. */
+struct PlaceSummary
+{
+  PlaceKind              kind{ PlaceKind::Thin };
+  unsigned int           dimension{ 3 };
+  double                 limit{ 0.0 };
+  double                 growLimit{ 0.0 };
+  double                 smallestArea{ 0.0 };
+  std::uint64_t          number{ 0 };  ///< of places, also those that are not listed
+  std::uint64_t          cells{ 0 };   ///< of all of them
+  double                 area{ 0.0 };  ///< of all of them
+  std::uint64_t          smaller{ 0 }; ///< places that are left out, as their area is smaller
+  std::vector<WallPlace> places;       ///< largest area first, then by z, y, x of the index
+};
+
+} // end namespace medialvoxel
+
+#endif

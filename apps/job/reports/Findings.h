@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelFindings_h
+#define medialvoxelFindings_h
+
+#include "PlaceSurvey.h"
+#include "Survey.h"
+
+#include <memory>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** What an extraction finds out about its medial cells. */
+struct FindingSettings
+{
+  SurveySettings survey;
+  PlaceSettings  places; ///< without limits: none are looked for
+};
+
+/** \class Findings
+ * \brief The surveys of a run, which go from one process to another together. */
+class Findings
+{
+public:
+  /** \param surplusBytes as PlaceSurvey has it */
+  Findings(const VolumeGeometry &       geometry,
+           const itk::MedialVoxelGrid & grid,
+           const FindingSettings &      settings,
+           std::uint64_t                surplusBytes);
+
+  Survey &
+  GetSurvey()
+  {
+    return m_Survey;
+  }
+  const Survey &
+  GetSurvey() const
+  {
+    return m_Survey;
+  }
+
+  /** Null when no places are looked for. */
+  PlaceSurvey *
+  GetPlaces() const
+  {
+    return m_Places.get();
+  }
+
+  /** None of the kinds that are not looked for. */
+  std::vector<PlaceSummary>
+  SummarizePlaces() const;
+
+  /** Forgets all tiles. */
+  void
+  Clear();
+
+  /** All that was found, as bytes that any machine reads. */
+  std::string
+  Save() const;
+
+  /** Adds what others with the same arguments have found, in the order of their slices. \throw JobError Failure when
+   * these are not their bytes */
+  void
+  Merge(const std::string & bytes);
+
+  /** Memory that they take, beside a surplus. */
+  static std::uint64_t
+  GetBytes(const VolumeGeometry & geometry, const FindingSettings & settings);
+
+private:
+  Survey                       m_Survey;
+  std::unique_ptr<PlaceSurvey> m_Places;
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPlaceClusters_h
+#define medialvoxelPlaceClusters_h
+
+#include "PlaceList.h"
+#include "PlaceSums.h"
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class PlaceClusters
+ * \brief Joins neighbors among the cells of a volume to places, while its regions come one after the other.
+ *
+ * Cells are neighbors when they share a corner. Regions come by slices, and of some slices by rows; between two regions
+ * only those cells are kept that may get neighbors, and of the places that have none of these only the largest. What
+ * is found does not depend on the regions. */
+class PlaceClusters
+{
+public:
+  /** Bytes of a cell of a region while it is added, at most. */
+  static constexpr std::uint64_t BytesPerCell = 128;
+
+  /** Bytes of a cell that is kept, and of a place that is, while a region is added. */
+  static constexpr std::uint64_t BytesPerOpenCell = 64;
+  static constexpr std::uint64_t BytesPerOpenPlace = 3 * sizeof(PlaceSums);
+
+  PlaceClusters(const PlaceRule & rule, const PlaceGrid & grid);
+
+  const PlaceRule &
+  GetRule() const
+  {
+    return m_Rule;
+  }
+
+  /** Adds the cells of a region. The first one after Clear() may be any; slices before it belong to others. */
+  void
+  Add(const std::deque<PlaceCell> & cells, const itk::MedialVoxelBox & region);
+
+  /** Of what is kept, while a region is added. */
+  std::uint64_t
+  GetOpenBytes() const
+  {
+    return m_OpenCells.size() * BytesPerOpenCell + m_OpenPlaces.size() * BytesPerOpenPlace;
+  }
+
+  void
+  Clear();
+
+  /** Of slices that other slices, before and behind, are to be joined with. */
+  void
+  Save(NumberWriter & numbers) const;
+
+  /** Adds the slices that follow, from another one with the same arguments. \throw JobError Failure */
+  void
+  Merge(NumberReader & numbers);
+
+  /** Nothing follows: all places are complete. */
+  PlaceList
+  Finish() const;
+
+private:
+  /** A cell that is joined: of a place that is open, or one of the cells that are new, which have the numbers behind
+   * those of the places. */
+  struct Node
+  {
+    std::int64_t  key;
+    std::uint32_t number;
+  };
+  using Nodes = std::vector<Node>;
+
+  template <typename TIsOpen>
+  void
+  Join(Nodes nodes, const std::vector<PlaceSums> & places, const std::deque<PlaceCell> & cells, const TIsOpen & isOpen);
+
+  std::vector<std::uint32_t>
+  FindRoots(const Nodes & nodes, std::size_t numberOfPlaces) const;
+
+  PlaceRule              m_Rule;
+  PlaceGrid              m_Grid;
+  std::int64_t           m_FirstSlice{ -1 }; ///< -1: there was no region
+  std::int64_t           m_EndSlice{ 0 };
+  Nodes                  m_OpenCells;  ///< sorted by their keys; numbers of their places
+  std::vector<PlaceSums> m_OpenPlaces; ///< each has an open cell
+  PlaceList              m_Complete;
+};
+
+} // end namespace medialvoxel
+
+#endif

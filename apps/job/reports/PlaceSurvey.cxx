@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "PlaceSurvey.h"
+
+#include "itkMedialVoxelTileWalls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr double        LengthUnitsPerVoxel = 65536.0;
+constexpr double        FacesOfSmallestPlace = 10.0;
+constexpr double        AreaUnitsPerFace = 1048576.0; // as in a survey
+constexpr std::uint64_t VoxelsPerOpenCell = 16;       // of a slice
+
+double
+GetLengthUnit(const itk::MedialVoxelGrid & grid, unsigned int dimension)
+{
+  const auto & spacing = grid.GetSpacing();
+  return *std::min_element(spacing.begin(), spacing.begin() + dimension) / LengthUnitsPerVoxel;
+}
+
+/** Of cells of a slice that are planned for: they are new, or of two slices that are open. */
+std::uint64_t
+GetPlannedCellBytes(const VolumeGeometry & geometry)
+{
+  constexpr std::uint64_t least = 1024;
+  const std::uint64_t     cells = least + geometry.GetVoxelsPerSlice() / VoxelsPerOpenCell;
+  return cells * (PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell);
+}
+
+/** Places of a kind that are listed, at most: no two of them touch. */
+std::uint64_t
+GetMostPlaces(const VolumeGeometry & geometry, const PlaceSettings & settings)
+{
+  // Places with the voxels behind their cells do not overlap: ten cells have (10^(1/3) + 1)^3, or (10^(1/2) + 1)^2.
+  const std::uint64_t voxelsOfTenCells = geometry.GetDimension() == 3 ? 31 : 17;
+  const std::uint64_t voxelsOfCell = std::uint64_t{ 1 } << geometry.GetDimension();
+  const std::uint64_t places =
+    geometry.GetNumberOfVoxels() / (settings.smallestArea ? voxelsOfCell : voxelsOfTenCells) + 1;
+  return std::min<std::uint64_t>(places, PlaceList::MostPlaces);
+}
+
+PlaceStep
+GetStep(const itk::MedialVoxelIndex & from, const itk::MedialVoxelIndex & to)
+{
+  PlaceStep step{};
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    step[axis] = static_cast<std::int32_t>(to[axis] - from[axis]);
+  }
+  return step;
+}
+
+} // namespace
+
+PlaceMemoryError::PlaceMemoryError(std::uint64_t allowedBytes)
+  : std::runtime_error("thin or thick places take more memory than is planned")
+  , m_AllowedBytes(allowedBytes)
+{}
+
+PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
+                         const itk::MedialVoxelGrid & grid,
+                         const PlaceSettings &        settings,
+                         double                       areaUnit,
+                         std::uint64_t                surplusBytes)
+  : m_Geometry(geometry)
+  , m_Grid(grid.GetSize(), geometry.GetDimension())
+  , m_AreaUnit(areaUnit)
+  , m_AllowedBytes(GetPlannedCellBytes(geometry) + surplusBytes)
+{
+  const double smallest = settings.smallestArea.value_or(FacesOfSmallestPlace * AreaUnitsPerFace * areaUnit) / areaUnit;
+  for (const auto & [kind, limits] : settings.limits)
+  {
+    PlaceRule rule;
+    rule.kind = kind;
+    rule.limit = limits.limit;
+    rule.growLimit = limits.GetGrowLimit(kind);
+    rule.smallestArea =
+      smallest < 0x1p63 ? static_cast<std::uint64_t>(std::ceil(smallest)) : std::numeric_limits<std::uint64_t>::max();
+    rule.lengthUnit = GetLengthUnit(grid, geometry.GetDimension());
+    m_Findings.push_back({ PlaceClusters(rule, m_Grid), {} });
+  }
+}
+
+void
+PlaceSurvey::Begin()
+{
+  for (Finding & finding : m_Findings)
+  {
+    finding.pending.clear();
+  }
+}
+
+itk::MedialVoxelBits::WordType
+PlaceSurvey::SelectCells(const itk::MedialVoxelCellRow &) const
+{
+  return ~itk::MedialVoxelBits::WordType{ 0 };
+}
+
+void
+PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
+{
+  for (Finding & finding : m_Findings)
+  {
+    const PlaceRule &          rule = finding.clusters.GetRule();
+    std::vector<PlaceCell>     cells;
+    itk::MedialVoxelWallPoints points;
+    itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & index, const auto & wall) {
+      const auto thickness = static_cast<double>(wall.thickness);
+      if (!wall.IsMeasured() || !rule.Grows(thickness))
+      {
+        return;
+      }
+      PlaceCell cell{ m_Grid.GetKey(index), wall.thickness };
+      cell.area = static_cast<std::uint32_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit));
+      if (rule.Begins(thickness) && tile.classifier.GetWallPoints(tile.features, index, points))
+      {
+        cell.a = GetStep(index, points.a);
+        cell.b = GetStep(index, points.b);
+      }
+      cells.push_back(cell);
+    });
+    const std::lock_guard<std::mutex> lock(m_Mutex);
+    finding.pending.insert(finding.pending.end(), cells.begin(), cells.end());
+    if (this->GetUsedBytes() > m_AllowedBytes)
+    {
+      throw PlaceMemoryError(m_AllowedBytes);
+    }
+  }
+}
+
+std::uint64_t
+PlaceSurvey::GetUsedBytes() const
+{
+  return std::accumulate(
+    m_Findings.begin(), m_Findings.end(), std::uint64_t{ 0 }, [](std::uint64_t bytes, const Finding & finding) {
+      return bytes + finding.clusters.GetOpenBytes() + finding.pending.size() * PlaceClusters::BytesPerCell;
+    });
+}
+
+void
+PlaceSurvey::Commit()
+{
+  for (Finding & finding : m_Findings)
+  {
+    finding.clusters.Add(finding.pending, m_Region);
+    finding.pending = {};
+  }
+}
+
+void
+PlaceSurvey::Clear()
+{
+  for (Finding & finding : m_Findings)
+  {
+    finding.clusters.Clear();
+  }
+}
+
+std::string
+PlaceSurvey::Save() const
+{
+  NumberWriter numbers;
+  for (const Finding & finding : m_Findings)
+  {
+    finding.clusters.Save(numbers);
+  }
+  return numbers.Pack();
+}
+
+void
+PlaceSurvey::Merge(const std::string & bytes)
+{
+  // zlib makes no byte from less than a thousandth of one.
+  constexpr std::uint64_t mostPacking = 1100;
+  NumberReader            numbers(bytes, bytes.size() * mostPacking);
+  for (Finding & finding : m_Findings)
+  {
+    finding.clusters.Merge(numbers);
+  }
+  numbers.CheckEnd();
+}
+
+std::vector<PlaceSummary>
+PlaceSurvey::Summarize() const
+{
+  std::vector<PlaceSummary> summaries;
+  for (const Finding & finding : m_Findings)
+  {
+    const PlaceRule & rule = finding.clusters.GetRule();
+    PlaceList         list = finding.clusters.Finish();
+    PlaceSummary &    summary = summaries.emplace_back();
+    summary.kind = rule.kind;
+    summary.dimension = m_Geometry.GetDimension();
+    summary.limit = rule.limit;
+    summary.growLimit = rule.growLimit;
+    summary.smallestArea = static_cast<double>(rule.smallestArea) * m_AreaUnit;
+    summary.number = list.GetTotals().number;
+    summary.cells = list.GetTotals().cells;
+    summary.area = static_cast<double>(list.GetTotals().area) * m_AreaUnit;
+    summary.smaller = list.GetTotals().smaller;
+    const std::vector<PlaceSums> sorted = list.TakeSorted();
+    summary.places.reserve(sorted.size());
+    for (const PlaceSums & sums : sorted)
+    {
+      summary.places.push_back(this->Describe(sums, rule.lengthUnit));
+    }
+  }
+  return summaries;
+}
+
+WallPlace
+PlaceSurvey::Describe(const PlaceSums & sums, double lengthUnit) const
+{
+  constexpr double            halfVoxel = 0.5;
+  const itk::MedialVoxelIndex worst = m_Grid.GetCell(sums.worst.key);
+  WallPlace                   place;
+  place.cells = sums.cells;
+  place.area = static_cast<double>(sums.area) * m_AreaUnit;
+  place.minimum = static_cast<double>(sums.minimum);
+  place.mean = static_cast<double>(sums.thickness) * lengthUnit / static_cast<double>(sums.cells);
+  place.maximum = static_cast<double>(sums.maximum);
+  place.center = this->GetPoint(worst, {}, halfVoxel);
+  place.sideA = this->GetPoint(worst, sums.worst.a, 0.0);
+  place.sideB = this->GetPoint(worst, sums.worst.b, 0.0);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    place.index[axis] = worst[axis];
+    place.first[axis] = sums.first[axis];
+    place.last[axis] = sums.last[axis];
+  }
+  return place;
+}
+
+/** \param shift voxels along each axis that is longer than one voxel, as cells have it */
+WallPlace::Point
+PlaceSurvey::GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & step, double shift) const
+{
+  WallPlace::Point point{};
+  for (unsigned int row = 0; row < m_Geometry.GetDimension(); ++row)
+  {
+    point[row] = m_Geometry.origin[row];
+    for (unsigned int axis = 0; axis < m_Geometry.GetDimension(); ++axis)
+    {
+      const double voxels = static_cast<double>(index[axis] + step[axis]) + (m_Geometry.size[axis] > 1 ? shift : 0.0);
+      point[row] += m_Geometry.direction[axis][row] * m_Geometry.spacing[axis] * voxels;
+    }
+  }
+  return point;
+}
+
+std::uint64_t
+PlaceSurvey::GetBytes(const VolumeGeometry & geometry, const PlaceSettings & settings)
+{
+  // The places that are listed, sorted, described and as text.
+  constexpr std::uint64_t bytesOfText = 256;
+  constexpr std::uint64_t bytesPerPlace = 2 * sizeof(PlaceSums) + sizeof(WallPlace) + bytesOfText;
+  return settings.limits.size() * GetMostPlaces(geometry, settings) * bytesPerPlace + GetPlannedCellBytes(geometry);
+}
+
+} // end namespace medialvoxel

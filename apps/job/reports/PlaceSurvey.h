@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPlaceSurvey_h
+#define medialvoxelPlaceSurvey_h
+
+#include "PlaceClusters.h"
+#include "PlaceSummary.h"
+#include "VolumeHeader.h"
+
+#include "itkMedialVoxelTileObserver.h"
+
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Which places are looked for. */
+struct PlaceSettings
+{
+  std::map<PlaceKind, PlaceLimits> limits;       ///< of the kinds that are
+  std::optional<double>            smallestArea; ///< of places that count; unset: that of ten faces of voxels
+};
+
+/** \class PlaceMemoryError
+ * \brief The cells of a region take more memory than is planned; smaller regions take less. */
+class PlaceMemoryError : public std::runtime_error
+{
+public:
+  /** \param allowedBytes that are planned */
+  explicit PlaceMemoryError(std::uint64_t allowedBytes);
+
+  std::uint64_t
+  GetAllowedBytes() const
+  {
+    return m_AllowedBytes;
+  }
+
+private:
+  std::uint64_t m_AllowedBytes;
+};
+
+/** \class PlaceSurvey
+ * \brief Finds the places whose walls are too thin or too thick while the tiles of a run are at hand. */
+class PlaceSurvey : public itk::MedialVoxelTileObserver
+{
+public:
+  /** What thin walls find in a tile. */
+  static constexpr std::uint64_t WorkerBytesPerVoxel = 4;
+
+  /** Bytes for each voxel of a piece: all walls are thin and there is noise; walls are thin here and there. */
+  static constexpr std::uint64_t MostBytesPerVoxel = 8;
+  static constexpr std::uint64_t PlannedBytesPerVoxel = 1;
+
+  /** Bytes for each voxel of a slice beside those of the piece: a thin wall lies in it. */
+  static constexpr std::uint64_t MostBytesPerVoxelOfSlice =
+    PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell;
+
+  /** \param areaUnit     of which areas are multiples, in squared units of the grid
+   * \param surplusBytes for the cells of a region, beside GetBytes() */
+  PlaceSurvey(const VolumeGeometry &       geometry,
+              const itk::MedialVoxelGrid & grid,
+              const PlaceSettings &        settings,
+              double                       areaUnit,
+              std::uint64_t                surplusBytes);
+
+  /** The tiles from now on are of this region; those of a region that failed are forgotten. */
+  void
+  BeginRegion(const itk::MedialVoxelBox & region)
+  {
+    m_Region = region;
+  }
+
+  std::uint64_t
+  GetWorkerBytesPerVoxel() const override
+  {
+    return WorkerBytesPerVoxel;
+  }
+
+  void
+  Begin() override;
+
+  itk::MedialVoxelBits::WordType
+  SelectCells(const itk::MedialVoxelCellRow & row) const override;
+
+  /** \throw PlaceMemoryError when the cells take more memory than is planned */
+  void
+  Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace) override;
+
+  void
+  Commit() override;
+
+  /** Forgets all tiles. */
+  void
+  Clear();
+
+  /** All that was found, as bytes that any machine reads. */
+  std::string
+  Save() const;
+
+  /** Adds what another one with the same arguments has found in the slices that follow. \throw JobError Failure */
+  void
+  Merge(const std::string & bytes);
+
+  /** To be called when all is found. */
+  std::vector<PlaceSummary>
+  Summarize() const;
+
+  /** Memory that it takes, also of its summary. */
+  static std::uint64_t
+  GetBytes(const VolumeGeometry & geometry, const PlaceSettings & settings);
+
+private:
+  /** What is found of a kind. */
+  struct Finding
+  {
+    PlaceClusters         clusters;
+    std::deque<PlaceCell> pending;
+  };
+
+  std::uint64_t
+  GetUsedBytes() const;
+
+  WallPlace
+  Describe(const PlaceSums & sums, double lengthUnit) const;
+
+  WallPlace::Point
+  GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & step, double shift) const;
+
+  VolumeGeometry       m_Geometry;
+  PlaceGrid            m_Grid;
+  double               m_AreaUnit;
+  std::uint64_t        m_AllowedBytes; ///< of cells that are pending or open
+  itk::MedialVoxelBox  m_Region;
+  std::mutex           m_Mutex; // of the cells that are pending
+  std::vector<Finding> m_Findings;
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,321 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Places with too thin or too thick walls: the same as by a flood fill over the thickness map, for any division."""
+
+import itertools
+import json
+import math
+import pathlib
+import random
+import shutil
+import subprocess
+import unittest
+
+import jobs
+import volumes
+from places import find_places, read_places
+from program import PROGRAM, USAGE, ProgramTestCase
+
+TOO_THIN = 5
+ENGINE = pathlib.Path(__file__).parents[3] / "shared/data/engine.mha"
+AXES = "xyz"
+
+
+def random_part(seed, size=(44, 38, 36), spacing=(0.5, 0.75, 0.6)):
+    """Plates of many thicknesses and directions with holes and dents."""
+    noise = random.Random(seed)
+    volume = volumes.Volume(size, [], spacing[: len(size)])
+    plates = []
+    for _ in range(7):
+        normal = [noise.gauss(0, 1) for _ in size]
+        length = sum(n * n for n in normal) ** 0.5
+        center = [noise.uniform(0.2, 0.8) * n for n in size]
+        plates.append(([n / length for n in normal], center, noise.uniform(1.0, 3.5)))
+    dents = [([noise.uniform(0, n) for n in size], noise.uniform(3, 7)) for _ in range(12)]
+
+    def value(*index):
+        for normal, center, half in plates:
+            if abs(sum(n * (i - c) for n, i, c in zip(normal, index, center))) < half:
+                return 0 if any(sum((i - c) ** 2 for i, c in zip(index, dent)) < r * r for dent, r in dents[:6]) else 1
+        return 1 if any(sum((i - c) ** 2 for i, c in zip(index, dent)) < r * r for dent, r in dents[6:]) else 0
+
+    volume.voxels = [value(*index[: len(size)]) for index in volume.indices()]
+    return volume
+
+
+def pitted_wall(size=(96, 96, 28), lower=8, upper=14, depth=2, radius=7):
+    """A wall of six voxels with round pits from one side, and the places of these."""
+    pits = [(x, y) for y in (20, 48, 76) for x in (20, 48, 76)]
+
+    def value(x, y, z):
+        top = upper - depth if any(math.dist((x, y), pit) < radius for pit in pits) else upper
+        return 1 if 4 <= x < size[0] - 4 and 4 <= y < size[1] - 4 and lower <= z < top else 0
+
+    volume = volumes.Volume(size, [])
+    volume.voxels = [value(*index) for index in volume.indices()]
+    return volume, pits
+
+
+def flip_surface(part, seed):
+    """A tenth of the voxels with another value among their 26 neighbors changes sides."""
+    noise = random.Random(seed)
+    width, height, depth = part.size
+    steps = [(z * height + y) * width + x for x, y, z in itertools.product((-1, 0, 1), repeat=3)]
+
+    def is_beside(at, x, y, z):
+        if not (0 < x < width - 1 and 0 < y < height - 1 and 0 < z < depth - 1):
+            return False
+        return len({part.voxels[at + step] for step in steps}) == 2
+
+    flipped = volumes.Volume(part.size, [])
+    flipped.voxels = [
+        value ^ (is_beside(at, *index) and noise.random() < 0.1)
+        for at, (value, index) in enumerate(zip(part.voxels, part.indices()))
+    ]
+    return flipped
+
+
+class PlacesTest(ProgramTestCase):
+    def places(self, *arguments, source="in.mha", table="p.csv", thickness=3):
+        self.extract(source, "l.mha", "--places", table, "--overwrite", *arguments, thickness=thickness)
+        return read_places(self.folder / table)
+
+    def assert_same_places(self, rows, expected, geometry):
+        """Rows of one kind are these places, the largest first."""
+        axes = AXES[: len(geometry.size)]
+        order = [(-row["area"], *(row["index_" + axis] for axis in axes[::-1])) for row in rows]
+        self.assertEqual(order, sorted(order))
+        self.assertEqual([row["place"] for row in rows], list(range(1, len(rows) + 1)))
+        by_index = sorted(rows, key=lambda row: [row["index_" + axis] for axis in axes[::-1]])
+        self.assertEqual(len(by_index), len(expected))
+        for row, place in zip(by_index, expected):
+            for name in ("index", "first", "last"):
+                self.assertEqual([row[f"{name}_{axis}"] for axis in axes], list(place[name][: len(axes)]), name)
+            self.assertEqual(row["cells"], place["cells"])
+            self.assertEqual((row["minimum"], row["maximum"]), (place["minimum"], place["maximum"]))
+            self.assertAlmostEqual(row["mean"], place["mean"], delta=2e-5)
+            for axis, spacing in zip(axes, geometry.spacing):
+                self.assertAlmostEqual(row[axis], (row["index_" + axis] + 0.5) * spacing, places=9)
+
+    def assert_sides(self, row, part, spacing):
+        """Two voxels of background, each the nearest one of a corner of the cell."""
+        points = [[row[f"side_{side}_{axis}"] for axis in AXES] for side in "ab"]
+        self.assertNotEqual(*points)
+        width, height, _ = part.size
+        cell = [row[f"index_{axis}"] for axis in AXES]
+
+        def is_background(index):
+            inside = all(0 <= i < n for i, n in zip(index, part.size))
+            return inside and part.voxels[(index[2] * height + index[1]) * width + index[0]] == 0
+
+        def squared(a, b):
+            return sum(((i - j) * s) ** 2 for i, j, s in zip(a, b, spacing))
+
+        around = [index for index in itertools.product(*(range(c - 6, c + 8) for c in cell)) if is_background(index)]
+        corners = list(itertools.product(*((c, c + 1) for c in cell)))
+        for point in points:
+            index = [round(p / s) for p, s in zip(point, part.spacing)]
+            self.assertTrue(all(abs(i * s - p) < 1e-9 for i, s, p in zip(index, part.spacing, point)))
+            self.assertTrue(is_background(index))
+            nearest = (min(squared(corner, other) for other in around) for corner in corners)
+            self.assertTrue(any(squared(corner, index) <= n + 1e-9 for corner, n in zip(corners, nearest)), row)
+
+    def test_places_are_those_of_the_map(self):
+        found = 0
+        for seed, unit, thickness in ((1, [], 3), (2, ["--voxel-units"], 3), (3, [], "auto")):
+            part = random_part(seed)
+            volumes.write_meta(self.folder / "in.mha", part)
+            for limits in (("2.0,2.0", "2.6,2.6"), ("1.7,2.4", "3,2.5"), ("2.4", "2.5"), ("0.6", "9"), ("99", "0.01")):
+                arguments = ["--thin-below", limits[0], "--thick-above", limits[1], "--smallest-place", 0, *unit]
+                rows = self.places("--thickness-map", "t.mha", "--report", "r.json", *arguments, thickness=thickness)
+                values = volumes.read_floats(self.folder / "t.mha")
+                report = json.loads((self.folder / "r.json").read_text())
+                for kind, text, factor in (("thin", limits[0], 1.125), ("thick", limits[1], 0.875)):
+                    limit, *grow = map(float, text.split(","))
+                    expected = find_places(values, part.size, kind, limit, *(grow or [limit * factor]))
+                    own = [row for row in rows if row["kind"] == kind]
+                    self.assert_same_places(own, expected, part)
+                    if seed < 3:  # without pores that are taken for object
+                        for row in own[:4]:
+                            self.assert_sides(row, part, (1, 1, 1) if unit else part.spacing)
+                    told = report["places"][kind]
+                    self.assertEqual((told["number"], told["smaller"]), (len(expected), 0))
+                    self.assertEqual(told["cells"], sum(place["cells"] for place in expected))
+                    self.assertAlmostEqual(told["area"], sum(row["area"] for row in own), delta=1e-6)
+                    self.assertEqual([place["cells"] for place in told["places"]], [row["cells"] for row in own[:100]])
+                    found += len(expected)
+                    if limit in (99, 0.01):  # all cells that are measured
+                        self.assertEqual(told["cells"], report["thickness"]["cells"])
+                        self.assertAlmostEqual(told["area"], report["thickness"]["area"], delta=1e-6)
+        self.assertGreater(found, 200)
+
+    def test_small_places_are_left_out(self):
+        volumes.write_meta(self.folder / "in.mha", random_part(4))
+        every = self.places("--thin-below", 2.2, "--smallest-place", 0)
+        areas = [row["area"] for row in every]
+        self.assertGreater(len(set(areas)), 5)
+        for smallest in (areas[2], areas[-1], areas[0] * 1.001):
+            rows = self.places("--thin-below", 2.2, "--smallest-place", smallest, "--report", "r.json")
+            self.assertEqual(rows, [row for row in every if row["area"] >= smallest])
+            told = json.loads((self.folder / "r.json").read_text())["places"]
+            self.assertEqual((told["thin"]["number"], told["thin"]["smaller"]), (len(rows), len(every) - len(rows)))
+            self.assertIsNone(told["thick"])
+        faces = 10 * 0.75 * 0.6
+        self.assertEqual(self.places("--thin-below", 2.2), [row for row in every if row["area"] >= faces])
+
+    def test_no_division_changes_a_byte(self):
+        arguments = ["--thin-below", 2.2, "--thick-above", 2.6, "--smallest-place", 0]
+        for seed in (5, 6):
+            volumes.write_meta(self.folder / "in.mha", random_part(seed))
+            self.places(*arguments)
+            expected = (self.folder / "p.csv").read_bytes()
+            self.assertGreater(expected.count(b"\n"), 15)
+            for run in (
+                ["--divisions", 2], ["--divisions", 5, "--threads", 2], ["--divisions", 36], ["--threads", 1],
+                ["--memory", "40M", "--threads", 1], ["--mesh", "m.vtp", "--divisions", 3], ["--html", "h.html"],
+            ):  # fmt: skip
+                self.places(*arguments, *run)
+                self.assertEqual((self.folder / "p.csv").read_bytes(), expected, run)
+
+    def test_pieces_of_rows(self):
+        volumes.write_meta(self.folder / "in.mha", random_part(7, (40, 300, 40)))
+        arguments = ["--thin-below", 2.2, "--smallest-place", 0]
+        self.places(*arguments)
+        expected = (self.folder / "p.csv").read_bytes()
+        self.extract("in.mha", "x.zarr", "--overwrite")
+        self.extract("x.zarr", "y.zarr", "--thin-below", 2.2, "--smallest-place", 0, "--places", "a.csv", thickness=1)
+        whole = (self.folder / "a.csv").read_bytes()
+        for run in (["--memory", "40M", "--threads", 1], ["--divisions", 3]):
+            self.extract("x.zarr", "z.zarr", *arguments, "--places", "b.csv", "--overwrite", *run, thickness=1)
+            self.assertEqual((self.folder / "b.csv").read_bytes(), whole, run)
+        self.assertGreater(expected.count(b"\n"), 3)
+
+    def test_images_of_two_dimensions(self):
+        part = random_part(8, (120, 90), (0.5, 0.75))
+        volumes.write_meta(self.folder / "in.mha", part)
+        rows = self.places("--thin-below", 2, "--smallest-place", 0, "--thickness-map", "t.mha")
+        values = volumes.read_floats(self.folder / "t.mha")
+        expected = find_places(values, part.size, "thin", 2, 2.25)
+        self.assertGreater(len(expected), 3)
+        self.assert_same_places(rows, expected, part)
+        self.assertNotIn("z", rows[0])
+        before = (self.folder / "p.csv").read_bytes()
+        self.places("--thin-below", 2, "--smallest-place", 0, "--divisions", 9)
+        self.assertEqual((self.folder / "p.csv").read_bytes(), before)
+
+    def test_thin_places_may_fail(self):
+        volumes.write_meta(self.folder / "in.mha", random_part(9))
+        for limit, status in ((2.2, TOO_THIN), (0.01, 0)):
+            command = ["in.mha", "l.mha", "--thin-below", limit, "--fail-if-thin", "--overwrite", "--report", "r.json"]
+            result = self.run_failing("extract", *command, "--thickness", 3, status=status)
+            self.assertIn("thin places", result)
+            self.assertEqual(json.loads((self.folder / "r.json").read_text())["places"]["thin"]["number"] > 0, status == 5)
+        self.run_failing(
+            "extract", "in.mha", "m.mha", "--thin-below", 2.2, "--fail-if-thin", "--resume", status=TOO_THIN
+        )
+
+    def run_failing(self, *arguments, status):
+        """Prints its table also when it ends with the status for thin places."""
+        result = subprocess.run(
+            [PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False
+        )
+        self.assertEqual(result.returncode, status, f"{arguments}\n{result.stdout}{result.stderr}")
+        return result.stdout
+
+    def test_noise_hides_no_place(self):
+        part, pits = pitted_wall()
+        volumes.write_meta(self.folder / "in.mha", part)
+        clean = self.places("--thin-below", 5, "--voxel-units", thickness="auto")
+        self.assertEqual(len(clean), len(pits))
+        for seed in range(3):
+            volumes.write_meta(self.folder / "noisy.mha", flip_surface(part, seed))
+            options = ["--thin-below", 5, "--voxel-units", "--smooth", "auto", "--report", "r.json"]
+            noisy = self.places(*options, source="noisy.mha", thickness="auto")
+            self.assertTrue(json.loads((self.folder / "r.json").read_text())["smoothed"])
+            for x, y in pits:
+                over = [row for row in noisy if math.dist((row["index_x"], row["index_y"]), (x, y)) < 6]
+                self.assertEqual(len(over), 1, (seed, x, y, noisy))
+            self.assertEqual(len(noisy), len(pits), seed)
+            # The noise matters.
+            rough = self.places("--thin-below", 5, "--voxel-units", "--smooth", "off", source="noisy.mha", thickness="auto")
+            self.assertGreater(len(rough), len(pits), seed)
+
+    def test_page_has_the_first_places(self):
+        volumes.write_meta(self.folder / "in.mha", random_part(1))
+        rows = self.places("--thin-below", 2.2, "--html", "h.html")
+        page = (self.folder / "h.html").read_text()
+        self.assertIn("<h2>Places that are too thin</h2>", page)
+        self.assertNotIn("too thick", page)
+        for row in rows[:20]:
+            self.assertIn(f">{row['index_x']}, {row['index_y']}, {row['index_z']}<", page)
+
+    def test_wrong_values_are_refused(self):
+        volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
+        for parts, *arguments in (
+            (["thickness of thin places", "0", "greater than 0"], "--thin-below", 0),
+            (["thickness of thick places", "-1"], "--thick-above", -1),
+            (["thickness of thin places", "inf"], "--thin-below", "inf"),
+            (["--thin-below", "'x' is not a number"], "--thin-below", "x"),
+            (["--thin-below", "not one length"], "--thin-below", "1,2,3"),
+            (["second limit", "1.5", "less", "2"], "--thin-below", "2,1.5"),
+            (["second limit", "3", "greater", "2"], "--thick-above", "2,3"),
+            (["smallest area", "-1", "0 or more"], "--thin-below", 2, "--smallest-place", -1),
+            (["smallest area", "nan"], "--thin-below", 2, "--smallest-place", "nan"),
+            (["--smallest-place", "--thin-below"], "--smallest-place", 1),
+            (["--places", "--thin-below"], "--places", "p.csv"),
+            (["--fail-if-thin", "--thin-below"], "--fail-if-thin", "--thick-above", 3),
+            (["p.txt", ".csv"], "--thin-below", 2, "--places", "p.txt"),
+            (["thin or thick places", "--label"], "--thin-below", 2, "--labels", "all"),
+        ):
+            self.assert_fails(USAGE, parts, "extract", "in.mha", "out.mha", *arguments)
+
+    @unittest.skipUnless(ENGINE.exists(), "the engine volume is not here")
+    def test_engine_has_thin_places(self):
+        arguments = ["--lower", 72, "--thin-below", "3.5,4.5", "--thickness-map", "t.mha", "--voxel-units"]
+        rows = self.places(*arguments, "--sub-voxel=off", source=ENGINE)
+        header, _ = volumes.read_header(self.folder / "t.mha")
+        size = [int(number) for number in header["DimSize"].split()]
+        values = volumes.read_floats(self.folder / "t.mha")
+        expected = {place["index"]: place for place in find_places(values, size, "thin", 3.5, 4.5)}
+        self.assertGreater(len(rows), 5)
+        for row in rows:
+            index = tuple(row[f"index_{axis}"] for axis in AXES)
+            place = expected[index]
+            self.assertEqual((row["cells"], row["minimum"]), (place["cells"], place["minimum"]))
+            self.assertLess(row["minimum"], 3.5)
+            self.assertLess(row["maximum"], 4.5)
+
+
+class PlacesOfJobsTest(jobs.JobTestCase):
+    def test_clusters_find_the_same_places(self):
+        for number, seed in enumerate((10, 11)):
+            volumes.write_meta(self.folder / "in.mha", random_part(seed))
+            options = "--thickness 3 --thin-below 2.2 --thick-above 2.6 --smallest-place 0 --places p.csv".split()
+            options += ["--report", "r.json", "--html", "h.html"]
+            expected = self.expect("extract", "../in.mha", "out.mha", *options)
+            self.assertGreater(expected["p.csv"].count(b"\n"), 15)
+            for divisions in (3, 36, 7):
+                self.in_target("plan", "../in.mha", "out.mha", "job", *options, "--divisions", divisions)
+                self.in_target("work", "job", "--clusters", "1-2", "--threads", 1)
+                self.in_target("work", "job")
+                self.in_target("finalize", "job")
+                found = jobs.results(self.target)
+                self.assertEqual(found["p.csv"], expected["p.csv"])
+                self.assertEqual(found["r.json"]["places"], expected["r.json"]["places"])
+                self.clear_target()
+            shutil.rmtree(self.folder / "expected")
+
+    def test_a_job_may_fail_for_thin_places(self):
+        volumes.write_meta(self.folder / "in.mha", random_part(12))
+        options = ["--thickness", 3, "--thin-below", 2.2, "--fail-if-thin", "--divisions", 3]
+        self.in_target("plan", "../in.mha", "out.mha", "job", *options)
+        self.in_target("work", "job")
+        for _ in range(2):  # also when it was finished before
+            result = subprocess.run(
+                [PROGRAM, "finalize", "job"], cwd=self.target, capture_output=True, text=True, check=False
+            )
+            self.assertEqual((result.returncode, result.stderr), (TOO_THIN, ""))
+
+
+if __name__ == "__main__":
+    unittest.main()
