@@ -53,6 +53,7 @@ class DriftTest(ModuleTestCase):
             self.assertNotEqual(value, text_of(element, "default"))
             others = [] if flag == "objectSelection" else selection
             others = [*others, "--thinBelow", "2"] if flag == "placesFile" else others
+            others = [*others, "--localThickness", "t.mha"] if flag == "maximumLocalThickness" else others
             forms = [[f"--{flag}", value], [f"--{flag}={value}"]]
             if element.tag == "boolean":
                 forms[0] = [f"--{flag}"]
