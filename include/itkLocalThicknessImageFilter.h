@@ -87,9 +87,6 @@ protected:
   TakeTile(const MedialVoxelTileResult & tile) override;
 
 private:
-  static constexpr double DefaultVoxels = 32.0;
-  static constexpr double MostVoxels = 256.0;
-
   double m_MaximumThickness{ 0.0 };
 };
 

@@ -3,9 +3,7 @@
 #ifndef itkLocalThicknessImageFilter_hxx
 #define itkLocalThicknessImageFilter_hxx
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace itk
 {
@@ -40,23 +38,17 @@ template <typename TInputImage>
 MedialVoxelEngineTask
 LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) const
 {
-  double smallest = std::numeric_limits<double>::infinity();
-  double largest = 0.0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
+  const double largest = MedialVoxelLocalThickness::GetLargestMaximum(grid);
+  if (m_MaximumThickness > largest)
   {
-    if (grid.IsActive(axis))
-    {
-      smallest = std::min(smallest, grid.GetSpacing()[axis]);
-      largest = std::max(largest, grid.GetSpacing()[axis]);
-    }
+    itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must be at most "
+                                             << MedialVoxelLocalThickness::MostVoxels << " voxels, which is " << largest
+                                             << " here.");
   }
-  if (m_MaximumThickness > MostVoxels * smallest)
-  {
-    itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must be at most " << MostVoxels
-                                             << " voxels, which is " << MostVoxels * smallest << " here.");
-  }
-  const bool isSet = m_MaximumThickness > 0.0;
-  return MedialVoxelLocalThickness{ isSet ? m_MaximumThickness : DefaultVoxels * (largest > 0.0 ? largest : 1.0) };
+  MedialVoxelLocalThickness task;
+  task.maximumThickness =
+    m_MaximumThickness > 0.0 ? m_MaximumThickness : MedialVoxelLocalThickness::GetDefaultMaximum(grid);
+  return task;
 }
 
 template <typename TInputImage>

@@ -80,10 +80,24 @@ struct MedialVoxelDistanceMap
  * \brief The task to find, for each object voxel, the diameter of the largest ball inside the object that covers it.
  * \ingroup MedialVoxel
  */
-struct MedialVoxelLocalThickness
+struct MedialVoxel_EXPORT MedialVoxelLocalThickness
 {
   /** Diameter at which balls are cut, in the units of the spacing; positive and finite. */
   double maximumThickness{ 0.0 };
+
+  /** Components of the background inside the object, and of the object, of at most so many voxels change sides. */
+  std::uint64_t maximumPoreSize{ 0 };
+
+  /** Largest ratio of the maximum thickness to the smallest spacing, and its default, to the largest. */
+  static constexpr double MostVoxels = 256.0;
+  static constexpr double DefaultVoxels = 32.0;
+
+  static double
+  GetDefaultMaximum(const MedialVoxelGrid & grid);
+
+  /** The largest that is allowed. */
+  static double
+  GetLargestMaximum(const MedialVoxelGrid & grid);
 };
 
 using MedialVoxelEngineTask = std::variant<MedialVoxelExtraction, MedialVoxelDistanceMap, MedialVoxelLocalThickness>;

@@ -161,6 +161,13 @@ AddOutputParameters(CLI::App & app, ExtractOptions & job)
   AddPath(app, "distanceVolume", "Signed distance, negative inside the object", job.distanceFile);
   AddPath(app, "thicknessMap", "Thickness of the walls at medial cells", job.thicknessFile);
   AddPath(app, "uncertaintyMap", "Half of the 95 % interval of the thickness", job.uncertaintyFile);
+  AddPath(app, "localThickness", "Largest ball at each object voxel: its diameter", job.localThicknessFile);
+  AddText(app, "--maximumLocalThickness", "Largest of these", "T", [&job](const std::string & text) {
+    if (!text.empty())
+    {
+      job.maximumLocalThickness = ToDouble(text);
+    }
+  })->default_str("");
   AddEnumeration<std::optional<bool>>(app,
                                       "subVoxel",
                                       "Measure walls on gray values",

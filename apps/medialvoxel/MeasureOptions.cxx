@@ -51,6 +51,11 @@ AddMeasureOptions(CLI::App & app, ExtractOptions & options)
   AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
   AddFile(app, "--uncertainty-map", "Half of the 95 % interval of the thickness", options.uncertaintyFile)
     ->group(group);
+  AddFile(app, "--local-thickness", "Largest ball at each object voxel: its diameter", options.localThicknessFile)
+    ->group(group);
+  AddText(app, "--largest-ball", "Its largest diameter (default: 32 voxels)", "T", [&](const std::string & text) {
+    options.maximumLocalThickness = ToDouble(text);
+  })->group(group);
   AddSubVoxel(app, options)->group(group);
   AddLevels(app, options)->group(group);
   AddFile(app, "--thickness-csv", "Histogram of the thickness (.csv)", options.thicknessCsvFile)->group(group);

@@ -70,6 +70,14 @@ ListOptionDetails()
       "of "
       "5 voxels and an input that streams." },
     { "",
+      "--local-thickness",
+      "32-bit real, on the grid of the input: the diameter of the largest ball inside the object that covers the "
+      "center "
+      "of the voxel, 0 outside. Not with --labels." },
+    { "",
+      "--largest-ball",
+      "In units of the spacing; at most 256 voxels. Larger balls are cut to it. Time and memory grow with it." },
+    { "",
       "--sub-voxel",
       "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
       "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map, "

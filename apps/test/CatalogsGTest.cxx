@@ -106,7 +106,7 @@ CheckListing()
 TEST(MedialVoxelOutputs, OfAnExtractionAreListed)
 {
   CheckListing<ExtractOptions>();
-  EXPECT_EQ(ListVolumeNames(AskForAll<ExtractOptions>()).size(), 6);
+  EXPECT_EQ(ListVolumeNames(AskForAll<ExtractOptions>()).size(), 7);
 }
 
 TEST(MedialVoxelOutputs, OfDistancesAreListed)

@@ -57,6 +57,7 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & th
   {
     settings.halo[axis] = 2 * settings.tileMargin[axis] + 1;
   }
+  settings.maximumPoreSize = thickness.maximumPoreSize;
   settings.workerBytesPerVoxel += MedialVoxelBallPainter::BytesPerVoxel + sizeof(float);
   return settings;
 }

@@ -4,6 +4,8 @@
 
 #include "itkMedialVoxelTileObserver.h"
 
+#include <algorithm>
+
 namespace itk
 {
 
@@ -13,6 +15,28 @@ MedialVoxelExtraction::AddObserver(MedialVoxelTileObserver & observer)
   observers.push_back(&observer);
   observerBytesPerVoxel += observer.GetWorkerBytesPerVoxel();
   isObserved = true;
+}
+
+double
+MedialVoxelLocalThickness::GetDefaultMaximum(const MedialVoxelGrid & grid)
+{
+  double largest = 0.0;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    largest = grid.IsActive(axis) ? std::max(largest, grid.GetSpacing()[axis]) : largest;
+  }
+  return DefaultVoxels * (largest > 0.0 ? largest : 1.0);
+}
+
+double
+MedialVoxelLocalThickness::GetLargestMaximum(const MedialVoxelGrid & grid)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    smallest = grid.IsActive(axis) ? std::min(smallest, grid.GetSpacing()[axis]) : smallest;
+  }
+  return MostVoxels * smallest;
 }
 
 } // end namespace itk

@@ -139,6 +139,7 @@ CheckLabelOptions(const ExtractOptions & options)
     { "smoothing", options.smoothing.value_or(Smoothing::Off) != Smoothing::Off, oneObject },
     { "vectors", !options.vectorFile.empty(), oneObject },
     { "distances", !options.distanceFile.empty(), oneObject },
+    { "a local thickness", !options.localThicknessFile.empty(), oneObject },
     { "thin or thick places", ListsPlaces(options), oneObject },
   };
   for (const Other & other : others)
@@ -273,6 +274,11 @@ CheckOptions(const ExtractOptions & options)
   }
   CheckLimit("minimum thickness", options.minimumThickness);
   CheckLimit("maximum thickness", options.maximumThickness);
+  CheckLimit("maximum local thickness", options.maximumLocalThickness);
+  if (options.maximumLocalThickness && options.localThicknessFile.empty())
+  {
+    Fail(ExitStatus::Usage, "a maximum local thickness needs a local thickness; none is asked for");
+  }
   if (options.sectionWidth)
   {
     CheckPositive("the width of sections", *options.sectionWidth, false);

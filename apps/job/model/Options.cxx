@@ -178,6 +178,28 @@ GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
   return Parameters::ForSettings(grid, settings);
 }
 
+itk::MedialVoxelLocalThickness
+GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
+{
+  using Task = itk::MedialVoxelLocalThickness;
+  const double maximum = options.maximumLocalThickness.value_or(Task::GetDefaultMaximum(grid));
+  const double largest = Task::GetLargestMaximum(grid);
+  if (maximum > largest)
+  {
+    Fail(ExitStatus::Usage,
+         "the maximum local thickness is ",
+         FormatNumber(maximum),
+         "; it must be at most ",
+         FormatNumber(Task::MostVoxels),
+         " voxels, ",
+         FormatNumber(largest));
+  }
+  Task task;
+  task.maximumThickness = maximum;
+  task.maximumPoreSize = GetParameters(options, grid).maximumPoreSize;
+  return task;
+}
+
 std::string
 DescribeUnit(const JobOptions & options)
 {

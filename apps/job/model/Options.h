@@ -115,14 +115,16 @@ struct ExtractOptions : JobOptions
 
   std::string                vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary   vectorBoundary{ itk::MedialVoxelBoundary::Object };
-  std::string                thicknessFile;    ///< thickness at medial cells, float32
-  std::string                uncertaintyFile;  ///< of the thickness at medial cells, float32
-  std::string                thicknessCsvFile; ///< histogram of the thickness, comma-separated values
-  std::optional<PlaceLimits> thinBelow;        ///< places with thinner walls are listed; not with labels
-  std::optional<PlaceLimits> thickAbove;       ///< places with thicker walls are listed; not with labels
-  std::optional<double>      smallestPlace;    ///< area of places that count; unset: that of ten faces of voxels
-  std::string                placesFile;       ///< these places, comma-separated values
-  bool failsIfThin{ false };                   ///< the program ends with ExitStatus::TooThin when there are thin ones
+  std::string                thicknessFile;         ///< thickness at medial cells, float32
+  std::string                uncertaintyFile;       ///< of the thickness at medial cells, float32
+  std::string                localThicknessFile;    ///< diameters of the largest balls at object voxels, float32
+  std::optional<double>      maximumLocalThickness; ///< largest of them, > 0; unset: 32 voxels of the largest spacing
+  std::string                thicknessCsvFile;      ///< histogram of the thickness, comma-separated values
+  std::optional<PlaceLimits> thinBelow;             ///< places with thinner walls are listed; not with labels
+  std::optional<PlaceLimits> thickAbove;            ///< places with thicker walls are listed; not with labels
+  std::optional<double>      smallestPlace;         ///< area of places that count; unset: that of ten faces of voxels
+  std::string                placesFile;            ///< these places, comma-separated values
+  bool failsIfThin{ false }; ///< the program ends with ExitStatus::TooThin when there are thin ones
 
   std::string           previewFile;              ///< PNG
   std::string           htmlFile;                 ///< report as a page with the preview
@@ -190,6 +192,11 @@ GetSmoothing(const ExtractOptions & options);
 itk::MedialVoxelParameters
 GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
 
+/** The task to find the local thickness of the object.
+ * \throw JobError Usage when its maximum is too large for \a grid. */
+itk::MedialVoxelLocalThickness
+GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
+
 /** The limits of the automatic thickness in effect on \a grid. */
 itk::MedialVoxelParameters::Limits
 GetLimitsOfWalls(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
@@ -201,6 +208,12 @@ constexpr const char * AutomaticThickness = "auto";
 constexpr const char * AutomaticSpacing = "auto";
 
 /** What lengths are in, for a reader. */
+/** The task to find the local thickness of the object of the options.
+ * \throw JobError Usage when its maximum is too large for the grid */
+itk::MedialVoxelLocalThickness
+GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
+
+/** In messages. */
 std::string
 DescribeUnit(const JobOptions & options);
 

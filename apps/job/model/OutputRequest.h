@@ -19,6 +19,7 @@ enum class VolumeFiller
 {
   Extraction,
   Distance,
+  LocalThickness,
   Objects ///< the passes over a label map together
 };
 

@@ -55,6 +55,12 @@ WriteUncertainty(const itk::MedialVoxelTileResult & tile, const TileTarget & tar
   tile.WriteUncertainty(static_cast<float *>(target.first), target.strides);
 }
 
+void
+WriteLocalThickness(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+{
+  tile.WriteLocalThickness(static_cast<float *>(target.first), target.strides);
+}
+
 VoxelLayout
 GetDistanceLayout(const VolumeHeader &)
 {
@@ -98,6 +104,8 @@ constexpr VolumeKind Labels{ WriteLabels, Extraction, true, GetLabelLayout };
 constexpr VolumeKind Thicknesses{ WriteThickness, Extraction, true, GetThicknessLayout, true };
 constexpr VolumeKind Uncertainties{ WriteUncertainty, Extraction, true, GetThicknessLayout, true };
 constexpr VolumeKind Distances{ WriteDistances, Distance, false, GetDistanceLayout };
+
+constexpr VolumeKind LocalThicknesses{ WriteLocalThickness, VolumeFiller::LocalThickness, false, GetThicknessLayout };
 
 constexpr VolumeKind Objects{ nullptr, VolumeFiller::Objects, true, GetObjectLayout };
 
@@ -208,6 +216,7 @@ ListOutputKinds(const ExtractOptions &)
     { "distance", &ExtractOptions::distanceFile, "distance", Distances },
     { "thickness_map", &ExtractOptions::thicknessFile, "thickness_map", Thicknesses },
     { "uncertainty_map", &ExtractOptions::uncertaintyFile, "uncertainty_map", Uncertainties },
+    { "local_thickness", &ExtractOptions::localThicknessFile, "local_thickness", LocalThicknesses },
     MakeFileKind("thickness_csv", &ExtractOptions::thicknessCsvFile, { ".csv" }, "histogram"),
     MakeFileKind("places", &ExtractOptions::placesFile, { ".csv" }, "list of places"),
     MakeRefusedKind("mesh",

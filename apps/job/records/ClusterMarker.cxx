@@ -20,6 +20,7 @@ SumsToJson(const itk::MedialVoxelSums & sums)
     json[count.name] = sums.counts.*count.member;
   }
   json["recomputed_voxels"] = sums.recomputedVoxels;
+  json["voxels_at_maximum"] = sums.voxelsAtMaximum;
   return json;
 }
 
@@ -32,6 +33,7 @@ SumsFromJson(const Json & json)
     ReadWhole(json.at(count.name), sums.counts.*count.member);
   }
   ReadWhole(json.at("recomputed_voxels"), sums.recomputedVoxels);
+  ReadWhole(json.at("voxels_at_maximum"), sums.voxelsAtMaximum);
   return sums;
 }
 

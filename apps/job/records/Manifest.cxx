@@ -21,16 +21,18 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 9;
+constexpr int ManifestFormat = 10;
 
 constexpr const char * OverwriteName = "overwrite";
 
 using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
 using LimitOption = std::pair<const char *, std::optional<itk::MedialVoxelLimit> ExtractOptions::*>;
 
-const std::array<NumberOption, 5> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
+const std::array<NumberOption, 6> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
                                                    { "minimum_thickness", &ExtractOptions::minimumThickness },
                                                    { "maximum_thickness", &ExtractOptions::maximumThickness },
+                                                   { "maximum_local_thickness",
+                                                     &ExtractOptions::maximumLocalThickness },
                                                    { "resample", &ExtractOptions::resample },
                                                    { "smallest_place", &ExtractOptions::smallestPlace } } };
 

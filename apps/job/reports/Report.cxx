@@ -294,6 +294,12 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["roughness"] = MakeRoughness(result.roughness);
   report["measure"] = MakeMeasure(result);
   report["thickness"] = MakeThickness(result.thickness);
+  if (!options.localThicknessFile.empty())
+  {
+    report["local_thickness"] = { { "maximum",
+                                    GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness },
+                                  { "voxels_at_maximum", result.sums.voxelsAtMaximum } };
+  }
   if (!result.places.empty())
   {
     report["places"] = MakePlacesJson(result.places);

@@ -412,9 +412,28 @@ CheckSheets(const WallFacts & facts)
                   { { "explained_percent", 100.0 * share } } };
 }
 
+/** Balls are cut at the maximum, so that such values are no thickness. */
+std::optional<Finding>
+CheckMaximumLocalThickness(const WallFacts & facts)
+{
+  constexpr double much = 0.01;
+  const auto       number = static_cast<double>(facts.result.sums.voxelsAtMaximum);
+  const double     share = number / std::max(1.0, static_cast<double>(facts.result.sums.counts.objectVoxels));
+  if (facts.options.localThicknessFile.empty() || share < much)
+  {
+    return std::nullopt;
+  }
+  const double maximum = GetLocalThickness(facts.options, GetGrid(facts.options, facts.result.input)).maximumThickness;
+  return Finding{ FormatShare(share) + " of the object has the maximum local thickness, " + FormatShort(maximum) +
+                    (facts.options.voxelUnits ? " voxels" : "") +
+                    ", and may be thicker; a larger --largest-ball measures it",
+                  { { "object_percent", 100.0 * share }, { "maximum_local_thickness", maximum } } };
+}
+
 const std::vector<Rule<WallFacts>> WallRules{ { "no_medial_cells", CheckMedialCells },
                                               { "beyond_maximum_thickness", CheckMaximumThickness },
-                                              { "few_sheets", CheckSheets } };
+                                              { "few_sheets", CheckSheets },
+                                              { "beyond_maximum_local_thickness", CheckMaximumLocalThickness } };
 
 } // namespace
 

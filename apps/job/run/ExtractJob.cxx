@@ -99,8 +99,12 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
   const auto     volumes = ListVolumes(options, header);
   PieceFootprint footprint;
-  footprint.bytesPerVoxel =
-    std::max(GetBytesPerVoxel(volumes, VolumeFiller::Extraction), GetBytesPerVoxel(volumes, VolumeFiller::Distance));
+  const auto     further = ListFurtherTasks(options, header);
+  footprint.bytesPerVoxel = GetBytesPerVoxel(volumes, VolumeFiller::Extraction);
+  for (const FurtherTask & task : further)
+  {
+    footprint.bytesPerVoxel = std::max(footprint.bytesPerVoxel, GetBytesPerVoxel(volumes, task.filler));
+  }
   footprint.grid = GetGrid(options, header);
   const FindingSettings      findings = GetFindingSettings(options);
   itk::MedialVoxelExtraction extraction = MakeExtraction(options, header);
@@ -135,9 +139,9 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   }
   AddEngine(footprint, header, extraction);
   AddOutputs(footprint, options, header, ListOutputs(options, header));
-  if (!options.distanceFile.empty())
+  for (const FurtherTask & task : further)
   {
-    AddEngine(footprint, header, itk::MedialVoxelDistanceMap{});
+    AddEngine(footprint, header, task.task);
   }
   if (findings.survey.picture)
   {
@@ -162,12 +166,12 @@ GetSharedFootprint(const ExtractOptions & options, const VolumeHeader & header)
   return footprint;
 }
 
-/** Chunks are read and written in any order. Surfaces, objects and distances are made of whole slices. */
+/** Chunks are read and written in any order. Surfaces, objects and further tasks are made of whole slices. */
 bool
 CanDoRows(const ExtractOptions & options, const VolumeHeader & header)
 {
-  return header.GetStored().chunks && !header.stored && options.meshFile.empty() && options.distanceFile.empty() &&
-         !options.labels;
+  return header.GetStored().chunks && !header.stored && options.meshFile.empty() && !options.labels &&
+         ListFurtherTasks(options, header).empty();
 }
 
 /** Names and colors of the labels that the options choose. */

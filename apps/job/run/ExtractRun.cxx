@@ -6,7 +6,9 @@
 #include "Outputs.h"
 #include "ScanMeasure.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -26,6 +28,21 @@ MakeExtraction(const ExtractOptions & options, const VolumeHeader & header)
     extraction.grayRange = GetGrayRange(options, header);
   }
   return extraction;
+}
+
+std::vector<FurtherTask>
+ListFurtherTasks(const ExtractOptions & options, const VolumeHeader & header)
+{
+  std::vector<FurtherTask> tasks;
+  if (!options.distanceFile.empty())
+  {
+    tasks.push_back({ VolumeFiller::Distance, itk::MedialVoxelDistanceMap{} });
+  }
+  if (!options.localThicknessFile.empty())
+  {
+    tasks.push_back({ VolumeFiller::LocalThickness, GetLocalThickness(options, GetGrid(options, header)) });
+  }
+  return tasks;
 }
 
 namespace
@@ -54,7 +71,7 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   : m_Options(options)
   , m_Header(job.input)
   , m_Input(OpenInput(options, job))
-  , m_Loop(job.plan, job.input, options.distanceFile.empty() ? 1 : 2, sink)
+  , m_Loop(job.plan, job.input, 1 + static_cast<unsigned int>(ListFurtherTasks(options, job.input).size()), sink)
   , m_Findings(job.input.geometry,
                GetGrid(options, job.input),
                GetFindingSettings(options),
@@ -70,9 +87,9 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   {
     m_Engine->KeepPreviousResults();
   }
-  if (!options.distanceFile.empty())
+  for (const FurtherTask & further : ListFurtherTasks(options, job.input))
   {
-    m_DistanceEngine = makeEngine(itk::MedialVoxelDistanceMap{});
+    m_FurtherEngines.push_back({ further.filler, makeEngine(further.task) });
   }
   if (options.labels)
   {
@@ -90,8 +107,16 @@ ExtractRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
     m_Objects->GetUnion().AddObjects(request, volume);
     return;
   }
-  PieceEngine & engine = request.filler == VolumeFiller::Extraction ? *m_Engine : *m_DistanceEngine;
-  engine.AddVolume(request, m_Objects ? m_Objects->GetUnion().AddVolume(request, volume) : volume);
+  this->GetEngine(request.filler)
+    .AddVolume(request, m_Objects ? m_Objects->GetUnion().AddVolume(request, volume) : volume);
+}
+
+PieceEngine &
+ExtractRun::GetEngine(const VolumeFiller filler)
+{
+  const auto found = std::find_if(
+    m_FurtherEngines.begin(), m_FurtherEngines.end(), [&](const auto & further) { return further.filler == filler; });
+  return found == m_FurtherEngines.end() ? *m_Engine : *found->engine;
 }
 
 void
@@ -172,11 +197,12 @@ ExtractRun::Run(const SliceRange & range, const SliceRange & nextRange)
     return m_Objects->Run(m_Loop, *m_Engine, range, m_Writer);
   }
   itk::MedialVoxelSums sums = m_Loop.Run(*m_Engine, range, nextRange, m_Writer);
-  if (m_DistanceEngine)
+  for (const FurtherEngine & further : m_FurtherEngines)
   {
-    itk::MedialVoxelSums distances = m_Loop.Run(*m_DistanceEngine, range, nextRange, m_Writer);
-    distances.counts = {}; // of the same voxels
-    sums += distances;
+    itk::MedialVoxelSums others = m_Loop.Run(*further.engine, range, nextRange, m_Writer);
+    others.counts = {};                                                         // of the same voxels
+    others.distanceSeconds += std::exchange(others.classificationSeconds, 0.0); // no cells are decided
+    sums += others;
   }
   return sums;
 }
@@ -197,16 +223,16 @@ void
 ExtractRun::DropEngines()
 {
   m_Engine.reset();
-  m_DistanceEngine.reset();
+  m_FurtherEngines.clear();
 }
 
 void
 ExtractRun::Release()
 {
   m_Engine->Release();
-  if (m_DistanceEngine)
+  for (const FurtherEngine & further : m_FurtherEngines)
   {
-    m_DistanceEngine->Release();
+    further.engine->Release();
   }
 }
 

@@ -21,6 +21,17 @@ namespace medialvoxel
 itk::MedialVoxelExtraction
 MakeExtraction(const ExtractOptions & options, const VolumeHeader & header);
 
+/** A task beside the extraction, and the volumes that it fills. */
+struct FurtherTask
+{
+  VolumeFiller               filler;
+  itk::MedialVoxelEngineTask task;
+};
+
+/** Those that the outputs need, in the order in which they run. */
+std::vector<FurtherTask>
+ListFurtherTasks(const ExtractOptions & options, const VolumeHeader & header);
+
 /** \class ExtractRun
  * \brief Computes ranges of slices of an opened volume and has them written to the volumes of a job. */
 class ExtractRun
@@ -117,13 +128,23 @@ private:
   void
   ChooseMeasure();
 
+  /** The engine that makes what a volume holds. */
+  PieceEngine &
+  GetEngine(VolumeFiller filler);
+
+  struct FurtherEngine
+  {
+    VolumeFiller                 filler;
+    std::unique_ptr<PieceEngine> engine;
+  };
+
   ExtractOptions               m_Options;
   VolumeHeader                 m_Header;
   std::optional<WallMeasure>   m_Measure;
   std::unique_ptr<InputVolume> m_Input;
   PieceLoop                    m_Loop;
   std::unique_ptr<PieceEngine> m_Engine;
-  std::unique_ptr<PieceEngine> m_DistanceEngine; ///< null when no distances are wanted
+  std::vector<FurtherEngine>   m_FurtherEngines;
   Findings                     m_Findings;
   std::unique_ptr<LabelMapRun> m_Objects; ///< of a label map
   LabelSelection               m_Labels;  ///< the same

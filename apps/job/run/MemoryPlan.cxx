@@ -122,16 +122,17 @@ GetLargestBox(const JobPlan & plan, const Request & request)
   return box;
 }
 
-/** Windows and threads of all engines, for walls of up to PlannedWallThickness. */
+/** Windows and threads of all engines, for walls of up to PlannedWallThickness. Each has the same share of the memory.
+ */
 std::uint64_t
 EstimateEngines(const JobPlan & plan, const Request & request)
 {
-  std::uint64_t bytes = 0;
+  std::uint64_t most = 0;
   for (const auto & settings : request.footprint.engines)
   {
-    bytes += MakeEngine(plan, request, settings)->GetBytes(GetLargestBox(plan, request));
+    most = std::max(most, MakeEngine(plan, request, settings)->GetBytes(GetLargestBox(plan, request)));
   }
-  return bytes;
+  return most * request.footprint.engines.size();
 }
 
 /** Slices of a slab that the engine chooses when memory does not matter. */

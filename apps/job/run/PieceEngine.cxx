@@ -80,7 +80,27 @@ PieceEngine::MakesLabels() const
 const char *
 PieceEngine::GetName() const
 {
-  return this->MakesLabels() ? "labels" : "distances";
+  struct Names
+  {
+    const char *
+    operator()(const itk::MedialVoxelExtraction &) const
+    {
+      return "labels";
+    }
+
+    const char *
+    operator()(const itk::MedialVoxelDistanceMap &) const
+    {
+      return "distances";
+    }
+
+    const char *
+    operator()(const itk::MedialVoxelLocalThickness &) const
+    {
+      return "local thickness";
+    }
+  };
+  return std::visit(Names{}, m_Settings.task);
 }
 
 void

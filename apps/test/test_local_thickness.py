@@ -1,0 +1,133 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Diameters of the largest balls, against a search over all balls and voxels."""
+
+import json
+import random
+import unittest
+
+import volumes
+from program import USAGE, ProgramTestCase
+
+SIZE = (17, 14, 12)
+SPACING = (0.7, 0.7, 1.2)
+CAP = 5.0
+
+
+def random_blobs(size=SIZE, seed=3):
+    """Unions of random balls, and some single voxels: pores and grains."""
+    draw = random.Random(seed)
+    balls = [([draw.uniform(0, n) for n in size], draw.uniform(1, 5)) for _ in range(9)]
+    noise = {tuple(draw.randrange(n) for n in size) for _ in range(12)}
+    return [
+        60 * ((min(sum((a - b) ** 2 for a, b in zip(index, center)) - radius**2 for center, radius in balls) < 0) != (index in noise))
+        for index in volumes.Volume(size, []).indices()
+    ]
+
+
+def largest_balls(indices, voxels, spacing, cap):
+    """Twice the radius of the largest ball in the object that covers a voxel. Radii lead to the nearest background."""
+
+    def squared(a, b):
+        return sum(((p - q) * s) ** 2 for p, q, s in zip(a, b, spacing))
+
+    inside = [index for index, value in zip(indices, voxels) if value]
+    outside = [index for index, value in zip(indices, voxels) if not value]
+    radii = {index: min((cap / 2) ** 2, min(squared(index, other) for other in outside)) for index in inside}
+    found = []
+    for index, value in zip(indices, voxels):
+        covering = (radius for center, radius in radii.items() if squared(center, index) < radius * (1 - 1e-12))
+        found.append(2 * max(covering) ** 0.5 if value else 0.0)
+    return found
+
+
+class LocalThicknessTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        self.volume = volumes.Volume(SIZE, random_blobs(), SPACING)
+        self.indices = list(self.volume.indices())
+        volumes.write_meta(self.folder / "in.mha", self.volume)
+
+    def measure(self, *options):
+        self.run_program(
+            "extract", "in.mha", "out.mha", "--local-thickness", "t.mha", "--report", "r.json", "--overwrite", "--smooth", "off", *options
+        )
+        self.report = json.loads((self.folder / "r.json").read_text("utf-8"))
+        self.warnings = {warning["code"]: warning["message"] for warning in self.report["warnings"]}
+        return volumes.read_floats(self.folder / "t.mha")
+
+    def assert_equal_values(self, found, expected):
+        self.assertEqual(len(found), len(expected))
+        for value, wanted in zip(found, expected):
+            self.assertAlmostEqual(value, wanted, delta=1e-5)
+
+    def test_equals_the_search_over_all_balls(self):
+        found = self.measure("--max-pore-size", 0, "--largest-ball", CAP)
+        expected = largest_balls(self.indices, self.volume.voxels, SPACING, CAP)
+        self.assert_equal_values(found, expected)
+        at_maximum = sum(value >= CAP - 1e-6 for value in expected)
+        self.assertGreater(at_maximum, 50)
+        self.assertEqual(self.report["local_thickness"], {"maximum": CAP, "voxels_at_maximum": at_maximum})
+        header, _ = volumes.read_header(self.folder / "t.mha")
+        self.assertEqual(header["DimSize"], " ".join(map(str, SIZE)))
+
+    def test_in_voxels_without_a_limit_that_matters(self):
+        found = self.measure("--max-pore-size", 0, "--voxel-units")
+        self.assert_equal_values(found, largest_balls(self.indices, self.volume.voxels, (1, 1, 1), 32))
+        self.assertEqual(self.report["local_thickness"], {"maximum": 32, "voxels_at_maximum": 0})
+        self.assertNotIn("beyond_maximum_local_thickness", self.warnings)
+
+    def test_a_picture(self):
+        flat = volumes.Volume((60, 40), random_blobs((60, 40, 1)), (0.5, 0.8))
+        volumes.write_meta(self.folder / "in.mha", flat)
+        found = self.measure("--max-pore-size", 0)
+        self.assert_equal_values(found, largest_balls(list(flat.indices()), flat.voxels, (0.5, 0.8, 1), 32 * 0.8))
+
+    def test_pores_and_grains_do_not_count(self):
+        solid = [60 * all(3 <= i < n - 3 for i, n in zip(index, SIZE)) for index in self.indices]
+        noise = {(5, 5, 5), (10, 8, 6), (1, 1, 1), (15, 1, 10)}
+        noisy = [60 - value if index in noise else value for index, value in zip(self.indices, solid)]
+        self.assertEqual(sum(a != b for a, b in zip(noisy, solid)), len(noise))
+        expected = largest_balls(self.indices, solid, SPACING, 38.4)
+        volumes.write_meta(self.folder / "in.mha", volumes.Volume(SIZE, noisy, SPACING))
+        self.assert_equal_values(self.measure(), expected)
+
+    def test_the_same_bytes_for_any_division(self):
+        volume = volumes.Volume((40, 33, 45), random_blobs((40, 33, 45)), SPACING)
+        volumes.write_meta(self.folder / "in.mha", volume)
+        options = ("--largest-ball", 6, "--distance", "d.mha")
+        self.measure("--threads", 1, *options)
+        files = ("out.mha", "t.mha", "d.mha")
+        expected = [(self.folder / name).read_bytes() for name in files]
+        balls = self.report["local_thickness"]
+        self.assertGreater(balls["voxels_at_maximum"], 0)
+        for more in (("--threads", 2), ("--divisions", 7), ("--divisions", 44, "--threads", 3), ("--memory", "96M")):
+            self.measure(*more, *options)
+            self.assertEqual([(self.folder / name).read_bytes() for name in files], expected, more)
+            self.assertEqual(self.report["local_thickness"], balls)
+        self.run_program("plan", "in.mha", "out.mha", "job", "--divisions", 3, "--local-thickness", "t.mha", "--smooth", "off", "--report", "r.json", "--overwrite", *options)
+        for cluster in (2, 0, 1):
+            self.run_program("work", "job", "--clusters", cluster)
+        self.run_program("finalize", "job")
+        self.assertEqual([(self.folder / name).read_bytes() for name in files], expected)
+        self.assertEqual(json.loads((self.folder / "r.json").read_text("utf-8"))["local_thickness"], balls)
+
+    def test_a_share_at_the_maximum_is_a_warning(self):
+        self.measure("--largest-ball", 2)
+        message = self.warnings["beyond_maximum_local_thickness"]
+        self.assertRegex(message, r"^\d+ % of the object has the maximum local thickness, 2, and may be thicker")
+
+    def test_errors(self):
+        local = ("--local-thickness", "t.mha")
+        for words, options in (
+            (["maximum local thickness", "0", "greater than 0"], (*local, "--largest-ball", 0)),
+            (["maximum local thickness", "180", "at most 256 voxels, 179.2"], (*local, "--largest-ball", 180)),
+            (["maximum local thickness", "none is asked for"], ("--largest-ball", 5)),
+            (["labels of several objects", "a local thickness"], (*local, "--labels", "all")),
+        ):
+            self.assert_fails(USAGE, words, "extract", "in.mha", "o.mha", *options)
+            self.assertFalse((self.folder / "o.mha").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
