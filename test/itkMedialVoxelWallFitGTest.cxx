@@ -445,3 +445,37 @@ TEST(MedialVoxelRandomSample, IsTheSameInAnyOrderAndDivision)
   EXPECT_EQ(backwards.Take(), items);
   EXPECT_EQ(parts.Take(), items);
 }
+
+TEST(MedialVoxelWallFit, ValuesThatSayNothingAreNoMeasure)
+{
+  // Random walls in noise as high as they are: some fits end where the values no longer decide on the surfaces.
+  std::mt19937_64                                random(9);
+  std::normal_distribution<>                     normalDistribution;
+  std::uniform_real_distribution<>               uniform(0.0, 1.0);
+  std::vector<itk::MedialVoxelGrayLocal::Sample> samples;
+  std::size_t                                    found = 0;
+  for (int repetition = 0; repetition < 20000; ++repetition)
+  {
+    const double                  blur = 0.3 + uniform(random);
+    const itk::MedialVoxelWallFit fit(MakeScan(blur, 1.0), 3);
+    const Share                   wall = MakeWall(4.0 * uniform(random), blur, 2.0 * uniform(random) - 1.0);
+    samples.clear();
+    for (int i = -80; i <= 80; ++i)
+    {
+      samples.push_back({ 0.1 * i, 1.0, wall(0.1 * i) + normalDistribution(random) });
+    }
+    if (const auto measured = fit.FitWall(samples))
+    {
+      ++found;
+      EXPECT_GT(measured->thickness, 0.0);
+      EXPECT_LT(measured->thickness, 20.0);
+      EXPECT_LE(measured->deviation, 4.0);
+    }
+    if (const auto surface = fit.FitSurface(samples))
+    {
+      EXPECT_LT(std::abs(surface->place), 8.0);
+      EXPECT_LE(surface->deviation, 1.0);
+    }
+  }
+  EXPECT_GT(found, 1000u);
+}

@@ -26,6 +26,9 @@ constexpr double Tail = 2.5;
 constexpr double Thinnest = 0.05;
 constexpr double Thickest = 12.0;
 
+/** Standard deviation, in voxels, from which on nothing was measured: values do not say where the surfaces are. */
+constexpr double LargestDeviation = 1.0;
+
 /** Way of the middle of a wall from where it was looked for, at most. */
 constexpr double LargestShift = 2.5;
 
@@ -248,7 +251,8 @@ MedialVoxelWallFit::FitWall(const std::vector<Sample> & samples) const -> std::o
     wall.center = 0.5 * (lower + upper);
     this->Fit(samples, wall);
   }
-  if (!(std::abs(wall.center) <= LargestShift) || !std::isfinite(wall.thickness) || !std::isfinite(wall.deviation))
+  if (!(std::abs(wall.center) <= LargestShift) || !std::isfinite(wall.thickness) ||
+      !(wall.deviation <= LargestDeviation))
   {
     return std::nullopt;
   }
@@ -363,8 +367,8 @@ MedialVoxelWallFit::FitSurface(const std::vector<Sample> & samples) const -> std
       break;
     }
   }
-  return std::isfinite(surface.place) && std::abs(surface.place - *crossing) < 1.0 ? std::optional<Surface>(surface)
-                                                                                   : std::nullopt;
+  const bool isFound = std::abs(surface.place - *crossing) < 1.0 && surface.deviation <= LargestDeviation;
+  return isFound ? std::optional<Surface>(surface) : std::nullopt;
 }
 
 std::optional<double>
