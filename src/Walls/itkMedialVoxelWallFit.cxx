@@ -19,7 +19,7 @@ using Sample = MedialVoxelGrayLocal::Sample;
 /** Steps of a fit, at most; shorter steps, in voxels, end it. Standard deviations of the blur beyond a surface up to
  * which values count. */
 constexpr int    Iterations = 12;
-constexpr double ShortestStep = 1e-6;
+constexpr double ShortestStep = 1e-4;
 constexpr double Tail = 2.5;
 
 /** Thicknesses that a fit may have. */
