@@ -35,7 +35,7 @@ ValueOf(const Index3 & v)
 }
 
 itk::MedialVoxelGray
-MakeGray(const itk::MedialVoxelBox & box)
+MakeGray(const itk::MedialVoxelBox & box, const float scale = 1.0F)
 {
   itk::MedialVoxelGray gray;
   gray.Frame(box, box);
@@ -45,7 +45,7 @@ MakeGray(const itk::MedialVoxelBox & box)
     {
       for (std::int64_t x = box.lower[0]; x < box.upper[0]; ++x)
       {
-        gray.GetRow(y, z)[x - box.lower[0]] = ValueOf({ { x, y, z } });
+        gray.GetRow(y, z)[x - box.lower[0]] = scale * ValueOf({ { x, y, z } });
       }
     }
   }
@@ -240,6 +240,26 @@ TEST(MedialVoxelGrayNormals, DoNotDependOnWhatWasAskedBeforeOrOnTheValuesAtHand)
       EXPECT_EQ(normal, expected);
       ASSERT_TRUE(shared.Find(gray, place, normal));
       EXPECT_EQ(normal, expected);
+    }
+  }
+}
+
+TEST(MedialVoxelGrayNormals, DoNotDependOnTheUnitOfTheValues)
+{
+  const itk::MedialVoxelGrid  grid({ { 40, 36, 30 } }, { { 1.0, 1.0, 1.0 } });
+  const auto                  gray = MakeGray(grid.GetVoxelBox());
+  itk::MedialVoxelGrayNormals normals(grid, 0.0, 1.0);
+  for (const float scale : { 1e-22F, 1e-3F, 1e18F })
+  {
+    const auto                  scaled = MakeGray(grid.GetVoxelBox(), scale);
+    itk::MedialVoxelGrayNormals others(grid, 0.0, 1.0);
+    for (const Vector3 & place : MakePlaces(grid, 30))
+    {
+      Vector3 expected;
+      Vector3 normal;
+      ASSERT_TRUE(normals.Find(gray, place, expected));
+      ASSERT_TRUE(others.Find(scaled, place, normal)) << scale;
+      EXPECT_NEAR(std::abs(itk::MedialVoxelDot(normal, expected)), 1.0, 1e-9) << scale;
     }
   }
 }

@@ -251,16 +251,16 @@ MedialVoxelGrayNormals::GetBlock(const MedialVoxelGray &  gray,
 void
 MedialVoxelGrayNormals::AddRow(const std::array<const float *, 3> & row,
                                const std::array<bool, Extent> &     isInside,
-                               const float                          weight,
+                               const double                         weight,
                                RowSums &                            sums)
 {
   for (std::size_t i = 0; i < Inner; ++i)
   {
-    const float x = isInside[i] ? row[0][i] : 0.0F;
-    const float y = isInside[i] ? row[1][i] : 0.0F;
-    const float z = isInside[i] ? row[2][i] : 0.0F;
-    const float weightedX = weight * x;
-    const float weightedY = weight * y;
+    const double x = isInside[i] ? static_cast<double>(row[0][i]) : 0.0;
+    const double y = isInside[i] ? static_cast<double>(row[1][i]) : 0.0;
+    const double z = isInside[i] ? static_cast<double>(row[2][i]) : 0.0;
+    const double weightedX = weight * x;
+    const double weightedY = weight * y;
     sums[0][i] += weightedX * x;
     sums[1][i] += weightedX * y;
     sums[2][i] += weightedX * z;
@@ -291,8 +291,8 @@ MedialVoxelGrayNormals::AddBlock(const Block &            block,
       const auto row = static_cast<std::size_t>(((z - origin[2]) * Extent + (y - origin[1])) * Extent);
       AddRow({ { block.gradient[0].data() + row, block.gradient[1].data() + row, block.gradient[2].data() + row } },
              isInside,
-             static_cast<float>(window.weights[1][static_cast<std::size_t>(y - window.box.lower[1])] *
-                                window.weights[2][static_cast<std::size_t>(z - window.box.lower[2])]),
+             window.weights[1][static_cast<std::size_t>(y - window.box.lower[1])] *
+               window.weights[2][static_cast<std::size_t>(z - window.box.lower[2])],
              sums);
     }
   }
@@ -330,7 +330,7 @@ MedialVoxelGrayNormals::GetTensor(const MedialVoxelGray & gray, const Window & w
         const double weight = window.weights[0][static_cast<std::size_t>(x - window.box.lower[0])];
         for (std::size_t k = 0; k < tensor.size(); ++k)
         {
-          tensor[k] += weight * static_cast<double>(sums[k][static_cast<std::size_t>(i)]);
+          tensor[k] += weight * sums[k][static_cast<std::size_t>(i)];
         }
       }
     }

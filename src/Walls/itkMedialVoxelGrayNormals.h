@@ -61,9 +61,10 @@ private:
 
   struct Window;
 
-  /** xx, xy, xz, yy, yz, zz of a tensor, and the sums of each at the places of the rows of a block. */
+  /** xx, xy, xz, yy, yz, zz of a tensor, and the sums of each at the places of the rows of a block; in double
+   * precision, as values may be in any unit. */
   using Components = std::array<double, 6>;
-  using RowSums = std::array<std::array<float, Extent>, 6>;
+  using RowSums = std::array<std::array<double, Extent>, 6>;
 
   Components
   GetTensor(const MedialVoxelGray & gray, const Window & window);
@@ -74,7 +75,7 @@ private:
   static void
   AddRow(const std::array<const float *, 3> & row,
          const std::array<bool, Extent> &     isInside,
-         float                                weight,
+         double                               weight,
          RowSums &                            sums);
 
   /** The block with an index, in blocks, that knows the gradients of a box as far as that is in the block. */
