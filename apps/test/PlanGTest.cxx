@@ -237,6 +237,25 @@ TEST(Plan, ShorterPiecesLeaveMoreToTheEngines)
   EXPECT_EQ(plan.GetEngineLimit(1000000), 1u);
 }
 
+TEST(Plan, EachEngineHasRoomInItsShare)
+{
+  const VolumeHeader header = MakeHeader({ 300, 300, 300 });
+  JobOptions         options;
+  options.threads = 1;
+  options.memoryBytes = 16384 * MiB;
+  PieceFootprint footprint = MakeFootprint(header, 1);
+  footprint.engines.front().task = itk::MedialVoxelLocalThickness{ 100.0 };
+  const auto getBytesOfEngines = [&] {
+    const JobPlan plan = MakePlan(options, header, {}, footprint);
+    return plan.memoryBytes - plan.fixedBytes - plan.GetResultBytes(plan.GetSlicesAtOnce());
+  };
+  const std::uint64_t one = getBytesOfEngines();
+  // Shares are equal, so that a small engine takes as much as a large one.
+  footprint.engines.emplace_back();
+  footprint.engines.back().task = itk::MedialVoxelDistanceMap{};
+  EXPECT_EQ(getBytesOfEngines(), 2 * one);
+}
+
 TEST(Plan, WhatWaitsForItsPieceGetsAPartOfTheMemoryThatIsLeft)
 {
   const VolumeHeader header = MakeHeader({ 300, 300, 300 });
