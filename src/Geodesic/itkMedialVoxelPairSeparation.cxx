@@ -14,9 +14,9 @@ namespace itk
 namespace
 {
 
-/** Groups are cubes of 16, then 8, 4 and 2 voxels. */
+/** Groups are cubes of 16, then 8 and 4 voxels. */
 constexpr unsigned int FirstLevel = 4;
-constexpr unsigned int LastLevel = 1;
+constexpr unsigned int LastLevel = 2;
 
 /** Number of the cube of 2^level voxels that the middle of a pair lies in. */
 std::uint64_t

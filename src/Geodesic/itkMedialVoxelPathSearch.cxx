@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelPathSearch.h"
 
+#include "itkMedialVoxelProgress.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
@@ -153,12 +155,15 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
   const PointType target = raster.PointOf(b);
   const auto      end = raster.CoordinatesOf(target);
 
-  auto & queue = workspace.m_Queue;
-  queue.Begin(m_Grid);
-  nodeOf(start) = { 0.0, 0.0, number };
-  queue.Push(start, 0.0);
-  double     found = std::numeric_limits<double>::infinity();
-  const auto visit = [&](const PointType from, const double lengthHere) {
+  auto &       queue = workspace.m_Queue;
+  const double straight = this->FreeSpaceLength(raster.CoordinatesOf(start), end);
+  queue.Begin(straight, m_Grid.GetShortestEdge());
+  nodeOf(start) = { 0.0, straight, number };
+  queue.Push({ start, 0.0 }, straight);
+  double                 found = std::numeric_limits<double>::infinity();
+  double                 limit = most;
+  MedialVoxelPollCounter poll;
+  const auto             visit = [&](const PointType from, const double lengthHere) {
     raster.VisitNeighbors(from, [&](const PointType to, const unsigned int mask) {
       const double length = lengthHere + m_EdgeLengths[mask];
       auto &       node = nodeOf(to);
@@ -168,23 +173,35 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
                  this->FreeSpaceLength(raster.CoordinatesOf(to), end),
                  number };
       }
-      if (length >= node.length || length + node.rest > most)
+      if (length >= node.length || length + node.rest > limit)
       {
         return;
       }
       node.length = length;
       if (to == target)
       {
-        found = length;
+        found = limit = length;
       }
       else
       {
-        queue.Push(to, length);
+        queue.Push({ to, length }, length + node.rest);
       }
     });
-    return found >= enough;
   };
-  queue.Run([&](const PointType point) { return nodeOf(point).length; }, visit, [](const double) { return false; });
+  while (found >= enough)
+  {
+    poll.Count();
+    const auto entry = queue.Pop();
+    if (!entry)
+    {
+      break;
+    }
+    const auto & node = nodeOf(entry->point);
+    if (entry->length <= node.length && entry->length + node.rest <= limit)
+    {
+      visit(entry->point, entry->length);
+    }
+  }
   return found;
 }
 

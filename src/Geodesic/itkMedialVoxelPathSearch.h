@@ -4,8 +4,8 @@
 #define itkMedialVoxelPathSearch_h
 
 #include "itkMedialVoxelBits.h"
-#include "itkMedialVoxelBucketQueue.h"
 #include "itkMedialVoxelGrid.h"
+#include "itkMedialVoxelGuidedQueue.h"
 
 #include "MedialVoxelExport.h"
 
@@ -22,7 +22,7 @@ namespace itk
 /** \class MedialVoxelPathSearch
  * \brief Searches a short path between two boundary points, straight on the bits of a small box.
  *
- * Dijkstra's algorithm, without the points that no short path can use. A path that is short enough ends the search.
+ * A search towards the end (A*), without the points that no short path can use. A path that is short enough ends it.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelPathSearch
@@ -63,7 +63,7 @@ public:
     std::vector<std::uint64_t>           m_Rows;
     std::vector<Node>                    m_Nodes; // of all searches, as few are met by each
     std::uint32_t                        m_Search{ 0 };
-    MedialVoxelBucketQueue<std::int32_t> m_Queue;
+    MedialVoxelGuidedQueue<std::int32_t> m_Queue;
   };
 
   explicit MedialVoxelPathSearch(const MedialVoxelGrid & grid);
