@@ -18,6 +18,9 @@ namespace
 constexpr unsigned int FirstLevel = 4;
 constexpr unsigned int LastLevel = 2;
 
+/** Share of the threshold that paths are searched for: what is known beyond it decides neighboring pairs. */
+constexpr double LongestSearch = 1.3;
+
 /** Number of the cube of 2^level voxels that the middle of a pair lies in. */
 std::uint64_t
 GroupOf(const MedialVoxelSeparationQuery & query, const unsigned int level)
@@ -169,24 +172,30 @@ MedialVoxelPairSeparation::Search(const MedialVoxelBits &            boundary,
                                   MedialVoxelLengthBounds &          bounds) const
 {
   MedialVoxelPoll();
-  const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);
-  if (box.Extent(0) <= MedialVoxelPathSearch::LongestRow)
+  const double         further = LongestSearch * query.epsilon;
+  const MedialVoxelBox wide =
+    MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, further).Intersection(boundary.GetBox());
+  if (wide.Extent(0) <= MedialVoxelPathSearch::LongestRow)
   {
     const double enough = query.epsilon * (1.0 - MedialVoxelResolutionBand);
-    const double most = query.epsilon * (1.0 + 2.0 * MedialVoxelResolutionBand);
-    const double length = m_Search.FindLength(boundary, box, query.a, query.b, enough, most, workspace.m_Search);
+    const double unclear = query.epsilon * (1.0 + 3.0 * MedialVoxelResolutionBand);
+    const double within = MedialVoxelBoundedGeodesic::LengthWithin(m_Grid, query.a, query.b, wide);
+    const double most = std::max(unclear, std::min(further, within));
+    const double length = m_Search.FindLength(boundary, wide, query.a, query.b, enough, most, workspace.m_Search);
+    const double longest = length * (1.0 + MedialVoxelResolutionBand);
     if (length < enough)
     {
-      bounds.Narrow({ 0.0, length * (1.0 + MedialVoxelResolutionBand) });
+      bounds.Narrow({ 0.0, longest });
       return false;
     }
-    if (length > most)
+    if (length > unclear)
     {
-      bounds.Narrow({ query.epsilon * (1.0 + MedialVoxelResolutionBand) });
+      bounds.Narrow({ std::min(length, most) * (1.0 - MedialVoxelResolutionBand), longest });
       return true;
     }
   }
   // Rounding matters, or the box is large.
+  const MedialVoxelBox box = MedialVoxelBoundedGeodesic::SearchBoxOf(m_Grid, query.a, query.b, query.epsilon);
   const MedialVoxelBoundedGeodesic geodesic(m_Grid, query.epsilon);
   geodesic.Begin(boundary, box, workspace.m_Geodesic);
   return geodesic.ReachesThreshold(query.a, query.b, workspace.m_Geodesic);
