@@ -2,13 +2,44 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Findings.h"
 
+#include <string_view>
+
 namespace medialvoxel
 {
 namespace
 {
 
-/** Digits of the number of bytes of the survey, which are before those of the places. */
+/** Digits of the number of bytes of a survey, which are before these. */
 constexpr std::size_t LengthBytes = 8;
+
+std::string
+PackPart(const std::string & part)
+{
+  std::string packed(LengthBytes, '\0');
+  for (std::size_t i = 0; i < LengthBytes; ++i)
+  {
+    packed[i] = static_cast<char>(std::uint64_t{ part.size() } >> (8 * i));
+  }
+  return packed + part;
+}
+
+/** Takes the first part away from \a bytes. */
+std::string
+TakePart(std::string_view & bytes)
+{
+  std::uint64_t length = 0;
+  for (std::size_t i = 0; i < LengthBytes && i < bytes.size(); ++i)
+  {
+    length |= std::uint64_t{ static_cast<std::uint8_t>(bytes[i]) } << (8 * i);
+  }
+  if (bytes.size() < LengthBytes || length > bytes.size() - LengthBytes)
+  {
+    RefusePart();
+  }
+  const std::string part(bytes.substr(LengthBytes, length));
+  bytes.remove_prefix(LengthBytes + length);
+  return part;
+}
 
 } // namespace
 
@@ -21,6 +52,10 @@ Findings::Findings(const VolumeGeometry &       geometry,
   if (!settings.places.limits.empty())
   {
     m_Places = std::make_unique<PlaceSurvey>(geometry, grid, settings.places, m_Survey.GetAreaUnit(), surplusBytes);
+  }
+  if (settings.sheet)
+  {
+    m_Sheet = std::make_unique<SheetSurvey>(geometry, m_Survey.GetThickness().GetBinWidth());
   }
 }
 
@@ -38,50 +73,60 @@ Findings::Clear()
   {
     m_Places->Clear();
   }
+  if (m_Sheet)
+  {
+    m_Sheet->Clear();
+  }
 }
 
 std::string
 Findings::Save() const
 {
-  const std::string survey = m_Survey.Save();
-  if (!m_Places)
-  {
-    return survey;
-  }
-  std::string length(LengthBytes, '\0');
-  for (std::size_t i = 0; i < LengthBytes; ++i)
-  {
-    length[i] = static_cast<char>(std::uint64_t{ survey.size() } >> (8 * i));
-  }
-  return length + survey + m_Places->Save();
+  return PackPart(m_Survey.Save()) + (m_Places ? PackPart(m_Places->Save()) : "") +
+         (m_Sheet ? PackPart(m_Sheet->Save()) : "");
 }
 
 void
 Findings::Merge(const std::string & bytes)
 {
-  if (!m_Places)
+  std::string_view rest = bytes;
+  m_Survey.Merge(TakePart(rest));
+  if (m_Places)
   {
-    m_Survey.Merge(bytes);
-    return;
+    m_Places->Merge(TakePart(rest));
   }
-  std::uint64_t length = 0;
-  for (std::size_t i = 0; i < LengthBytes && i < bytes.size(); ++i)
+  if (m_Sheet)
   {
-    length |= std::uint64_t{ static_cast<std::uint8_t>(bytes[i]) } << (8 * i);
+    m_Sheet->Merge(TakePart(rest));
   }
-  if (bytes.size() < LengthBytes || length > bytes.size() - LengthBytes)
+  if (!rest.empty())
   {
     RefusePart();
   }
-  m_Survey.Merge(bytes.substr(LengthBytes, length));
-  m_Places->Merge(bytes.substr(LengthBytes + length));
 }
+
+namespace
+{
+
+std::uint64_t
+GetSurveyBytes(const VolumeGeometry & geometry, const FindingSettings & settings)
+{
+  return Survey::GetBytes(geometry, settings.survey) +
+         (settings.places.limits.empty() ? 0 : PlaceSurvey::GetBytes(geometry, settings.places));
+}
+
+} // namespace
 
 std::uint64_t
 Findings::GetBytes(const VolumeGeometry & geometry, const FindingSettings & settings)
 {
-  return Survey::GetBytes(geometry, settings.survey) +
-         (settings.places.limits.empty() ? 0 : PlaceSurvey::GetBytes(geometry, settings.places));
+  return GetSurveyBytes(geometry, settings) + (settings.sheet ? SheetSurvey::GetBytes(geometry) : 0);
+}
+
+std::uint64_t
+Findings::GetSavedBytes(const VolumeGeometry & geometry, const FindingSettings & settings)
+{
+  return GetSurveyBytes(geometry, settings) + (settings.sheet ? SheetSurvey::GetSavedBytes(geometry) : 0);
 }
 
 } // end namespace medialvoxel

@@ -4,6 +4,7 @@
 #define medialvoxelFindings_h
 
 #include "PlaceSurvey.h"
+#include "SheetSurvey.h"
 #include "Survey.h"
 
 #include <memory>
@@ -16,7 +17,8 @@ namespace medialvoxel
 struct FindingSettings
 {
   SurveySettings survey;
-  PlaceSettings  places; ///< without limits: none are looked for
+  PlaceSettings  places;         ///< without limits: none are looked for
+  bool           sheet{ false }; ///< points of the sheet, to be shown
 };
 
 /** \class Findings
@@ -48,6 +50,13 @@ public:
     return m_Places.get();
   }
 
+  /** Null when the sheet is not to be shown. */
+  SheetSurvey *
+  GetSheet() const
+  {
+    return m_Sheet.get();
+  }
+
   /** None of the kinds that are not looked for. */
   std::vector<PlaceSummary>
   SummarizePlaces() const;
@@ -69,9 +78,14 @@ public:
   static std::uint64_t
   GetBytes(const VolumeGeometry & geometry, const FindingSettings & settings);
 
+  /** Memory while they are saved, beside. */
+  static std::uint64_t
+  GetSavedBytes(const VolumeGeometry & geometry, const FindingSettings & settings);
+
 private:
   Survey                       m_Survey;
   std::unique_ptr<PlaceSurvey> m_Places;
+  std::unique_ptr<SheetSurvey> m_Sheet;
 };
 
 } // end namespace medialvoxel

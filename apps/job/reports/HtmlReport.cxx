@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
+#include "PageText.h"
+#include "PageView.h"
 #include "PlaceTable.h"
 #include "Text.h"
 #include "Version.h"
@@ -18,72 +20,10 @@ namespace medialvoxel
 namespace
 {
 
-constexpr const char * Style =
-  ":root{color-scheme:light}\n"
-  "body{font:15px/1.45 system-ui,sans-serif;color:#1d2430;background:#fff;max-width:1000px;margin:0 "
-  "auto;padding:24px}\n"
-  "h1{font-size:24px;margin:0 0 4px}h2{font-size:18px;margin:28px 0 8px;border-bottom:1px solid #d5dae1}\n"
-  "p{margin:6px 0}.muted{color:#5b6573}\n"
-  "img{display:block;max-width:100%;height:auto;background:#000;border-radius:4px}\n"
-  "table{border-collapse:collapse}td,th{padding:2px 18px 2px 0;text-align:left;vertical-align:top}\n"
-  "th{font-weight:600}td.number{text-align:right;font-variant-numeric:tabular-nums}\n"
-  "td.text{overflow-wrap:anywhere}\n"
-  ".columns{display:flex;flex-wrap:wrap;gap:0 48px;align-items:flex-start}\n"
-  "svg{display:block;width:100%;height:auto;font:12px system-ui,sans-serif}\n"
-  ".bar{fill:#4d7ea8}.axis{stroke:#8b95a3;stroke-width:1}line.mean{stroke:#c2410c;stroke-width:1.5}\n"
-  "line.median{stroke:#1d2430;stroke-width:1.5;stroke-dasharray:4 3}text.mean{fill:#c2410c}\n"
-  ".bound,.geodesic,.object{display:inline-block;width:11px;height:11px;border:1px solid #8b95a3;margin-right:6px}\n"
-  ".bound{background:#fff}.geodesic{background:#ff2d23}.object{background:#5f5f64}\n"
-  ".warning{background:#fdf1dc;border-left:4px solid #c2410c;padding:4px 10px}\n"
-  "pre{white-space:pre-wrap;background:#f3f5f8;padding:10px;border-radius:4px}\n";
-
-/** Text that a page shows as it is. Bytes that are no valid UTF-8 are left to the browser, which replaces them. */
-std::string
-Escape(const std::string & text)
-{
-  std::string escaped;
-  for (const char character : text)
-  {
-    switch (character)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += character;
-    }
-  }
-  return escaped;
-}
-
-std::string
-EncodeBase64(std::string_view bytes)
-{
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string                text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3)
-  {
-    const auto byteAt = [&](std::size_t at) -> std::uint32_t {
-      return at < bytes.size() ? static_cast<std::uint8_t>(bytes[at]) : 0;
-    };
-    const std::uint32_t group = byteAt(i) << 16 | byteAt(i + 1) << 8 | byteAt(i + 2);
-    text += digits[group >> 18 & 63];
-    text += digits[group >> 12 & 63];
-    text += i + 1 < bytes.size() ? digits[group >> 6 & 63] : '=';
-    text += i + 2 < bytes.size() ? digits[group & 63] : '=';
-  }
-  return text;
-}
+/** Browsers load nothing that is not in the page. */
+constexpr const char * Policy = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src "
+                                "data:; style-src 'unsafe-inline'; "
+                                "script-src 'unsafe-inline'\">\n";
 
 std::string
 MakeRows(const TextTable & table, const char * kind)
@@ -91,8 +31,8 @@ MakeRows(const TextTable & table, const char * kind)
   std::string rows;
   for (const auto & [name, value] : table)
   {
-    rows +=
-      "<tr><th scope=\"row\">" + Escape(name) + "</th><td class=\"" + kind + "\">" + Escape(value) + "</td></tr>\n";
+    rows += "<tr><th scope=\"row\">" + EscapeHtml(name) + "</th><td class=\"" + kind + "\">" + EscapeHtml(value) +
+            "</td></tr>\n";
   }
   return "<table>\n" + rows + "</table>\n";
 }
@@ -140,7 +80,7 @@ MakeObjectTable(const LabelMapSummary & summary, const std::string & unit)
     const ObjectSummary & object = summary.objects[i];
     const bool            isMeasured = object.thickness.cells > 0;
     text += "<tr>" + number(std::to_string(object.label)) + "<td class=\"text\">" + MakeSwatch(object.color) +
-            Escape(object.name) + "</td>" + number(std::to_string(object.voxels)) +
+            EscapeHtml(object.name) + "</td>" + number(std::to_string(object.voxels)) +
             number(std::to_string(object.medialCells)) + number(isMeasured ? FormatShort(object.thickness.mean) : "-") +
             number(isMeasured ? FormatShort(object.thickness.GetMedian()) : "-") + "</tr>\n";
   }
@@ -186,7 +126,7 @@ MakeThickness(const ThicknessSummary & thickness, const std::string & unit, cons
   {
     text += ", and " + std::to_string(thickness.unresolvedCells) + " that the blur does not resolve";
   }
-  text += ", in " + unit + ", measured " + Escape(Describe(measure.value_or(WallMeasure{}))) +
+  text += ", in " + unit + ", measured " + EscapeHtml(Describe(measure.value_or(WallMeasure{}))) +
           "; lengths are multiples of " + FormatNumber(thickness.resolution) +
           ". The area of a cell is that of the sheet in it, in squared units.";
   if (thickness.above > 0)
@@ -210,7 +150,7 @@ MakeWarnings(const std::vector<Warning> & warnings)
   std::string text;
   for (const Warning & warning : warnings)
   {
-    text += "<p class=\"warning\">Warning: " + Escape(warning.message) + ".</p>\n";
+    text += "<p class=\"warning\">Warning: " + EscapeHtml(warning.message) + ".</p>\n";
   }
   return text;
 }
@@ -281,18 +221,25 @@ MakeCitation()
 } // namespace
 
 std::string
-MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const Pictures & pictures)
+MakeHtmlReport(const ExtractOptions & options,
+               const JobResult &      result,
+               const Pictures &       pictures,
+               const PageSheet &      sheet)
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
-  const std::string              name = Escape(result.input.fileName.filename().string());
+  const std::string              name = EscapeHtml(result.input.fileName.filename().string());
   const std::string              unit = DescribeUnit(options);
-  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>Medial voxels of " +
-                     name + "</title>\n<style>\n" + Style + "</style>\n</head>\n<body>\n";
+  std::string                    page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  page += Policy;
+  page +=
+    "<title>Medial voxels of " + name + "</title>\n<style>\n" + GetPageFile("page.css") + "</style>\n</head>\n<body>\n";
   page += "<h1>Medial voxels of " + name + "</h1>\n<p>" +
           std::to_string(counts.boundCells + counts.geodesicMedialCells) + " medial cells in " +
           std::to_string(counts.objectVoxels) + " object voxels of " + FormatSize(result.input.geometry.size) +
           ", thickness " + DescribeThickness(options, " " + unit) + ".</p>\n";
   page += MakeWarnings(result.warnings);
+  const bool hasView = HasView(sheet, result.input.geometry);
+  page += hasView ? GetPageFile("view.html") : "";
   page +=
     "<h2>Picture</h2>\n<img alt=\"Slices with the medial cells, and the projection along z\" "
     "src=\"data:image/png;base64," +
@@ -319,6 +266,10 @@ MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const P
           MakeRows({ { "MedialVoxel", GetVersion() }, { "ITK", GetItkVersion() } }, "text") + "</div>\n</div>\n";
   page += "<h2>How to cite</h2>\n" + MakeCitation();
   page += "<section id=\"run\">\n<h2>Run</h2>\n" + MakeRows(DescribeRun(options, result), "text") + "</section>\n";
+  if (hasView)
+  {
+    AddPageScripts(page, sheet, result.input.geometry, unit);
+  }
   return page + "</body>\n</html>\n";
 }
 

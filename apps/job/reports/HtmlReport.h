@@ -5,6 +5,7 @@
 
 #include "JobResult.h"
 #include "Options.h"
+#include "PageView.h"
 
 #include <string>
 #include <string_view>
@@ -19,10 +20,14 @@ struct Pictures
   std::string thicknesses;
 };
 
-/** The report of an extraction as one page that needs nothing beside itself: picture, phases, histogram of the
- * thickness, parameters, versions, how to cite. What depends on the run and the machine stands in its last section. */
+/** The report of an extraction as one page that needs nothing beside itself: the sheet in a view, picture, phases,
+ * histogram of the thickness, parameters, versions, how to cite. What depends on the run and the machine stands in its
+ * last section. */
 std::string
-MakeHtmlReport(const ExtractOptions & options, const JobResult & result, const Pictures & pictures);
+MakeHtmlReport(const ExtractOptions & options,
+               const JobResult &      result,
+               const Pictures &       pictures,
+               const PageSheet &      sheet);
 
 /** A histogram as SVG, to stand in a page. Empty without cells. \param unit text behind the numbers of the axis */
 std::string

@@ -98,8 +98,27 @@ SummaryToJson(const PlaceSummary & summary)
            { "places", places } };
 }
 
+template <typename TArray>
 std::string
-MakeHtmlRow(std::size_t number, const WallPlace & place, unsigned int dimension)
+JoinNumbers(const TArray & values)
+{
+  return Join(values, " ", [](auto value) { return FormatValue(value); });
+}
+
+/** What a view of the place needs to know, as attributes. */
+std::string
+MakeViewAttributes(std::size_t number, const WallPlace & place, PlaceKind kind)
+{
+  const std::string length = FormatShort(kind == PlaceKind::Thin ? place.minimum : place.maximum);
+  return " data-center=\"" + JoinNumbers(place.center) + "\" data-sides=\"" + JoinNumbers(place.sideA) + ' ' +
+         JoinNumbers(place.sideB) + "\" data-box=\"" + JoinNumbers(place.first) + ' ' + JoinNumbers(place.last) +
+         "\" data-length=\"" + length + "\" data-text=\"" + GetName(kind) + " place " + std::to_string(number) + ": " +
+         (kind == PlaceKind::Thin ? "minimum " : "maximum ") + length + ", area " + FormatShort(place.area) + ", at " +
+         Join(place.center, ", ", FormatShort) + '"';
+}
+
+std::string
+MakeHtmlRow(std::size_t number, const WallPlace & place, PlaceKind kind, unsigned int dimension)
 {
   const auto cell = [](const std::string & text) { return "<td class=\"number\">" + text + "</td>"; };
   const auto list = [dimension](const auto & values, auto format) {
@@ -111,10 +130,10 @@ MakeHtmlRow(std::size_t number, const WallPlace & place, unsigned int dimension)
     return text;
   };
   const auto whole = [](std::int64_t value) { return std::to_string(value); };
-  return "<tr>" + cell(std::to_string(number)) + cell(FormatShort(place.area)) + cell(std::to_string(place.cells)) +
-         cell(FormatShort(place.minimum)) + cell(FormatShort(place.mean)) + cell(FormatShort(place.maximum)) +
-         cell(list(place.center, FormatShort)) + cell(list(place.index, whole)) +
-         cell(list(place.first, whole) + " to " + list(place.last, whole)) + "</tr>\n";
+  return "<tr class=\"place\"" + MakeViewAttributes(number, place, kind) + ">" + cell(std::to_string(number)) +
+         cell(FormatShort(place.area)) + cell(std::to_string(place.cells)) + cell(FormatShort(place.minimum)) +
+         cell(FormatShort(place.mean)) + cell(FormatShort(place.maximum)) + cell(list(place.center, FormatShort)) +
+         cell(list(place.index, whole)) + cell(list(place.first, whole) + " to " + list(place.last, whole)) + "</tr>\n";
 }
 
 std::string
@@ -193,7 +212,7 @@ MakePlacesHtml(const std::vector<PlaceSummary> & summaries, const std::string & 
               "<th>position</th><th>index</th><th>extent</th></tr>\n";
       for (std::size_t i = 0; i < rows; ++i)
       {
-        text += MakeHtmlRow(i + 1, summary.places[i], summary.dimension);
+        text += MakeHtmlRow(i + 1, summary.places[i], summary.kind, summary.dimension);
       }
       text += "</table>\n<p class=\"muted\">Thickness in " + unit +
               ". Positions are in the space of the volume, at the " +

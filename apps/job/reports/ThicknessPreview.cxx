@@ -3,6 +3,7 @@
 #include "ThicknessPreview.h"
 
 #include "ColorMap.h"
+#include "ColorRange.h"
 #include "PreviewViews.h"
 #include "Text.h"
 
@@ -20,21 +21,13 @@ class Scale
 {
 public:
   explicit Scale(const LengthHistogram & thickness)
-    : m_Low(thickness.GetPercentile(1.0))
-    , m_High(thickness.GetPercentile(99.0))
-  {
-    if (m_High <= m_Low)
-    {
-      constexpr double halfVoxel = 32.0;
-      m_Low = std::max(0.0, m_Low - halfVoxel * thickness.GetBinWidth());
-      m_High += halfVoxel * thickness.GetBinWidth();
-    }
-  }
+    : m_Range(GetColorRange(thickness))
+  {}
 
   Color
   GetColor(double length) const
   {
-    return GetMapColor((length - m_Low) / (m_High - m_Low));
+    return GetMapColor((length - m_Range.low) / (m_Range.high - m_Range.low));
   }
 
   /** Draws a bar with the lengths of its ends; returns where it ends. */
@@ -46,19 +39,18 @@ public:
       canvas.DrawText(x, y, text, PreviewTextColor);
       x += GetTextWidth(text) + TextAdvance;
     };
-    write(FormatShort(m_Low));
+    write(FormatShort(m_Range.low));
     for (unsigned int i = 0; i < width; ++i)
     {
       canvas.FillRectangle({ x + i, y, 1, TextHeight }, GetMapColor(i / (width - 1.0)));
     }
     x += width + TextAdvance;
-    write(FormatShort(m_High) + " " + unit);
+    write(FormatShort(m_Range.high) + " " + unit);
     return x + TextAdvance;
   }
 
 private:
-  double m_Low;
-  double m_High;
+  ColorRange m_Range;
 };
 
 void

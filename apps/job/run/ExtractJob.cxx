@@ -10,6 +10,7 @@
 #include "MemoryPlan.h"
 #include "OutputChecks.h"
 #include "Outputs.h"
+#include "PageView.h"
 #include "PipelineErrors.h"
 #include "PrepareJob.h"
 #include "Preview.h"
@@ -152,7 +153,8 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   {
     const PreviewLayout layout = ArrangePreview(header.geometry);
     const unsigned int  pictures = options.thicknessFile.empty() ? 1 : 2;
-    footprint.bytesBeside += pictures * PageBytesPerPixel * layout.width * layout.height;
+    footprint.bytesBeside +=
+      pictures * PageBytesPerPixel * layout.width * layout.height + GetPageViewBytes(header.geometry);
   }
   return footprint;
 }
@@ -162,7 +164,7 @@ PieceFootprint
 GetSharedFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
   PieceFootprint footprint = GetFootprint(options, header);
-  footprint.bytesBeside += Findings::GetBytes(header.geometry, GetFindingSettings(options)); // as they are saved
+  footprint.bytesBeside += Findings::GetSavedBytes(header.geometry, GetFindingSettings(options));
   return footprint;
 }
 
@@ -320,6 +322,7 @@ GetFindingSettings(const ExtractOptions & options)
   FindingSettings  findings;
   SurveySettings & settings = findings.survey;
   settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
+  findings.sheet = !options.htmlFile.empty() && HasPageViewer();
   const bool showsAll = !options.thicknessFile.empty() || !options.thicknessCsvFile.empty() || ListsPlaces(options);
   if (showsAll)
   {

@@ -150,6 +150,10 @@ ExtractRun::Prepare()
     m_Engine->AddObserver(*places);
     m_Engine->AddRegionListener([places](const itk::MedialVoxelBox & region) { places->BeginRegion(region); });
   }
+  if (SheetSurvey * const sheet = m_Findings.GetSheet())
+  {
+    m_Engine->AddObserver(*sheet);
+  }
   m_Loop.Prepare(*m_Input);
   if (MayMeasureOnGrayValues(m_Options, m_Header))
   {

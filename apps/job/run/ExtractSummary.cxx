@@ -105,7 +105,8 @@ ExtractSummary::MakePlaces(const JobResult & result) const
 std::string
 ExtractSummary::MakePage(const JobResult & result) const
 {
-  return MakeHtmlReport(m_Options, result, m_Pictures);
+  return MakeHtmlReport(
+    m_Options, result, m_Pictures, { m_Findings.GetSheet(), GetColorRange(m_Survey.GetThickness()) });
 }
 
 std::string

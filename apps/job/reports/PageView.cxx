@@ -1,0 +1,186 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "PageView.h"
+
+#include "ColorMap.h"
+#include "PageText.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr const char * Library = "three.js";
+constexpr const char * Controls = "OrbitControls.js";
+constexpr const char * License = "license";
+
+/** Of a point: how far it is from the one before, three places in its block, its thickness. */
+constexpr std::uint64_t MostBytesPerPoint = 5 + 3 + 5;
+
+enum PointCode : std::uint64_t
+{
+  AtRims = 0,
+  NotMeasured = 1,
+  FirstLength = 2
+};
+
+void
+AddNumber(std::string & bytes, std::uint64_t number)
+{
+  for (; number >= 128; number >>= 7)
+  {
+    bytes.push_back(static_cast<char>(number | 128));
+  }
+  bytes.push_back(static_cast<char>(number));
+}
+
+std::uint64_t
+GetCode(const SheetPoints::Sums & sums)
+{
+  if (sums.measured > 0)
+  {
+    return FirstLength + (sums.thickness + sums.measured / 2) / sums.measured;
+  }
+  return sums.rims > 0 ? AtRims : NotMeasured;
+}
+
+/** Where in its block the mean of the cells is along an axis, in 256ths of the edge. */
+char
+GetPlaceInBlock(const SheetPoints::Point & point, unsigned int axis, unsigned int level)
+{
+  constexpr std::uint64_t parts = 256;
+  const std::uint64_t     cells = point.sums.cells;
+  const std::uint64_t     before = point.sums.index[axis] - cells * (point.block[axis] << level);
+  // The middle of a cell is half a voxel from its index.
+  const double place = (static_cast<double>(before) + 0.5 * static_cast<double>(cells)) /
+                       (static_cast<double>(cells) * static_cast<double>(std::uint64_t{ 1 } << level));
+  return static_cast<char>(std::min(static_cast<std::uint64_t>(place * parts), parts - 1));
+}
+
+std::string
+EncodePoints(const SheetPoints & points)
+{
+  const auto    blocks = points.GetNumberOfBlocks();
+  std::string   bytes;
+  std::uint64_t previous = 0;
+  points.ForEachPoint([&](const SheetPoints::Point & point) {
+    const std::uint64_t number = (point.block[2] * blocks[1] + point.block[1]) * blocks[0] + point.block[0];
+    AddNumber(bytes, number - previous);
+    previous = number;
+    for (unsigned int axis = 0; axis < 3 && points.GetLevel() > 0; ++axis)
+    {
+      bytes.push_back(GetPlaceInBlock(point, axis, points.GetLevel()));
+    }
+    AddNumber(bytes, GetCode(point.sums));
+  });
+  return bytes;
+}
+
+/** The colors of shares from 0 to 1, six digits each. */
+std::string
+MakeColors()
+{
+  constexpr unsigned int     colors = 64;
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string                text;
+  for (unsigned int i = 0; i < colors; ++i)
+  {
+    for (const std::uint8_t component : GetMapColor(i / (colors - 1.0)))
+    {
+      text += digits[component >> 4];
+      text += digits[component & 15];
+    }
+  }
+  return text;
+}
+
+std::string
+Describe(const PageSheet & shown, const VolumeGeometry & geometry, const std::string & unit)
+{
+  const SheetPoints &   points = shown.sheet->GetPoints();
+  std::array<double, 3> shift{};
+  std::transform(
+    geometry.size.begin(), geometry.size.end(), shift.begin(), [](auto size) { return size > 1 ? 0.5 : 0.0; });
+  const nlohmann::ordered_json json{ { "points", points.GetNumberOfPoints() },
+                                     { "blocks", points.GetNumberOfBlocks() },
+                                     { "edge", std::uint64_t{ 1 } << points.GetLevel() },
+                                     { "size", geometry.size },
+                                     { "spacing", geometry.spacing },
+                                     { "origin", geometry.origin },
+                                     { "direction", geometry.direction },
+                                     { "shift", shift },
+                                     { "lengths", unit },
+                                     { "lengthUnit", shown.sheet->GetLengthUnit() },
+                                     { "low", shown.colors.low },
+                                     { "high", shown.colors.high },
+                                     { "colors", MakeColors() } };
+  return json.dump();
+}
+
+void
+AddScript(std::string & page, const char * file)
+{
+  page += "<script>\n";
+  AddPageFile(page, file);
+  page += "</script>\n";
+}
+
+void
+AddData(std::string & page, const char * name, const std::string & text)
+{
+  page += "<script type=\"text/plain\" id=\"" + std::string(name) + "\">";
+  page += text;
+  page += "</script>\n";
+}
+
+/** Bytes of a text in base 64. */
+constexpr std::uint64_t
+GetEncodedBytes(std::uint64_t bytes)
+{
+  return (bytes + 2) / 3 * 4;
+}
+
+} // namespace
+
+bool
+HasPageViewer()
+{
+  return HasPageFile(Library);
+}
+
+bool
+HasView(const PageSheet & shown, const VolumeGeometry & geometry)
+{
+  return HasPageViewer() && shown.sheet != nullptr && geometry.GetDimension() == 3 &&
+         shown.sheet->GetPoints().GetNumberOfPoints() > 0;
+}
+
+void
+AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry & geometry, const std::string & unit)
+{
+  AddData(page, "view-data", Describe(shown, geometry, unit));
+  AddData(page, "view-points", EncodeBase64(EncodePoints(shown.sheet->GetPoints())));
+  for (const char * const file : { Library, Controls, "sheet.js", "scene.js", "view.js" })
+  {
+    AddScript(page, file);
+  }
+  page += "<details>\n<summary>License of three.js, which the view is drawn with</summary>\n<pre>" +
+          EscapeHtml(GetPageFile(License)) + "</pre>\n</details>\n";
+}
+
+std::uint64_t
+GetPageViewBytes(const VolumeGeometry & geometry)
+{
+  // Text of the points, and the page twice while it grows.
+  constexpr std::uint64_t copies = 3;
+  const std::uint64_t     points = std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());
+  return copies * (GetEncodedBytes(MostBytesPerPoint * points) + GetPageFileBytes());
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelPageView_h
+#define medialvoxelPageView_h
+
+#include "ColorRange.h"
+#include "SheetSurvey.h"
+#include "VolumeHeader.h"
+
+#include <cstdint>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** What a page shows in its view. */
+struct PageSheet
+{
+  const SheetSurvey * sheet{ nullptr }; ///< null: nothing
+  ColorRange          colors{ 0.0, 1.0 };
+};
+
+/** Whether the build has put a viewer library into the program. */
+bool
+HasPageViewer();
+
+/** Whether a page has the view: with a viewer, points, and three dimensions. */
+bool
+HasView(const PageSheet & shown, const VolumeGeometry & geometry);
+
+/** Adds what fills the view of a page, which has one: the points and the scripts, which show the view where the browser
+ * has WebGL. The bytes of the points are, by z, y, x of their blocks: how much the number of the block is larger than
+ * the one before; for blocks of several voxels a byte for each axis, where in the block the mean of the cells is, in
+ * 256ths; the mean thickness and 2, or 0 when all cells are at rims, 1 when none is measured. Numbers are seven bits to
+ * a byte, low ones first.
+ * \param unit of the lengths, for a reader */
+void
+AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry & geometry, const std::string & unit);
+
+/** Memory of the text, also while the page grows. */
+std::uint64_t
+GetPageViewBytes(const VolumeGeometry & geometry);
+
+} // end namespace medialvoxel
+
+#endif

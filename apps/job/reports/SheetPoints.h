@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSheetPoints_h
+#define medialvoxelSheetPoints_h
+
+#include "PackedNumbers.h"
+#include "VolumeHeader.h"
+
+#include "itkMedialVoxelGrid.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <unordered_map>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class SheetPoints
+ * \brief Medial cells put together by cubic blocks, a point of a sheet for each block that has any.
+ *
+ * The edge of the blocks, in voxels, is the smallest power of two that leaves no more than a budget of points. It grows
+ * while cells are added: blocks of the smaller edge are in one of the larger edge, and a part of the cells that needs
+ * an edge shows that all of them do. All else is sums of whole numbers. So the result does not depend on the order. */
+class SheetPoints
+{
+public:
+  /** Points of a sheet that is shown have about two triangles each. */
+  static constexpr std::size_t DefaultBudget = 65536;
+
+  /** Of the cells of a block. */
+  struct Sums
+  {
+    std::uint64_t                cells{ 0 };
+    std::array<std::uint64_t, 3> index{};        ///< sums of their indices
+    std::uint64_t                thickness{ 0 }; ///< sum over those of a wall with a thickness, in a unit of the caller
+    std::uint64_t                measured{ 0 };  ///< number of those
+    std::uint64_t                rims{ 0 };      ///< measured ones of walls without a thickness
+
+    void
+    Add(const Sums & other);
+  };
+
+  /** The block at a place. */
+  struct Point
+  {
+    std::array<std::uint64_t, 3> block; ///< index of the block along each axis
+    const Sums &                 sums;
+  };
+
+  /** \param size of the image, in voxels */
+  explicit SheetPoints(const std::vector<std::uint64_t> & size, std::size_t budget = DefaultBudget);
+
+  /** Forgets the cells. */
+  void
+  Clear();
+
+  /** Adds cells of the block that \a cell is in. */
+  void
+  Add(const itk::MedialVoxelIndex & cell, const Sums & sums);
+
+  /** Adds all cells of another one of the same image and budget. */
+  void
+  Add(const SheetPoints & other);
+
+  /** The edge of a block is two to this power, in voxels. */
+  unsigned int
+  GetLevel() const
+  {
+    return m_Level;
+  }
+
+  std::size_t
+  GetNumberOfPoints() const
+  {
+    return m_Points.size();
+  }
+
+  /** Number of blocks along each axis. */
+  std::array<std::uint64_t, 3>
+  GetNumberOfBlocks() const;
+
+  /** By z, y, x of the block. */
+  void
+  ForEachPoint(const std::function<void(const Point & point)> & function) const;
+
+  void
+  Save(NumberWriter & numbers) const;
+
+  /** Adds what another one has saved. \throw JobError Failure when these are not its numbers */
+  void
+  Merge(NumberReader & numbers);
+
+  /** Numbers that Save() writes, at most. */
+  std::uint64_t
+  GetMostNumbers() const;
+
+  /** Memory that it takes, also while the blocks grow, or while it goes through them in their order. */
+  static std::uint64_t
+  GetBytes(const VolumeGeometry & geometry, std::size_t budget = DefaultBudget);
+
+private:
+  using KeyType = std::uint64_t;
+
+  static KeyType
+  GetKey(const std::array<std::uint64_t, 3> & block);
+
+  static std::array<std::uint64_t, 3>
+  GetBlock(KeyType key);
+
+  void
+  AddAt(std::array<std::uint64_t, 3> block, unsigned int level, const Sums & sums);
+
+  void
+  CoarsenTo(unsigned int level);
+
+  std::array<std::uint64_t, 3>      m_Size{ { 1, 1, 1 } };
+  std::size_t                       m_Budget;
+  unsigned int                      m_Level{ 0 };
+  std::unordered_map<KeyType, Sums> m_Points;
+};
+
+} // end namespace medialvoxel
+
+#endif

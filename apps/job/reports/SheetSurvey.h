@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSheetSurvey_h
+#define medialvoxelSheetSurvey_h
+
+#include "SheetPoints.h"
+
+#include "itkMedialVoxelTileObserver.h"
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** \class SheetSurvey
+ * \brief The medial sheet, coarse enough to be looked at as a whole, taken while the tiles of a run are at hand.
+ *
+ * It measures no cells: where a survey measures one of several, points have the thickness of these. */
+class SheetSurvey : public itk::MedialVoxelTileObserver
+{
+public:
+  /** \param lengthUnit of which the thickness of a cell is a multiple, in the units of the grid */
+  SheetSurvey(const VolumeGeometry & geometry, double lengthUnit);
+
+  std::uint64_t
+  GetWorkerBytesPerVoxel() const override
+  {
+    return 0;
+  }
+
+  void
+  Begin() override;
+
+  void
+  Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace) override;
+
+  void
+  Commit() override;
+
+  /** Forgets all tiles. */
+  void
+  Clear();
+
+  const SheetPoints &
+  GetPoints() const
+  {
+    return m_Total;
+  }
+
+  double
+  GetLengthUnit() const
+  {
+    return m_LengthUnit;
+  }
+
+  /** All that was found, as bytes that any machine reads. */
+  std::string
+  Save() const;
+
+  /** Adds what another one with the same arguments has found. \throw JobError Failure when these are not its bytes */
+  void
+  Merge(const std::string & bytes);
+
+  /** Memory that it takes. */
+  static std::uint64_t
+  GetBytes(const VolumeGeometry & geometry);
+
+  /** Memory while it is saved, beside. */
+  static std::uint64_t
+  GetSavedBytes(const VolumeGeometry & geometry);
+
+private:
+  double      m_LengthUnit;
+  SheetPoints m_Pending;
+  SheetPoints m_Total;
+  std::mutex  m_Mutex; // of what is pending
+};
+
+} // end namespace medialvoxel
+
+#endif

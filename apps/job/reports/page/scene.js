@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The sheet, the box around it and the marks of a place as a scene of three.js. Knows nothing of keys and tables.
+"use strict";
+
+const MedialVoxelScene = (() => {
+  const VERTEX = `
+    attribute float thickness;
+    attribute float isKnown;
+    uniform vec2 range;
+    uniform float pointSize;
+    varying float share;
+    varying float known;
+    varying float light;
+    varying float depth;
+    varying vec3 place;
+    void main() {
+      vec4 seen = modelViewMatrix * vec4(position, 1.0);
+      vec3 across = normalMatrix * normal;
+      float facing = dot(across, across) > 0.0 ? abs(dot(normalize(across), normalize(vec3(0.35, 0.45, 1.0)))) : 0.8;
+      light = 0.42 + 0.6 * facing;
+      share = (thickness - range.x) / (range.y - range.x);
+      known = isKnown;
+      depth = -seen.z;
+      place = position;
+      gl_Position = projectionMatrix * seen;
+      gl_PointSize = clamp(pointSize / depth, 1.0, 64.0);
+    }`;
+  const FRAGMENT = `
+    uniform sampler2D colors;
+    uniform vec4 cut;
+    uniform float nearest;
+    varying float share;
+    varying float known;
+    varying float light;
+    varying float depth;
+    varying vec3 place;
+    void main() {
+      #ifdef ROUND
+      if (length(gl_PointCoord - 0.5) > 0.5) discard;
+      #endif
+      if (depth < nearest || dot(cut.xyz, place) > cut.w) discard;
+      vec3 color = texture2D(colors, vec2(clamp(share, 0.002, 0.998), 0.5)).rgb;
+      gl_FragColor = vec4(mix(vec3(0.62, 0.64, 0.67), color, step(0.5, known)) * light, 1.0);
+    }`;
+  const FAR_AWAY = 1e30;
+
+  function makeColors(hex) {
+    const bytes = new Uint8Array(hex.length / 2);
+    bytes.forEach((_, i) => (bytes[i] = parseInt(hex.substr(2 * i, 2), 16)));
+    const texture = new THREE.DataTexture(bytes, bytes.length / 3, 1, THREE.RGBFormat);
+    texture.minFilter = texture.magFilter = THREE.LinearFilter;
+    texture.unpackAlignment = 1;
+    texture.needsUpdate = true;
+    return texture;
+  }
+
+  function makeGeometry(sheet, index) {
+    const geometry = new THREE.BufferGeometry();
+    const set = (name, values, size) => geometry.setAttribute(name, new THREE.BufferAttribute(values, size));
+    set("position", sheet.positions, 3);
+    set("normal", sheet.normals, 3);
+    set("thickness", sheet.thickness, 1);
+    set("isKnown", sheet.isKnown, 1);
+    geometry.setIndex(new THREE.BufferAttribute(index, 1));
+    return geometry;
+  }
+
+  // The box around the sheet along the axes of space.
+  function makeBounds(data, sheet) {
+    const box = new THREE.Box3().setFromArray(sheet.positions);
+    return box.expandByScalar(Math.max(...data.spacing) * data.edge);
+  }
+
+  // Steps of 1, 2 or 5 times a power of ten, about four of them.
+  function makeStep(length) {
+    const raw = length / 4;
+    const power = 10 ** Math.floor(Math.log10(raw));
+    return power * ([1, 2, 5].find((factor) => factor * power >= raw) ?? 10);
+  }
+
+  // Numbers along the axes: where on which axis, and the text.
+  function makeTicks(bounds, frame) {
+    const ticks = [];
+    const longest = Math.max(...bounds.getSize(new THREE.Vector3()).toArray());
+    const step = makeStep(longest);
+    for (let axis = 0; axis < 3; ++axis) {
+      const [low, high] = [bounds.min, bounds.max].map((end) => end.getComponent(axis) + frame.middle[axis]);
+      for (let number = Math.ceil(low / step); number * step <= high; ++number) {
+        const text = String(Number((number * step).toPrecision(10)));
+        ticks.push({ axis, at: number * step - frame.middle[axis], text, kind: "number" });
+      }
+      ticks.push({ axis, at: high - frame.middle[axis] + 0.06 * longest, text: "xyz"[axis], kind: "name" });
+    }
+    return ticks;
+  }
+
+  // The edge of the box along an axis that is lowest in the picture, of z the one most to the left, and the way off it.
+  function findEdge(axis, bounds, camera) {
+    const middle = bounds.getCenter(new THREE.Vector3());
+    const center = middle.clone().project(camera);
+    const ends = [bounds.min, bounds.max];
+    const edges = [0, 1, 2, 3].map((corner) => {
+      const point = middle.clone();
+      point.setComponent((axis + 1) % 3, ends[corner & 1].getComponent((axis + 1) % 3));
+      point.setComponent((axis + 2) % 3, ends[corner >> 1].getComponent((axis + 2) % 3));
+      const away = point.clone().project(camera).sub(center);
+      return { point, away, rank: axis === 2 ? away.x : away.y };
+    });
+    return edges.reduce((best, edge) => (edge.rank < best.rank ? edge : best));
+  }
+
+  // Two balls and a line that nothing hides.
+  function makeMarks() {
+    const marks = new THREE.Group();
+    const options = { color: 0xdc2626, depthTest: false, transparent: true };
+    const ball = new THREE.SphereBufferGeometry(1, 20, 14);
+    const balls = [0, 1].map(() => new THREE.Mesh(ball, new THREE.MeshBasicMaterial(options)));
+    const line = new THREE.Line(new THREE.BufferGeometry(), new THREE.LineBasicMaterial(options));
+    line.geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(6), 3));
+    line.frustumCulled = false;
+    marks.add(...balls, line);
+    marks.children.forEach((child) => (child.renderOrder = 10));
+    marks.visible = false;
+    marks.show = (sides) => {
+      sides.forEach((side, i) => {
+        balls[i].position.copy(side);
+        line.geometry.attributes.position.setXYZ(i, side.x, side.y, side.z);
+      });
+      line.geometry.attributes.position.needsUpdate = true;
+      marks.visible = true;
+    };
+    marks.setSize = (size) => balls.forEach((one) => one.scale.setScalar(size));
+    return marks;
+  }
+
+  function make(canvas, data, sheet) {
+    const renderer = new THREE.WebGLRenderer({ canvas, antialias: true, alpha: true, preserveDrawingBuffer: true });
+    const bounds = makeBounds(data, sheet);
+    const middle = bounds.getCenter(new THREE.Vector3());
+    const radius = bounds.getSize(new THREE.Vector3()).length() / 2;
+    const uniforms = {
+      colors: { value: makeColors(data.colors) },
+      range: { value: new THREE.Vector2(data.low, data.high) },
+      cut: { value: new THREE.Vector4(0, 0, 0, FAR_AWAY) },
+      nearest: { value: 0 },
+      pointSize: { value: 1 },
+    };
+    const makeMaterial = (defines) =>
+      new THREE.ShaderMaterial({ uniforms, defines, vertexShader: VERTEX, fragmentShader: FRAGMENT, side: THREE.DoubleSide });
+    const surface = new THREE.Mesh(makeGeometry(sheet, sheet.faces), makeMaterial({}));
+    const singles = new THREE.Points(makeGeometry(sheet, sheet.singles), makeMaterial({ ROUND: true }));
+    const marks = makeMarks();
+    const ticks = makeTicks(bounds, sheet.frame);
+    const scene = new THREE.Scene();
+    scene.add(surface, singles, new THREE.Box3Helper(bounds, 0x8b95a3), marks);
+    const camera = new THREE.PerspectiveCamera(32, 1, 1, 10);
+    camera.up.set(0, 0, 1);
+
+    function resize() {
+      const { clientWidth, clientHeight } = canvas.parentElement;
+      renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+      renderer.setSize(clientWidth, clientHeight, false);
+      camera.aspect = clientWidth / Math.max(clientHeight, 1);
+    }
+
+    function render(target) {
+      const distance = camera.position.distanceTo(target);
+      const toMiddle = camera.position.distanceTo(middle);
+      const far = toMiddle + 2 * radius;
+      camera.near = Math.max(distance / 50, toMiddle - 2 * radius, far / 1e5);
+      camera.far = far;
+      camera.updateProjectionMatrix();
+      const height = renderer.getDrawingBufferSize(new THREE.Vector2()).y;
+      uniforms.pointSize.value = (data.edge * Math.max(...data.spacing) * height) / (2 * Math.tan((camera.fov * Math.PI) / 360));
+      marks.setSize(distance * 0.006);
+      renderer.render(scene, camera);
+    }
+
+    // axis null: no cut
+    function setCut(axis, share, isFlipped) {
+      const sign = isFlipped ? -1 : 1;
+      const cut = new THREE.Vector4(0, 0, 0, FAR_AWAY);
+      if (axis !== null) {
+        const [low, high] = [bounds.min, bounds.max].map((end) => end.getComponent(axis));
+        cut.setComponent(axis, sign).setComponent(3, sign * (low + share * (high - low)));
+      }
+      uniforms.cut.value = cut;
+      return axis === null ? null : uniforms.cut.value.w * sign + sheet.frame.middle[axis];
+    }
+
+    // Texts, their points, and the direction in the picture that they are to be moved along.
+    function placeTicks() {
+      const edges = [0, 1, 2].map((axis) => findEdge(axis, bounds, camera));
+      return ticks.map(({ axis, at, text, kind }) => {
+        const { point, away } = edges[axis];
+        return { point: point.clone().setComponent(axis, at), away, text, kind };
+      });
+    }
+
+    function isShown(point) {
+      const { x, y, z, w } = uniforms.cut.value;
+      const depth = -point.clone().applyMatrix4(camera.matrixWorldInverse).z;
+      return x * point.x + y * point.y + z * point.z <= w && depth >= uniforms.nearest.value;
+    }
+
+    // Where the sheet is hit at a place of the canvas from -1 to 1; null: nowhere.
+    function pick(x, y) {
+      const caster = new THREE.Raycaster();
+      caster.setFromCamera(new THREE.Vector2(x, y), camera);
+      const hit = caster.intersectObject(surface).find(({ point }) => isShown(point));
+      return hit ? { point: hit.point, thickness: sheet.thickness[hit.face.a], isKnown: sheet.isKnown[hit.face.a] > 0 } : null;
+    }
+
+    return {
+      camera, bounds, middle, radius, marks, resize, render, setCut, pick,
+      placeTicks,
+      hideBefore: (depth) => (uniforms.nearest.value = depth),
+    };
+  }
+
+  return { make };
+})();

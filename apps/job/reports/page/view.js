@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+//
+// The view and those who look at it: mouse, keys, the table of places. Without WebGL the page stays as it is.
+"use strict";
+
+(() => {
+  const element = (name) => document.getElementById("view-" + name);
+  const canvas = element("canvas");
+  const data = JSON.parse(element("data").textContent);
+  const rows = [...document.querySelectorAll("tr.place")];
+  const format = (value) => String(Number(value.toPrecision(4)));
+  const formatPoint = (point) => point.map(format).join(", ");
+  const inUnits = data.lengths ? " " + data.lengths : "";
+
+  // Asked on a canvas of its own, so that a browser without WebGL has nothing to report.
+  function hasWebGl() {
+    const other = document.createElement("canvas");
+    return Boolean(other.getContext("webgl2") || other.getContext("webgl"));
+  }
+
+  function showLegend() {
+    const colors = data.colors.match(/.{6}/g).map((color) => "#" + color);
+    element("bar").style.background = "linear-gradient(to top," + colors.join(",") + ")";
+    element("low").textContent = format(data.low) + inUnits;
+    element("high").textContent = "thickness " + format(data.high) + inUnits;
+  }
+
+  // Sides, corners of the extent and texts of a row of the table.
+  function readPlace(row, frame) {
+    const numbers = (name) => row.dataset[name].split(" ").map(Number);
+    const toScene = (point) => new THREE.Vector3(...point.map((value, axis) => value - frame.middle[axis]));
+    const box = numbers("box");
+    const corners = [box.slice(0, 3), box.slice(3)].map((index) => new THREE.Vector3(...frame.toScene(index)));
+    const sides = [numbers("sides").slice(0, 3), numbers("sides").slice(3)].map(toScene);
+    return { center: toScene(numbers("center")), sides, size: corners[0].distanceTo(corners[1]), text: row.dataset.text };
+  }
+
+  function start() {
+    const section = element("title").parentElement;
+    section.hidden = false;
+    const sheet = MedialVoxelSheet.build(data, element("points").textContent);
+    const scene = MedialVoxelScene.make(canvas, data, sheet);
+    const { camera } = scene;
+    const controls = new THREE.OrbitControls(camera, canvas);
+    const calm = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+    let selected = -1;
+    let flight = null;
+    let isAsked = false;
+
+    const say = (text) => (element("status").textContent = text);
+
+    function showTexts() {
+      const texts = selected < 0 ? scene.placeTicks() : [scene.mark];
+      element("ticks").replaceChildren(
+        ...texts.map(({ point, away, text, kind }) => {
+          const seen = point.clone().project(camera);
+          const span = document.createElement("span");
+          const length = Math.hypot(away.x, away.y) || 1;
+          span.textContent = text;
+          span.className = kind;
+          span.style.left = `calc(${50 + 50 * seen.x}% + ${(16 * away.x) / length}px)`;
+          span.style.top = `calc(${50 - 50 * seen.y}% - ${(16 * away.y) / length}px)`;
+          span.hidden = seen.z > 1;
+          return span;
+        })
+      );
+    }
+
+    function draw() {
+      isAsked = false;
+      const place = selected >= 0 && element("open").checked ? scene.place : null;
+      camera.updateMatrixWorld();
+      const depth = place ? -place.center.clone().applyMatrix4(camera.matrixWorldInverse).z - place.reach : 0;
+      scene.hideBefore(Math.max(depth, 0));
+      scene.render(controls.target);
+      showTexts();
+      if (!flight) {
+        section.dataset.arrived = String(selected);
+      }
+      section.dataset.camera = [...camera.position.toArray(), ...controls.target.toArray()].map(format).join(" ");
+    }
+
+    function ask() {
+      if (!isAsked) {
+        isAsked = true;
+        requestAnimationFrame(draw);
+      }
+    }
+
+    // Moves the camera in half a second, or at once for those who want no motion.
+    function fly(position, target) {
+      const from = { position: camera.position.clone(), target: controls.target.clone(), time: performance.now() };
+      flight = {};
+      delete section.dataset.arrived;
+      const own = flight;
+      const step = (now) => {
+        if (flight !== own) {
+          return;
+        }
+        const time = calm ? 1 : Math.min(1, Math.max(0, (now - from.time) / 500));
+        const share = time * time * (3 - 2 * time);
+        camera.position.lerpVectors(from.position, position, share);
+        controls.target.lerpVectors(from.target, target, share);
+        controls.update();
+        ask();
+        if (time < 1) {
+          requestAnimationFrame(step);
+        } else {
+          flight = null;
+        }
+      };
+      step(from.time);
+    }
+
+    function markRow(number) {
+      selected = number;
+      section.dataset.place = String(number);
+      rows.forEach((row, i) => row.classList.toggle("seen", i === number));
+      scene.marks.visible = number >= 0;
+    }
+
+    function showWhole() {
+      markRow(-1);
+      const direction = new THREE.Vector3(0.55, -1, 0.62).normalize();
+      const distance = scene.radius / Math.sin((camera.fov * Math.PI) / 360) / Math.min(1, camera.aspect);
+      fly(direction.multiplyScalar(distance * 1.03).add(scene.middle), scene.middle.clone());
+      say("");
+    }
+
+    // From where both sides are seen beside each other, and the sheet between them from above.
+    function showPlace(number) {
+      const place = readPlace(rows[number], sheet.frame);
+      const across = place.sides[1].clone().sub(place.sides[0]);
+      const thickness = across.length() || 1;
+      across.normalize();
+      const view = camera.position.clone().sub(controls.target).normalize();
+      if (view.dot(across) < 0) {
+        across.negate();
+      }
+      const along = view.addScaledVector(across, -view.dot(across));
+      if (along.length() < 0.05) {
+        along.set(across.y, across.z, across.x).addScaledVector(across, -along.dot(across));
+      }
+      const reach = Math.min(Math.max(place.size / 2, 4 * thickness), 10 * thickness);
+      const direction = along.normalize().multiplyScalar(0.75).addScaledVector(across, 0.66).normalize();
+      scene.place = { center: place.center, reach: reach / 2 };
+      scene.mark = { point: place.center, away: { x: 0, y: 1.4 }, text: rows[number].dataset.length, kind: "mark" };
+      markRow(number);
+      scene.marks.show(place.sides);
+      fly(place.center.clone().addScaledVector(direction, Math.min(4.2 * reach, 2 * scene.radius)), place.center);
+      say(place.text);
+    }
+
+    function cut(axis) {
+      const isCut = element("axis").value !== "";
+      element("cut").disabled = element("flip").disabled = !isCut;
+      const at = scene.setCut(isCut ? Number(element("axis").value) : null, element("cut").value / 200, element("flip").checked);
+      section.dataset.cut = at === null ? "" : format(at);
+      if (at !== null && axis !== undefined) {
+        say("Cut across " + "xyz"[element("axis").value] + " at " + format(at));
+      }
+      ask();
+    }
+
+    function chooseCut(axis) {
+      element("axis").value = element("axis").value === axis ? "" : axis;
+      cut(axis);
+    }
+
+    function moveCut(steps) {
+      element("cut").value = Number(element("cut").value) + steps;
+      cut(element("axis").value);
+    }
+
+    function turn(right, up) {
+      const arm = camera.position.clone().sub(controls.target);
+      const spherical = new THREE.Spherical().setFromVector3(new THREE.Vector3(arm.y, arm.z, arm.x));
+      spherical.theta += right;
+      spherical.phi -= up;
+      spherical.makeSafe();
+      const turned = new THREE.Vector3().setFromSpherical(spherical);
+      camera.position.copy(controls.target).add(arm.set(turned.z, turned.x, turned.y));
+      controls.update();
+      ask();
+    }
+
+    function move(right, up) {
+      const length = 0.04 * camera.position.distanceTo(controls.target);
+      const step = new THREE.Vector3(right * length, up * length, 0).applyQuaternion(camera.quaternion);
+      camera.position.add(step);
+      controls.target.add(step);
+      controls.update();
+      ask();
+    }
+
+    function zoom(factor) {
+      camera.position.sub(controls.target).multiplyScalar(factor).add(controls.target);
+      controls.update();
+      ask();
+    }
+
+    const nextPlace = (steps) => {
+      if (rows.length > 0) {
+        showPlace(selected < 0 ? 0 : (selected + steps + rows.length) % rows.length);
+      }
+    };
+
+    const ANGLE = Math.PI / 24;
+    const arrow = (right, up) => (event) => (event.shiftKey ? move(right, up) : turn(right * ANGLE, up * ANGLE));
+    const keys = {
+      ArrowLeft: arrow(-1, 0),
+      ArrowRight: arrow(1, 0),
+      ArrowUp: arrow(0, 1),
+      ArrowDown: arrow(0, -1),
+      "+": () => zoom(1 / 1.15),
+      "=": () => zoom(1 / 1.15),
+      "-": () => zoom(1.15),
+      n: () => nextPlace(1),
+      p: () => nextPlace(-1),
+      x: () => chooseCut("0"),
+      y: () => chooseCut("1"),
+      z: () => chooseCut("2"),
+      "[": () => moveCut(-4),
+      "]": () => moveCut(4),
+      Home: showWhole,
+      Escape: showWhole,
+    };
+
+    function pressKey(event) {
+      const action = keys[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+      if (action && !event.ctrlKey && !event.altKey && !event.metaKey) {
+        event.preventDefault();
+        flight = null;
+        action(event);
+      }
+    }
+
+    // A click is a press that did not move.
+    function listenToClicks() {
+      let pressed = null;
+      canvas.addEventListener("pointerdown", (event) => {
+        flight = null;
+        pressed = [event.clientX, event.clientY];
+        canvas.focus({ preventScroll: true });
+      });
+      canvas.addEventListener("click", (event) => {
+        const area = canvas.getBoundingClientRect();
+        if (!pressed || Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 3) {
+          return;
+        }
+        const [x, y] = [(event.clientX - area.left) / area.width, (event.clientY - area.top) / area.height];
+        const hit = scene.pick(2 * x - 1, 1 - 2 * y);
+        if (hit) {
+          const point = hit.point.toArray().map((value, axis) => value + sheet.frame.middle[axis]);
+          const length = hit.isKnown ? "thickness " + format(hit.thickness) + inUnits : "a rim or junction, without a thickness";
+          say(`At ${formatPoint(point)}: ${length}`);
+        }
+      });
+    }
+
+    // The number of a row becomes a button, which keys reach.
+    function listenToRows() {
+      document.body.classList.add("with-view");
+      rows.forEach((row, number) => {
+        const button = document.createElement("button");
+        const cell = row.cells[0];
+        button.type = "button";
+        button.textContent = cell.textContent;
+        button.setAttribute("aria-label", "Fly to " + row.dataset.text);
+        cell.replaceChildren(button);
+        row.addEventListener("click", () => {
+          section.scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
+          showPlace(number);
+        });
+      });
+    }
+
+    controls.enableKeys = false;
+    controls.enableZoom = false;
+    controls.screenSpacePanning = true;
+    controls.minDistance = scene.radius / 1000;
+    controls.maxDistance = scene.radius * 20;
+    controls.addEventListener("change", ask);
+    canvas.addEventListener("focus", () => (controls.enableZoom = true));
+    canvas.addEventListener("blur", () => (controls.enableZoom = false));
+    canvas.addEventListener("keydown", pressKey);
+    element("whole").addEventListener("click", showWhole);
+    element("axis").addEventListener("change", () => cut(element("axis").value));
+    element("cut").addEventListener("input", () => cut(element("axis").value));
+    element("flip").addEventListener("change", () => cut());
+    element("open").addEventListener("change", ask);
+    new ResizeObserver(() => {
+      scene.resize();
+      ask();
+    }).observe(canvas.parentElement);
+    listenToClicks();
+    listenToRows();
+    showLegend();
+    scene.resize();
+    cut();
+    showWhole();
+    section.dataset.triangles = String(sheet.faces.length / 3);
+  }
+
+  if (hasWebGl()) {
+    start();
+  }
+})();
