@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Chromium without a screen, which draws by the processor, and what it says about a page."""
+
+import io
+import json
+import shutil
+import time
+
+try:
+    import numpy
+    from PIL import Image
+    from selenium import webdriver
+    from selenium.webdriver.chrome.options import Options
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    webdriver = None
+
+BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+DRIVER = shutil.which("chromedriver")
+MISSING = "" if BROWSER and DRIVER and webdriver else "Chromium, its driver, Selenium, NumPy or Pillow is not installed"
+ARGUMENTS = ("--headless=new", "--no-sandbox", "--no-first-run", "--window-size=1100,1000")
+GL = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
+SECONDS = 60
+
+
+class PageBrowser:
+    """A page that is open: its messages, requests, picture, and hands on it."""
+
+    def __init__(self, path, folder, has_gl=True):
+        options = Options()
+        options.binary_location = BROWSER
+        for argument in (*ARGUMENTS, *(GL if has_gl else ("--disable-gpu", "--disable-3d-apis"))):
+            options.add_argument(argument)
+        options.add_argument(f"--user-data-dir={folder / 'browser'}")
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        self.driver = webdriver.Chrome(service=Service(DRIVER), options=options)
+        self.driver.set_script_timeout(SECONDS)
+        self.driver.get(path.as_uri())
+
+    def close(self):
+        self.driver.quit()
+
+    def find(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def state(self):
+        """What the view says of itself."""
+        return self.driver.execute_script("return {...document.getElementById('view').dataset}")
+
+    def wait(self, name, value=None):
+        """Until the view says that, or says it with this value."""
+        end = time.monotonic() + SECONDS
+        while time.monotonic() < end:
+            state = self.state()
+            if name in state and value in (None, state[name]):
+                time.sleep(0.2)  # for the picture of the last frame
+                return self.state()
+            time.sleep(0.05)
+        raise AssertionError(f"the view does not say {name} = {value}: {self.state()}")
+
+    def camera(self):
+        """Position and target."""
+        numbers = [float(word) for word in self.state()["camera"].split()]
+        return numpy.array(numbers[:3]), numpy.array(numbers[3:])
+
+    def pixels(self, selector="#view-canvas"):
+        """The element as it is on the screen."""
+        return numpy.asarray(Image.open(io.BytesIO(self.find(selector)[0].screenshot_as_png)).convert("RGB")).astype(int)
+
+    def press(self, *keys, shift=False):
+        """Keys, on the view."""
+        self.driver.execute_script("document.getElementById('view-canvas').focus()")
+        for key in keys:
+            chain = ActionChains(self.driver)
+            if shift:
+                chain.key_down(Keys.SHIFT)
+            chain.send_keys(key)
+            if shift:
+                chain.key_up(Keys.SHIFT)
+            chain.perform()
+        time.sleep(0.4)
+
+    def press_anywhere(self, *keys):
+        """Keys, on whatever has the focus."""
+        ActionChains(self.driver).send_keys(*keys).perform()
+
+    def drag(self, right, down):
+        canvas = self.find("#view-canvas")[0]
+        ActionChains(self.driver).move_to_element(canvas).click_and_hold().move_by_offset(right, down).release().perform()
+        time.sleep(0.4)
+
+    def click_view(self):
+        """In the middle."""
+        ActionChains(self.driver).move_to_element(self.find("#view-canvas")[0]).click().perform()
+        time.sleep(0.4)
+
+    def messages(self):
+        """Of the console, those that are no errors too."""
+        return [entry["message"] for entry in self.driver.get_log("browser")]
+
+    def requests(self):
+        """Addresses that the page asked for, but for those within it and of the empty tab."""
+        addresses = []
+        for entry in self.driver.get_log("performance"):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                addresses.append(message["params"]["request"]["url"])
+        return [address for address in addresses if not address.startswith(("data:", "blob:", "chrome:"))]
