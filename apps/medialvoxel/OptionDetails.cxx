@@ -112,7 +112,7 @@ ListOptionDetails()
       "--min-branch-length",
       "In units of the spacing; default 0, which keeps all. Holds the whole surface in memory." },
     { "", "--preview", "With --thickness-map a second picture has the colors of the thickness." },
-    { "", "--html", "One file without scripts that opens offline." },
+    { "", "--html", "One file that opens offline, with the sheet in 3-D." },
     { "", "--report", "With - it takes the place of the table." },
     { "",
       "--memory",

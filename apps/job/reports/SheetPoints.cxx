@@ -50,10 +50,10 @@ SheetPoints::SheetPoints(const std::vector<std::uint64_t> & size, std::size_t bu
 }
 
 void
-SheetPoints::Clear()
+SheetPoints::Clear(unsigned int level)
 {
   m_Points.clear();
-  m_Level = GetFirstLevel(m_Size);
+  m_Level = std::max(GetFirstLevel(m_Size), level);
 }
 
 auto

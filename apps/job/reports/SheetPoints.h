@@ -53,9 +53,9 @@ public:
   /** \param size of the image, in voxels */
   explicit SheetPoints(const std::vector<std::uint64_t> & size, std::size_t budget = DefaultBudget);
 
-  /** Forgets the cells. */
+  /** Forgets the cells. \param level of the blocks from now on, when it is above the least one */
   void
-  Clear();
+  Clear(unsigned int level = 0);
 
   /** Adds cells of the block that \a cell is in. */
   void

@@ -37,7 +37,7 @@ SheetSurvey::SheetSurvey(const VolumeGeometry & geometry, double lengthUnit)
 void
 SheetSurvey::Begin()
 {
-  m_Pending.Clear();
+  m_Pending.Clear(m_Total.GetLevel()); // all cells need it already
 }
 
 void
@@ -81,7 +81,7 @@ void
 SheetSurvey::Commit()
 {
   m_Total.Add(m_Pending);
-  m_Pending.Clear();
+  m_Pending.Clear(m_Total.GetLevel());
 }
 
 void
