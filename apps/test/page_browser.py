@@ -7,21 +7,17 @@ import json
 import shutil
 import time
 
-try:
-    import numpy
-    from PIL import Image
-    from selenium import webdriver
-    from selenium.webdriver.chrome.options import Options
-    from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.common.action_chains import ActionChains
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-except ImportError:
-    webdriver = None
+import numpy
+from PIL import Image
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
 
-BROWSER = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+BROWSER = shutil.which("chromium")
 DRIVER = shutil.which("chromedriver")
-MISSING = "" if BROWSER and DRIVER and webdriver else "Chromium, its driver, Selenium, NumPy or Pillow is not installed"
 ARGUMENTS = ("--headless=new", "--no-sandbox", "--no-first-run", "--window-size=1100,1000")
 GL = ("--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 SECONDS = 60
