@@ -409,6 +409,18 @@ TEST(MedialVoxelScanSurvey, SaysWhyThereIsNone)
             "the edges are as sharp as those of a mask");
 }
 
+TEST(MedialVoxelScanSurvey, WallsThatTheObjectLacksOnBothSidesAreTheReason)
+{
+  const Share  thick = MakeWall(8.0, 0.8);
+  const Share  below = MakeWall(0.8, 0.8, -7.5);
+  const Share  above = MakeWall(0.8, 0.8, 7.5);
+  const Volume volume(
+    { { 60, 60, 60 } }, { { 1, 2, 5 } }, 0.2, [&](double s) { return thick(s) + below(s) + above(s); }, 0.02);
+  const auto result = itk::MedialVoxelScanSurvey(volume.grid, Threshold, std::nullopt).Run(MakeSource(volume));
+  ASSERT_FALSE(result.scan);
+  EXPECT_EQ(result.reason, "the values beside too many walls are not flat, so that the blur is not known");
+}
+
 TEST(MedialVoxelScanSurvey, LevelsThatAreKnownNeedNoThickWallsButTheBlurDoes)
 {
   const Volume                     volume({ { 60, 60, 60 } }, { { 0, 0, 1 } }, 0.2, MakeWall(8.0, 0.8), 0.05);

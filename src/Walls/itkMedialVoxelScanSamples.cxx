@@ -244,7 +244,10 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
   const std::optional<double> blur = FindBlur(surfaces, scan);
   if (!blur)
   {
-    return { std::nullopt, "too few walls are 5 voxels thick, so that the blur is not known" };
+    return { std::nullopt,
+             surfaces.size() < FewestSurfaces
+               ? "too few walls are 5 voxels thick, so that the blur is not known"
+               : "the values beside too many walls are not flat, so that the blur is not known" };
   }
   if (!(*blur >= SmallestBlur && *blur <= LargestBlur))
   {
