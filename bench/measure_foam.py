@@ -61,7 +61,7 @@ def parse_arguments():
 def measure(program, volume, arguments, more):
     outputs = [volume.with_name(name) for name in ("labels.mha", "local.mha")]
     report = volume.with_name("report.json")
-    command = [program, "extract", volume, outputs[0], "--local-thickness", outputs[1], "--raw-size", arguments.size]
+    command = [program, "extract", volume, outputs[0], "--local-thickness", outputs[1], "--local-thickness-method", "sphere", "--raw-size", arguments.size]
     command += ["--raw-type", "uint8", "--memory", LIMIT, "--report", report, "--overwrite", "--quiet", *more]
     _, times = common.run([str(word) for word in command])
     written = json.loads(report.read_text(encoding="utf-8"))

@@ -11,17 +11,26 @@ namespace itk
 {
 
 /** \class LocalThicknessImageFilter
- * \brief Local thickness of each object voxel: the diameter of the largest ball inside the object that covers it.
+ * \brief Local thickness of each object voxel: of the thickest wall, or the largest ball, that covers it.
  *
- * This is the definition of Hildebrand and Ruegsegger (1997). Balls lie around object voxels; their radius is the
- * distance R to the nearest background voxel, and they cover the voxels that are nearer than R. The value is the
- * largest 2 R of the balls that cover a voxel, in physical units when UseImageSpacing is on, otherwise in voxels; 0 in
- * background. A plate of w voxels reads w where w is even and w + 1 where it is odd, as in other programs with this
- * definition.
+ * Values are in physical units when UseImageSpacing is on, otherwise in voxels; 0 in background.
  *
- * Balls are cut at MaximumThickness, so that a value depends on voxels within MaximumThickness alone: the filter
- * streams, and any requested region gives the same values as the whole image, for any number of threads. Nothing is
- * known outside of the image, so that an object which the image cuts may be found too thick beside its faces.
+ * \par Wall
+ * The default Method. Each medial cell of MedialVoxelImageFilter, with ThicknessMode Automatic and its defaults but
+ * without smoothing and pores, measures the wall that it is in, from face to face. Its ball covers the voxels that are
+ * nearer to the cell than the two boundary points of the wall are on average. The value is the largest thickness of the
+ * walls whose balls cover a voxel. Cells at rims, whose two sides do not face each other, measure no wall and have no
+ * ball. Object voxels that no ball covers, in edges and corners, are NaN: no comparison finds them thin or thick.
+ *
+ * \par Sphere
+ * The definition of Hildebrand and Ruegsegger (1997), for comparison with other programs and bone literature. Balls lie
+ * around object voxels; their radius is the distance R to the nearest background voxel, and they cover the voxels that
+ * are nearer than R. The value is the largest 2 R of the balls that cover a voxel. A plate of w voxels reads w where w
+ * is even and w + 1 where it is odd, and edges are thin.
+ *
+ * Balls are cut at MaximumThickness, so that a value depends on voxels nearby alone: the filter streams, and any
+ * requested region gives the same values as the whole image, for any number of threads. Nothing is known outside of the
+ * image, so that an object which the image cuts may be found too thick beside its faces.
  *
  * \sa MedialVoxelImageFilter, whose thickness output measures walls from face to face
  * \ingroup MedialVoxel
@@ -49,8 +58,15 @@ public:
   using InputImageType = TInputImage;
   using OutputImageType = Image<float, TInputImage::ImageDimension>;
 
-  /** Diameter at which balls are cut, in physical units when UseImageSpacing is on, otherwise in voxels. Positive, at
-   * most 256 voxels of the smallest spacing; default 32 voxels of the largest spacing. Memory and time grow with it. */
+  using MethodEnum = MedialVoxelEnums::LocalThicknessMethod;
+
+  /** What the thickness of a voxel is. Default Wall. */
+  itkMedialVoxelSetEnumMacro(Method, MethodEnum);
+  itkGetEnumMacro(Method, MethodEnum);
+
+  /** Diameter at which balls are cut, and the largest thickness, in physical units when UseImageSpacing is on,
+   * otherwise in voxels. Positive, at most 256 voxels of the smallest spacing; default 32 voxels of the largest
+   * spacing. Memory and time grow with it. */
   void
   SetMaximumThickness(double thickness);
   void
@@ -73,6 +89,13 @@ public:
     return static_cast<SizeValueType>(this->GetSums().voxelsAtMaximum);
   }
 
+  /** Object voxels that no wall covers, whose value is NaN; none with the Method Sphere. Summed in the same way. */
+  SizeValueType
+  GetNumberOfVoxelsWithoutWall() const
+  {
+    return static_cast<SizeValueType>(this->GetSums().voxelsWithoutWall);
+  }
+
 protected:
   LocalThicknessImageFilter() = default;
   ~LocalThicknessImageFilter() override = default;
@@ -87,7 +110,8 @@ protected:
   TakeTile(const MedialVoxelTileResult & tile) override;
 
 private:
-  double m_MaximumThickness{ 0.0 };
+  MethodEnum m_Method{ MethodEnum::Wall };
+  double     m_MaximumThickness{ 0.0 };
 };
 
 } // end namespace itk

@@ -48,6 +48,14 @@ LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) co
   MedialVoxelLocalThickness task;
   task.maximumThickness =
     m_MaximumThickness > 0.0 ? m_MaximumThickness : MedialVoxelLocalThickness::GetDefaultMaximum(grid);
+  if (m_Method == MethodEnum::Wall)
+  {
+    MedialVoxelParameters::Settings settings;
+    settings.mode = MedialVoxelThicknessMode::Automatic;
+    settings.maximumPoreSize = 0;
+    task.walls.emplace();
+    task.walls->parameters = MedialVoxelParameters::ForSettings(grid, settings);
+  }
   return task;
 }
 
@@ -64,9 +72,11 @@ void
 LocalThicknessImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << m_Method << std::endl;
   os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
   os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
   os << indent << "NumberOfVoxelsAtMaximum: " << this->GetNumberOfVoxelsAtMaximum() << std::endl;
+  os << indent << "NumberOfVoxelsWithoutWall: " << this->GetNumberOfVoxelsWithoutWall() << std::endl;
 }
 
 } // end namespace itk

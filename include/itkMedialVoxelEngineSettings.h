@@ -77,7 +77,8 @@ struct MedialVoxelDistanceMap
 };
 
 /** \struct MedialVoxelLocalThickness
- * \brief The task to find, for each object voxel, the diameter of the largest ball inside the object that covers it.
+ * \brief The task to find, for each object voxel, the diameter of the largest ball inside the object that covers it, or
+ * the thickness of the thickest wall whose ball covers it.
  * \ingroup MedialVoxel
  */
 struct MedialVoxel_EXPORT MedialVoxelLocalThickness
@@ -87,6 +88,10 @@ struct MedialVoxel_EXPORT MedialVoxelLocalThickness
 
   /** Components of the background inside the object, and of the object, of at most so many voxels change sides. */
   std::uint64_t maximumPoreSize{ 0 };
+
+  /** The extraction whose walls are painted, with its own maximumPoreSize; what else it makes does not count. Without
+   * one, the diameters of balls are. */
+  std::optional<MedialVoxelExtraction> walls;
 
   /** Largest ratio of the maximum thickness to the smallest spacing, and its default, to the largest. */
   static constexpr double MostVoxels = 256.0;

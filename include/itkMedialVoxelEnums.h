@@ -81,6 +81,18 @@ public:
     On = 1,
     Automatic = 2
   };
+
+  /** \class LocalThicknessMethod
+   * \ingroup MedialVoxel
+   * What the local thickness of a voxel is.
+   *
+   * Sphere: the diameter of the largest ball inside the object that covers it (Hildebrand and Ruegsegger, 1997).
+   * Wall: the thickness of the thickest wall whose ball covers it. */
+  enum class LocalThicknessMethod : std::uint8_t
+  {
+    Sphere = 0,
+    Wall = 1
+  };
 };
 
 using MedialVoxelPseudoGeodesicBound = MedialVoxelEnums::PseudoGeodesicBound;
@@ -88,6 +100,7 @@ using MedialVoxelBoundary = MedialVoxelEnums::Boundary;
 using MedialVoxelRegion = MedialVoxelEnums::Region;
 using MedialVoxelThicknessMode = MedialVoxelEnums::ThicknessMode;
 using MedialVoxelSmoothing = MedialVoxelEnums::Smoothing;
+using MedialVoxelLocalThicknessMethod = MedialVoxelEnums::LocalThicknessMethod;
 
 /** Print the name of an enumerator. */
 extern MedialVoxel_EXPORT std::ostream &
@@ -100,6 +113,8 @@ extern MedialVoxel_EXPORT std::ostream &
                           operator<<(std::ostream & out, MedialVoxelEnums::ThicknessMode value);
 extern MedialVoxel_EXPORT std::ostream &
                           operator<<(std::ostream & out, MedialVoxelEnums::Smoothing value);
+extern MedialVoxel_EXPORT std::ostream &
+                          operator<<(std::ostream & out, MedialVoxelEnums::LocalThicknessMethod value);
 
 /** Empty for an enumerator; for any other number its value and those that there are. */
 extern MedialVoxel_EXPORT std::string
@@ -112,6 +127,8 @@ extern MedialVoxel_EXPORT std::string
                           MedialVoxelFindEnumProblem(MedialVoxelEnums::ThicknessMode value);
 extern MedialVoxel_EXPORT std::string
                           MedialVoxelFindEnumProblem(MedialVoxelEnums::Smoothing value);
+extern MedialVoxel_EXPORT std::string
+                          MedialVoxelFindEnumProblem(MedialVoxelEnums::LocalThicknessMethod value);
 
 } // end namespace itk
 

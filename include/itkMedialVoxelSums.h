@@ -20,6 +20,7 @@ struct MedialVoxel_EXPORT MedialVoxelSums
 {
   MedialVoxelCounts counts;
   std::uint64_t     voxelsAtMaximum{ 0 };         ///< of the local thickness, whose balls may be cut
+  std::uint64_t     voxelsWithoutWall{ 0 };       ///< of the local thickness, that no wall covers
   std::uint64_t     recomputedVoxels{ 0 };        ///< of tiles that depended on more than the window held
   double            distanceSeconds{ 0.0 };       ///< of all threads together
   double            classificationSeconds{ 0.0 }; ///< of all threads together

@@ -118,8 +118,8 @@ public:
   /** Object bits in a box that holds the tile. */
   const MedialVoxelBits * object{ nullptr };
 
-  /** Radii of the largest balls that cover the voxels, x fastest; 0 in background. */
-  const std::vector<float> * radii{ nullptr };
+  /** Local thickness of the voxels, x fastest; 0 in background. */
+  const std::vector<float> * localThickness{ nullptr };
 
   /** The cells whose walls were measured, and the walls. */
   const std::vector<MedialVoxelCellRow> * rows{ nullptr };
@@ -168,7 +168,7 @@ public:
   void
   WriteUncertainty(float * first, const MedialVoxelStrides & strides) const;
 
-  /** Twice the radii; 0 in background. */
+  /** 0 in background, NaN at object voxels that no wall covers. */
   void
   WriteLocalThickness(float * first, const MedialVoxelStrides & strides) const;
 

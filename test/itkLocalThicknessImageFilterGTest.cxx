@@ -21,12 +21,15 @@ namespace
 {
 using namespace MedialVoxelTest;
 
+using Method = itk::MedialVoxelLocalThicknessMethod;
+
 template <unsigned int VDimension>
 typename ThicknessFilter<VDimension>::Pointer
 MakeFilter(const Volume & volume, const double maximumThickness)
 {
   auto filter = ThicknessFilter<VDimension>::New();
   filter->SetInput(MakeImage<MaskImage<VDimension>>(volume));
+  filter->SetMethod(Method::Sphere);
   filter->SetMaximumThickness(maximumThickness);
   return filter;
 }
@@ -164,6 +167,8 @@ TEST(LocalThicknessImageFilter, HasTheDocumentedDefaultsAndRefusesOthers)
   auto filter = ThicknessFilter<3>::New();
   EXPECT_STREQ(filter->GetNameOfClass(), "LocalThicknessImageFilter");
   EXPECT_EQ(filter->GetMaximumThickness(), 0.0);
+  EXPECT_EQ(filter->GetMethod(), Method::Wall);
+  EXPECT_THROW(filter->SetMethod(static_cast<Method>(2)), itk::ExceptionObject);
   for (const double wrong : { 0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
   {
     EXPECT_THROW(filter->SetMaximumThickness(wrong), itk::ExceptionObject) << wrong;
@@ -171,6 +176,7 @@ TEST(LocalThicknessImageFilter, HasTheDocumentedDefaultsAndRefusesOthers)
   const Volume volume =
     MakeVolume({ { 80, 80, 80 } }, { { 0.5, 0.5, 0.5 } }, [](const Index3 & at) { return at[0] > 0 || at[1] > 0; });
   filter->SetInput(MakeImage<MaskImage<3>>(volume));
+  filter->SetMethod(Method::Sphere);
   filter->Update();
   const auto values = PixelsOf(filter->GetOutput());
   EXPECT_EQ(*std::max_element(values.begin(), values.end()), 16.0f); // 32 voxels

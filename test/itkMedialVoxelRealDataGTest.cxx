@@ -6,6 +6,7 @@
 #include "MedialVoxelTestLocalThickness.h"
 #include "MedialVoxelTestMaurer.h"
 #include "MedialVoxelTestMesh.h"
+#include "MedialVoxelTestWallThickness.h"
 
 #include "itkMedialSurfaceMeshFilter.h"
 
@@ -96,8 +97,12 @@ ExpectLocalThicknessIsBruteForce(const Volume & whole)
       auto filter = ThicknessFilter<3>::New();
       filter->SetInput(MakeImage<MaskImage<3>>(crop));
       filter->SetMaximumThickness(maximum);
+      filter->SetMethod(itk::MedialVoxelLocalThicknessMethod::Sphere);
       filter->Update();
       EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), ExpectedThickness(crop, maximum))) << maximum;
+      filter->SetMethod(itk::MedialVoxelLocalThicknessMethod::Wall);
+      filter->Update();
+      EXPECT_TRUE(AreEqualOrNan(PixelsOf(filter->GetOutput()), ExpectedWallThickness<3>(crop, maximum))) << maximum;
     }
   }
 }

@@ -161,7 +161,13 @@ AddOutputParameters(CLI::App & app, ExtractOptions & job)
   AddPath(app, "distanceVolume", "Signed distance, negative inside the object", job.distanceFile);
   AddPath(app, "thicknessMap", "Thickness of the walls at medial cells", job.thicknessFile);
   AddPath(app, "uncertaintyMap", "Half of the 95 % interval of the thickness", job.uncertaintyFile);
-  AddPath(app, "localThickness", "Largest ball at each object voxel: its diameter", job.localThicknessFile);
+  AddPath(app, "localThickness", "Thickness at each object voxel", job.localThicknessFile);
+  AddEnumeration<LocalThicknessMethod>(app,
+                                       "localThicknessMethod",
+                                       "Of walls, or of largest balls",
+                                       job.localThicknessMethod,
+                                       { { GetName(LocalThicknessMethod::Wall), LocalThicknessMethod::Wall },
+                                         { GetName(LocalThicknessMethod::Sphere), LocalThicknessMethod::Sphere } });
   AddText(app, "--maximumLocalThickness", "Largest of these", "T", [&job](const std::string & text) {
     if (!text.empty())
     {

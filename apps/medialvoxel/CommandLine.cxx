@@ -345,7 +345,7 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
   AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group(group);
-  AddMeasureOptions(app, options);
+  AddMeasureOptions(line, app, options);
   AddRunOptions(line, app, options);
   AddCompression(line, app, options);
   if (resumes != nullptr)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "MeasureOptions.h"
 
+#include "CommandLine.h"
 #include "CommandParts.h"
 #include "OptionValues.h"
 
@@ -9,6 +10,18 @@ namespace medialvoxel
 {
 namespace
 {
+
+const std::vector<std::pair<std::string, LocalThicknessMethod>> Methods{
+  { GetName(LocalThicknessMethod::Wall), LocalThicknessMethod::Wall },
+  { GetName(LocalThicknessMethod::Sphere), LocalThicknessMethod::Sphere }
+};
+
+CLI::Option *
+AddMethod(CLI::App & app, ExtractOptions & options)
+{
+  return AddChoice(
+    app, "--local-thickness-method", "Of walls, or of largest balls", "KIND", options.localThicknessMethod, Methods);
+}
 
 CLI::Option *
 AddLevels(CLI::App & app, ExtractOptions & options)
@@ -45,15 +58,15 @@ AddSubVoxel(CLI::App & app, ExtractOptions & options)
 }
 
 void
-AddMeasureOptions(CLI::App & app, ExtractOptions & options)
+AddMeasureOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
 {
   const std::string group = "Wall thickness";
   AddFile(app, "--thickness-map", "Thickness of the walls at medial cells", options.thicknessFile)->group(group);
   AddFile(app, "--uncertainty-map", "Half of the 95 % interval of the thickness", options.uncertaintyFile)
     ->group(group);
-  AddFile(app, "--local-thickness", "Largest ball at each object voxel: its diameter", options.localThicknessFile)
-    ->group(group);
-  AddText(app, "--largest-ball", "Its largest diameter (default: 32 voxels)", "T", [&](const std::string & text) {
+  AddFile(app, "--local-thickness", "Thickness at each object voxel", options.localThicknessFile)->group(group);
+  line.choices[AddMethod(app, options)->group(group)] = ListNames(Methods);
+  AddText(app, "--largest-ball", "Its largest value (default: 32 voxels)", "T", [&](const std::string & text) {
     options.maximumLocalThickness = ToDouble(text);
   })->group(group);
   AddSubVoxel(app, options)->group(group);

@@ -10,13 +10,15 @@
 namespace medialvoxel
 {
 
+struct CommandLine;
+
 /** Adds the options of how walls are measured on gray values, or not. */
 CLI::Option *
 AddSubVoxel(CLI::App & app, ExtractOptions & options);
 
 /** Adds these, and the outputs that show measures of walls, in groups of their own. */
 void
-AddMeasureOptions(CLI::App & app, ExtractOptions & options);
+AddMeasureOptions(CommandLine & line, CLI::App & app, ExtractOptions & options);
 
 } // end namespace medialvoxel
 

@@ -71,9 +71,15 @@ ListOptionDetails()
       "5 voxels and an input that streams." },
     { "",
       "--local-thickness",
-      "32-bit real, on the grid of the input: the diameter of the largest ball inside the object that covers the "
-      "center "
-      "of the voxel, 0 outside. Not with --labels." },
+      "32-bit real, on the grid of the input: the thickness of the wall or the ball that covers the center of the "
+      "voxel, "
+      "0 outside the object. Not with --labels." },
+    { "",
+      "--local-thickness-method",
+      "wall: thickness, as in --thickness-map, of the thickest wall that covers the voxel; NaN in edges and corners "
+      "that "
+      "no wall covers. sphere: diameter of the largest ball inside the object that does, for comparison with other "
+      "programs." },
     { "",
       "--largest-ball",
       "In units of the spacing; at most 256 voxels. Larger balls are cut to it. Time and memory grow with it." },
@@ -81,7 +87,7 @@ ListOptionDetails()
       "--sub-voxel",
       "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
       "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map, "
-      "--thin-below and --thick-above of a gray scan with one threshold." },
+      "--local-thickness of walls, --thin-below and --thick-above of a gray scan with one threshold." },
     { "", "--levels", "Default: those of the scan. Needs one threshold." },
     { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
     { "",

@@ -135,6 +135,7 @@ class SmallJobTest(JobTestCase):
             "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--level": 1,
             "--slices": "2-6", "--thin-below": 2, "--thick-above": 2, "--smallest-place": 3, "--places": "p.csv",
             "--fail-if-thin": None, "--local-thickness": "lt.mha", "--largest-ball": 9,
+            "--local-thickness-method": "sphere",
         }  # fmt: skip
         of_raw = {word for word in raw.split() if word.startswith("--")}
         self.assertEqual(set(re.findall(r"^  (--[a-z-]+)", help_text, re.MULTILINE)), of_run | (of_raw - {"--raw-spacing"}) | set(values))
@@ -165,6 +166,7 @@ class SmallJobTest(JobTestCase):
                 "--places": ["--thin-below", 2],
                 "--fail-if-thin": ["--thin-below", 2],
                 "--largest-ball": ["--local-thickness", "lt.mha"],
+                "--local-thickness-method": ["--local-thickness", "lt.mha"],
                 "--zarr-compression": ["--distance", "d.zarr"],
             }.get(option, [])
             before = plain if source == "../in.mha" and not needed else parameters(source, *needed)

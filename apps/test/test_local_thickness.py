@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Diameters of the largest balls, against a search over all balls and voxels."""
+"""Thickness at the voxels: of walls and of largest balls, against a search over all balls and voxels."""
 
 import json
+import math
 import random
 import unittest
 
@@ -41,6 +42,45 @@ def largest_balls(indices, voxels, spacing, cap):
     return found
 
 
+def distance(a, b, spacing):
+    return sum(((p - q) * s) ** 2 for p, q, s in zip(a, b, spacing)) ** 0.5
+
+
+def boundary_points_of(cell, nearest, spacing):
+    """The boundary points of a cell's corners that are seen under the widest angle from its center."""
+    center = [index + 0.5 for index in cell]
+    best = None
+    for k in range(4):
+        ends = [nearest(tuple(index + (corner >> axis & 1) for axis, index in enumerate(cell))) for corner in (k, 7 - k)]
+        a, b = ([(p - q) * s for p, q, s in zip(end, center, spacing)] for end in ends)
+        dot = sum(p * q for p, q in zip(a, b))
+        key = dot * abs(dot) / (sum(p * p for p in a) * sum(p * p for p in b))
+        if best is None or key < best[0]:
+            best = (key, *ends)
+    return best[1:]
+
+
+def thickest_walls(indices, voxels, spacing, cap, thickness, vectors):
+    """The largest thickness of a wall whose ball covers a voxel; NaN without one."""
+    at = {index: number for number, index in enumerate(indices)}
+
+    def nearest(index):
+        vector = vectors[3 * at[index] : 3 * at[index] + 3]
+        return tuple(round(i + v / s) for i, v, s in zip(index, vector, spacing))  # of background: itself
+
+    balls = []
+    for cell, value in zip(indices, thickness):
+        if value > 0:
+            center = [index + 0.5 for index in cell]
+            radius = sum(distance(point, center, spacing) for point in boundary_points_of(cell, nearest, spacing)) / 2
+            balls.append((center, min(radius, cap / 2) - 1e-9, min(value, cap)))
+    found = []
+    for index, value in zip(indices, voxels):
+        covering = (wall for center, radius, wall in balls if distance(center, index, spacing) < radius)
+        found.append(max(covering, default=math.nan) if value else 0.0)
+    return found
+
+
 class LocalThicknessTest(ProgramTestCase):
     def setUp(self):
         super().setUp()
@@ -48,7 +88,9 @@ class LocalThicknessTest(ProgramTestCase):
         self.indices = list(self.volume.indices())
         volumes.write_meta(self.folder / "in.mha", self.volume)
 
-    def measure(self, *options):
+    def measure(self, *options, method="sphere"):
+        """Runs the program; the default of the method is wall."""
+        options = (*options, *(("--local-thickness-method", method) if method else ()))
         self.run_program(
             "extract", "in.mha", "out.mha", "--local-thickness", "t.mha", "--report", "r.json", "--overwrite", "--smooth", "off", *options
         )
@@ -59,7 +101,7 @@ class LocalThicknessTest(ProgramTestCase):
     def assert_equal_values(self, found, expected):
         self.assertEqual(len(found), len(expected))
         for value, wanted in zip(found, expected):
-            self.assertAlmostEqual(value, wanted, delta=1e-5)
+            self.assertTrue(abs(value - wanted) < 1e-5 or math.isnan(value) and math.isnan(wanted), (value, wanted))
 
     def test_equals_the_search_over_all_balls(self):
         found = self.measure("--max-pore-size", 0, "--largest-ball", CAP)
@@ -67,14 +109,16 @@ class LocalThicknessTest(ProgramTestCase):
         self.assert_equal_values(found, expected)
         at_maximum = sum(value >= CAP - 1e-6 for value in expected)
         self.assertGreater(at_maximum, 50)
-        self.assertEqual(self.report["local_thickness"], {"maximum": CAP, "voxels_at_maximum": at_maximum})
+        expected = {"method": "sphere", "maximum": CAP, "voxels_at_maximum": at_maximum, "voxels_without_wall": 0}
+        self.assertEqual(self.report["local_thickness"], expected)
         header, _ = volumes.read_header(self.folder / "t.mha")
         self.assertEqual(header["DimSize"], " ".join(map(str, SIZE)))
 
     def test_in_voxels_without_a_limit_that_matters(self):
         found = self.measure("--max-pore-size", 0, "--voxel-units")
         self.assert_equal_values(found, largest_balls(self.indices, self.volume.voxels, (1, 1, 1), 32))
-        self.assertEqual(self.report["local_thickness"], {"maximum": 32, "voxels_at_maximum": 0})
+        self.assertEqual(self.report["local_thickness"]["maximum"], 32)
+        self.assertEqual(self.report["local_thickness"]["voxels_at_maximum"], 0)
         self.assertNotIn("beyond_maximum_local_thickness", self.warnings)
 
     def test_a_picture(self):
@@ -92,17 +136,47 @@ class LocalThicknessTest(ProgramTestCase):
         volumes.write_meta(self.folder / "in.mha", volumes.Volume(SIZE, noisy, SPACING))
         self.assert_equal_values(self.measure(), expected)
 
-    def test_the_same_bytes_for_any_division(self):
+    def test_walls_equal_the_search_over_all_walls(self):
+        for cap in (CAP, 38.4):
+            found = self.measure(
+                "--max-pore-size", 0, "--largest-ball", cap, "--thickness-map", "w.mha",
+                "--vectors", "v.mha", "--vector-boundary", "background", method=None,
+            )  # fmt: skip
+            vectors, thickness = (volumes.read_floats(self.folder / name) for name in ("v.mha", "w.mha"))
+            expected = thickest_walls(self.indices, self.volume.voxels, SPACING, cap, thickness, vectors)
+            self.assert_equal_values(found, expected)
+            uncovered = sum(map(math.isnan, expected))
+            self.assertGreater(uncovered, 0)
+            walls = self.report["local_thickness"]
+            at_maximum = sum(value == cap for value in expected)
+            self.assertEqual(walls, {"method": "wall", "maximum": cap, "voxels_at_maximum": at_maximum, "voxels_without_wall": uncovered})
+
+    def test_walls_on_gray_values(self):
+        """A wall whose two faces are between voxels: as the map of its medial cells, not a whole number of voxels."""
+        volumes.write_meta(self.folder / "in.mha", volumes.blurred_wall(7))
+        options = ("--lower", 1000, "--thickness-map", "w.mha")
+        on_gray = {value for value in self.measure(*options, method="wall") if value > 0}
+        self.assertLessEqual(on_gray, {value for value in volumes.read_floats(self.folder / "w.mha") if value > 0})
+        on_object = {value for value in self.measure(*options, "--sub-voxel=off", method="wall") if value > 0}
+        self.assertNotEqual(on_gray, on_object)
+
+    def test_walls_have_the_same_bytes_for_any_division(self):
+        self.check_divisions("wall")
+
+    def test_balls_have_the_same_bytes_for_any_division(self):
+        self.check_divisions("sphere")
+
+    def check_divisions(self, method):
         volume = volumes.Volume((40, 33, 45), random_blobs((40, 33, 45)), SPACING)
         volumes.write_meta(self.folder / "in.mha", volume)
-        options = ("--largest-ball", 6, "--distance", "d.mha")
-        self.measure("--threads", 1, *options)
+        options = ("--largest-ball", 6, "--distance", "d.mha", "--local-thickness-method", method)
+        self.measure("--threads", 1, *options, method=None)
         files = ("out.mha", "t.mha", "d.mha")
         expected = [(self.folder / name).read_bytes() for name in files]
         balls = self.report["local_thickness"]
         self.assertGreater(balls["voxels_at_maximum"], 0)
         for more in (("--threads", 2), ("--divisions", 7), ("--divisions", 44, "--threads", 3), ("--memory", "96M")):
-            self.measure(*more, *options)
+            self.measure(*more, *options, method=None)
             self.assertEqual([(self.folder / name).read_bytes() for name in files], expected, more)
             self.assertEqual(self.report["local_thickness"], balls)
         self.run_program("plan", "in.mha", "out.mha", "job", "--divisions", 3, "--local-thickness", "t.mha", "--smooth", "off", "--report", "r.json", "--overwrite", *options)
@@ -123,6 +197,8 @@ class LocalThicknessTest(ProgramTestCase):
             (["maximum local thickness", "0", "greater than 0"], (*local, "--largest-ball", 0)),
             (["maximum local thickness", "180", "at most 256 voxels, 179.2"], (*local, "--largest-ball", 180)),
             (["maximum local thickness", "none is asked for"], ("--largest-ball", 5)),
+            (["--local-thickness-method", "no effect", "--local-thickness"], ("--local-thickness-method", "wall")),
+            (["--local-thickness-method", "'ball'", "wall"], (*local, "--local-thickness-method", "ball")),
             (["labels of several objects", "a local thickness"], (*local, "--labels", "all")),
         ):
             self.assert_fails(USAGE, words, "extract", "in.mha", "o.mha", *options)

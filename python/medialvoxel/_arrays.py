@@ -307,6 +307,7 @@ def local_thickness(
     lower: Number | Literal["otsu"] | None = None,
     upper: Number | None = None,
     *,
+    method: Literal["wall", "sphere"] = "wall",
     maximum: Number | None = None,
     label: int | None = None,
     voxel_units: bool = False,
@@ -314,10 +315,12 @@ def local_thickness(
     memory: int | str | None = None,
     progress: Progress = None,
 ) -> LocalThickness:
-    """Of each object voxel, the diameter of the largest ball inside the object that covers it: the definition of
-    Hildebrand and Ruegsegger (1997). extract() measures walls from face to face instead.
+    """Of each object voxel, the thickness of the thickest wall that covers it, from face to face, as extract() measures
+    walls with its defaults but without smoothing and pores.
 
-    maximum: diameter at which balls are cut, > 0, at most 256 voxels of the smallest spacing; default 32 voxels of the
+    method: "wall" leaves edges and corners that no wall covers NaN. "sphere" is the diameter of the largest ball inside
+        the object that covers a voxel, as Hildebrand and Ruegsegger (1997) define it, for comparison with other programs.
+    maximum: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing; default 32 voxels of the
         largest spacing. Time and memory grow with it.
 
     Nothing is known outside of the array: an object that it cuts may be found too thick beside its faces.
@@ -333,6 +336,7 @@ def local_thickness(
     call = _Call(array, spacing)
     outputs = {"thickness": call.make(np.float32)}
     options = {
+        "method": method,
         "maximum": maximum,
         "lower": lower,
         "upper": upper,

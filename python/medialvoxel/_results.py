@@ -80,12 +80,13 @@ class Distances:
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
 class LocalThickness:
-    """Diameters of the largest balls inside an object."""
+    """Thickness of walls, or diameters of the largest balls, at the voxels of an object."""
 
     thickness: np.ndarray
-    """float32: the diameter, in units of the spacing; 0 in the background."""
+    """float32, in units of the spacing; 0 in the background, NaN in edges and corners that no wall covers."""
     counts: dict[str, int]
-    """Numbers of voxels; `voxels_at_maximum` are those whose balls may be larger than `maximum`."""
+    """Numbers of voxels; `voxels_at_maximum` are those whose thickness may be larger than `maximum`, `voxels_without_wall`
+    those that are NaN."""
     lower: float | None
     """The lower threshold, also that of Otsu."""
 

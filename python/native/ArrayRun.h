@@ -38,6 +38,7 @@ struct ArrayMesh
 struct LocalThicknessOptions : JobOptions
 {
   std::optional<double> maximum; ///< diameter at which balls are cut
+  LocalThicknessMethod  method{ LocalThicknessMethod::Wall };
 };
 
 /** Each returns numbers of the run.

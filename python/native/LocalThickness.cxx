@@ -16,6 +16,7 @@ Measure(const ArrayCall & call, const LocalThicknessOptions & options)
   auto filter = itk::LocalThicknessImageFilter<ArrayImage<TPixel>>::New();
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
+  filter->SetMethod(options.method);
   if (options.maximum)
   {
     filter->SetMaximumThickness(*options.maximum);
@@ -26,6 +27,7 @@ Measure(const ArrayCall & call, const LocalThicknessOptions & options)
   return { { "counts",
              { { "object_voxels", filter->GetNumberOfObjectVoxels() },
                { "voxels_at_maximum", filter->GetNumberOfVoxelsAtMaximum() },
+               { "voxels_without_wall", filter->GetNumberOfVoxelsWithoutWall() },
                { "not_a_number_voxels", filter->GetNumberOfNotANumberVoxels() } } } };
 }
 

@@ -51,12 +51,19 @@ AddHints(nlohmann::json & numbers, const ArrayCall & call, const JobOptions & op
 
 /** Has the command distance be local-thickness, which the program has not: both say the same of object and run. */
 void
-DefineLocalThickness(CommandLine & line, std::optional<double> & maximum)
+DefineLocalThickness(CommandLine & line, LocalThicknessOptions & options)
 {
+  using Method = LocalThicknessMethod;
   line.distance->name(LocalThicknessCommand);
-  AddText(*line.distance, "--maximum", "Diameter at which balls are cut", "T", [&maximum](const std::string & text) {
-    maximum = ToDouble(text);
+  AddText(*line.distance, "--maximum", "Diameter at which balls are cut", "T", [&options](const std::string & text) {
+    options.maximum = ToDouble(text);
   });
+  AddChoice<Method>(*line.distance,
+                    "--method",
+                    "Of walls, or of largest balls",
+                    "KIND",
+                    options.method,
+                    { { GetName(Method::Wall), Method::Wall }, { GetName(Method::Sphere), Method::Sphere } });
 }
 
 template <typename TOptions, typename TRun>
@@ -78,18 +85,18 @@ RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMe
   CommandLine           line;
   const auto            app = DefineCommandLine(line);
   const bool            isLocalThickness = arguments.front() == LocalThicknessCommand;
-  std::optional<double> maximum;
+  LocalThicknessOptions localThickness;
   if (isLocalThickness)
   {
-    DefineLocalThickness(line, maximum);
+    DefineLocalThickness(line, localThickness);
   }
   std::reverse(arguments.begin(), arguments.end());
   app->parse(std::move(arguments));
   CheckOptionEffects(line);
   if (isLocalThickness)
   {
-    LocalThicknessOptions options{ line.distanceOptions, maximum };
-    return Run(call, options, [&] { return MeasureLocalThickness(call, options); });
+    static_cast<JobOptions &>(localThickness) = line.distanceOptions;
+    return Run(call, localThickness, [&] { return MeasureLocalThickness(call, localThickness); });
   }
   if (line.distance->parsed())
   {

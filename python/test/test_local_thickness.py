@@ -46,7 +46,7 @@ class LocalThickness(unittest.TestCase):
                     array = arrange(values)
                     before = array.copy()
                     lower = None if dtype == "bool" else 40
-                    self.assert_same(medialvoxel.local_thickness(array, SPACING, lower), expected)
+                    self.assert_same(medialvoxel.local_thickness(array, SPACING, lower, method="sphere"), expected)
                     np.testing.assert_array_equal(array, before)
 
     def test_with_every_option(self):
@@ -63,27 +63,39 @@ class LocalThickness(unittest.TestCase):
         ]
         for keywords, mask, spacing, maximum in cases:
             with self.subTest(keywords):
-                found = medialvoxel.local_thickness(values, SPACING, **keywords)
+                found = medialvoxel.local_thickness(values, SPACING, method="sphere", **keywords)
                 self.assert_same(found, largest_balls(mask, spacing, maximum))
                 at_maximum = np.count_nonzero(found.thickness == np.float32(maximum))
                 self.assertEqual(found.counts["voxels_at_maximum"], at_maximum)
 
     def test_otsu_measures_the_threshold(self):
-        found = medialvoxel.local_thickness(scene(SHAPE), lower="otsu")
+        found = medialvoxel.local_thickness(scene(SHAPE), lower="otsu", method="sphere")
         self.assertEqual(found.lower, medialvoxel.distance(scene(SHAPE), lower="otsu").lower)
         self.assert_same(found, largest_balls(scene(SHAPE) >= found.lower, (1, 1, 1), 32))
 
     def test_two_dimensions(self):
         mask = scene()[4] >= 40
-        self.assert_same(medialvoxel.local_thickness(mask, (1.0, 0.5)), largest_balls(mask, (1.0, 0.5), 32))
+        self.assert_same(medialvoxel.local_thickness(mask, (1.0, 0.5), method="sphere"), largest_balls(mask, (1.0, 0.5), 32))
 
     def test_nothing_but_object_and_nothing_at_all(self):
-        full = medialvoxel.local_thickness(np.ones((5, 6, 7)), maximum=3)
+        full = medialvoxel.local_thickness(np.ones((5, 6, 7)), maximum=3, method="sphere")
         self.assertEqual((full.thickness == 3).sum(), full.counts["voxels_at_maximum"])
         self.assert_same(medialvoxel.local_thickness(np.zeros((5, 6, 7))), np.zeros((5, 6, 7), np.float32))
 
+    def test_walls(self):
+        plate = np.zeros((12, 40, 40), bool)
+        plate[3:6, 4:30] = True
+        found = medialvoxel.local_thickness(plate, spacing=(0.5, 1, 1))
+        np.testing.assert_array_equal(found.thickness == 0, ~plate)
+        self.assertEqual(np.unique(found.thickness[plate & (found.thickness > 0)]).tolist(), [1.5])
+        self.assertEqual(np.isnan(found.thickness).sum(), found.counts["voxels_without_wall"])
+        self.assertLess(found.counts["voxels_without_wall"], 0.1 * found.counts["object_voxels"])
+        sphere = medialvoxel.local_thickness(plate, spacing=(0.5, 1, 1), method="sphere")
+        self.assertEqual((sphere.counts["voxels_without_wall"], float(sphere.thickness.max())), (0, 2.0))
+
     def test_wrong_values(self):
         cases = [
+            ({"method": "ball"}, "--method"),
             ({"maximum": 0}, "is 0; it must be positive"),
             ({"maximum": float("nan")}, "must be positive and finite"),
             ({"maximum": 300}, "at most 256 voxels"),

@@ -8,6 +8,7 @@
 #include "itkMedialVoxelExtractionTask.h"
 #include "itkMedialVoxelGrayThickness.h"
 #include "itkMedialVoxelLocalThicknessTask.h"
+#include "itkMedialVoxelWallThicknessTask.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -48,8 +49,27 @@ GetSettingsOf(const MedialVoxelGrid &, const MedialVoxelDistanceMap & distances)
 }
 
 MedialVoxelSlabWalker::Settings
+GetSettingsOfWalls(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & thickness)
+{
+  const MedialVoxelWallPainter painter(grid, 0.5 * thickness.maximumThickness);
+  auto                         settings = GetSettingsOf(grid, MedialVoxelWallThicknessTask::GetExtraction(thickness));
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    settings.tileMargin[axis] += painter.GetMargin()[axis];
+    settings.halo[axis] += painter.GetMargin()[axis];
+  }
+  settings.preferredTileEdge = MedialVoxelWallThicknessTask::TileEdge;
+  settings.workerBytesPerVoxel += MedialVoxelWallPainter::BytesPerVoxel + sizeof(float);
+  return settings;
+}
+
+MedialVoxelSlabWalker::Settings
 GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & thickness)
 {
+  if (thickness.walls)
+  {
+    return GetSettingsOfWalls(grid, thickness);
+  }
   const MedialVoxelBallPainter painter(grid, 0.5 * thickness.maximumThickness);
   auto settings = MedialVoxelSlabWalker::Settings::ForDistances(MedialVoxelBoundary::Background);
   settings.tileMargin = painter.GetMargin();
@@ -91,6 +111,10 @@ MakeTask(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & distances)
 std::unique_ptr<const MedialVoxelTileTask>
 MakeTask(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & thickness)
 {
+  if (thickness.walls)
+  {
+    return std::make_unique<const MedialVoxelWallThicknessTask>(grid, thickness);
+  }
   return std::make_unique<const MedialVoxelLocalThicknessTask>(grid, thickness);
 }
 

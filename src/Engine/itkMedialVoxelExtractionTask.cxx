@@ -89,16 +89,31 @@ MedialVoxelExtractionTask::Process(const MedialVoxelBox &          box,
                                    MedialVoxelEngineClient &       client,
                                    MedialVoxelSums &               sums) const
 {
+  MedialVoxelTileResult result;
+  const MedialVoxelBox  missing = this->Extract(box, moving, progress, genericWorkspace, result, sums);
+  if (!result.box.IsEmpty())
+  {
+    client.TakeTile(result);
+  }
+  return missing;
+}
+
+MedialVoxelBox
+MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
+                                   const MedialVoxelMovingWindow & moving,
+                                   const MedialVoxelProgress &     progress,
+                                   Workspace &                     genericWorkspace,
+                                   MedialVoxelTileResult &         result,
+                                   MedialVoxelSums &               sums) const
+{
   auto &     workspace = static_cast<TileWorkspace &>(genericWorkspace);
   const Tile tile{ box, moving, moving.GetWindow(MedialVoxelBoundary::Background), progress, workspace };
   // Objects of the neighboring tiles may have their boundary in a tile without object, which most of a thin part are.
   sums.counts.boundaryVoxels = tile.window.sites->Count(box);
   if (!tile.window.object->Any(m_Classifier.GetCornerBox(box)))
   {
-    MedialVoxelTileResult result;
     result.box = box;
     result.isEmpty = true;
-    client.TakeTile(result);
     return {};
   }
   const auto     start = ClockType::now();
@@ -123,7 +138,7 @@ MedialVoxelExtractionTask::Process(const MedialVoxelBox &          box,
   }
   if (missing.IsEmpty())
   {
-    this->HandOver(tile, client);
+    this->HandOver(tile, result);
     sums.counts.objectVoxels = tile.window.object->Count(box);
   }
   return missing;
@@ -204,10 +219,9 @@ MedialVoxelExtractionTask::Show(const Tile & tile) const
 }
 
 void
-MedialVoxelExtractionTask::HandOver(const Tile & tile, MedialVoxelEngineClient & client) const
+MedialVoxelExtractionTask::HandOver(const Tile & tile, MedialVoxelTileResult & result) const
 {
   const TileWorkspace & workspace = tile.workspace;
-  MedialVoxelTileResult result;
   result.box = tile.box;
   result.labels = workspace.labels.data();
   result.object = tile.window.object;
@@ -220,7 +234,6 @@ MedialVoxelExtractionTask::HandOver(const Tile & tile, MedialVoxelEngineClient &
     result.rows = &workspace.classifier.rows;
     result.walls = &workspace.walls;
   }
-  client.TakeTile(result);
 }
 
 } // end namespace itk

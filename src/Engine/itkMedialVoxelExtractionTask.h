@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelEngineSettings.h"
 #include "itkMedialVoxelTileObserver.h"
+#include "itkMedialVoxelTileResult.h"
 #include "itkMedialVoxelTileTask.h"
 
 #include <optional>
@@ -38,6 +39,18 @@ public:
           MedialVoxelEngineClient &       client,
           MedialVoxelSums &               sums) const override;
 
+  /** What Process() does before it gives the result of a tile to a client.
+   *
+   * \param workspace  of MakeWorkspace(); \a result refers to it
+   * \param result     complete when its box is not empty; as it was when the run is aborted */
+  MedialVoxelBox
+  Extract(const MedialVoxelBox &          box,
+          const MedialVoxelMovingWindow & window,
+          const MedialVoxelProgress &     progress,
+          Workspace &                     workspace,
+          MedialVoxelTileResult &         result,
+          MedialVoxelSums &               sums) const;
+
 private:
   struct TileWorkspace;
 
@@ -63,7 +76,7 @@ private:
   Show(const Tile & tile) const;
 
   void
-  HandOver(const Tile & tile, MedialVoxelEngineClient & client) const;
+  HandOver(const Tile & tile, MedialVoxelTileResult & result) const;
 
   bool
   HasObjectVectors() const

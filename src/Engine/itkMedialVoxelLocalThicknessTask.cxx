@@ -13,12 +13,12 @@ struct MedialVoxelLocalThicknessTask::TileWorkspace : public Workspace
   MedialVoxelFeatureTransform::Workspace transform;
   MedialVoxelFeatures                    features;
   MedialVoxelBallPainter::Workspace      painter;
-  std::vector<float>                     radii;
+  std::vector<float>                     diameters;
 };
 
 MedialVoxelLocalThicknessTask::MedialVoxelLocalThicknessTask(const MedialVoxelGrid &           grid,
                                                              const MedialVoxelLocalThickness & settings)
-  : m_MaximumRadius(static_cast<float>(0.5 * settings.maximumThickness))
+  : m_Maximum(2.0f * static_cast<float>(0.5 * settings.maximumThickness))
   , m_Painter(grid, 0.5 * settings.maximumThickness)
   , m_Transform(grid, MedialVoxelRegion::Inside, 0.5 * settings.maximumThickness)
 {}
@@ -56,11 +56,11 @@ MedialVoxelLocalThicknessTask::Process(const MedialVoxelBox &          tile,
     {
       return missing;
     }
-    m_Painter.Paint(tile, window.GetObject(), workspace.features, workspace.painter, workspace.radii);
+    m_Painter.Paint(tile, window.GetObject(), workspace.features, workspace.painter, workspace.diameters);
     sums.classificationSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - middle).count();
-    result.radii = &workspace.radii;
+    result.localThickness = &workspace.diameters;
     sums.voxelsAtMaximum =
-      static_cast<std::uint64_t>(std::count(workspace.radii.begin(), workspace.radii.end(), m_MaximumRadius));
+      static_cast<std::uint64_t>(std::count(workspace.diameters.begin(), workspace.diameters.end(), m_Maximum));
   }
   sums.counts.objectVoxels = window.GetObject().Count(tile);
   client.TakeTile(result);

@@ -34,7 +34,7 @@ public:
 private:
   struct TileWorkspace;
 
-  float                       m_MaximumRadius;
+  float                       m_Maximum;
   MedialVoxelBallPainter      m_Painter;
   MedialVoxelFeatureTransform m_Transform;
 };

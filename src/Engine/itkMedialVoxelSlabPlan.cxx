@@ -156,6 +156,10 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
   {
     cut.tileSize.fill(m_Settings.tileSize);
   }
+  else if (m_Grid.IsActive(2) && m_Settings.preferredTileEdge > 0)
+  {
+    cut.tileSize = { { NarrowTile, m_Settings.preferredTileEdge, m_Settings.preferredTileEdge } };
+  }
   else if (m_Grid.IsActive(2) && m_Grid.HasEqualSpacing() && std::max(halo[1], halo[2]) >= ThickHalo)
   {
     cut.tileSize = WideTile(region.Extent(0), m_Settings.numberOfWorkers);

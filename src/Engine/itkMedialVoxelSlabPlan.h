@@ -54,6 +54,10 @@ public:
     /** Edge of the tiles; 0 chooses. */
     std::int64_t tileSize{ 0 };
 
+    /** Edge of the tiles along y and z that is chosen where memory allows it, for tasks that repeat much work around
+     * each; 0 for others. */
+    std::int64_t preferredTileEdge{ 0 };
+
     /** Extent of the slabs along the slowest axis; 0 chooses. */
     std::int64_t slabThickness{ 0 };
 

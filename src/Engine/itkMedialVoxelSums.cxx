@@ -10,6 +10,7 @@ MedialVoxelSums::operator+=(const MedialVoxelSums & other)
 {
   counts += other.counts;
   voxelsAtMaximum += other.voxelsAtMaximum;
+  voxelsWithoutWall += other.voxelsWithoutWall;
   recomputedVoxels += other.recomputedVoxels;
   distanceSeconds += other.distanceSeconds;
   classificationSeconds += other.classificationSeconds;

@@ -64,7 +64,7 @@ MedialVoxelTileResult::WriteUncertainty(float * const first, const MedialVoxelSt
 void
 MedialVoxelTileResult::WriteLocalThickness(float * const first, const MedialVoxelStrides & strides) const
 {
-  const float * source = radii == nullptr ? nullptr : radii->data();
+  const float * source = localThickness == nullptr ? nullptr : localThickness->data();
   MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
     float * const target = first + offset;
     if (isEmpty)
@@ -72,7 +72,7 @@ MedialVoxelTileResult::WriteLocalThickness(float * const first, const MedialVoxe
       std::fill_n(target, row.Extent(0), 0.0f);
       return;
     }
-    std::transform(source, source + row.Extent(0), target, [](const float radius) { return 2.0f * radius; });
+    std::copy_n(source, row.Extent(0), target);
     source += row.Extent(0);
   });
 }

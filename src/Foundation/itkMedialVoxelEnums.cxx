@@ -22,6 +22,7 @@ constexpr Enumeration Boundaries{ "Boundary", { "Object", "Background" } };
 constexpr Enumeration Regions{ "Region", { "Inside", "Outside", "Both" } };
 constexpr Enumeration ThicknessModes{ "ThicknessMode", { "Fixed", "Automatic" } };
 constexpr Enumeration Smoothings{ "Smoothing", { "Off", "On", "Automatic" } };
+constexpr Enumeration LocalThicknessMethods{ "LocalThicknessMethod", { "Sphere", "Wall" } };
 
 template <typename TEnum>
 std::ostream &
@@ -112,6 +113,18 @@ std::string
 MedialVoxelFindEnumProblem(const MedialVoxelEnums::Smoothing value)
 {
   return FindProblem(Smoothings, value);
+}
+
+std::ostream &
+operator<<(std::ostream & out, const MedialVoxelEnums::LocalThicknessMethod value)
+{
+  return Print(out, LocalThicknessMethods, value);
+}
+
+std::string
+MedialVoxelFindEnumProblem(const MedialVoxelEnums::LocalThicknessMethod value)
+{
+  return FindProblem(LocalThicknessMethods, value);
 }
 
 } // end namespace itk

@@ -18,9 +18,6 @@ namespace
 using Index = MedialVoxelIndex;
 using Box = MedialVoxelBox;
 
-/** Rows of a brick along y and z; the ones without open voxels are passed by. */
-constexpr std::int64_t BrickSize = 8;
-
 constexpr std::int64_t BitsPerWord = 64;
 
 /** A ball takes as long as so many short steps. */
@@ -30,12 +27,6 @@ std::size_t
 ToSize(const std::int64_t number)
 {
   return static_cast<std::size_t>(number);
-}
-
-std::int64_t
-DivideUp(const std::int64_t number, const std::int64_t by)
-{
-  return (number + by - 1) / by;
 }
 
 } // namespace
@@ -48,75 +39,7 @@ struct MedialVoxelBallPainter::Tile
   const MedialVoxelBits &     object;
   const MedialVoxelFeatures & features;
   Workspace &                 workspace;
-  std::vector<float> &        radii;
-  std::int64_t                words;  // of a row
-  std::int64_t                bricks; // along y
   Box                         padded; // the centers, and one more to each side, whose rank is 0
-
-  std::uint64_t *
-  GetOpenRow(const std::int64_t y, const std::int64_t z) const
-  {
-    return workspace.m_Open.data() + ((z - box.lower[2]) * box.Extent(1) + (y - box.lower[1])) * words;
-  }
-
-  /** The brick of a voxel of the tile, and all bricks that a part of it meets. */
-  Index
-  GetBrickOf(const Index & voxel) const
-  {
-    return { { (voxel[0] - box.lower[0]) / BitsPerWord,
-               (voxel[1] - box.lower[1]) / BrickSize,
-               (voxel[2] - box.lower[2]) / BrickSize } };
-  }
-
-  Box
-  GetBricks(const Box & part) const
-  {
-    const Index last = this->GetBrickOf({ { part.upper[0] - 1, part.upper[1] - 1, part.upper[2] - 1 } });
-    return { this->GetBrickOf(part.lower), { { last[0] + 1, last[1] + 1, last[2] + 1 } } };
-  }
-
-  /** The voxels of a brick. */
-  Box
-  GetBrick(const Index & brick) const
-  {
-    const Index lower{ { box.lower[0] + brick[0] * BitsPerWord,
-                         box.lower[1] + brick[1] * BrickSize,
-                         box.lower[2] + brick[2] * BrickSize } };
-    return { lower, { { lower[0] + BitsPerWord, lower[1] + BrickSize, lower[2] + BrickSize } } };
-  }
-
-  std::size_t
-  GetPlaceOfBrick(const Index & brick) const
-  {
-    return ToSize((brick[2] * bricks + brick[1]) * words + brick[0]);
-  }
-
-  std::uint32_t &
-  GetOpenOfBrick(const std::int64_t word, const std::int64_t y, const std::int64_t z) const
-  {
-    return workspace.m_OpenOfBricks[this->GetPlaceOfBrick(
-      { { word, (y - box.lower[1]) / BrickSize, (z - box.lower[2]) / BrickSize } })];
-  }
-
-  /** Gives a radius to open voxels of a word; their bits are those of \a wanted. */
-  void
-  Close(const std::int64_t y, const std::int64_t z, const std::int64_t word, std::uint64_t wanted, const float radius)
-    const
-  {
-    std::uint64_t & open = this->GetOpenRow(y, z)[word];
-    wanted &= open;
-    if (wanted == 0)
-    {
-      return;
-    }
-    open &= ~wanted;
-    this->GetOpenOfBrick(word, y, z) -= static_cast<std::uint32_t>(MedialVoxelPopulationCount(wanted));
-    float * const row = radii.data() + box.OffsetOf({ { box.lower[0], y, z } }) + word * BitsPerWord;
-    for (; wanted != 0; wanted &= wanted - 1)
-    {
-      row[MedialVoxelLowestBit(wanted)] = radius;
-    }
-  }
 };
 
 MedialVoxelBallPainter::MedialVoxelBallPainter(const MedialVoxelGrid & grid, const double maximumRadius)
@@ -129,44 +52,15 @@ MedialVoxelBallPainter::Paint(const Box &                 box,
                               const MedialVoxelBits &     object,
                               const MedialVoxelFeatures & features,
                               Workspace &                 workspace,
-                              std::vector<float> &        radii) const
+                              std::vector<float> &        diameters) const
 {
-  radii.assign(ToSize(box.NumberOfVoxels()), 0.0f);
-  const Tile tile{ box,
-                   this->GetCenterBox(box),
-                   object,
-                   features,
-                   workspace,
-                   radii,
-                   DivideUp(box.Extent(0), BitsPerWord),
-                   DivideUp(box.Extent(1), BrickSize),
-                   this->GetCenterBox(box).Expanded({ { 1, 1, 1 } }) };
-  this->OpenObject(tile);
+  workspace.m_Open.Open(box, object, diameters);
+  const Tile tile{ box,       this->GetCenterBox(box),
+                   object,    features,
+                   workspace, this->GetCenterBox(box).Expanded({ { 1, 1, 1 } }) };
   this->RankBalls(tile);
   this->SortBalls(tile);
   this->PaintBalls(tile);
-}
-
-/** Opens all object voxels of the tile. */
-void
-MedialVoxelBallPainter::OpenObject(const Tile & tile) const
-{
-  Workspace & workspace = tile.workspace;
-  workspace.m_Open.assign(ToSize(tile.words * tile.box.Extent(1) * tile.box.Extent(2)), 0);
-  workspace.m_OpenOfBricks.assign(ToSize(tile.words * tile.bricks * DivideUp(tile.box.Extent(2), BrickSize)), 0);
-  for (std::int64_t z = tile.box.lower[2]; z < tile.box.upper[2]; ++z)
-  {
-    for (std::int64_t y = tile.box.lower[1]; y < tile.box.upper[1]; ++y)
-    {
-      std::uint64_t * const open = tile.GetOpenRow(y, z);
-      for (std::int64_t word = 0; word < tile.words; ++word)
-      {
-        const std::int64_t x = tile.box.lower[0] + word * BitsPerWord;
-        open[word] = tile.object.Extract(x, y, z) & MedialVoxelBits::RangeMask(0, 0, tile.box.upper[0] - x);
-        tile.GetOpenOfBrick(word, y, z) += static_cast<std::uint32_t>(MedialVoxelPopulationCount(open[word]));
-      }
-    }
-  }
 }
 
 void
@@ -248,7 +142,7 @@ MedialVoxelBallPainter::SortBalls(const Tile & tile) const
   const std::vector<Neighbor>        neighbors = this->ListNeighbors(tile.padded);
   std::vector<std::uint32_t> &       kept = tile.workspace.m_Kept;
   const auto                         cap = m_Ranks.GetLast();
-  const auto                         radius = m_Ranks.GetRadius(cap);
+  const float                        diameter = 2.0f * m_Ranks.GetRadius(cap);
   const auto                         toTile = [&tile](const std::int64_t at, const unsigned int axis) {
     return std::max<std::int64_t>({ tile.box.lower[axis] - at, at - tile.box.upper[axis] + 1, 0 });
   };
@@ -273,8 +167,7 @@ MedialVoxelBallPainter::SortBalls(const Tile & tile) const
         {
           if (tile.box.Contains(center))
           {
-            const std::int64_t x = center[0] - tile.box.lower[0];
-            tile.Close(center[1], center[2], x / BitsPerWord, std::uint64_t{ 1 } << ToSize(x % BitsPerWord), radius);
+            tile.workspace.m_Open.CloseSpan(center[1], center[2], { center[0], center[0] + 1 }, diameter);
           }
         }
         else if (!this->IsInBallOfNeighbor(&ranks[place], neighbors))
@@ -320,9 +213,7 @@ MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
     const std::uint32_t rank = workspace.m_Ranks[ball];
     if (rank != spansOf)
     {
-      if (std::all_of(workspace.m_OpenOfBricks.begin(), workspace.m_OpenOfBricks.end(), [](const std::uint32_t open) {
-            return open == 0;
-          }))
+      if (workspace.m_Open.IsDone())
       {
         return;
       }
@@ -334,7 +225,7 @@ MedialVoxelBallPainter::PaintBalls(const Tile & tile) const
                     { { tile.padded.lower[0] + ball % columns,
                         tile.padded.lower[1] + ball / columns % rows,
                         tile.padded.lower[2] + ball / (columns * rows) } },
-                    m_Ranks.GetRadius(rank));
+                    2.0f * m_Ranks.GetRadius(rank));
   }
 }
 
@@ -367,55 +258,15 @@ MedialVoxelBallPainter::FindSpans(const std::uint32_t rank, Workspace & workspac
 }
 
 void
-MedialVoxelBallPainter::PaintBall(const Tile & tile, const Index & center, const float radius) const
+MedialVoxelBallPainter::PaintBall(const Tile & tile, const Index & center, const float diameter) const
 {
-  const Index & reach = tile.workspace.m_Reach;
-  const Box     ball =
-    Box{ center, { { center[0] + 1, center[1] + 1, center[2] + 1 } } }.Expanded(reach).Intersection(tile.box);
-  if (ball.IsEmpty())
-  {
-    return;
-  }
-  const Box bricks = tile.GetBricks(ball);
-  Index     brick;
-  for (brick[2] = bricks.lower[2]; brick[2] < bricks.upper[2]; ++brick[2])
-  {
-    for (brick[1] = bricks.lower[1]; brick[1] < bricks.upper[1]; ++brick[1])
-    {
-      for (brick[0] = bricks.lower[0]; brick[0] < bricks.upper[0]; ++brick[0])
-      {
-        if (tile.workspace.m_OpenOfBricks[tile.GetPlaceOfBrick(brick)] != 0)
-        {
-          this->PaintInBrick(tile, tile.GetBrick(brick).Intersection(ball), center, radius);
-        }
-      }
-    }
-  }
-}
-
-/** A part of a ball that is within a brick, whose rows are words. */
-void
-MedialVoxelBallPainter::PaintInBrick(const Tile &  tile,
-                                     const Box &   part,
-                                     const Index & center,
-                                     const float   radius) const
-{
-  const std::int64_t word = (part.lower[0] - tile.box.lower[0]) / BitsPerWord;
-  const std::int64_t first = tile.box.lower[0] + word * BitsPerWord;
-  for (std::int64_t z = part.lower[2]; z < part.upper[2]; ++z)
-  {
-    const std::int32_t * const spans =
-      tile.workspace.m_Spans.data() + std::abs(z - center[2]) * (this->GetMargin()[1] + 1);
-    for (std::int64_t y = part.lower[1]; y < part.upper[1]; ++y)
-    {
-      const std::int64_t width = spans[std::abs(y - center[1])];
-      if (width >= 0)
-      {
-        tile.Close(
-          y, z, word, MedialVoxelBits::RangeMask(0, center[0] - width - first, center[0] + width + 1 - first), radius);
-      }
-    }
-  }
+  Workspace & workspace = tile.workspace;
+  const Box   ball = Box{ center, { { center[0] + 1, center[1] + 1, center[2] + 1 } } }.Expanded(workspace.m_Reach);
+  workspace.m_Open.CloseBall(ball, diameter, [&](const std::int64_t y, const std::int64_t z) {
+    const std::int32_t * const row = workspace.m_Spans.data() + std::abs(z - center[2]) * (this->GetMargin()[1] + 1);
+    const std::int64_t         width = row[std::abs(y - center[1])];
+    return MedialVoxelOpenVoxels::Span{ center[0] - width, width < 0 ? center[0] : center[0] + width + 1 };
+  });
 }
 
 } // end namespace itk

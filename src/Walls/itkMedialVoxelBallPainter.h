@@ -7,6 +7,7 @@
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelFeatures.h"
 #include "itkMedialVoxelGrid.h"
+#include "itkMedialVoxelOpenVoxels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +17,7 @@ namespace itk
 {
 
 /** \class MedialVoxelBallPainter
- * \brief Gives each object voxel of a tile the radius of the largest ball inside the object that covers it.
+ * \brief Gives each object voxel of a tile the diameter of the largest ball inside the object that covers it.
  *
  * A ball around an object voxel has the distance to the nearest boundary voxel as its radius, but not more than a
  * maximum. It covers the voxels that are nearer than its radius. Balls are cut, not results: so a result depends on
@@ -44,8 +45,7 @@ public:
     std::vector<std::uint32_t> m_Begins;  ///< in the order, of the balls of each rank
     std::vector<std::int32_t>  m_Spans;   ///< half widths of the rows of a ball
     MedialVoxelIndex           m_Reach{}; ///< of that ball
-    std::vector<std::uint64_t> m_Open;    ///< voxels of the tile that are not painted yet
-    std::vector<std::uint32_t> m_OpenOfBricks;
+    MedialVoxelOpenVoxels      m_Open;    ///< voxels of the tile that are not painted yet
   };
 
   /** Bytes of a workspace for each voxel of a center box, beside its displacements. */
@@ -71,13 +71,13 @@ public:
   /** \param object    bits of the center box of the tile
    * \param features   displacements of the object voxels of the center box to their nearest boundary voxels; those
    *                   that are farther than the maximum may be missing
-   * \param radii      of the voxels of the tile, x fastest; 0 in background */
+   * \param diameters  of the voxels of the tile, x fastest; 0 in background */
   void
   Paint(const MedialVoxelBox &      tile,
         const MedialVoxelBits &     object,
         const MedialVoxelFeatures & features,
         Workspace &                 workspace,
-        std::vector<float> &        radii) const;
+        std::vector<float> &        diameters) const;
 
 private:
   struct Tile;
@@ -107,19 +107,13 @@ private:
   OrderByRank(Workspace & workspace) const;
 
   void
-  OpenObject(const Tile & tile) const;
-
-  void
   PaintBalls(const Tile & tile) const;
 
   void
   FindSpans(std::uint32_t rank, Workspace & workspace) const;
 
   void
-  PaintBall(const Tile & tile, const MedialVoxelIndex & center, float radius) const;
-
-  void
-  PaintInBrick(const Tile & tile, const MedialVoxelBox & part, const MedialVoxelIndex & center, float radius) const;
+  PaintBall(const Tile & tile, const MedialVoxelIndex & center, float diameter) const;
 
   MedialVoxelGrid      m_Grid;
   MedialVoxelBallRanks m_Ranks;

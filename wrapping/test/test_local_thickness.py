@@ -12,6 +12,8 @@ from support import PIXEL_TYPES, blobs, image_of
 # Numbers without rounding, so that equal lengths are equal.
 SPACING = (0.5, 0.75, 1.25)
 
+SPHERE = itk.MedialVoxelEnums.LocalThicknessMethod_Sphere
+
 
 def largest_balls(mask, spacing, maximum):
     """The diameter of the largest ball that covers each voxel; the spacing is in the order of the axes."""
@@ -36,22 +38,22 @@ class LocalThickness(unittest.TestCase):
             for dtype in PIXEL_TYPES:
                 with self.subTest(dtype=dtype, dimension=mask.ndim):
                     image = image_of(mask.astype(dtype), spacing=spacing)
-                    found = itk.local_thickness_image_filter(image)
+                    found = itk.local_thickness_image_filter(image, method=SPHERE)
                     self.assertEqual(tuple(found.GetSpacing()), spacing)
                     np.testing.assert_array_equal(itk.array_from_image(found), expected)
 
     def test_of_arrays_in_voxels(self):
         mask = blobs(shape=(14, 16, 18))
-        found = itk.local_thickness_image_filter(mask)
+        found = itk.local_thickness_image_filter(mask, method=SPHERE)
         self.assertEqual(found.dtype, np.float32)
         np.testing.assert_array_equal(found, largest_balls(mask, (1, 1, 1), 32))
         image = image_of(mask, spacing=SPACING)
-        found = itk.array_from_image(itk.local_thickness_image_filter(image, use_image_spacing=False))
+        found = itk.array_from_image(itk.local_thickness_image_filter(image, method=SPHERE, use_image_spacing=False))
         np.testing.assert_array_equal(found, largest_balls(mask, (1, 1, 1), 32))
 
     def test_a_maximum(self):
         mask = blobs(shape=(14, 16, 18))
-        thickness = itk.LocalThicknessImageFilter.New(image_of(mask), maximum_thickness=np.float32(4))
+        thickness = itk.LocalThicknessImageFilter.New(image_of(mask), method=SPHERE, maximum_thickness=np.float32(4))
         thickness.Update()
         found = itk.array_from_image(thickness.GetOutput())
         np.testing.assert_array_equal(found, largest_balls(mask, (1, 1, 1), 4))
@@ -64,8 +66,17 @@ class LocalThickness(unittest.TestCase):
 
     def test_thresholds(self):
         values = np.random.default_rng(4).integers(0, 100, (10, 12, 14)).astype("int16")
-        found = itk.local_thickness_image_filter(values, lower_threshold=20, upper_threshold=90)
+        found = itk.local_thickness_image_filter(values, method=SPHERE, lower_threshold=20, upper_threshold=90)
         np.testing.assert_array_equal(found, largest_balls((values >= 20) & (values <= 90), (1, 1, 1), 32))
+
+    def test_of_walls(self):
+        plate = np.zeros((12, 30, 30), np.uint8)
+        plate[4:7] = 1
+        thickness = itk.LocalThicknessImageFilter.New(image_of(plate, spacing=(0.5, 0.5, 0.5)))
+        self.assertEqual(thickness.GetMethod(), itk.MedialVoxelEnums.LocalThicknessMethod_Wall)
+        thickness.Update()
+        np.testing.assert_array_equal(itk.array_from_image(thickness.GetOutput()), 1.5 * plate)
+        self.assertEqual(thickness.GetNumberOfVoxelsWithoutWall(), 0)
 
     def test_wrong_values(self):
         for maximum in (0, -1, float("nan"), float("inf"), 257):

@@ -113,10 +113,16 @@ HasOneThreshold(const JobOptions & options, const VolumeHeader & header)
 }
 
 bool
+PaintsWalls(const ExtractOptions & options)
+{
+  return !options.localThicknessFile.empty() && options.localThicknessMethod == LocalThicknessMethod::Wall;
+}
+
+bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const bool isWanted =
-    !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels || ListsPlaces(options);
+  const bool isWanted = !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels ||
+                        ListsPlaces(options) || PaintsWalls(options);
   return options.subVoxel.value_or(isWanted && HasOneThreshold(options, header) && header.CanStream());
 }
 
@@ -196,7 +202,13 @@ GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & g
   }
   Task task;
   task.maximumThickness = maximum;
-  task.maximumPoreSize = GetParameters(options, grid).maximumPoreSize;
+  const itk::MedialVoxelParameters parameters = GetParameters(options, grid);
+  task.maximumPoreSize = parameters.maximumPoreSize;
+  if (options.localThicknessMethod == LocalThicknessMethod::Wall)
+  {
+    task.walls.emplace();
+    task.walls->parameters = parameters;
+  }
   return task;
 }
 
@@ -231,6 +243,12 @@ GetName(Smoothing smoothing)
       return "auto";
   }
   return "unknown";
+}
+
+std::string
+GetName(LocalThicknessMethod method)
+{
+  return method == LocalThicknessMethod::Wall ? "wall" : "sphere";
 }
 
 std::string

@@ -85,6 +85,7 @@ struct JobOptions
 constexpr std::uint64_t LargestPoreSize = itk::MedialVoxelParameters::LargestMaximumPoreSize;
 
 using Smoothing = itk::MedialVoxelSmoothing;
+using LocalThicknessMethod = itk::MedialVoxelLocalThicknessMethod;
 
 /** Medial voxels. */
 struct ExtractOptions : JobOptions
@@ -115,9 +116,10 @@ struct ExtractOptions : JobOptions
 
   std::string                vectorFile; ///< vectors to the nearest boundary point, float32
   itk::MedialVoxelBoundary   vectorBoundary{ itk::MedialVoxelBoundary::Object };
-  std::string                thicknessFile;         ///< thickness at medial cells, float32
-  std::string                uncertaintyFile;       ///< of the thickness at medial cells, float32
-  std::string                localThicknessFile;    ///< diameters of the largest balls at object voxels, float32
+  std::string                thicknessFile;      ///< thickness at medial cells, float32
+  std::string                uncertaintyFile;    ///< of the thickness at medial cells, float32
+  std::string                localThicknessFile; ///< local thickness of the object voxels, float32
+  LocalThicknessMethod       localThicknessMethod{ LocalThicknessMethod::Wall };
   std::optional<double>      maximumLocalThickness; ///< largest of them, > 0; unset: 32 voxels of the largest spacing
   std::string                thicknessCsvFile;      ///< histogram of the thickness, comma-separated values
   std::optional<PlaceLimits> thinBelow;             ///< places with thinner walls are listed; not with labels
@@ -167,6 +169,10 @@ GetReportFile(const JobOptions & options);
 itk::MedialVoxelGrid
 GetGrid(const JobOptions & options, const VolumeHeader & header);
 
+/** Whether the local thickness is asked for, and is that of walls. */
+bool
+PaintsWalls(const ExtractOptions & options);
+
 /** Whether walls may be measured on gray values; the values themselves decide where that is not asked for. */
 bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header);
@@ -192,7 +198,7 @@ GetSmoothing(const ExtractOptions & options);
 itk::MedialVoxelParameters
 GetParameters(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
 
-/** The task to find the local thickness of the object.
+/** The task to find the local thickness of the object; walls are measured on it.
  * \throw JobError Usage when its maximum is too large for \a grid. */
 itk::MedialVoxelLocalThickness
 GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
@@ -208,12 +214,6 @@ constexpr const char * AutomaticThickness = "auto";
 constexpr const char * AutomaticSpacing = "auto";
 
 /** What lengths are in, for a reader. */
-/** The task to find the local thickness of the object of the options.
- * \throw JobError Usage when its maximum is too large for the grid */
-itk::MedialVoxelLocalThickness
-GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid);
-
-/** In messages. */
 std::string
 DescribeUnit(const JobOptions & options);
 
@@ -228,6 +228,8 @@ std::string
 GetName(itk::MedialVoxelRegion region);
 std::string
 GetName(Smoothing smoothing);
+std::string
+GetName(LocalThicknessMethod method);
 
 } // end namespace medialvoxel
 

@@ -21,6 +21,7 @@ SumsToJson(const itk::MedialVoxelSums & sums)
   }
   json["recomputed_voxels"] = sums.recomputedVoxels;
   json["voxels_at_maximum"] = sums.voxelsAtMaximum;
+  json["voxels_without_wall"] = sums.voxelsWithoutWall;
   return json;
 }
 
@@ -34,6 +35,7 @@ SumsFromJson(const Json & json)
   }
   ReadWhole(json.at("recomputed_voxels"), sums.recomputedVoxels);
   ReadWhole(json.at("voxels_at_maximum"), sums.voxelsAtMaximum);
+  ReadWhole(json.at("voxels_without_wall"), sums.voxelsWithoutWall);
   return sums;
 }
 

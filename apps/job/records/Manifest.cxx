@@ -21,7 +21,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 10;
+constexpr int ManifestFormat = 11;
 
 constexpr const char * OverwriteName = "overwrite";
 
@@ -41,6 +41,9 @@ const std::array<LimitOption, 2> LimitOptions{ { { "lower", &ExtractOptions::low
 
 constexpr std::array<itk::MedialVoxelBoundary, 2> Boundaries{ { itk::MedialVoxelBoundary::Object,
                                                                 itk::MedialVoxelBoundary::Background } };
+
+constexpr std::array<LocalThicknessMethod, 2> LocalThicknessMethods{ { LocalThicknessMethod::Sphere,
+                                                                       LocalThicknessMethod::Wall } };
 
 constexpr std::array<ZarrCompression, 3> Compressions{
   { ZarrCompression::None, ZarrCompression::Gzip, ZarrCompression::BloscZstd }
@@ -86,6 +89,7 @@ OptionsToJson(const ExtractOptions & options)
   json["smooth"] = options.smoothing ? Json(GetName(*options.smoothing)) : Json(nullptr);
   json["roughness"] = RoughnessToJson(options.roughness);
   json["vector_boundary"] = GetName(options.vectorBoundary);
+  json["local_thickness_method"] = GetName(options.localThicknessMethod);
   json["zarr_compression"] = GetName(options.zarrCompression);
   json["lower_otsu"] = options.lowerIsOtsu;
   json["label"] = options.label ? Json(FormatLabel(*options.label)) : Json(nullptr);
@@ -132,6 +136,7 @@ OptionsFromJson(const Json & json)
   }
   options.roughness = RoughnessFromJson(json.at("roughness"));
   options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
+  options.localThicknessMethod = EnumFromJson(json.at("local_thickness_method"), LocalThicknessMethods);
   options.zarrCompression = EnumFromJson(json.at("zarr_compression"), Compressions);
   json.at("lower_otsu").get_to(options.lowerIsOtsu);
   options.label = LabelFromJson(json.at("label"));

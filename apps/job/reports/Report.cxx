@@ -296,9 +296,11 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["thickness"] = MakeThickness(result.thickness);
   if (!options.localThicknessFile.empty())
   {
-    report["local_thickness"] = { { "maximum",
+    report["local_thickness"] = { { "method", GetName(options.localThicknessMethod) },
+                                  { "maximum",
                                     GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness },
-                                  { "voxels_at_maximum", result.sums.voxelsAtMaximum } };
+                                  { "voxels_at_maximum", result.sums.voxelsAtMaximum },
+                                  { "voxels_without_wall", result.sums.voxelsWithoutWall } };
   }
   if (!result.places.empty())
   {

@@ -40,7 +40,12 @@ ListFurtherTasks(const ExtractOptions & options, const VolumeHeader & header)
   }
   if (!options.localThicknessFile.empty())
   {
-    tasks.push_back({ VolumeFiller::LocalThickness, GetLocalThickness(options, GetGrid(options, header)) });
+    auto task = GetLocalThickness(options, GetGrid(options, header));
+    if (task.walls && MayMeasureOnGrayValues(options, header))
+    {
+      task.walls->grayRange = GetGrayRange(options, header);
+    }
+    tasks.push_back({ VolumeFiller::LocalThickness, task });
   }
   return tasks;
 }
@@ -178,6 +183,10 @@ ExtractRun::ChooseMeasure()
     range->scan = m_Measure->scan;
   }
   m_Engine->SetGrayRange(range);
+  for (const FurtherEngine & further : m_FurtherEngines)
+  {
+    further.engine->SetGrayRange(range);
+  }
 }
 
 std::uint64_t

@@ -116,6 +116,20 @@ PieceEngine::AddObserver(itk::MedialVoxelTileObserver & observer)
 }
 
 void
+PieceEngine::SetGrayRange(const std::optional<itk::MedialVoxelExtraction::GrayRange> & range)
+{
+  if (auto * const extraction = std::get_if<itk::MedialVoxelExtraction>(&m_Settings.task))
+  {
+    extraction->grayRange = range;
+  }
+  auto * const thickness = std::get_if<itk::MedialVoxelLocalThickness>(&m_Settings.task);
+  if (thickness != nullptr && thickness->walls)
+  {
+    thickness->walls->grayRange = range;
+  }
+}
+
+void
 PieceEngine::SetMemoryLimit(std::uint64_t bytes)
 {
   m_Settings.memoryLimit = bytes;

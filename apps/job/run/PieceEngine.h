@@ -99,12 +99,10 @@ public:
   void
   SetMemoryLimit(std::uint64_t bytes);
 
-  /** Has walls measured on these gray values, or on the object, before the first run. */
+  /** Has the walls that the task finds, if any, measured on these gray values, or on the object, before the first run.
+   */
   void
-  SetGrayRange(const std::optional<itk::MedialVoxelExtraction::GrayRange> & range)
-  {
-    std::get<itk::MedialVoxelExtraction>(m_Settings.task).grayRange = range;
-  }
+  SetGrayRange(const std::optional<itk::MedialVoxelExtraction::GrayRange> & range);
 
   /** What comes next, if anything, is read meanwhile. The results are valid
    * until the next run, or Release(). A piece without a cell to decide and without an object is all zero, which sparse
