@@ -5,8 +5,8 @@
 
 A voxel of the mask is object when its center is in the part. The scan is the part blurred by a Gaussian of 0.8 voxels,
 without noise, and a plate of 8 voxels beside it, from which the program learns values and blur. Lengths are in units of
-the largest spacing, also where a voxel is 0.7 x 0.7 x 1.2. Each case is the mean over the object voxels in the middle of
-the volume, in all positions together; the bias is its difference from the true thickness.
+the largest spacing, also where a voxel is 0.7 x 0.7 x 1.2. The bias is the mean difference from the true thickness over
+the object voxels in the middle of the volume; all positions count the same, and then all directions.
 
 Prints a Markdown table and writes one JSON file.
 Usage: bench/measure_local_thickness_bias.py BUILD [--shapes LIST] [--output FILE]      needs numpy and scipy
@@ -26,10 +26,11 @@ from scipy import ndimage, special
 
 SPACINGS = {"1 x 1 x 1": (1.0, 1.0, 1.0), "0.7 x 0.7 x 1.2": (0.7, 0.7, 1.2)}
 DIRECTIONS = ((0, 0, 1), (1, 0, 0), (0, 1, 1), (1, 1, 1), (1, 2, 5), (0, 0.26, 0.97), (0.31, 0.57, 0.76))
-POSITIONS = (0.07, 0.4, 0.73)
+POSITIONS = 4  # of the part, evenly over the way after which voxels repeat along its normal
 THICKNESSES = {"plates": (1, 2, 3, 4, 5, 6, 8, 12, 16), "tubes": (1.5, 2, 3, 4, 6), "rods": (3, 5, 8, 12), "wedges": (10, 20, 30)}
 DIRECTIONS_OF = {"plates": DIRECTIONS, "tubes": DIRECTIONS[:5], "rods": DIRECTIONS[:5], "wedges": DIRECTIONS[:1]}
 RADIUS_OF_TUBE = 10.0  # of its middle
+TIP = -20.0  # of a wedge along x; it opens towards the end of the part
 BLUR = 0.8
 FINE = 3  # samples of a voxel along each axis where the blur has no formula
 # The values of the scan and where the plate that it learns from lies along x, in voxels of the largest spacing.
@@ -76,9 +77,8 @@ def is_inside(shape, size, grid, direction, shift):
     if shape == "plates":
         return abs(grid.along(axis, shift)) < size / 2
     if shape == "wedges":
-        # Its tip is 16 below the middle; it opens along x.
         half = math.radians(size / 2)
-        return abs(grid.z - shift) * math.cos(half) < (grid.x + 16) * math.sin(half)
+        return abs(grid.z - shift) * math.cos(half) < (grid.x - TIP) * math.sin(half)
     side = unit(np.cross(axis, (0.3, 0.5, 0.81)))
     other = np.cross(axis, side)
     radius = np.hypot(grid.along(side, shift), grid.along(other, 0.6 * shift))
@@ -121,6 +121,11 @@ def run(program, values, lower, spacing, options, scratch):
     return read_voxels(thickness, np.float32, size) / max(spacing)
 
 
+def list_shifts(direction, grid):
+    steps = [abs(part * step) for part, step in zip(unit(direction), grid.steps) if part != 0]
+    return [(k + 0.5) / POSITIONS * min(steps) for k in range(POSITIONS)]
+
+
 def measure_ways(program, shape, size, spacing, direction, shift, scratch):
     """The maps by each way."""
     mask = make_mask(shape, size, Grid(spacing), direction, shift)
@@ -131,37 +136,50 @@ def measure_ways(program, shape, size, spacing, direction, shift, scratch):
 
 
 def truth_of(shape, size, grid, shift):
-    """Of wedges: twice the radius of the largest ball that covers a place in the middle plane."""
+    """Of wedges: twice the radius of the largest ball that covers a place. Balls lie in the middle plane."""
     if shape != "wedges":
         return np.full(grid.size[::-1], float(size))
-    sine = math.sin(math.radians(size / 2))
-    distance = np.hypot(grid.x + 16, grid.z - shift)
-    return np.broadcast_to(2 * distance * sine / (1 - sine), grid.size[::-1])
+    half = math.radians(size / 2)
+    along = grid.x - TIP
+    distance = np.hypot(along, grid.z - shift)
+    # The farther of the two places in the middle plane whose ball has the voxel on its surface.
+    root = np.sqrt(np.maximum(along**2 - (distance * math.cos(half)) ** 2, 0))
+    return np.broadcast_to(2 * math.sin(half) * (along + root) / math.cos(half) ** 2, grid.size[::-1])
+
+
+def find_inner(shape, grid):
+    """The voxels that count: no end of the part is near."""
+    reach = PART / 3 if shape == "tubes" else PART / 6
+    is_inner = (abs(grid.x) < reach) & (abs(grid.y) < reach) & (abs(grid.z) < reach)
+    return is_inner & (grid.x < 0) if shape == "wedges" else is_inner
 
 
 def measure_case(program, shape, size, spacing, scratch):
     """Bias, spread and share of voxels without a wall of each way, over all directions and positions."""
     grid = Grid(spacing)
-    isInner = (abs(grid.x) < PART / 6) & (abs(grid.y) < PART / 6) & (abs(grid.z) < PART / 6)
-    if shape == "tubes":
-        isInner = (abs(grid.x) < PART / 3) & (abs(grid.y) < PART / 3) & (abs(grid.z) < PART / 3)
-    truth = truth_of(shape, size, grid, 0.0)
+    is_inner = find_inner(shape, grid)
     found = {way: {"errors": [], "means": [], "without": 0, "voxels": 0} for way in WAYS}
     for direction in DIRECTIONS_OF[shape]:
         of_direction = {way: [] for way in WAYS}
-        for shift in POSITIONS:
+        for shift in list_shifts(direction, grid):
+            wanted = truth_of(shape, size, grid, shift)[is_inner]
             for way, thickness in measure_ways(program, shape, size, spacing, direction, shift, scratch).items():
-                values, wanted = thickness[isInner], truth_of(shape, size, grid, shift)[isInner] if shape == "wedges" else truth[isInner]
+                values = thickness[is_inner]
                 part = values != 0
                 known = part & ~np.isnan(values)
                 of_direction[way].append(values[known] - wanted[known])
                 found[way]["without"] += int((part & ~known).sum())
                 found[way]["voxels"] += int(part.sum())
         for way, errors in of_direction.items():
-            errors = np.concatenate(errors)
-            found[way]["errors"].append(errors)
-            found[way]["means"].append(float(errors.mean()) if errors.size else math.nan)
+            found[way]["errors"] += errors
+            found[way]["means"].append(mean_of([float(part.mean()) if part.size else math.nan for part in errors]))
     return {way: summarize(numbers) for way, numbers in found.items()}
+
+
+def mean_of(numbers):
+    """Of those that are known."""
+    known = [number for number in numbers if not math.isnan(number)]
+    return sum(known) / len(known) if known else math.nan
 
 
 def summarize(numbers):
@@ -169,7 +187,7 @@ def summarize(numbers):
     result = {"without_percent": round(100 * numbers["without"] / max(1, numbers["voxels"]), 2)}
     if errors.size:
         result |= {
-            "bias": round(float(np.mean(means)), 4),
+            "bias": round(mean_of(means), 4),
             "worst_direction": round(max(means, key=abs), 4),
             "rms": round(float(np.sqrt((errors**2).mean())), 4),
         }
@@ -208,7 +226,7 @@ def main():
                     cases.append(case | measure_case(program, shape, size, spacing, pathlib.Path(scratch)))
                     print_table(cases[-1:])
     print_table(cases)
-    result = {"revision": common.describe_revision(), "blur_voxels": BLUR, "positions": len(POSITIONS), "cases": cases}
+    result = {"revision": common.describe_revision(), "blur_voxels": BLUR, "positions": POSITIONS, "cases": cases}
     arguments.output.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
 
 

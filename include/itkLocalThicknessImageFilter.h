@@ -11,15 +11,15 @@ namespace itk
 {
 
 /** \class LocalThicknessImageFilter
- * \brief Local thickness of each object voxel: of the thickest wall, or the largest ball, that covers it.
+ * \brief Local thickness of each object voxel: of the wall, or the ball, that covers it.
  *
  * Values are in physical units when UseImageSpacing is on, otherwise in voxels; 0 in background.
  *
  * \par Wall
  * The default Method. Each medial cell of MedialVoxelImageFilter, with ThicknessMode Automatic and its defaults but
  * without smoothing and pores, measures the wall that it is in, from face to face. Its ball covers the voxels that are
- * nearer to the cell than the two boundary points of the wall are on average. The value is the largest thickness of the
- * walls whose balls cover a voxel. Cells at rims, whose two sides do not face each other, measure no wall and have no
+ * nearer to the cell than the two boundary points of the wall are on average. The value is the thickness of the wall
+ * whose ball is the largest that covers a voxel; of equal balls the thickest wall counts. Cells at rims, whose two sides do not face each other, measure no wall and have no
  * ball. Object voxels that no ball covers, in edges and corners, are NaN: no comparison finds them thin or thick.
  *
  * \par Sphere

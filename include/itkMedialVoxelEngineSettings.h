@@ -78,7 +78,7 @@ struct MedialVoxelDistanceMap
 
 /** \struct MedialVoxelLocalThickness
  * \brief The task to find, for each object voxel, the diameter of the largest ball inside the object that covers it, or
- * the thickness of the thickest wall whose ball covers it.
+ * the thickness of the wall whose ball is the largest that covers it.
  * \ingroup MedialVoxel
  */
 struct MedialVoxel_EXPORT MedialVoxelLocalThickness

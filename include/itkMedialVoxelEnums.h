@@ -87,7 +87,7 @@ public:
    * What the local thickness of a voxel is.
    *
    * Sphere: the diameter of the largest ball inside the object that covers it (Hildebrand and Ruegsegger, 1997).
-   * Wall: the thickness of the thickest wall whose ball covers it. */
+   * Wall: the thickness of the wall whose ball is the largest that covers it. */
   enum class LocalThicknessMethod : std::uint8_t
   {
     Sphere = 0,

@@ -67,7 +67,8 @@ BallsOfWalls(const Volume & volume, const double maximumThickness)
   return balls;
 }
 
-/** The largest thickness of the balls that cover each object voxel; NaN without one, 0 in background. */
+/** The thickness of the largest ball that covers each object voxel, the largest of equal ones; NaN without one, 0 in
+ * background. */
 template <unsigned int D>
 std::vector<float>
 ExpectedWallThickness(const Volume & volume, const double maximumThickness)
@@ -83,6 +84,7 @@ ExpectedWallThickness(const Volume & volume, const double maximumThickness)
     }
     const Index3 voxel = volume.IndexAt(i);
     expected[i] = std::numeric_limits<float>::quiet_NaN();
+    std::pair<double, float> largest{ 0.0, 0.0f };
     for (const WallBall & ball : balls)
     {
       double ways[3];
@@ -91,8 +93,9 @@ ExpectedWallThickness(const Volume & volume, const double maximumThickness)
         ways[axis] = (voxel[axis] - ball.center[axis]) * grid.GetMetricSpacing()[axis];
       }
       const double square = (ways[0] * ways[0] + ways[1] * ways[1]) + ways[2] * ways[2];
-      if (square < ball.radius * ball.radius && !(expected[i] >= ball.thickness))
+      if (square < ball.radius * ball.radius && largest < std::make_pair(ball.radius, ball.thickness))
       {
+        largest = { ball.radius, ball.thickness };
         expected[i] = ball.thickness;
       }
     }

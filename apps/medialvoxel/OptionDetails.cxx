@@ -72,14 +72,12 @@ ListOptionDetails()
     { "",
       "--local-thickness",
       "32-bit real, on the grid of the input: the thickness of the wall or the ball that covers the center of the "
-      "voxel, "
-      "0 outside the object. Not with --labels." },
+      "voxel, 0 outside the object. Not with --labels." },
     { "",
       "--local-thickness-method",
-      "wall: thickness, as in --thickness-map, of the thickest wall that covers the voxel; NaN in edges and corners "
-      "that "
-      "no wall covers. sphere: diameter of the largest ball inside the object that does, for comparison with other "
-      "programs." },
+      "wall: thickness, as in --thickness-map, of the wall whose ball is the largest that covers the voxel; NaN in edges "
+      "and corners that no wall covers. sphere: diameter of the largest ball inside the object that does, for "
+      "comparison with other programs." },
     { "",
       "--largest-ball",
       "In units of the spacing; at most 256 voxels. Larger balls are cut to it. Time and memory grow with it." },

@@ -315,13 +315,13 @@ def local_thickness(
     memory: int | str | None = None,
     progress: Progress = None,
 ) -> LocalThickness:
-    """Of each object voxel, the thickness of the thickest wall that covers it, from face to face, as extract() measures
-    walls with its defaults but without smoothing and pores.
+    """Of each object voxel, the thickness of the wall whose ball is the largest that covers it. extract() measures walls
+    in the same way, from face to face, here with its defaults but on the object, without smoothing and pores.
 
     method: "wall" leaves edges and corners that no wall covers NaN. "sphere" is the diameter of the largest ball inside
         the object that covers a voxel, as Hildebrand and Ruegsegger (1997) define it, for comparison with other programs.
-    maximum: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing; default 32 voxels of the
-        largest spacing. Time and memory grow with it.
+    maximum: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
+        default 32 voxels of the largest spacing. Time and memory grow with it.
 
     Nothing is known outside of the array: an object that it cuts may be found too thick beside its faces.
     Other parameters and errors: as extract().

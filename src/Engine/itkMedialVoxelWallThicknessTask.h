@@ -14,11 +14,11 @@ namespace itk
 {
 
 /** \class MedialVoxelWallThicknessTask
- * \brief Finds the thickness of the thickest wall whose ball covers each object voxel of a tile.
+ * \brief Finds, for each object voxel of a tile, the thickness of the wall whose ball is the largest that covers it.
  *
  * The ball of a measured medial cell q lies around its center. Its radius is d(q) of MedialVoxelLocalThreshold, at most
- * half of the maximum thickness, and its thickness that of the wall, at most the maximum. The cells around a tile are
- * extracted with it, so that a result depends on the image alone.
+ * half of the maximum thickness, and its thickness that of the wall, at most the maximum. Of equal balls the thickest
+ * wall counts. The cells around a tile are extracted with it, so that a result depends on the image alone.
  * \ingroup MedialVoxel
  */
 class MedialVoxelWallThicknessTask : public MedialVoxelTileTask

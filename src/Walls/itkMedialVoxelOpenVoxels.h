@@ -16,8 +16,8 @@ namespace itk
 /** \class MedialVoxelOpenVoxels
  * \brief The object voxels of a tile that have no value yet; each gets the first one that it is given.
  *
- * Painted in the order of their values, the largest first, balls give each voxel the largest value of those that cover
- * it. Bricks of voxels without open ones are passed by.
+ * Painted from the largest to the smallest, balls give each voxel the value of the largest one that covers it. Bricks
+ * of voxels without open ones are passed by.
  * \ingroup MedialVoxel
  */
 class MedialVoxelOpenVoxels

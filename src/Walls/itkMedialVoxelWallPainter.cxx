@@ -53,7 +53,7 @@ MedialVoxelWallPainter::Paint(const MedialVoxelBox &  tile,
 {
   workspace.open.Open(tile, object, thickness);
   std::sort(workspace.balls.begin(), workspace.balls.end(), [](const Ball & a, const Ball & b) {
-    return a.thickness > b.thickness;
+    return a.radius > b.radius || (a.radius == b.radius && a.thickness > b.thickness);
   });
   MedialVoxelPollCounter poll;
   for (std::size_t i = 0; i < workspace.balls.size(); ++i)

@@ -13,11 +13,11 @@ namespace itk
 {
 
 /** \class MedialVoxelWallPainter
- * \brief Gives each object voxel of a tile the largest thickness of the walls whose balls cover it.
+ * \brief Gives each object voxel of a tile the thickness of the wall whose ball is the largest that covers it.
  *
  * The ball of a wall lies around a dual cell, and covers the voxels that are nearer to its center than its radius:
- * ((x sx)^2 + (y sy)^2) + (z sz)^2 < r^2 in double and metric units. Balls are painted from the thickest wall to the
- * thinnest, each voxel once.
+ * ((x sx)^2 + (y sy)^2) + (z sz)^2 < r^2 in double and metric units. Balls are painted from the largest to the
+ * smallest, equal ones from the thickest wall to the thinnest, each voxel once.
  * \ingroup MedialVoxel
  */
 class MedialVoxelWallPainter
