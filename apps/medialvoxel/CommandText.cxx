@@ -42,7 +42,7 @@ void
 AddHelpLine(std::string & text, const std::string & left, const std::string & right)
 {
   text +=
-    "  " + left + std::string(left.size() + 3 < HelpColumn ? HelpColumn - 2 - left.size() : 1, ' ') + right + "\n";
+    "  " + left + std::string(left.size() + 3 < HelpColumn ? HelpColumn - 2 - left.size() : 2, ' ') + right + "\n";
 }
 
 std::string
