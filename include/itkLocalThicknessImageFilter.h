@@ -64,6 +64,12 @@ public:
   itkMedialVoxelSetEnumMacro(Method, MethodEnum);
   itkGetEnumMacro(Method, MethodEnum);
 
+  /** Measure walls on the values of the image; one of the thresholds must be set. Default off. Walls have the
+   * thickness that MedialVoxelImageFilter finds with SubvoxelThicknessOn(), which see. Not with the Method Sphere. */
+  itkSetMacro(SubvoxelThickness, bool);
+  itkGetConstMacro(SubvoxelThickness, bool);
+  itkBooleanMacro(SubvoxelThickness);
+
   /** Diameter at which balls are cut, and the largest thickness, in physical units when UseImageSpacing is on,
    * otherwise in voxels. Positive, at most 256 voxels of the smallest spacing; default 32 voxels of the largest
    * spacing. Memory and time grow with it. */
@@ -109,9 +115,19 @@ protected:
   void
   TakeTile(const MedialVoxelTileResult & tile) override;
 
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+
+  MedialVoxelSums
+  RunRegion(const MedialVoxelBox & region) override;
+
 private:
   MethodEnum m_Method{ MethodEnum::Wall };
+  bool       m_SubvoxelThickness{ false };
   double     m_MaximumThickness{ 0.0 };
+
+  std::optional<MedialVoxelScan> m_Scan; ///< of the input at a time
+  ModifiedTimeType               m_ScanMTime{ 0 };
 };
 
 } // end namespace itk

@@ -55,8 +55,43 @@ LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) co
     settings.maximumPoreSize = 0;
     task.walls.emplace();
     task.walls->parameters = MedialVoxelParameters::ForSettings(grid, settings);
+    if (m_SubvoxelThickness)
+    {
+      task.walls->grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan };
+    }
   }
   return task;
+}
+
+template <typename TInputImage>
+void
+LocalThicknessImageFilter<TInputImage>::VerifyPreconditions() ITKv5_CONST
+{
+  Superclass::VerifyPreconditions();
+  if (m_SubvoxelThickness && m_Method == MethodEnum::Sphere)
+  {
+    itkExceptionMacro("SubvoxelThickness is on; it has no effect with the Method Sphere.");
+  }
+  if (m_SubvoxelThickness && !this->GetUseThresholds())
+  {
+    itkExceptionMacro("SubvoxelThickness is on; LowerThreshold or UpperThreshold must be set for it.");
+  }
+}
+
+template <typename TInputImage>
+MedialVoxelSums
+LocalThicknessImageFilter<TInputImage>::RunRegion(const MedialVoxelBox & region)
+{
+  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
+  if (m_SubvoxelThickness && m_ScanMTime != modifiedTime)
+  {
+    m_ScanMTime = 0;
+    m_Scan = this->SurveyScan({}).scan;
+    // Made again, for walls that are measured like this.
+    this->DropWindow();
+    m_ScanMTime = modifiedTime;
+  }
+  return Superclass::RunRegion(region);
 }
 
 template <typename TInputImage>
@@ -73,6 +108,7 @@ LocalThicknessImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent inde
 {
   Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << m_Method << std::endl;
+  os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
   os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
   os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
   os << indent << "NumberOfVoxelsAtMaximum: " << this->GetNumberOfVoxelsAtMaximum() << std::endl;

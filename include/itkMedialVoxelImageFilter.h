@@ -446,10 +446,6 @@ private:
   void
   PrepareScan();
 
-  /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not tell. */
-  ModifiedTimeType
-  GetPixelMTime() const;
-
   /** Of an object that the last update found; throws for other labels. */
   MedialVoxelObjectNumber
   FindObjectNumber(std::int64_t label) const;

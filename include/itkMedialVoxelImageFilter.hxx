@@ -125,18 +125,9 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
     return;
   }
   m_ScanMTime = 0;
-  MedialVoxelScan scan;
-  const bool      isLower = std::isfinite(this->GetLowerThreshold());
-  if (isLower == std::isfinite(this->GetUpperThreshold()))
-  {
-    m_ReasonWithoutScan = "there are two thresholds";
-  }
-  else
-  {
-    const auto result = this->SurveyScan(isLower ? this->GetLowerThreshold() : this->GetUpperThreshold(), m_ScanLevels);
-    scan = result.scan.value_or(scan);
-    m_ReasonWithoutScan = result.reason;
-  }
+  const auto            result = this->SurveyScan(m_ScanLevels);
+  const MedialVoxelScan scan = result.scan.value_or(MedialVoxelScan{});
+  m_ReasonWithoutScan = result.reason;
   m_BackgroundLevel = scan.background;
   m_MaterialLevel = scan.material;
   m_Blur = scan.blur;
@@ -145,15 +136,6 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
   // Made again, for walls that are measured like this.
   this->DropWindow();
   m_ScanMTime = modifiedTime;
-}
-
-template <typename TInputImage, typename TOutputImage>
-ModifiedTimeType
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetPixelMTime() const
-{
-  const auto * const     input = this->GetInput();
-  const ModifiedTimeType inputMTime = input->GetSource() == nullptr ? input->GetMTime() : 0;
-  return std::max(this->GetWindowMTime(), inputMTime);
 }
 
 template <typename TInputImage, typename TOutputImage>

@@ -263,9 +263,9 @@ protected:
   MedialVoxelRoughness
   MeasureRoughness();
 
-  /** Read samples of the input. */
+  /** Read samples of the input: its values beside its one threshold. There is no scan with two of them. */
   MedialVoxelScanSurvey::Result
-  SurveyScan(double threshold, const std::optional<MedialVoxelScanLevels> & levels);
+  SurveyScan(const std::optional<MedialVoxelScanLevels> & levels);
 
   /** The objects of the input, of which those that it shows are object; null, the default: values define one object. */
   virtual const MedialVoxelObjectMap *
@@ -284,6 +284,15 @@ protected:
   /** Latest change of anything that the window depends on. */
   ModifiedTimeType
   GetWindowMTime() const;
+
+  /** Latest change of the window, and of the pixels of an image without a source, which the pipeline does not tell. */
+  ModifiedTimeType
+  GetPixelMTime() const
+  {
+    const auto * const     input = this->GetInput();
+    const ModifiedTimeType inputMTime = input->GetSource() == nullptr ? input->GetMTime() : 0;
+    return std::max(this->GetWindowMTime(), inputMTime);
+  }
 
   /** Sums over the requested regions since the last UpdateOutputInformation() that was followed by an execution. */
   const MedialVoxelSums &

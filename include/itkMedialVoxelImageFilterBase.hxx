@@ -291,9 +291,14 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MeasureRoughness()
 
 template <typename TInputImage, typename TOutputImage>
 MedialVoxelScanSurvey::Result
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SurveyScan(const double threshold,
-                                                                  const std::optional<MedialVoxelScanLevels> & levels)
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SurveyScan(const std::optional<MedialVoxelScanLevels> & levels)
 {
+  const bool isLower = std::isfinite(this->GetLowerThreshold());
+  if (isLower == std::isfinite(this->GetUpperThreshold()))
+  {
+    return { {}, "there are two thresholds" };
+  }
+  const double                  threshold = isLower ? this->GetLowerThreshold() : this->GetUpperThreshold();
   Client                        client(*this, 0, 1);
   PassProgress                  progress(client);
   const MedialVoxelPollScope    scope(progress);

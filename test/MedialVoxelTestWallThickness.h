@@ -27,17 +27,22 @@ struct WallBall
   float   thickness;
 };
 
-/** The balls of all medial cells that measure a wall, of the labels and thicknesses that the medial filter finds. */
-template <unsigned int D>
-std::vector<WallBall>
-BallsOfWalls(const Volume & volume, const double maximumThickness)
+/** The thickness at the cells that a medial filter finds with its defaults but without pores. */
+template <typename TFilter>
+std::vector<float>
+ThicknessOfCells(TFilter & filter)
 {
-  auto filter = MakeMedialFilter<D>(volume, 3.0);
-  filter->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
-  filter->SetMaximumPoreSize(0);
-  filter->GenerateThicknessOn();
-  filter->Update();
-  const auto                 thicknesses = PixelsOf(filter->GetThicknessOutput());
+  filter.SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
+  filter.SetMaximumPoreSize(0);
+  filter.GenerateThicknessOn();
+  filter.Update();
+  return PixelsOf(filter.GetThicknessOutput());
+}
+
+/** The balls of all medial cells that measure a wall. */
+inline std::vector<WallBall>
+BallsOfWalls(const Volume & volume, const std::vector<float> & thicknesses, const double maximumThickness)
+{
   const itk::MedialVoxelGrid grid({ { volume.size[0], volume.size[1], volume.size[2] } }, volume.spacing);
   const double               maximumRadius = 0.5 * maximumThickness / grid.GetMetricUnit();
   const auto                 sites = BoundarySites(volume);
@@ -69,12 +74,11 @@ BallsOfWalls(const Volume & volume, const double maximumThickness)
 
 /** The thickness of the largest ball that covers each object voxel, the largest of equal ones; NaN without one, 0 in
  * background. */
-template <unsigned int D>
-std::vector<float>
-ExpectedWallThickness(const Volume & volume, const double maximumThickness)
+inline std::vector<float>
+ExpectedWallThickness(const Volume & volume, const std::vector<float> & thicknesses, const double maximumThickness)
 {
   const itk::MedialVoxelGrid grid({ { volume.size[0], volume.size[1], volume.size[2] } }, volume.spacing);
-  const auto                 balls = BallsOfWalls<D>(volume, maximumThickness);
+  const auto                 balls = BallsOfWalls(volume, thicknesses, maximumThickness);
   std::vector<float>         expected(volume.object.size(), 0.0f);
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
@@ -101,6 +105,14 @@ ExpectedWallThickness(const Volume & volume, const double maximumThickness)
     }
   }
   return expected;
+}
+
+/** The same, of walls on the object. */
+template <unsigned int D>
+std::vector<float>
+ExpectedWallThickness(const Volume & volume, const double maximumThickness)
+{
+  return ExpectedWallThickness(volume, ThicknessOfCells(*MakeMedialFilter<D>(volume, 3.0)), maximumThickness);
 }
 } // namespace MedialVoxelTest
 

@@ -155,6 +155,66 @@ TEST(WallThickness, AnyDivisionGivesTheSameBytes)
   EXPECT_TRUE(AreEqualOrNan(PixelsOf(limited->GetOutput()), expected));
 }
 
+TEST(WallThickness, OnGrayValuesEqualsBruteForce)
+{
+  using GrayImage = itk::Image<float, 3>;
+  const Vector3 middle{ { 20, 19, 18 } };
+  for (const Vector3 & spacing : Spacings)
+  {
+    // Two crossing walls, blurred; their thickness is not that of a number of voxels.
+    const auto valueAt = [&middle](const Index3 & at) {
+      const auto shareOf = [&](const Vector3 & normal, const double thickness) {
+        double distance = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          distance += normal[axis] * (at[axis] - middle[axis]) / std::sqrt(Dot(normal, normal));
+        }
+        return 0.5 * (std::erf((distance + thickness / 2) / 1.1) - std::erf((distance - thickness / 2) / 1.1));
+      };
+      return static_cast<float>(10 + 90 * std::max(shareOf({ { 1, 2, 5 } }, 6.4), shareOf({ { 1, -0.2, 0 } }, 3.3)));
+    };
+    const Volume volume =
+      MakeVolume({ { 40, 38, 36 } }, spacing, [&](const Index3 & at) { return valueAt(at) >= 55.0f; });
+    const auto image = MakeImage<GrayImage>(volume);
+    for (std::size_t i = 0; i < volume.object.size(); ++i)
+    {
+      image->GetBufferPointer()[i] = valueAt(volume.IndexAt(i));
+    }
+    auto cells = itk::MedialVoxelImageFilter<GrayImage>::New();
+    cells->SetInput(image);
+    cells->SetLowerThreshold(55);
+    cells->SubvoxelThicknessOn();
+    const auto expected = ExpectedWallThickness(volume, ThicknessOfCells(*cells), 9.0);
+    EXPECT_NE(cells->GetBlur(), 0.0);
+
+    auto filter = itk::LocalThicknessImageFilter<GrayImage>::New();
+    filter->SetInput(image);
+    filter->SetLowerThreshold(55);
+    filter->SetMaximumThickness(9.0);
+    filter->SubvoxelThicknessOn();
+    filter->SetTileSize(13);
+    filter->SetSlabThickness(7);
+    filter->Update();
+    const auto values = PixelsOf(filter->GetOutput());
+    EXPECT_TRUE(AreEqualOrNan(values, expected));
+    filter->SubvoxelThicknessOff();
+    filter->Update();
+    EXPECT_FALSE(AreEqualOrNan(PixelsOf(filter->GetOutput()), expected));
+  }
+}
+
+TEST(WallThickness, OnGrayValuesNeedsAThresholdAndWalls)
+{
+  auto filter = MakeFilter<3>(AxisPlate({ { 9, 9, 9 } }, UnitSpacing, 2, 3, 2), 5.0);
+  EXPECT_FALSE(filter->GetSubvoxelThickness());
+  filter->SubvoxelThicknessOn();
+  EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+  filter->SetLowerThreshold(1);
+  EXPECT_NO_THROW(filter->Update());
+  filter->SetMethod(itk::MedialVoxelLocalThicknessMethod::Sphere);
+  EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+}
+
 TEST(WallThickness, PlatesAlongAnAxisReadTheirThickness)
 {
   const Vector3 spacing{ { 0.5, 0.75, 1.5 } };

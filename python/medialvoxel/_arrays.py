@@ -308,6 +308,7 @@ def local_thickness(
     upper: Number | None = None,
     *,
     method: Literal["wall", "sphere"] = "wall",
+    sub_voxel: bool = False,
     maximum: Number | None = None,
     label: int | None = None,
     voxel_units: bool = False,
@@ -316,10 +317,11 @@ def local_thickness(
     progress: Progress = None,
 ) -> LocalThickness:
     """Of each object voxel, the thickness of the wall whose ball is the largest that covers it. extract() measures walls
-    in the same way, from face to face, here with its defaults but on the object, without smoothing and pores.
+    in the same way, from face to face, here with its defaults but without smoothing and pores.
 
     method: "wall" leaves edges and corners that no wall covers NaN. "sphere" is the diameter of the largest ball inside
         the object that covers a voxel, as Hildebrand and Ruegsegger (1997) define it, for comparison with other programs.
+    sub_voxel: measure walls on gray values, which needs `lower` or `upper`; otherwise on the object. Not with "sphere".
     maximum: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
         default 32 voxels of the largest spacing. Time and memory grow with it.
 
@@ -344,7 +346,7 @@ def local_thickness(
         "threads": threads,
         "memory": memory,
     }
-    flags = make_flags({"voxel_units": voxel_units})
+    flags = make_flags({"voxel_units": voxel_units, "sub_voxel": sub_voxel})
     numbers, _ = call.run(["local-thickness", "array", "thickness.mha", *make_options(options), *flags], outputs, progress)
     return LocalThickness(outputs["thickness"], numbers["counts"], numbers["lower"])
 

@@ -39,6 +39,7 @@ struct LocalThicknessOptions : JobOptions
 {
   std::optional<double> maximum; ///< diameter at which balls are cut
   LocalThicknessMethod  method{ LocalThicknessMethod::Wall };
+  bool                  subVoxel{ false }; ///< walls on gray values
 };
 
 /** Each returns numbers of the run.

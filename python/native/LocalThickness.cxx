@@ -17,6 +17,7 @@ Measure(const ArrayCall & call, const LocalThicknessOptions & options)
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   filter->SetMethod(options.method);
+  filter->SetSubvoxelThickness(options.subVoxel);
   if (options.maximum)
   {
     filter->SetMaximumThickness(*options.maximum);

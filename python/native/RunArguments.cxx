@@ -64,6 +64,7 @@ DefineLocalThickness(CommandLine & line, LocalThicknessOptions & options)
                     "KIND",
                     options.method,
                     { { GetName(Method::Wall), Method::Wall }, { GetName(Method::Sphere), Method::Sphere } });
+  line.distance->add_flag("--sub-voxel", options.subVoxel, "Measure walls on gray values");
 }
 
 template <typename TOptions, typename TRun>

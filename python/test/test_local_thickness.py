@@ -93,8 +93,22 @@ class LocalThickness(unittest.TestCase):
         sphere = medialvoxel.local_thickness(plate, spacing=(0.5, 1, 1), method="sphere")
         self.assertEqual((sphere.counts["voxels_without_wall"], float(sphere.thickness.max())), (0, 2.0))
 
+    def test_walls_on_gray_values(self):
+        """The same values as at the medial cells, which are not whole numbers of voxels."""
+        z, y, x = np.indices((36, 38, 40), float) - 18
+        away = abs(0.2 * x + 0.37 * y + 0.91 * z) / np.sqrt(0.2**2 + 0.37**2 + 0.91**2) - 3.2
+        scan = 1000 / (1 + np.exp(2.5 * away))
+        cells = medialvoxel.extract(scan, lower=500, smooth="off", max_pore_size=0, sub_voxel=True).thickness
+        found = medialvoxel.local_thickness(scan, lower=500, sub_voxel=True).thickness
+        part = found[scan >= 500]
+        self.assertLessEqual(set(part[~np.isnan(part)].tolist()), set(cells[cells > 0].tolist()))
+        self.assertAlmostEqual(float(np.nanmedian(part)), 6.4, delta=0.05)
+        self.assertFalse(np.array_equal(found, medialvoxel.local_thickness(scan, lower=500).thickness, equal_nan=True))
+
     def test_wrong_values(self):
         cases = [
+            ({"lower": 40, "sub_voxel": True, "method": "sphere"}, "no effect with the Method Sphere"),
+            ({"sub_voxel": True}, "LowerThreshold or UpperThreshold must be set"),
             ({"method": "ball"}, "--method"),
             ({"maximum": 0}, "is 0; it must be positive"),
             ({"maximum": float("nan")}, "must be positive and finite"),
