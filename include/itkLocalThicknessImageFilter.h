@@ -19,8 +19,9 @@ namespace itk
  * The default Method. Each medial cell of MedialVoxelImageFilter, with ThicknessMode Automatic and its defaults but
  * without smoothing and pores, measures the wall that it is in, from face to face. Its ball covers the voxels that are
  * nearer to the cell than the two boundary points of the wall are on average. The value is the thickness of the wall
- * whose ball is the largest that covers a voxel; of equal balls the thickest wall counts. Cells at rims, whose two sides do not face each other, measure no wall and have no
- * ball. Object voxels that no ball covers, in edges and corners, are NaN: no comparison finds them thin or thick.
+ * whose ball is the largest that covers a voxel; of equal balls the thickest wall counts. Cells at rims, whose two
+ * sides do not face each other, measure no wall and have no ball. Object voxels that no ball covers, in edges and
+ * corners, are NaN: no comparison finds them thin or thick.
  *
  * \par Sphere
  * The definition of Hildebrand and Ruegsegger (1997), for comparison with other programs and bone literature. Balls lie

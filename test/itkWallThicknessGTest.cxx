@@ -251,9 +251,11 @@ TEST(WallThickness, TiltedPlatesReadTheirThicknessOnAverage)
       for (const double shift : { 0.125, 0.375, 0.625, 0.875 })
       {
         const double way = shift / Dot(normal, normal);
-        const Volume volume = TiltedPlate(
-          { { 40, 40, 40 } }, { { 20 + way * normal[0], 20 + way * normal[1], 20 + way * normal[2] } }, normal, thickness);
-        auto filter = MakeFilter<3>(volume, 32.0);
+        const Volume volume = TiltedPlate({ { 40, 40, 40 } },
+                                          { { 20 + way * normal[0], 20 + way * normal[1], 20 + way * normal[2] } },
+                                          normal,
+                                          thickness);
+        auto         filter = MakeFilter<3>(volume, 32.0);
         filter->Update();
         mean += MeanInTheMiddle(volume, PixelsOf(filter->GetOutput())) / 20.0;
       }

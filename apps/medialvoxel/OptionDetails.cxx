@@ -75,7 +75,8 @@ ListOptionDetails()
       "voxel, 0 outside the object. Not with --labels." },
     { "",
       "--local-thickness-method",
-      "wall: thickness, as in --thickness-map, of the wall whose ball is the largest that covers the voxel; NaN in edges "
+      "wall: thickness, as in --thickness-map, of the wall whose ball is the largest that covers the voxel; NaN in "
+      "edges "
       "and corners that no wall covers. sphere: diameter of the largest ball inside the object that does, for "
       "comparison with other programs." },
     { "",
