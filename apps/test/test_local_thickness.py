@@ -164,15 +164,21 @@ class LocalThicknessTest(ProgramTestCase):
         self.assertNotEqual(on_gray, on_object)
 
     def test_walls_have_the_same_bytes_for_any_division(self):
-        self.check_divisions("wall")
+        self.check_divisions(self.blobs(), "--local-thickness-method", "wall", "--largest-ball", 3)
+
+    def test_walls_on_gray_values_have_the_same_bytes_for_any_division(self):
+        self.check_divisions(volumes.blurred_wall(7), "--lower", 1000, "--largest-ball", 6)
 
     def test_balls_have_the_same_bytes_for_any_division(self):
-        self.check_divisions("sphere")
+        self.check_divisions(self.blobs(), "--local-thickness-method", "sphere", "--largest-ball", 6)
 
-    def check_divisions(self, method):
-        volume = volumes.Volume((40, 33, 45), random_blobs((40, 33, 45)), SPACING)
+    @staticmethod
+    def blobs():
+        return volumes.Volume((40, 33, 45), random_blobs((40, 33, 45)), SPACING)
+
+    def check_divisions(self, volume, *options):
         volumes.write_meta(self.folder / "in.mha", volume)
-        options = ("--largest-ball", 6 if method == "sphere" else 3, "--distance", "d.mha", "--local-thickness-method", method)
+        options = (*options, "--distance", "d.mha")
         self.measure("--threads", 1, *options, method=None)
         files = ("out.mha", "t.mha", "d.mha")
         expected = [(self.folder / name).read_bytes() for name in files]
