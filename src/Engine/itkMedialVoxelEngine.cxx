@@ -73,6 +73,7 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & th
   const MedialVoxelBallPainter painter(grid, 0.5 * thickness.maximumThickness);
   auto settings = MedialVoxelSlabWalker::Settings::ForDistances(MedialVoxelBoundary::Background);
   settings.tileMargin = painter.GetMargin();
+  settings.preferredTileEdge = MedialVoxelLocalThicknessTask::TileEdge;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     settings.halo[axis] = 2 * settings.tileMargin[axis] + 1;

@@ -18,6 +18,9 @@ namespace itk
 class MedialVoxelLocalThicknessTask : public MedialVoxelTileTask
 {
 public:
+  /** Edge of the tiles that are best: distances and balls around each are found again. */
+  static constexpr std::int64_t TileEdge = 128;
+
   MedialVoxelLocalThicknessTask(const MedialVoxelGrid & grid, const MedialVoxelLocalThickness & settings);
 
   std::unique_ptr<Workspace>

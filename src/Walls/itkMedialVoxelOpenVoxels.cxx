@@ -26,7 +26,7 @@ MedialVoxelOpenVoxels::Open(const MedialVoxelBox & box, const MedialVoxelBits & 
   values.assign(static_cast<std::size_t>(box.NumberOfVoxels()), 0.0f);
   m_Values = values.data();
   m_Open.assign(static_cast<std::size_t>(m_Words * box.Extent(1) * box.Extent(2)), 0);
-  m_OpenOfBricks.assign(static_cast<std::size_t>(m_Words * m_Bricks * DivideUp(box.Extent(2), BrickSize)), 0);
+  m_OpenLines.assign(static_cast<std::size_t>(m_Words * m_Bricks * DivideUp(box.Extent(2), BrickSize)), {});
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
     for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
@@ -36,8 +36,12 @@ MedialVoxelOpenVoxels::Open(const MedialVoxelBox & box, const MedialVoxelBits & 
       {
         const std::int64_t x = box.lower[0] + word * MedialVoxelBits::BitsPerWord;
         open[word] = object.Extract(x, y, z) & MedialVoxelBits::RangeMask(0, 0, box.upper[0] - x);
-        m_OpenOfBricks[this->GetPlaceOfBrick(this->GetBrickOf({ { x, y, z } }))] +=
-          static_cast<std::uint32_t>(MedialVoxelPopulationCount(open[word]));
+        if (open[word] != 0)
+        {
+          OpenLines & lines = m_OpenLines[this->GetPlaceOfBrick(this->GetBrickOf({ { x, y, z } }))];
+          lines.rows |= this->GetBitOfRow(y, z);
+          lines.columns |= open[word];
+        }
       }
     }
   }
@@ -46,7 +50,7 @@ MedialVoxelOpenVoxels::Open(const MedialVoxelBox & box, const MedialVoxelBits & 
 bool
 MedialVoxelOpenVoxels::IsDone() const
 {
-  return std::all_of(m_OpenOfBricks.begin(), m_OpenOfBricks.end(), [](const std::uint32_t open) { return open == 0; });
+  return std::all_of(m_OpenLines.begin(), m_OpenLines.end(), [](const OpenLines & open) { return open.rows == 0; });
 }
 
 void
@@ -56,15 +60,32 @@ MedialVoxelOpenVoxels::CloseRest(const float value)
 }
 
 void
+MedialVoxelOpenVoxels::CloseRow(const std::int64_t y, const std::int64_t z, const std::int64_t word)
+{
+  const MedialVoxelIndex brick = this->GetBrickOf({ { m_Box.lower[0], y, z } });
+  m_OpenLines[this->GetPlaceOfBrick({ { word, brick[1], brick[2] } })].rows &= ~this->GetBitOfRow(y, z);
+}
+
+void
+MedialVoxelOpenVoxels::FindColumns(const MedialVoxelIndex & brick, OpenLines & open) const
+{
+  const MedialVoxelIndex first = this->GetFirstVoxel(brick);
+  open.columns = 0;
+  for (std::uint64_t rows = open.rows; rows != 0; rows &= rows - 1)
+  {
+    const int row = MedialVoxelLowestBit(rows);
+    open.columns |= m_Open[this->GetPlaceOfRow(first[1] + row % BrickSize, first[2] + row / BrickSize) +
+                           static_cast<std::size_t>(brick[0])];
+  }
+}
+
+void
 MedialVoxelOpenVoxels::SetValues(const std::int64_t y,
                                  const std::int64_t z,
                                  const std::int64_t word,
                                  std::uint64_t      bits,
                                  const float        value)
 {
-  m_OpenOfBricks[this->GetPlaceOfBrick(
-    { { word, (y - m_Box.lower[1]) / BrickSize, (z - m_Box.lower[2]) / BrickSize } })] -=
-    static_cast<std::uint32_t>(MedialVoxelPopulationCount(bits));
   float * const row = m_Values + m_Box.OffsetOf({ { m_Box.lower[0], y, z } }) + word * MedialVoxelBits::BitsPerWord;
   for (; bits != 0; bits &= bits - 1)
   {

@@ -6,6 +6,7 @@
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelGrid.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -53,8 +54,9 @@ public:
   }
 
   /** Gives a value to the open voxels of a ball.
-   * \param ball     box that holds it
-   * \param getSpan  getSpan(y, z) returns its Span in a row of that box */
+   * \param ball     box that holds it, around its center
+   * \param getSpan  getSpan(y, z) returns its Span in a row of that box; those of rows nearer to the center hold those
+   * of farther ones */
   template <typename TGetSpan>
   void
   CloseBall(const MedialVoxelBox & ball, const float value, TGetSpan && getSpan)
@@ -64,6 +66,8 @@ public:
     {
       return;
     }
+    const std::int64_t   y = (ball.lower[1] + ball.upper[1] - 1) / 2;
+    const std::int64_t   z = (ball.lower[2] + ball.upper[2] - 1) / 2;
     const MedialVoxelBox bricks = this->GetBricks(part);
     MedialVoxelIndex     brick;
     for (brick[2] = bricks.lower[2]; brick[2] < bricks.upper[2]; ++brick[2])
@@ -72,9 +76,10 @@ public:
       {
         for (brick[0] = bricks.lower[0]; brick[0] < bricks.upper[0]; ++brick[0])
         {
-          if (m_OpenOfBricks[this->GetPlaceOfBrick(brick)] != 0)
+          const OpenLines & open = m_OpenLines[this->GetPlaceOfBrick(brick)];
+          if (open.rows != 0 && this->MayHoldOpen(part, brick, open, y, z, getSpan))
           {
-            this->CloseInBrick(this->GetBrick(brick).Intersection(part), brick[0], value, getSpan);
+            this->CloseInBrick(brick, part, value, getSpan);
           }
         }
       }
@@ -86,23 +91,77 @@ public:
   CloseRest(float value);
 
 private:
-  /** Rows of a brick along y and z; along x it is a word. */
+  /** Rows of a brick along y and z; along x it is a word. Its rows have a bit each in a word. */
   static constexpr std::int64_t BrickSize = 8;
+
+  /** Rows and columns along x of a brick that may have open voxels: a bit each, y fastest. */
+  struct OpenLines
+  {
+    std::uint64_t rows{ 0 };    ///< exactly these
+    std::uint64_t columns{ 0 }; ///< all that have any
+  };
+
+  /** Whether the nearest row to the center of a ball that may be open is covered where a column may be. */
+  template <typename TGetSpan>
+  bool
+  MayHoldOpen(const MedialVoxelBox &   part,
+              const MedialVoxelIndex & brick,
+              const OpenLines &        open,
+              const std::int64_t       centerY,
+              const std::int64_t       centerZ,
+              TGetSpan &&              getSpan) const
+  {
+    const MedialVoxelIndex first = this->GetFirstVoxel(brick);
+    std::uint64_t          rowsOfSlice = open.rows | open.rows >> 32;
+    rowsOfSlice |= rowsOfSlice >> 16;
+    rowsOfSlice = (rowsOfSlice | rowsOfSlice >> 8) & 0xff;
+    const std::int64_t y =
+      std::clamp(centerY, first[1] + MedialVoxelLowestBit(rowsOfSlice), first[1] + MedialVoxelHighestBit(rowsOfSlice));
+    const std::int64_t z = std::clamp(centerZ,
+                                      first[2] + MedialVoxelLowestBit(open.rows) / BrickSize,
+                                      first[2] + MedialVoxelHighestBit(open.rows) / BrickSize);
+    if (y < part.lower[1] || y >= part.upper[1] || z < part.lower[2] || z >= part.upper[2])
+    {
+      return false;
+    }
+    const Span span = getSpan(y, z);
+    return (open.columns & MedialVoxelBits::RangeMask(0, span.lower - first[0], span.upper - first[0])) != 0;
+  }
 
   template <typename TGetSpan>
   void
-  CloseInBrick(const MedialVoxelBox & part, const std::int64_t word, const float value, TGetSpan && getSpan)
+  CloseInBrick(const MedialVoxelIndex & brick, const MedialVoxelBox & part, const float value, TGetSpan && getSpan)
   {
-    for (std::int64_t z = part.lower[2]; z < part.upper[2]; ++z)
+    const MedialVoxelIndex first = this->GetFirstVoxel(brick);
+    OpenLines &            open = m_OpenLines[this->GetPlaceOfBrick(brick)];
+    std::uint64_t          rows =
+      open.rows &
+      GetRows(part.lower[1] - first[1], part.upper[1] - first[1], part.lower[2] - first[2], part.upper[2] - first[2]);
+    bool hasClosed = false;
+    for (; rows != 0; rows &= rows - 1)
     {
-      for (std::int64_t y = part.lower[1]; y < part.upper[1]; ++y)
-      {
-        this->CloseInWord(y, z, word, getSpan(y, z), value);
-      }
+      const int          row = MedialVoxelLowestBit(rows);
+      const std::int64_t y = first[1] + row % BrickSize;
+      const std::int64_t z = first[2] + row / BrickSize;
+      hasClosed |= this->CloseInWord(y, z, brick[0], getSpan(y, z), value);
+    }
+    if (hasClosed)
+    {
+      this->FindColumns(brick, open);
     }
   }
 
-  void
+  /** Bits of the rows of a brick in a range of y and z, which may be beyond the brick. */
+  static std::uint64_t
+  GetRows(std::int64_t lowerY, std::int64_t upperY, std::int64_t lowerZ, std::int64_t upperZ)
+  {
+    constexpr std::uint64_t everyZ = 0x0101010101010101u;
+    const std::uint64_t     rowsOfSlice = MedialVoxelBits::RangeMask(0, lowerY, std::min(upperY, BrickSize));
+    return (rowsOfSlice * everyZ) & MedialVoxelBits::RangeMask(0, BrickSize * lowerZ, BrickSize * upperZ);
+  }
+
+  /** Returns whether any voxel was open. */
+  bool
   CloseInWord(const std::int64_t y, const std::int64_t z, const std::int64_t word, const Span & span, const float value)
   {
     std::uint64_t &     open = m_Open[this->GetPlaceOfRow(y, z) + static_cast<std::size_t>(word)];
@@ -112,8 +171,19 @@ private:
     {
       open &= ~wanted;
       this->SetValues(y, z, word, wanted, value);
+      if (open == 0)
+      {
+        this->CloseRow(y, z, word);
+      }
     }
+    return wanted != 0;
   }
+
+  void
+  FindColumns(const MedialVoxelIndex & brick, OpenLines & open) const;
+
+  void
+  CloseRow(std::int64_t y, std::int64_t z, std::int64_t word);
 
   void
   SetValues(std::int64_t y, std::int64_t z, std::int64_t word, std::uint64_t bits, float value);
@@ -139,6 +209,13 @@ private:
                (voxel[2] - m_Box.lower[2]) / BrickSize } };
   }
 
+  /** In those of its brick. */
+  std::uint64_t
+  GetBitOfRow(const std::int64_t y, const std::int64_t z) const
+  {
+    return std::uint64_t{ 1 } << ((z - m_Box.lower[2]) % BrickSize * BrickSize + (y - m_Box.lower[1]) % BrickSize);
+  }
+
   /** The bricks that a part of the box meets. */
   MedialVoxelBox
   GetBricks(const MedialVoxelBox & part) const
@@ -147,21 +224,19 @@ private:
     return { this->GetBrickOf(part.lower), { { last[0] + 1, last[1] + 1, last[2] + 1 } } };
   }
 
-  /** The voxels of a brick. */
-  MedialVoxelBox
-  GetBrick(const MedialVoxelIndex & brick) const
+  MedialVoxelIndex
+  GetFirstVoxel(const MedialVoxelIndex & brick) const
   {
-    const MedialVoxelIndex lower{ { m_Box.lower[0] + brick[0] * MedialVoxelBits::BitsPerWord,
-                                    m_Box.lower[1] + brick[1] * BrickSize,
-                                    m_Box.lower[2] + brick[2] * BrickSize } };
-    return { lower, { { lower[0] + MedialVoxelBits::BitsPerWord, lower[1] + BrickSize, lower[2] + BrickSize } } };
+    return { { m_Box.lower[0] + brick[0] * MedialVoxelBits::BitsPerWord,
+               m_Box.lower[1] + brick[1] * BrickSize,
+               m_Box.lower[2] + brick[2] * BrickSize } };
   }
 
   MedialVoxelBox             m_Box;
   std::int64_t               m_Words{ 0 };  // of a row
   std::int64_t               m_Bricks{ 0 }; // along y
   std::vector<std::uint64_t> m_Open;
-  std::vector<std::uint32_t> m_OpenOfBricks; // numbers of open voxels
+  std::vector<OpenLines>     m_OpenLines; // of each brick
   float *                    m_Values{ nullptr };
 };
 
