@@ -244,7 +244,9 @@ TEST(Plan, EachEngineHasRoomInItsShare)
   options.threads = 1;
   options.memoryBytes = 16384 * MiB;
   PieceFootprint footprint = MakeFootprint(header, 1);
-  footprint.engines.front().task = itk::MedialVoxelLocalThickness{ 100.0 };
+  itk::MedialVoxelLocalThickness thickness;
+  thickness.maximumThickness = 100.0;
+  footprint.engines.front().task = thickness;
   const auto getBytesOfEngines = [&] {
     const JobPlan plan = MakePlan(options, header, {}, footprint);
     return plan.memoryBytes - plan.fixedBytes - plan.GetResultBytes(plan.GetSlicesAtOnce());
