@@ -118,6 +118,7 @@ MakeCatalog(const CommandLine & line, const CLI::App & app)
   json["volume_formats"] = DescribeVolumeFormats();
   json["mesh_formats"] = ListSurfaceExtensions();
   json["outputs"] = { { "extract", DescribeOutputs<ExtractOptions>() },
+                      { "surface", DescribeOutputs<SurfaceOptions>() },
                       { "distance", DescribeOutputs<DistanceOptions>() } };
   return json.dump(2) + "\n";
 }

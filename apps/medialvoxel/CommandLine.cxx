@@ -66,6 +66,8 @@ AddSpacing(CLI::App & app, const std::string & name, const std::string & help, T
   });
 }
 
+} // namespace
+
 void
 AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
@@ -129,8 +131,6 @@ AddObjectOptions(CLI::App & app, JobOptions & options)
     }
   });
 }
-
-} // namespace
 
 void
 AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
@@ -216,6 +216,8 @@ AddCompression(CommandLine & line, CLI::App & app, JobOptions & options)
     ->group("Run");
 }
 
+} // namespace
+
 void
 AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
@@ -234,8 +236,6 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   AddProgress(line, app);
   AddLog(line, app, options.logFile);
 }
-
-} // namespace
 
 void
 AddInput(CLI::App & app, JobOptions & options)
@@ -284,6 +284,19 @@ AddSectionWidth(CLI::App & app, ExtractOptions & options)
     });
 }
 
+} // namespace
+
+CLI::Option *
+AddPoreSize(CLI::App & app, const std::string & help, std::optional<std::uint64_t> & target)
+{
+  return AddText(app, "--max-pore-size", help, "K", [&target](const std::string & text) {
+    target = ToCount(text, 0, LargestPoreSize);
+  });
+}
+
+namespace
+{
+
 void
 AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
 {
@@ -299,10 +312,7 @@ AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
     app, "--maximum-thickness", "auto: thickest wall to be a sheet (default: 16)", "T", [&](const std::string & text) {
       options.maximumThickness = ToDouble(text);
     });
-  AddText(
-    app, "--max-pore-size", "Largest pore or grain left out (auto: 32, else 0)", "K", [&](const std::string & text) {
-      options.maximumPoreSize = ToCount(text, 0, LargestPoreSize);
-    });
+  AddPoreSize(app, "Largest pore or grain left out (auto: 32, else 0)", options.maximumPoreSize);
   AddChoice<std::optional<Smoothing>>(line,
                                       app,
                                       "--smooth",
@@ -459,6 +469,7 @@ DefineCommandLine(CommandLine & line)
   app->require_subcommand(1);
   line.extract = app->add_subcommand("extract", "Extract the medial voxels of an object");
   line.mesh = app->add_subcommand("mesh", "Build the medial surface of an object");
+  line.surface = app->add_subcommand("surface", "Build the surface of a part, with its wall thickness");
   line.distance = app->add_subcommand("distance", "Compute vectors to the boundary and distances");
   line.info = app->add_subcommand("info", "Describe a volume");
   line.plan = app->add_subcommand("plan", "Prepare an extraction by several processes");
@@ -467,6 +478,7 @@ DefineCommandLine(CommandLine & line)
   line.status = app->add_subcommand("status", "Show the progress of a planned extraction");
   DefineExtract(line);
   DefineMesh(line);
+  DefineSurface(line);
   DefineDistance(line);
   DefineInfo(line);
   DefineJobCommands(line);

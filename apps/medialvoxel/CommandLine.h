@@ -23,6 +23,7 @@ struct CommandLine
 {
   CLI::App *      extract{ nullptr };
   CLI::App *      mesh{ nullptr };
+  CLI::App *      surface{ nullptr };
   CLI::App *      distance{ nullptr };
   CLI::App *      info{ nullptr };
   CLI::App *      plan{ nullptr };
@@ -31,6 +32,7 @@ struct CommandLine
   CLI::App *      status{ nullptr };
   ExtractOptions  extractOptions;
   ExtractOptions  meshOptions;
+  SurfaceOptions  surfaceOptions;
   DistanceOptions distanceOptions;
   JobOptions      infoOptions;
   bool            showsValues{ false }; ///< of the volume

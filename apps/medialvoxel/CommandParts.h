@@ -26,9 +26,24 @@ AddProgress(CommandLine & line, CLI::App & app);
 void
 AddLog(CommandLine & line, CLI::App & app, std::string & target);
 
+void
+AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options);
+void
+AddObjectOptions(CLI::App & app, JobOptions & options);
+CLI::Option *
+AddPoreSize(CLI::App & app, const std::string & help, std::optional<std::uint64_t> & target);
+
+/** To be called after all options of the command itself. */
+void
+AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options);
+
 /** All but the arguments. \param resumes of the option --resume; null for commands without it */
 void
 AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, bool * resumes);
+
+/** Defines surface. */
+void
+DefineSurface(CommandLine & line);
 
 /** Defines plan, work, finalize and status. */
 void

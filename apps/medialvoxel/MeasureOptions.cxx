@@ -57,6 +57,15 @@ AddSubVoxel(CLI::App & app, ExtractOptions & options)
   return app.add_flag_function("--sub-voxel", set, "Measure walls on gray values; =off: on the object");
 }
 
+CLI::Option *
+AddLargestBall(CLI::App & app, std::optional<double> & target)
+{
+  return AddText(
+    app, "--largest-ball", "Its largest value (default: 32 voxels)", "T", [&target](const std::string & text) {
+      target = ToDouble(text);
+    });
+}
+
 void
 AddMeasureOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
 {
@@ -66,9 +75,7 @@ AddMeasureOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
     ->group(group);
   AddFile(app, "--local-thickness", "Thickness at each object voxel", options.localThicknessFile)->group(group);
   line.choices[AddMethod(app, options)->group(group)] = ListNames(Methods);
-  AddText(app, "--largest-ball", "Its largest value (default: 32 voxels)", "T", [&](const std::string & text) {
-    options.maximumLocalThickness = ToDouble(text);
-  })->group(group);
+  AddLargestBall(app, options.maximumLocalThickness)->group(group);
   AddSubVoxel(app, options)->group(group);
   AddLevels(app, options)->group(group);
   AddFile(app, "--thickness-csv", "Histogram of the thickness (.csv)", options.thicknessCsvFile)->group(group);

@@ -16,6 +16,10 @@ struct CommandLine;
 CLI::Option *
 AddSubVoxel(CLI::App & app, ExtractOptions & options);
 
+/** Adds the option of the largest ball of the local thickness. */
+CLI::Option *
+AddLargestBall(CLI::App & app, std::optional<double> & target);
+
 /** Adds these, and the outputs that show measures of walls, in groups of their own. */
 void
 AddMeasureOptions(CommandLine & line, CLI::App & app, ExtractOptions & options);

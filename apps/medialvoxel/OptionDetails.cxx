@@ -108,6 +108,25 @@ ListOptionDetails()
     { "",
       "--mesh",
       "The medial surface, as medialvoxel mesh writes it. With --labels: that of each object, told apart." },
+    { "surface",
+      "--largest-ball",
+      "In units of the spacing; at most 256 voxels. Larger balls are cut to it, and longer rays have no answer. Time "
+      "and "
+      "memory grow with it." },
+    { "surface",
+      "--max-pore-size",
+      "In voxels, from 0 to 1000000. Pores and grains of up to this size stay in the surface; 0 measures beside "
+      "them." },
+    { "surface",
+      "--sub-voxel",
+      "Vertices are where linear values cross the threshold; otherwise in the middle between voxels. Needs one "
+      "threshold "
+      "and an input that streams. Default: on where it can be." },
+    { "surface", "--open", "Otherwise it is closed half a voxel beyond the last voxels." },
+    { "surface",
+      "--ray",
+      "A second number of each vertex, ray_thickness: the way through the part along the smoothed gradient to the "
+      "opposite surface. NaN where the way leaves the volume or is longer than --largest-ball." },
     { "",
       "--section-width",
       "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in .inp or .bdf." },

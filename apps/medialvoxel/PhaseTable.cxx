@@ -211,6 +211,52 @@ PrintFinalization(std::ostream & out, const FinalizeResult & result)
 }
 
 void
+PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobResult & result)
+{
+  const PartSummary & part = *result.part;
+  const auto          describe = [&options](const ThicknessOfSurface & thickness) {
+    return thickness.area > 0.0
+                      ? "mean " + FormatShort(thickness.mean) + ", median " + FormatShort(thickness.GetMedian()) +
+                 ", 5 to 95 % of the area: " + FormatShort(thickness.percentiles[1]) + " to " +
+                 FormatShort(thickness.percentiles[5]) + ", in " + DescribeUnit(options)
+                      : std::string("not known anywhere");
+  };
+  TextTable table;
+  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddObject(table, options, result);
+  AddNotANumber(table, result.sums.counts);
+  AddSmallComponents(table, result.sums.counts);
+  table.emplace_back("surface",
+                     std::to_string(part.vertices) + " vertices, " + std::to_string(part.triangles) +
+                       " triangles, placed by " + (part.usesGrayValues ? "gray values" : "the object"));
+  table.emplace_back(
+    "area",
+    FormatShort(part.area) +
+      (part.capArea > 0.0 ? ", of which " + FormatShort(part.capArea) + " close it at the volume's faces" : ""));
+  if (part.volume)
+  {
+    table.emplace_back("volume", FormatShort(*part.volume));
+  }
+  table.emplace_back("wall thickness", describe(part.thickness));
+  table.emplace_back("  not known", FormatCount(part.thickness.unknownVertices, part.vertices) + " of the vertices");
+  if (part.rays)
+  {
+    table.emplace_back("by rays", describe(*part.rays));
+    table.emplace_back("  no answer", FormatCount(part.rays->unknownVertices, part.vertices) + " of the vertices");
+  }
+  if (part.colorRange)
+  {
+    table.emplace_back("colors",
+                       "from " + FormatShort(part.colorRange->front()) + " to " + FormatShort(part.colorRange->back()));
+  }
+  const std::string threads =
+    result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";
+  table.emplace_back("thickness", FormatFixed(result.seconds.distance, 2) + threads);
+  AddRun(table, result);
+  PrintTable(out, table);
+}
+
+void
 PrintDistanceTable(std::ostream & out, const DistanceOptions & options, const JobResult & result)
 {
   TextTable table;

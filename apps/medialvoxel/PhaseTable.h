@@ -23,6 +23,10 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
 void
 PrintFinalization(std::ostream & out, const FinalizeResult & result);
 
+/** The like for the surface of a part. */
+void
+PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobResult & result);
+
 /** The like for distances. */
 void
 PrintDistanceTable(std::ostream & out, const DistanceOptions & options, const JobResult & result);

@@ -209,6 +209,23 @@ ShowStatus(const CommandLine & line)
 }
 
 void
+BuildSurface(const CommandLine & line)
+{
+  const SurfaceOptions & options = line.surfaceOptions;
+  CheckStandardOutput(line, options);
+  const JobResult result =
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunSurface(options, sink); });
+  if (options.dryRun)
+  {
+    PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
+  }
+  else
+  {
+    PrintResult(line, options, result, [&] { PrintSurfaceTable(std::cout, options, result); });
+  }
+}
+
+void
 ComputeDistance(const CommandLine & line)
 {
   const DistanceOptions & options = line.distanceOptions;
@@ -283,6 +300,10 @@ RunCommand(const CommandLine & line, const std::string & command)
   else if (line.mesh->parsed())
   {
     return Extract(line, line.meshOptions, command);
+  }
+  else if (line.surface->parsed())
+  {
+    BuildSurface(line);
   }
   else if (line.distance->parsed())
   {

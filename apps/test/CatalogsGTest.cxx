@@ -114,6 +114,11 @@ TEST(MedialVoxelOutputs, OfDistancesAreListed)
   CheckListing<DistanceOptions>();
 }
 
+TEST(MedialVoxelOutputs, OfASurfaceAreListed)
+{
+  CheckListing<SurfaceOptions>();
+}
+
 TEST(MedialVoxelOutputs, OfAJobAreInItsManifestOrRefused)
 {
   for (const auto & kind : ListOutputKinds(ExtractOptions()))

@@ -34,6 +34,7 @@ struct FormatDescription
   const char *     unit;
   std::uint64_t (*countUnits)(const Counts & counts);
   std::uint64_t unitLimit;
+  bool          isForParts{ false }; ///< holds all numbers of the surface of a part
 };
 
 std::uint64_t
@@ -55,18 +56,29 @@ CountLegacyNumbers(const Counts & counts)
   return 4 * counts.triangles + 5 * counts.quads;
 }
 
+/** Numbers of 32 bits: place, color and thickness of a vertex, perhaps a further one, and the corners of a triangle. */
+std::uint64_t
+CountGltfNumbers(const Counts & counts)
+{
+  return 6 * counts.vertices + 3 * CountTriangles(counts);
+}
+
 constexpr std::uint64_t AbaqusLimit = 999'999'999;
 constexpr std::uint64_t NastranLimit = 99'999'999;
 
-constexpr std::array<FormatDescription, 8> Formats{
-  { { SurfaceFormat::Vtp, ".vtp", WriteSurfaceVtp, Unlimited, "faces", CountFaces, Unlimited },
-    { SurfaceFormat::Vtu, ".vtu", WriteSurfaceVtu, Unlimited, "faces", CountFaces, Unlimited },
+/** A file has a length of 32 bits, of which the header takes some. */
+constexpr std::uint64_t GltfLimit = (std::uint64_t{ 1 } << 30) - (std::uint64_t{ 1 } << 12);
+
+constexpr std::array<FormatDescription, 9> Formats{
+  { { SurfaceFormat::Vtp, ".vtp", WriteSurfaceVtp, Unlimited, "faces", CountFaces, Unlimited, true },
+    { SurfaceFormat::Vtu, ".vtu", WriteSurfaceVtu, Unlimited, "faces", CountFaces, Unlimited, true },
     { SurfaceFormat::Vtk, ".vtk", WriteSurfaceVtk, Int32Limit, "numbers in faces", CountLegacyNumbers, Int32Limit },
-    { SurfaceFormat::Ply, ".ply", WriteSurfacePly, Int32Limit, "faces", CountFaces, Int32Limit },
+    { SurfaceFormat::Ply, ".ply", WriteSurfacePly, Int32Limit, "faces", CountFaces, Int32Limit, true },
     { SurfaceFormat::Stl, ".stl", WriteSurfaceStl, Unlimited, "triangles", CountTriangles, UInt32Limit },
     { SurfaceFormat::Obj, ".obj", WriteSurfaceObj, Unlimited, "faces", CountFaces, Unlimited },
     { SurfaceFormat::Abaqus, ".inp", WriteSurfaceAbaqus, AbaqusLimit, "elements", CountFaces, AbaqusLimit },
-    { SurfaceFormat::Nastran, ".bdf", WriteSurfaceNastran, NastranLimit, "elements", CountFaces, NastranLimit } }
+    { SurfaceFormat::Nastran, ".bdf", WriteSurfaceNastran, NastranLimit, "elements", CountFaces, NastranLimit },
+    { SurfaceFormat::Gltf, ".glb", WriteSurfaceGltf, Int32Limit, "numbers", CountGltfNumbers, GltfLimit, true } }
 };
 
 const FormatDescription &
@@ -107,24 +119,61 @@ ListSurfaceExtensions()
   return extensions;
 }
 
+std::vector<std::string>
+ListPartExtensions()
+{
+  std::vector<std::string> extensions;
+  for (const auto & description : Formats)
+  {
+    if (description.isForParts)
+    {
+      extensions.emplace_back(description.extension);
+    }
+  }
+  return extensions;
+}
+
+namespace
+{
+
+/** The format of the extension, which is to be one of the known ones. */
+SurfaceFormat
+FindFormat(const std::string & fileName, const char * what, const std::vector<std::string> & known)
+{
+  const std::string extension = ToLower(std::filesystem::path(fileName).extension().string());
+  if (std::find(known.begin(), known.end(), extension) == known.end())
+  {
+    Fail(ExitStatus::Usage,
+         "the extension of the ",
+         what,
+         " ",
+         fileName,
+         " is not one of ",
+         Join(known, ", ", [](const std::string & name) { return name; }));
+  }
+  return std::find_if(
+           Formats.begin(), Formats.end(), [&](const auto & description) { return description.extension == extension; })
+    ->format;
+}
+
+} // namespace
+
 SurfaceFormat
 GetSurfaceFormat(const std::string & fileName)
 {
-  const std::string extension = ToLower(std::filesystem::path(fileName).extension().string());
-  const auto *      found = std::find_if(
-    Formats.begin(), Formats.end(), [&](const auto & description) { return description.extension == extension; });
-  if (found == Formats.end())
-  {
-    const std::string known = Join(ListSurfaceExtensions(), ", ", [](const std::string & name) { return name; });
-    Fail(ExitStatus::Usage, "the extension of the mesh ", fileName, " is not one of ", known);
-  }
-  return found->format;
+  return FindFormat(fileName, "mesh", ListSurfaceExtensions());
+}
+
+SurfaceFormat
+GetPartFormat(const std::string & fileName)
+{
+  return FindFormat(fileName, "surface", ListPartExtensions());
 }
 
 bool
 HoldsDouble(SurfaceFormat format)
 {
-  return format != SurfaceFormat::Stl;
+  return format != SurfaceFormat::Stl && format != SurfaceFormat::Gltf;
 }
 
 std::string

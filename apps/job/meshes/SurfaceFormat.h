@@ -4,9 +4,11 @@
 #define medialvoxelSurfaceFormat_h
 
 #include "OutputFile.h"
+#include "SurfaceArray.h"
 #include "SurfaceSpool.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,28 +18,44 @@ namespace medialvoxel
 /** Files that hold a surface. */
 enum class SurfaceFormat
 {
-  Vtp,    ///< VTK XML PolyData, appended raw binary
-  Vtu,    ///< VTK XML UnstructuredGrid, appended raw binary
-  Vtk,    ///< VTK legacy PolyData, binary
-  Ply,    ///< binary, little endian
-  Stl,    ///< binary, triangles only, no thickness
-  Obj,    ///< text, no thickness
-  Abaqus, ///< .inp, S3 and S4 in sections by thickness
-  Nastran ///< .bdf, CTRIA3 and CQUAD4 in properties by thickness
+  Vtp,     ///< VTK XML PolyData, appended raw binary
+  Vtu,     ///< VTK XML UnstructuredGrid, appended raw binary
+  Vtk,     ///< VTK legacy PolyData, binary
+  Ply,     ///< binary, little endian
+  Stl,     ///< binary, triangles only, no thickness
+  Obj,     ///< text, no thickness
+  Abaqus,  ///< .inp, S3 and S4 in sections by thickness
+  Nastran, ///< .bdf, CTRIA3 and CQUAD4 in properties by thickness
+  Gltf     ///< .glb, triangles with colors of the thickness
 };
 
 /** Extensions of all formats. */
 std::vector<std::string>
 ListSurfaceExtensions();
 
+/** Extensions of the formats that hold all numbers of the surface of a part. */
+std::vector<std::string>
+ListPartExtensions();
+
 /** The format that the extension stands for, in any case.
  * \throw JobError Usage for any other. */
 SurfaceFormat
 GetSurfaceFormat(const std::string & fileName);
 
+/** The same, of the formats for the surface of a part. */
+SurfaceFormat
+GetPartFormat(const std::string & fileName);
+
 /** Whether a format holds coordinates of 64 bits. */
 bool
 HoldsDouble(SurfaceFormat format);
+
+/** Least and greatest thickness that a color of its own stands for. */
+struct ThicknessRange
+{
+  double low{ 0.0 };
+  double high{ 0.0 };
+};
 
 /** What the writers are told. */
 struct SurfaceWriteOptions
@@ -50,6 +68,15 @@ struct SurfaceWriteOptions
   /** The labels of the objects of a label map, by their numbers from 1 on; the faces of an object follow each other.
    * Empty: the surface is that of one object, and nothing is written of it. */
   std::vector<std::int64_t> objectLabels;
+
+  /** The surface of a part, not its medial surface: its faces have no rims and junctions, but caps. */
+  bool isOfPart{ false };
+
+  /** Further numbers of all vertices, with their names; formats for the surface of a part have them. */
+  std::vector<const SurfaceArray *> vertexArrays;
+
+  /** Of formats with colors; unset: from the least to the greatest thickness of the vertices. */
+  std::optional<ThicknessRange> colorRange;
 
   /** Abaqus: numbers of elements kept at once, 8 bytes each, while they are put into sections; no other influence. */
   std::uint64_t keptElements{ std::uint64_t{ 1 } << 22 };

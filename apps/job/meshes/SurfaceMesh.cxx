@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SurfaceMesh.h"
 
-#include "Errors.h"
-#include "FileNames.h"
+#include "SurfacePlacement.h"
 #include "SurfaceReader.h"
 #include "SurfaceSorting.h"
-#include "Text.h"
 
 #include <algorithm>
 #include <limits>
@@ -47,53 +45,11 @@ GetSpacing(const VolumeGeometry & geometry)
   return { { geometry.spacing[0], geometry.spacing[1], geometry.spacing[2] } };
 }
 
-itk::MedialVoxelIndex
-GetSize(const VolumeGeometry & geometry)
-{
-  return { { static_cast<std::int64_t>(geometry.size[0]),
-             static_cast<std::int64_t>(geometry.size[1]),
-             static_cast<std::int64_t>(geometry.size[2]) } };
-}
-
-itk::MedialVoxelSurfacePlacement
-GetPlacement(const VolumeGeometry & geometry)
-{
-  itk::MedialVoxelSurfacePlacement placement;
-  for (unsigned int component = 0; component < 3; ++component)
-  {
-    placement.origin[component] = geometry.origin[component];
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      placement.steps[axis][component] = geometry.direction[axis][component] * geometry.spacing[axis];
-    }
-  }
-  return placement;
-}
-
-/** Of the coordinates of the mesh: known before it is. */
-SurfacePrecision
-GetPrecision(const VolumeGeometry & geometry)
-{
-  return GetPlacement(geometry).FitsFloat(GetSize(geometry)) ? SurfacePrecision::Single : SurfacePrecision::Double;
-}
-
 /** Vertices of a surface that is planned for. */
 std::uint64_t
 GetPlannedVertices(const VolumeGeometry & geometry)
 {
   return geometry.GetNumberOfVoxels() / VoxelsPerVertex;
-}
-
-/** Folder of the scratch files. */
-std::filesystem::path
-GetScratchFolder(const ExtractOptions & options)
-{
-  if (!options.scratchFolder.empty())
-  {
-    return options.scratchFolder;
-  }
-  const std::filesystem::path folder = FollowLinks(options.meshFile).parent_path();
-  return folder.empty() ? "." : folder;
 }
 
 SurfaceCleaning
@@ -102,7 +58,7 @@ GetCleaning(const ExtractOptions & options)
   SurfaceCleaning cleaning;
   cleaning.minimumBranchLength = options.minimumBranchLength;
   cleaning.smallestComponent = options.smallestComponent;
-  cleaning.scratchFolder = GetScratchFolder(options);
+  cleaning.scratchFolder = GetScratchFolder(options, options.meshFile);
   return cleaning;
 }
 
@@ -253,29 +209,6 @@ SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometr
   return { cleaning.scratchFolder,
            GetPlannedVertices(geometry) *
              (spools * (SurfaceSpool::BytesPerVertex + SurfaceSpool::BytesPerFace) + sorting) };
-}
-
-void
-CheckSurfaceInput(const VolumeHeader & header, const std::string & meshFile)
-{
-  if (header.geometry.GetDimension() != 3)
-  {
-    Fail(ExitStatus::Usage, header.fileName, ": the volume has 2 dimensions; a medial surface needs 3");
-  }
-  if (!HoldsDouble(GetSurfaceFormat(meshFile)) && GetPrecision(header.geometry) == SurfacePrecision::Double)
-  {
-    const auto & spacing = header.geometry.spacing;
-    const double largest = GetPlacement(header.geometry).LargestCoordinate(GetSize(header.geometry));
-    Fail(ExitStatus::Usage,
-         meshFile,
-         ": coordinates of ",
-         header.fileName,
-         " reach ",
-         FormatNumber(largest),
-         " with a spacing of ",
-         FormatNumber(*std::min_element(spacing.begin(), spacing.end())),
-         "; this format has 32 bits for each, which do not keep neighboring vertices apart; all other formats have 64");
-  }
 }
 
 } // end namespace medialvoxel

@@ -119,11 +119,6 @@ private:
   std::unique_ptr<SurfacePasses>                   m_Passes; ///< of a label map
 };
 
-/** \throw JobError Usage for a volume that is not 3-D, which has no surface, or for a format without the precision that
- * its coordinates need. */
-void
-CheckSurfaceInput(const VolumeHeader & header, const std::string & meshFile);
-
 } // end namespace medialvoxel
 
 #endif

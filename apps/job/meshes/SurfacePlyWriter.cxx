@@ -25,10 +25,15 @@ void
 WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 1);
-  output.Text("ply\nformat binary_little_endian 1.0\ncomment Medial surface by MedialVoxel\nelement vertex ");
+  output.Text(std::string("ply\nformat binary_little_endian 1.0\ncomment ") +
+              (options.isOfPart ? "Surface" : "Medial surface") + " by MedialVoxel\nelement vertex ");
   output.Integer(reader.GetSurface().GetNumberOfVertices());
   const std::string type = reader.GetSurface().GetPrecision() == SurfacePrecision::Double ? "double" : "float";
   output.Text("\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type + " z\nproperty float thickness");
+  for (const SurfaceArray * const array : options.vertexArrays)
+  {
+    output.Text("\nproperty float " + array->GetName());
+  }
   // A face has the object of its vertices.
   const bool hasObjects = !options.objectLabels.empty();
   const bool isInt32 = FitInt32(options.objectLabels);
@@ -37,9 +42,13 @@ WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
   output.Integer(reader.GetSurface().GetNumberOfFaces());
   // Nothing more per face: not every reader skips it, that of meshio does not.
   output.Text("\nproperty list uchar int vertex_indices\nend_header\n");
-  reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
+  reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
     ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
     output.LittleEndian(vertex.thickness);
+    for (const SurfaceArray * const array : options.vertexArrays)
+    {
+      output.LittleEndian(array->Get(number));
+    }
     if (hasObjects)
     {
       const std::int64_t label = options.objectLabels[vertex.object - 1];

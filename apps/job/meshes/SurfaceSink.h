@@ -33,6 +33,7 @@ struct SurfaceFace
   std::uint8_t                 rimEdges{ 0 };         ///< bit k: the edge from corner k to the next is of no other face
   std::uint8_t                 junctionEdges{ 0 };    ///< bit k: the edge from corner k to the next is of more than two
   double                       area{ 0 };             ///< physical units squared
+  bool                         isCap{ false };        ///< closes a surface where the image cuts the part
 };
 
 /** \class SurfaceSink

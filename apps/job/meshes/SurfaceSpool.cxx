@@ -20,7 +20,7 @@ struct FaceRecord
   std::uint8_t                 numberOfVertices;
   std::uint8_t                 rimEdges;
   std::uint8_t                 junctionEdges;
-  std::uint8_t                 unused;
+  bool                         isCap;
 };
 
 static_assert(SurfaceSpool::BytesPerVertex == sizeof(SurfaceSpool::Vertex));
@@ -43,13 +43,14 @@ Pack(const SurfaceVertex & vertex, SurfacePrecision precision)
 FaceRecord
 Pack(const SurfaceFace & face)
 {
-  return { face.vertices, static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges, 0 };
+  return { face.vertices, static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges,
+           face.isCap };
 }
 
 SurfaceFace
 Unpack(const FaceRecord & record)
 {
-  return { record.vertices, record.numberOfVertices, record.rimEdges, record.junctionEdges, record.area };
+  return { record.vertices, record.numberOfVertices, record.rimEdges, record.junctionEdges, record.area, record.isCap };
 }
 
 } // namespace

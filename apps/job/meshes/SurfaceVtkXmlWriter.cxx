@@ -64,20 +64,31 @@ AddPoints(SurfaceReader & reader, AppendedArrays & arrays)
          "      </Points>\n";
 }
 
+/** An array with a number for each vertex. */
+template <typename TGet>
 std::string
-AddPointData(SurfaceReader & reader, AppendedArrays & arrays)
+AddVertexArray(SurfaceReader & reader, AppendedArrays & arrays, const char * name, TGet get)
 {
   const std::uint64_t bytes = reader.GetSurface().GetNumberOfVertices() * sizeof(float);
-  return "      <PointData Scalars=\"Thickness\">\n" +
-         arrays.Add("Thickness",
-                    "Float32",
-                    1,
-                    bytes,
-                    [&reader](BufferedOutput & output) {
-                      reader.ForEachVertex(
-                        [&](std::uint64_t, const auto & vertex) { output.LittleEndian(vertex.thickness); });
-                    }) +
-         "      </PointData>\n";
+  return arrays.Add(name, "Float32", 1, bytes, [&reader, get](BufferedOutput & output) {
+    reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) { output.LittleEndian(get(number, vertex)); });
+  });
+}
+
+std::string
+AddPointData(SurfaceReader & reader, const SurfaceWriteOptions & options, AppendedArrays & arrays)
+{
+  using Vertex = SurfaceSpool::Vertex;
+  std::string text =
+    "      <PointData Scalars=\"Thickness\">\n" +
+    AddVertexArray(reader, arrays, "Thickness", [](std::uint64_t, const Vertex & vertex) { return vertex.thickness; });
+  for (const SurfaceArray * const array : options.vertexArrays)
+  {
+    text += AddVertexArray(reader, arrays, array->GetName().c_str(), [array](std::uint64_t number, const Vertex &) {
+      return array->Get(number);
+    });
+  }
+  return text + "      </PointData>\n";
 }
 
 /** An array with a number for each face. */
@@ -91,9 +102,22 @@ AddFaceArray(SurfaceReader & reader, AppendedArrays & arrays, const char * name,
   });
 }
 
+unsigned int
+CountFaceArrays(const SurfaceWriteOptions & options)
+{
+  return options.isOfPart ? 1 : (options.objectLabels.empty() ? 3 : 4);
+}
+
 std::string
 AddCellData(SurfaceReader & reader, const SurfaceWriteOptions & options, AppendedArrays & arrays)
 {
+  if (options.isOfPart)
+  {
+    return "      <CellData>\n" +
+           AddFaceArray(
+             reader, arrays, "Cap", "UInt8", [](const SurfaceFace & face) { return std::uint8_t{ face.isCap }; }) +
+           "      </CellData>\n";
+  }
   std::string objects;
   if (!options.objectLabels.empty())
   {
@@ -154,9 +178,9 @@ WriteFile(const char *           dataSet,
 void
 WriteSurfaceVtp(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(2, options.objectLabels.empty() ? 5 : 6);
+  reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 2 + CountFaceArrays(options));
   AppendedArrays    arrays;
-  const std::string content = AddPointData(reader, arrays) + AddCellData(reader, options, arrays) +
+  const std::string content = AddPointData(reader, options, arrays) + AddCellData(reader, options, arrays) +
                               AddPoints(reader, arrays) + "      <Polys>\n" + AddCorners(reader, arrays) +
                               "      </Polys>\n";
   const std::string counts = R"(NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")" +
@@ -167,10 +191,10 @@ WriteSurfaceVtp(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
 void
 WriteSurfaceVtu(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(2, options.objectLabels.empty() ? 6 : 7);
+  reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 3 + CountFaceArrays(options));
   AppendedArrays    arrays;
   const std::string content =
-    AddPointData(reader, arrays) + AddCellData(reader, options, arrays) + AddPoints(reader, arrays) +
+    AddPointData(reader, options, arrays) + AddCellData(reader, options, arrays) + AddPoints(reader, arrays) +
     "      <Cells>\n" + AddCorners(reader, arrays) +
     AddFaceArray(reader,
                  arrays,

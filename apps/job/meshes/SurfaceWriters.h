@@ -50,6 +50,7 @@ SurfaceWriter WriteSurfaceStl;
 SurfaceWriter WriteSurfaceObj;
 SurfaceWriter WriteSurfaceAbaqus;
 SurfaceWriter WriteSurfaceNastran;
+SurfaceWriter WriteSurfaceGltf;
 
 } // end namespace medialvoxel
 

@@ -8,6 +8,7 @@
 #include "ObjectSummary.h"
 #include "Options.h"
 #include "OutputRequest.h"
+#include "PartSummary.h"
 #include "PlaceSummary.h"
 #include "Segments.h"
 #include "SurfaceSummary.h"
@@ -50,6 +51,7 @@ struct JobResult
   std::optional<LabelMapSummary>           objects;   ///< of a label map
   SegmentTable                             segments;  ///< names of its labels; empty: there are none
   std::optional<SurfaceSummary>            surface;   ///< when a mesh was asked for
+  std::optional<PartSummary>               part;      ///< of its surface
   std::vector<Warning>                     warnings;
   JobSeconds                               seconds;
   std::uint64_t                            peakMemoryBytes{ 0 }; ///< of the process

@@ -296,6 +296,12 @@ CheckOptions(const ExtractOptions & options)
 }
 
 void
+CheckOptions(const SurfaceOptions & options)
+{
+  CheckOptions(GetThicknessOptions(options));
+}
+
+void
 CheckOptions(const DistanceOptions & options)
 {
   CheckJobOptions(options);

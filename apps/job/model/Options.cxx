@@ -112,6 +112,24 @@ HasOneThreshold(const JobOptions & options, const VolumeHeader & header)
   return hasLower != CutsOff(options.upperThreshold, header.pixelType, false);
 }
 
+ExtractOptions
+GetThicknessOptions(const SurfaceOptions & options)
+{
+  ExtractOptions extract;
+  static_cast<JobOptions &>(extract) = options;
+  extract.localThicknessFile = options.output;
+  extract.maximumLocalThickness = options.maximumLocalThickness;
+  extract.maximumPoreSize = options.maximumPoreSize;
+  extract.smoothing = Smoothing::Off;
+  return extract;
+}
+
+bool
+IsPlacedByGrayValues(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  return options.subVoxel.value_or(HasOneThreshold(options, header) && header.CanStream());
+}
+
 bool
 PaintsWalls(const ExtractOptions & options)
 {

@@ -147,11 +147,32 @@ struct DistanceOptions : JobOptions
   std::optional<double>    maximumDistance; ///< > 0; vectors beyond are not a number
 };
 
+/** The surface of a part, with its thickness. */
+struct SurfaceOptions : JobOptions
+{
+  std::string                  output;                ///< triangles
+  std::optional<double>        maximumLocalThickness; ///< as ExtractOptions; longest ray too
+  std::optional<std::uint64_t> maximumPoreSize;       ///< as ExtractOptions, of the thickness alone
+  std::optional<bool>          subVoxel;              ///< place it by gray values; unset: where these allow it
+  bool                         isOpen{ false };       ///< where the volume cuts the part
+  bool                         measuresRays{ false }; ///< thickness by rays too
+};
+
+/** The extraction that maps the local thickness of the part. */
+ExtractOptions
+GetThicknessOptions(const SurfaceOptions & options);
+
+/** Whether the surface is placed by gray values. */
+bool
+IsPlacedByGrayValues(const SurfaceOptions & options, const VolumeHeader & header);
+
 /** \throw JobError Usage when a value is out of its range or options contradict each other. */
 void
 CheckOptions(const ExtractOptions & options);
 void
 CheckOptions(const DistanceOptions & options);
+void
+CheckOptions(const SurfaceOptions & options);
 void
 CheckOptions(const JobOptions & options);
 void

@@ -16,6 +16,7 @@ namespace
 
 using ExtractKind = OutputKind<ExtractOptions>;
 using DistanceKind = OutputKind<DistanceOptions>;
+using SurfaceKind = OutputKind<SurfaceOptions>;
 
 VoxelLayout
 GetLabelLayout(const VolumeHeader &)
@@ -242,6 +243,16 @@ ListOutputKinds(const DistanceOptions &)
   return kinds;
 }
 
+const std::vector<OutputKind<SurfaceOptions>> &
+ListOutputKinds(const SurfaceOptions &)
+{
+  static const std::vector<SurfaceKind> kinds{
+    { "surface", &SurfaceOptions::output },
+    MakeReportKind<SurfaceOptions>(),
+  };
+  return kinds;
+}
+
 std::vector<OutputRequest>
 ListOutputs(const ExtractOptions & options, const VolumeHeader & input)
 {
@@ -254,6 +265,12 @@ ListOutputs(const DistanceOptions & options, const VolumeHeader & input)
   return ListWanted(options, input);
 }
 
+std::vector<OutputRequest>
+ListOutputs(const SurfaceOptions & options, const VolumeHeader & input)
+{
+  return ListWanted(options, input);
+}
+
 std::vector<VolumeRequest>
 ListVolumes(const ExtractOptions & options, const VolumeHeader & input)
 {
@@ -262,6 +279,12 @@ ListVolumes(const ExtractOptions & options, const VolumeHeader & input)
 
 std::vector<VolumeRequest>
 ListVolumes(const DistanceOptions & options, const VolumeHeader & input)
+{
+  return ListWantedVolumes(options, input);
+}
+
+std::vector<VolumeRequest>
+ListVolumes(const SurfaceOptions & options, const VolumeHeader & input)
 {
   return ListWantedVolumes(options, input);
 }

@@ -59,18 +59,24 @@ const std::vector<OutputKind<ExtractOptions>> &
 ListOutputKinds(const ExtractOptions &);
 const std::vector<OutputKind<DistanceOptions>> &
 ListOutputKinds(const DistanceOptions &);
+const std::vector<OutputKind<SurfaceOptions>> &
+ListOutputKinds(const SurfaceOptions &);
 
 /** The outputs that are wanted. */
 std::vector<OutputRequest>
 ListOutputs(const ExtractOptions & options, const VolumeHeader & input);
 std::vector<OutputRequest>
 ListOutputs(const DistanceOptions & options, const VolumeHeader & input);
+std::vector<OutputRequest>
+ListOutputs(const SurfaceOptions & options, const VolumeHeader & input);
 
 /** The volumes among them. */
 std::vector<VolumeRequest>
 ListVolumes(const ExtractOptions & options, const VolumeHeader & input);
 std::vector<VolumeRequest>
 ListVolumes(const DistanceOptions & options, const VolumeHeader & input);
+std::vector<VolumeRequest>
+ListVolumes(const SurfaceOptions & options, const VolumeHeader & input);
 
 /** Whether one of the volumes or the list of places shows measures of walls. */
 bool

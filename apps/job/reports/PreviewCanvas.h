@@ -3,6 +3,8 @@
 #ifndef medialvoxelPreviewCanvas_h
 #define medialvoxelPreviewCanvas_h
 
+#include "ColorMap.h"
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -10,9 +12,6 @@
 
 namespace medialvoxel
 {
-
-/** Red, green, blue. */
-using Color = std::array<std::uint8_t, 3>;
 
 struct Rectangle
 {

@@ -169,6 +169,38 @@ MakeObjects(const LabelMapSummary & summary)
   return objects;
 }
 
+Json
+MakeThicknessOfSurface(const ThicknessOfSurface & thickness)
+{
+  const auto length = [&thickness](double value) { return thickness.area > 0.0 ? Json(value) : Json(nullptr); };
+  Json       percentiles = Json::object();
+  for (std::size_t i = 0; i < thickness.percentiles.size(); ++i)
+  {
+    percentiles[std::to_string(ThicknessStatistics::Percents[i])] = length(thickness.percentiles[i]);
+  }
+  return { { "unknown_vertices", thickness.unknownVertices },
+           { "area", thickness.area },
+           { "mean", length(thickness.mean) },
+           { "standard_deviation", length(thickness.standardDeviation) },
+           { "percentiles", percentiles },
+           { "histogram",
+             { { "bin_width", thickness.binWidth }, { "areas", thickness.areas }, { "above", thickness.above } } } };
+}
+
+Json
+MakeSurface(const PartSummary & part)
+{
+  return { { "vertices", part.vertices },
+           { "triangles", part.triangles },
+           { "placed_by", part.usesGrayValues ? "values" : "object" },
+           { "area", part.area },
+           { "cap_area", part.capArea },
+           { "volume", part.volume ? Json(*part.volume) : Json(nullptr) },
+           { "color_range", part.colorRange ? Json(*part.colorRange) : Json(nullptr) },
+           { "thickness", MakeThicknessOfSurface(part.thickness) },
+           { "ray_thickness", part.rays ? MakeThicknessOfSurface(*part.rays) : Json(nullptr) } };
+}
+
 void
 AddRun(Json & report, const JobResult & result)
 {
@@ -318,6 +350,32 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
                        { "faces", result.surface->faces },
                        { "area", result.surface->area } };
   }
+  AddRun(report, result);
+  return Dump(report);
+}
+
+std::string
+MakeReport(const SurfaceOptions & options, const JobResult & result)
+{
+  const auto task = GetLocalThickness(GetThicknessOptions(options), GetGrid(options, result.input));
+  Json       parameters = Json::object();
+  AddObject(parameters, options, result);
+  parameters["maximum_pore_size"] = task.maximumPoreSize;
+  parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
+  parameters["open"] = options.isOpen;
+
+  Json report;
+  report["version"] = GetVersion();
+  report["itk_version"] = GetItkVersion();
+  report["input"] = MakeInput(result.input);
+  report["outputs"] = MakeOutputs(result);
+  report["parameters"] = parameters;
+  report["size"] = result.input.geometry.size;
+  report["counts"] = { { "object_voxels", result.sums.counts.objectVoxels },
+                       { "not_a_number_voxels", result.sums.counts.notANumberVoxels } };
+  report["local_thickness"] = { { "maximum", task.maximumThickness },
+                                { "voxels_at_maximum", result.sums.voxelsAtMaximum } };
+  report["surface"] = result.part ? MakeSurface(*result.part) : Json(nullptr);
   AddRun(report, result);
   return Dump(report);
 }

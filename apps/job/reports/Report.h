@@ -27,6 +27,8 @@ std::string
 MakeReport(const ExtractOptions & options, const JobResult & result);
 std::string
 MakeReport(const DistanceOptions & options, const JobResult & result);
+std::string
+MakeReport(const SurfaceOptions & options, const JobResult & result);
 
 } // end namespace medialvoxel
 

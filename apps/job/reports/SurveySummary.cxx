@@ -9,9 +9,6 @@
 
 namespace medialvoxel
 {
-namespace
-{
-
 /** Bins of the histogram put together by powers of two, so that whole voxels stay the middles of bins. */
 void
 AddBins(ThicknessSummary & summary, const LengthHistogram & histogram)
@@ -46,8 +43,6 @@ MakeStatistics(const LengthHistogram & histogram)
                  [&](unsigned int percent) { return histogram.GetPercentile(percent); });
   return statistics;
 }
-
-} // namespace
 
 ThicknessSummary
 Summarize(const Survey & survey)

@@ -20,6 +20,14 @@ struct ThicknessSums
   std::uint64_t           rimCells{ 0 };
 };
 
+/** Of lengths that were counted. */
+ThicknessStatistics
+MakeStatistics(const LengthHistogram & histogram);
+
+/** Sets the bins of a summary. */
+void
+AddBins(ThicknessSummary & summary, const LengthHistogram & histogram);
+
 ThicknessSummary
 Summarize(const Survey & survey);
 

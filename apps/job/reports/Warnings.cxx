@@ -170,8 +170,6 @@ CheckSliceDistance(const JobOptions & options, const VolumeHeader & input)
 
 const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
   { "unequal_spacing", CheckSpacing },
-  { "unknown_spacing",
-    [](const ExtractOptions & options, const VolumeHeader & input) { return CheckSliceDistance(options, input); } },
   { "unusual_thickness",
     [](const ExtractOptions & options, const VolumeHeader & input) {
       return CheckLength("thickness", options.thickness, options, input);
@@ -190,9 +188,9 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
     } },
 };
 
+const std::vector<Rule<JobOptions, VolumeHeader>> VolumeRules{ { "unknown_spacing", CheckSliceDistance } };
+
 const std::vector<Rule<DistanceOptions, VolumeHeader>> DistanceRequestRules{
-  { "unknown_spacing",
-    [](const DistanceOptions & options, const VolumeHeader & input) { return CheckSliceDistance(options, input); } },
   { "unusual_maximum_distance", CheckMaximumDistance },
   { "unused_scratch",
     [](const DistanceOptions & options, const VolumeHeader & input) { return CheckScratch(options, input); } },
@@ -414,26 +412,27 @@ CheckSheets(const WallFacts & facts)
 
 /** Balls are cut at the maximum, so that such values are no thickness. */
 std::optional<Finding>
-CheckMaximumLocalThickness(const WallFacts & facts)
+CheckMaximumLocalThickness(const ExtractOptions & options, const JobResult & result)
 {
   constexpr double much = 0.01;
-  const auto       number = static_cast<double>(facts.result.sums.voxelsAtMaximum);
-  const double     share = number / std::max(1.0, static_cast<double>(facts.result.sums.counts.objectVoxels));
-  if (facts.options.localThicknessFile.empty() || share < much)
+  const auto       object = static_cast<double>(std::max<std::uint64_t>(1, result.sums.counts.objectVoxels));
+  const double     share = static_cast<double>(result.sums.voxelsAtMaximum) / object;
+  if (options.localThicknessFile.empty() || share < much)
   {
     return std::nullopt;
   }
-  const double maximum = GetLocalThickness(facts.options, GetGrid(facts.options, facts.result.input)).maximumThickness;
+  const double maximum = GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness;
   return Finding{ FormatShare(share) + " of the object has the maximum local thickness, " + FormatShort(maximum) +
-                    (facts.options.voxelUnits ? " voxels" : "") +
-                    ", and may be thicker; a larger --largest-ball measures it",
+                    (options.voxelUnits ? " voxels" : "") + ", and may be thicker; a larger --largest-ball measures it",
                   { { "object_percent", 100.0 * share }, { "maximum_local_thickness", maximum } } };
 }
 
 const std::vector<Rule<WallFacts>> WallRules{ { "no_medial_cells", CheckMedialCells },
                                               { "beyond_maximum_thickness", CheckMaximumThickness },
-                                              { "few_sheets", CheckSheets },
-                                              { "beyond_maximum_local_thickness", CheckMaximumLocalThickness } };
+                                              { "few_sheets", CheckSheets } };
+
+const std::vector<Rule<ExtractOptions, JobResult>> BallRules{ { "beyond_maximum_local_thickness",
+                                                                CheckMaximumLocalThickness } };
 
 } // namespace
 
@@ -441,6 +440,7 @@ std::vector<Warning>
 FindWarningsOfRequest(const ExtractOptions & options, const VolumeHeader & input)
 {
   std::vector<Warning> warnings;
+  Apply<JobOptions, VolumeHeader>(VolumeRules, warnings, options, input);
   Apply(RequestRules, warnings, options, input);
   return warnings;
 }
@@ -449,7 +449,16 @@ std::vector<Warning>
 FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & input)
 {
   std::vector<Warning> warnings;
+  Apply<JobOptions, VolumeHeader>(VolumeRules, warnings, options, input);
   Apply(DistanceRequestRules, warnings, options, input);
+  return warnings;
+}
+
+std::vector<Warning>
+FindWarningsOfRequest(const SurfaceOptions & options, const VolumeHeader & input)
+{
+  std::vector<Warning> warnings;
+  Apply<JobOptions, VolumeHeader>(VolumeRules, warnings, options, input);
   return warnings;
 }
 
@@ -459,6 +468,7 @@ FindWarningsOfResult(const ExtractOptions & options, const JobResult & result, c
   std::vector<Warning> warnings;
   Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
   Apply(WallRules, warnings, WallFacts{ options, result, survey });
+  Apply(BallRules, warnings, options, result);
   return warnings;
 }
 
@@ -467,6 +477,15 @@ FindWarningsOfResult(const DistanceOptions & options, const JobResult & result)
 {
   std::vector<Warning> warnings;
   Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+  return warnings;
+}
+
+std::vector<Warning>
+FindWarningsOfResult(const SurfaceOptions & options, const JobResult & result)
+{
+  std::vector<Warning> warnings;
+  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+  Apply(BallRules, warnings, GetThicknessOptions(options), result);
   return warnings;
 }
 

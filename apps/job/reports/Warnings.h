@@ -16,6 +16,7 @@ class Survey;
 struct DistanceOptions;
 struct ExtractOptions;
 struct JobResult;
+struct SurfaceOptions;
 struct VolumeHeader;
 
 /** What the options and the header tell before the run. The tables of Warnings.cxx have a row for each code. */
@@ -24,11 +25,16 @@ FindWarningsOfRequest(const ExtractOptions & options, const VolumeHeader & input
 std::vector<Warning>
 FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & input);
 
+std::vector<Warning>
+FindWarningsOfRequest(const SurfaceOptions & options, const VolumeHeader & input);
+
 /** What the counts and the thickness tell after the run. */
 std::vector<Warning>
 FindWarningsOfResult(const ExtractOptions & options, const JobResult & result, const Survey & survey);
 std::vector<Warning>
 FindWarningsOfResult(const DistanceOptions & options, const JobResult & result);
+std::vector<Warning>
+FindWarningsOfResult(const SurfaceOptions & options, const JobResult & result);
 
 /** The sink hears of the warnings, but not of those before the one with the number \a first. */
 void

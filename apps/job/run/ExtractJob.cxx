@@ -20,6 +20,7 @@
 #include "SmoothedInput.h"
 #include "StopListener.h"
 #include "SurfaceMesh.h"
+#include "SurfacePlacement.h"
 #include "Text.h"
 #include "ThicknessPreview.h"
 #include "ValueStatistics.h"
@@ -384,7 +385,7 @@ Prepare(const ExtractOptions & options, const TGetFootprint & getFootprint)
   VolumeHeader header = ReadInputHeader(options);
   if (!options.meshFile.empty())
   {
-    CheckSurfaceInput(header, options.meshFile);
+    CheckSurfaceInput(header, options.meshFile, "medial surface");
   }
   CheckGrayValues(options, header);
   CheckLabel(options, header);

@@ -21,6 +21,10 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink);
 JobResult
 RunDistance(const DistanceOptions & options, ProgressSink & sink);
 
+/** The surface of the part in a volume file, with its thickness at each vertex; errors as RunExtract(). */
+JobResult
+RunSurface(const SurfaceOptions & options, ProgressSink & sink);
+
 } // end namespace medialvoxel
 
 #endif

@@ -3,10 +3,14 @@
 #ifndef medialvoxelColorMap_h
 #define medialvoxelColorMap_h
 
-#include "PreviewCanvas.h"
+#include <array>
+#include <cstdint>
 
 namespace medialvoxel
 {
+
+/** Red, green, blue of sRGB. */
+using Color = std::array<std::uint8_t, 3>;
 
 /** Color of a share from 0 to 1: violet, blue, green, yellow, the lighter the larger. Equal steps of the share are
  * steps of equal lightness in CIELAB, so that the order is seen without colors too. Shares outside are those of the

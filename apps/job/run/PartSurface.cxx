@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "PartSurface.h"
+
+#include "PartMeasures.h"
+#include "SurfacePlacement.h"
+
+#include "itkMedialVoxelProgress.h"
+#include "itkMultiThreaderBase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
+
+/** What reading the scratch files takes, for measures and writers, and what waits for them. */
+constexpr std::uint64_t BytesOfWriting = 24 * MiB;
+
+/** Of surfaces that are planned for; there are twice as many triangles. */
+constexpr std::uint64_t VoxelsPerVertex = 32;
+
+constexpr const char * RayName = "ray_thickness";
+
+double
+GetMaximumRay(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  return GetLocalThickness(GetThicknessOptions(options), GetGrid(options, header)).maximumThickness;
+}
+
+std::int64_t
+GetHalo(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  return options.measuresRays
+           ? itk::MedialVoxelWallRay::GetHalo(header.geometry.spacing[2], GetMaximumRay(options, header))
+           : 0;
+}
+
+/** Slices whose margins are kept: two that have the surface between them, and the halo on both sides. */
+std::int64_t
+GetSlicesOfMargins(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  return 2 * GetHalo(options, header) + 2;
+}
+
+bool
+IsMirrored(const itk::MedialVoxelSurfacePlacement & placement)
+{
+  const auto & [x, y, z] = placement.steps;
+  return x[0] * (y[1] * z[2] - y[2] * z[1]) - x[1] * (y[0] * z[2] - y[2] * z[0]) + x[2] * (y[0] * z[1] - y[1] * z[0]) <
+         0.0;
+}
+
+} // namespace
+
+/** \class PartSurface::Map
+ * \brief Takes a volume that is written, and hands its slices on instead of keeping them. */
+class PartSurface::Map : public VoxelOutput
+{
+public:
+  explicit Map(PartSurface & surface)
+    : m_Surface(surface)
+  {}
+
+  void
+  Write(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, const void * data) override
+  {
+    const auto perSlice = m_Surface.m_Header.geometry.GetVoxelsPerSlice();
+    for (std::uint64_t done = 0; done < numberOfVoxels; done += perSlice)
+    {
+      m_Surface.AddSlice(static_cast<std::int64_t>((firstVoxel + done) / perSlice),
+                         static_cast<const float *>(data) + done);
+    }
+  }
+
+  void
+  Create(const VolumeGeometry &, const VoxelLayout &) override
+  {}
+  void
+  Finish() override
+  {}
+  void
+  Read(std::uint64_t, std::uint64_t, void *) const override
+  {}
+  bool
+  ReadPlane(unsigned int, std::uint64_t, void *) const override
+  {
+    return false;
+  }
+  void
+  Publish() override
+  {}
+
+private:
+  PartSurface & m_Surface;
+};
+
+PartSurface::PartSurface(const SurfaceOptions & options, const VolumeHeader & header, InputVolume & input)
+  : m_Options(options)
+  , m_Header(header)
+  , m_Input(input)
+  , m_Size(GetSize(header.geometry))
+  , m_Placement(GetPlacement(header.geometry))
+  , m_IsMirrored(IsMirrored(m_Placement))
+  , m_UsesGrayValues(IsPlacedByGrayValues(options, header))
+  , m_MaximumRay(GetMaximumRay(options, header))
+  , m_Halo(GetHalo(options, header))
+  , m_Margins(m_Size, GetSlicesOfMargins(options, header))
+  , m_Ray(m_Margins, GetGrid(options, header).GetSpacing(), m_MaximumRay)
+  , m_Isosurface(m_Margins, !options.isOpen, *this)
+  , m_Map(std::make_unique<Map>(*this))
+  , m_Before(header.geometry.GetVoxelsPerSlice())
+  , m_Spool(GetScratchFolder(options, options.output), GetPrecision(header.geometry))
+{
+  if (options.measuresRays)
+  {
+    m_RayThickness.emplace(GetScratchFolder(options, options.output), RayName);
+  }
+}
+
+PartSurface::~PartSurface() = default;
+
+VoxelOutput &
+PartSurface::GetMap()
+{
+  return *m_Map;
+}
+
+void
+PartSurface::AddSlice(std::int64_t z, const float * thickness)
+{
+  itk::MedialVoxelPoll();
+  m_Z = z;
+  m_Now = thickness;
+  this->ReadSlices(z + m_Halo);
+  m_Isosurface.AddSlice(m_Objects.front());
+  m_Objects.pop_front();
+  std::copy(thickness, thickness + m_Before.size(), m_Before.begin());
+}
+
+void
+PartSurface::ReadSlices(std::int64_t last)
+{
+  for (const std::int64_t end = std::min(last + 1, m_Size[2]); m_SlicesRead < end; ++m_SlicesRead)
+  {
+    this->ReadSlice(m_SlicesRead);
+  }
+}
+
+void
+PartSurface::ReadSlice(std::int64_t z)
+{
+  const itk::MedialVoxelBox box{ { 0, 0, z }, { m_Size[0], m_Size[1], z + 1 } };
+  m_Objects.emplace_back(box);
+  VoxelTargets targets;
+  targets.object = &m_Objects.back();
+  if (m_UsesGrayValues)
+  {
+    m_Gray.Frame(box, box);
+    targets.gray = &m_Gray;
+  }
+  m_Input.Fill(box, targets);
+  this->SetMargins(z, m_Objects.back());
+}
+
+void
+PartSurface::SetMargins(std::int64_t z, const itk::MedialVoxelBits & object)
+{
+  const auto range = GetGrayRange(m_Options, m_Header);
+  const bool isLower = std::isfinite(range.lower);
+  for (std::int64_t y = 0; y < m_Size[1]; ++y)
+  {
+    float * const margins = m_Margins.GetRow(y, z);
+    if (m_UsesGrayValues)
+    {
+      const float * const values = m_Gray.GetRow(y, z);
+      std::transform(values, values + m_Size[0], margins, [&](float value) {
+        return static_cast<float>(isLower ? value - range.lower : range.upper - value);
+      });
+    }
+    else
+    {
+      const auto * const row = object.GetRow(y, z);
+      for (std::int64_t x = 0; x < m_Size[0]; ++x)
+      {
+        margins[x] = (row[x >> 6] >> (x & 63) & 1u) != 0 ? 0.5f : -0.5f;
+      }
+    }
+  }
+}
+
+void
+PartSurface::AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices)
+{
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  m_Vertices.resize(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [&](const auto & vertex) {
+    SurfaceVertex result{ m_Placement.origin };
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      for (unsigned int component = 0; component < 3; ++component)
+      {
+        result.position[component] += vertex.point[axis] * m_Placement.steps[axis][component];
+      }
+    }
+    const auto & object = vertex.object;
+    const auto   offset = static_cast<std::size_t>(object[1] * m_Size[0] + object[0]);
+    const float  thickness = object[2] == m_Z && m_Now != nullptr ? m_Now[offset] : m_Before[offset];
+    result.thickness = thickness > 0.0f ? thickness : unknown;
+    m_UnknownVertices += thickness > 0.0f ? 0 : 1;
+    return result;
+  });
+  m_Spool.AddVertices(m_Vertices);
+  if (m_RayThickness)
+  {
+    this->AddRays(vertices);
+  }
+}
+
+void
+PartSurface::AddRays(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices)
+{
+  constexpr float    unknown = std::numeric_limits<float>::quiet_NaN();
+  std::vector<float> lengths(vertices.size());
+  const auto         measure = [&](itk::SizeValueType i) {
+    const std::optional<double> length = m_Ray.Measure(vertices[i].point);
+    lengths[i] = length ? static_cast<float>(*length) : unknown;
+  };
+  itk::MultiThreaderBase::New()->ParallelizeArray(0, vertices.size(), measure, nullptr);
+  m_UnansweredRays += static_cast<std::uint64_t>(
+    std::count_if(lengths.begin(), lengths.end(), [](float length) { return std::isnan(length); }));
+  m_RayThickness->Add(lengths);
+}
+
+void
+PartSurface::AddTriangles(const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles)
+{
+  m_Faces.resize(triangles.size());
+  std::transform(triangles.begin(), triangles.end(), m_Faces.begin(), [this](const auto & triangle) {
+    SurfaceFace face;
+    const auto & [a, b, c] = triangle.vertices;
+    face.vertices = { a, m_IsMirrored ? c : b, m_IsMirrored ? b : c, 0 };
+    face.numberOfVertices = 3;
+    face.isCap = triangle.isCap;
+    return face;
+  });
+  m_Spool.AddFaces(m_Faces);
+}
+
+PartSummary
+PartSurface::Write(OutputFile & file, const std::function<void(double)> & progress)
+{
+  m_Now = nullptr;
+  m_Isosurface.Finish();
+  const SurfaceArray * const rays = m_RayThickness ? &*m_RayThickness : nullptr;
+  PartSummary                summary = MeasurePart(m_Spool, rays, m_Header.geometry, progress);
+  summary.usesGrayValues = m_UsesGrayValues;
+  summary.thickness.unknownVertices = m_UnknownVertices;
+  if (summary.rays)
+  {
+    summary.rays->unknownVertices = m_UnansweredRays;
+  }
+  if (m_Options.isOpen)
+  {
+    summary.volume.reset();
+  }
+  SurfaceWriteOptions options;
+  options.isOfPart = true;
+  options.progress = progress;
+  if (summary.colorRange)
+  {
+    options.colorRange = ThicknessRange{ summary.colorRange->front(), summary.colorRange->back() };
+  }
+  if (rays != nullptr)
+  {
+    options.vertexArrays.push_back(rays);
+  }
+  WriteSurface(GetSurfaceFormat(m_Options.output), m_Spool, options, file);
+  return summary;
+}
+
+std::uint64_t
+PartSurface::GetBytes(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  const itk::MedialVoxelIndex size = GetSize(header.geometry);
+  const std::uint64_t         perSlice = header.geometry.GetVoxelsPerSlice();
+  const std::uint64_t         bits = itk::MedialVoxelBits::GetBytes({ { 0, 0, 0 }, { size[0], size[1], 1 } });
+  const std::uint64_t         gray = IsPlacedByGrayValues(options, header) ? perSlice * sizeof(float) : 0;
+  return itk::MedialVoxelMargins::GetBytes(size, GetSlicesOfMargins(options, header)) +
+         itk::MedialVoxelIsosurface::GetBytes(size) + perSlice * sizeof(float) + gray +
+         static_cast<std::uint64_t>(GetHalo(options, header) + 1) * bits + BytesOfWriting;
+}
+
+ScratchSpace
+PartSurface::GetScratchSpace(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  const std::uint64_t perVertex = SurfaceSpool::BytesPerVertex + 2 * SurfaceSpool::BytesPerFace +
+                                  (options.measuresRays ? SurfaceArray::BytesPerVertex : 0);
+  return { GetScratchFolder(options, options.output),
+           header.geometry.GetNumberOfVoxels() / VoxelsPerVertex * perVertex };
+}
+
+} // end namespace medialvoxel

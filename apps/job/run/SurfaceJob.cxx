@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "Errors.h"
+#include "ExtractRun.h"
+#include "FinishJob.h"
+#include "JobClock.h"
+#include "OutputSet.h"
+#include "Outputs.h"
+#include "PartSurface.h"
+#include "PieceLoop.h"
+#include "PipelineErrors.h"
+#include "PrepareJob.h"
+#include "ReadVolumeHeader.h"
+#include "Report.h"
+#include "StopListener.h"
+#include "SurfacePlacement.h"
+#include "ValueStatistics.h"
+#include "VolumeJob.h"
+#include "Warnings.h"
+
+#include <memory>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** The task that maps the thickness, whatever its definition. */
+FurtherTask
+GetMapTask(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  return ListFurtherTasks(GetThicknessOptions(options), header).front();
+}
+
+/** The volume that the task fills. */
+VolumeRequest
+GetMapRequest(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  return ListVolumes(GetThicknessOptions(options), header).front();
+}
+
+/** \throw JobError Usage, Refused when the values do not place a surface that is to be placed by them */
+void
+CheckGrayValues(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  if (!options.subVoxel.value_or(false))
+  {
+    return;
+  }
+  if (!header.CanStream())
+  {
+    Fail(ExitStatus::Refused,
+         header.fileName.string(),
+         ": a surface between voxels needs values that can be read in pieces, but the file is read once, to a mask (",
+         header.DescribeReading(),
+         "); unpack it first");
+  }
+  if (!HasOneThreshold(options, header))
+  {
+    Fail(ExitStatus::Usage,
+         "a surface between voxels needs one threshold, --lower or --upper, that values of the type ",
+         std::string(GetTraits(header.pixelType).name),
+         " reach");
+  }
+}
+
+PieceFootprint
+GetFootprint(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  PieceFootprint footprint;
+  footprint.bytesPerVoxel = GetMapRequest(options, header).layout.GetBytes();
+  footprint.grid = GetGrid(options, header);
+  footprint.bytesBeside = PartSurface::GetBytes(options, header);
+  footprint.scratch = PartSurface::GetScratchSpace(options, header);
+  AddEngine(footprint, header, GetMapTask(options, header).task);
+  AddOutputs(footprint, options, header, ListOutputs(options, header));
+  return footprint;
+}
+
+class SurfaceJobSummary : public JobSummary
+{
+public:
+  SurfaceJobSummary(const SurfaceOptions & options, OutputSet & outputs)
+    : m_Options(options)
+    , m_Report(outputs.AddFile(GetReportFile(options)))
+  {}
+
+  void
+  Write(JobResult & result) override
+  {
+    const std::vector<Warning> found = FindWarningsOfResult(m_Options, result);
+    result.warnings.insert(result.warnings.end(), found.begin(), found.end());
+    if (m_Report)
+    {
+      WriteText(*m_Report, MakeReport(m_Options, result));
+    }
+  }
+
+private:
+  const SurfaceOptions & m_Options;
+  OutputFile *           m_Report;
+};
+
+void
+Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
+{
+  const auto        input = OpenInputVolume(result.input, options, result.plan.scratchFolder, result.plan.bytesToKeep);
+  OutputSet         outputs(options, false);
+  OutputFile &      file = *outputs.AddFile(options.output);
+  SurfaceJobSummary summary(options, outputs);
+  PartSurface       surface(options, result.input, *input);
+  PieceLoop         loop(result.plan, result.input, 1, sink);
+  auto              engine = std::make_unique<PieceEngine>(
+    *input, result.input, options, result.plan, GetMapTask(options, result.input).task, loop.GetObserver());
+  engine->AddVolume(GetMapRequest(options, result.input), surface.GetMap());
+  WriteBehind writer(false); // the surface reads the input, as the engine does
+  loop.Prepare(*input);
+  for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
+  {
+    result.sums += loop.Run(*engine, result.plan.GetPiece(piece), result.plan.GetNextPiece(piece), writer);
+  }
+  engine.reset(); // what follows takes its memory
+  const auto finishStart = JobClock::now();
+  JobEnd     end;
+  end.complete = [&] { result.part = surface.Write(file, [&loop](double) { loop.ThrowIfStopRequested(); }); };
+  end.measure = [&] { AddMeasurements(result, *input, writer.GetSeconds() + SecondsSince(finishStart), start); };
+  FinishJob(outputs, summary, result, sink, end);
+}
+
+} // namespace
+
+JobResult
+RunSurface(const SurfaceOptions & options, ProgressSink & sink)
+{
+  const auto start = JobClock::now();
+  CheckOptions(options);
+  GetPartFormat(options.output);
+  VolumeHeader header = ReadInputHeader(options);
+  CheckSurfaceInput(header, options.output, "surface");
+  CheckGrayValues(options, header);
+  CheckLabel(options, header);
+  auto       outputs = ListOutputs(options, header);
+  const auto footprint = GetFootprint(options, header);
+  JobResult  result = PrepareJob(options, std::move(header), std::move(outputs), footprint);
+  result.plan.writesBehind = false;
+  result.warnings = FindWarningsOfRequest(options, result.input);
+  TellWarnings(sink, result.warnings);
+  if (options.dryRun)
+  {
+    return result;
+  }
+  SurfaceOptions own = options;
+  MeasureThreshold(own, result.input, sink);
+  result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;
+  WithPipelineErrors([&] {
+    sink.Start("medialvoxel", "building the surface of the part");
+    const StopListener listener(&sink);
+    Build(own, result, sink, start);
+  });
+  sink.Finish(result.seconds.total);
+  return result;
+}
+
+} // end namespace medialvoxel

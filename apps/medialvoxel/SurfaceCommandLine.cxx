@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "CommandParts.h"
+#include "MeasureOptions.h"
+#include "OptionValues.h"
+#include "SurfaceFormat.h"
+
+namespace medialvoxel
+{
+
+void
+DefineSurface(CommandLine & line)
+{
+  CLI::App &       app = *line.surface;
+  SurfaceOptions & options = line.surfaceOptions;
+  AddInput(app, options);
+  AddFile(app, "OUTPUT", "Triangles: " + CLI::detail::join(ListPartExtensions(), " "), options.output)->required();
+  AddObjectOptions(app, options);
+  app.add_flag("--open", options.isOpen, "Leave it open where the volume cuts the part");
+  app.add_flag_function(
+    "--sub-voxel",
+    [&options](std::int64_t count) { options.subVoxel = count > 0; },
+    "Place it by gray values; =off: by the object");
+  const std::string group = "Wall thickness";
+  AddLargestBall(app, options.maximumLocalThickness)->group(group);
+  AddPoreSize(app, "Largest pore or grain that it leaves out (default: 32)", options.maximumPoreSize)->group(group);
+  app.add_flag("--ray", options.measuresRays, "Thickness by rays too")->group(group);
+  AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group("Further outputs");
+  AddRunOptions(line, app, options);
+  AddRawOptions(line, app, options);
+  line.examples[&app] = { "medialvoxel surface part.mha part.glb --lower 72",
+                          "medialvoxel surface part.mha part.vtp --lower 72 --ray --report part.json" };
+  app.footer("Vertices have the local thickness of the part, in the units of the spacing.");
+}
+
+} // end namespace medialvoxel
