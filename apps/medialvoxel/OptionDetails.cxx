@@ -111,8 +111,7 @@ ListOptionDetails()
     { "surface",
       "--largest-ball",
       "In units of the spacing; at most 256 voxels. Larger balls are cut to it, and longer rays have no answer. Time "
-      "and "
-      "memory grow with it." },
+      "and memory grow with it." },
     { "surface",
       "--max-pore-size",
       "In voxels, from 0 to 1000000. Pores and grains of up to this size stay in the surface; 0 measures beside "
@@ -120,8 +119,7 @@ ListOptionDetails()
     { "surface",
       "--sub-voxel",
       "Vertices are where linear values cross the threshold; otherwise in the middle between voxels. Needs one "
-      "threshold "
-      "and an input that streams. Default: on where it can be." },
+      "threshold and an input that streams. Default: on where it can be." },
     { "surface", "--open", "Otherwise it is closed half a voxel beyond the last voxels." },
     { "surface",
       "--ray",

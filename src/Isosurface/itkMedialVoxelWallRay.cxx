@@ -86,11 +86,16 @@ MedialVoxelWallRay::Measure(const Point & start) const
     {
       return std::nullopt;
     }
-    if (this->Interpolate(point) >= 0.0)
+    const double margin = this->Interpolate(point);
+    if (margin >= 0.0)
     {
       hasEntered = true;
       inside = length;
       continue;
+    }
+    if (std::isnan(margin))
+    {
+      return std::nullopt;
     }
     if (hasEntered)
     {

@@ -29,7 +29,8 @@ public:
   MedialVoxelWallRay(const MedialVoxelMargins & margins, const MedialVoxelGrid::SpacingType & spacing, double maximum);
 
   /** The length in the units of the spacing, from a continuous index on. Nothing where the ray leaves the image, is
-   * longer than the maximum, does not enter the object within a voxel, or where there is no gradient. */
+   * longer than the maximum, meets margins that are not known, does not enter the object within a voxel, or where there
+   * is no gradient. */
   std::optional<double>
   Measure(const Point & start) const;
 

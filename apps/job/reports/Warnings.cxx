@@ -412,7 +412,7 @@ CheckSheets(const WallFacts & facts)
 
 /** Balls are cut at the maximum, so that such values are no thickness. */
 std::optional<Finding>
-CheckMaximumLocalThickness(const ExtractOptions & options, const JobResult & result)
+CheckBalls(const ExtractOptions & options, const JobResult & result)
 {
   constexpr double much = 0.01;
   const auto       object = static_cast<double>(std::max<std::uint64_t>(1, result.sums.counts.objectVoxels));
@@ -431,8 +431,7 @@ const std::vector<Rule<WallFacts>> WallRules{ { "no_medial_cells", CheckMedialCe
                                               { "beyond_maximum_thickness", CheckMaximumThickness },
                                               { "few_sheets", CheckSheets } };
 
-const std::vector<Rule<ExtractOptions, JobResult>> BallRules{ { "beyond_maximum_local_thickness",
-                                                                CheckMaximumLocalThickness } };
+const std::vector<Rule<ExtractOptions, JobResult>> BallRules{ { "beyond_maximum_local_thickness", CheckBalls } };
 
 } // namespace
 
