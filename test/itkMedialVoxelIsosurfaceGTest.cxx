@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelIsosurface.h"
 #include "itkMedialVoxelIsosurfaceTable.h"
-#include "itkMedialVoxelWallRay.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <utility>
@@ -197,52 +199,172 @@ TEST(MedialVoxelIsosurface, MarginsOfZeroAndNaNKeepVerticesApart)
   EXPECT_NEAR(zero.m_Vertices[0].point[0], 1.0 - 1.0 / 256.0, 1e-12);
 }
 
-TEST(MedialVoxelWallRay, MeasuresATiltedPlateInUnequalSpacing)
+/** Number of sets that are left when those of the pairs are put together. */
+std::size_t
+CountSets(std::size_t                                                                        numberOfItems,
+          const std::function<void(const std::function<void(std::size_t, std::size_t)> &)> & join)
 {
-  const Index                             size{ 40, 40, 40 };
-  const itk::MedialVoxelGrid::SpacingType spacing{ 0.7, 0.7, 1.2 };
-  const std::array<double, 3>             normal{ 2.0 / 7.0, 3.0 / 7.0, 6.0 / 7.0 };
-  itk::MedialVoxelMargins                 margins(size, size[2]);
-  for (std::int64_t z = 0; z < size[2]; ++z)
-  {
-    for (std::int64_t y = 0; y < size[1]; ++y)
+  std::vector<std::size_t> parents(numberOfItems);
+  std::iota(parents.begin(), parents.end(), std::size_t{ 0 });
+  const auto find = [&parents](std::size_t item) {
+    while (parents[item] != item)
     {
-      for (std::int64_t x = 0; x < size[0]; ++x)
-      {
-        const double distance =
-          normal[0] * (x - 19.6) * 0.7 + normal[1] * (y - 20.1) * 0.7 + normal[2] * (z - 19.9) * 1.2;
-        margins.GetRow(y, z)[x] = static_cast<float>(2.5 - std::abs(distance));
-      }
+      item = parents[item] = parents[parents[item]];
     }
-  }
-  const itk::MedialVoxelWallRay ray(margins, spacing, 10.0);
-  // A point of the surface whose foot on the middle is (19.6, 20.1, 19.9).
-  std::array<double, 3> start{ 19.6, 20.1, 19.9 };
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    start[axis] += 2.5 * normal[axis] / spacing[axis];
-  }
-  const auto length = ray.Measure(start);
-  ASSERT_TRUE(length);
-  EXPECT_NEAR(*length, 5.0, 0.01);
-  EXPECT_FALSE(itk::MedialVoxelWallRay(margins, spacing, 4.5).Measure(start)) << "longer than the maximum";
-  EXPECT_FALSE(ray.Measure({ -0.5, 20.0, 20.0 })) << "outside";
+    return item;
+  };
+  std::size_t sets = numberOfItems;
+  join([&](std::size_t a, std::size_t b) {
+    a = find(a);
+    b = find(b);
+    sets -= a == b ? 0 : 1;
+    parents[a] = b;
+  });
+  return sets;
 }
 
-TEST(MedialVoxelWallRay, HasNoAnswerWithoutGradientOrOpposite)
+std::size_t
+CountComponents(const Collector & surface)
 {
-  const Index             size{ 12, 12, 12 };
-  itk::MedialVoxelMargins margins(size, size[2]);
-  for (std::int64_t z = 0; z < size[2]; ++z)
-  {
-    for (std::int64_t y = 0; y < size[1]; ++y)
+  return CountSets(surface.m_Vertices.size(), [&surface](const auto & join) {
+    for (const auto & triangle : surface.m_Triangles)
     {
-      std::fill_n(margins.GetRow(y, z), size[0], z < 6 ? -0.5f : 0.5f);
+      join(triangle.vertices[0], triangle.vertices[1]);
+      join(triangle.vertices[0], triangle.vertices[2]);
+    }
+  });
+}
+
+/** Components of the voxels that are object or not, of neighbors that are at most so many steps along axes apart.
+ * Voxels of the other kind are not counted. */
+template <typename TIsObject>
+std::size_t
+CountVoxelComponents(const Index & size, bool ofObject, std::int64_t mostSteps, const TIsObject & isObject)
+{
+  // With a layer of background around the image.
+  const Index full{ size[0] + 2, size[1] + 2, size[2] + 2 };
+  const auto  isWanted = [&](const Index & voxel) {
+    const bool isInside =
+      voxel[0] > 0 && voxel[0] <= size[0] && voxel[1] > 0 && voxel[1] <= size[1] && voxel[2] > 0 && voxel[2] <= size[2];
+    return (isInside && isObject(voxel[0] - 1, voxel[1] - 1, voxel[2] - 1)) == ofObject;
+  };
+  const auto offsetOf = [&full](const Index & voxel) {
+    return static_cast<std::size_t>((voxel[2] * full[1] + voxel[1]) * full[0] + voxel[0]);
+  };
+  std::vector<Index> wanted;
+  for (std::int64_t i = 0; i < full[0] * full[1] * full[2]; ++i)
+  {
+    const Index voxel{ i % full[0], i / full[0] % full[1], i / full[0] / full[1] };
+    if (isWanted(voxel))
+    {
+      wanted.push_back(voxel);
     }
   }
-  const itk::MedialVoxelWallRay ray(margins, { 1.0, 1.0, 1.0 }, 50.0);
-  EXPECT_FALSE(ray.Measure({ 5.0, 5.0, 5.5 })) << "leaves the image";
-  EXPECT_FALSE(ray.Measure({ 5.0, 5.0, 0.0 })) << "all margins around it are equal";
+  const auto numberOfAll = static_cast<std::size_t>(full[0] * full[1] * full[2]);
+  const auto sets = CountSets(numberOfAll, [&](const auto & join) {
+    for (const Index & voxel : wanted)
+    {
+      for (std::int64_t step = 14; step < 27; ++step)
+      {
+        const Index way{ step % 3 - 1, step / 3 % 3 - 1, step / 9 - 1 };
+        const Index other{ voxel[0] + way[0], voxel[1] + way[1], voxel[2] + way[2] };
+        const bool  isInside = other[0] >= 0 && other[0] < full[0] && other[1] >= 0 && other[1] < full[1] &&
+                              other[2] >= 0 && other[2] < full[2];
+        if (std::abs(way[0]) + std::abs(way[1]) + std::abs(way[2]) <= mostSteps && isInside && isWanted(other))
+        {
+          join(offsetOf(voxel), offsetOf(other));
+        }
+      }
+    }
+  });
+  return sets - (numberOfAll - wanted.size());
+}
+
+std::int64_t
+GetEulerNumber(const Collector & surface)
+{
+  return static_cast<std::int64_t>(surface.m_Vertices.size() + surface.m_Triangles.size() -
+                                   CountSides(surface).size() / 2);
+}
+
+TEST(MedialVoxelIsosurface, HasAComponentForEachObjectAndCavity)
+{
+  // In space without handles, each component of the surface has a component of the object on one side and one of the
+  // background on the other, and these make up a tree. Object is connected along edges, background along faces.
+  const Index  size{ 13, 11, 12 };
+  std::mt19937 draw(3);
+  for (const double share : { 0.1, 0.3, 0.5, 0.8, 0.95 })
+  {
+    std::bernoulli_distribution isSet(share);
+    std::vector<bool>           object(static_cast<std::size_t>(size[0] * size[1] * size[2]));
+    std::generate(object.begin(), object.end(), [&] { return isSet(draw); });
+    const auto isObject = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+      return object[static_cast<std::size_t>((z * size[1] + y) * size[0] + x)];
+    };
+    const Collector surface =
+      Build(size, true, [&](auto x, auto y, auto z) { return isObject(x, y, z) ? 0.5f : -0.5f; });
+    ExpectClosed(surface);
+    EXPECT_EQ(CountComponents(surface) + 1,
+              CountVoxelComponents(size, true, 2, isObject) + CountVoxelComponents(size, false, 1, isObject))
+      << share;
+  }
+}
+
+TEST(MedialVoxelIsosurface, HasTheHandlesOfThePhantom)
+{
+  const Index size{ 20, 12, 9 };
+  const auto  isIn = [](std::int64_t x, std::int64_t y, std::int64_t z, const Index & first, const Index & last) {
+    return x >= first[0] && x <= last[0] && y >= first[1] && y <= last[1] && z >= first[2] && z <= last[2];
+  };
+  // A block up to a face of the image with two holes through it and a cavity, and another one that touches an edge of
+  // it.
+  const auto margin = [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    const bool block = isIn(x, y, z, { 0, 1, 1 }, { 14, 9, 5 });
+    const bool holes = isIn(x, y, z, { 2, 3, 0 }, { 3, 4, 8 }) || isIn(x, y, z, { 6, 3, 0 }, { 7, 4, 8 });
+    const bool cavity = isIn(x, y, z, { 11, 5, 3 }, { 12, 6, 3 });
+    const bool second = isIn(x, y, z, { 15, 2, 6 }, { 18, 3, 7 });
+    return (block && !holes && !cavity) || second ? 0.5f : -0.5f;
+  };
+  const Collector surface = Build(size, true, margin);
+  ExpectClosed(surface);
+  EXPECT_EQ(CountComponents(surface), 2u);
+  EXPECT_EQ(GetEulerNumber(surface), 2 * (1 - 2 + 1));
+}
+
+/** A part that is inside where the distance is positive: its volume, and its boundary. */
+void
+ExpectShape(const std::function<double(double, double, double)> & distance, double volume)
+{
+  const Index     size{ 48, 48, 48 };
+  const Collector surface = Build(size, true, [&](std::int64_t x, std::int64_t y, std::int64_t z) {
+    return static_cast<float>(distance(x - 23.3, y - 23.7, z - 22.9));
+  });
+  ExpectClosed(surface);
+  EXPECT_NEAR(GetVolume(surface) / volume, 1.0, 0.01);
+  for (const auto & vertex : surface.m_Vertices)
+  {
+    const auto & p = vertex.point;
+    EXPECT_NEAR(distance(p[0] - 23.3, p[1] - 23.7, p[2] - 22.9), 0.0, 0.05);
+  }
+}
+
+TEST(MedialVoxelIsosurface, HasTheVolumeOfGrayShapes)
+{
+  constexpr double pi = 3.14159265358979323846;
+  ExpectShape([](double x, double y, double z) { return 17.6 - std::sqrt(x * x + y * y + z * z); },
+              4.0 / 3.0 * pi * 17.6 * 17.6 * 17.6);
+  ExpectShape([](double x,
+                 double y,
+                 double z) { return 5.4 - std::hypot(std::hypot(x, 0.6 * y - 0.8 * z) - 13.2, 0.8 * y + 0.6 * z); },
+              2.0 * pi * pi * 13.2 * 5.4 * 5.4);
+  // A tilted plate with a round rim.
+  ExpectShape(
+    [](double x, double y, double z) {
+      const double height = (2.0 * x + 3.0 * y + 6.0 * z) / 7.0;
+      const double radius = std::sqrt(x * x + y * y + z * z - height * height);
+      return 2.3 - std::hypot(height, std::max(0.0, radius - 13.0));
+    },
+    4.6 * pi * 169.0 + pi * pi * 13.0 * 2.3 * 2.3 + 4.0 / 3.0 * pi * 2.3 * 2.3 * 2.3);
 }
 
 } // namespace

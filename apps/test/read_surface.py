@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reads mesh files with a library and writes what they hold as JSON by file: read_surface.py READER JSON-FILE FILE...
 
-Keys: points; faces, as lists of places in points; if the format has them: thickness and object_of_points of the points;
-area, rim, junction, object, group and section_thickness of the faces; sets, the places of the elements by name."""
+Keys: points; faces, as lists of places in points; if the format has them: thickness, ray_thickness, colors and
+object_of_points of the points; area, rim, junction, object, cap, group and section_thickness of the faces; sets, the
+places of the elements by name."""
 
 import json
 import sys
@@ -13,11 +14,14 @@ def read_with_pyvista(path):
     import pyvista  # pylint: disable=import-outside-toplevel
 
     mesh = pyvista.read(path)
+    if isinstance(mesh, pyvista.MultiBlock):  # of a scene
+        mesh = mesh.combine(merge_points=False)
     cells = [mesh.get_cell(index) for index in range(mesh.n_cells)]
     content = {"points": mesh.points.tolist(), "faces": [list(cell.point_ids) for cell in cells]}
-    names = {"thickness": "Thickness"}
-    content |= {key: mesh.point_data[name].tolist() for key, name in names.items() if name in mesh.point_data}
-    names = {"area": "Area", "rim": "RimEdges", "junction": "JunctionEdges", "object": "Object"}
+    names = {"Thickness": "thickness", "_THICKNESS": "thickness", "_RAY_THICKNESS": "ray_thickness", "COLOR_0": "colors"}
+    names |= {"ray_thickness": "ray_thickness"}
+    content |= {key: mesh.point_data[name].tolist() for name, key in names.items() if name in mesh.point_data}
+    names = {"area": "Area", "rim": "RimEdges", "junction": "JunctionEdges", "object": "Object", "cap": "Cap"}
     return content | {key: mesh.cell_data[name].tolist() for key, name in names.items() if name in mesh.cell_data}
 
 
@@ -26,9 +30,9 @@ def read_with_meshio(path):
 
     mesh = meshio.read(path)
     content = {"points": mesh.points.tolist(), "faces": [list(map(int, face)) for block in mesh.cells for face in block.data]}
-    for name in ("Thickness", "thickness"):
+    for name in ("Thickness", "thickness", "ray_thickness"):
         if name in mesh.point_data:
-            content["thickness"] = mesh.point_data[name].tolist()
+            content[name.lower()] = mesh.point_data[name].tolist()
     if "object" in mesh.point_data:
         content["object_of_points"] = mesh.point_data["object"].tolist()
     for name, blocks in mesh.cell_data.items():
@@ -59,6 +63,18 @@ def read_with_gmsh(path):
     return {"points": coordinates.reshape(-1, 3).tolist(), "faces": [faces[number] for number in sorted(faces)]}
 
 
+def read_with_trimesh(path):
+    import trimesh  # pylint: disable=import-outside-toplevel
+
+    (mesh,) = trimesh.load(path, process=False).geometry.values()
+    content = {"points": mesh.vertices.tolist(), "faces": mesh.faces.tolist()}
+    content["colors"] = mesh.visual.vertex_attributes["color"].tolist()
+    for key, name in {"thickness": "_THICKNESS", "ray_thickness": "_RAY_THICKNESS"}.items():
+        if name in mesh.vertex_attributes:
+            content[key] = mesh.vertex_attributes[name].ravel().tolist()
+    return content
+
+
 def read_with_pynastran(path):
     from pyNastran.bdf.bdf import read_bdf  # pylint: disable=import-outside-toplevel
 
@@ -78,6 +94,7 @@ READERS = {
     "meshio": read_with_meshio,
     "gmsh": read_with_gmsh,
     "pyNastran": read_with_pynastran,
+    "trimesh": read_with_trimesh,
 }
 
 

@@ -19,12 +19,14 @@ READ_SURFACE = pathlib.Path(__file__).with_name("read_surface.py")
 
 SHAPES = ("plate", "mixed", "cylinder", "cube", "junction")
 FAR_SHAPES = ("far-mixed", "far-cylinder")  # coordinates need 64 bits
-EXTENSIONS = ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf")
+EXTENSIONS = ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf", "glb")
+ONLY_32_BITS = ("stl", "glb")
 READERS = {
-    "pyvista": ("vtp", "vtu", "vtk", "ply", "stl", "obj"),
+    "pyvista": ("vtp", "vtu", "vtk", "ply", "stl", "obj", "glb"),
     "meshio": ("vtu", "ply", "stl", "obj", "inp", "bdf"),
     "gmsh": ("stl", "obj", "bdf"),
     "pyNastran": ("bdf",),
+    "trimesh": ("glb",),
 }
 READ_AS_32_BITS = (("pyvista", "ply"), ("pyvista", "obj"))  # by VTK, whatever the file holds
 MODULES = {"pyNastran": "pyNastran.bdf.bdf"}
@@ -62,7 +64,7 @@ def write_all(folder):
     """Writes all shapes in all formats; the surfaces by shape, with numbers as files have them."""
     surfaces = {}
     for shape in (*SHAPES, *FAR_SHAPES, "empty"):
-        extensions = [extension for extension in EXTENSIONS if shape not in FAR_SHAPES or extension != "stl"]
+        extensions = [extension for extension in EXTENSIONS if shape not in FAR_SHAPES or extension not in ONLY_32_BITS]
         command = [WRITE_SURFACE, shape, str(CLASS_WIDTH), *(f"{shape}.{extension}" for extension in extensions)]
         surface = json.loads(subprocess.run(command, capture_output=True, check=True, cwd=folder).stdout)
         for key in ("thickness", "area"):
@@ -75,7 +77,7 @@ def write_all(folder):
 
 def far_extensions(reader):
     """Formats of 64 bits that the reader reads as such."""
-    return [name for name in READERS[reader] if name != "stl" and (reader, name) not in READ_AS_32_BITS]
+    return [name for name in READERS[reader] if name not in ONLY_32_BITS and (reader, name) not in READ_AS_32_BITS]
 
 
 def read_all(folder, reader):
@@ -128,7 +130,7 @@ class SurfaceReadersTest(unittest.TestCase):
     def test_faces_and_coordinates(self):
         def check(surface, content, extension):
             faces = surface["faces"]
-            if extension == "stl":
+            if extension in ("stl", "glb"):
                 faces = [triangle for face in faces for triangle in split(surface["points"], face)]
             expected = collections.Counter(outline(surface["points"], face, 7) for face in faces)
             found = collections.Counter(outline(content["points"], face, 7) for face in content["faces"])
@@ -152,11 +154,12 @@ class SurfaceReadersTest(unittest.TestCase):
                         self.assertEqual(content["points"], surface["points"])
 
     def test_order_of_vertices_and_faces(self):
-        def check(surface, content, _):
+        def check(surface, content, extension):
             self.assertEqual(content["points"], surface["points"])
-            self.assertEqual(content["faces"], surface["faces"])
+            if extension != "glb":  # triangles only
+                self.assertEqual(content["faces"], surface["faces"])
 
-        self.check_each(("vtp", "vtu", "vtk", "ply"), check)
+        self.check_each(("vtp", "vtu", "vtk", "ply", "glb"), check)
 
     def test_thickness_of_vertices(self):
         found = collections.Counter()
@@ -167,9 +170,9 @@ class SurfaceReadersTest(unittest.TestCase):
                 self.assertEqual(content["thickness"], surface["thickness"])
                 found[extension] += 1
 
-        self.check_each(("vtp", "vtu", "vtk", "ply"), check)
+        self.check_each(("vtp", "vtu", "vtk", "ply", "glb"), check)
         if self.contents["meshio"] and self.contents["pyvista"]:
-            self.assertEqual(set(found), {"vtp", "vtu", "vtk", "ply"})
+            self.assertEqual(set(found), {"vtp", "vtu", "vtk", "ply", "glb"})
 
     def test_data_of_faces(self):
         def check(surface, content, _):
