@@ -36,6 +36,7 @@ MESH_FORMATS = {
     ".obj": ("text", "triangles, quads", "none", "groups", "none"),
     ".inp": ("Abaqus, CalculiX", "S3, S4", "of sections", "sets", "999 999 999 nodes, elements"),
     ".bdf": ("Nastran", "CTRIA3, CQUAD4", "of properties", "properties", "99 999 999 nodes, elements"),
+    ".glb": ("glTF 2.0, binary", "triangles", "at vertices, and as colors", "none", "4 GiB"),
 }
 
 PROGRESS = {
@@ -182,7 +183,7 @@ def make_formats(catalog):
         "*Cells*: the grid of the dual cells, half a voxel from that of the input. *Jobs*: whether jobs of several processes\n"
         "(`plan`, `work`, `finalize`) write it. The role is the key under `outputs` of the report.\n",
         table(["command", "role", "option", "file", "grid", "jobs"], outputs),
-        "`mesh` writes the mesh as its argument, and the report.\n",
+        "`mesh` writes the mesh as its argument, and the report. `surface` writes `.vtp`, `.vtu`, `.ply` and `.glb`.\n",
     ])  # fmt: skip
 
 
@@ -246,9 +247,12 @@ def make_report(catalog, schema):
         section("extract", "parameters."),
         "### Parameters of distance\n",
         section("distance", "parameters."),
+        "### Parameters of surface\n",
+        section("surface", "parameters."),
         "### Counts of extract and mesh\n",
         section("cells", "counts."),
-        "`distance` counts `not_a_number_voxels` only, and has no `percent` and `thickness`.\n",
+        "`distance` counts `not_a_number_voxels` only, `surface` the voxels of object, pores and dust, without `boundary_voxels`. Both have\n"
+        "no `percent` and `thickness`.\n",
         "## Warnings\n",
         "Some runs end well and their numbers mislead. Each warning is one line on the error stream, an entry under `warnings` in the\n"
         "report, a line on the page, and a comment on the output stream of the Slicer module. The exit status stays 0.\n",

@@ -16,6 +16,7 @@ namespace
 
 using Index = itk::MedialVoxelIndex;
 using Point = itk::MedialVoxelWallRay::Point;
+using End = itk::MedialVoxelRayEnd;
 using Spacing = itk::MedialVoxelGrid::SpacingType;
 
 constexpr std::int64_t Size = 44;
@@ -89,10 +90,10 @@ TEST(MedialVoxelWallRay, MeasuresPlatesInAllDirections)
       const auto   margins = Sample(spacing, [&](const Point & p) { return width / 2 - std::abs(Dot(p, normal)); });
       const itk::MedialVoxelWallRay ray(margins, spacing, 10.0);
       const auto                    length = ray.Measure(IndexOf(spacing, Scale(normal, width / 2)));
-      ASSERT_TRUE(length);
-      EXPECT_NEAR(*length, width, 0.02);
-      EXPECT_FALSE(
-        itk::MedialVoxelWallRay(margins, spacing, 0.9 * width).Measure(IndexOf(spacing, Scale(normal, width / 2))));
+      ASSERT_EQ(length.end, End::Surface);
+      EXPECT_NEAR(length.length, width, 0.02);
+      const itk::MedialVoxelWallRay shorter(margins, spacing, 0.9 * width);
+      EXPECT_EQ(shorter.Measure(IndexOf(spacing, Scale(normal, width / 2))).end, End::Maximum);
     }
   }
 }
@@ -114,8 +115,8 @@ TEST(MedialVoxelWallRay, MeasuresSpheresAndTubes)
     {
       const Point direction = DrawDirection(draw);
       const auto  diameter = inBall.Measure(IndexOf(spacing, Scale(direction, 9.3)));
-      ASSERT_TRUE(diameter);
-      EXPECT_NEAR(*diameter, 18.6, 0.1);
+      ASSERT_EQ(diameter.end, End::Surface);
+      EXPECT_NEAR(diameter.length, 18.6, 0.1);
       Point        across{};
       const double along = Dot(direction, axis);
       for (unsigned int k = 0; k < 3; ++k)
@@ -125,8 +126,8 @@ TEST(MedialVoxelWallRay, MeasuresSpheresAndTubes)
       for (const double radius : { 6.3, 10.5 })
       {
         const auto wall = inTube.Measure(IndexOf(spacing, Scale(across, radius / Norm(across))));
-        ASSERT_TRUE(wall);
-        EXPECT_NEAR(*wall, 4.2, 0.1) << radius;
+        ASSERT_EQ(wall.end, End::Surface);
+        EXPECT_NEAR(wall.length, 4.2, 0.1) << radius;
       }
     }
   }
@@ -233,7 +234,9 @@ TEST(MedialVoxelWallRay, EqualsASearchWithSmallStepsInRoughParts)
       const auto  expected = SearchRay(margins, spacing, start, 3.0);
       answered += expected ? 1 : 0;
       unanswered += expected ? 0 : 1;
-      different += found.has_value() != expected.has_value() || (found && std::abs(*found - *expected) > 0.05) ? 1 : 0;
+      const bool isAnswered = found.end == End::Surface;
+      different +=
+        isAnswered != expected.has_value() || (isAnswered && std::abs(found.length - *expected) > 0.05) ? 1 : 0;
     }
     EXPECT_LE(different, 3u) << "grazing rays";
     EXPECT_GT(answered, 60u);
@@ -245,12 +248,12 @@ TEST(MedialVoxelWallRay, HasNoAnswerWithoutGradientOrOpposite)
 {
   auto                          margins = Sample(Equal, [](const Point & p) { return p[2] < 0.0 ? -0.5 : 0.5; });
   const itk::MedialVoxelWallRay ray(margins, Equal, 50.0);
-  EXPECT_FALSE(ray.Measure({ 20.0, 20.0, 21.5 })) << "leaves the image";
-  EXPECT_FALSE(ray.Measure({ 20.0, 20.0, 5.0 })) << "all margins around it are equal";
-  EXPECT_FALSE(ray.Measure({ -0.5, 20.0, 21.5 })) << "outside";
+  EXPECT_EQ(ray.Measure({ 20.0, 20.0, 21.5 }).end, End::Image) << "leaves it";
+  EXPECT_EQ(ray.Measure({ 20.0, 20.0, 5.0 }).end, End::Unknown) << "all margins around it are equal";
+  EXPECT_EQ(ray.Measure({ -0.5, 20.0, 21.5 }).end, End::Image) << "outside";
   margins.GetRow(20, 25)[20] = std::numeric_limits<float>::quiet_NaN();
   margins.GetRow(20, 30)[20] = -3.0f;
-  EXPECT_FALSE(ray.Measure({ 20.0, 20.0, 21.5 })) << "behind a margin that is not known";
+  EXPECT_EQ(ray.Measure({ 20.0, 20.0, 21.5 }).end, End::Unknown) << "behind a margin that is not known";
 }
 
 } // namespace

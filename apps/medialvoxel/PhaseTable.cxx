@@ -242,7 +242,10 @@ PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobR
   if (part.rays)
   {
     table.emplace_back("by rays", describe(*part.rays));
-    table.emplace_back("  no answer", FormatCount(part.rays->unknownVertices, part.vertices) + " of the vertices");
+    table.emplace_back("  no answer",
+                       FormatCount(part.rays->unknownVertices, part.vertices) +
+                         " of the vertices: " + std::to_string(part.unansweredRays.leaveVolume) +
+                         " leave the volume, " + std::to_string(part.unansweredRays.tooLong) + " are too long");
   }
   if (part.colorRange)
   {

@@ -23,7 +23,7 @@ DefineSurface(CommandLine & line)
     "Place it by gray values; =off: by the object");
   const std::string group = "Wall thickness";
   AddLargestBall(app, options.maximumLocalThickness)->group(group);
-  AddPoreSize(app, "Largest pore or grain that it leaves out (default: 32)", options.maximumPoreSize)->group(group);
+  AddPoreSize(app, "Largest pore or grain left out of it (default: 32)", options.maximumPoreSize)->group(group);
   app.add_flag("--ray", options.measuresRays, "Thickness by rays too")->group(group);
   AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group("Further outputs");
   AddRunOptions(line, app, options);

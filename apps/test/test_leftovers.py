@@ -41,6 +41,7 @@ COMMANDS = {
     "extract": ([PROGRAM, "extract", "in.mha", "out.mhd", *arguments_of(PROGRAM_OUTPUTS)], PROGRAM_OUTPUTS),
     "distance": ([PROGRAM, "distance", "in.mha", "v.nhdr", *arguments_of(DISTANCE_OUTPUTS)], DISTANCE_OUTPUTS),
     "mesh": ([PROGRAM, "mesh", "in.mha", "m.stl", "--report", "r.json"], {"--report": "r.json", "": "m.stl"}),
+    "surface": ([PROGRAM, "surface", "in.mha", "s.glb", "--ray", "--report", "r.json"], {"--report": "r.json", "": "s.glb"}),
     "module": ([MODULE, *arguments_of(MODULE_OUTPUTS), "in.mha", "out.mha"], MODULE_OUTPUTS),
 }
 

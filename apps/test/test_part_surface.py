@@ -90,7 +90,11 @@ class PartSurfaceTest(ProgramTestCase):
         self.assertGreater(surface["cap_area"], 50)
         for name, key in (("thickness", "thickness"), ("ray_thickness", "ray_thickness")):
             self.check_statistics(surface[key], part, part.data[name], areas, is_cap)
-        self.assertGreater(surface["ray_thickness"]["unknown_vertices"], 50)
+        unanswered = surface["ray_thickness"]["unanswered"]
+        self.assertEqual(sum(unanswered.values()), surface["ray_thickness"]["unknown_vertices"])
+        outside = sum(any(not 0 <= place[k] <= last[k] + 1e-5 for k in range(3)) for place in part.points)
+        self.assertGreater(unanswered["leave_volume"], outside)
+        self.assertGreater(outside, 50)
 
     def check_statistics(self, statistics, part, lengths, areas, is_cap):
         """A corner has a third of the area of its triangle."""
@@ -194,7 +198,7 @@ class PartSurfaceTest(ProgramTestCase):
         self.assertEqual(part.open_sides(), 0)
         # The hole is seen by the surface around it, and no ray goes through it.
         self.assertEqual(len(part.points) - len(part.triangles) // 2, 4)
-        self.assertGreater(self.report["surface"]["ray_thickness"]["unknown_vertices"], 0)
+        self.assertGreater(self.report["surface"]["ray_thickness"]["unanswered"]["unknown"], 0)
 
     def test_an_empty_object(self):
         self.write(ball())

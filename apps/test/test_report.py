@@ -109,6 +109,9 @@ class ReportTest(ProgramTestCase):
         ]
         self.run_program("distance", "in.mha", "v2.mha", "--lower", 72, "--report", "d.json", "--maximum-distance", 5)
         reports.append(json.loads((self.folder / "d.json").read_text()))
+        for number, options in enumerate(([], ["--ray", "--open"])):
+            self.run_program("surface", "in.mha", f"s{number}.vtp", "--lower", 72, "--report", f"s{number}.json", *options)
+            reports.append(json.loads((self.folder / f"s{number}.json").read_text()))
         for report in reports:
             validator.validate(report)
             for change in (lambda r: r.pop("seconds"), lambda r: r.update(more=1), lambda r: r.update(threads=0)):

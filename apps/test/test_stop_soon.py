@@ -105,6 +105,10 @@ class StopSoonTest(ProgramTestCase):
         raw = ("--raw-size", f"{size},{size},{size}", "--raw-type", "uint8", "--raw-spacing", "1,1.1,1.3")
         self.assert_stops("distance", "large.raw", "out.nhdr", *raw, "--upper", "0")
 
+    def test_surface(self):
+        self.assert_stops("surface", *NOISE, "out.ply", "--ray", "--largest-ball", "100")
+        self.assert_stops("surface", *SOLID, "out.glb", "--ray", "--largest-ball", "200")
+
     def test_unpacking(self):
         slices = MEMBER_BYTES * MEMBERS >> 22
         header = f"NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2048 2048 {slices}\nencoding: gzip\n\n"

@@ -10,7 +10,7 @@ import unittest
 
 from program import ProgramTestCase
 
-VOLUME_COMMANDS = ("extract", "mesh", "distance", "info", "plan")
+VOLUME_COMMANDS = ("extract", "mesh", "surface", "distance", "info", "plan")
 COMMANDS = (*VOLUME_COMMANDS, "work", "finalize", "status")
 
 

@@ -60,13 +60,17 @@ MedialVoxelWallRay::GetHalo(const double spacingOfSlices, const double maximum)
   return std::max(static_cast<std::int64_t>(std::ceil(maximum / spacingOfSlices)) + 2, Radius + 1);
 }
 
-std::optional<double>
+MedialVoxelRayResult
 MedialVoxelWallRay::Measure(const Point & start) const
 {
-  const std::optional<Point> direction = this->FindDirection(start);
-  if (!direction || !this->IsInImage(start))
+  if (!this->IsInImage(start))
   {
-    return std::nullopt;
+    return { MedialVoxelRayEnd::Image };
+  }
+  const std::optional<Point> direction = this->FindDirection(start);
+  if (!direction)
+  {
+    return { MedialVoxelRayEnd::Unknown };
   }
   const auto at = [&](double length) {
     Point point = start;
@@ -84,7 +88,7 @@ MedialVoxelWallRay::Measure(const Point & start) const
     const Point  point = at(length);
     if (!this->IsInImage(point))
     {
-      return std::nullopt;
+      return { MedialVoxelRayEnd::Image };
     }
     const double margin = this->Interpolate(point);
     if (margin >= 0.0)
@@ -95,7 +99,7 @@ MedialVoxelWallRay::Measure(const Point & start) const
     }
     if (std::isnan(margin))
     {
-      return std::nullopt;
+      return { MedialVoxelRayEnd::Unknown };
     }
     if (hasEntered)
     {
@@ -105,14 +109,14 @@ MedialVoxelWallRay::Measure(const Point & start) const
         const double middle = 0.5 * (inside + outside);
         (this->Interpolate(at(middle)) >= 0.0 ? inside : outside) = middle;
       }
-      return inside;
+      return { MedialVoxelRayEnd::Surface, inside };
     }
     if (k >= StepsPerVoxel)
     {
-      return std::nullopt;
+      return { MedialVoxelRayEnd::Unknown };
     }
   }
-  return std::nullopt;
+  return { MedialVoxelRayEnd::Maximum };
 }
 
 std::optional<MedialVoxelWallRay::Point>

@@ -12,6 +12,26 @@
 namespace itk
 {
 
+/** What ends a ray.
+ * \ingroup MedialVoxel */
+enum class MedialVoxelRayEnd : std::uint8_t
+{
+  Surface, ///< the opposite one: the length is known
+  Image,   ///< or the ray starts outside of it
+  Maximum, ///< the ray is longer
+  Unknown  ///< no gradient, no object within a voxel, or margins that are not known
+};
+
+/** \struct MedialVoxelRayResult
+ * \brief End and length of a ray.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelRayResult
+{
+  MedialVoxelRayEnd end;
+  double            length{ 0.0 }; ///< to the opposite surface, in the units of the spacing
+};
+
 /** \class MedialVoxelWallRay
  * \brief Length of a ray from a point of the surface through the object to the opposite surface.
  *
@@ -28,10 +48,8 @@ public:
   /** \param spacing of voxels \param maximum longest ray, positive, in the units of the spacing */
   MedialVoxelWallRay(const MedialVoxelMargins & margins, const MedialVoxelGrid::SpacingType & spacing, double maximum);
 
-  /** The length in the units of the spacing, from a continuous index on. Nothing where the ray leaves the image, is
-   * longer than the maximum, meets margins that are not known, does not enter the object within a voxel, or where there
-   * is no gradient. */
-  std::optional<double>
+  /** \param start continuous index of a point of the surface */
+  MedialVoxelRayResult
   Measure(const Point & start) const;
 
   /** Slices on both sides of a point whose margins are needed. */

@@ -24,6 +24,20 @@ struct ThicknessOfSurface : ThicknessStatistics ///< by area
   std::vector<double> areas; ///< bin k: of lengths that are nearest to k times the width
 };
 
+/** Rays without an answer, by what ends them. */
+struct UnansweredRays
+{
+  std::uint64_t leaveVolume{ 0 }; ///< or start outside of it, at a cap
+  std::uint64_t tooLong{ 0 };
+  std::uint64_t unknown{ 0 }; ///< no direction, or values that are not a number
+
+  std::uint64_t
+  GetTotal() const
+  {
+    return leaveVolume + tooLong + unknown;
+  }
+};
+
 /** What a report tells of the surface of a part. */
 struct PartSummary
 {
@@ -38,6 +52,7 @@ struct PartSummary
 
   ThicknessOfSurface                thickness;
   std::optional<ThicknessOfSurface> rays; ///< when they were measured
+  UnansweredRays                    unansweredRays;
 };
 
 } // end namespace medialvoxel

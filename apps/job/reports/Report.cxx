@@ -188,6 +188,20 @@ MakeThicknessOfSurface(const ThicknessOfSurface & thickness)
 }
 
 Json
+MakeRayThickness(const PartSummary & part)
+{
+  if (!part.rays)
+  {
+    return nullptr;
+  }
+  Json rays = MakeThicknessOfSurface(*part.rays);
+  rays["unanswered"] = { { "leave_volume", part.unansweredRays.leaveVolume },
+                         { "too_long", part.unansweredRays.tooLong },
+                         { "unknown", part.unansweredRays.unknown } };
+  return rays;
+}
+
+Json
 MakeSurface(const PartSummary & part)
 {
   return { { "vertices", part.vertices },
@@ -198,7 +212,7 @@ MakeSurface(const PartSummary & part)
            { "volume", part.volume ? Json(*part.volume) : Json(nullptr) },
            { "color_range", part.colorRange ? Json(*part.colorRange) : Json(nullptr) },
            { "thickness", MakeThicknessOfSurface(part.thickness) },
-           { "ray_thickness", part.rays ? MakeThicknessOfSurface(*part.rays) : Json(nullptr) } };
+           { "ray_thickness", MakeRayThickness(part) } };
 }
 
 void
@@ -371,8 +385,11 @@ MakeReport(const SurfaceOptions & options, const JobResult & result)
   report["outputs"] = MakeOutputs(result);
   report["parameters"] = parameters;
   report["size"] = result.input.geometry.size;
-  report["counts"] = { { "object_voxels", result.sums.counts.objectVoxels },
-                       { "not_a_number_voxels", result.sums.counts.notANumberVoxels } };
+  const auto & counts = result.sums.counts;
+  report["counts"] = { { "object_voxels", counts.objectVoxels },
+                       { "not_a_number_voxels", counts.notANumberVoxels },
+                       { "filled_voxels", counts.filledVoxels },
+                       { "removed_voxels", counts.removedVoxels } };
   report["local_thickness"] = { { "maximum", task.maximumThickness },
                                 { "voxels_at_maximum", result.sums.voxelsAtMaximum } };
   report["surface"] = result.part ? MakeSurface(*result.part) : Json(nullptr);

@@ -224,17 +224,26 @@ PartSurface::AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & v
 }
 
 void
+PartSurface::CountRay(const itk::MedialVoxelRayEnd end)
+{
+  using End = itk::MedialVoxelRayEnd;
+  m_UnansweredRays.leaveVolume += end == End::Image ? 1 : 0;
+  m_UnansweredRays.tooLong += end == End::Maximum ? 1 : 0;
+  m_UnansweredRays.unknown += end == End::Unknown ? 1 : 0;
+}
+
+void
 PartSurface::AddRays(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices)
 {
-  constexpr float    unknown = std::numeric_limits<float>::quiet_NaN();
-  std::vector<float> lengths(vertices.size());
-  const auto         measure = [&](itk::SizeValueType i) {
-    const std::optional<double> length = m_Ray.Measure(vertices[i].point);
-    lengths[i] = length ? static_cast<float>(*length) : unknown;
-  };
+  constexpr float                        unknown = std::numeric_limits<float>::quiet_NaN();
+  std::vector<itk::MedialVoxelRayResult> rays(vertices.size());
+  const auto measure = [&](itk::SizeValueType i) { rays[i] = m_Ray.Measure(vertices[i].point); };
   itk::MultiThreaderBase::New()->ParallelizeArray(0, vertices.size(), measure, nullptr);
-  m_UnansweredRays += static_cast<std::uint64_t>(
-    std::count_if(lengths.begin(), lengths.end(), [](float length) { return std::isnan(length); }));
+  std::vector<float> lengths(vertices.size());
+  std::transform(rays.begin(), rays.end(), lengths.begin(), [this](const itk::MedialVoxelRayResult & ray) {
+    this->CountRay(ray.end);
+    return ray.end == itk::MedialVoxelRayEnd::Surface ? static_cast<float>(ray.length) : unknown;
+  });
   m_RayThickness->Add(lengths);
 }
 
@@ -264,7 +273,8 @@ PartSurface::Write(OutputFile & file, const std::function<void(double)> & progre
   summary.thickness.unknownVertices = m_UnknownVertices;
   if (summary.rays)
   {
-    summary.rays->unknownVertices = m_UnansweredRays;
+    summary.rays->unknownVertices = m_UnansweredRays.GetTotal();
+    summary.unansweredRays = m_UnansweredRays;
   }
   if (m_Options.isOpen)
   {

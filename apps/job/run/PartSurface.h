@@ -76,6 +76,9 @@ private:
   AddTriangles(const std::vector<itk::MedialVoxelIsosurfaceTriangle> & triangles) override;
 
   void
+  CountRay(itk::MedialVoxelRayEnd end);
+
+  void
   AddRays(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices);
 
   SurfaceOptions                   m_Options;
@@ -100,7 +103,7 @@ private:
   SurfaceSpool                     m_Spool;
   std::optional<SurfaceArray>      m_RayThickness;
   std::uint64_t                    m_UnknownVertices{ 0 };
-  std::uint64_t                    m_UnansweredRays{ 0 };
+  UnansweredRays                   m_UnansweredRays;
   std::vector<SurfaceVertex>       m_Vertices; ///< for the spool
   std::vector<SurfaceFace>         m_Faces;
 };
