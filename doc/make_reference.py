@@ -159,12 +159,12 @@ def make_formats(catalog):
             # The volume that stands for the command comes first; it is an argument.
             if number and option not in options:
                 continue
-            what = ", ".join(f"`{extension}`" for extension in row["extensions"]) or "a mesh" * (row["role"] == "mesh")
+            what = ", ".join(f"`{extension}`" for extension in row["extensions"]) or {"mesh": "a mesh", "surface": "a mesh"}.get(row["role"], "")
             if "type" in row:
                 what = f"volume of {row['type']}" + (f", {row['components']} components" if row["components"] > 1 else "")
             name = f"`{option}`" if number else "argument"
             grid = row.get("grid", "")
-            outputs.append([f"`{command}`", f"`{row['role']}`", name, what or "JSON", grid, mark(row["in_jobs"])])
+            outputs.append([f"`{command}`", f"`{row['role']}`", name, what or "JSON", grid, mark(row["in_jobs"] and command == "extract")])
     return "\n".join([
         NOTICE,
         "# Formats\n",
