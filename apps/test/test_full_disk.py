@@ -50,6 +50,18 @@ class FullDiskTest(ProgramTestCase):
         (self.disk / "filler").unlink()
         self.run_program(*arguments)
 
+    def test_no_space_for_the_surface_of_a_part(self):
+        self.mount_small_disk(self.disk, 3 * MEGABYTE)
+        (self.disk / "old.ply").write_bytes(b"precious")
+        (self.disk / "filler").write_bytes(b"x" * (11 * MEGABYTE // 4))
+        before = self.snapshot()
+        for more, status in (([], REFUSED), (["--dry-run"], REFUSED), (["--sparse"], FAILURE)):
+            result = self.run_program("surface", "in.mha", "disk/old.ply", "--overwrite", *more, status=status)
+            self.assertRegex(result.stderr, "scratch|No space left")
+            self.assertEqual(self.snapshot(), before)
+        (self.disk / "filler").unlink()
+        self.run_program("surface", "in.mha", "disk/old.ply", "--overwrite", "--scratch", ".")
+
     def test_disk_fills_up_on_the_way(self):
         self.mount_small_disk(self.disk, 3 * MEGABYTE)
         for name in ("disk/v.mha", "disk/v.mhd", "disk/v.nrrd"):
