@@ -243,7 +243,7 @@ TEST(Plan, EachEngineHasRoomInItsShare)
   JobOptions         options;
   options.threads = 1;
   options.memoryBytes = 16384 * MiB;
-  PieceFootprint footprint = MakeFootprint(header, 1);
+  PieceFootprint                 footprint = MakeFootprint(header, 1);
   itk::MedialVoxelLocalThickness thickness;
   thickness.maximumThickness = 100.0;
   footprint.engines.front().task = thickness;
