@@ -11,18 +11,6 @@ namespace medialvoxel
 namespace
 {
 
-const std::vector<std::pair<std::string, LocalThicknessMethod>> Methods{
-  { GetName(LocalThicknessMethod::Wall), LocalThicknessMethod::Wall },
-  { GetName(LocalThicknessMethod::Sphere), LocalThicknessMethod::Sphere }
-};
-
-CLI::Option *
-AddMethod(CLI::App & app, ExtractOptions & options)
-{
-  return AddChoice(
-    app, "--local-thickness-method", "Of walls, or of largest balls", "KIND", options.localThicknessMethod, Methods);
-}
-
 CLI::Option *
 AddLevels(CLI::App & app, ExtractOptions & options)
 {
@@ -57,6 +45,18 @@ AddSubVoxel(CLI::App & app, ExtractOptions & options)
   return app.add_flag_function("--sub-voxel", set, "Measure walls on gray values; =off: on the object");
 }
 
+void
+AddLocalThicknessMethod(CommandLine & line, CLI::App & app, LocalThicknessMethod & target, const std::string & group)
+{
+  const std::vector<std::pair<std::string, LocalThicknessMethod>> methods{
+    { GetName(LocalThicknessMethod::Wall), LocalThicknessMethod::Wall },
+    { GetName(LocalThicknessMethod::Sphere), LocalThicknessMethod::Sphere }
+  };
+  CLI::Option * const option =
+    AddChoice(app, "--local-thickness-method", "Of walls, or of largest balls", "KIND", target, methods);
+  line.choices[option->group(group)] = ListNames(methods);
+}
+
 CLI::Option *
 AddLargestBall(CLI::App & app, std::optional<double> & target)
 {
@@ -74,7 +74,7 @@ AddMeasureOptions(CommandLine & line, CLI::App & app, ExtractOptions & options)
   AddFile(app, "--uncertainty-map", "Half of the 95 % interval of the thickness", options.uncertaintyFile)
     ->group(group);
   AddFile(app, "--local-thickness", "Thickness at each object voxel", options.localThicknessFile)->group(group);
-  line.choices[AddMethod(app, options)->group(group)] = ListNames(Methods);
+  AddLocalThicknessMethod(line, app, options.localThicknessMethod, group);
   AddLargestBall(app, options.maximumLocalThickness)->group(group);
   AddSubVoxel(app, options)->group(group);
   AddLevels(app, options)->group(group);

@@ -16,6 +16,10 @@ struct CommandLine;
 CLI::Option *
 AddSubVoxel(CLI::App & app, ExtractOptions & options);
 
+/** Adds the choice of the local thickness to a group. */
+void
+AddLocalThicknessMethod(CommandLine & line, CLI::App & app, LocalThicknessMethod & target, const std::string & group);
+
 /** Adds the option of the largest ball of the local thickness. */
 CLI::Option *
 AddLargestBall(CLI::App & app, std::optional<double> & target);

@@ -113,13 +113,18 @@ ListOptionDetails()
       "In units of the spacing; at most 256 voxels. Larger balls are cut to it, and longer rays have no answer. Time "
       "and memory grow with it." },
     { "surface",
+      "--local-thickness-method",
+      "wall: thickness of the wall whose ball is the largest that covers the object voxel beside the vertex; NaN in "
+      "edges and corners that no wall covers. sphere: diameter of the largest ball inside the object that does." },
+    { "surface",
       "--max-pore-size",
       "In voxels, from 0 to 1000000. Pores and grains of up to this size stay in the surface; 0 measures beside "
       "them." },
     { "surface",
       "--sub-voxel",
-      "Vertices are where linear values cross the threshold; otherwise in the middle between voxels. Needs one "
-      "threshold and an input that streams. Default: on where it can be." },
+      "Vertices are where linear values cross the threshold, and walls are fitted to values where these allow it; "
+      "otherwise vertices are in the middle between voxels. Needs one threshold and an input that streams. Default: on "
+      "where it can be." },
     { "surface", "--open", "Otherwise it is closed half a voxel beyond the last voxels." },
     { "surface",
       "--ray",

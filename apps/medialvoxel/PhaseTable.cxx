@@ -238,6 +238,11 @@ PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobR
     table.emplace_back("volume", FormatShort(*part.volume));
   }
   table.emplace_back("wall thickness", describe(part.thickness));
+  table.emplace_back("  of", options.localThicknessMethod == LocalThicknessMethod::Wall ? "walls" : "largest balls");
+  if (result.measure)
+  {
+    table.emplace_back("  measured", Describe(*result.measure));
+  }
   table.emplace_back("  not known", FormatCount(part.thickness.unknownVertices, part.vertices) + " of the vertices");
   if (part.rays)
   {

@@ -20,8 +20,9 @@ DefineSurface(CommandLine & line)
   app.add_flag_function(
     "--sub-voxel",
     [&options](std::int64_t count) { options.subVoxel = count > 0; },
-    "Place it by gray values; =off: by the object");
+    "Place it and measure walls on gray values; =off: on the object");
   const std::string group = "Wall thickness";
+  AddLocalThicknessMethod(line, app, options.localThicknessMethod, group);
   AddLargestBall(app, options.maximumLocalThickness)->group(group);
   AddPoreSize(app, "Largest pore or grain left out of it (default: 32)", options.maximumPoreSize)->group(group);
   app.add_flag("--ray", options.measuresRays, "Thickness by rays too")->group(group);

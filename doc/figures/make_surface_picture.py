@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Renders the surface of a part twice, colored by local thickness and by rays; gray has no ray (needs pyvista).
+"""Renders the surface of a part twice, colored by the thickness of its walls and by rays; gray has neither (needs pyvista).
 
 Usage: doc/figures/make_surface_picture.py SURFACE.vtp OUTPUT.png LARGEST    SURFACE is of medialvoxel surface --ray
 LARGEST is the thickness of the last color.
@@ -13,7 +13,7 @@ import pyvista
 from PIL import Image
 
 GRAY = "#c0c0c0"
-COLUMNS = (("Thickness", "largest ball "), ("ray_thickness", "ray "))
+COLUMNS = (("Thickness", "wall "), ("ray_thickness", "ray "))
 
 
 def main():

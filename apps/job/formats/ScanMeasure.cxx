@@ -55,4 +55,16 @@ FindWallMeasure(InputVolume &          input,
   return measure;
 }
 
+std::optional<itk::MedialVoxelExtraction::GrayRange>
+GetGrayRange(const WallMeasure & measure, const JobOptions & options, const VolumeHeader & header)
+{
+  if (!measure.usesGrayValues)
+  {
+    return std::nullopt;
+  }
+  auto range = GetGrayRange(options, header);
+  range.scan = measure.scan;
+  return range;
+}
+
 } // end namespace medialvoxel

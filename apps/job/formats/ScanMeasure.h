@@ -18,6 +18,10 @@ FindWallMeasure(InputVolume &          input,
                 const ExtractOptions & options,
                 const ReadObserver &   observer);
 
+/** The gray values that walls are measured on, or nothing: then it is the object. */
+std::optional<itk::MedialVoxelExtraction::GrayRange>
+GetGrayRange(const WallMeasure & measure, const JobOptions & options, const VolumeHeader & header);
+
 } // end namespace medialvoxel
 
 #endif

@@ -118,7 +118,9 @@ GetThicknessOptions(const SurfaceOptions & options)
   ExtractOptions extract;
   static_cast<JobOptions &>(extract) = options;
   extract.localThicknessFile = options.output;
+  extract.localThicknessMethod = options.localThicknessMethod;
   extract.maximumLocalThickness = options.maximumLocalThickness;
+  extract.subVoxel = options.subVoxel;
   extract.maximumPoreSize = options.maximumPoreSize;
   extract.smoothing = Smoothing::Off;
   return extract;

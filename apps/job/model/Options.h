@@ -150,10 +150,11 @@ struct DistanceOptions : JobOptions
 /** The surface of a part, with its thickness. */
 struct SurfaceOptions : JobOptions
 {
-  std::string                  output;                ///< triangles
+  std::string                  output; ///< triangles
+  LocalThicknessMethod         localThicknessMethod{ LocalThicknessMethod::Wall };
   std::optional<double>        maximumLocalThickness; ///< as ExtractOptions; longest ray too
   std::optional<std::uint64_t> maximumPoreSize;       ///< as ExtractOptions, of the thickness alone
-  std::optional<bool>          subVoxel;              ///< place it by gray values; unset: where these allow it
+  std::optional<bool>          subVoxel; ///< place it and measure walls by gray values; unset: where these allow it
   bool                         isOpen{ false };       ///< where the volume cuts the part
   bool                         measuresRays{ false }; ///< thickness by rays too
 };

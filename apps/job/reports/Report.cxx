@@ -273,6 +273,15 @@ MakeUncertainty(const ThicknessSummary & thickness)
 }
 
 Json
+MakeLocalThickness(const ExtractOptions & options, const JobResult & result)
+{
+  return { { "method", GetName(options.localThicknessMethod) },
+           { "maximum", GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness },
+           { "voxels_at_maximum", result.sums.voxelsAtMaximum },
+           { "voxels_without_wall", result.sums.voxelsWithoutWall } };
+}
+
+Json
 MakeMeasure(const JobResult & result)
 {
   if (!result.measure)
@@ -342,11 +351,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["thickness"] = MakeThickness(result.thickness);
   if (!options.localThicknessFile.empty())
   {
-    report["local_thickness"] = { { "method", GetName(options.localThicknessMethod) },
-                                  { "maximum",
-                                    GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness },
-                                  { "voxels_at_maximum", result.sums.voxelsAtMaximum },
-                                  { "voxels_without_wall", result.sums.voxelsWithoutWall } };
+    report["local_thickness"] = MakeLocalThickness(options, result);
   }
   if (!result.places.empty())
   {
@@ -371,10 +376,10 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
 std::string
 MakeReport(const SurfaceOptions & options, const JobResult & result)
 {
-  const auto task = GetLocalThickness(GetThicknessOptions(options), GetGrid(options, result.input));
-  Json       parameters = Json::object();
+  Json parameters = Json::object();
   AddObject(parameters, options, result);
-  parameters["maximum_pore_size"] = task.maximumPoreSize;
+  parameters["maximum_pore_size"] =
+    GetParameters(GetThicknessOptions(options), GetGrid(options, result.input)).maximumPoreSize;
   parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
   parameters["open"] = options.isOpen;
 
@@ -390,8 +395,8 @@ MakeReport(const SurfaceOptions & options, const JobResult & result)
                        { "not_a_number_voxels", counts.notANumberVoxels },
                        { "filled_voxels", counts.filledVoxels },
                        { "removed_voxels", counts.removedVoxels } };
-  report["local_thickness"] = { { "maximum", task.maximumThickness },
-                                { "voxels_at_maximum", result.sums.voxelsAtMaximum } };
+  report["local_thickness"] = MakeLocalThickness(GetThicknessOptions(options), result);
+  report["measure"] = MakeMeasure(result);
   report["surface"] = result.part ? MakeSurface(*result.part) : Json(nullptr);
   AddRun(report, result);
   return Dump(report);

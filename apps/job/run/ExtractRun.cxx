@@ -176,12 +176,7 @@ ExtractRun::ChooseMeasure()
   m_Measure = m_Options.measure
                 ? m_Options.measure
                 : FindWallMeasure(*m_Input, m_Header, m_Options, [this](double) { m_Loop.ThrowIfStopRequested(); });
-  std::optional<itk::MedialVoxelExtraction::GrayRange> range;
-  if (m_Measure->usesGrayValues)
-  {
-    range = GetGrayRange(m_Options, m_Header);
-    range->scan = m_Measure->scan;
-  }
+  const auto range = GetGrayRange(*m_Measure, m_Options, m_Header);
   m_Engine->SetGrayRange(range);
   for (const FurtherEngine & further : m_FurtherEngines)
   {

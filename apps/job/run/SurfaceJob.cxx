@@ -12,6 +12,7 @@
 #include "PrepareJob.h"
 #include "ReadVolumeHeader.h"
 #include "Report.h"
+#include "ScanMeasure.h"
 #include "StopListener.h"
 #include "SurfacePlacement.h"
 #include "ValueStatistics.h"
@@ -102,6 +103,22 @@ private:
   OutputFile *           m_Report;
 };
 
+/** Finds out how walls are measured, where they may be on gray values. */
+void
+ChooseMeasure(const SurfaceOptions & options,
+              InputVolume &          input,
+              PieceLoop &            loop,
+              PieceEngine &          engine,
+              JobResult &            result)
+{
+  const ExtractOptions thickness = GetThicknessOptions(options);
+  if (PaintsWalls(thickness) && MayMeasureOnGrayValues(thickness, result.input))
+  {
+    result.measure = FindWallMeasure(input, result.input, thickness, [&loop](double) { loop.ThrowIfStopRequested(); });
+    engine.SetGrayRange(GetGrayRange(*result.measure, options, result.input));
+  }
+}
+
 void
 Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
@@ -116,6 +133,7 @@ Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, J
   engine->AddVolume(GetMapRequest(options, result.input), surface.GetMap());
   WriteBehind writer(false); // the surface reads the input, as the engine does
   loop.Prepare(*input);
+  ChooseMeasure(options, *input, loop, *engine, result);
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
     result.sums += loop.Run(*engine, result.plan.GetPiece(piece), result.plan.GetNextPiece(piece), writer);
