@@ -20,7 +20,7 @@ DefineSurface(CommandLine & line)
   app.add_flag_function(
     "--sub-voxel",
     [&options](std::int64_t count) { options.subVoxel = count > 0; },
-    "Place it and measure walls on gray values; =off: on the object");
+    "Place and measure it by gray values; =off: not");
   const std::string group = "Wall thickness";
   AddLocalThicknessMethod(line, app, options.localThicknessMethod, group);
   AddLargestBall(app, options.maximumLocalThickness)->group(group);

@@ -78,6 +78,19 @@ class PartSurfaceTest(ProgramTestCase):
             found.add((inside, outside))
         self.assertEqual(len(found), len(part.points), "no two vertices are on the same line")
 
+    def test_walls_on_gray_values_and_on_the_object(self):
+        self.write(volumes.blurred_wall(7))
+        for options, error in (((), 0.03), (("--sub-voxel=off",), 0.5)):
+            part = self.build(*options, lower=1000)
+            self.assertEqual(self.report["local_thickness"]["method"], "wall")
+            self.assertAlmostEqual(self.report["surface"]["thickness"]["percentiles"]["50"], 7, delta=error)
+            self.assertEqual(self.report["measure"]["on"], "object" if options else "fits")
+            data = (self.folder / "out.ply").read_bytes()
+            for more in (("--divisions", 5, "--threads", 2), ("--threads", 3)):
+                self.build(*options, *more, lower=1000)
+                self.assertEqual((self.folder / "out.ply").read_bytes(), data)
+            self.assertEqual(part.open_sides(), 0)
+
     def test_closed_with_the_numbers_of_the_report(self):
         self.write(gyroid())
         part = self.build("--ray", "--largest-ball", 9)
