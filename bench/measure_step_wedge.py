@@ -107,7 +107,7 @@ def parse_arguments():
     parser.add_argument("--quick", action="store_true", help="one blur, four noises")
     parser.add_argument("--blurs", nargs="+", type=float, default=BLURS, help="default 0.5 0.8 1 1.5")
     parser.add_argument("--noises", nargs="+", type=int, help=f"indices of {NOISES}; default: all")
-    parser.add_argument("--tomography", action="store_true", help="also from projections; needs itk-rtk")
+    parser.add_argument("--tomography", choices=("also", "only"), help="from projections; needs itk-rtk")
     parser.add_argument("--program-commit", help="commit that the program is of; default: that of this script")
     parser.add_argument("--processes", type=int, default=2, help="default 2")
     parser.add_argument("--output", type=pathlib.Path, default=common.BENCH / "results" / "step-wedge.json")
@@ -127,6 +127,7 @@ def main():
     tasks = [
         (arguments.build, kind, group, repetition, blurs, noises)
         for repetition in range(arguments.repetitions) for kind in MAKERS for group in groups
+        if arguments.tomography != "only"
     ]  # fmt: skip
     with multiprocessing.get_context("spawn").Pool(arguments.processes) as pool:
 

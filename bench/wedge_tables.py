@@ -142,19 +142,23 @@ def format_limits_of_page(rows):
 PAGE_CASES = (("white", 0), ("white", 10), ("white", 20), ("white", 40), ("correlated", 20))
 
 
+def select_for_page(rows, kind):
+    kept = [row for row in select(rows, part=kind) if (row["noise"], row["noise_percent"]) in PAGE_CASES]
+    return [row for row in kept if row["wall"] >= 1.5]
+
+
 def format_page(document):
     """The tables of doc/explanation/accuracy.md."""
     rows = document["rows"]
+    reconstructed = [row for row in select(rows, part="tomography") if row["wall"] >= 1.5]
+    if reconstructed:
+        return "\n\n".join(["reconstructed", format_errors(reconstructed), format_limits(reconstructed)])
     parts = [format_limits_of_page(select(rows, part="wedge"))]
     for kind in ("wedge", "tubes"):
-        kept = [row for row in select(rows, part=kind) if row["blur"] in (0.5, 0.8, 1.5)]
-        kept = [row for row in kept if (row["noise"], row["noise_percent"]) in PAGE_CASES and row["wall"] >= 0.75]
+        kept = [row for row in select_for_page(rows, kind) if row["blur"] in (0.8, 1.5)]
         parts += [f"{kind}: bias / rms / in interval", format_errors(kept)]
     for title, what in (("repeatability", repeat), ("edges", edge)):
-        parts += [title, format_errors(select(rows, part="wedge", blur=0.8), what)]
-    reconstructed = select(rows, part="tomography")
-    if reconstructed:
-        parts += ["reconstructed", format_errors(reconstructed), format_limits(reconstructed)]
+        parts += [title, format_errors([row for row in select_for_page(rows, "wedge") if row["blur"] == 0.8], what)]
     return "\n\n".join(parts)
 
 
