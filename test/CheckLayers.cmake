@@ -5,7 +5,7 @@
 # A file includes only files of its own folder and of folders that stand before it in these tables.
 
 # Folders of src. No file in them includes a header of ITK, but for those named below.
-set(library Foundation IO Object Distance Geodesic Walls Cells Engine Surface Isosurface)
+set(library Foundation IO Object Distance Geodesic Walls Cells Engine Surface Isosurface Remeshing)
 
 # What users of the module include: filters stand above all folders, and both filters and image IO use ITK.
 set(filters "^(itkMedialVoxelImageFilter|itkMedialSurface(Mesh|Progress)|itkVectorDistanceMap|itkLocalThickness)[A-Za-z]*$")

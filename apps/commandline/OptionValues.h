@@ -56,6 +56,20 @@ ToPositive(const std::string & text)
   return value;
 }
 
+inline ElementSize
+ToElementSize(const std::string & text)
+{
+  if (text == VoxelElementSize || text == AutomaticElementSize)
+  {
+    return { text == VoxelElementSize ? ElementSize::Kind::Voxel : ElementSize::Kind::Automatic, 0.0 };
+  }
+  if (!ParseDouble(text))
+  {
+    throw CLI::ValidationError("'" + text + "' is not a length, " + AutomaticElementSize + " or " + VoxelElementSize);
+  }
+  return { ElementSize::Kind::Length, ToPositive(text) };
+}
+
 inline std::int64_t
 ToInteger(const std::string & text, std::int64_t least, std::int64_t most)
 {

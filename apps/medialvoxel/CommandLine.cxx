@@ -297,6 +297,14 @@ AddPoreSize(CLI::App & app, const std::string & help, std::optional<std::uint64_
 namespace
 {
 
+CLI::Option *
+AddElementSize(CLI::App & app, ExtractOptions & options)
+{
+  return AddText(app, "--element-size", "Length of the mesh's sides; auto, voxel", "H", [&](const std::string & text) {
+    options.elementSize = ToElementSize(text);
+  });
+}
+
 void
 AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
 {
@@ -351,6 +359,7 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
     ->group(group);
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
   AddMesh(app, "--mesh", options)->group(group);
+  AddElementSize(app, options)->group(group);
   AddSectionWidth(app, options)->group(group);
   AddFile(app, "--preview", "Picture of slices and a projection (.png)", options.previewFile)->group(group);
   AddFile(app, "--html", "Page with picture, histogram and phases (.html)", options.htmlFile)->group(group);
@@ -400,6 +409,7 @@ DefineMesh(CommandLine & line)
           "N",
           [&](const std::string & text) { options.smallestComponent = ToCount(text, 0, LargestCount); })
     ->group(group);
+  AddElementSize(app, options)->group(group);
   AddSectionWidth(app, options)->group(group);
   AddText(app, "--min-branch-length", "Leave out branches shorter than L", "L", [&](const std::string & text) {
     options.minimumBranchLength = ToDouble(text);
@@ -409,7 +419,7 @@ DefineMesh(CommandLine & line)
   AddRunOptions(line, app, options);
   AddRawOptions(line, app, options);
   line.examples[&app] = { "medialvoxel mesh part.mha part.vtp --lower 72",
-                          "medialvoxel mesh part.mha shell.inp --lower 72 --section-width 0.1" };
+                          "medialvoxel mesh part.mha shell.inp --lower 72 --element-size 3" };
   app.footer("Vertices have the thickness of the wall, in the units of the spacing.");
 }
 

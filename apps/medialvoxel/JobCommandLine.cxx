@@ -52,7 +52,7 @@ DefinePlan(CommandLine & line)
   AddSlurm(app, options.slurm);
   AddExtractOptions(line, app, options, nullptr);
   for (const char * const refused :
-       { "--labels", "--segments", "--objects", "--mesh", "--section-width", "--scratch", "--sparse", "--compress" })
+       { "--labels", "--segments", "--objects", "--mesh", "--element-size", "--section-width", "--scratch", "--sparse", "--compress" })
   {
     app.get_option(refused)->group(""); // not shown; RunPlan() says what to do instead
   }

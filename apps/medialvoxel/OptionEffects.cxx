@@ -40,12 +40,7 @@ WritesZarr(const TOptions & options)
 bool
 HasSections(const ExtractOptions & options)
 {
-  if (options.meshFile.empty())
-  {
-    return false;
-  }
-  const SurfaceFormat format = GetSurfaceFormat(options.meshFile);
-  return format == SurfaceFormat::Abaqus || format == SurfaceFormat::Nastran;
+  return !options.meshFile.empty() && HoldsElements(GetSurfaceFormat(options.meshFile));
 }
 
 bool
@@ -67,6 +62,7 @@ const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
   { "--smallest-place", ListsPlaces, "--thin-below or --thick-above" },
   { "--places", ListsPlaces, "--thin-below or --thick-above" },
   { "--fail-if-thin", [](const ExtractOptions & options) { return options.thinBelow.has_value(); }, "--thin-below" },
+  { "--element-size", [](const ExtractOptions & options) { return !options.meshFile.empty(); }, "--mesh" },
   { "--section-width", HasSections, "a mesh that is written as .inp or .bdf" },
   { "--zarr-compression", WritesZarr<ExtractOptions>, "an output that is written as .zarr" },
 };

@@ -176,6 +176,12 @@ HoldsDouble(SurfaceFormat format)
   return format != SurfaceFormat::Stl && format != SurfaceFormat::Gltf;
 }
 
+bool
+HoldsElements(SurfaceFormat format)
+{
+  return format == SurfaceFormat::Abaqus || format == SurfaceFormat::Nastran;
+}
+
 std::string
 GetObjectName(std::int64_t label)
 {

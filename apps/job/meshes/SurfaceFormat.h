@@ -57,6 +57,10 @@ struct ThicknessRange
   double high{ 0.0 };
 };
 
+/** Whether a format is that of a solver. */
+bool
+HoldsElements(SurfaceFormat format);
+
 /** What the writers are told. */
 struct SurfaceWriteOptions
 {

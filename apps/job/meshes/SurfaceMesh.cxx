@@ -4,6 +4,7 @@
 
 #include "SurfacePlacement.h"
 #include "SurfaceReader.h"
+#include "SurfaceRemeshing.h"
 #include "SurfaceSorting.h"
 
 #include <algorithm>
@@ -73,6 +74,7 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   , m_Grid(grid)
   , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplusBytes / BytesPerPendingCell)
   , m_Cleaning(GetCleaning(options))
+  , m_ElementSize(GetElementSize(options))
   , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry)))
 {
   m_Cleaning.memoryBytes = GetCleaningBytes(m_Cleaning, GetPlannedVertices(geometry));
@@ -114,6 +116,8 @@ SurfaceMesh::Write(OutputFile & file, std::uint64_t memoryBytes, const std::func
   summary.vertices = m_Spool->GetNumberOfVertices();
   summary.faces = m_Spool->GetNumberOfFaces();
   summary.area = m_Area;
+  summary.elementSize = m_ElementSize;
+  summary.remeshing = m_Remeshing;
   return summary;
 }
 
@@ -136,11 +140,28 @@ SurfaceMesh::Finish(std::uint64_t memoryBytes, const std::function<void(double)>
     m_Cleaning.progress = progress;
     m_Spool = CleanSurface(std::move(m_Spool), m_Cleaning);
   }
-  if (m_Passes || m_Cleaning.IsOn())
+  if (m_ElementSize.kind != ElementSize::Kind::Voxel)
+  {
+    this->Remesh(memoryBytes, progress);
+  }
+  if (m_Passes || m_Cleaning.IsOn() || m_Remeshing)
   {
     m_Area = 0.0;
     SurfaceReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const SurfaceFace & face) { m_Area += face.area; });
   }
+}
+
+void
+SurfaceMesh::Remesh(std::uint64_t memoryBytes, const std::function<void(double)> & progress)
+{
+  const double largest = *std::max_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end());
+  const bool   isAutomatic = m_ElementSize.kind == ElementSize::Kind::Automatic;
+  SurfaceRemeshing remeshing;
+  remeshing.size = { isAutomatic ? 2.0 * largest : m_ElementSize.length, isAutomatic, !m_Options.meshTriangles };
+  remeshing.scratchFolder = m_Cleaning.scratchFolder;
+  remeshing.memoryBytes = memoryBytes;
+  remeshing.progress = progress;
+  m_Spool = RemeshSurface(std::move(m_Spool), remeshing, m_Remeshing.emplace());
 }
 
 void
@@ -160,7 +181,7 @@ SurfaceMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
   for (const itk::MedialVoxelSurfaceQuad & quad : quads)
   {
     m_Area += quad.GetArea();
-    if (m_Options.meshTriangles)
+    if (m_Options.meshTriangles && m_ElementSize.kind == ElementSize::Kind::Voxel)
     {
       this->AddTriangles(quad);
     }
@@ -204,7 +225,8 @@ ScratchSpace
 SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
   const SurfaceCleaning cleaning = GetCleaning(options);
-  const std::uint64_t   spools = cleaning.IsOn() || options.labels ? 2 : 1;
+  const bool isRemeshed = GetElementSize(options).kind != ElementSize::Kind::Voxel;
+  const std::uint64_t   spools = cleaning.IsOn() || options.labels || isRemeshed ? 2 : 1;
   const std::uint64_t   sorting = options.labels ? ScratchBytesPerSortedVertex : 0;
   return { cleaning.scratchFolder,
            GetPlannedVertices(geometry) *

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -100,6 +101,9 @@ private:
   Finish(std::uint64_t memoryBytes, const std::function<void(double)> & progress);
 
   void
+  Remesh(std::uint64_t memoryBytes, const std::function<void(double)> & progress);
+
+  void
   AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);
 
   ExtractOptions                m_Options;
@@ -107,10 +111,12 @@ private:
   itk::MedialVoxelGrid          m_Grid;
   std::uint64_t                 m_MaximumNumberOfCells;
   SurfaceCleaning               m_Cleaning;
+  ElementSize                   m_ElementSize;
   std::unique_ptr<SurfaceSpool> m_Spool;
   std::vector<SurfaceVertex>    m_Vertices; // of one slice, for the spool
   std::vector<SurfaceFace>      m_Faces;
   double                        m_Area{ 0 };
+  std::optional<itk::MedialVoxelRemeshingSummary> m_Remeshing;
   FindObject                    m_FindObject;
   std::vector<std::int64_t>     m_ObjectLabels;
 

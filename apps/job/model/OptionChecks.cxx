@@ -283,6 +283,10 @@ CheckOptions(const ExtractOptions & options)
   {
     CheckPositive("the width of sections", *options.sectionWidth, false);
   }
+  if (options.elementSize && options.elementSize->kind == ElementSize::Kind::Length)
+  {
+    CheckPositive("the element size", options.elementSize->length, false);
+  }
   if (options.minimumBranchLength != 0)
   {
     CheckPositive("the minimum branch length", options.minimumBranchLength, false);

@@ -87,6 +87,19 @@ constexpr std::uint64_t LargestPoreSize = itk::MedialVoxelParameters::LargestMax
 using Smoothing = itk::MedialVoxelSmoothing;
 using LocalThicknessMethod = itk::MedialVoxelLocalThicknessMethod;
 
+/** How long the sides of the faces of a mesh are. */
+struct ElementSize
+{
+  enum class Kind
+  {
+    Voxel,     ///< one face for each cell
+    Automatic, ///< as long as the wall is thick, at least two voxels
+    Length     ///< as given, and as long as the wall is thick at least at junctions and bends
+  };
+  Kind   kind{ Kind::Voxel };
+  double length{ 0 }; ///< physical units, > 0, with Kind::Length
+};
+
 /** Medial voxels. */
 struct ExtractOptions : JobOptions
 {
@@ -135,6 +148,7 @@ struct ExtractOptions : JobOptions
   bool                  meshTriangles{ false };   ///< split its quadrilaterals
   double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
   std::uint64_t         smallestComponent{ 0 };   ///< quadrilaterals of pieces that stay in the mesh
+  std::optional<ElementSize> elementSize; ///< of the mesh; unset: as GetElementSize() of its format
   std::optional<double> sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 
@@ -231,6 +245,9 @@ GetLimitsOfWalls(const ExtractOptions & options, const itk::MedialVoxelGrid & gr
 
 /** What stands for the automatic thickness on the command line and in reports. */
 constexpr const char * AutomaticThickness = "auto";
+
+constexpr const char * AutomaticElementSize = "auto";
+constexpr const char * VoxelElementSize = "voxel";
 
 /** What stands for the smallest spacing of the input where a spacing is resampled to. */
 constexpr const char * AutomaticSpacing = "auto";

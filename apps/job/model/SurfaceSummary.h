@@ -3,7 +3,12 @@
 #ifndef medialvoxelSurfaceSummary_h
 #define medialvoxelSurfaceSummary_h
 
+#include "Options.h"
+
+#include "itkMedialVoxelRemeshedSheet.h"
+
 #include <cstdint>
+#include <optional>
 
 namespace medialvoxel
 {
@@ -14,6 +19,10 @@ struct SurfaceSummary
   std::uint64_t vertices{ 0 };
   std::uint64_t faces{ 0 };
   double        area{ 0 }; ///< physical units squared
+
+  ElementSize elementSize; ///< of its faces
+
+  std::optional<itk::MedialVoxelRemeshingSummary> remeshing; ///< unless they have that of a voxel
 };
 
 } // end namespace medialvoxel

@@ -106,6 +106,14 @@ MakeLimit(const std::optional<itk::MedialVoxelLimit> & limit)
   return json.is_number() ? json : Json(nullptr);
 }
 
+Json
+ElementSizeToJson(const ElementSize & size)
+{
+  return size.kind == ElementSize::Kind::Length ? Json(size.length)
+                                               : Json(size.kind == ElementSize::Kind::Voxel ? VoxelElementSize
+                                                                                            : AutomaticElementSize);
+}
+
 /** Each warning as an object with a code for scripts, a line for readers, and the numbers of that line. */
 Json
 MakeWarnings(const std::vector<Warning> & warnings)
@@ -121,6 +129,35 @@ MakeWarnings(const std::vector<Warning> & warnings)
     list.push_back({ { "code", warning.code }, { "message", warning.message }, { "values", values } });
   }
   return list;
+}
+
+Json
+MakeDistances(const itk::MedialVoxelRemeshingSummary::Distances & distances)
+{
+  return { { "largest", distances.largest }, { "percentile_99", distances.most }, { "mean", distances.mean } };
+}
+
+Json
+MakeMesh(const SurfaceSummary & surface)
+{
+  Json json{ { "vertices", surface.vertices }, { "faces", surface.faces }, { "area", surface.area },
+             { "element_size", ElementSizeToJson(surface.elementSize) } };
+  if (surface.remeshing)
+  {
+    const itk::MedialVoxelRemeshingSummary & remeshing = *surface.remeshing;
+    json["remeshing"] = { { "area_before", remeshing.fineArea },
+                          { "distance_to_fine", MakeDistances(remeshing.toFine) },
+                          { "distance_from_fine", MakeDistances(remeshing.fromFine) },
+                          { "scaled_jacobian",
+                            { { "minimum", remeshing.leastQuality },
+                              { "percentile_1", remeshing.lowQuality },
+                              { "not_positive", remeshing.elementsWithoutQuality } } },
+                          { "aspect_ratio", { { "percentile_99", remeshing.highAspect } } },
+                          { "walls", remeshing.walls },
+                          { "walls_left_out", remeshing.wallsLeftOut },
+                          { "orientation_conflicts", remeshing.orientationConflicts } };
+  }
+  return json;
 }
 
 void
@@ -365,9 +402,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   if (result.surface)
   {
-    report["mesh"] = { { "vertices", result.surface->vertices },
-                       { "faces", result.surface->faces },
-                       { "area", result.surface->area } };
+    report["mesh"] = MakeMesh(*result.surface);
   }
   AddRun(report, result);
   return Dump(report);

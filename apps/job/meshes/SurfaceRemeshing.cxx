@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "SurfaceRemeshing.h"
+
+#include "Errors.h"
+#include "SurfaceFormat.h"
+#include "SurfaceReader.h"
+#include "Text.h"
+
+#include "itkMedialVoxelElementQuality.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using Index = itk::MedialVoxelSheet::Index;
+
+/** Vertices or faces that are handed on at a time. */
+constexpr std::size_t HandedOnAtATime = std::size_t{ 1 } << 14;
+
+void
+CheckMemory(const SurfaceSpool & surface, const std::uint64_t allowed)
+{
+  const std::uint64_t triangles = surface.GetNumberOfTriangles() + 2 * surface.GetNumberOfQuads();
+  const std::uint64_t needed = triangles * itk::MedialVoxelRemeshingBytesPerTriangle();
+  if (needed > allowed)
+  {
+    Fail(ExitStatus::Refused,
+         "the surface has ",
+         surface.GetNumberOfFaces(),
+         " faces; giving them the element size takes ",
+         FormatBytes(needed),
+         " of memory, ",
+         FormatBytes(allowed),
+         " are left for it; allow more with --memory, or take --element-size voxel");
+  }
+  if (std::max(triangles, surface.GetNumberOfVertices()) >= std::numeric_limits<Index>::max() / 4)
+  {
+    Fail(ExitStatus::Refused,
+         "the surface has ",
+         surface.GetNumberOfFaces(),
+         " faces, which are too many to give them an element size; take --element-size voxel");
+  }
+}
+
+itk::MedialVoxelSheet
+ReadSheet(SurfaceReader & reader, std::vector<std::uint32_t> & objects)
+{
+  itk::MedialVoxelSheet sheet;
+  reader.ForEachVertex([&](std::uint64_t, const SurfaceSpool::Vertex & vertex) {
+    sheet.points.push_back(vertex.position);
+    sheet.thickness.push_back(vertex.thickness);
+    objects.push_back(vertex.object);
+  });
+  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+    std::array<Index, 4> corners{};
+    std::transform(face.vertices.begin(), face.vertices.begin() + face.numberOfVertices, corners.begin(), [](auto v) {
+      return static_cast<Index>(v);
+    });
+    if (face.numberOfVertices == 4)
+    {
+      sheet.AddQuad(corners);
+    }
+    else
+    {
+      sheet.triangles.push_back({ { corners[0], corners[1], corners[2] } });
+    }
+  });
+  sheet.RemoveDuplicates();
+  return sheet;
+}
+
+/** Of the halves along the first diagonal. */
+double
+GetArea(const itk::MedialVoxelRemeshedSheet & sheet, const itk::MedialVoxelShellElement & element)
+{
+  double area = 0.0;
+  for (unsigned int k = 2; k < element.numberOfCorners; ++k)
+  {
+    area += itk::MedialVoxelNorm(itk::MedialVoxelTriangleNormal({ { sheet.points[element.corners[0]],
+                                                                    sheet.points[element.corners[k - 1]],
+                                                                    sheet.points[element.corners[k]] } })) /
+            2.0;
+  }
+  return area;
+}
+
+/** Points in the order of their objects; the place of each in \a places. */
+void
+AddVertices(const itk::MedialVoxelRemeshedSheet & sheet,
+            const std::vector<std::uint32_t> &    objects,
+            std::vector<Index> &                  places,
+            SurfaceSpool &                        surface)
+{
+  std::vector<Index> order(sheet.points.size());
+  std::iota(order.begin(), order.end(), Index{ 0 });
+  std::stable_sort(order.begin(), order.end(), [&](const Index a, const Index b) {
+    return objects[sheet.finePoint[a]] < objects[sheet.finePoint[b]];
+  });
+  std::vector<SurfaceVertex> vertices;
+  places.resize(order.size());
+  for (Index place = 0; place < order.size(); ++place)
+  {
+    const Index point = order[place];
+    places[point] = place;
+    vertices.push_back({ sheet.points[point], sheet.thickness[point], objects[sheet.finePoint[point]] });
+    if (vertices.size() == HandedOnAtATime)
+    {
+      surface.AddVertices(vertices);
+      vertices.clear();
+    }
+  }
+  surface.AddVertices(vertices);
+}
+
+void
+AddFaces(itk::MedialVoxelRemeshedSheet &    sheet,
+         const std::vector<std::uint32_t> & objects,
+         const std::vector<Index> &         places,
+         SurfaceSpool &                     surface)
+{
+  const auto objectOf = [&](const itk::MedialVoxelShellElement & element) {
+    return objects[sheet.finePoint[element.corners[0]]];
+  };
+  std::stable_sort(sheet.elements.begin(), sheet.elements.end(), [&](const auto & a, const auto & b) {
+    return objectOf(a) < objectOf(b);
+  });
+  std::vector<SurfaceFace> faces;
+  for (const itk::MedialVoxelShellElement & element : sheet.elements)
+  {
+    SurfaceFace face{ {}, element.numberOfCorners, element.rimSides, element.junctionSides, GetArea(sheet, element) };
+    for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+    {
+      face.vertices[k] = places[element.corners[k]];
+    }
+    faces.push_back(face);
+    if (faces.size() == HandedOnAtATime)
+    {
+      surface.AddFaces(faces);
+      faces.clear();
+    }
+  }
+  surface.AddFaces(faces);
+}
+
+} // namespace
+
+std::unique_ptr<SurfaceSpool>
+RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
+              const SurfaceRemeshing &           remeshing,
+              itk::MedialVoxelRemeshingSummary & summary)
+{
+  CheckMemory(*surface, remeshing.memoryBytes);
+  std::vector<std::uint32_t> objects;
+  SurfaceReader              reader(*surface, remeshing.progress);
+  auto                       sheet =
+    itk::MedialVoxelRemesh(ReadSheet(reader, objects), remeshing.size, remeshing.progress);
+  auto               result = std::make_unique<SurfaceSpool>(remeshing.scratchFolder, surface->GetPrecision());
+  std::vector<Index> places;
+  AddVertices(sheet, objects, places, *result);
+  AddFaces(sheet, objects, places, *result);
+  summary = sheet.summary;
+  return result;
+}
+
+ElementSize
+GetElementSize(const ExtractOptions & options)
+{
+  return options.elementSize.value_or(
+    ElementSize{ HoldsElements(GetSurfaceFormat(options.meshFile)) ? ElementSize::Kind::Automatic
+                                                                   : ElementSize::Kind::Voxel,
+                 0.0 });
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSurfaceRemeshing_h
+#define medialvoxelSurfaceRemeshing_h
+
+#include "Options.h"
+#include "SurfaceSpool.h"
+
+#include "itkMedialVoxelRemeshedSheet.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace medialvoxel
+{
+
+/** How a surface is brought to larger elements, and what that may take. */
+struct SurfaceRemeshing
+{
+  itk::MedialVoxelElementSize size;
+  std::filesystem::path       scratchFolder;    ///< of the result
+  std::uint64_t               memoryBytes{ 0 }; ///< that may be taken
+  std::function<void(double)> progress;         ///< called often; may throw to stop
+};
+
+/** The surface in elements of a size, which keep their objects together. All of it is held in memory.
+ * \param summary of what was reached
+ * \throw JobError Refused when that is more memory than allowed, or more faces than numbers of 32 bits count */
+std::unique_ptr<SurfaceSpool>
+RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
+              const SurfaceRemeshing &           remeshing,
+              itk::MedialVoxelRemeshingSummary & summary);
+
+/** Of the options, or of the format of the mesh: automatic for solvers, that of voxels for others. */
+ElementSize
+GetElementSize(const ExtractOptions & options);
+
+} // end namespace medialvoxel
+
+#endif

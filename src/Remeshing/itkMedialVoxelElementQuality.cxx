@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelElementQuality.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace itk
+{
+namespace
+{
+
+using Vector = MedialVoxelVector3;
+
+template <std::size_t VCorners>
+std::array<Vector, VCorners>
+GetSides(const std::array<Vector, VCorners> & corners)
+{
+  std::array<Vector, VCorners> sides;
+  for (std::size_t k = 0; k < VCorners; ++k)
+  {
+    sides[k] = MedialVoxelSubtract(corners[(k + 1) % VCorners], corners[k]);
+  }
+  return sides;
+}
+
+/** Longest side times circumference, over the area times a number that makes it 1 for the best shape. */
+template <std::size_t VCorners>
+double
+GetAspectRatio(const std::array<Vector, VCorners> & sides, const double area, const double best)
+{
+  double longest = 0.0;
+  double sum = 0.0;
+  for (const Vector & side : sides)
+  {
+    const double length = MedialVoxelNorm(side);
+    longest = std::max(longest, length);
+    sum += length;
+  }
+  return area > 0.0 ? longest * sum / (best * area) : std::numeric_limits<double>::infinity();
+}
+
+/** Of a quadrilateral: the sum of the normals of its corners, twice its area in the mean. */
+Vector
+GetNormal(const std::array<Vector, 4> & corners)
+{
+  return MedialVoxelCross(MedialVoxelSubtract(corners[2], corners[0]), MedialVoxelSubtract(corners[3], corners[1]));
+}
+
+} // namespace
+
+double
+MedialVoxelScaledJacobian(const std::array<Vector, 3> & corners)
+{
+  const auto   sides = GetSides(corners);
+  const double a = MedialVoxelNorm(sides[0]);
+  const double b = MedialVoxelNorm(sides[1]);
+  const double c = MedialVoxelNorm(sides[2]);
+  const double product = std::max({ a * b, b * c, c * a });
+  return product > 0.0 ? MedialVoxelNorm(MedialVoxelTriangleNormal(corners)) / product * (2.0 / std::sqrt(3.0)) : 0.0;
+}
+
+double
+MedialVoxelScaledJacobian(const std::array<Vector, 4> & corners)
+{
+  const auto   sides = GetSides(corners);
+  const Vector normal = GetNormal(corners);
+  const double length = MedialVoxelNorm(normal);
+  double       least = length > 0.0 ? 1.0 : 0.0;
+  for (unsigned int k = 0; k < 4 && length > 0.0; ++k)
+  {
+    const Vector & before = sides[(k + 3) % 4];
+    const double   product = MedialVoxelNorm(before) * MedialVoxelNorm(sides[k]) * length;
+    const double   jacobian = MedialVoxelDot(MedialVoxelCross(before, sides[k]), normal);
+    least = std::min(least, product > 0.0 ? jacobian / product : 0.0);
+  }
+  return least;
+}
+
+double
+MedialVoxelAspectRatio(const std::array<Vector, 3> & corners)
+{
+  return GetAspectRatio(
+    GetSides(corners), MedialVoxelNorm(MedialVoxelTriangleNormal(corners)) / 2.0, 4.0 * std::sqrt(3.0));
+}
+
+double
+MedialVoxelAspectRatio(const std::array<Vector, 4> & corners)
+{
+  return GetAspectRatio(GetSides(corners), MedialVoxelNorm(GetNormal(corners)) / 2.0, 4.0);
+}
+
+} // end namespace itk

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelRemeshedSheet.h"
+
+#include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelRemesher.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numeric>
+
+namespace itk
+{
+namespace
+{
+
+using Index = MedialVoxelSheet::Index;
+using Vector = MedialVoxelVector3;
+using Complex = MedialVoxelTriangleComplex;
+using Distances = MedialVoxelRemeshingSummary::Distances;
+using Nearest = MedialVoxelSheetTree::Nearest;
+
+/** The value that a share of all does not exceed. */
+double
+GetPercentile(std::vector<double> & values, const double share)
+{
+  if (values.empty())
+  {
+    return 0.0;
+  }
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+Distances
+Summarize(std::vector<double> & distances)
+{
+  Distances result;
+  if (!distances.empty())
+  {
+    result.mean = std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
+    result.largest = *std::max_element(distances.begin(), distances.end());
+    result.most = GetPercentile(distances, 0.99);
+  }
+  return result;
+}
+
+double
+GetArea(const std::array<Vector, 3> & corners)
+{
+  return MedialVoxelNorm(MedialVoxelTriangleNormal(corners)) / 2.0;
+}
+
+Vector
+GetMean(const Vector & a, const Vector & b)
+{
+  return { { (a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0 } };
+}
+
+/** The place of the walls of a vertex that is nearest to it. */
+Nearest
+FindOnFine(const MedialVoxelFineSheet & fine, const Complex & complex, const Index vertex)
+{
+  Nearest best;
+  for (const Index triangle : complex.GetTrianglesOf(vertex))
+  {
+    const Nearest found = fine.FindOnWall(complex.GetPoint(vertex), complex.GetWall(triangle), best.distance);
+    best = found.distance < best.distance ? found : best;
+  }
+  return best;
+}
+
+/** Rotates corners, so that the lowest one comes first, and the marks of the sides with them. */
+void
+StartWithLowest(MedialVoxelShellElement & element)
+{
+  const unsigned int number = element.numberOfCorners;
+  const auto         begin = element.corners.begin();
+  const auto         lowest = static_cast<unsigned int>(std::min_element(begin, begin + number) - begin);
+  std::rotate(begin, begin + lowest, begin + number);
+  const auto rotate = [&](const std::uint8_t bits) {
+    return static_cast<std::uint8_t>((bits >> lowest | bits << (number - lowest)) & ((1u << number) - 1));
+  };
+  element.rimSides = rotate(element.rimSides);
+  element.junctionSides = rotate(element.junctionSides);
+}
+
+/** Gives the points of the complex that are in use to the result, by their places, and numbers the elements' corners
+ * anew. */
+void
+PutInOrder(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVoxelRemeshedSheet & result)
+{
+  std::vector<Index> order;
+  for (Index vertex = 0; vertex < complex.GetNumberOfVertices(); ++vertex)
+  {
+    if (!complex.GetTrianglesOf(vertex).empty())
+    {
+      order.push_back(vertex);
+    }
+  }
+  std::sort(order.begin(), order.end(), [&](const Index a, const Index b) {
+    const Vector & p = complex.GetPoint(a);
+    const Vector & q = complex.GetPoint(b);
+    return p[2] != q[2] ? p[2] < q[2] : p[1] != q[1] ? p[1] < q[1] : p[0] != q[0] ? p[0] < q[0] : a < b;
+  });
+  std::vector<Index> numbers(complex.GetNumberOfVertices());
+  for (const Index vertex : order)
+  {
+    numbers[vertex] = static_cast<Index>(result.points.size());
+    const Nearest nearest = FindOnFine(fine, complex, vertex);
+    result.points.push_back(complex.GetPoint(vertex));
+    result.thickness.push_back(fine.GetThickness(nearest.triangle, nearest.point));
+    result.finePoint.push_back(fine.GetNearestPoint(nearest.triangle, nearest.point));
+  }
+  for (MedialVoxelShellElement & element : result.elements)
+  {
+    const auto begin = element.corners.begin();
+    std::transform(begin, begin + element.numberOfCorners, begin, [&](const Index vertex) { return numbers[vertex]; });
+    StartWithLowest(element);
+  }
+  std::sort(result.elements.begin(), result.elements.end(), [](const auto & a, const auto & b) {
+    return a.corners < b.corners;
+  });
+}
+
+Distances
+MeasureToFine(const MedialVoxelFineSheet & fine, const Complex & complex)
+{
+  std::vector<double> distances;
+  for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
+  {
+    if (complex.IsTriangle(triangle))
+    {
+      const auto   corners = complex.GetCorners(triangle);
+      const Vector middle = GetMean(corners[0], corners[1]);
+      const Vector center{ { (2.0 * middle[0] + corners[2][0]) / 3.0,
+                             (2.0 * middle[1] + corners[2][1]) / 3.0,
+                             (2.0 * middle[2] + corners[2][2]) / 3.0 } };
+      for (const Vector & sample :
+           { corners[0], corners[1], corners[2], middle, GetMean(corners[1], corners[2]), GetMean(corners[2], corners[0]), center })
+      {
+        distances.push_back(fine.FindOnWall(sample, complex.GetWall(triangle)).distance);
+      }
+    }
+  }
+  return Summarize(distances);
+}
+
+Distances
+MeasureFromFine(const MedialVoxelFineSheet & fine, const Complex & complex)
+{
+  std::vector<Vector>            points;
+  std::vector<Complex::Triangle> triangles;
+  for (Index vertex = 0; vertex < complex.GetNumberOfVertices(); ++vertex)
+  {
+    points.push_back(complex.GetPoint(vertex));
+  }
+  for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
+  {
+    if (complex.IsTriangle(triangle))
+    {
+      triangles.push_back(complex.GetTriangle(triangle));
+    }
+  }
+  const MedialVoxelSheetTree tree(points, triangles, std::vector<Index>(triangles.size(), 0));
+  std::vector<double>        distances;
+  for (const Vector & point : fine.GetSheet().points)
+  {
+    distances.push_back(tree.Find(point, 0).distance);
+  }
+  return Summarize(distances);
+}
+
+template <std::size_t VCorners>
+void
+MeasureShape(const MedialVoxelRemeshedSheet & sheet,
+             const MedialVoxelShellElement &  element,
+             std::vector<double> &            qualities,
+             std::vector<double> &            aspects)
+{
+  std::array<Vector, VCorners> corners;
+  for (std::size_t k = 0; k < VCorners; ++k)
+  {
+    corners[k] = sheet.points[element.corners[k]];
+  }
+  qualities.push_back(MedialVoxelScaledJacobian(corners));
+  aspects.push_back(MedialVoxelAspectRatio(corners));
+}
+
+void
+MeasureShapes(MedialVoxelRemeshedSheet & sheet)
+{
+  std::vector<double> qualities;
+  std::vector<double> aspects;
+  for (const MedialVoxelShellElement & element : sheet.elements)
+  {
+    if (element.numberOfCorners == 4)
+    {
+      MeasureShape<4>(sheet, element, qualities, aspects);
+    }
+    else
+    {
+      MeasureShape<3>(sheet, element, qualities, aspects);
+    }
+  }
+  MedialVoxelRemeshingSummary & summary = sheet.summary;
+  summary.elementsWithoutQuality = static_cast<std::uint64_t>(
+    std::count_if(qualities.begin(), qualities.end(), [](const double quality) { return !(quality > 0.0); }));
+  summary.leastQuality = qualities.empty() ? 1.0 : *std::min_element(qualities.begin(), qualities.end());
+  summary.lowQuality = GetPercentile(qualities, 0.01);
+  summary.highAspect = GetPercentile(aspects, 0.99);
+}
+
+void
+MeasureAreasAndWalls(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVoxelRemeshingSummary & summary)
+{
+  const MedialVoxelSheet & sheet = fine.GetSheet();
+  for (const auto & corners : sheet.triangles)
+  {
+    summary.fineArea += GetArea({ { sheet.points[corners[0]], sheet.points[corners[1]], sheet.points[corners[2]] } });
+  }
+  std::vector<bool> isLeft(fine.GetNumberOfWalls());
+  for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
+  {
+    if (complex.IsTriangle(triangle))
+    {
+      summary.area += GetArea(complex.GetCorners(triangle));
+      isLeft[complex.GetWall(triangle)] = true;
+    }
+  }
+  summary.walls = isLeft.size();
+  summary.wallsLeftOut = static_cast<std::uint64_t>(std::count(isLeft.begin(), isLeft.end(), false));
+}
+
+} // namespace
+
+std::uint64_t
+MedialVoxelRemeshingBytesPerTriangle()
+{
+  return MedialVoxelFineSheet::BytesPerTriangle + MedialVoxelTriangleComplex::BytesPerTriangle +
+         MedialVoxelSheetWitnesses::BytesPerTriangle;
+}
+
+MedialVoxelRemeshedSheet
+MedialVoxelRemesh(MedialVoxelSheet                    sheet,
+                  const MedialVoxelElementSize &      size,
+                  const std::function<void(double)> & progress)
+{
+  assert(size.least > 0.0 && sheet.thickness.size() == sheet.points.size());
+  MedialVoxelFineSheet fine(std::move(sheet));
+  fine.SetSizes(size.least, size.atThickness);
+  MedialVoxelRemesher remesher(fine, progress);
+  remesher.Run();
+
+  const Complex &                complex = remesher.GetComplex();
+  MedialVoxelRemeshedSheet       result;
+  std::vector<Complex::Triangle> corners;
+  result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
+  result.elements = MedialVoxelPairTriangles(complex, corners, size.joinsTriangles);
+  PutInOrder(fine, complex, result);
+  result.summary.toFine = MeasureToFine(fine, complex);
+  result.summary.fromFine = MeasureFromFine(fine, complex);
+  MeasureAreasAndWalls(fine, complex, result.summary);
+  MeasureShapes(result);
+  return result;
+}
+
+} // end namespace itk

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelRemeshedSheet_h
+#define itkMedialVoxelRemeshedSheet_h
+
+#include "itkMedialVoxelFineSheet.h"
+#include "itkMedialVoxelShellElements.h"
+
+#include <functional>
+
+namespace itk
+{
+
+/** How large elements are to be. */
+struct MedialVoxelElementSize
+{
+  double least{ 0 };           ///< of the sides, units of the points, > 0
+  bool   atThickness{ false }; ///< at least the thickness everywhere; else so at junctions and bends
+  bool   joinsTriangles{ true };
+};
+
+/** What became of a sheet. Lengths are in the units of the points. */
+struct MedialVoxelRemeshingSummary
+{
+  /** Distances of samples: the largest, what 99 % do not exceed, and the mean. */
+  struct Distances
+  {
+    double largest{ 0 };
+    double most{ 0 };
+    double mean{ 0 };
+  };
+
+  Distances     toFine;   ///< of the elements' corners, centers and sides
+  Distances     fromFine; ///< of the points of the fine sheet
+  double        fineArea{ 0 };
+  double        area{ 0 };
+  double        leastQuality{ 1 }; ///< scaled Jacobian, of all elements
+  double        lowQuality{ 1 };   ///< that 99 % reach
+  double        highAspect{ 1 };   ///< aspect ratio that 99 % do not exceed
+  std::uint64_t elementsWithoutQuality{ 0 }; ///< whose scaled Jacobian is not above 0
+  std::uint64_t walls{ 0 };                  ///< of the fine sheet
+  std::uint64_t wallsLeftOut{ 0 };           ///< that no element is left of
+  std::uint64_t orientationConflicts{ 0 };
+};
+
+/** A sheet of elements, in an order that its geometry decides. */
+struct MedialVoxelRemeshedSheet
+{
+  std::vector<MedialVoxelVector3>      points;
+  std::vector<double>                  thickness; ///< between the points of the fine sheet; 0: unknown
+  std::vector<std::uint32_t>           finePoint; ///< of each point, one of the fine sheet that is near
+  std::vector<MedialVoxelShellElement> elements;
+  MedialVoxelRemeshingSummary          summary;
+};
+
+/** Memory that remeshing takes for each triangle of the fine sheet, which is part of it. */
+MedialVoxel_EXPORT std::uint64_t
+MedialVoxelRemeshingBytesPerTriangle();
+
+/** \param sheet    without triangles of one place; its points are those of its triangles
+ * \param progress called often with the share that is done; may throw to stop */
+MedialVoxel_EXPORT MedialVoxelRemeshedSheet
+MedialVoxelRemesh(MedialVoxelSheet                    sheet,
+                  const MedialVoxelElementSize &      size,
+                  const std::function<void(double)> & progress);
+
+} // end namespace itk
+
+#endif

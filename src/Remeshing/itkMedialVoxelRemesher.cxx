@@ -1,0 +1,539 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelRemesher.h"
+
+#include "itkMedialVoxelElementQuality.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+
+using Vector = MedialVoxelVector3;
+using Place = MedialVoxelTriangleComplex::Place;
+using Index = MedialVoxelTriangleComplex::Index;
+
+constexpr double Growth = 1.6;
+constexpr double Long = 4.0 / 3.0;
+constexpr double Short = 4.0 / 5.0;
+
+/** Of the size: how far the sheet may move, how short a side must be to close a wall over it. */
+constexpr double ToleranceOfSize = 0.15;
+constexpr double MergingOfSize = 0.3;
+
+/** Turns of a line, and of a normal. */
+constexpr double CosineOfCorner = 0.6;
+constexpr double CosineOfStep = 0.5;
+constexpr double CosineOfBend = 0.87;
+
+constexpr double GoodQuality = 0.3;
+
+constexpr unsigned int MostRounds = 4;
+
+Vector
+Add(const Vector & a, const Vector & b, const double weight)
+{
+  return { { a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2] } };
+}
+
+double
+GetCosine(const Vector & a, const Vector & b)
+{
+  const double lengths = MedialVoxelNorm(a) * MedialVoxelNorm(b);
+  return lengths > 0.0 ? MedialVoxelDot(a, b) / lengths : 1.0;
+}
+
+} // namespace
+
+MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet & fine, std::function<void(double)> progress)
+  : m_Fine(fine)
+  , m_Progress(std::move(progress))
+  , m_Witnesses(fine.GetSheet())
+{
+  const MedialVoxelSheet & sheet = fine.GetSheet();
+  for (Index point = 0; point < sheet.points.size(); ++point)
+  {
+    m_Complex.AddVertex(sheet.points[point]);
+    m_Complex.GetVertex(point).size = fine.GetSize(point);
+  }
+  for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
+  {
+    m_Complex.AddTriangle(sheet.triangles[triangle], fine.GetWall(triangle));
+  }
+}
+
+void
+MedialVoxelRemesher::Run()
+{
+  float largest = 0.0F;
+  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
+  {
+    largest = std::max(largest, m_Complex.GetSize(vertex));
+  }
+  bool knowsBends = false;
+  for (m_Level = m_Fine.GetMeanSide() * Growth;; m_Level *= Growth)
+  {
+    this->SplitLongSides();
+    this->CollapseShortSides(false);
+    this->FlipSides();
+    this->MoveVertices();
+    this->MoveVertices();
+    if (!knowsBends && m_Level > 3.0 * m_Fine.GetMeanSide())
+    {
+      this->RaiseSizesAtBends();
+      knowsBends = true;
+    }
+    if (m_Level >= largest)
+    {
+      break;
+    }
+  }
+  for (unsigned int round = 0; round < 4; ++round)
+  {
+    this->SplitLongSides();
+    this->CollapseShortSides(round > 0);
+    this->FlipSides();
+    this->MoveVertices();
+    this->FlipSides();
+    this->MoveVertices();
+  }
+  for (unsigned int round = 0; round < 4; ++round)
+  {
+    this->RepairTriangles();
+    this->MoveVertices();
+    this->FlipSides();
+  }
+  this->RepairTriangles();
+}
+
+void
+MedialVoxelRemesher::Proceed()
+{
+  if (++m_Steps % 4096 == 0 && m_Progress)
+  {
+    m_Progress(m_Share);
+  }
+}
+
+double
+MedialVoxelRemesher::GetSize(const Index a, const Index b) const
+{
+  return std::min<double>((m_Complex.GetSize(a) + m_Complex.GetSize(b)) / 2.0, m_Level);
+}
+
+double
+MedialVoxelRemesher::GetTolerance(const Index vertex) const
+{
+  return std::max(ToleranceOfSize * this->GetSize(vertex, vertex), 0.5 * m_Fine.GetMeanSide());
+}
+
+double
+MedialVoxelRemesher::GetLength(const Index a, const Index b) const
+{
+  return MedialVoxelNorm(MedialVoxelSubtract(m_Complex.GetPoint(a), m_Complex.GetPoint(b)));
+}
+
+double
+MedialVoxelRemesher::GetQuality(const Index triangle) const
+{
+  return MedialVoxelScaledJacobian(m_Complex.GetCorners(triangle));
+}
+
+/** Each once, in the order of the numbers of their vertices. */
+std::vector<MedialVoxelRemesher::LengthOfSide>
+MedialVoxelRemesher::ListSides() const
+{
+  std::vector<LengthOfSide> sides;
+  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
+  {
+    for (const Index other : m_Complex.FindNeighbors(vertex))
+    {
+      if (vertex < other)
+      {
+        sides.push_back({ this->GetLength(vertex, other), vertex, other });
+      }
+    }
+  }
+  return sides;
+}
+
+/** Longest first, until none is left. */
+void
+MedialVoxelRemesher::SplitLongSides()
+{
+  std::vector<Index> halves;
+  for (bool found = true; found;)
+  {
+    found = false;
+    std::vector<LengthOfSide> sides = this->ListSides();
+    std::stable_sort(
+      sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length > y.length; });
+    for (const LengthOfSide & side : sides)
+    {
+      if (side.length <= Long * this->GetSize(side.a, side.b) || m_Complex.CountTriangles(side.a, side.b) == 0)
+      {
+        continue;
+      }
+      const std::vector<Index> triangles = m_Complex.FindTriangles(side.a, side.b);
+      const Vector             sum = Add(m_Complex.GetPoint(side.a), m_Complex.GetPoint(side.b), 1.0);
+      m_Complex.Split(side.a, side.b, { { sum[0] / 2, sum[1] / 2, sum[2] / 2 } }, halves);
+      for (Index k = 0; k < triangles.size(); ++k)
+      {
+        m_Witnesses.Share(
+          triangles[k], halves[k], m_Complex.GetCorners(triangles[k]), m_Complex.GetCorners(halves[k]));
+      }
+      found = true;
+      this->Proceed();
+    }
+  }
+}
+
+/** Shortest first. */
+void
+MedialVoxelRemesher::CollapseShortSides(const bool merging)
+{
+  for (unsigned int round = 0; round < MostRounds; ++round)
+  {
+    bool                      found = false;
+    std::vector<LengthOfSide> sides = this->ListSides();
+    std::stable_sort(
+      sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length < y.length; });
+    for (const LengthOfSide & side : sides)
+    {
+      this->Proceed();
+      const double size = this->GetSize(side.a, side.b);
+      if (side.length < Short * size && m_Complex.CountTriangles(side.a, side.b) > 0 &&
+          this->GetLength(side.a, side.b) < Short * size)
+      {
+        const bool isMerging = merging && this->GetLength(side.a, side.b) < MergingOfSize * size;
+        found = this->TryCollapse(side.a, side.b, isMerging) || this->TryCollapse(side.b, side.a, isMerging) || found;
+      }
+    }
+    if (!found)
+    {
+      break;
+    }
+  }
+}
+
+void
+MedialVoxelRemesher::FlipSides()
+{
+  for (unsigned int round = 0; round < MostRounds; ++round)
+  {
+    bool found = false;
+    for (const LengthOfSide & side : this->ListSides())
+    {
+      this->Proceed();
+      found = this->TryFlip(side.a, side.b) || found;
+    }
+    if (!found)
+    {
+      break;
+    }
+  }
+}
+
+void
+MedialVoxelRemesher::MoveVertices()
+{
+  for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
+  {
+    this->Proceed();
+    if (!m_Complex.GetTrianglesOf(vertex).empty())
+    {
+      this->TryMove(vertex, m_Complex.GetPlace(vertex));
+    }
+  }
+}
+
+/** Where triangles of a few fine sides meet at an angle, elements are to be as long as the wall is thick. */
+void
+MedialVoxelRemesher::RaiseSizesAtBends()
+{
+  std::vector<Index> points;
+  for (const LengthOfSide & side : this->ListSides())
+  {
+    const std::vector<Index> triangles = m_Complex.FindTriangles(side.a, side.b);
+    if (triangles.size() == 2 && std::abs(GetCosine(MedialVoxelTriangleNormal(m_Complex.GetCorners(triangles[0])),
+                                                    MedialVoxelTriangleNormal(m_Complex.GetCorners(triangles[1])))) <
+                                   CosineOfBend)
+    {
+      m_Witnesses.AppendPoints(triangles[0], points);
+      m_Witnesses.AppendPoints(triangles[1], points);
+    }
+  }
+  m_Fine.RaiseSizes(points);
+}
+
+std::array<Vector, 3>
+MedialVoxelRemesher::GetCorners(const Step & step, const std::size_t number) const
+{
+  std::array<Vector, 3> corners;
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    const Index vertex = step.after[number][k];
+    corners[k] = vertex == step.moved ? step.place : m_Complex.GetPoint(vertex);
+  }
+  return corners;
+}
+
+MedialVoxelRemesher::Worst
+MedialVoxelRemesher::Judge(const Step & step, const double leastCosine) const
+{
+  Worst worst{ 1.0, true };
+  for (std::size_t k = 0; k < step.after.size(); ++k)
+  {
+    const auto corners = this->GetCorners(step, k);
+    worst.quality = std::min(worst.quality, MedialVoxelScaledJacobian(corners));
+    const auto old = m_Complex.GetCorners(step.numbers[k]);
+    worst.keepsNormals =
+      worst.keepsNormals &&
+      GetCosine(MedialVoxelTriangleNormal(old), MedialVoxelTriangleNormal(corners)) >= leastCosine;
+  }
+  return worst;
+}
+
+bool
+MedialVoxelRemesher::Allows(const Step & step, const Rules & rules)
+{
+  double before = 1.0;
+  for (const Index triangle : step.before)
+  {
+    before = std::min(before, this->GetQuality(triangle));
+  }
+  const Worst worst = this->Judge(step, rules.leastCosine);
+  if (!worst.keepsNormals || worst.quality < std::min(before, rules.leastQuality) ||
+      worst.quality < before + (rules.improvement > 0 ? rules.improvement : -1.0))
+  {
+    return false;
+  }
+  std::vector<std::array<Vector, 3>> after;
+  for (std::size_t k = 0; k < step.after.size(); ++k)
+  {
+    after.push_back(this->GetCorners(step, k));
+  }
+  if (!m_Witnesses.Fit(step.before, after, rules.tolerance))
+  {
+    return false;
+  }
+  for (std::size_t k = 0; k < step.after.size(); ++k)
+  {
+    Vector center{};
+    for (const Vector & corner : after[k])
+    {
+      center = Add(center, corner, 1.0 / 3.0);
+    }
+    const auto nearest = m_Fine.FindOnWall(center, m_Complex.GetWall(step.numbers[k]), rules.tolerance);
+    if (!(nearest.distance < rules.tolerance))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+MedialVoxelRemesher::Step
+MedialVoxelRemesher::MakeCollapse(const Index from, const Index to) const
+{
+  Step step;
+  for (const Index triangle : m_Complex.GetTrianglesOf(from))
+  {
+    step.before.push_back(triangle);
+    Triangle corners = m_Complex.GetTriangle(triangle);
+    if (std::find(corners.begin(), corners.end(), to) == corners.end())
+    {
+      std::replace(corners.begin(), corners.end(), from, to);
+      step.numbers.push_back(triangle);
+      step.after.push_back(corners);
+    }
+  }
+  for (const Index triangle : m_Complex.GetTrianglesOf(to))
+  {
+    const Triangle & corners = m_Complex.GetTriangle(triangle);
+    if (std::find(corners.begin(), corners.end(), from) == corners.end())
+    {
+      step.before.push_back(triangle);
+      step.numbers.push_back(triangle);
+      step.after.push_back(corners);
+    }
+  }
+  return step;
+}
+
+MedialVoxelRemesher::Step
+MedialVoxelRemesher::MakeMove(const Index vertex, const Point & place) const
+{
+  Step step;
+  step.before = m_Complex.GetTrianglesOf(vertex);
+  step.numbers = step.before;
+  for (const Index triangle : step.before)
+  {
+    step.after.push_back(m_Complex.GetTriangle(triangle));
+  }
+  step.moved = vertex;
+  step.place = place;
+  return step;
+}
+
+std::vector<Index>
+MedialVoxelRemesher::FindLineNeighbors(const Index vertex, const Place kind) const
+{
+  std::vector<Index> found;
+  for (const Index other : m_Complex.FindNeighbors(vertex))
+  {
+    const unsigned int triangles = m_Complex.CountTriangles(vertex, other);
+    if (kind == Place::Rim ? triangles == 1 : triangles > 2)
+    {
+      found.push_back(other);
+    }
+  }
+  return found;
+}
+
+bool
+MedialVoxelRemesher::IsSharp(const Index vertex, const Place kind) const
+{
+  if (kind != Place::Rim && kind != Place::Junction)
+  {
+    return false;
+  }
+  const std::vector<Index> line = this->FindLineNeighbors(vertex, kind);
+  const Vector             first = MedialVoxelSubtract(m_Complex.GetPoint(vertex), m_Complex.GetPoint(line[0]));
+  const Vector             second = MedialVoxelSubtract(m_Complex.GetPoint(line[1]), m_Complex.GetPoint(vertex));
+  return m_Level > 2.0 * m_Fine.GetMeanSide() && GetCosine(first, second) < CosineOfCorner;
+}
+
+/** Vertices of lines go along their lines only, unless two lines are to become one. */
+bool
+MedialVoxelRemesher::MayLeave(const Index from, const Index to, const bool merging) const
+{
+  const Place        place = m_Complex.GetPlace(from);
+  const unsigned int triangles = m_Complex.CountTriangles(from, to);
+  if (place == Place::Wall || merging)
+  {
+    return true;
+  }
+  const bool isAlong = (place == Place::Rim && triangles == 1) || (place == Place::Junction && triangles > 2);
+  return isAlong && !this->IsSharp(from, place);
+}
+
+/** Whether the line that is left when a vertex of a line leaves it is still near that of the fine sheet. */
+bool
+MedialVoxelRemesher::KeepsLine(const Index from, const Index to, const double tolerance) const
+{
+  const Place place = m_Complex.GetPlace(from);
+  if (place != Place::Rim && place != Place::Junction)
+  {
+    return true;
+  }
+  const auto               line = place == Place::Rim ? MedialVoxelFineSheet::Line::Rim : MedialVoxelFineSheet::Line::Junction;
+  const std::vector<Index> neighbors = this->FindLineNeighbors(from, place);
+  return std::all_of(neighbors.begin(), neighbors.end(), [&](const Index other) {
+    const Vector sum = Add(m_Complex.GetPoint(other), m_Complex.GetPoint(to), 1.0);
+    return other == to ||
+           m_Fine.FindOnLine({ { sum[0] / 2, sum[1] / 2, sum[2] / 2 } }, line, tolerance).distance < tolerance;
+  });
+}
+
+bool
+MedialVoxelRemesher::TryCollapse(const Index from, const Index to, const bool merging)
+{
+  if (!m_Complex.CanCollapse(from, to) || !this->MayLeave(from, to, merging))
+  {
+    return false;
+  }
+  const std::vector<Index> neighbors = m_Complex.FindNeighbors(from);
+  if (std::any_of(neighbors.begin(), neighbors.end(), [&](const Index other) {
+        return other != to && this->GetLength(other, to) > Long * this->GetSize(other, to);
+      }))
+  {
+    return false;
+  }
+  const double tolerance = merging ? std::max(MergingOfSize * this->GetSize(to, to), this->GetTolerance(to)) : this->GetTolerance(to);
+  const Step   step = this->MakeCollapse(from, to);
+  if (step.after.empty() || !this->KeepsLine(from, to, tolerance) ||
+      !this->Allows(step, { tolerance, CosineOfStep, GoodQuality }))
+  {
+    return false;
+  }
+  m_Complex.Collapse(from, to);
+  m_Witnesses.Assign(step.before, step.numbers);
+  return true;
+}
+
+bool
+MedialVoxelRemesher::TryFlip(const Index a, const Index b)
+{
+  const std::vector<Index> triangles = m_Complex.FindTriangles(a, b);
+  return triangles.size() == 2 && this->TryPassOver(a, b, m_Complex.GetOpposite(triangles[0], a, b), 0.01);
+}
+
+bool
+MedialVoxelRemesher::TryMove(const Index vertex, const Place kind)
+{
+  if (kind == Place::Corner || this->IsSharp(vertex, kind))
+  {
+    return false;
+  }
+  const Point &            point = m_Complex.GetPoint(vertex);
+  const std::vector<Index> neighbors =
+    kind == Place::Wall ? m_Complex.FindNeighbors(vertex) : this->FindLineNeighbors(vertex, kind);
+  Point mean{};
+  for (const Index other : neighbors)
+  {
+    mean = Add(mean, m_Complex.GetPoint(other), 1.0 / static_cast<double>(neighbors.size()));
+  }
+  for (const double share : { 1.0, 0.4 })
+  {
+    const auto nearest = this->Project(vertex, kind, Add(point, MedialVoxelSubtract(mean, point), share));
+    if (!(nearest.distance < this->GetSize(vertex, vertex)))
+    {
+      continue;
+    }
+    const Step step = this->MakeMove(vertex, nearest.point);
+    if (this->Allows(step, { this->GetTolerance(vertex), CosineOfStep, GoodQuality }))
+    {
+      m_Complex.GetVertex(vertex).point = nearest.point;
+      m_Witnesses.Assign(step.before, step.numbers);
+      if (kind == Place::Wall)
+      {
+        m_Complex.GetVertex(vertex).size = m_Fine.GetSize(m_Fine.GetNearestPoint(nearest.triangle, nearest.point));
+      }
+      return true;
+    }
+  }
+  return false;
+}
+
+MedialVoxelSheetTree::Nearest
+MedialVoxelRemesher::Project(const Index vertex, const Place kind, const Point & place) const
+{
+  const double within = this->GetSize(vertex, vertex);
+  if (kind == Place::Rim)
+  {
+    return m_Fine.FindOnLine(place, MedialVoxelFineSheet::Line::Rim, within);
+  }
+  if (kind == Place::Junction)
+  {
+    return m_Fine.FindOnLine(place, MedialVoxelFineSheet::Line::Junction, within);
+  }
+  MedialVoxelSheetTree::Nearest best;
+  std::vector<Index>            walls;
+  for (const Index triangle : m_Complex.GetTrianglesOf(vertex))
+  {
+    const Index wall = m_Complex.GetWall(triangle);
+    if (std::find(walls.begin(), walls.end(), wall) == walls.end())
+    {
+      walls.push_back(wall);
+      const auto nearest = m_Fine.FindOnWall(place, wall, within);
+      best = nearest.distance < best.distance ? nearest : best;
+    }
+  }
+  return best;
+}
+
+} // end namespace itk

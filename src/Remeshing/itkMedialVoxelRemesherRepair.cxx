@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelRemesher.h"
+
+#include "itkMedialVoxelElementQuality.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+
+using Place = MedialVoxelTriangleComplex::Place;
+
+constexpr double WantedQuality = 0.45;
+constexpr double LeastGain = 0.02;
+
+} // namespace
+
+/** Worst first. */
+void
+MedialVoxelRemesher::RepairTriangles()
+{
+  std::vector<std::pair<double, Index>> low;
+  for (Index triangle = 0; triangle < m_Complex.GetNumberOfTriangles(); ++triangle)
+  {
+    if (m_Complex.IsTriangle(triangle) && this->GetQuality(triangle) < WantedQuality)
+    {
+      low.emplace_back(this->GetQuality(triangle), triangle);
+    }
+  }
+  std::sort(low.begin(), low.end());
+  for (const auto & entry : low)
+  {
+    this->Proceed();
+    if (m_Complex.IsTriangle(entry.second) && this->GetQuality(entry.second) < WantedQuality)
+    {
+      this->TryRepair(entry.second);
+    }
+  }
+}
+
+bool
+MedialVoxelRemesher::TryRepair(const Index triangle)
+{
+  const Triangle corners = m_Complex.GetTriangle(triangle);
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    if (this->TryPassOver(corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3], LeastGain))
+    {
+      return true;
+    }
+  }
+  for (unsigned int k = 0; k < 6; ++k)
+  {
+    const Index  from = corners[k % 3];
+    const Index  to = corners[(k + 1 + k / 3) % 3];
+    const double size = this->GetSize(from, to);
+    if (!m_Complex.CanCollapse(from, to) || !this->MayLeave(from, to, this->GetLength(from, to) < size / 2))
+    {
+      continue;
+    }
+    const Step step = this->MakeCollapse(from, to);
+    if (!step.after.empty() && this->Allows(step, { size / 2, 0.5, WantedQuality, LeastGain }))
+    {
+      m_Complex.Collapse(from, to);
+      m_Witnesses.Assign(step.before, step.numbers);
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Takes a side of a triangle away, and leads what is beyond it to the corner opposite to it: a flip of a side of two
+ * triangles, a shorter rim, or a junction that goes through the corner. */
+bool
+MedialVoxelRemesher::TryPassOver(const Index a, const Index b, const Index c, const double improvement)
+{
+  const std::vector<Index> triangles = m_Complex.FindTriangles(a, b);
+  const Place              place = m_Complex.GetPlace(c);
+  if (triangles.size() != 2 && place != Place::Wall)
+  {
+    return false;
+  }
+  const Step step = triangles.size() == 1 ? this->MakeShorterRim(triangles[0]) : this->MakePassOver(triangles, a, b, c);
+  const double tolerance = this->GetTolerance(c);
+  if (step.after.empty() || !this->Allows(step, { tolerance, 0.5, WantedQuality, improvement }))
+  {
+    return false;
+  }
+  std::vector<Index> walls;
+  for (const Index triangle : step.numbers)
+  {
+    walls.push_back(m_Complex.GetWall(triangle));
+  }
+  for (const Index triangle : step.before)
+  {
+    m_Complex.RemoveTriangle(triangle);
+  }
+  std::vector<Index> numbers;
+  for (std::size_t k = 0; k < step.after.size(); ++k)
+  {
+    numbers.push_back(m_Complex.AddTriangle(step.after[k], walls[k]));
+  }
+  m_Witnesses.Assign(step.before, numbers);
+  return true;
+}
+
+/** Without a triangle at a rim, whose points go to those beside it. */
+MedialVoxelRemesher::Step
+MedialVoxelRemesher::MakeShorterRim(const Index triangle) const
+{
+  Step            step;
+  const Triangle & corners = m_Complex.GetTriangle(triangle);
+  step.before.push_back(triangle);
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    for (const Index other : m_Complex.FindTriangles(corners[k], corners[(k + 1) % 3]))
+    {
+      if (other != triangle)
+      {
+        step.before.push_back(other);
+        step.numbers.push_back(other);
+        step.after.push_back(m_Complex.GetTriangle(other));
+      }
+    }
+  }
+  return step;
+}
+
+/** Nothing where a triangle would be twice. */
+MedialVoxelRemesher::Step
+MedialVoxelRemesher::MakePassOver(const std::vector<Index> & triangles, const Index a, const Index b, const Index c)
+  const
+{
+  Step step;
+  step.before = triangles;
+  for (const Index triangle : triangles)
+  {
+    const Triangle & corners = m_Complex.GetTriangle(triangle);
+    if (std::find(corners.begin(), corners.end(), c) != corners.end())
+    {
+      continue;
+    }
+    if (m_Complex.CountTriangles(c, m_Complex.GetOpposite(triangle, a, b)) > 0)
+    {
+      return Step{};
+    }
+    for (const auto & [from, to] : { std::make_pair(b, c), std::make_pair(a, c) })
+    {
+      step.after.push_back(corners);
+      step.numbers.push_back(triangle);
+      std::replace(step.after.back().begin(), step.after.back().end(), from, to);
+    }
+  }
+  return step;
+}
+
+} // end namespace itk
