@@ -51,8 +51,15 @@ DefinePlan(CommandLine & line)
   AddJobFolder(app, options.jobFolder, "Folder of the job, new or empty");
   AddSlurm(app, options.slurm);
   AddExtractOptions(line, app, options, nullptr);
-  for (const char * const refused :
-       { "--labels", "--segments", "--objects", "--mesh", "--element-size", "--section-width", "--scratch", "--sparse", "--compress" })
+  for (const char * const refused : { "--labels",
+                                      "--segments",
+                                      "--objects",
+                                      "--mesh",
+                                      "--element-size",
+                                      "--section-width",
+                                      "--scratch",
+                                      "--sparse",
+                                      "--compress" })
   {
     app.get_option(refused)->group(""); // not shown; RunPlan() says what to do instead
   }

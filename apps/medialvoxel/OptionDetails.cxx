@@ -135,8 +135,10 @@ ListOptionDetails()
       "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in .inp or .bdf." },
     { "",
       "--element-size",
-      "In units of the spacing; elements are as long as the wall is thick at least at junctions and bends. auto: as long "
-      "as the wall is thick, at least two voxels; the default of .inp and .bdf. voxel: one face a voxel; the default of "
+      "In units of the spacing; elements are as long as the wall is thick at least at junctions and bends. auto: as "
+      "long "
+      "as the wall is thick, at least two voxels; the default of .inp and .bdf. voxel: one face a voxel; the default "
+      "of "
       "others. Holds the whole surface in memory. Needs a mesh." },
     { "", "--triangles", "Along the shorter diagonal." },
     { "", "--smallest-component", "Default 0, which keeps all. Holds the whole surface in memory." },

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelFineSheet.h"
 
+#include "itkMedialVoxelSheetSides.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -16,41 +18,6 @@ using Index = MedialVoxelSheet::Index;
 
 /** How much sizes may fall along a length. */
 constexpr double SizeSlope = 0.5;
-
-struct Side
-{
-  Index low;
-  Index high;
-  Index triangle;
-};
-
-bool
-IsSameSide(const Side & a, const Side & b)
-{
-  return a.low == b.low && a.high == b.high;
-}
-
-/** By their points, and by triangle. */
-std::vector<Side>
-SortSides(const MedialVoxelSheet & sheet)
-{
-  std::vector<Side> sides;
-  sides.reserve(3 * sheet.triangles.size());
-  for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
-  {
-    const auto & corners = sheet.triangles[triangle];
-    for (unsigned int k = 0; k < 3; ++k)
-    {
-      const Index a = corners[k];
-      const Index b = corners[(k + 1) % 3];
-      sides.push_back({ std::min(a, b), std::max(a, b), triangle });
-    }
-  }
-  std::sort(sides.begin(), sides.end(), [](const Side & a, const Side & b) {
-    return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
-  });
-  return sides;
-}
 
 Index
 RootOf(std::vector<Index> & parents, Index number)
@@ -123,19 +90,19 @@ MedialVoxelFineSheet::MedialVoxelFineSheet(MedialVoxelSheet sheet)
 void
 MedialVoxelFineSheet::FindWallsAndLines()
 {
-  const std::vector<Side> sides = SortSides(m_Sheet);
-  std::vector<Index>      parents(m_Sheet.triangles.size());
+  const std::vector<MedialVoxelSheetSide> sides = MedialVoxelSortSides(m_Sheet.triangles);
+  std::vector<Index>                      parents(m_Sheet.triangles.size());
   std::iota(parents.begin(), parents.end(), Index{ 0 });
   std::vector<MedialVoxelSheetTree::Triangle> lines;
   std::vector<Index>                          kinds;
   double                                      length = 0.0;
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
   {
-    while (last < sides.size() && IsSameSide(sides[first], sides[last]))
+    while (last < sides.size() && sides[first] == sides[last])
     {
       ++last;
     }
-    const Side & side = sides[first];
+    const MedialVoxelSheetSide & side = sides[first];
     length += GetDistance(m_Sheet.points[side.low], m_Sheet.points[side.high]) * static_cast<double>(last - first);
     if (last - first == 2)
     {

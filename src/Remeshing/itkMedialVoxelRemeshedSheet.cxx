@@ -4,6 +4,8 @@
 
 #include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelRemesher.h"
+#include "itkMedialVoxelSheetHoles.h"
+#include "itkMedialVoxelSheetVectors.h"
 
 #include <algorithm>
 #include <cassert>
@@ -51,12 +53,6 @@ double
 GetArea(const std::array<Vector, 3> & corners)
 {
   return MedialVoxelNorm(MedialVoxelTriangleNormal(corners)) / 2.0;
-}
-
-Vector
-GetMean(const Vector & a, const Vector & b)
-{
-  return { { (a[0] + b[0]) / 2.0, (a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0 } };
 }
 
 /** The place of the walls of a vertex that is nearest to it. */
@@ -134,12 +130,17 @@ MeasureToFine(const MedialVoxelFineSheet & fine, const Complex & complex)
     if (complex.IsTriangle(triangle))
     {
       const auto   corners = complex.GetCorners(triangle);
-      const Vector middle = GetMean(corners[0], corners[1]);
+      const Vector middle = MedialVoxelMiddle(corners[0], corners[1]);
       const Vector center{ { (2.0 * middle[0] + corners[2][0]) / 3.0,
                              (2.0 * middle[1] + corners[2][1]) / 3.0,
                              (2.0 * middle[2] + corners[2][2]) / 3.0 } };
-      for (const Vector & sample :
-           { corners[0], corners[1], corners[2], middle, GetMean(corners[1], corners[2]), GetMean(corners[2], corners[0]), center })
+      for (const Vector & sample : { corners[0],
+                                     corners[1],
+                                     corners[2],
+                                     middle,
+                                     MedialVoxelMiddle(corners[1], corners[2]),
+                                     MedialVoxelMiddle(corners[2], corners[0]),
+                                     center })
       {
         distances.push_back(fine.FindOnWall(sample, complex.GetWall(triangle)).distance);
       }
@@ -249,6 +250,7 @@ MedialVoxelRemesh(MedialVoxelSheet                    sheet,
                   const std::function<void(double)> & progress)
 {
   assert(size.least > 0.0 && sheet.thickness.size() == sheet.points.size());
+  const std::uint64_t  holes = MedialVoxelCloseHoles(sheet, size.least);
   MedialVoxelFineSheet fine(std::move(sheet));
   fine.SetSizes(size.least, size.atThickness);
   MedialVoxelRemesher remesher(fine, progress);
@@ -257,6 +259,8 @@ MedialVoxelRemesh(MedialVoxelSheet                    sheet,
   const Complex &                complex = remesher.GetComplex();
   MedialVoxelRemeshedSheet       result;
   std::vector<Complex::Triangle> corners;
+  result.summary.holesClosed = holes + remesher.GetNumberOfHolesClosed();
+  result.summary.trianglesLeftOut = remesher.GetNumberLeftOut();
   result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
   result.elements = MedialVoxelPairTriangles(complex, corners, size.joinsTriangles);
   PutInOrder(fine, complex, result);

@@ -34,12 +34,14 @@ struct MedialVoxelRemeshingSummary
   Distances     fromFine; ///< of the points of the fine sheet
   double        fineArea{ 0 };
   double        area{ 0 };
-  double        leastQuality{ 1 }; ///< scaled Jacobian, of all elements
-  double        lowQuality{ 1 };   ///< that 99 % reach
-  double        highAspect{ 1 };   ///< aspect ratio that 99 % do not exceed
+  double        leastQuality{ 1 };           ///< scaled Jacobian, of all elements
+  double        lowQuality{ 1 };             ///< that 99 % reach
+  double        highAspect{ 1 };             ///< aspect ratio that 99 % do not exceed
   std::uint64_t elementsWithoutQuality{ 0 }; ///< whose scaled Jacobian is not above 0
   std::uint64_t walls{ 0 };                  ///< of the fine sheet
   std::uint64_t wallsLeftOut{ 0 };           ///< that no element is left of
+  std::uint64_t holesClosed{ 0 };            ///< narrower than the wall is thick, or than an element
+  std::uint64_t trianglesLeftOut{ 0 };       ///< of strips and fins too narrow for elements
   std::uint64_t orientationConflicts{ 0 };
 };
 
@@ -55,7 +57,7 @@ struct MedialVoxelRemeshedSheet
 
 /** Memory that remeshing takes for each triangle of the fine sheet, which is part of it. */
 MedialVoxel_EXPORT std::uint64_t
-MedialVoxelRemeshingBytesPerTriangle();
+                   MedialVoxelRemeshingBytesPerTriangle();
 
 /** \param sheet    without triangles of one place; its points are those of its triangles
  * \param progress called often with the share that is done; may throw to stop */

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelRemesher.h"
 
 #include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelSheetVectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,19 +33,6 @@ constexpr double CosineOfBend = 0.87;
 constexpr double GoodQuality = 0.3;
 
 constexpr unsigned int MostRounds = 4;
-
-Vector
-Add(const Vector & a, const Vector & b, const double weight)
-{
-  return { { a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2] } };
-}
-
-double
-GetCosine(const Vector & a, const Vector & b)
-{
-  const double lengths = MedialVoxelNorm(a) * MedialVoxelNorm(b);
-  return lengths > 0.0 ? MedialVoxelDot(a, b) / lengths : 1.0;
-}
 
 } // namespace
 
@@ -107,6 +95,7 @@ MedialVoxelRemesher::Run()
     this->FlipSides();
   }
   this->RepairTriangles();
+  this->CleanUp();
 }
 
 void
@@ -169,8 +158,7 @@ MedialVoxelRemesher::SplitLongSides()
   {
     found = false;
     std::vector<LengthOfSide> sides = this->ListSides();
-    std::stable_sort(
-      sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length > y.length; });
+    std::stable_sort(sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length > y.length; });
     for (const LengthOfSide & side : sides)
     {
       if (side.length <= Long * this->GetSize(side.a, side.b) || m_Complex.CountTriangles(side.a, side.b) == 0)
@@ -178,12 +166,11 @@ MedialVoxelRemesher::SplitLongSides()
         continue;
       }
       const std::vector<Index> triangles = m_Complex.FindTriangles(side.a, side.b);
-      const Vector             sum = Add(m_Complex.GetPoint(side.a), m_Complex.GetPoint(side.b), 1.0);
-      m_Complex.Split(side.a, side.b, { { sum[0] / 2, sum[1] / 2, sum[2] / 2 } }, halves);
+      const Vector             middle = MedialVoxelMiddle(m_Complex.GetPoint(side.a), m_Complex.GetPoint(side.b));
+      m_Complex.Split(side.a, side.b, middle, halves);
       for (Index k = 0; k < triangles.size(); ++k)
       {
-        m_Witnesses.Share(
-          triangles[k], halves[k], m_Complex.GetCorners(triangles[k]), m_Complex.GetCorners(halves[k]));
+        m_Witnesses.Share(triangles[k], halves[k], m_Complex.GetCorners(triangles[k]), m_Complex.GetCorners(halves[k]));
       }
       found = true;
       this->Proceed();
@@ -199,8 +186,7 @@ MedialVoxelRemesher::CollapseShortSides(const bool merging)
   {
     bool                      found = false;
     std::vector<LengthOfSide> sides = this->ListSides();
-    std::stable_sort(
-      sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length < y.length; });
+    std::stable_sort(sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length < y.length; });
     for (const LengthOfSide & side : sides)
     {
       this->Proceed();
@@ -258,125 +244,15 @@ MedialVoxelRemesher::RaiseSizesAtBends()
   for (const LengthOfSide & side : this->ListSides())
   {
     const std::vector<Index> triangles = m_Complex.FindTriangles(side.a, side.b);
-    if (triangles.size() == 2 && std::abs(GetCosine(MedialVoxelTriangleNormal(m_Complex.GetCorners(triangles[0])),
-                                                    MedialVoxelTriangleNormal(m_Complex.GetCorners(triangles[1])))) <
-                                   CosineOfBend)
+    if (triangles.size() == 2 &&
+        std::abs(MedialVoxelCosine(MedialVoxelTriangleNormal(m_Complex.GetCorners(triangles[0])),
+                                   MedialVoxelTriangleNormal(m_Complex.GetCorners(triangles[1])))) < CosineOfBend)
     {
       m_Witnesses.AppendPoints(triangles[0], points);
       m_Witnesses.AppendPoints(triangles[1], points);
     }
   }
   m_Fine.RaiseSizes(points);
-}
-
-std::array<Vector, 3>
-MedialVoxelRemesher::GetCorners(const Step & step, const std::size_t number) const
-{
-  std::array<Vector, 3> corners;
-  for (unsigned int k = 0; k < 3; ++k)
-  {
-    const Index vertex = step.after[number][k];
-    corners[k] = vertex == step.moved ? step.place : m_Complex.GetPoint(vertex);
-  }
-  return corners;
-}
-
-MedialVoxelRemesher::Worst
-MedialVoxelRemesher::Judge(const Step & step, const double leastCosine) const
-{
-  Worst worst{ 1.0, true };
-  for (std::size_t k = 0; k < step.after.size(); ++k)
-  {
-    const auto corners = this->GetCorners(step, k);
-    worst.quality = std::min(worst.quality, MedialVoxelScaledJacobian(corners));
-    const auto old = m_Complex.GetCorners(step.numbers[k]);
-    worst.keepsNormals =
-      worst.keepsNormals &&
-      GetCosine(MedialVoxelTriangleNormal(old), MedialVoxelTriangleNormal(corners)) >= leastCosine;
-  }
-  return worst;
-}
-
-bool
-MedialVoxelRemesher::Allows(const Step & step, const Rules & rules)
-{
-  double before = 1.0;
-  for (const Index triangle : step.before)
-  {
-    before = std::min(before, this->GetQuality(triangle));
-  }
-  const Worst worst = this->Judge(step, rules.leastCosine);
-  if (!worst.keepsNormals || worst.quality < std::min(before, rules.leastQuality) ||
-      worst.quality < before + (rules.improvement > 0 ? rules.improvement : -1.0))
-  {
-    return false;
-  }
-  std::vector<std::array<Vector, 3>> after;
-  for (std::size_t k = 0; k < step.after.size(); ++k)
-  {
-    after.push_back(this->GetCorners(step, k));
-  }
-  if (!m_Witnesses.Fit(step.before, after, rules.tolerance))
-  {
-    return false;
-  }
-  for (std::size_t k = 0; k < step.after.size(); ++k)
-  {
-    Vector center{};
-    for (const Vector & corner : after[k])
-    {
-      center = Add(center, corner, 1.0 / 3.0);
-    }
-    const auto nearest = m_Fine.FindOnWall(center, m_Complex.GetWall(step.numbers[k]), rules.tolerance);
-    if (!(nearest.distance < rules.tolerance))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-MedialVoxelRemesher::Step
-MedialVoxelRemesher::MakeCollapse(const Index from, const Index to) const
-{
-  Step step;
-  for (const Index triangle : m_Complex.GetTrianglesOf(from))
-  {
-    step.before.push_back(triangle);
-    Triangle corners = m_Complex.GetTriangle(triangle);
-    if (std::find(corners.begin(), corners.end(), to) == corners.end())
-    {
-      std::replace(corners.begin(), corners.end(), from, to);
-      step.numbers.push_back(triangle);
-      step.after.push_back(corners);
-    }
-  }
-  for (const Index triangle : m_Complex.GetTrianglesOf(to))
-  {
-    const Triangle & corners = m_Complex.GetTriangle(triangle);
-    if (std::find(corners.begin(), corners.end(), from) == corners.end())
-    {
-      step.before.push_back(triangle);
-      step.numbers.push_back(triangle);
-      step.after.push_back(corners);
-    }
-  }
-  return step;
-}
-
-MedialVoxelRemesher::Step
-MedialVoxelRemesher::MakeMove(const Index vertex, const Point & place) const
-{
-  Step step;
-  step.before = m_Complex.GetTrianglesOf(vertex);
-  step.numbers = step.before;
-  for (const Index triangle : step.before)
-  {
-    step.after.push_back(m_Complex.GetTriangle(triangle));
-  }
-  step.moved = vertex;
-  step.place = place;
-  return step;
 }
 
 std::vector<Index>
@@ -404,7 +280,7 @@ MedialVoxelRemesher::IsSharp(const Index vertex, const Place kind) const
   const std::vector<Index> line = this->FindLineNeighbors(vertex, kind);
   const Vector             first = MedialVoxelSubtract(m_Complex.GetPoint(vertex), m_Complex.GetPoint(line[0]));
   const Vector             second = MedialVoxelSubtract(m_Complex.GetPoint(line[1]), m_Complex.GetPoint(vertex));
-  return m_Level > 2.0 * m_Fine.GetMeanSide() && GetCosine(first, second) < CosineOfCorner;
+  return m_Level > 2.0 * m_Fine.GetMeanSide() && MedialVoxelCosine(first, second) < CosineOfCorner;
 }
 
 /** Vertices of lines go along their lines only, unless two lines are to become one. */
@@ -430,12 +306,11 @@ MedialVoxelRemesher::KeepsLine(const Index from, const Index to, const double to
   {
     return true;
   }
-  const auto               line = place == Place::Rim ? MedialVoxelFineSheet::Line::Rim : MedialVoxelFineSheet::Line::Junction;
+  const auto line = place == Place::Rim ? MedialVoxelFineSheet::Line::Rim : MedialVoxelFineSheet::Line::Junction;
   const std::vector<Index> neighbors = this->FindLineNeighbors(from, place);
   return std::all_of(neighbors.begin(), neighbors.end(), [&](const Index other) {
-    const Vector sum = Add(m_Complex.GetPoint(other), m_Complex.GetPoint(to), 1.0);
-    return other == to ||
-           m_Fine.FindOnLine({ { sum[0] / 2, sum[1] / 2, sum[2] / 2 } }, line, tolerance).distance < tolerance;
+    const Vector middle = MedialVoxelMiddle(m_Complex.GetPoint(other), m_Complex.GetPoint(to));
+    return other == to || m_Fine.FindOnLine(middle, line, tolerance).distance < tolerance;
   });
 }
 
@@ -453,8 +328,9 @@ MedialVoxelRemesher::TryCollapse(const Index from, const Index to, const bool me
   {
     return false;
   }
-  const double tolerance = merging ? std::max(MergingOfSize * this->GetSize(to, to), this->GetTolerance(to)) : this->GetTolerance(to);
-  const Step   step = this->MakeCollapse(from, to);
+  const double tolerance =
+    merging ? std::max(MergingOfSize * this->GetSize(to, to), this->GetTolerance(to)) : this->GetTolerance(to);
+  const Step step = this->MakeCollapse(from, to);
   if (step.after.empty() || !this->KeepsLine(from, to, tolerance) ||
       !this->Allows(step, { tolerance, CosineOfStep, GoodQuality }))
   {
@@ -485,11 +361,12 @@ MedialVoxelRemesher::TryMove(const Index vertex, const Place kind)
   Point mean{};
   for (const Index other : neighbors)
   {
-    mean = Add(mean, m_Complex.GetPoint(other), 1.0 / static_cast<double>(neighbors.size()));
+    mean = MedialVoxelAddScaled(mean, m_Complex.GetPoint(other), 1.0 / static_cast<double>(neighbors.size()));
   }
   for (const double share : { 1.0, 0.4 })
   {
-    const auto nearest = this->Project(vertex, kind, Add(point, MedialVoxelSubtract(mean, point), share));
+    const auto nearest =
+      this->Project(vertex, kind, MedialVoxelAddScaled(point, MedialVoxelSubtract(mean, point), share));
     if (!(nearest.distance < this->GetSize(vertex, vertex)))
     {
       continue;

@@ -16,9 +16,10 @@ namespace itk
  * \brief Brings a sheet to larger triangles of good shape, whose sides have the sizes of the fine sheet.
  *
  * Sides grow by 1.6 at a time. At each size, long sides are cut, short ones are collapsed, sides are flipped and
- * vertices are moved along the fine sheet. Rims stay on rims and junctions on junctions. No step may leave a point of the
- * fine sheet, or the middle of a triangle, farther away than a quarter of the size there (or half a fine side, where that is more).
- * Walls that are narrower than half an element, and bounded by a junction, are closed; others keep their width.
+ * vertices are moved along the fine sheet. Rims stay on rims and junctions on junctions. No step may leave a point of
+ * the fine sheet, or the middle of a triangle, farther away than a quarter of the size there (or half a fine side,
+ * where that is more). Walls that are narrower than half an element, and bounded by a junction, are closed; others keep
+ * their width.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelRemesher
@@ -40,6 +41,20 @@ public:
   GetComplex() const
   {
     return m_Complex;
+  }
+
+  /** Holes of three sides, of which one was next to nothing. */
+  std::uint64_t
+  GetNumberOfHolesClosed() const
+  {
+    return m_HolesClosed;
+  }
+
+  /** Triangles of strips and fins that were too narrow. */
+  std::uint64_t
+  GetNumberLeftOut() const
+  {
+    return m_LeftOut;
   }
 
 private:
@@ -75,6 +90,10 @@ private:
   RepairTriangles();
   void
   RaiseSizesAtBends();
+  void
+  CleanUp();
+  void
+  CloseSlits();
 
   bool
   TryCollapse(Index from, Index to, bool merging);
@@ -87,6 +106,26 @@ private:
   bool
   TryPassOver(Index a, Index b, Index c, double improvement);
 
+  /** How bad triangles are: 0 where each has a good shape and is not folded onto another one. */
+  double
+  GetBadness(Index triangle) const;
+  double
+  GetBadness(const std::vector<Index> & vertices) const;
+  double
+  GetFolds(Index a, Index b) const;
+  double
+  GetGain(const Step & step);
+  std::vector<Step>
+  ListCleanSteps(Index triangle) const;
+  bool
+  TryClean(Index triangle);
+  bool
+  TryCloseSlit(Index triangle);
+  bool
+  TryLeaveOut(Index triangle);
+  bool
+  IsEnd(Index triangle) const;
+
   Step
   MakeCollapse(Index from, Index to) const;
   Step
@@ -98,6 +137,10 @@ private:
 
   bool
   Allows(const Step & step, const Rules & rules);
+  bool
+  IsNear(const Step & step, double tolerance);
+  std::vector<Index>
+  Apply(const Step & step);
 
   bool
   MayLeave(Index from, Index to, bool merging) const;
@@ -150,6 +193,8 @@ private:
   Complex                     m_Complex;
   MedialVoxelSheetWitnesses   m_Witnesses;
   double                      m_Level{ 0 }; ///< the size that sides have at most
+  std::uint64_t               m_HolesClosed{ 0 };
+  std::uint64_t               m_LeftOut{ 0 };
   std::uint64_t               m_Steps{ 0 };
   double                      m_Share{ 0 };
 };

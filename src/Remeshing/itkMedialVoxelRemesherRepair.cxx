@@ -90,20 +90,7 @@ MedialVoxelRemesher::TryPassOver(const Index a, const Index b, const Index c, co
   {
     return false;
   }
-  std::vector<Index> walls;
-  for (const Index triangle : step.numbers)
-  {
-    walls.push_back(m_Complex.GetWall(triangle));
-  }
-  for (const Index triangle : step.before)
-  {
-    m_Complex.RemoveTriangle(triangle);
-  }
-  std::vector<Index> numbers;
-  for (std::size_t k = 0; k < step.after.size(); ++k)
-  {
-    numbers.push_back(m_Complex.AddTriangle(step.after[k], walls[k]));
-  }
+  const std::vector<Index> numbers = this->Apply(step);
   m_Witnesses.Assign(step.before, numbers);
   return true;
 }
@@ -112,7 +99,7 @@ MedialVoxelRemesher::TryPassOver(const Index a, const Index b, const Index c, co
 MedialVoxelRemesher::Step
 MedialVoxelRemesher::MakeShorterRim(const Index triangle) const
 {
-  Step            step;
+  Step             step;
   const Triangle & corners = m_Complex.GetTriangle(triangle);
   step.before.push_back(triangle);
   for (unsigned int k = 0; k < 3; ++k)
@@ -132,8 +119,10 @@ MedialVoxelRemesher::MakeShorterRim(const Index triangle) const
 
 /** Nothing where a triangle would be twice. */
 MedialVoxelRemesher::Step
-MedialVoxelRemesher::MakePassOver(const std::vector<Index> & triangles, const Index a, const Index b, const Index c)
-  const
+MedialVoxelRemesher::MakePassOver(const std::vector<Index> & triangles,
+                                  const Index                a,
+                                  const Index                b,
+                                  const Index                c) const
 {
   Step step;
   step.before = triangles;

@@ -21,9 +21,9 @@ constexpr std::uint32_t Empty = ~std::uint32_t{ 0 };
 Vector
 Along(const Vector & from, const Vector & to, const double share)
 {
-  return { { from[0] + share * (to[0] - from[0]),
-             from[1] + share * (to[1] - from[1]),
-             from[2] + share * (to[2] - from[2]) } };
+  return {
+    { from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]), from[2] + share * (to[2] - from[2]) }
+  };
 }
 
 Vector
@@ -116,8 +116,8 @@ MedialVoxelSheetTree::MedialVoxelSheetTree(const std::vector<Point> &    points,
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       const Triangle & corners = triangles[number];
-      centers[number][axis] = static_cast<float>(
-        (points[corners[0]][axis] + points[corners[1]][axis] + points[corners[2]][axis]) / 3.0);
+      centers[number][axis] =
+        static_cast<float>((points[corners[0]][axis] + points[corners[1]][axis] + points[corners[2]][axis]) / 3.0);
     }
   }
   for (std::size_t group = 0; group < ends.size(); ++group)

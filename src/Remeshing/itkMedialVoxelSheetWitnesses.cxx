@@ -115,6 +115,15 @@ MedialVoxelSheetWitnesses::Assign(const std::vector<Index> & before, const std::
 }
 
 void
+MedialVoxelSheetWitnesses::LeaveOut(const Index triangle)
+{
+  if (triangle < m_First.size())
+  {
+    m_First[triangle] = None;
+  }
+}
+
+void
 MedialVoxelSheetWitnesses::Share(const Index     triangle,
                                  const Index     half,
                                  const Corners & corners,

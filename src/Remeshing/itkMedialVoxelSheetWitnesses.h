@@ -39,6 +39,10 @@ public:
   void
   Share(Index triangle, Index half, const Corners & corners, const Corners & cornersOfHalf);
 
+  /** Forgets the points of a triangle that is no more. */
+  void
+  LeaveOut(Index triangle);
+
   void
   AppendPoints(Index triangle, std::vector<Index> & points) const;
 
@@ -49,8 +53,8 @@ private:
   Add(Index point, Index triangle);
 
   const MedialVoxelSheet * m_Sheet;
-  std::vector<Index>       m_First; ///< of each triangle
-  std::vector<Index>       m_Next;  ///< of each point
+  std::vector<Index>       m_First;  ///< of each triangle
+  std::vector<Index>       m_Next;   ///< of each point
   std::vector<Index>       m_Points; ///< of the last Fit()
   std::vector<Index>       m_Places;
 };

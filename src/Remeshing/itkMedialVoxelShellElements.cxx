@@ -46,7 +46,11 @@ struct Pair
 
 /** Both triangles, when they make a good element. */
 bool
-MakePair(const Complex & complex, const std::vector<Triangle> & corners, const Index first, const unsigned int k, Pair & pair)
+MakePair(const Complex &               complex,
+         const std::vector<Triangle> & corners,
+         const Index                   first,
+         const unsigned int            k,
+         Pair &                        pair)
 {
   const Index a = corners[first][k];
   const Index b = corners[first][(k + 1) % 3];
@@ -156,7 +160,9 @@ MedialVoxelPairTriangles(const Complex & complex, const std::vector<Triangle> & 
     }
   }
   std::sort(pairs.begin(), pairs.end(), [](const Pair & x, const Pair & y) {
-    return x.quality != y.quality ? x.quality > y.quality : x.first != y.first ? x.first < y.first : x.second < y.second;
+    return x.quality != y.quality ? x.quality > y.quality
+           : x.first != y.first   ? x.first < y.first
+                                  : x.second < y.second;
   });
   std::vector<MedialVoxelShellElement> elements;
   std::vector<bool>                    isTaken(corners.size());

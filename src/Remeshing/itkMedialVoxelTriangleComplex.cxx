@@ -85,9 +85,8 @@ unsigned int
 MedialVoxelTriangleComplex::CountTriangles(const Index a, const Index b) const
 {
   const std::vector<Index> & triangles = m_TrianglesOf[a];
-  return static_cast<unsigned int>(std::count_if(triangles.begin(), triangles.end(), [&](const Index triangle) {
-    return Contains(m_Triangles[triangle], b);
-  }));
+  return static_cast<unsigned int>(std::count_if(
+    triangles.begin(), triangles.end(), [&](const Index triangle) { return Contains(m_Triangles[triangle], b); }));
 }
 
 bool
@@ -164,7 +163,7 @@ MedialVoxelTriangleComplex::IsOnRim(const Index vertex) const
 }
 
 bool
-MedialVoxelTriangleComplex::CanCollapse(const Index a, const Index b) const
+MedialVoxelTriangleComplex::CanCollapse(const Index a, const Index b, const bool pinching) const
 {
   const std::vector<Index> triangles = this->FindTriangles(a, b);
   const std::vector<Index> ofA = this->FindNeighbors(a);
@@ -175,7 +174,7 @@ MedialVoxelTriangleComplex::CanCollapse(const Index a, const Index b) const
   {
     return false;
   }
-  if (triangles.size() > 1 && this->IsOnRim(a) && this->IsOnRim(b))
+  if (!pinching && triangles.size() > 1 && this->IsOnRim(a) && this->IsOnRim(b))
   {
     return false;
   }

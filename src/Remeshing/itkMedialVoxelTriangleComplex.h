@@ -132,9 +132,9 @@ public:
   IsOnRim(Index vertex) const;
 
   /** Whether the complex keeps its topology when the vertices of a side become one: whether both have no common
-   * neighbors but the corners opposite to the side, and not both lie on rims, unless the side does. */
+   * neighbors but the corners opposite to the side, and not both lie on rims, unless the side does or \a pinching. */
   bool
-  CanCollapse(Index a, Index b) const;
+  CanCollapse(Index a, Index b, bool pinching = false) const;
 
   /** Puts a vertex on a neighbor of it; triangles of their side are removed. \pre CanCollapse(from, to) */
   void

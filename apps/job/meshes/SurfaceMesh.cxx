@@ -154,8 +154,8 @@ SurfaceMesh::Finish(std::uint64_t memoryBytes, const std::function<void(double)>
 void
 SurfaceMesh::Remesh(std::uint64_t memoryBytes, const std::function<void(double)> & progress)
 {
-  const double largest = *std::max_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end());
-  const bool   isAutomatic = m_ElementSize.kind == ElementSize::Kind::Automatic;
+  const double     largest = *std::max_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end());
+  const bool       isAutomatic = m_ElementSize.kind == ElementSize::Kind::Automatic;
   SurfaceRemeshing remeshing;
   remeshing.size = { isAutomatic ? 2.0 * largest : m_ElementSize.length, isAutomatic, !m_Options.meshTriangles };
   remeshing.scratchFolder = m_Cleaning.scratchFolder;
@@ -225,7 +225,7 @@ ScratchSpace
 SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
   const SurfaceCleaning cleaning = GetCleaning(options);
-  const bool isRemeshed = GetElementSize(options).kind != ElementSize::Kind::Voxel;
+  const bool            isRemeshed = GetElementSize(options).kind != ElementSize::Kind::Voxel;
   const std::uint64_t   spools = cleaning.IsOn() || options.labels || isRemeshed ? 2 : 1;
   const std::uint64_t   sorting = options.labels ? ScratchBytesPerSortedVertex : 0;
   return { cleaning.scratchFolder,

@@ -106,19 +106,19 @@ private:
   void
   AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);
 
-  ExtractOptions                m_Options;
-  VolumeGeometry                m_Geometry;
-  itk::MedialVoxelGrid          m_Grid;
-  std::uint64_t                 m_MaximumNumberOfCells;
-  SurfaceCleaning               m_Cleaning;
-  ElementSize                   m_ElementSize;
-  std::unique_ptr<SurfaceSpool> m_Spool;
-  std::vector<SurfaceVertex>    m_Vertices; // of one slice, for the spool
-  std::vector<SurfaceFace>      m_Faces;
-  double                        m_Area{ 0 };
+  ExtractOptions                                  m_Options;
+  VolumeGeometry                                  m_Geometry;
+  itk::MedialVoxelGrid                            m_Grid;
+  std::uint64_t                                   m_MaximumNumberOfCells;
+  SurfaceCleaning                                 m_Cleaning;
+  ElementSize                                     m_ElementSize;
+  std::unique_ptr<SurfaceSpool>                   m_Spool;
+  std::vector<SurfaceVertex>                      m_Vertices; // of one slice, for the spool
+  std::vector<SurfaceFace>                        m_Faces;
+  double                                          m_Area{ 0 };
   std::optional<itk::MedialVoxelRemeshingSummary> m_Remeshing;
-  FindObject                    m_FindObject;
-  std::vector<std::int64_t>     m_ObjectLabels;
+  FindObject                                      m_FindObject;
+  std::vector<std::int64_t>                       m_ObjectLabels;
 
   // One of them.
   std::unique_ptr<itk::MedialVoxelSurfaceObserver> m_Observer;

@@ -158,8 +158,7 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
   CheckMemory(*surface, remeshing.memoryBytes);
   std::vector<std::uint32_t> objects;
   SurfaceReader              reader(*surface, remeshing.progress);
-  auto                       sheet =
-    itk::MedialVoxelRemesh(ReadSheet(reader, objects), remeshing.size, remeshing.progress);
+  auto               sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), remeshing.size, remeshing.progress);
   auto               result = std::make_unique<SurfaceSpool>(remeshing.scratchFolder, surface->GetPrecision());
   std::vector<Index> places;
   AddVertices(sheet, objects, places, *result);
@@ -171,10 +170,8 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
 ElementSize
 GetElementSize(const ExtractOptions & options)
 {
-  return options.elementSize.value_or(
-    ElementSize{ HoldsElements(GetSurfaceFormat(options.meshFile)) ? ElementSize::Kind::Automatic
-                                                                   : ElementSize::Kind::Voxel,
-                 0.0 });
+  return options.elementSize.value_or(ElementSize{
+    HoldsElements(GetSurfaceFormat(options.meshFile)) ? ElementSize::Kind::Automatic : ElementSize::Kind::Voxel, 0.0 });
 }
 
 } // end namespace medialvoxel

@@ -109,9 +109,9 @@ MakeLimit(const std::optional<itk::MedialVoxelLimit> & limit)
 Json
 ElementSizeToJson(const ElementSize & size)
 {
-  return size.kind == ElementSize::Kind::Length ? Json(size.length)
-                                               : Json(size.kind == ElementSize::Kind::Voxel ? VoxelElementSize
-                                                                                            : AutomaticElementSize);
+  return size.kind == ElementSize::Kind::Length
+           ? Json(size.length)
+           : Json(size.kind == ElementSize::Kind::Voxel ? VoxelElementSize : AutomaticElementSize);
 }
 
 /** Each warning as an object with a code for scripts, a line for readers, and the numbers of that line. */
@@ -140,7 +140,9 @@ MakeDistances(const itk::MedialVoxelRemeshingSummary::Distances & distances)
 Json
 MakeMesh(const SurfaceSummary & surface)
 {
-  Json json{ { "vertices", surface.vertices }, { "faces", surface.faces }, { "area", surface.area },
+  Json json{ { "vertices", surface.vertices },
+             { "faces", surface.faces },
+             { "area", surface.area },
              { "element_size", ElementSizeToJson(surface.elementSize) } };
   if (surface.remeshing)
   {
@@ -155,6 +157,8 @@ MakeMesh(const SurfaceSummary & surface)
                           { "aspect_ratio", { { "percentile_99", remeshing.highAspect } } },
                           { "walls", remeshing.walls },
                           { "walls_left_out", remeshing.wallsLeftOut },
+                          { "holes_closed", remeshing.holesClosed },
+                          { "triangles_left_out", remeshing.trianglesLeftOut },
                           { "orientation_conflicts", remeshing.orientationConflicts } };
   }
   return json;
