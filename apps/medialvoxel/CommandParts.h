@@ -45,6 +45,10 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
 void
 DefineSurface(CommandLine & line);
 
+/** Defines check. */
+void
+DefineCheck(CommandLine & line);
+
 /** Defines plan, work, finalize and status. */
 void
 DefineJobCommands(CommandLine & line);

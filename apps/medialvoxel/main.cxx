@@ -5,6 +5,7 @@
 #include "CommandTable.h"
 #include "CommandText.h"
 #include "Log.h"
+#include "MeshCheck.h"
 #include "ObjectPlan.h"
 #include "OptionEffects.h"
 #include "PhaseTable.h"
@@ -271,6 +272,23 @@ DescribeInput(const CommandLine & line)
 }
 
 ExitStatus
+CheckMeshFile(const CommandLine & line)
+{
+  const MeshCheck              check = CheckMesh(ReadMeshFile(line.checkedMesh));
+  const std::vector<MeshLimit> limits = ListMeshLimits(check);
+  if (line.checkAsJson)
+  {
+    std::cout << MakeMeshCheckJson(line.checkedMesh, check);
+  }
+  else
+  {
+    PrintTable(std::cout, DescribeMeshCheck(check));
+  }
+  const bool holds = std::all_of(limits.begin(), limits.end(), [](const MeshLimit & limit) { return limit.Holds(); });
+  return holds ? ExitStatus::Done : ExitStatus::Failure;
+}
+
+ExitStatus
 RunCommand(const CommandLine & line, const std::string & command)
 {
   if (line.extract->parsed() && line.resumes)
@@ -308,6 +326,10 @@ RunCommand(const CommandLine & line, const std::string & command)
   else if (line.distance->parsed())
   {
     ComputeDistance(line);
+  }
+  else if (line.check->parsed())
+  {
+    return CheckMeshFile(line);
   }
   else
   {
