@@ -11,7 +11,7 @@ import unittest
 from program import ProgramTestCase
 
 VOLUME_COMMANDS = ("extract", "mesh", "surface", "distance", "info", "plan")
-COMMANDS = (*VOLUME_COMMANDS, "work", "finalize", "status")
+COMMANDS = (*VOLUME_COMMANDS[:-1], "check", "plan", "work", "finalize", "status")
 
 
 class TextsTest(ProgramTestCase):
@@ -41,7 +41,7 @@ class TextsTest(ProgramTestCase):
     def test_help_fits_a_screen_and_shows_two_examples(self):
         for command in ((), *((name,) for name in (*COMMANDS, "generate"))):
             lines = self.help(*command).splitlines()
-            self.assertLessEqual(len(lines), 69, command)
+            self.assertLessEqual(len(lines), 70, command)
             self.assertLessEqual(max(map(len, lines)), 80, command)
             self.assertEqual(sum(line.startswith("  medialvoxel ") for line in lines), 2, command)
         self.assertNotIn("generate", self.help())
@@ -51,7 +51,7 @@ class TextsTest(ProgramTestCase):
             text = self.help(command).replace("\\\n", " ")
             for example in re.findall(r"^  medialvoxel (.*)$", text, re.MULTILINE):
                 message = self.run_program(*example.split(), status=1).stderr
-                self.assertRegex(message, r"(part\.mha|scan\.raw|mask\.nrrd|job is not)")
+                self.assertRegex(message, r"(part\.mha|scan\.raw|mask\.nrrd|shell\.|job is not)")
 
     def test_each_option_is_everywhere(self):
         bash, zsh = ((self.folder / name).read_text() for name in ("medialvoxel.bash", "_medialvoxel"))

@@ -34,6 +34,9 @@ constexpr double GoodQuality = 0.3;
 
 constexpr unsigned int MostRounds = 4;
 
+/** Of the progress: while sides grow. */
+constexpr double ShareOfGrowth = 0.8;
+
 } // namespace
 
 MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet & fine, std::function<void(double)> progress)
@@ -64,6 +67,7 @@ MedialVoxelRemesher::Run()
   bool knowsBends = false;
   for (m_Level = m_Fine.GetMeanSide() * Growth;; m_Level *= Growth)
   {
+    m_Share = ShareOfGrowth * std::min(1.0, m_Level / std::max<double>(largest, m_Level));
     this->SplitLongSides();
     this->CollapseShortSides(false);
     this->FlipSides();
@@ -79,8 +83,9 @@ MedialVoxelRemesher::Run()
       break;
     }
   }
-  for (unsigned int round = 0; round < 4; ++round)
+  for (unsigned int round = 0; round < MostRounds; ++round)
   {
+    m_Share = ShareOfGrowth + (1.0 - ShareOfGrowth) * round / (2 * MostRounds);
     this->SplitLongSides();
     this->CollapseShortSides(round > 0);
     this->FlipSides();
@@ -88,8 +93,9 @@ MedialVoxelRemesher::Run()
     this->FlipSides();
     this->MoveVertices();
   }
-  for (unsigned int round = 0; round < 4; ++round)
+  for (unsigned int round = 0; round < MostRounds; ++round)
   {
+    m_Share = ShareOfGrowth + (1.0 - ShareOfGrowth) * (MostRounds + round) / (2 * MostRounds);
     this->RepairTriangles();
     this->MoveVertices();
     this->FlipSides();

@@ -17,7 +17,7 @@ namespace itk
  *
  * Sides grow by 1.6 at a time. At each size, long sides are cut, short ones are collapsed, sides are flipped and
  * vertices are moved along the fine sheet. Rims stay on rims and junctions on junctions. No step may leave a point of
- * the fine sheet, or the middle of a triangle, farther away than a quarter of the size there (or half a fine side,
+ * the fine sheet, or the middle of a triangle, farther away than 0.15 of the size there (or half a fine side,
  * where that is more). Walls that are narrower than half an element, and bounded by a junction, are closed; others keep
  * their width.
  * \ingroup MedialVoxel

@@ -6,6 +6,8 @@
 #include "Text.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -99,7 +101,7 @@ ReadMeshFile(const std::string & fileName)
   std::ifstream input(fileName, std::ios::binary);
   if (!input || std::filesystem::is_directory(fileName))
   {
-    Fail(ExitStatus::Usage, fileName, ": cannot be read");
+    Fail(ExitStatus::Failure, "cannot open ", fileName, ": ", input ? "it is a folder" : std::strerror(errno));
   }
   MeshFileBuilder builder(fileName);
   format->reader(input, builder);

@@ -73,7 +73,8 @@ MeshFileReader ReadPlyMesh;
 std::vector<std::string>
 ListMeshFileExtensions();
 
-/** \throw JobError Usage when the extension is of none of the formats, or the file can not be opened
+/** \throw JobError Usage when the extension is of none of the formats
+ * \throw JobError Failure when the file can not be opened
  * \throw JobError CorruptInput when it is not understood */
 MeshFile
 ReadMeshFile(const std::string & fileName);

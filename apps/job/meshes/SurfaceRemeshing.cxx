@@ -174,4 +174,20 @@ GetElementSize(const ExtractOptions & options)
     HoldsElements(GetSurfaceFormat(options.meshFile)) ? ElementSize::Kind::Automatic : ElementSize::Kind::Voxel, 0.0 });
 }
 
+void
+CheckElementSize(const ExtractOptions & options, const VolumeGeometry & geometry)
+{
+  const ElementSize size = GetElementSize(options);
+  const double      smallest = *std::min_element(geometry.spacing.begin(), geometry.spacing.end());
+  if (size.kind == ElementSize::Kind::Length && size.length < smallest)
+  {
+    Fail(ExitStatus::Usage,
+         "the element size ",
+         FormatNumber(size.length),
+         " is below the spacing of the volume, ",
+         FormatNumber(smallest),
+         "; take that or more, or --element-size voxel");
+  }
+}
+
 } // end namespace medialvoxel

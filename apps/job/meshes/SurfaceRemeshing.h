@@ -37,6 +37,10 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
 ElementSize
 GetElementSize(const ExtractOptions & options);
 
+/** \throw JobError Usage when elements are to be smaller than the voxels */
+void
+CheckElementSize(const ExtractOptions & options, const VolumeGeometry & geometry);
+
 } // end namespace medialvoxel
 
 #endif

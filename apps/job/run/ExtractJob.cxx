@@ -21,6 +21,7 @@
 #include "StopListener.h"
 #include "SurfaceMesh.h"
 #include "SurfacePlacement.h"
+#include "SurfaceRemeshing.h"
 #include "Text.h"
 #include "ThicknessPreview.h"
 #include "ValueStatistics.h"
@@ -386,6 +387,7 @@ Prepare(const ExtractOptions & options, const TGetFootprint & getFootprint)
   if (!options.meshFile.empty())
   {
     CheckSurfaceInput(header, options.meshFile, "medial surface");
+    CheckElementSize(options, header.geometry);
   }
   CheckGrayValues(options, header);
   CheckLabel(options, header);

@@ -1,0 +1,182 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Meshes with elements of a size, and the check of shell meshes, against the Verdict library."""
+
+import json
+import os
+import pathlib
+import subprocess
+import unittest
+
+import volumes
+from program import CORRUPT, DONE, FAILURE, PROGRAM, USAGE, ProgramTestCase
+
+try:
+    import numpy
+    import pyvista
+except ImportError:
+    pyvista = None
+
+DATA = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"]) / "../shared/data"
+
+SQUARES = """*NODE
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1, 1, 0
+4, 0, 1, 0
+5, 2, 0, 0
+6, 2, 1, 0
+7, 1, 0.5, 0
+8, 0, 0, 0
+9, 3, 0.5, 0
+10, 2.2, 0.5, 0
+*ELEMENT, TYPE=S4, ELSET=ALL
+"""
+
+
+def plate():
+    volume = volumes.Volume((30, 26, 12), [], (0.5, 0.5, 0.5))
+    volume.voxels = [1 if 4 <= z < 8 and 3 <= x < 27 else 0 for x, _, z in volume.indices()]
+    return volume
+
+
+class ElementsTestCase(ProgramTestCase):
+    def check(self, name):
+        """What the check says, and the names of the limits that do not hold, which its exit status agrees with."""
+        command = [PROGRAM, "check", name, "--json"]
+        result = subprocess.run(command, capture_output=True, text=True, cwd=self.folder, check=False)
+        check = json.loads(result.stdout)
+        failed = [limit["name"] for limit in check["limits"] if not limit["holds"]]
+        self.assertEqual(result.returncode, FAILURE if failed else DONE, result.stderr)
+        return check, failed
+
+
+@unittest.skipUnless(DATA.is_dir(), f"{DATA} not found")
+class RealElementsTest(ElementsTestCase):
+    def mesh(self, name, *arguments):
+        report = self.run_program("mesh", DATA / "engine.mha", name, "--lower", 72, "--report", "-", *arguments).stdout
+        return json.loads(report)["mesh"]
+
+    def test_engine(self):
+        mesh = self.mesh("engine.inp", "--element-size", "auto")
+        self.run_program("check", "engine.inp")
+        remeshing = mesh["remeshing"]
+        self.assertLessEqual(mesh["faces"], 15000)
+        self.assertAlmostEqual(mesh["area"] / remeshing["area_before"], 1, delta=0.02)
+        self.assertLessEqual(remeshing["distance_to_fine"]["mean"], 0.2)
+        self.assertEqual(remeshing["scaled_jacobian"]["not_positive"], 0)
+        self.assertGreaterEqual(remeshing["scaled_jacobian"]["percentile_1"], 0.3)
+        self.assertLessEqual(remeshing["aspect_ratio"]["percentile_99"], 5)
+
+    def test_same_bytes_for_any_division(self):
+        contents = set()
+        for number, arguments in enumerate(
+            (["--divisions", 1, "--threads", 1], ["--divisions", 9, "--threads", 3], ["--memory", "200M"])
+        ):
+            self.mesh(f"{number}.inp", "--element-size", 6, *arguments)
+            contents.add((self.folder / f"{number}.inp").read_bytes())
+        self.assertEqual(len(contents), 1)
+
+    @unittest.skipUnless(pyvista, "pyvista is not installed")
+    def test_check_is_that_of_verdict(self):
+        # Elements of a voxel have all that can be wrong with shapes.
+        for size in ("voxel", "auto"):
+            source = (DATA / "shell.nrrd", "--lower", 65, "--element-size", size)
+            for name in (f"{size}.ply", f"{size}.vtp"):
+                self.run_program("mesh", source[0], name, *source[1:])
+            mesh = pyvista.read(self.folder / f"{size}.vtp")
+            quality = mesh.cell_quality(["scaled_jacobian", "aspect_ratio"])
+            jacobians = numpy.sort(quality["scaled_jacobian"])
+            aspects = numpy.sort(quality["aspect_ratio"])
+            check, _ = self.check(f"{size}.ply")
+            limits = {limit["name"]: limit["value"] for limit in check["limits"]}
+            last = len(jacobians) - 1
+            self.assertAlmostEqual(check["least_scaled_jacobian"], jacobians[0], places=5)
+            self.assertAlmostEqual(limits["scaled Jacobian of 99 %"], jacobians[int(0.01 * last)], places=5)
+            self.assertAlmostEqual(limits["aspect ratio of 99 %"], aspects[int(0.99 * last)], places=4)
+            self.assertEqual(limits["elements without a positive Jacobian"], int((jacobians <= 0).sum()))
+            rims = mesh.extract_feature_edges(
+                boundary_edges=True, feature_edges=False, manifold_edges=False, non_manifold_edges=False
+            )
+            junctions = mesh.extract_feature_edges(
+                boundary_edges=False, feature_edges=False, manifold_edges=False, non_manifold_edges=True
+            )
+            self.assertEqual(check["rim_sides"], rims.n_cells)
+            self.assertEqual(check["junction_sides"], junctions.n_cells)
+
+
+class CheckTest(ElementsTestCase):
+    def write(self, elements, name="m.inp"):
+        (self.folder / name).write_text(SQUARES + "".join(f"{k + 1}, {e}\n" for k, e in enumerate(elements)))
+
+    def failed(self, *elements):
+        """Names of the limits that do not hold."""
+        self.write(elements)
+        return self.check("m.inp")[1]
+
+    def test_squares(self):
+        self.assertEqual(self.failed("1, 2, 3, 4", "2, 5, 6, 3"), [])
+
+    def test_what_is_wrong_is_named(self):
+        self.assertIn("elements with the same nodes", self.failed("1, 2, 3, 4", "4, 1, 2, 3"))
+        self.assertIn("nodes at one place", self.failed("1, 2, 3, 4", "8, 2, 3, 4"))
+        self.assertIn("hanging nodes", self.failed("1, 2, 3, 4", "2, 5, 6, 7"))
+        self.assertEqual(self.failed("1, 2, 3, 4", "2, 3, 6, 5"), ["walls turned both ways"])
+        self.assertIn("elements without a positive Jacobian", self.failed("2, 10, 3, 9"))
+
+    def test_files_that_are_not_understood(self):
+        self.assert_fails(USAGE, ["m.vtp", ".inp"], "check", "m.vtp")
+        self.assert_fails(FAILURE, ["cannot open none.inp"], "check", "none.inp")
+        self.write(["1, 2, 3, 99"])
+        self.assert_fails(CORRUPT, ["m.inp", "element 1", "node 99"], "check", "m.inp")
+        self.write(["1, 2, 3, x"])
+        self.assert_fails(CORRUPT, ["m.inp", "line 13", "'x'"], "check", "m.inp")
+        self.write([])
+        self.assert_fails(CORRUPT, ["m.inp", "no shell elements"], "check", "m.inp")
+        (self.folder / "m.inp").write_text(SQUARES.replace("S4", "S8R") + "1, 1, 2, 3, 4, 5, 6, 7, 8\n")
+        self.assert_fails(CORRUPT, ["m.inp", "line 12", "s8r"], "check", "m.inp")
+        (self.folder / "m.ply").write_bytes(b"ply\nformat ascii 1.0\nend_header\n")
+        self.assert_fails(CORRUPT, ["m.ply", "binary_little_endian"], "check", "m.ply")
+
+    def test_all_formats_say_the_same(self):
+        volumes.write_meta(self.folder / "in.mha", plate())
+        texts = set()
+        for name in ("m.inp", "m.bdf", "m.ply"):
+            self.run_program("mesh", "in.mha", name, "--element-size", "auto")
+            texts.add(self.run_program("check", name).stdout)
+        self.assertEqual(len(texts), 1)
+
+
+class ElementSizeTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        volumes.write_meta(self.folder / "in.mha", plate())
+
+    def count(self, *arguments):
+        return json.loads(self.run_program("mesh", "in.mha", "m.vtp", "--overwrite", "--report", "-", *arguments).stdout)[
+            "mesh"
+        ]
+
+    def test_sizes(self):
+        voxel = self.count()
+        self.assertEqual(voxel["element_size"], "voxel")
+        self.assertNotIn("remeshing", voxel)
+        self.assertEqual(self.count("--element-size", "voxel"), voxel)
+        faces = voxel["faces"]
+        for size in (1.5, 2.5, "auto"):
+            mesh = self.count("--element-size", size)
+            self.assertEqual(mesh["element_size"], size)
+            self.assertAlmostEqual(mesh["area"], voxel["area"], delta=0.025 * voxel["area"])
+            if size != "auto":
+                self.assertLess(mesh["faces"], faces)
+                faces = mesh["faces"]
+
+    def test_sizes_that_make_no_sense(self):
+        for size in ("0", "-1", "nan", "inf", "large"):
+            self.assert_fails(USAGE, [size], "mesh", "in.mha", "m.vtp", f"--element-size={size}")
+        self.assert_fails(USAGE, ["0.4", "0.5"], "mesh", "in.mha", "m.vtp", "--element-size", 0.4)
+        self.assert_fails(USAGE, ["--element-size", "--mesh"], "extract", "in.mha", "x.mha", "--element-size", 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
