@@ -3,13 +3,21 @@
 """Meshes with elements of a size, and the check of shell meshes, against the Verdict library."""
 
 import json
+import math
 import os
 import pathlib
+import shutil
 import subprocess
+import sys
 import unittest
 
 import volumes
 from program import CORRUPT, DONE, FAILURE, PROGRAM, USAGE, ProgramTestCase
+
+SOURCE = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"])
+sys.path.append(str(SOURCE / "examples/fem"))
+
+from shell_model import ShellModel, solve  # noqa: E402
 
 try:
     import numpy
@@ -17,7 +25,7 @@ try:
 except ImportError:
     pyvista = None
 
-DATA = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"]) / "../shared/data"
+DATA = SOURCE / "../shared/data"
 
 SQUARES = """*NODE
 1, 0, 0, 0
@@ -76,6 +84,17 @@ class RealElementsTest(ElementsTestCase):
             self.mesh(f"{number}.inp", "--element-size", 6, *arguments)
             contents.add((self.folder / f"{number}.inp").read_bytes())
         self.assertEqual(len(contents), 1)
+
+    @unittest.skipUnless(shutil.which("ccx"), "ccx is not installed: Debian package calculix-ccx")
+    def test_calculix_takes_all_elements(self):
+        for name, threshold in (("engine.mha", 72), ("shell.nrrd", 65), ("cranium.mha", 200)):
+            self.run_program("mesh", DATA / name, "part.inp", "--lower", threshold, "--overwrite")
+            model = ShellModel(self.folder / "part.inp")
+            heights = {number: point[2] for number, point in model.nodes.items()}
+            held = [number for number, height in heights.items() if height < min(heights.values()) + 5]
+            # Raises where the solver refuses an element.
+            moved = solve(model, (70000.0, 0.33), held, {max(heights, key=heights.get): (0.0, 0.0, 1.0)}, self.folder)
+            self.assertTrue(all(math.isfinite(value) for values in moved.values() for value in values), name)
 
     @unittest.skipUnless(pyvista, "pyvista is not installed")
     def test_check_is_that_of_verdict(self):

@@ -6,6 +6,7 @@
 #include "itkMedialVoxelSheetVectors.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace itk
 {
@@ -19,6 +20,10 @@ constexpr double LeastQuality = 0.32;
 
 /** Two triangles of a side are a fold when they open by less than 60 degrees. */
 constexpr double CosineOfFold = 0.5;
+
+/** Two triangles of a wall are a bend when they are turned by more than 25 degrees. */
+constexpr double CosineOfBend = -0.9;
+constexpr double BadnessOfBend = 0.5;
 
 /** Of the size: how far the sheet may move to get rid of a bad triangle. */
 constexpr double ToleranceOfCleaning = 0.5;
@@ -126,6 +131,10 @@ MedialVoxelRemesher::GetFolds(const Index a, const Index b) const
     {
       const double cosine = MedialVoxelCosine(heights[first], heights[second]);
       folds += cosine > CosineOfFold ? 1.0 + cosine : 0.0;
+      // Half the thickness on both sides of a bend overlaps this far on its inside.
+      const double overlap = this->GetSize(a, b) / 2.0 * std::sqrt((1.0 + cosine) / std::max(1.0 - cosine, 1e-9));
+      const double height = std::min(MedialVoxelNorm(heights[first]), MedialVoxelNorm(heights[second]));
+      folds += heights.size() == 2 && cosine > CosineOfBend && overlap > height ? BadnessOfBend : 0.0;
     }
   }
   return folds;
