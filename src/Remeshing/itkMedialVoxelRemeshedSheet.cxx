@@ -121,32 +121,36 @@ PutInOrder(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVox
   });
 }
 
+/** At the middles of the four parts of each triangle, which stand for equal areas. */
 Distances
 MeasureToFine(const MedialVoxelFineSheet & fine, const Complex & complex)
 {
   std::vector<double> distances;
+  double              sum = 0.0;
+  double              areas = 0.0;
   for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
   {
-    if (complex.IsTriangle(triangle))
+    if (!complex.IsTriangle(triangle))
     {
-      const auto   corners = complex.GetCorners(triangle);
-      const Vector middle = MedialVoxelMiddle(corners[0], corners[1]);
-      const Vector center{ { (2.0 * middle[0] + corners[2][0]) / 3.0,
-                             (2.0 * middle[1] + corners[2][1]) / 3.0,
-                             (2.0 * middle[2] + corners[2][2]) / 3.0 } };
-      for (const Vector & sample : { corners[0],
-                                     corners[1],
-                                     corners[2],
-                                     middle,
-                                     MedialVoxelMiddle(corners[1], corners[2]),
-                                     MedialVoxelMiddle(corners[2], corners[0]),
-                                     center })
-      {
-        distances.push_back(fine.FindOnWall(sample, complex.GetWall(triangle)).distance);
-      }
+      continue;
+    }
+    const auto   corners = complex.GetCorners(triangle);
+    const double area = GetArea(corners) / 4.0;
+    const Vector middle = MedialVoxelMiddle(corners[0], corners[1]);
+    const Vector center = MedialVoxelAddScaled(middle, MedialVoxelSubtract(corners[2], middle), 1.0 / 3.0);
+    for (const Vector & sample : { center,
+                                   MedialVoxelMiddle(corners[0], center),
+                                   MedialVoxelMiddle(corners[1], center),
+                                   MedialVoxelMiddle(corners[2], center) })
+    {
+      distances.push_back(fine.FindOnWall(sample, complex.GetWall(triangle)).distance);
+      sum += area * distances.back();
+      areas += area;
     }
   }
-  return Summarize(distances);
+  Distances result = Summarize(distances);
+  result.mean = areas > 0.0 ? sum / areas : 0.0;
+  return result;
 }
 
 Distances

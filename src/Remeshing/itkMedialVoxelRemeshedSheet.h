@@ -30,7 +30,7 @@ struct MedialVoxelRemeshingSummary
     double mean{ 0 };
   };
 
-  Distances     toFine;   ///< of the elements' corners, centers and sides
+  Distances     toFine;   ///< of the elements, by area, wall by wall
   Distances     fromFine; ///< of the points of the fine sheet
   double        fineArea{ 0 };
   double        area{ 0 };
