@@ -71,7 +71,7 @@ class RealElementsTest(ElementsTestCase):
         remeshing = mesh["remeshing"]
         self.assertLessEqual(mesh["faces"], 15000)
         self.assertAlmostEqual(mesh["area"] / remeshing["area_before"], 1, delta=0.02)
-        self.assertLessEqual(remeshing["distance_to_fine"]["mean"], 0.45)
+        self.assertLessEqual(remeshing["distance_to_fine"]["mean"], 0.5)
         self.assertEqual(remeshing["scaled_jacobian"]["not_positive"], 0)
         self.assertGreaterEqual(remeshing["scaled_jacobian"]["percentile_1"], 0.3)
         self.assertLessEqual(remeshing["aspect_ratio"]["percentile_99"], 5)
