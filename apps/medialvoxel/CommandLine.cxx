@@ -5,8 +5,8 @@
 #include "CommandParts.h"
 #include "CommandText.h"
 #include "MeasureOptions.h"
+#include "MeshOptions.h"
 #include "OptionValues.h"
-#include "SurfaceFormat.h"
 #include "Text.h"
 #include "Version.h"
 #include "VolumeFormats.h"
@@ -268,22 +268,6 @@ const std::vector<std::pair<std::string, itk::MedialVoxelBoundary>> Boundaries{
   { GetName(itk::MedialVoxelBoundary::Background), itk::MedialVoxelBoundary::Background }
 };
 
-/** Adds the option or argument \a name. */
-CLI::Option *
-AddMesh(CLI::App & app, const std::string & name, ExtractOptions & options)
-{
-  return AddFile(app, name, "Surface: " + CLI::detail::join(ListSurfaceExtensions(), " "), options.meshFile);
-}
-
-CLI::Option *
-AddSectionWidth(CLI::App & app, ExtractOptions & options)
-{
-  return AddText(
-    app, "--section-width", "Step of the thickness of .inp and .bdf sections", "W", [&](const std::string & text) {
-      options.sectionWidth = ToDouble(text);
-    });
-}
-
 } // namespace
 
 CLI::Option *
@@ -291,17 +275,6 @@ AddPoreSize(CLI::App & app, const std::string & help, std::optional<std::uint64_
 {
   return AddText(app, "--max-pore-size", help, "K", [&target](const std::string & text) {
     target = ToCount(text, 0, LargestPoreSize);
-  });
-}
-
-namespace
-{
-
-CLI::Option *
-AddElementSize(CLI::App & app, ExtractOptions & options)
-{
-  return AddText(app, "--element-size", "Length of the mesh's sides; auto, voxel", "H", [&](const std::string & text) {
-    options.elementSize = ToElementSize(text);
   });
 }
 
@@ -333,7 +306,8 @@ AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
   app.add_flag("--voxel-units", options.voxelUnits, "Lengths are in voxels, not in units of the spacing");
 }
 
-} // namespace
+namespace
+{} // namespace
 
 void
 AddLabels(CLI::App & app, ExtractOptions & options)
@@ -390,37 +364,6 @@ DefineExtract(CommandLine & line)
     "medialvoxel extract scan.raw out.nrrd --raw-size 708,965,325 --raw-type uint16",
   };
   app.footer("Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by search.");
-}
-
-void
-DefineMesh(CommandLine & line)
-{
-  CLI::App &       app = *line.mesh;
-  ExtractOptions & options = line.meshOptions;
-  AddInput(app, options);
-  AddMesh(app, "OUTPUT", options)->required();
-  AddThickness(line, app, options);
-  AddObjectOptions(app, options);
-  const std::string group = "Mesh";
-  app.add_flag("--triangles", options.meshTriangles, "Split the quadrilaterals")->group(group);
-  AddText(app,
-          "--smallest-component",
-          "Leave out components of fewer quadrilaterals",
-          "N",
-          [&](const std::string & text) { options.smallestComponent = ToCount(text, 0, LargestCount); })
-    ->group(group);
-  AddElementSize(app, options)->group(group);
-  AddSectionWidth(app, options)->group(group);
-  AddText(app, "--min-branch-length", "Leave out branches shorter than L", "L", [&](const std::string & text) {
-    options.minimumBranchLength = ToDouble(text);
-  })->group(group);
-  AddSubVoxel(app, options)->group(group);
-  AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group("Further outputs");
-  AddRunOptions(line, app, options);
-  AddRawOptions(line, app, options);
-  line.examples[&app] = { "medialvoxel mesh part.mha part.vtp --lower 72",
-                          "medialvoxel mesh part.mha shell.inp --lower 72 --element-size 3" };
-  app.footer("Vertices have the thickness of the wall, in the units of the spacing.");
 }
 
 void

@@ -33,6 +33,9 @@ AddObjectOptions(CLI::App & app, JobOptions & options);
 CLI::Option *
 AddPoreSize(CLI::App & app, const std::string & help, std::optional<std::uint64_t> & target);
 
+void
+AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options);
+
 /** To be called after all options of the command itself. */
 void
 AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options);
@@ -40,6 +43,10 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options);
 /** All but the arguments. \param resumes of the option --resume; null for commands without it */
 void
 AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, bool * resumes);
+
+/** Defines mesh. */
+void
+DefineMesh(CommandLine & line);
 
 /** Defines surface. */
 void
