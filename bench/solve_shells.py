@@ -123,7 +123,7 @@ def count_refused(message):
 
 
 def mesh(program, source, target, *arguments):
-    subprocess.run([program, "mesh", source, target, "--overwrite", "--quiet", *arguments], check=True)
+    subprocess.run([program, "mesh", source, target, "--element-size", "auto", "--overwrite", "--quiet", *arguments], check=True)
     return ShellModel(target)
 
 

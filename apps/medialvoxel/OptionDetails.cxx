@@ -137,9 +137,9 @@ ListOptionDetails()
       "--element-size",
       "In units of the spacing; elements are as long as the wall is thick at least at junctions and bends. auto: as "
       "long "
-      "as the wall is thick, at least two voxels; the default of .inp and .bdf. voxel: one face a voxel; the default "
-      "of "
-      "others. Holds the whole surface in memory. Needs a mesh." },
+      "as the wall is thick, at least two voxels, for solvers. Both hold the whole surface in memory, and take minutes "
+      "for "
+      "millions of faces. voxel (default): one face a voxel. Needs a mesh." },
     { "", "--triangles", "Along the shorter diagonal." },
     { "", "--smallest-component", "Default 0, which keeps all. Holds the whole surface in memory." },
     { "",

@@ -134,10 +134,10 @@ class LabelMeshTest(ProgramTestCase):
         volumes.write_meta(self.folder / "map.mha", touching_shapes())
         name = f"all.{extension}"
         # Elements of another size are those of all objects together, whose sizes follow from all of them.
-        self.mesh_labels("map.mha", name, "--element-size", "voxel", thickness=1.2)
+        self.mesh_labels("map.mha", name, thickness=1.2)
         labels = (-3, 7, 12, 300)
         for label in labels:
-            self.mesh_label("map.mha", f"{label}.{extension}", label, "--element-size", "voxel", thickness=1.2)
+            self.mesh_label("map.mha", f"{label}.{extension}", label, thickness=1.2)
         contents = read_with(reader, self.folder, [name, *(f"./{label}.{extension}" for label in labels)])
         if contents is None:
             self.skipTest(f"the Python package {reader} is not installed; scripts/mesh-readers does it")

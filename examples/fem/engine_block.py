@@ -25,7 +25,6 @@ LOWER = 72  # the smallest grey value of metal
 def make_mesh(arguments, name):
     """A mesh in the format that the name asks for."""
     command = [arguments.program, "mesh", arguments.volume, arguments.folder / name, "--lower", str(LOWER)]
-    command += ["--element-size", "voxel"]
     command += ["--thickness", arguments.thickness, "--voxel-units", "--overwrite", "--quiet"]
     if arguments.volume.suffix not in (".mha", ".mhd", ".nrrd", ".nhdr"):
         command += ["--raw-size", "256,256,110", "--raw-type", "uint8"]

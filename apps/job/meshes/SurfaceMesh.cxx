@@ -74,7 +74,7 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   , m_Grid(grid)
   , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplusBytes / BytesPerPendingCell)
   , m_Cleaning(GetCleaning(options))
-  , m_ElementSize(GetElementSize(options))
+  , m_ElementSize(options.elementSize)
   , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry)))
 {
   m_Cleaning.memoryBytes = GetCleaningBytes(m_Cleaning, GetPlannedVertices(geometry));
@@ -225,7 +225,7 @@ ScratchSpace
 SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
   const SurfaceCleaning cleaning = GetCleaning(options);
-  const bool            isRemeshed = GetElementSize(options).kind != ElementSize::Kind::Voxel;
+  const bool            isRemeshed = options.elementSize.kind != ElementSize::Kind::Voxel;
   const std::uint64_t   spools = cleaning.IsOn() || options.labels || isRemeshed ? 2 : 1;
   const std::uint64_t   sorting = options.labels ? ScratchBytesPerSortedVertex : 0;
   return { cleaning.scratchFolder,

@@ -167,18 +167,11 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
   return result;
 }
 
-ElementSize
-GetElementSize(const ExtractOptions & options)
-{
-  return options.elementSize.value_or(ElementSize{
-    HoldsElements(GetSurfaceFormat(options.meshFile)) ? ElementSize::Kind::Automatic : ElementSize::Kind::Voxel, 0.0 });
-}
-
 void
 CheckElementSize(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
-  const ElementSize size = GetElementSize(options);
-  const double      smallest = *std::min_element(geometry.spacing.begin(), geometry.spacing.end());
+  const ElementSize & size = options.elementSize;
+  const double        smallest = *std::min_element(geometry.spacing.begin(), geometry.spacing.end());
   if (size.kind == ElementSize::Kind::Length && size.length < smallest)
   {
     Fail(ExitStatus::Usage,

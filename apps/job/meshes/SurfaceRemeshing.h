@@ -33,10 +33,6 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
               const SurfaceRemeshing &           remeshing,
               itk::MedialVoxelRemeshingSummary & summary);
 
-/** Of the options, or of the format of the mesh: automatic for solvers, that of voxels for others. */
-ElementSize
-GetElementSize(const ExtractOptions & options);
-
 /** \throw JobError Usage when elements are to be smaller than the voxels */
 void
 CheckElementSize(const ExtractOptions & options, const VolumeGeometry & geometry);

@@ -283,9 +283,9 @@ CheckOptions(const ExtractOptions & options)
   {
     CheckPositive("the width of sections", *options.sectionWidth, false);
   }
-  if (options.elementSize && options.elementSize->kind == ElementSize::Kind::Length)
+  if (options.elementSize.kind == ElementSize::Kind::Length)
   {
-    CheckPositive("the element size", options.elementSize->length, false);
+    CheckPositive("the element size", options.elementSize.length, false);
   }
   if (options.minimumBranchLength != 0)
   {

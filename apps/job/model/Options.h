@@ -141,15 +141,15 @@ struct ExtractOptions : JobOptions
   std::string                placesFile;            ///< these places, comma-separated values
   bool failsIfThin{ false }; ///< the program ends with ExitStatus::TooThin when there are thin ones
 
-  std::string   previewFile;               ///< PNG
-  std::string   htmlFile;                  ///< report as a page with the preview
-  std::string   returnParameterFile;       ///< counts and seconds for 3D Slicer, a line each
-  std::string   meshFile;                  ///< medial surface; then the labels may be empty too
-  bool          meshTriangles{ false };    ///< split its quadrilaterals
-  double        minimumBranchLength{ 0 };  ///< of branches that stay in the mesh; physical units, 0: all stay
-  std::uint64_t smallestComponent{ 0 };    ///< quadrilaterals of pieces that stay in the mesh
-  std::optional<ElementSize> elementSize;  ///< of the mesh; unset: as GetElementSize() of its format
-  std::optional<double>      sectionWidth; ///< as SurfaceWriteOptions; unset: a quarter of the spacing
+  std::string           previewFile;              ///< PNG
+  std::string           htmlFile;                 ///< report as a page with the preview
+  std::string           returnParameterFile;      ///< counts and seconds for 3D Slicer, a line each
+  std::string           meshFile;                 ///< medial surface; then the labels may be empty too
+  bool                  meshTriangles{ false };   ///< split its quadrilaterals
+  double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
+  std::uint64_t         smallestComponent{ 0 };   ///< quadrilaterals of pieces that stay in the mesh
+  ElementSize           elementSize;              ///< of the mesh
+  std::optional<double> sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 
 /** Vector and signed distances. */
