@@ -156,6 +156,20 @@ class CheckTest(ElementsTestCase):
         self.assert_fails(CORRUPT, ["m.inp", "line 12", "s8r"], "check", "m.inp")
         (self.folder / "m.ply").write_bytes(b"ply\nformat ascii 1.0\nend_header\n")
         self.assert_fails(CORRUPT, ["m.ply", "binary_little_endian"], "check", "m.ply")
+        for properties, word in (
+            ("element vertex 9000000000000000000\n", "vertex"),
+            ("element vertex 3\nproperty list uchar float x\n", "list"),
+            ("element face 9000000000000000000\n", "face"),
+        ):
+            header = f"ply\nformat binary_little_endian 1.0\n{properties}end_header\n"
+            (self.folder / "m.ply").write_bytes(header.encode() + bytes(64))
+            self.assert_fails(CORRUPT, ["m.ply", word], "check", "m.ply")
+
+    def test_what_is_no_shell_is_left_out(self):
+        (self.folder / "m.inp").write_text(
+            SQUARES + "1, 1, 2, 3, 4\n*ELEMENT, TYPE=SPRINGA\n2, 1, 2\n*ELEMENT\n3, 1, 2\n"
+        )
+        self.assertEqual(self.check("m.inp")[1], [])
 
     def test_all_formats_say_the_same(self):
         volumes.write_meta(self.folder / "in.mha", plate())

@@ -78,6 +78,10 @@ public:
     {
       this->FailWith("is not of the format binary_little_endian 1.0");
     }
+    for (const Group & group : groups)
+    {
+      this->CheckGroup(group);
+    }
     return groups;
   }
 
@@ -109,6 +113,23 @@ public:
   }
 
 private:
+  /** Elements without properties take no bytes, so that the end of the file does not end them. */
+  void
+  CheckGroup(const Group & group) const
+  {
+    if (group.number > 0 && group.properties.empty())
+    {
+      this->FailWith("its elements " + group.name + " have no properties");
+    }
+    const bool hasList = std::any_of(group.properties.begin(), group.properties.end(), [](const Property & property) {
+      return !property.countType.empty();
+    });
+    if (group.name == "vertex" && hasList)
+    {
+      this->FailWith("a property of its vertices is a list, which is not read");
+    }
+  }
+
   std::uint64_t
   ToCount(const std::string & text) const
   {

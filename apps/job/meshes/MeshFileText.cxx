@@ -109,7 +109,14 @@ GetParameter(const Fields & words, const std::string & name)
   return "";
 }
 
-/** Nodes of a shell element of Abaqus; 0: of another kind. */
+/** Whether elements of Abaqus are shells: an S before the number of their nodes. */
+bool
+IsShell(const std::string & type)
+{
+  return type.size() > 1 && type[0] == 's' && type[1] >= '0' && type[1] <= '9';
+}
+
+/** Nodes of a shell element that is read; 0: of another kind. */
 unsigned int
 CountNodes(const std::string & type)
 {
@@ -188,7 +195,7 @@ ReadAbaqusMesh(std::istream & input, MeshFileBuilder & builder)
       {
         lines.FailAt("*INCLUDE is not read; put the mesh into one file");
       }
-      if (keyword == "*element" && type.front() == 's' && nodesOfElement == 0)
+      if (keyword == "*element" && IsShell(type) && nodesOfElement == 0)
       {
         lines.FailAt("elements of type " + type + " are not read; S3, S3R, S4 and S4R are");
       }
