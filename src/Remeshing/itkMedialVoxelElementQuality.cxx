@@ -90,4 +90,50 @@ MedialVoxelAspectRatio(const std::array<Vector, 4> & corners)
   return GetAspectRatio(GetSides(corners), MedialVoxelNorm(GetNormal(corners)) / 2.0, 4.0);
 }
 
+void
+MedialVoxelElementShapes::Add(const std::vector<MedialVoxelVector3> & points,
+                              const std::array<std::uint32_t, 4> &    corners,
+                              const unsigned int                      number)
+{
+  const auto add = [this](const auto & places) {
+    m_Jacobians.push_back(MedialVoxelScaledJacobian(places));
+    m_Aspects.push_back(MedialVoxelAspectRatio(places));
+  };
+  const auto at = [&](const unsigned int k) { return points[corners[k]]; };
+  if (number == 4)
+  {
+    add(std::array<MedialVoxelVector3, 4>{ { at(0), at(1), at(2), at(3) } });
+  }
+  else
+  {
+    add(std::array<MedialVoxelVector3, 3>{ { at(0), at(1), at(2) } });
+  }
+}
+
+MedialVoxelShapeSummary
+MedialVoxelElementShapes::Summarize() const
+{
+  MedialVoxelShapeSummary summary;
+  if (!m_Jacobians.empty())
+  {
+    std::vector<double> jacobians = m_Jacobians;
+    std::vector<double> aspects = m_Aspects;
+    summary.notPositive = static_cast<std::uint64_t>(
+      std::count_if(jacobians.begin(), jacobians.end(), [](const double jacobian) { return !(jacobian > 0.0); }));
+    summary.leastJacobian = *std::min_element(jacobians.begin(), jacobians.end());
+    summary.lowJacobian = MedialVoxelFindPercentile(jacobians, 0.01);
+    summary.highAspect = MedialVoxelFindPercentile(aspects, 0.99);
+    summary.largestAspect = *std::max_element(aspects.begin(), aspects.end());
+  }
+  return summary;
+}
+
+double
+MedialVoxelFindPercentile(std::vector<double> & values, const double share)
+{
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
 } // end namespace itk

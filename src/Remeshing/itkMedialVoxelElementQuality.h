@@ -7,6 +7,10 @@
 
 #include "MedialVoxelExport.h"
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace itk
 {
 
@@ -32,6 +36,41 @@ MedialVoxelAspectRatio(const std::array<MedialVoxelVector3, 3> & corners);
 /** The same for a quadrilateral: 1 for a square. */
 MedialVoxel_EXPORT double
 MedialVoxelAspectRatio(const std::array<MedialVoxelVector3, 4> & corners);
+
+/** Shapes of all elements of a mesh; of none, all are as of a square. */
+struct MedialVoxelShapeSummary
+{
+  std::uint64_t notPositive{ 0 };   ///< elements whose scaled Jacobian is not above 0
+  double        leastJacobian{ 1 }; ///< scaled Jacobian, of all elements
+  double        lowJacobian{ 1 };   ///< that 99 % reach
+  double        highAspect{ 1 };    ///< aspect ratio that 99 % do not exceed
+  double        largestAspect{ 1 };
+};
+
+/** \class MedialVoxelElementShapes
+ * \brief Collects the shapes of elements.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelElementShapes
+{
+public:
+  /** \param points of the mesh \param corners places of its corners \param number of them, 3 or 4 */
+  void
+  Add(const std::vector<MedialVoxelVector3> & points,
+      const std::array<std::uint32_t, 4> &    corners,
+      unsigned int                            number);
+
+  MedialVoxelShapeSummary
+  Summarize() const;
+
+private:
+  std::vector<double> m_Jacobians;
+  std::vector<double> m_Aspects;
+};
+
+/** The value that a share of all does not exceed; \a values are not empty, and change their order. */
+MedialVoxel_EXPORT double
+MedialVoxelFindPercentile(std::vector<double> & values, double share);
 
 } // end namespace itk
 

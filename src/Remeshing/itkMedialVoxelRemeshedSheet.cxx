@@ -23,19 +23,6 @@ using Complex = MedialVoxelTriangleComplex;
 using Distances = MedialVoxelRemeshingSummary::Distances;
 using Nearest = MedialVoxelSheetTree::Nearest;
 
-/** The value that a share of all does not exceed. */
-double
-GetPercentile(std::vector<double> & values, const double share)
-{
-  if (values.empty())
-  {
-    return 0.0;
-  }
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 Distances
 Summarize(std::vector<double> & distances)
 {
@@ -44,7 +31,7 @@ Summarize(std::vector<double> & distances)
   {
     result.mean = std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
     result.largest = *std::max_element(distances.begin(), distances.end());
-    result.most = GetPercentile(distances, 0.99);
+    result.most = MedialVoxelFindPercentile(distances, 0.99);
   }
   return result;
 }
@@ -178,44 +165,19 @@ MeasureFromFine(const MedialVoxelFineSheet & fine, const Complex & complex)
   return Summarize(distances);
 }
 
-template <std::size_t VCorners>
-void
-MeasureShape(const MedialVoxelRemeshedSheet & sheet,
-             const MedialVoxelShellElement &  element,
-             std::vector<double> &            qualities,
-             std::vector<double> &            aspects)
-{
-  std::array<Vector, VCorners> corners;
-  for (std::size_t k = 0; k < VCorners; ++k)
-  {
-    corners[k] = sheet.points[element.corners[k]];
-  }
-  qualities.push_back(MedialVoxelScaledJacobian(corners));
-  aspects.push_back(MedialVoxelAspectRatio(corners));
-}
-
 void
 MeasureShapes(MedialVoxelRemeshedSheet & sheet)
 {
-  std::vector<double> qualities;
-  std::vector<double> aspects;
+  MedialVoxelElementShapes shapes;
   for (const MedialVoxelShellElement & element : sheet.elements)
   {
-    if (element.numberOfCorners == 4)
-    {
-      MeasureShape<4>(sheet, element, qualities, aspects);
-    }
-    else
-    {
-      MeasureShape<3>(sheet, element, qualities, aspects);
-    }
+    shapes.Add(sheet.points, element.corners, element.numberOfCorners);
   }
-  MedialVoxelRemeshingSummary & summary = sheet.summary;
-  summary.elementsWithoutQuality = static_cast<std::uint64_t>(
-    std::count_if(qualities.begin(), qualities.end(), [](const double quality) { return !(quality > 0.0); }));
-  summary.leastQuality = qualities.empty() ? 1.0 : *std::min_element(qualities.begin(), qualities.end());
-  summary.lowQuality = GetPercentile(qualities, 0.01);
-  summary.highAspect = GetPercentile(aspects, 0.99);
+  const MedialVoxelShapeSummary found = shapes.Summarize();
+  sheet.summary.elementsWithoutQuality = found.notPositive;
+  sheet.summary.leastQuality = found.leastJacobian;
+  sheet.summary.lowQuality = found.lowJacobian;
+  sheet.summary.highAspect = found.highAspect;
 }
 
 void

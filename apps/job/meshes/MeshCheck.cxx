@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "MeshCheck.h"
 
-#include "itkMedialVoxelElementQuality.h"
 #include "itkMedialVoxelSheetTree.h"
 
 #include <nlohmann/json.hpp>
@@ -57,53 +56,16 @@ ListSides(const MeshFile & mesh)
   return sides;
 }
 
-double
-GetPercentile(std::vector<double> values, const double share)
-{
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
-template <std::size_t VCorners>
-void
-AppendShape(const MeshFile &          mesh,
-            const MeshFile::Element & element,
-            std::vector<double> &     jacobians,
-            std::vector<double> &     aspects)
-{
-  std::array<Vector, VCorners> corners;
-  for (std::size_t k = 0; k < VCorners; ++k)
-  {
-    corners[k] = mesh.points[element.corners[k]];
-  }
-  jacobians.push_back(itk::MedialVoxelScaledJacobian(corners));
-  aspects.push_back(itk::MedialVoxelAspectRatio(corners));
-}
-
 void
 CheckShapes(const MeshFile & mesh, MeshCheck & check)
 {
-  std::vector<double> jacobians;
-  std::vector<double> aspects;
+  itk::MedialVoxelElementShapes shapes;
   for (const MeshFile::Element & element : mesh.elements)
   {
-    if (element.numberOfCorners == 4)
-    {
-      AppendShape<4>(mesh, element, jacobians, aspects);
-    }
-    else
-    {
-      AppendShape<3>(mesh, element, jacobians, aspects);
-    }
+    shapes.Add(mesh.points, element.corners, element.numberOfCorners);
     (element.numberOfCorners == 4 ? check.quads : check.triangles) += 1;
   }
-  check.notPositive = static_cast<std::uint64_t>(
-    std::count_if(jacobians.begin(), jacobians.end(), [](const double jacobian) { return !(jacobian > 0.0); }));
-  check.leastJacobian = *std::min_element(jacobians.begin(), jacobians.end());
-  check.lowJacobian = GetPercentile(jacobians, 0.01);
-  check.highAspect = GetPercentile(aspects, 0.99);
-  check.largestAspect = *std::max_element(aspects.begin(), aspects.end());
+  check.shapes = shapes.Summarize();
 }
 
 /** How many of sorted values come again. */
@@ -315,9 +277,9 @@ std::vector<MeshLimit>
 ListMeshLimits(const MeshCheck & check)
 {
   const auto number = [](const std::uint64_t count) { return static_cast<double>(count); };
-  return { { "elements without a positive Jacobian", number(check.notPositive), 0, false },
-           { "scaled Jacobian of 99 %", check.lowJacobian, 0.3, true },
-           { "aspect ratio of 99 %", check.highAspect, 5, false },
+  return { { "elements without a positive Jacobian", number(check.shapes.notPositive), 0, false },
+           { "scaled Jacobian of 99 %", check.shapes.lowJacobian, 0.3, true },
+           { "aspect ratio of 99 %", check.shapes.highAspect, 5, false },
            { "nodes at one place", number(check.sameNodes), 0, false },
            { "elements with the same nodes", number(check.sameElements), 0, false },
            { "hanging nodes", number(check.hangingNodes), 0, false },
@@ -334,8 +296,8 @@ DescribeMeshCheck(const MeshCheck & check)
                                       { "sides of more than two", std::to_string(check.junctionSides) },
                                       { "walls", std::to_string(check.walls) },
                                       { "walls with one side only", std::to_string(check.oneSidedWalls) },
-                                      { "least scaled Jacobian", FormatShort(check.leastJacobian) },
-                                      { "largest aspect ratio", FormatShort(check.largestAspect) } };
+                                      { "least scaled Jacobian", FormatShort(check.shapes.leastJacobian) },
+                                      { "largest aspect ratio", FormatShort(check.shapes.largestAspect) } };
   const std::vector<MeshLimit> limits = ListMeshLimits(check);
   for (const MeshLimit & limit : limits)
   {
@@ -357,8 +319,8 @@ MakeMeshCheckJson(const std::string & fileName, const MeshCheck & check)
                                { "junction_sides", check.junctionSides },
                                { "walls", check.walls },
                                { "one_sided_walls", check.oneSidedWalls },
-                               { "least_scaled_jacobian", check.leastJacobian },
-                               { "largest_aspect_ratio", check.largestAspect },
+                               { "least_scaled_jacobian", check.shapes.leastJacobian },
+                               { "largest_aspect_ratio", check.shapes.largestAspect },
                                { "limits", nlohmann::ordered_json::array() } };
   for (const MeshLimit & limit : ListMeshLimits(check))
   {

@@ -6,6 +6,8 @@
 #include "MeshFile.h"
 #include "Text.h"
 
+#include "itkMedialVoxelElementQuality.h"
+
 #include <string>
 #include <vector>
 
@@ -18,11 +20,6 @@ struct MeshCheck
   std::uint64_t nodes{ 0 }; ///< of elements
   std::uint64_t triangles{ 0 };
   std::uint64_t quads{ 0 };
-  double        leastJacobian{ 1 }; ///< scaled
-  double        lowJacobian{ 1 };   ///< that 99 % reach
-  double        highAspect{ 1 };    ///< that 99 % do not exceed
-  double        largestAspect{ 1 };
-  std::uint64_t notPositive{ 0 };   ///< elements whose scaled Jacobian is not above 0
   std::uint64_t sameNodes{ 0 };     ///< nodes at the place of another one
   std::uint64_t sameElements{ 0 };  ///< elements with the nodes of another one
   std::uint64_t hangingNodes{ 0 };  ///< nodes at rims that lie on a side of another element
@@ -31,6 +28,8 @@ struct MeshCheck
   std::uint64_t walls{ 0 };         ///< that sides of two elements join
   std::uint64_t oneSidedWalls{ 0 }; ///< whose elements can not all be turned one way round
   std::uint64_t turnedWalls{ 0 };   ///< whose elements could, and are not
+
+  itk::MedialVoxelShapeSummary shapes;
 };
 
 /** One line of the table of limits. */
