@@ -59,6 +59,30 @@ public:
   Publish() = 0;
 };
 
+/** \class VoxelReceiver
+ * \brief Takes the voxels of a volume on their way, which becomes no file here. */
+class VoxelReceiver : public VoxelOutput
+{
+public:
+  void
+  Create(const VolumeGeometry &, const VoxelLayout &) override
+  {}
+  void
+  Finish() override
+  {}
+  void
+  Read(std::uint64_t, std::uint64_t, void *) const override
+  {}
+  bool
+  ReadPlane(unsigned int, std::uint64_t, void *) const override
+  {
+    return false;
+  }
+  void
+  Publish() override
+  {}
+};
+
 /** The output for the extension of a file name. \throw JobError Usage for an extension that is not written. */
 std::unique_ptr<VoxelOutput>
 MakeVoxelOutput(const std::filesystem::path & fileName, const JobOptions & options);

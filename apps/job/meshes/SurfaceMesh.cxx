@@ -74,7 +74,6 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   , m_Grid(grid)
   , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplusBytes / BytesPerPendingCell)
   , m_Cleaning(GetCleaning(options))
-  , m_ElementSize(options.elementSize)
   , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry)))
 {
   m_Cleaning.memoryBytes = GetCleaningBytes(m_Cleaning, GetPlannedVertices(geometry));
@@ -116,7 +115,7 @@ SurfaceMesh::Write(OutputFile & file, std::uint64_t memoryBytes, const std::func
   summary.vertices = m_Spool->GetNumberOfVertices();
   summary.faces = m_Spool->GetNumberOfFaces();
   summary.area = m_Area;
-  summary.elementSize = m_ElementSize;
+  summary.elementSize = m_Options.elementSize;
   summary.remeshing = m_Remeshing;
   return summary;
 }
@@ -140,7 +139,7 @@ SurfaceMesh::Finish(std::uint64_t memoryBytes, const std::function<void(double)>
     m_Cleaning.progress = progress;
     m_Spool = CleanSurface(std::move(m_Spool), m_Cleaning);
   }
-  if (m_ElementSize.kind != ElementSize::Kind::Voxel)
+  if (m_Options.elementSize.kind != ElementSize::Kind::Voxel)
   {
     this->Remesh(memoryBytes, progress);
   }
@@ -155,9 +154,11 @@ void
 SurfaceMesh::Remesh(std::uint64_t memoryBytes, const std::function<void(double)> & progress)
 {
   const double     largest = *std::max_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end());
-  const bool       isAutomatic = m_ElementSize.kind == ElementSize::Kind::Automatic;
+  const bool       isAutomatic = m_Options.elementSize.kind == ElementSize::Kind::Automatic;
   SurfaceRemeshing remeshing;
-  remeshing.size = { isAutomatic ? 2.0 * largest : m_ElementSize.length, isAutomatic, !m_Options.meshTriangles };
+  remeshing.size = { isAutomatic ? 2.0 * largest : m_Options.elementSize.length,
+                     isAutomatic,
+                     !m_Options.meshTriangles };
   remeshing.scratchFolder = m_Cleaning.scratchFolder;
   remeshing.memoryBytes = memoryBytes;
   remeshing.progress = progress;
@@ -181,7 +182,7 @@ SurfaceMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
   for (const itk::MedialVoxelSurfaceQuad & quad : quads)
   {
     m_Area += quad.GetArea();
-    if (m_Options.meshTriangles && m_ElementSize.kind == ElementSize::Kind::Voxel)
+    if (m_Options.meshTriangles && m_Options.elementSize.kind == ElementSize::Kind::Voxel)
     {
       this->AddTriangles(quad);
     }

@@ -111,7 +111,6 @@ private:
   itk::MedialVoxelGrid                            m_Grid;
   std::uint64_t                                   m_MaximumNumberOfCells;
   SurfaceCleaning                                 m_Cleaning;
-  ElementSize                                     m_ElementSize;
   std::unique_ptr<SurfaceSpool>                   m_Spool;
   std::vector<SurfaceVertex>                      m_Vertices; // of one slice, for the spool
   std::vector<SurfaceFace>                        m_Faces;

@@ -282,6 +282,20 @@ Dump(const Json & report)
   return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+/** What each report begins with. */
+Json
+BeginReport(const Json & parameters, const JobResult & result)
+{
+  Json report;
+  report["version"] = GetVersion();
+  report["itk_version"] = GetItkVersion();
+  report["input"] = MakeInput(result.input);
+  report["outputs"] = MakeOutputs(result);
+  report["parameters"] = parameters;
+  report["size"] = result.input.geometry.size;
+  return report;
+}
+
 } // namespace
 
 std::optional<PhasePercent>
@@ -377,13 +391,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
     parameters["smallest_component"] = options.smallestComponent;
   }
 
-  Json report;
-  report["version"] = GetVersion();
-  report["itk_version"] = GetItkVersion();
-  report["input"] = MakeInput(result.input);
-  report["outputs"] = MakeOutputs(result);
-  report["parameters"] = parameters;
-  report["size"] = result.input.geometry.size;
+  Json report = BeginReport(parameters, result);
   report["counts"] = MakeCounts(result.sums.counts);
   report["percent"] = MakePercent(result.sums.counts);
   report["smoothed"] = IsSmoothed(options, result);
@@ -422,13 +430,7 @@ MakeReport(const SurfaceOptions & options, const JobResult & result)
   parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
   parameters["open"] = options.isOpen;
 
-  Json report;
-  report["version"] = GetVersion();
-  report["itk_version"] = GetItkVersion();
-  report["input"] = MakeInput(result.input);
-  report["outputs"] = MakeOutputs(result);
-  report["parameters"] = parameters;
-  report["size"] = result.input.geometry.size;
+  Json         report = BeginReport(parameters, result);
   const auto & counts = result.sums.counts;
   report["counts"] = { { "object_voxels", counts.objectVoxels },
                        { "not_a_number_voxels", counts.notANumberVoxels },
@@ -450,13 +452,7 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
   parameters["region"] = GetName(options.region);
   parameters["maximum_distance"] = OptionalToJson(options.maximumDistance);
 
-  Json report;
-  report["version"] = GetVersion();
-  report["itk_version"] = GetItkVersion();
-  report["input"] = MakeInput(result.input);
-  report["outputs"] = MakeOutputs(result);
-  report["parameters"] = parameters;
-  report["size"] = result.input.geometry.size;
+  Json report = BeginReport(parameters, result);
   report["counts"] = { { "not_a_number_voxels", result.sums.counts.notANumberVoxels } };
   AddRun(report, result);
   return Dump(report);

@@ -8,7 +8,7 @@
 #include "PipelineErrors.h"
 #include "PrepareJob.h"
 #include "ReadVolumeHeader.h"
-#include "Report.h"
+#include "ReportSummary.h"
 #include "StopListener.h"
 #include "ValueStatistics.h"
 #include "VolumeFormats.h"
@@ -43,30 +43,6 @@ GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
   return footprint;
 }
 
-class DistanceSummary : public JobSummary
-{
-public:
-  DistanceSummary(const DistanceOptions & options, OutputSet & outputs)
-    : m_Options(options)
-    , m_Report(outputs.AddFile(GetReportFile(options)))
-  {}
-
-  void
-  Write(JobResult & result) override
-  {
-    const std::vector<Warning> found = FindWarningsOfResult(m_Options, result);
-    result.warnings.insert(result.warnings.end(), found.begin(), found.end());
-    if (m_Report)
-    {
-      WriteText(*m_Report, MakeReport(m_Options, result));
-    }
-  }
-
-private:
-  const DistanceOptions & m_Options;
-  OutputFile *            m_Report;
-};
-
 void
 Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
@@ -78,7 +54,7 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
   {
     engine.AddVolume(request, outputs.AddVolume(request));
   }
-  DistanceSummary summary(options, outputs);
+  ReportSummary<DistanceOptions> summary(options, outputs);
 
   WriteBehind writer(result.plan.writesBehind);
   if (result.plan.writesBehind)

@@ -20,8 +20,8 @@ constexpr std::uint64_t CellsLookedAt = 64;
 } // namespace
 
 /** \class ObjectUnion::PassVolume
- * \brief Takes the results of passes for a volume. */
-class ObjectUnion::PassVolume : public VoxelOutput
+ * \brief Takes the results of passes for a volume, which those who made it create, finish and publish. */
+class ObjectUnion::PassVolume : public VoxelReceiver
 {
 public:
   PassVolume(ObjectUnion & owner, const VolumeRequest & request, VoxelOutput & volume)
@@ -67,25 +67,6 @@ public:
       }
     }
   }
-
-  // The volume itself is created, finished and published by those who made it.
-  void
-  Create(const VolumeGeometry &, const VoxelLayout &) override
-  {}
-  void
-  Finish() override
-  {}
-  void
-  Read(std::uint64_t, std::uint64_t, void *) const override
-  {}
-  bool
-  ReadPlane(unsigned int, std::uint64_t, void *) const override
-  {
-    return false;
-  }
-  void
-  Publish() override
-  {}
 
 private:
   ObjectUnion &          m_Owner;

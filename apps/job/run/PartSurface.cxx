@@ -60,7 +60,7 @@ IsMirrored(const itk::MedialVoxelSurfacePlacement & placement)
 
 /** \class PartSurface::Map
  * \brief Takes a volume that is written, and hands its slices on instead of keeping them. */
-class PartSurface::Map : public VoxelOutput
+class PartSurface::Map : public VoxelReceiver
 {
 public:
   explicit Map(PartSurface & surface)
@@ -77,24 +77,6 @@ public:
                          static_cast<const float *>(data) + done);
     }
   }
-
-  void
-  Create(const VolumeGeometry &, const VoxelLayout &) override
-  {}
-  void
-  Finish() override
-  {}
-  void
-  Read(std::uint64_t, std::uint64_t, void *) const override
-  {}
-  bool
-  ReadPlane(unsigned int, std::uint64_t, void *) const override
-  {
-    return false;
-  }
-  void
-  Publish() override
-  {}
 
 private:
   PartSurface & m_Surface;

@@ -11,7 +11,7 @@
 #include "PipelineErrors.h"
 #include "PrepareJob.h"
 #include "ReadVolumeHeader.h"
-#include "Report.h"
+#include "ReportSummary.h"
 #include "ScanMeasure.h"
 #include "StopListener.h"
 #include "SurfacePlacement.h"
@@ -79,30 +79,6 @@ GetFootprint(const SurfaceOptions & options, const VolumeHeader & header)
   return footprint;
 }
 
-class SurfaceJobSummary : public JobSummary
-{
-public:
-  SurfaceJobSummary(const SurfaceOptions & options, OutputSet & outputs)
-    : m_Options(options)
-    , m_Report(outputs.AddFile(GetReportFile(options)))
-  {}
-
-  void
-  Write(JobResult & result) override
-  {
-    const std::vector<Warning> found = FindWarningsOfResult(m_Options, result);
-    result.warnings.insert(result.warnings.end(), found.begin(), found.end());
-    if (m_Report)
-    {
-      WriteText(*m_Report, MakeReport(m_Options, result));
-    }
-  }
-
-private:
-  const SurfaceOptions & m_Options;
-  OutputFile *           m_Report;
-};
-
 /** Finds out how walls are measured, where they may be on gray values. */
 void
 ChooseMeasure(const SurfaceOptions & options,
@@ -122,13 +98,13 @@ ChooseMeasure(const SurfaceOptions & options,
 void
 Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto        input = OpenInputVolume(result.input, options, result.plan.scratchFolder, result.plan.bytesToKeep);
-  OutputSet         outputs(options, false);
-  OutputFile &      file = *outputs.AddFile(options.output);
-  SurfaceJobSummary summary(options, outputs);
-  PartSurface       surface(options, result.input, *input);
-  PieceLoop         loop(result.plan, result.input, 1, sink);
-  auto              engine = std::make_unique<PieceEngine>(
+  const auto   input = OpenInputVolume(result.input, options, result.plan.scratchFolder, result.plan.bytesToKeep);
+  OutputSet    outputs(options, false);
+  OutputFile & file = *outputs.AddFile(options.output);
+  ReportSummary<SurfaceOptions> summary(options, outputs);
+  PartSurface                   surface(options, result.input, *input);
+  PieceLoop                     loop(result.plan, result.input, 1, sink);
+  auto                          engine = std::make_unique<PieceEngine>(
     *input, result.input, options, result.plan, GetMapTask(options, result.input).task, loop.GetObserver());
   engine->AddVolume(GetMapRequest(options, result.input), surface.GetMap());
   WriteBehind writer(false); // the surface reads the input, as the engine does
