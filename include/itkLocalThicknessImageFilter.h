@@ -127,8 +127,8 @@ private:
   bool       m_SubvoxelThickness{ false };
   double     m_MaximumThickness{ 0.0 };
 
-  std::optional<MedialVoxelScan> m_Scan; ///< of the input at a time
-  ModifiedTimeType               m_ScanMTime{ 0 };
+  MedialVoxelScanSurvey::Result m_Survey; ///< of the input at a time
+  ModifiedTimeType              m_SurveyMTime{ 0 };
 };
 
 } // end namespace itk

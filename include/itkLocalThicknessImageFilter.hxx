@@ -57,7 +57,11 @@ LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) co
     task.walls->parameters = MedialVoxelParameters::ForSettings(grid, settings);
     if (m_SubvoxelThickness)
     {
-      task.walls->grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan };
+      task.walls->grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold(), m_Survey.scan };
+      if (m_Survey.middle)
+      {
+        task.walls->grayRange->MoveThreshold(*m_Survey.middle);
+      }
     }
   }
   return task;
@@ -83,13 +87,13 @@ MedialVoxelSums
 LocalThicknessImageFilter<TInputImage>::RunRegion(const MedialVoxelBox & region)
 {
   const ModifiedTimeType modifiedTime = this->GetPixelMTime();
-  if (m_SubvoxelThickness && m_ScanMTime != modifiedTime)
+  if (m_SubvoxelThickness && m_SurveyMTime != modifiedTime)
   {
-    m_ScanMTime = 0;
-    m_Scan = this->SurveyScan({}).scan;
+    m_SurveyMTime = 0;
+    m_Survey = this->SurveyScan({});
     // Made again, for walls that are measured like this.
     this->DropWindow();
-    m_ScanMTime = modifiedTime;
+    m_SurveyMTime = modifiedTime;
   }
   return Superclass::RunRegion(region);
 }

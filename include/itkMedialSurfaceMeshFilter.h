@@ -168,8 +168,8 @@ public:
   itkBooleanMacro(UseImageSpacing);
 
   /** Measure on the gray values that the thresholds cut the object from: boundary points are moved to where the values
-   * cross the threshold, see MedialVoxelGrayBoundary, for the points of the mesh and for the thickness. Needs a
-   * threshold. Default off. */
+   * cross the threshold, or halfway between the two values of a mask, see MedialVoxelGrayBoundary, for the points of
+   * the mesh and for the thickness. Needs a threshold. Default off. */
   void
   SetSubvoxelThickness(bool use);
   bool
@@ -181,6 +181,22 @@ public:
   SetScanLevels(double background, double material);
   void
   UnsetScanLevels();
+
+  /** Whether the object of the last update is that of smoothed values. */
+  bool
+  GetObjectIsSmoothed() const
+  {
+    return m_LabelFilter->GetObjectIsSmoothed();
+  }
+
+#ifndef ITK_WRAPPING_PARSER
+  /** As in MedialVoxelImageFilter. */
+  MedialVoxelExtraction::GrayRange
+  GetGrayRange() const
+  {
+    return m_LabelFilter->GetGrayRange();
+  }
+#endif
 
   /** Bytes that the window on the input and the memory of all threads may take, as in MedialVoxelImageFilter; 0
    * (default) is without limit. Has no influence on the mesh. */

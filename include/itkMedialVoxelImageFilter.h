@@ -228,14 +228,13 @@ public:
 
   /** Measure the thickness on the values of the image; one of the thresholds must be set. Default off. Where the image
    * has walls of 5 voxels, blurred walls are fitted to the values, which reads samples of the input once more;
-   * otherwise, and with both thresholds, walls reach to where values cross the thresholds. The window on the input
-   * keeps 4 bytes for each voxel as well; values are read in single precision. See MedialVoxelGrayThickness. */
+   * otherwise, and with both thresholds, walls reach to where values cross the thresholds, or the middle of the two
+   * values of a mask. The window keeps 4 bytes a voxel more, in single precision. See MedialVoxelGrayThickness. */
   itkSetMacro(SubvoxelThickness, bool);
   itkGetConstMacro(SubvoxelThickness, bool);
   itkBooleanMacro(SubvoxelThickness);
 
-  /** Values of background and material for these fits, finite and not equal; those of the scan are found out without.
-   */
+  /** Values of background and material for these fits, finite and not equal; default those of the scan. */
   virtual void
   SetScanLevels(double background, double material);
   virtual void
@@ -380,6 +379,10 @@ public:
   {
     return this->GetParameters(this->GetGrid());
   }
+
+  /** What the last update with SubvoxelThickness measured walls with. */
+  MedialVoxelExtraction::GrayRange
+  GetGrayRange() const;
 #endif
 
   using Superclass::MakeOutput;
@@ -474,6 +477,7 @@ private:
   double                  m_Noise{ 0.0 };
   double                  m_NoiseCorrelation{ 1.0 };
   std::string             m_ReasonWithoutScan;
+  std::optional<double>   m_MiddleOfMask; ///< of the two values of the input
   ModifiedTimeType        m_ScanMTime{ 0 };
   ObjectLabelsType        m_ObjectLabels; ///< ascending, each once
 

@@ -128,6 +128,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
   const auto            result = this->SurveyScan(m_ScanLevels);
   const MedialVoxelScan scan = result.scan.value_or(MedialVoxelScan{});
   m_ReasonWithoutScan = result.reason;
+  m_MiddleOfMask = result.middle;
   m_BackgroundLevel = scan.background;
   m_MaterialLevel = scan.material;
   m_Blur = scan.blur;
@@ -136,6 +137,22 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
   // Made again, for walls that are measured like this.
   this->DropWindow();
   m_ScanMTime = modifiedTime;
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelExtraction::GrayRange
+MedialVoxelImageFilter<TInputImage, TOutputImage>::GetGrayRange() const
+{
+  MedialVoxelExtraction::GrayRange range{ this->GetLowerThreshold(), this->GetUpperThreshold() };
+  if (m_Blur > 0.0)
+  {
+    range.scan = MedialVoxelScan{ m_BackgroundLevel, m_MaterialLevel, m_Blur, m_Noise, m_NoiseCorrelation };
+  }
+  if (m_MiddleOfMask)
+  {
+    range.MoveThreshold(*m_MiddleOfMask);
+  }
+  return range;
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -366,12 +383,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
   }
   if (m_SubvoxelThickness)
   {
-    extraction.grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold() };
-    if (m_Blur > 0.0)
-    {
-      extraction.grayRange->scan =
-        MedialVoxelScan{ m_BackgroundLevel, m_MaterialLevel, m_Blur, m_Noise, m_NoiseCorrelation };
-    }
+    extraction.grayRange = this->GetGrayRange();
   }
   for (auto * const observer : m_TileObservers)
   {

@@ -71,7 +71,8 @@ public:
   struct Result
   {
     std::optional<MedialVoxelScan> scan;
-    std::string                    reason; ///< empty with a scan
+    std::string                    reason;   ///< empty with a scan
+    std::optional<double>          middle{}; ///< of the two values of a mask
   };
 
   /** \param threshold  that cuts the object from the background

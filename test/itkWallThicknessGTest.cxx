@@ -203,6 +203,22 @@ TEST(WallThickness, OnGrayValuesEqualsBruteForce)
   }
 }
 
+TEST(WallThickness, MasksAreMeasuredHalfwayBetweenTheirValues)
+{
+  auto filter = MakeFilter<3>(AxisPlate({ { 12, 12, 12 } }, UnitSpacing, 2, 3, 4), 8.0);
+  filter->Update();
+  const auto expected = PixelsOf(filter->GetOutput());
+  filter->SubvoxelThicknessOn();
+  filter->SetLowerThreshold(1);
+  filter->Update();
+  const auto values = PixelsOf(filter->GetOutput());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    EXPECT_TRUE(std::isnan(values[i]) ? std::isnan(expected[i]) : std::abs(values[i] - expected[i]) < 1e-5f)
+      << values[i] << ' ' << expected[i];
+  }
+}
+
 TEST(WallThickness, OnGrayValuesNeedsAThresholdAndWalls)
 {
   auto filter = MakeFilter<3>(AxisPlate({ { 9, 9, 9 } }, UnitSpacing, 2, 3, 2), 5.0);

@@ -33,6 +33,8 @@ constexpr double SmallestWay = 2.7;
 constexpr double SmallestBlur = 0.4;
 constexpr double LargestBlur = 3.0;
 
+constexpr const char * SharpEdges = "the edges are as sharp as those of a mask";
+
 /** The middle one; the values change their order. */
 double
 TakeMedian(std::vector<double> & values)
@@ -206,6 +208,12 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
                          const double                                 threshold,
                          const std::optional<MedialVoxelScanLevels> & levels)
 {
+  const std::optional<double> inside = samples.inside.GetOnlyOne();
+  const std::optional<double> outside = samples.outside.GetOnlyOne();
+  if (inside && outside)
+  {
+    return { std::nullopt, SharpEdges, 0.5 * (*inside + *outside) };
+  }
   const std::vector<BackgroundSample> background = SelectBackground(samples.background.Take());
   const std::vector<MaterialSample>   material = samples.material.Take();
   std::vector<SurfaceSample>          surfaces = samples.surfaces.Take();
@@ -225,14 +233,14 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
   scan.correlation =
     std::max(FindCorrelation(background, &BackgroundSample::smallMean, isSolid ? 27.0 : 9.0, scan.noise),
              FindCorrelation(background, &BackgroundSample::largeMean, isSolid ? 125.0 : 25.0, scan.noise));
-  const std::optional<MaterialLevel> inside =
+  const std::optional<MaterialLevel> level =
     levels ? MaterialLevel{ levels->material, std::numeric_limits<double>::infinity() } : FindMaterial(material);
-  if (!inside)
+  if (!level)
   {
     return { std::nullopt, "too few walls are 5 voxels thick, so that the value of the material is not known" };
   }
   scan.background = levels ? levels->background : TakeMedian(values);
-  scan.material = inside->value;
+  scan.material = level->value;
   if (!(std::min(scan.background, scan.material) < threshold && threshold < std::max(scan.background, scan.material)))
   {
     return { std::nullopt, "the threshold is not between the values of background and material" };
@@ -251,10 +259,9 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
   }
   if (!(*blur >= SmallestBlur && *blur <= LargestBlur))
   {
-    return { std::nullopt,
-             *blur < SmallestBlur ? "the edges are as sharp as those of a mask" : "the blur is too large" };
+    return { std::nullopt, *blur < SmallestBlur ? SharpEdges : "the blur is too large" };
   }
-  if (inside->toFace < SmallestWay * *blur)
+  if (level->toFace < SmallestWay * *blur)
   {
     return { std::nullopt, "no wall is thick enough for the blur, so that the value of the material is not known" };
   }

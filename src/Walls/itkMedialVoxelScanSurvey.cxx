@@ -133,7 +133,9 @@ private:
     for (; voxel[0] < part.upper[0]; ++voxel[0])
     {
       const std::uint64_t hash = MedialVoxelHash(seed + static_cast<std::uint64_t>(block.OffsetOf(voxel)));
-      if (m_Object.Test(voxel))
+      const bool          isObject = m_Object.Test(voxel);
+      (isObject ? samples.inside : samples.outside).Add(static_cast<double>(m_Gray.Get(voxel)));
+      if (isObject)
       {
         this->TakeObject(voxel, hash, samples);
       }
