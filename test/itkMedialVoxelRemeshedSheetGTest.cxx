@@ -212,6 +212,50 @@ TEST(MedialVoxelRemeshedSheet, SmallHolesAreClosedAndLargeOnesStay)
     EXPECT_EQ(result.summary.holesClosed, radius < 2 ? 1u : 0u);
     EXPECT_EQ(FacesOf(result).GetEulerNumber(), radius < 2 ? 1 : 0);
     ExpectSound(result);
+    // Each point is near one that was given, also in the lid of a hole.
+    for (std::size_t k = 0; k < result.points.size(); ++k)
+    {
+      ASSERT_LT(result.finePoint[k], sheet.points.size());
+    }
+  }
+}
+
+/** Two rims at one place, with points at different places, as a long slit has them that is narrower than any element.
+ */
+TEST(MedialVoxelRemeshedSheet, SlitsAreZipped)
+{
+  itk::MedialVoxelSheet sheet;
+  const auto            addStrip = [&](const int first, const int last, const double step) {
+    const auto start = static_cast<std::uint32_t>(sheet.points.size());
+    const auto columns = static_cast<std::uint32_t>(std::lround(36.0 / step));
+    for (int y = first; y <= last; ++y)
+    {
+      for (std::uint32_t x = 0; x <= columns; ++x)
+      {
+        sheet.points.push_back({ { x * step, static_cast<double>(y), 0.0 } });
+        sheet.thickness.push_back(4.0f);
+      }
+    }
+    for (std::uint32_t y = 0; y < static_cast<std::uint32_t>(last - first); ++y)
+    {
+      for (std::uint32_t x = 0; x < columns; ++x)
+      {
+        const std::uint32_t corner = start + y * (columns + 1) + x;
+        sheet.AddQuad({ { corner, corner + 1, corner + columns + 2, corner + columns + 1 } });
+      }
+    }
+  };
+  addStrip(0, 12, 1.0);
+  addStrip(12, 30, 0.75);
+  const auto result = Remesh(sheet, { 4.0, false, true });
+  ExpectSound(result);
+  const Faces faces = FacesOf(result);
+  EXPECT_EQ(faces.GetEulerNumber(), 1); // one square, where there were two
+  for (const Vector3 & middle : faces.ListMiddles(false))
+  {
+    // Corners are cut by a part of an element.
+    EXPECT_TRUE(middle[0] < 3.0 || middle[0] > 33.0 || middle[1] < 3.0 || middle[1] > 27.0)
+      << middle[0] << ' ' << middle[1];
   }
 }
 

@@ -102,8 +102,9 @@ TEST(MedialVoxelTriangleComplex, SplitsKeepTheTopology)
   Complex            complex = MakeRing(5, 4, true, true);
   const long         euler = GetEulerNumber(complex);
   std::vector<Index> halves;
-  for (const Index b : complex.FindNeighbors(12))
+  for (const Complex::Neighbor & neighbor : complex.FindNeighbors(12))
   {
+    const Index        b = neighbor.vertex;
     const unsigned int triangles = complex.CountTriangles(12, b);
     const Index        middle = complex.Split(12, b, { { 0.5, 0.5, 0.0 } }, halves);
     EXPECT_EQ(halves.size(), triangles);

@@ -5,6 +5,7 @@
 #include "itkMedialVoxelSheetSides.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <queue>
@@ -18,6 +19,8 @@ using Index = MedialVoxelSheet::Index;
 
 /** How much sizes may fall along a length. */
 constexpr double SizeSlope = 0.5;
+
+constexpr Index NoTriangle = ~Index{ 0 };
 
 Index
 RootOf(std::vector<Index> & parents, Index number)
@@ -80,9 +83,11 @@ MedialVoxelSheet::RemoveDuplicates()
   triangles.swap(kept);
 }
 
-MedialVoxelFineSheet::MedialVoxelFineSheet(MedialVoxelSheet sheet)
+MedialVoxelFineSheet::MedialVoxelFineSheet(MedialVoxelSheet sheet, std::vector<bool> isShared)
   : m_Sheet(std::move(sheet))
+  , m_IsShared(std::move(isShared))
 {
+  assert(m_IsShared.empty() || m_IsShared.size() == m_Sheet.points.size());
   this->FindWallsAndLines();
   m_Walls = std::make_unique<MedialVoxelSheetTree>(m_Sheet.points, m_Sheet.triangles, m_WallOf);
 }
@@ -94,7 +99,7 @@ MedialVoxelFineSheet::FindWallsAndLines()
   std::vector<Index>                      parents(m_Sheet.triangles.size());
   std::iota(parents.begin(), parents.end(), Index{ 0 });
   std::vector<MedialVoxelSheetTree::Triangle> lines;
-  std::vector<Index>                          kinds;
+  std::vector<Index>                          owners; // of rims; none of junctions
   double                                      length = 0.0;
   for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
   {
@@ -112,15 +117,18 @@ MedialVoxelFineSheet::FindWallsAndLines()
       parents[std::max(a, b)] = std::min(a, b);
       continue;
     }
+    if (this->IsShared(side.low) && this->IsShared(side.high))
+    {
+      continue;
+    }
     lines.push_back({ { side.low, side.high, side.high } });
-    kinds.push_back(last - first == 1 ? 0 : 1);
+    owners.push_back(last - first == 1 ? side.triangle : NoTriangle);
     if (last - first > 2)
     {
       m_Junctions.push_back({ { side.low, side.high } });
     }
   }
   m_MeanSide = sides.empty() ? 0.0 : length / static_cast<double>(sides.size());
-  m_Lines = std::make_unique<MedialVoxelSheetTree>(m_Sheet.points, lines, kinds);
 
   m_WallOf.resize(parents.size());
   Index walls = 0;
@@ -129,11 +137,18 @@ MedialVoxelFineSheet::FindWallsAndLines()
     const Index root = RootOf(parents, triangle);
     m_WallOf[triangle] = root == triangle ? walls++ : m_WallOf[root];
   }
+  std::vector<Index> groups;
+  for (const Index owner : owners)
+  {
+    groups.push_back(owner == NoTriangle ? 0 : 1 + m_WallOf[owner]);
+  }
+  m_Lines = std::make_unique<MedialVoxelSheetTree>(m_Sheet.points, lines, groups);
 }
 
 void
-MedialVoxelFineSheet::SetSizes(const double least, const bool atThickness)
+MedialVoxelFineSheet::SetSizes(const double least, const bool atThickness, const double shareOfThickness)
 {
+  m_ShareOfThickness = static_cast<float>(shareOfThickness);
   m_Sizes.assign(m_Sheet.points.size(), static_cast<float>(least));
   std::vector<Index> raised;
   if (atThickness)
@@ -158,7 +173,7 @@ MedialVoxelFineSheet::RaiseSizes(const std::vector<Index> & points)
   {
     if (IsKnown(m_Sheet.thickness[point]))
     {
-      m_Sizes[point] = std::max(m_Sizes[point], m_Sheet.thickness[point]);
+      m_Sizes[point] = std::max(m_Sizes[point], m_ShareOfThickness * m_Sheet.thickness[point]);
     }
   }
   this->SpreadSizes();

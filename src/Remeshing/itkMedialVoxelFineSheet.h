@@ -46,13 +46,9 @@ public:
   /** Memory for each triangle, with the sheet itself and what its making takes for a while. */
   static constexpr std::uint64_t BytesPerTriangle = 216;
 
-  enum class Line
-  {
-    Rim,
-    Junction
-  };
-
-  explicit MedialVoxelFineSheet(MedialVoxelSheet sheet);
+  /** \param isShared of each point, whether triangles that are not in the sheet have it, too; empty: no. A side between
+   * two of these is no line. */
+  explicit MedialVoxelFineSheet(MedialVoxelSheet sheet, std::vector<bool> isShared = {});
 
   MedialVoxelFineSheet(const MedialVoxelFineSheet &) = delete;
   MedialVoxelFineSheet &
@@ -74,6 +70,17 @@ public:
     return m_WallOf[triangle];
   }
 
+  bool
+  HasShared() const
+  {
+    return !m_IsShared.empty();
+  }
+  bool
+  IsShared(Index point) const
+  {
+    return !m_IsShared.empty() && m_IsShared[point];
+  }
+
   /** Mean length of the sides. */
   double
   GetMeanSide() const
@@ -86,15 +93,28 @@ public:
   {
     return m_Walls->Find(point, wall, within);
   }
-  Nearest
-  FindOnLine(const Point & point, Line line, double within = MedialVoxelSheetTree::Anywhere) const
+  bool
+  HasWallWithin(const Point & point, Index wall, double within) const
   {
-    return m_Lines->Find(point, line == Line::Rim ? 0 : 1, within);
+    return m_Walls->HasWithin(point, wall, within);
   }
 
-  /** Sizes at all points: \a least, and where \a atThickness is set at least the thickness; else so at junctions. */
+  /** Of the rims of a wall. */
+  Nearest
+  FindOnRim(const Point & point, Index wall, double within = MedialVoxelSheetTree::Anywhere) const
+  {
+    return m_Lines->Find(point, 1 + wall, within);
+  }
+  Nearest
+  FindOnJunction(const Point & point, double within = MedialVoxelSheetTree::Anywhere) const
+  {
+    return m_Lines->Find(point, 0, within);
+  }
+
+  /** Sizes at all points: \a least, and where \a atThickness is set at least a share of the thickness; else so at
+   * junctions. */
   void
-  SetSizes(double least, bool atThickness);
+  SetSizes(double least, bool atThickness, double shareOfThickness);
 
   /** At least the thickness at some more points, as where the sheet bends. */
   void
@@ -121,10 +141,12 @@ private:
   SpreadSizes();
 
   MedialVoxelSheet                      m_Sheet;
+  std::vector<bool>                     m_IsShared;
   std::vector<Index>                    m_WallOf;
   std::vector<std::array<Index, 2>>     m_Junctions;
   std::vector<float>                    m_Sizes;
   double                                m_MeanSide{ 0 };
+  float                                 m_ShareOfThickness{ 1 };
   std::unique_ptr<MedialVoxelSheetTree> m_Walls;
   std::unique_ptr<MedialVoxelSheetTree> m_Lines;
 };

@@ -20,21 +20,13 @@ namespace
 using Index = MedialVoxelSheet::Index;
 using Vector = MedialVoxelVector3;
 using Complex = MedialVoxelTriangleComplex;
-using Distances = MedialVoxelRemeshingSummary::Distances;
 using Nearest = MedialVoxelSheetTree::Nearest;
 
-Distances
-Summarize(std::vector<double> & distances)
-{
-  Distances result;
-  if (!distances.empty())
-  {
-    result.mean = std::accumulate(distances.begin(), distances.end(), 0.0) / static_cast<double>(distances.size());
-    result.largest = *std::max_element(distances.begin(), distances.end());
-    result.most = MedialVoxelFindPercentile(distances, 0.99);
-  }
-  return result;
-}
+/** Of how far the fine sheet may be off: so long are sides at least before rims are extended. */
+constexpr double NoisesBefore = 4.0;
+
+/** Of the size, that sides have before rims are extended: about as long as what is added then. */
+constexpr double ShareBefore = 0.4;
 
 double
 GetArea(const std::array<Vector, 3> & corners)
@@ -70,10 +62,28 @@ StartWithLowest(MedialVoxelShellElement & element)
   element.junctionSides = rotate(element.junctionSides);
 }
 
+/** The given point of a triangle that is nearest to a place; lids of holes have a point that was not given. */
+Index
+FindGivenPoint(const MedialVoxelFineSheet & fine, const Nearest & nearest, const Index numberGiven)
+{
+  const MedialVoxelSheet & sheet = fine.GetSheet();
+  const auto &             corners = sheet.triangles[nearest.triangle];
+  return *std::min_element(corners.begin(), corners.end(), [&](const Index a, const Index b) {
+    const auto distance = [&](const Index point) {
+      return point < numberGiven ? MedialVoxelNorm(MedialVoxelSubtract(sheet.points[point], nearest.point))
+                                 : MedialVoxelSheetTree::Anywhere;
+    };
+    return distance(a) < distance(b);
+  });
+}
+
 /** Gives the points of the complex that are in use to the result, by their places, and numbers the elements' corners
  * anew. */
 void
-PutInOrder(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVoxelRemeshedSheet & result)
+PutInOrder(const MedialVoxelFineSheet & fine,
+           const Complex &              complex,
+           const Index                  numberGiven,
+           MedialVoxelRemeshedSheet &   result)
 {
   std::vector<Index> order;
   for (Index vertex = 0; vertex < complex.GetNumberOfVertices(); ++vertex)
@@ -95,7 +105,7 @@ PutInOrder(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVox
     const Nearest nearest = FindOnFine(fine, complex, vertex);
     result.points.push_back(complex.GetPoint(vertex));
     result.thickness.push_back(fine.GetThickness(nearest.triangle, nearest.point));
-    result.finePoint.push_back(fine.GetNearestPoint(nearest.triangle, nearest.point));
+    result.finePoint.push_back(FindGivenPoint(fine, nearest, numberGiven));
   }
   for (MedialVoxelShellElement & element : result.elements)
   {
@@ -106,63 +116,6 @@ PutInOrder(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVox
   std::sort(result.elements.begin(), result.elements.end(), [](const auto & a, const auto & b) {
     return a.corners < b.corners;
   });
-}
-
-/** At the middles of the four parts of each triangle, which stand for equal areas. */
-Distances
-MeasureToFine(const MedialVoxelFineSheet & fine, const Complex & complex)
-{
-  std::vector<double> distances;
-  double              sum = 0.0;
-  double              areas = 0.0;
-  for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
-  {
-    if (!complex.IsTriangle(triangle))
-    {
-      continue;
-    }
-    const auto   corners = complex.GetCorners(triangle);
-    const double area = GetArea(corners) / 4.0;
-    const Vector middle = MedialVoxelMiddle(corners[0], corners[1]);
-    const Vector center = MedialVoxelAddScaled(middle, MedialVoxelSubtract(corners[2], middle), 1.0 / 3.0);
-    for (const Vector & sample : { center,
-                                   MedialVoxelMiddle(corners[0], center),
-                                   MedialVoxelMiddle(corners[1], center),
-                                   MedialVoxelMiddle(corners[2], center) })
-    {
-      distances.push_back(fine.FindOnWall(sample, complex.GetWall(triangle)).distance);
-      sum += area * distances.back();
-      areas += area;
-    }
-  }
-  Distances result = Summarize(distances);
-  result.mean = areas > 0.0 ? sum / areas : 0.0;
-  return result;
-}
-
-Distances
-MeasureFromFine(const MedialVoxelFineSheet & fine, const Complex & complex)
-{
-  std::vector<Vector>            points;
-  std::vector<Complex::Triangle> triangles;
-  for (Index vertex = 0; vertex < complex.GetNumberOfVertices(); ++vertex)
-  {
-    points.push_back(complex.GetPoint(vertex));
-  }
-  for (Index triangle = 0; triangle < complex.GetNumberOfTriangles(); ++triangle)
-  {
-    if (complex.IsTriangle(triangle))
-    {
-      triangles.push_back(complex.GetTriangle(triangle));
-    }
-  }
-  const MedialVoxelSheetTree tree(points, triangles, std::vector<Index>(triangles.size(), 0));
-  std::vector<double>        distances;
-  for (const Vector & point : fine.GetSheet().points)
-  {
-    distances.push_back(tree.Find(point, 0).distance);
-  }
-  return Summarize(distances);
 }
 
 void
@@ -201,7 +154,103 @@ MeasureAreasAndWalls(const MedialVoxelFineSheet & fine, const Complex & complex,
   summary.wallsLeftOut = static_cast<std::uint64_t>(std::count(isLeft.begin(), isLeft.end(), false));
 }
 
+/** Of the sides of triangles. */
+double
+GetMeanSide(const MedialVoxelSheet & sheet)
+{
+  double sum = 0.0;
+  for (const auto & corners : sheet.triangles)
+  {
+    for (unsigned int k = 0; k < 3; ++k)
+    {
+      sum += MedialVoxelNorm(MedialVoxelSubtract(sheet.points[corners[k]], sheet.points[corners[(k + 1) % 3]]));
+    }
+  }
+  return sheet.triangles.empty() ? 0.0 : sum / static_cast<double>(3 * sheet.triangles.size());
+}
+
+MedialVoxelRemeshedSheet
+RemeshAsItIs(MedialVoxelSheet                    sheet,
+             const MedialVoxelElementSize &      size,
+             const bool                          isStraight,
+             const std::function<void(double)> & progress)
+{
+  const auto           numberGiven = static_cast<Index>(sheet.points.size());
+  const std::uint64_t  holes = MedialVoxelCloseHoles(sheet, size.least);
+  MedialVoxelFineSheet fine(std::move(sheet));
+  fine.SetSizes(size.least, size.atThickness, size.shareOfThickness);
+  MedialVoxelRemesher remesher(fine, isStraight ? 0.0 : size.noise, progress);
+  remesher.Coarsen(MedialVoxelSheetTree::Anywhere);
+  remesher.Finish();
+
+  const Complex &                complex = remesher.GetComplex();
+  MedialVoxelRemeshedSheet       result;
+  std::vector<Complex::Triangle> corners;
+  result.summary.holesClosed = holes + remesher.GetNumberOfHolesClosed();
+  result.summary.trianglesLeftOut = remesher.GetNumberLeftOut();
+  result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
+  result.elements = MedialVoxelPairTriangles(complex, corners, size.joinsTriangles);
+  PutInOrder(fine, complex, numberGiven, result);
+  MeasureAreasAndWalls(fine, complex, result.summary);
+  MeasureShapes(result);
+  return result;
+}
+
+/** What was found before rims were extended, and after that. */
+MedialVoxelRemeshingSummary
+Add(const MedialVoxelRemeshingSummary & before, const MedialVoxelRemeshingSummary & after)
+{
+  MedialVoxelRemeshingSummary sum = after;
+  sum.fineArea = before.fineArea;
+  sum.walls = before.walls;
+  sum.wallsLeftOut = before.wallsLeftOut + after.wallsLeftOut;
+  sum.holesClosed = before.holesClosed + after.holesClosed;
+  sum.trianglesLeftOut = before.trianglesLeftOut + after.trianglesLeftOut;
+  return sum;
+}
+
+
+/** Extends the rims of a sheet of a smaller size, so that strips have the shape of elements and those are made
+ * anew. */
+MedialVoxelRemeshedSheet
+RemeshExtended(MedialVoxelSheet                    sheet,
+               const MedialVoxelElementSize &      size,
+               const std::function<void(double)> & progress)
+{
+  MedialVoxelElementSize first = MedialVoxelSizeBeforeRims(size);
+  first.joinsTriangles = false;
+  const MedialVoxelRemeshedSheet before = RemeshAsItIs(std::move(sheet), first, false, progress);
+
+  MedialVoxelSheet carried;
+  carried.points = before.points;
+  carried.thickness.assign(before.thickness.begin(), before.thickness.end());
+  for (const MedialVoxelShellElement & element : before.elements)
+  {
+    carried.triangles.push_back({ { element.corners[0], element.corners[1], element.corners[2] } });
+  }
+  std::vector<Index> origins;
+  const auto         rims = MedialVoxelExtendRims(carried, size.measureRimRays, origins);
+
+  MedialVoxelRemeshedSheet result = RemeshAsItIs(std::move(carried), size, true, progress);
+  for (Index & point : result.finePoint)
+  {
+    point = before.finePoint[origins[point]];
+  }
+  result.summary = Add(before.summary, result.summary);
+  result.summary.rims = rims;
+  return result;
+}
+
 } // namespace
+
+MedialVoxelElementSize
+MedialVoxelSizeBeforeRims(const MedialVoxelElementSize & size)
+{
+  MedialVoxelElementSize before = size;
+  before.least = std::max(ShareBefore * size.least, std::min(size.least, NoisesBefore * size.noise));
+  before.shareOfThickness = ShareBefore * size.shareOfThickness;
+  return before;
+}
 
 std::uint64_t
 MedialVoxelRemeshingBytesPerTriangle()
@@ -216,25 +265,10 @@ MedialVoxelRemesh(MedialVoxelSheet                    sheet,
                   const std::function<void(double)> & progress)
 {
   assert(size.least > 0.0 && sheet.thickness.size() == sheet.points.size());
-  const std::uint64_t  holes = MedialVoxelCloseHoles(sheet, size.least);
-  MedialVoxelFineSheet fine(std::move(sheet));
-  fine.SetSizes(size.least, size.atThickness);
-  MedialVoxelRemesher remesher(fine, progress);
-  remesher.Run();
-
-  const Complex &                complex = remesher.GetComplex();
-  MedialVoxelRemeshedSheet       result;
-  std::vector<Complex::Triangle> corners;
-  result.summary.holesClosed = holes + remesher.GetNumberOfHolesClosed();
-  result.summary.trianglesLeftOut = remesher.GetNumberLeftOut();
-  result.summary.orientationConflicts = MedialVoxelOrientWalls(complex, corners);
-  result.elements = MedialVoxelPairTriangles(complex, corners, size.joinsTriangles);
-  PutInOrder(fine, complex, result);
-  result.summary.toFine = MeasureToFine(fine, complex);
-  result.summary.fromFine = MeasureFromFine(fine, complex);
-  MeasureAreasAndWalls(fine, complex, result.summary);
-  MeasureShapes(result);
-  return result;
+  MedialVoxelElementSize known = size;
+  known.noise = size.GetNoise(GetMeanSide(sheet));
+  return size.extendsRims ? RemeshExtended(std::move(sheet), known, progress)
+                          : RemeshAsItIs(std::move(sheet), known, false, progress);
 }
 
 } // end namespace itk

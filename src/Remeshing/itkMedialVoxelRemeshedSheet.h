@@ -4,9 +4,11 @@
 #define itkMedialVoxelRemeshedSheet_h
 
 #include "itkMedialVoxelFineSheet.h"
+#include "itkMedialVoxelRimExtension.h"
 #include "itkMedialVoxelShellElements.h"
 
 #include <functional>
+#include <optional>
 
 namespace itk
 {
@@ -17,6 +19,17 @@ struct MedialVoxelElementSize
   double least{ 0 };           ///< of the sides, units of the points, > 0
   bool   atThickness{ false }; ///< at least the thickness everywhere; else so at junctions and bends
   bool   joinsTriangles{ true };
+  double noise{ 0 }; ///< how far the fine sheet may be off anywhere, and steps may move it; 0: half its mean side
+  double shareOfThickness{ 1 }; ///< that stands for the thickness
+
+  bool                      extendsRims{ false }; ///< to the free edges of the part
+  MedialVoxelMeasureRimRays measureRimRays{};     ///< finds these edges; empty: they are half a thickness away
+
+  double
+  GetNoise(double meanSide) const
+  {
+    return noise > 0.0 ? noise : meanSide / 2.0;
+  }
 };
 
 /** What became of a sheet. Lengths are in the units of the points. */
@@ -30,7 +43,7 @@ struct MedialVoxelRemeshingSummary
     double mean{ 0 };
   };
 
-  Distances     toFine;   ///< of the elements, by area, wall by wall
+  Distances     toFine;   ///< of the elements, the mean by area; MedialVoxelSheetDistances measures them
   Distances     fromFine; ///< of the points of the fine sheet
   double        fineArea{ 0 };
   double        area{ 0 };
@@ -43,6 +56,8 @@ struct MedialVoxelRemeshingSummary
   std::uint64_t holesClosed{ 0 };            ///< narrower than the wall is thick, or than an element
   std::uint64_t trianglesLeftOut{ 0 };       ///< of strips and fins too narrow for elements
   std::uint64_t orientationConflicts{ 0 };
+
+  std::optional<MedialVoxelRimExtensionSummary> rims; ///< unless they stay where they are
 };
 
 /** A sheet of elements, in an order that its geometry decides. */
@@ -54,6 +69,10 @@ struct MedialVoxelRemeshedSheet
   std::vector<MedialVoxelShellElement> elements;
   MedialVoxelRemeshingSummary          summary;
 };
+
+/** What sides are to have before rims are extended: they are about as long as what is added to them. */
+MedialVoxel_EXPORT MedialVoxelElementSize
+MedialVoxelSizeBeforeRims(const MedialVoxelElementSize & size);
 
 /** Memory that remeshing takes for each triangle of the fine sheet, which is part of it. */
 MedialVoxel_EXPORT std::uint64_t

@@ -22,7 +22,7 @@ constexpr double Long = 4.0 / 3.0;
 constexpr double Short = 4.0 / 5.0;
 
 /** Of the size: how far the sheet may move, how short a side must be to close a wall over it. */
-constexpr double ToleranceOfSize = 0.15;
+constexpr double ToleranceOfSize = 0.08;
 constexpr double MergingOfSize = 0.3;
 
 /** Turns of a line, and of a normal. */
@@ -33,22 +33,27 @@ constexpr double CosineOfBend = 0.87;
 constexpr double GoodQuality = 0.3;
 
 constexpr unsigned int MostRounds = 4;
+constexpr unsigned int RoundsOfPass = 2;
 
 /** Of the progress: while sides grow. */
 constexpr double ShareOfGrowth = 0.8;
 
 } // namespace
 
-MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet & fine, std::function<void(double)> progress)
+MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet &      fine,
+                                         const double                noise,
+                                         std::function<void(double)> progress)
   : m_Fine(fine)
   , m_Progress(std::move(progress))
   , m_Witnesses(fine.GetSheet())
+  , m_Noise(noise)
 {
   const MedialVoxelSheet & sheet = fine.GetSheet();
   for (Index point = 0; point < sheet.points.size(); ++point)
   {
     m_Complex.AddVertex(sheet.points[point]);
     m_Complex.GetVertex(point).size = fine.GetSize(point);
+    m_Complex.GetVertex(point).isShared = fine.IsShared(point);
   }
   for (Index triangle = 0; triangle < sheet.triangles.size(); ++triangle)
   {
@@ -56,33 +61,47 @@ MedialVoxelRemesher::MedialVoxelRemesher(MedialVoxelFineSheet & fine, std::funct
   }
 }
 
-void
-MedialVoxelRemesher::Run()
+float
+MedialVoxelRemesher::GetLargestSize() const
 {
   float largest = 0.0F;
   for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
   {
     largest = std::max(largest, m_Complex.GetSize(vertex));
   }
-  bool knowsBends = false;
+  return largest;
+}
+
+void
+MedialVoxelRemesher::Coarsen(const double most)
+{
+  const double last = std::min<double>(most, this->GetLargestSize());
+  bool         knowsBends = false;
   for (m_Level = m_Fine.GetMeanSide() * Growth;; m_Level *= Growth)
   {
-    m_Share = ShareOfGrowth * std::min(1.0, m_Level / std::max<double>(largest, m_Level));
+    m_Level = m_Level > last / std::sqrt(Growth) ? std::max(last, m_Fine.GetMeanSide()) : m_Level;
+    m_Share = ShareOfGrowth * std::min(1.0, m_Level / last);
     this->SplitLongSides();
     this->CollapseShortSides(false);
     this->FlipSides();
     this->MoveVertices();
     this->MoveVertices();
-    if (!knowsBends && m_Level > 3.0 * m_Fine.GetMeanSide())
+    if (!knowsBends && m_Level > 6.0 * m_Noise)
     {
       this->RaiseSizesAtBends();
       knowsBends = true;
     }
-    if (m_Level >= largest)
+    if (m_Level >= last)
     {
       break;
     }
   }
+}
+
+void
+MedialVoxelRemesher::Finish()
+{
+  m_Level = this->GetLargestSize();
   for (unsigned int round = 0; round < MostRounds; ++round)
   {
     m_Share = ShareOfGrowth + (1.0 - ShareOfGrowth) * round / (2 * MostRounds);
@@ -122,7 +141,7 @@ MedialVoxelRemesher::GetSize(const Index a, const Index b) const
 double
 MedialVoxelRemesher::GetTolerance(const Index vertex) const
 {
-  return std::max(ToleranceOfSize * this->GetSize(vertex, vertex), 0.5 * m_Fine.GetMeanSide());
+  return std::max(ToleranceOfSize * this->GetSize(vertex, vertex), m_Noise);
 }
 
 double
@@ -144,15 +163,33 @@ MedialVoxelRemesher::ListSides() const
   std::vector<LengthOfSide> sides;
   for (Index vertex = 0; vertex < m_Complex.GetNumberOfVertices(); ++vertex)
   {
-    for (const Index other : m_Complex.FindNeighbors(vertex))
+    for (const Complex::Neighbor & neighbor : m_Complex.FindNeighbors(vertex))
     {
-      if (vertex < other)
+      if (vertex < neighbor.vertex)
       {
-        sides.push_back({ this->GetLength(vertex, other), vertex, other });
+        sides.push_back({ this->GetLength(vertex, neighbor.vertex), vertex, neighbor.vertex });
       }
     }
   }
   return sides;
+}
+
+/** Whether a side is not to be cut: one between shared points, and one beside a longer one that is not cut, as its
+ * triangle would have a long side however often the others are cut. */
+bool
+MedialVoxelRemesher::IsStuck(const Index a, const Index b) const
+{
+  if (!m_Fine.HasShared() || (m_Complex.IsShared(a) && m_Complex.IsShared(b)))
+  {
+    return m_Fine.HasShared();
+  }
+  const double           length = this->GetLength(a, b);
+  const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
+  return std::any_of(triangles.begin(), triangles.end(), [&](const Index triangle) {
+    const Index corner = m_Complex.GetOpposite(triangle, a, b);
+    return (this->GetLength(a, corner) > length && this->IsStuck(a, corner)) ||
+           (this->GetLength(b, corner) > length && this->IsStuck(b, corner));
+  });
 }
 
 /** Longest first, until none is left. */
@@ -167,12 +204,16 @@ MedialVoxelRemesher::SplitLongSides()
     std::stable_sort(sides.begin(), sides.end(), [](const auto & x, const auto & y) { return x.length > y.length; });
     for (const LengthOfSide & side : sides)
     {
-      if (side.length <= Long * this->GetSize(side.a, side.b) || m_Complex.CountTriangles(side.a, side.b) == 0)
+      if (side.length <= Long * this->GetSize(side.a, side.b) || this->IsStuck(side.a, side.b))
       {
         continue;
       }
-      const std::vector<Index> triangles = m_Complex.FindTriangles(side.a, side.b);
-      const Vector             middle = MedialVoxelMiddle(m_Complex.GetPoint(side.a), m_Complex.GetPoint(side.b));
+      const Complex::Indices triangles = m_Complex.FindTriangles(side.a, side.b);
+      if (triangles.size() == 0)
+      {
+        continue;
+      }
+      const Vector middle = MedialVoxelMiddle(m_Complex.GetPoint(side.a), m_Complex.GetPoint(side.b));
       m_Complex.Split(side.a, side.b, middle, halves);
       for (Index k = 0; k < triangles.size(); ++k)
       {
@@ -188,7 +229,7 @@ MedialVoxelRemesher::SplitLongSides()
 void
 MedialVoxelRemesher::CollapseShortSides(const bool merging)
 {
-  for (unsigned int round = 0; round < MostRounds; ++round)
+  for (unsigned int round = 0; round < RoundsOfPass; ++round)
   {
     bool                      found = false;
     std::vector<LengthOfSide> sides = this->ListSides();
@@ -214,7 +255,7 @@ MedialVoxelRemesher::CollapseShortSides(const bool merging)
 void
 MedialVoxelRemesher::FlipSides()
 {
-  for (unsigned int round = 0; round < MostRounds; ++round)
+  for (unsigned int round = 0; round < RoundsOfPass; ++round)
   {
     bool found = false;
     for (const LengthOfSide & side : this->ListSides())
@@ -249,7 +290,7 @@ MedialVoxelRemesher::RaiseSizesAtBends()
   std::vector<Index> points;
   for (const LengthOfSide & side : this->ListSides())
   {
-    const std::vector<Index> triangles = m_Complex.FindTriangles(side.a, side.b);
+    const Complex::Indices triangles = m_Complex.FindTriangles(side.a, side.b);
     if (triangles.size() == 2 &&
         std::abs(MedialVoxelCosine(MedialVoxelTriangleNormal(m_Complex.GetCorners(triangles[0])),
                                    MedialVoxelTriangleNormal(m_Complex.GetCorners(triangles[1])))) < CosineOfBend)
@@ -261,16 +302,16 @@ MedialVoxelRemesher::RaiseSizesAtBends()
   m_Fine.RaiseSizes(points);
 }
 
-std::vector<Index>
+/** At the other ends of its sides of a kind; Wall: of all. */
+MedialVoxelRemesher::Complex::Indices
 MedialVoxelRemesher::FindLineNeighbors(const Index vertex, const Place kind) const
 {
-  std::vector<Index> found;
-  for (const Index other : m_Complex.FindNeighbors(vertex))
+  Complex::Indices found;
+  for (const Complex::Neighbor & neighbor : m_Complex.FindNeighbors(vertex))
   {
-    const unsigned int triangles = m_Complex.CountTriangles(vertex, other);
-    if (kind == Place::Rim ? triangles == 1 : triangles > 2)
+    if (kind == Place::Wall || (kind == Place::Rim ? neighbor.triangles == 1 : neighbor.triangles > 2))
     {
-      found.push_back(other);
+      found.push_back(neighbor.vertex);
     }
   }
   return found;
@@ -283,10 +324,10 @@ MedialVoxelRemesher::IsSharp(const Index vertex, const Place kind) const
   {
     return false;
   }
-  const std::vector<Index> line = this->FindLineNeighbors(vertex, kind);
-  const Vector             first = MedialVoxelSubtract(m_Complex.GetPoint(vertex), m_Complex.GetPoint(line[0]));
-  const Vector             second = MedialVoxelSubtract(m_Complex.GetPoint(line[1]), m_Complex.GetPoint(vertex));
-  return m_Level > 2.0 * m_Fine.GetMeanSide() && MedialVoxelCosine(first, second) < CosineOfCorner;
+  const Complex::Indices line = this->FindLineNeighbors(vertex, kind);
+  const Vector           first = MedialVoxelSubtract(m_Complex.GetPoint(vertex), m_Complex.GetPoint(line[0]));
+  const Vector           second = MedialVoxelSubtract(m_Complex.GetPoint(line[1]), m_Complex.GetPoint(vertex));
+  return m_Level > 4.0 * m_Noise && MedialVoxelCosine(first, second) < CosineOfCorner;
 }
 
 /** Vertices of lines go along their lines only, unless two lines are to become one. */
@@ -312,11 +353,10 @@ MedialVoxelRemesher::KeepsLine(const Index from, const Index to, const double to
   {
     return true;
   }
-  const auto line = place == Place::Rim ? MedialVoxelFineSheet::Line::Rim : MedialVoxelFineSheet::Line::Junction;
-  const std::vector<Index> neighbors = this->FindLineNeighbors(from, place);
+  const Complex::Indices neighbors = this->FindLineNeighbors(from, place);
   return std::all_of(neighbors.begin(), neighbors.end(), [&](const Index other) {
     const Vector middle = MedialVoxelMiddle(m_Complex.GetPoint(other), m_Complex.GetPoint(to));
-    return other == to || m_Fine.FindOnLine(middle, line, tolerance).distance < tolerance;
+    return other == to || this->FindOnLine(from, place, middle, tolerance).distance < tolerance;
   });
 }
 
@@ -327,8 +367,9 @@ MedialVoxelRemesher::TryCollapse(const Index from, const Index to, const bool me
   {
     return false;
   }
-  const std::vector<Index> neighbors = m_Complex.FindNeighbors(from);
-  if (std::any_of(neighbors.begin(), neighbors.end(), [&](const Index other) {
+  const Complex::Neighbors neighbors = m_Complex.FindNeighbors(from);
+  if (std::any_of(neighbors.begin(), neighbors.end(), [&](const Complex::Neighbor & neighbor) {
+        const Index other = neighbor.vertex;
         return other != to && this->GetLength(other, to) > Long * this->GetSize(other, to);
       }))
   {
@@ -350,7 +391,7 @@ MedialVoxelRemesher::TryCollapse(const Index from, const Index to, const bool me
 bool
 MedialVoxelRemesher::TryFlip(const Index a, const Index b)
 {
-  const std::vector<Index> triangles = m_Complex.FindTriangles(a, b);
+  const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
   return triangles.size() == 2 && this->TryPassOver(a, b, m_Complex.GetOpposite(triangles[0], a, b), 0.01);
 }
 
@@ -361,10 +402,9 @@ MedialVoxelRemesher::TryMove(const Index vertex, const Place kind)
   {
     return false;
   }
-  const Point &            point = m_Complex.GetPoint(vertex);
-  const std::vector<Index> neighbors =
-    kind == Place::Wall ? m_Complex.FindNeighbors(vertex) : this->FindLineNeighbors(vertex, kind);
-  Point mean{};
+  const Point &          point = m_Complex.GetPoint(vertex);
+  const Complex::Indices neighbors = this->FindLineNeighbors(vertex, kind);
+  Point                  mean{};
   for (const Index other : neighbors)
   {
     mean = MedialVoxelAddScaled(mean, m_Complex.GetPoint(other), 1.0 / static_cast<double>(neighbors.size()));
@@ -392,17 +432,21 @@ MedialVoxelRemesher::TryMove(const Index vertex, const Place kind)
   return false;
 }
 
+/** Of the rims of the wall of a vertex, or of all junctions. */
+MedialVoxelSheetTree::Nearest
+MedialVoxelRemesher::FindOnLine(const Index vertex, const Place kind, const Point & place, const double within) const
+{
+  return kind == Place::Rim ? m_Fine.FindOnRim(place, m_Complex.GetWall(m_Complex.GetTrianglesOf(vertex)[0]), within)
+                            : m_Fine.FindOnJunction(place, within);
+}
+
 MedialVoxelSheetTree::Nearest
 MedialVoxelRemesher::Project(const Index vertex, const Place kind, const Point & place) const
 {
   const double within = this->GetSize(vertex, vertex);
-  if (kind == Place::Rim)
+  if (kind == Place::Rim || kind == Place::Junction)
   {
-    return m_Fine.FindOnLine(place, MedialVoxelFineSheet::Line::Rim, within);
-  }
-  if (kind == Place::Junction)
-  {
-    return m_Fine.FindOnLine(place, MedialVoxelFineSheet::Line::Junction, within);
+    return this->FindOnLine(vertex, kind, place, within);
   }
   MedialVoxelSheetTree::Nearest best;
   std::vector<Index>            walls;

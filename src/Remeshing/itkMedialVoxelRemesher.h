@@ -31,11 +31,18 @@ public:
   using Point = Complex::Point;
 
   /** \param fine     with its sizes set; it stays as long as this
+   * \param noise    by how much the fine sheet may be off anywhere: steps keep this distance to it at least
    * \param progress called often with the share that is done; may throw to stop */
-  MedialVoxelRemesher(MedialVoxelFineSheet & fine, std::function<void(double)> progress);
+  MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise, std::function<void(double)> progress);
 
+  /** Lets sides grow, by 1.6 at a time, up to their sizes, but to \a most at most. */
   void
-  Run();
+  Coarsen(double most);
+
+  /** Brings the sides to their sizes, and rids the sheet of triangles of bad shape. After Coarsen(), with all triangles
+   * of the sheet. */
+  void
+  Finish();
 
   const Complex &
   GetComplex() const
@@ -88,12 +95,18 @@ private:
   MoveVertices();
   void
   RepairTriangles();
+  float
+  GetLargestSize() const;
   void
   RaiseSizesAtBends();
   void
   CleanUp();
+  std::vector<Index>
+  ListBad();
   void
   CloseSlits();
+  void
+  ZipRims();
 
   bool
   TryCollapse(Index from, Index to, bool merging);
@@ -113,6 +126,8 @@ private:
   GetBadness(const std::vector<Index> & vertices) const;
   double
   GetFolds(Index a, Index b) const;
+  bool
+  IsTiny(Index triangle) const;
   double
   GetGain(const Step & step);
   std::vector<Step>
@@ -122,16 +137,22 @@ private:
   bool
   TryCloseSlit(Index triangle);
   bool
+  TryZip(Index vertex, Index a, Index b);
+  bool
+  TryMerge(Index from, Index to);
+  bool
   TryLeaveOut(Index triangle);
   bool
   IsEnd(Index triangle) const;
+  bool
+  IsInStrip(Index triangle) const;
 
   Step
   MakeCollapse(Index from, Index to) const;
   Step
   MakeShorterRim(Index triangle) const;
   Step
-  MakePassOver(const std::vector<Index> & triangles, Index a, Index b, Index c) const;
+  MakePassOver(const Complex::Indices & triangles, Index a, Index b, Index c) const;
   Step
   MakeMove(Index vertex, const Point & place) const;
 
@@ -142,6 +163,8 @@ private:
   std::vector<Index>
   Apply(const Step & step);
 
+  bool
+  IsStuck(Index a, Index b) const;
   bool
   MayLeave(Index from, Index to, bool merging) const;
   bool
@@ -158,7 +181,7 @@ private:
   std::array<Point, 3>
   GetCorners(const Step & step, std::size_t number) const;
 
-  std::vector<Index>
+  Complex::Indices
   FindLineNeighbors(Index vertex, Complex::Place kind) const;
   bool
   IsSharp(Index vertex, Complex::Place kind) const;
@@ -166,6 +189,9 @@ private:
   /** The place of the fine sheet, or of its lines, nearest to a place for a vertex. */
   MedialVoxelSheetTree::Nearest
   Project(Index vertex, Complex::Place kind, const Point & place) const;
+
+  MedialVoxelSheetTree::Nearest
+  FindOnLine(Index vertex, Complex::Place kind, const Point & place, double within) const;
 
   double
   GetSize(Index a, Index b) const;
@@ -192,6 +218,7 @@ private:
   std::function<void(double)> m_Progress;
   Complex                     m_Complex;
   MedialVoxelSheetWitnesses   m_Witnesses;
+  double                      m_Noise;
   double                      m_Level{ 0 }; ///< the size that sides have at most
   std::uint64_t               m_HolesClosed{ 0 };
   std::uint64_t               m_LeftOut{ 0 };

@@ -31,6 +31,9 @@ constexpr double ToleranceOfCleaning = 0.5;
 /** Of the size: the shortest side of a hole that is closed. */
 constexpr double MostOfSlit = 0.3;
 
+/** Of the size: sides of a square as large as a triangle that is no better than a point or a line. */
+constexpr double MostOfTiny = 0.1;
+
 constexpr double       LeastGain = 0.02;
 constexpr unsigned int MostRounds = 6;
 
@@ -51,43 +54,65 @@ GetHeight(const Vector & a, const Vector & b, const Vector & corner)
 void
 MedialVoxelRemesher::CleanUp()
 {
-  for (unsigned int round = 0; round < MostRounds; ++round)
+  bool found = true;
+  for (unsigned int round = 0; found && round < MostRounds; ++round)
   {
     this->CloseSlits();
-    std::vector<std::pair<double, Index>> bad;
-    for (Index triangle = 0; triangle < m_Complex.GetNumberOfTriangles(); ++triangle)
+    this->ZipRims();
+    found = false;
+    for (const Index triangle : this->ListBad())
     {
-      const double badness = m_Complex.IsTriangle(triangle) ? this->GetBadness(triangle) : 0.0;
-      if (badness > 0.0)
-      {
-        bad.emplace_back(-badness, triangle);
-      }
-    }
-    std::sort(bad.begin(), bad.end());
-    bool found = false;
-    for (const auto & entry : bad)
-    {
-      this->Proceed();
-      const Index triangle = entry.second;
       if (m_Complex.IsTriangle(triangle) && this->GetBadness(triangle) > 0.0)
       {
         found = this->TryCloseSlit(triangle) || this->TryClean(triangle) || this->TryLeaveOut(triangle) || found;
       }
     }
-    if (!found)
+  }
+  for (const Index triangle : this->ListBad())
+  {
+    if (m_Complex.IsTriangle(triangle))
     {
-      break;
+      this->TryLeaveOut(triangle);
     }
   }
+}
+
+/** Worst first. */
+std::vector<Index>
+MedialVoxelRemesher::ListBad()
+{
+  std::vector<std::pair<double, Index>> bad;
+  for (Index triangle = 0; triangle < m_Complex.GetNumberOfTriangles(); ++triangle)
+  {
+    this->Proceed();
+    const double badness = m_Complex.IsTriangle(triangle) ? this->GetBadness(triangle) : 0.0;
+    if (badness > 0.0)
+    {
+      bad.emplace_back(-badness, triangle);
+    }
+  }
+  std::sort(bad.begin(), bad.end());
+  std::vector<Index> triangles(bad.size());
+  std::transform(bad.begin(), bad.end(), triangles.begin(), [](const auto & entry) { return entry.second; });
+  return triangles;
+}
+
+/** Whether a triangle is no more than a point or a line beside others. */
+bool
+MedialVoxelRemesher::IsTiny(const Index triangle) const
+{
+  const Index  corner = m_Complex.GetTriangle(triangle)[0];
+  const double side = MostOfTiny * this->GetSize(corner, corner);
+  return MedialVoxelNorm(MedialVoxelTriangleNormal(m_Complex.GetCorners(triangle))) < 2.0 * side * side;
 }
 
 /** Of a triangle: its shape and its folds. */
 double
 MedialVoxelRemesher::GetBadness(const Index triangle) const
 {
-  const double     quality = this->GetQuality(triangle);
-  double           badness = quality < LeastQuality ? 2.0 - quality / LeastQuality : 0.0;
   const Triangle & corners = m_Complex.GetTriangle(triangle);
+  const double     quality = this->IsTiny(triangle) ? 0.0 : this->GetQuality(triangle);
+  double           badness = quality < LeastQuality ? 2.0 - quality / LeastQuality : 0.0;
   for (unsigned int k = 0; k < 3; ++k)
   {
     badness += this->GetFolds(corners[k], corners[(k + 1) % 3]);
@@ -182,10 +207,10 @@ MedialVoxelRemesher::ListCleanSteps(const Index triangle) const
   const Triangle corners = m_Complex.GetTriangle(triangle);
   for (unsigned int k = 0; k < 3; ++k)
   {
-    const Index              a = corners[k];
-    const Index              b = corners[(k + 1) % 3];
-    const Index              c = corners[(k + 2) % 3];
-    const std::vector<Index> triangles = m_Complex.FindTriangles(a, b);
+    const Index            a = corners[k];
+    const Index            b = corners[(k + 1) % 3];
+    const Index            c = corners[(k + 2) % 3];
+    const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
     // A short junction that ends at rims on both sides may become a point.
     if (m_Complex.CanCollapse(a, b, triangles.size() > 2))
     {
@@ -245,8 +270,9 @@ MedialVoxelRemesher::TryCloseSlit(const Index triangle)
     {
       continue;
     }
-    for (const Index c : m_Complex.FindNeighbors(a))
+    for (const Complex::Neighbor & neighbor : m_Complex.FindNeighbors(a))
     {
+      const Index c = neighbor.vertex;
       if (c != b && m_Complex.CountTriangles(a, c) == 1 && m_Complex.CountTriangles(b, c) == 1 &&
           !m_Complex.HasTriangle({ { a, b, c } }))
       {
@@ -265,7 +291,7 @@ MedialVoxelRemesher::CloseSlits()
 {
   for (Index a = 0; a < m_Complex.GetNumberOfVertices(); ++a)
   {
-    const std::vector<Index> ofA = this->FindLineNeighbors(a, Complex::Place::Rim);
+    const Complex::Indices ofA = this->FindLineNeighbors(a, Complex::Place::Rim);
     for (std::size_t k = 1; k < ofA.size(); ++k)
     {
       const Index p = ofA[k - 1];
@@ -286,13 +312,13 @@ MedialVoxelRemesher::CloseSlits()
   }
 }
 
-/** Of a strip or a fin that is too narrow for elements, from a triangle at its end on while they are bad. */
+/** Of a strip or a fin that is too narrow for elements, from a triangle of it on while they are bad. */
 bool
 MedialVoxelRemesher::TryLeaveOut(const Index triangle)
 {
   bool  found = false;
   Index end = triangle;
-  while (end != Complex::None && this->GetBadness(end) > 0.0 && this->IsEnd(end))
+  while (end != Complex::None && this->GetBadness(end) > 0.0 && (this->IsEnd(end) || (!found && this->IsInStrip(end))))
   {
     const Triangle corners = m_Complex.GetTriangle(end);
     m_Complex.RemoveTriangle(end);
@@ -302,26 +328,34 @@ MedialVoxelRemesher::TryLeaveOut(const Index triangle)
     end = Complex::None;
     for (unsigned int k = 0; k < 3; ++k)
     {
-      const std::vector<Index> next = m_Complex.FindTriangles(corners[k], corners[(k + 1) % 3]);
+      const Complex::Indices next = m_Complex.FindTriangles(corners[k], corners[(k + 1) % 3]);
       end = next.size() == 1 ? next[0] : end;
     }
   }
   return found;
 }
 
-/** Whether nothing but a strip gets shorter without a triangle, or a piece of this one triangle is gone. */
+/** Whether a triangle is all that is between two rims. */
+bool
+MedialVoxelRemesher::IsInStrip(const Index triangle) const
+{
+  const Triangle & corners = m_Complex.GetTriangle(triangle);
+  return std::all_of(corners.begin(), corners.end(), [this](const Index corner) {
+    return m_Complex.GetPlace(corner) == Complex::Place::Rim;
+  });
+}
+
+/** Whether a strip gets shorter without a triangle, or it hangs on others by corners at most. */
 bool
 MedialVoxelRemesher::IsEnd(const Index triangle) const
 {
   const Triangle & corners = m_Complex.GetTriangle(triangle);
-  unsigned int     tips = 0;
   unsigned int     rims = 0;
   for (unsigned int k = 0; k < 3; ++k)
   {
-    tips += m_Complex.GetTrianglesOf(corners[k]).size() == 1 ? 1 : 0;
     rims += m_Complex.CountTriangles(corners[k], corners[(k + 1) % 3]) == 1 ? 1 : 0;
   }
-  return (tips == 1 && rims == 2) || tips == 3;
+  return rims >= 2;
 }
 
 } // end namespace itk

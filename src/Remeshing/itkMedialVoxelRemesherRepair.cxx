@@ -78,9 +78,9 @@ MedialVoxelRemesher::TryRepair(const Index triangle)
 bool
 MedialVoxelRemesher::TryPassOver(const Index a, const Index b, const Index c, const double improvement)
 {
-  const std::vector<Index> triangles = m_Complex.FindTriangles(a, b);
-  const Place              place = m_Complex.GetPlace(c);
-  if (triangles.size() != 2 && place != Place::Wall)
+  const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
+  const Place            place = m_Complex.GetPlace(c);
+  if ((triangles.size() != 2 && place != Place::Wall) || (m_Complex.IsShared(a) && m_Complex.IsShared(b)))
   {
     return false;
   }
@@ -119,13 +119,10 @@ MedialVoxelRemesher::MakeShorterRim(const Index triangle) const
 
 /** Nothing where a triangle would be twice. */
 MedialVoxelRemesher::Step
-MedialVoxelRemesher::MakePassOver(const std::vector<Index> & triangles,
-                                  const Index                a,
-                                  const Index                b,
-                                  const Index                c) const
+MedialVoxelRemesher::MakePassOver(const Complex::Indices & triangles, const Index a, const Index b, const Index c) const
 {
   Step step;
-  step.before = triangles;
+  step.before.assign(triangles.begin(), triangles.end());
   for (const Index triangle : triangles)
   {
     const Triangle & corners = m_Complex.GetTriangle(triangle);
@@ -133,7 +130,8 @@ MedialVoxelRemesher::MakePassOver(const std::vector<Index> & triangles,
     {
       continue;
     }
-    if (m_Complex.CountTriangles(c, m_Complex.GetOpposite(triangle, a, b)) > 0)
+    const Index beyond = m_Complex.GetOpposite(triangle, a, b);
+    if (m_Complex.CountTriangles(c, beyond) > 0 || (m_Complex.IsShared(c) && m_Complex.IsShared(beyond)))
     {
       return Step{};
     }

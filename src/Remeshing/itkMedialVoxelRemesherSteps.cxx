@@ -81,8 +81,7 @@ MedialVoxelRemesher::IsNear(const Step & step, const double tolerance)
     {
       center = MedialVoxelAddScaled(center, corner, 1.0 / 3.0);
     }
-    const auto nearest = m_Fine.FindOnWall(center, m_Complex.GetWall(step.numbers[k]), tolerance);
-    if (!(nearest.distance < tolerance))
+    if (!m_Fine.HasWallWithin(center, m_Complex.GetWall(step.numbers[k]), tolerance))
     {
       return false;
     }

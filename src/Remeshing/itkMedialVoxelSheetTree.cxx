@@ -190,7 +190,7 @@ MedialVoxelSheetTree::Find(const Point & point, const Index group, const double 
   }
   best.distance = within * within;
   best.triangle = Empty;
-  this->Search(m_Roots[group], point, best);
+  this->Search(m_Roots[group], point, 0.0, best);
   if (best.triangle == Empty)
   {
     return Nearest{};
@@ -200,9 +200,22 @@ MedialVoxelSheetTree::Find(const Point & point, const Index group, const double 
   return best;
 }
 
+bool
+MedialVoxelSheetTree::HasWithin(const Point & point, const Index group, const double within) const
+{
+  Nearest best;
+  best.distance = within * within;
+  best.triangle = Empty;
+  if (group < m_Roots.size() && m_Roots[group] != Empty)
+  {
+    this->Search(m_Roots[group], point, best.distance, best);
+  }
+  return best.triangle != Empty;
+}
+
 /** \a best has the square of the distance and the place in the tree. */
 void
-MedialVoxelSheetTree::Search(const Index number, const Point & point, Nearest & best) const
+MedialVoxelSheetTree::Search(const Index number, const Point & point, const double enough, Nearest & best) const
 {
   const Node & node = m_Nodes[number];
   if (node.count == 0)
@@ -213,11 +226,11 @@ MedialVoxelSheetTree::Search(const Index number, const Point & point, Nearest & 
     const bool   leftFirst = toLeft <= toRight;
     if (std::min(toLeft, toRight) < best.distance)
     {
-      this->Search(leftFirst ? left : node.first, point, best);
+      this->Search(leftFirst ? left : node.first, point, enough, best);
     }
-    if (std::max(toLeft, toRight) < best.distance)
+    if (std::max(toLeft, toRight) < best.distance && !(best.distance < enough))
     {
-      this->Search(leftFirst ? node.first : left, point, best);
+      this->Search(leftFirst ? node.first : left, point, enough, best);
     }
     return;
   }
@@ -230,6 +243,10 @@ MedialVoxelSheetTree::Search(const Index number, const Point & point, Nearest & 
     if (distance2 < best.distance)
     {
       best = { nearest, distance2, place };
+      if (distance2 < enough)
+      {
+        return;
+      }
     }
   }
 }

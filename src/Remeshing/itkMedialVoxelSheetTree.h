@@ -61,6 +61,10 @@ public:
   Nearest
   Find(const Point & point, Index group, double within = Anywhere) const;
 
+  /** Whether one of a group is nearer than \a within; faster than to find the nearest. */
+  bool
+  HasWithin(const Point & point, Index group, double within) const;
+
 private:
   struct Node
   {
@@ -73,8 +77,9 @@ private:
   void
   Build(Index first, Index count, const std::vector<std::array<float, 3>> & centers);
 
+  /** Ends at the first one whose squared distance is below \a enough. */
   void
-  Search(Index node, const Point & point, Nearest & best) const;
+  Search(Index node, const Point & point, double enough, Nearest & best) const;
 
   const std::vector<Point> * m_Points;
   std::vector<Triangle>      m_Triangles; ///< in the order of the tree

@@ -32,7 +32,7 @@ GoesAlong(const Triangle & triangle, const Index a, const Index b)
 Index
 GetOther(const Complex & complex, const Index triangle, const Index a, const Index b)
 {
-  const std::vector<Index> triangles = complex.FindTriangles(a, b);
+  const Complex::Indices triangles = complex.FindTriangles(a, b);
   return triangles.size() != 2 ? Complex::None : triangles[0] == triangle ? triangles[1] : triangles[0];
 }
 

@@ -25,12 +25,18 @@ Replace(Triangle & triangle, const Index from, const Index to)
   std::replace(triangle.begin(), triangle.end(), from, to);
 }
 
+bool
+HasRim(const MedialVoxelTriangleComplex::Neighbors & neighbors)
+{
+  return std::any_of(neighbors.begin(), neighbors.end(), [](const auto & neighbor) { return neighbor.triangles == 1; });
+}
+
 } // namespace
 
 Index
 MedialVoxelTriangleComplex::AddVertex(const Point & point)
 {
-  m_Vertices.push_back({ point, 0.0F });
+  m_Vertices.push_back({ point, 0.0F, false });
   m_TrianglesOf.emplace_back();
   return static_cast<Index>(m_Vertices.size() - 1);
 }
@@ -67,10 +73,10 @@ MedialVoxelTriangleComplex::GetCorners(const Index triangle) const
   return { { this->GetPoint(corners[0]), this->GetPoint(corners[1]), this->GetPoint(corners[2]) } };
 }
 
-std::vector<Index>
+MedialVoxelTriangleComplex::Indices
 MedialVoxelTriangleComplex::FindTriangles(const Index a, const Index b) const
 {
-  std::vector<Index> found;
+  Indices found;
   for (const Index triangle : m_TrianglesOf[a])
   {
     if (Contains(m_Triangles[triangle], b))
@@ -111,37 +117,45 @@ MedialVoxelTriangleComplex::GetOpposite(const Index triangle, const Index a, con
   return None;
 }
 
-std::vector<Index>
+MedialVoxelTriangleComplex::Neighbors
 MedialVoxelTriangleComplex::FindNeighbors(const Index vertex) const
 {
-  std::vector<Index> neighbors;
-  neighbors.reserve(2 * m_TrianglesOf[vertex].size());
+  MedialVoxelShortList<Index, 32> ends; // each once for each triangle of its side
   for (const Index triangle : m_TrianglesOf[vertex])
   {
     for (const Index other : m_Triangles[triangle])
     {
       if (other != vertex)
       {
-        neighbors.push_back(other);
+        ends.push_back(other);
       }
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
-  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  std::sort(ends.begin(), ends.end());
+  Neighbors neighbors;
+  for (const Index * first = ends.begin(); first != ends.end();)
+  {
+    const Index * const last =
+      std::find_if(first, static_cast<const Index *>(ends.end()), [&](const Index other) { return other != *first; });
+    neighbors.push_back({ *first, static_cast<unsigned int>(last - first) });
+    first = last;
+  }
   return neighbors;
 }
 
 MedialVoxelTriangleComplex::Place
 MedialVoxelTriangleComplex::GetPlace(const Index vertex) const
 {
-  unsigned int             rims = 0;
-  unsigned int             junctions = 0;
-  const std::vector<Index> neighbors = this->FindNeighbors(vertex);
-  for (const Index other : neighbors)
+  if (this->IsShared(vertex))
   {
-    const unsigned int triangles = this->CountTriangles(vertex, other);
-    rims += triangles == 1 ? 1 : 0;
-    junctions += triangles > 2 ? 1 : 0;
+    return Place::Corner;
+  }
+  unsigned int rims = 0;
+  unsigned int junctions = 0;
+  for (const Neighbor & neighbor : this->FindNeighbors(vertex))
+  {
+    rims += neighbor.triangles == 1 ? 1 : 0;
+    junctions += neighbor.triangles > 2 ? 1 : 0;
   }
   if (rims == 2 && junctions == 0)
   {
@@ -157,29 +171,42 @@ MedialVoxelTriangleComplex::GetPlace(const Index vertex) const
 bool
 MedialVoxelTriangleComplex::IsOnRim(const Index vertex) const
 {
-  const std::vector<Index> neighbors = this->FindNeighbors(vertex);
-  return std::any_of(
-    neighbors.begin(), neighbors.end(), [&](const Index other) { return this->CountTriangles(vertex, other) == 1; });
+  return HasRim(this->FindNeighbors(vertex));
 }
 
 bool
 MedialVoxelTriangleComplex::CanCollapse(const Index a, const Index b, const bool pinching) const
 {
-  const std::vector<Index> triangles = this->FindTriangles(a, b);
-  const std::vector<Index> ofA = this->FindNeighbors(a);
-  const std::vector<Index> ofB = this->FindNeighbors(b);
-  std::vector<Index>       common;
-  std::set_intersection(ofA.begin(), ofA.end(), ofB.begin(), ofB.end(), std::back_inserter(common));
-  if (triangles.empty() || common.size() != triangles.size())
+  if (this->IsShared(a))
   {
     return false;
   }
-  if (!pinching && triangles.size() > 1 && this->IsOnRim(a) && this->IsOnRim(b))
+  const Neighbors  ofA = this->FindNeighbors(a);
+  const Neighbors  ofB = this->FindNeighbors(b);
+  unsigned int     triangles = 0;
+  unsigned int     common = 0;
+  const Neighbor * other = ofB.begin();
+  for (const Neighbor & neighbor : ofA)
+  {
+    other = std::find_if(other, ofB.end(), [&](const Neighbor & next) { return next.vertex >= neighbor.vertex; });
+    const bool isCommon = other != ofB.end() && other->vertex == neighbor.vertex;
+    triangles = neighbor.vertex == b ? neighbor.triangles : triangles;
+    common += isCommon ? 1 : 0;
+    if (!isCommon && neighbor.vertex != b && this->IsShared(b) && this->IsShared(neighbor.vertex))
+    {
+      return false;
+    }
+  }
+  if (triangles == 0 || common != triangles)
+  {
+    return false;
+  }
+  if (!pinching && triangles > 1 && HasRim(ofA) && HasRim(ofB))
   {
     return false;
   }
   // Something is to remain, and no triangle twice.
-  if (m_TrianglesOf[a].size() == triangles.size() && m_TrianglesOf[b].size() == triangles.size())
+  if (m_TrianglesOf[a].size() == triangles && m_TrianglesOf[b].size() == triangles)
   {
     return false;
   }
@@ -202,6 +229,13 @@ MedialVoxelTriangleComplex::Collapse(const Index from, const Index to)
   {
     this->RemoveTriangle(triangle);
   }
+  this->Merge(from, to);
+}
+
+void
+MedialVoxelTriangleComplex::Merge(const Index from, const Index to)
+{
+  assert(this->CountTriangles(from, to) == 0);
   for (const Index triangle : m_TrianglesOf[from])
   {
     Replace(m_Triangles[triangle], from, to);

@@ -3,6 +3,7 @@
 #ifndef itkMedialVoxelTriangleComplex_h
 #define itkMedialVoxelTriangleComplex_h
 
+#include "itkMedialVoxelShortList.h"
 #include "itkMedialVoxelVector3.h"
 
 #include "MedialVoxelExport.h"
@@ -36,8 +37,18 @@ public:
   struct Vertex
   {
     Point point{};
-    float size{ 0 }; ///< that sides at the vertex are to have
+    float size{ 0 };         ///< that sides at the vertex are to have
+    bool  isShared{ false }; ///< other triangles have it, too, that are not here: it stays where it is
   };
+
+  /** A vertex at the other end of a side, and how many triangles the side has. */
+  struct Neighbor
+  {
+    Index        vertex;
+    unsigned int triangles;
+  };
+  using Neighbors = MedialVoxelShortList<Neighbor, 16>;
+  using Indices = MedialVoxelShortList<Index, 16>;
 
   /** Where a vertex lies: inside a wall, on a line of one kind, or where lines begin, end or meet. */
   enum class Place : std::uint8_t
@@ -106,8 +117,14 @@ public:
     return m_TrianglesOf[vertex];
   }
 
+  bool
+  IsShared(Index vertex) const
+  {
+    return m_Vertices[vertex].isShared;
+  }
+
   /** The triangles of the side from a to b. */
-  std::vector<Index>
+  Indices
   FindTriangles(Index a, Index b) const;
 
   unsigned int
@@ -121,9 +138,10 @@ public:
   GetOpposite(Index triangle, Index a, Index b) const;
 
   /** Vertices that share a side with a vertex, in the order of their numbers. */
-  std::vector<Index>
+  Neighbors
   FindNeighbors(Index vertex) const;
 
+  /** A shared vertex is a corner. */
   Place
   GetPlace(Index vertex) const;
 
@@ -132,13 +150,18 @@ public:
   IsOnRim(Index vertex) const;
 
   /** Whether the complex keeps its topology when the vertices of a side become one: whether both have no common
-   * neighbors but the corners opposite to the side, and not both lie on rims, unless the side does or \a pinching. */
+   * neighbors but the corners opposite to the side, and not both lie on rims, unless the side does or \a pinching. No
+   * when \a is shared, or gives \a b a side to another shared vertex. */
   bool
   CanCollapse(Index a, Index b, bool pinching = false) const;
 
   /** Puts a vertex on a neighbor of it; triangles of their side are removed. \pre CanCollapse(from, to) */
   void
   Collapse(Index from, Index to);
+
+  /** Makes two vertices one, which is where \a to is. \pre no triangle has both, and none is twice then */
+  void
+  Merge(Index from, Index to);
 
   /** Cuts a side and its triangles at a point; each triangle keeps the half of a.
    * \param halves  the new triangles, in the order of FindTriangles(a, b)

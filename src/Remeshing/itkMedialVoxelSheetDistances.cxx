@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelSheetDistances.h"
+
+#include "itkMedialVoxelElementQuality.h"
+#include "itkMedialVoxelSheetVectors.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+
+namespace itk
+{
+namespace
+{
+
+using Index = MedialVoxelSheet::Index;
+using Vector = MedialVoxelVector3;
+using Triangle = MedialVoxelSheetTree::Triangle;
+
+/** Distances whose single precision numbers agree in these bits are one class. */
+constexpr unsigned int BitsOfClass = 13;
+
+constexpr double MostShare = 0.99;
+
+std::uint32_t
+GetClass(const double distance)
+{
+  const auto    value = static_cast<float>(distance);
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits >> BitsOfClass;
+}
+
+/** The largest distance of a class, nearly. */
+double
+GetDistance(const std::uint32_t number)
+{
+  const std::uint32_t bits = ((number + 1) << BitsOfClass) - 1;
+  float               value = 0.0F;
+  std::memcpy(&value, &bits, sizeof(value));
+  return value;
+}
+
+double
+GetArea(const std::array<Vector, 3> & corners)
+{
+  return MedialVoxelNorm(MedialVoxelTriangleNormal(corners)) / 2.0;
+}
+
+/** \class Bounds
+ * \brief The box of a part. */
+class Bounds
+{
+public:
+  explicit Bounds(const std::vector<Vector> & points)
+    : m_Low(points.front())
+    , m_High(points.front())
+  {
+    for (const Vector & point : points)
+    {
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        m_Low[axis] = std::min(m_Low[axis], point[axis]);
+        m_High[axis] = std::max(m_High[axis], point[axis]);
+      }
+    }
+  }
+
+  bool
+  IsWithin(const Vector & point, const double distance) const
+  {
+    double sum = 0.0;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const double outside = std::max({ m_Low[axis] - point[axis], point[axis] - m_High[axis], 0.0 });
+      sum += outside * outside;
+    }
+    return sum < distance * distance;
+  }
+
+private:
+  Vector m_Low;
+  Vector m_High;
+};
+
+} // namespace
+
+void
+MedialVoxelDistanceHistogram::Add(const double distance)
+{
+  const std::uint32_t number = GetClass(distance);
+  if (number >= m_Counts.size())
+  {
+    m_Counts.resize(number + std::size_t{ 1 });
+  }
+  ++m_Counts[number];
+  ++m_Number;
+  m_Sum += distance;
+  m_Largest = std::max(m_Largest, distance);
+}
+
+void
+MedialVoxelDistanceHistogram::Add(const MedialVoxelDistanceHistogram & other)
+{
+  m_Counts.resize(std::max(m_Counts.size(), other.m_Counts.size()));
+  for (std::size_t number = 0; number < other.m_Counts.size(); ++number)
+  {
+    m_Counts[number] += other.m_Counts[number];
+  }
+  m_Number += other.m_Number;
+  m_Sum += other.m_Sum;
+  m_Largest = std::max(m_Largest, other.m_Largest);
+}
+
+MedialVoxelRemeshingSummary::Distances
+MedialVoxelDistanceHistogram::Summarize() const
+{
+  MedialVoxelRemeshingSummary::Distances result;
+  if (m_Number > 0)
+  {
+    const double  wanted = MostShare * static_cast<double>(m_Number);
+    double        found = 0.0;
+    std::uint32_t number = 0;
+    while (found + static_cast<double>(m_Counts[number]) < wanted)
+    {
+      found += static_cast<double>(m_Counts[number++]);
+    }
+    result.mean = m_Sum / static_cast<double>(m_Number);
+    result.largest = m_Largest;
+    result.most = std::min(GetDistance(number), m_Largest);
+  }
+  return result;
+}
+
+MedialVoxelSheetDistances::MedialVoxelSheetDistances(const MedialVoxelRemeshedSheet & sheet)
+{
+  std::vector<Triangle> triangles;
+  for (const MedialVoxelShellElement & element : sheet.elements)
+  {
+    for (unsigned int k = 2; k < element.numberOfCorners; ++k)
+    {
+      triangles.push_back({ { element.corners[0], element.corners[k - 1], element.corners[k] } });
+      const std::array<Vector, 3> corners{
+        { sheet.points[element.corners[0]], sheet.points[element.corners[k - 1]], sheet.points[element.corners[k]] }
+      };
+      const Vector middle = MedialVoxelMiddle(corners[0], corners[1]);
+      const Vector center = MedialVoxelAddScaled(middle, MedialVoxelSubtract(corners[2], middle), 1.0 / 3.0);
+      const double area = GetArea(corners) / 4.0;
+      m_Samples.push_back({ center, area });
+      for (const Vector & corner : corners)
+      {
+        m_Samples.push_back({ MedialVoxelMiddle(corner, center), area });
+      }
+    }
+  }
+  m_Elements = std::make_unique<MedialVoxelSheetTree>(sheet.points, triangles, std::vector<Index>(triangles.size(), 0));
+}
+
+MedialVoxelDistanceHistogram
+MedialVoxelSheetDistances::MeasurePoints(const MedialVoxelSheet & part) const
+{
+  MedialVoxelDistanceHistogram result;
+  for (std::size_t k = 0; k < part.points.size() && !m_Samples.empty(); ++k)
+  {
+    result.Add(m_Elements->Find(part.points[k], 0).distance);
+  }
+  return result;
+}
+
+std::vector<MedialVoxelSheetDistances::SampleDistance>
+MedialVoxelSheetDistances::MeasureSamples(const MedialVoxelSheet & part, const double within) const
+{
+  std::vector<SampleDistance> result;
+  if (part.triangles.empty())
+  {
+    return result;
+  }
+  const MedialVoxelSheetTree tree(part.points, part.triangles, std::vector<Index>(part.triangles.size(), 0));
+  const Bounds               bounds(part.points);
+  for (std::size_t k = 0; k < m_Samples.size(); ++k)
+  {
+    if (bounds.IsWithin(m_Samples[k].point, within))
+    {
+      const double distance = tree.Find(m_Samples[k].point, 0, within).distance;
+      if (distance < within)
+      {
+        result.emplace_back(k, distance);
+      }
+    }
+  }
+  return result;
+}
+
+void
+MedialVoxelSheetDistances::Add(const MedialVoxelDistanceHistogram & points)
+{
+  m_Points.Add(points);
+}
+
+void
+MedialVoxelSheetDistances::Add(const std::vector<SampleDistance> & samples)
+{
+  for (const auto & [number, distance] : samples)
+  {
+    m_Samples[number].distance = std::min(m_Samples[number].distance, distance);
+  }
+}
+
+bool
+MedialVoxelSheetDistances::IsComplete() const
+{
+  return std::all_of(
+    m_Samples.begin(), m_Samples.end(), [](const Sample & sample) { return std::isfinite(sample.distance); });
+}
+
+void
+MedialVoxelSheetDistances::Summarize(MedialVoxelRemeshingSummary & summary) const
+{
+  MedialVoxelDistanceHistogram histogram;
+  double                       sum = 0.0;
+  double                       areas = 0.0;
+  for (const Sample & sample : m_Samples)
+  {
+    histogram.Add(sample.distance);
+    sum += sample.area * sample.distance;
+    areas += sample.area;
+  }
+  summary.toFine = histogram.Summarize();
+  summary.toFine.mean = areas > 0.0 ? sum / areas : 0.0;
+  summary.fromFine = m_Points.Summarize();
+}
+
+} // end namespace itk
