@@ -13,16 +13,15 @@ namespace medialvoxel
 CLI::Option *
 AddMesh(CLI::App & app, const std::string & name, ExtractOptions & options)
 {
-  return AddFile(app, name, "Surface: " + CLI::detail::join(ListSurfaceExtensions(), " "), options.meshFile);
+  return AddFile(app, name, "Mesh: " + CLI::detail::join(ListSurfaceExtensions(), " "), options.meshFile);
 }
 
 CLI::Option *
 AddSectionWidth(CLI::App & app, ExtractOptions & options)
 {
-  return AddText(
-    app, "--section-width", "Step of the thickness of .inp and .bdf sections", "W", [&](const std::string & text) {
-      options.sectionWidth = ToDouble(text);
-    });
+  return AddText(app, "--section-width", "Step of the thickness of sections", "W", [&](const std::string & text) {
+    options.sectionWidth = ToDouble(text);
+  });
 }
 
 CLI::Option *
@@ -32,6 +31,32 @@ AddElementSize(CLI::App & app, ExtractOptions & options)
     options.elementSize = ToElementSize(text);
   });
 }
+
+void
+CompleteElementSize(const CLI::App & app, ExtractOptions & options)
+{
+  if (app.count("--element-size") == 0 && !options.meshFile.empty() &&
+      HoldsElements(GetSurfaceFormat(options.meshFile)))
+  {
+    options.elementSize.kind = ElementSize::Kind::Automatic;
+  }
+}
+
+namespace
+{
+
+CLI::Option *
+AddThicknessPlace(CommandLine & line, CLI::App & app, ExtractOptions & options)
+{
+  const std::vector<std::pair<std::string, ThicknessPlace>> places{ { "sections", ThicknessPlace::Sections },
+                                                                    { "nodes", ThicknessPlace::Nodes } };
+  CLI::Option * const                                       option =
+    AddChoice(app, "--thickness-at", "Thickness of elements for solvers", "PLACE", options.thicknessPlace, places);
+  line.choices[option] = ListNames(places);
+  return option;
+}
+
+} // namespace
 
 void
 DefineMesh(CommandLine & line)
@@ -51,6 +76,8 @@ DefineMesh(CommandLine & line)
           [&](const std::string & text) { options.smallestComponent = ToCount(text, 0, LargestCount); })
     ->group(group);
   AddElementSize(app, options)->group(group);
+  AddThicknessPlace(line, app, options)->group(group);
+  app.add_flag("--extend-rims", options.extendsRims, "Carry the sheet on to the free edges of the part")->group(group);
   AddSectionWidth(app, options)->group(group);
   AddText(app, "--min-branch-length", "Leave out branches shorter than L", "L", [&](const std::string & text) {
     options.minimumBranchLength = ToDouble(text);

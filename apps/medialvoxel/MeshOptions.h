@@ -20,6 +20,10 @@ AddSectionWidth(CLI::App & app, ExtractOptions & options);
 CLI::Option *
 AddElementSize(CLI::App & app, ExtractOptions & options);
 
+/** Elements of solvers are as long as the wall is thick, unless a size is given. After the arguments are parsed. */
+void
+CompleteElementSize(const CLI::App & app, ExtractOptions & options);
+
 } // end namespace medialvoxel
 
 #endif

@@ -86,7 +86,8 @@ ListOptionDetails()
       "--sub-voxel",
       "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
       "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map, "
-      "--local-thickness of walls, --thin-below and --thick-above of a gray scan with one threshold." },
+      "--local-thickness of walls, --thin-below and --thick-above of a gray scan with one threshold, and for "
+      "--element-size of a scan or mask with one threshold. A mask is measured halfway between its two values." },
     { "", "--levels", "Default: those of the scan. Needs one threshold." },
     { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
     { "",
@@ -131,15 +132,24 @@ ListOptionDetails()
       "A second number of each vertex, ray_thickness: the way through the part along the smoothed gradient to the "
       "opposite surface. NaN where the way leaves the volume or is longer than --largest-ball." },
     { "",
+      "--thickness-at",
+      "sections (default): elements of nearly the same thickness share a section, as every solver reads. nodes: .inp "
+      "has "
+      "it at nodes, .bdf and .k at the corners of elements. Needs a mesh in .inp, .bdf or .k." },
+    { "",
       "--section-width",
-      "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in .inp or .bdf." },
+      "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in .inp, .bdf or .k with "
+      "sections." },
     { "",
       "--element-size",
-      "In units of the spacing; elements are as long as the wall is thick at least at junctions and bends. auto: as "
-      "long "
-      "as the wall is thick, at least two voxels, for solvers. Both hold the whole surface in memory, and take minutes "
-      "for "
-      "millions of faces. voxel (default): one face a voxel. Needs a mesh." },
+      "In units of the spacing; elements are as long as the wall is thick at least at junctions and bends. auto "
+      "(default of .inp, .bdf and .k): as long as the wall is thick, at least two voxels. voxel (default of other "
+      "meshes): one face a voxel. Needs a mesh." },
+    { "",
+      "--extend-rims",
+      "The sheet ends half the thickness of its wall before each free edge of the part. It is carried on in its plane "
+      "to "
+      "the surface, at most for the thickness; with --labels for half the thickness. Needs an element size." },
     { "", "--triangles", "Along the shorter diagonal." },
     { "", "--smallest-component", "Default 0, which keeps all. Holds the whole surface in memory." },
     { "",

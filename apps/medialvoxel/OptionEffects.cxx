@@ -38,9 +38,15 @@ WritesZarr(const TOptions & options)
 }
 
 bool
-HasSections(const ExtractOptions & options)
+HasElements(const ExtractOptions & options)
 {
   return !options.meshFile.empty() && HoldsElements(GetSurfaceFormat(options.meshFile));
+}
+
+bool
+HasSections(const ExtractOptions & options)
+{
+  return HasElements(options) && options.thicknessPlace == ThicknessPlace::Sections;
 }
 
 bool
@@ -63,7 +69,8 @@ const std::vector<OptionEffect<ExtractOptions>> ExtractEffects{
   { "--places", ListsPlaces, "--thin-below or --thick-above" },
   { "--fail-if-thin", [](const ExtractOptions & options) { return options.thinBelow.has_value(); }, "--thin-below" },
   { "--element-size", [](const ExtractOptions & options) { return !options.meshFile.empty(); }, "--mesh" },
-  { "--section-width", HasSections, "a mesh that is written as .inp or .bdf" },
+  { "--thickness-at", HasElements, "a mesh that is written as .inp, .bdf or .k" },
+  { "--section-width", HasSections, "sections of a mesh that is written as .inp, .bdf or .k" },
   { "--zarr-compression", WritesZarr<ExtractOptions>, "an output that is written as .zarr" },
 };
 

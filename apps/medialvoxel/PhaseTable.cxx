@@ -132,6 +132,10 @@ AddThickness(TextTable & table, const ExtractOptions & options, const JobResult 
 void
 AddRun(TextTable & table, const JobResult & result)
 {
+  if (result.surface && result.surface->remeshing)
+  {
+    table.emplace_back("remeshing", FormatFixed(result.seconds.remeshing, 2) + " s");
+  }
   table.emplace_back("reading and writing", FormatFixed(result.seconds.inputOutput, 2) + " s");
   table.emplace_back("total", FormatFixed(result.seconds.total, 2) + " s");
   table.emplace_back("peak memory",

@@ -7,6 +7,7 @@
 #include "Log.h"
 #include "MeshCheck.h"
 #include "ObjectPlan.h"
+#include "MeshOptions.h"
 #include "OptionEffects.h"
 #include "PhaseTable.h"
 #include "Plan.h"
@@ -409,6 +410,8 @@ main(int argc, char * argv[])
       WriteCommandTexts(line, *app);
       return static_cast<int>(ExitStatus::Done);
     }
+    CompleteElementSize(*line.extract, line.extractOptions);
+    CompleteElementSize(*line.mesh, line.meshOptions);
     CheckOptionEffects(line);
     return static_cast<int>(RunCommand(line, JoinCommand(argc, argv)));
   });

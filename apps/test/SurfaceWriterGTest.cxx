@@ -1,10 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "SurfaceFormat.h"
-
-#include "Errors.h"
-#include "SurfaceShapes.h"
-#include "TemporaryFolder.h"
+#include "SurfaceWriting.h"
 
 #include <gtest/gtest.h>
 
@@ -18,91 +14,7 @@ using namespace medialvoxel;
 namespace
 {
 
-const std::vector<std::string> Extensions{ ".vtp", ".vtu", ".vtk", ".ply", ".stl", ".obj", ".inp", ".bdf" };
-
-/** The bytes of the file that the surface becomes. */
-std::string
-WriteFile(const Surface &             surface,
-          const std::string &         extension,
-          const SurfaceWriteOptions & options = SurfaceWriteOptions(),
-          size_t                      pieceSize = 1000,
-          SurfacePrecision            precision = SurfacePrecision::Single)
-{
-  const TemporaryFolder folder;
-  const std::string     name = "mesh" + extension;
-  SurfaceSpool          spool(folder / "", precision);
-  AddInPieces(surface, pieceSize, spool);
-  OutputFile file(folder / name, false);
-  file.Create(0, false);
-  WriteSurface(GetSurfaceFormat(name), spool, options, file);
-  file.Publish();
-  return folder.Read(name);
-}
-
-/** One triangle and one quad; the quad's second diagonal is the shorter one. */
-Surface
-MakeTwoFaces()
-{
-  Surface surface;
-  surface.vertices = {
-    { { 0, 0, 0 }, 1.0 }, { { 4, 0, 0 }, 1.0 }, { { 5, 3, 0 }, 2.0 }, { { 1, 1.5, 0 }, 2.0 }, { { -2, 0, 1e-5 }, 1.5 }
-  };
-  surface.faces = { MakeFace({ 0, 1, 2, 3 }), MakeFace({ 0, 3, 4 }) };
-  surface.faces[0].area = 3;
-  surface.faces[1].area = 1;
-  surface.faces[0].rimEdges = 7;
-  surface.faces[1].junctionEdges = 2;
-  return surface;
-}
-
-/** A row of squares, each with a thickness of its own. */
-Surface
-MakeSquares(const std::vector<double> & thicknesses)
-{
-  Surface surface;
-  for (const double thickness : thicknesses)
-  {
-    const std::uint64_t first = surface.vertices.size();
-    const auto          x = static_cast<double>(first);
-    for (const auto & [dx, dy] : { std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1) })
-    {
-      surface.vertices.push_back({ { x + dx, static_cast<double>(dy), 0 }, thickness });
-    }
-    surface.faces.push_back(MakeFace({ first, first + 1, first + 2, first + 3 }));
-  }
-  CompleteFaces(surface);
-  return surface;
-}
-
-/** Lines of the text that follow those that begin with \a begin. */
-std::vector<std::string>
-GetLinesAfter(const std::string & text, const std::string & begin)
-{
-  std::vector<std::string> lines;
-  std::istringstream       stream(text);
-  for (std::string line, previous; std::getline(stream, line); previous = line)
-  {
-    if (previous.rfind(begin, 0) == 0)
-    {
-      lines.push_back(line);
-    }
-  }
-  return lines;
-}
-
-ExitStatus
-GetStatusOf(const std::function<void()> & function)
-{
-  try
-  {
-    function();
-  }
-  catch (const JobError & error)
-  {
-    return error.GetStatus();
-  }
-  return ExitStatus::Done;
-}
+const std::vector<std::string> Extensions{ ".vtp", ".vtu", ".vtk", ".ply", ".stl", ".obj", ".inp", ".bdf", ".k" };
 
 float
 GetFloat(const std::string & bytes, size_t offset)
@@ -142,9 +54,9 @@ TEST(SurfaceWriter, PiecesMakeNoDifference)
         EXPECT_EQ(WriteFile(surface, extension, options, pieceSize), expected) << shape << extension;
       }
       // Each section by itself, and some together.
-      for (const std::uint64_t keptElements : { 1, 10 })
+      for (const std::uint64_t keptNumbers : { 1, 10 })
       {
-        options.keptElements = keptElements;
+        options.keptNumbers = keptNumbers;
         EXPECT_EQ(WriteFile(surface, extension, options), expected) << shape << extension;
       }
     }
@@ -156,45 +68,6 @@ TEST(SurfaceWriter, Obj)
   EXPECT_EQ(WriteFile(MakeTwoFaces(), ".obj"),
             "# Medial surface by MedialVoxel, lengths in the units of the image\n"
             "v 0 0 0\nv 4 0 0\nv 5 3 0\nv 1 1.5 0\nv -2 0 1e-05\nf 1 2 3 4\nf 1 4 5\n");
-}
-
-TEST(SurfaceWriter, AbaqusInWhole)
-{
-  // The quad has the thickness 1.5 and the triangle too, so they share a section.
-  EXPECT_EQ(WriteFile(MakeTwoFaces(), ".inp"),
-            "*HEADING\nMedial surface by MedialVoxel, lengths in the units of the image\n*NODE, NSET=ALL_NODES\n"
-            "1, 0, 0, 0\n2, 4, 0, 0\n3, 5, 3, 0\n4, 1, 1.5, 0\n5, -2, 0, 1e-05\n"
-            "*ELEMENT, TYPE=S3, ELSET=TRIANGLES\n2, 1, 4, 5\n*ELEMENT, TYPE=S4, ELSET=QUADS\n1, 1, 2, 3, 4\n"
-            "*ELSET, ELSET=THICKNESS_1\n1, 2\n*ELSET, ELSET=RIM\n1\n*ELSET, ELSET=JUNCTION\n2\n"
-            "**\n** A placeholder (aluminum in N, mm, t): put in your material.\n"
-            "*MATERIAL, NAME=REPLACE_THIS_MATERIAL\n*ELASTIC\n70000., 0.33\n*DENSITY\n2.7e-9\n"
-            "*SHELL SECTION, ELSET=THICKNESS_1, MATERIAL=REPLACE_THIS_MATERIAL\n1.5\n");
-}
-
-TEST(SurfaceWriter, NastranInWhole)
-{
-  EXPECT_EQ(
-    WriteFile(MakeTwoFaces(), ".bdf"),
-    "$ Medial surface by MedialVoxel, lengths in the units of the image\nSOL 101\nCEND\nBEGIN BULK\n"
-    "$ A placeholder (aluminum in N, mm, t): put in your material.\nMAT1,1,70000.,,.33,2.7-9\n"
-    "PSHELL* 1               1               1.5             1               \n"
-    "*                       1\n"
-    "GRID*   1                               0.              0.              \n*       0.\n"
-    "GRID*   2                               4.              0.              \n*       0.\n"
-    "GRID*   3                               5.              3.              \n*       0.\n"
-    "GRID*   4                               1.              1.5             \n*       0.\n"
-    "GRID*   5                               -2.             0.              \n*       1.e-05\n"
-    "CQUAD4  1       1       1       2       3       4       \nCTRIA3  2       1       1       4       5       \n"
-    "ENDDATA\n");
-}
-
-TEST(SurfaceWriter, LongSetsHaveSixteenNumbersPerLine)
-{
-  const std::string text = WriteFile(MakeSquares(std::vector<double>(33, 1.0)), ".inp");
-  const size_t      begin = text.find("*ELSET, ELSET=THICKNESS_1\n");
-  const std::string expected = "1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,\n"
-                               "17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32,\n33\n*";
-  EXPECT_EQ(text.substr(text.find('\n', begin) + 1, expected.size()), expected);
 }
 
 TEST(SurfaceWriter, StlSplitsQuadsAlongTheShorterDiagonal)
@@ -258,109 +131,6 @@ TEST(SurfaceWriter, CoordinatesAreFloat64WhereTheSurfaceNeedsIt)
   EXPECT_NE(write(".ply").find("property double x\n"), std::string::npos);
 }
 
-TEST(SurfaceWriter, SectionsGoByTheNearestMultipleAndHaveTheMeanByArea)
-{
-  Surface surface = MakeSquares({ 2.0, 1.9, 2.1, 3.0, 2.12 });
-  surface.faces[1].area = 3;
-  SurfaceWriteOptions options;
-  options.thicknessClassWidth = 0.25;
-  const std::string text = WriteFile(surface, ".inp", options);
-  EXPECT_EQ(GetLinesAfter(text, "*ELSET, ELSET=THICKNESS"), (std::vector<std::string>{ "1, 2, 3, 5", "4" }));
-  // (2.0 + 3 * 1.9 + 2.1 + 2.12) / 6 = 1.98666...
-  const std::vector<std::string> thicknesses = GetLinesAfter(text, "*SHELL SECTION");
-  ASSERT_EQ(thicknesses.size(), 2U);
-  EXPECT_NEAR(std::stod(thicknesses[0]), 11.92 / 6, 1e-6);
-  EXPECT_EQ(thicknesses[1], "3");
-}
-
-TEST(SurfaceWriter, CornersWithoutThicknessDoNotCount)
-{
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  Surface      surface = MakeSquares({ 1.0, nan, 3.0, 0.0 });
-  surface.vertices[8].thickness = nan;
-  const std::string text = WriteFile(surface, ".inp");
-  // Sections: 1, 3, and the two squares without any, which get the mean of the others.
-  EXPECT_EQ(GetLinesAfter(text, "*ELSET, ELSET=THICKNESS"), (std::vector<std::string>{ "1", "3", "2, 4" }));
-  EXPECT_EQ(GetLinesAfter(text, "*SHELL SECTION"), (std::vector<std::string>{ "1", "3", "2" }));
-  for (const char * extension : { ".inp", ".bdf" })
-  {
-    EXPECT_EQ(GetStatusOf([&] { WriteFile(MakeSquares({ nan, 0, -1 }), extension); }), ExitStatus::Failure);
-  }
-}
-
-TEST(SurfaceWriter, CornersAtARimCountOnlyWithoutOthers)
-{
-  // A row of three squares: their corners at the outer sides are thin.
-  Surface surface = MakeSquares({ 2.0, 2.0, 2.0 });
-  surface.faces[0].rimEdges = 8;
-  surface.vertices[0].thickness = 1.0;
-  surface.vertices[3].thickness = 1.2;
-  surface.faces[1].rimEdges = 0;
-  surface.faces[2].rimEdges = 15;
-  surface.vertices[8].thickness = 1.6;
-  SurfaceWriteOptions options;
-  options.thicknessClassWidth = 0.05;
-  const std::string text = WriteFile(surface, ".inp", options);
-  EXPECT_EQ(GetLinesAfter(text, "*ELSET, ELSET=THICKNESS"), (std::vector<std::string>{ "3", "1, 2" }));
-  EXPECT_EQ(GetLinesAfter(text, "*SHELL SECTION"), (std::vector<std::string>{ "1.9", "2" }));
-}
-
-TEST(SurfaceWriter, BadQuadsBecomeTwoElements)
-{
-  struct Case
-  {
-    SurfaceVertex            third;
-    std::vector<std::string> triangles;
-  };
-  // The third corner of a square moves along its diagonal: a good quad, one that is nearly a triangle, one turned in.
-  const std::vector<Case> cases{ { { { 0.65, 0.65, 0 }, 1 }, {} },
-                                 { { { 0.52, 0.52, 0 }, 1 }, { "1, 1, 2, 3", "2, 1, 3, 4" } },
-                                 { { { 0.3, 0.3, 0 }, 1 }, { "1, 1, 2, 3", "2, 1, 3, 4" } } };
-  for (const auto & [third, triangles] : cases)
-  {
-    Surface surface = MakeSquares({ 1.0 });
-    surface.vertices[2] = third;
-    const std::string text = WriteFile(surface, ".inp");
-    EXPECT_EQ(GetLinesAfter(text, "*ELEMENT, TYPE=S4").size(), triangles.empty() ? 1U : 0U) << third.position[0];
-    const size_t begin = text.find("*ELEMENT, TYPE=S3, ELSET=TRIANGLES\n");
-    ASSERT_EQ(begin == std::string::npos, triangles.empty());
-    if (!triangles.empty())
-    {
-      const size_t end = text.find("*ELSET", begin);
-      EXPECT_EQ(text.substr(begin, end - begin),
-                "*ELEMENT, TYPE=S3, ELSET=TRIANGLES\n" + triangles[0] + "\n" + triangles[1] + "\n");
-      EXPECT_EQ(GetLinesAfter(text, "*ELSET, ELSET=THICKNESS"), std::vector<std::string>{ "1, 2" });
-      EXPECT_NE(WriteFile(surface, ".bdf").find("CTRIA3  2       1       1       3       4"), std::string::npos);
-    }
-  }
-  // The corner before it: split along the other diagonal.
-  Surface surface = MakeSquares({ 1.0 });
-  surface.vertices[1].position = { 0.4, 0.4, 0 };
-  EXPECT_NE(WriteFile(surface, ".inp").find("\n1, 1, 2, 4\n2, 2, 3, 4\n"), std::string::npos);
-}
-
-TEST(SurfaceWriter, RefusesClassWidthsThatMakeNoSense)
-{
-  const Surface surface = MakeSquares({ 1.0, 2.0 });
-  for (const double width : { 0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
-  {
-    SurfaceWriteOptions options;
-    options.thicknessClassWidth = width;
-    EXPECT_EQ(GetStatusOf([&] { WriteFile(surface, ".inp", options); }), ExitStatus::Usage) << width;
-    EXPECT_EQ(GetStatusOf([&] { WriteFile(surface, ".vtp", options); }), ExitStatus::Done) << width;
-  }
-  std::vector<double> thicknesses;
-  for (int square = 0; square <= 10000; ++square)
-  {
-    thicknesses.push_back(1.0 + 1e-3 * square);
-  }
-  SurfaceWriteOptions options;
-  options.thicknessClassWidth = 1e-4;
-  EXPECT_EQ(GetStatusOf([&] { WriteFile(MakeSquares(thicknesses), ".bdf", options); }), ExitStatus::Refused);
-  thicknesses.pop_back();
-  EXPECT_EQ(GetStatusOf([&] { WriteFile(MakeSquares(thicknesses), ".bdf", options); }), ExitStatus::Done);
-}
-
 TEST(SurfaceWriter, RefusesMoreThanAFormatHolds)
 {
   struct Case
@@ -372,11 +142,11 @@ TEST(SurfaceWriter, RefusesMoreThanAFormatHolds)
   };
   const std::uint64_t     int32 = std::numeric_limits<std::int32_t>::max();
   const std::uint64_t     uint32 = std::numeric_limits<std::uint32_t>::max();
-  const std::vector<Case> largest{ { SurfaceFormat::Vtk, int32, 1, (int32 - 4) / 5 },
-                                   { SurfaceFormat::Ply, int32, 7, int32 - 7 },
-                                   { SurfaceFormat::Stl, uint32 * 2, 1, uint32 / 2 },
-                                   { SurfaceFormat::Abaqus, 999999999, 9, 999999990 },
-                                   { SurfaceFormat::Nastran, 99999999, 9, 99999990 } };
+  const std::vector<Case> largest{
+    { SurfaceFormat::Vtk, int32, 1, (int32 - 4) / 5 }, { SurfaceFormat::Ply, int32, 7, int32 - 7 },
+    { SurfaceFormat::Stl, uint32 * 2, 1, uint32 / 2 }, { SurfaceFormat::Abaqus, 999999999, 9, 999999990 },
+    { SurfaceFormat::Nastran, 99999999, 9, 99999990 }, { SurfaceFormat::LsDyna, 99999999, 9, 99999990 }
+  };
   for (const auto & [format, vertices, triangles, quads] : largest)
   {
     EXPECT_NO_THROW(CheckSurfaceFits(format, vertices, triangles, quads));

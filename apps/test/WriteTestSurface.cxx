@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // WriteTestSurface SHAPE CLASS-WIDTH FILE...: writes a surface to files of any format and prints it as JSON.
+// CLASS-WIDTH is that of sections; "nodes": the thickness is at nodes.
 // SHAPE is one of MakeSurface(), or strip:LENGTH,WIDTH,COLUMNS,ROWS,THICKNESS,THICKNESS[,triangles], not printed.
 
 #include "SurfaceFormat.h"
@@ -89,10 +90,17 @@ PrintJson(const Surface & surface)
 }
 
 void
-WriteFiles(const SurfaceSpool & spool, double classWidth, const std::vector<std::string> & fileNames)
+WriteFiles(const SurfaceSpool & spool, const std::string & classWidth, const std::vector<std::string> & fileNames)
 {
   SurfaceWriteOptions options;
-  options.thicknessClassWidth = classWidth;
+  if (classWidth == "nodes")
+  {
+    options.thicknessPlace = ThicknessPlace::Nodes;
+  }
+  else
+  {
+    options.thicknessClassWidth = std::stod(classWidth);
+  }
   for (const std::string & fileName : fileNames)
   {
     OutputFile file(fileName, false);
@@ -127,7 +135,7 @@ try
     AddInPieces(surface, 10, spool);
     PrintJson(surface);
   }
-  WriteFiles(spool, std::stod(argv[2]), fileNames);
+  WriteFiles(spool, argv[2], fileNames);
   return 0;
 }
 catch (const std::exception & error)

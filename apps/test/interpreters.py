@@ -11,6 +11,7 @@ CACHE = pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / "
 PYTHONS = [
     str(CACHE / "zarr-readers/bin/python"),
     str(CACHE / "mesh-readers/bin/python"),
+    str(CACHE / "keyword-readers/bin/python"),
     str(CACHE / "volume-writers/bin/python"),
     sys.executable,
     "/usr/bin/python3",

@@ -35,7 +35,7 @@ class LargeSurfaceTest(unittest.TestCase):
 
     def test_memory(self):
         side = 4000
-        for extension in ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf"):
+        for extension in ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf", "k"):
             with self.subTest(extension):
                 path, peak = self.write(side, f"square.{extension}")
                 self.assertLess(peak, 100 * MEBIBYTE)

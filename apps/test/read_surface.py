@@ -4,7 +4,8 @@
 
 Keys: points; faces, as lists of places in points; if the format has them: thickness, ray_thickness, colors and
 object_of_points of the points; area, rim, junction, object, cap, group and section_thickness of the faces; sets, the
-places of the elements by name."""
+places of the elements by name; node_sets, the places of the points by name; corner_thickness of the corners of each
+face, where the format has it."""
 
 import json
 import sys
@@ -44,6 +45,7 @@ def read_with_meshio(path):
         name: [int(place) + start for start, block in zip(first, blocks) for place in (block if block is not None else [])]
         for name, blocks in mesh.cell_sets.items()
     }
+    content["node_sets"] = {name: list(map(int, places)) for name, places in mesh.point_sets.items()}
     return content
 
 
@@ -82,11 +84,45 @@ def read_with_pynastran(path):
     numbers = sorted(model.nodes)
     place = {number: index for index, number in enumerate(numbers)}
     elements = [model.elements[number] for number in sorted(model.elements)]
+    control = model.case_control_deck.subcases[0].params if model.case_control_deck else {}
+    sets = {name: control[f"SET {number}"][0] for number, name in ((1, "RIM"), (2, "JUNCTION")) if f"SET {number}" in control}
+    thicknesses = [[element.T1, element.T2, element.T3, getattr(element, "T4", None)] for element in elements]
     return {
+        "node_sets": {name: [place[number] for number in numbers] for name, numbers in sets.items()},
+        "corner_thickness": [four[: len(element.nodes)] for element, four in zip(elements, thicknesses)],
         "points": [model.nodes[number].xyz.tolist() for number in numbers],
         "faces": [[place[corner] for corner in element.nodes] for element in elements],
         "section_thickness": [model.properties[element.pid].t for element in elements],
     }
+
+
+def read_with_pydyna(path):
+    from ansys.dyna.core import Deck  # pylint: disable=import-outside-toplevel
+
+    deck = Deck()
+    deck.import_file(path)
+    blocks = {}
+    for keyword in deck.keywords:
+        blocks.setdefault(type(keyword).__name__, []).append(keyword)
+    (nodes,) = (block.nodes for block in blocks["Node"])
+    place = {number: index for index, number in enumerate(nodes["nid"].tolist())}
+    shells = (blocks.get("ElementShell") or blocks["ElementShellThickness"])[0].elements
+    corners = shells[["n1", "n2", "n3", "n4"]].to_numpy().tolist()
+    corners = [four[:3] if four[2] == four[3] else four for four in corners]
+    sections = {section.secid: section.t1 for section in blocks.get("SectionShell", [])}
+    parts = {part.parts["pid"].iloc[0]: sections[part.parts["secid"].iloc[0]] for part in blocks.get("Part", [])}
+    content = {
+        "points": nodes[["x", "y", "z"]].to_numpy().tolist(),
+        "faces": [[place[corner] for corner in face] for face in corners],
+        "section_thickness": [parts[part] for part in shells["pid"].tolist()],
+        "node_sets": {block.title: [place[node] for node in block.nodes.data] for block in blocks.get("SetNodeList", [])},
+        "sets": {block.title: [element - 1 for element in block.shells.data] for block in blocks.get("SetShellList", [])},
+        "part_sets": {block.title: list(block.parts.data) for block in blocks.get("SetPartList", [])},
+    }
+    if "thic1" in shells:
+        thicknesses = shells[["thic1", "thic2", "thic3", "thic4"]].to_numpy().tolist()
+        content["corner_thickness"] = [four[: len(face)] for face, four in zip(corners, thicknesses)]
+    return content
 
 
 READERS = {
@@ -95,6 +131,7 @@ READERS = {
     "gmsh": read_with_gmsh,
     "pyNastran": read_with_pynastran,
     "trimesh": read_with_trimesh,
+    "pydyna": read_with_pydyna,
 }
 
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The example examples/fem/cantilever.py: CalculiX solves meshes as they should be, and those of voxels."""
 
+import importlib.util
 import os
 import pathlib
 import re
@@ -10,6 +11,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+
+import volumes
 
 PROGRAM = os.environ["MEDIALVOXEL_PROGRAM"]
 WRITE_SURFACE = os.environ["MEDIALVOXEL_WRITE_SURFACE"]
@@ -47,6 +50,27 @@ class CantileverTest(unittest.TestCase):
         # The deflection falls with the cube of the thickness.
         error = self.bend("25,10,50,20,2.1,2.1", "50,20,4", 1)
         self.assertAlmostEqual(error, 1 / 1.05**3 - 1, delta=0.01)
+
+    @unittest.skipUnless(importlib.util.find_spec("numpy"), "numpy is not installed")
+    def test_a_column_from_scan_to_result(self):
+        """A plate that stands on a side and is pressed, beside a piece that nothing holds."""
+        width, thickness, height, force = 40, 4, 60, 1000
+        volume = volumes.Volume((50, 14, 70), [])
+        ends = ((5, 5 + width), (3, 3 + thickness), (5, 5 + height)), ((0, 40), (9, 12), (40, 70))
+        volume.voxels = [
+            int(any(all(low <= i < high for i, (low, high) in zip(index, box)) for box in ends)) for index in volume.indices()
+        ]
+        with tempfile.TemporaryDirectory(prefix="medialvoxel-test-") as folder:
+            part = volumes.write_meta(pathlib.Path(folder) / "part.mha", volume)
+            command = [sys.executable, "-B", EXAMPLE.parent / "solve_part.py", part, "--lower", "1", "--force", str(force)]
+            command += ["--program", PROGRAM]
+            result = subprocess.run(command, capture_output=True, text=True, check=True)
+        printed = re.findall(r"^(displacement|stress) +([0-9.e+-]+)", result.stdout, re.MULTILINE)
+        found = {name: float(value) for name, value in printed}
+        # The sheet is smaller by the thickness; a row of elements is held. Corners move more than the others.
+        stress = force / (thickness * (width - thickness))
+        self.assertAlmostEqual(found["displacement"] / (stress / 70000 * (height - 2 * thickness)), 1.1, delta=0.1)
+        self.assertAlmostEqual(found["stress"] / stress, 1.1, delta=0.3)
 
 
 if __name__ == "__main__":

@@ -6,7 +6,9 @@ import json
 import math
 import os
 import pathlib
+import re
 import shutil
+import struct
 import subprocess
 import sys
 import unittest
@@ -144,7 +146,7 @@ class CheckTest(ElementsTestCase):
         self.assertIn("elements without a positive Jacobian", self.failed("2, 10, 3, 9"))
 
     def test_files_that_are_not_understood(self):
-        self.assert_fails(USAGE, ["m.vtp", ".inp"], "check", "m.vtp")
+        self.assert_fails(USAGE, ["m.obj", ".inp"], "check", "m.obj")
         self.assert_fails(FAILURE, ["cannot open none.inp"], "check", "none.inp")
         self.write(["1, 2, 3, 99"])
         self.assert_fails(CORRUPT, ["m.inp", "element 1", "node 99"], "check", "m.inp")
@@ -165,6 +167,56 @@ class CheckTest(ElementsTestCase):
             (self.folder / "m.ply").write_bytes(header.encode() + bytes(64))
             self.assert_fails(CORRUPT, ["m.ply", word], "check", "m.ply")
 
+    def assert_corrupt(self, name, content, *words):
+        (self.folder / name).write_bytes(content)
+        self.assert_fails(CORRUPT, [name, *words], "check", name)
+
+    def test_coordinates_that_are_no_numbers(self):
+        for text in ("nan", "inf", "1e31", "-1e300"):
+            self.assert_corrupt("m.inp", (SQUARES.replace("2, 1, 0, 0", f"2, {text}, 0, 0") + "1, 1, 2, 3, 4\n").encode(), "node 2")
+
+    def test_numbers_of_bytes_that_are_not_there(self):
+        volumes.write_meta(self.folder / "in.mha", plate())
+        for name in ("m.vtp", "m.vtu", "m.stl", "m.ply"):
+            self.run_program("mesh", "in.mha", name)
+            whole = (self.folder / name).read_bytes()
+            self.check(name)
+            for size in (0, 3, 90, len(whole) // 3):
+                self.assert_corrupt(name, whole[:size])
+        many = 9223372036854775807
+        for name, word in (("m.vtp", b"NumberOfPolys"), ("m.vtu", b"NumberOfCells"), ("m.vtp", b"NumberOfPoints")):
+            self.run_program("mesh", "in.mha", name, "--overwrite")
+            whole = (self.folder / name).read_bytes()
+            self.assert_corrupt(name, re.sub(word + rb'="\d+"', word + b'="%d"' % many, whole), str(many))
+            self.assert_corrupt(name, re.sub(rb'offset="\d+"', b'offset="%d"' % many, whole), "array")
+            begin = whole.index(b"_", whole.index(b"<AppendedData"))
+            # The first array has the thickness, which is not read; all others are.
+            for offset in set(map(int, re.findall(rb'Name="(?:Points|connectivity|offsets)".*?offset="(\d+)"', whole))):
+                place = begin + 1 + offset
+                self.assert_corrupt(name, whole[:place] + b"\xf8" + b"\xff" * 7 + whole[place + 8 :], "array")
+        self.run_program("mesh", "in.mha", "m.stl", "--overwrite")
+        whole = (self.folder / "m.stl").read_bytes()
+        self.assert_corrupt("m.stl", whole[:80] + b"\xff" * 4 + whole[84:], "ends before")
+        self.assert_corrupt("m.stl", whole + b"x", "not a binary STL")
+        self.assert_corrupt("m.stl", whole[:96] + struct.pack("<f", math.nan) + whole[100:], "node 1")
+
+    def test_keywords_that_are_not_read(self):
+        nodes = "*KEYWORD\n*NODE\n" + "".join(f"{k:8}{x:16}{y:16}{0:16}\n" for k, (x, y) in enumerate(((0, 0), (1, 0), (1, 1), (0, 1)), 1))
+        shell = "       1       1       1       2       3       4\n"
+        (self.folder / "m.k").write_text(f"{nodes}*ELEMENT_SHELL_OFFSET\n{shell}  0.5\n*END\nany text\n")
+        self.assertEqual(self.check("m.k")[0]["quadrilaterals"], 1)
+        (self.folder / "m.k").write_text(f"$ comment\n{nodes.lower()}*element_shell\n1,1,1,2,3\n2,1,1,3,4,4\n")
+        self.assertEqual(self.check("m.k")[0]["triangles"], 2)
+        for text, words in (
+            (f"{nodes}*ELEMENT_SHELL_COMPOSITE\n{shell}", ["line 7", "composite"]),
+            (f"{nodes}*ELEMENT_SHELL\n{shell.rstrip()}       7       8\n", ["line 8", "four nodes"]),
+            (f"{nodes}*ELEMENT_SHELL\n{shell.replace('4', '9')}", ["node 9", "missing"]),
+            ("*KEYWORD LONG=Y\n" + nodes, ["line 1", "long format"]),
+            (nodes + "*INCLUDE\nother.k\n", ["line 7", "INCLUDE"]),
+            (nodes, ["no shell elements"]),
+        ):
+            self.assert_corrupt("m.k", text.encode(), *words)
+
     def test_what_is_no_shell_is_left_out(self):
         (self.folder / "m.inp").write_text(
             SQUARES + "1, 1, 2, 3, 4\n*ELEMENT, TYPE=SPRINGA\n2, 1, 2\n*ELEMENT\n3, 1, 2\n"
@@ -174,8 +226,16 @@ class CheckTest(ElementsTestCase):
     def test_all_formats_say_the_same(self):
         volumes.write_meta(self.folder / "in.mha", plate())
         texts = set()
-        for name in ("m.inp", "m.bdf", "m.ply"):
+        for name in ("m.inp", "m.bdf", "m.k", "m.ply", "m.vtp", "m.vtu"):
             self.run_program("mesh", "in.mha", name, "--element-size", "auto")
+            texts.add(self.run_program("check", name).stdout)
+        for name in ("n.inp", "n.bdf", "n.k"):
+            self.run_program("mesh", "in.mha", name, "--element-size", "auto", "--thickness-at", "nodes")
+            texts.add(self.run_program("check", name).stdout)
+        self.assertEqual(len(texts), 1)
+        texts = set()
+        for name in ("t.stl", "t.ply"):
+            self.run_program("mesh", "in.mha", name, "--element-size", "auto", "--triangles")
             texts.add(self.run_program("check", name).stdout)
         self.assertEqual(len(texts), 1)
 
@@ -203,6 +263,16 @@ class ElementSizeTest(ProgramTestCase):
             if size != "auto":
                 self.assertLess(mesh["faces"], faces)
                 faces = mesh["faces"]
+
+    def test_seconds_have_a_row(self):
+        run = self.run_program("mesh", "in.mha", "m.vtp", "--element-size", "auto", "--report", "r.json")
+        self.assertRegex(run.stdout, r"\nremeshing +\d+\.\d\d s\nreading and writing +")
+        seconds = json.loads((self.folder / "r.json").read_text())["seconds"]
+        self.assertGreater(seconds["remeshing"], 0)
+        self.assertLess(seconds["remeshing"] + seconds["input_output"], seconds["total"])
+        run = self.run_program("mesh", "in.mha", "m.vtp", "--report", "r.json", "--overwrite")
+        self.assertNotIn("remeshing", run.stdout)
+        self.assertNotIn("remeshing", json.loads((self.folder / "r.json").read_text())["seconds"])
 
     def test_sizes_that_make_no_sense(self):
         for size in ("0", "-1", "nan", "inf", "large"):

@@ -95,6 +95,33 @@ class GrayWallsTest(ProgramTestCase):
             self.assertEqual(report["measure"]["on"], "object")
             self.assertNotEqual(report["measure"]["reason"], "")
 
+    def test_masks_for_solvers_have_the_thickness_of_their_layers(self):
+        # Layers of voxels of a tilted wall: 17 of them in three voxels.
+        normal = (1, 2, 5)
+        places = 1 / math.sqrt(30)
+        volume = volumes.Volume((60, 50, 50), [])
+        middle = sum(n * (extent // 2) for n, extent in zip(normal, volume.size))
+
+        def inside(index):
+            return abs(sum(n * i for n, i in zip(normal, index)) - middle) <= 8
+
+        metal = [inside(index) for index in volume.indices()]
+        contents = set()
+        for low, high, thresholds in ((0, 1, (1,)), (0, 255, (1, 128, 255))):
+            values = [high if is_metal else low for is_metal in metal]
+            volumes.write_nrrd(self.folder / "mask.nrrd", volumes.Volume(volume.size, values))
+            for lower in thresholds:
+                arguments = ("mesh", "mask.nrrd", "mask.inp", "--lower", lower, "--overwrite", "--report", "-")
+                report = json.loads(self.run_program(*arguments).stdout)  # elements are as long as walls are thick
+                self.assertEqual(report["measure"]["on"], "crossings")
+                self.assertAlmostEqual(report["thickness"]["mean"], 17 * places, delta=0.02 * 17 * places)
+                contents.add((self.folder / "mask.inp").read_bytes())
+        self.assertEqual(len(contents), 1)
+        # One face a voxel is measured on the object, as before, and so are elements where that is asked for.
+        self.assertEqual(json.loads(self.run_program(*arguments, "--element-size", "voxel").stdout)["measure"]["on"], "object")
+        report = json.loads(self.run_program(*arguments, "--element-size", "auto", "--sub-voxel=off").stdout)
+        self.assertEqual(report["measure"]["on"], "object")
+
     def test_a_threshold_that_no_value_reaches_does_not_count(self):
         volume, _ = scan()
         volumes.write_nrrd(self.folder / "in.nrrd", volume)

@@ -58,7 +58,7 @@ def put_together(meshes):
 
 def read_with(reader, folder, names):
     """What a library reads from mesh files, as read_surface.py tells; None where it is not installed."""
-    python = python_with({"pyNastran": "pyNastran.bdf.bdf"}.get(reader, reader))
+    python = python_with({"pyNastran": "pyNastran.bdf.bdf", "pydyna": "ansys.dyna.core"}.get(reader, reader))
     if python is None:
         return None
     script = pathlib.Path(__file__).with_name("read_surface.py")
@@ -66,14 +66,18 @@ def read_with(reader, folder, names):
     return json.loads((folder / "read.json").read_text(encoding="ascii"))
 
 
+# Elements of a size depend on what else is in the mesh: the mean side of its faces.
+OF_VOXELS = ("--element-size", "voxel")
+
+
 class LabelMeshTest(ProgramTestCase):
     def mesh_labels(self, name, mesh, *options, thickness="auto"):
-        arguments = ("--labels", "all", "--mesh", mesh, "--report", "all.json", "--overwrite", *options)
+        arguments = ("--labels", "all", "--mesh", mesh, *OF_VOXELS, "--report", "all.json", "--overwrite", *options)
         self.extract(name, "all.mha", *arguments, thickness=thickness)
         return (self.folder / mesh).read_bytes()
 
     def mesh_label(self, name, mesh, label, *options, thickness="auto"):
-        arguments = ("--label", label, "--smooth", "off", "--mesh", mesh, "--overwrite", *options)
+        arguments = ("--label", label, "--smooth", "off", "--mesh", mesh, *OF_VOXELS, "--overwrite", *options)
         self.extract(name, "one.mha", *arguments, thickness=thickness)
 
     def check_map(self, volume, *options, run=(), thickness="auto", compressed=False):
@@ -118,7 +122,7 @@ class LabelMeshTest(ProgramTestCase):
 
     def test_divisions_threads_and_memory(self):
         volumes.write_meta(self.folder / "map.mha", touching_shapes())
-        for mesh in ("m.ply", "m.vtp", "m.inp", "m.obj"):
+        for mesh in ("m.ply", "m.vtp", "m.inp", "m.k", "m.obj"):
             expected = self.mesh_labels("map.mha", mesh, "--divisions", 1, "--threads", 1)
             report = json.loads((self.folder / "all.json").read_text(encoding="utf-8"))
             for run in (("--divisions", 4), ("--divisions", 34, "--threads", 3), ("--memory", "60M")):
@@ -180,6 +184,15 @@ class LabelMeshTest(ProgramTestCase):
         content, alone = self.read_shapes("pyNastran", "bdf")
         expected = [thickness for one in alone.values() for thickness in one["section_thickness"]]
         self.assertEqual(content["section_thickness"], expected)
+
+    def test_parts_of_ls_dyna(self):
+        content, alone = self.read_shapes("pydyna", "k")
+        expected = [thickness for one in alone.values() for thickness in one["section_thickness"]]
+        self.assertEqual(content["section_thickness"], expected)
+        sizes = [len(set(one["section_thickness"])) for one in alone.values()]
+        self.assertEqual([len(parts) for parts in content["part_sets"].values()], sizes)
+        names = [f"OBJECT_{label}".replace("-", "MINUS_") for label in alone]
+        self.assertEqual(list(content["part_sets"]), names)
 
 
 if __name__ == "__main__":

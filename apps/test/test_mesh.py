@@ -51,10 +51,12 @@ class MeshTest(ProgramTestCase):
     def test_divisions_threads_and_memory(self):
         self.write(rough_shell())
         for name in ("m.ply", "m.vtp", "m.inp"):
-            self.mesh("in.mha", name, "--divisions", 1, "--threads", 1)
+            # Elements of a size take more memory: test_elements has their divisions and threads.
+            size = ("--element-size", "voxel")
+            self.mesh("in.mha", name, *size, "--divisions", 1, "--threads", 1)
             expected = (self.folder / name).read_bytes()
             for arguments in (("--divisions", 3), ("--divisions", 33, "--threads", 3), ("--memory", "60M")):
-                self.mesh("in.mha", name, "--overwrite", *arguments)
+                self.mesh("in.mha", name, "--overwrite", *size, *arguments)
                 self.assertEqual((self.folder / name).read_bytes(), expected, (name, arguments))
         self.assertGreater(len(Mesh(self.folder / "m.ply").faces), 1000)
 

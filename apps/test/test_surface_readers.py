@@ -19,7 +19,7 @@ READ_SURFACE = pathlib.Path(__file__).with_name("read_surface.py")
 
 SHAPES = ("plate", "mixed", "cylinder", "cube", "junction")
 FAR_SHAPES = ("far-mixed", "far-cylinder")  # coordinates need 64 bits
-EXTENSIONS = ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf", "glb")
+EXTENSIONS = ("vtp", "vtu", "vtk", "ply", "stl", "obj", "inp", "bdf", "k", "glb")
 ONLY_32_BITS = ("stl", "glb")
 READERS = {
     "pyvista": ("vtp", "vtu", "vtk", "ply", "stl", "obj", "glb"),
@@ -27,9 +27,11 @@ READERS = {
     "gmsh": ("stl", "obj", "bdf"),
     "pyNastran": ("bdf",),
     "trimesh": ("glb",),
+    "pydyna": ("k",),
 }
 READ_AS_32_BITS = (("pyvista", "ply"), ("pyvista", "obj"))  # by VTK, whatever the file holds
-MODULES = {"pyNastran": "pyNastran.bdf.bdf"}
+MODULES = {"pyNastran": "pyNastran.bdf.bdf", "pydyna": "ansys.dyna.core"}
+AT_NODES = {"meshio": ("inp",), "pyNastran": ("bdf",), "pydyna": ("k",)}  # with the thickness at nodes
 CLASS_WIDTH = 0.2
 
 
@@ -72,6 +74,9 @@ def write_all(folder):
         if shape not in FAR_SHAPES:
             surface["points"] = [[as_float32(coordinate) for coordinate in point] for point in surface["points"]]
         surfaces[shape] = surface
+    for shape in SHAPES:
+        names = [f"{shape}-nodes.{extension}" for extensions in AT_NODES.values() for extension in extensions]
+        subprocess.run([WRITE_SURFACE, shape, "nodes", *names], capture_output=True, check=True, cwd=folder)
     return surfaces
 
 
@@ -87,8 +92,9 @@ def read_all(folder, reader):
         return None
     names = [f"{shape}.{extension}" for shape in SHAPES for extension in READERS[reader]]
     names += [f"{shape}.{extension}" for shape in FAR_SHAPES for extension in far_extensions(reader)]
-    if reader in ("pyvista", "pyNastran"):
-        names += [f"empty.{extension}" for extension in ("vtp", "vtu", "vtk", "bdf") if extension in READERS[reader]]
+    names += [f"{shape}-nodes.{extension}" for shape in SHAPES for extension in AT_NODES.get(reader, ())]
+    if reader in ("pyvista", "pyNastran", "pydyna"):
+        names += [f"empty.{extension}" for extension in ("vtp", "vtu", "vtk", "bdf", "k") if extension in READERS[reader]]
     command = [python, "-B", READ_SURFACE, reader, f"{reader}.json", *names]
     result = subprocess.run(command, capture_output=True, text=True, check=False, cwd=folder)
     if result.returncode != 0:
@@ -96,12 +102,51 @@ def read_all(folder, reader):
     return json.loads((folder / f"{reader}.json").read_text(encoding="ascii"))
 
 
+def nodes_of(surface, key):
+    """Ends of the marked sides, as a set."""
+    nodes = set()
+    for corners, edges in zip(surface["faces"], surface[key]):
+        for side, corner in enumerate(corners):
+            if edges >> side & 1:
+                nodes |= {corner, corners[(side + 1) % len(corners)]}
+    return nodes
+
+
+def ranks(surface):
+    """Of the vertices: 0 inside of walls, 1 at junctions, 2 at rims."""
+    rims, junctions = nodes_of(surface, "rim"), nodes_of(surface, "junction")
+    return [2 if vertex in rims else 1 if vertex in junctions else 0 for vertex in range(len(surface["points"]))]
+
+
 def face_thickness(surface, face):
-    """Mean of the corners that are not at a rim, of all where there are no others."""
-    corners, edges = surface["faces"][face], surface["rim"][face]
-    at_rim = [edges >> place & 1 or edges >> (place - 1) % len(corners) & 1 for place in range(len(corners))]
-    inside = [corner for corner, rim in zip(corners, at_rim) if not rim] or corners
-    return sum(surface["thickness"][corner] for corner in inside) / len(inside)
+    """Mean of the corners farthest inside."""
+    rank, corners = ranks(surface), surface["faces"][face]
+    best = [corner for corner in corners if rank[corner] == min(rank[corner] for corner in corners)]
+    return sum(surface["thickness"][corner] for corner in best) / len(best)
+
+
+def corner_thickness(surface):
+    """Of the corners of each face: their own inside of walls, elsewhere that of the face."""
+    rank = ranks(surface)
+    return [
+        [face_thickness(surface, face) if rank[corner] else surface["thickness"][corner] for corner in corners]
+        for face, corners in enumerate(surface["faces"])
+    ]
+
+
+def node_thickness(surface):
+    """Their own inside of walls, elsewhere the mean by area of the faces that reach farther inside."""
+    rank = ranks(surface)
+    thickness = []
+    for vertex, own in enumerate(surface["thickness"]):
+        inner = [
+            face
+            for face, corners in enumerate(surface["faces"])
+            if vertex in corners and min(rank[corner] for corner in corners) < rank[vertex]
+        ]
+        area = sum(surface["area"][face] for face in inner)
+        thickness.append(sum(surface["area"][face] * face_thickness(surface, face) for face in inner) / area if inner else own)
+    return thickness
 
 
 class SurfaceReadersTest(unittest.TestCase):
@@ -223,9 +268,60 @@ class SurfaceReadersTest(unittest.TestCase):
                 for name, key in (("RIM", "rim"), ("JUNCTION", "junction")):
                     members = {place_of_face[place] for place in content["sets"].get(name, [])}
                     self.assertEqual(members, {face for face, edges in enumerate(surface[key]) if edges}, name)
+                    for side in range(4):
+                        members = {place_of_face[place] for place in content["sets"].get(f"{name}_E{side + 1}", [])}
+                        expected = {face for face, edges in enumerate(surface[key]) if edges >> side & 1}
+                        self.assertEqual(members, expected, f"{name}_E{side + 1}")
+
+    def test_sections_of_ls_dyna(self):
+        self.need("pydyna")
+        for shape in SHAPES:
+            with self.subTest(shape):
+                surface, content = self.surfaces[shape], self.contents["pydyna"][f"{shape}.k"]
+                self.check_sections(surface, content["section_thickness"])
+                for name, key in (("RIM", "rim"), ("JUNCTION", "junction")):
+                    expected = [face for face, edges in enumerate(surface[key]) if edges]
+                    self.assertEqual(content["sets"].get(name, []), expected, name)
+
+    def check_at_nodes(self, reader, check):
+        """Calls check(surface, content, name) with the files that have the thickness at nodes."""
+        self.need(reader)
+        for shape in SHAPES:
+            for extension in AT_NODES[reader]:
+                name = f"{shape}-nodes.{extension}"
+                with self.subTest(name):
+                    check(self.surfaces[shape], self.contents[reader][name], name)
+
+    def test_sets_of_nodes(self):
+        def check(surface, content, _):
+            for name, key in (("RIM", "rim"), ("JUNCTION", "junction")):
+                self.assertEqual(content["node_sets"].get(name, []), sorted(nodes_of(surface, key)), name)
+
+        for reader in AT_NODES:
+            self.check_at_nodes(reader, check)
+
+    def test_thickness_of_corners(self):
+        def check(surface, content, _):
+            for found, expected in zip(content["corner_thickness"], corner_thickness(surface), strict=True):
+                for one, other in zip(found, expected, strict=True):
+                    self.assertAlmostEqual(one / other, 1, delta=1e-5)
+
+        for reader in ("pyNastran", "pydyna"):
+            self.check_at_nodes(reader, check)
+
+    def test_thickness_of_nodes(self):
+        def check(surface, _, name):
+            text = (self.folder / name).read_text(encoding="ascii")
+            (lines,) = re.findall(r"^\*NODAL THICKNESS\n((?:\d.*\n)+)", text, re.MULTILINE)
+            rows = [line.split(",") for line in lines.splitlines()]
+            self.assertEqual([int(row[0]) for row in rows], list(range(1, len(surface["points"]) + 1)))
+            for row, expected in zip(rows, node_thickness(surface)):
+                self.assertAlmostEqual(float(row[1]) / expected, 1, delta=1e-6)
+
+        self.check_at_nodes("meshio", check)
 
     def test_no_face(self):
-        for reader, extensions in (("pyvista", ("vtp", "vtu", "vtk")), ("pyNastran", ("bdf",))):
+        for reader, extensions in (("pyvista", ("vtp", "vtu", "vtk")), ("pyNastran", ("bdf",)), ("pydyna", ("k",))):
             with self.subTest(reader):
                 self.need(reader)
                 for extension in extensions:

@@ -115,6 +115,9 @@ class UsageTest(ProgramTestCase):
             (extract, ["--mesh", "m.inp"], ["--section-width", 1]),
             (mesh + ["m.vtp"], None, ["--section-width", 1]),
             (mesh + ["m.BDF"], [], ["--section-width", 1]),
+            (mesh + ["m.k", "--thickness-at", "nodes"], None, ["--section-width", 1]),
+            (mesh + ["m.ply"], None, ["--thickness-at", "nodes"]),
+            (mesh + ["m.k"], [], ["--thickness-at", "nodes"]),
             (distance, ["--distance", "d.OME.ZARR"], ["--zarr-compression", "gzip"]),
         ):
             if need != []:

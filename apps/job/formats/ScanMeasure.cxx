@@ -24,7 +24,7 @@ FindWallMeasure(InputVolume &          input,
                 const ReadObserver &   observer)
 {
   const auto  range = GetGrayRange(options, header);
-  WallMeasure measure{ options.subVoxel.value_or(false), std::nullopt, {} };
+  WallMeasure measure{ options.subVoxel.value_or(HasMeshForSolvers(options)), std::nullopt, {} };
   if (std::isfinite(range.lower) && std::isfinite(range.upper))
   {
     measure.reason = "between two thresholds";
@@ -51,6 +51,7 @@ FindWallMeasure(InputVolume &          input,
   }
   measure.scan = result.scan;
   measure.reason = result.reason;
+  measure.middle = result.middle;
   measure.usesGrayValues = measure.usesGrayValues || measure.scan;
   return measure;
 }
@@ -64,6 +65,10 @@ GetGrayRange(const WallMeasure & measure, const JobOptions & options, const Volu
   }
   auto range = GetGrayRange(options, header);
   range.scan = measure.scan;
+  if (measure.middle)
+  {
+    range.MoveThreshold(*measure.middle);
+  }
   return range;
 }
 

@@ -4,6 +4,7 @@
 
 #include "ObjectRoughness.h"
 #include "SmoothingRule.h"
+#include "ValuePacking.h"
 
 #include "itkMedialVoxelProgress.h"
 
@@ -94,7 +95,7 @@ SmoothedInput::FillSmoothed(ValueReader &               reader,
     const itk::MedialVoxelStrides strides{ 1, input.Extent(0), input.Extent(0) * input.Extent(1) };
     smoother.Run(values.data(), strides, part, *targets.object);
     const ValueView view{ values.data() + input.OffsetOf(part.lower), strides, false };
-    this->Pack<TValue>(view, part, { nullptr, targets.notANumber, targets.gray });
+    PackValues<TValue>(view, part, this->GetOptions(), { nullptr, targets.notANumber, targets.gray });
   });
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "StreamedInput.h"
 
+#include "ValuePacking.h"
+
 #include "itkMedialVoxelProgress.h"
 
 namespace medialvoxel
@@ -36,7 +38,7 @@ StreamedInput::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & target
         itk::MedialVoxelPoll();
         ValueView view;
         this->MeasureReading([&] { view = reader.Look(part); });
-        this->Pack<decltype(zero)>(view, part, targets);
+        PackValues<decltype(zero)>(view, part, m_Options, targets);
       });
     });
   });

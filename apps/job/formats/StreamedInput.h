@@ -4,7 +4,6 @@
 #define medialvoxelStreamedInput_h
 
 #include "InputVolume.h"
-#include "ObjectValues.h"
 #include "ReaderPool.h"
 
 namespace medialvoxel
@@ -61,36 +60,11 @@ protected:
     return m_Readers;
   }
 
-  /** Packs values, which begin at the part, to what is wanted of it. */
-  template <typename TValue>
-  void
-  Pack(const ValueView & view, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const;
-
 private:
   VolumeHeader m_Header;
   JobOptions   m_Options;
   ReaderPool   m_Readers;
 };
-
-template <typename TValue>
-void
-StreamedInput::Pack(const ValueView & view, const itk::MedialVoxelBox & part, const VoxelTargets & targets) const
-{
-  const auto * const values = static_cast<const TValue *>(view.values);
-  const auto         pack = [&](const auto & predicate, itk::MedialVoxelBits * bits) {
-    // Bits that stay clear need no look at each voxel.
-    if (bits != nullptr && !(view.areEqual && !predicate(*values)))
-    {
-      itk::MedialVoxelPackBox(values, view.strides, part, predicate, *bits);
-    }
-  };
-  pack(MakeObjectPredicate<TValue>(m_Options), targets.object);
-  pack([](TValue value) { return value != value; }, targets.notANumber);
-  if (targets.gray != nullptr)
-  {
-    itk::MedialVoxelCopyBox(values, view.strides, part, *targets.gray);
-  }
-}
 
 } // end namespace medialvoxel
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -22,15 +23,35 @@ struct Format
   MeshFileReader * reader;
 };
 
-constexpr std::array<Format, 3> Formats{
-  { { ".inp", ReadAbaqusMesh }, { ".bdf", ReadNastranMesh }, { ".ply", ReadPlyMesh } }
-};
+constexpr std::array<Format, 7> Formats{ { { ".inp", ReadAbaqusMesh },
+                                           { ".bdf", ReadNastranMesh },
+                                           { ".k", ReadLsDynaMesh },
+                                           { ".vtp", ReadVtkMesh },
+                                           { ".vtu", ReadVtkMesh },
+                                           { ".ply", ReadPlyMesh },
+                                           { ".stl", ReadStlMesh } } };
+
+/** Products of six coordinates are still numbers. */
+constexpr double LargestCoordinate = 1e30;
 
 } // namespace
 
 void
 MeshFileBuilder::AddNode(const std::uint64_t number, const itk::MedialVoxelVector3 & point)
 {
+  for (const double coordinate : point)
+  {
+    if (!(std::abs(coordinate) <= LargestCoordinate))
+    {
+      Fail(ExitStatus::CorruptInput,
+           m_FileName,
+           ": node ",
+           number,
+           " has the coordinate ",
+           FormatNumber(coordinate),
+           "; it must be finite and not beyond 1e30");
+    }
+  }
   if (!m_Places.emplace(number, static_cast<std::uint32_t>(m_Mesh.points.size())).second)
   {
     Fail(ExitStatus::CorruptInput, m_FileName, ": node ", number, " comes twice");

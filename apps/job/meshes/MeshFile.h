@@ -44,6 +44,7 @@ public:
     return m_FileName;
   }
 
+  /** \throw JobError CorruptInput when the number comes twice, or a coordinate is not finite or beyond 1e30 */
   void
   AddNode(std::uint64_t number, const itk::MedialVoxelVector3 & point);
 
@@ -67,7 +68,10 @@ private:
 using MeshFileReader = void(std::istream & input, MeshFileBuilder & builder);
 MeshFileReader ReadAbaqusMesh;
 MeshFileReader ReadNastranMesh;
+MeshFileReader ReadLsDynaMesh;
 MeshFileReader ReadPlyMesh;
+MeshFileReader ReadStlMesh; ///< binary; corners at one place are one node
+MeshFileReader ReadVtkMesh; ///< .vtp and .vtu with appended raw data, as the program writes them
 
 /** Extensions of files that are read. */
 std::vector<std::string>

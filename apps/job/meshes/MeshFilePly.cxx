@@ -5,6 +5,8 @@
 #include "Errors.h"
 #include "Text.h"
 
+#include "itkMedialVoxelHeaderText.h"
+
 #include <algorithm>
 #include <cstring>
 #include <istream>
@@ -41,7 +43,7 @@ public:
   [[noreturn]] void
   FailWith(const std::string & what) const
   {
-    Fail(ExitStatus::CorruptInput, m_FileName, ": ", what);
+    Fail(ExitStatus::CorruptInput, m_FileName, ": ", itk::MedialVoxelText::MakePrintable(what));
   }
 
   std::vector<Group>
@@ -175,6 +177,14 @@ ReadVertex(PlyInput & input, const Group & group, std::uint64_t number, MeshFile
   builder.AddNode(number, point);
 }
 
+/** The number of a node, from a place that may be any number; 0 is that of none. */
+std::uint64_t
+ToNode(const double place)
+{
+  constexpr double most = 4294967295.0;
+  return place >= 0.0 && place <= most ? static_cast<std::uint64_t>(place) + 1 : 0;
+}
+
 void
 ReadFace(PlyInput & input, const Group & group, std::uint64_t number, MeshFileBuilder & builder)
 {
@@ -184,7 +194,7 @@ ReadFace(PlyInput & input, const Group & group, std::uint64_t number, MeshFileBu
     std::vector<std::uint64_t> nodes;
     for (double k = 0; k < count; ++k)
     {
-      nodes.push_back(static_cast<std::uint64_t>(std::max(-1.0, input.ReadValue(property.type)) + 1));
+      nodes.push_back(ToNode(input.ReadValue(property.type)));
     }
     if (property.name == "vertex_indices" || property.name == "vertex_index")
     {

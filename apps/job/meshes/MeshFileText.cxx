@@ -5,6 +5,8 @@
 #include "Errors.h"
 #include "Text.h"
 
+#include "itkMedialVoxelHeaderText.h"
+
 #include <algorithm>
 #include <istream>
 
@@ -35,7 +37,7 @@ public:
   [[noreturn]] void
   FailAt(const std::string & what) const
   {
-    Fail(ExitStatus::CorruptInput, m_FileName, ": line ", m_Number, ": ", what);
+    Fail(ExitStatus::CorruptInput, m_FileName, ": line ", m_Number, ": ", itk::MedialVoxelText::MakePrintable(what));
   }
 
   std::uint64_t
@@ -147,6 +149,84 @@ AppendFields(const std::string & line, Fields & fields)
   }
 }
 
+/** Fields of the widths that a card of LS-DYNA has, or between commas. */
+Fields
+SplitCard(const std::string & line, const std::vector<std::size_t> & widths)
+{
+  if (line.find(',') != std::string::npos)
+  {
+    return SplitAtCommas(line);
+  }
+  Fields      fields;
+  std::size_t begin = 0;
+  for (const std::size_t width : widths)
+  {
+    fields.emplace_back(begin < line.size() ? Trim(line.substr(begin, width)) : "");
+    begin += width;
+  }
+  return fields;
+}
+
+/** What a keyword of LS-DYNA says of the cards that follow. */
+struct KeywordCards
+{
+  bool         areNodes{ false };
+  bool         areShells{ false };
+  unsigned int further{ 0 }; ///< cards of a shell behind the one with its nodes
+};
+
+KeywordCards
+GetCards(const Lines & lines, const std::string & line)
+{
+  const std::string  keyword = ToLower(std::string(Trim(line)));
+  constexpr char     shell[] = "*element_shell";
+  const KeywordCards cards{ keyword == "*node", keyword.rfind(shell, 0) == 0 };
+  const bool         isLong = keyword.rfind("*keyword", 0) == 0 && keyword.find("long=y") != std::string::npos;
+  if (isLong || (!keyword.empty() && (keyword.back() == '+' || keyword.back() == '%')))
+  {
+    lines.FailAt("cards of the long format are not read");
+  }
+  if (keyword.rfind("*include", 0) == 0)
+  {
+    lines.FailAt("*INCLUDE is not read; put the mesh into one file");
+  }
+  if (!cards.areShells)
+  {
+    return cards;
+  }
+  const std::string option = keyword.substr(sizeof(shell) - 1);
+  if (option.empty())
+  {
+    return cards;
+  }
+  if (option != "_thickness" && option != "_beta" && option != "_mcid" && option != "_offset")
+  {
+    lines.FailAt("elements of " + keyword + " are not read; those with THICKNESS, BETA, MCID or OFFSET are");
+  }
+  return { false, true, 1 };
+}
+
+/** Numbers and nodes of a shell; the last two are the same in triangles, or the last one is missing. */
+void
+AddShell(const Lines & lines, const Fields & fields, MeshFileBuilder & builder)
+{
+  std::vector<std::uint64_t> nodes;
+  for (std::size_t place = 2; place < 6; ++place)
+  {
+    const bool isMissing = place == 5 && (place >= fields.size() || fields[place].empty() || fields[place] == "0");
+    nodes.push_back(isMissing ? nodes.back() : lines.ToNumber(fields, place));
+  }
+  if (std::any_of(fields.begin() + 6, fields.end(), [](const std::string & f) { return !f.empty() && f != "0"; }))
+  {
+    lines.FailAt("shells of more than four nodes are not read");
+  }
+  if (nodes[2] == nodes[3])
+  {
+    nodes.pop_back();
+  }
+  builder.AddElement(lines.ToNumber(fields, 0), nodes);
+}
+
 /** GRID, CTRIA3 or CQUAD4; others mean nothing here. */
 void
 AddEntry(const Lines & lines, const Fields & fields, MeshFileBuilder & builder)
@@ -242,6 +322,46 @@ ReadNastranMesh(std::istream & input, MeshFileBuilder & builder)
     AppendFields(line, entry);
   }
   AddEntry(lines, entry, builder);
+}
+
+void
+ReadLsDynaMesh(std::istream & input, MeshFileBuilder & builder)
+{
+  Lines        lines(input, builder.GetFileName());
+  KeywordCards cards;
+  unsigned int toSkip = 0;
+  for (std::string line; lines.Next(line);)
+  {
+    if (Trim(line).empty() || line.front() == '$')
+    {
+      continue;
+    }
+    if (line.front() == '*')
+    {
+      cards = GetCards(lines, line);
+      toSkip = 0;
+      if (ToLower(std::string(Trim(line))) == "*end")
+      {
+        return;
+      }
+    }
+    else if (toSkip > 0)
+    {
+      --toSkip;
+    }
+    else if (cards.areNodes)
+    {
+      const Fields fields = SplitCard(line, { 8, 16, 16, 16 });
+      builder.AddNode(
+        lines.ToNumber(fields, 0),
+        { { lines.ToCoordinate(fields, 1), lines.ToCoordinate(fields, 2), lines.ToCoordinate(fields, 3) } });
+    }
+    else if (cards.areShells)
+    {
+      AddShell(lines, SplitCard(line, std::vector<std::size_t>(10, 8)), builder);
+      toSkip = cards.further;
+    }
+  }
 }
 
 } // end namespace medialvoxel

@@ -10,29 +10,33 @@ namespace
 {
 
 constexpr unsigned int NumbersPerLine = 16;
+constexpr unsigned int MostSides = 4;
+
+const std::string ElementSet = "*ELSET, ELSET=";
 
 /** \class SetLines
- * \brief A set of elements, which appears in the file with the first of them. */
+ * \brief A set, which appears in the file with the first of its members. */
 class SetLines
 {
 public:
-  SetLines(const std::string & name, BufferedOutput & output)
-    : m_Name(name)
+  /** \param head as "*ELSET, ELSET=RIM" */
+  SetLines(std::string head, BufferedOutput & output)
+    : m_Head(std::move(head) + "\n")
     , m_Output(output)
   {}
 
   void
-  Add(std::uint64_t element)
+  Add(std::uint64_t number)
   {
     if (m_Number == 0)
     {
-      m_Output.Text("*ELSET, ELSET=" + m_Name + "\n");
+      m_Output.Text(m_Head);
     }
     else
     {
       m_Output.Text(m_Number % NumbersPerLine == 0 ? ",\n" : ", ");
     }
-    m_Output.Integer(element);
+    m_Output.Integer(number);
     ++m_Number;
   }
 
@@ -46,7 +50,7 @@ public:
   }
 
 private:
-  std::string      m_Name;
+  std::string      m_Head;
   BufferedOutput & m_Output;
   std::uint64_t    m_Number{ 0 };
 };
@@ -115,7 +119,7 @@ WriteSectionSets(SurfaceReader &         reader,
 {
   if (end - begin == 1)
   {
-    SetLines lines(GetSetName(begin), output);
+    SetLines lines(ElementSet + GetSetName(begin), output);
     ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
       if (sections.GetSection(reader, face) == begin)
       {
@@ -135,7 +139,7 @@ WriteSectionSets(SurfaceReader &         reader,
   });
   for (size_t section = begin; section < end; ++section)
   {
-    SetLines lines(GetSetName(section), output);
+    SetLines lines(ElementSet + GetSetName(section), output);
     for (const std::uint64_t element : elements[section - begin])
     {
       lines.Add(element);
@@ -144,18 +148,40 @@ WriteSectionSets(SurfaceReader &         reader,
   }
 }
 
-/** The elements at rims, or at junctions. */
+/** Elements with some of the sides that are marked in their faces. */
 void
-WriteEdgeSet(SurfaceReader & reader, const char * name, std::uint8_t SurfaceFace::* edges, BufferedOutput & output)
+WriteSideSet(SurfaceReader &     reader,
+             const std::string & name,
+             std::uint8_t SurfaceFace::* sides,
+             unsigned int                wanted,
+             BufferedOutput &            output)
 {
-  SetLines lines(name, output);
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
-    if (face.*edges != 0)
+  SetLines lines(ElementSet + name, output);
+  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+    if ((GetElementSides(face, corners, face.*sides) & wanted) != 0)
     {
       lines.Add(number);
     }
   });
   lines.Finish();
+}
+
+/** The nodes at rims or at junctions, the elements there, and those whose side of a number is one of them. */
+void
+WriteEdgeSets(SurfaceReader &           reader,
+              const std::string &       name,
+              const std::vector<bool> & nodes,
+              std::uint8_t SurfaceFace::* sides,
+              BufferedOutput &            output)
+{
+  SetLines lines("*NSET, NSET=" + name, output);
+  ForEachMarked(nodes, [&](std::uint64_t vertex) { lines.Add(vertex + 1); });
+  lines.Finish();
+  WriteSideSet(reader, name, sides, ~0U, output);
+  for (unsigned int side = 0; side < MostSides; ++side)
+  {
+    WriteSideSet(reader, name + "_E" + std::to_string(side + 1), sides, 1U << side, output);
+  }
 }
 
 /** A set for each object of a label map, whose elements follow each other. */
@@ -168,7 +194,7 @@ WriteObjectSets(SurfaceReader & reader, const std::vector<std::int64_t> & labels
   const auto    write = [&] {
     if (object > 0)
     {
-      output.Text("*ELSET, ELSET=" + GetObjectName(labels[object - 1]) + ", GENERATE\n");
+      output.Text(ElementSet + GetObjectName(labels[object - 1]) + ", GENERATE\n");
       output.Integer(first).Text(", ").Integer(last).Text(", 1\n");
     }
   };
@@ -185,13 +211,28 @@ WriteObjectSets(SurfaceReader & reader, const std::vector<std::int64_t> & labels
 }
 
 void
-WriteProperties(const std::vector<SurfaceSection> & sections, BufferedOutput & output)
+WriteNodalThickness(SurfaceReader &             reader,
+                    const SurfaceEdges &        edges,
+                    const SurfaceSections &     sections,
+                    const SurfaceWriteOptions & options,
+                    BufferedOutput &            output)
+{
+  output.Text("*NODAL THICKNESS\n");
+  ForEachNodeThickness(reader, edges, options.keptNumbers, [&](std::uint64_t vertex, std::optional<double> thickness) {
+    const std::uint32_t object = reader.GetVertex(vertex).object;
+    output.Integer(vertex + 1).Text(", ");
+    output.Float(thickness ? static_cast<float>(*thickness) : sections.GetMeanThickness(object)).Text("\n");
+  });
+}
+
+void
+WriteProperties(const std::vector<SurfaceSection> & sections, const char * further, BufferedOutput & output)
 {
   output.Text("**\n** A placeholder (aluminum in N, mm, t): put in your material.\n"
               "*MATERIAL, NAME=REPLACE_THIS_MATERIAL\n*ELASTIC\n70000., 0.33\n*DENSITY\n2.7e-9\n");
   for (size_t section = 0; section < sections.size(); ++section)
   {
-    output.Text("*SHELL SECTION, ELSET=" + GetSetName(section) + ", MATERIAL=REPLACE_THIS_MATERIAL\n");
+    output.Text("*SHELL SECTION, ELSET=" + GetSetName(section) + ", MATERIAL=REPLACE_THIS_MATERIAL" + further + "\n");
     output.Float(sections[section].thickness).Text("\n");
   }
 }
@@ -201,14 +242,18 @@ WriteProperties(const std::vector<SurfaceSection> & sections, BufferedOutput & o
 void
 WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(1, 7);
-  const SurfaceSections sections(reader, options.thicknessClassWidth);
+  const bool isAtNodes = options.thicknessPlace == ThicknessPlace::Nodes;
+  reader.SetNumberOfPasses(1, 17);
+  const SurfaceEdges    edges(reader);
+  const SurfaceSections sections(reader, edges, options);
   CheckElementsFit(SurfaceFormat::Abaqus, reader, sections);
-  const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptElements);
+  const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptNumbers);
   const std::uint64_t       elementPasses = (sections.GetNumberOfTriangles() > 0) + (sections.GetNumberOfQuads() > 0);
-  reader.SetNumberOfPasses(1, 4 + elementPasses + ends.size());
+  const std::uint64_t       nodePasses =
+    isAtNodes ? CountNodePasses(reader.GetSurface().GetNumberOfVertices(), options.keptNumbers) : 0;
+  reader.SetNumberOfPasses(1, 13 + elementPasses + ends.size() + nodePasses);
 
-  output.Text("*HEADING\nMedial surface by MedialVoxel, lengths in the units of the image\n");
+  output.Text("*HEADING\n" + SurfaceTitle + "\n");
   WriteNodes(reader, output);
   if (sections.GetNumberOfTriangles() > 0)
   {
@@ -224,10 +269,15 @@ WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, 
     WriteSectionSets(reader, sections, begin, end, output);
     begin = end;
   }
-  WriteEdgeSet(reader, "RIM", &SurfaceFace::rimEdges, output);
-  WriteEdgeSet(reader, "JUNCTION", &SurfaceFace::junctionEdges, output);
+  output.Text("** RIM and JUNCTION are sets of nodes and of elements; of those in RIM_E1, side E1 is at a rim.\n");
+  WriteEdgeSets(reader, "RIM", edges.GetRims(), &SurfaceFace::rimEdges, output);
+  WriteEdgeSets(reader, "JUNCTION", edges.GetJunctions(), &SurfaceFace::junctionEdges, output);
   WriteObjectSets(reader, options.objectLabels, output);
-  WriteProperties(sections.GetSections(), output);
+  if (isAtNodes)
+  {
+    WriteNodalThickness(reader, edges, sections, options, output);
+  }
+  WriteProperties(sections.GetSections(), isAtNodes ? ", NODAL THICKNESS" : "", output);
 }
 
 } // end namespace medialvoxel

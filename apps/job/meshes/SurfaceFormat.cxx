@@ -34,7 +34,8 @@ struct FormatDescription
   const char *     unit;
   std::uint64_t (*countUnits)(const Counts & counts);
   std::uint64_t unitLimit;
-  bool          isForParts{ false }; ///< holds all numbers of the surface of a part
+  bool          isForParts{ false };   ///< holds all numbers of the surface of a part
+  bool          isForSolvers{ false }; ///< holds elements with a thickness
 };
 
 std::uint64_t
@@ -64,20 +65,39 @@ CountGltfNumbers(const Counts & counts)
 }
 
 constexpr std::uint64_t AbaqusLimit = 999'999'999;
-constexpr std::uint64_t NastranLimit = 99'999'999;
+
+/** Numbers have fields of eight characters. */
+constexpr std::uint64_t FieldLimit = 99'999'999;
 
 /** A file has a length of 32 bits, of which the header takes some. */
 constexpr std::uint64_t GltfLimit = (std::uint64_t{ 1 } << 30) - (std::uint64_t{ 1 } << 12);
 
-constexpr std::array<FormatDescription, 9> Formats{
+constexpr std::array<FormatDescription, 10> Formats{
   { { SurfaceFormat::Vtp, ".vtp", WriteSurfaceVtp, Unlimited, "faces", CountFaces, Unlimited, true },
     { SurfaceFormat::Vtu, ".vtu", WriteSurfaceVtu, Unlimited, "faces", CountFaces, Unlimited, true },
     { SurfaceFormat::Vtk, ".vtk", WriteSurfaceVtk, Int32Limit, "numbers in faces", CountLegacyNumbers, Int32Limit },
     { SurfaceFormat::Ply, ".ply", WriteSurfacePly, Int32Limit, "faces", CountFaces, Int32Limit, true },
     { SurfaceFormat::Stl, ".stl", WriteSurfaceStl, Unlimited, "triangles", CountTriangles, UInt32Limit },
     { SurfaceFormat::Obj, ".obj", WriteSurfaceObj, Unlimited, "faces", CountFaces, Unlimited },
-    { SurfaceFormat::Abaqus, ".inp", WriteSurfaceAbaqus, AbaqusLimit, "elements", CountFaces, AbaqusLimit },
-    { SurfaceFormat::Nastran, ".bdf", WriteSurfaceNastran, NastranLimit, "elements", CountFaces, NastranLimit },
+    { SurfaceFormat::Abaqus,
+      ".inp",
+      WriteSurfaceAbaqus,
+      AbaqusLimit,
+      "elements",
+      CountFaces,
+      AbaqusLimit,
+      false,
+      true },
+    { SurfaceFormat::Nastran,
+      ".bdf",
+      WriteSurfaceNastran,
+      FieldLimit,
+      "elements",
+      CountFaces,
+      FieldLimit,
+      false,
+      true },
+    { SurfaceFormat::LsDyna, ".k", WriteSurfaceLsDyna, FieldLimit, "elements", CountFaces, FieldLimit, false, true },
     { SurfaceFormat::Gltf, ".glb", WriteSurfaceGltf, Int32Limit, "numbers", CountGltfNumbers, GltfLimit, true } }
 };
 
@@ -179,7 +199,7 @@ HoldsDouble(SurfaceFormat format)
 bool
 HoldsElements(SurfaceFormat format)
 {
-  return format == SurfaceFormat::Abaqus || format == SurfaceFormat::Nastran;
+  return GetDescription(format).isForSolvers;
 }
 
 std::string

@@ -3,6 +3,7 @@
 #ifndef medialvoxelSurfaceFormat_h
 #define medialvoxelSurfaceFormat_h
 
+#include "Options.h"
 #include "OutputFile.h"
 #include "SurfaceArray.h"
 #include "SurfaceSpool.h"
@@ -24,8 +25,9 @@ enum class SurfaceFormat
   Ply,     ///< binary, little endian
   Stl,     ///< binary, triangles only, no thickness
   Obj,     ///< text, no thickness
-  Abaqus,  ///< .inp, S3 and S4 in sections by thickness
-  Nastran, ///< .bdf, CTRIA3 and CQUAD4 in properties by thickness
+  Abaqus,  ///< .inp, S3 and S4
+  Nastran, ///< .bdf, CTRIA3 and CQUAD4
+  LsDyna,  ///< .k, shells
   Gltf     ///< .glb, triangles with colors of the thickness
 };
 
@@ -64,9 +66,12 @@ HoldsElements(SurfaceFormat format);
 /** What the writers are told. */
 struct SurfaceWriteOptions
 {
-  /** Abaqus, Nastran: elements whose thickness has the same nearest multiple of this width share a section, whose
-   * thickness is their mean by area. Physical units, > 0 and finite. The program takes a quarter of the smallest
-   * spacing. */
+  /** Of the formats of solvers. */
+  ThicknessPlace thicknessPlace{ ThicknessPlace::Sections };
+
+  /** With ThicknessPlace::Sections: elements whose thickness has the same nearest multiple of this width share a
+   * section, whose thickness is their mean by area. Physical units, > 0 and finite. The program takes a quarter of the
+   * smallest spacing. */
   double thicknessClassWidth{ 1.0 };
 
   /** The labels of the objects of a label map, by their numbers from 1 on; the faces of an object follow each other.
@@ -82,8 +87,8 @@ struct SurfaceWriteOptions
   /** Of formats with colors; unset: from the least to the greatest thickness of the vertices. */
   std::optional<ThicknessRange> colorRange;
 
-  /** Abaqus: numbers of elements kept at once, 8 bytes each, while they are put into sections; no other influence. */
-  std::uint64_t keptElements{ std::uint64_t{ 1 } << 22 };
+  /** Abaqus: elements or nodes whose numbers or thickness, of 8 bytes, are kept at once; no other influence. */
+  std::uint64_t keptNumbers{ std::uint64_t{ 1 } << 22 };
 
   /** Called with the share done, 0 to 1, some times per second; may throw to stop. */
   std::function<void(double)> progress;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SurfaceMesh.h"
 
+#include "JobClock.h"
 #include "SurfacePlacement.h"
 #include "SurfaceReader.h"
 #include "SurfaceRemeshing.h"
 #include "SurfaceSorting.h"
+#include "SurfaceThickness.h"
 
 #include <algorithm>
 #include <limits>
@@ -46,11 +48,25 @@ GetSpacing(const VolumeGeometry & geometry)
   return { { geometry.spacing[0], geometry.spacing[1], geometry.spacing[2] } };
 }
 
+bool
+IsRemeshed(const ExtractOptions & options)
+{
+  return options.elementSize.kind != ElementSize::Kind::Voxel;
+}
+
 /** Vertices of a surface that is planned for. */
 std::uint64_t
 GetPlannedVertices(const VolumeGeometry & geometry)
 {
   return geometry.GetNumberOfVoxels() / VoxelsPerVertex;
+}
+
+/** Marks of vertices, which the formats of solvers need. */
+std::uint64_t
+GetBytesOfEdges(const ExtractOptions & options, const VolumeGeometry & geometry)
+{
+  const bool isForSolvers = HoldsElements(GetSurfaceFormat(options.meshFile));
+  return isForSolvers ? GetPlannedVertices(geometry) / SurfaceEdges::VerticesPerByte : 0;
 }
 
 SurfaceCleaning
@@ -102,12 +118,16 @@ SurfaceMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
 }
 
 SurfaceSummary
-SurfaceMesh::Write(OutputFile & file, std::uint64_t memoryBytes, const std::function<void(double)> & progress)
+SurfaceMesh::Write(OutputFile &                        file,
+                   std::uint64_t                       memoryBytes,
+                   unsigned int                        threads,
+                   const std::function<void(double)> & progress)
 {
-  this->Finish(memoryBytes, progress);
+  this->Finish(memoryBytes, threads, progress);
   SurfaceWriteOptions options;
   options.thicknessClassWidth =
     m_Options.sectionWidth.value_or(0.25 * *std::min_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end()));
+  options.thicknessPlace = m_Options.thicknessPlace;
   options.objectLabels = m_ObjectLabels;
   options.progress = progress;
   WriteSurface(GetSurfaceFormat(m_Options.meshFile), *m_Spool, options, file);
@@ -117,17 +137,20 @@ SurfaceMesh::Write(OutputFile & file, std::uint64_t memoryBytes, const std::func
   summary.area = m_Area;
   summary.elementSize = m_Options.elementSize;
   summary.remeshing = m_Remeshing;
+  summary.remeshingSeconds = m_RemeshingSeconds;
   return summary;
 }
 
 /** Sorts the surface and rids it of what is too short or too small. */
 void
-SurfaceMesh::Finish(std::uint64_t memoryBytes, const std::function<void(double)> & progress)
+SurfaceMesh::Finish(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress)
 {
   if (m_Passes)
   {
     m_Passes->Finish();
-    m_Spool = SortSurfaceByObject(std::move(m_Spool), m_ObjectLabels.size(), m_Cleaning.scratchFolder, progress);
+    const auto objectOf = [](const SurfaceSpool::Vertex & vertex) { return vertex.object; };
+    m_Spool =
+      SortSurface(std::move(m_Spool), objectOf, m_ObjectLabels.size(), m_Cleaning.scratchFolder, progress).surface;
   }
   else
   {
@@ -139,9 +162,11 @@ SurfaceMesh::Finish(std::uint64_t memoryBytes, const std::function<void(double)>
     m_Cleaning.progress = progress;
     m_Spool = CleanSurface(std::move(m_Spool), m_Cleaning);
   }
-  if (m_Options.elementSize.kind != ElementSize::Kind::Voxel)
+  if (IsRemeshed(m_Options))
   {
-    this->Remesh(memoryBytes, progress);
+    const auto start = JobClock::now();
+    this->Remesh(memoryBytes, threads, progress);
+    m_RemeshingSeconds = SecondsSince(start);
   }
   if (m_Passes || m_Cleaning.IsOn() || m_Remeshing)
   {
@@ -151,16 +176,15 @@ SurfaceMesh::Finish(std::uint64_t memoryBytes, const std::function<void(double)>
 }
 
 void
-SurfaceMesh::Remesh(std::uint64_t memoryBytes, const std::function<void(double)> & progress)
+SurfaceMesh::Remesh(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress)
 {
-  const double     largest = *std::max_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end());
-  const bool       isAutomatic = m_Options.elementSize.kind == ElementSize::Kind::Automatic;
   SurfaceRemeshing remeshing;
-  remeshing.size = { isAutomatic ? 2.0 * largest : m_Options.elementSize.length,
-                     isAutomatic,
-                     !m_Options.meshTriangles };
+  remeshing.size = GetElementSize(m_Options, m_Geometry);
+  remeshing.size.extendsRims = m_Options.extendsRims;
+  remeshing.size.measureRimRays = m_MeasureRimRays;
   remeshing.scratchFolder = m_Cleaning.scratchFolder;
-  remeshing.memoryBytes = memoryBytes;
+  remeshing.memoryBytes = memoryBytes + GetRemeshingBytes(1);
+  remeshing.threads = threads;
   remeshing.progress = progress;
   m_Spool = RemeshSurface(std::move(m_Spool), remeshing, m_Remeshing.emplace());
 }
@@ -218,7 +242,8 @@ std::uint64_t
 SurfaceMesh::GetBytes(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
   return geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * BytesPerCellInWork +
-         GetPendingCells(geometry) * BytesPerPendingCell + BytesOfWriting +
+         GetPendingCells(geometry) * BytesPerPendingCell + BytesOfWriting + GetBytesOfEdges(options, geometry) +
+         (IsRemeshed(options) ? GetRemeshingBytes(1) : 0) +
          GetCleaningBytes(GetCleaning(options), GetPlannedVertices(geometry));
 }
 
@@ -226,9 +251,9 @@ ScratchSpace
 SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
   const SurfaceCleaning cleaning = GetCleaning(options);
-  const bool            isRemeshed = options.elementSize.kind != ElementSize::Kind::Voxel;
-  const std::uint64_t   spools = cleaning.IsOn() || options.labels || isRemeshed ? 2 : 1;
-  const std::uint64_t   sorting = options.labels ? ScratchBytesPerSortedVertex : 0;
+  const bool            isRemeshed = IsRemeshed(options);
+  const std::uint64_t   spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;
+  const std::uint64_t   sorting = options.labels || isRemeshed ? ScratchBytesPerSortedVertex : 0;
   return { cleaning.scratchFolder,
            GetPlannedVertices(geometry) *
              (spools * (SurfaceSpool::BytesPerVertex + SurfaceSpool::BytesPerFace) + sorting) };

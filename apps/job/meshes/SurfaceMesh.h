@@ -59,6 +59,13 @@ public:
     m_FindObject = std::move(find);
   }
 
+  /** Of rims that are extended, before the surface is written; otherwise they end half a thickness further on. */
+  void
+  FindEdgesWith(itk::MedialVoxelMeasureRimRays measure)
+  {
+    m_MeasureRimRays = std::move(measure);
+  }
+
   /** The pass over a label map that the tiles from now on belong to. */
   void
   BeginPass(unsigned int pass)
@@ -77,7 +84,10 @@ public:
    * \param memoryBytes what may be taken beside GetBytes()
    * \throw JobError as CleanSurface() and WriteSurface() */
   SurfaceSummary
-  Write(OutputFile & file, std::uint64_t memoryBytes, const std::function<void(double)> & progress);
+  Write(OutputFile &                        file,
+        std::uint64_t                       memoryBytes,
+        unsigned int                        threads,
+        const std::function<void(double)> & progress);
 
   /** Memory of a surface of thin walls that is built, beside that of the workers. */
   static std::uint64_t
@@ -98,10 +108,10 @@ private:
   MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const;
 
   void
-  Finish(std::uint64_t memoryBytes, const std::function<void(double)> & progress);
+  Finish(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress);
 
   void
-  Remesh(std::uint64_t memoryBytes, const std::function<void(double)> & progress);
+  Remesh(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress);
 
   void
   AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);
@@ -116,7 +126,9 @@ private:
   std::vector<SurfaceFace>                        m_Faces;
   double                                          m_Area{ 0 };
   std::optional<itk::MedialVoxelRemeshingSummary> m_Remeshing;
+  double                                          m_RemeshingSeconds{ 0 };
   FindObject                                      m_FindObject;
+  itk::MedialVoxelMeasureRimRays                  m_MeasureRimRays;
   std::vector<std::int64_t>                       m_ObjectLabels;
 
   // One of them.

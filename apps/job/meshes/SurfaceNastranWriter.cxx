@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "SurfaceFields.h"
 #include "SurfaceParts.h"
 #include "SurfaceSections.h"
-#include "SurfaceWriters.h"
 
 #include <array>
 #include <charconv>
@@ -15,46 +15,35 @@ namespace
 constexpr size_t SmallField = 8;
 constexpr size_t LargeField = 16;
 
-/** A field of a fixed width, filled with blanks at its right. */
-std::string
-GetField(std::string text, size_t width)
-{
-  text.resize(width, ' ');
-  return text;
-}
+/** Characters of a line of the case control. */
+constexpr size_t LineLength = 72;
 
-/** With a point, which tells a number from an integer. */
-std::string
-WithPoint(std::string text)
+/** A set of nodes of the case control, which a solver refuses to be empty. */
+void
+WriteSet(unsigned int number, const char * name, const std::vector<bool> & marks, BufferedOutput & output)
 {
-  const size_t exponent = text.find('e');
-  if (text.find('.') == std::string::npos)
+  std::string line;
+  ForEachMarked(marks, [&](std::uint64_t node) {
+    const std::string text = std::to_string(node + 1);
+    if (line.empty())
+    {
+      const std::string digits = std::to_string(number);
+      output.Text("$ Set " + digits + ": nodes of " + name + "\n");
+      line = "SET " + digits + " = " + text;
+      return;
+    }
+    line += ",";
+    if (line.size() + text.size() + 1 > LineLength)
+    {
+      output.Text(line + "\n");
+      line.clear();
+    }
+    line += text;
+  });
+  if (!line.empty())
   {
-    text.insert(exponent == std::string::npos ? text.size() : exponent, ".");
+    output.Text(line + "\n");
   }
-  return text;
-}
-
-/** A number of at most 15 characters. */
-std::string
-GetReal(float value)
-{
-  return WithPoint(FormatFloat(value));
-}
-
-/** A number of as many digits as a large field holds: 9 at least. */
-std::string
-GetReal(double value)
-{
-  std::string text = WithPoint(FormatFloat(value));
-  for (int digits = 16; text.size() > LargeField; --digits)
-  {
-    std::array<char, 32> characters;
-    const auto           result = std::to_chars(
-      characters.data(), characters.data() + characters.size(), value, std::chars_format::general, digits);
-    text = WithPoint({ characters.data(), result.ptr });
-  }
-  return text;
 }
 
 void
@@ -73,9 +62,9 @@ WriteProperties(const std::vector<SurfaceSection> & sections,
     }
     const std::string material = GetField("1", LargeField);
     output.Text("PSHELL* ")
-      .Text(GetField(std::to_string(section + 1), LargeField))
+      .Text(GetField(section + 1, LargeField))
       .Text(material)
-      .Text(GetField(GetReal(sections[section].thickness), LargeField))
+      .Text(GetRealField(sections[section].thickness, LargeField))
       .Text(material)
       .Text("\n*       ")
       .Text(GetField("", LargeField))
@@ -88,31 +77,78 @@ WriteNodes(SurfaceReader & reader, BufferedOutput & output)
 {
   const std::string inBasicSystem = GetField("", LargeField);
   reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
-    std::vector<std::string> position;
-    ForEachCoordinate(reader, vertex, [&](auto coordinate) { position.push_back(GetReal(coordinate)); });
+    const std::vector<std::string> position = GetPositionFields(reader, vertex, LargeField);
     output.Text("GRID*   ")
-      .Text(GetField(std::to_string(number + 1), LargeField))
+      .Text(GetField(number + 1, LargeField))
       .Text(inBasicSystem)
-      .Text(GetField(position[0], LargeField))
-      .Text(GetField(position[1], LargeField))
+      .Text(position[0])
+      .Text(position[1])
       .Text("\n*       ")
-      .Text(position[2])
+      .Text(position[2].substr(0, position[2].find(' ')))
       .Text("\n");
   });
 }
 
-void
-WriteElements(SurfaceReader & reader, const SurfaceSections & sections, BufferedOutput & output)
+/** A number in a small field, of four digits at least; exponents come without an e, as the format allows. */
+std::string
+GetSmallReal(float value)
 {
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
-    output.Text(corners.size() == 3 ? "CTRIA3  " : "CQUAD4  ")
-      .Text(GetField(std::to_string(number), SmallField))
-      .Text(GetField(std::to_string(sections.GetSection(reader, face) + 1), SmallField));
-    for (const unsigned int corner : corners)
+  const auto  lengthOf = [](const std::string & text) { return std::min(text.size(), text.find(' ')); };
+  std::string text = GetRealField(value, value >= 0.1F && value < 1e6F ? SmallField : LargeField);
+  for (int digits = 7; lengthOf(text) > SmallField; --digits)
+  {
+    std::array<char, 32> characters;
+    const auto           end = std::to_chars(
+      characters.data(), characters.data() + characters.size(), value, std::chars_format::scientific, digits - 1);
+    const std::string number(characters.data(), end.ptr);
+    const size_t      exponent = number.find('e');
+    const size_t      figures = std::min(number.size() - 1, number.find_first_not_of('0', exponent + 2));
+    text = number.substr(0, exponent) + number[exponent + 1] + number.substr(figures);
+  }
+  return GetField(text.substr(0, lengthOf(text)), SmallField);
+}
+
+void
+WriteElement(const char *                       name,
+             const std::vector<std::uint64_t> & numbers,
+             const std::vector<float> &         thicknesses,
+             BufferedOutput &                   output)
+{
+  output.Text(name);
+  for (const std::uint64_t number : numbers)
+  {
+    output.Text(GetField(number, SmallField));
+  }
+  output.Text("\n");
+  if (!thicknesses.empty())
+  {
+    // The name's field, an empty one and TFLAG come before them in the second line.
+    output.Text(GetField("", 3 * SmallField));
+    for (const float thickness : thicknesses)
     {
-      output.Text(GetField(std::to_string(face.vertices[corner] + 1), SmallField));
+      output.Text(GetSmallReal(thickness));
     }
     output.Text("\n");
+  }
+}
+
+void
+WriteElements(SurfaceReader &             reader,
+              const SurfaceSections &     sections,
+              const SurfaceWriteOptions & options,
+              BufferedOutput &            output)
+{
+  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+    std::vector<std::uint64_t> numbers{ number, sections.GetSection(reader, face) + 1 };
+    for (const unsigned int corner : corners)
+    {
+      numbers.push_back(face.vertices[corner] + 1);
+    }
+    const bool hasThickness = options.thicknessPlace == ThicknessPlace::Nodes;
+    WriteElement(corners.size() == 3 ? "CTRIA3  " : "CQUAD4  ",
+                 numbers,
+                 hasThickness ? sections.GetCornerThicknesses(reader, face, corners) : std::vector<float>(),
+                 output);
   });
 }
 
@@ -121,13 +157,17 @@ WriteElements(SurfaceReader & reader, const SurfaceSections & sections, Buffered
 void
 WriteSurfaceNastran(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
-  reader.SetNumberOfPasses(1, 2);
-  const SurfaceSections sections(reader, options.thicknessClassWidth);
+  reader.SetNumberOfPasses(1, 3);
+  const SurfaceEdges    edges(reader);
+  const SurfaceSections sections(reader, edges, options);
   CheckElementsFit(SurfaceFormat::Nastran, reader, sections);
-  output.Text("$ Medial surface by MedialVoxel, lengths in the units of the image\nSOL 101\nCEND\nBEGIN BULK\n");
+  output.Text("$ " + SurfaceTitle + "\nSOL 101\nCEND\n");
+  WriteSet(1, "RIM", edges.GetRims(), output);
+  WriteSet(2, "JUNCTION", edges.GetJunctions(), output);
+  output.Text("BEGIN BULK\n");
   WriteProperties(sections.GetSections(), options.objectLabels, output);
   WriteNodes(reader, output);
-  WriteElements(reader, sections, output);
+  WriteElements(reader, sections, options, output);
   output.Text("ENDDATA\n");
 }
 

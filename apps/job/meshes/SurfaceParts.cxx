@@ -90,6 +90,19 @@ GetTriangles(SurfaceReader & reader, const SurfaceFace & face)
   return Dot(second, second) < Dot(first, first) ? AlongSecond : AlongFirst;
 }
 
+std::uint8_t
+GetElementSides(const SurfaceFace & face, const SurfaceCorners & corners, const std::uint8_t sidesOfFace)
+{
+  unsigned int sides = 0;
+  for (size_t k = 0; k < corners.size(); ++k)
+  {
+    const unsigned int corner = corners[k];
+    const bool         isSide = (corner + 1) % face.numberOfVertices == corners[(k + 1) % corners.size()];
+    sides |= isSide ? (sidesOfFace >> corner & 1U) << k : 0U;
+  }
+  return static_cast<std::uint8_t>(sides);
+}
+
 const SurfaceParts &
 GetElements(SurfaceReader & reader, const SurfaceFace & face)
 {

@@ -25,6 +25,10 @@ GetTriangles(SurfaceReader & reader, const SurfaceFace & face);
 const SurfaceParts &
 GetElements(SurfaceReader & reader, const SurfaceFace & face);
 
+/** Which sides of an element are marked ones of its face: bit k is the side from the element's corner k to the next. */
+std::uint8_t
+GetElementSides(const SurfaceFace & face, const SurfaceCorners & corners, std::uint8_t sidesOfFace);
+
 /** Calls function(number, face, corners) for all elements in the order of their faces, with numbers from 1. */
 template <typename TFunction>
 void

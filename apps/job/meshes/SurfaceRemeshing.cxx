@@ -3,6 +3,7 @@
 #include "SurfaceRemeshing.h"
 
 #include "Errors.h"
+#include "SurfaceCoarsening.h"
 #include "SurfaceFormat.h"
 #include "SurfaceReader.h"
 #include "Text.h"
@@ -10,6 +11,7 @@
 #include "itkMedialVoxelElementQuality.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -20,8 +22,35 @@ namespace
 
 using Index = itk::MedialVoxelSheet::Index;
 
+/** Of the mean side of the fine surface: how far that may be off, and the sides of the first coarsening. */
+constexpr double NoiseOfSide = 0.5;
+constexpr double SidesOfFirst = 3.0;
+
+/** So often until what is left of a large surface is small. */
+constexpr unsigned int MostCoarsenings = 4;
+
 /** Vertices or faces that are handed on at a time. */
 constexpr std::size_t HandedOnAtATime = std::size_t{ 1 } << 14;
+
+/** As many as the memory allows, and one at least. */
+unsigned int
+GetThreads(const SurfaceRemeshing & remeshing)
+{
+  unsigned int threads = remeshing.threads;
+  while (threads > 1 && GetRemeshingBytes(threads) > remeshing.memoryBytes)
+  {
+    --threads;
+  }
+  return threads;
+}
+
+double
+GetArea(const SurfaceSpool & surface)
+{
+  double area = 0.0;
+  SurfaceReader(surface, {}).ForEachFace([&](std::uint64_t, const SurfaceFace & face) { area += face.area; });
+  return area;
+}
 
 void
 CheckMemory(const SurfaceSpool & surface, const std::uint64_t allowed)
@@ -31,7 +60,7 @@ CheckMemory(const SurfaceSpool & surface, const std::uint64_t allowed)
   if (needed > allowed)
   {
     Fail(ExitStatus::Refused,
-         "the surface has ",
+         "the coarsened surface has ",
          surface.GetNumberOfFaces(),
          " faces; giving them the element size takes ",
          FormatBytes(needed),
@@ -150,21 +179,58 @@ AddFaces(itk::MedialVoxelRemeshedSheet &    sheet,
 
 } // namespace
 
+itk::MedialVoxelElementSize
+GetElementSize(const ExtractOptions & options, const VolumeGeometry & geometry)
+{
+  const bool                  isAutomatic = options.elementSize.kind == ElementSize::Kind::Automatic;
+  const double                largest = *std::max_element(geometry.spacing.begin(), geometry.spacing.end());
+  itk::MedialVoxelElementSize size;
+  size.least = isAutomatic ? 2.0 * largest : options.elementSize.length;
+  size.atThickness = isAutomatic;
+  size.joinsTriangles = !options.meshTriangles;
+  return size;
+}
+
 std::unique_ptr<SurfaceSpool>
 RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
               const SurfaceRemeshing &           remeshing,
               itk::MedialVoxelRemeshingSummary & summary)
 {
-  CheckMemory(*surface, remeshing.memoryBytes);
+  const double area = GetArea(*surface);
+  const double fineSide =
+    std::sqrt(area / static_cast<double>(std::max<std::uint64_t>(1, surface->GetNumberOfFaces())));
+  SurfaceRemeshing settings = remeshing;
+  settings.threads = GetThreads(remeshing);
+  settings.size.noise = NoiseOfSide * fineSide;
+  const itk::MedialVoxelElementSize size = settings.size;
+  settings.size = size.extendsRims ? itk::MedialVoxelSizeBeforeRims(size) : size;
+  const SurfaceCoarsening fine(std::move(surface), settings, 0);
+  // Corners of rims that are extended are not to be cut twice, unless the surface is large.
+  const bool isDirect = size.extendsRims && fine.GetNumberOfFaces() <= SurfaceCoarsening::MostFaces;
+  auto       coarse = fine.Coarsen(isDirect ? 0.0 : SidesOfFirst * fineSide);
+  for (unsigned int number = 1; coarse->GetNumberOfFaces() > SurfaceCoarsening::MostFaces && number < MostCoarsenings;
+       ++number)
+  {
+    coarse = SurfaceCoarsening(std::move(coarse), settings, number).Coarsen(itk::MedialVoxelSheetTree::Anywhere);
+  }
+  CheckMemory(*coarse, remeshing.memoryBytes);
   std::vector<std::uint32_t> objects;
-  SurfaceReader              reader(*surface, remeshing.progress);
-  auto               sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), remeshing.size, remeshing.progress);
-  auto               result = std::make_unique<SurfaceSpool>(remeshing.scratchFolder, surface->GetPrecision());
-  std::vector<Index> places;
+  SurfaceReader              reader(*coarse, remeshing.progress);
+  auto                       sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), size, remeshing.progress);
+  auto                       result = std::make_unique<SurfaceSpool>(remeshing.scratchFolder, coarse->GetPrecision());
+  std::vector<Index>         places;
+  fine.MeasureDistances(sheet, sheet.summary);
+  sheet.summary.fineArea = area;
   AddVertices(sheet, objects, places, *result);
   AddFaces(sheet, objects, places, *result);
   summary = sheet.summary;
   return result;
+}
+
+std::uint64_t
+GetRemeshingBytes(const unsigned int threads)
+{
+  return SurfaceCoarsening::GetBytes(threads);
 }
 
 void

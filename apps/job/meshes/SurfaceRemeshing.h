@@ -22,16 +22,26 @@ struct SurfaceRemeshing
   itk::MedialVoxelElementSize size;
   std::filesystem::path       scratchFolder;    ///< of the result
   std::uint64_t               memoryBytes{ 0 }; ///< that may be taken
-  std::function<void(double)> progress;         ///< called often; may throw to stop
+  unsigned int                threads{ 1 };
+  std::function<void(double)> progress; ///< called often; may throw to stop
 };
 
-/** The surface in elements of a size, which keep their objects together. All of it is held in memory.
+/** What the options ask for, which is not the size of a voxel. */
+itk::MedialVoxelElementSize
+GetElementSize(const ExtractOptions & options, const VolumeGeometry & geometry);
+
+/** The surface in elements of a size, which keep their objects together. Parts of it are coarsened first; what is left
+ * of them is held in memory.
  * \param summary of what was reached
  * \throw JobError Refused when that is more memory than allowed, or more faces than numbers of 32 bits count */
 std::unique_ptr<SurfaceSpool>
 RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
               const SurfaceRemeshing &           remeshing,
               itk::MedialVoxelRemeshingSummary & summary);
+
+/** Memory that it takes at least, for a number of threads. */
+std::uint64_t
+GetRemeshingBytes(unsigned int threads);
 
 /** \throw JobError Usage when elements are to be smaller than the voxels */
 void

@@ -4,7 +4,9 @@
 #define medialvoxelSurfaceSections_h
 
 #include "SurfaceFormat.h"
+#include "SurfaceParts.h"
 #include "SurfaceReader.h"
+#include "SurfaceThickness.h"
 
 #include <map>
 #include <optional>
@@ -12,11 +14,6 @@
 
 namespace medialvoxel
 {
-
-/** Mean over the corners whose thickness is known, nothing when none is. Corners at a rim, whose nearest boundary
- * points are on the end of the wall, count only when there are no others. */
-std::optional<double>
-GetFaceThickness(SurfaceReader & reader, const SurfaceFace & face);
 
 /** Elements that share a thickness. */
 struct SurfaceSection
@@ -31,17 +28,17 @@ struct SurfaceSection
  *
  * Faces of an object whose thickness has the same nearest multiple of the class width share a section. Those without a
  * known thickness have a section of their own with the mean of all others of the object, or of all objects where it has
- * none. */
+ * none. Where nodes have the thickness, each object is a section, with that mean. */
 class SurfaceSections
 {
 public:
   static constexpr size_t MaximumNumberOfSections = 10000;
 
-  /** Walks over all faces once. Elements are those of GetElements(). \param classWidth as in SurfaceWriteOptions
-   * \throw JobError Usage when the width is not > 0 and finite
+  /** Walks over all faces once. Elements are those of GetElements(). \param edges are kept
+   * \throw JobError Usage when the width of thickness classes is not > 0 and finite
    * \throw JobError Refused when it gives too many sections
    * \throw JobError Failure when there are faces, but no thickness is known */
-  SurfaceSections(SurfaceReader & reader, double classWidth);
+  SurfaceSections(SurfaceReader & reader, const SurfaceEdges & edges, const SurfaceWriteOptions & options);
 
   /** By objects, in them by rising thickness, faces without a known one last. */
   const std::vector<SurfaceSection> &
@@ -66,6 +63,18 @@ public:
   size_t
   GetSection(SurfaceReader & reader, const SurfaceFace & face) const;
 
+  /** The mean of the known ones of an object, or of all objects where it has none. */
+  float
+  GetMeanThickness(std::uint32_t object) const
+  {
+    const auto found = m_MeanOfObject.find(object);
+    return found == m_MeanOfObject.end() ? m_Mean : found->second;
+  }
+
+  /** Thickness of the wall at corners of a face, that mean where it is unknown. */
+  std::vector<float>
+  GetCornerThicknesses(SurfaceReader & reader, const SurfaceFace & face, const SurfaceCorners & corners) const;
+
 private:
   using ClassType = std::int64_t;
 
@@ -86,11 +95,15 @@ private:
     }
   };
 
-  double                      m_ClassWidth;
-  std::map<Key, size_t>       m_SectionOfKey;
-  std::vector<SurfaceSection> m_Sections;
-  std::uint64_t               m_NumberOfTriangles{ 0 };
-  std::uint64_t               m_NumberOfQuads{ 0 };
+  const SurfaceEdges &           m_Edges;
+  bool                           m_AreObjects;
+  double                         m_ClassWidth;
+  std::map<Key, size_t>          m_SectionOfKey;
+  std::vector<SurfaceSection>    m_Sections;
+  std::map<std::uint32_t, float> m_MeanOfObject;
+  float                          m_Mean{ 0 };
+  std::uint64_t                  m_NumberOfTriangles{ 0 };
+  std::uint64_t                  m_NumberOfQuads{ 0 };
 };
 
 /** As CheckSurfaceFits(), of the elements that the sections hold. */

@@ -20,33 +20,34 @@ namespace
 constexpr std::uint64_t SortedAtATime = std::uint64_t{ 1 } << 14;
 
 /** \class SortedPlaces
- * \brief The next place of each object in a sorted list. */
+ * \brief The next place of each group in a sorted list. */
 class SortedPlaces
 {
 public:
-  explicit SortedPlaces(std::size_t numberOfObjects)
-    : m_Places(numberOfObjects + 2, 0)
+  explicit SortedPlaces(std::size_t largestGroup)
+    : m_Places(largestGroup + 2, 0)
   {}
 
   void
-  Count(std::uint32_t object)
+  Count(std::uint32_t group)
   {
-    ++m_Places[object + std::size_t{ 1 }];
+    ++m_Places[group + std::size_t{ 1 }];
   }
 
-  /** When all are counted. */
-  void
+  /** When all are counted. \return the first place of each group, and the number of all */
+  std::vector<std::uint64_t>
   Start()
   {
     std::partial_sum(m_Places.begin(), m_Places.end(), m_Places.begin());
+    return m_Places;
   }
 
-  /** The place of the next \a count records of an object. */
+  /** The place of the next \a count records of a group. */
   std::uint64_t
-  Take(std::uint32_t object, std::uint64_t count)
+  Take(std::uint32_t group, std::uint64_t count)
   {
-    const std::uint64_t place = m_Places[object];
-    m_Places[object] += count;
+    const std::uint64_t place = m_Places[group];
+    m_Places[group] += count;
     return place;
   }
 
@@ -70,6 +71,7 @@ ForEachBlock(std::uint64_t records, const std::function<void(double)> & progress
 std::unique_ptr<ScratchFile>
 SortVertices(const SurfaceSpool &                from,
              SurfaceSpool &                      to,
+             const SurfaceGrouping &             groupOf,
              SortedPlaces &                      places,
              const std::filesystem::path &       folder,
              const std::function<void(double)> & progress)
@@ -81,17 +83,17 @@ SortVertices(const SurfaceSpool &                from,
     std::map<std::uint32_t, std::vector<SurfaceSpool::Vertex>> sorted;
     for (const SurfaceSpool::Vertex & vertex : vertices)
     {
-      sorted[vertex.object].push_back(vertex);
+      sorted[groupOf(vertex)].push_back(vertex);
     }
     std::map<std::uint32_t, std::uint64_t> next;
-    for (const auto & [object, ofObject] : sorted)
+    for (const auto & [group, ofGroup] : sorted)
     {
-      next[object] = places.Take(object, ofObject.size());
-      to.PutVertices(next[object], ofObject);
+      next[group] = places.Take(group, ofGroup.size());
+      to.PutVertices(next[group], ofGroup);
     }
     std::vector<std::uint64_t> ofBlock(count);
-    std::transform(vertices.begin(), vertices.end(), ofBlock.begin(), [&next](const SurfaceSpool::Vertex & vertex) {
-      return next[vertex.object]++;
+    std::transform(vertices.begin(), vertices.end(), ofBlock.begin(), [&](const SurfaceSpool::Vertex & vertex) {
+      return next[groupOf(vertex)]++;
     });
     numbers->WriteAt(first * sizeof(std::uint64_t), ofBlock.data(), count * sizeof(std::uint64_t));
   });
@@ -102,6 +104,7 @@ SortVertices(const SurfaceSpool &                from,
 void
 SortFaces(const SurfaceSpool &                from,
           SurfaceSpool &                      to,
+          const SurfaceGrouping &             groupOf,
           SortedPlaces &                      places,
           const ScratchFile &                 numbers,
           const std::function<void(double)> & progress)
@@ -118,40 +121,42 @@ SortFaces(const SurfaceSpool &                from,
     std::map<std::uint32_t, std::vector<SurfaceFace>> sorted;
     for (SurfaceFace & face : faces)
     {
-      const std::uint32_t object = reader.GetObject(face);
+      const std::uint32_t group = groupOf(reader.GetVertex(face.vertices[0]));
       const auto          end = face.vertices.begin() + face.numberOfVertices;
       std::transform(face.vertices.begin(), end, face.vertices.begin(), [&](std::uint64_t vertex) {
         return newNumbers.Get(vertex);
       });
-      sorted[object].push_back(face);
+      sorted[group].push_back(face);
     }
-    for (const auto & [object, ofObject] : sorted)
+    for (const auto & [group, ofGroup] : sorted)
     {
-      to.PutFaces(places.Take(object, ofObject.size()), ofObject);
+      to.PutFaces(places.Take(group, ofGroup.size()), ofGroup);
     }
   });
 }
 
 } // namespace
 
-std::unique_ptr<SurfaceSpool>
-SortSurfaceByObject(std::unique_ptr<SurfaceSpool>       surface,
-                    std::size_t                         numberOfObjects,
-                    const std::filesystem::path &       scratchFolder,
-                    const std::function<void(double)> & progress)
+GroupedSurface
+SortSurface(std::unique_ptr<SurfaceSpool>       surface,
+            const SurfaceGrouping &             groupOf,
+            const std::size_t                   largestGroup,
+            const std::filesystem::path &       scratchFolder,
+            const std::function<void(double)> & progress)
 {
-  SortedPlaces  vertexPlaces(numberOfObjects);
-  SortedPlaces  facePlaces(numberOfObjects);
+  SortedPlaces  vertexPlaces(largestGroup);
+  SortedPlaces  facePlaces(largestGroup);
   SurfaceReader reader(*surface, {});
-  reader.ForEachVertex([&](std::uint64_t, const auto & vertex) { vertexPlaces.Count(vertex.object); });
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) { facePlaces.Count(reader.GetObject(face)); });
-  vertexPlaces.Start();
-  facePlaces.Start();
-
-  auto       sorted = std::make_unique<SurfaceSpool>(scratchFolder, surface->GetPrecision());
-  const auto numbers = SortVertices(*surface, *sorted, vertexPlaces, scratchFolder, progress);
-  SortFaces(*surface, *sorted, facePlaces, *numbers, progress);
-  return sorted;
+  reader.ForEachVertex([&](std::uint64_t, const auto & vertex) { vertexPlaces.Count(groupOf(vertex)); });
+  reader.ForEachFace(
+    [&](std::uint64_t, const SurfaceFace & face) { facePlaces.Count(groupOf(reader.GetVertex(face.vertices[0]))); });
+  GroupedSurface grouped;
+  grouped.firstVertex = vertexPlaces.Start();
+  grouped.firstFace = facePlaces.Start();
+  grouped.surface = std::make_unique<SurfaceSpool>(scratchFolder, surface->GetPrecision());
+  const auto numbers = SortVertices(*surface, *grouped.surface, groupOf, vertexPlaces, scratchFolder, progress);
+  SortFaces(*surface, *grouped.surface, groupOf, facePlaces, *numbers, progress);
+  return grouped;
 }
 
 } // end namespace medialvoxel

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -16,17 +17,28 @@ namespace medialvoxel
 /** What sorting takes of the scratch folder for a vertex, beside the two surfaces. */
 constexpr std::uint64_t ScratchBytesPerSortedVertex = sizeof(std::uint64_t);
 
-/** The same surface with the vertices and faces of each object together, by rising number of the object; those of an
- * object keep their order. A face belongs to the object of its vertices.
- * \param numberOfObjects the largest number
+/** The number of the group that a vertex belongs to. */
+using SurfaceGrouping = std::function<std::uint32_t(const SurfaceSpool::Vertex & vertex)>;
+
+/** A surface with the vertices and faces of each group together, by rising number of the group. */
+struct GroupedSurface
+{
+  std::unique_ptr<SurfaceSpool> surface;
+  std::vector<std::uint64_t>    firstVertex; ///< of each group, and the number of all
+  std::vector<std::uint64_t>    firstFace;
+};
+
+/** Vertices and faces of a group keep their order. A face belongs to the group of its first vertex.
+ * \param largestGroup the largest number of a group
  * \param scratchFolder of the result
  * \param progress called often with 0; may throw to stop
  * \throw JobError as SurfaceSpool */
-std::unique_ptr<SurfaceSpool>
-SortSurfaceByObject(std::unique_ptr<SurfaceSpool>       surface,
-                    std::size_t                         numberOfObjects,
-                    const std::filesystem::path &       scratchFolder,
-                    const std::function<void(double)> & progress);
+GroupedSurface
+SortSurface(std::unique_ptr<SurfaceSpool>       surface,
+            const SurfaceGrouping &             groupOf,
+            std::size_t                         largestGroup,
+            const std::filesystem::path &       scratchFolder,
+            const std::function<void(double)> & progress);
 
 } // end namespace medialvoxel
 

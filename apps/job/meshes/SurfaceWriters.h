@@ -42,6 +42,24 @@ GetLabel(SurfaceReader & reader, const SurfaceWriteOptions & options, const Surf
 std::string
 GetObjectName(std::int64_t label);
 
+/** What the mesh of a solver is, for a reader. */
+inline const std::string SurfaceTitle =
+  "Medial surface by MedialVoxel, coordinates and thickness in units of the spacing";
+
+/** Calls function(number) for all marked vertices in their order. */
+template <typename TFunction>
+void
+ForEachMarked(const std::vector<bool> & marks, TFunction && function)
+{
+  for (std::uint64_t vertex = 0; vertex < marks.size(); ++vertex)
+  {
+    if (marks[vertex])
+    {
+      function(vertex);
+    }
+  }
+}
+
 SurfaceWriter WriteSurfaceVtp;
 SurfaceWriter WriteSurfaceVtu;
 SurfaceWriter WriteSurfaceVtk;
@@ -50,6 +68,7 @@ SurfaceWriter WriteSurfaceStl;
 SurfaceWriter WriteSurfaceObj;
 SurfaceWriter WriteSurfaceAbaqus;
 SurfaceWriter WriteSurfaceNastran;
+SurfaceWriter WriteSurfaceLsDyna;
 SurfaceWriter WriteSurfaceGltf;
 
 } // end namespace medialvoxel

@@ -33,6 +33,7 @@ struct JobSeconds
   double classification{ 0.0 };
   double tiles{ 0.0 }; ///< while threads worked on tiles
   double inputOutput{ 0.0 };
+  double remeshing{ 0.0 }; ///< of the medial surface
   double total{ 0.0 };
 };
 

@@ -287,6 +287,10 @@ CheckOptions(const ExtractOptions & options)
   {
     CheckPositive("the element size", options.elementSize.length, false);
   }
+  if (options.extendsRims && options.elementSize.kind == ElementSize::Kind::Voxel)
+  {
+    Fail(ExitStatus::Usage, "rims of faces of one voxel are not extended; give an element size, such as auto");
+  }
   if (options.minimumBranchLength != 0)
   {
     CheckPositive("the minimum branch length", options.minimumBranchLength, false);

@@ -139,10 +139,16 @@ PaintsWalls(const ExtractOptions & options)
 }
 
 bool
+HasMeshForSolvers(const ExtractOptions & options)
+{
+  return !options.meshFile.empty() && options.elementSize.kind != ElementSize::Kind::Voxel;
+}
+
+bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
   const bool isWanted = !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels ||
-                        ListsPlaces(options) || PaintsWalls(options);
+                        ListsPlaces(options) || PaintsWalls(options) || HasMeshForSolvers(options);
   return options.subVoxel.value_or(isWanted && HasOneThreshold(options, header) && header.CanStream());
 }
 

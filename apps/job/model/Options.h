@@ -100,6 +100,13 @@ struct ElementSize
   double length{ 0 }; ///< physical units, > 0, with Kind::Length
 };
 
+/** Where formats of solvers have the thickness of their elements. */
+enum class ThicknessPlace
+{
+  Sections, ///< elements of nearly the same thickness share a section
+  Nodes     ///< each node, or each corner of an element where a format has them
+};
+
 /** Medial voxels. */
 struct ExtractOptions : JobOptions
 {
@@ -149,7 +156,9 @@ struct ExtractOptions : JobOptions
   double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
   std::uint64_t         smallestComponent{ 0 };   ///< quadrilaterals of pieces that stay in the mesh
   ElementSize           elementSize;              ///< of the mesh
-  std::optional<double> sectionWidth;             ///< as SurfaceWriteOptions; unset: a quarter of the spacing
+  bool                  extendsRims{ false };     ///< of the mesh, to the free edges; not with ElementSize::Kind::Voxel
+  ThicknessPlace        thicknessPlace{ ThicknessPlace::Sections }; ///< of a mesh for solvers
+  std::optional<double> sectionWidth; ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };
 
 /** Vector and signed distances. */
@@ -208,6 +217,10 @@ GetGrid(const JobOptions & options, const VolumeHeader & header);
 /** Whether the local thickness is asked for, and is that of walls. */
 bool
 PaintsWalls(const ExtractOptions & options);
+
+/** Whether elements are as long as walls are thick, or of a given length, as solvers want them. */
+bool
+HasMeshForSolvers(const ExtractOptions & options);
 
 /** Whether walls may be measured on gray values; the values themselves decide where that is not asked for. */
 bool

@@ -23,6 +23,7 @@ struct SurfaceSummary
   ElementSize elementSize; ///< of its faces
 
   std::optional<itk::MedialVoxelRemeshingSummary> remeshing; ///< unless they have that of a voxel
+  double                                          remeshingSeconds{ 0 };
 };
 
 } // end namespace medialvoxel

@@ -130,7 +130,10 @@ MeasureToJson(const std::optional<WallMeasure> & measure)
              measure->scan->noise,
              measure->scan->correlation };
   }
-  return { { "gray_values", measure->usesGrayValues }, { "scan", scan }, { "reason", measure->reason } };
+  return { { "gray_values", measure->usesGrayValues },
+           { "scan", scan },
+           { "reason", measure->reason },
+           { "middle", measure->middle ? Json(*measure->middle) : Json(nullptr) } };
 }
 
 std::optional<WallMeasure>
@@ -140,7 +143,11 @@ MeasureFromJson(const Json & json)
   {
     return std::nullopt;
   }
-  WallMeasure  measure{ json.at("gray_values").get<bool>(), std::nullopt, json.at("reason").get<std::string>() };
+  WallMeasure measure{ json.at("gray_values").get<bool>(), std::nullopt, json.at("reason").get<std::string>() };
+  if (!json.at("middle").is_null())
+  {
+    measure.middle = json.at("middle").get<double>();
+  }
   const Json & scan = json.at("scan");
   if (!scan.is_null())
   {

@@ -201,6 +201,7 @@ DescribeRun(const ExtractOptions & options, const JobResult & result)
            { "command", options.command.empty() ? "not known" : options.command },
            { "distance", FormatSeconds(result.seconds.distance) },
            { "classification", FormatSeconds(result.seconds.classification) },
+           { "remeshing", FormatSeconds(result.seconds.remeshing) },
            { "reading and writing", FormatSeconds(result.seconds.inputOutput) },
            { "total", FormatSeconds(result.seconds.total) },
            { "peak memory", FormatBytes(result.peakMemoryBytes) },

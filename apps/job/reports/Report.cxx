@@ -137,6 +137,21 @@ MakeDistances(const itk::MedialVoxelRemeshingSummary::Distances & distances)
   return { { "largest", distances.largest }, { "percentile_99", distances.most }, { "mean", distances.mean } };
 }
 
+/** Null where they stay where they are. */
+Json
+MakeRims(const std::optional<itk::MedialVoxelRimExtensionSummary> & rims)
+{
+  return rims ? Json{ { "length", rims->rimLength },
+                      { "points", rims->points },
+                      { "mean_extension", rims->length },
+                      { "largest_extension", rims->longest },
+                      { "area", rims->area },
+                      { "points_cut_back", rims->cutBack },
+                      { "sides", rims->sides },
+                      { "sides_without_surface", rims->withoutSurface } }
+              : Json(nullptr);
+}
+
 Json
 MakeMesh(const SurfaceSummary & surface)
 {
@@ -159,7 +174,8 @@ MakeMesh(const SurfaceSummary & surface)
                           { "walls_left_out", remeshing.wallsLeftOut },
                           { "holes_closed", remeshing.holesClosed },
                           { "triangles_left_out", remeshing.trianglesLeftOut },
-                          { "orientation_conflicts", remeshing.orientationConflicts } };
+                          { "orientation_conflicts", remeshing.orientationConflicts },
+                          { "rims", MakeRims(remeshing.rims) } };
   }
   return json;
 }
@@ -265,6 +281,10 @@ AddRun(Json & report, const JobResult & result)
                         { "tiles", result.seconds.tiles },
                         { "input_output", result.seconds.inputOutput },
                         { "total", result.seconds.total } };
+  if (result.surface && result.surface->remeshing)
+  {
+    report["seconds"]["remeshing"] = result.seconds.remeshing;
+  }
   report["peak_memory_bytes"] = result.peakMemoryBytes;
   report["planned_peak_bytes"] = result.plan.memoryBytes;
   report["memory_limit_bytes"] = result.plan.memoryLimit;

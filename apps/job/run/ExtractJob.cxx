@@ -258,7 +258,9 @@ public:
     JobEnd     end;
     end.complete = [this] { this->WriteMesh(); };
     end.measure = [this, start, finishStart] {
-      AddMeasurements(m_Result, m_Run.GetInput(), m_Run.GetWriteSeconds() + SecondsSince(finishStart), start);
+      m_Result.seconds.remeshing = m_Result.surface ? m_Result.surface->remeshingSeconds : 0.0;
+      const double writing = m_Run.GetWriteSeconds() + SecondsSince(finishStart) - m_Result.seconds.remeshing;
+      AddMeasurements(m_Result, m_Run.GetInput(), writing, start);
     };
     FinishJob(m_Outputs, *m_Summary, m_Result, m_Sink, end);
   }
@@ -297,9 +299,11 @@ private:
     {
       // The mesh takes the memory of the windows and results.
       m_Run.DropEngines();
+      m_Mesh->FindEdgesWith(m_Run.MakeRimRays());
       const JobPlan & plan = m_Result.plan;
       m_Result.surface = m_Mesh->Write(*m_MeshFile,
                                        plan.memoryLimit - std::min(plan.memoryLimit, plan.fixedBytes),
+                                       plan.threads,
                                        [this](double) { m_Run.ThrowIfStopRequested(); });
     }
   }

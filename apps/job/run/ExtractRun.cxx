@@ -4,6 +4,7 @@
 
 #include "ExtractParts.h"
 #include "Outputs.h"
+#include "RimRays.h"
 #include "ScanMeasure.h"
 
 #include <algorithm>
@@ -182,6 +183,18 @@ ExtractRun::ChooseMeasure()
   {
     further.engine->SetGrayRange(range);
   }
+}
+
+itk::MedialVoxelMeasureRimRays
+ExtractRun::MakeRimRays() const
+{
+  if (m_Options.labels)
+  {
+    return {};
+  }
+  const auto range = m_Measure ? GetGrayRange(*m_Measure, m_Options, m_Header) : std::nullopt;
+  const auto rays = std::make_shared<RimRays>(*m_Input, m_Header.geometry, range);
+  return [rays](const itk::MedialVoxelRimRays & bundle) { return rays->Measure(bundle); };
 }
 
 std::uint64_t

@@ -111,6 +111,11 @@ public:
     return *m_Input;
   }
 
+  /** Finds the edges of the part from the rims of its surface; empty for label maps, whose objects touch. It reads the
+   * input again, after the last range. */
+  itk::MedialVoxelMeasureRimRays
+  MakeRimRays() const;
+
   /** Seconds that writing took; to be asked when nothing is under way. */
   double
   GetWriteSeconds() const

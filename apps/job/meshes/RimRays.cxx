@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "RimRays.h"
+
+#include "SurfacePlacement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+/** Of the smallest spacing. */
+constexpr double StepOfSpacing = 0.25;
+
+Vector
+Cross(const Vector & a, const Vector & b)
+{
+  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+}
+
+double
+Dot(const Vector & a, const Vector & b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+Vector
+AddScaled(const Vector & a, const Vector & b, const double factor)
+{
+  return { { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2] } };
+}
+
+} // namespace
+
+RimRays::RimRays(InputVolume & input, const VolumeGeometry & geometry, const std::optional<GrayRange> & range)
+  : m_Input(input)
+  , m_Size(GetSize(geometry))
+  , m_Origin(GetPlacement(geometry).origin)
+  , m_Step(StepOfSpacing * *std::min_element(geometry.spacing.begin(), geometry.spacing.end()))
+  , m_Range(range)
+{
+  const auto   steps = GetPlacement(geometry).steps;
+  const double volume = Dot(steps[0], Cross(steps[1], steps[2]));
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    m_ToIndex[axis] = AddScaled({}, Cross(steps[(axis + 1) % 3], steps[(axis + 2) % 3]), 1.0 / volume);
+  }
+}
+
+std::vector<double>
+RimRays::Measure(const itk::MedialVoxelRimRays & rays)
+{
+  this->Read(this->FindBox(rays));
+  const Vector        step = this->ToIndexStep(AddScaled({}, rays.direction, m_Step));
+  std::vector<double> lengths;
+  for (const Vector & start : rays.starts)
+  {
+    lengths.push_back(m_Step * this->MeasureRay(this->ToIndex(start), step, rays.most / m_Step));
+  }
+  return lengths;
+}
+
+Vector
+RimRays::ToIndexStep(const Vector & vector) const
+{
+  return { { Dot(m_ToIndex[0], vector), Dot(m_ToIndex[1], vector), Dot(m_ToIndex[2], vector) } };
+}
+
+Vector
+RimRays::ToIndex(const Vector & point) const
+{
+  return this->ToIndexStep(AddScaled(point, m_Origin, -1.0));
+}
+
+itk::MedialVoxelBox
+RimRays::FindBox(const itk::MedialVoxelRimRays & rays) const
+{
+  itk::MedialVoxelBox box{ m_Size, { { 0, 0, 0 } } };
+  for (const Vector & start : rays.starts)
+  {
+    for (const double length : { 0.0, rays.most + m_Step }) // the last step may go beyond
+    {
+      const Vector index = this->ToIndex(AddScaled(start, rays.direction, length));
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        const auto low = static_cast<std::int64_t>(std::floor(index[axis]));
+        box.lower[axis] = std::min(box.lower[axis], std::clamp<std::int64_t>(low, 0, m_Size[axis] - 1));
+        box.upper[axis] = std::max(box.upper[axis], std::clamp<std::int64_t>(low + 2, 1, m_Size[axis]));
+      }
+    }
+  }
+  return box;
+}
+
+void
+RimRays::Read(const itk::MedialVoxelBox & box)
+{
+  VoxelTargets targets;
+  m_Object.Reshape(box);
+  targets.object = &m_Object;
+  if (m_Range)
+  {
+    m_Gray.Frame(box, box);
+    targets.gray = &m_Gray;
+  }
+  m_Input.Fill(box, targets);
+}
+
+double
+RimRays::GetMargin(const itk::MedialVoxelIndex & voxel) const
+{
+  itk::MedialVoxelIndex inside = voxel;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    inside[axis] = std::clamp<std::int64_t>(voxel[axis], 0, m_Size[axis] - 1);
+  }
+  double margin = m_Object.Test(inside) ? 0.5 : -0.5;
+  if (m_Range)
+  {
+    const double value = m_Gray.Get(inside);
+    margin = std::min(value - m_Range->lower, m_Range->upper - value);
+  }
+  return inside == voxel ? margin : -std::abs(margin);
+}
+
+double
+RimRays::Interpolate(const Vector & index) const
+{
+  itk::MedialVoxelIndex low;
+  Vector                share;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = static_cast<std::int64_t>(std::floor(index[axis]));
+    share[axis] = index[axis] - static_cast<double>(low[axis]);
+  }
+  double sum = 0.0;
+  for (unsigned int corner = 0; corner < 8; ++corner)
+  {
+    itk::MedialVoxelIndex voxel = low;
+    double                weight = 1.0;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      const bool isHigh = (corner >> axis & 1u) != 0;
+      voxel[axis] += isHigh ? 1 : 0;
+      weight *= isHigh ? share[axis] : 1.0 - share[axis];
+    }
+    sum += weight > 0.0 ? weight * this->GetMargin(voxel) : 0.0;
+  }
+  return sum;
+}
+
+/** \return its length in steps, infinite when it starts outside or is longer */
+double
+RimRays::MeasureRay(const Vector & start, const Vector & step, const double steps) const
+{
+  double before = this->Interpolate(start);
+  for (double way = 0.0; before >= 0.0 && way < steps; way += 1.0)
+  {
+    const double after = this->Interpolate(AddScaled(start, step, way + 1.0));
+    if (after < 0.0)
+    {
+      return way + before / (before - after);
+    }
+    before = after;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelRimRays_h
+#define medialvoxelRimRays_h
+
+#include "InputVolume.h"
+
+#include "itkMedialVoxelEngineSettings.h"
+#include "itkMedialVoxelRimExtension.h"
+#include "itkMedialVoxelSurfaceConsumer.h"
+
+#include <optional>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class RimRays
+ * \brief Finds the surface of a part from places inside it, in a volume that is read again around them.
+ *
+ * The surface is where values that are linear between voxels cross the threshold, or the middle between voxels of a
+ * mask. The part ends half a voxel beyond the last voxels of the volume. */
+class RimRays
+{
+public:
+  using GrayRange = itk::MedialVoxelExtraction::GrayRange;
+
+  /** \param input stays as long as this; it is prepared
+   * \param range of the values of the part; none: its bits count */
+  RimRays(InputVolume & input, const VolumeGeometry & geometry, const std::optional<GrayRange> & range);
+
+  /** As itk::MedialVoxelMeasureRimRays */
+  std::vector<double>
+  Measure(const itk::MedialVoxelRimRays & rays);
+
+private:
+  using Vector = std::array<double, 3>;
+
+  Vector
+  ToIndex(const Vector & point) const;
+  Vector
+  ToIndexStep(const Vector & vector) const;
+
+  /** The voxels around all rays. */
+  itk::MedialVoxelBox
+  FindBox(const itk::MedialVoxelRimRays & rays) const;
+
+  void
+  Read(const itk::MedialVoxelBox & box);
+
+  /** How far a value is within the range: not negative in the part. */
+  double
+  GetMargin(const itk::MedialVoxelIndex & voxel) const;
+  double
+  Interpolate(const Vector & index) const;
+  double
+  MeasureRay(const Vector & start, const Vector & step, double steps) const;
+
+  InputVolume &            m_Input;
+  itk::MedialVoxelIndex    m_Size;
+  Vector                   m_Origin;
+  std::array<Vector, 3>    m_ToIndex{}; ///< row by row, from physical vectors to steps of the index
+  double                   m_Step;      ///< of rays, physical
+  std::optional<GrayRange> m_Range;
+  itk::MedialVoxelBits     m_Object;
+  itk::MedialVoxelGray     m_Gray;
+};
+
+} // end namespace medialvoxel
+
+#endif
