@@ -147,8 +147,9 @@ AddPlaceLimits(CLI::App & app, const std::string & name, const std::string & hel
 }
 
 void
-AddOutputParameters(CLI::App & app, ExtractOptions & job)
+AddOutputParameters(CLI::App & app, ModuleOptions & options)
 {
+  ExtractOptions & job = options.job;
   using Boundary = itk::MedialVoxelBoundary;
   AddPath(app, "objectsVolume", "The label of each cell's object, for Labels", job.objectFile);
   AddPath(app, "vectorVolume", "Vectors to the nearest boundary point", job.vectorFile);
@@ -190,6 +191,14 @@ AddOutputParameters(CLI::App & app, ExtractOptions & job)
   AddPath(app, "placesFile", "Table of these places (.csv)", job.placesFile);
   AddPath(app, "meshModel", "Medial surface", job.meshFile);
   AddDouble(app, "minimumBranchLength", "Shorter branches are left out of it", job.minimumBranchLength);
+  using Kind = ElementSize::Kind;
+  AddEnumeration<Kind>(app,
+                       "elementSizeMode",
+                       "Length of the sides of its elements",
+                       options.elementSizeMode,
+                       { { "Voxel", Kind::Voxel }, { "Automatic", Kind::Automatic }, { "Fixed", Kind::Length } });
+  AddDouble(app, "elementSize", "The fixed length, in the units of the spacing", options.elementSize);
+  AddBoolean(app, "extendRims", "Carry it on to the free edges of the part", job.extendsRims);
   AddPath(app, "reportFile", "Report as JSON", job.reportFile);
   AddPath(app, "previewFile", "Picture of three slices as PNG", job.previewFile);
 }
@@ -260,7 +269,7 @@ DefineParameters(ModuleOptions & options)
   AddPositional(*app, "inputVolume", "Volume of gray values or labels", options.job.input);
   AddPositional(*app, "outputVolume", "Labels of the cells between the voxels", options.job.output);
   AddObjectParameters(*app, options);
-  AddOutputParameters(*app, options.job);
+  AddOutputParameters(*app, options);
   AddRunParameters(*app, options.job);
   AddCommonParameters(*app, options);
   app->footer(
@@ -304,6 +313,9 @@ CompleteJob(const CLI::App & app, ModuleOptions & options)
   {
     options.job.thickness = options.thickness;
   }
+  const bool isLengthImplied = app.count("--elementSize") > 0 && app.count("--elementSizeMode") == 0;
+  const auto kind = isLengthImplied ? ElementSize::Kind::Length : options.elementSizeMode;
+  options.job.elementSize = { kind, kind == ElementSize::Kind::Length ? options.elementSize : 0.0 };
   if (options.resample)
   {
     options.job.resample = 0.0;

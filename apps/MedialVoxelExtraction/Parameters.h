@@ -38,6 +38,9 @@ struct ModuleOptions
   LabelSelection  labels{ true, {}, {} };
   std::string     colorTable; ///< names of the labels
   double          thickness{ 3 };
+  double          elementSize{ 6 };
+
+  ElementSize::Kind elementSizeMode{ ElementSize::Kind::Voxel };
 
   itk::MedialVoxelThicknessMode thicknessMode{ itk::MedialVoxelThicknessMode::Automatic };
 
@@ -51,7 +54,7 @@ std::unique_ptr<CLI::App>
 DefineParameters(ModuleOptions & options);
 
 /** Sets the thresholds that the selection names, the thickness when it is fixed, as the mode says or as a thickness
- * implies without one, and the resampled spacing. \param app that has parsed */
+ * implies without one, the same for the element size, and the resampled spacing. \param app that has parsed */
 void
 CompleteJob(const CLI::App & app, ModuleOptions & options);
 

@@ -131,6 +131,24 @@ class RunTest(ModuleTestCase):
         self.assertNotEqual(cut, (self.folder / "all.vtp").read_bytes())
         self.assert_module_fails(USAGE, ["branch length is -1"], "--minimumBranchLength=-1", *arguments)
 
+    def test_elements_of_the_model(self):
+        sizes = {
+            ("--elementSizeMode", "Automatic", "--extendRims"): ("--element-size", "auto", "--extend-rims"),
+            ("--elementSize", "5"): ("--element-size", 5),
+            ("--elementSizeMode", "Voxel", "--elementSize", "5"): (),
+        }
+        models = set()
+        for module, program in sizes.items():
+            with self.subTest(module):
+                self.run_module("--meshModel", "m.vtp", *module, *LABEL_100, "in.mha", "out.mha")
+                self.run_program("mesh", "in.mha", "p.vtp", "--label", 100, *program, "--overwrite")
+                models.add((self.folder / "m.vtp").read_bytes())
+                self.assertIn((self.folder / "p.vtp").read_bytes(), models)
+        self.assertEqual(len(models), len(sizes))
+        arguments = ("--meshModel", "m.vtp", *LABEL_100, "in.mha", "out.mha")
+        self.assert_module_fails(USAGE, ["element size"], "--extendRims", *arguments)
+        self.assert_module_fails(USAGE, ["element size", "0.01"], "--elementSize", "0.01", *arguments)
+
     def test_progress(self):
         for arguments in ([], ["--distanceVolume", "d.mha"]):
             out = self.run_module(*arguments, *LABEL_100, "in.mha", "out.mha").stdout

@@ -217,7 +217,9 @@ def mesh(
     triangles: bool = False,
     smallest_component: int | None = None,
     min_branch_length: Number | None = None,
-    sub_voxel: bool = False,
+    element_size: Number | Literal["auto", "voxel"] | None = None,
+    extend_rims: bool = False,
+    sub_voxel: bool | None = None,
     threads: int | None = None,
     memory: int | str | None = None,
     progress: Progress = None,
@@ -227,6 +229,14 @@ def mesh(
     triangles: split the quadrilaterals.
     smallest_component: leave out connected pieces of fewer quadrilaterals.
     min_branch_length: leave out branches that are shorter, in units of the spacing.
+    element_size: length of the sides of the faces, in units of the spacing, at least its smallest one; at junctions and
+        bends they are as long as the wall is thick at least. "auto": as long as the wall is thick, at least two voxels,
+        for solvers. "voxel" (default): a face for each voxel. Elements of a size are quadrilaterals and triangles, or
+        triangles alone with `triangles`.
+    extend_rims: carry the sheet on in its plane to the free edges of the part. Needs an element size.
+    sub_voxel: measure the thickness on gray values, which needs `lower` or `upper`, and place points between voxels.
+        Default: on for elements of a size with one of `lower` and `upper`, else off. A mask is measured halfway between its
+        two values.
 
     Other parameters and errors: as extract().
 
@@ -247,10 +257,12 @@ def mesh(
         "label": label,
         "smallest_component": smallest_component,
         "min_branch_length": min_branch_length,
+        "element_size": element_size,
+        "sub_voxel": sub_voxel,
         "threads": threads,
         "memory": memory,
     }
-    flags = make_flags({"voxel_units": voxel_units, "triangles": triangles, "sub_voxel": sub_voxel})
+    flags = make_flags({"voxel_units": voxel_units, "triangles": triangles, "extend_rims": extend_rims})
     numbers, surface = call.run(["mesh", "array", "mesh.vtp", *make_options(options), *flags], {}, progress)
     return Mesh(*surface, lower=numbers["lower"])
 

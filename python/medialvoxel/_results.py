@@ -101,7 +101,8 @@ class Mesh:
     points: np.ndarray
     """float64 (n, 3): z, y, x in the units of the spacing; the first voxel of the array is at 0."""
     faces: np.ndarray
-    """int64 (m, 4), or (m, 3) with `triangles`: indices of points."""
+    """int64 (m, 4), or (m, 3) where all are triangles: indices of points. A triangle among quadrilaterals has its last
+    corner twice."""
     thickness: np.ndarray
     """float32 (n,): thickness of the wall at each point."""
     lower: float | None = None
@@ -113,13 +114,23 @@ class Mesh:
         long."""
         if self.faces.shape[1] == 3:
             return self.faces
+        halves = self._halves()
+        return halves[halves[:, 0] != halves[:, 1]]
+
+    def _halves(self) -> np.ndarray:
+        """Of all faces; the second half of a triangle begins with one corner twice."""
         corners = self.points[self.faces]
         first = np.sum((corners[:, 0] - corners[:, 2]) ** 2, axis=1)
         second = np.sum((corners[:, 1] - corners[:, 3]) ** 2, axis=1)
+        is_first = (first <= second) | self._are_triangles
         halves = np.where(
-            (first <= second)[:, None, None], [[0, 1, 2], [2, 3, 0]], [[1, 2, 3], [3, 0, 1]]
+            is_first[:, None, None], [[0, 1, 2], [2, 3, 0]], [[1, 2, 3], [3, 0, 1]]
         )
         return np.take_along_axis(self.faces, halves.reshape(len(self.faces), 6), axis=1).reshape(-1, 3)
+
+    @property
+    def _are_triangles(self) -> np.ndarray:
+        return self.faces[:, -1] == self.faces[:, -2]
 
     @property
     def points_xyz(self) -> np.ndarray:
@@ -130,8 +141,10 @@ class Mesh:
         """As pyvista.PolyData, x first, with the point data "thickness". Needs pyvista."""
         import pyvista
 
-        corners = np.full((len(self.faces), 1), self.faces.shape[1])
-        surface = pyvista.PolyData(self.points_xyz, np.hstack((corners, self.faces)).ravel())
+        corners = self.faces.shape[1] - self._are_triangles[:, None]
+        cells = np.hstack((corners, self.faces))
+        is_corner = np.arange(cells.shape[1]) <= corners
+        surface = pyvista.PolyData(self.points_xyz, cells[is_corner])
         surface.point_data["thickness"] = self.thickness
         return surface
 
@@ -139,8 +152,14 @@ class Mesh:
         """As meshio.Mesh, x first, with the point data "thickness". Needs meshio."""
         import meshio
 
-        kind = "quad" if self.faces.shape[1] == 4 else "triangle"
-        return meshio.Mesh(self.points_xyz, [(kind, self.faces)], point_data={"thickness": self.thickness})
+        if self.faces.shape[1] == 3:
+            cells = [("triangle", self.faces)]
+        else:
+            triangles = self._are_triangles
+            cells = [("quad", self.faces[~triangles]), ("triangle", self.faces[triangles, :3])]
+        return meshio.Mesh(
+            self.points_xyz, [(kind, faces) for kind, faces in cells if len(faces)], point_data={"thickness": self.thickness}
+        )
 
     def to_trimesh(self) -> Any:
         """As trimesh.Trimesh of triangles, x first, with the vertex attribute "thickness". Needs trimesh."""

@@ -5,7 +5,6 @@
 
 #include "itkMedialVoxelImageFilter.h"
 
-#include <cmath>
 #include <variant>
 
 namespace medialvoxel
@@ -33,26 +32,7 @@ public:
   SetMeasure(const ArrayCall & call, const ExtractOptions & options)
   {
     m_MeasuresCrossings = options.subVoxel.value_or(false);
-    const bool mayFit = MayMeasureOnGrayValues(options, call.header);
-    this->SetSubvoxelThickness(mayFit);
-    if (!mayFit)
-    {
-      return;
-    }
-    // Thresholds that no value reaches do not count.
-    const auto range = GetGrayRange(options, call.header);
-    if (std::isinf(range.lower))
-    {
-      this->SetLowerThreshold(range.lower);
-    }
-    if (std::isinf(range.upper))
-    {
-      this->SetUpperThreshold(range.upper);
-    }
-    if (options.levels)
-    {
-      this->SetScanLevels(options.levels->background, options.levels->material);
-    }
+    SetGrayMeasure(*this, call, options);
   }
 
   /** As the report of the program has it. */

@@ -11,6 +11,7 @@
 #include "itkProcessObject.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace medialvoxel
 {
@@ -98,11 +99,37 @@ SetWalls(TFilter & filter, const ExtractOptions & options)
   filter.SetThickness(options.thickness.value_or(filter.GetThickness()));
   filter.SetMinimumThickness(options.minimumThickness.value_or(0.0));
   filter.SetMaximumThickness(options.maximumThickness.value_or(0.0));
-  filter.SetSubvoxelThickness(options.subVoxel.value_or(false));
   filter.SetSmoothing(GetRequestedSmoothing(options));
   if (options.maximumPoreSize)
   {
     filter.SetMaximumPoreSize(static_cast<itk::SizeValueType>(*options.maximumPoreSize));
+  }
+}
+
+/** Tells a filter whether walls may be measured on gray values, and how. */
+template <typename TFilter>
+void
+SetGrayMeasure(TFilter & filter, const ArrayCall & call, const ExtractOptions & options)
+{
+  const bool mayMeasure = MayMeasureOnGrayValues(options, call.header);
+  filter.SetSubvoxelThickness(mayMeasure);
+  if (!mayMeasure)
+  {
+    return;
+  }
+  // Thresholds that no value reaches do not count.
+  const auto range = GetGrayRange(options, call.header);
+  if (std::isinf(range.lower))
+  {
+    filter.SetLowerThreshold(range.lower);
+  }
+  if (std::isinf(range.upper))
+  {
+    filter.SetUpperThreshold(range.upper);
+  }
+  if (options.levels)
+  {
+    filter.SetScanLevels(options.levels->background, options.levels->material);
   }
 }
 

@@ -125,15 +125,20 @@ def read(path):
 
 
 def read_ply(path):
-    """Points (z, y, x), faces and thickness of a mesh that the program wrote."""
+    """Points (z, y, x), faces and thickness of a mesh that the program wrote. A triangle among quads has its last corner
+    twice."""
     data = pathlib.Path(path).read_bytes()
     end = data.index(b"end_header\n") + len(b"end_header\n")
     points, faces = (int(number) for number in re.findall(rb"element \w+ (\d+)", data[:end]))
     real = "<f8" if b"property double x" in data[:end] else "<f4"
     vertices = np.frombuffer(data, [("point", real, 3), ("thickness", "<f4")], points, end)
-    corners = data[end + vertices.nbytes] if faces else 4
-    cells = np.frombuffer(data, [("n", "u1"), ("corners", "<i4", corners)], faces, end + vertices.nbytes)
-    return vertices["point"][:, ::-1], cells["corners"], vertices["thickness"]
+    offset, cells = end + vertices.nbytes, []
+    for _ in range(faces):
+        cells.append(np.frombuffer(data, "<i4", data[offset], offset + 1))
+        offset += 1 + cells[-1].nbytes
+    most = max(map(len, cells), default=4)
+    cells = [cell if len(cell) == most else np.append(cell, cell[-1]) for cell in cells]
+    return vertices["point"][:, ::-1], np.array(cells, int).reshape(-1, most), vertices["thickness"]
 
 
 def run(arguments):

@@ -159,6 +159,15 @@ class Results(Folder):
             ("--triangles",): {"triangles": True},
             ("--smallest-component=50",): {"smallest_component": 50},
             ("--min-branch-length=3",): {"min_branch_length": 3},
+            ("--element-size=auto",): {"element_size": "auto"},
+            ("--element-size=4", "--triangles"): {"element_size": 4, "triangles": True},
+            ("--element-size=auto", "--extend-rims"): {"element_size": "auto", "extend_rims": True},
+            ("--element-size=auto", "--extend-rims", "--sub-voxel=off", "--smooth=on"): {
+                "element_size": "auto",
+                "extend_rims": True,
+                "sub_voxel": False,
+                "smooth": "on",
+            },
             ("--sub-voxel", "--smooth=off", "--thickness=3"): {"sub_voxel": True, "smooth": False, "thickness": 3},
         }
         for options, keywords in cases.items():
@@ -167,6 +176,30 @@ class Results(Folder):
                 self.assert_same_mesh(
                     medialvoxel.mesh(scene().astype("int16"), spacing=SPACING, lower=40, **keywords), path
                 )
+
+    def test_mesh_of_a_mask_with_elements_of_a_size(self):
+        mask = 200 * (scene() >= 40).astype("uint8")
+        for limits in ({"lower": 1}, {"upper": 199}, {}, {"lower": 1, "upper": 250}):
+            with self.subTest(limits):
+                options = [f"--{name}={value}" for name, value in limits.items()]
+                self.program("mesh", mask, self.folder / "mesh.ply", *options, "--element-size=auto", "--extend-rims")
+                found = medialvoxel.mesh(mask, spacing=SPACING, **limits, element_size="auto", extend_rims=True)
+                self.assert_same_mesh(found, self.folder / "mesh.ply")
+
+    def test_thickness_of_a_mask_on_its_values(self):
+        mask = 200 * (scene() >= 40).astype("uint8")
+        files = [self.folder / "labels.mha", f"--thickness-map={self.folder / 'thickness.mha'}"]
+        files += [f"--local-thickness={self.folder / 'local.mha'}", "--smooth=off", "--max-pore-size=0"]
+        self.program("extract", mask, *files, "--lower=1", "--sub-voxel")
+        options = {"smooth": "off", "max_pore_size": 0}
+        found = medialvoxel.extract(mask, spacing=SPACING, lower=1, sub_voxel=True, **options)
+        self.assert_same(found.thickness, read(self.folder / "thickness.mha"))
+        self.assertNotEqual(
+            found.thickness.tobytes(),
+            medialvoxel.extract(mask, spacing=SPACING, lower=1, sub_voxel=False, **options).thickness.tobytes(),
+        )
+        local = medialvoxel.local_thickness(mask, spacing=SPACING, lower=1, sub_voxel=True)
+        self.assert_same(local.thickness, read(self.folder / "local.mha"))
 
     def test_labels_of_every_type(self):
         cells = np.zeros((20, 24, 28))
