@@ -152,6 +152,7 @@ def main():
             plate.write(folder / "plate.mha", arguments.blur)
             command = [arguments.program, "mesh", folder / "plate.mha", mesh, "--lower", str(THRESHOLD)]
             command += ["--thickness", arguments.tau, "--voxel-units", "--overwrite", "--quiet"]
+            command += ["--element-size", "voxel"]
             command += ["--sub-voxel"] if arguments.sub_voxel else []
             subprocess.run(command, check=True)
         model = ShellModel(mesh)
