@@ -34,8 +34,9 @@ MESH_FORMATS = {
     ".ply": ("binary, little endian", "triangles, quads", "at vertices", "`object` of vertices", "2³¹ - 1 vertices, faces"),
     ".stl": ("binary", "triangles", "none", "none", "2³² - 1 triangles"),
     ".obj": ("text", "triangles, quads", "none", "groups", "none"),
-    ".inp": ("Abaqus, CalculiX", "S3, S4", "of sections", "sets", "999 999 999 nodes, elements"),
-    ".bdf": ("Nastran", "CTRIA3, CQUAD4", "of properties", "properties", "99 999 999 nodes, elements"),
+    ".inp": ("Abaqus, CalculiX", "S3, S4", "of sections, or at nodes", "sets", "999 999 999 nodes, elements"),
+    ".bdf": ("Nastran", "CTRIA3, CQUAD4", "of properties, or at corners", "properties", "99 999 999 nodes, elements"),
+    ".k": ("LS-DYNA", "shells", "of sections, or at corners", "parts", "99 999 999 nodes, elements"),
     ".glb": ("glTF 2.0, binary", "triangles", "at vertices, and as colors", "none", "4 GiB"),
 }
 
