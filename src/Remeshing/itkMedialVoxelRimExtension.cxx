@@ -116,22 +116,6 @@ public:
   }
 
 private:
-  const Vector &
-  PointOf(const Index point) const
-  {
-    return m_Sheet.points[point];
-  }
-  Vector
-  MiddleOf(const RimSide & side) const
-  {
-    return MedialVoxelMiddle(this->PointOf(side.a), this->PointOf(side.b));
-  }
-  std::array<Vector, 3>
-  CornersOf(const Triangle & triangle) const
-  {
-    return { { this->PointOf(triangle[0]), this->PointOf(triangle[1]), this->PointOf(triangle[2]) } };
-  }
-
   /** Of each point, onto the edges of its sides. */
   void
   FindShifts()
@@ -144,7 +128,7 @@ private:
       for (const std::size_t number : m_Lines.GetSidesOf(point))
       {
         const RimSide & side = m_Lines.GetSides()[number];
-        const double    length = side.edge - MedialVoxelDot(this->PointOf(point), side.outward);
+        const double    length = side.edge - MedialVoxelDot(m_Lines.PointOf(point), side.outward);
         edges.emplace_back(side.outward, std::max(0.0, length));
         sum = MedialVoxelAddScaled(sum, side.outward, 1.0);
         lengths += edges.back().second;
@@ -201,7 +185,7 @@ private:
       {
         break;
       }
-      way += MedialVoxelNorm(MedialVoxelSubtract(this->PointOf(side.b), this->PointOf(side.a)));
+      way += MedialVoxelNorm(MedialVoxelSubtract(m_Lines.PointOf(side.b), m_Lines.PointOf(side.a)));
       points.push_back(side.a == points.back() ? side.b : side.a);
       if (way > most || points.back() == start)
       {
@@ -219,8 +203,8 @@ private:
   void
   MeetAtCorner(const std::vector<Index> & points, const RimSide & first, const RimSide & last)
   {
-    const Vector between = MedialVoxelSubtract(this->PointOf(points.back()), this->PointOf(points.front()));
-    const Vector start = this->PointOf(points.front());
+    const Vector between = MedialVoxelSubtract(m_Lines.PointOf(points.back()), m_Lines.PointOf(points.front()));
+    const Vector start = m_Lines.PointOf(points.front());
     const double cosine = MedialVoxelDot(first.outward, last.outward);
     const bool   isOuter = MedialVoxelDot(between, first.outward) < 0.0 && MedialVoxelDot(between, last.outward) > 0.0;
     if (!isOuter || cosine > CosineOfPoint || cosine < -CosineOfPoint)
@@ -230,13 +214,13 @@ private:
     const Vector toCorner = Solve({ { first.outward, first.edge - MedialVoxelDot(start, first.outward) },
                                     { last.outward, last.edge - MedialVoxelDot(start, last.outward) } });
     const Vector corner = MedialVoxelAddScaled(start, toCorner, 1.0);
-    if (!m_Lines.IsInside(MedialVoxelMiddle(start, this->PointOf(points.back())), corner))
+    if (!m_Lines.IsInside(MedialVoxelMiddle(start, m_Lines.PointOf(points.back())), corner))
     {
       return;
     }
     for (const Index point : points)
     {
-      m_Shifts[point] = MedialVoxelSubtract(corner, this->PointOf(point));
+      m_Shifts[point] = MedialVoxelSubtract(corner, m_Lines.PointOf(point));
       m_Twins[point] = *std::min_element(points.begin(), points.end());
     }
   }
@@ -274,7 +258,7 @@ private:
       if (std::any_of(m_Lines.GetSidesOf(point).begin(), m_Lines.GetSidesOf(point).end(), [&](const std::size_t other) {
             const Index end =
               m_Lines.GetSides()[other].a == point ? m_Lines.GetSides()[other].b : m_Lines.GetSides()[other].a;
-            return MedialVoxelCosine(MedialVoxelSubtract(this->PointOf(end), this->PointOf(point)), outward) <
+            return MedialVoxelCosine(MedialVoxelSubtract(m_Lines.PointOf(end), m_Lines.PointOf(point)), outward) <
                    -CosineOfPoint;
           }))
       {
@@ -296,7 +280,7 @@ private:
     for (unsigned int step = 1; across > 0.0 && step <= Steps; ++step)
     {
       const double way = most * step / Steps;
-      const Vector place = MedialVoxelAddScaled(this->PointOf(point), shift, way / across);
+      const Vector place = MedialVoxelAddScaled(m_Lines.PointOf(point), shift, way / across);
       const double least = LeastClearance * way;
       if (tree.Find(place, 0).distance < (way > across ? std::min(least, near) : least))
       {
@@ -337,8 +321,8 @@ private:
   bool
   IsFlat(const RimSide & side) const
   {
-    const Vector & a = this->PointOf(side.a);
-    const Vector & b = this->PointOf(side.b);
+    const Vector & a = m_Lines.PointOf(side.a);
+    const Vector & b = m_Lines.PointOf(side.b);
     const Vector   farA = MedialVoxelAddScaled(a, m_Shifts[side.a], 1.0);
     const Vector   farB = MedialVoxelAddScaled(b, m_Shifts[side.b], 1.0);
     const Vector   facing = MedialVoxelCross(MedialVoxelSubtract(b, a), side.outward);
@@ -366,7 +350,8 @@ private:
         if (m_Across[point] > 0.0)
         {
           const double gap = GapOfThickness * m_Lines.FindThickness(point);
-          const Vector ahead = MedialVoxelAddScaled(this->PointOf(point), m_Shifts[point], 1.0 + gap / m_Across[point]);
+          const Vector ahead =
+            MedialVoxelAddScaled(m_Lines.PointOf(point), m_Shifts[point], 1.0 + gap / m_Across[point]);
           if (tree.Find(ahead, 0).distance < LeastClearance * gap)
           {
             found = true;
@@ -385,7 +370,7 @@ private:
     const auto       number = static_cast<Index>(m_Sheet.points.size());
     for (Index point = 0; point < number; ++point)
     {
-      candidate.points.push_back(MedialVoxelAddScaled(this->PointOf(point), m_Shifts[point], 1.0));
+      candidate.points.push_back(MedialVoxelAddScaled(m_Lines.PointOf(point), m_Shifts[point], 1.0));
     }
     for (const RimSide & side : m_Lines.GetSides())
     {
@@ -412,10 +397,10 @@ private:
       m_Summary.cutBack += m_IsCut[point] ? 1 : 0;
       m_Summary.length += m_Across[point] / static_cast<double>(m_Summary.points);
       m_Summary.longest = std::max(m_Summary.longest, m_Across[point]);
-      const Vector place = MedialVoxelAddScaled(this->PointOf(point), m_Shifts[point], 1.0);
+      const Vector place = MedialVoxelAddScaled(m_Lines.PointOf(point), m_Shifts[point], 1.0);
       const Index  twin = far[m_Twins[point]];
       if (m_Twins[point] < point &&
-          MedialVoxelNorm(MedialVoxelSubtract(this->PointOf(twin), place)) < SamePlace * m_Across[point])
+          MedialVoxelNorm(MedialVoxelSubtract(m_Lines.PointOf(twin), place)) < SamePlace * m_Across[point])
       {
         far[point] = twin;
       }
@@ -447,7 +432,7 @@ private:
     }
     for (std::size_t number = first; number < m_Sheet.triangles.size(); ++number)
     {
-      m_Summary.area += MedialVoxelNorm(MedialVoxelTriangleNormal(this->CornersOf(m_Sheet.triangles[number]))) / 2.0;
+      m_Summary.area += MedialVoxelNorm(MedialVoxelTriangleNormal(m_Lines.CornersOf(m_Sheet.triangles[number]))) / 2.0;
     }
   }
 

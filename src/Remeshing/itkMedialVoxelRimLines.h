@@ -63,6 +63,24 @@ public:
     return static_cast<Index>(m_SidesOf.size());
   }
 
+  const Vector &
+  PointOf(const Index point) const
+  {
+    return m_Sheet.points[point];
+  }
+
+  Vector
+  MiddleOf(const RimSide & side) const
+  {
+    return MedialVoxelMiddle(this->PointOf(side.a), this->PointOf(side.b));
+  }
+
+  std::array<Vector, 3>
+  CornersOf(const Triangle & triangle) const
+  {
+    return { { this->PointOf(triangle[0]), this->PointOf(triangle[1]), this->PointOf(triangle[2]) } };
+  }
+
   /** Counts of sides, and their length. */
   const MedialVoxelRimExtensionSummary &
   GetSummary() const
@@ -85,24 +103,6 @@ public:
 private:
   /** Sides of a rim are of one line while they turn by less than 25 degrees. */
   static constexpr double CosineOfLine = 0.9;
-
-  const Vector &
-  PointOf(const Index point) const
-  {
-    return m_Sheet.points[point];
-  }
-
-  Vector
-  MiddleOf(const RimSide & side) const
-  {
-    return MedialVoxelMiddle(this->PointOf(side.a), this->PointOf(side.b));
-  }
-
-  std::array<Vector, 3>
-  CornersOf(const Triangle & triangle) const
-  {
-    return { { this->PointOf(triangle[0]), this->PointOf(triangle[1]), this->PointOf(triangle[2]) } };
-  }
 
   /** Calls visit(side, turns) for the sides of the line of a side, as far as it is straight, and for a share of the
    * thickness to both sides; turns: it goes the other way. */
