@@ -200,6 +200,20 @@ class PlatesTest(RimsTestCase):
         self.assertLess(min(ends), 4.2)
         self.assertGreater(max(ends), 42.8)
 
+    def test_another_material_at_the_edge(self):
+        # A plate of 4 between two limits; from x = 40 on all is brighter.
+        volume = volumes.Volume((56, 34, 14), [])
+        volume.voxels = [
+            220 if x >= 40 else 150 * (5 <= z < 9 and 4 <= y < 30 and x >= 4) for x, y, z in volume.indices()
+        ]
+        volumes.write_meta(self.folder / "in.mha", volume)
+        run = ("mesh", "in.mha", "m.inp", "--lower", 75, "--upper", 185, "--sub-voxel", "--extend-rims", "--report", "-")
+        rims = json.loads(self.run_program(*run).stdout)["mesh"]["remeshing"]["rims"]
+        self.assertEqual(rims["sides_without_surface"], 0)
+        x = [point[0] for point in Mesh(self.folder / "m.inp").points.values()]
+        self.assertAlmostEqual(min(x), 3.5, delta=0.4)
+        self.assertAlmostEqual(max(x), 39.5, delta=0.4)
+
     def test_same_bytes_for_any_division(self):
         Plate(rectangle(40, 24), (20, 12), 4, (1, 2, 5)).write(self.folder / "in.mha")
         contents = set()

@@ -179,9 +179,13 @@ MedialVoxelRemesher::ListSides() const
 bool
 MedialVoxelRemesher::IsStuck(const Index a, const Index b) const
 {
-  if (!m_Fine.HasShared() || (m_Complex.IsShared(a) && m_Complex.IsShared(b)))
+  if (!m_Fine.HasShared())
   {
-    return m_Fine.HasShared();
+    return false;
+  }
+  if (m_Complex.IsShared(a) && m_Complex.IsShared(b))
+  {
+    return true;
   }
   const double           length = this->GetLength(a, b);
   const Complex::Indices triangles = m_Complex.FindTriangles(a, b);
