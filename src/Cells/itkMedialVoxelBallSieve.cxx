@@ -161,11 +161,9 @@ MedialVoxelBallSieve::ReachOf(const double radius) const
 }
 
 void
-MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &           cells,
-                            const std::vector<double> &             radii,
-                            Workspace &                             workspace,
-                            std::vector<MedialVoxelInscribedBall> & balls,
-                            MedialVoxelBits &                       open) const
+MedialVoxelBallSieve::Survey(const MedialVoxelBox &                        box,
+                             const std::vector<MedialVoxelInscribedBall> & balls,
+                             Workspace &                                   workspace) const
 {
   double largest = 0.0;
   for (const MedialVoxelInscribedBall & ball : balls)
@@ -178,11 +176,10 @@ MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &           cells,
   {
     margin[axis] = BlockEdge * static_cast<std::int64_t>(std::min(mostReach, m_MostReach[axis]));
   }
-  const Blocks blocks(cells.GetBits().GetBox().Expanded(margin));
+  workspace.box = box.Expanded(margin);
+  const Blocks blocks(workspace.box);
   auto &       layers = workspace.layers;
   layers.resize(mostReach + 1);
-
-  // The largest ball that may cover a cell of each block.
   for (auto & layer : layers)
   {
     layer.assign(blocks.GetNumber(), 0.0);
@@ -201,6 +198,24 @@ MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &           cells,
     std::transform(
       layers[reach].begin(), layers[reach].end(), layers[reach - 1].begin(), layers[reach - 1].begin(), Larger);
   }
+}
+
+double
+MedialVoxelBallSieve::GetLargest(const MedialVoxelIndex & cell, const Workspace & workspace)
+{
+  return workspace.layers[0][Blocks(workspace.box).NumberOf(cell)];
+}
+
+void
+MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &           cells,
+                            const std::vector<double> &             radii,
+                            Workspace &                             workspace,
+                            std::vector<MedialVoxelInscribedBall> & balls,
+                            MedialVoxelBits &                       open) const
+{
+  const Blocks      blocks(workspace.box);
+  auto &            layers = workspace.layers;
+  const std::size_t mostReach = layers.size() - 1;
 
   // The smallest radius of a cell that can be raised in each block, then within each reach.
   const std::vector<double> & largestBalls = layers[0];

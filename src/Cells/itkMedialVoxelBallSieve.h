@@ -41,17 +41,28 @@ public:
    */
   struct Workspace
   {
+    MedialVoxelBox                   box;    // of the blocks
     std::vector<std::vector<double>> layers; // of values of blocks, by the blocks that balls reach
     std::vector<double>              spread;
   };
 
   explicit MedialVoxelBallSieve(const MedialVoxelGrid & grid);
 
-  /** Keeps what may matter; balls and cells of \a open stay in their order.
+  /** Finds the largest balls around the cells of \a box. */
+  void
+  Survey(const MedialVoxelBox &                        box,
+         const std::vector<MedialVoxelInscribedBall> & balls,
+         Workspace &                                   workspace) const;
+
+  /** At least the radius of the largest ball of the survey that covers \a cell, which is in its box; 0 for no ball. */
+  static double
+  GetLargest(const MedialVoxelIndex & cell, const Workspace & workspace);
+
+  /** Keeps what may matter; balls and cells of \a open stay in their order. The workspace serves once after a survey.
    *
-   * \param cells  bits by index of the cell, ranked
+   * \param cells  bits by index of the cell, ranked, of the box of the survey
    * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set
-   * \param balls  of them those stay that may be larger than the radius of a cell which they cover
+   * \param balls  those of the survey; of them those stay that may be larger than the radius of a cell which they cover
    * \param open   replaced by the cells that a larger ball may cover */
   void
   Sieve(const MedialVoxelRankedBits &           cells,

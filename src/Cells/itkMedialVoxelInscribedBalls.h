@@ -39,10 +39,26 @@ public:
 
   explicit MedialVoxelInscribedBalls(const MedialVoxelGrid & grid);
 
-  /** Raise the radius of each cell of \a cells to that of the largest ball that covers it.
+  /** Find the largest balls around the cells of \a box, for GetLargest() and Raise(). */
+  void
+  Survey(const MedialVoxelBox &                        box,
+         const std::vector<MedialVoxelInscribedBall> & balls,
+         Workspace &                                   workspace) const
+  {
+    m_Sieve.Survey(box, balls, workspace.sieve);
+  }
+
+  /** At least the radius of the largest ball that covers a cell of the survey. */
+  static double
+  GetLargest(const MedialVoxelIndex & cell, const Workspace & workspace)
+  {
+    return MedialVoxelBallSieve::GetLargest(cell, workspace.sieve);
+  }
+
+  /** Raise the radius of each cell of \a cells to that of the largest ball that covers it, once after a survey.
    *
-   * \param balls  replaced by some of them
-   * \param cells  bits by index of the cell, ranked
+   * \param balls  those of the survey; replaced by some of them
+   * \param cells  bits by index of the cell, ranked, of the box of the survey
    * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set; 0 where a cell has none
    */
   void

@@ -46,6 +46,7 @@ MedialVoxelJointClassifier::MedialVoxelJointClassifier(const MedialVoxelGrid &  
   , m_Threshold(grid, parameters)
   , m_Flood(grid, parameters.epsilon)
   , m_LengthFlood(grid, MedialVoxelParameters::EpsilonFromThickness(ThicknessOfFlood * grid.GetShortestEdge()))
+  , m_Blocks(grid)
   , m_Separation(grid)
 {}
 
@@ -60,6 +61,9 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
   {
     return {};
   }
+  m_Threshold.SurveyBalls(labels.GetTile(), workspace.m_Threshold);
+  this->SeparateByBlocks(input, workspace, labels);
+  this->BoundCells(input, workspace, labels);
   m_Threshold.RaiseRadii(workspace.m_Threshold);
   this->LabelAtOnce(sites, workspace, labels);
   this->LeaveOutBranches(workspace, labels);
@@ -292,8 +296,7 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const d
   }
 }
 
-/** Find the cells of the tile that are not trivial, those that fall short of the smallest threshold as far as a flood
- * can tell, and the balls in and around the tile. False when aborted. */
+/** Find the cells of the tile that are not trivial, and the balls in and around the tile. False when aborted. */
 bool
 MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
                                     Workspace &                  workspace,
@@ -302,8 +305,6 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
   const MedialVoxelBox & tile = labels.GetTile();
   auto &                 threshold = workspace.m_Threshold;
   threshold.balls.clear();
-  threshold.radii.clear();
-  threshold.cells.Reshape(tile);
   workspace.m_Ranks.Reshape(tile);
   workspace.m_Cells.clear();
   workspace.m_Pairs.clear();
@@ -337,7 +338,7 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
       }
       if (isInTile)
       {
-        this->AddCell(*input.window.sites, center, widest.pair, radius, workspace, labels);
+        this->AddCell(center, widest.pair, radius, labels, workspace);
       }
     }
     return !input.progress.IsAborted();
@@ -346,20 +347,17 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
   {
     return false;
   }
-  threshold.cells.Rank();
   workspace.m_Ranks.Rank();
   return true;
 }
 
-/** Take a cell of the tile that is not trivial; it waits for its threshold unless floods show that it falls short of
- * the one that its own ball sets. */
+/** Take a cell of the tile that is not trivial. */
 void
-MedialVoxelJointClassifier::AddCell(const MedialVoxelBits &  sites,
-                                    const MedialVoxelIndex & center,
-                                    const MedialVoxelPair &  pair,
-                                    const double             radius,
-                                    Workspace &              workspace,
-                                    MedialVoxelTileLabels &  labels) const
+MedialVoxelJointClassifier::AddCell(const MedialVoxelIndex &      center,
+                                    const MedialVoxelPair &       pair,
+                                    const double                  radius,
+                                    const MedialVoxelTileLabels & labels,
+                                    Workspace &                   workspace) const
 {
   Cell cell;
   cell.center = center;
@@ -367,26 +365,85 @@ MedialVoxelJointClassifier::AddCell(const MedialVoxelBits &  sites,
   cell.b = pair.GetB();
   cell.label = labels.OffsetOf(center);
   cell.radius = radius;
-  const double epsilon = m_Threshold.EpsilonOf(radius);
-  if (m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper)
-  {
-    this->BoundByFloods(sites, pair, epsilon, cell);
-    cell.isWaiting = cell.bounds.longest > m_Parameters.epsilon && !cell.bounds.FallShortOf(epsilon);
-  }
   workspace.m_Ranks.Set(center);
   workspace.m_Cells.push_back(cell);
-  if (!cell.isWaiting)
+  if (m_Parameters.bound == MedialVoxelPseudoGeodesicBound::Paper)
   {
-    labels.Decide(cell.label, MedialVoxelLabel::NonMedial);
+    workspace.m_Pairs.push_back(pair);
+  }
+}
+
+/** Decide the cells whose points no path joins that is shorter than any threshold they can have. */
+void
+MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
+                                             Workspace &                  workspace,
+                                             MedialVoxelTileLabels &      labels) const
+{
+  if (m_Parameters.bound == MedialVoxelPseudoGeodesicBound::Paper)
+  {
     return;
   }
-  // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
-  const bool   isBounded = cell.bounds.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
-  const double known =
-    isBounded ? 0.0 : m_Threshold.RadiusBelow(cell.bounds.shortest * (1.0 - 3.0 * MedialVoxelResolutionBand));
-  workspace.m_Threshold.cells.Set(center);
-  workspace.m_Threshold.radii.push_back(std::max(radius, known));
-  workspace.m_Pairs.push_back(pair);
+  MedialVoxelPollCounter poll;
+  for (Cell & cell : workspace.m_Cells)
+  {
+    poll.Count();
+    cell.epsilon =
+      m_Threshold.EpsilonOf(m_Threshold.GetLargestRadius(cell.center, cell.radius, workspace.m_Threshold));
+  }
+  m_Blocks.Narrow(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
+  for (Cell & cell : workspace.m_Cells)
+  {
+    poll.Count();
+    // The bound has its own label, for which the threshold itself must be known.
+    if (cell.bounds.Reach(cell.epsilon) && m_Pairs.GetCell().FreeSpaceLength(cell.GetDifference()) < m_Threshold.EpsilonOf(cell.radius))
+    {
+      cell.isWaiting = false;
+      labels.Decide(cell.label, MedialVoxelLabel::MedialByGeodesic);
+    }
+  }
+}
+
+/** Find the cells that fall short of the threshold that their own ball sets, as far as floods can tell; the others wait
+ * for their threshold. */
+void
+MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
+                                       Workspace &                  workspace,
+                                       MedialVoxelTileLabels &      labels) const
+{
+  auto & threshold = workspace.m_Threshold;
+  threshold.cells.Reshape(labels.GetTile());
+  threshold.radii.clear();
+  MedialVoxelPollCounter poll;
+  for (Cell & cell : workspace.m_Cells)
+  {
+    poll.Count();
+    if (!cell.isWaiting)
+    {
+      continue;
+    }
+    double known = 0.0;
+    if (m_Parameters.bound != MedialVoxelPseudoGeodesicBound::Paper)
+    {
+      const MedialVoxelPair pair{ cell.a, cell.GetDifference(), {}, {} };
+      const double          epsilon = m_Threshold.EpsilonOf(cell.radius);
+      this->BoundByFloods(*input.window.sites, pair, epsilon, cell);
+      if (cell.bounds.longest <= m_Parameters.epsilon || cell.bounds.FallShortOf(epsilon))
+      {
+        cell.isWaiting = false;
+        labels.Decide(cell.label, MedialVoxelLabel::NonMedial);
+        continue;
+      }
+      workspace.m_Pairs.push_back(pair);
+      // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
+      const bool isBounded =
+        cell.bounds.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
+      known =
+        isBounded ? 0.0 : m_Threshold.RadiusBelow(cell.bounds.shortest * (1.0 - 3.0 * MedialVoxelResolutionBand));
+    }
+    threshold.cells.Set(cell.center);
+    threshold.radii.push_back(std::max(cell.radius, known));
+  }
+  threshold.cells.Rank();
 }
 
 /** What floods tell of the geodesic distance of a cell whose threshold is at least \a epsilon. */

@@ -4,6 +4,7 @@
 #define itkMedialVoxelJointClassifier_h
 
 #include "itkMedialVoxelBitFlood.h"
+#include "itkMedialVoxelBlockSeparation.h"
 #include "itkMedialVoxelLocalThreshold.h"
 #include "itkMedialVoxelPairSeparation.h"
 #include "itkMedialVoxelProgress.h"
@@ -49,9 +50,16 @@ private:
     MedialVoxelIndex        b;
     std::size_t             label{ 0 };         // position in the labels of the tile
     double                  radius{ 0.0 };      // of its own ball, or 0
+    double                  epsilon{ 0.0 };     // at least its threshold
     MedialVoxelLengthBounds bounds;             // of the geodesic distance
     bool                    isAtFloor{ false }; // known to reach the smallest threshold
     bool                    isWaiting{ true };  // for its own threshold
+
+    MedialVoxelDisplacement
+    GetDifference() const
+    {
+      return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+    }
   };
 
 public:
@@ -77,6 +85,7 @@ public:
     std::vector<Cell>                       m_Cells;
     std::vector<MedialVoxelPair>            m_Pairs; // of the cells that wait for their threshold
     std::vector<MedialVoxelSeparationQuery> m_Queries;
+    MedialVoxelBlockSeparation::Workspace   m_Blocks;
     MedialVoxelPairSeparation::Workspace    m_Separation;
   };
 
@@ -117,12 +126,17 @@ private:
   Collect(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   void
-  AddCell(const MedialVoxelBits &  sites,
-          const MedialVoxelIndex & center,
-          const MedialVoxelPair &  pair,
-          double                   radius,
-          Workspace &              workspace,
-          MedialVoxelTileLabels &  labels) const;
+  AddCell(const MedialVoxelIndex &      center,
+          const MedialVoxelPair &       pair,
+          double                        radius,
+          const MedialVoxelTileLabels & labels,
+          Workspace &                   workspace) const;
+
+  void
+  SeparateByBlocks(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
+
+  void
+  BoundCells(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   void
   BoundByFloods(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
@@ -169,6 +183,7 @@ private:
   MedialVoxelLocalThreshold m_Threshold;
   MedialVoxelBitFlood       m_Flood;       // for the smallest threshold
   MedialVoxelBitFlood       m_LengthFlood; // for the longest paths it can find
+  MedialVoxelBlockSeparation m_Blocks;
   MedialVoxelPairSeparation m_Separation;
 };
 

@@ -102,6 +102,7 @@ MedialVoxelLocalThreshold::Compute(const MedialVoxelBits &     object,
     }
     return true;
   });
+  this->SurveyBalls(asked.GetBox(), workspace);
   this->RaiseRadii(workspace);
 }
 

@@ -7,6 +7,7 @@
 #include "itkMedialVoxelInscribedBalls.h"
 #include "itkMedialVoxelParameters.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace itk
@@ -65,7 +66,21 @@ public:
            m_Parameters.thicknessFactor * (radius * m_Unit) > m_Parameters.epsilon;
   }
 
-  /** Raise the radii of the cells of a workspace, d(p) or 0 at first, to LT(p) in metric units. */
+  /** Find the largest balls of a workspace around the cells of a tile, for GetLargestRadius() and RaiseRadii(). */
+  void
+  SurveyBalls(const MedialVoxelBox & tile, Workspace & workspace) const
+  {
+    m_Cover.Survey(tile, workspace.balls, workspace.cover);
+  }
+
+  /** At least LT(p) of a cell of the surveyed tile with a ball of \a radius or 0, in metric units. */
+  static double
+  GetLargestRadius(const MedialVoxelIndex & cell, const double radius, const Workspace & workspace)
+  {
+    return std::max(radius, MedialVoxelInscribedBalls::GetLargest(cell, workspace.cover));
+  }
+
+  /** Raise the radii of the cells of a workspace, d(p) or 0 at first, to LT(p) in metric units, once after a survey. */
   void
   RaiseRadii(Workspace & workspace) const
   {

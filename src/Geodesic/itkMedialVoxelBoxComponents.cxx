@@ -5,7 +5,6 @@
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace itk
 {
@@ -61,6 +60,11 @@ MedialVoxelBoxComponents::Label(const MedialVoxelBits & boundary, const MedialVo
     }
   }
   m_FirstRun.push_back(static_cast<std::uint32_t>(m_Runs.size()));
+  // Parents come before their runs.
+  for (Run & run : m_Runs)
+  {
+    run.parent = m_Runs[run.parent].parent;
+  }
 }
 
 /** Join the runs of the last row with those of an earlier one that they touch. */
@@ -74,7 +78,7 @@ MedialVoxelBoxComponents::Join(const std::size_t row, const std::size_t otherRow
     const WordType touched = bits | (bits << 1) | (bits >> 1);
     for (std::uint32_t other = m_FirstRun[otherRow]; other < end; ++other)
     {
-      if ((m_Runs[other].bits & touched) != 0)
+      if ((m_Runs[other].bits & touched) != 0 && m_Runs[run].parent != m_Runs[other].parent)
       {
         const std::uint32_t root = this->RootOf(run);
         const std::uint32_t otherRoot = this->RootOf(other);
@@ -85,24 +89,6 @@ MedialVoxelBoxComponents::Join(const std::size_t row, const std::size_t otherRow
       }
     }
   }
-}
-
-std::uint32_t
-MedialVoxelBoxComponents::RunAt(const MedialVoxelIndex & index) const
-{
-  if (m_Box.Contains(index))
-  {
-    const std::size_t row = this->RowOf(index[1], index[2]);
-    const WordType    bit = WordType{ 1 } << (index[0] - m_Box.lower[0]);
-    for (std::uint32_t run = m_FirstRun[row]; run < m_FirstRun[row + 1]; ++run)
-    {
-      if ((m_Runs[run].bits & bit) != 0)
-      {
-        return run;
-      }
-    }
-  }
-  throw std::out_of_range("MedialVoxelBoxComponents: a point is not a boundary point of the box");
 }
 
 std::uint32_t

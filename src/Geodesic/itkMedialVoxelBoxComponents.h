@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 namespace itk
@@ -35,7 +36,7 @@ public:
   bool
   AreConnected(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
   {
-    return this->RootOf(this->RunAt(a)) == this->RootOf(this->RunAt(b));
+    return m_Runs[this->RunAt(a)].parent == m_Runs[this->RunAt(b)].parent;
   }
 
 private:
@@ -43,7 +44,7 @@ private:
   struct Run
   {
     std::uint64_t bits;
-    std::uint32_t parent;
+    std::uint32_t parent; // the first run of the component when all are labeled
   };
 
   std::size_t
@@ -53,7 +54,22 @@ private:
   }
 
   std::uint32_t
-  RunAt(const MedialVoxelIndex & index) const;
+  RunAt(const MedialVoxelIndex & index) const
+  {
+    if (m_Box.Contains(index))
+    {
+      const std::size_t   row = this->RowOf(index[1], index[2]);
+      const std::uint64_t bit = std::uint64_t{ 1 } << (index[0] - m_Box.lower[0]);
+      for (std::uint32_t run = m_FirstRun[row]; run < m_FirstRun[row + 1]; ++run)
+      {
+        if ((m_Runs[run].bits & bit) != 0)
+        {
+          return run;
+        }
+      }
+    }
+    throw std::out_of_range("MedialVoxelBoxComponents: a point is not a boundary point of the box");
+  }
 
   std::uint32_t
   RootOf(std::uint32_t run) const;

@@ -85,14 +85,22 @@ MedialVoxelDualCell::FreeSpaceLength(const MedialVoxelDisplacement & difference)
   // The length of an edge is a concave function of a sum over its axes, hence submodular: steps along all axes first,
   // then along the two longest, then along the longest, are the shortest path.
   std::array<unsigned int, 3> order{ { 0, 1, 2 } };
-  const auto                  steps = [&](const unsigned int axis) { return std::abs(difference[axis]); };
-  std::sort(order.begin(), order.end(), [&](unsigned int i, unsigned int j) { return steps(i) > steps(j); });
-
-  MedialVoxelEdgeCounts counts{};
-  counts[1u << order[0]] = steps(order[0]) - steps(order[1]);
-  counts[(1u << order[0]) | (1u << order[1])] = steps(order[1]) - steps(order[2]);
-  counts[7] = steps(order[2]);
-  return MedialVoxelPathLength(m_Grid, counts);
+  const auto                  steps = [&](const unsigned int i) { return std::abs(difference[order[i]]); };
+  const auto                  sort = [&](const unsigned int i, const unsigned int j) {
+    if (steps(i) < steps(j))
+    {
+      std::swap(order[i], order[j]);
+    }
+  };
+  sort(0, 1);
+  sort(1, 2);
+  sort(0, 1);
+  const unsigned int longest = 1u << order[0];
+  const unsigned int longer = longest | 1u << order[1];
+  // In the order of MedialVoxelPathLength().
+  return (static_cast<double>(steps(0) - steps(1)) * m_Grid.GetEdgeLength(longest) +
+          static_cast<double>(steps(1) - steps(2)) * m_Grid.GetEdgeLength(longer)) +
+         static_cast<double>(steps(2)) * m_Grid.GetEdgeLength(7);
 }
 
 double
