@@ -28,6 +28,7 @@ MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const
   : m_Grid(grid)
   , m_Parameters(parameters)
   , m_Pairs(grid, parameters.epsilon)
+  , m_Reaching(grid)
   , m_Decision(grid, parameters)
 {
   if (DecidesTogether(grid, parameters))
@@ -39,8 +40,7 @@ MedialVoxelClassifier::MedialVoxelClassifier(const MedialVoxelGrid & grid, const
 MedialVoxelBox
 MedialVoxelClassifier::GetVoxelBox(const MedialVoxelBox & tile) const
 {
-  const bool isAutomatic = m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
-  return this->GetCornerBox(isAutomatic ? tile.Expanded(m_Joint->GetThreshold().GetMargin()) : tile);
+  return this->GetCornerBox(this->IsAutomatic() ? tile.Expanded(m_Joint->GetThreshold().GetMargin()) : tile);
 }
 
 MedialVoxelBox
@@ -55,6 +55,22 @@ MedialVoxelClassifier::GetCornerBox(const MedialVoxelBox & tile) const
   return box.Intersection(m_Grid.GetVoxelBox());
 }
 
+MedialVoxelWindow
+MedialVoxelClassifier::FindAsked(const MedialVoxelWindow & window,
+                                 const MedialVoxelBox &    tile,
+                                 const bool                looksAround,
+                                 Workspace &               workspace) const
+{
+  MedialVoxelWindow result = window;
+  if (this->IsAutomatic())
+  {
+    const MedialVoxelBox cells = looksAround ? tile.Expanded(m_Grid.GetUnitMargin()) : tile;
+    m_Reaching.Find(*window.object, cells.Intersection(m_Grid.GetCellBox()), this->GetVoxelBox(tile), workspace.reaching);
+    result.asked = &workspace.reaching.asked;
+  }
+  return result;
+}
+
 MedialVoxelBox
 MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
                                 const MedialVoxelBox &      tile,
@@ -64,7 +80,7 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
                                 std::vector<std::uint8_t> & labels,
                                 MedialVoxelCounts &         counts) const
 {
-  const MedialVoxelTileInput input{ window, features, progress };
+  const MedialVoxelTileInput input{ window, GetReachingVoxels(window, workspace), features, progress };
   MedialVoxelTileLabels      tileLabels(tile, labels, counts, workspace.keepsRows ? &workspace.rows : nullptr);
   if (!m_Joint || workspace.keepsRows)
   {
@@ -84,7 +100,7 @@ MedialVoxelClassifier::ClassifyEach(const MedialVoxelTileInput &         input,
 {
   MedialVoxelBox         missing;
   MedialVoxelPollCounter poll;
-  m_Pairs.Visit(*input.window.object, input.features, labels.GetTile(), [&](const MedialVoxelCells & cells) {
+  m_Pairs.Visit(input.corners, input.features, labels.GetTile(), [&](const MedialVoxelCells & cells) {
     poll.Count(static_cast<std::uint32_t>(cells.number));
     return this->ClassifyCells(input, cells, workspace, labels, missing);
   });
@@ -157,7 +173,9 @@ MedialVoxelClassifier::GetWorkspaceBytes(const MedialVoxelGrid & grid, const Med
 std::uint64_t
 MedialVoxelClassifier::GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters)
 {
-  return DecidesTogether(grid, parameters) ? MedialVoxelJointClassifier::BytesPerVoxel : 0;
+  const bool isAutomatic = parameters.mode == MedialVoxelThicknessMode::Automatic;
+  return (DecidesTogether(grid, parameters) ? MedialVoxelJointClassifier::BytesPerVoxel : 0) +
+         (isAutomatic ? MedialVoxelReachingVoxels::BytesPerVoxel : 0);
 }
 
 } // end namespace itk

@@ -9,6 +9,7 @@
 #include "itkMedialVoxelPairDecision.h"
 #include "itkMedialVoxelParameters.h"
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelReachingVoxels.h"
 #include "itkMedialVoxelThickness.h"
 #include "itkMedialVoxelTileLabels.h"
 
@@ -39,6 +40,7 @@ public:
   {
     MedialVoxelPairDecision::Workspace    geodesic;
     MedialVoxelJointClassifier::Workspace joint;
+    MedialVoxelReachingVoxels::Workspace  reaching;
 
     /** With keepsRows: the rows of the last tile that have candidates. */
     bool                            keepsRows{ false };
@@ -55,15 +57,33 @@ public:
   MedialVoxelBox
   GetVoxelBox(const MedialVoxelBox & tile) const;
 
+  /** The window with the voxels of GetVoxelBox() that need a displacement, which the workspace keeps until the next tile:
+   * with an automatic thickness, those around \a tile matter only where balls reach it. Other windows ask for all.
+   *
+   * \param window       object bits of GetVoxelBox()
+   * \param looksAround  the cells beside \a tile need their thresholds, too */
+  MedialVoxelWindow
+  FindAsked(const MedialVoxelWindow & window,
+            const MedialVoxelBox &    tile,
+            bool                      looksAround,
+            Workspace &               workspace) const;
+
+  /** Object voxels whose cells are looked at, of a window of FindAsked() or one that asks for all. */
+  static const MedialVoxelBits &
+  GetReachingVoxels(const MedialVoxelWindow & window, const Workspace & workspace)
+  {
+    return window.asked == nullptr ? *window.object : workspace.reaching.reaching;
+  }
+
   /** Labels of \a tile, x fastest.
    *
-   * \param window    object bits, and the background border as sites
-   * \param tile      indices to label; the last index of an active axis has no cell and gets 0
-   * \param features  displacements for GetVoxelBox(tile)
-   * \param progress  asked for an abort before each cell that is not trivial, after which labels and counts are
+   * \param window     object bits, and the background border as sites
+   * \param tile       indices to label; the last index of an active axis has no cell and gets 0
+   * \param features   displacements for GetVoxelBox(tile), as far as the window asks for them
+   * \param progress   asked for an abort before each cell that is not trivial, after which labels and counts are
    * incomplete
-   * \param labels    MedialVoxelLabel values, resized to the tile
-   * \param counts    cells of each phase, added to the numbers that it holds
+   * \param labels     MedialVoxelLabel values, resized to the tile
+   * \param counts     cells of each phase, added to the numbers that it holds
    * \return an empty box when all cells are decided, otherwise the box of sites that must be known to decide them */
   MedialVoxelBox
   Classify(const MedialVoxelWindow &   window,
@@ -114,6 +134,12 @@ public:
   GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
 private:
+  bool
+  IsAutomatic() const
+  {
+    return m_Parameters.mode == MedialVoxelThicknessMode::Automatic;
+  }
+
   /** Decide one cell after the other. */
   MedialVoxelBox
   ClassifyEach(const MedialVoxelTileInput &         input,
@@ -130,6 +156,7 @@ private:
   MedialVoxelGrid                           m_Grid;
   MedialVoxelParameters                     m_Parameters;
   MedialVoxelCellPairs                      m_Pairs;
+  MedialVoxelReachingVoxels                 m_Reaching;
   MedialVoxelPairDecision                   m_Decision;
   std::optional<MedialVoxelJointClassifier> m_Joint; // for what is decided together
 };

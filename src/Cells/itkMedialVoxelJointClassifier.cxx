@@ -20,6 +20,9 @@ namespace
 /** Thickness in voxels of the threshold of the second flood; more does not fit its words. */
 constexpr double ThicknessOfFlood = 5.0;
 
+/** Steps along each axis between the points of most cells beside a sheet. */
+constexpr std::int64_t ShortWay = 2;
+
 /** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
 constexpr double LargestBranch = 0.85;
 
@@ -343,7 +346,7 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
     }
     return !input.progress.IsAborted();
   };
-  if (!m_Pairs.Visit(*input.window.object, input.features, m_Threshold.GetCellBox(tile), visit))
+  if (!m_Pairs.Visit(input.corners, input.features, m_Threshold.GetCellBox(tile), visit))
   {
     return false;
   }
@@ -373,6 +376,24 @@ MedialVoxelJointClassifier::AddCell(const MedialVoxelIndex &      center,
   }
 }
 
+/** Decide a cell whose points are near each other, if they are also along the boundary: most such cells lie beside a
+ * sheet, which no block can tell. */
+bool
+MedialVoxelJointClassifier::LeaveOut(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const
+{
+  const MedialVoxelDisplacement difference = cell.GetDifference();
+  const auto isShort = [](const std::int64_t steps) { return std::abs(steps) <= ShortWay; };
+  if (!std::all_of(difference.begin(), difference.end(), isShort) ||
+      m_Flood.Decide(sites, cell.a, difference) != MedialVoxelBitFlood::Result::FallsShort)
+  {
+    return false;
+  }
+  cell.bounds.longest = m_Parameters.epsilon;
+  cell.isWaiting = false;
+  labels.Decide(cell.label, MedialVoxelLabel::NonMedial);
+  return true;
+}
+
 /** Decide the cells whose points no path joins that is shorter than any threshold they can have. */
 void
 MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
@@ -387,15 +408,17 @@ MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
   for (Cell & cell : workspace.m_Cells)
   {
     poll.Count();
-    cell.epsilon =
-      m_Threshold.EpsilonOf(m_Threshold.GetLargestRadius(cell.center, cell.radius, workspace.m_Threshold));
+    const bool isLeftOut = this->LeaveOut(*input.window.sites, cell, labels);
+    cell.epsilon = isLeftOut ? 0.0
+                             : m_Threshold.EpsilonOf(
+                                 m_Threshold.GetLargestRadius(cell.center, cell.radius, workspace.m_Threshold));
   }
   m_Blocks.Narrow(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
   for (Cell & cell : workspace.m_Cells)
   {
     poll.Count();
     // The bound has its own label, for which the threshold itself must be known.
-    if (cell.bounds.Reach(cell.epsilon) && m_Pairs.GetCell().FreeSpaceLength(cell.GetDifference()) < m_Threshold.EpsilonOf(cell.radius))
+    if (cell.isWaiting && cell.bounds.Reach(cell.epsilon) && m_Pairs.GetCell().FreeSpaceLength(cell.GetDifference()) < m_Threshold.EpsilonOf(cell.radius))
     {
       cell.isWaiting = false;
       labels.Decide(cell.label, MedialVoxelLabel::MedialByGeodesic);

@@ -25,6 +25,7 @@ namespace itk
 struct MedialVoxelTileInput
 {
   const MedialVoxelWindow &   window;   ///< object bits, and the background border as sites
+  const MedialVoxelBits &     corners;  ///< object voxels whose cells are looked at
   const MedialVoxelFeatures & features; ///< displacements of MedialVoxelClassifier::GetVoxelBox()
   const MedialVoxelProgress & progress; ///< asked for an abort, after which labels and counts are incomplete
 };
@@ -50,7 +51,7 @@ private:
     MedialVoxelIndex        b;
     std::size_t             label{ 0 };         // position in the labels of the tile
     double                  radius{ 0.0 };      // of its own ball, or 0
-    double                  epsilon{ 0.0 };     // at least its threshold
+    double                  epsilon{ 0.0 };     // at least its threshold, while blocks may separate its points
     MedialVoxelLengthBounds bounds;             // of the geodesic distance
     bool                    isAtFloor{ false }; // known to reach the smallest threshold
     bool                    isWaiting{ true };  // for its own threshold
@@ -131,6 +132,9 @@ private:
           double                        radius,
           const MedialVoxelTileLabels & labels,
           Workspace &                   workspace) const;
+
+  bool
+  LeaveOut(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const;
 
   void
   SeparateByBlocks(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;

@@ -75,7 +75,7 @@ MedialVoxelLocalThreshold::EpsilonOf(const double radius) const
 }
 
 void
-MedialVoxelLocalThreshold::Compute(const MedialVoxelBits &     object,
+MedialVoxelLocalThreshold::Compute(const MedialVoxelBits &     corners,
                                    const MedialVoxelFeatures & features,
                                    Workspace &                 workspace) const
 {
@@ -83,7 +83,7 @@ MedialVoxelLocalThreshold::Compute(const MedialVoxelBits &     object,
   workspace.balls.clear();
   workspace.radii.assign(workspace.cells.GetNumberOfBits(), 0.0);
   MedialVoxelPollCounter poll;
-  m_Pairs.Visit(object, features, this->GetCellBox(asked.GetBox()), [&](const MedialVoxelCells & cells) {
+  m_Pairs.Visit(corners, features, this->GetCellBox(asked.GetBox()), [&](const MedialVoxelCells & cells) {
     poll.Count(static_cast<std::uint32_t>(cells.number));
     for (auto rest = m_Pairs.Spread(cells); rest != 0; rest &= rest - 1)
     {

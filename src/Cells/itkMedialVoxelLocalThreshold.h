@@ -101,10 +101,11 @@ public:
   /** Find LT(p) of the cells of a workspace, in metric units, in the order of their ranks; 0 where there is no cell
    * with a corner in the object.
    *
-   * \param object    bits of the corners of all cells of GetCellBox() of the cells
-   * \param features  displacements of these corners */
+   * \param corners   object voxels at the corners of the cells of GetCellBox() of the cells; those whose cells have no
+   * ball that reaches one of these may be left out
+   * \param features  displacements at all corners of cells with such a corner */
   void
-  Compute(const MedialVoxelBits & object, const MedialVoxelFeatures & features, Workspace & workspace) const;
+  Compute(const MedialVoxelBits & corners, const MedialVoxelFeatures & features, Workspace & workspace) const;
 
 private:
   /** Cells along each axis that a ball reaches. */

@@ -152,11 +152,13 @@ MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) cons
   std::uint64_t          voxels = 0;
   for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
   {
-    const WordType * const object = tile.window.object->GetRow(y, z) - tile.window.object->GetFirstWord();
+    const auto rowOf = [y, z](const MedialVoxelBits & bits) { return bits.GetRow(y, z) - bits.GetFirstWord(); };
+    const WordType * const object = rowOf(*tile.window.object);
+    const WordType * const asked = tile.window.asked == nullptr ? nullptr : rowOf(*tile.window.asked);
     for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
     {
-      const WordType query =
-        ((object[word] ^ flip) | all) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
+      const WordType query = ((object[word] ^ flip) | all) & (asked == nullptr ? ~WordType{ 0 } : asked[word]) &
+                             MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
       tile.Remaining(word, y, z) = query;
       if (query != 0)
       {

@@ -26,6 +26,7 @@ struct MedialVoxelWindow
 {
   const MedialVoxelBits * object;
   const MedialVoxelBits * sites;
+  const MedialVoxelBits * asked{ nullptr }; ///< of all voxels of a tile those that get a displacement; null for all
 };
 
 /** \class MedialVoxelFeatureTransform

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelExtractionTask.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace itk
@@ -107,7 +108,7 @@ MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
                                    MedialVoxelSums &               sums) const
 {
   auto &     workspace = static_cast<TileWorkspace &>(genericWorkspace);
-  const Tile tile{ box, moving, moving.GetWindow(MedialVoxelBoundary::Background), progress, workspace };
+  Tile       tile{ box, moving, moving.GetWindow(MedialVoxelBoundary::Background), progress, workspace };
   // Objects of the neighboring tiles may have their boundary in a tile without object, which most of a thin part are.
   sums.counts.boundaryVoxels = tile.window.sites->Count(box);
   if (!tile.window.object->Any(m_Classifier.GetCornerBox(box)))
@@ -116,9 +117,15 @@ MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
     result.isEmpty = true;
     return {};
   }
-  const auto     start = ClockType::now();
+  const auto           start = ClockType::now();
+  const MedialVoxelBox voxels = m_Classifier.GetVoxelBox(box);
+  if (!tile.window.object->GetBox().Contains(voxels))
+  {
+    return tile.window.sites->GetBox().Union(voxels);
+  }
+  tile.window = m_Classifier.FindAsked(tile.window, box, this->LooksAround(), workspace.classifier);
   MedialVoxelBox missing = this->FindNearest(tile);
-  const auto     middle = ClockType::now();
+  const auto middle = ClockType::now();
   sums.distanceSeconds = SecondsBetween(start, middle);
   if (!missing.IsEmpty())
   {
@@ -142,6 +149,14 @@ MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
     sums.counts.objectVoxels = tile.window.object->Count(box);
   }
   return missing;
+}
+
+bool
+MedialVoxelExtractionTask::LooksAround() const
+{
+  return std::any_of(m_Settings.observers.begin(), m_Settings.observers.end(), [](const auto * const observer) {
+    return observer->LooksAround();
+  });
 }
 
 MedialVoxelBox

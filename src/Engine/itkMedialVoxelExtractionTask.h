@@ -64,6 +64,10 @@ private:
     TileWorkspace &                 workspace;
   };
 
+  /** Whether an observer looks at cells beside a tile. */
+  bool
+  LooksAround() const;
+
   // The steps return an empty box when they are done, otherwise the sites that must be known.
 
   MedialVoxelBox

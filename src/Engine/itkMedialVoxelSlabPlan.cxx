@@ -168,7 +168,7 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
   {
     // Whole words along x. Features of thin parts fit the second-level cache; tiles of thick parts grow with their
     // halo, as a tile repeats the work of the halo around it, and those with a margin all the more.
-    const std::int64_t smallest = m_Settings.tileMargin[1] > 0 ? LargestTileEdge : SmallestTileEdge;
+    const std::int64_t smallest = m_Settings.tileMargin[1] > 0 ? 64 : SmallestTileEdge;
     const std::int64_t edge =
       std::clamp(std::max(halo[1], halo[2]) / SmallestTileEdge * SmallestTileEdge, smallest, LargestTileEdge);
     cut.tileSize = { { NarrowTile, edge, edge } };

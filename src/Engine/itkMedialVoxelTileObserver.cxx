@@ -19,6 +19,12 @@ void
 MedialVoxelTileObserver::MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange &)
 {}
 
+bool
+MedialVoxelTileObserver::LooksAround() const
+{
+  return false;
+}
+
 MedialVoxelBits::WordType
 MedialVoxelTileObserver::SelectCells(const MedialVoxelCellRow &) const
 {

@@ -73,6 +73,10 @@ public:
   virtual void
   MeasureOnGrayValues(const MedialVoxelExtraction::GrayRange & range);
 
+  /** True when the observer looks at the thresholds of cells beside a tile; default false. */
+  virtual bool
+  LooksAround() const;
+
   virtual void
   Begin() = 0;
 

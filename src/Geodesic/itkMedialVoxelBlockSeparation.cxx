@@ -8,14 +8,18 @@ namespace itk
 {
 
 MedialVoxelBox
-MedialVoxelBlockSeparation::GetBox(const Extent & extent) const
+MedialVoxelBlockSeparation::GetBox(const Extent & extent, const double length) const
 {
-  // Paths stay in an ellipsoid around their points; along the line through them it reaches less far beyond them.
-  const double unit = m_Grid.GetMetricUnit();
-  const double focalSum = extent.epsilon / unit * (1.0 + 8.0 * MedialVoxelResolutionBand);
-  const double squaredMinor = 0.25 * std::max(0.0, focalSum * focalSum - extent.squaredLength);
-  return extent.points.Expanded(m_Grid.MarginForMetricLength(std::sqrt(squaredMinor)))
-    .Intersection(m_Grid.GetVoxelBox());
+  // A path that leaves the box by the plane beside it is at least 2 sqrt(h^2 + s^2 / 4) long, with the length s of the
+  // pair and the way h from its nearer point to the plane.
+  const double     focalSum = length / m_Grid.GetMetricUnit() * (1.0 + 2.0 * MedialVoxelResolutionBand);
+  const double     squaredWay = 0.25 * std::max(0.0, focalSum * focalSum - extent.squaredLength);
+  MedialVoxelIndex margin = m_Grid.MarginForMetricLength(std::sqrt(squaredWay));
+  for (std::int64_t & steps : margin)
+  {
+    steps = std::max<std::int64_t>(steps - 1, 0);
+  }
+  return extent.points.Expanded(margin).Intersection(m_Grid.GetVoxelBox());
 }
 
 } // end namespace itk

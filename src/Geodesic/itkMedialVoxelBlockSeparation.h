@@ -3,10 +3,10 @@
 #ifndef itkMedialVoxelBlockSeparation_h
 #define itkMedialVoxelBlockSeparation_h
 
-#include "itkMedialVoxelBoundedGeodesic.h"
 #include "itkMedialVoxelBoxComponents.h"
 #include "itkMedialVoxelLengthBounds.h"
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelResolutionBand.h"
 
 #include <algorithm>
 #include <array>
@@ -22,9 +22,9 @@ namespace itk
 /** \class MedialVoxelBlockSeparation
  * \brief Finds for many pairs of boundary points how long a path between them is at least.
  *
- * The pairs whose middles lie in one block of voxels share the components of the boundary in a box around the block.
- * No path that stays in the box joins points in different components, and every other path is at least as long as the
- * way out of the box and back. On either side of a wall this decides most pairs for the price of a few words each.
+ * The pairs whose middles lie in one block of voxels share the components of the boundary in a box around the block,
+ * which holds all short paths between their points: none joins points in different components. On either side of a wall
+ * this decides most pairs for the price of a few words each.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelBlockSeparation
@@ -54,7 +54,7 @@ public:
    * \param boundary  boundary points; pairs whose box reaches beyond them keep their bounds
    * \param progress  asked for an abort before each block
    * \param pairs     each with the boundary points \c a and \c b, the length \c epsilon up to which paths matter, in
-   * physical units, and the \c bounds of their geodesic distance */
+   * physical units, and the \c bounds of their geodesic distance; those with an \c epsilon of 0 are left alone */
   template <typename TPair>
   void
   Narrow(const MedialVoxelBits &     boundary,
@@ -108,23 +108,33 @@ private:
     for (const TPair & pair : pairs)
     {
       poll.Count();
-      Include(BlockOf(pair.a, pair.b), blocks);
+      if (pair.epsilon > 0.0)
+      {
+        Include(BlockOf(pair.a, pair.b), blocks);
+      }
     }
     workspace.m_Ends.assign(static_cast<std::size_t>(blocks.NumberOfVoxels()) + 1, 0);
     workspace.m_Blocks.clear();
     for (const TPair & pair : pairs)
     {
-      const auto block = static_cast<std::uint32_t>(blocks.OffsetOf(BlockOf(pair.a, pair.b)));
-      workspace.m_Blocks.push_back(block);
-      ++workspace.m_Ends[block + 1];
+      if (pair.epsilon > 0.0)
+      {
+        const auto block = static_cast<std::uint32_t>(blocks.OffsetOf(BlockOf(pair.a, pair.b)));
+        workspace.m_Blocks.push_back(block);
+        ++workspace.m_Ends[block + 1];
+      }
     }
     // Each block begins where the one before ends, and is filled up to its own end.
     std::partial_sum(workspace.m_Ends.begin(), workspace.m_Ends.end(), workspace.m_Ends.begin());
-    workspace.m_Order.resize(pairs.size());
+    workspace.m_Order.resize(workspace.m_Blocks.size());
+    auto block = workspace.m_Blocks.begin();
     for (std::size_t i = 0; i < pairs.size(); ++i)
     {
       poll.Count();
-      workspace.m_Order[workspace.m_Ends[workspace.m_Blocks[i]]++] = static_cast<std::uint32_t>(i);
+      if (pairs[i].epsilon > 0.0)
+      {
+        workspace.m_Order[workspace.m_Ends[*block++]++] = static_cast<std::uint32_t>(i);
+      }
     }
   }
 
@@ -147,7 +157,8 @@ private:
         extent.squaredLength,
         m_Grid.SquaredMetricLength(pair.a[0] - pair.b[0], pair.a[1] - pair.b[1], pair.a[2] - pair.b[2]));
     }
-    const MedialVoxelBox box = this->GetBox(extent);
+    const double         length = extent.epsilon * (1.0 + 2.0 * MedialVoxelResolutionBand);
+    const MedialVoxelBox box = this->GetBox(extent, length);
     if (!boundary.GetBox().Contains(box) || box.Extent(0) > MedialVoxelBoxComponents::LongestRow)
     {
       return;
@@ -158,14 +169,14 @@ private:
       TPair & pair = pairs[workspace.m_Order[i]];
       if (!workspace.m_Components.AreConnected(pair.a, pair.b))
       {
-        pair.bounds.Narrow({ MedialVoxelBoundedGeodesic::LengthWithin(m_Grid, pair.a, pair.b, box) });
+        pair.bounds.Narrow({ length });
       }
     }
   }
 
-  /** The box that holds all paths of a block that matter. */
+  /** The box that holds all paths of a block that are shorter than \a length. */
   MedialVoxelBox
-  GetBox(const Extent & extent) const;
+  GetBox(const Extent & extent, double length) const;
 
   /** Extend a box so that it holds an index. */
   static void

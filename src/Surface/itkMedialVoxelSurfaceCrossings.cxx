@@ -228,7 +228,8 @@ MedialVoxelSurfaceCrossings::FindThresholds(const MedialVoxelClassifiedTile & ti
       edge.voxel, edge.axis, cellBox, [&](const MedialVoxelIndex & cell, unsigned int) { cells.Set(cell); });
   }
   cells.Rank();
-  m_Threshold.Compute(*tile.window.object, tile.features, workspace.m_Threshold);
+  m_Threshold.Compute(
+    tile.classifier.GetReachingVoxels(tile.window, tile.classification), tile.features, workspace.m_Threshold);
 }
 
 /** Decide a query by its threshold, which it gets, by bounds, and by what is known of its cells; false if they do not

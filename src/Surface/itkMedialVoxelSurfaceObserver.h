@@ -78,6 +78,12 @@ public:
   std::unique_ptr<Workspace>
   MakeWorkspace() const override;
 
+  bool
+  LooksAround() const override
+  {
+    return true;
+  }
+
   void
   Begin() override;
 
