@@ -26,7 +26,7 @@ Spread(const std::int32_t a, const std::int32_t b)
 }
 
 /** Sign bits of the cells of a group. */
-inline void
+__attribute__((always_inline)) inline void
 SpreadOfGroup(const MedialVoxelCornerRows & corners,
               const std::int64_t            begin,
               const std::int64_t            numberOfCells,
@@ -54,9 +54,31 @@ SpreadOfGroup(const MedialVoxelCornerRows & corners,
   }
 }
 
+/** Sign bits of a group side by side, the first one lowest. */
+inline std::uint64_t
+GatherSigns(const std::uint32_t (&numbers)[GroupSize])
+{
+  static_assert(GroupSize == 16, "two words of bytes");
+  std::uint8_t signs[GroupSize];
+  for (std::int64_t i = 0; i < GroupSize; ++i)
+  {
+    signs[i] = static_cast<std::uint8_t>(numbers[i] >> 31);
+  }
+  // The product moves the lowest bits of eight bytes to the highest byte.
+  const auto bitsOf = [](const std::uint8_t * const bytes) {
+    std::uint64_t word = 0;
+    for (unsigned int i = 0; i < 8; ++i)
+    {
+      word |= static_cast<std::uint64_t>(bytes[i]) << (8 * i);
+    }
+    return (word * 0x0102040810204080u) >> 56;
+  };
+  return bitsOf(signs) | (bitsOf(signs + 8) << 8);
+}
+
 } // namespace
 
-std::uint64_t
+__attribute__((target_clones("avx2", "default"))) std::uint64_t
 MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners,
                        const std::uint64_t           cells,
                        const std::int64_t            numberOfCells)
@@ -78,10 +100,7 @@ MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners,
     {
       SpreadOfGroup(corners, begin, numberOfCells - begin, spread);
     }
-    for (std::int64_t i = 0; i < GroupSize; ++i)
-    {
-      result |= static_cast<std::uint64_t>(spread[i] >> 31) << (begin + i);
-    }
+    result |= GatherSigns(spread) << begin;
   }
   return result & cells;
 }

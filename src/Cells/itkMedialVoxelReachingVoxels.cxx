@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace itk
 {
@@ -55,6 +56,10 @@ FindNeighbors(const MedialVoxelBits & object, const MedialVoxelBits & bits, Medi
       WordType * const       to = neighbors.GetRow(y, z) - first;
       for (std::int64_t word = first; word < first + bits.GetWordsPerRow(); ++word)
       {
+        if (from[word] == 0)
+        {
+          continue;
+        }
         const WordType asked = from[word] & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
         WordType       around = bits.GetRow(y, z)[word - first];
         for (std::int64_t nz = z - 1; nz <= z + 1 && (asked & ~around) != 0; ++nz)
@@ -76,52 +81,78 @@ FindNeighbors(const MedialVoxelBits & object, const MedialVoxelBits & bits, Medi
 class MedialVoxelReachingVoxels::Search
 {
 public:
-  Search(const MedialVoxelReachingVoxels & owner, const MedialVoxelBits & object, const MedialVoxelBox & corners)
+  Search(const MedialVoxelReachingVoxels & owner,
+         const MedialVoxelBits &           object,
+         const MedialVoxelBox &            corners,
+         const MedialVoxelBits &           reaching)
     : m_Owner(owner)
     , m_Object(object)
     , m_Corners(corners)
-  {}
+    , m_FirstWord(reaching.GetFirstWord())
+  {
+    const MedialVoxelBox & box = reaching.GetBox();
+    for (std::int64_t word = m_FirstWord; word < m_FirstWord + reaching.GetWordsPerRow(); ++word)
+    {
+      Columns  columns{};
+      WordType rest = MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
+      for (std::size_t i = columns.size(); i-- > 0;)
+      {
+        columns[i] = rest & ColumnsFrom(word, m_Corners, FirstColumns[i]);
+        rest &= ~columns[i];
+      }
+      m_Columns.push_back(columns);
+    }
+    const MedialVoxelGrid & grid = owner.m_Grid;
+    for (const std::int64_t column : FirstColumns)
+    {
+      m_StepsAlong[0].push_back(owner.GetSteps(static_cast<double>(column) * grid.GetMetricSpacing()[0]));
+    }
+    for (unsigned int axis = 1; axis < 3; ++axis)
+    {
+      const std::int64_t most = std::max(m_Corners.lower[axis] - box.lower[axis], box.upper[axis] - m_Corners.upper[axis]);
+      for (std::int64_t offset = 0; offset <= std::max<std::int64_t>(most, 0); ++offset)
+      {
+        m_StepsAlong[axis].push_back(owner.GetSteps(static_cast<double>(offset) * grid.GetMetricSpacing()[axis]));
+      }
+    }
+  }
 
-  /** Go to a row; the steps of one depend on its offset alone. */
+  /** Go to a row. */
   void
   SetRow(const std::int64_t y, const std::int64_t z)
   {
     m_Y = y;
     m_Z = z;
-    const std::int64_t offsetY = OffsetFrom(m_Corners.lower[1], m_Corners.upper[1], y);
-    const std::int64_t offsetZ = OffsetFrom(m_Corners.lower[2], m_Corners.upper[2], z);
-    if (offsetY != m_OffsetY || offsetZ != m_OffsetZ)
+    const auto & along = m_StepsAlong;
+    const auto & stepsY = along[1][static_cast<std::size_t>(OffsetFrom(m_Corners.lower[1], m_Corners.upper[1], y))];
+    const auto & stepsZ = along[2][static_cast<std::size_t>(OffsetFrom(m_Corners.lower[2], m_Corners.upper[2], z))];
+    for (std::size_t i = 0; i < FirstColumns.size(); ++i)
     {
-      m_OffsetY = offsetY;
-      m_OffsetZ = offsetZ;
-      for (std::size_t i = 0; i < FirstColumns.size(); ++i)
+      for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        m_Steps[i] = m_Owner.GetSteps({ { FirstColumns[i], offsetY, offsetZ } });
+        m_Steps[i][axis] = std::max({ along[0][i][axis], stepsY[axis], stepsZ[axis] });
       }
     }
   }
 
-  /** Those of a word of object voxels that lie deep enough. */
+  /** The object voxels of a word that lie deep enough. */
   WordType
-  FindIn(const std::int64_t word, WordType voxels) const
+  FindIn(const std::int64_t word, const WordType object) const
   {
-    WordType reaching = 0;
-    // Most words are not beside the cells.
-    const std::int64_t first = word * MedialVoxelBits::BitsPerWord;
-    if (first >= m_Corners.lower[0] && first + MedialVoxelBits::BitsPerWord <= m_Corners.upper[0])
+    const Columns & columns = m_Columns[static_cast<std::size_t>(word - m_FirstWord)];
+    WordType        reaching = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i)
     {
-      return this->FindDeep(word, voxels, m_Steps[0]);
-    }
-    for (std::size_t i = FirstColumns.size(); i-- > 0 && voxels != 0;)
-    {
-      const WordType columns = voxels & ColumnsFrom(word, m_Corners, FirstColumns[i]);
-      voxels &= ~columns;
-      reaching |= this->FindDeep(word, columns, m_Steps[i]);
+      const WordType voxels = object & columns[i];
+      reaching |= voxels == 0 ? 0 : this->FindDeep(word, voxels, m_Steps[i]);
     }
     return reaching;
   }
 
 private:
+  /** The bits of a word in each range of columns. */
+  using Columns = std::array<WordType, FirstColumns.size()>;
+
   /** Bits whose voxels so many steps away along x are object or not known. */
   WordType
   AlongX(const WordType * const row, const std::int64_t word, const std::int64_t steps) const
@@ -144,7 +175,7 @@ private:
   WordType
   FindDeep(const std::int64_t word, WordType voxels, const MedialVoxelIndex & steps) const
   {
-    if (voxels != 0 && steps[1] > 0)
+    if (steps[1] > 0)
     {
       voxels &= this->RowAt(word, m_Y - steps[1], m_Z) & this->RowAt(word, m_Y + steps[1], m_Z);
     }
@@ -162,10 +193,11 @@ private:
   const MedialVoxelReachingVoxels &                 m_Owner;
   const MedialVoxelBits &                           m_Object;
   MedialVoxelBox                                    m_Corners;
+  std::int64_t                                      m_FirstWord;
+  std::vector<Columns>                              m_Columns; // of each word of a row
   std::int64_t                                      m_Y{ 0 };
   std::int64_t                                      m_Z{ 0 };
-  std::int64_t                                      m_OffsetY{ -1 };
-  std::int64_t                                      m_OffsetZ{ -1 };
+  std::array<std::vector<MedialVoxelIndex>, 3>      m_StepsAlong; // of ranges of columns, and of rows by their offset
   std::array<MedialVoxelIndex, FirstColumns.size()> m_Steps{};
 };
 
@@ -177,13 +209,8 @@ MedialVoxelReachingVoxels::MedialVoxelReachingVoxels(const MedialVoxelGrid & gri
 }
 
 MedialVoxelIndex
-MedialVoxelReachingVoxels::GetSteps(const MedialVoxelIndex & offset) const
+MedialVoxelReachingVoxels::GetSteps(const double way) const
 {
-  double way = 0.0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    way = std::max(way, static_cast<double>(offset[axis]) * m_Grid.GetMetricSpacing()[axis]);
-  }
   // Shifts are less than a word; a test of fewer steps is as right, and leaves out less.
   constexpr double most = MedialVoxelBits::BitsPerWord - 1;
   const double     depth = (way - m_HalfDiagonal) * (1.0 - MedialVoxelResolutionBand);
@@ -212,7 +239,7 @@ MedialVoxelReachingVoxels::Find(const MedialVoxelBits & object,
   {
     corners.upper[axis] += m_Grid.GetUnitMargin()[axis];
   }
-  Search             search(*this, object, corners);
+  Search             search(*this, object, corners, reaching);
   const std::int64_t first = reaching.GetFirstWord();
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
   {
@@ -224,8 +251,10 @@ MedialVoxelReachingVoxels::Find(const MedialVoxelBits & object,
       search.SetRow(y, z);
       for (std::int64_t word = first; word < first + reaching.GetWordsPerRow(); ++word)
       {
-        const WordType bits = from[word] & MedialVoxelBits::RangeMask(word, voxels.lower[0], voxels.upper[0]);
-        to[word] = bits == 0 ? 0 : search.FindIn(word, bits);
+        if (from[word] != 0)
+        {
+          to[word] = search.FindIn(word, from[word]);
+        }
       }
     }
   }

@@ -56,9 +56,10 @@ private:
 
   class Search;
 
-  /** Steps along each axis that end in the object, from a voxel at an offset from the corners of the cells. */
+  /** Steps along each axis that end in the object, from a voxel so far from the corners of the cells along an axis, in
+   * metric units; longer ways have no fewer. */
   MedialVoxelIndex
-  GetSteps(const MedialVoxelIndex & offset) const;
+  GetSteps(double way) const;
 
   MedialVoxelGrid m_Grid;
   double          m_HalfDiagonal{ 0.0 };

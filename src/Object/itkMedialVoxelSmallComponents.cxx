@@ -161,13 +161,18 @@ private:
     for (std::int64_t word = box.lower[0] / MedialVoxelBits::BitsPerWord; word <= lastWord; ++word)
     {
       const std::int64_t w = word - firstWord;
-      WordType firsts = m_Bits.GetWord(w, ownY, ownZ) & MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
       // Long runs of one kind have at most one bit left for the look at other rows.
-      firsts &= ~this->BitsAfterOthersInRow(w, ownY, ownZ);
-      if (firsts != 0)
+      WordType firsts = m_Bits.GetWord(w, ownY, ownZ) & ~this->BitsAfterOthersInRow(w, ownY, ownZ);
+      if (firsts == 0)
       {
-        firsts &= ~this->BitsAfterOtherRows(w, ownY, ownZ);
+        continue;
       }
+      firsts = this->LeaveOutAfterOtherRows(firsts, w, ownY, ownZ);
+      if (firsts == 0)
+      {
+        continue;
+      }
+      firsts &= MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
       for (; firsts != 0; firsts &= firsts - 1)
       {
         const auto x = static_cast<std::int32_t>(w * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(firsts));
@@ -183,9 +188,9 @@ private:
     return m_Unit[0] == 0 ? 0 : (m_Bits.GetWord(w, y, z) << 1) | (m_Bits.GetWord(w - 1, y, z) >> 63);
   }
 
-  /** Bits of a word with a neighbor of their kind in a row before theirs. */
+  /** Bits of a word without a neighbor of their kind in a row before theirs. */
   WordType
-  BitsAfterOtherRows(const std::int64_t w, const std::int64_t y, const std::int64_t z) const
+  LeaveOutAfterOtherRows(WordType bits, const std::int64_t w, const std::int64_t y, const std::int64_t z) const
   {
     const auto rowsBefore = [&](const std::int64_t word) {
       WordType sum = 0;
@@ -196,11 +201,23 @@ private:
       return sum;
     };
     const WordType before = rowsBefore(w);
+    bits &= ~before;
     if (m_Unit[0] == 0)
     {
-      return before;
+      return bits;
     }
-    return before | (before << 1) | (rowsBefore(w - 1) >> 63) | (before >> 1) | (rowsBefore(w + 1) << 63);
+    bits &= ~((before << 1) | (before >> 1));
+    // Only the bits at the ends of the word have neighbors in other words.
+    constexpr WordType last = WordType{ 1 } << (MedialVoxelBits::BitsPerWord - 1);
+    if ((bits & 1u) != 0)
+    {
+      bits &= ~(rowsBefore(w - 1) >> (MedialVoxelBits::BitsPerWord - 1));
+    }
+    if ((bits & last) != 0)
+    {
+      bits &= ~(rowsBefore(w + 1) << (MedialVoxelBits::BitsPerWord - 1));
+    }
+    return bits;
   }
 
   void
