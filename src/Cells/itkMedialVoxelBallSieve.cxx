@@ -5,6 +5,7 @@
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace itk
@@ -207,11 +208,12 @@ MedialVoxelBallSieve::GetLargest(const MedialVoxelIndex & cell, const Workspace 
 }
 
 void
-MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &           cells,
-                            const std::vector<double> &             radii,
-                            Workspace &                             workspace,
-                            std::vector<MedialVoxelInscribedBall> & balls,
-                            MedialVoxelBits &                       open) const
+MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &                 cells,
+                            const std::vector<double> &                   radii,
+                            const std::vector<MedialVoxelInscribedBall> & all,
+                            Workspace &                                   workspace,
+                            std::vector<MedialVoxelInscribedBall> &       balls,
+                            MedialVoxelBits &                             open) const
 {
   const Blocks      blocks(workspace.box);
   auto &            layers = workspace.layers;
@@ -235,7 +237,8 @@ MedialVoxelBallSieve::Sieve(const MedialVoxelRankedBits &           cells,
     return !blocks.GetBox().Contains(ball.center) ||
            ball.radius <= layers[this->ReachOf(ball.radius)][blocks.NumberOf(ball.center)];
   };
-  balls.erase(std::remove_if(balls.begin(), balls.end(), raisesNone), balls.end());
+  balls.clear();
+  std::remove_copy_if(all.begin(), all.end(), std::back_inserter(balls), raisesNone);
 }
 
 } // end namespace itk

@@ -62,14 +62,16 @@ public:
    *
    * \param cells  bits by index of the cell, ranked, of the box of the survey
    * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set
-   * \param balls  those of the survey; of them those stay that may be larger than the radius of a cell which they cover
+   * \param all    the balls of the survey
+   * \param balls  replaced by those that may be larger than the radius of a cell which they cover
    * \param open   replaced by the cells that a larger ball may cover */
   void
-  Sieve(const MedialVoxelRankedBits &           cells,
-        const std::vector<double> &             radii,
-        Workspace &                             workspace,
-        std::vector<MedialVoxelInscribedBall> & balls,
-        MedialVoxelBits &                       open) const;
+  Sieve(const MedialVoxelRankedBits &                 cells,
+        const std::vector<double> &                   radii,
+        const std::vector<MedialVoxelInscribedBall> & all,
+        Workspace &                                   workspace,
+        std::vector<MedialVoxelInscribedBall> &       balls,
+        MedialVoxelBits &                             open) const;
 
 private:
   /** Blocks around that of its center in which a ball may have cells. */

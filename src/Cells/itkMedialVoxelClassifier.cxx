@@ -55,6 +55,12 @@ MedialVoxelClassifier::GetCornerBox(const MedialVoxelBox & tile) const
   return box.Intersection(m_Grid.GetVoxelBox());
 }
 
+MedialVoxelBox
+MedialVoxelClassifier::GetCells(const MedialVoxelBox & tile, const bool looksAround) const
+{
+  return (looksAround ? tile.Expanded(m_Grid.GetUnitMargin()) : tile).Intersection(m_Grid.GetCellBox());
+}
+
 MedialVoxelWindow
 MedialVoxelClassifier::FindAsked(const MedialVoxelWindow & window,
                                  const MedialVoxelBox &    tile,
@@ -64,8 +70,8 @@ MedialVoxelClassifier::FindAsked(const MedialVoxelWindow & window,
   MedialVoxelWindow result = window;
   if (this->IsAutomatic())
   {
-    const MedialVoxelBox cells = looksAround ? tile.Expanded(m_Grid.GetUnitMargin()) : tile;
-    m_Reaching.Find(*window.object, cells.Intersection(m_Grid.GetCellBox()), this->GetVoxelBox(tile), workspace.reaching);
+    workspace.cells = this->GetCells(tile, looksAround);
+    m_Reaching.Find(*window.object, workspace.cells, this->GetVoxelBox(tile), workspace.reaching);
     result.asked = &workspace.reaching.asked;
   }
   return result;
@@ -80,7 +86,11 @@ MedialVoxelClassifier::Classify(const MedialVoxelWindow &   window,
                                 std::vector<std::uint8_t> & labels,
                                 MedialVoxelCounts &         counts) const
 {
-  const MedialVoxelTileInput input{ window, GetReachingVoxels(window, workspace), features, progress };
+  if (window.asked == nullptr)
+  {
+    workspace.cells = this->GetCells(tile, this->IsAutomatic());
+  }
+  const MedialVoxelTileInput input{ window, workspace.cells, GetReachingVoxels(window, workspace), features, progress };
   MedialVoxelTileLabels      tileLabels(tile, labels, counts, workspace.keepsRows ? &workspace.rows : nullptr);
   if (!m_Joint || workspace.keepsRows)
   {

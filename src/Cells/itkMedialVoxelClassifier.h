@@ -41,6 +41,7 @@ public:
     MedialVoxelPairDecision::Workspace    geodesic;
     MedialVoxelJointClassifier::Workspace joint;
     MedialVoxelReachingVoxels::Workspace  reaching;
+    MedialVoxelBox                        cells; // that get a threshold
 
     /** With keepsRows: the rows of the last tile that have candidates. */
     bool                            keepsRows{ false };
@@ -105,16 +106,12 @@ public:
   static bool
   DecidesTogether(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
-  /** MedialVoxelJointClassifier::NarrowByCell(), of a classifier that decides together. */
-  void
-  NarrowByCell(const Workspace &         workspace,
-               const MedialVoxelIndex &  cell,
-               const MedialVoxelIndex &  a,
-               const MedialVoxelIndex &  b,
-               MedialVoxelLengthBounds & bounds) const
+  /** What decided the last tile; of a classifier that decides together. */
+  const MedialVoxelJointClassifier &
+  GetJoint() const
   {
     assert(m_Joint);
-    m_Joint->NarrowByCell(workspace.joint, cell, a, b, bounds);
+    return *m_Joint;
   }
 
   /** The thresholds of cells; only with an automatic thickness. */
@@ -134,6 +131,10 @@ public:
   GetWorkspaceBytesPerVoxel(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);
 
 private:
+  /** The cells that get a threshold: observers may look at those beside a tile, too. */
+  MedialVoxelBox
+  GetCells(const MedialVoxelBox & tile, bool looksAround) const;
+
   bool
   IsAutomatic() const
   {

@@ -199,16 +199,17 @@ private:
 };
 
 void
-MedialVoxelInscribedBalls::Raise(std::vector<MedialVoxelInscribedBall> & balls,
-                                 const MedialVoxelRankedBits &           cells,
-                                 Workspace &                             workspace,
-                                 std::vector<double> &                   radii) const
+MedialVoxelInscribedBalls::Raise(const std::vector<MedialVoxelInscribedBall> & all,
+                                 const MedialVoxelRankedBits &                 cells,
+                                 Workspace &                                   workspace,
+                                 std::vector<double> &                         radii) const
 {
-  if (balls.empty() || radii.empty())
+  if (all.empty() || radii.empty())
   {
     return;
   }
-  m_Sieve.Sieve(cells, radii, workspace.sieve, balls, workspace.open);
+  auto & balls = workspace.balls;
+  m_Sieve.Sieve(cells, radii, all, workspace.sieve, balls, workspace.open);
   // The first ball that covers a cell is the largest.
   std::sort(balls.begin(), balls.end(), [](const MedialVoxelInscribedBall & a, const MedialVoxelInscribedBall & b) {
     return a.radius > b.radius;

@@ -33,6 +33,7 @@ public:
   struct Workspace
   {
     MedialVoxelBallSieve::Workspace        sieve;
+    std::vector<MedialVoxelInscribedBall>  balls; // that may raise a cell
     MedialVoxelBits                        open; // cells that no ball covers yet
     std::vector<MedialVoxelBits::WordType> rows; // bits of the parts of rows that have open cells
   };
@@ -57,15 +58,15 @@ public:
 
   /** Raise the radius of each cell of \a cells to that of the largest ball that covers it, once after a survey.
    *
-   * \param balls  those of the survey; replaced by some of them
+   * \param balls  those of the survey
    * \param cells  bits by index of the cell, ranked, of the box of the survey
    * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set; 0 where a cell has none
    */
   void
-  Raise(std::vector<MedialVoxelInscribedBall> & balls,
-        const MedialVoxelRankedBits &           cells,
-        Workspace &                             workspace,
-        std::vector<double> &                   radii) const;
+  Raise(const std::vector<MedialVoxelInscribedBall> & balls,
+        const MedialVoxelRankedBits &                 cells,
+        Workspace &                                   workspace,
+        std::vector<double> &                         radii) const;
 
 private:
   class Sweep;

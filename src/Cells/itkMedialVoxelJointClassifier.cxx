@@ -23,6 +23,9 @@ constexpr double ThicknessOfFlood = 5.0;
 /** Steps along each axis between the points of most cells beside a sheet. */
 constexpr std::int64_t ShortWay = 2;
 
+/** Longest edges from the points of a cell to those of most edges of voxels around it. */
+constexpr double WayToEdges = 1.0;
+
 /** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
 constexpr double LargestBranch = 0.85;
 
@@ -64,7 +67,7 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
   {
     return {};
   }
-  m_Threshold.SurveyBalls(labels.GetTile(), workspace.m_Threshold);
+  m_Threshold.SurveyBalls(input.cells, workspace.m_Threshold);
   this->SeparateByBlocks(input, workspace, labels);
   this->BoundCells(input, workspace, labels);
   m_Threshold.RaiseRadii(workspace.m_Threshold);
@@ -227,78 +230,6 @@ MedialVoxelJointClassifier::LabelByLength(const MedialVoxelBits & sites,
   return cell.bounds.Reach(epsilon) ? std::optional<std::uint8_t>(MedialVoxelLabel::MedialByGeodesic) : std::nullopt;
 }
 
-/** Length of the edge between two boundary points, 0 when they are the same; infinite when there is none. */
-double
-MedialVoxelJointClassifier::EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const
-{
-  unsigned int mask = 0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t steps = std::abs(a[axis] - b[axis]);
-    if (steps > 1)
-    {
-      return std::numeric_limits<double>::infinity();
-    }
-    mask |= static_cast<unsigned int>(steps) << axis;
-  }
-  return m_Grid.GetEdgeLength(mask);
-}
-
-/** At least what the geodesic distances of two pairs differ by: edges from the points of one to those of a cell. */
-double
-MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const
-{
-  const double straight = this->EdgeBetween(a, cell.a) + this->EdgeBetween(b, cell.b);
-  const double crossed = this->EdgeBetween(a, cell.b) + this->EdgeBetween(b, cell.a);
-  return std::min(straight, crossed);
-}
-
-void
-MedialVoxelJointClassifier::NarrowByCell(const Workspace &         workspace,
-                                         const MedialVoxelIndex &  cell,
-                                         const MedialVoxelIndex &  a,
-                                         const MedialVoxelIndex &  b,
-                                         MedialVoxelLengthBounds & bounds) const
-{
-  const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
-  if (bits.GetBox().Contains(cell) && bits.Test(cell))
-  {
-    const Cell & known = workspace.m_Cells[workspace.m_Ranks.RankOf(cell)];
-    bounds.Narrow(known.bounds, this->WayTo(a, b, known));
-  }
-}
-
-/** Narrow the bounds of a cell by those of its neighbors, until they decide it. */
-void
-MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const double epsilon, Cell & cell) const
-{
-  const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
-  const std::int64_t      x = cell.center[0];
-  for (std::int64_t z = cell.center[2] - 1; z <= cell.center[2] + 1; ++z)
-  {
-    for (std::int64_t y = cell.center[1] - 1; y <= cell.center[1] + 1; ++y)
-    {
-      if (!bits.HasRow(y, z))
-      {
-        continue;
-      }
-      for (auto rest = bits.Extract(x - 1, y, z) & 7u; rest != 0; rest &= rest - 1)
-      {
-        const Cell & neighbor =
-          workspace.m_Cells[workspace.m_Ranks.RankOf({ { x - 1 + MedialVoxelLowestBit(rest), y, z } })];
-        if (neighbor.bounds.longest < cell.bounds.longest || neighbor.bounds.shortest > epsilon)
-        {
-          cell.bounds.Narrow(neighbor.bounds, this->WayTo(cell.a, cell.b, neighbor));
-        }
-        if (cell.bounds.FallShortOf(epsilon) || cell.bounds.Reach(epsilon))
-        {
-          return;
-        }
-      }
-    }
-  }
-}
-
 /** Find the cells of the tile that are not trivial, and the balls in and around the tile. False when aborted. */
 bool
 MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
@@ -346,7 +277,7 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
     }
     return !input.progress.IsAborted();
   };
-  if (!m_Pairs.Visit(input.corners, input.features, m_Threshold.GetCellBox(tile), visit))
+  if (!m_Pairs.Visit(input.corners, input.features, m_Threshold.GetCellBox(input.cells), visit))
   {
     return false;
   }
@@ -404,14 +335,16 @@ MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
   {
     return;
   }
+  // Observers ask for pairs beside those of the cells.
+  const double           way = labels.GetTile().Contains(input.cells) ? 0.0 : WayToEdges * m_Grid.GetLongestEdge();
   MedialVoxelPollCounter poll;
   for (Cell & cell : workspace.m_Cells)
   {
     poll.Count();
     const bool isLeftOut = this->LeaveOut(*input.window.sites, cell, labels);
     cell.epsilon = isLeftOut ? 0.0
-                             : m_Threshold.EpsilonOf(
-                                 m_Threshold.GetLargestRadius(cell.center, cell.radius, workspace.m_Threshold));
+                             : way + m_Threshold.EpsilonOf(m_Threshold.GetLargestRadius(
+                                       cell.center, cell.radius, workspace.m_Threshold));
   }
   m_Blocks.Narrow(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
   for (Cell & cell : workspace.m_Cells)

@@ -25,6 +25,7 @@ namespace itk
 struct MedialVoxelTileInput
 {
   const MedialVoxelWindow &   window;   ///< object bits, and the background border as sites
+  const MedialVoxelBox &      cells;    ///< those that get a threshold: the tile, or some around it as well
   const MedialVoxelBits &     corners;  ///< object voxels whose cells are looked at
   const MedialVoxelFeatures & features; ///< displacements of MedialVoxelClassifier::GetVoxelBox()
   const MedialVoxelProgress & progress; ///< asked for an abort, after which labels and counts are incomplete
@@ -110,14 +111,30 @@ public:
   MedialVoxelBox
   Classify(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
-  /** Narrow the bounds of the geodesic distance of two boundary points by those of a cell, which Classify() has decided
-   * last, where edges lead from its pair to them. */
+  /** The boundary points at the ends of an edge of voxels, and what the cells around it tell of them. */
+  struct CrossedPair
+  {
+    MedialVoxelIndex        a;
+    MedialVoxelIndex        b;
+    double                  leastEpsilon{ 0.0 }; ///< the thresholds of the cells are not below it
+    double                  mostEpsilon{ 0.0 };  ///< nor above it
+    MedialVoxelLengthBounds bounds{};            ///< of the geodesic distance
+  };
+
+  /** Add what the cells around an edge of the last input tell: the limits of their thresholds, which stay as they are
+   * unless the thickness is automatic, and of the geodesic distance, as far as needed. */
   void
-  NarrowByCell(const Workspace &         workspace,
-               const MedialVoxelIndex &  cell,
-               const MedialVoxelIndex &  a,
-               const MedialVoxelIndex &  b,
-               MedialVoxelLengthBounds & bounds) const;
+  LookAt(const Workspace &                     workspace,
+         const MedialVoxelFeatures &           features,
+         const std::vector<MedialVoxelIndex> & cells,
+         CrossedPair &                         pair) const;
+
+  /** The balls in and around the tile that Classify() has decided last. */
+  static const std::vector<MedialVoxelInscribedBall> &
+  GetBalls(const Workspace & workspace)
+  {
+    return workspace.m_Threshold.balls;
+  }
 
 private:
   using Query = MedialVoxelSeparationQuery;
@@ -171,6 +188,9 @@ private:
 
   void
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
+
+  static const Cell *
+  FindCell(const Workspace & workspace, const MedialVoxelIndex & cell);
 
   double
   WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const;

@@ -74,36 +74,40 @@ MedialVoxelLocalThreshold::EpsilonOf(const double radius) const
                   m_Parameters.thicknessFactor * std::min(radius * m_Unit, m_Parameters.largestRadius));
 }
 
-void
-MedialVoxelLocalThreshold::Compute(const MedialVoxelBits &     corners,
-                                   const MedialVoxelFeatures & features,
-                                   Workspace &                 workspace) const
+double
+MedialVoxelLocalThreshold::FindRadius(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const
 {
-  const MedialVoxelBits & asked = workspace.cells.GetBits();
-  workspace.balls.clear();
-  workspace.radii.assign(workspace.cells.GetNumberOfBits(), 0.0);
+  MedialVoxelDiagonal widest;
+  return m_Pairs.Choose(features, m_Pairs.CellAt(features, cell), 0, widest) ? this->RadiusOf(widest) : 0.0;
+}
+
+void
+MedialVoxelLocalThreshold::Compute(const std::vector<MedialVoxelInscribedBall> & balls,
+                                   const MedialVoxelFeatures &                   features,
+                                   Workspace &                                   workspace) const
+{
+  const MedialVoxelBits & cells = workspace.cells.GetBits();
+  const MedialVoxelBox &  box = cells.GetBox();
+  workspace.radii.clear();
   MedialVoxelPollCounter poll;
-  m_Pairs.Visit(corners, features, this->GetCellBox(asked.GetBox()), [&](const MedialVoxelCells & cells) {
-    poll.Count(static_cast<std::uint32_t>(cells.number));
-    for (auto rest = m_Pairs.Spread(cells); rest != 0; rest &= rest - 1)
+  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  {
+    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
     {
-      const int              x = MedialVoxelLowestBit(rest);
-      MedialVoxelDiagonal    widest;
-      const double           radius = m_Pairs.Choose(features, cells, x, widest) ? this->RadiusOf(widest) : 0.0;
-      const MedialVoxelIndex cell{ { cells.first[0] + x, cells.first[1], cells.first[2] } };
-      if (this->CanRaise(radius))
+      const MedialVoxelBits::WordType * const row = cells.GetRow(y, z);
+      for (std::int64_t i = 0; i < cells.GetWordsPerRow(); ++i)
       {
-        workspace.balls.push_back({ cell, radius });
-      }
-      if (asked.GetBox().Contains(cell) && asked.Test(cell))
-      {
-        workspace.radii[workspace.cells.RankOf(cell)] = radius;
+        poll.Count();
+        const std::int64_t x = (cells.GetFirstWord() + i) * MedialVoxelBits::BitsPerWord;
+        for (auto rest = row[i]; rest != 0; rest &= rest - 1)
+        {
+          workspace.radii.push_back(this->FindRadius(features, { { x + MedialVoxelLowestBit(rest), y, z } }));
+        }
       }
     }
-    return true;
-  });
-  this->SurveyBalls(asked.GetBox(), workspace);
-  this->RaiseRadii(workspace);
+  }
+  m_Cover.Survey(box, balls, workspace.cover);
+  m_Cover.Raise(balls, workspace.cells, workspace.cover, workspace.radii);
 }
 
 } // end namespace itk

@@ -87,6 +87,12 @@ public:
     m_Cover.Raise(workspace.balls, workspace.cells, workspace.cover, workspace.radii);
   }
 
+  /** d(p) in metric units of any cell; 0 where it has no ball.
+   *
+   * \param features  displacements of its corners */
+  double
+  FindRadius(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const;
+
   /** epsilon(p) from LT(p) in metric units. */
   double
   EpsilonOf(double radius) const;
@@ -98,14 +104,14 @@ public:
     return epsilon / (m_Parameters.thicknessFactor * m_Unit);
   }
 
-  /** Find LT(p) of the cells of a workspace, in metric units, in the order of their ranks; 0 where there is no cell
-   * with a corner in the object.
+  /** Find LT(p) of the cells of a workspace, in metric units, in the order of their ranks.
    *
-   * \param corners   object voxels at the corners of the cells of GetCellBox() of the cells; those whose cells have no
-   * ball that reaches one of these may be left out
-   * \param features  displacements at all corners of cells with such a corner */
+   * \param balls     all that cover one of the cells
+   * \param features  displacements of the corners of the cells */
   void
-  Compute(const MedialVoxelBits & corners, const MedialVoxelFeatures & features, Workspace & workspace) const;
+  Compute(const std::vector<MedialVoxelInscribedBall> & balls,
+          const MedialVoxelFeatures &                   features,
+          Workspace &                                   workspace) const;
 
 private:
   /** Cells along each axis that a ball reaches. */

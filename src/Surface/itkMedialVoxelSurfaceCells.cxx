@@ -101,6 +101,10 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
       const int              x = MedialVoxelLowestBit(rest);
       const MedialVoxelIndex index{ { row.first[0] + x, row.first[1], row.first[2] } };
       const EdgeMask         crossed = workspace.crossings.GetCrossedEdges(index);
+      if (crossed == 0)
+      {
+        continue;
+      }
       const bool             isMedial = (((row.byBound | row.byGeodesic) >> x) & 1) != 0;
       const auto             quads = static_cast<EdgeMask>(crossed & this->GetPossibleQuads(index));
       MedialVoxelSurfaceCell cell;
@@ -131,7 +135,7 @@ MedialVoxelSurfaceCells::FindSplits(const MedialVoxelClassifiedTile & tile,
   MedialVoxelSurfaceTopology::Splits splits = 0;
   for (unsigned int direction = 0; direction < MedialVoxelSurfaceTopology::NumberOfDirections; ++direction)
   {
-    if (MedialVoxelSurfaceTopology::QuadsTowards(quads, direction) == 4)
+    if (MedialVoxelSurfaceTopology::IsAmbiguous(quads, direction))
     {
       splits = MedialVoxelSurfaceTopology::WithSplit(
         splits, direction, m_Crossings.FindSplit(tile, index, direction, workspace.crossings, missing));

@@ -35,6 +35,14 @@ IsAdjacent(const MedialVoxelDisplacement & difference)
   return std::abs(difference[0]) <= 1 && std::abs(difference[1]) <= 1 && std::abs(difference[2]) <= 1;
 }
 
+/** The cell behind the face of a cell in a direction. */
+MedialVoxelIndex
+Behind(MedialVoxelIndex cell, const unsigned int direction)
+{
+  cell[direction / 2] += direction % 2 == 0 ? -1 : 1;
+  return cell;
+}
+
 /** Calls visit(cell, number) for the cells of a box that an edge is one of, with its number there. */
 template <typename TVisitor>
 void
@@ -93,7 +101,15 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
       }
     }
   }
-  return m_DecidesTogether ? this->DecideTogether(tile, workspace) : missing;
+  if (m_DecidesTogether)
+  {
+    missing = this->DecideTogether(tile, workspace);
+  }
+  if (this->IsAutomatic() && missing.IsEmpty() && !tile.progress.IsAborted())
+  {
+    this->FindThresholdsOfSplits(tile, workspace);
+  }
+  return missing;
 }
 
 void
@@ -134,7 +150,7 @@ MedialVoxelSurfaceCrossings::FindInRow(const MedialVoxelClassifiedTile & tile,
         continue;
       }
       pair.a = { { x + pair.displacement[0], row.y + pair.displacement[1], row.z + pair.displacement[2] } };
-      const Workspace::Edge edge{ { { x, row.y, row.z } }, row.axis, false };
+      const Workspace::Edge edge{ { { x, row.y, row.z } }, row.axis };
       if (m_DecidesTogether)
       {
         this->AddEdge(tile, edge, pair, workspace);
@@ -161,10 +177,10 @@ MedialVoxelSurfaceCrossings::DecideFixed(const MedialVoxelClassifiedTile & tile,
   }
 }
 
-/** Make a query of an edge that the smallest threshold does not decide. */
+/** Decide an edge by what its cells tell, or by the smallest threshold; otherwise make a query of it. */
 void
 MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
-                                     Workspace::Edge                   edge,
+                                     const Workspace::Edge &           edge,
                                      const MedialVoxelPair &           pair,
                                      Workspace &                       workspace) const
 {
@@ -173,13 +189,37 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
   {
     return;
   }
-  const Result atFloor = m_Flood.Decide(*tile.window.sites, pair.a, pair.difference);
-  if (atFloor != Result::FallsShort)
+  auto & cells = workspace.m_CellsAround;
+  cells.clear();
+  ForEachCellAround(edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) {
+    cells.push_back(cell);
+  });
+  MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, pair.GetB(), m_Parameters.epsilon, m_Parameters.epsilon };
+  tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, cells, crossed);
+  // A cell that falls short of the smallest threshold knows no more of its distance.
+  if (crossed.bounds.longest <= m_Parameters.epsilon || crossed.bounds.FallShortOf(crossed.leastEpsilon))
   {
-    edge.isAtFloor = atFloor != Result::Undecided;
-    workspace.m_Queries.push_back({ pair.a, pair.GetB(), m_Parameters.epsilon, workspace.m_Edges.size() });
-    workspace.m_Edges.push_back(edge);
+    return;
   }
+  if (crossed.bounds.Reach(crossed.mostEpsilon))
+  {
+    Mark(edge, workspace);
+    return;
+  }
+  const Result atFloor = m_Flood.Decide(*tile.window.sites, pair.a, pair.difference);
+  if (atFloor == Result::FallsShort || m_Cell.IsTrivial(pair.difference, crossed.leastEpsilon))
+  {
+    return;
+  }
+  if ((atFloor != Result::Undecided && crossed.mostEpsilon == m_Parameters.epsilon) ||
+      m_Cell.FreeSpaceLength(pair.difference) >= crossed.mostEpsilon)
+  {
+    Mark(edge, workspace);
+    return;
+  }
+  workspace.m_Queries.push_back(
+    { crossed.a, crossed.b, m_Parameters.epsilon, workspace.m_Edges.size(), false, crossed.bounds });
+  workspace.m_Edges.push_back(edge);
 }
 
 /** Decide the edges of all queries. */
@@ -187,11 +227,20 @@ MedialVoxelBox
 MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
 {
   auto & queries = workspace.m_Queries;
-  this->FindThresholds(tile, workspace);
+  if (this->IsAutomatic() && !queries.empty())
+  {
+    this->FindThresholds(tile, workspace, [&](auto && add) {
+      for (const Workspace::Edge & edge : workspace.m_Edges)
+      {
+        ForEachCellAround(
+          edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) { add(cell); });
+      }
+    });
+  }
   MedialVoxelPollCounter poll;
   const auto             isDecided = [&](MedialVoxelSeparationQuery & query) {
     poll.Count();
-    return this->DecideAtOnce(tile, query, workspace);
+    return this->DecideAtOnce(query, workspace);
   };
   queries.erase(std::remove_if(queries.begin(), queries.end(), isDecided), queries.end());
   const MedialVoxelBits & sites = *tile.window.sites;
@@ -211,33 +260,66 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
   return {};
 }
 
-/** Find the thresholds of the cells around the edges of queries. */
+/** Find the thresholds of the cells that \a visit adds: visit(add) calls add(cell). */
+template <typename TVisit>
 void
-MedialVoxelSurfaceCrossings::FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
+MedialVoxelSurfaceCrossings::FindThresholds(const MedialVoxelClassifiedTile & tile,
+                                            Workspace &                       workspace,
+                                            TVisit &&                         visit) const
 {
-  if (!this->IsAutomatic() || workspace.m_Edges.empty())
+  auto & cells = workspace.m_Threshold.cells;
+  cells.Reshape(workspace.m_Cells.Expanded(m_Grid.GetUnitMargin()).Intersection(m_Grid.GetCellBox()));
+  visit([&](const MedialVoxelIndex & cell) { cells.Set(cell); });
+  cells.Rank();
+  m_Threshold.Compute(
+    MedialVoxelJointClassifier::GetBalls(tile.classification.joint), tile.features, workspace.m_Threshold);
+}
+
+/** Find the thresholds on both sides of the faces whose edges are all crossed, for FindSplit(). */
+void
+MedialVoxelSurfaceCrossings::FindThresholdsOfSplits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
+{
+  auto & splits = workspace.m_SplitCells;
+  splits.clear();
+  const MedialVoxelBox & box = workspace.m_Cells;
+  const EdgeMask *       mask = workspace.m_Masks.data();
+  MedialVoxelPollCounter poll;
+  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  {
+    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    {
+      poll.Count(static_cast<std::uint32_t>(box.Extent(0)) / 8);
+      for (std::int64_t x = box.lower[0]; x < box.upper[0]; ++x, ++mask)
+      {
+        for (unsigned int direction = 0; *mask != 0 && direction < Topology::NumberOfDirections; ++direction)
+        {
+          if (Topology::IsAmbiguous(*mask, direction))
+          {
+            splits.push_back({ { x, y, z } });
+            splits.push_back(Behind({ { x, y, z } }, direction));
+          }
+        }
+      }
+    }
+  }
+  if (splits.empty())
   {
     return;
   }
-  const MedialVoxelBox cellBox = m_Grid.GetCellBox();
-  auto &               cells = workspace.m_Threshold.cells;
-  cells.Reshape(workspace.m_Cells.Expanded({ { 1, 1, 1 } }).Intersection(cellBox));
-  for (const Workspace::Edge & edge : workspace.m_Edges)
-  {
-    ForEachCellAround(
-      edge.voxel, edge.axis, cellBox, [&](const MedialVoxelIndex & cell, unsigned int) { cells.Set(cell); });
-  }
-  cells.Rank();
-  m_Threshold.Compute(
-    tile.classifier.GetReachingVoxels(tile.window, tile.classification), tile.features, workspace.m_Threshold);
+  this->FindThresholds(tile, workspace, [&](auto && add) {
+    for (const MedialVoxelIndex & cell : splits)
+    {
+      if (m_Grid.GetCellBox().Contains(cell))
+      {
+        add(cell);
+      }
+    }
+  });
 }
 
-/** Decide a query by its threshold, which it gets, by bounds, and by what is known of its cells; false if they do not
- * suffice. */
+/** Decide a query by its threshold, which it gets, and by bounds; false if they do not suffice. */
 bool
-MedialVoxelSurfaceCrossings::DecideAtOnce(const MedialVoxelClassifiedTile & tile,
-                                          MedialVoxelSeparationQuery &      query,
-                                          Workspace &                       workspace) const
+MedialVoxelSurfaceCrossings::DecideAtOnce(MedialVoxelSeparationQuery & query, Workspace & workspace) const
 {
   const Workspace::Edge & edge = workspace.m_Edges[query.cell];
   ForEachCellAround(edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) {
@@ -252,15 +334,7 @@ MedialVoxelSurfaceCrossings::DecideAtOnce(const MedialVoxelClassifiedTile & tile
   {
     return true;
   }
-  if ((edge.isAtFloor && query.epsilon == m_Parameters.epsilon) || m_Cell.FreeSpaceLength(difference) >= query.epsilon)
-  {
-    Mark(edge, workspace);
-    return true;
-  }
-  ForEachCellAround(edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) {
-    tile.classifier.NarrowByCell(tile.classification, cell, query.a, query.b, query.bounds);
-  });
-  if (query.bounds.Reach(query.epsilon))
+  if (query.bounds.Reach(query.epsilon) || m_Cell.FreeSpaceLength(difference) >= query.epsilon)
   {
     Mark(edge, workspace);
     return true;
@@ -278,9 +352,8 @@ MedialVoxelSurfaceCrossings::FindSplit(const MedialVoxelClassifiedTile & tile,
   const unsigned int normal = direction / 2;
   MedialVoxelIndex   first = cell;
   first[normal] += direction % 2;
-  MedialVoxelIndex behind = cell;
-  behind[normal] += direction % 2 == 0 ? -1 : 1;
-  const double epsilon = std::max(this->EpsilonOf(cell, workspace), this->EpsilonOf(behind, workspace));
+  const double epsilon =
+    std::max(this->EpsilonOf(cell, workspace), this->EpsilonOf(Behind(cell, direction), workspace));
   // The pairs across from each other: that of the first voxel, and the other one.
   bool   isApart[2];
   double squared[2];
@@ -354,7 +427,7 @@ MedialVoxelSurfaceCrossings::Mark(const Workspace::Edge & edge, Workspace & work
     });
 }
 
-/** The threshold of a cell around an edge that was a query. */
+/** The threshold of a cell of the last FindThresholds(). */
 double
 MedialVoxelSurfaceCrossings::EpsilonOf(const MedialVoxelIndex & cell, const Workspace & workspace) const
 {

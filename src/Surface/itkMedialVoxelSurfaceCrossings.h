@@ -50,7 +50,6 @@ public:
     {
       MedialVoxelIndex voxel;
       unsigned int     axis;
-      bool             isAtFloor; // known to reach the smallest threshold
     };
 
     std::size_t
@@ -62,11 +61,13 @@ public:
     MedialVoxelBox        m_Cells;
     std::vector<EdgeMask> m_Masks;
 
-    /** Where edges are decided together: those that no flood decides, and what must be known of their cells. */
+    /** Where edges are decided together: those that their cells and a flood do not decide, and thresholds of cells. */
     MedialVoxelLocalThreshold::Workspace    m_Threshold;
     std::vector<Edge>                       m_Edges;
     std::vector<MedialVoxelSeparationQuery> m_Queries;
     std::vector<MedialVoxelSeparationQuery> m_QueryOfSplit;
+    std::vector<MedialVoxelIndex>           m_SplitCells;
+    std::vector<MedialVoxelIndex>           m_CellsAround; // an edge
   };
 
   /** \param grid        the image in the units in which its cells are classified
@@ -121,18 +122,22 @@ private:
 
   void
   AddEdge(const MedialVoxelClassifiedTile & tile,
-          Workspace::Edge                   edge,
+          const Workspace::Edge &           edge,
           const MedialVoxelPair &           pair,
           Workspace &                       workspace) const;
 
   MedialVoxelBox
   DecideTogether(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
 
+  template <typename TVisit>
   void
-  FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+  FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace, TVisit && visit) const;
+
+  void
+  FindThresholdsOfSplits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
 
   bool
-  DecideAtOnce(const MedialVoxelClassifiedTile & tile, MedialVoxelSeparationQuery & query, Workspace & workspace) const;
+  DecideAtOnce(MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
   bool
   AreApart(const MedialVoxelClassifiedTile & tile,

@@ -126,6 +126,13 @@ public:
     return static_cast<unsigned int>(MedialVoxelPopulationCount(quads & EdgesTowards(direction)));
   }
 
+  /** True when all edges of the face in a direction are crossed. */
+  static bool
+  IsAmbiguous(const EdgeMask crossed, const unsigned int direction)
+  {
+    return (crossed & EdgesTowards(direction)) == EdgesTowards(direction);
+  }
+
   /** Quadrilaterals that two vertices share which are joined through the face in a direction.
    *
    * \param quads   those of the one
