@@ -287,6 +287,33 @@ MedialVoxelFeatureTransform::AskForMore(Tile & tile) const
   tile.missing = tile.missing.Intersection(m_Grid.GetVoxelBox()).Union(tile.known);
 }
 
+/** Take note of the longest displacement of a slice; false when the window has to grow for it. */
+bool
+MedialVoxelFeatureTransform::Accept(Tile & tile, const double squaredLength, const std::int64_t z) const
+{
+  const double length = std::min(std::sqrt(squaredLength), this->MaximumMetricLength());
+  if (!std::isfinite(length) && !std::isfinite(tile.squaredDistanceToUnknown))
+  {
+    return true; // there is no site at all
+  }
+  if (!std::isfinite(length))
+  {
+    this->AskForMore(tile);
+    return false;
+  }
+  tile.largestSquaredLength = std::max(tile.largestSquaredLength, length * length);
+  if (length * length < tile.squaredDistanceToUnknown)
+  {
+    return true;
+  }
+  // From slice to slice the distance grows by at most one.
+  const auto   slices = static_cast<double>(tile.remainingBox.upper[2] - 1 - z);
+  const double soFar = std::sqrt(tile.largestSquaredLength) * (1.0 + RelativeSlack);
+  const double longest = std::min(soFar + slices, this->MaximumMetricLength());
+  tile.missing = tile.Box().Expanded(m_Grid.MarginForMetricLength(longest)).Intersection(m_Grid.GetVoxelBox());
+  return false;
+}
+
 void
 MedialVoxelFeatureTransform::DropDistant(Tile & tile) const
 {

@@ -76,6 +76,9 @@ private:
   VisitSites(std::int64_t z, TVisitor && visit) const;
 
   void
+  FindNearestSlices(std::int64_t first, std::int64_t end, std::vector<std::int16_t> & slices);
+
+  void
   FindWanted(std::int64_t z);
 
   bool
@@ -134,6 +137,51 @@ MedialVoxelFeatureTransform::SliceSearch::VisitSites(const std::int64_t z, TVisi
   }
 }
 
+/** For each column the first slice that has a site in it, from \a first on and before \a end, upwards or downwards; other
+ * columns stay as they are. */
+void
+MedialVoxelFeatureTransform::SliceSearch::FindNearestSlices(const std::int64_t          first,
+                                                            const std::int64_t          end,
+                                                            std::vector<std::int16_t> & slices)
+{
+  const MedialVoxelBits & sites = *m_Tile.window.sites;
+  const std::int64_t      firstWord = m_Area.lower[0] >> 6;
+  const std::int64_t      words = ((m_Area.upper[0] - 1) >> 6) - firstWord + 1;
+  const std::int64_t      rows = m_Area.Extent(1);
+  // Bits of the columns that have none yet: most sites lie behind others.
+  auto & open = m_Memory.open;
+  open.clear();
+  for (std::int64_t word = firstWord; word < firstWord + words; ++word)
+  {
+    open.push_back(MedialVoxelBits::RangeMask(word, m_Area.lower[0], m_Area.upper[0]));
+  }
+  for (std::int64_t row = 1; row < rows; ++row)
+  {
+    open.insert(open.end(), open.begin(), open.begin() + words);
+  }
+  for (std::int64_t z = first; z != end; z += first < end ? 1 : -1)
+  {
+    MedialVoxelPoll();
+    const auto position = static_cast<std::int16_t>(z - m_FirstSlice);
+    WordType * openOfRow = open.data();
+    for (std::int64_t row = 0; row < rows; ++row, openOfRow += words)
+    {
+      const WordType * const sitesOfRow =
+        sites.GetRow(m_Area.lower[1] + row, z) - sites.GetFirstWord() + firstWord;
+      for (std::int64_t word = 0; word < words; ++word)
+      {
+        WordType found = sitesOfRow[word] & openOfRow[word];
+        openOfRow[word] ^= found;
+        for (; found != 0; found &= found - 1)
+        {
+          const std::int64_t x = (firstWord + word) * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(found);
+          slices[static_cast<std::size_t>((x - m_Area.lower[0]) * rows + row)] = position;
+        }
+      }
+    }
+  }
+}
+
 void
 MedialVoxelFeatureTransform::SliceSearch::Prepare(const std::int64_t z, const std::int64_t reach)
 {
@@ -164,18 +212,8 @@ MedialVoxelFeatureTransform::SliceSearch::Prepare(const std::int64_t z, const st
   }
   m_Memory.passed.reserve(columns);
 
-  const std::int64_t below = std::max(z - reach, known.lower[2]);
-  for (std::int64_t slice = below; slice < z; ++slice)
-  {
-    const auto position = static_cast<std::int16_t>(slice - z);
-    this->VisitSites(slice, [&](const std::size_t column) { m_Memory.previous[column] = position; });
-  }
-  const std::int64_t above = std::min(m_EndSlice + reach, known.upper[2]) - 1;
-  for (std::int64_t slice = above; slice >= m_EndSlice; --slice)
-  {
-    const auto position = static_cast<std::int16_t>(slice - z);
-    this->VisitSites(slice, [&](const std::size_t column) { m_Memory.next[column] = position; });
-  }
+  this->FindNearestSlices(z - 1, std::max(z - reach, known.lower[2]) - 1, m_Memory.previous);
+  this->FindNearestSlices(m_EndSlice, std::min(m_EndSlice + reach, known.upper[2]), m_Memory.next);
   for (std::int64_t slice = m_EndSlice - 1; slice >= z; --slice)
   {
     const auto position = static_cast<std::int16_t>(slice - z);
@@ -441,33 +479,6 @@ MedialVoxelFeatureTransform::SearchSlices(Tile & tile, Workspace::Slices & memor
   return true;
 }
 
-/** Take note of the longest displacement of a slice; false when the window has to grow for it. */
-bool
-MedialVoxelFeatureTransform::Accept(Tile & tile, const double squaredLength, const std::int64_t z) const
-{
-  const double length = std::min(std::sqrt(squaredLength), this->MaximumMetricLength());
-  if (!std::isfinite(length) && !std::isfinite(tile.squaredDistanceToUnknown))
-  {
-    return true; // there is no site at all
-  }
-  if (!std::isfinite(length))
-  {
-    this->AskForMore(tile);
-    return false;
-  }
-  tile.largestSquaredLength = std::max(tile.largestSquaredLength, length * length);
-  if (length * length < tile.squaredDistanceToUnknown)
-  {
-    return true;
-  }
-  // From slice to slice the distance grows by at most one.
-  const auto   slices = static_cast<double>(tile.remainingBox.upper[2] - 1 - z);
-  const double soFar = std::sqrt(tile.largestSquaredLength) * (1.0 + RelativeSlack);
-  const double longest = std::min(soFar + slices, this->MaximumMetricLength());
-  tile.missing = tile.Box().Expanded(m_Grid.MarginForMetricLength(longest)).Intersection(m_Grid.GetVoxelBox());
-  return false;
-}
-
 std::uint64_t
 MedialVoxelFeatureTransform::GetSliceSearchBytes(const MedialVoxelIndex & tileSize,
                                                  const MedialVoxelIndex & searchedSize)
@@ -477,6 +488,8 @@ MedialVoxelFeatureTransform::GetSliceSearchBytes(const MedialVoxelIndex & tileSi
   const std::int64_t keys =
     searchedSize[1] + BlockSize + blocks * BlockSize + tileSize[1] * (searchedSize[0] + ColumnsAtOnce);
   return static_cast<std::uint64_t>(3 * area) * sizeof(std::int16_t) +
+         static_cast<std::uint64_t>((searchedSize[0] / MedialVoxelBits::BitsPerWord + 2) * searchedSize[1]) *
+           sizeof(WordType) +
          static_cast<std::uint64_t>(keys) * sizeof(double) + MedialVoxelRowPass::GetBytes(searchedSize[0]) +
          MedialVoxelRowPass::GetBytes(searchedSize[1]);
 }

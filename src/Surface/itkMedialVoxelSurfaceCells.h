@@ -39,9 +39,12 @@ struct MedialVoxelSurfaceCell
 inline bool
 MedialVoxelIsBefore(const MedialVoxelSurfaceCell & a, const MedialVoxelSurfaceCell & b)
 {
-  if (a.index != b.index)
+  for (unsigned int axis = 3; axis-- > 0;)
   {
-    return std::lexicographical_compare(a.index.rbegin(), a.index.rend(), b.index.rbegin(), b.index.rend());
+    if (a.index[axis] != b.index[axis])
+    {
+      return a.index[axis] < b.index[axis];
+    }
   }
   return MedialVoxelLowestBit(a.quads) < MedialVoxelLowestBit(b.quads);
 }
