@@ -63,18 +63,18 @@ FindSurfaceCells(const Volume &                             volume,
   const itk::MedialVoxelFeatureTransform      transform(grid);
   itk::MedialVoxelFeatureTransform::Workspace transformWorkspace;
   itk::MedialVoxelFeatures                    features;
-  const itk::MedialVoxelWindow                window{ &object, &sites };
+  itk::MedialVoxelClassifier::Workspace       workspace;
+  const itk::MedialVoxelWindow                window = classifier.FindAsked({ &object, &sites }, tile, true, workspace);
   EXPECT_TRUE(transform.Compute(window, classifier.GetVoxelBox(tile), transformWorkspace, features).IsEmpty());
-  itk::MedialVoxelClassifier::Workspace workspace;
-  std::vector<std::uint8_t>             labels;
-  itk::MedialVoxelCounts                counts;
-  const itk::MedialVoxelNoProgress      progress;
+  std::vector<std::uint8_t>        labels;
+  itk::MedialVoxelCounts           counts;
+  const itk::MedialVoxelNoProgress progress;
   workspace.keepsRows = true;
   EXPECT_TRUE(classifier.Classify(window, tile, features, progress, workspace, labels, counts).IsEmpty());
 
   const itk::MedialVoxelSurfaceCells      kernel(grid, parameters, volume.spacing);
   itk::MedialVoxelSurfaceCells::Workspace surfaceWorkspace;
-  const itk::MedialVoxelWindow            knownWindow{ &object, &knownSites };
+  const itk::MedialVoxelWindow            knownWindow{ &object, &knownSites, window.asked };
   const itk::MedialVoxelPairDecision      decision(grid, parameters);
   decision.Begin(knownSites, tile, workspace.geodesic);
   const std::vector<itk::MedialVoxelWall>  noWalls;

@@ -63,14 +63,18 @@ TEST(MedialVoxelInscribedBalls, EachCellIsRaisedToTheLargestBallThatCoversIt)
       }
       itk::MedialVoxelInscribedBalls::Workspace workspace;
       auto                                      radii = own;
-      auto                                      some = balls;
-      itk::MedialVoxelInscribedBalls(grid).Raise(some, cells, workspace, radii);
+      const itk::MedialVoxelInscribedBalls      cover(grid);
+      cover.Survey(box, balls, workspace);
+      cover.Raise(balls, cells, workspace, radii);
       std::size_t raised = 0;
       for (std::size_t i = 0; i < asked.size(); ++i)
       {
         const double largest = std::max(own[i], LargestBallAt(grid, balls, asked[i]));
         raised += largest > own[i] ? 1 : 0;
         ASSERT_EQ(radii[i], largest);
+        // The survey bounds what balls can do, also after they did it.
+        ASSERT_GE(itk::MedialVoxelInscribedBalls::GetLargest(asked[i], workspace),
+                  LargestBallAt(grid, balls, asked[i]));
       }
       EXPECT_GT(raised, asked.size() / 20);
       EXPECT_LT(raised, asked.size());
@@ -106,8 +110,10 @@ TEST(MedialVoxelBallSieve, KeepsAllThatMatters)
     const std::vector<double>                  own(asked.size(), 2.5);
     itk::MedialVoxelBallSieve::Workspace       workspace;
     itk::MedialVoxelBits                       open;
-    std::vector<itk::MedialVoxelInscribedBall> kept = balls;
-    itk::MedialVoxelBallSieve(grid).Sieve(cells, own, workspace, kept, open);
+    std::vector<itk::MedialVoxelInscribedBall> kept;
+    const itk::MedialVoxelBallSieve            sieve(grid);
+    sieve.Survey(grid.GetVoxelBox(), balls, workspace);
+    sieve.Sieve(cells, own, balls, workspace, kept, open);
     std::size_t numberOfOpenCells = 0;
     for (const itk::MedialVoxelIndex & cell : asked)
     {

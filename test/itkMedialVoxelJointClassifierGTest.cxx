@@ -39,12 +39,12 @@ struct Inputs
   {}
 
   itk::MedialVoxelFeatures
-  Features(const itk::MedialVoxelBox & box) const
+  Features(const itk::MedialVoxelBox & box, const itk::MedialVoxelBits * asked = nullptr) const
   {
     const itk::MedialVoxelFeatureTransform      transform(grid);
     itk::MedialVoxelFeatureTransform::Workspace workspace;
     itk::MedialVoxelFeatures                    features;
-    EXPECT_TRUE(transform.Compute({ &object, &sites }, box, workspace, features).IsEmpty());
+    EXPECT_TRUE(transform.Compute({ &object, &sites, asked }, box, workspace, features).IsEmpty());
     return features;
   }
 
@@ -56,12 +56,44 @@ struct Inputs
     const itk::MedialVoxelNoProgress progress;
     MedialVoxelClassifier::Workspace workspace;
     Labels                           labels;
+    const auto                       voxels = classifier.GetVoxelBox(tile);
+    const auto                       window = classifier.FindAsked({ &object, &sites }, tile, false, workspace);
     EXPECT_TRUE(
-      classifier
-        .Classify(
-          { &object, &sites }, tile, Features(classifier.GetVoxelBox(tile)), progress, workspace, labels, counts)
-        .IsEmpty());
+      classifier.Classify(window, tile, Features(voxels, window.asked), progress, workspace, labels, counts).IsEmpty());
+    this->ExpectSameWithAllVoxels(classifier, tile, labels);
     return labels;
+  }
+
+  /** The balls of all cells. */
+  std::vector<itk::MedialVoxelInscribedBall>
+  FindBalls(const MedialVoxelClassifier & classifier) const
+  {
+    const auto &                               threshold = classifier.GetThreshold();
+    const auto                                 features = this->Features(grid.GetVoxelBox());
+    std::vector<itk::MedialVoxelInscribedBall> balls;
+    ForEachVoxel(grid.GetCellBox(), [&](const itk::MedialVoxelIndex & cell) {
+      const double radius = threshold.FindRadius(features, cell);
+      if (threshold.CanRaise(radius))
+      {
+        balls.push_back({ cell, radius });
+      }
+    });
+    return balls;
+  }
+
+  /** What no ball reaches from changes nothing. */
+  void
+  ExpectSameWithAllVoxels(const MedialVoxelClassifier & classifier,
+                          const itk::MedialVoxelBox &   tile,
+                          const Labels &                labels) const
+  {
+    const itk::MedialVoxelNoProgress progress;
+    MedialVoxelClassifier::Workspace workspace;
+    itk::MedialVoxelCounts           counts;
+    Labels                           all;
+    const auto                       features = this->Features(classifier.GetVoxelBox(tile));
+    EXPECT_TRUE(classifier.Classify({ &object, &sites }, tile, features, progress, workspace, all, counts).IsEmpty());
+    EXPECT_EQ(all, labels);
   }
 
   Labels
@@ -176,7 +208,7 @@ TEST(MedialVoxelJointClassifier, ThresholdsAreThoseOfBruteForce)
       }
     });
     workspace.cells.Rank();
-    threshold.Compute(c.inputs.object, c.inputs.Features(classifier.GetVoxelBox(box)), workspace);
+    threshold.Compute(c.inputs.FindBalls(classifier), c.inputs.Features(classifier.GetVoxelBox(box)), workspace);
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
       if (workspace.cells.GetBits().Test(v))
       {

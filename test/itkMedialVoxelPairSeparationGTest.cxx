@@ -3,6 +3,7 @@
 
 // What decides pairs with thresholds of their own: components of a box, the search on bits, and both together.
 
+#include "itkMedialVoxelBlockSeparation.h"
 #include "itkMedialVoxelBoxComponents.h"
 #include "itkMedialVoxelPairSeparation.h"
 #include "itkMedialVoxelPathSearch.h"
@@ -98,6 +99,64 @@ TEST(MedialVoxelBoxComponents, PointsAreConnectedWhenAPathInTheBoxJoinsThem)
   }
   EXPECT_GT(joined, 1000u);
   EXPECT_GT(apart, 100u);
+}
+
+TEST(MedialVoxelBlockSeparation, LowerBoundsAreNeverAboveTheDistances)
+{
+  std::size_t separated = 0;
+  std::size_t longer = 0;
+  for (const Scene & scene : Scenes())
+  {
+    const itk::MedialVoxelBlockSeparation      blocks(GridOf(scene.volume));
+    itk::MedialVoxelBlockSeparation::Workspace workspace;
+    const itk::MedialVoxelNoProgress           progress;
+    std::vector<double>                        distances;
+    auto                                       queries = RandomQueries(scene, 12, distances);
+    // Those that nobody asks for stay as they are.
+    queries.front().epsilon = 0.0;
+    blocks.Narrow(scene.bits, progress, workspace, queries);
+    EXPECT_EQ(queries.front().bounds.shortest, 0.0);
+    for (const auto & query : queries)
+    {
+      ASSERT_LE(query.bounds.shortest, distances[query.cell] * (1.0 + 1e-12));
+      ASSERT_EQ(query.bounds.longest, std::numeric_limits<double>::infinity());
+      ASSERT_TRUE(query.bounds.shortest == 0.0 || query.bounds.Reach(query.epsilon));
+      separated += query.bounds.shortest > 0.0 ? 1 : 0;
+      longer += distances[query.cell] >= query.epsilon ? 1 : 0;
+    }
+  }
+  EXPECT_GT(separated, 100u);
+  EXPECT_GT(longer, separated);
+}
+
+TEST(MedialVoxelBlockSeparation, SidesOfAWallAreSeparated)
+{
+  // A wall of three voxels across the volume, and pairs of points straight through it.
+  const Scene scene(
+    MakeVolume({ { 90, 50, 20 } }, UnitSpacing, [](const Index3 & v) { return v[2] > 7 && v[2] < 11; }));
+  std::vector<itk::MedialVoxelSeparationQuery> queries;
+  for (int y = 0; y < 50; ++y)
+  {
+    for (int x = 0; x < 90; ++x)
+    {
+      queries.push_back({ { { x, y, 7 } }, { { x, y, 11 } }, 8.0, 0 });
+    }
+  }
+  itk::MedialVoxelBlockSeparation::Workspace workspace;
+  const itk::MedialVoxelBlockSeparation      blocks(GridOf(scene.volume));
+  blocks.Narrow(scene.bits, itk::MedialVoxelNoProgress(), workspace, queries);
+  EXPECT_TRUE(std::all_of(queries.begin(), queries.end(), [](const auto & query) { return query.bounds.Reach(8.0); }));
+  // Nothing is known of what lies beyond the points that a box holds.
+  const auto few = SiteBits(scene.sites, MakeBox({ { 0, 0, 0 } }, { { 40, 50, 20 } }));
+  for (auto & query : queries)
+  {
+    query.bounds = {};
+  }
+  blocks.Narrow(few, itk::MedialVoxelNoProgress(), workspace, queries);
+  for (const auto & query : queries)
+  {
+    ASSERT_TRUE(query.bounds.shortest == 0.0 || query.a[0] < 32);
+  }
 }
 
 TEST(MedialVoxelPathSearch, LengthsAreThoseOfDijkstra)

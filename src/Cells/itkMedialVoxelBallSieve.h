@@ -50,9 +50,7 @@ public:
 
   /** Finds the largest balls around the cells of \a box. */
   void
-  Survey(const MedialVoxelBox &                        box,
-         const std::vector<MedialVoxelInscribedBall> & balls,
-         Workspace &                                   workspace) const;
+  Survey(const MedialVoxelBox & box, const std::vector<MedialVoxelInscribedBall> & balls, Workspace & workspace) const;
 
   /** At least the radius of the largest ball of the survey that covers \a cell, which is in its box; 0 for no ball. */
   static double

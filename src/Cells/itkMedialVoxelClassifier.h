@@ -58,8 +58,9 @@ public:
   MedialVoxelBox
   GetVoxelBox(const MedialVoxelBox & tile) const;
 
-  /** The window with the voxels of GetVoxelBox() that need a displacement, which the workspace keeps until the next tile:
-   * with an automatic thickness, those around \a tile matter only where balls reach it. Other windows ask for all.
+  /** The window with the voxels of GetVoxelBox() that need a displacement, which the workspace keeps until the next
+   * tile: with an automatic thickness, those around \a tile matter only where balls reach it. Other windows ask for
+   * all.
    *
    * \param window       object bits of GetVoxelBox()
    * \param looksAround  the cells beside \a tile need their thresholds, too */

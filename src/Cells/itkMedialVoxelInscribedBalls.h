@@ -34,17 +34,15 @@ public:
   {
     MedialVoxelBallSieve::Workspace        sieve;
     std::vector<MedialVoxelInscribedBall>  balls; // that may raise a cell
-    MedialVoxelBits                        open; // cells that no ball covers yet
-    std::vector<MedialVoxelBits::WordType> rows; // bits of the parts of rows that have open cells
+    MedialVoxelBits                        open;  // cells that no ball covers yet
+    std::vector<MedialVoxelBits::WordType> rows;  // bits of the parts of rows that have open cells
   };
 
   explicit MedialVoxelInscribedBalls(const MedialVoxelGrid & grid);
 
   /** Find the largest balls around the cells of \a box, for GetLargest() and Raise(). */
   void
-  Survey(const MedialVoxelBox &                        box,
-         const std::vector<MedialVoxelInscribedBall> & balls,
-         Workspace &                                   workspace) const
+  Survey(const MedialVoxelBox & box, const std::vector<MedialVoxelInscribedBall> & balls, Workspace & workspace) const
   {
     m_Sieve.Survey(box, balls, workspace.sieve);
   }

@@ -313,7 +313,7 @@ bool
 MedialVoxelJointClassifier::LeaveOut(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const
 {
   const MedialVoxelDisplacement difference = cell.GetDifference();
-  const auto isShort = [](const std::int64_t steps) { return std::abs(steps) <= ShortWay; };
+  const auto                    isShort = [](const std::int64_t steps) { return std::abs(steps) <= ShortWay; };
   if (!std::all_of(difference.begin(), difference.end(), isShort) ||
       m_Flood.Decide(sites, cell.a, difference) != MedialVoxelBitFlood::Result::FallsShort)
   {
@@ -342,16 +342,18 @@ MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
   {
     poll.Count();
     const bool isLeftOut = this->LeaveOut(*input.window.sites, cell, labels);
-    cell.epsilon = isLeftOut ? 0.0
-                             : way + m_Threshold.EpsilonOf(m_Threshold.GetLargestRadius(
-                                       cell.center, cell.radius, workspace.m_Threshold));
+    cell.epsilon =
+      isLeftOut
+        ? 0.0
+        : way + m_Threshold.EpsilonOf(m_Threshold.GetLargestRadius(cell.center, cell.radius, workspace.m_Threshold));
   }
   m_Blocks.Narrow(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
   for (Cell & cell : workspace.m_Cells)
   {
     poll.Count();
     // The bound has its own label, for which the threshold itself must be known.
-    if (cell.isWaiting && cell.bounds.Reach(cell.epsilon) && m_Pairs.GetCell().FreeSpaceLength(cell.GetDifference()) < m_Threshold.EpsilonOf(cell.radius))
+    if (cell.isWaiting && cell.bounds.Reach(cell.epsilon) &&
+        m_Pairs.GetCell().FreeSpaceLength(cell.GetDifference()) < m_Threshold.EpsilonOf(cell.radius))
     {
       cell.isWaiting = false;
       labels.Decide(cell.label, MedialVoxelLabel::MedialByGeodesic);
@@ -393,8 +395,7 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
       // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
       const bool isBounded =
         cell.bounds.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
-      known =
-        isBounded ? 0.0 : m_Threshold.RadiusBelow(cell.bounds.shortest * (1.0 - 3.0 * MedialVoxelResolutionBand));
+      known = isBounded ? 0.0 : m_Threshold.RadiusBelow(cell.bounds.shortest * (1.0 - 3.0 * MedialVoxelResolutionBand));
     }
     threshold.cells.Set(cell.center);
     threshold.radii.push_back(std::max(cell.radius, known));

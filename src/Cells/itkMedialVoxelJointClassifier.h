@@ -189,6 +189,12 @@ private:
   void
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
+  void
+  LimitThresholds(const Workspace &           workspace,
+                  const MedialVoxelFeatures & features,
+                  const MedialVoxelIndex &    cell,
+                  CrossedPair &               pair) const;
+
   static const Cell *
   FindCell(const Workspace & workspace, const MedialVoxelIndex & cell);
 
@@ -201,14 +207,14 @@ private:
   double
   EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;
 
-  MedialVoxelGrid           m_Grid;
-  MedialVoxelParameters     m_Parameters;
-  MedialVoxelCellPairs      m_Pairs;
-  MedialVoxelLocalThreshold m_Threshold;
-  MedialVoxelBitFlood       m_Flood;       // for the smallest threshold
-  MedialVoxelBitFlood       m_LengthFlood; // for the longest paths it can find
+  MedialVoxelGrid            m_Grid;
+  MedialVoxelParameters      m_Parameters;
+  MedialVoxelCellPairs       m_Pairs;
+  MedialVoxelLocalThreshold  m_Threshold;
+  MedialVoxelBitFlood        m_Flood;       // for the smallest threshold
+  MedialVoxelBitFlood        m_LengthFlood; // for the longest paths it can find
   MedialVoxelBlockSeparation m_Blocks;
-  MedialVoxelPairSeparation m_Separation;
+  MedialVoxelPairSeparation  m_Separation;
 };
 
 } // end namespace itk

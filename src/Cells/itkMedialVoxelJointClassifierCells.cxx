@@ -46,24 +46,39 @@ MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelI
   return std::min(straight, crossed);
 }
 
+/** Widen the limits of the thresholds of a pair by those of a cell. */
+void
+MedialVoxelJointClassifier::LimitThresholds(const Workspace &           workspace,
+                                            const MedialVoxelFeatures & features,
+                                            const MedialVoxelIndex &    cell,
+                                            CrossedPair &               pair) const
+{
+  double radius = 0.0;
+  if (const Cell * const known = FindCell(workspace, cell))
+  {
+    radius = known->radius;
+  }
+  else if (!workspace.m_Ranks.GetBits().GetBox().Contains(cell))
+  {
+    radius = m_Threshold.FindRadius(features, cell);
+  }
+  const double largest = MedialVoxelLocalThreshold::GetLargestRadius(cell, radius, workspace.m_Threshold);
+  pair.leastEpsilon = std::max(pair.leastEpsilon, m_Threshold.EpsilonOf(radius));
+  pair.mostEpsilon = std::max(pair.mostEpsilon, m_Threshold.EpsilonOf(largest));
+}
+
 void
 MedialVoxelJointClassifier::LookAt(const Workspace &                     workspace,
                                    const MedialVoxelFeatures &           features,
                                    const std::vector<MedialVoxelIndex> & cells,
                                    CrossedPair &                         pair) const
 {
-  const MedialVoxelBox & tile = workspace.m_Ranks.GetBits().GetBox();
-  for (const MedialVoxelIndex & cell : cells)
+  if (m_Parameters.mode == MedialVoxelThicknessMode::Automatic)
   {
-    const Cell * const known = FindCell(workspace, cell);
-    double             radius = known != nullptr ? known->radius : 0.0;
-    if (!tile.Contains(cell))
+    for (const MedialVoxelIndex & cell : cells)
     {
-      radius = m_Threshold.FindRadius(features, cell);
+      this->LimitThresholds(workspace, features, cell, pair);
     }
-    const double largest = MedialVoxelLocalThreshold::GetLargestRadius(cell, radius, workspace.m_Threshold);
-    pair.leastEpsilon = std::max(pair.leastEpsilon, m_Threshold.EpsilonOf(radius));
-    pair.mostEpsilon = std::max(pair.mostEpsilon, m_Threshold.EpsilonOf(largest));
   }
   for (const MedialVoxelIndex & cell : cells)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelPairChoice.h"
 
+#include "itkMedialVoxelProcessors.h"
+
 namespace itk
 {
 
@@ -26,7 +28,7 @@ Spread(const std::int32_t a, const std::int32_t b)
 }
 
 /** Sign bits of the cells of a group. */
-__attribute__((always_inline)) inline void
+MEDIALVOXEL_PART_OF_THEM inline void
 SpreadOfGroup(const MedialVoxelCornerRows & corners,
               const std::int64_t            begin,
               const std::int64_t            numberOfCells,
@@ -55,7 +57,7 @@ SpreadOfGroup(const MedialVoxelCornerRows & corners,
 }
 
 /** Sign bits of a group side by side, the first one lowest. */
-inline std::uint64_t
+MEDIALVOXEL_PART_OF_THEM inline std::uint64_t
 GatherSigns(const std::uint32_t (&numbers)[GroupSize])
 {
   static_assert(GroupSize == 16, "two words of bytes");
@@ -78,10 +80,10 @@ GatherSigns(const std::uint32_t (&numbers)[GroupSize])
 
 } // namespace
 
-__attribute__((target_clones("avx2", "default"))) std::uint64_t
-MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners,
-                       const std::uint64_t           cells,
-                       const std::int64_t            numberOfCells)
+MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
+                           MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners,
+                                                  const std::uint64_t           cells,
+                                                  const std::int64_t            numberOfCells)
 {
   std::uint64_t result = 0;
   for (std::int64_t begin = 0; begin < numberOfCells; begin += GroupSize)
@@ -145,17 +147,15 @@ MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners, const std::ptrd
     denominator[k] = (a[0][k] * a[0][k] + a[1][k] * a[1][k] + a[2][k] * a[2][k]) *
                      (c[0][k] * c[0][k] + c[1][k] * c[1][k] + c[2][k] * c[2][k]);
   }
-  // Fractions of such small numbers are equal in double precision only when they are equal.
-  unsigned int widest = 0;
-  for (unsigned int k = 1; k < 4; ++k)
-  {
-    if (static_cast<double>(numerator[k]) * static_cast<double>(denominator[widest]) <
-        static_cast<double>(numerator[widest]) * static_cast<double>(denominator[k]))
-    {
-      widest = k;
-    }
-  }
-  return static_cast<int>(widest);
+  // Fractions of such small numbers are equal in double precision only when they are equal. Pairs first, without jumps:
+  // which one wins cannot be foreseen.
+  const auto isWider = [&](const unsigned int k, const unsigned int than) {
+    return static_cast<double>(numerator[k]) * static_cast<double>(denominator[than]) <
+           static_cast<double>(numerator[than]) * static_cast<double>(denominator[k]);
+  };
+  const unsigned int lower = static_cast<unsigned int>(isWider(1, 0));
+  const unsigned int upper = 2 + static_cast<unsigned int>(isWider(3, 2));
+  return static_cast<int>(isWider(upper, lower) ? upper : lower);
 }
 
 } // end namespace itk

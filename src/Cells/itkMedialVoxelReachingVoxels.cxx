@@ -109,7 +109,8 @@ public:
     }
     for (unsigned int axis = 1; axis < 3; ++axis)
     {
-      const std::int64_t most = std::max(m_Corners.lower[axis] - box.lower[axis], box.upper[axis] - m_Corners.upper[axis]);
+      const std::int64_t most =
+        std::max(m_Corners.lower[axis] - box.lower[axis], box.upper[axis] - m_Corners.upper[axis]);
       for (std::int64_t offset = 0; offset <= std::max<std::int64_t>(most, 0); ++offset)
       {
         m_StepsAlong[axis].push_back(owner.GetSteps(static_cast<double>(offset) * grid.GetMetricSpacing()[axis]));

@@ -68,7 +68,7 @@ public:
     /** What the search slice by slice keeps. */
     struct Slices
     {
-      std::vector<MedialVoxelBits::WordType> open; // columns without a site so far
+      std::vector<MedialVoxelBits::WordType> open;     // columns without a site so far
       std::vector<std::int16_t>              previous; // slice of the last site of a column up to the slice at hand
       std::vector<std::int16_t>              next;     // slice of the first site of a column from the slice at hand on
       std::vector<std::int16_t>              passed;   // what next is after the sites of slices to come

@@ -137,8 +137,8 @@ MedialVoxelFeatureTransform::SliceSearch::VisitSites(const std::int64_t z, TVisi
   }
 }
 
-/** For each column the first slice that has a site in it, from \a first on and before \a end, upwards or downwards; other
- * columns stay as they are. */
+/** For each column the first slice that has a site in it, from \a first on and before \a end, upwards or downwards;
+ * other columns stay as they are. */
 void
 MedialVoxelFeatureTransform::SliceSearch::FindNearestSlices(const std::int64_t          first,
                                                             const std::int64_t          end,
@@ -166,8 +166,7 @@ MedialVoxelFeatureTransform::SliceSearch::FindNearestSlices(const std::int64_t  
     WordType * openOfRow = open.data();
     for (std::int64_t row = 0; row < rows; ++row, openOfRow += words)
     {
-      const WordType * const sitesOfRow =
-        sites.GetRow(m_Area.lower[1] + row, z) - sites.GetFirstWord() + firstWord;
+      const WordType * const sitesOfRow = sites.GetRow(m_Area.lower[1] + row, z) - sites.GetFirstWord() + firstWord;
       for (std::int64_t word = 0; word < words; ++word)
       {
         WordType found = sitesOfRow[word] & openOfRow[word];

@@ -107,8 +107,8 @@ MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
                                    MedialVoxelTileResult &         result,
                                    MedialVoxelSums &               sums) const
 {
-  auto &     workspace = static_cast<TileWorkspace &>(genericWorkspace);
-  Tile       tile{ box, moving, moving.GetWindow(MedialVoxelBoundary::Background), progress, workspace };
+  auto & workspace = static_cast<TileWorkspace &>(genericWorkspace);
+  Tile   tile{ box, moving, moving.GetWindow(MedialVoxelBoundary::Background), progress, workspace };
   // Objects of the neighboring tiles may have their boundary in a tile without object, which most of a thin part are.
   sums.counts.boundaryVoxels = tile.window.sites->Count(box);
   if (!tile.window.object->Any(m_Classifier.GetCornerBox(box)))
@@ -125,7 +125,7 @@ MedialVoxelExtractionTask::Extract(const MedialVoxelBox &          box,
   }
   tile.window = m_Classifier.FindAsked(tile.window, box, this->LooksAround(), workspace.classifier);
   MedialVoxelBox missing = this->FindNearest(tile);
-  const auto middle = ClockType::now();
+  const auto     middle = ClockType::now();
   sums.distanceSeconds = SecondsBetween(start, middle);
   if (!missing.IsEmpty())
   {

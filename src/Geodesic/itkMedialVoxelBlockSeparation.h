@@ -153,9 +153,9 @@ private:
       Include(pair.a, extent.points);
       Include(pair.b, extent.points);
       extent.epsilon = std::max(extent.epsilon, pair.epsilon);
-      extent.squaredLength = std::min(
-        extent.squaredLength,
-        m_Grid.SquaredMetricLength(pair.a[0] - pair.b[0], pair.a[1] - pair.b[1], pair.a[2] - pair.b[2]));
+      extent.squaredLength =
+        std::min(extent.squaredLength,
+                 m_Grid.SquaredMetricLength(pair.a[0] - pair.b[0], pair.a[1] - pair.b[1], pair.a[2] - pair.b[2]));
     }
     const double         length = extent.epsilon * (1.0 + 2.0 * MedialVoxelResolutionBand);
     const MedialVoxelBox box = this->GetBox(extent, length);
