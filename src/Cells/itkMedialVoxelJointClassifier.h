@@ -93,8 +93,8 @@ public:
 
   /** Memory of a workspace for each voxel of a tile and the margin around it when an eighth of them are waiting. */
   static constexpr std::uint64_t BytesPerVoxel =
-    (sizeof(Cell) + sizeof(MedialVoxelPair) + sizeof(MedialVoxelSeparationQuery) + sizeof(MedialVoxelInscribedBall) +
-     128) /
+    (sizeof(Cell) + sizeof(MedialVoxelPair) + sizeof(MedialVoxelSeparationQuery) +
+     2 * sizeof(MedialVoxelInscribedBall) + 128) /
     8;
 
   MedialVoxelJointClassifier(const MedialVoxelGrid & grid, const MedialVoxelParameters & parameters);

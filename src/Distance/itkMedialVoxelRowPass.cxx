@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelRowPass.h"
 
+#include "itkMedialVoxelProcessors.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -10,6 +12,9 @@ namespace itk
 
 namespace
 {
+
+/** Vectors that processors without such long ones split. */
+constexpr std::size_t BytesOfVector = 32;
 
 /** First attempt of a search about which nothing is known. */
 constexpr std::int64_t FirstReach = 16;
@@ -101,6 +106,22 @@ SmallestSums(const double * const keys,
 #endif
 }
 
+MEDIALVOXEL_FOR_PROCESSORS double
+FindSmallestSum(const double * const keys, const double * const steps, const std::int64_t begin, const std::int64_t end)
+{
+  return SmallestSum<BytesOfVector>(keys, steps, begin, end);
+}
+
+MEDIALVOXEL_FOR_PROCESSORS void
+FindSmallestSums(const double * const keys,
+                 const double * const steps,
+                 const std::int64_t   begin,
+                 const std::int64_t   end,
+                 double * const       result)
+{
+  SmallestSums<BytesOfVector>(keys, steps, begin, end, result);
+}
+
 } // namespace
 
 std::uint64_t
@@ -160,7 +181,7 @@ MedialVoxelRowPass::Search(const double * const       keys,
     const std::int64_t to = nextWinner >= 0 ? nextWinner : std::min(length - 1, last + reach);
     // Steps of the block's voxels stand next to each other when they are counted backwards.
     const double * const steps = m_BackwardSteps.data() + m_Longest + BlockSize + begin;
-    SmallestSums<16>(keys, steps, from, to + 1, result + block * BlockSize);
+    FindSmallestSums(keys, steps, from, to + 1, result + block * BlockSize);
     lowest = std::max(lowest, nextWinner);
     winner = nextWinner;
   }
@@ -178,7 +199,7 @@ MedialVoxelRowPass::FindWinner(const double * const keys,
     return center + (m_Axis == Axis::X ? MedialVoxelSiteKey::Decode(key).dx : MedialVoxelSiteKey::DecodeY(key));
   };
   const auto search = [&](const std::int64_t reach) {
-    return SmallestSum<16>(
+    return FindSmallestSum(
       keys, steps - center, std::max(lowest, center - reach), std::min(length, center + reach + 1));
   };
 

@@ -5,8 +5,8 @@
 
 #include <cstddef> // says which C library there is
 
-// Functions of integers that are worth a second version for processors with longer vectors; the one that runs is chosen
-// when the library is loaded. Sanitizers cannot follow that choice.
+// Functions that are worth a second version for processors with longer vectors, without fused operations, so that both
+// have the same results. The one that runs is chosen when the library is loaded, which sanitizers cannot follow.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #  define MEDIALVOXEL_FOR_PROCESSORS __attribute__((target_clones("avx2", "default")))
