@@ -13,25 +13,27 @@ using WordType = MedialVoxelBits::WordType;
 namespace
 {
 
-/** Bits of the cells from x on, bit 0 the first one, that have an object corner. */
+/** Bits of the cells x of a word that have an object corner, for one row of cells. */
 WordType
-CandidateBits(const MedialVoxelBits & object, const MedialVoxelIndex & first, const MedialVoxelIndex & margin)
+CandidateBits(const MedialVoxelBits &  object,
+              const std::int64_t       word,
+              const std::int64_t       y,
+              const std::int64_t       z,
+              const MedialVoxelIndex & margin)
 {
-  const std::int64_t wordInRow = (first[0] >> 6) - object.GetFirstWord();
-  const auto         shift = static_cast<unsigned int>(first[0] & 63);
+  const std::int64_t wordInRow = word - object.GetFirstWord();
   WordType           bits = 0;
   WordType           nextBits = 0;
   for (std::int64_t dz = 0; dz <= margin[2]; ++dz)
   {
     for (std::int64_t dy = 0; dy <= margin[1]; ++dy)
     {
-      const WordType * const row = object.GetRow(first[1] + dy, first[2] + dz);
+      const WordType * const row = object.GetRow(y + dy, z + dz);
       bits |= row[wordInRow];
       nextBits |= row[wordInRow + 1];
     }
   }
-  const WordType own = shift == 0 ? bits : (bits >> shift) | (nextBits << (MedialVoxelBits::BitsPerWord - shift));
-  return margin[0] == 0 ? own : own | (own >> 1) | ((nextBits >> shift) << (MedialVoxelBits::BitsPerWord - 1));
+  return margin[0] == 0 ? bits : bits | (bits >> 1) | (nextBits << (MedialVoxelBits::BitsPerWord - 1));
 }
 
 /** Displacements at the corners of a cell of a solid volume. */
@@ -59,23 +61,27 @@ MedialVoxelCellPairs::MedialVoxelCellPairs(const MedialVoxelGrid & grid, const d
   , m_HasCornerRows(m_Cell.GetNumberOfCorners() == 8)
 {}
 
-/** The cells from \a first on; false when none is a candidate. */
+/** The cells of a word; false when none is a candidate. */
 bool
 MedialVoxelCellPairs::Find(const MedialVoxelBits &     object,
                            const MedialVoxelFeatures & features,
-                           const MedialVoxelIndex &    first,
-                           const std::int64_t          end,
+                           const MedialVoxelBox &      box,
+                           const std::int64_t          word,
+                           const std::int64_t          y,
+                           const std::int64_t          z,
                            MedialVoxelCells &          cells) const
 {
-  const WordType candidates =
-    CandidateBits(object, first, m_Grid.GetUnitMargin()) & MedialVoxelBits::RangeMask(0, 0, end - first[0]);
+  const WordType candidates = CandidateBits(object, word, y, z, m_Grid.GetUnitMargin()) &
+                              MedialVoxelBits::RangeMask(word, box.lower[0], box.upper[0]);
   if (candidates == 0)
   {
     return false;
   }
-  cells = this->CellAt(features, first);
-  cells.number = std::min(MedialVoxelBits::BitsPerWord, end - first[0]);
-  cells.candidates = candidates;
+  const std::int64_t firstOfWord = word * MedialVoxelBits::BitsPerWord;
+  const std::int64_t first = std::max(firstOfWord, box.lower[0]);
+  cells = this->CellAt(features, { { first, y, z } });
+  cells.number = std::min(firstOfWord + MedialVoxelBits::BitsPerWord, box.upper[0]) - first;
+  cells.candidates = candidates >> (first - firstOfWord);
   return true;
 }
 

@@ -72,9 +72,9 @@ public:
     {
       for (std::int64_t y = cellBox.lower[1]; y < cellBox.upper[1]; ++y)
       {
-        for (std::int64_t x = cellBox.lower[0]; x < cellBox.upper[0]; x += MedialVoxelBits::BitsPerWord)
+        for (std::int64_t word = cellBox.lower[0] >> 6; word <= (cellBox.upper[0] - 1) >> 6; ++word)
         {
-          if (this->Find(object, features, { { x, y, z } }, cellBox.upper[0], cells) && !visit(cells))
+          if (this->Find(object, features, cellBox, word, y, z, cells) && !visit(cells))
           {
             return false;
           }
@@ -103,8 +103,10 @@ private:
   bool
   Find(const MedialVoxelBits &     object,
        const MedialVoxelFeatures & features,
-       const MedialVoxelIndex &    first,
-       std::int64_t                end,
+       const MedialVoxelBox &      box,
+       std::int64_t                word,
+       std::int64_t                y,
+       std::int64_t                z,
        MedialVoxelCells &          cells) const;
 
   MedialVoxelGrid     m_Grid;
