@@ -221,6 +221,37 @@ TEST(MedialVoxelJointClassifier, ThresholdsAreThoseOfBruteForce)
   EXPECT_GT(raised, 1000u);
 }
 
+TEST(MedialVoxelJointClassifier, RowsBeginInTheTile)
+{
+  // A tile in the middle of words, whose cells are looked at together with those before it.
+  const Inputs                     inputs(RandomBoxes({ { 150, 24, 22 } }, UnitSpacing, 40, 511));
+  const MedialVoxelClassifier      classifier(inputs.grid, ParametersOf({ 3.0, 9.0, 2.9 }, BoundEnum::FreeSpace));
+  const auto                       tile = MakeBox({ { 37, 5, 4 } }, { { 133, 20, 19 } });
+  const itk::MedialVoxelNoProgress progress;
+  MedialVoxelClassifier::Workspace workspace;
+  workspace.keepsRows = true;
+  itk::MedialVoxelCounts counts;
+  Labels                 labels;
+  const auto             window = classifier.FindAsked({ &inputs.object, &inputs.sites }, tile, false, workspace);
+  const auto             features = inputs.Features(classifier.GetVoxelBox(tile), window.asked);
+  ASSERT_TRUE(classifier.Classify(window, tile, features, progress, workspace, labels, counts).IsEmpty());
+  Labels fromRows(labels.size(), itk::MedialVoxelLabel::NoObject);
+  for (const auto & row : workspace.rows)
+  {
+    ASSERT_TRUE(tile.Contains(row.first));
+    for (auto rest = row.candidates; rest != 0; rest &= rest - 1)
+    {
+      const int  x = itk::MedialVoxelLowestBit(rest);
+      const bool isByBound = ((row.byBound >> x) & 1u) != 0;
+      const bool isByGeodesic = ((row.byGeodesic >> x) & 1u) != 0;
+      fromRows[tile.OffsetOf(row.first) + static_cast<std::size_t>(x)] =
+        isByBound ? itk::MedialVoxelLabel::MedialByBound
+                  : (isByGeodesic ? itk::MedialVoxelLabel::MedialByGeodesic : itk::MedialVoxelLabel::NonMedial);
+    }
+  }
+  EXPECT_EQ(fromRows, labels);
+}
+
 TEST(MedialVoxelJointClassifier, LargerLimitsNeverAddMedialCells)
 {
   for (const Case & c : AllCases())

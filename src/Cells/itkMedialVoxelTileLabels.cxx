@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelTileLabels.h"
 
+#include <algorithm>
+
 namespace itk
 {
 
@@ -34,7 +36,9 @@ MedialVoxelTileLabels::AddCandidates(const MedialVoxelIndex & first, const WordT
   }
   if (m_Rows != nullptr)
   {
-    m_Rows->push_back({ first, candidates });
+    // Users of rows keep sums by cells of the tile, from the first one on.
+    const std::int64_t before = std::max<std::int64_t>(m_Tile.lower[0] - first[0], 0);
+    m_Rows->push_back({ { { first[0] + before, first[1], first[2] } }, candidates >> before });
   }
 }
 

@@ -150,14 +150,11 @@ MedialVoxelFeatureTransform::SliceSearch::FindNearestSlices(const std::int64_t  
   const std::int64_t      rows = m_Area.Extent(1);
   // Bits of the columns that have none yet: most sites lie behind others.
   auto & open = m_Memory.open;
-  open.clear();
-  for (std::int64_t word = firstWord; word < firstWord + words; ++word)
+  open.resize(static_cast<std::size_t>(rows * words));
+  for (std::size_t i = 0; i < open.size(); ++i)
   {
-    open.push_back(MedialVoxelBits::RangeMask(word, m_Area.lower[0], m_Area.upper[0]));
-  }
-  for (std::int64_t row = 1; row < rows; ++row)
-  {
-    open.insert(open.end(), open.begin(), open.begin() + words);
+    open[i] =
+      MedialVoxelBits::RangeMask(firstWord + static_cast<std::int64_t>(i) % words, m_Area.lower[0], m_Area.upper[0]);
   }
   for (std::int64_t z = first; z != end; z += first < end ? 1 : -1)
   {

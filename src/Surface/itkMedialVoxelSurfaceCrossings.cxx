@@ -105,7 +105,8 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
   {
     missing = this->DecideTogether(tile, workspace);
   }
-  if (this->IsAutomatic() && missing.IsEmpty() && !tile.progress.IsAborted())
+  // After an abort, too: splits are looked for at whatever edges were found.
+  if (this->IsAutomatic() && missing.IsEmpty())
   {
     this->FindThresholdsOfSplits(tile, workspace);
   }
@@ -196,8 +197,9 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
   });
   MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, pair.GetB(), m_Parameters.epsilon, m_Parameters.epsilon };
   tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, cells, crossed);
-  // A cell that falls short of the smallest threshold knows no more of its distance.
-  if (crossed.bounds.longest <= m_Parameters.epsilon || crossed.bounds.FallShortOf(crossed.leastEpsilon))
+  // Where floods decide, no length is near the smallest threshold; of shorter ones cells often know no more than that.
+  if ((m_Flood.IsAvailable() && crossed.bounds.longest <= m_Parameters.epsilon) ||
+      crossed.bounds.FallShortOf(crossed.leastEpsilon))
   {
     return;
   }

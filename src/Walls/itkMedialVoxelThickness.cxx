@@ -73,23 +73,6 @@ struct Side
   std::int64_t     inwards[3] = { 0, 0, 0 }; // sum of the offsets of the object voxels
 };
 
-/** Offsets of the voxels after the center of a block, by axes. */
-constexpr std::array<std::array<double, CenterOfBlock>, 3>
-MakeUpperOffsets()
-{
-  std::array<std::array<double, CenterOfBlock>, 3> offsets{};
-  for (int i = 0; i < CenterOfBlock; ++i)
-  {
-    const int bit = CenterOfBlock + 1 + i;
-    offsets[0][static_cast<std::size_t>(i)] = bit % 3 - 1;
-    offsets[1][static_cast<std::size_t>(i)] = bit / 3 % 3 - 1;
-    offsets[2][static_cast<std::size_t>(i)] = bit / 9 - 1;
-  }
-  return offsets;
-}
-
-constexpr auto UpperOffsets = MakeUpperOffsets();
-
 /** Offsets that lead out of a wall by more than a quarter of a voxel.
  *
  * \param inwards  normal of the wall in voxels, of any length, towards its inside */
@@ -97,17 +80,13 @@ BlockType
 OffsetsOutOf(const PositionType & inwards)
 {
   const double slack = 0.25 * std::sqrt(inwards[0] * inwards[0] + inwards[1] * inwards[1] + inwards[2] * inwards[2]);
-  // Opposite offsets lead as far the other way: those of the upper half are enough.
-  std::array<double, CenterOfBlock> along;
-  for (std::size_t i = 0; i < along.size(); ++i)
+  BlockType    out = 0;
+  // Opposite offsets lead as far the other way.
+  for (int bit = CenterOfBlock + 1; bit <= 2 * CenterOfBlock; ++bit)
   {
-    along[i] = UpperOffsets[0][i] * inwards[0] + UpperOffsets[1][i] * inwards[1] + UpperOffsets[2][i] * inwards[2];
-  }
-  BlockType out = 0;
-  for (std::size_t i = 0; i < along.size(); ++i)
-  {
-    out |= static_cast<BlockType>(along[i] < -slack) << (CenterOfBlock + 1 + i);
-    out |= static_cast<BlockType>(along[i] > slack) << (CenterOfBlock - 1 - i);
+    const double along = inwards[0] * (bit % 3 - 1) + inwards[1] * (bit / 3 % 3 - 1) + inwards[2] * (bit / 9 - 1);
+    out |= (along < -slack ? BlockType{ 1 } : 0) << bit;
+    out |= (along > slack ? BlockType{ 1 } : 0) << (2 * CenterOfBlock - bit);
   }
   return out;
 }
