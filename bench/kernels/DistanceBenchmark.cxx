@@ -49,7 +49,7 @@ void
 SearchOffsets(benchmark::State & state)
 {
   const KernelScene &      scene = SceneOf(state);
-  const auto               offsets = itk::MedialVoxelSortedOffsets(scene.grid, 6.0);
+  const auto               offsets = itk::MedialVoxelOffsetTable(itk::MedialVoxelSortedOffsets(scene.grid, 6.0));
   const MedialVoxelBox     box = scene.grid.GetVoxelBox();
   itk::MedialVoxelFeatures row;
   row.Reset({ { { 0, 0, 0 } }, { { box.upper[0], 1, 1 } } });

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace itk
 {
@@ -74,14 +75,15 @@ MedialVoxelFeatureTransform::MedialVoxelFeatureTransform(const MedialVoxelGrid &
   : m_Grid(grid)
   , m_Region(region)
   , m_MaximumDistance(maximumDistance)
-  , m_NearOffsets(MedialVoxelSortedOffsets(grid, FarRadius * MeanMetricSpacing(grid)))
 {
+  auto         offsets = MedialVoxelSortedOffsets(grid, FarRadius * MeanMetricSpacing(grid));
   const double radius = NearRadius * MeanMetricSpacing(grid);
-  const auto firstFar = std::find_if(m_NearOffsets.begin(), m_NearOffsets.end(), [&](const MedialVoxelOffset & offset) {
+  const auto   firstFar = std::find_if(offsets.begin(), offsets.end(), [&](const MedialVoxelOffset & offset) {
     return offset.squaredLength > radius * radius;
   });
-  m_FarOffsets.assign(firstFar, m_NearOffsets.end());
-  m_NearOffsets.erase(firstFar, m_NearOffsets.end());
+  m_FarOffsets = MedialVoxelOffsetTable({ firstFar, offsets.end() });
+  offsets.erase(firstFar, offsets.end());
+  m_NearOffsets = MedialVoxelOffsetTable(std::move(offsets));
 }
 
 double
@@ -183,38 +185,36 @@ MedialVoxelFeatureTransform::SearchNearby(Tile & tile, const std::int64_t z, con
   }
 }
 
-/** Search the remaining voxels of a slice for sites at \a offsets; the number of those that remain. */
+/** Search the remaining voxels of a slice for sites at the displacements of \a table; the number of those that remain.
+ * As a word takes as long for few voxels as for many, it begins with a voxel that remains. */
 std::uint64_t
-MedialVoxelFeatureTransform::SearchTable(Tile &                                 tile,
-                                         const std::int64_t                     z,
-                                         const std::vector<MedialVoxelOffset> & offsets) const
+MedialVoxelFeatureTransform::SearchTable(Tile & tile, const std::int64_t z, const MedialVoxelOffsetTable & table) const
 {
   const MedialVoxelBox & box = tile.Box();
+  const std::int64_t     end = tile.words * MedialVoxelBits::BitsPerWord;
+  const std::int64_t     firstBit = tile.firstWord * MedialVoxelBits::BitsPerWord;
   std::uint64_t          left = 0;
   MedialVoxelPollCounter poll;
   for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
   {
-    for (std::int64_t word = tile.firstWord; word < tile.firstWord + tile.words; ++word)
+    const MedialVoxelRemainingRow row{ &tile.Remaining(tile.firstWord, y, z), tile.words };
+    for (std::int64_t bit = row.Next(0); bit < end; bit = row.Next(bit + MedialVoxelBits::BitsPerWord))
     {
-      WordType & remaining = tile.Remaining(word, y, z);
-      if (remaining == 0)
-      {
-        continue;
-      }
       poll.Count(MedialVoxelBits::BitsPerWord);
-      const std::int64_t x = word * MedialVoxelBits::BitsPerWord;
+      const WordType     query = row.Extract(bit);
+      const std::int64_t x = firstBit + bit;
       const auto firstLane = static_cast<std::int64_t>(tile.features.OffsetOf(box.lower[0], y, z)) + (x - box.lower[0]);
       const auto result = MedialVoxelSearchOffsets(
-        offsets,
+        table,
         *tile.window.sites,
         x,
         y,
         z,
-        remaining,
+        query,
         { tile.features.dx.data(), tile.features.dy.data(), tile.features.dz.data(), firstLane });
       tile.largestSquaredLength = std::max(tile.largestSquaredLength, result.largestSquaredLength);
-      remaining = result.remaining;
-      left += static_cast<std::uint64_t>(MedialVoxelPopulationCount(remaining));
+      row.Clear(bit, query & ~result.remaining);
+      left += static_cast<std::uint64_t>(MedialVoxelPopulationCount(result.remaining));
     }
   }
   return left;

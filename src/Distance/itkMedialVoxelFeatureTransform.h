@@ -127,7 +127,7 @@ private:
   SearchNearby(Tile & tile, std::int64_t z, std::uint64_t voxels) const;
 
   std::uint64_t
-  SearchTable(Tile & tile, std::int64_t z, const std::vector<MedialVoxelOffset> & offsets) const;
+  SearchTable(Tile & tile, std::int64_t z, const MedialVoxelOffsetTable & table) const;
 
   bool
   BoundRemaining(Tile & tile) const;
@@ -155,11 +155,11 @@ private:
   double
   MaximumMetricLength() const;
 
-  MedialVoxelGrid                m_Grid;
-  MedialVoxelRegion              m_Region;
-  double                         m_MaximumDistance;
-  std::vector<MedialVoxelOffset> m_NearOffsets;
-  std::vector<MedialVoxelOffset> m_FarOffsets;
+  MedialVoxelGrid        m_Grid;
+  MedialVoxelRegion      m_Region;
+  double                 m_MaximumDistance;
+  MedialVoxelOffsetTable m_NearOffsets;
+  MedialVoxelOffsetTable m_FarOffsets;
 };
 
 } // end namespace itk

@@ -26,6 +26,56 @@ MedialVoxelReserve(TVector & values, const std::int64_t size)
   }
 }
 
+/** \struct MedialVoxelRemainingRow
+ * \brief The bits of a row of voxels that remain, bit 0 the lowest one of its first word.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelRemainingRow
+{
+  MedialVoxelBits::WordType * first;
+  std::int64_t                words;
+
+  /** The next bit that is set, from \a bit on; the number of bits when none is. */
+  std::int64_t
+  Next(const std::int64_t bit) const
+  {
+    std::int64_t word = bit >> 6;
+    if (word >= words)
+    {
+      return words * MedialVoxelBits::BitsPerWord;
+    }
+    MedialVoxelBits::WordType rest = first[word] & (~MedialVoxelBits::WordType{ 0 } << (bit & 63));
+    while (rest == 0 && ++word < words)
+    {
+      rest = first[word];
+    }
+    return word * MedialVoxelBits::BitsPerWord + (rest == 0 ? 0 : MedialVoxelLowestBit(rest));
+  }
+
+  /** The 64 bits from \a bit on. */
+  MedialVoxelBits::WordType
+  Extract(const std::int64_t bit) const
+  {
+    const std::int64_t word = bit >> 6;
+    const std::int64_t shift = bit & 63;
+    const bool         isSplit = shift != 0 && word + 1 < words;
+    return (first[word] >> shift) | (isSplit ? first[word + 1] << (MedialVoxelBits::BitsPerWord - shift) : 0);
+  }
+
+  /** Clear those of the 64 bits from \a bit on that are set in \a bits. */
+  void
+  Clear(const std::int64_t bit, const MedialVoxelBits::WordType bits) const
+  {
+    const std::int64_t word = bit >> 6;
+    const std::int64_t shift = bit & 63;
+    first[word] &= ~(bits << shift);
+    if (shift != 0 && word + 1 < words)
+    {
+      first[word + 1] &= ~(bits >> (MedialVoxelBits::BitsPerWord - shift));
+    }
+  }
+};
+
 /** What the steps of the transform of one tile hand on. */
 struct MedialVoxelFeatureTransform::Tile
 {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <tuple>
+#include <utility>
 
 // Costs and positions never overlap, which compilers must know to vectorize short lines.
 #if defined(_MSC_VER)
@@ -54,28 +56,75 @@ MedialVoxelSortedOffsets(const MedialVoxelGrid & grid, const double radius)
   return offsets;
 }
 
-MedialVoxelTableResult
-MedialVoxelSearchOffsets(const std::vector<MedialVoxelOffset> & offsets,
-                         const MedialVoxelBits &                sites,
-                         const std::int64_t                     x,
-                         const std::int64_t                     y,
-                         const std::int64_t                     z,
-                         const WordType                         query,
-                         const MedialVoxelDisplacementRow &     row)
+MedialVoxelOffsetTable::MedialVoxelOffsetTable(std::vector<MedialVoxelOffset> sorted)
+  : offsets(std::move(sorted))
 {
-  assert(x % MedialVoxelBits::BitsPerWord == 0);
+  for (const MedialVoxelOffset & offset : offsets)
+  {
+    const MedialVoxelIndex steps{ { std::abs(offset.dx), std::abs(offset.dy), std::abs(offset.dz) } };
+    std::transform(reach.begin(), reach.end(), steps.begin(), reach.begin(), [](const auto a, const auto b) {
+      return std::max(a, b);
+    });
+  }
+}
+
+namespace
+{
+
+/** The 64 bits from a voxel on, for displacements of that voxel; all of them lead to words that can be read. */
+class WordsAround
+{
+public:
+  WordsAround(const MedialVoxelBits & bits, const std::int64_t x, const std::int64_t y, const std::int64_t z)
+    : m_Row(bits.GetRow(y, z))
+    , m_First(x - bits.GetFirstWord() * MedialVoxelBits::BitsPerWord)
+    , m_RowPitch(bits.GetRowPitch())
+    , m_SlicePitch(bits.GetRowPitch() * bits.GetBox().Extent(1))
+  {}
+
+  static bool
+  AreReadable(const MedialVoxelBits &  bits,
+              const std::int64_t       x,
+              const std::int64_t       y,
+              const std::int64_t       z,
+              const MedialVoxelIndex & reach)
+  {
+    // A word before the row and one after it can be read, and two are read at once.
+    const std::int64_t first = ((x - reach[0]) >> 6) - bits.GetFirstWord();
+    const std::int64_t last = ((x + reach[0]) >> 6) - bits.GetFirstWord();
+    return first >= -1 && last < bits.GetWordsPerRow() && bits.HasRow(y - reach[1], z - reach[2]) &&
+           bits.HasRow(y + reach[1], z + reach[2]);
+  }
+
+  WordType
+  operator()(const MedialVoxelOffset & offset) const
+  {
+    constexpr unsigned int last = MedialVoxelBits::BitsPerWord - 1;
+    const std::int64_t     bit = m_First + offset.dx;
+    const WordType * const words = m_Row + offset.dz * m_SlicePitch + offset.dy * m_RowPitch + (bit >> 6);
+    const auto             shift = static_cast<unsigned int>(bit) & last;
+    return (words[0] >> shift) | ((words[1] << 1) << (last - shift));
+  }
+
+private:
+  const WordType * m_Row;
+  std::int64_t     m_First;
+  std::int64_t     m_RowPitch;
+  std::int64_t     m_SlicePitch;
+};
+
+/** Take the first displacement of each lane that leads to a bit; \a bitsAt(offset) has the bits of all lanes. */
+template <typename TBitsAt>
+MedialVoxelTableResult
+TakeFirstHits(const std::vector<MedialVoxelOffset> & offsets,
+              const WordType                         query,
+              const MedialVoxelDisplacementRow &     row,
+              TBitsAt &&                             bitsAt)
+{
   MedialVoxelTableResult result{ query, 0.0 };
   for (const MedialVoxelOffset & offset : offsets)
   {
-    if (result.remaining == 0)
-    {
-      break;
-    }
-    if (!sites.HasRow(y + offset.dy, z + offset.dz))
-    {
-      continue;
-    }
-    WordType hits = result.remaining & sites.Extract(x + offset.dx, y + offset.dy, z + offset.dz);
+    WordType hits = result.remaining & bitsAt(offset);
     if (hits == 0)
     {
       continue;
@@ -89,8 +138,36 @@ MedialVoxelSearchOffsets(const std::vector<MedialVoxelOffset> & offsets,
       row.dy[lane] = offset.dy;
       row.dz[lane] = offset.dz;
     }
+    if (result.remaining == 0)
+    {
+      break;
+    }
   }
   return result;
+}
+
+} // namespace
+
+MedialVoxelTableResult
+MedialVoxelSearchOffsets(const MedialVoxelOffsetTable &     table,
+                         const MedialVoxelBits &            sites,
+                         const std::int64_t                 x,
+                         const std::int64_t                 y,
+                         const std::int64_t                 z,
+                         const WordType                     query,
+                         const MedialVoxelDisplacementRow & row)
+{
+  if (query == 0)
+  {
+    return { 0, 0.0 };
+  }
+  if (WordsAround::AreReadable(sites, x, y, z, table.reach))
+  {
+    return TakeFirstHits(table.offsets, query, row, WordsAround(sites, x, y, z));
+  }
+  return TakeFirstHits(table.offsets, query, row, [&](const MedialVoxelOffset & offset) {
+    return sites.HasRow(y + offset.dy, z + offset.dz) ? sites.Extract(x + offset.dx, y + offset.dy, z + offset.dz) : 0;
+  });
 }
 
 namespace

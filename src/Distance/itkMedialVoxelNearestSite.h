@@ -38,6 +38,19 @@ MedialVoxel_EXPORT std::vector<MedialVoxelOffset>
 /** Longest displacement along x that a table search follows. */
 constexpr std::int64_t MedialVoxelLongestOffset = 63;
 
+/** \struct MedialVoxelOffsetTable
+ * \brief Part of the sorted displacements, and the longest of them along each axis.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxel_EXPORT MedialVoxelOffsetTable
+{
+  MedialVoxelOffsetTable() = default;
+  explicit MedialVoxelOffsetTable(std::vector<MedialVoxelOffset> sorted);
+
+  std::vector<MedialVoxelOffset> offsets;
+  MedialVoxelIndex               reach{};
+};
+
 /** \struct MedialVoxelDisplacementRow
  * \brief Where the displacements of 64 voxels of a row are stored: lane i at firstLane + i of each array.
  *
@@ -64,22 +77,22 @@ struct MedialVoxelTableResult
 
 /** \brief Nearest sites of up to 64 voxels of a row, by the sorted displacements of a ball.
  *
- * \param offsets  sorted displacements
- * \param sites    site bits; voxels outside its box are no sites
- * \param x,y,z    voxel of lane 0; x is a multiple of 64
- * \param query    lanes to search for
- * \param row      receives the displacements
+ * \param table  sorted displacements
+ * \param sites  site bits; voxels outside its box are no sites
+ * \param x,y,z  voxel of lane 0
+ * \param query  lanes to search for
+ * \param row    receives the displacements
  *
  * \ingroup MedialVoxel
  */
 MedialVoxel_EXPORT MedialVoxelTableResult
-MedialVoxelSearchOffsets(const std::vector<MedialVoxelOffset> & offsets,
-                         const MedialVoxelBits &                sites,
-                         std::int64_t                           x,
-                         std::int64_t                           y,
-                         std::int64_t                           z,
-                         MedialVoxelBits::WordType              query,
-                         const MedialVoxelDisplacementRow &     row);
+MedialVoxelSearchOffsets(const MedialVoxelOffsetTable &     table,
+                         const MedialVoxelBits &            sites,
+                         std::int64_t                       x,
+                         std::int64_t                       y,
+                         std::int64_t                       z,
+                         MedialVoxelBits::WordType          query,
+                         const MedialVoxelDisplacementRow & row);
 
 /** \brief Displacement along x to the nearest site of the own row, for \a count voxels from \a x on.
  *
