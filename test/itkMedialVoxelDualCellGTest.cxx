@@ -70,8 +70,6 @@ TEST(MedialVoxelDualCell, MeasuresOfPairsAreTheDefinitions)
       const Index3 vj = CellCorner(volume, at, static_cast<int>(cell.GetOppositeCorner(k)));
       const Index3 ni = RandomVoxel(volume, generator);
       const Index3 nj = RandomVoxel(volume, generator);
-      const auto   difference = cell.BoundaryDifference(k, Between(vi, ni), Between(vj, nj));
-      ASSERT_EQ(difference, Between(nj, ni));
       ASSERT_EQ(cell.CosineKey(k, Between(vi, ni), Between(vj, nj)), CosineKey(volume, at, ni, nj));
       ASSERT_NEAR(cell.PseudoGeodesicDistance(Between(vi, ni), Between(vj, nj)),
                   std::max(0.0, PaperPseudoGeodesic(volume, vi, ni, vj, nj)),

@@ -52,7 +52,29 @@ struct Rows
     const std::size_t x = cell + (corner & 1u);
     return { { values[0][corner >> 1][x], values[1][corner >> 1][x], values[2][corner >> 1][x] } };
   }
+
+  /** Between the boundary points of a diagonal. */
+  itk::MedialVoxelDisplacement
+  DifferenceOf(std::size_t cell, unsigned int corner) const
+  {
+    const auto                   first = this->Of(cell, corner);
+    const auto                   second = this->Of(cell, 7 - corner);
+    itk::MedialVoxelDisplacement difference;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      difference[axis] = first[axis] - second[axis] + 2 * static_cast<std::int64_t>((corner >> axis) & 1u) - 1;
+    }
+    return difference;
+  }
 };
+
+int
+WidestOf(const Rows & rows)
+{
+  std::int8_t widest = 77;
+  itk::MedialVoxelWidestDiagonals(rows.Pointers(), 1, 1, &widest);
+  return widest;
+}
 
 const itk::MedialVoxelGrid UnitGrid({ { 99, 99, 99 } }, { { 1.0, 1.0, 1.0 } });
 } // namespace
@@ -74,8 +96,7 @@ TEST(MedialVoxelPairChoice, SpreadCellsHaveADiagonalThatIsNotTrivial)
       {
         for (unsigned int k = 0; k < 4; ++k)
         {
-          const auto difference = cell.BoundaryDifference(k, rows.Of(i, k), rows.Of(i, 7 - k));
-          if (!cell.IsTrivial(difference, 2.0))
+          if (!cell.IsTrivial(rows.DifferenceOf(i, k), 2.0))
           {
             expected |= asked & (std::uint64_t{ 1 } << i);
           }
@@ -125,42 +146,53 @@ TEST(MedialVoxelPairChoice, CornersWithoutAPointAreNeverNear)
       component[corner >> 1][corner & 1u] = itk::MedialVoxelNoDisplacement;
     }
     EXPECT_EQ(itk::MedialVoxelSpreadCells(rows.Pointers(), 1, 1), 1u);
-    EXPECT_EQ(itk::MedialVoxelWidestDiagonal(rows.Pointers(), 0), -1);
+    EXPECT_EQ(WidestOf(rows), -1);
   }
 }
 
 TEST(MedialVoxelPairChoice, TheWidestDiagonalHasTheSmallestKey)
 {
   const itk::MedialVoxelDualCell cell(UnitGrid);
-  std::mt19937                   generator(24);
+  const auto                     smallestKeyOf = [&cell](const Rows & rows, const std::size_t i) {
+    int          number = 0;
+    double       smallest = 2.0;
+    std::int64_t longest = -1;
+    for (unsigned int k = 0; k < 4; ++k)
+    {
+      const double key = cell.CosineKey(k, rows.Of(i, k), rows.Of(i, 7 - k));
+      if (key < smallest)
+      {
+        smallest = key;
+        number = static_cast<int>(k);
+      }
+    }
+    for (unsigned int corner = 0; corner < 8; ++corner)
+    {
+      for (const std::int64_t steps : rows.Of(i, corner))
+      {
+        longest = std::max(longest, steps >= 0 ? steps : -1 - steps);
+      }
+    }
+    return longest < 16 ? number : -1;
+  };
+  std::mt19937 generator(24);
   for (const int reach : { 1, 2, 4, 15, 16, 17, 40 })
   {
     int chosen = 0;
-    for (int trial = 0; trial < 20000; ++trial)
+    for (int trial = 0; trial < 1000; ++trial)
     {
-      const Rows   rows(1, reach, generator);
-      int          expected = 0;
-      double       smallest = 2.0;
-      std::int64_t longest = -1;
-      for (unsigned int k = 0; k < 4; ++k)
+      const std::size_t           cells = 1 + generator() % 64;
+      const Rows                  rows(cells, reach, generator);
+      const std::uint64_t         asked = (std::uint64_t{ generator() } << 32) | generator();
+      std::array<std::int8_t, 64> widest;
+      widest.fill(77);
+      itk::MedialVoxelWidestDiagonals(rows.Pointers(), asked, static_cast<std::int64_t>(cells), widest.data());
+      for (std::size_t i = 0; i < 64; ++i)
       {
-        const double key = cell.CosineKey(k, rows.Of(0, k), rows.Of(0, 7 - k));
-        if (key < smallest)
-        {
-          smallest = key;
-          expected = static_cast<int>(k);
-        }
+        const bool isAsked = i < cells && (asked >> i & 1u) != 0;
+        ASSERT_EQ(widest[i], isAsked ? smallestKeyOf(rows, i) : i < cells ? widest[i] : 77) << "reach " << reach;
+        chosen += isAsked && widest[i] >= 0 ? 1 : 0;
       }
-      for (unsigned int corner = 0; corner < 8; ++corner)
-      {
-        for (const std::int64_t steps : rows.Of(0, corner))
-        {
-          longest = std::max(longest, steps >= 0 ? steps : -1 - steps);
-        }
-      }
-      const int widest = itk::MedialVoxelWidestDiagonal(rows.Pointers(), 0);
-      ASSERT_EQ(widest, longest < 16 ? expected : -1) << "reach " << reach;
-      chosen += widest >= 0 ? 1 : 0;
     }
     EXPECT_GT(chosen, reach > 17 ? -1 : 0);
   }

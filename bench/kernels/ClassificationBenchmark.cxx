@@ -86,7 +86,9 @@ UndecidedPairs(const KernelScene & scene, double epsilon)
         const std::size_t             j = features.OffsetOf(x + 1, y + 1, z + 1);
         const MedialVoxelDisplacement first{ { features.dx[i], features.dy[i], features.dz[i] } };
         const MedialVoxelDisplacement second{ { features.dx[j], features.dy[j], features.dz[j] } };
-        const MedialVoxelDisplacement difference = cell.BoundaryDifference(0, first, second);
+        const MedialVoxelDisplacement difference{
+          { first[0] - second[0] - 1, first[1] - second[1] - 1, first[2] - second[2] - 1 }
+        };
         if (!cell.IsTrivial(difference, epsilon) && cell.FreeSpaceLength(difference) < epsilon)
         {
           const MedialVoxelIndex a{ { x + first[0], y + first[1], z + first[2] } };
@@ -195,15 +197,12 @@ WidestDiagonals(benchmark::State & state)
   std::int64_t                   cells = 0;
   for (auto _ : state)
   {
-    int sum = 0;
+    std::array<std::int8_t, 64> widest{};
     VisitCornerRows(features, [&](const itk::MedialVoxelCornerRows & corners) {
-      for (std::ptrdiff_t x = 0; x < 64; ++x)
-      {
-        sum += itk::MedialVoxelWidestDiagonal(corners, x);
-      }
+      itk::MedialVoxelWidestDiagonals(corners, ~std::uint64_t{ 0 }, 64, widest.data());
       cells += 64;
     });
-    benchmark::DoNotOptimize(sum);
+    benchmark::DoNotOptimize(widest);
   }
   state.SetItemsProcessed(cells);
 }

@@ -79,20 +79,19 @@ MedialVoxelCellPairs::Find(const MedialVoxelBits &     object,
   }
   const std::int64_t firstOfWord = word * MedialVoxelBits::BitsPerWord;
   const std::int64_t first = std::max(firstOfWord, box.lower[0]);
-  cells = this->CellAt(features, { { first, y, z } });
+  cells = this->GroupAt(features, { { first, y, z } });
   cells.number = std::min(firstOfWord + MedialVoxelBits::BitsPerWord, box.upper[0]) - first;
   cells.candidates = candidates >> (first - firstOfWord);
   return true;
 }
 
+/** Cells from \a first on, of which nothing else is known. */
 MedialVoxelCells
-MedialVoxelCellPairs::CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const
+MedialVoxelCellPairs::GroupAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & first) const
 {
   MedialVoxelCells cells;
-  cells.first = cell;
-  cells.number = 1;
-  cells.candidates = 1;
-  cells.offset = features.OffsetOf(cell[0], cell[1], cell[2]);
+  cells.first = first;
+  cells.offset = features.OffsetOf(first[0], first[1], first[2]);
   if (m_HasCornerRows)
   {
     cells.corners = CornerRows(features, cells.offset);
@@ -100,12 +99,79 @@ MedialVoxelCellPairs::CellAt(const MedialVoxelFeatures & features, const MedialV
   return cells;
 }
 
-WordType
-MedialVoxelCellPairs::Spread(const MedialVoxelCells & cells) const
+MedialVoxelCells
+MedialVoxelCellPairs::CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const
 {
-  return m_HasCornerRows && m_Epsilon > m_Grid.GetLongestEdge()
-           ? MedialVoxelSpreadCells(cells.corners, cells.candidates, cells.number)
-           : cells.candidates;
+  MedialVoxelCells cells = this->GroupAt(features, cell);
+  cells.number = 1;
+  cells.candidates = 1;
+  this->FindWidest(1, cells);
+  return cells;
+}
+
+void
+MedialVoxelCellPairs::FindWidest(const WordType asked, MedialVoxelCells & cells) const
+{
+  if (m_HasCornerRows && m_Grid.HasEqualSpacing())
+  {
+    MedialVoxelWidestDiagonals(cells.corners, asked, cells.number, cells.widest.data());
+  }
+  else
+  {
+    cells.widest.fill(-1);
+  }
+}
+
+WordType
+MedialVoxelCellPairs::Spread(MedialVoxelCells & cells) const
+{
+  const WordType spread = m_HasCornerRows && m_Epsilon > m_Grid.GetLongestEdge()
+                            ? MedialVoxelSpreadCells(cells.corners, cells.candidates, cells.number)
+                            : cells.candidates;
+  this->FindWidest(spread, cells);
+  return spread;
+}
+
+/** Offset of the features at a corner of the cell whose lower corner has \a offset. */
+std::size_t
+MedialVoxelCellPairs::OffsetOf(const MedialVoxelFeatures & features,
+                               const std::size_t           offset,
+                               const unsigned int          corner) const
+{
+  const auto                      nx = static_cast<std::size_t>(features.box.Extent(0));
+  const auto                      ny = static_cast<std::size_t>(features.box.Extent(1));
+  const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
+  return offset + static_cast<std::size_t>(c[0]) +
+         (static_cast<std::size_t>(c[2]) * ny + static_cast<std::size_t>(c[1])) * nx;
+}
+
+/** The number of the diagonal of a cell with the smallest key, for displacements of any length; negative when no
+ * diagonal has two boundary points. */
+int
+MedialVoxelCellPairs::SmallestKey(const MedialVoxelFeatures & features, const std::size_t offset) const
+{
+  const auto displacementOf = [&](const unsigned int corner) -> MedialVoxelDisplacement {
+    const std::size_t at = this->OffsetOf(features, offset, corner);
+    return { { features.dx[at], features.dy[at], features.dz[at] } };
+  };
+  double smallest = std::numeric_limits<double>::infinity();
+  int    number = -1;
+  for (unsigned int diagonal = 0; diagonal < m_Cell.GetNumberOfDiagonals(); ++diagonal)
+  {
+    const MedialVoxelDisplacement first = displacementOf(diagonal);
+    const MedialVoxelDisplacement second = displacementOf(m_Cell.GetOppositeCorner(diagonal));
+    if (first[0] == MedialVoxelNoDisplacement || second[0] == MedialVoxelNoDisplacement)
+    {
+      continue;
+    }
+    const double key = m_Cell.CosineKey(diagonal, first, second);
+    if (key < smallest)
+    {
+      smallest = key;
+      number = static_cast<int>(diagonal);
+    }
+  }
+  return number;
 }
 
 /** The pair of definition 6; false when it is trivial or no diagonal has two boundary points. */
@@ -115,64 +181,43 @@ MedialVoxelCellPairs::Choose(const MedialVoxelFeatures & features,
                              const int                   x,
                              MedialVoxelDiagonal &       widest) const
 {
-  const auto nx = static_cast<std::size_t>(features.box.Extent(0));
-  const auto ny = static_cast<std::size_t>(features.box.Extent(1));
-  const auto offset = cells.offset + static_cast<std::size_t>(x);
-  const auto displacementOf = [&](const unsigned int corner) -> MedialVoxelDisplacement {
-    if (m_HasCornerRows)
-    {
-      const auto &         rows = cells.corners.rows;
-      const unsigned int   row = corner >> 1;
-      const std::ptrdiff_t at = x + static_cast<std::ptrdiff_t>(corner & 1u);
-      return { { rows[0][row][at], rows[1][row][at], rows[2][row][at] } };
-    }
-    const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
-    const std::size_t at = offset + (static_cast<std::size_t>(c[2]) * ny + static_cast<std::size_t>(c[1])) * nx +
-                           static_cast<std::size_t>(c[0]);
-    return { { features.dx[at], features.dy[at], features.dz[at] } };
-  };
-  MedialVoxelPair & pair = widest.pair;
-  const auto        setDiagonal = [&](const unsigned int diagonal) {
-    widest.number = diagonal;
-    pair.displacement = displacementOf(diagonal);
-    pair.oppositeDisplacement = displacementOf(m_Cell.GetOppositeCorner(diagonal));
-  };
-
-  int number = m_HasCornerRows && m_Grid.HasEqualSpacing() ? MedialVoxelWidestDiagonal(cells.corners, x) : -1;
+  const std::size_t offset = cells.offset + static_cast<std::size_t>(x);
+  int               number = cells.widest[static_cast<std::size_t>(x)];
   if (number < 0)
   {
-    double smallest = std::numeric_limits<double>::infinity();
-    for (unsigned int diagonal = 0; diagonal < m_Cell.GetNumberOfDiagonals(); ++diagonal)
-    {
-      setDiagonal(diagonal);
-      if (pair.displacement[0] == MedialVoxelNoDisplacement ||
-          pair.oppositeDisplacement[0] == MedialVoxelNoDisplacement)
-      {
-        continue;
-      }
-      const double key = m_Cell.CosineKey(diagonal, pair.displacement, pair.oppositeDisplacement);
-      if (key < smallest)
-      {
-        smallest = key;
-        number = static_cast<int>(diagonal);
-      }
-    }
+    number = this->SmallestKey(features, offset);
     if (number < 0)
     {
       return false;
     }
   }
-  setDiagonal(static_cast<unsigned int>(number));
-  pair.difference = m_Cell.BoundaryDifference(widest.number, pair.displacement, pair.oppositeDisplacement);
+  widest.number = static_cast<unsigned int>(number);
+  const unsigned int oppositeNumber = m_Cell.GetOppositeCorner(widest.number);
+  const std::size_t  first = this->OffsetOf(features, offset, widest.number);
+  const std::size_t  second = this->OffsetOf(features, offset, oppositeNumber);
+  // One by one: as arrays they would be written to memory in parts and read at once, which stalls.
+  const std::int64_t              ax = features.dx[first];
+  const std::int64_t              ay = features.dy[first];
+  const std::int64_t              az = features.dz[first];
+  const std::int64_t              bx = features.dx[second];
+  const std::int64_t              by = features.dy[second];
+  const std::int64_t              bz = features.dz[second];
+  const MedialVoxelDisplacement & corner = m_Cell.GetCorner(widest.number);
+  const MedialVoxelDisplacement & opposite = m_Cell.GetCorner(oppositeNumber);
+
+  MedialVoxelPair & pair = widest.pair;
+  pair.difference = {
+    { corner[0] - opposite[0] + (ax - bx), corner[1] - opposite[1] + (ay - by), corner[2] - opposite[2] + (az - bz) }
+  };
   if (m_Cell.IsTrivial(pair.difference, m_Epsilon))
   {
     return false;
   }
-  const MedialVoxelDisplacement & corner = m_Cell.GetCorner(widest.number);
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    pair.a[axis] = cells.first[axis] + (axis == 0 ? x : 0) + corner[axis] + pair.displacement[axis];
-  }
+  pair.a = {
+    { cells.first[0] + x + corner[0] + ax, cells.first[1] + corner[1] + ay, cells.first[2] + corner[2] + az }
+  };
+  pair.displacement = { { ax, ay, az } };
+  pair.oppositeDisplacement = { { bx, by, bz } };
   return true;
 }
 

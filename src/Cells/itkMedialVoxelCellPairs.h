@@ -8,6 +8,7 @@
 #include "itkMedialVoxelPairChoice.h"
 #include "itkMedialVoxelPairDecision.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,6 +26,9 @@ struct MedialVoxelCells
   MedialVoxelBits::WordType candidates{ 0 }; ///< cells with an object corner
   std::size_t               offset{ 0 };     ///< of the features of the first cell
   MedialVoxelCornerRows     corners{};       ///< of solid volumes
+
+  /** The diagonals with the widest angles, or -1 where these are not known yet. */
+  std::array<std::int8_t, MedialVoxelBits::BitsPerWord> widest;
 };
 
 /** \struct MedialVoxelDiagonal
@@ -88,11 +92,12 @@ public:
   MedialVoxelCells
   CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const;
 
-  /** The candidates that may have a diagonal that is not trivial. */
+  /** The candidates that may have a diagonal that is not trivial; finds the widest diagonals of these. */
   MedialVoxelBits::WordType
-  Spread(const MedialVoxelCells & cells) const;
+  Spread(MedialVoxelCells & cells) const;
 
-  /** The diagonal of the cell \a x after the first; false when its pair is trivial or there is none. */
+  /** The diagonal of the cell \a x after the first, one of those of Spread(); false when its pair is trivial or there
+   * is none. */
   bool
   Choose(const MedialVoxelFeatures & features,
          const MedialVoxelCells &    cells,
@@ -100,6 +105,18 @@ public:
          MedialVoxelDiagonal &       widest) const;
 
 private:
+  MedialVoxelCells
+  GroupAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & first) const;
+
+  int
+  SmallestKey(const MedialVoxelFeatures & features, std::size_t offset) const;
+
+  std::size_t
+  OffsetOf(const MedialVoxelFeatures & features, std::size_t offset, unsigned int corner) const;
+
+  void
+  FindWidest(MedialVoxelBits::WordType asked, MedialVoxelCells & cells) const;
+
   bool
   Find(const MedialVoxelBits &     object,
        const MedialVoxelFeatures & features,

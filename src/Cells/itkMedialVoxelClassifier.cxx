@@ -110,7 +110,7 @@ MedialVoxelClassifier::ClassifyEach(const MedialVoxelTileInput &         input,
 {
   MedialVoxelBox         missing;
   MedialVoxelPollCounter poll;
-  m_Pairs.Visit(input.corners, input.features, labels.GetTile(), [&](const MedialVoxelCells & cells) {
+  m_Pairs.Visit(input.corners, input.features, labels.GetTile(), [&](MedialVoxelCells & cells) {
     poll.Count(static_cast<std::uint32_t>(cells.number));
     return this->ClassifyCells(input, cells, workspace, labels, missing);
   });
@@ -120,7 +120,7 @@ MedialVoxelClassifier::ClassifyEach(const MedialVoxelTileInput &         input,
 /** False when aborted. */
 bool
 MedialVoxelClassifier::ClassifyCells(const MedialVoxelTileInput &         input,
-                                     const MedialVoxelCells &             cells,
+                                     MedialVoxelCells &                   cells,
                                      MedialVoxelPairDecision::Workspace & workspace,
                                      MedialVoxelTileLabels &              labels,
                                      MedialVoxelBox &                     missing) const

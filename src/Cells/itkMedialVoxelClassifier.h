@@ -150,7 +150,7 @@ private:
 
   bool
   ClassifyCells(const MedialVoxelTileInput &         input,
-                const MedialVoxelCells &             cells,
+                MedialVoxelCells &                   cells,
                 MedialVoxelPairDecision::Workspace & workspace,
                 MedialVoxelTileLabels &              labels,
                 MedialVoxelBox &                     missing) const;

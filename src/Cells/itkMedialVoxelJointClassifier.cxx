@@ -243,7 +243,7 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
   workspace.m_Cells.clear();
   workspace.m_Pairs.clear();
   MedialVoxelPollCounter poll;
-  const auto             visit = [&](const MedialVoxelCells & cells) {
+  const auto             visit = [&](MedialVoxelCells & cells) {
     poll.Count(static_cast<std::uint32_t>(cells.number));
     const MedialVoxelBits::WordType spread = m_Pairs.Spread(cells);
     const MedialVoxelBits::WordType inTile = CellsWithin(tile, cells);

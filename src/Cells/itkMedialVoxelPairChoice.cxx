@@ -4,6 +4,8 @@
 
 #include "itkMedialVoxelProcessors.h"
 
+#include <algorithm>
+
 namespace itk
 {
 
@@ -12,6 +14,9 @@ namespace
 
 /** Cells that are tested together. */
 constexpr std::int64_t GroupSize = 16;
+
+/** Cells whose diagonals are compared together; those of a thin wall are few. */
+constexpr std::int64_t ChoiceSize = 8;
 
 /** Displacements from -Limit to Limit - 1 keep the squares of dot products below 2^24, exact in single precision. */
 constexpr std::int32_t Limit = 16;
@@ -78,6 +83,86 @@ GatherSigns(const std::uint32_t (&numbers)[GroupSize])
   return bitsOf(signs) | (bitsOf(signs + 8) << 8);
 }
 
+/** For the diagonals of the cells of a group: the squared cosine with the sign of the cosine, as a fraction. */
+struct Fractions
+{
+  float numerator[4][ChoiceSize];
+  float denominator[4][ChoiceSize];
+
+  /** Not below 2 * Limit when a displacement is too long. */
+  std::uint32_t range[ChoiceSize];
+};
+
+/** The fractions of a diagonal from the corner VCorner, which has the lower number. */
+template <unsigned int VCorner>
+MEDIALVOXEL_PART_OF_THEM inline void
+AddFractions(const MedialVoxelCornerRows & corners,
+             const std::int64_t            begin,
+             const std::int64_t            numberOfCells,
+             Fractions &                   fractions)
+{
+  constexpr unsigned int     row = VCorner >> 1;
+  constexpr float            stepX = (VCorner & 1u) != 0 ? 1.0F : -1.0F;
+  constexpr float            stepY = (VCorner & 2u) != 0 ? 1.0F : -1.0F;
+  const std::int64_t         first = begin + static_cast<std::int64_t>(VCorner & 1u);
+  const std::int64_t         second = begin + static_cast<std::int64_t>(~VCorner & 1u);
+  const std::int32_t * const x[2] = { corners.rows[0][row] + first, corners.rows[0][3 - row] + second };
+  const std::int32_t * const y[2] = { corners.rows[1][row] + first, corners.rows[1][3 - row] + second };
+  const std::int32_t * const z[2] = { corners.rows[2][row] + first, corners.rows[2][3 - row] + second };
+  const auto shifted = [](const std::int32_t steps) { return static_cast<std::uint32_t>(steps) + Limit; };
+  for (std::int64_t i = 0; i < numberOfCells; ++i)
+  {
+    // Twice the way from the center to the boundary points.
+    const float ax = stepX + 2.0F * static_cast<float>(x[0][i]);
+    const float ay = stepY + 2.0F * static_cast<float>(y[0][i]);
+    const float az = -1.0F + 2.0F * static_cast<float>(z[0][i]);
+    const float cx = -stepX + 2.0F * static_cast<float>(x[1][i]);
+    const float cy = -stepY + 2.0F * static_cast<float>(y[1][i]);
+    const float cz = 1.0F + 2.0F * static_cast<float>(z[1][i]);
+    const float dot = ax * cx + ay * cy + az * cz;
+    fractions.numerator[VCorner][i] = dot * (dot < 0.0F ? -dot : dot);
+    fractions.denominator[VCorner][i] = (ax * ax + ay * ay + az * az) * (cx * cx + cy * cy + cz * cz);
+    fractions.range[i] |=
+      shifted(x[0][i]) | shifted(y[0][i]) | shifted(z[0][i]) | shifted(x[1][i]) | shifted(y[1][i]) | shifted(z[1][i]);
+  }
+}
+
+/** The first of the smallest fractions of each cell of a group. */
+MEDIALVOXEL_PART_OF_THEM inline void
+WidestOfGroup(const MedialVoxelCornerRows & corners,
+              const std::int64_t            begin,
+              const std::int64_t            numberOfCells,
+              std::int8_t * const           widest)
+{
+  Fractions fractions;
+  std::fill(fractions.range, fractions.range + ChoiceSize, 0u);
+  AddFractions<0>(corners, begin, numberOfCells, fractions);
+  AddFractions<1>(corners, begin, numberOfCells, fractions);
+  AddFractions<2>(corners, begin, numberOfCells, fractions);
+  AddFractions<3>(corners, begin, numberOfCells, fractions);
+  const auto & numerator = fractions.numerator;
+  const auto & denominator = fractions.denominator;
+  double       numbers[ChoiceSize];
+  for (std::int64_t i = 0; i < numberOfCells; ++i)
+  {
+    // Fractions of such small numbers are equal in double precision only when they are equal. Pairs first, without
+    // jumps, as which one wins cannot be foreseen, and in one type, as longer vectors need.
+    const double n[4] = { numerator[0][i], numerator[1][i], numerator[2][i], numerator[3][i] };
+    const double d[4] = { denominator[0][i], denominator[1][i], denominator[2][i], denominator[3][i] };
+    const double lowerN = n[1] * d[0] < n[0] * d[1] ? n[1] : n[0];
+    const double lowerD = n[1] * d[0] < n[0] * d[1] ? d[1] : d[0];
+    const double lower = n[1] * d[0] < n[0] * d[1] ? 1.0 : 0.0;
+    const double upperN = n[3] * d[2] < n[2] * d[3] ? n[3] : n[2];
+    const double upperD = n[3] * d[2] < n[2] * d[3] ? d[3] : d[2];
+    const double upper = n[3] * d[2] < n[2] * d[3] ? 3.0 : 2.0;
+    numbers[i] = upperN * lowerD < lowerN * upperD ? upper : lower;
+  }
+  for (std::int64_t i = 0; i < numberOfCells; ++i)
+  {
+    widest[i] = static_cast<std::int8_t>(fractions.range[i] < 2 * Limit ? static_cast<std::int32_t>(numbers[i]) : -1);
+  }
+}
+
 } // namespace
 
 MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
@@ -107,55 +192,27 @@ MEDIALVOXEL_FOR_PROCESSORS std::uint64_t
   return result & cells;
 }
 
-int
-MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners, const std::ptrdiff_t x)
+MEDIALVOXEL_FOR_PROCESSORS void
+MedialVoxelWidestDiagonals(const MedialVoxelCornerRows & corners,
+                           const std::uint64_t           cells,
+                           const std::int64_t            numberOfCells,
+                           std::int8_t * const           widest)
 {
-  // Twice the way from the center to the boundary points of the corners k, and of their opposites.
-  float         a[3][4];
-  float         c[3][4];
-  std::uint32_t range = 0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
+  for (std::int64_t begin = 0; begin < numberOfCells; begin += ChoiceSize)
   {
-    const auto & rows = corners.rows[axis];
-    std::int32_t displacement[8];
-    for (unsigned int row = 0; row < 4; ++row)
+    if (((cells >> begin) & ((std::uint64_t{ 1 } << ChoiceSize) - 1)) == 0)
     {
-      displacement[2 * row] = rows[row][x];
-      displacement[2 * row + 1] = rows[row][x + 1];
+      continue;
     }
-    for (unsigned int k = 0; k < 4; ++k)
+    if (numberOfCells - begin >= ChoiceSize)
     {
-      const std::int32_t corner = static_cast<std::int32_t>((k >> axis) & 1u);
-      const std::int32_t first = displacement[k];
-      const std::int32_t second = displacement[7 - k];
-      range |= static_cast<std::uint32_t>(first) + Limit;
-      range |= static_cast<std::uint32_t>(second) + Limit;
-      a[axis][k] = static_cast<float>(2 * corner - 1) + 2.0F * static_cast<float>(first);
-      c[axis][k] = static_cast<float>(1 - 2 * corner) + 2.0F * static_cast<float>(second);
+      WidestOfGroup(corners, begin, ChoiceSize, widest + begin);
+    }
+    else
+    {
+      WidestOfGroup(corners, begin, numberOfCells - begin, widest + begin);
     }
   }
-  if (range >= 2 * Limit)
-  {
-    return -1;
-  }
-  float numerator[4];
-  float denominator[4];
-  for (unsigned int k = 0; k < 4; ++k)
-  {
-    const float dot = a[0][k] * c[0][k] + a[1][k] * c[1][k] + a[2][k] * c[2][k];
-    numerator[k] = dot * (dot < 0.0F ? -dot : dot);
-    denominator[k] = (a[0][k] * a[0][k] + a[1][k] * a[1][k] + a[2][k] * a[2][k]) *
-                     (c[0][k] * c[0][k] + c[1][k] * c[1][k] + c[2][k] * c[2][k]);
-  }
-  // Fractions of such small numbers are equal in double precision only when they are equal. Pairs first, without jumps:
-  // which one wins cannot be foreseen.
-  const auto isWider = [&](const unsigned int k, const unsigned int than) {
-    return static_cast<double>(numerator[k]) * static_cast<double>(denominator[than]) <
-           static_cast<double>(numerator[than]) * static_cast<double>(denominator[k]);
-  };
-  const unsigned int lower = static_cast<unsigned int>(isWider(1, 0));
-  const unsigned int upper = 2 + static_cast<unsigned int>(isWider(3, 2));
-  return static_cast<int>(isWider(upper, lower) ? upper : lower);
 }
 
 } // end namespace itk

@@ -37,14 +37,21 @@ struct MedialVoxelCornerRows
 MedialVoxel_EXPORT std::uint64_t
 MedialVoxelSpreadCells(const MedialVoxelCornerRows & corners, std::uint64_t cells, std::int64_t numberOfCells);
 
-/** \brief The diagonal of the cell \a x after the first whose boundary points are seen under the widest angle, for
- * equal spacings.
+/** \brief The diagonals of the cells of a row whose boundary points are seen under the widest angle, for equal
+ * spacings.
  *
- * The smallest MedialVoxelDualCell::CosineKey, the first of equal ones, without a division. Returns -1 when a
- * displacement is too long for that to be exact.
+ * The smallest MedialVoxelDualCell::CosineKey, the first of equal ones, without a division.
+ * \param corners     corners of the first cell
+ * \param cells       bits of the cells that are asked for, bit 0 the first one
+ * \param numberOfCells  cells of the row, at most 64; no corner beyond them is read
+ * \param widest      receives the diagonals of the cells that are asked for, and of others: the number of the lower
+ *                    corner, or -1 when a displacement is too long for the comparison to be exact
  * \ingroup MedialVoxel */
-MedialVoxel_EXPORT int
-MedialVoxelWidestDiagonal(const MedialVoxelCornerRows & corners, std::ptrdiff_t x);
+MedialVoxel_EXPORT void
+MedialVoxelWidestDiagonals(const MedialVoxelCornerRows & corners,
+                           std::uint64_t                 cells,
+                           std::int64_t                  numberOfCells,
+                           std::int8_t *                 widest);
 
 } // end namespace itk
 

@@ -26,21 +26,6 @@ MedialVoxelDualCell::MedialVoxelDualCell(const MedialVoxelGrid & grid)
   }
 }
 
-MedialVoxelDisplacement
-MedialVoxelDualCell::BoundaryDifference(const unsigned int              diagonal,
-                                        const MedialVoxelDisplacement & displacement,
-                                        const MedialVoxelDisplacement & oppositeDisplacement) const
-{
-  const MedialVoxelDisplacement & corner = m_Corners[diagonal];
-  const MedialVoxelDisplacement & opposite = m_Corners[this->GetOppositeCorner(diagonal)];
-  MedialVoxelDisplacement         difference;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    difference[axis] = (corner[axis] + displacement[axis]) - (opposite[axis] + oppositeDisplacement[axis]);
-  }
-  return difference;
-}
-
 double
 MedialVoxelDualCell::CosineKey(const unsigned int              diagonal,
                                const MedialVoxelDisplacement & displacement,

@@ -53,12 +53,6 @@ public:
     return m_NumberOfCorners - 1 - corner;
   }
 
-  /** N(vi) - N(vj) for the corners of a diagonal and their displacements. */
-  MedialVoxelDisplacement
-  BoundaryDifference(unsigned int                    diagonal,
-                     const MedialVoxelDisplacement & displacement,
-                     const MedialVoxelDisplacement & oppositeDisplacement) const;
-
   /** Signed squared cosine of the angle at the cell's center between the two boundary points of a diagonal.
    *
    * dot |dot| / ((A.A)(C.C)) with A = N(vi) - p and C = N(vj) - p; smaller means a wider angle. The paper measures the
