@@ -145,6 +145,7 @@ public:
   MedialVoxelEngineSettings                  m_Settings;
   MedialVoxelSlabWalker                      m_Walker;
   std::unique_ptr<const MedialVoxelTileTask> m_Task;
+  MedialVoxelWorkspacePool                   m_Workspaces;
   MedialVoxelExecution *                     m_Execution{ nullptr }; ///< the run in progress
 };
 
@@ -190,7 +191,8 @@ MedialVoxelEngine::Run(const MedialVoxelBox &    region,
     MedialVoxelExecution *& execution;
     ~Ending() { execution = nullptr; }
   };
-  MedialVoxelExecution execution(region, m_Implementation->GetTask(), m_Implementation->m_Walker, client);
+  MedialVoxelExecution execution(
+    region, m_Implementation->GetTask(), m_Implementation->m_Walker, client, m_Implementation->m_Workspaces);
   m_Implementation->m_Execution = &execution;
   const Ending ending{ m_Implementation->m_Execution };
   return execution.Run(nextRegion);

@@ -26,12 +26,14 @@ SecondsSince(const ClockType::time_point & start)
 MedialVoxelExecution::MedialVoxelExecution(const MedialVoxelBox &      region,
                                            const MedialVoxelTileTask & task,
                                            MedialVoxelSlabWalker &     walker,
-                                           MedialVoxelEngineClient &   client)
+                                           MedialVoxelEngineClient &   client,
+                                           MedialVoxelWorkspacePool &  workspaces)
   : m_Region(region)
   , m_Task(task)
   , m_Walker(walker)
   , m_Client(client)
   , m_CallingThread(std::this_thread::get_id())
+  , m_Workspaces(workspaces)
 {}
 
 MedialVoxelSums
@@ -40,7 +42,19 @@ MedialVoxelExecution::Run(const MedialVoxelBox & nextRegion)
   const MedialVoxelPollScope scope(*this);
   this->HearAbort();
   m_Task.Begin();
-  m_Walker.Run(m_Region, nextRegion, *this);
+  try
+  {
+    m_Walker.Run(m_Region, nextRegion, *this);
+  }
+  catch (...)
+  {
+    m_Workspaces.KeepAtMost(0);
+    throw;
+  }
+  if (nextRegion.IsEmpty())
+  {
+    m_Workspaces.KeepAtMost(0);
+  }
   m_Task.Commit();
   return m_Sums;
 }
@@ -100,6 +114,7 @@ MedialVoxelExecution::RunSchedule(MedialVoxelSlabSchedule & schedule)
   {
     return;
   }
+  m_Workspaces.KeepAtMost(schedule.GetNumberOfWorkers());
   const auto start = ClockType::now();
   do
   {
@@ -107,7 +122,6 @@ MedialVoxelExecution::RunSchedule(MedialVoxelSlabSchedule & schedule)
     m_Client.RunWorkers(schedule.GetNumberOfWorkers(), [this] { this->DoWork(); });
   } while (!schedule.IsDone() && !this->IsAborted());
   m_Sums.tileSeconds += SecondsSince(start);
-  m_Workspaces.clear();
   if (m_Failure)
   {
     std::rethrow_exception(m_Failure);
@@ -267,7 +281,7 @@ MedialVoxelExecution::ProcessTile(const MedialVoxelBox & tile)
     m_Schedule->Defer(work, missing);
   }
   m_Sums += sums;
-  this->ReturnWorkspace(std::move(workspace), work.layout);
+  m_Workspaces.Return(std::move(workspace), work.layout);
 }
 
 /** Tiles come back from the client as boxes. */
@@ -286,35 +300,15 @@ MedialVoxelExecution::StartTile(const MedialVoxelBox & tile) -> Work
   return work;
 }
 
-/** Memory that tiles of another layout have grown may be more than tiles of this one need. */
 auto
 MedialVoxelExecution::TakeWorkspace(const std::uint64_t layout) -> std::unique_ptr<Workspace>
 {
+  std::unique_ptr<Workspace> workspace;
   {
     const std::lock_guard<std::mutex> lock(m_Mutex);
-    if (m_LayoutOfWorkspaces < layout)
-    {
-      m_Workspaces.clear();
-      m_LayoutOfWorkspaces = layout;
-    }
-    if (m_LayoutOfWorkspaces == layout && !m_Workspaces.empty())
-    {
-      std::unique_ptr<Workspace> workspace = std::move(m_Workspaces.back());
-      m_Workspaces.pop_back();
-      return workspace;
-    }
+    workspace = m_Workspaces.Take(layout);
   }
-  return m_Task.MakeWorkspace();
-}
-
-/** Called with the mutex locked. */
-void
-MedialVoxelExecution::ReturnWorkspace(std::unique_ptr<Workspace> workspace, const std::uint64_t layout)
-{
-  if (m_LayoutOfWorkspaces == layout)
-  {
-    m_Workspaces.push_back(std::move(workspace));
-  }
+  return workspace ? std::move(workspace) : m_Task.MakeWorkspace();
 }
 
 void

@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelSlabWalker.h"
 #include "itkMedialVoxelTileTask.h"
+#include "itkMedialVoxelWorkspacePool.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -28,11 +29,13 @@ class MedialVoxelExecution
   , public MedialVoxelProgress
 {
 public:
-  /** The thread that calls this is the only one in which the client hears of progress. */
+  /** The thread that calls this is the only one in which the client hears of progress. \a workspaces outlive the run;
+   * they are kept for the next region, if there is one. */
   MedialVoxelExecution(const MedialVoxelBox &      region,
                        const MedialVoxelTileTask & task,
                        MedialVoxelSlabWalker &     walker,
-                       MedialVoxelEngineClient &   client);
+                       MedialVoxelEngineClient &   client,
+                       MedialVoxelWorkspacePool &  workspaces);
 
   /** Process the region; the window of \a nextRegion is prepared meanwhile. */
   MedialVoxelSums
@@ -121,27 +124,23 @@ private:
   std::unique_ptr<Workspace>
   TakeWorkspace(std::uint64_t layout);
 
-  void
-  ReturnWorkspace(std::unique_ptr<Workspace> workspace, std::uint64_t layout);
-
-  MedialVoxelBox                          m_Region;
-  const MedialVoxelTileTask &             m_Task;
-  MedialVoxelSlabWalker &                 m_Walker;
-  MedialVoxelEngineClient &               m_Client;
-  std::thread::id                         m_CallingThread;
-  std::atomic<std::uint64_t>              m_DoneVoxels{ 0 };
-  std::atomic<bool>                       m_IsAborted{ false };
-  std::atomic<std::uint32_t>              m_NumberOfBusyWorkers{ 0 };
-  std::mutex                              m_Mutex; // of all that follows
-  std::condition_variable                 m_HasNews;
-  bool                                    m_LacksWorkers{ false }; // some have left for want of work
-  std::size_t                             m_NumberOfWaitingWorkers{ 0 };
-  MedialVoxelSlabSchedule *               m_Schedule{ nullptr };
-  std::vector<Work>                       m_RunningTiles;
-  std::exception_ptr                      m_Failure;
-  std::vector<std::unique_ptr<Workspace>> m_Workspaces; // that no worker uses
-  std::uint64_t                           m_LayoutOfWorkspaces{ 0 };
-  MedialVoxelSums                         m_Sums;
+  MedialVoxelBox              m_Region;
+  const MedialVoxelTileTask & m_Task;
+  MedialVoxelSlabWalker &     m_Walker;
+  MedialVoxelEngineClient &   m_Client;
+  std::thread::id             m_CallingThread;
+  std::atomic<std::uint64_t>  m_DoneVoxels{ 0 };
+  std::atomic<bool>           m_IsAborted{ false };
+  std::atomic<std::uint32_t>  m_NumberOfBusyWorkers{ 0 };
+  std::mutex                  m_Mutex; // of all that follows
+  std::condition_variable     m_HasNews;
+  bool                        m_LacksWorkers{ false }; // some have left for want of work
+  std::size_t                 m_NumberOfWaitingWorkers{ 0 };
+  MedialVoxelSlabSchedule *   m_Schedule{ nullptr };
+  std::vector<Work>           m_RunningTiles;
+  std::exception_ptr          m_Failure;
+  MedialVoxelWorkspacePool &  m_Workspaces;
+  MedialVoxelSums             m_Sums;
 };
 
 } // end namespace itk

@@ -375,12 +375,12 @@ MedialVoxelSlabSchedule::FindLayout(const Slab & slab)
   {
     layout[1][axis] = std::max(slab.room.Extent(axis), slab.sites.Extent(axis));
   }
-  if (layout != m_LastLayout)
+  if (layout != m_State.lastLayout)
   {
-    m_LastLayout = layout;
-    ++m_NumberOfLayouts;
+    m_State.lastLayout = layout;
+    ++m_State.numberOfLayouts;
   }
-  return m_NumberOfLayouts;
+  return m_State.numberOfLayouts;
 }
 
 void

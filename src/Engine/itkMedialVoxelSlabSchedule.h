@@ -34,12 +34,17 @@ class MedialVoxel_EXPORT MedialVoxelSlabSchedule
 public:
   using Windows = std::array<MedialVoxelMovingWindow, 2>;
 
+  /** Size of a tile and of the sites around a slab, on which the memory of a worker depends. */
+  using Layout = std::array<MedialVoxelIndex, 2>;
+
   /** What one region leaves for the next one. */
   struct State
   {
     Windows                            windows;
-    MedialVoxelIndex                   halo;        ///< that the next slab begins with
-    std::map<MedialVoxelIndex, double> tileSeconds; ///< of the last tile at a place within the slabs
+    MedialVoxelIndex                   halo;                 ///< that the next slab begins with
+    std::map<MedialVoxelIndex, double> tileSeconds{};        ///< of the last tile at a place within the slabs
+    Layout                             lastLayout{};         ///< of the last slab
+    std::uint64_t                      numberOfLayouts{ 0 }; ///< that followed each other
   };
 
   /** What is done with a slab, one after the other. */
@@ -144,9 +149,6 @@ private:
     std::optional<Slab>         deferred;
   };
 
-  /** What the memory of a worker depends on. */
-  using Layout = std::array<MedialVoxelIndex, 2>;
-
   /** Begin slabs as long as there is a window for one. */
   void
   BeginSlabs();
@@ -229,8 +231,6 @@ private:
   MedialVoxelBox              m_NextRegion;
   std::list<Slab>             m_Slabs; // in the order in which they began, at most one for each window
   std::uint64_t               m_NumberOfSlabs{ 0 };
-  Layout                      m_LastLayout{};
-  std::uint64_t               m_NumberOfLayouts{ 0 };
 };
 
 /** \brief The window that holds most of \a input.

@@ -9,7 +9,7 @@ namespace itk
 
 MedialVoxelSlabWalker::MedialVoxelSlabWalker(const MedialVoxelGrid & grid, const Settings & settings)
   : m_Plan(grid, settings)
-  , m_State{ { m_Plan.MakeWindow(), m_Plan.MakeWindow() }, settings.halo, {} }
+  , m_State{ { m_Plan.MakeWindow(), m_Plan.MakeWindow() }, settings.halo }
 {}
 
 std::uint64_t
