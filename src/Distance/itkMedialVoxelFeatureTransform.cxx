@@ -164,9 +164,9 @@ MedialVoxelFeatureTransform::FindQueries(Tile & tile, const std::int64_t z) cons
       tile.Remaining(word, y, z) = query;
       if (query != 0)
       {
-        const std::int64_t first = std::max(word * MedialVoxelBits::BitsPerWord, box.lower[0]);
-        const std::int64_t end = std::min((word + 1) * MedialVoxelBits::BitsPerWord, box.upper[0]);
-        tile.features.Announce(tile.features.OffsetOf(first, y, z), static_cast<std::size_t>(end - first));
+        const std::int64_t first = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(query);
+        const int          number = MedialVoxelHighestBit(query) - MedialVoxelLowestBit(query) + 1;
+        tile.features.Announce(tile.features.OffsetOf(first, y, z), static_cast<std::size_t>(number));
       }
       voxels += static_cast<std::uint64_t>(MedialVoxelPopulationCount(query));
     }
