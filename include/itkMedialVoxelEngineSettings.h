@@ -82,6 +82,9 @@ struct MedialVoxelDistanceMap
   MedialVoxelBoundary boundary{ MedialVoxelBoundary::Object };
   MedialVoxelRegion   region{ MedialVoxelRegion::Both };
   double              maximumDistance{ std::numeric_limits<double>::infinity() };
+
+  /** Tell where the boundary voxels are; without, perhaps only how far, which takes less time. */
+  bool findsDisplacements{ true };
 };
 
 /** \struct MedialVoxelLocalThickness

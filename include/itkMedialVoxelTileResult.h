@@ -6,6 +6,7 @@
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelFeatures.h"
 #include "itkMedialVoxelRows.h"
+#include "itkMedialVoxelSquaredLengths.h"
 
 #include "MedialVoxelExport.h"
 
@@ -115,6 +116,9 @@ public:
   /** Displacements to the nearest boundary voxels, in a box that holds the tile. */
   const MedialVoxelFeatures * displacements{ nullptr };
 
+  /** Lengths of the displacements, instead of them. */
+  const MedialVoxelSquaredLengths * squaredLengths{ nullptr };
+
   /** Object bits in a box that holds the tile. */
   const MedialVoxelBits * object{ nullptr };
 
@@ -177,6 +181,9 @@ public:
   WriteDistances(const MedialVoxelDistanceScale & scale, float * first, const MedialVoxelStrides & strides) const;
 
 private:
+  void
+  WriteLengths(const MedialVoxelDistanceScale & scale, float * first, const MedialVoxelStrides & strides) const;
+
   template <typename TGetValue>
   void
   WriteWalls(const TGetValue & getValue, float * first, const MedialVoxelStrides & strides) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelFeatureTransformPrivate.h"
 
+#include "itkMedialVoxelFirstSites.h"
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
@@ -144,38 +145,11 @@ MedialVoxelFeatureTransform::SliceSearch::FindNearestSlices(const std::int64_t  
                                                             const std::int64_t          end,
                                                             std::vector<std::int16_t> & slices)
 {
-  const MedialVoxelBits & sites = *m_Tile.window.sites;
-  const std::int64_t      firstWord = m_Area.lower[0] >> 6;
-  const std::int64_t      words = ((m_Area.upper[0] - 1) >> 6) - firstWord + 1;
-  const std::int64_t      rows = m_Area.Extent(1);
-  // Bits of the columns that have none yet: most sites lie behind others.
-  auto & open = m_Memory.open;
-  open.resize(static_cast<std::size_t>(rows * words));
-  for (std::size_t i = 0; i < open.size(); ++i)
-  {
-    open[i] =
-      MedialVoxelBits::RangeMask(firstWord + static_cast<std::int64_t>(i) % words, m_Area.lower[0], m_Area.upper[0]);
-  }
-  for (std::int64_t z = first; z != end; z += first < end ? 1 : -1)
-  {
-    MedialVoxelPoll();
-    const auto position = static_cast<std::int16_t>(z - m_FirstSlice);
-    WordType * openOfRow = open.data();
-    for (std::int64_t row = 0; row < rows; ++row, openOfRow += words)
-    {
-      const WordType * const sitesOfRow = sites.GetRow(m_Area.lower[1] + row, z) - sites.GetFirstWord() + firstWord;
-      for (std::int64_t word = 0; word < words; ++word)
-      {
-        WordType found = sitesOfRow[word] & openOfRow[word];
-        openOfRow[word] ^= found;
-        for (; found != 0; found &= found - 1)
-        {
-          const std::int64_t x = (firstWord + word) * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(found);
-          slices[static_cast<std::size_t>((x - m_Area.lower[0]) * rows + row)] = position;
-        }
-      }
-    }
-  }
+  const std::int64_t rows = m_Area.Extent(1);
+  MedialVoxelVisitFirstSites(
+    *m_Tile.window.sites, m_Area, first, end, m_Memory.open, [&](std::int64_t x, std::int64_t row, std::int64_t z) {
+      slices[static_cast<std::size_t>((x - m_Area.lower[0]) * rows + row)] = static_cast<std::int16_t>(z - m_FirstSlice);
+    });
 }
 
 void

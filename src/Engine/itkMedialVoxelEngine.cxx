@@ -7,6 +7,7 @@
 #include "itkMedialVoxelExecution.h"
 #include "itkMedialVoxelExtractionTask.h"
 #include "itkMedialVoxelGrayThickness.h"
+#include "itkMedialVoxelLengthTask.h"
 #include "itkMedialVoxelLocalThicknessTask.h"
 #include "itkMedialVoxelWallThicknessTask.h"
 
@@ -43,9 +44,11 @@ GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extrac
 }
 
 MedialVoxelSlabWalker::Settings
-GetSettingsOf(const MedialVoxelGrid &, const MedialVoxelDistanceMap & distances)
+GetSettingsOf(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & distances)
 {
-  return MedialVoxelSlabWalker::Settings::ForDistances(distances.boundary);
+  return MedialVoxelLengthTask::CanDo(grid, distances)
+           ? MedialVoxelSlabWalker::Settings::ForLengths(distances.boundary)
+           : MedialVoxelSlabWalker::Settings::ForDistances(distances.boundary);
 }
 
 MedialVoxelSlabWalker::Settings
@@ -106,6 +109,10 @@ MakeTask(const MedialVoxelGrid & grid, const MedialVoxelExtraction & extraction)
 std::unique_ptr<const MedialVoxelTileTask>
 MakeTask(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & distances)
 {
+  if (MedialVoxelLengthTask::CanDo(grid, distances))
+  {
+    return std::make_unique<const MedialVoxelLengthTask>(grid, distances);
+  }
   return std::make_unique<const MedialVoxelDistanceTask>(grid, distances);
 }
 

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelSlabPlan.h"
 
 #include "itkMedialVoxelClassifier.h"
+#include "itkMedialVoxelDistanceTransform.h"
 #include "itkMedialVoxelMemoryError.h"
 
 #include <algorithm>
@@ -36,6 +37,11 @@ constexpr std::int64_t WideTileSlices = 16;
 constexpr unsigned int ManyWorkers = 8;
 constexpr unsigned int VeryManyWorkers = 32;
 
+/** Voxels and slices of tiles of whole rows, of which a single worker needs fewer, larger ones. */
+constexpr std::int64_t VoxelsOfRows = std::int64_t{ 1 } << 20;
+constexpr std::int64_t LonelyTiles = 4;
+constexpr std::int64_t SlicesOfRows = 16;
+
 std::int64_t
 CeilingDivide(const std::int64_t value, const std::int64_t divisor)
 {
@@ -54,6 +60,16 @@ WideTile(const std::int64_t columns, const unsigned int numberOfWorkers)
   const std::int64_t edge = area / width / SmallestTileEdge * SmallestTileEdge;
   const std::int64_t slices = numberOfWorkers < ManyWorkers ? WideTileSlices : WideTileSlices / 2;
   return { { std::max(width, NarrowTile), std::clamp(edge, SmallestTileEdge, LargestWideEdge), slices } };
+}
+
+/** Tiles of whole rows: what lies beside a tile is searched again for each. */
+MedialVoxelIndex
+TileOfRows(const std::int64_t columns, const unsigned int numberOfWorkers)
+{
+  const std::int64_t width = CeilingDivide(columns, MedialVoxelBits::BitsPerWord) * MedialVoxelBits::BitsPerWord;
+  const std::int64_t voxels = numberOfWorkers == 1 ? LonelyTiles * VoxelsOfRows : VoxelsOfRows;
+  const std::int64_t rows = voxels / (width * SlicesOfRows) / SmallestTileEdge * SmallestTileEdge;
+  return { { width, std::max(rows, SmallestTileEdge), SlicesOfRows } };
 }
 
 } // namespace
@@ -133,6 +149,15 @@ MedialVoxelSlabPlan::Settings::ForDistances(const MedialVoxelBoundary boundary)
   return settings;
 }
 
+MedialVoxelSlabPlan::Settings
+MedialVoxelSlabPlan::Settings::ForLengths(const MedialVoxelBoundary boundary)
+{
+  Settings settings;
+  settings.boundaries = { boundary };
+  settings.findsLengthsOnly = true;
+  return settings;
+}
+
 MedialVoxelSlabPlan::MedialVoxelSlabPlan(const MedialVoxelGrid & grid, Settings settings)
   : m_Grid(grid)
   , m_SlowestAxis(MedialVoxelSlowestAxis(grid.GetVoxelBox()))
@@ -155,6 +180,10 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
   if (m_Settings.tileSize > 0)
   {
     cut.tileSize.fill(m_Settings.tileSize);
+  }
+  else if (m_Grid.IsActive(2) && m_Settings.findsLengthsOnly)
+  {
+    cut.tileSize = TileOfRows(region.Extent(0), m_Settings.numberOfWorkers);
   }
   else if (m_Grid.IsActive(2) && m_Settings.preferredTileEdge > 0)
   {
@@ -306,8 +335,10 @@ MedialVoxelSlabPlan::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cu
   {
     searched[axis] = isAllKnown ? sites.Extent(axis) : std::min(tile[axis] + 2 * margin[axis], sites.Extent(axis));
   }
-  const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel +
-                               MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
+  const std::uint64_t search = m_Settings.findsLengthsOnly
+                                 ? MedialVoxelDistanceTransform::GetBytes(tile, searched)
+                                 : MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
+  const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel + search;
   return m_Settings.numberOfWorkers * worker;
 }
 

@@ -58,6 +58,9 @@ public:
      * each; 0 for others. */
     std::int64_t preferredTileEdge{ 0 };
 
+    /** Only lengths are searched, for which tiles are of whole rows. */
+    bool findsLengthsOnly{ false };
+
     /** Extent of the slabs along the slowest axis; 0 chooses. */
     std::int64_t slabThickness{ 0 };
 
@@ -83,6 +86,10 @@ public:
     /** For the nearest points of one boundary. */
     static Settings
     ForDistances(MedialVoxelBoundary boundary);
+
+    /** For the distances to one boundary, without its points. */
+    static Settings
+    ForLengths(MedialVoxelBoundary boundary);
   };
 
   /** How the work is cut: tiles, slabs of tiles, and what is known around a slab. */

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelTileResult.h"
 
+#include "itkMedialVoxelLengthRow.h"
 #include "itkMedialVoxelTileWalls.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -82,7 +84,13 @@ MedialVoxelTileResult::WriteDistances(const MedialVoxelDistanceScale & scale,
                                       float * const                    first,
                                       const MedialVoxelStrides &       strides) const
 {
-  assert(!isEmpty && displacements != nullptr && object != nullptr);
+  assert(!isEmpty && object != nullptr);
+  if (squaredLengths != nullptr)
+  {
+    this->WriteLengths(scale, first, strides);
+    return;
+  }
+  assert(displacements != nullptr);
   MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
     const std::size_t from = displacements->OffsetOf(row.lower[0], row.lower[1], row.lower[2]);
     const auto *      words = object->GetRow(row.lower[1], row.lower[2]) - object->GetFirstWord();
@@ -99,6 +107,28 @@ MedialVoxelTileResult::WriteDistances(const MedialVoxelDistanceScale & scale,
       const std::int64_t x = row.lower[0] + i;
       const bool isInside = ((words[x / MedialVoxelBits::BitsPerWord] >> (x % MedialVoxelBits::BitsPerWord)) & 1u) != 0;
       target[i] = static_cast<float>(isInside == scale.insideIsPositive ? distance : 0.0 - distance);
+    }
+  });
+}
+
+void
+MedialVoxelTileResult::WriteLengths(const MedialVoxelDistanceScale & scale,
+                                    float * const                    first,
+                                    const MedialVoxelStrides &       strides) const
+{
+  constexpr std::int64_t     most = MedialVoxelLengthRow::MostVoxels;
+  const MedialVoxelLengthRow writer(squaredLengths->spacing, scale.squared);
+  const std::uint64_t        flip = scale.insideIsPositive ? ~std::uint64_t{ 0 } : 0;
+  MedialVoxelForEachRow(box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
+    const std::int64_t   y = row.lower[1];
+    const std::int64_t   z = row.lower[2];
+    const std::int32_t * squares = squaredLengths->values.data() + squaredLengths->box.OffsetOf(row.lower);
+    for (std::int64_t i = 0; i < row.Extent(0); i += most)
+    {
+      writer.Write(squares + i,
+                   std::min(most, row.Extent(0) - i),
+                   object->Extract(row.lower[0] + i, y, z) ^ flip,
+                   first + offset + i);
     }
   });
 }

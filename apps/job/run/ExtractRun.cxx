@@ -37,7 +37,9 @@ ListFurtherTasks(const ExtractOptions & options, const VolumeHeader & header)
   std::vector<FurtherTask> tasks;
   if (!options.distanceFile.empty())
   {
-    tasks.push_back({ VolumeFiller::Distance, itk::MedialVoxelDistanceMap{} });
+    itk::MedialVoxelDistanceMap task;
+    task.findsDisplacements = false;
+    tasks.push_back({ VolumeFiller::Distance, task });
   }
   if (!options.localThicknessFile.empty())
   {

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelColumnPass.h"
+
+#include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelSquaredLengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace itk
+{
+
+namespace
+{
+
+/** Columns whose winners are searched together: neighbors mostly have the same ones. */
+constexpr std::int64_t Lanes = 8;
+
+/** Rows that look between the same two winners. */
+constexpr std::int64_t BlockSize = 8;
+
+constexpr std::int64_t Columns = MedialVoxelColumnPass::Columns;
+
+#if defined(__GNUC__)
+/** Values that are added and compared at once. A loop over them would be taken apart into single ones. */
+using Vector [[gnu::vector_size(Lanes * sizeof(std::int32_t))]] = std::int32_t;
+#  define MEDIALVOXEL_INLINE inline __attribute__((always_inline))
+#else
+#  define MEDIALVOXEL_INLINE inline
+#endif
+
+/** Some columns, and the winners of every so many rows that are known. */
+struct Pass
+{
+  const std::int32_t * costs;
+  std::int64_t         length;
+  const std::int32_t * steps; ///< that of no row is in the middle
+  std::int64_t         first;
+  std::int64_t         number;
+  std::int32_t *       lowest;
+  std::int32_t *       highest;
+  std::int32_t *       result;
+};
+
+/** For a row, the rows of the smallest sums among candidates, in order; of all lanes. */
+MEDIALVOXEL_INLINE void
+FindWinners(const Pass &       pass,
+            const std::int64_t row,
+            const std::int64_t begin,
+            const std::int64_t last,
+            std::int32_t * const winners)
+{
+  const std::int32_t * const steps = pass.steps + row;
+#if defined(__GNUC__)
+  Vector best;
+  std::memcpy(&best, pass.costs + begin * Columns, sizeof(best));
+  best += steps[-begin];
+  Vector winner = Vector{} + static_cast<std::int32_t>(begin);
+  Vector candidate = winner;
+  for (std::int64_t j = begin + 1; j <= last; ++j)
+  {
+    Vector sum;
+    std::memcpy(&sum, pass.costs + j * Columns, sizeof(sum));
+    sum += steps[-j];
+    candidate += 1;
+    winner = sum < best ? candidate : winner;
+    best = sum < best ? sum : best;
+  }
+  std::memcpy(winners, &winner, sizeof(winner));
+#else
+  for (std::int64_t lane = 0; lane < Lanes; ++lane)
+  {
+    const auto sumOf = [&](const std::int64_t j) { return pass.costs[j * Columns + lane] + steps[-j]; };
+    std::int64_t winner = begin;
+    for (std::int64_t j = begin + 1; j <= last; ++j)
+    {
+      winner = sumOf(j) < sumOf(winner) ? j : winner;
+    }
+    winners[lane] = static_cast<std::int32_t>(winner);
+  }
+#endif
+}
+
+/** Find the winners of a row between those of rows before and after it. */
+MEDIALVOXEL_INLINE void
+SearchRow(const Pass & pass, const std::int64_t block, std::int64_t begin, std::int64_t last)
+{
+  const std::int64_t         row = pass.first + std::min(block * BlockSize, pass.number - 1);
+  const std::int32_t * const own = pass.costs + row * Columns;
+  // No sum that is larger than the own cost wins.
+  const std::int32_t most = *std::max_element(own, own + Lanes);
+  const auto         reach = static_cast<std::int64_t>(std::sqrt(static_cast<double>(most)));
+  begin = std::max(begin, row - reach);
+  last = std::min(last, row + reach);
+  std::int32_t winners[Lanes];
+  FindWinners(pass, row, begin, last, winners);
+  pass.lowest[block] = *std::min_element(winners, winners + Lanes);
+  pass.highest[block] = *std::max_element(winners, winners + Lanes);
+}
+
+/** Smallest sums of a block of rows among candidates. */
+MEDIALVOXEL_INLINE void
+FillBlock(const Pass & pass, const std::int64_t block, const std::int64_t begin, const std::int64_t last)
+{
+  const std::int32_t * const steps = pass.steps + pass.first + block * BlockSize;
+  std::int32_t * const       result = pass.result + block * BlockSize * Columns;
+#if defined(__GNUC__)
+  Vector best[BlockSize];
+  std::fill(best, best + BlockSize, Vector{} + MedialVoxelSquaredLengths::None);
+  for (std::int64_t j = begin; j <= last; ++j)
+  {
+    Vector cost;
+    std::memcpy(&cost, pass.costs + j * Columns, sizeof(cost));
+    for (std::int64_t row = 0; row < BlockSize; ++row)
+    {
+      const Vector sum = cost + steps[row - j];
+      best[row] = sum < best[row] ? sum : best[row];
+    }
+  }
+  for (std::int64_t row = 0; row < BlockSize; ++row)
+  {
+    std::memcpy(result + row * Columns, &best[row], sizeof(Vector));
+  }
+#else
+  for (std::int64_t row = 0; row < BlockSize; ++row)
+  {
+    std::int32_t * const best = result + row * Columns;
+    std::fill(best, best + Lanes, MedialVoxelSquaredLengths::None);
+    for (std::int64_t j = begin; j <= last; ++j)
+    {
+      for (std::int64_t lane = 0; lane < Lanes; ++lane)
+      {
+        best[lane] = std::min(best[lane], pass.costs[j * Columns + lane] + steps[row - j]);
+      }
+    }
+  }
+#endif
+}
+
+/** All rows of some columns: winners of the ends, then of the middle between two that are known, then the rest. */
+MEDIALVOXEL_FOR_PROCESSORS void
+SearchLanes(const Pass & pass)
+{
+  const std::int64_t end = (pass.number + BlockSize - 1) / BlockSize;
+  SearchRow(pass, 0, 0, pass.length - 1);
+  SearchRow(pass, end, pass.lowest[0], pass.length - 1);
+  std::int64_t stride = 1;
+  while (2 * stride < end)
+  {
+    stride *= 2;
+  }
+  for (; stride > 0; stride /= 2)
+  {
+    for (std::int64_t block = stride; block < end; block += 2 * stride)
+    {
+      SearchRow(pass, block, pass.lowest[block - stride], pass.highest[std::min(block + stride, end)]);
+    }
+  }
+  for (std::int64_t block = 0; block < end; ++block)
+  {
+    FillBlock(pass, block, pass.lowest[block], pass.highest[block + 1]);
+  }
+}
+
+} // namespace
+
+std::uint64_t
+MedialVoxelColumnPass::GetBytes(const std::int64_t length)
+{
+  return sizeof(std::int32_t) *
+         static_cast<std::uint64_t>(2 * (length + BlockSize) + 1 + 2 * (GetResultRows(length) / BlockSize + 1));
+}
+
+std::int64_t
+MedialVoxelColumnPass::GetResultRows(const std::int64_t number)
+{
+  return (number + BlockSize - 1) / BlockSize * BlockSize;
+}
+
+void
+MedialVoxelColumnPass::SetLongestColumn(const std::int64_t length)
+{
+  if (length <= m_Longest)
+  {
+    return;
+  }
+  m_Longest = length;
+  const std::int64_t last = length + BlockSize;
+  m_Steps.clear();
+  m_Steps.reserve(static_cast<std::size_t>(2 * last + 1));
+  for (std::int64_t step = -last; step <= last; ++step)
+  {
+    m_Steps.push_back(static_cast<std::int32_t>(step * step));
+  }
+  const auto blocks = static_cast<std::size_t>(GetResultRows(length) / BlockSize + 1);
+  for (auto * const winners : { &m_Lowest, &m_Highest })
+  {
+    winners->clear();
+    winners->reserve(blocks);
+    winners->resize(blocks);
+  }
+}
+
+void
+MedialVoxelColumnPass::Search(const std::int32_t * const costs,
+                              const std::int64_t         length,
+                              const std::int64_t         first,
+                              const std::int64_t         number,
+                              std::int32_t * const       result)
+{
+  const std::int32_t * const steps = m_Steps.data() + m_Longest + BlockSize;
+  for (std::int64_t lane = 0; lane < Columns; lane += Lanes)
+  {
+    SearchLanes({ costs + lane, length, steps, first, number, m_Lowest.data(), m_Highest.data(), result + lane });
+  }
+}
+
+} // end namespace itk

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelLengthRow.h"
+
+#include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelSquaredLengths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace itk
+{
+
+namespace
+{
+
+/** Voxels of one vector, more or less. */
+constexpr std::int64_t Columns = 16;
+
+/** Squares below which floats hold all whole numbers. A float root of them is that of doubles, rounded, as those have
+ * more than twice as many digits. */
+constexpr std::int32_t EndOfFloats = 1 << 24;
+
+/** Spacings whose squares, times any number of voxels, are ordinary floats. */
+constexpr double SmallestSpacing = 1e-15;
+constexpr double LargestSpacing = 1e13;
+
+/** Signed lengths of whole groups of columns, computed with numbers of a type. */
+template <typename TReal, bool VIsSquared>
+MEDIALVOXEL_PART_OF_THEM inline void
+WriteGroups(const std::int32_t * squares,
+            const std::int64_t   groups,
+            std::uint64_t        negatives,
+            const TReal          squaredSpacing,
+            float *              target)
+{
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  for (std::int64_t group = 0; group < groups; ++group, squares += Columns, target += Columns, negatives >>= Columns)
+  {
+    const auto own = static_cast<std::int32_t>(negatives & 0xffff);
+    for (std::int64_t column = 0; column < Columns; ++column)
+    {
+      const TReal square = static_cast<TReal>(squares[column]) * squaredSpacing;
+      const auto  known = static_cast<float>(VIsSquared ? square : std::sqrt(square));
+      const float length = squares[column] < MedialVoxelSquaredLengths::None ? known : none;
+      target[column] = (own & (1 << column)) != 0 ? 0.0f - length : length;
+    }
+  }
+}
+
+MEDIALVOXEL_FOR_PROCESSORS void
+WriteFloats(const std::int32_t * const squares,
+            const std::int64_t         groups,
+            const std::uint64_t        negatives,
+            const float                squaredSpacing,
+            float * const              target)
+{
+  WriteGroups<float, false>(squares, groups, negatives, squaredSpacing, target);
+}
+
+MEDIALVOXEL_FOR_PROCESSORS void
+WriteDoubles(const std::int32_t * const squares,
+             const std::int64_t         groups,
+             const std::uint64_t        negatives,
+             const double               squaredSpacing,
+             float * const              target)
+{
+  WriteGroups<double, false>(squares, groups, negatives, squaredSpacing, target);
+}
+
+/** True when one of \a number squares is not exact in floats, but a length. */
+MEDIALVOXEL_FOR_PROCESSORS bool
+HasLarge(const std::int32_t * const squares, const std::int64_t number)
+{
+  std::int32_t largest = 0;
+  for (std::int64_t i = 0; i < number; ++i)
+  {
+    const std::int32_t length = squares[i] < MedialVoxelSquaredLengths::None ? squares[i] : 0;
+    largest = std::max(largest, length);
+  }
+  return largest >= EndOfFloats;
+}
+
+bool
+IsPowerOfTwo(const double value)
+{
+  int exponent = 0;
+  return std::frexp(value, &exponent) == 0.5;
+}
+
+} // namespace
+
+MedialVoxelLengthRow::MedialVoxelLengthRow(const double spacing, const bool squared)
+  : m_SquaredSpacing(spacing * spacing)
+  , m_IsSquared(squared)
+  , m_FitsFloats(IsPowerOfTwo(spacing) && spacing > SmallestSpacing && spacing < LargestSpacing)
+{}
+
+void
+MedialVoxelLengthRow::Write(const std::int32_t * const squares,
+                            const std::int64_t         number,
+                            const std::uint64_t        negatives,
+                            float * const              target) const
+{
+  const std::int64_t groups = number / Columns;
+  const std::int64_t rest = number % Columns;
+  if (rest > 0)
+  {
+    std::int32_t lastSquares[Columns] = {};
+    float        last[Columns];
+    std::copy_n(squares + groups * Columns, rest, lastSquares);
+    this->Write(lastSquares, Columns, negatives >> (groups * Columns), last);
+    std::copy_n(last, rest, target + groups * Columns);
+  }
+  if (m_IsSquared)
+  {
+    WriteGroups<double, true>(squares, groups, negatives, m_SquaredSpacing, target);
+  }
+  else if (m_FitsFloats && !HasLarge(squares, groups * Columns))
+  {
+    WriteFloats(squares, groups, negatives, static_cast<float>(m_SquaredSpacing), target);
+  }
+  else
+  {
+    WriteDoubles(squares, groups, negatives, m_SquaredSpacing, target);
+  }
+}
+
+} // end namespace itk
