@@ -91,11 +91,12 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
     return std::make_unique<PieceEngine>(*m_Input, job.input, options, job.plan, task, m_Loop.GetObserver());
   };
   m_Engine = makeEngine(MakeExtraction(options, job.input));
-  if (job.plan.writesBehind)
+  const auto furtherTasks = ListFurtherTasks(options, job.input);
+  if (job.plan.writesBehind && furtherTasks.empty())
   {
     m_Engine->KeepPreviousResults();
   }
-  for (const FurtherTask & further : ListFurtherTasks(options, job.input))
+  for (const FurtherTask & further : furtherTasks)
   {
     m_FurtherEngines.push_back({ further.filler, makeEngine(further.task) });
   }
