@@ -21,6 +21,9 @@ constexpr std::int64_t Lanes = 8;
 /** Rows that look between the same two winners. */
 constexpr std::int64_t BlockSize = 8;
 
+/** Candidates of a row that are not worth a bound. */
+constexpr std::int64_t FewRows = 16;
+
 constexpr std::int64_t Columns = MedialVoxelColumnPass::Columns;
 
 #if defined(__GNUC__)
@@ -36,7 +39,6 @@ struct Pass
 {
   const std::int32_t * costs;
   std::int64_t         length;
-  const std::int32_t * steps; ///< that of no row is in the middle
   std::int64_t         first;
   std::int64_t         number;
   std::int32_t *       lowest;
@@ -44,26 +46,52 @@ struct Pass
   std::int32_t *       result;
 };
 
-/** For a row, the rows of the smallest sums among candidates, in order; of all lanes. */
+/** The square of the step from a row to another one, for one row after the other, without products. */
+#if defined(__GNUC__)
+using StepType = Vector;
+#else
+using StepType = std::int32_t;
+#endif
+struct Square
+{
+  StepType value; ///< step * step
+  StepType twice; ///< 2 * step
+
+  MEDIALVOXEL_INLINE explicit Square(const std::int64_t step)
+    : value(StepType{} + static_cast<std::int32_t>(step * step))
+    , twice(StepType{} + static_cast<std::int32_t>(2 * step))
+  {}
+
+  /** The other row is one further on, the step one less. */
+  MEDIALVOXEL_INLINE void
+  Advance()
+  {
+    value += 1 - twice;
+    twice -= 2;
+  }
+};
+
+/** For a row, the rows of the smallest sums among candidates, of all lanes. */
 MEDIALVOXEL_INLINE void
-FindWinners(const Pass &       pass,
-            const std::int64_t row,
-            const std::int64_t begin,
-            const std::int64_t last,
+FindWinners(const Pass &         pass,
+            const std::int64_t   row,
+            const std::int64_t   begin,
+            const std::int64_t   last,
             std::int32_t * const winners)
 {
-  const std::int32_t * const steps = pass.steps + row;
 #if defined(__GNUC__)
+  Square square(row - begin);
   Vector best;
   std::memcpy(&best, pass.costs + begin * Columns, sizeof(best));
-  best += steps[-begin];
+  best += square.value;
   Vector winner = Vector{} + static_cast<std::int32_t>(begin);
   Vector candidate = winner;
   for (std::int64_t j = begin + 1; j <= last; ++j)
   {
+    square.Advance();
     Vector sum;
     std::memcpy(&sum, pass.costs + j * Columns, sizeof(sum));
-    sum += steps[-j];
+    sum += square.value;
     candidate += 1;
     winner = sum < best ? candidate : winner;
     best = sum < best ? sum : best;
@@ -72,7 +100,7 @@ FindWinners(const Pass &       pass,
 #else
   for (std::int64_t lane = 0; lane < Lanes; ++lane)
   {
-    const auto sumOf = [&](const std::int64_t j) { return pass.costs[j * Columns + lane] + steps[-j]; };
+    const auto   sumOf = [&](const std::int64_t j) { return pass.costs[j * Columns + lane] + (row - j) * (row - j); };
     std::int64_t winner = begin;
     for (std::int64_t j = begin + 1; j <= last; ++j)
     {
@@ -87,13 +115,16 @@ FindWinners(const Pass &       pass,
 MEDIALVOXEL_INLINE void
 SearchRow(const Pass & pass, const std::int64_t block, std::int64_t begin, std::int64_t last)
 {
-  const std::int64_t         row = pass.first + std::min(block * BlockSize, pass.number - 1);
-  const std::int32_t * const own = pass.costs + row * Columns;
-  // No sum that is larger than the own cost wins.
-  const std::int32_t most = *std::max_element(own, own + Lanes);
-  const auto         reach = static_cast<std::int64_t>(std::sqrt(static_cast<double>(most)));
-  begin = std::max(begin, row - reach);
-  last = std::min(last, row + reach);
+  const std::int64_t row = pass.first + std::min(block * BlockSize, pass.number - 1);
+  if (last - begin > FewRows)
+  {
+    // No sum that is larger than the own cost wins. A float root that is rounded down is one too small at most.
+    const std::int32_t * const own = pass.costs + row * Columns;
+    const auto                 most = static_cast<float>(*std::max_element(own, own + Lanes));
+    const auto                 reach = static_cast<std::int64_t>(std::sqrt(most)) + 1;
+    begin = std::max(begin, row - reach);
+    last = std::min(last, row + reach);
+  }
   std::int32_t winners[Lanes];
   FindWinners(pass, row, begin, last, winners);
   pass.lowest[block] = *std::min_element(winners, winners + Lanes);
@@ -104,23 +135,28 @@ SearchRow(const Pass & pass, const std::int64_t block, std::int64_t begin, std::
 MEDIALVOXEL_INLINE void
 FillBlock(const Pass & pass, const std::int64_t block, const std::int64_t begin, const std::int64_t last)
 {
-  const std::int32_t * const steps = pass.steps + pass.first + block * BlockSize;
-  std::int32_t * const       result = pass.result + block * BlockSize * Columns;
+  const std::int64_t   first = pass.first + block * BlockSize;
+  std::int32_t * const result = pass.result + block * BlockSize * Columns;
 #if defined(__GNUC__)
+  // With i rows from the first one to another, (step + i)^2 is step^2 + 2 i step + i^2, the last of which can wait.
   Vector best[BlockSize];
   std::fill(best, best + BlockSize, Vector{} + MedialVoxelSquaredLengths::None);
+  Square square(first - begin);
   for (std::int64_t j = begin; j <= last; ++j)
   {
-    Vector cost;
-    std::memcpy(&cost, pass.costs + j * Columns, sizeof(cost));
+    Vector sum;
+    std::memcpy(&sum, pass.costs + j * Columns, sizeof(sum));
+    sum += square.value;
     for (std::int64_t row = 0; row < BlockSize; ++row)
     {
-      const Vector sum = cost + steps[row - j];
       best[row] = sum < best[row] ? sum : best[row];
+      sum += square.twice;
     }
+    square.Advance();
   }
   for (std::int64_t row = 0; row < BlockSize; ++row)
   {
+    best[row] += static_cast<std::int32_t>(row * row);
     std::memcpy(result + row * Columns, &best[row], sizeof(Vector));
   }
 #else
@@ -130,9 +166,10 @@ FillBlock(const Pass & pass, const std::int64_t block, const std::int64_t begin,
     std::fill(best, best + Lanes, MedialVoxelSquaredLengths::None);
     for (std::int64_t j = begin; j <= last; ++j)
     {
+      const auto square = static_cast<std::int32_t>((first + row - j) * (first + row - j));
       for (std::int64_t lane = 0; lane < Lanes; ++lane)
       {
-        best[lane] = std::min(best[lane], pass.costs[j * Columns + lane] + steps[row - j]);
+        best[lane] = std::min(best[lane], pass.costs[j * Columns + lane] + square);
       }
     }
   }
@@ -167,10 +204,9 @@ SearchLanes(const Pass & pass)
 } // namespace
 
 std::uint64_t
-MedialVoxelColumnPass::GetBytes(const std::int64_t length)
+MedialVoxelColumnPass::GetBytes(const std::int64_t number)
 {
-  return sizeof(std::int32_t) *
-         static_cast<std::uint64_t>(2 * (length + BlockSize) + 1 + 2 * (GetResultRows(length) / BlockSize + 1));
+  return 2 * sizeof(std::int32_t) * static_cast<std::uint64_t>(GetResultRows(number) / BlockSize + 1);
 }
 
 std::int64_t
@@ -180,40 +216,23 @@ MedialVoxelColumnPass::GetResultRows(const std::int64_t number)
 }
 
 void
-MedialVoxelColumnPass::SetLongestColumn(const std::int64_t length)
-{
-  if (length <= m_Longest)
-  {
-    return;
-  }
-  m_Longest = length;
-  const std::int64_t last = length + BlockSize;
-  m_Steps.clear();
-  m_Steps.reserve(static_cast<std::size_t>(2 * last + 1));
-  for (std::int64_t step = -last; step <= last; ++step)
-  {
-    m_Steps.push_back(static_cast<std::int32_t>(step * step));
-  }
-  const auto blocks = static_cast<std::size_t>(GetResultRows(length) / BlockSize + 1);
-  for (auto * const winners : { &m_Lowest, &m_Highest })
-  {
-    winners->clear();
-    winners->reserve(blocks);
-    winners->resize(blocks);
-  }
-}
-
-void
 MedialVoxelColumnPass::Search(const std::int32_t * const costs,
                               const std::int64_t         length,
                               const std::int64_t         first,
                               const std::int64_t         number,
                               std::int32_t * const       result)
 {
-  const std::int32_t * const steps = m_Steps.data() + m_Longest + BlockSize;
+  const auto ends = static_cast<std::size_t>(GetResultRows(number) / BlockSize + 1);
+  for (auto * const winners : { &m_Lowest, &m_Highest })
+  {
+    if (winners->size() < ends)
+    {
+      std::vector<std::int32_t>(ends).swap(*winners);
+    }
+  }
   for (std::int64_t lane = 0; lane < Columns; lane += Lanes)
   {
-    SearchLanes({ costs + lane, length, steps, first, number, m_Lowest.data(), m_Highest.data(), result + lane });
+    SearchLanes({ costs + lane, length, first, number, m_Lowest.data(), m_Highest.data(), result + lane });
   }
 }
 

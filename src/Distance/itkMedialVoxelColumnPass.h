@@ -25,13 +25,9 @@ public:
   /** Columns that are searched at once. */
   static constexpr std::int64_t Columns = 16;
 
-  /** Prepare for columns of up to so many voxels. */
-  void
-  SetLongestColumn(std::int64_t length);
-
-  /** Bytes after SetLongestColumn(). */
+  /** Bytes after searches of up to so many voxels. */
   static std::uint64_t
-  GetBytes(std::int64_t length);
+  GetBytes(std::int64_t number);
 
   /** Rows of results for so many voxels, some of which may be of no use. */
   static std::int64_t
@@ -50,8 +46,6 @@ public:
          std::int32_t *       result);
 
 private:
-  std::int64_t              m_Longest{ 0 };
-  std::vector<std::int32_t> m_Steps;   // squares of the steps from one row to another, and some more
   std::vector<std::int32_t> m_Lowest;  // first winner of the columns, of every so many rows
   std::vector<std::int32_t> m_Highest; // last winner
 };

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace itk
@@ -75,8 +76,7 @@ StepsToUnknown(const MedialVoxelGrid & grid, const MedialVoxelBox & known, const
 
 /** Slices from the last site on, for the columns of a slice, of which \a before tells the slice before. */
 MEDIALVOXEL_FOR_PROCESSORS void
-CountSlices(const WordType *           sites,
-            const std::int64_t         pitch,
+CountSlices(const WordType * const     sites,
             const int                  shift,
             const std::int64_t         rows,
             const std::int16_t * const before,
@@ -84,9 +84,9 @@ CountSlices(const WordType *           sites,
 {
   constexpr std::uint16_t bits[Columns] = { 1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
                                             1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15 };
-  for (std::int64_t row = 0; row < rows; ++row, sites += pitch)
+  for (std::int64_t row = 0; row < rows; ++row)
   {
-    const auto                 own = static_cast<std::uint16_t>(*sites >> shift);
+    const auto                 own = static_cast<std::uint16_t>(sites[row] >> shift);
     const std::int16_t * const from = before + row * Columns;
     std::int16_t * const       to = slices + row * Columns;
     for (std::int64_t column = 0; column < Columns; ++column)
@@ -148,6 +148,9 @@ private:
   CountBeside();
 
   void
+  CopyWords(std::int64_t word);
+
+  void
   SearchColumns(std::int64_t x);
 
   std::int32_t
@@ -194,7 +197,7 @@ MedialVoxelDistanceTransform::Search::Search(const MedialVoxelBits &     sites,
   Reserve(m_Memory.m_Slices, (m_Tile.Extent(2) + 2) * m_Area.Extent(1) * Columns);
   Reserve(m_Memory.m_Costs, longest * Columns);
   Reserve(m_Memory.m_Found, MedialVoxelColumnPass::GetResultRows(most) * Columns);
-  m_Memory.m_Pass.SetLongestColumn(longest);
+  Reserve(m_Memory.m_Words, m_Tile.Extent(2) * m_Area.Extent(1));
 }
 
 std::int32_t
@@ -203,6 +206,10 @@ MedialVoxelDistanceTransform::Search::Run()
   this->CountBeside();
   for (std::int64_t x = m_Left; x < m_Left + m_Width; x += Columns)
   {
+    if (x == m_Left || x % MedialVoxelBits::BitsPerWord == 0)
+    {
+      this->CopyWords(x / MedialVoxelBits::BitsPerWord);
+    }
     this->SearchColumns(x);
   }
   std::int32_t largest = 0;
@@ -235,6 +242,20 @@ MedialVoxelDistanceTransform::Search::CountBeside()
   count(m_Memory.m_Above, above, std::min(above + m_Reach, known.upper[2]));
 }
 
+/** Copy a word of all rows and slices, which lie far from each other and are asked for several times. */
+void
+MedialVoxelDistanceTransform::Search::CopyWords(const std::int64_t word)
+{
+  WordType * target = m_Memory.m_Words.data();
+  for (std::int64_t z = m_Tile.lower[2]; z < m_Tile.upper[2]; ++z)
+  {
+    for (std::int64_t y = m_Area.lower[1]; y < m_Area.upper[1]; ++y)
+    {
+      *target++ = m_Sites.GetRow(y, z)[word - m_Sites.GetFirstWord()];
+    }
+  }
+}
+
 /** Squared distances along z and y of some columns of all slices. */
 void
 MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
@@ -248,13 +269,12 @@ MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
   for (std::int64_t row = 0; row < rows; ++row)
   {
     const std::int64_t at = row * m_Width + x - m_Left;
-    std::copy_n(m_Memory.m_Below.data() + at, Columns, below + row * Columns);
-    std::copy_n(m_Memory.m_Above.data() + at, Columns, above + row * Columns);
+    std::memcpy(below + row * Columns, m_Memory.m_Below.data() + at, Columns * sizeof(std::int16_t));
+    std::memcpy(above + row * Columns, m_Memory.m_Above.data() + at, Columns * sizeof(std::int16_t));
   }
   const auto step = [&](const std::int64_t slice, const std::int16_t * const before, std::int16_t * const next) {
-    const WordType * const word = m_Sites.GetRow(m_Area.lower[1], m_Tile.lower[2] + slice) - m_Sites.GetFirstWord() +
-                                  x / MedialVoxelBits::BitsPerWord;
-    CountSlices(word, m_Sites.GetRowPitch(), static_cast<int>(x % MedialVoxelBits::BitsPerWord), rows, before, next);
+    const auto shift = static_cast<int>(x % MedialVoxelBits::BitsPerWord);
+    CountSlices(m_Memory.m_Words.data() + slice * rows, shift, rows, before, next);
   };
   for (std::int64_t slice = 0; slice < slices; ++slice)
   {
@@ -275,7 +295,7 @@ MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
       m_Lengths.values.data() + m_Lengths.box.OffsetOf({ { x, m_Tile.lower[1], m_Tile.lower[2] + slice } });
     for (std::int64_t row = 0; row < m_Tile.Extent(1); ++row)
     {
-      std::copy_n(found + row * Columns, Columns, to + row * m_Width);
+      std::memcpy(to + row * m_Width, found + row * Columns, Columns * sizeof(std::int32_t));
     }
   }
 }
@@ -405,7 +425,8 @@ MedialVoxelDistanceTransform::GetBytes(const MedialVoxelIndex & tileSize, const 
   const std::int64_t longs = (longest + found) * Columns + width * tileSize[1] * tileSize[2];
   return static_cast<std::uint64_t>(shorts) * sizeof(std::int16_t) +
          static_cast<std::uint64_t>(longs) * sizeof(std::int32_t) +
-         static_cast<std::uint64_t>(words * rows) * sizeof(WordType) + MedialVoxelColumnPass::GetBytes(longest);
+         static_cast<std::uint64_t>((words + tileSize[2]) * rows) * sizeof(WordType) +
+         MedialVoxelColumnPass::GetBytes(found);
 }
 
 } // end namespace itk

@@ -33,6 +33,7 @@ public:
     friend class MedialVoxelDistanceTransform;
 
     std::vector<MedialVoxelBits::WordType> m_Open;
+    std::vector<MedialVoxelBits::WordType> m_Words; // of some columns
     std::vector<std::int16_t>              m_Below; // slices to the last site below the tile, for each column
     std::vector<std::int16_t>              m_Above; // slices to the first site above the tile
     std::vector<std::int16_t>              m_Slices;

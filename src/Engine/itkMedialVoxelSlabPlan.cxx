@@ -37,9 +37,9 @@ constexpr std::int64_t WideTileSlices = 16;
 constexpr unsigned int ManyWorkers = 8;
 constexpr unsigned int VeryManyWorkers = 32;
 
-/** Voxels and slices of tiles of whole rows, of which a single worker needs fewer, larger ones. */
-constexpr std::int64_t VoxelsOfRows = std::int64_t{ 1 } << 20;
-constexpr std::int64_t LonelyTiles = 4;
+/** Voxels of tiles of whole rows, when they are for several workers and for a single one, and their slices. */
+constexpr std::int64_t VoxelsOfTiles = std::int64_t{ 1 } << 20;
+constexpr std::int64_t VoxelsOfOnlyTile = 4 * VoxelsOfTiles;
 constexpr std::int64_t SlicesOfRows = 16;
 
 std::int64_t
@@ -62,14 +62,18 @@ WideTile(const std::int64_t columns, const unsigned int numberOfWorkers)
   return { { std::max(width, NarrowTile), std::clamp(edge, SmallestTileEdge, LargestWideEdge), slices } };
 }
 
-/** Tiles of whole rows: what lies beside a tile is searched again for each. */
+/** Tiles of whole rows, as what lies beside a tile is searched again for each; of nearly equal size. */
 MedialVoxelIndex
-TileOfRows(const std::int64_t columns, const unsigned int numberOfWorkers)
+TileOfRows(const MedialVoxelBox & region, const unsigned int numberOfWorkers)
 {
-  const std::int64_t width = CeilingDivide(columns, MedialVoxelBits::BitsPerWord) * MedialVoxelBits::BitsPerWord;
-  const std::int64_t voxels = numberOfWorkers == 1 ? LonelyTiles * VoxelsOfRows : VoxelsOfRows;
-  const std::int64_t rows = voxels / (width * SlicesOfRows) / SmallestTileEdge * SmallestTileEdge;
-  return { { width, std::max(rows, SmallestTileEdge), SlicesOfRows } };
+  const auto divide = [](const std::int64_t extent, const std::int64_t most) {
+    return CeilingDivide(extent, CeilingDivide(extent, most));
+  };
+  const std::int64_t width =
+    CeilingDivide(region.Extent(0), MedialVoxelBits::BitsPerWord) * MedialVoxelBits::BitsPerWord;
+  const std::int64_t voxels = numberOfWorkers == 1 ? VoxelsOfOnlyTile : VoxelsOfTiles;
+  const std::int64_t rows = std::max(voxels / (width * SlicesOfRows), SmallestTileEdge);
+  return { { width, divide(region.Extent(1), rows), divide(region.Extent(2), SlicesOfRows) } };
 }
 
 } // namespace
@@ -183,7 +187,7 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
   }
   else if (m_Grid.IsActive(2) && m_Settings.findsLengthsOnly)
   {
-    cut.tileSize = TileOfRows(region.Extent(0), m_Settings.numberOfWorkers);
+    cut.tileSize = TileOfRows(region, m_Settings.numberOfWorkers);
   }
   else if (m_Grid.IsActive(2) && m_Settings.preferredTileEdge > 0)
   {
@@ -209,7 +213,8 @@ MedialVoxelSlabPlan::PreferredCut(const MedialVoxelBox & region, const MedialVox
     {
       tilesPerLayer *= CeilingDivide(region.Extent(axis), cut.tileSize[axis]);
     }
-    const std::int64_t enough = std::max(EnoughTiles, EnoughTilesOfWorker * m_Settings.numberOfWorkers);
+    const std::int64_t enough =
+      std::max(m_Settings.findsLengthsOnly ? 1 : EnoughTiles, EnoughTilesOfWorker * m_Settings.numberOfWorkers);
     cut.slabThickness = cut.tileSize[m_SlowestAxis] * CeilingDivide(enough, tilesPerLayer);
   }
   return cut;
@@ -222,7 +227,7 @@ MedialVoxelSlabPlan::MakeFiner(Cut & cut) const
   std::int64_t & edge = cut.tileSize[1];
   if (m_Settings.tileSize <= 0 && m_SlowestAxis == 2 && edge > SmallestTileEdge)
   {
-    edge -= SmallestTileEdge;
+    edge = std::max(edge - SmallestTileEdge, SmallestTileEdge);
     cut.tileSize[2] = std::min(cut.tileSize[2], edge);
     return true;
   }
