@@ -100,10 +100,10 @@ CountSlices(const WordType * const     sites,
 
 /** Squared distances along z; the smallest one. */
 MEDIALVOXEL_FOR_PROCESSORS std::int32_t
-MakeCosts(const std::int16_t * const below,
-          const std::int16_t * const above,
-          const std::int64_t         number,
-          std::int32_t * const       costs)
+                           MakeCosts(const std::int16_t * const below,
+                                     const std::int16_t * const above,
+                                     const std::int64_t         number,
+                                     std::int32_t * const       costs)
 {
   std::int32_t smallest = MedialVoxelSquaredLengths::None;
   for (std::int64_t i = 0; i < number; ++i)
@@ -117,7 +117,7 @@ MakeCosts(const std::int16_t * const below,
 }
 
 MEDIALVOXEL_FOR_PROCESSORS std::int32_t
-FindLargest(const std::int32_t * const values, const std::int64_t number)
+                           FindLargest(const std::int32_t * const values, const std::int64_t number)
 {
   std::int32_t largest = 0;
   for (std::int64_t i = 0; i < number; ++i)
@@ -284,7 +284,7 @@ MedialVoxelDistanceTransform::Search::SearchColumns(const std::int64_t x)
   for (std::int64_t slice = slices - 1; slice >= 0; --slice)
   {
     step(slice, above, above);
-    const std::int32_t smallest = MakeCosts(below + (slice + 1) * number, above, number, m_Memory.m_Costs.data());
+    const std::int32_t   smallest = MakeCosts(below + (slice + 1) * number, above, number, m_Memory.m_Costs.data());
     const std::int32_t * found = m_Memory.m_Costs.data() + first * Columns;
     if (smallest < MedialVoxelSquaredLengths::None)
     {
@@ -344,7 +344,8 @@ bool
 MedialVoxelDistanceTransform::CanTransform(const MedialVoxelGrid & grid)
 {
   const MedialVoxelIndex & size = grid.GetSize();
-  return grid.HasEqualSpacing() && *std::max_element(size.begin(), size.end()) <= MedialVoxelSquaredLengths::LargestSize;
+  return grid.HasEqualSpacing() &&
+         *std::max_element(size.begin(), size.end()) <= MedialVoxelSquaredLengths::LargestSize;
 }
 
 MedialVoxelBox
@@ -390,6 +391,7 @@ MedialVoxelDistanceTransform::Compute(const MedialVoxelBits &     sites,
   }
   // Tiles beside and above have similar distances.
   workspace.m_Reach = std::max(root, before - before / 8);
+  workspace.m_Largest = largest;
   return this->FindMissing(sites, tile, largest, 0);
 }
 

@@ -29,6 +29,14 @@ public:
    */
   class Workspace
   {
+  public:
+    /** The largest squared distance of the last tile. */
+    std::int32_t
+    GetLargest() const
+    {
+      return m_Largest;
+    }
+
   private:
     friend class MedialVoxelDistanceTransform;
 
@@ -40,6 +48,7 @@ public:
     std::vector<std::int32_t>              m_Costs;
     std::vector<std::int32_t>              m_Found;
     MedialVoxelColumnPass                  m_Pass;
+    std::int32_t                           m_Largest{ 0 };
     std::int64_t                           m_Reach{ 0 }; // of tiles before
   };
 
@@ -70,7 +79,10 @@ private:
   class Search;
 
   MedialVoxelBox
-  FindMissing(const MedialVoxelBits & sites, const MedialVoxelBox & tile, std::int32_t largest, std::int64_t more) const;
+  FindMissing(const MedialVoxelBits & sites,
+              const MedialVoxelBox &  tile,
+              std::int32_t            largest,
+              std::int64_t            more) const;
 
   MedialVoxelGrid m_Grid;
 };

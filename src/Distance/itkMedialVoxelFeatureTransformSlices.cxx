@@ -148,7 +148,8 @@ MedialVoxelFeatureTransform::SliceSearch::FindNearestSlices(const std::int64_t  
   const std::int64_t rows = m_Area.Extent(1);
   MedialVoxelVisitFirstSites(
     *m_Tile.window.sites, m_Area, first, end, m_Memory.open, [&](std::int64_t x, std::int64_t row, std::int64_t z) {
-      slices[static_cast<std::size_t>((x - m_Area.lower[0]) * rows + row)] = static_cast<std::int16_t>(z - m_FirstSlice);
+      slices[static_cast<std::size_t>((x - m_Area.lower[0]) * rows + row)] =
+        static_cast<std::int16_t>(z - m_FirstSlice);
     });
 }
 

@@ -91,6 +91,34 @@ IsPowerOfTwo(const double value)
 
 } // namespace
 
+bool
+MedialVoxelLengthRow::HasExactLengths(const double spacing)
+{
+  // Three squares of so many digits, times those of the largest size of an image, have no more than doubles have.
+  constexpr double digits = 1 << 11;
+  int              exponent = 0;
+  const double     whole = std::frexp(spacing, &exponent) * digits;
+  return whole == std::floor(whole) && spacing > SmallestSpacing && spacing < LargestSpacing;
+}
+
+void
+MedialVoxelLengthRow::AppendDoubtful(const double                spacing,
+                                     const std::int32_t          begin,
+                                     const std::int32_t          end,
+                                     std::vector<std::int32_t> & squares)
+{
+  // More than the rounding of both ways together, of at most five and a half half units.
+  constexpr double error = 4.0 * std::numeric_limits<double>::epsilon();
+  for (std::int32_t square = begin; square < end; ++square)
+  {
+    const double length = std::sqrt(static_cast<double>(square) * (spacing * spacing));
+    if (static_cast<float>(length * (1.0 - error)) != static_cast<float>(length * (1.0 + error)))
+    {
+      squares.push_back(square);
+    }
+  }
+}
+
 MedialVoxelLengthRow::MedialVoxelLengthRow(const double spacing, const bool squared)
   : m_SquaredSpacing(spacing * spacing)
   , m_IsSquared(squared)

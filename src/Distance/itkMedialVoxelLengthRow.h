@@ -6,6 +6,7 @@
 #include "MedialVoxelExport.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace itk
 {
@@ -23,6 +24,15 @@ public:
   /** \param spacing  of all axes
    *  \param squared  write squares */
   MedialVoxelLengthRow(double spacing, bool squared);
+
+  /** True when lengths do not depend on the order of their computation, as all products and sums are exact. */
+  static bool
+  HasExactLengths(double spacing);
+
+  /** Append the squares, of those from \a begin on and before \a end, whose lengths could become another float when
+   * they are computed from the components of a displacement instead. They are very rare. */
+  static void
+  AppendDoubtful(double spacing, std::int32_t begin, std::int32_t end, std::vector<std::int32_t> & squares);
 
   /** Write some distances.
    *

@@ -5,7 +5,10 @@
 
 #include "itkMedialVoxelDistanceTransform.h"
 #include "itkMedialVoxelEngineSettings.h"
+#include "itkMedialVoxelFeatureTransform.h"
 #include "itkMedialVoxelTileTask.h"
+
+#include "MedialVoxelExport.h"
 
 namespace itk
 {
@@ -14,12 +17,16 @@ namespace itk
  * \brief Finds how far the nearest boundary voxels of the voxels of a tile are, but not where.
  * \ingroup MedialVoxel
  */
-class MedialVoxelLengthTask : public MedialVoxelTileTask
+class MedialVoxel_EXPORT MedialVoxelLengthTask : public MedialVoxelTileTask
 {
 public:
   /** Whether this task does all that is asked for, with the bits that MedialVoxelDistanceTask would give. */
   static bool
   CanDo(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & settings);
+
+  /** Bytes of a worker beside those of the distance transform, for boxes of searched voxels of this size. */
+  static std::uint64_t
+  GetBytes(const MedialVoxelGrid & grid, const MedialVoxelIndex & searchedSize);
 
   MedialVoxelLengthTask(const MedialVoxelGrid & grid, const MedialVoxelDistanceMap & settings);
 
@@ -37,7 +44,15 @@ public:
 private:
   struct TileWorkspace;
 
+  void
+  TakeDoubtful(const MedialVoxelBox &          tile,
+               const MedialVoxelMovingWindow & window,
+               TileWorkspace &                 workspace,
+               MedialVoxelEngineClient &       client) const;
+
   MedialVoxelBoundary          m_Boundary;
+  double                       m_Spacing;
+  MedialVoxelFeatureTransform  m_Features; // for the few voxels whose rounded lengths depend on the boundary voxel
   MedialVoxelDistanceTransform m_Transform;
 };
 

@@ -4,6 +4,7 @@
 
 #include "itkMedialVoxelClassifier.h"
 #include "itkMedialVoxelDistanceTransform.h"
+#include "itkMedialVoxelLengthTask.h"
 #include "itkMedialVoxelMemoryError.h"
 
 #include <algorithm>
@@ -340,9 +341,10 @@ MedialVoxelSlabPlan::BytesOfWorkers(const MedialVoxelBox & sites, const Cut & cu
   {
     searched[axis] = isAllKnown ? sites.Extent(axis) : std::min(tile[axis] + 2 * margin[axis], sites.Extent(axis));
   }
-  const std::uint64_t search = m_Settings.findsLengthsOnly
-                                 ? MedialVoxelDistanceTransform::GetBytes(tile, searched)
-                                 : MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
+  const std::uint64_t search =
+    m_Settings.findsLengthsOnly
+      ? MedialVoxelDistanceTransform::GetBytes(tile, searched) + MedialVoxelLengthTask::GetBytes(m_Grid, searched)
+      : MedialVoxelFeatureTransform::GetWorkspaceBytes(m_Grid, tile, searched);
   const std::uint64_t worker = m_Settings.workerBytes + tileVoxels * m_Settings.workerBytesPerVoxel + search;
   return m_Settings.numberOfWorkers * worker;
 }
