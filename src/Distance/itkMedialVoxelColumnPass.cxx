@@ -154,10 +154,14 @@ FillBlock(const Pass & pass, const std::int64_t block, const std::int64_t begin,
     }
     square.Advance();
   }
+  std::int32_t values[BlockSize * Lanes];
+  std::memcpy(values, best, sizeof(values));
   for (std::int64_t row = 0; row < BlockSize; ++row)
   {
-    best[row] += static_cast<std::int32_t>(row * row);
-    std::memcpy(result + row * Columns, &best[row], sizeof(Vector));
+    for (std::int64_t lane = 0; lane < Lanes; ++lane)
+    {
+      result[row * Columns + lane] = values[row * Lanes + lane] + static_cast<std::int32_t>(row * row);
+    }
   }
 #else
   for (std::int64_t row = 0; row < BlockSize; ++row)

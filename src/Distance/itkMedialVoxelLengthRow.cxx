@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace itk
@@ -16,7 +17,7 @@ namespace
 {
 
 /** Voxels of one vector, more or less. */
-constexpr std::int64_t Columns = 16;
+constexpr std::int64_t Columns = 32;
 
 /** Squares below which floats hold all whole numbers. A float root of them is that of doubles, rounded, as those have
  * more than twice as many digits. */
@@ -25,6 +26,16 @@ constexpr std::int32_t EndOfFloats = 1 << 24;
 /** Spacings whose squares, times any number of voxels, are ordinary floats. */
 constexpr double SmallestSpacing = 1e-15;
 constexpr double LargestSpacing = 1e13;
+
+constexpr std::uint32_t SignBit = std::uint32_t{ 1 } << 31;
+
+std::uint32_t
+GetBits(const float value)
+{
+  std::uint32_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(bits));
+  return bits;
+}
 
 /** Signed lengths of whole groups of columns, computed with numbers of a type. */
 template <typename TReal, bool VIsSquared>
@@ -35,17 +46,27 @@ WriteGroups(const std::int32_t * squares,
             const TReal          squaredSpacing,
             float *              target)
 {
-  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  const std::uint32_t none = GetBits(std::numeric_limits<float>::quiet_NaN());
   for (std::int64_t group = 0; group < groups; ++group, squares += Columns, target += Columns, negatives >>= Columns)
   {
-    const auto own = static_cast<std::int32_t>(negatives & 0xffff);
+    // Roots first, then bits alone: no vector decides about a number that may be an error.
+    float lengths[Columns];
     for (std::int64_t column = 0; column < Columns; ++column)
     {
       const TReal square = static_cast<TReal>(squares[column]) * squaredSpacing;
-      const auto  known = static_cast<float>(VIsSquared ? square : std::sqrt(square));
-      const float length = squares[column] < MedialVoxelSquaredLengths::None ? known : none;
-      target[column] = (own & (1 << column)) != 0 ? 0.0f - length : length;
+      lengths[column] = static_cast<float>(VIsSquared ? square : std::sqrt(square));
     }
+    const auto    own = static_cast<std::uint32_t>(negatives);
+    std::uint32_t bits[Columns];
+    std::memcpy(bits, lengths, sizeof(bits));
+    for (std::int64_t column = 0; column < Columns; ++column)
+    {
+      const std::int32_t  square = squares[column];
+      const std::uint32_t sign = (own << (31 - column)) & SignBit;
+      const std::uint32_t length = bits[column] ^ (square == 0 ? 0 : sign);
+      bits[column] = square < MedialVoxelSquaredLengths::None ? length : none;
+    }
+    std::memcpy(target, bits, sizeof(bits));
   }
 }
 
@@ -76,7 +97,8 @@ HasLarge(const std::int32_t * const squares, const std::int64_t number)
   std::int32_t largest = 0;
   for (std::int64_t i = 0; i < number; ++i)
   {
-    const std::int32_t length = squares[i] < MedialVoxelSquaredLengths::None ? squares[i] : 0;
+    const std::int32_t square = squares[i];
+    const std::int32_t length = square < MedialVoxelSquaredLengths::None ? square : 0;
     largest = std::max(largest, length);
   }
   return largest >= EndOfFloats;
