@@ -74,6 +74,11 @@ StepsToUnknown(const MedialVoxelGrid & grid, const MedialVoxelBox & known, const
   return steps;
 }
 
+#if defined(__GNUC__)
+/** Columns that are counted at once. A loop over them would be taken apart into single ones. */
+using Vector [[gnu::vector_size(Columns * sizeof(std::int16_t))]] = std::int16_t;
+#endif
+
 /** Slices from the last site on, for the columns of a slice, of which \a before tells the slice before. */
 MEDIALVOXEL_FOR_PROCESSORS void
 CountSlices(const WordType * const     sites,
@@ -82,20 +87,33 @@ CountSlices(const WordType * const     sites,
             const std::int16_t * const before,
             std::int16_t * const       slices)
 {
-  constexpr std::uint16_t bits[Columns] = { 1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
-                                            1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15 };
+  std::uint16_t bits[Columns];
+  for (std::int64_t column = 0; column < Columns; ++column)
+  {
+    bits[column] = static_cast<std::uint16_t>(1u << column);
+  }
+#if defined(__GNUC__)
+  const Vector most = Vector{} + Nowhere;
+  Vector       own;
+  std::memcpy(&own, bits, sizeof(own));
   for (std::int64_t row = 0; row < rows; ++row)
   {
-    const auto                 own = static_cast<std::uint16_t>(sites[row] >> shift);
-    const std::int16_t * const from = before + row * Columns;
-    std::int16_t * const       to = slices + row * Columns;
-    for (std::int64_t column = 0; column < Columns; ++column)
-    {
-      const std::int16_t further = std::min<std::int16_t>(from[column], Nowhere - 1) + std::int16_t{ 1 };
-      const bool         isSite = (own & bits[column]) != 0;
-      to[column] = isSite ? std::int16_t{ 0 } : further;
-    }
+    const auto word = static_cast<std::int16_t>(sites[row] >> shift);
+    Vector     further;
+    std::memcpy(&further, before + row * Columns, sizeof(further));
+    further += 1;
+    further = further < most ? further : most;
+    further = (own & word) != 0 ? Vector{} : further;
+    std::memcpy(slices + row * Columns, &further, sizeof(further));
   }
+#else
+  for (std::int64_t i = 0; i < rows * Columns; ++i)
+  {
+    const auto further = static_cast<std::int16_t>(std::min(before[i] + 1, Nowhere + 0));
+    const bool isSite = ((sites[i / Columns] >> shift) & bits[i % Columns]) != 0;
+    slices[i] = isSite ? std::int16_t{ 0 } : further;
+  }
+#endif
 }
 
 /** Squared distances along z; the smallest one. */

@@ -43,7 +43,12 @@ MedialVoxelVisitFirstSites(const MedialVoxelBits &                  sites,
     for (std::int64_t row = 0; row < rows; ++row, openOfRow += words)
     {
       const WordType * const sitesOfRow = sites.GetRow(area.lower[1] + row, z) - sites.GetFirstWord() + firstWord;
+      WordType               any = 0;
       for (std::int64_t word = 0; word < words; ++word)
+      {
+        any |= sitesOfRow[word] & openOfRow[word];
+      }
+      for (std::int64_t word = 0; any != 0 && word < words; ++word)
       {
         WordType found = sitesOfRow[word] & openOfRow[word];
         openOfRow[word] ^= found;
