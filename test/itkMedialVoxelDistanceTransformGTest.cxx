@@ -110,6 +110,43 @@ TEST(MedialVoxelDistanceTransform, TilesInSmallWindowsAreFinalOrSayWhatTheyMiss)
   EXPECT_GT(final, 400);
 }
 
+/** A site that is not known is nearer than the nearest one that is. */
+TEST(MedialVoxelDistanceTransform, AsksForSitesBesideANarrowWindow)
+{
+  const itk::MedialVoxelGrid              grid({ { 21, 21, 21 } }, UnitSpacing);
+  const auto                              tile = MakeBox({ { 10, 10, 10 } }, { { 11, 11, 11 } });
+  const auto                              known = MakeBox({ { 0, 9, 9 } }, { { 21, 12, 12 } });
+  const std::vector<Index3>               sites{ { { 12, 11, 10 } }, { { 10, 12, 10 } } };
+  MedialVoxelDistanceTransform::Workspace workspace;
+  itk::MedialVoxelSquaredLengths          lengths;
+  const MedialVoxelDistanceTransform      transform(grid);
+  EXPECT_FALSE(transform.Compute(SiteBits(sites, known), tile, workspace, lengths).IsEmpty());
+  EXPECT_EQ(workspace.GetLargest(), 5);
+  EXPECT_TRUE(transform.Compute(SiteBits(sites, grid.GetVoxelBox()), tile, workspace, lengths).IsEmpty());
+  EXPECT_EQ(workspace.GetLargest(), 4);
+}
+
+/** The nearest site lies beyond what is searched first, and another one in a corner of that. */
+TEST(MedialVoxelDistanceTransform, SearchesFurtherThanTheReachThatItGuessed)
+{
+  const itk::MedialVoxelGrid grid({ { 161, 161, 161 } }, UnitSpacing);
+  const auto                 tile = MakeBox({ { 80, 80, 80 } }, { { 81, 81, 81 } });
+  for (int reach = 2; reach < 78; ++reach)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      Index3 corner{ { 80 + reach, 80 + reach, 80 - reach } };
+      Index3 beyond{ { 80, 80, 80 } };
+      beyond[axis] += reach + 1;
+      MedialVoxelDistanceTransform::Workspace workspace;
+      itk::MedialVoxelSquaredLengths          lengths;
+      const auto                              bits = SiteBits({ corner, beyond }, grid.GetVoxelBox());
+      EXPECT_TRUE(MedialVoxelDistanceTransform(grid).Compute(bits, tile, workspace, lengths).IsEmpty());
+      EXPECT_EQ(workspace.GetLargest(), (reach + 1) * (reach + 1));
+    }
+  }
+}
+
 TEST(MedialVoxelDistanceTransform, NeedsEqualSpacingsAndSizesThatFit)
 {
   EXPECT_TRUE(MedialVoxelDistanceTransform::CanTransform({ { { 16384, 9, 9 } }, { { 0.3, 0.3, 0.3 } } }));
