@@ -19,6 +19,7 @@ set(folder_of_itkMedialVoxelRandomSample Walls)
 set(folder_of_itkMedialVoxelScan Foundation)
 set(folder_of_itkMedialVoxelSiteKey Distance)
 set(folder_of_itkMedialVoxelSmoothing Object)
+set(folder_of_itkMedialVoxelSquaredLengths Distance)
 set(folder_of_itkMedialVoxelText Foundation)
 
 # Folders of apps. The two programs at the end know nothing of each other.
