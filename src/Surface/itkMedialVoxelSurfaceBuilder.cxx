@@ -122,8 +122,9 @@ MedialVoxelSurfaceBuilder::Link(Slice &                                     from
   for (std::uint32_t i = 0; i < from.cells.size(); ++i)
   {
     poll.Count();
+    // As they are numbered in the neighbor.
     const MedialVoxelSurfaceCell & cell = from.cells[i];
-    const unsigned int             edges = cell.quads & Topology::EdgesTowards(direction);
+    const unsigned int             edges = Topology::MirroredEdges(cell.quads, direction);
     if (edges == 0)
     {
       continue;
@@ -133,20 +134,14 @@ MedialVoxelSurfaceBuilder::Link(Slice &                                     from
     {
       ++position;
     }
-    const auto          lowest = static_cast<unsigned int>(MedialVoxelLowestBit(edges));
-    const std::uint32_t first = FindVertex(to, position, key, Topology::Mirrored(lowest, direction));
+    const std::uint32_t first = FindVertex(to, position, key, static_cast<unsigned int>(MedialVoxelLowestBit(edges)));
     from.neighbors[i][direction] = first;
-    unsigned int others = 0;
-    for (unsigned int rest = edges; rest != 0; rest &= rest - 1)
-    {
-      const auto edge = static_cast<unsigned int>(MedialVoxelLowestBit(rest));
-      others |= (to[first].quads >> Topology::Mirrored(edge, direction) & 1) == 0 ? 1u << edge : 0u;
-    }
+    const auto others = static_cast<Topology::EdgeMask>(edges & ~unsigned{ to[first].quads });
     if (others != 0)
     {
-      const auto edge = Topology::Mirrored(static_cast<unsigned int>(MedialVoxelLowestBit(others)), direction);
+      const auto edge = static_cast<unsigned int>(MedialVoxelLowestBit(others));
       from.secondNeighbors[SecondKeyOf(i, direction)] = { FindVertex(to, position, key, edge),
-                                                          static_cast<Topology::EdgeMask>(others) };
+                                                          Topology::MirroredEdges(others, direction ^ 1u) };
     }
   }
 }
@@ -185,11 +180,24 @@ MedialVoxelSurfaceBuilder::NeighborsToFollow(const Slice & slice, const std::uin
   return Topology::NeighborsToFollow(counts);
 }
 
-/** Append a slice, and move each of the ones before it one step on. */
 void
-MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
+MedialVoxelSurfaceBuilder::FindNeighborsToFollow(Slice & slice)
 {
-  Slice slice;
+  MedialVoxelPollCounter poll;
+  slice.followed.resize(slice.cells.size());
+  for (std::uint32_t i = 0; i < slice.cells.size(); ++i)
+  {
+    poll.Count();
+    slice.followed[i] = NeighborsToFollow(slice, i);
+  }
+}
+
+/** Make the newest slice of cells, and join it with the one before, which then has all of its neighbors. */
+void
+MedialVoxelSurfaceBuilder::Append(std::vector<MedialVoxelSurfaceCell> cells)
+{
+  m_Slices.emplace_back();
+  Slice & slice = m_Slices.back();
   slice.firstVertex = m_NumberOfVertices;
   m_NumberOfVertices += cells.size();
   ++m_NextSlice;
@@ -205,14 +213,20 @@ MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
   {
     Link(slice, slice.cells, direction);
   }
-  if (!m_Slices.empty())
+  if (m_Slices.size() > 1)
   {
-    Slice & before = m_Slices.back();
+    Slice & before = m_Slices[m_Slices.size() - 2];
     Link(slice, before.cells, 4);
     Link(before, slice.cells, 5);
+    FindNeighborsToFollow(before);
   }
-  m_Slices.push_back(std::move(slice));
+}
 
+/** Append a slice, and move each of the ones before it one step on. */
+void
+MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
+{
+  this->Append(std::move(cells));
   const std::size_t newest = m_Slices.size() - 1;
   for (std::size_t step = 1; step <= std::min<std::size_t>(newest, NumberOfSteps); ++step)
   {
@@ -235,9 +249,17 @@ void
 MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
 {
   Slice &         slice = m_Slices[at];
-  const Offsets * offsetsOf[3] = { at > 0 ? &m_Slices[at - 1].previous : nullptr,
-                                   &slice.offsets,
-                                   &m_Slices[at + 1].offsets };
+  const Offsets & own = slice.offsets;
+  const Offsets & before = at > 0 ? m_Slices[at - 1].previous : own;
+  const Offsets & after = m_Slices[at + 1].offsets;
+  const Offsets * offsetsOf[NumberOfDirections] = { &own, &own, &own, &own, &before, &after };
+  // Adding nothing along the other axes is faster than choosing one.
+  Vector stepOf[NumberOfDirections]{};
+  for (unsigned int direction = 0; direction < NumberOfDirections; ++direction)
+  {
+    const unsigned int axis = direction / 2;
+    stepOf[direction][axis] = direction % 2 == 0 ? -m_Spacing[axis] : m_Spacing[axis];
+  }
   MedialVoxelPollCounter poll;
   for (std::uint32_t i = 0; i < slice.cells.size(); ++i)
   {
@@ -245,24 +267,21 @@ MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
     const MedialVoxelSurfaceCell & cell = slice.cells[i];
     Vector                         sum{};
     double                         number = 0.0;
-    for (unsigned int rest = NeighborsToFollow(slice, i); rest != 0; rest &= rest - 1)
+    for (unsigned int rest = slice.followed[i]; rest != 0; rest &= rest - 1)
     {
       const auto         neighborNumber = static_cast<unsigned int>(MedialVoxelLowestBit(rest));
       const unsigned int direction = neighborNumber % NumberOfDirections;
-      const unsigned int axis = direction / 2;
-      const bool         isUpper = direction % 2 != 0;
-      const Offsets &    offsets = *offsetsOf[axis == 2 ? (isUpper ? 2 : 0) : 1];
-      const auto &       neighbor =
-        offsets[neighborNumber < NumberOfDirections ? slice.neighbors[i][direction]
-                                                    : slice.secondNeighbors.at(SecondKeyOf(i, direction)).cell];
+      const auto &       neighbor = (*offsetsOf[direction])[neighborNumber < NumberOfDirections
+                                                              ? slice.neighbors[i][direction]
+                                                              : slice.secondNeighbors.at(SecondKeyOf(i, direction)).cell];
+      const Vector &     step = stepOf[direction];
       for (unsigned int component = 0; component < 3; ++component)
       {
-        sum[component] += static_cast<double>(neighbor[component]);
+        sum[component] = (sum[component] + static_cast<double>(neighbor[component])) + step[component];
       }
-      sum[axis] += isUpper ? m_Spacing[axis] : -m_Spacing[axis];
       number += 1.0;
     }
-    Vector offset{ { slice.offsets[i][0], slice.offsets[i][1], slice.offsets[i][2] } };
+    Vector offset{ { own[i][0], own[i][1], own[i][2] } };
     if (number > 0.0)
     {
       for (unsigned int component = 0; component < 3; ++component)
@@ -283,53 +302,53 @@ MedialVoxelSurfaceBuilder::Smooth(const std::size_t at)
 void
 MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
 {
-  const Slice & slice = m_Slices[at];
-  const auto &  cells = slice.cells;
-  const auto    numberOfCells = static_cast<std::uint32_t>(cells.size());
+  Slice &      slice = m_Slices[at];
+  const auto & cells = slice.cells;
+  const auto   numberOfCells = static_cast<std::uint32_t>(cells.size());
+  slice.points.reserve(numberOfCells);
   // A slice along a wall has many cells, whose results need not be in memory at the same time.
   for (std::uint32_t begin = 0; begin < numberOfCells;)
   {
     MedialVoxelPoll();
-    std::vector<MedialVoxelSurfaceVertex> vertices;
-    std::vector<MedialVoxelSurfaceQuad>   quads;
-    while (begin < numberOfCells && vertices.size() < CellsHandedOnAtATime)
+    m_Vertices.clear();
+    m_Quads.clear();
+    while (begin < numberOfCells && m_Vertices.size() < CellsHandedOnAtATime)
     {
       // The vertices of a cell, whose faces follow each other by axes.
       std::uint32_t end = begin;
+      unsigned int  quads = 0;
       for (; end < numberOfCells && KeyOf(cells[end]) == KeyOf(cells[begin]); ++end)
       {
-        vertices.push_back({ this->PointOf(slice, end), static_cast<double>(cells[end].thickness), cells[end].part });
+        slice.points.push_back(this->PointOf(slice, end));
+        m_Vertices.push_back({ slice.points.back(), static_cast<double>(cells[end].thickness), cells[end].part });
+        quads |= cells[end].quads;
       }
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        for (std::uint32_t cell = begin; cell < end; ++cell)
+        const unsigned int edge = Topology::EdgeOf(axis, 0, 0);
+        for (std::uint32_t cell = begin; (quads >> edge & 1) != 0 && cell < end; ++cell)
         {
-          if ((cells[cell].quads >> Topology::EdgeOf(axis, 0, 0) & 1) != 0)
+          if ((cells[cell].quads >> edge & 1) != 0)
           {
-            quads.push_back(this->MakeQuad(at, cell, axis));
+            m_Quads.push_back(this->MakeQuad(at, cell, axis));
           }
         }
       }
       begin = end;
     }
-    m_Consumer.AddVertices(vertices);
-    m_Consumer.AddQuads(quads);
+    m_Consumer.AddVertices(m_Vertices);
+    m_Consumer.AddQuads(m_Quads);
   }
 }
 
 MedialVoxelSurfaceQuad
 MedialVoxelSurfaceBuilder::MakeQuad(const std::size_t at, const std::uint32_t cell, const unsigned int axis) const
 {
-  struct Corner
-  {
-    const Slice * slice;
-    std::uint32_t cell;
-  };
   const auto lowerOf = [&](const Corner & from, const unsigned int along, const unsigned int edge) -> Corner {
     return { along == 2 ? &m_Slices[at - 1] : from.slice, NeighborOf(*from.slice, from.cell, 2 * along, edge) };
   };
   const auto countBetween = [](const Corner & from, const Corner & to, const unsigned int along) {
-    return Topology::QuadsBetween(from.slice->cells[from.cell].quads, to.slice->cells[to.cell].quads, 2 * along);
+    return Topology::QuadsBetween(from.GetCell().quads, to.GetCell().quads, 2 * along);
   };
   const unsigned int next = (axis + 1) % 3;
   const unsigned int afterNext = (axis + 2) % 3;
@@ -344,11 +363,9 @@ MedialVoxelSurfaceBuilder::MakeQuad(const std::size_t at, const std::uint32_t ce
                                     countBetween(corners[2], corners[1], afterNext),
                                     countBetween(corners[2], corners[3], next),
                                     countBetween(corners[3], corners[0], afterNext) };
-  Vector             points[4];
-  for (unsigned int corner = 0; corner < 4; ++corner)
-  {
-    points[corner] = this->PointOf(*corners[corner].slice, corners[corner].cell);
-  }
+  const Vector       points[4] = {
+    corners[0].GetPoint(), corners[1].GetPoint(), corners[2].GetPoint(), corners[3].GetPoint()
+  };
 
   const Vector           diagonal02 = MedialVoxelSubtract(points[2], points[0]);
   const Vector           diagonal13 = MedialVoxelSubtract(points[3], points[1]);

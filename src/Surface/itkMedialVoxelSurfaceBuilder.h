@@ -67,6 +67,7 @@ public:
 private:
   static constexpr unsigned int NumberOfDirections = MedialVoxelSurfaceTopology::NumberOfDirections;
   using Offsets = std::vector<std::array<float, 3>>;
+  using Points = std::vector<std::array<double, 3>>;
 
   /** Where a vertex is joined to two through one face: the other one, and the voxel edges of the cell of whose
    * quadrilaterals it is. */
@@ -82,9 +83,30 @@ private:
     std::vector<MedialVoxelSurfaceCell>                        cells;
     std::vector<std::array<std::uint32_t, NumberOfDirections>> neighbors;
     std::map<std::uint64_t, SecondNeighbor>                    secondNeighbors; // by SecondKeyOf()
+    std::vector<std::uint16_t>                                 followed;        // NeighborsToFollow() of each vertex
     Offsets                                                    offsets;         // after the last step
     Offsets                                                    previous;        // after the one before
+    Points                                                     points;          // when they are handed on
     std::uint64_t                                              firstVertex{ 0 };
+  };
+
+  /** A vertex of a quadrilateral. */
+  struct Corner
+  {
+    const Slice * slice;
+    std::uint32_t cell;
+
+    const MedialVoxelSurfaceCell &
+    GetCell() const
+    {
+      return slice->cells[cell];
+    }
+
+    const std::array<double, 3> &
+    GetPoint() const
+    {
+      return slice->points[cell];
+    }
   };
 
   static std::uint64_t
@@ -103,6 +125,12 @@ private:
   static std::uint16_t
   NeighborsToFollow(const Slice & slice, std::uint32_t cell);
 
+  static void
+  FindNeighborsToFollow(Slice & slice);
+
+  void
+  Append(std::vector<MedialVoxelSurfaceCell> cells);
+
   void
   Push(std::vector<MedialVoxelSurfaceCell> cells);
 
@@ -115,6 +143,7 @@ private:
   MedialVoxelSurfaceQuad
   MakeQuad(std::size_t at, std::uint32_t cell, unsigned int axis) const;
 
+
   std::array<double, 3>
   PointOf(const Slice & slice, std::uint32_t cell) const;
 
@@ -125,6 +154,10 @@ private:
   std::deque<Slice>            m_Slices;
   std::int64_t                 m_NextSlice{ 0 };
   std::uint64_t                m_NumberOfVertices{ 0 };
+
+  // What is handed on at a time.
+  std::vector<MedialVoxelSurfaceVertex> m_Vertices;
+  std::vector<MedialVoxelSurfaceQuad>   m_Quads;
 };
 
 } // end namespace itk

@@ -50,18 +50,6 @@ MedialVoxelSurfaceTopology::FirstPart(const EdgeMask quads, const Splits splits)
   return static_cast<EdgeMask>(part);
 }
 
-unsigned int
-MedialVoxelSurfaceTopology::QuadsBetween(const EdgeMask quads, const EdgeMask behind, const unsigned int direction)
-{
-  unsigned int number = 0;
-  for (unsigned int rest = quads & EdgesTowards(direction); rest != 0; rest &= rest - 1)
-  {
-    const auto edge = static_cast<unsigned int>(MedialVoxelLowestBit(rest));
-    number += behind >> Mirrored(edge, direction) & 1u;
-  }
-  return number;
-}
-
 std::uint16_t
 MedialVoxelSurfaceTopology::NeighborsToFollow(
   const std::array<unsigned int, std::size_t{ 2 } * NumberOfDirections> & counts)

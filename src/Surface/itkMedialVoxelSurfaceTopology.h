@@ -133,12 +133,25 @@ public:
     return (crossed & EdgesTowards(direction)) == EdgesTowards(direction);
   }
 
+  /** The edges of the face in a direction, of a mask, as they are numbered in the cell behind that face. */
+  static constexpr EdgeMask
+  MirroredEdges(const EdgeMask edges, const unsigned int direction)
+  {
+    const unsigned int facing = edges & EdgesTowards(direction);
+    const unsigned int next = facing & 15u << 4 * ((direction / 2 + 1) % 3);
+    const unsigned int afterNext = facing & ~next;
+    return static_cast<EdgeMask>(direction % 2 == 0 ? afterNext << 1 | next << 2 : afterNext >> 1 | next >> 2);
+  }
+
   /** Quadrilaterals that two vertices share which are joined through the face in a direction.
    *
    * \param quads   those of the one
    * \param behind  those of the other, in that direction */
   static unsigned int
-  QuadsBetween(EdgeMask quads, EdgeMask behind, unsigned int direction);
+  QuadsBetween(const EdgeMask quads, const EdgeMask behind, const unsigned int direction)
+  {
+    return static_cast<unsigned int>(MedialVoxelPopulationCount(MirroredEdges(quads, direction) & behind));
+  }
 
   /** The neighbors, as bits, that a vertex follows when it is smoothed: all that it is joined to; at a rim those along
    * the rim, where a junction of sheets those along the junction, none where both meet.

@@ -16,62 +16,116 @@ using BlockType = std::uint32_t; // the 3^3 voxels around a point, see GetObject
 
 constexpr int CenterOfBlock = 13;
 
-/** What a slice of nine voxels of a block adds. Tables are faster than counting bits. */
-struct Slice
-{
-  BlockType     mirrored{ 0 }; // the bits in reverse order
-  std::uint32_t number{ 0 };   // of object voxels
-  std::int32_t  x{ 0 };        // sums of the offsets of the object voxels
-  std::int32_t  y{ 0 };
-};
-
 constexpr unsigned int BitsOfSlice = 9;
 constexpr BlockType    SliceMask = (BlockType{ 1 } << BitsOfSlice) - 1;
 
-constexpr std::array<Slice, SliceMask + 1>
+/** Sums of object voxels and of their offsets along x and y, side by side in one number, so that they are added at
+ * once.
+ */
+using PackedSums = std::int64_t;
+
+constexpr unsigned int BitsOfSum = 20;
+
+constexpr PackedSums
+PackSums(const std::int64_t number, const std::int64_t x, const std::int64_t y)
+{
+  return (number * (std::int64_t{ 1 } << BitsOfSum) + x) * (std::int64_t{ 1 } << BitsOfSum) + y;
+}
+
+/** The sum in the lowest place of \a sums, which loses it. */
+std::int64_t
+TakeLowest(PackedSums & sums)
+{
+  constexpr std::int64_t half = std::int64_t{ 1 } << (BitsOfSum - 1);
+  const std::int64_t     lowest = ((sums + half) & (2 * half - 1)) - half;
+  sums = (sums - lowest) >> BitsOfSum;
+  return lowest;
+}
+
+/** What a slice of nine voxels of a block adds. Tables are faster than counting bits. */
+struct Slices
+{
+  std::array<PackedSums, SliceMask + 1>    sums{};
+  std::array<std::uint16_t, SliceMask + 1> mirrored{}; // the bits in reverse order
+};
+
+constexpr Slices
 MakeSlices()
 {
-  std::array<Slice, SliceMask + 1> slices{};
+  Slices slices{};
   for (BlockType bits = 0; bits <= SliceMask; ++bits)
   {
     for (unsigned int bit = 0; bit < BitsOfSlice; ++bit)
     {
       if (((bits >> bit) & 1u) != 0)
       {
-        slices[bits].mirrored |= BlockType{ 1 } << (BitsOfSlice - 1 - bit);
-        slices[bits].number += 1;
-        slices[bits].x += static_cast<std::int32_t>(bit % 3) - 1;
-        slices[bits].y += static_cast<std::int32_t>(bit / 3) - 1;
+        slices.mirrored[bits] = static_cast<std::uint16_t>(slices.mirrored[bits] | 1u << (BitsOfSlice - 1 - bit));
+        slices.sums[bits] +=
+          PackSums(1, static_cast<std::int64_t>(bit % 3) - 1, static_cast<std::int64_t>(bit / 3) - 1);
       }
     }
   }
   return slices;
 }
 
-constexpr std::array<Slice, SliceMask + 1> Slices = MakeSlices();
+constexpr Slices SliceTable = MakeSlices();
 
-const Slice &
+BlockType
 SliceOf(const BlockType block, const unsigned int z)
 {
-  return Slices[(block >> (z * BitsOfSlice)) & SliceMask];
+  return (block >> (z * BitsOfSlice)) & SliceMask;
 }
 
 /** The voxels at the opposite offsets: the bits in reverse order. */
 BlockType
 Mirror(const BlockType block)
 {
-  return SliceOf(block, 2).mirrored | (SliceOf(block, 1).mirrored << BitsOfSlice) |
-         (SliceOf(block, 0).mirrored << (2 * BitsOfSlice));
+  const auto & mirrored = SliceTable.mirrored;
+  return mirrored[SliceOf(block, 2)] | (BlockType{ mirrored[SliceOf(block, 1)] } << BitsOfSlice) |
+         (BlockType{ mirrored[SliceOf(block, 0)] } << (2 * BitsOfSlice));
 }
 
 /** Sums over the boundary points of one side of a wall. */
 struct Side
 {
   MedialVoxelIndex sum{ { 0, 0, 0 } }; // of the positions, seen from a
-  int              number{ 0 };
-  int              excess{ 0 };              // of background over object voxels around the points
-  std::int64_t     inwards[3] = { 0, 0, 0 }; // sum of the offsets of the object voxels
+  std::int64_t     number{ 0 };
+  PackedSums       sums{ 0 };    // of the blocks around the points
+  PackedSums       toUpper{ 0 }; // of their upper slices, less those of the lower ones
+
+  /** Of background over object voxels around the points. */
+  std::int64_t     excess{ 0 };
+  MedialVoxelIndex inwards{ { 0, 0, 0 } }; // sum of the offsets of the object voxels
+
+  void
+  Unpack(const int blockVoxels)
+  {
+    inwards[1] = TakeLowest(sums);
+    inwards[0] = TakeLowest(sums);
+    excess = number * blockVoxels - 2 * sums;
+    TakeLowest(toUpper);
+    TakeLowest(toUpper);
+    inwards[2] = toUpper;
+  }
 };
+
+/** The offsets whose bits are 1 higher than that of the center, and so on, each as far along a direction as the one of
+ * the bit that is as much lower is along the opposite. */
+constexpr unsigned int NumberOfOffsetPairs = 13;
+
+/** The ways along \a inwards of the offsets that are higher than the center. */
+std::array<double, NumberOfOffsetPairs>
+WaysAlong(const PositionType & inwards)
+{
+  const auto & [x, y, z] = inwards;
+  const double                            inSlice[9] = { -x - y, -y, x - y, -x, 0.0, x, y - x, y, x + y };
+  std::array<double, NumberOfOffsetPairs> ways{ { x, inSlice[6], y, inSlice[8] } };
+  for (unsigned int bit = 0; bit < BitsOfSlice; ++bit)
+  {
+    ways[4 + bit] = inSlice[bit] + z;
+  }
+  return ways;
+}
 
 /** Offsets that lead out of a wall by more than a quarter of a voxel.
  *
@@ -80,15 +134,16 @@ BlockType
 OffsetsOutOf(const PositionType & inwards)
 {
   const double slack = 0.25 * std::sqrt(inwards[0] * inwards[0] + inwards[1] * inwards[1] + inwards[2] * inwards[2]);
-  BlockType    out = 0;
+  const auto   ways = WaysAlong(inwards);
+  BlockType    upper = 0;
+  BlockType    lower = 0;
   // Opposite offsets lead as far the other way.
-  for (int bit = CenterOfBlock + 1; bit <= 2 * CenterOfBlock; ++bit)
+  for (unsigned int i = 0; i < NumberOfOffsetPairs; ++i)
   {
-    const double along = inwards[0] * (bit % 3 - 1) + inwards[1] * (bit / 3 % 3 - 1) + inwards[2] * (bit / 9 - 1);
-    out |= (along < -slack ? BlockType{ 1 } : 0) << bit;
-    out |= (along > slack ? BlockType{ 1 } : 0) << (2 * CenterOfBlock - bit);
+    upper |= (ways[i] < -slack ? BlockType{ 1 } : 0) << i;
+    lower |= (ways[i] > slack ? BlockType{ 1 } : 0) << (NumberOfOffsetPairs - 1 - i);
   }
-  return out;
+  return upper << (CenterOfBlock + 1) | lower;
 }
 
 /** Leaves out the voxels of another wall behind a narrow gap: those out of the wall with one at the opposite offset. */
@@ -100,15 +155,12 @@ WithoutOtherWall(const BlockType block, const BlockType out)
 
 /** Adds the object voxels around a point. */
 void
-AddBlock(const BlockType block, const int blockVoxels, Side & side)
+AddBlock(const BlockType block, Side & side)
 {
-  const Slice & lower = SliceOf(block, 0);
-  const Slice & middle = SliceOf(block, 1);
-  const Slice & upper = SliceOf(block, 2);
-  side.excess += blockVoxels - 2 * static_cast<int>(lower.number + middle.number + upper.number);
-  side.inwards[0] += lower.x + middle.x + upper.x;
-  side.inwards[1] += lower.y + middle.y + upper.y;
-  side.inwards[2] += static_cast<std::int64_t>(upper.number) - static_cast<std::int64_t>(lower.number);
+  const PackedSums lower = SliceTable.sums[SliceOf(block, 0)];
+  const PackedSums upper = SliceTable.sums[SliceOf(block, 2)];
+  side.sums += lower + SliceTable.sums[SliceOf(block, 1)] + upper;
+  side.toUpper += upper - lower;
 }
 
 /** By how much the distance of a plane from the center of a block of 3 voxels grows, for each third of the block that
@@ -126,7 +178,7 @@ GetStep(const PositionType & normal)
 
 /** Whether the surfaces of both sides are far from parallel. */
 bool
-IsRim(const Side (&sides)[2], const MedialVoxelGrid::SpacingType & spacing)
+IsRim(const std::array<Side, 2> & sides, const MedialVoxelGrid::SpacingType & spacing)
 {
   constexpr double leastCosine = 0.8;
   double           dot = 0.0;
@@ -142,20 +194,63 @@ IsRim(const Side (&sides)[2], const MedialVoxelGrid::SpacingType & spacing)
   return !(-dot >= leastCosine * std::sqrt(squaredLengths[0] * squaredLengths[1])) || !(dot < 0.0);
 }
 
+/** The lowest three bits that \a extract(row) has of each row of a block. */
+template <typename TExtract>
+BlockType
+GatherRows(const MedialVoxelBits::WordType * const first,
+           const std::int64_t                      slicePitch,
+           const std::int64_t                      rowPitch,
+           TExtract &&                             extract)
+{
+  BlockType bits = 0;
+  for (unsigned int dz = 0; dz < 3; ++dz)
+  {
+    for (unsigned int dy = 0; dy < 3; ++dy)
+    {
+      bits |= static_cast<BlockType>(extract(first + dz * slicePitch + dy * rowPitch) & 7) << (9 * dz + 3 * dy);
+    }
+  }
+  return bits;
+}
+
+/** Tells which side of a wall points are on, as MedialVoxelWallPoints::SideOf(). */
+class Sides
+{
+public:
+  explicit Sides(const MedialVoxelWallPoints & wall)
+    : m_A(wall.a)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      m_Across[axis] = wall.b[axis] - wall.a[axis];
+      m_SquaredLength += m_Across[axis] * m_Across[axis];
+    }
+  }
+
+  unsigned int
+  Find(const MedialVoxelIndex & point) const
+  {
+    std::int64_t projection = 0;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      projection += m_Across[axis] * (point[axis] - m_A[axis]);
+    }
+    const std::int64_t twiceProjection = 2 * projection;
+    return twiceProjection == m_SquaredLength ? 2u : (twiceProjection < m_SquaredLength ? 0u : 1u);
+  }
+
+private:
+  MedialVoxelIndex m_A;
+  MedialVoxelIndex m_Across{};
+  std::int64_t     m_SquaredLength{ 0 };
+};
+
 } // namespace
 
 unsigned int
 MedialVoxelWallPoints::SideOf(const MedialVoxelIndex & point) const
 {
-  std::int64_t twiceProjection = 0;
-  std::int64_t squaredLength = 0;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t across = b[axis] - a[axis];
-    twiceProjection += 2 * across * (point[axis] - a[axis]);
-    squaredLength += across * across;
-  }
-  return twiceProjection == squaredLength ? 2u : (twiceProjection < squaredLength ? 0u : 1u);
+  return Sides(*this).Find(point);
 }
 
 MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
@@ -176,11 +271,12 @@ MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
 MedialVoxelWall
 MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const
 {
-  Side                        sides[2];
+  const Sides                 split(wall);
+  std::array<Side, 2>         sides;
   std::array<unsigned int, 8> sideOf;
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
   {
-    sideOf[corner] = wall.SideOf(wall.corners[corner]);
+    sideOf[corner] = split.Find(wall.corners[corner]);
     if (sideOf[corner] < 2)
     {
       Side & side = sides[sideOf[corner]];
@@ -218,12 +314,15 @@ MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelW
     if (sideOf[corner] < 2)
     {
       const BlockType block = this->GetObjectAround(object, wall.corners[corner]);
-      AddBlock(WithoutOtherWall(block, outOf[sideOf[corner]]), m_BlockVoxels, sides[sideOf[corner]]);
+      AddBlock(WithoutOtherWall(block, outOf[sideOf[corner]]), sides[sideOf[corner]]);
     }
   }
+  sides[0].Unpack(m_BlockVoxels);
+  sides[1].Unpack(m_BlockVoxels);
   const double distance = std::sqrt(squaredDistance);
   // The block is three voxels long; a share of one half puts the plane through its center.
-  const double excess = sides[0].excess / numbers[0] + sides[1].excess / numbers[1];
+  const double excess =
+    static_cast<double>(sides[0].excess) / numbers[0] + static_cast<double>(sides[1].excess) / numbers[1];
   const double toFaces = 1.5 * excess / m_BlockVoxels * (GetStep(across) / distance);
   measured.thickness = static_cast<float>(std::max(m_Smallest, distance - toFaces));
   measured.area = static_cast<float>(m_CellVolume * distance / extent);
@@ -246,17 +345,13 @@ MedialVoxelThickness::GetObjectAround(const MedialVoxelBits & object, const Medi
   const auto             shift = static_cast<unsigned int>(x & (MedialVoxelBits::BitsPerWord - 1));
   const std::int64_t     slicePitch = object.GetBox().Extent(1) * object.GetRowPitch();
   const WordType * const first = object.GetRow(point[1] - 1, point[2] - 1) + ((x >> 6) - object.GetFirstWord());
-  WordType               bits = 0;
-  for (unsigned int dz = 0; dz < 3; ++dz)
-  {
-    for (unsigned int dy = 0; dy < 3; ++dy)
-    {
-      const WordType * const row = first + dz * slicePitch + dy * object.GetRowPitch();
-      const WordType         three = (row[0] >> shift) | ((row[1] << 1) << (MedialVoxelBits::BitsPerWord - 1 - shift));
-      bits |= (three & 7) << (9 * dz + 3 * dy);
-    }
-  }
-  return static_cast<std::uint32_t>(bits);
+  // Rarely do the voxels lie in two words of their rows.
+  return shift + 3 <= MedialVoxelBits::BitsPerWord
+           ? GatherRows(
+               first, slicePitch, object.GetRowPitch(), [=](const WordType * const row) { return *row >> shift; })
+           : GatherRows(first, slicePitch, object.GetRowPitch(), [=](const WordType * const row) {
+               return (row[0] >> shift) | ((row[1] << 1) << (MedialVoxelBits::BitsPerWord - 1 - shift));
+             });
 }
 
 std::uint32_t
