@@ -10,6 +10,7 @@
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelTileLabels.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -121,13 +122,24 @@ public:
     MedialVoxelLengthBounds bounds{};            ///< of the geodesic distance
   };
 
+  /** The cells around an edge of voxels. */
+  struct CellsOfEdge
+  {
+    std::array<MedialVoxelIndex, 4> cells;
+    unsigned int                    number{ 0 };
+  };
+
   /** Add what the cells around an edge of the last input tell: the limits of their thresholds, which stay as they are
    * unless the thickness is automatic, and of the geodesic distance, as far as needed. */
   void
-  LookAt(const Workspace &                     workspace,
-         const MedialVoxelFeatures &           features,
-         const std::vector<MedialVoxelIndex> & cells,
-         CrossedPair &                         pair) const;
+  LookAt(const Workspace &           workspace,
+         const MedialVoxelFeatures & features,
+         const CellsOfEdge &         around,
+         CrossedPair &               pair) const;
+
+  /** The boundary points that decided \a cell of the last tile; false where they are trivial. */
+  static bool
+  GetPair(const Workspace & workspace, const MedialVoxelIndex & cell, MedialVoxelIndex & a, MedialVoxelIndex & b);
 
   /** The balls in and around the tile that Classify() has decided last. */
   static const std::vector<MedialVoxelInscribedBall> &
@@ -189,10 +201,13 @@ private:
   void
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
+  using KnownCells = std::array<const Cell *, 4>; // null: trivial, or outside the tile
+
   void
   LimitThresholds(const Workspace &           workspace,
                   const MedialVoxelFeatures & features,
-                  const MedialVoxelIndex &    cell,
+                  const CellsOfEdge &         around,
+                  const KnownCells &          known,
                   CrossedPair &               pair) const;
 
   static const Cell *

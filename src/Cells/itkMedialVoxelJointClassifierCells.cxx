@@ -16,8 +16,32 @@ namespace itk
 auto
 MedialVoxelJointClassifier::FindCell(const Workspace & workspace, const MedialVoxelIndex & cell) -> const Cell *
 {
-  const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
-  return bits.Test(cell) ? &workspace.m_Cells[workspace.m_Ranks.RankOf(cell)] : nullptr;
+  const MedialVoxelRankedBits & ranks = workspace.m_Ranks;
+  const MedialVoxelBits &       bits = ranks.GetBits();
+  if (!bits.GetBox().Contains(cell))
+  {
+    return nullptr;
+  }
+  const std::int64_t word = (cell[0] >> 6) - bits.GetFirstWord();
+  const auto         bit = MedialVoxelBits::WordType{ 1 } << (cell[0] & 63);
+  return (bits.GetRow(cell[1], cell[2])[word] & bit) != 0
+           ? &workspace.m_Cells[ranks.RankOf(word, cell[1], cell[2], bit)]
+           : nullptr;
+}
+
+bool
+MedialVoxelJointClassifier::GetPair(const Workspace &        workspace,
+                                    const MedialVoxelIndex & cell,
+                                    MedialVoxelIndex &       a,
+                                    MedialVoxelIndex &       b)
+{
+  const Cell * const known = FindCell(workspace, cell);
+  if (known != nullptr)
+  {
+    a = known->a;
+    b = known->b;
+  }
+  return known != nullptr;
 }
 
 /** Length of the edge between two boundary points, 0 when they are the same; infinite when there is none. */
@@ -46,45 +70,57 @@ MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelI
   return std::min(straight, crossed);
 }
 
-/** Widen the limits of the thresholds of a pair by those of a cell. */
+/** Widen the limits of the thresholds of a pair by those of the cells around its edge. */
 void
 MedialVoxelJointClassifier::LimitThresholds(const Workspace &           workspace,
                                             const MedialVoxelFeatures & features,
-                                            const MedialVoxelIndex &    cell,
+                                            const CellsOfEdge &         around,
+                                            const KnownCells &          known,
                                             CrossedPair &               pair) const
 {
-  double radius = 0.0;
-  if (const Cell * const known = FindCell(workspace, cell))
+  const MedialVoxelBox & tile = workspace.m_Ranks.GetBits().GetBox();
+  double                 least = 0.0;
+  double                 most = 0.0;
+  for (unsigned int i = 0; i < around.number; ++i)
   {
-    radius = known->radius;
+    const MedialVoxelIndex & cell = around.cells[i];
+    double                   radius = 0.0;
+    if (known[i] != nullptr)
+    {
+      radius = known[i]->radius;
+    }
+    else if (!tile.Contains(cell))
+    {
+      radius = m_Threshold.FindRadius(features, cell);
+    }
+    least = std::max(least, radius);
+    most = std::max(most, MedialVoxelLocalThreshold::GetLargestRadius(cell, radius, workspace.m_Threshold));
   }
-  else if (!workspace.m_Ranks.GetBits().GetBox().Contains(cell))
-  {
-    radius = m_Threshold.FindRadius(features, cell);
-  }
-  const double largest = MedialVoxelLocalThreshold::GetLargestRadius(cell, radius, workspace.m_Threshold);
-  pair.leastEpsilon = std::max(pair.leastEpsilon, m_Threshold.EpsilonOf(radius));
-  pair.mostEpsilon = std::max(pair.mostEpsilon, m_Threshold.EpsilonOf(largest));
+  // Thresholds grow with radii.
+  pair.leastEpsilon = std::max(pair.leastEpsilon, m_Threshold.EpsilonOf(least));
+  pair.mostEpsilon = std::max(pair.mostEpsilon, m_Threshold.EpsilonOf(most));
 }
 
 void
-MedialVoxelJointClassifier::LookAt(const Workspace &                     workspace,
-                                   const MedialVoxelFeatures &           features,
-                                   const std::vector<MedialVoxelIndex> & cells,
-                                   CrossedPair &                         pair) const
+MedialVoxelJointClassifier::LookAt(const Workspace &           workspace,
+                                   const MedialVoxelFeatures & features,
+                                   const CellsOfEdge &         around,
+                                   CrossedPair &               pair) const
 {
+  KnownCells known{};
+  for (unsigned int i = 0; i < around.number; ++i)
+  {
+    known[i] = FindCell(workspace, around.cells[i]);
+  }
   if (m_Parameters.mode == MedialVoxelThicknessMode::Automatic)
   {
-    for (const MedialVoxelIndex & cell : cells)
-    {
-      this->LimitThresholds(workspace, features, cell, pair);
-    }
+    this->LimitThresholds(workspace, features, around, known, pair);
   }
-  for (const MedialVoxelIndex & cell : cells)
+  for (const Cell * const cell : known)
   {
-    if (const Cell * const known = FindCell(workspace, cell))
+    if (cell != nullptr)
     {
-      pair.bounds.Narrow(known->bounds, this->WayTo(pair.a, pair.b, *known));
+      pair.bounds.Narrow(cell->bounds, this->WayTo(pair.a, pair.b, *cell));
       if (pair.bounds.Reach(pair.mostEpsilon) || pair.bounds.FallShortOf(pair.leastEpsilon))
       {
         return;

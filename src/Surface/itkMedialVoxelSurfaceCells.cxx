@@ -33,9 +33,9 @@ NearestPoint(const MedialVoxelFeatures & features, const MedialVoxelIndex & voxe
 /** Numbers of the corners of a cell at the ends of one of its voxel edges. */
 struct EdgeEnds
 {
-  explicit EdgeEnds(const unsigned int edge)
+  constexpr explicit EdgeEnds(const unsigned int edge)
   {
-    const MedialVoxelIndex offset = MedialVoxelSurfaceTopology::OffsetOf(edge);
+    const MedialVoxelIndex & offset = MedialVoxelSurfaceTopology::OffsetOf(edge);
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       lower |= static_cast<unsigned int>(offset[axis]) << axis;
@@ -44,8 +44,13 @@ struct EdgeEnds
   }
 
   unsigned int lower{ 0 };
-  unsigned int upper;
+  unsigned int upper{ 0 };
 };
+
+constexpr EdgeEnds EndsOfEdges[MedialVoxelSurfaceTopology::NumberOfEdges] = { EdgeEnds(0), EdgeEnds(1),  EdgeEnds(2),
+                                                                              EdgeEnds(3), EdgeEnds(4),  EdgeEnds(5),
+                                                                              EdgeEnds(6), EdgeEnds(7),  EdgeEnds(8),
+                                                                              EdgeEnds(9), EdgeEnds(10), EdgeEnds(11) };
 
 /** Calls visit(ends) for the edges of a mask. */
 template <typename TVisitor>
@@ -54,7 +59,7 @@ ForEachEdge(const EdgeMask edges, TVisitor && visit)
 {
   for (unsigned int rest = edges; rest != 0; rest &= rest - 1)
   {
-    visit(EdgeEnds(static_cast<unsigned int>(MedialVoxelLowestBit(rest))));
+    visit(EndsOfEdges[MedialVoxelLowestBit(rest)]);
   }
 }
 
@@ -68,6 +73,7 @@ MedialVoxelSurfaceCells::MedialVoxelSurfaceCells(const MedialVoxelGrid &        
   , m_Crossings(grid, parameters)
   , m_PhysicalGrid(grid.GetSize(), spacing)
   , m_Thickness(m_PhysicalGrid)
+  , m_DecidesTogether(MedialVoxelClassifier::DecidesTogether(grid, parameters))
   , m_IsSolid(grid.IsActive(0) && grid.IsActive(1) && grid.IsActive(2))
 {}
 
@@ -133,13 +139,11 @@ MedialVoxelSurfaceCells::FindSplits(const MedialVoxelClassifiedTile & tile,
                                     MedialVoxelBox &                  missing) const
 {
   MedialVoxelSurfaceTopology::Splits splits = 0;
-  for (unsigned int direction = 0; direction < MedialVoxelSurfaceTopology::NumberOfDirections; ++direction)
+  for (unsigned int rest = MedialVoxelSurfaceTopology::AmbiguousDirections(quads); rest != 0; rest &= rest - 1)
   {
-    if (MedialVoxelSurfaceTopology::IsAmbiguous(quads, direction))
-    {
-      splits = MedialVoxelSurfaceTopology::WithSplit(
-        splits, direction, m_Crossings.FindSplit(tile, index, direction, workspace.crossings, missing));
-    }
+    const auto direction = static_cast<unsigned int>(MedialVoxelLowestBit(rest));
+    splits = MedialVoxelSurfaceTopology::WithSplit(
+      splits, direction, m_Crossings.FindSplit(tile, index, direction, workspace.crossings, missing));
   }
   return splits;
 }
@@ -192,7 +196,9 @@ MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
                                        const bool                        isMedial) const
 {
   MedialVoxelWallPoints points;
-  if (isMedial && tile.classifier.GetWallPoints(tile.features, index, points))
+  const bool            isKnown = isMedial && m_DecidesTogether &&
+                       MedialVoxelJointClassifier::GetPair(tile.classification.joint, index, points.a, points.b);
+  if (isMedial && !isKnown && tile.classifier.GetWallPoints(tile.features, index, points))
   {
     return points;
   }
@@ -203,6 +209,17 @@ MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
     const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
     points.corners[corner] = NearestPoint(tile.features, { { index[0] + c[0], index[1] + c[1], index[2] + c[2] } });
   }
+  if (!isKnown)
+  {
+    this->TakeNearestPair(crossed, points);
+  }
+  return points;
+}
+
+/** Sets a and b to those points at the ends of a crossed edge that are nearest to each other. */
+void
+MedialVoxelSurfaceCells::TakeNearestPair(const EdgeMask crossed, MedialVoxelWallPoints & points) const
+{
   double smallest = std::numeric_limits<double>::infinity();
   ForEachEdge(crossed, [&](const EdgeEnds & ends) {
     const MedialVoxelIndex & a = points.corners[ends.lower];
@@ -215,7 +232,6 @@ MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
       points.b = b;
     }
   });
-  return points;
 }
 
 /** Set place, plane and thickness. */
@@ -236,10 +252,11 @@ MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
   }
   else
   {
-    ForEachEdge(crossed, [&](const EdgeEnds & ends) {
-      fit.AddPair(this->FromCenter(index, points.corners[ends.lower]),
-                  this->FromCenter(index, points.corners[ends.upper]));
+    std::array<MedialVoxelSurfaceFit::PointType, 8> corners;
+    std::transform(points.corners.begin(), points.corners.end(), corners.begin(), [&](const MedialVoxelIndex & corner) {
+      return this->FromCenter(index, corner);
     });
+    ForEachEdge(crossed, [&](const EdgeEnds & ends) { fit.AddPair(corners[ends.lower], corners[ends.upper]); });
   }
 
   const auto & spacing = m_PhysicalGrid.GetSpacing();

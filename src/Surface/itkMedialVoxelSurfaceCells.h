@@ -125,6 +125,9 @@ private:
                 bool                                 isMedial) const;
 
   void
+  TakeNearestPair(MedialVoxelSurfaceTopology::EdgeMask crossed, MedialVoxelWallPoints & points) const;
+
+  void
   Place(const MedialVoxelClassifiedTile &    tile,
         MedialVoxelSurfaceTopology::EdgeMask crossed,
         const MedialVoxelWallPoints &        points,
@@ -147,6 +150,7 @@ private:
   MedialVoxelGrid                         m_PhysicalGrid;
   MedialVoxelThickness                    m_Thickness;
   std::optional<MedialVoxelGrayThickness> m_Gray; // empty: measured on the object
+  bool                                    m_DecidesTogether;
   bool                                    m_IsSolid;
 };
 

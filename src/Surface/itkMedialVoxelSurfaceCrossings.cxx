@@ -3,9 +3,9 @@
 #include "itkMedialVoxelSurfaceCrossings.h"
 
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelSpreadEdges.h"
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace itk
 {
@@ -29,12 +29,6 @@ DisplacementAt(const MedialVoxelFeatures & features, const std::size_t at)
   return { { features.dx[at], features.dy[at], features.dz[at] } };
 }
 
-bool
-IsAdjacent(const MedialVoxelDisplacement & difference)
-{
-  return std::abs(difference[0]) <= 1 && std::abs(difference[1]) <= 1 && std::abs(difference[2]) <= 1;
-}
-
 /** The cell behind the face of a cell in a direction. */
 MedialVoxelIndex
 Behind(MedialVoxelIndex cell, const unsigned int direction)
@@ -53,8 +47,8 @@ ForEachCellAround(const MedialVoxelIndex & voxel,
 {
   for (unsigned int number = 4 * axis; number < 4 * axis + 4; ++number)
   {
-    const MedialVoxelIndex offset = Topology::OffsetOf(number);
-    const MedialVoxelIndex cell{ { voxel[0] - offset[0], voxel[1] - offset[1], voxel[2] - offset[2] } };
+    const MedialVoxelIndex & offset = Topology::OffsetOf(number);
+    const MedialVoxelIndex   cell{ { voxel[0] - offset[0], voxel[1] - offset[1], voxel[2] - offset[2] } };
     if (box.Contains(cell))
     {
       visit(cell, number);
@@ -68,6 +62,7 @@ MedialVoxelSurfaceCrossings::MedialVoxelSurfaceCrossings(const MedialVoxelGrid &
                                                          const MedialVoxelParameters & parameters)
   : m_Grid(grid)
   , m_Parameters(WithProvedBound(parameters))
+  , m_CellBox(grid.GetCellBox())
   , m_DecidesTogether(MedialVoxelClassifier::DecidesTogether(grid, parameters))
   , m_Cell(grid)
   , m_Decision(grid, m_Parameters)
@@ -79,7 +74,7 @@ MedialVoxelSurfaceCrossings::MedialVoxelSurfaceCrossings(const MedialVoxelGrid &
 MedialVoxelBox
 MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
 {
-  workspace.m_Cells = tile.box.Intersection(m_Grid.GetCellBox());
+  workspace.m_Cells = tile.box.Intersection(m_CellBox);
   workspace.m_Masks.assign(static_cast<std::size_t>(workspace.m_Cells.NumberOfVoxels()), 0);
   workspace.m_Edges.clear();
   workspace.m_Queries.clear();
@@ -119,47 +114,73 @@ MedialVoxelSurfaceCrossings::FindInRow(const MedialVoxelClassifiedTile & tile,
                                        Workspace &                       workspace,
                                        MedialVoxelBox &                  missing) const
 {
-  const MedialVoxelFeatures & features = tile.features;
-  const MedialVoxelBits &     object = *tile.window.object;
-  const MedialVoxelBox        voxels = tile.classifier.GetCornerBox(tile.box);
-  const MedialVoxelIndex      step{ { row.axis == 0 ? 1 : 0, row.axis == 1 ? 1 : 0, row.axis == 2 ? 1 : 0 } };
-  const WordType * const      words = object.GetRow(row.y, row.z) - object.GetFirstWord();
-  const WordType * const      otherWords = object.GetRow(row.y + step[1], row.z + step[2]) - object.GetFirstWord();
-  const std::size_t           first = features.OffsetOf(voxels.lower[0], row.y, row.z);
-  const std::size_t  toOther = features.OffsetOf(voxels.lower[0] + step[0], row.y + step[1], row.z + step[2]) - first;
-  const std::int64_t end = voxels.upper[0] - step[0];
-  const bool         edgesAreTrivial = m_Grid.GetLongestEdge() < m_Parameters.epsilon;
-
+  const MedialVoxelBits & object = *tile.window.object;
+  const MedialVoxelBox    voxels = tile.classifier.GetCornerBox(tile.box);
+  const WordType * const  words = object.GetRow(row.y, row.z) - object.GetFirstWord();
+  const WordType * const  otherWords =
+    object.GetRow(row.y + (row.axis == 1 ? 1 : 0), row.z + (row.axis == 2 ? 1 : 0)) - object.GetFirstWord();
+  const std::int64_t end = voxels.upper[0] - (row.axis == 0 ? 1 : 0);
   for (std::int64_t word = voxels.lower[0] >> 6; word <= (voxels.upper[0] - 1) >> 6; ++word)
   {
     const WordType others =
       row.axis == 0 ? (words[word] >> 1) | (words[word + 1] << (MedialVoxelBits::BitsPerWord - 1)) : otherWords[word];
-    for (WordType rest = (words[word] | others) & MedialVoxelBits::RangeMask(word, voxels.lower[0], end); rest != 0;
-         rest &= rest - 1)
+    const WordType edges = (words[word] | others) & MedialVoxelBits::RangeMask(word, voxels.lower[0], end);
+    if (edges != 0)
     {
-      const std::int64_t x = word * MedialVoxelBits::BitsPerWord + MedialVoxelLowestBit(rest);
-      const std::size_t  at = first + static_cast<std::size_t>(x - voxels.lower[0]);
-      MedialVoxelPair    pair;
-      pair.displacement = DisplacementAt(features, at);
-      pair.oppositeDisplacement = DisplacementAt(features, at + toOther);
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        pair.difference[axis] = pair.displacement[axis] - pair.oppositeDisplacement[axis] - step[axis];
-      }
-      if ((edgesAreTrivial && IsAdjacent(pair.difference)) || !features.HasSite(at) || !features.HasSite(at + toOther))
-      {
-        continue;
-      }
-      pair.a = { { x + pair.displacement[0], row.y + pair.displacement[1], row.z + pair.displacement[2] } };
-      const Workspace::Edge edge{ { { x, row.y, row.z } }, row.axis };
-      if (m_DecidesTogether)
-      {
-        this->AddEdge(tile, edge, pair, workspace);
-      }
-      else
-      {
-        this->DecideFixed(tile, edge, pair, workspace, missing);
-      }
+      const std::int64_t firstOfWord = word * MedialVoxelBits::BitsPerWord;
+      const std::int64_t x = std::max(firstOfWord, voxels.lower[0]);
+      const std::int64_t number = std::min(firstOfWord + MedialVoxelBits::BitsPerWord, end) - x;
+      this->TakeEdges(
+        tile, { { { x, row.y, row.z } }, row.axis }, edges >> (x - firstOfWord), number, workspace, missing);
+    }
+  }
+}
+
+/** Decide edges of a row, bit 0 of which is that of \a first. */
+void
+MedialVoxelSurfaceCrossings::TakeEdges(const MedialVoxelClassifiedTile & tile,
+                                       const Workspace::Edge &           first,
+                                       WordType                          edges,
+                                       const std::int64_t                number,
+                                       Workspace &                       workspace,
+                                       MedialVoxelBox &                  missing) const
+{
+  const MedialVoxelFeatures & features = tile.features;
+  const MedialVoxelIndex &    voxel = first.voxel;
+  const unsigned int          axis = first.axis;
+  const std::size_t           begin = features.OffsetOf(voxel[0], voxel[1], voxel[2]);
+  const std::int64_t          toUpper =
+    axis == 0 ? 1 : (axis == 1 ? features.box.Extent(0) : features.box.Extent(0) * features.box.Extent(1));
+  const MedialVoxelDisplacementRows lower{ { &features.dx[begin], &features.dy[begin], &features.dz[begin] } };
+  const MedialVoxelDisplacementRows upper{ { lower[0] + toUpper, lower[1] + toUpper, lower[2] + toUpper } };
+  if (m_Grid.GetLongestEdge() < m_Parameters.epsilon)
+  {
+    edges = MedialVoxelSpreadEdges(lower, upper, axis, edges, number);
+  }
+  for (WordType rest = edges; rest != 0; rest &= rest - 1)
+  {
+    const int x = MedialVoxelLowestBit(rest);
+    if (lower[0][x] == MedialVoxelNoDisplacement || upper[0][x] == MedialVoxelNoDisplacement)
+    {
+      continue;
+    }
+    MedialVoxelPair pair;
+    pair.displacement = { { lower[0][x], lower[1][x], lower[2][x] } };
+    pair.oppositeDisplacement = { { upper[0][x], upper[1][x], upper[2][x] } };
+    for (unsigned int component = 0; component < 3; ++component)
+    {
+      pair.difference[component] =
+        pair.displacement[component] - pair.oppositeDisplacement[component] - (component == axis ? 1 : 0);
+    }
+    pair.a = { { voxel[0] + x + lower[0][x], voxel[1] + lower[1][x], voxel[2] + lower[2][x] } };
+    const Workspace::Edge edge{ { { voxel[0] + x, voxel[1], voxel[2] } }, axis };
+    if (m_DecidesTogether)
+    {
+      this->AddEdge(tile, edge, pair, workspace);
+    }
+    else
+    {
+      this->DecideFixed(tile, edge, pair, workspace, missing);
     }
   }
 }
@@ -190,13 +211,12 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
   {
     return;
   }
-  auto & cells = workspace.m_CellsAround;
-  cells.clear();
-  ForEachCellAround(edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) {
-    cells.push_back(cell);
+  MedialVoxelJointClassifier::CellsOfEdge around;
+  ForEachCellAround(edge.voxel, edge.axis, m_CellBox, [&](const MedialVoxelIndex & cell, unsigned int) {
+    around.cells[around.number++] = cell;
   });
   MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, pair.GetB(), m_Parameters.epsilon, m_Parameters.epsilon };
-  tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, cells, crossed);
+  tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, around, crossed);
   // Where floods decide, no length is near the smallest threshold; of shorter ones cells often know no more than that.
   if ((m_Flood.IsAvailable() && crossed.bounds.longest <= m_Parameters.epsilon) ||
       crossed.bounds.FallShortOf(crossed.leastEpsilon))
@@ -235,7 +255,7 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
       for (const Workspace::Edge & edge : workspace.m_Edges)
       {
         ForEachCellAround(
-          edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) { add(cell); });
+          edge.voxel, edge.axis, m_CellBox, [&](const MedialVoxelIndex & cell, unsigned int) { add(cell); });
       }
     });
   }
@@ -270,7 +290,7 @@ MedialVoxelSurfaceCrossings::FindThresholds(const MedialVoxelClassifiedTile & ti
                                             TVisit &&                         visit) const
 {
   auto & cells = workspace.m_Threshold.cells;
-  cells.Reshape(workspace.m_Cells.Expanded(m_Grid.GetUnitMargin()).Intersection(m_Grid.GetCellBox()));
+  cells.Reshape(workspace.m_Cells.Expanded(m_Grid.GetUnitMargin()).Intersection(m_CellBox));
   visit([&](const MedialVoxelIndex & cell) { cells.Set(cell); });
   cells.Rank();
   m_Threshold.Compute(
@@ -283,24 +303,18 @@ MedialVoxelSurfaceCrossings::FindThresholdsOfSplits(const MedialVoxelClassifiedT
 {
   auto & splits = workspace.m_SplitCells;
   splits.clear();
-  const MedialVoxelBox & box = workspace.m_Cells;
-  const EdgeMask *       mask = workspace.m_Masks.data();
-  MedialVoxelPollCounter poll;
-  for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
+  // Every crossed edge has an object voxel, which is a corner of the cells around it.
+  for (const MedialVoxelCellRow & row : tile.rows)
   {
-    for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
+    MedialVoxelPoll();
+    for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
-      poll.Count(static_cast<std::uint32_t>(box.Extent(0)) / 8);
-      for (std::int64_t x = box.lower[0]; x < box.upper[0]; ++x, ++mask)
+      const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
+      for (unsigned int directions = Topology::AmbiguousDirections(workspace.GetCrossedEdges(cell)); directions != 0;
+           directions &= directions - 1)
       {
-        for (unsigned int direction = 0; *mask != 0 && direction < Topology::NumberOfDirections; ++direction)
-        {
-          if (Topology::IsAmbiguous(*mask, direction))
-          {
-            splits.push_back({ { x, y, z } });
-            splits.push_back(Behind({ { x, y, z } }, direction));
-          }
-        }
+        splits.push_back(cell);
+        splits.push_back(Behind(cell, static_cast<unsigned int>(MedialVoxelLowestBit(directions))));
       }
     }
   }
@@ -311,7 +325,7 @@ MedialVoxelSurfaceCrossings::FindThresholdsOfSplits(const MedialVoxelClassifiedT
   this->FindThresholds(tile, workspace, [&](auto && add) {
     for (const MedialVoxelIndex & cell : splits)
     {
-      if (m_Grid.GetCellBox().Contains(cell))
+      if (m_CellBox.Contains(cell))
       {
         add(cell);
       }
@@ -324,7 +338,7 @@ bool
 MedialVoxelSurfaceCrossings::DecideAtOnce(MedialVoxelSeparationQuery & query, Workspace & workspace) const
 {
   const Workspace::Edge & edge = workspace.m_Edges[query.cell];
-  ForEachCellAround(edge.voxel, edge.axis, m_Grid.GetCellBox(), [&](const MedialVoxelIndex & cell, unsigned int) {
+  ForEachCellAround(edge.voxel, edge.axis, m_CellBox, [&](const MedialVoxelIndex & cell, unsigned int) {
     query.epsilon = std::max(query.epsilon, this->EpsilonOf(cell, workspace));
   });
   MedialVoxelDisplacement difference;

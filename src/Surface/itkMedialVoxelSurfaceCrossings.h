@@ -67,7 +67,6 @@ public:
     std::vector<MedialVoxelSeparationQuery> m_Queries;
     std::vector<MedialVoxelSeparationQuery> m_QueryOfSplit;
     std::vector<MedialVoxelIndex>           m_SplitCells;
-    std::vector<MedialVoxelIndex>           m_CellsAround; // an edge
   };
 
   /** \param grid        the image in the units in which its cells are classified
@@ -110,6 +109,14 @@ private:
   void
   FindInRow(const MedialVoxelClassifiedTile & tile,
             const Row &                       row,
+            Workspace &                       workspace,
+            MedialVoxelBox &                  missing) const;
+
+  void
+  TakeEdges(const MedialVoxelClassifiedTile & tile,
+            const Workspace::Edge &           first,
+            MedialVoxelBits::WordType         edges,
+            std::int64_t                      number,
             Workspace &                       workspace,
             MedialVoxelBox &                  missing) const;
 
@@ -160,6 +167,7 @@ private:
 
   MedialVoxelGrid           m_Grid;
   MedialVoxelParameters     m_Parameters;
+  MedialVoxelBox            m_CellBox;
   bool                      m_DecidesTogether;
   MedialVoxelDualCell       m_Cell;
   MedialVoxelPairDecision   m_Decision;

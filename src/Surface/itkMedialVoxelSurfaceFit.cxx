@@ -2,35 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceFit.h"
 
-#include "itkMedialVoxelVector3.h"
-
 #include <algorithm>
-#include <cmath>
 
 namespace itk
 {
-
-namespace
-{
-
-using PointType = MedialVoxelSurfaceFit::PointType;
-
-/** \a vector scaled to length 1; \a otherwise when it has none. */
-PointType
-Normalized(const PointType & vector, const PointType & otherwise)
-{
-  const double length = MedialVoxelNorm(vector);
-  return length > 0.0 ? PointType{ { vector[0] / length, vector[1] / length, vector[2] / length } } : otherwise;
-}
-
-} // namespace
-
-void
-MedialVoxelSurfaceFit::AddPair(const PointType & a, const PointType & b)
-{
-  const PointType normal = Normalized({ { b[0] - a[0], b[1] - a[1], b[2] - a[2] } }, { { 0.0, 0.0, 1.0 } });
-  this->AddPlane(normal, { { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) } });
-}
 
 void
 MedialVoxelSurfaceFit::AddTangents(const Tangent & a, const Tangent & b)
@@ -50,28 +25,8 @@ MedialVoxelSurfaceFit::AddTangents(const Tangent & a, const Tangent & b)
   this->AddPlane(normal, middle);
 }
 
-void
-MedialVoxelSurfaceFit::AddPlane(const PointType & normal, const PointType & point)
-{
-  const double distance = MedialVoxelDot(normal, point);
-  // The two sides of a wall have no order; the normal that is nearer to the sum so far does not cancel it.
-  const double sign = MedialVoxelDot(normal, m_SumOfNormals) < 0.0 ? -1.0 : 1.0;
-  unsigned int entry = 0;
-  for (unsigned int row = 0; row < 3; ++row)
-  {
-    for (unsigned int column = row; column < 3; ++column)
-    {
-      m_Matrix[entry++] += normal[row] * normal[column];
-    }
-    m_Vector[row] += normal[row] * distance;
-    m_SumOfNormals[row] += sign * normal[row];
-    m_SumOfPoints[row] += point[row];
-  }
-  m_NumberOfPlanes += 1.0;
-}
-
-PointType
-MedialVoxelSurfaceFit::GetPoint(const double pull, const PointType & reach) const
+auto
+MedialVoxelSurfaceFit::GetPoint(const double pull, const PointType & reach) const -> PointType
 {
   // Positive definite, as the pull is positive: the inverse by cofactors exists.
   const double xx = m_Matrix[0] + pull;

@@ -3,6 +3,8 @@
 #ifndef itkMedialVoxelSurfaceFit_h
 #define itkMedialVoxelSurfaceFit_h
 
+#include "itkMedialVoxelVector3.h"
+
 #include "MedialVoxelExport.h"
 
 #include <array>
@@ -24,7 +26,11 @@ public:
 
   /** Count in the plane midway between \a a and \a b, which differ. */
   void
-  AddPair(const PointType & a, const PointType & b);
+  AddPair(const PointType & a, const PointType & b)
+  {
+    const PointType normal = Normalized(MedialVoxelSubtract(b, a), { { 0.0, 0.0, 1.0 } });
+    this->AddPlane(normal, { { 0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2]) } });
+  }
 
   /** A point of a wall and its normal, of length 1. */
   struct Tangent
@@ -57,8 +63,34 @@ public:
   GetPlane() const;
 
 private:
+  /** \a vector scaled to length 1; \a otherwise when it has none. */
+  static PointType
+  Normalized(const PointType & vector, const PointType & otherwise)
+  {
+    const double length = MedialVoxelNorm(vector);
+    return length > 0.0 ? PointType{ { vector[0] / length, vector[1] / length, vector[2] / length } } : otherwise;
+  }
+
+  // Here, so that the sums stay in registers from pair to pair.
   void
-  AddPlane(const PointType & normal, const PointType & point);
+  AddPlane(const PointType & normal, const PointType & point)
+  {
+    const double distance = MedialVoxelDot(normal, point);
+    // The two sides of a wall have no order; the normal that is nearer to the sum so far does not cancel it.
+    const double sign = MedialVoxelDot(normal, m_SumOfNormals) < 0.0 ? -1.0 : 1.0;
+    unsigned int entry = 0;
+    for (unsigned int row = 0; row < 3; ++row)
+    {
+      for (unsigned int column = row; column < 3; ++column)
+      {
+        m_Matrix[entry++] += normal[row] * normal[column];
+      }
+      m_Vector[row] += normal[row] * distance;
+      m_SumOfNormals[row] += sign * normal[row];
+      m_SumOfPoints[row] += point[row];
+    }
+    m_NumberOfPlanes += 1.0;
+  }
 
   /** Sums of n n^T (xx, xy, xz, yy, yz, zz) and n (n m) for the unit normals n and the points m of the planes. */
   std::array<double, 6> m_Matrix{};

@@ -2,18 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSurfaceTopology.h"
 
+#include <vector>
+
 namespace itk
 {
-
-MedialVoxelIndex
-MedialVoxelSurfaceTopology::OffsetOf(const unsigned int edge)
-{
-  const unsigned int axis = AxisOf(edge);
-  MedialVoxelIndex   offset{ { 0, 0, 0 } };
-  offset[(axis + 1) % 3] = edge & 1;
-  offset[(axis + 2) % 3] = (edge >> 1) & 1;
-  return offset;
-}
 
 auto
 MedialVoxelSurfaceTopology::JoinedEdges(const unsigned int edge, const unsigned int direction, const Splits splits)
@@ -32,6 +24,21 @@ MedialVoxelSurfaceTopology::JoinedEdges(const unsigned int edge, const unsigned 
 
 auto
 MedialVoxelSurfaceTopology::FirstPart(const EdgeMask quads, const Splits splits) -> EdgeMask
+{
+  // Few cells have a face that is split.
+  static const std::vector<EdgeMask> unsplit = [] {
+    std::vector<EdgeMask> parts(std::size_t{ 1 } << NumberOfEdges);
+    for (std::size_t mask = 0; mask < parts.size(); ++mask)
+    {
+      parts[mask] = FindFirstPart(static_cast<EdgeMask>(mask), 0);
+    }
+    return parts;
+  }();
+  return splits == 0 ? unsplit[quads] : FindFirstPart(quads, splits);
+}
+
+auto
+MedialVoxelSurfaceTopology::FindFirstPart(const EdgeMask quads, const Splits splits) -> EdgeMask
 {
   unsigned int part = 0;
   for (unsigned int open = quads & (~unsigned{ quads } + 1u); open != 0;)

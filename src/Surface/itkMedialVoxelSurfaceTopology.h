@@ -62,8 +62,11 @@ public:
   }
 
   /** From the lowest corner of a cell to the lower voxel of an edge. */
-  static MedialVoxelIndex
-  OffsetOf(unsigned int edge);
+  static constexpr const MedialVoxelIndex &
+  OffsetOf(const unsigned int edge)
+  {
+    return Offsets[edge];
+  }
 
   /** The four voxel edges around the face between a cell and its neighbor. */
   static constexpr EdgeMask
@@ -126,11 +129,21 @@ public:
     return static_cast<unsigned int>(MedialVoxelPopulationCount(quads & EdgesTowards(direction)));
   }
 
-  /** True when all edges of the face in a direction are crossed. */
-  static bool
-  IsAmbiguous(const EdgeMask crossed, const unsigned int direction)
+  /** The directions, as bits, of the faces of which all edges are crossed. */
+  static unsigned int
+  AmbiguousDirections(const EdgeMask crossed)
   {
-    return (crossed & EdgesTowards(direction)) == EdgesTowards(direction);
+    // Both edges of the face along the one axis, and along the other.
+    const unsigned int alongU = crossed & crossed >> 1;
+    const unsigned int alongV = crossed & crossed >> 2;
+    const auto         towards = [=](const unsigned int normal) {
+      const unsigned int next = (normal + 1) % 3;
+      const unsigned int afterNext = (normal + 2) % 3;
+      return ((alongU >> EdgeOf(next, 0, 0) & alongV >> EdgeOf(afterNext, 0, 0) & 1u) |
+              (alongU >> EdgeOf(next, 0, 1) & alongV >> EdgeOf(afterNext, 1, 0) & 1u) << 1)
+             << 2 * normal;
+    };
+    return towards(0) | towards(1) | towards(2);
   }
 
   /** The edges of the face in a direction, of a mask, as they are numbered in the cell behind that face. */
@@ -164,6 +177,25 @@ public:
   /** The same as directions when there are no second neighbors. */
   static std::uint8_t
   DirectionsToFollow(EdgeMask quads);
+
+private:
+  static EdgeMask
+  FindFirstPart(EdgeMask quads, Splits splits);
+
+  static constexpr std::array<MedialVoxelIndex, NumberOfEdges> Offsets{ {
+    { { 0, 0, 0 } },
+    { { 0, 1, 0 } },
+    { { 0, 0, 1 } },
+    { { 0, 1, 1 } }, // along x
+    { { 0, 0, 0 } },
+    { { 0, 0, 1 } },
+    { { 1, 0, 0 } },
+    { { 1, 0, 1 } }, // along y
+    { { 0, 0, 0 } },
+    { { 1, 0, 0 } },
+    { { 0, 1, 0 } },
+    { { 1, 1, 0 } } // along z
+  } };
 };
 
 } // end namespace itk
