@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "BufferedOutput.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -9,8 +10,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-constexpr size_t BufferBytes = size_t{ 1 } << 20;
 
 /** The number as std::to_chars writes it. */
 template <typename TNumber, typename TUse>
@@ -43,8 +42,17 @@ FormatFloat(double value)
 BufferedOutput &
 BufferedOutput::Text(std::string_view text)
 {
-  m_Buffer += text;
-  this->FlushWhenFull();
+  while (!text.empty())
+  {
+    if (m_Used == m_Buffer.size())
+    {
+      this->Flush();
+    }
+    const size_t length = std::min(text.size(), m_Buffer.size() - m_Used);
+    std::memcpy(m_Buffer.data() + m_Used, text.data(), length);
+    m_Used += length;
+    text.remove_prefix(length);
+  }
   return *this;
 }
 
@@ -70,20 +78,11 @@ BufferedOutput::Float(double value)
 }
 
 void
-BufferedOutput::FlushWhenFull()
-{
-  if (m_Buffer.size() >= BufferBytes)
-  {
-    this->Flush();
-  }
-}
-
-void
 BufferedOutput::Flush()
 {
-  m_File.WriteAt(m_Offset, m_Buffer.data(), m_Buffer.size());
-  m_Offset += m_Buffer.size();
-  m_Buffer.clear();
+  m_File.WriteAt(m_Offset, m_Buffer.data(), m_Used);
+  m_Offset += m_Used;
+  m_Used = 0;
 }
 
 void

@@ -5,9 +5,12 @@
 
 #include "OutputFile.h"
 
+#include <array>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -71,21 +74,28 @@ private:
     Bits bits;
     static_assert(sizeof(bits) == sizeof(value));
     std::memcpy(&bits, &value, sizeof(value));
+    std::array<char, sizeof(value)> bytes;
     for (size_t byte = 0; byte < sizeof(value); ++byte, firstByte += step)
     {
-      m_Buffer.push_back(static_cast<char>(std::uint64_t{ bits } >> (8 * firstByte)));
+      bytes[byte] = static_cast<char>(std::uint64_t{ bits } >> (8 * firstByte));
     }
-    this->FlushWhenFull();
+    if (m_Used + sizeof(value) > m_Buffer.size())
+    {
+      this->Flush();
+    }
+    std::memcpy(m_Buffer.data() + m_Used, bytes.data(), sizeof(value));
+    m_Used += sizeof(value);
   }
 
   void
-  FlushWhenFull();
-  void
   Flush();
 
-  OutputFile &  m_File;
-  std::string   m_Buffer;
-  std::uint64_t m_Offset{ 0 };
+  static constexpr size_t BufferBytes = size_t{ 1 } << 20;
+
+  OutputFile &      m_File;
+  std::vector<char> m_Buffer = std::vector<char>(BufferBytes);
+  size_t            m_Used{ 0 };
+  std::uint64_t     m_Offset{ 0 };
 };
 
 } // end namespace medialvoxel

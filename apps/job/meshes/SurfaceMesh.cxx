@@ -90,7 +90,7 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   , m_Grid(grid)
   , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplusBytes / BytesPerPendingCell)
   , m_Cleaning(GetCleaning(options))
-  , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry)))
+  , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry), SurfaceSpoolInput::Added))
 {
   m_Cleaning.memoryBytes = GetCleaningBytes(m_Cleaning, GetPlannedVertices(geometry));
   if (options.labels)

@@ -43,14 +43,14 @@ public:
       [&](std::uint64_t first, std::uint64_t index) { function(first + index, m_Vertices[index]); });
   }
 
-  /** Calls function(number, face) for all faces in their order. */
+  /** Calls function(number, face) for all faces in their order, which have these parts. */
   template <typename TFunction>
   void
-  ForEachFace(TFunction && function)
+  ForEachFace(TFunction && function, SurfaceFaceParts parts = SurfaceFaceParts::All)
   {
     ForEach(
       m_Surface.GetNumberOfFaces(),
-      [this](std::uint64_t first, std::uint64_t count) { m_Surface.ReadFaces(first, count, m_Faces); },
+      [=](std::uint64_t first, std::uint64_t count) { m_Surface.ReadFaces(first, count, m_Faces, parts); },
       [&](std::uint64_t first, std::uint64_t index) { function(first + index, m_Faces[index]); });
   }
 

@@ -12,19 +12,30 @@ namespace medialvoxel
 namespace
 {
 
-/** A face in the scratch file. */
-struct FaceRecord
+/** A vertex whose coordinates are rounded, in the scratch file. */
+struct RoundedVertex
 {
-  std::array<std::uint64_t, 4> vertices;
-  float                        area;
-  std::uint8_t                 numberOfVertices;
-  std::uint8_t                 rimEdges;
-  std::uint8_t                 junctionEdges;
-  bool                         isCap;
+  std::array<float, 3> position;
+  float                thickness;
+};
+
+/** The lower halves of the numbers of the vertices of a face. */
+using Corners = std::array<std::uint32_t, 4>;
+
+constexpr unsigned int BitsOfHalf = 32;
+
+/** What a face has beside its vertices, in the scratch file. */
+struct FaceMarks
+{
+  float        area;
+  std::uint8_t numberOfVertices;
+  std::uint8_t rimEdges;
+  std::uint8_t junctionEdges;
+  bool         isCap;
 };
 
 static_assert(SurfaceSpool::BytesPerVertex == sizeof(SurfaceSpool::Vertex));
-static_assert(SurfaceSpool::BytesPerFace == sizeof(FaceRecord));
+static_assert(SurfaceSpool::BytesPerFace == 2 * sizeof(Corners) + sizeof(FaceMarks));
 
 SurfaceSpool::Vertex
 Pack(const SurfaceVertex & vertex, SurfacePrecision precision)
@@ -40,30 +51,82 @@ Pack(const SurfaceVertex & vertex, SurfacePrecision precision)
   return record;
 }
 
-FaceRecord
-Pack(const SurfaceFace & face)
+template <typename TRecord>
+void
+WriteRecords(ScratchFile & file, std::uint64_t first, const std::vector<TRecord> & records)
 {
-  return { face.vertices, static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges,
-           face.isCap };
+  file.WriteAt(first * sizeof(TRecord), records.data(), records.size() * sizeof(TRecord));
 }
 
-SurfaceFace
-Unpack(const FaceRecord & record)
+template <typename TRecord>
+std::vector<TRecord>
+ReadRecords(const ScratchFile & file, std::uint64_t first, std::uint64_t count)
 {
-  return { record.vertices, record.numberOfVertices, record.rimEdges, record.junctionEdges, record.area, record.isCap };
+  std::vector<TRecord> records(count);
+  file.ReadAt(first * sizeof(TRecord), records.data(), count * sizeof(TRecord));
+  return records;
 }
 
 } // namespace
 
-SurfaceSpool::SurfaceSpool(const std::filesystem::path & folder, SurfacePrecision precision)
+void
+SurfaceSpool::RareNumbers::Write(std::uint64_t first, const std::vector<std::uint32_t> & numbers)
+{
+  if (std::all_of(numbers.begin(), numbers.end(), [](std::uint32_t number) { return number == 0; }))
+  {
+    return;
+  }
+  if (!m_File)
+  {
+    m_File.emplace(m_Folder);
+  }
+  WriteRecords(*m_File, first, numbers);
+  m_End = std::max(m_End, first + numbers.size());
+}
+
+std::vector<std::uint32_t>
+SurfaceSpool::RareNumbers::Read(std::uint64_t first, std::uint64_t count) const
+{
+  std::vector<std::uint32_t> numbers;
+  if (first < m_End)
+  {
+    numbers = ReadRecords<std::uint32_t>(*m_File, first, std::min(count, m_End - first));
+  }
+  numbers.resize(count);
+  return numbers;
+}
+
+SurfaceSpool::SurfaceSpool(const std::filesystem::path & folder, SurfacePrecision precision, SurfaceSpoolInput input)
   : m_VertexFile(folder)
-  , m_FaceFile(folder)
+  , m_CornerFile(folder)
+  , m_MarkFile(folder)
+  , m_Objects(folder)
+  , m_UpperCorners(folder)
   , m_Precision(precision)
+  , m_HoldsFloats(precision == SurfacePrecision::Single && input == SurfaceSpoolInput::Added)
 {}
 
 void
 SurfaceSpool::AddVertices(const std::vector<SurfaceVertex> & vertices)
 {
+  if (m_HoldsFloats)
+  {
+    std::vector<RoundedVertex> records(vertices.size());
+    std::vector<std::uint32_t> objects(vertices.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
+      const auto & [position, thickness, object] = vertices[i];
+      records[i].position = {
+        { static_cast<float>(position[0]), static_cast<float>(position[1]), static_cast<float>(position[2]) }
+      };
+      records[i].thickness = static_cast<float>(thickness);
+      objects[i] = object;
+    }
+    WriteRecords(m_VertexFile, m_NumberOfVertices, records);
+    m_Objects.Write(m_NumberOfVertices, objects);
+    m_NumberOfVertices += vertices.size();
+    return;
+  }
   std::vector<Vertex> records(vertices.size());
   std::transform(vertices.begin(), vertices.end(), records.begin(), [this](const auto & vertex) {
     return Pack(vertex, m_Precision);
@@ -74,7 +137,7 @@ SurfaceSpool::AddVertices(const std::vector<SurfaceVertex> & vertices)
 void
 SurfaceSpool::PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices)
 {
-  m_VertexFile.WriteAt(first * BytesPerVertex, vertices.data(), vertices.size() * BytesPerVertex);
+  WriteRecords(m_VertexFile, first, vertices);
   m_NumberOfVertices += vertices.size();
 }
 
@@ -87,33 +150,93 @@ SurfaceSpool::AddFaces(const std::vector<SurfaceFace> & faces)
 void
 SurfaceSpool::PutFaces(std::uint64_t first, const std::vector<SurfaceFace> & faces)
 {
-  std::vector<FaceRecord> records(faces.size());
-  std::transform(faces.begin(), faces.end(), records.begin(), [](const auto & face) { return Pack(face); });
-  m_FaceFile.WriteAt(first * BytesPerFace, records.data(), records.size() * BytesPerFace);
-  for (const SurfaceFace & face : faces)
+  std::vector<Corners>       corners(faces.size());
+  std::vector<std::uint32_t> upper(4 * faces.size());
+  std::vector<FaceMarks>     marks(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
+    const SurfaceFace & face = faces[i];
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      corners[i][k] = static_cast<std::uint32_t>(face.vertices[k]);
+      upper[4 * i + k] = static_cast<std::uint32_t>(face.vertices[k] >> BitsOfHalf);
+    }
+    marks[i] = { static_cast<float>(face.area), face.numberOfVertices, face.rimEdges, face.junctionEdges, face.isCap };
     ++(face.numberOfVertices == 3 ? m_NumberOfTriangles : m_NumberOfQuads);
     const auto end = face.vertices.begin() + face.numberOfVertices;
     m_NumberOfNeededVertices = std::max(m_NumberOfNeededVertices, *std::max_element(face.vertices.begin(), end) + 1);
   }
+  WriteRecords(m_CornerFile, first, corners);
+  m_UpperCorners.Write(4 * first, upper);
+  WriteRecords(m_MarkFile, first, marks);
 }
 
 void
 SurfaceSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
 {
   itk::MedialVoxelPoll();
+  if (!m_HoldsFloats)
+  {
+    vertices.resize(count);
+    m_VertexFile.ReadAt(first * BytesPerVertex, vertices.data(), count * BytesPerVertex);
+    return;
+  }
+  const auto records = ReadRecords<RoundedVertex>(m_VertexFile, first, count);
+  const auto objects = m_Objects.Read(first, count);
   vertices.resize(count);
-  m_VertexFile.ReadAt(first * BytesPerVertex, vertices.data(), count * BytesPerVertex);
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const auto & [position, thickness] = records[i];
+    vertices[i] = { { { position[0], position[1], position[2] } }, thickness, objects[i] };
+  }
 }
 
 void
-SurfaceSpool::ReadFaces(std::uint64_t first, std::uint64_t count, std::vector<SurfaceFace> & faces) const
+SurfaceSpool::ReadFaces(std::uint64_t              first,
+                        std::uint64_t              count,
+                        std::vector<SurfaceFace> & faces,
+                        SurfaceFaceParts           parts) const
 {
   itk::MedialVoxelPoll();
-  std::vector<FaceRecord> records(count);
-  m_FaceFile.ReadAt(first * BytesPerFace, records.data(), count * BytesPerFace);
   faces.resize(count);
-  std::transform(records.begin(), records.end(), faces.begin(), [](const auto & record) { return Unpack(record); });
+  if (parts != SurfaceFaceParts::Marks)
+  {
+    this->ReadCorners(first, faces);
+  }
+  if (parts != SurfaceFaceParts::Corners || m_NumberOfTriangles > 0)
+  {
+    const auto marks = ReadRecords<FaceMarks>(m_MarkFile, first, count);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      SurfaceFace & face = faces[i];
+      face.area = marks[i].area;
+      face.numberOfVertices = marks[i].numberOfVertices;
+      face.rimEdges = marks[i].rimEdges;
+      face.junctionEdges = marks[i].junctionEdges;
+      face.isCap = marks[i].isCap;
+    }
+  }
+  else
+  {
+    for (SurfaceFace & face : faces)
+    {
+      face.numberOfVertices = 4;
+    }
+  }
+}
+
+void
+SurfaceSpool::ReadCorners(std::uint64_t first, std::vector<SurfaceFace> & faces) const
+{
+  const auto corners = ReadRecords<Corners>(m_CornerFile, first, faces.size());
+  const auto upper = m_UpperCorners.Read(4 * first, 4 * faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      faces[i].vertices[k] = std::uint64_t{ upper[4 * i + k] } << BitsOfHalf | corners[i][k];
+    }
+  }
 }
 
 } // end namespace medialvoxel

@@ -7,18 +7,37 @@
 #include "SurfaceSink.h"
 
 #include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace medialvoxel
 {
 
+/** What is read of faces; the rest of them is undefined. Less is faster. */
+enum class SurfaceFaceParts : std::uint8_t
+{
+  Corners = 1, ///< vertices and numberOfVertices
+  Marks = 2,   ///< all but the vertices
+  All = 3
+};
+
+/** What comes into a SurfaceSpool. */
+enum class SurfaceSpoolInput : std::uint8_t
+{
+  Any,
+  Added ///< only SurfaceSpool::AddVertices(), whose rounded coordinates take less space
+};
+
 /** \class SurfaceSpool
- * \brief A surface in two scratch files, whatever its size: 32 bytes per vertex, 40 per face, and a few MB of memory.
+ * \brief A surface in scratch files, whatever its size: at most 32 bytes per vertex and 40 per face, and a few
+ * MB of memory.
  *
  * Writers of files read it as often as they need, one surface may go to several files. */
 class SurfaceSpool : public SurfaceSink
 {
 public:
-  /** In the scratch files. */
+  /** In the scratch files, at most. */
   static constexpr std::uint64_t BytesPerVertex = 32;
   static constexpr std::uint64_t BytesPerFace = 40;
 
@@ -33,7 +52,9 @@ public:
   /** \param folder where the scratch files are, without a name
    * \param precision of the coordinates that files will have
    * \throw JobError Refused when the folder is missing or cannot be written. */
-  explicit SurfaceSpool(const std::filesystem::path & folder, SurfacePrecision precision = SurfacePrecision::Single);
+  explicit SurfaceSpool(const std::filesystem::path & folder,
+                        SurfacePrecision              precision = SurfacePrecision::Single,
+                        SurfaceSpoolInput             input = SurfaceSpoolInput::Any);
 
   void
   AddVertices(const std::vector<SurfaceVertex> & vertices) override;
@@ -88,12 +109,43 @@ public:
 
   /** Reads \a count faces from number \a first on, which exist. \throw JobError Failure. */
   void
-  ReadFaces(std::uint64_t first, std::uint64_t count, std::vector<SurfaceFace> & faces) const;
+  ReadFaces(std::uint64_t              first,
+            std::uint64_t              count,
+            std::vector<SurfaceFace> & faces,
+            SurfaceFaceParts           parts = SurfaceFaceParts::All) const;
 
 private:
+  /** Numbers of a file that is written only where one of them is not zero. */
+  class RareNumbers
+  {
+  public:
+    explicit RareNumbers(std::filesystem::path folder)
+      : m_Folder(std::move(folder))
+    {}
+
+    void
+    Write(std::uint64_t first, const std::vector<std::uint32_t> & numbers);
+
+    /** Zeros where nothing was written. */
+    std::vector<std::uint32_t>
+    Read(std::uint64_t first, std::uint64_t count) const;
+
+  private:
+    std::filesystem::path      m_Folder;
+    std::optional<ScratchFile> m_File;
+    std::uint64_t              m_End{ 0 };
+  };
+
+  void
+  ReadCorners(std::uint64_t first, std::vector<SurfaceFace> & faces) const;
+
   ScratchFile      m_VertexFile;
-  ScratchFile      m_FaceFile;
+  ScratchFile      m_CornerFile;
+  ScratchFile      m_MarkFile;
+  RareNumbers      m_Objects;      // of vertices
+  RareNumbers      m_UpperCorners; // four of each face: the upper halves of the numbers of its vertices
   SurfacePrecision m_Precision;
+  bool             m_HoldsFloats; // in the records of vertices
   std::uint64_t    m_NumberOfVertices{ 0 };
   std::uint64_t    m_NumberOfTriangles{ 0 };
   std::uint64_t    m_NumberOfQuads{ 0 };

@@ -91,14 +91,19 @@ AddPointData(SurfaceReader & reader, const SurfaceWriteOptions & options, Append
   return text + "      </PointData>\n";
 }
 
-/** An array with a number for each face. */
+/** An array with a number for each face, from these parts of it. */
 template <typename TGet>
 std::string
-AddFaceArray(SurfaceReader & reader, AppendedArrays & arrays, const char * name, const char * type, TGet get)
+AddFaceArray(SurfaceReader &  reader,
+             AppendedArrays & arrays,
+             const char *     name,
+             const char *     type,
+             TGet             get,
+             SurfaceFaceParts parts = SurfaceFaceParts::Marks)
 {
   const std::uint64_t bytes = reader.GetSurface().GetNumberOfFaces() * sizeof(get(SurfaceFace{}));
-  return arrays.Add(name, type, 1, bytes, [&reader, get](BufferedOutput & output) mutable {
-    reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) { output.LittleEndian(get(face)); });
+  return arrays.Add(name, type, 1, bytes, [&reader, get, parts](BufferedOutput & output) mutable {
+    reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) { output.LittleEndian(get(face)); }, parts);
   });
 }
 
@@ -121,9 +126,8 @@ AddCellData(SurfaceReader & reader, const SurfaceWriteOptions & options, Appende
   std::string objects;
   if (!options.objectLabels.empty())
   {
-    objects = AddFaceArray(reader, arrays, "Object", "Int64", [&reader, &options](const SurfaceFace & face) {
-      return GetLabel(reader, options, face);
-    });
+    const auto labelOf = [&reader, &options](const SurfaceFace & face) { return GetLabel(reader, options, face); };
+    objects = AddFaceArray(reader, arrays, "Object", "Int64", labelOf, SurfaceFaceParts::Corners);
   }
   return "      <CellData>\n" +
          AddFaceArray(reader, arrays, "RimEdges", "UInt8", [](const SurfaceFace & face) { return face.rimEdges; }) +
@@ -141,12 +145,13 @@ AddCorners(SurfaceReader & reader, AppendedArrays & arrays)
   const SurfaceSpool & surface = reader.GetSurface();
   const std::uint64_t  corners = 3 * surface.GetNumberOfTriangles() + 4 * surface.GetNumberOfQuads();
   const auto           writeCorners = [&reader](BufferedOutput & output) {
-    reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+    const auto write = [&](std::uint64_t, const SurfaceFace & face) {
       for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
       {
         output.LittleEndian(face.vertices[corner]);
       }
-    });
+    };
+    reader.ForEachFace(write, SurfaceFaceParts::Corners);
   };
   return arrays.Add("connectivity", "Int64", 1, corners * sizeof(std::int64_t), writeCorners) +
          AddFaceArray(reader, arrays, "offsets", "Int64", [end = std::uint64_t{ 0 }](const SurfaceFace & face) mutable {
