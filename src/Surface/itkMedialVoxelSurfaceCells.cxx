@@ -98,6 +98,7 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   {
     return missing;
   }
+  workspace.thickness.Clear();
   // Every cell of a quadrilateral has an object voxel among its corners.
   for (const MedialVoxelCellRow & row : tile.rows)
   {
@@ -123,7 +124,7 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
       {
         cell.quads = MedialVoxelSurfaceTopology::FirstPart(static_cast<EdgeMask>(open), splits);
         const bool isAlone = cell.quads == quads;
-        this->AddVertex(tile, cell, isAlone ? crossed : cell.quads, isMedial && isAlone, cells, missing);
+        this->AddVertex(tile, cell, isAlone ? crossed : cell.quads, isMedial && isAlone, workspace, cells, missing);
       }
     }
   }
@@ -154,6 +155,7 @@ MedialVoxelSurfaceCells::AddVertex(const MedialVoxelClassifiedTile &     tile,
                                    const MedialVoxelSurfaceCell &        cell,
                                    const EdgeMask                        crossed,
                                    const bool                            isMedial,
+                                   Workspace &                           workspace,
                                    std::vector<MedialVoxelSurfaceCell> & cells,
                                    MedialVoxelBox &                      missing) const
 {
@@ -166,7 +168,7 @@ MedialVoxelSurfaceCells::AddVertex(const MedialVoxelClassifiedTile &     tile,
     return;
   }
   cells.push_back(cell);
-  this->Place(tile, crossed, points, cells.back());
+  this->Place(tile, crossed, points, workspace, cells.back());
 }
 
 /** The edges of a cell that have four cells around them: those that do not lie in a face of the image. */
@@ -239,11 +241,12 @@ void
 MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
                                const EdgeMask                    crossed,
                                const MedialVoxelWallPoints &     points,
+                               Workspace &                       workspace,
                                MedialVoxelSurfaceCell &          cell) const
 {
   const MedialVoxelIndex index{ { cell.index[0], cell.index[1], cell.index[2] } };
   MedialVoxelSurfaceFit  fit;
-  MedialVoxelWall        wall = m_Thickness.Measure(*tile.window.object, points);
+  MedialVoxelWall        wall = m_Thickness.Measure(*tile.window.object, points, workspace.thickness);
   if (m_Gray)
   {
     const auto crossings = m_Gray->FindCrossings(tile.gray, points);

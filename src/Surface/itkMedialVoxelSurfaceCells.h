@@ -76,6 +76,7 @@ public:
   struct Workspace
   {
     MedialVoxelSurfaceCrossings::Workspace crossings;
+    MedialVoxelThickness::Memory           thickness;
   };
 
   /** \param grid        the image in the units in which its cells are classified
@@ -115,6 +116,7 @@ private:
             const MedialVoxelSurfaceCell &        cell,
             MedialVoxelSurfaceTopology::EdgeMask  crossed,
             bool                                  isMedial,
+            Workspace &                           workspace,
             std::vector<MedialVoxelSurfaceCell> & cells,
             MedialVoxelBox &                      missing) const;
 
@@ -131,6 +133,7 @@ private:
   Place(const MedialVoxelClassifiedTile &    tile,
         MedialVoxelSurfaceTopology::EdgeMask crossed,
         const MedialVoxelWallPoints &        points,
+        Workspace &                          workspace,
         MedialVoxelSurfaceCell &             cell) const;
 
   void

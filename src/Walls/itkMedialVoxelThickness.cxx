@@ -85,28 +85,34 @@ Mirror(const BlockType block)
          (BlockType{ mirrored[SliceOf(block, 0)] } << (2 * BitsOfSlice));
 }
 
+PackedSums
+SumsOf(const BlockType block)
+{
+  const auto & sums = SliceTable.sums;
+  return sums[SliceOf(block, 0)] + sums[SliceOf(block, 1)] + sums[SliceOf(block, 2)];
+}
+
+PackedSums
+SumsToUpper(const BlockType block)
+{
+  return SliceTable.sums[SliceOf(block, 2)] - SliceTable.sums[SliceOf(block, 0)];
+}
+
 /** Sums over the boundary points of one side of a wall. */
 struct Side
 {
-  MedialVoxelIndex sum{ { 0, 0, 0 } }; // of the positions, seen from a
-  std::int64_t     number{ 0 };
-  PackedSums       sums{ 0 };    // of the blocks around the points
-  PackedSums       toUpper{ 0 }; // of their upper slices, less those of the lower ones
-
-  /** Of background over object voxels around the points. */
-  std::int64_t     excess{ 0 };
-  MedialVoxelIndex inwards{ { 0, 0, 0 } }; // sum of the offsets of the object voxels
-
-  void
-  Unpack(const int blockVoxels)
+  Side(const std::int64_t numberOfPoints, PackedSums sums, PackedSums toUpper, const int blockVoxels)
   {
     inwards[1] = TakeLowest(sums);
     inwards[0] = TakeLowest(sums);
-    excess = number * blockVoxels - 2 * sums;
+    excess = numberOfPoints * blockVoxels - 2 * sums;
     TakeLowest(toUpper);
     TakeLowest(toUpper);
     inwards[2] = toUpper;
   }
+
+  std::int64_t     excess;    // of background over object voxels around the points
+  MedialVoxelIndex inwards{}; // sum of the offsets of the object voxels
 };
 
 /** The offsets whose bits are 1 higher than that of the center, and so on, each as far along a direction as the one of
@@ -146,23 +152,6 @@ OffsetsOutOf(const PositionType & inwards)
   return upper << (CenterOfBlock + 1) | lower;
 }
 
-/** Leaves out the voxels of another wall behind a narrow gap: those out of the wall with one at the opposite offset. */
-BlockType
-WithoutOtherWall(const BlockType block, const BlockType out)
-{
-  return block & ~(Mirror(block) & out);
-}
-
-/** Adds the object voxels around a point. */
-void
-AddBlock(const BlockType block, Side & side)
-{
-  const PackedSums lower = SliceTable.sums[SliceOf(block, 0)];
-  const PackedSums upper = SliceTable.sums[SliceOf(block, 2)];
-  side.sums += lower + SliceTable.sums[SliceOf(block, 1)] + upper;
-  side.toUpper += upper - lower;
-}
-
 /** By how much the distance of a plane from the center of a block of 3 voxels grows, for each third of the block that
  * it cuts off, near the center: the inverse of the area of a unit cube's section.
  *
@@ -178,7 +167,7 @@ GetStep(const PositionType & normal)
 
 /** Whether the surfaces of both sides are far from parallel. */
 bool
-IsRim(const std::array<Side, 2> & sides, const MedialVoxelGrid::SpacingType & spacing)
+IsRim(const Side (&sides)[2], const MedialVoxelGrid::SpacingType & spacing)
 {
   constexpr double leastCosine = 0.8;
   double           dot = 0.0;
@@ -271,24 +260,61 @@ MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
 MedialVoxelWall
 MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const
 {
+  return this->MeasureBlocks(wall, [&](const MedialVoxelIndex & point) { return this->GetBlock(object, point); });
+}
+
+MedialVoxelWall
+MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const
+{
+  return this->MeasureBlocks(wall, [&](const MedialVoxelIndex & point) -> const Block & {
+    constexpr std::uint64_t goldenRatio = 0x9E3779B97F4A7C15u;
+    const std::size_t       number = object.GetBox().OffsetOf(point) + 1;
+    const auto              place = (number * goldenRatio) >> (64 - Memory::BitsOfPlace);
+    if (memory.m_Numbers[place] != number)
+    {
+      memory.m_Numbers[place] = number;
+      memory.m_Blocks[place] = this->GetBlock(object, point);
+    }
+    return memory.m_Blocks[place];
+  });
+}
+
+auto
+MedialVoxelThickness::GetBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point) const -> Block
+{
+  Block block;
+  block.voxels = this->GetObjectAround(object, point);
+  block.opposite = block.voxels & Mirror(block.voxels);
+  block.sums = SumsOf(block.voxels);
+  block.toUpper = SumsToUpper(block.voxels);
+  return block;
+}
+
+/** \param blockAt  called with a point, tells the block around it */
+template <typename TBlockAt>
+MedialVoxelWall
+MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const
+{
   const Sides                 split(wall);
-  std::array<Side, 2>         sides;
+  MedialVoxelIndex            positions[2] = {}; // sums of them, seen from a
+  std::int64_t                numbersOfPoints[2] = {};
   std::array<unsigned int, 8> sideOf;
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
   {
     sideOf[corner] = split.Find(wall.corners[corner]);
-    if (sideOf[corner] < 2)
+    // Without jumps: which side it is cannot be foreseen.
+    for (unsigned int side = 0; side < 2; ++side)
     {
-      Side & side = sides[sideOf[corner]];
+      const std::int64_t isOnSide = sideOf[corner] == side ? 1 : 0;
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        side.sum[axis] += wall.corners[corner][axis] - wall.a[axis];
+        positions[side][axis] += (wall.corners[corner][axis] - wall.a[axis]) & -isOnSide;
       }
-      ++side.number;
+      numbersOfPoints[side] += isOnSide;
     }
   }
 
-  const double    numbers[2] = { static_cast<double>(sides[0].number), static_cast<double>(sides[1].number) };
+  const double    numbers[2] = { static_cast<double>(numbersOfPoints[0]), static_cast<double>(numbersOfPoints[1]) };
   const auto &    spacing = m_Grid.GetSpacing();
   PositionType    across; // in voxels, times the distance
   double          squaredDistance = 0.0;
@@ -298,7 +324,7 @@ MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelW
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     const double way =
-      (static_cast<double>(sides[1].sum[axis]) / numbers[1] - static_cast<double>(sides[0].sum[axis]) / numbers[0]) *
+      (static_cast<double>(positions[1][axis]) / numbers[1] - static_cast<double>(positions[0][axis]) / numbers[0]) *
       spacing[axis];
     across[axis] = way * spacing[axis];
     squaredDistance += way * way;
@@ -309,16 +335,29 @@ MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelW
 
   const BlockType out = OffsetsOutOf(across);
   const BlockType outOf[2] = { out, Mirror(out) };
+  PackedSums      sums[2] = {};
+  PackedSums      toUpper[2] = {};
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
   {
-    if (sideOf[corner] < 2)
+    if (sideOf[corner] == 2)
     {
-      const BlockType block = this->GetObjectAround(object, wall.corners[corner]);
-      AddBlock(WithoutOtherWall(block, outOf[sideOf[corner]]), sides[sideOf[corner]]);
+      continue;
     }
+    const Block & block = blockAt(wall.corners[corner]);
+    // Those of another wall behind a narrow gap: out of the wall, with one at the opposite offset.
+    const BlockType    ofOtherWall = block.opposite & (sideOf[corner] == 0 ? outOf[0] : outOf[1]);
+    const bool         isAlone = ofOtherWall == 0;
+    const BlockType    voxels = block.voxels & ~ofOtherWall;
+    const PackedSums   ofBlock = isAlone ? block.sums : SumsOf(voxels);
+    const PackedSums   ofUpper = isAlone ? block.toUpper : SumsToUpper(voxels);
+    const std::int64_t isOnUpperSide = sideOf[corner];
+    sums[0] += ofBlock & (isOnUpperSide - 1);
+    toUpper[0] += ofUpper & (isOnUpperSide - 1);
+    sums[1] += ofBlock & -isOnUpperSide;
+    toUpper[1] += ofUpper & -isOnUpperSide;
   }
-  sides[0].Unpack(m_BlockVoxels);
-  sides[1].Unpack(m_BlockVoxels);
+  const Side   sides[2] = { { numbersOfPoints[0], sums[0], toUpper[0], m_BlockVoxels },
+                            { numbersOfPoints[1], sums[1], toUpper[1], m_BlockVoxels } };
   const double distance = std::sqrt(squaredDistance);
   // The block is three voxels long; a share of one half puts the plane through its center.
   const double excess =

@@ -8,8 +8,10 @@
 #include "MedialVoxelExport.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace itk
 {
@@ -90,9 +92,48 @@ class MedialVoxel_EXPORT MedialVoxelThickness
 public:
   explicit MedialVoxelThickness(const MedialVoxelGrid & grid);
 
+private:
+  /** The object voxels around a point. */
+  struct Block
+  {
+    std::uint32_t voxels{ 0 };   // see GetObjectAround()
+    std::uint32_t opposite{ 0 }; // of them, those with another one at the opposite offset
+    std::int64_t  sums{ 0 };     // their number and the sums of their offsets along x and y, side by side
+    std::int64_t  toUpper{ 0 };  // the sums of those above less those of those below
+  };
+
+public:
+  /** \class Memory
+   * \brief What is around boundary points, which walls side by side share.
+   * \ingroup MedialVoxel
+   */
+  class Memory
+  {
+  public:
+    /** Before the first wall in another object. */
+    void
+    Clear()
+    {
+      m_Numbers.assign(NumberOfPlaces, 0);
+    }
+
+  private:
+    friend class MedialVoxelThickness;
+
+    static constexpr unsigned int BitsOfPlace = 11;
+    static constexpr std::size_t  NumberOfPlaces = std::size_t{ 1 } << BitsOfPlace;
+
+    std::vector<std::size_t> m_Numbers = std::vector<std::size_t>(NumberOfPlaces); // of the points, from 1 on
+    std::vector<Block>       m_Blocks = std::vector<Block>(NumberOfPlaces);
+  };
+
   /** \param object  bits of all voxels that are neighbors of the boundary points and in the image */
   MedialVoxelWall
   Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const;
+
+  /** The same, faster for many walls near each other. */
+  MedialVoxelWall
+  Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const;
 
   /** Object voxels among the 3^D voxels around \a point: bit 13 + x + 3 y + 9 z is that of the offset (x, y, z). */
   std::uint32_t
@@ -106,6 +147,13 @@ public:
   }
 
 private:
+  template <typename TBlockAt>
+  MedialVoxelWall
+  MeasureBlocks(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const;
+
+  Block
+  GetBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
+
   std::uint32_t
   GetAtFaceOfImage(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
 
