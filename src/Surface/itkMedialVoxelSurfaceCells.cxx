@@ -100,9 +100,11 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
   }
   workspace.thickness.Clear();
   // Every cell of a quadrilateral has an object voxel among its corners.
+  MedialVoxelPollCounter poll;
   for (const MedialVoxelCellRow & row : tile.rows)
   {
-    MedialVoxelPoll();
+    constexpr std::uint32_t stepsPerRow = 256;
+    poll.Count(stepsPerRow);
     for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
       const int              x = MedialVoxelLowestBit(rest);

@@ -29,14 +29,6 @@ DisplacementAt(const MedialVoxelFeatures & features, const std::size_t at)
   return { { features.dx[at], features.dy[at], features.dz[at] } };
 }
 
-/** The cell behind the face of a cell in a direction. */
-MedialVoxelIndex
-Behind(MedialVoxelIndex cell, const unsigned int direction)
-{
-  cell[direction / 2] += direction % 2 == 0 ? -1 : 1;
-  return cell;
-}
-
 /** Calls visit(cell, number) for the cells of a box that an edge is one of, with its number there. */
 template <typename TVisitor>
 void
@@ -58,6 +50,47 @@ ForEachCellAround(const MedialVoxelIndex & voxel,
 
 } // namespace
 
+/** A face of a cell, whose first voxel is the lowest one. */
+struct MedialVoxelSurfaceCrossings::Face
+{
+  Face(const MedialVoxelIndex & ofCell, const unsigned int direction)
+    : cell(ofCell)
+    , behind(ofCell)
+    , first(ofCell)
+    , normal(direction / 2)
+  {
+    behind[normal] += direction % 2 == 0 ? -1 : 1;
+    first[normal] += direction % 2;
+  }
+
+  MedialVoxelIndex cell;
+  MedialVoxelIndex behind; // the cell behind it
+  MedialVoxelIndex first;
+  unsigned int     normal;
+};
+
+/** The boundary points of voxels across from each other: the first one and its partner, or both uneven ones. */
+MedialVoxelPair
+MedialVoxelSurfaceCrossings::PairAcross(const MedialVoxelFeatures & features,
+                                        const Face &                face,
+                                        const unsigned int          uneven)
+{
+  MedialVoxelIndex from = face.first;
+  from[(face.normal + 1) % 3] += uneven;
+  MedialVoxelIndex to = face.first;
+  to[(face.normal + 1) % 3] += 1 - uneven;
+  to[(face.normal + 2) % 3] += 1;
+  MedialVoxelPair pair;
+  pair.displacement = DisplacementAt(features, features.OffsetOf(from[0], from[1], from[2]));
+  pair.oppositeDisplacement = DisplacementAt(features, features.OffsetOf(to[0], to[1], to[2]));
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    pair.a[axis] = from[axis] + pair.displacement[axis];
+    pair.difference[axis] = static_cast<std::int32_t>(pair.a[axis] - to[axis]) - pair.oppositeDisplacement[axis];
+  }
+  return pair;
+}
+
 MedialVoxelSurfaceCrossings::MedialVoxelSurfaceCrossings(const MedialVoxelGrid &       grid,
                                                          const MedialVoxelParameters & parameters)
   : m_Grid(grid)
@@ -78,21 +111,22 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
   workspace.m_Masks.assign(static_cast<std::size_t>(workspace.m_Cells.NumberOfVoxels()), 0);
   workspace.m_Edges.clear();
   workspace.m_Queries.clear();
-  const MedialVoxelBox voxels = tile.classifier.GetCornerBox(tile.box);
-  MedialVoxelBox       missing;
+  const MedialVoxelBox   voxels = tile.classifier.GetCornerBox(tile.box);
+  MedialVoxelBox         missing;
+  MedialVoxelPollCounter poll;
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
   {
     for (std::int64_t y = voxels.lower[1]; y < voxels.upper[1] && !tile.progress.IsAborted(); ++y)
     {
-      MedialVoxelPoll();
-      this->FindInRow(tile, { 0, y, z }, workspace, missing);
+      poll.Count(static_cast<std::uint32_t>(voxels.Extent(0)));
+      this->FindInRow(tile, voxels, { 0, y, z }, workspace, missing);
       if (y + 1 < voxels.upper[1])
       {
-        this->FindInRow(tile, { 1, y, z }, workspace, missing);
+        this->FindInRow(tile, voxels, { 1, y, z }, workspace, missing);
       }
       if (z + 1 < voxels.upper[2])
       {
-        this->FindInRow(tile, { 2, y, z }, workspace, missing);
+        this->FindInRow(tile, voxels, { 2, y, z }, workspace, missing);
       }
     }
   }
@@ -110,12 +144,12 @@ MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Worksp
 
 void
 MedialVoxelSurfaceCrossings::FindInRow(const MedialVoxelClassifiedTile & tile,
+                                       const MedialVoxelBox &            voxels,
                                        const Row &                       row,
                                        Workspace &                       workspace,
                                        MedialVoxelBox &                  missing) const
 {
   const MedialVoxelBits & object = *tile.window.object;
-  const MedialVoxelBox    voxels = tile.classifier.GetCornerBox(tile.box);
   const WordType * const  words = object.GetRow(row.y, row.z) - object.GetFirstWord();
   const WordType * const  otherWords =
     object.GetRow(row.y + (row.axis == 1 ? 1 : 0), row.z + (row.axis == 2 ? 1 : 0)) - object.GetFirstWord();
@@ -297,24 +331,30 @@ MedialVoxelSurfaceCrossings::FindThresholds(const MedialVoxelClassifiedTile & ti
     MedialVoxelJointClassifier::GetBalls(tile.classification.joint), tile.features, workspace.m_Threshold);
 }
 
-/** Find the thresholds on both sides of the faces whose edges are all crossed, for FindSplit(). */
+/** Find the thresholds on both sides of the faces whose edges are all crossed, for FindSplit(), where they matter. */
 void
 MedialVoxelSurfaceCrossings::FindThresholdsOfSplits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
 {
   auto & splits = workspace.m_SplitCells;
   splits.clear();
+  MedialVoxelPollCounter poll;
   // Every crossed edge has an object voxel, which is a corner of the cells around it.
   for (const MedialVoxelCellRow & row : tile.rows)
   {
-    MedialVoxelPoll();
+    poll.Count(static_cast<std::uint32_t>(MedialVoxelBits::BitsPerWord));
     for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
       const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
       for (unsigned int directions = Topology::AmbiguousDirections(workspace.GetCrossedEdges(cell)); directions != 0;
            directions &= directions - 1)
       {
-        splits.push_back(cell);
-        splits.push_back(Behind(cell, static_cast<unsigned int>(MedialVoxelLowestBit(directions))));
+        const Face face(cell, static_cast<unsigned int>(MedialVoxelLowestBit(directions)));
+        if (this->DecideByLimits(tile, face, 0) == Answer::Unknown ||
+            this->DecideByLimits(tile, face, 1) == Answer::Unknown)
+        {
+          splits.push_back(face.cell);
+          splits.push_back(face.behind);
+        }
       }
     }
   }
@@ -365,30 +405,15 @@ MedialVoxelSurfaceCrossings::FindSplit(const MedialVoxelClassifiedTile & tile,
                                        Workspace &                       workspace,
                                        MedialVoxelBox &                  missing) const
 {
-  const unsigned int normal = direction / 2;
-  MedialVoxelIndex   first = cell;
-  first[normal] += direction % 2;
-  const double epsilon =
-    std::max(this->EpsilonOf(cell, workspace), this->EpsilonOf(Behind(cell, direction), workspace));
-  // The pairs across from each other: that of the first voxel, and the other one.
-  bool   isApart[2];
-  double squared[2];
+  const Face face(cell, direction);
+  bool       isApart[2];
+  double     squared[2];
   for (unsigned int uneven = 0; uneven < 2; ++uneven)
   {
-    MedialVoxelIndex from = first;
-    from[(normal + 1) % 3] += uneven;
-    MedialVoxelIndex to = first;
-    to[(normal + 1) % 3] += 1 - uneven;
-    to[(normal + 2) % 3] += 1;
-    MedialVoxelPair pair;
-    pair.displacement = DisplacementAt(tile.features, tile.features.OffsetOf(from[0], from[1], from[2]));
-    pair.oppositeDisplacement = DisplacementAt(tile.features, tile.features.OffsetOf(to[0], to[1], to[2]));
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      pair.a[axis] = from[axis] + pair.displacement[axis];
-      pair.difference[axis] = pair.a[axis] - to[axis] - pair.oppositeDisplacement[axis];
-    }
-    isApart[uneven] = this->AreApart(tile, pair, epsilon, workspace, missing);
+    const MedialVoxelPair pair = PairAcross(tile.features, face, uneven);
+    const Answer          answer = this->DecideByLimits(tile, face, uneven);
+    isApart[uneven] =
+      answer == Answer::Unknown ? this->AreApart(tile, face, pair, workspace, missing) : answer == Answer::Apart;
     squared[uneven] = m_Grid.SquaredMetricLength(pair.difference[0], pair.difference[1], pair.difference[2]);
   }
   if (isApart[0] && isApart[1])
@@ -399,14 +424,46 @@ MedialVoxelSurfaceCrossings::FindSplit(const MedialVoxelClassifiedTile & tile,
   return evenAreOfOneSide ? Topology::AroundUneven : Topology::AroundEven;
 }
 
-/** Whether the points of a pair are at least a threshold apart along the boundary. */
+/** Whether a pair across a face is apart, by what the cells on both sides of it tell. */
+auto
+MedialVoxelSurfaceCrossings::DecideByLimits(const MedialVoxelClassifiedTile & tile,
+                                            const Face &                      face,
+                                            const unsigned int                uneven) const -> Answer
+{
+  if (!m_DecidesTogether)
+  {
+    return Answer::Unknown;
+  }
+  MedialVoxelJointClassifier::CellsOfEdge sides;
+  for (const MedialVoxelIndex & cell : { face.cell, face.behind })
+  {
+    if (m_CellBox.Contains(cell))
+    {
+      sides.cells[sides.number++] = cell;
+    }
+  }
+  const MedialVoxelPair                   pair = PairAcross(tile.features, face, uneven);
+  MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, pair.GetB(), m_Parameters.epsilon, m_Parameters.epsilon };
+  tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, sides, crossed);
+  if (m_Cell.IsTrivial(pair.difference, crossed.leastEpsilon) || crossed.bounds.FallShortOf(crossed.leastEpsilon))
+  {
+    return Answer::Near;
+  }
+  return crossed.bounds.Reach(crossed.mostEpsilon) || m_Cell.FreeSpaceLength(pair.difference) >= crossed.mostEpsilon
+           ? Answer::Apart
+           : Answer::Unknown;
+}
+
+/** Whether the points of a pair across a face are at least as far apart along the boundary as the larger threshold of
+ * both sides. */
 bool
 MedialVoxelSurfaceCrossings::AreApart(const MedialVoxelClassifiedTile & tile,
+                                      const Face &                      face,
                                       const MedialVoxelPair &           pair,
-                                      const double                      epsilon,
                                       Workspace &                       workspace,
                                       MedialVoxelBox &                  missing) const
 {
+  const double epsilon = std::max(this->EpsilonOf(face.cell, workspace), this->EpsilonOf(face.behind, workspace));
   if (m_Cell.IsTrivial(pair.difference, epsilon))
   {
     return false;

@@ -106,8 +106,10 @@ private:
     std::int64_t z;
   };
 
+  /** \param voxels  the corners of the cells of the tile */
   void
   FindInRow(const MedialVoxelClassifiedTile & tile,
+            const MedialVoxelBox &            voxels,
             const Row &                       row,
             Workspace &                       workspace,
             MedialVoxelBox &                  missing) const;
@@ -146,10 +148,25 @@ private:
   bool
   DecideAtOnce(MedialVoxelSeparationQuery & query, Workspace & workspace) const;
 
+  struct Face;
+
+  enum class Answer : std::uint8_t
+  {
+    Near,
+    Apart,
+    Unknown
+  };
+
+  static MedialVoxelPair
+  PairAcross(const MedialVoxelFeatures & features, const Face & face, unsigned int uneven);
+
+  Answer
+  DecideByLimits(const MedialVoxelClassifiedTile & tile, const Face & face, unsigned int uneven) const;
+
   bool
   AreApart(const MedialVoxelClassifiedTile & tile,
+           const Face &                      face,
            const MedialVoxelPair &           pair,
-           double                            epsilon,
            Workspace &                       workspace,
            MedialVoxelBox &                  missing) const;
 

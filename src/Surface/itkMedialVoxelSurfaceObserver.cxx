@@ -5,6 +5,8 @@
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace itk
@@ -13,16 +15,64 @@ namespace itk
 namespace
 {
 
+using CellVector = std::vector<MedialVoxelSurfaceCell>;
+
 /** Vectors that double would take twice the memory. */
 void
-Append(const MedialVoxelSurfaceCell & cell, std::vector<MedialVoxelSurfaceCell> & cells)
+Append(const CellVector::const_iterator first, const CellVector::const_iterator last, CellVector & cells)
 {
-  if (cells.size() == cells.capacity())
+  const std::size_t size = cells.size() + static_cast<std::size_t>(last - first);
+  if (size > cells.capacity())
   {
     constexpr std::size_t least = 64;
-    cells.reserve(cells.size() + std::max(least, cells.size() / 4));
+    cells.reserve(std::max({ size, cells.size() + cells.size() / 4, least }));
   }
-  cells.push_back(cell);
+  cells.insert(cells.end(), first, last);
+}
+
+/** Cells up to which those of a slice may take twice the memory while they are sorted. */
+constexpr std::size_t MostSortedByRows = std::size_t{ 1 } << 18;
+
+/** Sorts the cells of a slice, which come in pieces whose rows are sorted. */
+void
+SortSlice(CellVector & cells)
+{
+  if (std::is_sorted(cells.begin(), cells.end(), MedialVoxelIsBefore))
+  {
+    return;
+  }
+  if (cells.size() > MostSortedByRows)
+  {
+    std::sort(cells.begin(), cells.end(), MedialVoxelIsBefore);
+    return;
+  }
+  const auto isBelow = [](const MedialVoxelSurfaceCell & a, const MedialVoxelSurfaceCell & b) {
+    return a.index[1] < b.index[1];
+  };
+  const auto [lowest, highest] = std::minmax_element(cells.begin(), cells.end(), isBelow);
+  const std::int32_t       first = lowest->index[1];
+  std::vector<std::size_t> ends(static_cast<std::size_t>(highest->index[1] - first) + 2);
+  for (const MedialVoxelSurfaceCell & cell : cells)
+  {
+    ++ends[static_cast<std::size_t>(cell.index[1] - first) + 1];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  CellVector sorted(cells.size());
+  for (const MedialVoxelSurfaceCell & cell : cells)
+  {
+    sorted[ends[static_cast<std::size_t>(cell.index[1] - first)]++] = cell;
+  }
+  auto begin = sorted.begin();
+  for (const std::size_t end : ends)
+  {
+    const auto endOfRow = sorted.begin() + static_cast<std::ptrdiff_t>(end);
+    if (!std::is_sorted(begin, endOfRow, MedialVoxelIsBefore))
+    {
+      std::sort(begin, endOfRow, MedialVoxelIsBefore);
+    }
+    begin = endOfRow;
+  }
+  cells = std::move(sorted);
 }
 
 } // namespace
@@ -89,9 +139,11 @@ MedialVoxelSurfaceObserver::Observe(const MedialVoxelClassifiedTile &, Workspace
 {
   const auto &                      cells = static_cast<const Worker &>(*workspace).cells;
   const std::lock_guard<std::mutex> lock(m_Mutex);
-  for (const MedialVoxelSurfaceCell & cell : cells)
+  for (auto first = cells.begin(); first != cells.end();)
   {
-    const std::int32_t z = cell.index[2];
+    const std::int32_t z = first->index[2];
+    const auto         last =
+      std::find_if(first, cells.end(), [=](const MedialVoxelSurfaceCell & cell) { return cell.index[2] != z; });
     if (m_Pending.empty())
     {
       m_FirstSlice = z;
@@ -106,7 +158,8 @@ MedialVoxelSurfaceObserver::Observe(const MedialVoxelClassifiedTile &, Workspace
     {
       m_Pending.resize(slice + 1);
     }
-    Append(cell, m_Pending[slice]);
+    Append(first, last, m_Pending[slice]);
+    first = last;
   }
   m_NumberOfPending += cells.size();
   if (m_NumberOfPending > m_MaximumNumberOfCells && m_Pending.size() > 1)
@@ -129,7 +182,7 @@ MedialVoxelSurfaceObserver::Commit()
         cell.part = m_FindPart({ { cell.index[0], cell.index[1], cell.index[2] } });
       }
     }
-    std::sort(cells.begin(), cells.end(), MedialVoxelIsBefore);
+    SortSlice(cells);
     m_Trimmer.AddSlice(m_FirstSlice + static_cast<std::int64_t>(slice), std::move(cells));
   }
   this->Begin();

@@ -159,8 +159,11 @@ MedialVoxelSurfaceTrimmer::HandOnBefore()
     }
     cells.erase(std::remove_if(cells.begin(), cells.end(), [](const auto & cell) { return cell.quads == 0; }),
                 cells.end());
-    // A vertex may have lost its lowest edge.
-    std::sort(cells.begin(), cells.end(), MedialVoxelIsBefore);
+    // A vertex may have lost its lowest edge, which matters where a cell has several.
+    if (!std::is_sorted(cells.begin(), cells.end(), MedialVoxelIsBefore))
+    {
+      std::sort(cells.begin(), cells.end(), MedialVoxelIsBefore);
+    }
   }
   if (!cells.empty())
   {
