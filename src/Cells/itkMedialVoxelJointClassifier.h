@@ -115,11 +115,11 @@ public:
   /** The boundary points at the ends of an edge of voxels, and what the cells around it tell of them. */
   struct CrossedPair
   {
-    MedialVoxelIndex        a;
-    MedialVoxelIndex        b;
-    double                  leastEpsilon{ 0.0 }; ///< the thresholds of the cells are not below it
-    double                  mostEpsilon{ 0.0 };  ///< nor above it
-    MedialVoxelLengthBounds bounds{};            ///< of the geodesic distance
+    const MedialVoxelIndex & a;
+    const MedialVoxelIndex & b;
+    double                   leastEpsilon{ 0.0 }; ///< the thresholds of the cells are not below it
+    double                   mostEpsilon{ 0.0 };  ///< nor above it
+    MedialVoxelLengthBounds  bounds{};            ///< of the geodesic distance
   };
 
   /** The cells around an edge of voxels. */

@@ -109,7 +109,7 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
     {
       const int              x = MedialVoxelLowestBit(rest);
       const MedialVoxelIndex index{ { row.first[0] + x, row.first[1], row.first[2] } };
-      const EdgeMask         crossed = workspace.crossings.GetCrossedEdges(index);
+      const EdgeMask         crossed = workspace.crossings.TakeCrossedEdges(index);
       if (crossed == 0)
       {
         continue;
@@ -130,6 +130,7 @@ MedialVoxelSurfaceCells::Find(const MedialVoxelClassifiedTile &     tile,
       }
     }
   }
+  workspace.crossings.Finish();
   return missing;
 }
 

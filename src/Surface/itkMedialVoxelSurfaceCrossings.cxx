@@ -104,11 +104,23 @@ MedialVoxelSurfaceCrossings::MedialVoxelSurfaceCrossings(const MedialVoxelGrid &
   , m_Separation(grid)
 {}
 
+/** Of the cells of a tile. They are clear when all that were set have been taken. */
+void
+MedialVoxelSurfaceCrossings::Workspace::ClearMasks()
+{
+  if (m_HasMasks)
+  {
+    std::fill(m_Masks.begin(), m_Masks.end(), EdgeMask{ 0 });
+  }
+  m_Masks.resize(std::max(m_Masks.size(), static_cast<std::size_t>(m_Cells.NumberOfVoxels())));
+  m_HasMasks = true;
+}
+
 MedialVoxelBox
 MedialVoxelSurfaceCrossings::Find(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
 {
   workspace.m_Cells = tile.box.Intersection(m_CellBox);
-  workspace.m_Masks.assign(static_cast<std::size_t>(workspace.m_Cells.NumberOfVoxels()), 0);
+  workspace.ClearMasks();
   workspace.m_Edges.clear();
   workspace.m_Queries.clear();
   const MedialVoxelBox   voxels = tile.classifier.GetCornerBox(tile.box);
@@ -249,7 +261,8 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
   ForEachCellAround(edge.voxel, edge.axis, m_CellBox, [&](const MedialVoxelIndex & cell, unsigned int) {
     around.cells[around.number++] = cell;
   });
-  MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, pair.GetB(), m_Parameters.epsilon, m_Parameters.epsilon };
+  const MedialVoxelIndex                  b = pair.GetB();
+  MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, b, m_Parameters.epsilon, m_Parameters.epsilon };
   tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, around, crossed);
   // Where floods decide, no length is near the smallest threshold; of shorter ones cells often know no more than that.
   if ((m_Flood.IsAvailable() && crossed.bounds.longest <= m_Parameters.epsilon) ||
@@ -443,7 +456,8 @@ MedialVoxelSurfaceCrossings::DecideByLimits(const MedialVoxelClassifiedTile & ti
     }
   }
   const MedialVoxelPair                   pair = PairAcross(tile.features, face, uneven);
-  MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, pair.GetB(), m_Parameters.epsilon, m_Parameters.epsilon };
+  const MedialVoxelIndex                  b = pair.GetB();
+  MedialVoxelJointClassifier::CrossedPair crossed{ pair.a, b, m_Parameters.epsilon, m_Parameters.epsilon };
   tile.classifier.GetJoint().LookAt(tile.classification.joint, tile.features, sides, crossed);
   if (m_Cell.IsTrivial(pair.difference, crossed.leastEpsilon) || crossed.bounds.FallShortOf(crossed.leastEpsilon))
   {

@@ -10,6 +10,7 @@
 #include "itkMedialVoxelTileObserver.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace itk
@@ -42,6 +43,20 @@ public:
       return m_Masks[this->OffsetOf(cell)];
     }
 
+    /** The same, once: the next tile needs not clear what was taken. */
+    EdgeMask
+    TakeCrossedEdges(const MedialVoxelIndex & cell)
+    {
+      return std::exchange(m_Masks[this->OffsetOf(cell)], EdgeMask{ 0 });
+    }
+
+    /** All crossed edges have been taken. */
+    void
+    Finish()
+    {
+      m_HasMasks = false;
+    }
+
   private:
     friend class MedialVoxelSurfaceCrossings;
 
@@ -52,6 +67,9 @@ public:
       unsigned int     axis;
     };
 
+    void
+    ClearMasks();
+
     std::size_t
     OffsetOf(const MedialVoxelIndex & cell) const
     {
@@ -59,7 +77,8 @@ public:
     }
 
     MedialVoxelBox        m_Cells;
-    std::vector<EdgeMask> m_Masks;
+    std::vector<EdgeMask> m_Masks; // at least as many
+    bool                  m_HasMasks{ false };
 
     /** Where edges are decided together: those that their cells and a flood do not decide, and thresholds of cells. */
     MedialVoxelLocalThreshold::Workspace    m_Threshold;

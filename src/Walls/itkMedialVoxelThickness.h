@@ -23,7 +23,7 @@ namespace itk
  */
 struct MedialVoxel_EXPORT MedialVoxelWallPoints
 {
-  std::array<MedialVoxelIndex, 8> corners{};            ///< the first \a numberOfCorners count
+  std::array<MedialVoxelIndex, 8> corners;              ///< the first \a numberOfCorners count
   unsigned int                    numberOfCorners{ 0 }; ///< 2, 4 or 8
   MedialVoxelIndex                a{};                  ///< N(vi) of the chosen diagonal
   MedialVoxelIndex                b{};                  ///< N(vj), not equal to \a a
