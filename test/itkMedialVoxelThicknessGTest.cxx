@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace
 {
 using namespace MedialVoxelTest;
@@ -439,4 +441,49 @@ TEST(MedialVoxelThickness, SeesVoxelsAroundAPointAndContinuesTheImage)
     });
     EXPECT_EQ(thickness.GetObjectAround(object, point), expected) << point[0] << ' ' << point[1] << ' ' << point[2];
   });
+}
+
+TEST(MedialVoxelThickness, MemoryChangesNoMeasure)
+{
+  std::mt19937                                      random(813);
+  itk::MedialVoxelThickness::Memory                 memory;
+  const Index3                                      size{ { 70, 11, 9 } };
+  std::array<std::uniform_int_distribution<int>, 3> anywhere;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    anywhere[axis] = std::uniform_int_distribution<int>(0, size[axis] - 1);
+  }
+  for (const double density : { 0.2, 0.5, 0.9 })
+  {
+    const Volume                    volume = RandomVolume(size, { { 1.0, 0.7, 1.9 } }, density, 814);
+    const itk::MedialVoxelGrid      grid = GridOf(volume);
+    const itk::MedialVoxelBits      object = ObjectBits(volume, grid.GetVoxelBox());
+    const itk::MedialVoxelThickness thickness(grid);
+    memory.Clear();
+    // More points than the memory has places for, some of them again and again.
+    for (int round = 0; round < 4000; ++round)
+    {
+      itk::MedialVoxelWallPoints wall;
+      wall.numberOfCorners = 8;
+      for (auto & corner : wall.corners)
+      {
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          corner[axis] = axis == 0 && round % 2 == 0 ? anywhere[axis](random) % 3 : anywhere[axis](random);
+        }
+      }
+      wall.a = wall.corners[0];
+      wall.b = wall.corners[7];
+      if (wall.a == wall.b)
+      {
+        continue;
+      }
+      const itk::MedialVoxelWall expected = thickness.Measure(object, wall);
+      const itk::MedialVoxelWall measured = thickness.Measure(object, wall, memory);
+      ASSERT_EQ(measured.thickness, expected.thickness);
+      ASSERT_EQ(measured.area, expected.area);
+      ASSERT_EQ(measured.axis, expected.axis);
+      ASSERT_EQ(measured.isRim, expected.isRim);
+    }
+  }
 }

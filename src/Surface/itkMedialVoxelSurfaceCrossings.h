@@ -85,7 +85,7 @@ public:
     std::vector<Edge>                       m_Edges;
     std::vector<MedialVoxelSeparationQuery> m_Queries;
     std::vector<MedialVoxelSeparationQuery> m_QueryOfSplit;
-    std::vector<MedialVoxelIndex>           m_SplitCells;
+    std::vector<MedialVoxelIndex>           m_ThresholdCells; // that get a threshold
   };
 
   /** \param grid        the image in the units in which its cells are classified
@@ -157,9 +157,8 @@ private:
   MedialVoxelBox
   DecideTogether(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
 
-  template <typename TVisit>
   void
-  FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace, TVisit && visit) const;
+  FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
 
   void
   FindThresholdsOfSplits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
