@@ -23,13 +23,6 @@ constexpr double Reach = 1.0;
 /** Cosine of the normals of two walls from which they no longer lie across from each other. */
 constexpr double SameSide = 0.5;
 
-MedialVoxelIndex
-NearestPoint(const MedialVoxelFeatures & features, const MedialVoxelIndex & voxel)
-{
-  const std::size_t at = features.OffsetOf(voxel[0], voxel[1], voxel[2]);
-  return { { voxel[0] + features.dx[at], voxel[1] + features.dy[at], voxel[2] + features.dz[at] } };
-}
-
 /** Numbers of the corners of a cell at the ends of one of its voxel edges. */
 struct EdgeEnds
 {
@@ -209,10 +202,17 @@ MedialVoxelSurfaceCells::GetWallPoints(const MedialVoxelClassifiedTile & tile,
   }
   points.cell = index;
   points.numberOfCorners = m_Cell.GetNumberOfCorners();
+  const MedialVoxelFeatures & features = tile.features;
+  const std::size_t           first = features.OffsetOf(index[0], index[1], index[2]);
+  const auto                  row = static_cast<std::size_t>(features.box.Extent(0));
+  const auto                  slice = row * static_cast<std::size_t>(features.box.Extent(1));
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
     const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
-    points.corners[corner] = NearestPoint(tile.features, { { index[0] + c[0], index[1] + c[1], index[2] + c[2] } });
+    const std::size_t               at = first + (c[0] != 0 ? 1 : 0) + (c[1] != 0 ? row : 0) + (c[2] != 0 ? slice : 0);
+    points.corners[corner] = {
+      { index[0] + c[0] + features.dx[at], index[1] + c[1] + features.dy[at], index[2] + c[2] + features.dz[at] }
+    };
   }
   if (!isKnown)
   {

@@ -260,13 +260,15 @@ MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
 MedialVoxelWall
 MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const
 {
-  return this->MeasureBlocks(wall, [&](const MedialVoxelIndex & point) { return this->GetBlock(object, point); });
+  Direction direction;
+  return this->MeasureBlocks(
+    wall, direction, [&](const MedialVoxelIndex & point) { return this->GetBlock(object, point); });
 }
 
 MedialVoxelWall
 MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const
 {
-  return this->MeasureBlocks(wall, [&](const MedialVoxelIndex & point) -> const Block & {
+  return this->MeasureBlocks(wall, memory.m_Direction, [&](const MedialVoxelIndex & point) -> const Block & {
     constexpr std::uint64_t goldenRatio = 0x9E3779B97F4A7C15u;
     const std::size_t       number = object.GetBox().OffsetOf(point) + 1;
     const auto              place = (number * goldenRatio) >> (64 - Memory::BitsOfPlace);
@@ -290,10 +292,21 @@ MedialVoxelThickness::GetBlock(const MedialVoxelBits & object, const MedialVoxel
   return block;
 }
 
+void
+MedialVoxelThickness::SetDirection(const PositionType & across, Direction & direction)
+{
+  direction.across = across;
+  direction.out[0] = OffsetsOutOf(across);
+  direction.out[1] = Mirror(direction.out[0]);
+  direction.step = GetStep(across);
+}
+
 /** \param blockAt  called with a point, tells the block around it */
 template <typename TBlockAt>
 MedialVoxelWall
-MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const
+MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall,
+                                    Direction &                   direction,
+                                    TBlockAt &&                   blockAt) const
 {
   const Sides                 split(wall);
   MedialVoxelIndex            positions[2] = {}; // sums of them, seen from a
@@ -333,10 +346,13 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall, TBlockAt
     longest = std::max(longest, std::abs(way));
   }
 
-  const BlockType out = OffsetsOutOf(across);
-  const BlockType outOf[2] = { out, Mirror(out) };
-  PackedSums      sums[2] = {};
-  PackedSums      toUpper[2] = {};
+  // Walls side by side often have the same.
+  if (across != direction.across)
+  {
+    SetDirection(across, direction);
+  }
+  PackedSums sums[2] = {};
+  PackedSums toUpper[2] = {};
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
   {
     if (sideOf[corner] == 2)
@@ -345,7 +361,7 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall, TBlockAt
     }
     const Block & block = blockAt(wall.corners[corner]);
     // Those of another wall behind a narrow gap: out of the wall, with one at the opposite offset.
-    const BlockType    ofOtherWall = block.opposite & (sideOf[corner] == 0 ? outOf[0] : outOf[1]);
+    const BlockType    ofOtherWall = block.opposite & direction.out[sideOf[corner]];
     const bool         isAlone = ofOtherWall == 0;
     const BlockType    voxels = block.voxels & ~ofOtherWall;
     const PackedSums   ofBlock = isAlone ? block.sums : SumsOf(voxels);
@@ -362,7 +378,7 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall, TBlockAt
   // The block is three voxels long; a share of one half puts the plane through its center.
   const double excess =
     static_cast<double>(sides[0].excess) / numbers[0] + static_cast<double>(sides[1].excess) / numbers[1];
-  const double toFaces = 1.5 * excess / m_BlockVoxels * (GetStep(across) / distance);
+  const double toFaces = 1.5 * excess / m_BlockVoxels * (direction.step / distance);
   measured.thickness = static_cast<float>(std::max(m_Smallest, distance - toFaces));
   measured.area = static_cast<float>(m_CellVolume * distance / extent);
   measured.isRim = IsRim(sides, spacing);

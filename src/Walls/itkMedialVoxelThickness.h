@@ -102,6 +102,14 @@ private:
     std::int64_t  toUpper{ 0 };  // the sums of those above less those of those below
   };
 
+  /** What follows from the direction through a wall, the way from one side to the other in voxels times its length. */
+  struct Direction
+  {
+    std::array<double, 3>        across{};
+    std::array<std::uint32_t, 2> out{}; // offsets that lead out of the wall, at each side
+    double                       step{ 0.0 };
+  };
+
 public:
   /** \class Memory
    * \brief What is around boundary points, which walls side by side share.
@@ -125,6 +133,7 @@ public:
 
     std::vector<std::size_t> m_Numbers = std::vector<std::size_t>(NumberOfPlaces); // of the points, from 1 on
     std::vector<Block>       m_Blocks = std::vector<Block>(NumberOfPlaces);
+    Direction                m_Direction; // of the last wall
   };
 
   /** \param object  bits of all voxels that are neighbors of the boundary points and in the image */
@@ -147,9 +156,13 @@ public:
   }
 
 private:
+  /** \param direction  that of the last wall, or none */
   template <typename TBlockAt>
   MedialVoxelWall
-  MeasureBlocks(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const;
+  MeasureBlocks(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
+
+  static void
+  SetDirection(const std::array<double, 3> & across, Direction & direction);
 
   Block
   GetBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
