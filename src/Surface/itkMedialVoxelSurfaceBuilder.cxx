@@ -339,6 +339,8 @@ MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
     m_Consumer.AddVertices(m_Vertices);
     m_Consumer.AddQuads(m_Quads);
   }
+  // The next slice needs the step before, and the points.
+  Offsets().swap(slice.offsets);
 }
 
 MedialVoxelSurfaceQuad

@@ -25,7 +25,7 @@ Append(const CellVector::const_iterator first, const CellVector::const_iterator 
   if (size > cells.capacity())
   {
     constexpr std::size_t least = 64;
-    cells.reserve(std::max({ size, cells.size() + cells.size() / 4, least }));
+    cells.reserve(std::max({ size, cells.size() + cells.size() / 8, least }));
   }
   cells.insert(cells.end(), first, last);
 }
