@@ -341,6 +341,7 @@ MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
   }
   // The next slice needs the step before, and the points.
   Offsets().swap(slice.offsets);
+  decltype(slice.followed)().swap(slice.followed);
 }
 
 MedialVoxelSurfaceQuad

@@ -31,7 +31,7 @@ Append(const CellVector::const_iterator first, const CellVector::const_iterator 
 }
 
 /** Cells up to which those of a slice may take twice the memory while they are sorted. */
-constexpr std::size_t MostSortedByRows = std::size_t{ 1 } << 18;
+constexpr std::size_t MostSortedByRows = std::size_t{ 1 } << 16;
 
 /** Sorts the cells of a slice, which come in pieces whose rows are sorted. */
 void
