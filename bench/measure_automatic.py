@@ -30,16 +30,17 @@ USUAL = FIXED | {
 LONG = {"thickness 8": (8, "--voxel-units"), "thickness 12": (12, "--voxel-units")}
 VOXELS = {"automatic in voxels": ("auto", "--voxel-units")}
 
-Case = collections.namedtuple("Case", "source options ways")
+# The size is that of a file with a header; otherwise it is the source.
+Case = collections.namedtuple("Case", "source options ways size", defaults=(None,))
 CASES = {
     "side-frame": Case("708,965,325", (), USUAL | LONG),
     "cover": Case("1500,1500,668", (), USUAL),
     "gyroid": Case("256,256,256", (), USUAL),
     "blobs": Case("192,192,192", (), USUAL),
     "struts": Case("256,256,256", (), USUAL),
-    "engine": Case("engine.mha", ("--lower", "72"), USUAL),
-    "shell": Case("shell.nrrd", ("--lower", "65"), USUAL),
-    "cranium": Case("cranium.mha", ("--lower", "200"), USUAL | VOXELS),
+    "engine": Case("engine.mha", ("--lower", "72"), USUAL, "256,256,110"),
+    "shell": Case("shell.nrrd", ("--lower", "65"), USUAL, "128,128,225"),
+    "cranium": Case("cranium.mha", ("--lower", "200"), USUAL | VOXELS, "256,256,108"),
 }
 RATIOS = {
     "automatic to fixed": ("automatic", "fixed"),
