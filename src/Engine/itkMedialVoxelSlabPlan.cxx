@@ -38,10 +38,9 @@ constexpr std::int64_t WideTileSlices = 16;
 constexpr unsigned int ManyWorkers = 8;
 constexpr unsigned int VeryManyWorkers = 32;
 
-/** Voxels of tiles of whole rows for many workers, for several and for a single one, and their slices. */
-constexpr std::int64_t FewVoxelsOfRows = std::int64_t{ 1 } << 20;
-constexpr std::int64_t VoxelsOfRows = 2 * FewVoxelsOfRows;
-constexpr std::int64_t ManyVoxelsOfRows = 4 * FewVoxelsOfRows;
+/** Voxels of tiles of whole rows, when they are for several workers and for a single one, and their slices. */
+constexpr std::int64_t VoxelsOfTiles = std::int64_t{ 1 } << 20;
+constexpr std::int64_t VoxelsOfOnlyTile = 4 * VoxelsOfTiles;
 constexpr std::int64_t SlicesOfRows = 16;
 
 std::int64_t
@@ -73,8 +72,7 @@ TileOfRows(const MedialVoxelBox & region, const unsigned int numberOfWorkers)
   };
   const std::int64_t width =
     CeilingDivide(region.Extent(0), MedialVoxelBits::BitsPerWord) * MedialVoxelBits::BitsPerWord;
-  const std::int64_t several = numberOfWorkers < ManyWorkers ? VoxelsOfRows : FewVoxelsOfRows;
-  const std::int64_t voxels = numberOfWorkers == 1 ? ManyVoxelsOfRows : several;
+  const std::int64_t voxels = numberOfWorkers == 1 ? VoxelsOfOnlyTile : VoxelsOfTiles;
   const std::int64_t rows = std::max(voxels / (width * SlicesOfRows), SmallestTileEdge);
   return { { width, divide(region.Extent(1), rows), divide(region.Extent(2), SlicesOfRows) } };
 }

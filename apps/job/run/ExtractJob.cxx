@@ -111,7 +111,8 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     footprint.bytesPerVoxel = std::max(footprint.bytesPerVoxel, bytes);
     ofAll += bytes;
   }
-  footprint.bytesOfEngines = further.empty() ? 0 : ofAll;
+  // Where results are written behind, room for two pieces holds those of all engines.
+  footprint.bytesPerVoxel = std::max(footprint.bytesPerVoxel, (ofAll + 1) / 2);
   footprint.grid = GetGrid(options, header);
   const FindingSettings      findings = GetFindingSettings(options);
   itk::MedialVoxelExtraction extraction = MakeExtraction(options, header);

@@ -152,24 +152,11 @@ GetPreferredSlabThickness(const JobPlan & plan, std::uint64_t slabOfEngine)
   return isLarge ? slabOfEngine / 2 : slabOfEngine;
 }
 
-/** Results of the rows that are done at once. Two pieces are in memory while one is written behind: those of a single
- * engine, or the last ones of all engines. */
-std::uint64_t
-GetBytesPerSlice(const JobPlan & plan, const Request & request)
-{
-  const VolumeGeometry & geometry = request.header.geometry;
-  const PieceFootprint & footprint = request.footprint;
-  const std::uint64_t voxels = plan.rowsAtOnce > 0 ? geometry.size[0] * plan.rowsAtOnce : geometry.GetVoxelsPerSlice();
-  const bool          areAllKept = plan.writesBehind && footprint.bytesOfEngines > 0;
-  return voxels * (areAllKept ? (footprint.bytesOfEngines + 1) / 2 : footprint.bytesPerVoxel);
-}
-
 /** Divides the slices for the threads, slabs and scratch folder of the plan; true when that fits.
  * \param slab slices that a piece should have at least */
 bool
 TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
 {
-  plan.bytesPerSlice = GetBytesPerSlice(plan, request);
   plan.fixedBytes = EstimateFixedMemory(plan, request);
   const std::uint64_t least = plan.fixedBytes + EstimateEngines(plan, request);
   const std::uint64_t rest = plan.memoryLimit - std::min(plan.memoryLimit, least);
@@ -194,14 +181,6 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
   return plan.memoryBytes <= plan.memoryLimit;
 }
 
-/** Engines that take turns write behind only where they do not miss that memory, should walls be thicker than planned.
- */
-bool
-CanWriteBehind(const JobPlan & plan)
-{
-  return plan.numberOfEngines == 1 || plan.memoryBytes <= plan.memoryLimit / 2;
-}
-
 /** True for pieces of moderate size, of which another one follows. */
 bool
 GainsFromWritingBehind(const JobPlan & plan)
@@ -218,7 +197,7 @@ TrySlab(JobPlan & plan, const Request & request, bool writesBehind, std::uint64_
   {
     plan.readsAhead = readsAhead;
     plan.writesBehind = writesBehind;
-    if (TryDivisions(plan, request, slab) && (!writesBehind || CanWriteBehind(plan)))
+    if (TryDivisions(plan, request, slab))
     {
       plan.writesBehind = writesBehind && GainsFromWritingBehind(plan);
       return plan.writesBehind == writesBehind || TryDivisions(plan, request, slab);
@@ -231,8 +210,10 @@ TrySlab(JobPlan & plan, const Request & request, bool writesBehind, std::uint64_
 void
 SetRowsAtOnce(JobPlan & plan, const Request & request, std::uint64_t rows)
 {
+  const VolumeGeometry & geometry = request.header.geometry;
   plan.rowsAtOnce = rows;
-  plan.bytesPerSlice = GetBytesPerSlice(plan, request);
+  plan.bytesPerSlice =
+    (rows > 0 ? geometry.size[0] * rows : geometry.GetVoxelsPerSlice()) * request.footprint.bytesPerVoxel;
 }
 
 /** Thinner slabs read and do more twice, so that the thickest that fit are taken; waiting for the disk costs more than
@@ -246,9 +227,7 @@ TrySlabs(JobPlan & plan, const Request & request, bool takesThin)
   const std::uint64_t preferred = GetPreferredSlabThickness(plan, slabOfEngine);
   for (const bool writesBehind : { true, false })
   {
-    const std::uint64_t quarter = std::max(slabOfEngine / 4, std::uint64_t{ 1 });
-    const std::uint64_t behind = plan.numberOfEngines > 1 ? preferred : quarter;
-    const std::uint64_t thinnest = writesBehind ? behind : (takesThin ? 1 : quarter);
+    const std::uint64_t thinnest = writesBehind || !takesThin ? std::max(slabOfEngine / 4, std::uint64_t{ 1 }) : 1;
     for (std::uint64_t slab = preferred; slab >= thinnest; slab /= 2)
     {
       plan.slabThickness = slab == slabOfEngine ? 0 : slab;
