@@ -104,15 +104,10 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   PieceFootprint footprint;
   const auto     further = ListFurtherTasks(options, header);
   footprint.bytesPerVoxel = GetBytesPerVoxel(volumes, VolumeFiller::Extraction);
-  std::uint64_t ofAll = footprint.bytesPerVoxel;
   for (const FurtherTask & task : further)
   {
-    const std::uint64_t bytes = GetBytesPerVoxel(volumes, task.filler);
-    footprint.bytesPerVoxel = std::max(footprint.bytesPerVoxel, bytes);
-    ofAll += bytes;
+    footprint.bytesPerVoxel = std::max(footprint.bytesPerVoxel, GetBytesPerVoxel(volumes, task.filler));
   }
-  // Where results are written behind, room for two pieces holds those of all engines.
-  footprint.bytesPerVoxel = std::max(footprint.bytesPerVoxel, (ofAll + 1) / 2);
   footprint.grid = GetGrid(options, header);
   const FindingSettings      findings = GetFindingSettings(options);
   itk::MedialVoxelExtraction extraction = MakeExtraction(options, header);

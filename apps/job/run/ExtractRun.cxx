@@ -91,12 +91,11 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
     return std::make_unique<PieceEngine>(*m_Input, job.input, options, job.plan, task, m_Loop.GetObserver());
   };
   m_Engine = makeEngine(MakeExtraction(options, job.input));
-  const auto furtherTasks = ListFurtherTasks(options, job.input);
-  if (job.plan.writesBehind && furtherTasks.empty())
+  if (job.plan.writesBehind)
   {
     m_Engine->KeepPreviousResults();
   }
-  for (const FurtherTask & further : furtherTasks)
+  for (const FurtherTask & further : ListFurtherTasks(options, job.input))
   {
     m_FurtherEngines.push_back({ further.filler, makeEngine(further.task) });
   }

@@ -227,6 +227,10 @@ TrySlabs(JobPlan & plan, const Request & request, bool takesThin)
   const std::uint64_t preferred = GetPreferredSlabThickness(plan, slabOfEngine);
   for (const bool writesBehind : { true, false })
   {
+    if (writesBehind && plan.numberOfEngines > 1)
+    {
+      continue;
+    }
     const std::uint64_t thinnest = writesBehind || !takesThin ? std::max(slabOfEngine / 4, std::uint64_t{ 1 }) : 1;
     for (std::uint64_t slab = preferred; slab >= thinnest; slab /= 2)
     {

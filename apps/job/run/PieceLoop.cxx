@@ -195,11 +195,6 @@ PieceLoop::RunRange(PieceEngine & engine, const PieceRange & range, const PieceR
   this->ThrowIfStopRequested();
   m_VoxelsOfRange = this->CountVoxels(range);
   m_FractionOfRange = 0.0;
-  if (m_EnginesPerPiece > 1 && m_LastEngine == &engine)
-  {
-    // Engines that take turns have memory for one piece each.
-    writer.Wait();
-  }
   const auto   start = JobClock::now();
   PieceResults results;
   try
@@ -223,9 +218,8 @@ PieceLoop::RunRange(PieceEngine & engine, const PieceRange & range, const PieceR
                   { { "of", engine.GetName() },
                     { "slices", FormatSlices(range.slices) },
                     { "seconds_waited", FormatFixed(SecondsSince(computed), 3) } } });
-  m_LastEngine = &engine;
-  // Memory of results that is used again is much cheaper than new memory for each piece.
-  if (m_EnginesPerPiece > 1 && !m_Plan.writesBehind)
+  // A single engine uses the memory of its results again, which is much cheaper than new memory for each piece.
+  if (m_EnginesPerPiece > 1)
   {
     writer.Wait();
     engine.Release();

@@ -93,7 +93,6 @@ private:
   unsigned int   m_RunsPerPiece{ 1 };
   ProgressSink & m_Sink;
   InputVolume *  m_Input{ nullptr };
-  PieceEngine *  m_LastEngine{ nullptr };
   double         m_ShareOfPreparation{ 0.0 };
   std::uint64_t  m_DoneVoxels{ 0 };
   std::uint64_t  m_VoxelsOfRange{ 0 };
