@@ -3,6 +3,7 @@
 #include "itkMedialVoxelColumnPass.h"
 
 #include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelReserve.h"
 #include "itkMedialVoxelSquaredLengths.h"
 
 #include <algorithm>
@@ -29,9 +30,6 @@ constexpr std::int64_t Columns = MedialVoxelColumnPass::Columns;
 #if defined(__GNUC__)
 /** Values that are added and compared at once. A loop over them would be taken apart into single ones. */
 using Vector [[gnu::vector_size(Lanes * sizeof(std::int32_t))]] = std::int32_t;
-#  define MEDIALVOXEL_INLINE inline __attribute__((always_inline))
-#else
-#  define MEDIALVOXEL_INLINE inline
 #endif
 
 /** Some columns, and the winners of every so many rows that are known. */
@@ -226,14 +224,9 @@ MedialVoxelColumnPass::Search(const std::int32_t * const costs,
                               const std::int64_t         number,
                               std::int32_t * const       result)
 {
-  const auto ends = static_cast<std::size_t>(GetResultRows(number) / BlockSize + 1);
-  for (auto * const winners : { &m_Lowest, &m_Highest })
-  {
-    if (winners->size() < ends)
-    {
-      std::vector<std::int32_t>(ends).swap(*winners);
-    }
-  }
+  const std::int64_t ends = GetResultRows(number) / BlockSize + 1;
+  MedialVoxelReserve(m_Lowest, ends);
+  MedialVoxelReserve(m_Highest, ends);
   for (std::int64_t lane = 0; lane < Columns; lane += Lanes)
   {
     SearchLanes({ costs + lane, length, first, number, m_Lowest.data(), m_Highest.data(), result + lane });

@@ -5,6 +5,7 @@
 #include "itkMedialVoxelFirstSites.h"
 #include "itkMedialVoxelProcessors.h"
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelReserve.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,19 +41,6 @@ std::int64_t
 RoundUp(const std::int64_t number)
 {
   return (number + Columns - 1) / Columns * Columns;
-}
-
-/** Grow without giving memory back, as a workspace serves many tiles; the old values may be lost. */
-template <typename TValue>
-void
-Reserve(std::vector<TValue> & values, const std::int64_t size)
-{
-  if (values.size() < static_cast<std::size_t>(size))
-  {
-    // Freed first, so that both are never there at the same time.
-    std::vector<TValue>().swap(values);
-    values.resize(static_cast<std::size_t>(size));
-  }
 }
 
 /** Voxels from a tile to the nearest voxel outside \a known that the image has. */
@@ -209,13 +197,13 @@ MedialVoxelDistanceTransform::Search::Search(const MedialVoxelBits &     sites,
   m_Lengths.box.upper[0] = m_Left + m_Width;
   const std::int64_t longest = std::max(m_Area.Extent(0), m_Area.Extent(1));
   const std::int64_t most = std::max(m_Tile.Extent(0), m_Tile.Extent(1));
-  Reserve(m_Lengths.values, m_Lengths.box.NumberOfVoxels());
-  Reserve(m_Memory.m_Below, m_Area.Extent(1) * m_Width);
-  Reserve(m_Memory.m_Above, m_Area.Extent(1) * m_Width);
-  Reserve(m_Memory.m_Slices, (m_Tile.Extent(2) + 2) * m_Area.Extent(1) * Columns);
-  Reserve(m_Memory.m_Costs, longest * Columns);
-  Reserve(m_Memory.m_Found, MedialVoxelColumnPass::GetResultRows(most) * Columns);
-  Reserve(m_Memory.m_Words, m_Tile.Extent(2) * m_Area.Extent(1));
+  MedialVoxelReserve(m_Lengths.values, m_Lengths.box.NumberOfVoxels());
+  MedialVoxelReserve(m_Memory.m_Below, m_Area.Extent(1) * m_Width);
+  MedialVoxelReserve(m_Memory.m_Above, m_Area.Extent(1) * m_Width);
+  MedialVoxelReserve(m_Memory.m_Slices, (m_Tile.Extent(2) + 2) * m_Area.Extent(1) * Columns);
+  MedialVoxelReserve(m_Memory.m_Costs, longest * Columns);
+  MedialVoxelReserve(m_Memory.m_Found, MedialVoxelColumnPass::GetResultRows(most) * Columns);
+  MedialVoxelReserve(m_Memory.m_Words, m_Tile.Extent(2) * m_Area.Extent(1));
 }
 
 std::int32_t

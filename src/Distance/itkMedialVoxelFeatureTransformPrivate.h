@@ -4,6 +4,7 @@
 #define itkMedialVoxelFeatureTransformPrivate_h
 
 #include "itkMedialVoxelFeatureTransform.h"
+#include "itkMedialVoxelReserve.h"
 
 #include <algorithm>
 
@@ -12,19 +13,6 @@ namespace itk
 
 /** Relative slack that keeps rounded lengths on the safe side. */
 constexpr double RelativeSlack = 1e-9;
-
-/** Grow without giving memory back, as a workspace serves many tiles; the old values are lost. */
-template <typename TVector>
-void
-MedialVoxelReserve(TVector & values, const std::int64_t size)
-{
-  if (values.size() < static_cast<std::size_t>(size))
-  {
-    // Freed first, and not resized, which could take twice as much.
-    TVector().swap(values);
-    TVector(static_cast<std::size_t>(size)).swap(values);
-  }
-}
 
 /** \struct MedialVoxelRemainingRow
  * \brief The bits of a row of voxels that remain, bit 0 the lowest one of its first word.

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelLengthRow.h"
 
 #include "itkMedialVoxelProcessors.h"
+#include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelSquaredLengths.h"
 
 #include <algorithm>
@@ -130,9 +131,11 @@ MedialVoxelLengthRow::AppendDoubtful(const double                spacing,
                                      std::vector<std::int32_t> & squares)
 {
   // More than the rounding of both ways together, of at most five and a half half units.
-  constexpr double error = 4.0 * std::numeric_limits<double>::epsilon();
+  constexpr double       error = 4.0 * std::numeric_limits<double>::epsilon();
+  MedialVoxelPollCounter poll;
   for (std::int32_t square = begin; square < end; ++square)
   {
+    poll.Count();
     const double length = std::sqrt(static_cast<double>(square) * (spacing * spacing));
     if (static_cast<float>(length * (1.0 - error)) != static_cast<float>(length * (1.0 + error)))
     {

@@ -26,9 +26,6 @@ struct Vector
 {
   using Type [[gnu::vector_size(VBytes)]] = double;
 };
-#  define MEDIALVOXEL_INLINE inline __attribute__((always_inline))
-#else
-#  define MEDIALVOXEL_INLINE inline
 #endif
 
 /** Smallest of keys[j] + steps[j] for j in [begin, end). */
