@@ -56,8 +56,8 @@ struct Inputs
     const itk::MedialVoxelNoProgress progress;
     MedialVoxelClassifier::Workspace workspace;
     Labels                           labels;
-    const auto                       voxels = classifier.GetVoxelBox(tile);
     const auto                       window = classifier.FindAsked({ &object, &sites }, tile, false, workspace);
+    const auto                       voxels = classifier.GetFeatureBox(window, tile, workspace);
     EXPECT_TRUE(
       classifier.Classify(window, tile, Features(voxels, window.asked), progress, workspace, labels, counts).IsEmpty());
     this->ExpectSameWithAllVoxels(classifier, tile, labels);
@@ -233,7 +233,7 @@ TEST(MedialVoxelJointClassifier, RowsBeginInTheTile)
   itk::MedialVoxelCounts counts;
   Labels                 labels;
   const auto             window = classifier.FindAsked({ &inputs.object, &inputs.sites }, tile, false, workspace);
-  const auto             features = inputs.Features(classifier.GetVoxelBox(tile), window.asked);
+  const auto             features = inputs.Features(classifier.GetFeatureBox(window, tile, workspace), window.asked);
   ASSERT_TRUE(classifier.Classify(window, tile, features, progress, workspace, labels, counts).IsEmpty());
   Labels fromRows(labels.size(), itk::MedialVoxelLabel::NoObject);
   for (const auto & row : workspace.rows)

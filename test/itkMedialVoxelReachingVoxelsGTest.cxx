@@ -30,6 +30,7 @@ TEST(MedialVoxelReachingVoxels, KeepTheCornersOfAllCellsWhoseBallsReach)
 {
   std::size_t reaching = 0;
   std::size_t leftOut = 0;
+  std::size_t smaller = 0;
   for (const Volume & volume : Volumes())
   {
     const itk::MedialVoxelGrid grid = GridOf(volume);
@@ -53,7 +54,8 @@ TEST(MedialVoxelReachingVoxels, KeepTheCornersOfAllCellsWhoseBallsReach)
       itk::MedialVoxelReachingVoxels::Workspace workspace;
       itk::MedialVoxelReachingVoxels(grid).Find(object, cells, voxels, workspace);
       const auto isKept = [&](const itk::MedialVoxelIndex & voxel) {
-        return !voxels.Contains(voxel) || !object.Test(voxel) || workspace.asked.Test(voxel);
+        return !voxels.Contains(voxel) ||
+               (workspace.box.Contains(voxel) && (!object.Test(voxel) || workspace.asked.Test(voxel)));
       };
       ForEachVoxel(voxels.Intersection(grid.GetCellBox()), [&](const itk::MedialVoxelIndex & cell) {
         const double radius = threshold.FindRadius(features, cell);
@@ -75,10 +77,13 @@ TEST(MedialVoxelReachingVoxels, KeepTheCornersOfAllCellsWhoseBallsReach)
       ForEachVoxel(voxels, [&](const itk::MedialVoxelIndex & voxel) {
         ASSERT_LE(workspace.asked.Test(voxel), object.Test(voxel));
         ASSERT_LE(workspace.reaching.Test(voxel), workspace.asked.Test(voxel));
+        ASSERT_LE(workspace.asked.Test(voxel), workspace.box.Contains(voxel));
+        smaller += !workspace.box.Contains(voxel) ? 1 : 0;
         leftOut += object.Test(voxel) && !workspace.asked.Test(voxel) ? 1 : 0;
       });
     }
   }
   EXPECT_GT(reaching, 1000u);
   EXPECT_GT(leftOut, 1000u);
+  EXPECT_GT(smaller, 1000u);
 }

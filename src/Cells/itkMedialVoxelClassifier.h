@@ -70,6 +70,13 @@ public:
             bool                      looksAround,
             Workspace &               workspace) const;
 
+  /** Voxels that displacements are found for: those of GetVoxelBox(), or as many as a window of FindAsked() needs. */
+  MedialVoxelBox
+  GetFeatureBox(const MedialVoxelWindow & window, const MedialVoxelBox & tile, const Workspace & workspace) const
+  {
+    return window.asked == nullptr ? this->GetVoxelBox(tile) : workspace.reaching.box;
+  }
+
   /** Object voxels whose cells are looked at, of a window of FindAsked() or one that asks for all. */
   static const MedialVoxelBits &
   GetReachingVoxels(const MedialVoxelWindow & window, const Workspace & workspace)
@@ -81,7 +88,7 @@ public:
    *
    * \param window     object bits, and the background border as sites
    * \param tile       indices to label; the last index of an active axis has no cell and gets 0
-   * \param features   displacements for GetVoxelBox(tile), as far as the window asks for them
+   * \param features   displacements for GetFeatureBox(), as far as the window asks for them
    * \param progress   asked for an abort before each cell that is not trivial, after which labels and counts are
    * incomplete
    * \param labels     MedialVoxelLabel values, resized to the tile

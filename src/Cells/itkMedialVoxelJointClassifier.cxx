@@ -277,7 +277,13 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
     }
     return !input.progress.IsAborted();
   };
-  if (!m_Pairs.Visit(input.corners, input.features, m_Threshold.GetCellBox(input.cells), visit))
+  MedialVoxelBox cells = input.features.box;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    cells.upper[axis] -= m_Grid.GetUnitMargin()[axis];
+  }
+  cells = cells.Intersection(m_Threshold.GetCellBox(input.cells));
+  if (!m_Pairs.Visit(input.corners, input.features, cells, visit))
   {
     return false;
   }

@@ -28,7 +28,7 @@ struct MedialVoxelTileInput
   const MedialVoxelWindow &   window;   ///< object bits, and the background border as sites
   const MedialVoxelBox &      cells;    ///< those that get a threshold: the tile, or some around it as well
   const MedialVoxelBits &     corners;  ///< object voxels whose cells are looked at
-  const MedialVoxelFeatures & features; ///< displacements of MedialVoxelClassifier::GetVoxelBox()
+  const MedialVoxelFeatures & features; ///< displacements of MedialVoxelClassifier::GetFeatureBox()
   const MedialVoxelProgress & progress; ///< asked for an abort, after which labels and counts are incomplete
 };
 

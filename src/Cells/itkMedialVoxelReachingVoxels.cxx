@@ -32,6 +32,33 @@ ColumnsFrom(const std::int64_t word, const MedialVoxelBox & box, const std::int6
                       : ~MedialVoxelBits::RangeMask(word, box.lower[0] - columns + 1, box.upper[0] + columns - 1);
 }
 
+/** From the first to the last bit of a row. */
+class WordExtent
+{
+public:
+  /** Words in ascending order. */
+  void
+  Add(const std::int64_t word, const WordType bits)
+  {
+    if (bits != 0)
+    {
+      const std::int64_t first = word * MedialVoxelBits::BitsPerWord;
+      m_Lower = m_Upper == 0 ? first + MedialVoxelLowestBit(bits) : m_Lower;
+      m_Upper = first + MedialVoxelHighestBit(bits) + 1;
+    }
+  }
+
+  MedialVoxelBox
+  GetRow(const std::int64_t y, const std::int64_t z) const
+  {
+    return m_Upper == 0 ? MedialVoxelBox{} : MedialVoxelBox{ { { m_Lower, y, z } }, { { m_Upper, y + 1, z + 1 } } };
+  }
+
+private:
+  std::int64_t m_Lower{ 0 };
+  std::int64_t m_Upper{ 0 };
+};
+
 /** Bits of a row or one beside it, a voxel to either side added to each. */
 WordType
 Widened(const WordType * const row, const std::int64_t word)
@@ -40,12 +67,14 @@ Widened(const WordType * const row, const std::int64_t word)
   return row[word] | (row[word] << 1) | (row[word] >> 1) | (row[word - 1] >> last) | (row[word + 1] << last);
 }
 
-/** All object voxels whose neighborhood has a bit. */
+/** All object voxels of \a box whose neighborhood has a bit. */
 void
-FindNeighbors(const MedialVoxelBits & object, const MedialVoxelBits & bits, MedialVoxelBits & neighbors)
+FindNeighbors(const MedialVoxelBits & object,
+              const MedialVoxelBits & bits,
+              const MedialVoxelBox &  box,
+              MedialVoxelBits &       neighbors)
 {
-  const MedialVoxelBox & box = bits.GetBox();
-  neighbors.Reshape(box);
+  neighbors.Reshape(bits.GetBox());
   const std::int64_t first = bits.GetFirstWord();
   for (std::int64_t z = box.lower[2]; z < box.upper[2]; ++z)
   {
@@ -54,7 +83,7 @@ FindNeighbors(const MedialVoxelBits & object, const MedialVoxelBits & bits, Medi
     {
       const WordType * const from = object.GetRow(y, z) - object.GetFirstWord();
       WordType * const       to = neighbors.GetRow(y, z) - first;
-      for (std::int64_t word = first; word < first + bits.GetWordsPerRow(); ++word)
+      for (std::int64_t word = box.lower[0] >> 6; word <= (box.upper[0] - 1) >> 6; ++word)
       {
         if (from[word] == 0)
         {
@@ -242,6 +271,7 @@ MedialVoxelReachingVoxels::Find(const MedialVoxelBits & object,
   }
   Search             search(*this, object, corners, reaching);
   const std::int64_t first = reaching.GetFirstWord();
+  MedialVoxelBox     found;
   for (std::int64_t z = voxels.lower[2]; z < voxels.upper[2]; ++z)
   {
     MedialVoxelPoll();
@@ -250,16 +280,24 @@ MedialVoxelReachingVoxels::Find(const MedialVoxelBits & object,
       const WordType * const from = object.GetRow(y, z) - object.GetFirstWord();
       WordType * const       to = reaching.GetRow(y, z) - first;
       search.SetRow(y, z);
+      WordExtent extent;
       for (std::int64_t word = first; word < first + reaching.GetWordsPerRow(); ++word)
       {
         if (from[word] != 0)
         {
           to[word] = search.FindIn(word, from[word]);
+          extent.Add(word, to[word]);
         }
       }
+      found = found.Union(extent.GetRow(y, z));
     }
   }
-  FindNeighbors(object, reaching, workspace.asked);
+  if (!found.IsEmpty())
+  {
+    found = found.Expanded(m_Grid.GetUnitMargin());
+  }
+  workspace.box = found.Union(corners).Intersection(voxels);
+  FindNeighbors(object, reaching, workspace.box, workspace.asked);
 }
 
 } // end namespace itk

@@ -32,6 +32,7 @@ public:
   {
     MedialVoxelBits reaching; ///< object voxels that the balls of cells around them may reach the tile from
     MedialVoxelBits asked;    ///< object voxels at the corners of these cells
+    MedialVoxelBox  box;      ///< around all corners of these cells
   };
 
   /** Memory of a workspace for each voxel of a tile and the margin around it, rounded up. */

@@ -163,8 +163,11 @@ MedialVoxelBox
 MedialVoxelExtractionTask::FindNearest(const Tile & tile) const
 {
   TileWorkspace & workspace = tile.workspace;
-  MedialVoxelBox  missing = m_Transform.Compute(
-    tile.window, m_Classifier.GetVoxelBox(tile.box), workspace.transform, workspace.features, &tile.progress);
+  MedialVoxelBox  missing = m_Transform.Compute(tile.window,
+                                               m_Classifier.GetFeatureBox(tile.window, tile.box, workspace.classifier),
+                                               workspace.transform,
+                                               workspace.features,
+                                               &tile.progress);
   if (missing.IsEmpty() && this->HasObjectVectors())
   {
     missing = m_Transform.Compute(tile.moving.GetWindow(MedialVoxelBoundary::Object),
