@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -15,6 +17,10 @@ constexpr unsigned int  BitsPerAxis = 21;
 constexpr std::uint64_t MostBlocks = std::uint64_t{ 1 } << BitsPerAxis;
 
 constexpr unsigned int MostLevels = 64;
+
+/** Places for the numbers of the first blocks, as a power of two. */
+constexpr unsigned int LeastBitsOfPlaces = 8;
+constexpr unsigned int BitsOfHash = 64;
 
 unsigned int
 GetFirstLevel(const std::array<std::uint64_t, 3> & size)
@@ -44,6 +50,8 @@ SheetPoints::Sums::Add(const Sums & other)
 
 SheetPoints::SheetPoints(const std::vector<std::uint64_t> & size, std::size_t budget)
   : m_Budget(std::max<std::size_t>(budget, 1))
+  , m_Numbers(std::size_t{ 1 } << LeastBitsOfPlaces)
+  , m_Shift(BitsOfHash - LeastBitsOfPlaces)
 {
   std::copy(size.begin(), size.end(), m_Size.begin());
   m_Level = GetFirstLevel(m_Size);
@@ -52,7 +60,8 @@ SheetPoints::SheetPoints(const std::vector<std::uint64_t> & size, std::size_t bu
 void
 SheetPoints::Clear(unsigned int level)
 {
-  m_Points.clear();
+  m_Blocks.clear();
+  std::fill(m_Numbers.begin(), m_Numbers.end(), 0);
   m_Level = std::max(GetFirstLevel(m_Size), level);
 }
 
@@ -91,9 +100,9 @@ void
 SheetPoints::Add(const SheetPoints & other)
 {
   this->CoarsenTo(other.m_Level);
-  for (const auto & [key, sums] : other.m_Points)
+  for (const Block & block : other.m_Blocks)
   {
-    this->AddAt(GetBlock(key), other.m_Level, sums);
+    this->AddAt(GetBlock(block.key), other.m_Level, block.sums);
   }
 }
 
@@ -105,13 +114,61 @@ SheetPoints::AddAt(std::array<std::uint64_t, 3> block, unsigned int level, const
   {
     index >>= m_Level - level;
   }
-  m_Points[GetKey(block)].Add(sums);
-  while (m_Points.size() > m_Budget)
+  this->AddToBlock(GetKey(block), sums);
+  while (m_Blocks.size() > m_Budget)
   {
     this->CoarsenTo(m_Level + 1);
   }
 }
 
+/** The place of the number of a block, or the free one for it. */
+std::uint32_t &
+SheetPoints::FindNumber(const KeyType key)
+{
+  constexpr std::uint64_t goldenRatio = 0x9E3779B97F4A7C15u;
+  for (std::size_t place = key * goldenRatio >> m_Shift;; place = (place + 1) & (m_Numbers.size() - 1))
+  {
+    std::uint32_t & number = m_Numbers[place];
+    if (number == 0 || m_Blocks[number - 1].key == key)
+    {
+      return number;
+    }
+  }
+}
+
+void
+SheetPoints::AddToBlock(const KeyType key, const Sums & sums)
+{
+  std::uint32_t * number = &this->FindNumber(key);
+  if (*number != 0)
+  {
+    m_Blocks[*number - 1].sums.Add(sums);
+    return;
+  }
+  // Half of the places stay free, so that searches are short.
+  if (2 * (m_Blocks.size() + 1) > m_Numbers.size())
+  {
+    this->MakeRoom();
+    number = &this->FindNumber(key);
+  }
+  m_Blocks.push_back({ key, sums });
+  *number = static_cast<std::uint32_t>(m_Blocks.size());
+}
+
+/** Twice as many places. */
+void
+SheetPoints::MakeRoom()
+{
+  m_Numbers.assign(2 * m_Numbers.size(), 0);
+  --m_Shift;
+  m_Blocks.reserve(std::min(m_Numbers.size() / 2, m_Budget + 1));
+  for (std::size_t i = 0; i < m_Blocks.size(); ++i)
+  {
+    this->FindNumber(m_Blocks[i].key) = static_cast<std::uint32_t>(i + 1);
+  }
+}
+
+/** In place: no more blocks are left than were read. */
 void
 SheetPoints::CoarsenTo(unsigned int level)
 {
@@ -119,34 +176,43 @@ SheetPoints::CoarsenTo(unsigned int level)
   {
     return;
   }
-  const unsigned int                levels = level - m_Level;
-  std::unordered_map<KeyType, Sums> coarse;
-  for (const auto & [key, sums] : m_Points)
+  const unsigned int levels = level - m_Level;
+  std::size_t        left = 0;
+  std::fill(m_Numbers.begin(), m_Numbers.end(), 0);
+  for (const Block & fine : m_Blocks)
   {
-    std::array<std::uint64_t, 3> block = GetBlock(key);
+    std::array<std::uint64_t, 3> block = GetBlock(fine.key);
     for (std::uint64_t & index : block)
     {
       index >>= levels;
     }
-    coarse[GetKey(block)].Add(sums);
+    const KeyType   key = GetKey(block);
+    std::uint32_t & number = this->FindNumber(key);
+    if (number != 0)
+    {
+      m_Blocks[number - 1].sums.Add(fine.sums);
+      continue;
+    }
+    m_Blocks[left] = { key, fine.sums };
+    number = static_cast<std::uint32_t>(++left);
   }
-  m_Points.swap(coarse);
+  m_Blocks.resize(left);
   m_Level = level;
 }
 
 void
 SheetPoints::ForEachPoint(const std::function<void(const Point & point)> & function) const
 {
-  std::vector<KeyType> keys;
-  keys.reserve(m_Points.size());
-  for (const auto & [key, sums] : m_Points)
+  std::vector<std::pair<KeyType, const Sums *>> sorted;
+  sorted.reserve(m_Blocks.size());
+  for (const Block & block : m_Blocks)
   {
-    keys.push_back(key);
+    sorted.emplace_back(block.key, &block.sums);
   }
-  std::sort(keys.begin(), keys.end());
-  for (const KeyType key : keys)
+  std::sort(sorted.begin(), sorted.end());
+  for (const auto & [key, sums] : sorted)
   {
-    function({ GetBlock(key), m_Points.at(key) });
+    function({ GetBlock(key), *sums });
   }
 }
 
@@ -154,7 +220,7 @@ void
 SheetPoints::Save(NumberWriter & numbers) const
 {
   numbers.Add(m_Level);
-  numbers.Add(m_Points.size());
+  numbers.Add(m_Blocks.size());
   KeyType previous = 0;
   this->ForEachPoint([&](const Point & point) {
     const KeyType key = GetKey(point.block);
@@ -218,10 +284,11 @@ SheetPoints::GetMostNumbers() const
 std::uint64_t
 SheetPoints::GetBytes(const VolumeGeometry & geometry, std::size_t budget)
 {
-  // A node with what the allocator takes for it, its bucket, and a quarter of that again while blocks grow.
-  constexpr std::uint64_t bytesOfNode = sizeof(KeyType) + sizeof(Sums) + 4 * sizeof(void *);
-  const std::uint64_t     points = std::min<std::uint64_t>(budget + 1, geometry.GetNumberOfVoxels());
-  return points * (bytesOfNode + 2 * sizeof(void *)) * 5 / 4;
+  // A block while it is copied to more memory, up to four places for its number, and an entry to sort it.
+  constexpr std::uint64_t bytesPerPoint =
+    sizeof(Block) * 3 / 2 + 4 * sizeof(std::uint32_t) + sizeof(KeyType) + sizeof(Sums *);
+  const std::uint64_t points = std::min<std::uint64_t>(budget + 1, geometry.GetNumberOfVoxels());
+  return points * bytesPerPoint;
 }
 
 } // end namespace medialvoxel

@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <unordered_map>
 #include <vector>
 
 namespace medialvoxel
@@ -50,7 +49,8 @@ public:
     const Sums &                 sums;
   };
 
-  /** \param size of the image, in voxels */
+  /** \param size   of the image, in voxels
+   * \param budget of points, below 2^32 - 1 */
   explicit SheetPoints(const std::vector<std::uint64_t> & size, std::size_t budget = DefaultBudget);
 
   /** Forgets the cells. \param level of the blocks from now on, when it is above the least one */
@@ -75,7 +75,7 @@ public:
   std::size_t
   GetNumberOfPoints() const
   {
-    return m_Points.size();
+    return m_Blocks.size();
   }
 
   /** Number of blocks along each axis. */
@@ -104,6 +104,12 @@ public:
 private:
   using KeyType = std::uint64_t;
 
+  struct Block
+  {
+    KeyType key;
+    Sums    sums;
+  };
+
   static KeyType
   GetKey(const std::array<std::uint64_t, 3> & block);
 
@@ -116,10 +122,21 @@ private:
   void
   CoarsenTo(unsigned int level);
 
-  std::array<std::uint64_t, 3>      m_Size{ { 1, 1, 1 } };
-  std::size_t                       m_Budget;
-  unsigned int                      m_Level{ 0 };
-  std::unordered_map<KeyType, Sums> m_Points;
+  std::uint32_t &
+  FindNumber(KeyType key);
+
+  void
+  AddToBlock(KeyType key, const Sums & sums);
+
+  void
+  MakeRoom();
+
+  std::array<std::uint64_t, 3> m_Size{ { 1, 1, 1 } };
+  std::size_t                  m_Budget;
+  unsigned int                 m_Level{ 0 };
+  std::vector<Block>           m_Blocks;
+  std::vector<std::uint32_t>   m_Numbers; // of blocks from 1 on, hashed by their keys; 0: none
+  unsigned int                 m_Shift{ 0 };
 };
 
 } // end namespace medialvoxel

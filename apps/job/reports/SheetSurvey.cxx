@@ -26,6 +26,34 @@ AddWall(const itk::MedialVoxelWall & wall, double lengthUnit, SheetPoints::Sums 
   }
 }
 
+/** Bits of a row from \a bit on whose cells are in the block of its cell, which has the index \a x. */
+WordType
+GetBlockMask(std::int64_t x, int bit, unsigned int level)
+{
+  constexpr unsigned int levelOfRow = 6; // rows do not cross multiples of 64
+  const unsigned int     shift = std::min(level, levelOfRow);
+  const std::int64_t     end = bit + (((x >> shift) + 1) << shift) - x;
+  const WordType         from = ~WordType{ 0 } << bit;
+  return end < itk::MedialVoxelBits::BitsPerWord ? from & ~(~WordType{ 0 } << end) : from;
+}
+
+/** Sums of some cells of a row, without walls. */
+SheetPoints::Sums
+AddCells(const itk::MedialVoxelCellRow & row, WordType cells)
+{
+  SheetPoints::Sums sums;
+  sums.cells = static_cast<std::uint64_t>(itk::MedialVoxelPopulationCount(cells));
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    sums.index[axis] = sums.cells * static_cast<std::uint64_t>(row.first[axis]);
+  }
+  for (; cells != 0; cells &= cells - 1)
+  {
+    sums.index[0] += static_cast<std::uint64_t>(itk::MedialVoxelLowestBit(cells));
+  }
+  return sums;
+}
+
 } // namespace
 
 SheetSurvey::SheetSurvey(const VolumeGeometry & geometry, double lengthUnit)
@@ -47,32 +75,19 @@ SheetSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
   auto                              wall = tile.walls.begin();
   for (const itk::MedialVoxelCellRow & row : tile.rows)
   {
-    itk::MedialVoxelIndex cell = row.first;
-    itk::MedialVoxelIndex first = row.first; // of the cells that are not added yet, which are in one block
-    SheetPoints::Sums     sums;
-    for (WordType rest = row.byBound | row.byGeodesic; rest != 0; rest &= rest - 1)
+    for (WordType rest = row.byBound | row.byGeodesic; rest != 0;)
     {
-      const int x = itk::MedialVoxelLowestBit(rest);
-      cell[0] = row.first[0] + x;
-      if (sums.cells > 0 && (cell[0] ^ first[0]) >> m_Pending.GetLevel() != 0)
-      {
-        m_Pending.Add(first, sums);
-        sums = {};
-      }
-      first = sums.cells == 0 ? cell : first;
-      ++sums.cells;
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        sums.index[axis] += static_cast<std::uint64_t>(cell[axis]);
-      }
-      if ((row.measured >> x & 1) != 0)
+      const int             first = itk::MedialVoxelLowestBit(rest);
+      itk::MedialVoxelIndex cell = row.first;
+      cell[0] += first;
+      const WordType inBlock = rest & GetBlockMask(cell[0], first, m_Pending.GetLevel());
+      rest &= ~inBlock;
+      SheetPoints::Sums sums = AddCells(row, inBlock);
+      for (WordType measured = row.measured & inBlock; measured != 0; measured &= measured - 1)
       {
         AddWall(*wall++, m_LengthUnit, sums);
       }
-    }
-    if (sums.cells > 0)
-    {
-      m_Pending.Add(first, sums);
+      m_Pending.Add(cell, sums);
     }
   }
 }
