@@ -73,8 +73,9 @@ public:
   Measure() const
   {
     std::vector<itk::MedialVoxelWall> walls;
+    itk::MedialVoxelThickness::Memory memory;
     itk::MedialVoxelMeasureWalls(
-      itk::MedialVoxelThickness(m_Grid), m_Classifier, { &m_Object, &m_Sites }, m_Features, m_Rows, walls);
+      itk::MedialVoxelThickness(m_Grid), m_Classifier, { &m_Object, &m_Sites }, m_Features, m_Rows, memory, walls);
     return walls;
   }
 

@@ -100,13 +100,33 @@ MedialVoxelCellPairs::GroupAt(const MedialVoxelFeatures & features, const Medial
 }
 
 MedialVoxelCells
-MedialVoxelCellPairs::CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const
+MedialVoxelCellPairs::CellsFrom(const MedialVoxelFeatures & features,
+                                const MedialVoxelIndex &    first,
+                                const WordType              asked) const
 {
-  MedialVoxelCells cells = this->GroupAt(features, cell);
-  cells.number = 1;
-  cells.candidates = 1;
-  this->FindWidest(1, cells);
+  MedialVoxelCells   cells = this->GroupAt(features, first);
+  const std::int64_t end = features.box.upper[0] - m_Grid.GetUnitMargin()[0];
+  cells.number = std::min<std::int64_t>(MedialVoxelBits::BitsPerWord, end - first[0]);
+  cells.candidates = asked;
+  this->FindWidest(asked, cells);
   return cells;
+}
+
+void
+MedialVoxelCellPairs::GetPoints(const MedialVoxelFeatures &       features,
+                                const MedialVoxelCells &          cells,
+                                const int                         x,
+                                std::array<MedialVoxelIndex, 8> & points) const
+{
+  const std::size_t offset = cells.offset + static_cast<std::size_t>(x);
+  for (unsigned int corner = 0; corner < m_Cell.GetNumberOfCorners(); ++corner)
+  {
+    const MedialVoxelDisplacement & c = m_Cell.GetCorner(corner);
+    const std::size_t               at = this->OffsetOf(features, offset, corner);
+    points[corner] = { { cells.first[0] + x + c[0] + features.dx[at],
+                         cells.first[1] + c[1] + features.dy[at],
+                         cells.first[2] + c[2] + features.dz[at] } };
+  }
 }
 
 void

@@ -88,9 +88,26 @@ public:
     return true;
   }
 
+  /** Cells of a row from \a first on that have all their corners among the features, with the widest diagonals of those
+   * of \a asked. */
+  MedialVoxelCells
+  CellsFrom(const MedialVoxelFeatures & features,
+            const MedialVoxelIndex &    first,
+            MedialVoxelBits::WordType   asked) const;
+
   /** The only cell of a group. */
   MedialVoxelCells
-  CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const;
+  CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const
+  {
+    return this->CellsFrom(features, cell, 1);
+  }
+
+  /** The nearest boundary points of the corners of the cell \a x after the first; as many as the cell has corners. */
+  void
+  GetPoints(const MedialVoxelFeatures &       features,
+            const MedialVoxelCells &          cells,
+            int                               x,
+            std::array<MedialVoxelIndex, 8> & points) const;
 
   /** The candidates that may have a diagonal that is not trivial; finds the widest diagonals of these. */
   MedialVoxelBits::WordType

@@ -150,25 +150,19 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelTileInput &         input,
 
 bool
 MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
-                                     const MedialVoxelIndex &    cell,
+                                     const MedialVoxelCells &    cells,
+                                     const int                   x,
                                      MedialVoxelWallPoints &     wall) const
 {
   MedialVoxelDiagonal widest;
-  if (!m_Pairs.Choose(features, m_Pairs.CellAt(features, cell), 0, widest))
+  if (!m_Pairs.Choose(features, cells, x, widest))
   {
     return false;
   }
   const MedialVoxelDualCell & geometry = m_Pairs.GetCell();
   wall.numberOfCorners = geometry.GetNumberOfCorners();
-  for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
-  {
-    const MedialVoxelDisplacement & c = geometry.GetCorner(corner);
-    const std::size_t               at = features.OffsetOf(cell[0] + c[0], cell[1] + c[1], cell[2] + c[2]);
-    wall.corners[corner] = {
-      { cell[0] + c[0] + features.dx[at], cell[1] + c[1] + features.dy[at], cell[2] + c[2] + features.dz[at] }
-    };
-  }
-  wall.cell = cell;
+  m_Pairs.GetPoints(features, cells, x, wall.corners);
+  wall.cell = { { cells.first[0] + x, cells.first[1], cells.first[2] } };
   wall.a = wall.corners[widest.number];
   wall.b = wall.corners[geometry.GetOppositeCorner(widest.number)];
   return true;

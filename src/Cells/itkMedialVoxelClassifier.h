@@ -106,8 +106,25 @@ public:
   /** The boundary points that decide \a cell, from the features of a tile that it is in.
    * \return false when there is no pair or it is trivial, as at cells that are not medial */
   bool
+  GetWallPoints(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell, MedialVoxelWallPoints & wall) const
+  {
+    return this->GetWallPoints(features, m_Pairs.CellAt(features, cell), 0, wall);
+  }
+
+  /** Cells of a row from \a first on, for the boundary points of those of \a asked, bit 0 the first one. */
+  MedialVoxelCells
+  FindCells(const MedialVoxelFeatures &     features,
+            const MedialVoxelIndex &        first,
+            const MedialVoxelBits::WordType asked) const
+  {
+    return m_Pairs.CellsFrom(features, first, asked);
+  }
+
+  /** The same of the cell \a x after the first one, which was asked for. */
+  bool
   GetWallPoints(const MedialVoxelFeatures & features,
-                const MedialVoxelIndex &    cell,
+                const MedialVoxelCells &    cells,
+                int                         x,
                 MedialVoxelWallPoints &     wall) const;
 
   /** Whether cells of a tile are decided together: each threshold depends on the cells around, or searches are long. */

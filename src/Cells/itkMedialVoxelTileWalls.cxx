@@ -14,6 +14,33 @@ namespace
 constexpr std::uint32_t StepsOfWall = 8;
 constexpr std::uint32_t StepsOfGrayWall = 256;
 
+/** Calls function(points) for the walls at the measured cells of rows. */
+template <typename TFunction>
+void
+ForEachWallPoints(const MedialVoxelClassifier &           classifier,
+                  const MedialVoxelFeatures &             features,
+                  const std::vector<MedialVoxelCellRow> & rows,
+                  const std::uint32_t                     steps,
+                  TFunction &&                            function)
+{
+  MedialVoxelWallPoints  points;
+  MedialVoxelPollCounter poll;
+  for (const MedialVoxelCellRow & row : rows)
+  {
+    if (row.measured == 0)
+    {
+      continue;
+    }
+    const MedialVoxelCells cells = classifier.FindCells(features, row.first, row.measured);
+    for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
+    {
+      poll.Count(steps);
+      classifier.GetWallPoints(features, cells, MedialVoxelLowestBit(rest), points);
+      function(points);
+    }
+  }
+}
+
 } // namespace
 
 void
@@ -22,6 +49,7 @@ MedialVoxelMeasureWalls(const MedialVoxelThickness &            thickness,
                         const MedialVoxelWindow &               window,
                         const MedialVoxelFeatures &             features,
                         const std::vector<MedialVoxelCellRow> & rows,
+                        MedialVoxelThickness::Memory &          memory,
                         std::vector<MedialVoxelWall> &          walls)
 {
   std::size_t number = 0;
@@ -31,18 +59,10 @@ MedialVoxelMeasureWalls(const MedialVoxelThickness &            thickness,
   }
   walls.clear();
   walls.reserve(number);
-  MedialVoxelWallPoints  points;
-  MedialVoxelPollCounter poll;
-  for (const MedialVoxelCellRow & row : rows)
-  {
-    for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
-    {
-      poll.Count(StepsOfWall);
-      const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
-      classifier.GetWallPoints(features, cell, points);
-      walls.push_back(thickness.Measure(*window.object, points));
-    }
-  }
+  memory.Clear();
+  ForEachWallPoints(classifier, features, rows, StepsOfWall, [&](const MedialVoxelWallPoints & points) {
+    walls.push_back(thickness.Measure(*window.object, points, memory));
+  });
 }
 
 MedialVoxelBox
@@ -54,29 +74,20 @@ MedialVoxelRefineWalls(const MedialVoxelGrayThickness &        thickness,
                        MedialVoxelGrayThickness::Workspace &   workspace,
                        std::vector<MedialVoxelWall> &          walls)
 {
-  MedialVoxelBox         missing;
-  MedialVoxelWallPoints  points;
-  MedialVoxelPollCounter poll;
-  auto                   wall = walls.begin();
-  for (const MedialVoxelCellRow & row : rows)
-  {
-    for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
+  MedialVoxelBox missing;
+  auto           wall = walls.begin();
+  ForEachWallPoints(classifier, features, rows, StepsOfGrayWall, [&](const MedialVoxelWallPoints & points) {
+    const MedialVoxelBox needed = thickness.GetReadBox(points);
+    if (gray.GetBox().Contains(needed))
     {
-      poll.Count(StepsOfGrayWall);
-      const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
-      classifier.GetWallPoints(features, cell, points);
-      const MedialVoxelBox needed = thickness.GetReadBox(points);
-      if (gray.GetBox().Contains(needed))
-      {
-        thickness.Refine(gray, points, workspace, *wall);
-      }
-      else
-      {
-        missing = missing.Union(needed);
-      }
-      ++wall;
+      thickness.Refine(gray, points, workspace, *wall);
     }
-  }
+    else
+    {
+      missing = missing.Union(needed);
+    }
+    ++wall;
+  });
   return missing;
 }
 

@@ -25,6 +25,7 @@ constexpr std::uint64_t MedialVoxelTileWallsBytesPerVoxel = MedialVoxelCellRow::
  * it knows the object, so that walls of any thickness depend on nothing that the window does not hold.
  *
  * \param features  displacements from which the classifier decided the cells
+ * \param memory    of any other tile
  * \param walls     resized to the number of measured cells, in the order of the rows and their bits
  * \ingroup MedialVoxel */
 MedialVoxel_EXPORT void
@@ -33,6 +34,7 @@ MedialVoxelMeasureWalls(const MedialVoxelThickness &            thickness,
                         const MedialVoxelWindow &               window,
                         const MedialVoxelFeatures &             features,
                         const std::vector<MedialVoxelCellRow> & rows,
+                        MedialVoxelThickness::Memory &          memory,
                         std::vector<MedialVoxelWall> &          walls);
 
 /** \brief Measures them once more on gray values.

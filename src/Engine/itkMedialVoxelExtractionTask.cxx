@@ -28,6 +28,7 @@ struct MedialVoxelExtractionTask::TileWorkspace : public Workspace
   MedialVoxelFeatures                    objectFeatures;
   MedialVoxelClassifier::Workspace       classifier;
   std::vector<std::uint8_t>              labels;
+  MedialVoxelThickness::Memory           thickness;
   std::vector<MedialVoxelWall>           walls;
   MedialVoxelGrayThickness::Workspace    fits;
 
@@ -199,7 +200,8 @@ MedialVoxelExtractionTask::MeasureWalls(const Tile & tile) const
       row.measured |= medial & (*observer)->SelectCells(row);
     }
   }
-  MedialVoxelMeasureWalls(m_Thickness, m_Classifier, tile.window, workspace.features, rows, workspace.walls);
+  MedialVoxelMeasureWalls(
+    m_Thickness, m_Classifier, tile.window, workspace.features, rows, workspace.thickness, workspace.walls);
   return m_GrayThickness ? MedialVoxelRefineWalls(*m_GrayThickness,
                                                   m_Classifier,
                                                   tile.moving.GetGray(),

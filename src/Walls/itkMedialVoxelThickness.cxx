@@ -293,12 +293,11 @@ MedialVoxelThickness::GetBlock(const MedialVoxelBits & object, const MedialVoxel
 }
 
 void
-MedialVoxelThickness::SetDirection(const PositionType & across, Direction & direction)
+MedialVoxelThickness::FindWaysOut(Direction & direction)
 {
-  direction.across = across;
-  direction.out[0] = OffsetsOutOf(across);
+  direction.out[0] = OffsetsOutOf(direction.across);
   direction.out[1] = Mirror(direction.out[0]);
-  direction.step = GetStep(across);
+  direction.knowsOut = true;
 }
 
 /** \param blockAt  called with a point, tells the block around it */
@@ -349,7 +348,9 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall,
   // Walls side by side often have the same.
   if (across != direction.across)
   {
-    SetDirection(across, direction);
+    direction.across = across;
+    direction.step = GetStep(across);
+    direction.knowsOut = false;
   }
   PackedSums sums[2] = {};
   PackedSums toUpper[2] = {};
@@ -360,6 +361,10 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall,
       continue;
     }
     const Block & block = blockAt(wall.corners[corner]);
+    if (block.opposite != 0 && !direction.knowsOut)
+    {
+      FindWaysOut(direction);
+    }
     // Those of another wall behind a narrow gap: out of the wall, with one at the opposite offset.
     const BlockType    ofOtherWall = block.opposite & direction.out[sideOf[corner]];
     const bool         isAlone = ofOtherWall == 0;

@@ -106,8 +106,9 @@ private:
   struct Direction
   {
     std::array<double, 3>        across{};
-    std::array<std::uint32_t, 2> out{}; // offsets that lead out of the wall, at each side
     double                       step{ 0.0 };
+    std::array<std::uint32_t, 2> out{}; // offsets that lead out of the wall, at each side; few walls need them
+    bool                         knowsOut{ false };
   };
 
 public:
@@ -162,7 +163,7 @@ private:
   MeasureBlocks(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
 
   static void
-  SetDirection(const std::array<double, 3> & across, Direction & direction);
+  FindWaysOut(Direction & direction);
 
   Block
   GetBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
