@@ -13,10 +13,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 #include <utility>
+#include <vector>
 
 namespace
 {
@@ -37,10 +40,11 @@ FillGray(const Values & values, const itk::MedialVoxelBox & box, itk::MedialVoxe
 class Tile
 {
 public:
-  Tile(const Values & values, const itk::MedialVoxelBox & box)
-    : m_Volume(MakeVolume({ { 24, 24, 24 } },
-                          { { 1.0, 1.0, 1.0 } },
-                          [&](const Index3 & v) { return values(KernelIndex(v)) >= 50.0; }))
+  Tile(const Values &              values,
+       const itk::MedialVoxelBox & box,
+       const Index3 &              size = { { 24, 24, 24 } },
+       const Vector3 &             spacing = { { 1.0, 1.0, 1.0 } })
+    : m_Volume(MakeVolume(size, spacing, [&](const Index3 & v) { return values(KernelIndex(v)) >= 50.0; }))
     , m_Grid(GridOf(m_Volume))
     , m_Object(ObjectBits(m_Volume, m_Grid.GetVoxelBox()))
     , m_Sites(SiteBits(BoundarySites(m_Volume), m_Grid.GetVoxelBox()))
@@ -77,6 +81,24 @@ public:
     itk::MedialVoxelMeasureWalls(
       itk::MedialVoxelThickness(m_Grid), m_Classifier, { &m_Object, &m_Sites }, m_Features, m_Rows, memory, walls);
     return walls;
+  }
+
+  /** \return the number of walls, which are compared with what the cells have one by one */
+  std::size_t
+  CompareWithSingleCells() const
+  {
+    const itk::MedialVoxelThickness thickness(m_Grid);
+    const auto                      walls = this->Measure();
+    const auto                      points = this->GetPoints();
+    for (std::size_t i = 0; i < walls.size(); ++i)
+    {
+      const itk::MedialVoxelWall expected = thickness.Measure(m_Object, points[i]);
+      EXPECT_EQ(walls[i].thickness, expected.thickness);
+      EXPECT_EQ(walls[i].area, expected.area);
+      EXPECT_EQ(walls[i].axis, expected.axis);
+      EXPECT_EQ(walls[i].isRim, expected.isRim);
+    }
+    return walls.size();
   }
 
   itk::MedialVoxelBox
@@ -122,7 +144,62 @@ private:
   std::vector<itk::MedialVoxelCellRow> m_Rows;
 };
 
+/** Walls of any directions, some behind narrow gaps. */
+Values
+DrawShells(std::mt19937 & random, const Index3 & size)
+{
+  struct Shell
+  {
+    std::array<double, 3> center;
+    double                inner;
+    double                outer;
+  };
+  const auto draw = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  std::vector<Shell> shells(random() % 6);
+  for (Shell & shell : shells)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      shell.center[axis] = draw(0.0, static_cast<double>(size[axis]));
+    }
+    shell.inner = draw(0.0, 9.0);
+    shell.outer = shell.inner + draw(2.0, 5.0);
+  }
+  return [shells](const itk::MedialVoxelIndex & v) {
+    const bool isObject = std::any_of(shells.begin(), shells.end(), [&v](const Shell & shell) {
+      const double distance = std::hypot(static_cast<double>(v[0]) - shell.center[0],
+                                         static_cast<double>(v[1]) - shell.center[1],
+                                         static_cast<double>(v[2]) - shell.center[2]);
+      return distance >= shell.inner && distance < shell.outer;
+    });
+    return isObject ? 100.0 : 0.0;
+  };
+}
+
 } // namespace
+
+TEST(MedialVoxelTileWalls, AreThoseOfSingleCells)
+{
+  std::mt19937 random(11);
+  std::size_t  compared = 0;
+  for (unsigned int trial = 0; trial < 60; ++trial)
+  {
+    const Index3               size = trial % 4 == 0 ? Index3{ { 24, 24, 1 } } : Index3{ { 75, 20, 18 } };
+    const std::vector<Vector3> spacings{ { { 1.0, 1.0, 1.0 } }, { { 0.5, 0.5, 0.5 } }, { { 1.0, 0.8, 1.3 } } };
+    itk::MedialVoxelBox        box;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      box.lower[axis] = static_cast<std::int64_t>(random() % static_cast<unsigned int>(size[axis]));
+      box.upper[axis] = box.lower[axis] + 1 +
+                        static_cast<std::int64_t>(random() % static_cast<unsigned int>(size[axis] - box.lower[axis]));
+    }
+    const Tile tile(DrawShells(random, size), box, size, spacings[trial % spacings.size()]);
+    compared += tile.CompareWithSingleCells();
+  }
+  EXPECT_GT(compared, 1000u);
+}
 
 TEST(MedialVoxelTileWalls, AsksForGrayValuesThatAreNotKnown)
 {

@@ -118,6 +118,19 @@ MedialVoxelCellPairs::GetPoints(const MedialVoxelFeatures &       features,
                                 const int                         x,
                                 std::array<MedialVoxelIndex, 8> & points) const
 {
+  if (m_HasCornerRows)
+  {
+    const auto & rows = cells.corners.rows;
+    for (unsigned int corner = 0; corner < 8; ++corner)
+    {
+      const unsigned int row = corner >> 1;
+      const std::int64_t at = x + static_cast<std::int64_t>(corner & 1u);
+      points[corner] = { { cells.first[0] + at + rows[0][row][at],
+                           cells.first[1] + static_cast<std::int64_t>(row & 1u) + rows[1][row][at],
+                           cells.first[2] + static_cast<std::int64_t>(row >> 1) + rows[2][row][at] } };
+    }
+    return;
+  }
   const std::size_t offset = cells.offset + static_cast<std::size_t>(x);
   for (unsigned int corner = 0; corner < m_Cell.GetNumberOfCorners(); ++corner)
   {

@@ -202,7 +202,7 @@ GatherRows(const MedialVoxelBits::WordType * const first,
   return bits;
 }
 
-/** Tells which side of a wall points are on, as MedialVoxelWallPoints::SideOf(). */
+/** Tells which side of a wall points are on. */
 class Sides
 {
 public:
@@ -216,7 +216,8 @@ public:
     }
   }
 
-  unsigned int
+  /** Negative on the side of a, positive on that of b, zero halfway. */
+  std::int64_t
   Find(const MedialVoxelIndex & point) const
   {
     std::int64_t projection = 0;
@@ -224,8 +225,7 @@ public:
     {
       projection += m_Across[axis] * (point[axis] - m_A[axis]);
     }
-    const std::int64_t twiceProjection = 2 * projection;
-    return twiceProjection == m_SquaredLength ? 2u : (twiceProjection < m_SquaredLength ? 0u : 1u);
+    return 2 * projection - m_SquaredLength;
   }
 
 private:
@@ -239,7 +239,8 @@ private:
 unsigned int
 MedialVoxelWallPoints::SideOf(const MedialVoxelIndex & point) const
 {
-  return Sides(*this).Find(point);
+  const std::int64_t side = Sides(*this).Find(point);
+  return side == 0 ? 2u : (side < 0 ? 0u : 1u);
 }
 
 MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
@@ -271,13 +272,13 @@ MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelW
   return this->MeasureBlocks(wall, memory.m_Direction, [&](const MedialVoxelIndex & point) -> const Block & {
     constexpr std::uint64_t goldenRatio = 0x9E3779B97F4A7C15u;
     const std::size_t       number = object.GetBox().OffsetOf(point) + 1;
-    const auto              place = (number * goldenRatio) >> (64 - Memory::BitsOfPlace);
-    if (memory.m_Numbers[place] != number)
+    Memory::Place &         place = memory.m_Places[(number * goldenRatio) >> (64 - Memory::BitsOfPlace)];
+    if (place.number != number)
     {
-      memory.m_Numbers[place] = number;
-      memory.m_Blocks[place] = this->GetBlock(object, point);
+      place.number = number;
+      place.block = this->GetBlock(object, point);
     }
-    return memory.m_Blocks[place];
+    return place.block;
   });
 }
 
@@ -307,22 +308,33 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall,
                                     Direction &                   direction,
                                     TBlockAt &&                   blockAt) const
 {
-  const Sides                 split(wall);
-  MedialVoxelIndex            positions[2] = {}; // sums of them, seen from a
-  std::int64_t                numbersOfPoints[2] = {};
-  std::array<unsigned int, 8> sideOf;
+  const Sides      split(wall);
+  MedialVoxelIndex positions[2] = {}; // sums of them, seen from a
+  std::int64_t     numbersOfPoints[2] = {};
+  PackedSums       sums[2] = {};
+  PackedSums       toUpper[2] = {};
+  unsigned int     doubtful = 0; // corners that may see another wall
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
   {
-    sideOf[corner] = split.Find(wall.corners[corner]);
-    // Without jumps: which side it is cannot be foreseen.
-    for (unsigned int side = 0; side < 2; ++side)
+    const MedialVoxelIndex & point = wall.corners[corner];
+    const std::int64_t       side = split.Find(point);
+    if (side == 0)
     {
-      const std::int64_t isOnSide = sideOf[corner] == side ? 1 : 0;
+      continue;
+    }
+    const Block & block = blockAt(point);
+    doubtful |= (block.opposite != 0 ? 1u : 0u) << corner;
+    // Without jumps: which side it is cannot be foreseen.
+    const std::int64_t masks[2] = { side >> 63, ~(side >> 63) };
+    for (unsigned int i = 0; i < 2; ++i)
+    {
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        positions[side][axis] += (wall.corners[corner][axis] - wall.a[axis]) & -isOnSide;
+        positions[i][axis] += (point[axis] - wall.a[axis]) & masks[i];
       }
-      numbersOfPoints[side] += isOnSide;
+      numbersOfPoints[i] -= masks[i];
+      sums[i] += block.sums & masks[i];
+      toUpper[i] += block.toUpper & masks[i];
     }
   }
 
@@ -352,30 +364,20 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall,
     direction.step = GetStep(across);
     direction.knowsOut = false;
   }
-  PackedSums sums[2] = {};
-  PackedSums toUpper[2] = {};
-  for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
+  for (; doubtful != 0; doubtful &= doubtful - 1)
   {
-    if (sideOf[corner] == 2)
-    {
-      continue;
-    }
-    const Block & block = blockAt(wall.corners[corner]);
-    if (block.opposite != 0 && !direction.knowsOut)
+    const MedialVoxelIndex & point = wall.corners[static_cast<unsigned int>(MedialVoxelLowestBit(doubtful))];
+    const unsigned int       side = split.Find(point) < 0 ? 0 : 1;
+    if (!direction.knowsOut)
     {
       FindWaysOut(direction);
     }
     // Those of another wall behind a narrow gap: out of the wall, with one at the opposite offset.
-    const BlockType    ofOtherWall = block.opposite & direction.out[sideOf[corner]];
-    const bool         isAlone = ofOtherWall == 0;
-    const BlockType    voxels = block.voxels & ~ofOtherWall;
-    const PackedSums   ofBlock = isAlone ? block.sums : SumsOf(voxels);
-    const PackedSums   ofUpper = isAlone ? block.toUpper : SumsToUpper(voxels);
-    const std::int64_t isOnUpperSide = sideOf[corner];
-    sums[0] += ofBlock & (isOnUpperSide - 1);
-    toUpper[0] += ofUpper & (isOnUpperSide - 1);
-    sums[1] += ofBlock & -isOnUpperSide;
-    toUpper[1] += ofUpper & -isOnUpperSide;
+    const Block &   block = blockAt(point);
+    const BlockType ofOtherWall = block.opposite & direction.out[side];
+    const BlockType voxels = block.voxels & ~ofOtherWall;
+    sums[side] += SumsOf(voxels) - block.sums;
+    toUpper[side] += SumsToUpper(voxels) - block.toUpper;
   }
   const Side   sides[2] = { { numbersOfPoints[0], sums[0], toUpper[0], m_BlockVoxels },
                             { numbersOfPoints[1], sums[1], toUpper[1], m_BlockVoxels } };

@@ -123,7 +123,10 @@ public:
     void
     Clear()
     {
-      m_Numbers.assign(NumberOfPlaces, 0);
+      for (Place & place : m_Places)
+      {
+        place.number = 0;
+      }
     }
 
   private:
@@ -132,9 +135,14 @@ public:
     static constexpr unsigned int BitsOfPlace = 11;
     static constexpr std::size_t  NumberOfPlaces = std::size_t{ 1 } << BitsOfPlace;
 
-    std::vector<std::size_t> m_Numbers = std::vector<std::size_t>(NumberOfPlaces); // of the points, from 1 on
-    std::vector<Block>       m_Blocks = std::vector<Block>(NumberOfPlaces);
-    Direction                m_Direction; // of the last wall
+    struct Place
+    {
+      std::size_t number{ 0 }; // of the point, from 1 on
+      Block       block;
+    };
+
+    std::vector<Place> m_Places = std::vector<Place>(NumberOfPlaces);
+    Direction          m_Direction; // of the last wall
   };
 
   /** \param object  bits of all voxels that are neighbors of the boundary points and in the image */
