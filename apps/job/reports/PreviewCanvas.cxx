@@ -68,15 +68,6 @@ Canvas::GetPixel(unsigned int x, unsigned int y) const
 }
 
 void
-Canvas::SetPixel(unsigned int x, unsigned int y, const Color & color)
-{
-  if (x < m_Width && y < m_Height)
-  {
-    std::copy(color.begin(), color.end(), m_Pixels.begin() + 3 * (size_t{ y } * m_Width + x));
-  }
-}
-
-void
 Canvas::FillRectangle(const Rectangle & area, const Color & color)
 {
   for (unsigned int y = area.y; y < area.y + area.height; ++y)

@@ -6,6 +6,7 @@
 #include "ColorMap.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -49,7 +50,16 @@ public:
   GetPixel(unsigned int x, unsigned int y) const;
 
   void
-  SetPixel(unsigned int x, unsigned int y, const Color & color);
+  SetPixel(unsigned int x, unsigned int y, const Color & color)
+  {
+    if (x < m_Width && y < m_Height)
+    {
+      std::uint8_t * const pixel = &m_Pixels[std::size_t{ 3 } * (std::size_t{ y } * m_Width + x)];
+      pixel[0] = color[0];
+      pixel[1] = color[1];
+      pixel[2] = color[2];
+    }
+  }
 
   void
   FillRectangle(const Rectangle & area, const Color & color);

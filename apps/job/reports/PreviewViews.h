@@ -131,15 +131,29 @@ DrawView(Canvas &          canvas,
          bool              upwards,
          TColor &&         getColor)
 {
+  using Range = std::array<std::uint64_t, 2>;
+  std::vector<Range> columns(area.width);
+  for (unsigned int column = 0; column < area.width; ++column)
+  {
+    columns[column] = GetCoveredVoxels(column, area.width, width);
+  }
+  std::vector<Color> colors(area.width);
+  Range              last{};
   for (unsigned int row = 0; row < area.height; ++row)
   {
     itk::MedialVoxelPoll();
-    const auto rows = GetCoveredVoxels(upwards ? area.height - 1 - row : row, area.height, height);
+    const Range rows = GetCoveredVoxels(upwards ? area.height - 1 - row : row, area.height, height);
     for (unsigned int column = 0; column < area.width; ++column)
     {
-      const CoveredArea covered{ GetCoveredVoxels(column, area.width, width), rows };
-      canvas.SetPixel(area.x + column, area.y + row, getColor(covered));
+      // Pixels side by side often cover the same.
+      if (rows != last)
+      {
+        const bool isSame = column > 0 && columns[column] == columns[column - 1];
+        colors[column] = isSame ? colors[column - 1] : getColor(CoveredArea{ columns[column], rows });
+      }
+      canvas.SetPixel(area.x + column, area.y + row, colors[column]);
     }
+    last = rows;
   }
   canvas.DrawFrame(area, PreviewFrameColor);
 }
