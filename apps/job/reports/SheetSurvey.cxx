@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -54,6 +57,80 @@ AddCells(const itk::MedialVoxelCellRow & row, WordType cells)
   return sums;
 }
 
+/** Calls function(cell, sums) for cells of a row that are in one block of the level, with the first of them. */
+template <typename TFunction>
+void
+ForEachPart(const itk::MedialVoxelClassifiedTile & tile, double lengthUnit, unsigned int level, TFunction && function)
+{
+  auto wall = tile.walls.begin();
+  for (const itk::MedialVoxelCellRow & row : tile.rows)
+  {
+    for (WordType rest = row.byBound | row.byGeodesic; rest != 0;)
+    {
+      const int             first = itk::MedialVoxelLowestBit(rest);
+      itk::MedialVoxelIndex cell = row.first;
+      cell[0] += first;
+      const WordType inBlock = rest & GetBlockMask(cell[0], first, level);
+      rest &= ~inBlock;
+      SheetPoints::Sums sums = AddCells(row, inBlock);
+      for (WordType measured = row.measured & inBlock; measured != 0; measured &= measured - 1)
+      {
+        AddWall(*wall++, lengthUnit, sums);
+      }
+      function(cell, sums);
+    }
+  }
+}
+
+/** The sums of all blocks of a tile: a ninth of a byte for each of its voxels. */
+class BlocksOfTile
+{
+public:
+  /** Of smaller blocks a tile has too many. */
+  static constexpr unsigned int LeastLevel = 3;
+
+  BlocksOfTile(const itk::MedialVoxelBox & tile, unsigned int level)
+    : m_Level(level)
+  {
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      m_Blocks.lower[axis] = tile.lower[axis] >> level;
+      m_Blocks.upper[axis] = ((tile.upper[axis] - 1) >> level) + 1;
+    }
+    m_Sums.resize(static_cast<std::size_t>(m_Blocks.NumberOfVoxels()));
+  }
+
+  void
+  Add(const itk::MedialVoxelIndex & cell, const SheetPoints::Sums & sums)
+  {
+    m_Sums[m_Blocks.OffsetOf({ { cell[0] >> m_Level, cell[1] >> m_Level, cell[2] >> m_Level } })].Add(sums);
+  }
+
+  void
+  AddTo(SheetPoints & points) const
+  {
+    auto sums = m_Sums.begin();
+    for (std::int64_t z = m_Blocks.lower[2]; z < m_Blocks.upper[2]; ++z)
+    {
+      for (std::int64_t y = m_Blocks.lower[1]; y < m_Blocks.upper[1]; ++y)
+      {
+        for (std::int64_t x = m_Blocks.lower[0]; x < m_Blocks.upper[0]; ++x, ++sums)
+        {
+          if (sums->cells > 0)
+          {
+            points.Add({ { x << m_Level, y << m_Level, z << m_Level } }, *sums);
+          }
+        }
+      }
+    }
+  }
+
+private:
+  unsigned int                   m_Level;
+  itk::MedialVoxelBox            m_Blocks;
+  std::vector<SheetPoints::Sums> m_Sums; // x fastest
+};
+
 } // namespace
 
 SheetSurvey::SheetSurvey(const VolumeGeometry & geometry, double lengthUnit)
@@ -71,31 +148,31 @@ SheetSurvey::Begin()
 void
 SheetSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
 {
-  const std::lock_guard<std::mutex> lock(m_Mutex);
-  auto                              wall = tile.walls.begin();
-  for (const itk::MedialVoxelCellRow & row : tile.rows)
+  std::unique_lock<std::mutex> lock(m_Mutex);
+  const unsigned int           level = m_Pending.GetLevel();
+  if (level < BlocksOfTile::LeastLevel)
   {
-    for (WordType rest = row.byBound | row.byGeodesic; rest != 0;)
-    {
-      const int             first = itk::MedialVoxelLowestBit(rest);
-      itk::MedialVoxelIndex cell = row.first;
-      cell[0] += first;
-      const WordType inBlock = rest & GetBlockMask(cell[0], first, m_Pending.GetLevel());
-      rest &= ~inBlock;
-      SheetPoints::Sums sums = AddCells(row, inBlock);
-      for (WordType measured = row.measured & inBlock; measured != 0; measured &= measured - 1)
-      {
-        AddWall(*wall++, m_LengthUnit, sums);
-      }
-      m_Pending.Add(cell, sums);
-    }
+    ForEachPart(tile, m_LengthUnit, level, [this](const auto & cell, const auto & sums) { m_Pending.Add(cell, sums); });
+    return;
   }
+  lock.unlock();
+  BlocksOfTile blocks(tile.box, level);
+  ForEachPart(tile, m_LengthUnit, level, [&blocks](const auto & cell, const auto & sums) { blocks.Add(cell, sums); });
+  lock.lock();
+  blocks.AddTo(m_Pending);
 }
 
 void
 SheetSurvey::Commit()
 {
-  m_Total.Add(m_Pending);
+  if (m_Total.GetNumberOfPoints() == 0)
+  {
+    std::swap(m_Total, m_Pending);
+  }
+  else
+  {
+    m_Total.Add(m_Pending);
+  }
   m_Pending.Clear(m_Total.GetLevel());
 }
 
