@@ -21,6 +21,9 @@ constexpr std::size_t MostSortedTiles = 4096;
 /** Parts of a window for each worker, so that no worker waits long for the last part of another one. */
 constexpr std::int64_t PartsPerWorker = 4;
 
+/** Workers from which a window that has to grow is copied by all of them: fewer gain less than its memory costs. */
+constexpr unsigned int ManyWorkers = 4;
+
 bool
 IsLarger(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
 {
@@ -168,9 +171,10 @@ void
 MedialVoxelSlabSchedule::Complete(const Work & work, const double seconds)
 {
   const auto slab = this->FindSlab(work.slab);
-  if (work.phase == Phase::Process && this->SortsTiles(*slab))
+  const bool wasDeferred = !slab->deferred.empty() && slab->deferred.back() == work.box;
+  if (work.phase == Phase::Process && !wasDeferred && this->SortsTiles(slab->numberOfTiles))
   {
-    m_State.tileSeconds[this->GetColumn(work.box)] = seconds;
+    m_State.balance.Record(work.box, m_Plan.GetSlowestAxis(), seconds);
   }
   --slab->numberOfTaken;
   if (!slab->waiting.empty() || slab->numberOfTaken > 0)
@@ -321,6 +325,11 @@ MedialVoxelSlabSchedule::MoveWindow(Slab & slab)
   }
   slab.window = m_Slabs.empty() ? nearest : free;
   const bool hasNothing = CountShared(windows[slab.window], input) == 0;
+  const bool isKept = hasNothing || windows[slab.window].GetObject().GetBox() == input;
+  if (m_NumberOfWorkers >= ManyWorkers && !isKept && this->TryNewWindow(slab, slab.window))
+  {
+    return true;
+  }
   if (this->TryWindow(slab, slab.window, hasNothing))
   {
     return true;
@@ -344,20 +353,41 @@ MedialVoxelSlabSchedule::TryWindow(Slab & slab, const std::size_t number, const 
 {
   MedialVoxelMovingWindow & window = m_State.windows[number];
   MedialVoxelMovingWindow & other = m_State.windows[1 - number];
-  std::uint64_t             workers = this->BytesOfWorkers(slab);
-  for (const Slab & running : m_Slabs)
-  {
-    workers = std::max(workers, this->BytesOfWorkers(running));
-  }
-  const std::uint64_t moved =
+  const std::uint64_t       moved =
     copies ? window.GetBytesToCopy(slab.sites, slab.room) : window.GetBytesToMove(slab.sites, slab.room);
-  if (!m_Plan.IsWithinLimit(moved + other.GetReservedBytes() + workers))
+  if (!this->IsWithinLimit(slab, moved + other.GetReservedBytes()))
   {
     return false;
   }
   slab.window = number;
   window.BeginMove(slab.sites, slab.room, copies ? &other : nullptr);
   return true;
+}
+
+bool
+MedialVoxelSlabSchedule::TryNewWindow(Slab & slab, const std::size_t number)
+{
+  Windows &           windows = m_State.windows;
+  const std::uint64_t moved = m_State.old.GetBytesToCopy(slab.sites, slab.room);
+  if (!this->IsWithinLimit(slab, moved + windows[0].GetReservedBytes() + windows[1].GetReservedBytes()))
+  {
+    return false;
+  }
+  slab.window = number;
+  std::swap(windows[number], m_State.old);
+  windows[number].BeginMove(slab.sites, slab.room, &m_State.old);
+  return true;
+}
+
+bool
+MedialVoxelSlabSchedule::IsWithinLimit(const Slab & slab, const std::uint64_t bytesOfWindows) const
+{
+  std::uint64_t workers = this->BytesOfWorkers(slab);
+  for (const Slab & running : m_Slabs)
+  {
+    workers = std::max(workers, this->BytesOfWorkers(running));
+  }
+  return m_Plan.IsWithinLimit(bytesOfWindows + workers);
 }
 
 /** What they have grown for one slab they keep for others of the region. */
@@ -412,12 +442,14 @@ MedialVoxelSlabSchedule::EnterPhase(Slab & slab, const Phase phase)
       boxes = window.CutToMark(parts);
       break;
     case Phase::Process:
-      slab.numberOfTiles = slab.tiles.size();
+      m_State.old.Clear();
       boxes = std::exchange(slab.tiles, {});
-      if (this->SortsTiles(slab))
+      if (this->SortsTiles(boxes.size()))
       {
-        this->SortTiles(boxes);
+        boxes = m_State.balance.Balance(
+          boxes, { m_Plan.GetSlowestAxis(), m_NumberOfWorkers, slab.wasDeferred, m_Pending.empty() });
       }
+      slab.numberOfTiles = boxes.size();
   }
   slab.waiting.assign(boxes.begin(), boxes.end());
   if (slab.waiting.empty())
@@ -427,32 +459,9 @@ MedialVoxelSlabSchedule::EnterPhase(Slab & slab, const Phase phase)
 }
 
 bool
-MedialVoxelSlabSchedule::SortsTiles(const Slab & slab) const
+MedialVoxelSlabSchedule::SortsTiles(const std::size_t number) const
 {
-  return m_NumberOfWorkers > 1 && slab.numberOfTiles <= MostSortedTiles;
-}
-
-/** Long tiles first, so that threads end together: those of a slab mostly take as long as those before them. */
-void
-MedialVoxelSlabSchedule::SortTiles(std::vector<MedialVoxelBox> & tiles) const
-{
-  std::vector<std::pair<double, MedialVoxelBox>> timed;
-  for (const MedialVoxelBox & tile : tiles)
-  {
-    const auto found = m_State.tileSeconds.find(this->GetColumn(tile));
-    timed.emplace_back(found == m_State.tileSeconds.end() ? 0.0 : found->second, tile);
-  }
-  std::stable_sort(timed.begin(), timed.end(), [](const auto & a, const auto & b) { return a.first > b.first; });
-  std::transform(timed.begin(), timed.end(), tiles.begin(), [](const auto & tile) { return tile.second; });
-}
-
-/** Where a tile lies within its slab. */
-MedialVoxelIndex
-MedialVoxelSlabSchedule::GetColumn(const MedialVoxelBox & tile) const
-{
-  MedialVoxelIndex column = tile.lower;
-  column[m_Plan.GetSlowestAxis()] = 0;
-  return column;
+  return m_NumberOfWorkers > 1 && number <= MostSortedTiles;
 }
 
 void

@@ -4,13 +4,13 @@
 #define itkMedialVoxelSlabSchedule_h
 
 #include "itkMedialVoxelSlabPlan.h"
+#include "itkMedialVoxelTileBalance.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <list>
-#include <map>
 #include <optional>
 #include <vector>
 
@@ -40,11 +40,12 @@ public:
   /** What one region leaves for the next one. */
   struct State
   {
-    Windows                            windows;
-    MedialVoxelIndex                   halo;                 ///< that the next slab begins with
-    std::map<MedialVoxelIndex, double> tileSeconds{};        ///< of the last tile at a place within the slabs
-    Layout                             lastLayout{};         ///< of the last slab
-    std::uint64_t                      numberOfLayouts{ 0 }; ///< that followed each other
+    Windows                 windows;
+    MedialVoxelMovingWindow old;                  ///< that a window is copied from which cannot stay in place
+    MedialVoxelIndex        halo;                 ///< that the next slab begins with
+    MedialVoxelTileBalance  balance{};            ///< of tiles that were done
+    Layout                  lastLayout{};         ///< of the last slab
+    std::uint64_t           numberOfLayouts{ 0 }; ///< that followed each other
   };
 
   /** What is done with a slab, one after the other. */
@@ -179,6 +180,14 @@ private:
   bool
   TryWindow(Slab & slab, std::size_t number, bool copies);
 
+  /** Begin to copy what a window has to a new one, which all threads do; false when the memory does not suffice. */
+  bool
+  TryNewWindow(Slab & slab, std::size_t number);
+
+  /** Whether windows of so many bytes fit the memory together with the workers of all slabs. */
+  bool
+  IsWithinLimit(const Slab & slab, std::uint64_t bytesOfWindows) const;
+
   bool
   ReadsAhead() const
   {
@@ -199,13 +208,7 @@ private:
   EnterNextPhase(Slab & slab);
 
   bool
-  SortsTiles(const Slab & slab) const;
-
-  void
-  SortTiles(std::vector<MedialVoxelBox> & tiles) const;
-
-  MedialVoxelIndex
-  GetColumn(const MedialVoxelBox & tile) const;
+  SortsTiles(std::size_t number) const;
 
   void
   EndIfDone(std::list<Slab>::iterator slab);

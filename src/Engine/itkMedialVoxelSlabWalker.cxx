@@ -9,7 +9,7 @@ namespace itk
 
 MedialVoxelSlabWalker::MedialVoxelSlabWalker(const MedialVoxelGrid & grid, const Settings & settings)
   : m_Plan(grid, settings)
-  , m_State{ { m_Plan.MakeWindow(), m_Plan.MakeWindow() }, settings.halo }
+  , m_State{ { m_Plan.MakeWindow(), m_Plan.MakeWindow() }, m_Plan.MakeWindow(), settings.halo }
 {}
 
 std::uint64_t
@@ -63,6 +63,7 @@ MedialVoxelSlabWalker::Run(const MedialVoxelBox &  region,
     {
       window.Clear();
     }
+    m_State.old.Clear();
     throw;
   }
 }
@@ -70,7 +71,7 @@ MedialVoxelSlabWalker::Run(const MedialVoxelBox &  region,
 std::uint64_t
 MedialVoxelSlabWalker::GetReservedBytes() const
 {
-  return m_State.windows[0].GetReservedBytes() + m_State.windows[1].GetReservedBytes();
+  return m_State.windows[0].GetReservedBytes() + m_State.windows[1].GetReservedBytes() + m_State.old.GetReservedBytes();
 }
 
 } // end namespace itk

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelTileBalance.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace itk
+{
+
+namespace
+{
+
+/** Tiles for each worker in a slab of tiles that take long. */
+constexpr double TilesPerWorker = 4.0;
+
+/** Of the time that a slab takes, the most that one of its tiles may take. */
+constexpr double ShareOfLongestTile = 0.5;
+
+/** Workers from which tiles are split: parts repeat more of the work of the halo, which fewer do not gain back. */
+constexpr unsigned int ManyWorkers = 32;
+
+/** Parts of tiles have no fewer rows and slices; they keep their columns, whose words belong together. */
+constexpr MedialVoxelIndex SmallestPart{ { 0, 16, 4 } };
+
+/** Where a tile lies within its slab. */
+MedialVoxelIndex
+GetColumn(const MedialVoxelBox & tile, const unsigned int slowestAxis)
+{
+  MedialVoxelIndex column = tile.lower;
+  column[slowestAxis] = 0;
+  return column;
+}
+
+std::vector<MedialVoxelBox>
+Halve(const std::vector<MedialVoxelBox> & parts, const unsigned int axis)
+{
+  std::vector<MedialVoxelBox> halves;
+  for (const MedialVoxelBox & part : parts)
+  {
+    const std::int64_t middle = part.lower[axis] + part.Extent(axis) / 2;
+    halves.push_back(part);
+    halves.back().upper[axis] = middle;
+    halves.push_back(part);
+    halves.back().lower[axis] = middle;
+  }
+  return halves;
+}
+
+} // namespace
+
+void
+MedialVoxelTileBalance::Record(const MedialVoxelBox & tile, const unsigned int slowestAxis, const double seconds)
+{
+  m_VoxelSeconds[GetColumn(tile, slowestAxis)] = seconds / static_cast<double>(tile.NumberOfVoxels());
+}
+
+auto
+MedialVoxelTileBalance::Sort(const std::vector<MedialVoxelBox> & tiles, const unsigned int slowestAxis) const
+  -> std::vector<TimedTile>
+{
+  std::vector<TimedTile> sorted;
+  for (const MedialVoxelBox & tile : tiles)
+  {
+    const auto   found = m_VoxelSeconds.find(GetColumn(tile, slowestAxis));
+    const double ofVoxel = found == m_VoxelSeconds.end() ? 0.0 : found->second;
+    sorted.push_back({ ofVoxel * static_cast<double>(tile.NumberOfVoxels()), tile });
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto & a, const auto & b) { return a.seconds > b.seconds; });
+  return sorted;
+}
+
+std::vector<MedialVoxelBox>
+MedialVoxelTileBalance::Balance(const std::vector<MedialVoxelBox> & tiles, const Slab & slab) const
+{
+  const std::vector<TimedTile> sorted = this->Sort(tiles, slab.slowestAxis);
+  double                       rest = 0.0;
+  for (const TimedTile & tile : sorted)
+  {
+    rest += tile.seconds;
+  }
+  const double                workers = slab.numberOfWorkers;
+  const double                most = slab.numberOfWorkers < ManyWorkers ? 1.0 : workers;
+  const double                wanted = slab.wasDeferred ? TilesPerWorker * workers : workers;
+  const double                least = wanted / static_cast<double>(tiles.size());
+  std::vector<MedialVoxelBox> balanced;
+  for (const TimedTile & tile : sorted)
+  {
+    const double longest = ShareOfLongestTile * rest / workers;
+    const double parts = std::max(least, longest > 0.0 ? tile.seconds / longest : 0.0);
+    const auto   boxes = Split(tile.box, static_cast<std::int64_t>(std::min(parts, most)));
+    balanced.insert(balanced.end(), boxes.begin(), boxes.end());
+    rest -= slab.isLast ? tile.seconds : 0.0;
+  }
+  return balanced;
+}
+
+std::vector<MedialVoxelBox>
+MedialVoxelTileBalance::Split(const MedialVoxelBox & tile, const std::int64_t number)
+{
+  std::vector<MedialVoxelBox> parts{ tile };
+  while (2 * static_cast<std::int64_t>(parts.size()) <= number)
+  {
+    const MedialVoxelBox & part = parts.front();
+    const unsigned int     axis = part.Extent(1) / SmallestPart[1] >= part.Extent(2) / SmallestPart[2] ? 1 : 2;
+    if (part.Extent(axis) < 2 * SmallestPart[axis])
+    {
+      break;
+    }
+    parts = Halve(parts, axis);
+  }
+  return parts;
+}
+
+} // end namespace itk

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelTileBalance_h
+#define itkMedialVoxelTileBalance_h
+
+#include "itkMedialVoxelGrid.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelTileBalance
+ * \brief The order of the tiles of a slab, and the parts of long ones, so that threads end together.
+ *
+ * Tiles of a slab mostly take as long as those at the same place in the slab before. Order and parts have no influence
+ * on results.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelTileBalance
+{
+public:
+  /** What is known of a slab beside its tiles. */
+  struct Slab
+  {
+    unsigned int slowestAxis{ 2 };
+    unsigned int numberOfWorkers{ 1 };
+    bool         wasDeferred{ false }; ///< of tiles that needed more than others: they take long
+    bool         isLast{ false };      ///< threads find nothing else when they are done with it
+  };
+
+  /** Remember the seconds that a tile took. */
+  void
+  Record(const MedialVoxelBox & tile, unsigned int slowestAxis, double seconds);
+
+  /** The tiles, long ones first, in parts where many threads would have to wait for the last of them. */
+  std::vector<MedialVoxelBox>
+  Balance(const std::vector<MedialVoxelBox> & tiles, const Slab & slab) const;
+
+  /** Parts of \a tile of nearly equal size, at most \a number, and the tile as a whole where parts would be too small.
+   */
+  static std::vector<MedialVoxelBox>
+  Split(const MedialVoxelBox & tile, std::int64_t number);
+
+private:
+  struct TimedTile
+  {
+    double         seconds; // that it will probably take; 0: nothing is known
+    MedialVoxelBox box;
+  };
+
+  std::vector<TimedTile>
+  Sort(const std::vector<MedialVoxelBox> & tiles, unsigned int slowestAxis) const;
+
+  std::map<MedialVoxelIndex, double> m_VoxelSeconds; // of the last tile at a place within the slabs
+};
+
+} // end namespace itk
+
+#endif
