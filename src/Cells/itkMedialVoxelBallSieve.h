@@ -42,7 +42,7 @@ public:
   struct Workspace
   {
     MedialVoxelBox                   box;    // of the blocks
-    std::vector<std::vector<double>> layers; // of values of blocks, by the blocks that balls reach
+    std::vector<std::vector<double>> layers; // of values of blocks, by the blocks that balls reach; 0: of the survey
     std::vector<double>              spread;
   };
 
@@ -56,9 +56,9 @@ public:
   static double
   GetLargest(const MedialVoxelIndex & cell, const Workspace & workspace);
 
-  /** Keeps what may matter; balls and cells of \a open stay in their order. The workspace serves once after a survey.
+  /** Keeps what may matter; balls and cells of \a open stay in their order.
    *
-   * \param cells  bits by index of the cell, ranked, of the box of the survey
+   * \param cells  bits by index of the cell, ranked, in the box of the survey
    * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set
    * \param all    the balls of the survey
    * \param balls  replaced by those that may be larger than the radius of a cell which they cover

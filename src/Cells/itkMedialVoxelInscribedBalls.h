@@ -54,10 +54,10 @@ public:
     return MedialVoxelBallSieve::GetLargest(cell, workspace.sieve);
   }
 
-  /** Raise the radius of each cell of \a cells to that of the largest ball that covers it, once after a survey.
+  /** Raise the radius of each cell of \a cells to that of the largest ball that covers it, after a survey.
    *
    * \param balls  those of the survey
-   * \param cells  bits by index of the cell, ranked, of the box of the survey
+   * \param cells  bits by index of the cell, ranked, in the box of the survey
    * \param radii  of the cells, in metric units, in the order x, y, z of the bits that are set; 0 where a cell has none
    */
   void

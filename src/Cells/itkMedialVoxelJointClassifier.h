@@ -80,6 +80,13 @@ public:
       return m_Separation;
     }
 
+    /** The balls in and around the tile and their survey, for thresholds of more cells. */
+    MedialVoxelLocalThreshold::Workspace &
+    GetSurvey()
+    {
+      return m_Threshold;
+    }
+
   private:
     friend class MedialVoxelJointClassifier;
 
@@ -141,12 +148,6 @@ public:
   static bool
   GetPair(const Workspace & workspace, const MedialVoxelIndex & cell, MedialVoxelIndex & a, MedialVoxelIndex & b);
 
-  /** The balls in and around the tile that Classify() has decided last. */
-  static const std::vector<MedialVoxelInscribedBall> &
-  GetBalls(const Workspace & workspace)
-  {
-    return workspace.m_Threshold.balls;
-  }
 
 private:
   using Query = MedialVoxelSeparationQuery;

@@ -82,9 +82,7 @@ MedialVoxelLocalThreshold::FindRadius(const MedialVoxelFeatures & features, cons
 }
 
 void
-MedialVoxelLocalThreshold::Compute(const std::vector<MedialVoxelInscribedBall> & balls,
-                                   const MedialVoxelFeatures &                   features,
-                                   Workspace &                                   workspace) const
+MedialVoxelLocalThreshold::FindRadii(const MedialVoxelFeatures & features, Workspace & workspace) const
 {
   const MedialVoxelBits & cells = workspace.cells.GetBits();
   const MedialVoxelBox &  box = cells.GetBox();
@@ -106,7 +104,15 @@ MedialVoxelLocalThreshold::Compute(const std::vector<MedialVoxelInscribedBall> &
       }
     }
   }
-  m_Cover.Survey(box, balls, workspace.cover);
+}
+
+void
+MedialVoxelLocalThreshold::Compute(const std::vector<MedialVoxelInscribedBall> & balls,
+                                   const MedialVoxelFeatures &                   features,
+                                   Workspace &                                   workspace) const
+{
+  this->FindRadii(features, workspace);
+  m_Cover.Survey(workspace.cells.GetBits().GetBox(), balls, workspace.cover);
   m_Cover.Raise(balls, workspace.cells, workspace.cover, workspace.radii);
 }
 

@@ -80,11 +80,11 @@ public:
     return std::max(radius, MedialVoxelInscribedBalls::GetLargest(cell, workspace.cover));
   }
 
-  /** Raise the radii of the cells of a workspace, d(p) or 0 at first, to LT(p) in metric units, once after a survey. */
+  /** Raise the radii of the cells of a workspace, d(p) or 0 at first, to LT(p) in metric units, after its survey. */
   void
   RaiseRadii(Workspace & workspace) const
   {
-    m_Cover.Raise(workspace.balls, workspace.cells, workspace.cover, workspace.radii);
+    this->RaiseRadii(workspace, workspace);
   }
 
   /** d(p) in metric units of any cell; 0 where it has no ball.
@@ -102,6 +102,21 @@ public:
   RadiusBelow(const double epsilon) const
   {
     return epsilon / (m_Parameters.thicknessFactor * m_Unit);
+  }
+
+  /** Find the radii of the cells of a workspace, d(p) or 0 in metric units, in the order of their ranks.
+   *
+   * \param features  displacements of the corners of the cells */
+  void
+  FindRadii(const MedialVoxelFeatures & features, Workspace & workspace) const;
+
+  /** Raise the radii of the cells of a workspace to LT(p), or leave those as they are that are larger.
+   *
+   * \param surveyed  a workspace with the balls and the survey of a tile that has the cells */
+  void
+  RaiseRadii(Workspace & surveyed, Workspace & workspace) const
+  {
+    m_Cover.Raise(surveyed.balls, workspace.cells, surveyed.cover, workspace.radii);
   }
 
   /** Find LT(p) of the cells of a workspace, in metric units, in the order of their ranks.

@@ -22,6 +22,9 @@ constexpr double TowardsNeighbors = 0.6;
 
 constexpr std::uint32_t CellsHandedOnAtATime = 1u << 13;
 
+/** Vertices of a slice up to which its memory is kept for the next one. */
+constexpr std::size_t MostSpareVertices = std::size_t{ 1 } << 16;
+
 /** That no plane with rational coefficients holds. */
 constexpr std::array<double, 3> FrontDirection{ { 1.0, 1.4142135623730951, 1.7320508075688772 } };
 
@@ -192,12 +195,22 @@ MedialVoxelSurfaceBuilder::FindNeighborsToFollow(Slice & slice)
   }
 }
 
+auto
+MedialVoxelSurfaceBuilder::AddEmptySlice() -> Slice &
+{
+  m_Slices.push_back(std::exchange(m_Spare, {}));
+  Slice & slice = m_Slices.back();
+  slice.secondNeighbors.clear();
+  slice.offsets.clear();
+  slice.points.clear();
+  return slice;
+}
+
 /** Make the newest slice of cells, and join it with the one before, which then has all of its neighbors. */
 void
 MedialVoxelSurfaceBuilder::Append(std::vector<MedialVoxelSurfaceCell> cells)
 {
-  m_Slices.emplace_back();
-  Slice & slice = m_Slices.back();
+  Slice & slice = this->AddEmptySlice();
   slice.firstVertex = m_NumberOfVertices;
   m_NumberOfVertices += cells.size();
   ++m_NextSlice;
@@ -239,6 +252,10 @@ MedialVoxelSurfaceBuilder::Push(std::vector<MedialVoxelSurfaceCell> cells)
   // Quadrilaterals of a slice and its last step need the slice before it.
   if (newest > NumberOfSteps)
   {
+    if (m_Slices.front().cells.size() <= MostSpareVertices)
+    {
+      m_Spare = std::move(m_Slices.front());
+    }
     m_Slices.pop_front();
   }
 }
@@ -340,8 +357,11 @@ MedialVoxelSurfaceBuilder::HandOn(const std::size_t at)
     m_Consumer.AddQuads(m_Quads);
   }
   // The next slice needs the step before, and the points.
-  Offsets().swap(slice.offsets);
-  decltype(slice.followed)().swap(slice.followed);
+  if (numberOfCells > MostSpareVertices)
+  {
+    Offsets().swap(slice.offsets);
+    decltype(slice.followed)().swap(slice.followed);
+  }
 }
 
 MedialVoxelSurfaceQuad

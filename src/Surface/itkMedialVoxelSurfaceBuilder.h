@@ -128,6 +128,9 @@ private:
   static void
   FindNeighborsToFollow(Slice & slice);
 
+  Slice &
+  AddEmptySlice();
+
   void
   Append(std::vector<MedialVoxelSurfaceCell> cells);
 
@@ -152,6 +155,7 @@ private:
   MedialVoxelSurfaceConsumer & m_Consumer;
   double                       m_WeightOfPlane{ 0.15 };
   std::deque<Slice>            m_Slices;
+  Slice                        m_Spare; // memory of a slice that is done
   std::int64_t                 m_NextSlice{ 0 };
   std::uint64_t                m_NumberOfVertices{ 0 };
 

@@ -249,15 +249,17 @@ MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
 {
   const MedialVoxelIndex index{ { cell.index[0], cell.index[1], cell.index[2] } };
   MedialVoxelSurfaceFit  fit;
-  MedialVoxelWall        wall = m_Thickness.Measure(*tile.window.object, points, workspace.thickness);
   if (m_Gray)
   {
-    const auto crossings = m_Gray->FindCrossings(tile.gray, points);
+    MedialVoxelWall wall = m_Thickness.Measure(*tile.window.object, points, workspace.thickness);
+    const auto      crossings = m_Gray->FindCrossings(tile.gray, points);
     m_Gray->Refine(tile.gray, points, crossings, tile.fits, wall);
     this->FitToGrayValues(tile.gray, index, crossed, points, crossings, fit);
+    cell.thickness = wall.thickness;
   }
   else
   {
+    cell.thickness = m_Thickness.MeasureThickness(*tile.window.object, points, workspace.thickness);
     std::array<MedialVoxelSurfaceFit::PointType, 8> corners;
     std::transform(points.corners.begin(), points.corners.end(), corners.begin(), [&](const MedialVoxelIndex & corner) {
       return this->FromCenter(index, corner);
@@ -274,7 +276,6 @@ MedialVoxelSurfaceCells::Place(const MedialVoxelClassifiedTile & tile,
     cell.normal[axis] = static_cast<float>(plane.normal[axis]);
   }
   cell.distance = static_cast<float>(plane.distance);
-  cell.thickness = wall.thickness;
 }
 
 /** Counts in the crossed edges with their boundary points moved; without one next to a point, with both as they are. */

@@ -3,9 +3,11 @@
 #include "itkMedialVoxelSurfaceCrossings.h"
 
 #include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelResolutionBand.h"
 #include "itkMedialVoxelSpreadEdges.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace itk
 {
@@ -40,6 +42,12 @@ ForEachCellAround(const MedialVoxelIndex & voxel,
       visit(cell, number);
     }
   }
+}
+
+MedialVoxelDisplacement
+DifferenceOf(const MedialVoxelSeparationQuery & query)
+{
+  return { { query.a[0] - query.b[0], query.a[1] - query.b[1], query.a[2] - query.b[2] } };
 }
 
 } // namespace
@@ -258,7 +266,9 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
         workspace.m_ThresholdCells.push_back(cell);
       });
     }
-    this->FindThresholds(tile, workspace);
+    this->FindRadii(tile, workspace);
+    this->RaiseByBounds(workspace);
+    m_Threshold.RaiseRadii(tile.classification.joint.GetSurvey(), workspace.m_Threshold);
   }
   MedialVoxelPollCounter poll;
   const auto             isDecided = [&](MedialVoxelSeparationQuery & query) {
@@ -283,9 +293,9 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
   return {};
 }
 
-/** Find the thresholds of the cells that a workspace lists. */
+/** Find the radii of the balls of the cells that a workspace lists. */
 void
-MedialVoxelSurfaceCrossings::FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
+MedialVoxelSurfaceCrossings::FindRadii(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
 {
   auto & cells = workspace.m_Threshold.cells;
   cells.Reshape(workspace.m_Cells.Expanded(m_Grid.GetUnitMargin()).Intersection(m_CellBox));
@@ -294,8 +304,34 @@ MedialVoxelSurfaceCrossings::FindThresholds(const MedialVoxelClassifiedTile & ti
     cells.Set(cell);
   }
   cells.Rank();
-  m_Threshold.Compute(
-    MedialVoxelJointClassifier::GetBalls(tile.classification.joint), tile.features, workspace.m_Threshold);
+  m_Threshold.FindRadii(tile.features, workspace.m_Threshold);
+}
+
+/** Raise the radii of the cells to those whose thresholds all queries around them reach anyway, so that balls need not
+ * raise them so far. */
+void
+MedialVoxelSurfaceCrossings::RaiseByBounds(Workspace & workspace) const
+{
+  auto &                 threshold = workspace.m_Threshold;
+  std::vector<double> &  reached = workspace.m_ReachedRadii;
+  MedialVoxelPollCounter poll;
+  reached.assign(threshold.radii.size(), std::numeric_limits<double>::infinity());
+  for (const MedialVoxelSeparationQuery & query : workspace.m_Queries)
+  {
+    poll.Count();
+    const double            length = std::max(query.bounds.shortest, m_Cell.FreeSpaceLength(DifferenceOf(query)));
+    const double            radius = m_Threshold.RadiusBelow(length * (1.0 - 3.0 * MedialVoxelResolutionBand));
+    const Workspace::Edge & edge = workspace.m_Edges[query.cell];
+    ForEachCellAround(edge.voxel, edge.axis, m_CellBox, [&](const MedialVoxelIndex & cell, unsigned int) {
+      double & ofCell = reached[threshold.cells.RankOf(cell)];
+      ofCell = std::min(ofCell, radius);
+    });
+  }
+  std::transform(reached.begin(),
+                 reached.end(),
+                 threshold.radii.begin(),
+                 threshold.radii.begin(),
+                 [](const double a, const double b) { return std::max(a, b); });
 }
 
 /** Decide a query by its threshold, which it gets, and by bounds; false if they do not suffice. */
@@ -306,11 +342,7 @@ MedialVoxelSurfaceCrossings::DecideAtOnce(MedialVoxelSeparationQuery & query, Wo
   ForEachCellAround(edge.voxel, edge.axis, m_CellBox, [&](const MedialVoxelIndex & cell, unsigned int) {
     query.epsilon = std::max(query.epsilon, this->EpsilonOf(cell, workspace));
   });
-  MedialVoxelDisplacement difference;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    difference[axis] = query.a[axis] - query.b[axis];
-  }
+  const MedialVoxelDisplacement difference = DifferenceOf(query);
   if (m_Cell.IsTrivial(difference, query.epsilon))
   {
     return true;

@@ -86,6 +86,7 @@ public:
     std::vector<MedialVoxelSeparationQuery> m_Queries;
     std::vector<MedialVoxelSeparationQuery> m_QueryOfSplit;
     std::vector<MedialVoxelIndex>           m_ThresholdCells; // that get a threshold
+    std::vector<double>                     m_ReachedRadii;   // of which all queries reach the thresholds
   };
 
   /** \param grid        the image in the units in which its cells are classified
@@ -158,7 +159,10 @@ private:
   DecideTogether(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
 
   void
-  FindThresholds(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+  FindRadii(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+
+  void
+  RaiseByBounds(Workspace & workspace) const;
 
   void
   FindThresholdsOfSplits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;

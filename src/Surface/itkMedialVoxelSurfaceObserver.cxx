@@ -17,7 +17,9 @@ namespace
 
 using CellVector = std::vector<MedialVoxelSurfaceCell>;
 
-/** Vectors that double would take twice the memory. */
+/** Cells up to which those of a slice may take twice the memory while they are gathered or sorted. */
+constexpr std::size_t MostCellsTwice = std::size_t{ 1 } << 16;
+
 void
 Append(const CellVector::const_iterator first, const CellVector::const_iterator last, CellVector & cells)
 {
@@ -25,23 +27,23 @@ Append(const CellVector::const_iterator first, const CellVector::const_iterator 
   if (size > cells.capacity())
   {
     constexpr std::size_t least = 64;
-    cells.reserve(std::max({ size, cells.size() + cells.size() / 8, least }));
+    const std::size_t     surplus = cells.size() < MostCellsTwice ? cells.size() : cells.size() / 8;
+    cells.reserve(std::max({ size, cells.size() + surplus, least }));
   }
   cells.insert(cells.end(), first, last);
 }
 
-/** Cells up to which those of a slice may take twice the memory while they are sorted. */
-constexpr std::size_t MostSortedByRows = std::size_t{ 1 } << 16;
-
-/** Sorts the cells of a slice, which come in pieces whose rows are sorted. */
+/** Sorts the cells of a slice, which come in pieces whose rows are sorted.
+ *
+ * \param sorted  memory that it may exchange for that of the cells */
 void
-SortSlice(CellVector & cells)
+SortSlice(CellVector & cells, CellVector & sorted)
 {
   if (std::is_sorted(cells.begin(), cells.end(), MedialVoxelIsBefore))
   {
     return;
   }
-  if (cells.size() > MostSortedByRows)
+  if (cells.size() > MostCellsTwice)
   {
     std::sort(cells.begin(), cells.end(), MedialVoxelIsBefore);
     return;
@@ -57,7 +59,7 @@ SortSlice(CellVector & cells)
     ++ends[static_cast<std::size_t>(cell.index[1] - first) + 1];
   }
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  CellVector sorted(cells.size());
+  sorted.resize(cells.size());
   for (const MedialVoxelSurfaceCell & cell : cells)
   {
     sorted[ends[static_cast<std::size_t>(cell.index[1] - first)]++] = cell;
@@ -72,7 +74,7 @@ SortSlice(CellVector & cells)
     }
     begin = endOfRow;
   }
-  cells = std::move(sorted);
+  cells.swap(sorted);
 }
 
 } // namespace
@@ -171,6 +173,7 @@ MedialVoxelSurfaceObserver::Observe(const MedialVoxelClassifiedTile &, Workspace
 void
 MedialVoxelSurfaceObserver::Commit()
 {
+  CellVector sorted;
   for (std::size_t slice = 0; slice < m_Pending.size(); ++slice)
   {
     MedialVoxelPoll();
@@ -182,7 +185,7 @@ MedialVoxelSurfaceObserver::Commit()
         cell.part = m_FindPart({ { cell.index[0], cell.index[1], cell.index[2] } });
       }
     }
-    SortSlice(cells);
+    SortSlice(cells, sorted);
     m_Trimmer.AddSlice(m_FirstSlice + static_cast<std::int64_t>(slice), std::move(cells));
   }
   this->Begin();

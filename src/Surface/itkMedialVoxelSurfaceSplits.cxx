@@ -101,7 +101,8 @@ MedialVoxelSurfaceCrossings::FindThresholdsOfSplits(const MedialVoxelClassifiedT
   }
   if (!cells.empty())
   {
-    this->FindThresholds(tile, workspace);
+    this->FindRadii(tile, workspace);
+    m_Threshold.RaiseRadii(tile.classification.joint.GetSurvey(), workspace.m_Threshold);
   }
 }
 

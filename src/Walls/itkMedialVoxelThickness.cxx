@@ -19,25 +19,25 @@ constexpr int CenterOfBlock = 13;
 constexpr unsigned int BitsOfSlice = 9;
 constexpr BlockType    SliceMask = (BlockType{ 1 } << BitsOfSlice) - 1;
 
-/** Sums of object voxels and of their offsets along x and y, side by side in one number, so that they are added at
- * once.
- */
+/** Sums of object voxels and of their offsets along the axes, side by side in one number, so that they are added at
+ * once. */
 using PackedSums = std::int64_t;
 
-constexpr unsigned int BitsOfSum = 20;
+/** Enough for the blocks around eight points. */
+constexpr unsigned int BitsOfSum = 16;
 
 constexpr PackedSums
-PackSums(const std::int64_t number, const std::int64_t x, const std::int64_t y)
+PackSums(const std::int64_t number, const std::int64_t x, const std::int64_t y, const std::int64_t z)
 {
-  return (number * (std::int64_t{ 1 } << BitsOfSum) + x) * (std::int64_t{ 1 } << BitsOfSum) + y;
+  constexpr std::int64_t factor = std::int64_t{ 1 } << BitsOfSum;
+  return ((number * factor + z) * factor + y) * factor + x;
 }
 
 /** The sum in the lowest place of \a sums, which loses it. */
 std::int64_t
 TakeLowest(PackedSums & sums)
 {
-  constexpr std::int64_t half = std::int64_t{ 1 } << (BitsOfSum - 1);
-  const std::int64_t     lowest = ((sums + half) & (2 * half - 1)) - half;
+  const std::int64_t lowest = static_cast<std::int16_t>(sums & 0xFFFF);
   sums = (sums - lowest) >> BitsOfSum;
   return lowest;
 }
@@ -45,8 +45,8 @@ TakeLowest(PackedSums & sums)
 /** What a slice of nine voxels of a block adds. Tables are faster than counting bits. */
 struct Slices
 {
-  std::array<PackedSums, SliceMask + 1>    sums{};
-  std::array<std::uint16_t, SliceMask + 1> mirrored{}; // the bits in reverse order
+  std::array<std::array<PackedSums, SliceMask + 1>, 3> sums{};     // of each slice of a block
+  std::array<std::uint16_t, SliceMask + 1>             mirrored{}; // the bits in reverse order
 };
 
 constexpr Slices
@@ -60,8 +60,13 @@ MakeSlices()
       if (((bits >> bit) & 1u) != 0)
       {
         slices.mirrored[bits] = static_cast<std::uint16_t>(slices.mirrored[bits] | 1u << (BitsOfSlice - 1 - bit));
-        slices.sums[bits] +=
-          PackSums(1, static_cast<std::int64_t>(bit % 3) - 1, static_cast<std::int64_t>(bit / 3) - 1);
+        for (unsigned int z = 0; z < 3; ++z)
+        {
+          slices.sums[z][bits] += PackSums(1,
+                                           static_cast<std::int64_t>(bit % 3) - 1,
+                                           static_cast<std::int64_t>(bit / 3) - 1,
+                                           static_cast<std::int64_t>(z) - 1);
+        }
       }
     }
   }
@@ -89,30 +94,25 @@ PackedSums
 SumsOf(const BlockType block)
 {
   const auto & sums = SliceTable.sums;
-  return sums[SliceOf(block, 0)] + sums[SliceOf(block, 1)] + sums[SliceOf(block, 2)];
-}
-
-PackedSums
-SumsToUpper(const BlockType block)
-{
-  return SliceTable.sums[SliceOf(block, 2)] - SliceTable.sums[SliceOf(block, 0)];
+  return sums[0][SliceOf(block, 0)] + sums[1][SliceOf(block, 1)] + sums[2][SliceOf(block, 2)];
 }
 
 /** Sums over the boundary points of one side of a wall. */
 struct Side
 {
-  Side(const std::int64_t numberOfPoints, PackedSums sums, PackedSums toUpper, const int blockVoxels)
+  Side() = default;
+
+  Side(const std::int64_t numberOfPoints, PackedSums sums, const int blockVoxels)
   {
-    inwards[1] = TakeLowest(sums);
-    inwards[0] = TakeLowest(sums);
+    for (std::int64_t & sum : inwards)
+    {
+      sum = TakeLowest(sums);
+    }
     excess = numberOfPoints * blockVoxels - 2 * sums;
-    TakeLowest(toUpper);
-    TakeLowest(toUpper);
-    inwards[2] = toUpper;
   }
 
-  std::int64_t     excess;    // of background over object voxels around the points
-  MedialVoxelIndex inwards{}; // sum of the offsets of the object voxels
+  std::int64_t     excess{ 0 }; // of background over object voxels around the points
+  MedialVoxelIndex inwards{};   // sum of the offsets of the object voxels
 };
 
 /** The offsets whose bits are 1 higher than that of the center, and so on, each as far along a direction as the one of
@@ -258,28 +258,58 @@ MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
   }
 }
 
+struct MedialVoxelThickness::Span
+{
+  Side                  sides[2];
+  std::array<double, 2> numbers; // of points
+  PositionType          way;     // from the mean of one side to that of the other
+  PositionType          across;  // in voxels, times the distance
+  double                distance;
+  double                step; // of Direction
+};
+
 MedialVoxelWall
 MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const
 {
   Direction direction;
-  return this->MeasureBlocks(
-    wall, direction, [&](const MedialVoxelIndex & point) { return this->GetBlock(object, point); });
+  return this->MeasureSpan(
+    this->FindSpan(wall, direction, [&](const MedialVoxelIndex & point) { return this->GetBlock(object, point); }));
 }
 
 MedialVoxelWall
 MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const
 {
-  return this->MeasureBlocks(wall, memory.m_Direction, [&](const MedialVoxelIndex & point) -> const Block & {
-    constexpr std::uint64_t goldenRatio = 0x9E3779B97F4A7C15u;
-    const std::size_t       number = object.GetBox().OffsetOf(point) + 1;
-    Memory::Place &         place = memory.m_Places[(number * goldenRatio) >> (64 - Memory::BitsOfPlace)];
-    if (place.number != number)
-    {
-      place.number = number;
-      place.block = this->GetBlock(object, point);
-    }
-    return place.block;
-  });
+  const auto blockAt = [&](const MedialVoxelIndex & point) -> const Block & {
+    return this->RecallBlock(object, point, memory);
+  };
+  return this->MeasureSpan(this->FindSpan(wall, memory.m_Direction, blockAt));
+}
+
+float
+MedialVoxelThickness::MeasureThickness(const MedialVoxelBits &       object,
+                                       const MedialVoxelWallPoints & wall,
+                                       Memory &                      memory) const
+{
+  const auto blockAt = [&](const MedialVoxelIndex & point) -> const Block & {
+    return this->RecallBlock(object, point, memory);
+  };
+  return this->ThicknessOf(this->FindSpan(wall, memory.m_Direction, blockAt));
+}
+
+/** The block around a point, from \a memory when it is there. */
+auto
+MedialVoxelThickness::RecallBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point, Memory & memory) const
+  -> const Block &
+{
+  constexpr std::uint64_t goldenRatio = 0x9E3779B97F4A7C15u;
+  const std::size_t       number = object.GetBox().OffsetOf(point) + 1;
+  Memory::Place &         place = memory.m_Places[(number * goldenRatio) >> (64 - Memory::BitsOfPlace)];
+  if (place.number != number)
+  {
+    place.number = number;
+    place.block = this->GetBlock(object, point);
+  }
+  return place.block;
 }
 
 auto
@@ -289,7 +319,6 @@ MedialVoxelThickness::GetBlock(const MedialVoxelBits & object, const MedialVoxel
   block.voxels = this->GetObjectAround(object, point);
   block.opposite = block.voxels & Mirror(block.voxels);
   block.sums = SumsOf(block.voxels);
-  block.toUpper = SumsToUpper(block.voxels);
   return block;
 }
 
@@ -303,16 +332,14 @@ MedialVoxelThickness::FindWaysOut(Direction & direction)
 
 /** \param blockAt  called with a point, tells the block around it */
 template <typename TBlockAt>
-MedialVoxelWall
-MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall,
-                                    Direction &                   direction,
-                                    TBlockAt &&                   blockAt) const
+auto
+MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const
+  -> Span
 {
   const Sides      split(wall);
   MedialVoxelIndex positions[2] = {}; // sums of them, seen from a
   std::int64_t     numbersOfPoints[2] = {};
   PackedSums       sums[2] = {};
-  PackedSums       toUpper[2] = {};
   unsigned int     doubtful = 0; // corners that may see another wall
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
   {
@@ -334,36 +361,32 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall,
       }
       numbersOfPoints[i] -= masks[i];
       sums[i] += block.sums & masks[i];
-      toUpper[i] += block.toUpper & masks[i];
     }
   }
 
-  const double    numbers[2] = { static_cast<double>(numbersOfPoints[0]), static_cast<double>(numbersOfPoints[1]) };
-  const auto &    spacing = m_Grid.GetSpacing();
-  PositionType    across; // in voxels, times the distance
-  double          squaredDistance = 0.0;
-  double          longest = 0.0;
-  double          extent = 0.0; // of a cell across the wall, times the distance
-  MedialVoxelWall measured;
+  Span span;
+  span.numbers = { { static_cast<double>(numbersOfPoints[0]), static_cast<double>(numbersOfPoints[1]) } };
+  const auto & spacing = m_Grid.GetSpacing();
+  double       squaredDistance = 0.0;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const double way =
-      (static_cast<double>(positions[1][axis]) / numbers[1] - static_cast<double>(positions[0][axis]) / numbers[0]) *
-      spacing[axis];
-    across[axis] = way * spacing[axis];
+    const double way = (static_cast<double>(positions[1][axis]) / span.numbers[1] -
+                        static_cast<double>(positions[0][axis]) / span.numbers[0]) *
+                       spacing[axis];
+    span.way[axis] = way;
+    span.across[axis] = way * spacing[axis];
     squaredDistance += way * way;
-    extent += std::abs(across[axis]);
-    measured.axis = static_cast<std::uint8_t>(std::abs(way) > longest ? axis : measured.axis);
-    longest = std::max(longest, std::abs(way));
   }
+  span.distance = std::sqrt(squaredDistance);
 
   // Walls side by side often have the same.
-  if (across != direction.across)
+  if (span.across != direction.across)
   {
-    direction.across = across;
-    direction.step = GetStep(across);
+    direction.across = span.across;
+    direction.step = GetStep(span.across);
     direction.knowsOut = false;
   }
+  span.step = direction.step;
   for (; doubtful != 0; doubtful &= doubtful - 1)
   {
     const MedialVoxelIndex & point = wall.corners[static_cast<unsigned int>(MedialVoxelLowestBit(doubtful))];
@@ -377,17 +400,42 @@ MedialVoxelThickness::MeasureBlocks(const MedialVoxelWallPoints & wall,
     const BlockType ofOtherWall = block.opposite & direction.out[side];
     const BlockType voxels = block.voxels & ~ofOtherWall;
     sums[side] += SumsOf(voxels) - block.sums;
-    toUpper[side] += SumsToUpper(voxels) - block.toUpper;
   }
-  const Side   sides[2] = { { numbersOfPoints[0], sums[0], toUpper[0], m_BlockVoxels },
-                            { numbersOfPoints[1], sums[1], toUpper[1], m_BlockVoxels } };
-  const double distance = std::sqrt(squaredDistance);
+  for (unsigned int side = 0; side < 2; ++side)
+  {
+    span.sides[side] = { numbersOfPoints[side], sums[side], m_BlockVoxels };
+  }
+  return span;
+}
+
+float
+MedialVoxelThickness::ThicknessOf(const Span & span) const
+{
   // The block is three voxels long; a share of one half puts the plane through its center.
-  const double excess =
-    static_cast<double>(sides[0].excess) / numbers[0] + static_cast<double>(sides[1].excess) / numbers[1];
-  const double toFaces = 1.5 * excess / m_BlockVoxels * (direction.step / distance);
-  measured.thickness = static_cast<float>(std::max(m_Smallest, distance - toFaces));
-  measured.area = static_cast<float>(m_CellVolume * distance / extent);
+  const double excess = static_cast<double>(span.sides[0].excess) / span.numbers[0] +
+                        static_cast<double>(span.sides[1].excess) / span.numbers[1];
+  const double toFaces = 1.5 * excess / m_BlockVoxels * (span.step / span.distance);
+  return static_cast<float>(std::max(m_Smallest, span.distance - toFaces));
+}
+
+MedialVoxelWall
+MedialVoxelThickness::MeasureSpan(const Span & span) const
+{
+  MedialVoxelWall measured;
+  double          longest = 0.0;
+  double          extent = 0.0; // of a cell across the wall, times the distance
+  const auto &    across = span.across;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double way = span.way[axis];
+    extent += std::abs(across[axis]);
+    measured.axis = static_cast<std::uint8_t>(std::abs(way) > longest ? axis : measured.axis);
+    longest = std::max(longest, std::abs(way));
+  }
+  const auto & spacing = m_Grid.GetSpacing();
+  const Side(&sides)[2] = span.sides;
+  measured.thickness = this->ThicknessOf(span);
+  measured.area = static_cast<float>(m_CellVolume * span.distance / extent);
   measured.isRim = IsRim(sides, spacing);
   return measured;
 }

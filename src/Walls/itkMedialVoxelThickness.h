@@ -98,8 +98,7 @@ private:
   {
     std::uint32_t voxels{ 0 };   // see GetObjectAround()
     std::uint32_t opposite{ 0 }; // of them, those with another one at the opposite offset
-    std::int64_t  sums{ 0 };     // their number and the sums of their offsets along x and y, side by side
-    std::int64_t  toUpper{ 0 };  // the sums of those above less those of those below
+    std::int64_t  sums{ 0 };     // their number and the sums of their offsets, side by side
   };
 
   /** What follows from the direction through a wall, the way from one side to the other in voxels times its length. */
@@ -153,6 +152,10 @@ public:
   MedialVoxelWall
   Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const;
 
+  /** Only the thickness of Measure(), which takes less time. */
+  float
+  MeasureThickness(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const;
+
   /** Object voxels among the 3^D voxels around \a point: bit 13 + x + 3 y + 9 z is that of the offset (x, y, z). */
   std::uint32_t
   GetObjectAround(const MedialVoxelBits & object, const MedialVoxelIndex & point) const;
@@ -165,10 +168,22 @@ public:
   }
 
 private:
+  /** The two sides of a wall, and the way between them. */
+  struct Span;
+
   /** \param direction  that of the last wall, or none */
   template <typename TBlockAt>
+  Span
+  FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
+
   MedialVoxelWall
-  MeasureBlocks(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
+  MeasureSpan(const Span & span) const;
+
+  float
+  ThicknessOf(const Span & span) const;
+
+  const Block &
+  RecallBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point, Memory & memory) const;
 
   static void
   FindWaysOut(Direction & direction);
