@@ -33,11 +33,17 @@ ForEachCellAround(const MedialVoxelIndex & voxel,
                   const MedialVoxelBox &   box,
                   TVisitor &&              visit)
 {
+  // Most edges have all of their cells in the box.
+  bool hasAll = true;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    hasAll = hasAll && voxel[i] - (i == axis ? 0 : 1) >= box.lower[i] && voxel[i] < box.upper[i];
+  }
   for (unsigned int number = 4 * axis; number < 4 * axis + 4; ++number)
   {
     const MedialVoxelIndex & offset = Topology::OffsetOf(number);
     const MedialVoxelIndex   cell{ { voxel[0] - offset[0], voxel[1] - offset[1], voxel[2] - offset[2] } };
-    if (box.Contains(cell))
+    if (hasAll || box.Contains(cell))
     {
       visit(cell, number);
     }

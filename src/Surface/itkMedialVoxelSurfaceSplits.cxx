@@ -80,8 +80,13 @@ MedialVoxelSurfaceCrossings::FindThresholdsOfSplits(const MedialVoxelClassifiedT
     poll.Count(static_cast<std::uint32_t>(MedialVoxelBits::BitsPerWord));
     for (WordType rest = row.candidates; rest != 0; rest &= rest - 1)
     {
-      const MedialVoxelIndex cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
-      for (unsigned int directions = Topology::AmbiguousDirections(workspace.GetCrossedEdges(cell)); directions != 0;
+      const MedialVoxelIndex   cell{ { row.first[0] + MedialVoxelLowestBit(rest), row.first[1], row.first[2] } };
+      const Topology::EdgeMask crossed = workspace.GetCrossedEdges(cell);
+      if (crossed == 0)
+      {
+        continue;
+      }
+      for (unsigned int directions = Topology::AmbiguousDirections(crossed); directions != 0;
            directions &= directions - 1)
       {
         const Face face(cell, static_cast<unsigned int>(MedialVoxelLowestBit(directions)));
