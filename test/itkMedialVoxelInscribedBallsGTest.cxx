@@ -78,6 +78,18 @@ TEST(MedialVoxelInscribedBalls, EachCellIsRaisedToTheLargestBallThatCoversIt)
       }
       EXPECT_GT(raised, asked.size() / 20);
       EXPECT_LT(raised, asked.size());
+
+      // The survey serves other cells in its box, too.
+      itk::MedialVoxelRankedBits others;
+      const auto                 part = MakeBox({ { 5, 3, 0 } }, { { size[0] / 2, size[1] / 2, size[2] } });
+      others.Reshape(part);
+      ForEachVoxel(part, [&](const itk::MedialVoxelIndex & cell) { others.Set(cell); });
+      others.Rank();
+      std::vector<double> ofOthers(others.GetNumberOfBits(), 1.5);
+      cover.Raise(balls, others, workspace, ofOthers);
+      ForEachVoxel(part, [&](const itk::MedialVoxelIndex & cell) {
+        ASSERT_EQ(ofOthers[others.RankOf(cell)], std::max(1.5, LargestBallAt(grid, balls, cell)));
+      });
     }
   }
 }

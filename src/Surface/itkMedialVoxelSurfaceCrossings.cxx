@@ -254,8 +254,28 @@ MedialVoxelSurfaceCrossings::AddEdge(const MedialVoxelClassifiedTile & tile,
     return;
   }
   workspace.m_Queries.push_back(
-    { crossed.a, crossed.b, m_Parameters.epsilon, workspace.m_Edges.size(), false, crossed.bounds });
+    { crossed.a, crossed.b, crossed.mostEpsilon, workspace.m_Edges.size(), false, crossed.bounds });
   workspace.m_Edges.push_back(edge);
+}
+
+/** Decide the edges whose points no path joins that is shorter than any threshold which they can have. */
+void
+MedialVoxelSurfaceCrossings::SeparateByLimits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const
+{
+  auto & queries = workspace.m_Queries;
+  // Where sites are missing for these thresholds, they need not be for the true ones.
+  m_Separation.FindSeparated(*tile.window.sites, tile.progress, tile.classification.joint.GetSeparation(), queries);
+  MedialVoxelPollCounter poll;
+  const auto             isDecided = [&](MedialVoxelSeparationQuery & query) {
+    poll.Count();
+    if (query.isSeparated)
+    {
+      Mark(workspace.m_Edges[query.cell], workspace);
+    }
+    query.epsilon = m_Parameters.epsilon;
+    return query.isSeparated;
+  };
+  queries.erase(std::remove_if(queries.begin(), queries.end(), isDecided), queries.end());
 }
 
 /** Decide the edges of all queries. */
@@ -265,9 +285,11 @@ MedialVoxelSurfaceCrossings::DecideTogether(const MedialVoxelClassifiedTile & ti
   auto & queries = workspace.m_Queries;
   if (this->IsAutomatic() && !queries.empty())
   {
+    this->SeparateByLimits(tile, workspace);
     workspace.m_ThresholdCells.clear();
-    for (const Workspace::Edge & edge : workspace.m_Edges)
+    for (const MedialVoxelSeparationQuery & query : queries)
     {
+      const Workspace::Edge & edge = workspace.m_Edges[query.cell];
       ForEachCellAround(edge.voxel, edge.axis, m_CellBox, [&](const MedialVoxelIndex & cell, unsigned int) {
         workspace.m_ThresholdCells.push_back(cell);
       });

@@ -165,6 +165,9 @@ private:
   RaiseByBounds(Workspace & workspace) const;
 
   void
+  SeparateByLimits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
+
+  void
   FindThresholdsOfSplits(const MedialVoxelClassifiedTile & tile, Workspace & workspace) const;
 
   bool
