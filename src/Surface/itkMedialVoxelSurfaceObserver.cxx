@@ -17,9 +17,10 @@ namespace
 
 using CellVector = std::vector<MedialVoxelSurfaceCell>;
 
-/** Cells up to which those of a slice may take twice the memory while they are gathered or sorted. */
+/** Cells up to which those of a slice may take twice the memory while they are sorted. */
 constexpr std::size_t MostCellsTwice = std::size_t{ 1 } << 16;
 
+/** Vectors that double would take twice the memory. */
 void
 Append(const CellVector::const_iterator first, const CellVector::const_iterator last, CellVector & cells)
 {
@@ -27,7 +28,7 @@ Append(const CellVector::const_iterator first, const CellVector::const_iterator 
   if (size > cells.capacity())
   {
     constexpr std::size_t least = 64;
-    const std::size_t     surplus = cells.size() < MostCellsTwice ? cells.size() : cells.size() / 8;
+    const std::size_t     surplus = cells.size() / (size <= MostCellsTwice ? 4 : 8);
     cells.reserve(std::max({ size, cells.size() + surplus, least }));
   }
   cells.insert(cells.end(), first, last);
