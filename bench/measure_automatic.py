@@ -140,9 +140,12 @@ def main():
     arguments = parse_arguments()
     document = common.describe_run(arguments.build, thickness=3, threads=arguments.threads)
     names = [name for name in arguments.cases if arguments.data or "," in CASES[name].source]
+    document["cases"] = {}
     with tempfile.TemporaryDirectory() as folder:
-        document["cases"] = {name: measure(arguments, pathlib.Path(folder), name) for name in names}
-    arguments.output.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
+        for name in names:
+            document["cases"][name] = measure(arguments, pathlib.Path(folder), name)
+            # After each case, as all of them take long.
+            arguments.output.write_text(json.dumps(document, indent=2) + "\n", encoding="utf-8")
     print_table(document["cases"])
 
 
