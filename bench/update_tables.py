@@ -3,10 +3,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes the committed results into the tables of the documents, so that each number comes from one file.
 
-A table stands between the comments <!-- table: NAME --> and <!-- end of table -->.
+A table stands between the comments <!-- table: NAME --> and <!-- end of table -->, a single number between
+<!-- number: NAME --> and <!-- end of number -->.
 
 Usage: bench/update_tables.py [--check]
-       --check: change nothing; exit status 1, with the names of the tables, when a document differs from the results
+       --check: change nothing; exit status 1, with the names of tables and numbers, when a document differs from the results
 """
 
 import argparse
@@ -19,8 +20,8 @@ import measure_automatic
 import print_table
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-DOCUMENTS = ("doc/explanation/performance.md", "doc/explanation/thickness.md")
-MARKED = re.compile(r"(<!-- table: ([a-z-]+) -->\n)(.*?)(<!-- end of table -->)", re.DOTALL)
+DOCUMENTS = ("README.md", "doc/explanation/performance.md", "doc/explanation/thickness.md")
+MARKED = re.compile(r"(<!-- (?:table|number): ([a-z-]+) -->\n?)(.*?)(<!-- end of (?:table|number) -->)", re.DOTALL)
 
 # Smaller volumes than this are left to the file.
 SMALLEST_PEER = 256**3
@@ -192,6 +193,24 @@ def long_runs(document):
     return ["run", "times the CPU"], rows
 
 
+def profile(way):
+    """Makes the table of CPU seconds by work, before and now, of one way of all cases."""
+
+    def make(document):
+        runs = {name: case["seconds"][way] for name, case in document["cases"].items()}
+
+        def cell(run, group):
+            return " / ".join(f"{run[when][group]:.2f}" for when in ("before", "now"))
+
+        groups = next(iter(runs.values()))["now"]
+        rows = [[group, *(cell(run, group) for run in runs.values())] for group in groups]
+        rows = [row for row in rows if any(value != "0.00 / 0.00" for value in row[1:])]
+        sums = {name: {when: {"all": sum(seconds.values())} for when, seconds in run.items()} for name, run in runs.items()}
+        return ["work", *runs], [*rows, ["all", *(cell(run, "all") for run in sums.values())]]
+
+    return make
+
+
 # The file of results, and what makes the header and the rows of a table of it.
 TABLES = {
     "whole-runs": ("peers.json", whole_runs),
@@ -203,13 +222,39 @@ TABLES = {
     "threads": ("tiles.json", threads),
     "automatic": ("automatic.json", automatic),
     "long-runs": ("automatic.json", long_runs),
+    "profile-fixed": ("profile.json", profile("thickness 3")),
+    "profile-automatic": ("profile.json", profile("automatic")),
+    "profile-mesh": ("profile.json", profile("with a mesh")),
 }
 
 
-def make_table(name):
-    results, make = TABLES[name]
-    document = json.loads((ROOT / "bench" / "results" / results).read_text(encoding="utf-8"))
-    return print_table.table(*make(document))
+def seconds_of_cover(way):
+    def make(document):
+        seconds = document["cases"]["cover"]["results"][way]["wall_seconds"]["median"]
+        return f"{seconds:.2g}"
+
+    return make
+
+
+def times_the_floor(document):
+    return f"{document['wall_ratio_to_floor']['extract_2_threads']:.1f}"
+
+
+# The same for single numbers.
+NUMBERS = {
+    "cover-to-floor": ("cover-tau3.json", times_the_floor),
+    "side-frame-to-floor": ("side-frame-tau3.json", times_the_floor),
+    "solids-to-floor": ("solids-tau3.json", times_the_floor),
+    "cover-automatic": ("automatic.json", seconds_of_cover("automatic")),
+    "cover-fixed": ("automatic.json", seconds_of_cover("fixed")),
+}
+
+
+def make_text(name):
+    """The table or the number of this name."""
+    results, make = (TABLES | NUMBERS)[name]
+    made = make(json.loads((ROOT / "bench" / "results" / results).read_text(encoding="utf-8")))
+    return print_table.table(*made) if name in TABLES else made
 
 
 def main():
@@ -220,7 +265,7 @@ def main():
 
     def replace(match):
         begin, name, old, end = match.groups()
-        new = make_table(name)
+        new = make_text(name)
         found.add(name)
         if new != old:
             outdated.append(name)
@@ -231,7 +276,7 @@ def main():
         updated = MARKED.sub(replace, text)
         if updated != text and not arguments.check:
             document.write_text(updated, encoding="utf-8")
-    missing = sorted(set(TABLES) - found)
+    missing = sorted((set(TABLES) | set(NUMBERS)) - found)
     if missing:
         sys.exit(f"update_tables: no document has: {', '.join(missing)}")
     if arguments.check and outdated:
