@@ -111,7 +111,7 @@ public:
     return this->GetWallPoints(features, m_Pairs.CellAt(features, cell), 0, wall);
   }
 
-  /** Cells of a row from \a first on, for the boundary points of those of \a asked, bit 0 the first one. */
+  /** Cells of a row from \a first on, for GetWallPoints() of those of \a asked, whose bit 0 is the first one. */
   MedialVoxelCells
   FindCells(const MedialVoxelFeatures &     features,
             const MedialVoxelIndex &        first,
@@ -120,7 +120,7 @@ public:
     return m_Pairs.CellsFrom(features, first, asked);
   }
 
-  /** The same of the cell \a x after the first one, which was asked for. */
+  /** The boundary points that decide the cell \a x after the first one of \a cells, which was asked for. */
   bool
   GetWallPoints(const MedialVoxelFeatures & features,
                 const MedialVoxelCells &    cells,

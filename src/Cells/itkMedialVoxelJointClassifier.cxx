@@ -277,6 +277,7 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
     }
     return !input.progress.IsAborted();
   };
+  // Beyond the features no ball reaches the tile.
   MedialVoxelBox cells = input.features.box;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {

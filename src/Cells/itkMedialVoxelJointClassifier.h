@@ -148,7 +148,6 @@ public:
   static bool
   GetPair(const Workspace & workspace, const MedialVoxelIndex & cell, MedialVoxelIndex & a, MedialVoxelIndex & b);
 
-
 private:
   using Query = MedialVoxelSeparationQuery;
   using QueryIterator = std::vector<Query>::iterator;

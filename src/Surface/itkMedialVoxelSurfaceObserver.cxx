@@ -17,8 +17,8 @@ namespace
 
 using CellVector = std::vector<MedialVoxelSurfaceCell>;
 
-/** Cells up to which those of a slice may take twice the memory while they are sorted. */
-constexpr std::size_t MostCellsTwice = std::size_t{ 1 } << 16;
+/** Cells of a slice up to which time matters more than memory: while it grows, and while it is sorted with a copy. */
+constexpr std::size_t MostCellsOfSmallSlice = std::size_t{ 1 } << 16;
 
 /** Vectors that double would take twice the memory. */
 void
@@ -28,7 +28,7 @@ Append(const CellVector::const_iterator first, const CellVector::const_iterator 
   if (size > cells.capacity())
   {
     constexpr std::size_t least = 64;
-    const std::size_t     surplus = cells.size() / (size <= MostCellsTwice ? 4 : 8);
+    const std::size_t     surplus = cells.size() / (size <= MostCellsOfSmallSlice ? 4 : 8);
     cells.reserve(std::max({ size, cells.size() + surplus, least }));
   }
   cells.insert(cells.end(), first, last);
@@ -44,7 +44,7 @@ SortSlice(CellVector & cells, CellVector & sorted)
   {
     return;
   }
-  if (cells.size() > MostCellsTwice)
+  if (cells.size() > MostCellsOfSmallSlice)
   {
     std::sort(cells.begin(), cells.end(), MedialVoxelIsBefore);
     return;

@@ -42,7 +42,7 @@ GetBlockMask(std::int64_t x, int bit, unsigned int level)
 
 /** Sums of some cells of a row, without walls. */
 SheetPoints::Sums
-AddCells(const itk::MedialVoxelCellRow & row, WordType cells)
+SumCells(const itk::MedialVoxelCellRow & row, WordType cells)
 {
   SheetPoints::Sums sums;
   sums.cells = static_cast<std::uint64_t>(itk::MedialVoxelPopulationCount(cells));
@@ -57,7 +57,8 @@ AddCells(const itk::MedialVoxelCellRow & row, WordType cells)
   return sums;
 }
 
-/** Calls function(cell, sums) for cells of a row that are in one block of the level, with the first of them. */
+/** Calls function(cell, sums) for the cells of each row that are in one block of the level; cell is the first of them.
+ */
 template <typename TFunction>
 void
 ForEachPart(const itk::MedialVoxelClassifiedTile & tile, double lengthUnit, unsigned int level, TFunction && function)
@@ -72,7 +73,7 @@ ForEachPart(const itk::MedialVoxelClassifiedTile & tile, double lengthUnit, unsi
       cell[0] += first;
       const WordType inBlock = rest & GetBlockMask(cell[0], first, level);
       rest &= ~inBlock;
-      SheetPoints::Sums sums = AddCells(row, inBlock);
+      SheetPoints::Sums sums = SumCells(row, inBlock);
       for (WordType measured = row.measured & inBlock; measured != 0; measured &= measured - 1)
       {
         AddWall(*wall++, lengthUnit, sums);
