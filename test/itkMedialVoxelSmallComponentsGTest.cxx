@@ -56,7 +56,7 @@ Changed(const Volume & volume, std::uint64_t most)
   const itk::MedialVoxelGrid            grid = GridOf(volume);
   const itk::MedialVoxelSmallComponents kernel(grid, most);
   auto                                  object = ObjectBits(volume, grid.GetVoxelBox());
-  itk::MedialVoxelBits                  changed(grid.GetVoxelBox());
+  itk::MedialVoxelSparseBits            changed(grid.GetVoxelBox());
   kernel.Change(grid.GetVoxelBox(), object, changed, []() {});
   Volume result = volume;
   for (std::size_t i = 0; i < result.object.size(); ++i)

@@ -114,10 +114,6 @@ MedialVoxelMovingWindow::VisitBits(TWindow & window, TVisitor && visit)
   const auto inputBox = [&window](const MedialVoxelBox & sites) { return window.GetInputBox(sites); };
   const auto sitesBox = [](const MedialVoxelBox & sites) { return sites; };
   visit(window.m_Object, inputBox);
-  if (window.m_SmallComponents.IsOn())
-  {
-    visit(window.m_Changed, inputBox);
-  }
   if (window.m_KeepsNotANumber)
   {
     visit(window.m_NotANumber, inputBox);
@@ -128,10 +124,18 @@ MedialVoxelMovingWindow::VisitBits(TWindow & window, TVisitor && visit)
   }
 }
 
+/** Of a list of a component, and of the voxels that have changed, which are few as a rule. */
+std::uint64_t
+MedialVoxelMovingWindow::GetBytesOfChanges(const MedialVoxelBox & sites) const
+{
+  const MedialVoxelBox box = this->GetInputBox(sites);
+  return m_SmallComponents.IsOn() ? m_SmallComponents.GetWorkspaceBytes(box) + MedialVoxelSparseBits::GetBytes(box) : 0;
+}
+
 std::uint64_t
 MedialVoxelMovingWindow::GetBytes(const MedialVoxelBox & sites) const
 {
-  std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
+  std::uint64_t bytes = this->GetBytesOfChanges(sites);
   bytes += m_KeepsGray ? MedialVoxelGray::GetBytes(this->GetObjectBox(sites)) : 0;
   VisitBits(*this,
             [&](const MedialVoxelBits &, const auto & boxOf) { bytes += MedialVoxelBits::GetBytes(boxOf(sites)); });
@@ -141,7 +145,7 @@ MedialVoxelMovingWindow::GetBytes(const MedialVoxelBox & sites) const
 std::uint64_t
 MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
 {
-  std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
+  std::uint64_t bytes = this->GetBytesOfChanges(sites) + m_Changed.GetReservedBytes();
   bytes += m_KeepsGray ? m_Gray.GetBytesToReframe(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
   std::uint64_t copy = 0; // of one after the other
   VisitBits(*this, [&](const MedialVoxelBits & bits, const auto & boxOf) {
@@ -162,7 +166,7 @@ MedialVoxelMovingWindow::GetBytesToMove(const MedialVoxelBox & sites, const Medi
 std::uint64_t
 MedialVoxelMovingWindow::GetBytesToCopy(const MedialVoxelBox & sites, const MedialVoxelBox & room) const
 {
-  std::uint64_t bytes = m_SmallComponents.GetWorkspaceBytes(this->GetInputBox(sites));
+  std::uint64_t bytes = this->GetBytesOfChanges(sites);
   bytes += m_KeepsGray ? m_Gray.GetBytesToFrame(this->GetObjectBox(sites), this->GetObjectBox(room)) : 0;
   VisitBits(*this, [&](const MedialVoxelBits & bits, const auto & boxOf) {
     bytes += bits.GetBytesToFrame(boxOf(sites), boxOf(room));
@@ -173,7 +177,7 @@ MedialVoxelMovingWindow::GetBytesToCopy(const MedialVoxelBox & sites, const Medi
 std::uint64_t
 MedialVoxelMovingWindow::GetReservedBytes() const
 {
-  std::uint64_t bytes = m_Gray.GetReservedBytes();
+  std::uint64_t bytes = m_Gray.GetReservedBytes() + m_Changed.GetReservedBytes();
   VisitBits(*this, [&bytes](const MedialVoxelBits & bits, const auto &) { bytes += bits.GetReservedBytes(); });
   return bytes;
 }
@@ -294,10 +298,6 @@ MedialVoxelMovingWindow::CopyRows(const MedialVoxelBox & part)
 {
   const MedialVoxelMovingWindow & donor = *m_Known.donor;
   m_Object.CopyRows(donor.m_Object, part);
-  if (m_SmallComponents.IsOn())
-  {
-    m_Changed.CopyRows(donor.m_Changed, part);
-  }
   if (m_KeepsNotANumber)
   {
     m_NotANumber.CopyRows(donor.m_NotANumber, part);
@@ -314,6 +314,14 @@ MedialVoxelMovingWindow::ChangeSmallComponents(MedialVoxelObjectSource & source)
   const MedialVoxelBox objectBox = this->GetObjectBox(m_Sites);
   if (m_SmallComponents.IsOn())
   {
+    if (m_Known.donor != nullptr)
+    {
+      m_Changed.CopyFrom(m_Known.donor->m_Changed, m_Object.GetBox());
+    }
+    else
+    {
+      m_Changed.Reframe(m_Object.GetBox());
+    }
     for (const MedialVoxelBox & part : MedialVoxelSubtractBox(objectBox, m_FinalBox))
     {
       m_SmallComponents.Change(part, m_Object, m_Changed, [&source]() { source.ThrowIfAborted(); });
@@ -341,26 +349,14 @@ MedialVoxelMovingWindow::Mark(const MedialVoxelBox & part)
 auto
 MedialVoxelMovingWindow::CountChanges(const MedialVoxelBox & box) const -> Changes
 {
-  Changes              changes;
-  const MedialVoxelBox counted = box.Intersection(m_Changed.GetBox());
-  for (std::int64_t z = counted.lower[2]; z < counted.upper[2]; ++z)
-  {
-    for (std::int64_t y = counted.lower[1]; y < counted.upper[1]; ++y)
-    {
-      // Both have the same box.
-      const auto * const changed = m_Changed.GetRow(y, z) - m_Changed.GetFirstWord();
-      const auto * const object = m_Object.GetRow(y, z) - m_Object.GetFirstWord();
-      for (std::int64_t word = counted.lower[0] >> 6; word <= (counted.upper[0] - 1) >> 6; ++word)
-      {
-        if (changed[word] != 0)
-        {
-          const auto bits = changed[word] & MedialVoxelBits::RangeMask(word, counted.lower[0], counted.upper[0]);
-          changes.filled += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits & object[word]));
-          changes.removed += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits & ~object[word]));
-        }
-      }
-    }
-  }
+  Changes changes;
+  m_Changed.VisitWords(
+    box,
+    [&](const MedialVoxelBits::WordType bits, const std::int64_t word, const std::int64_t y, const std::int64_t z) {
+      const auto object = m_Object.GetRow(y, z)[word - m_Object.GetFirstWord()];
+      changes.filled += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits & object));
+      changes.removed += static_cast<std::uint64_t>(MedialVoxelPopulationCount(bits & ~object));
+    });
   return changes;
 }
 

@@ -8,6 +8,7 @@
 #include "itkMedialVoxelFeatureTransform.h"
 #include "itkMedialVoxelObjectSource.h"
 #include "itkMedialVoxelSmallComponents.h"
+#include "itkMedialVoxelSparseBits.h"
 
 #include <cstdint>
 #include <vector>
@@ -165,6 +166,10 @@ private:
     MedialVoxelBox                  sites;
   };
 
+  /** Bytes, at most, of what changes small components in a window on \a sites. */
+  std::uint64_t
+  GetBytesOfChanges(const MedialVoxelBox & sites) const;
+
   /** Copy what the donor has of the rows of a part. */
   void
   CopyRows(const MedialVoxelBox & part);
@@ -175,7 +180,7 @@ private:
   bool                             m_KeepsGray;
   MedialVoxelSmallComponents       m_SmallComponents;
   MedialVoxelBits                  m_Object;
-  MedialVoxelBits                  m_Changed; // voxels that are no longer what the source gave; empty if none can be
+  MedialVoxelSparseBits            m_Changed; // voxels that are no longer what the source gave; empty if none can be
   MedialVoxelBox                   m_FinalBox;
   MedialVoxelBits                  m_NotANumber;
   MedialVoxelGray                  m_Gray;

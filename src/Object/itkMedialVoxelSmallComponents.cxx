@@ -85,11 +85,11 @@ public:
                   const std::uint64_t     maximumSize,
                   const bool              isObject,
                   MedialVoxelBits &       object,
-                  MedialVoxelBits &       changed)
+                  MedialVoxelSparseBits & changed)
     : m_MaximumSize(static_cast<std::size_t>(
         std::min<std::uint64_t>(maximumSize, static_cast<std::uint64_t>(object.GetBox().NumberOfVoxels()))))
     , m_Bits(object, isObject)
-    , m_Changed(changed, true)
+    , m_Changed(changed)
     , m_Box(object.GetBox())
     , m_FirstX(object.GetFirstWord() * MedialVoxelBits::BitsPerWord)
     , m_Unit(grid.GetUnitMargin())
@@ -229,10 +229,13 @@ private:
     }
     if (!this->InvertComponent(seed) || !this->Meets(touched))
     {
-      this->InvertAll(m_Bits);
+      this->InvertBack();
       return;
     }
-    this->InvertAll(m_Changed);
+    for (const Voxel & voxel : m_Component)
+    {
+      m_Changed.Invert(this->IndexOf(voxel));
+    }
   }
 
   /** Collects the component and inverts it on the way; false as soon as it is too large, reaches the edge of the bits
@@ -288,19 +291,23 @@ private:
   bool
   Meets(const MedialVoxelBox & box) const
   {
-    return std::any_of(m_Component.begin(), m_Component.end(), [&](const Voxel & voxel) {
-      return box.Contains(
-        MedialVoxelIndex{ { m_FirstX + voxel.x, m_Box.lower[1] + voxel.y, m_Box.lower[2] + voxel.z } });
-    });
+    return std::any_of(
+      m_Component.begin(), m_Component.end(), [&](const Voxel & voxel) { return box.Contains(this->IndexOf(voxel)); });
   }
 
   void
-  InvertAll(KindBits & bits) const
+  InvertBack()
   {
     for (const Voxel & voxel : m_Component)
     {
-      bits.Invert(this->AddressOf(voxel));
+      m_Bits.Invert(this->AddressOf(voxel));
     }
+  }
+
+  MedialVoxelIndex
+  IndexOf(const Voxel & voxel) const
+  {
+    return { { m_FirstX + voxel.x, m_Box.lower[1] + voxel.y, m_Box.lower[2] + voxel.z } };
   }
 
   std::int64_t
@@ -311,7 +318,7 @@ private:
 
   std::size_t                 m_MaximumSize;
   KindBits                    m_Bits;
-  KindBits                    m_Changed;
+  MedialVoxelSparseBits &     m_Changed;
   MedialVoxelBox              m_Box;
   std::int64_t                m_FirstX;
   MedialVoxelIndex            m_Unit;
@@ -346,7 +353,7 @@ MedialVoxelSmallComponents::GetWorkspaceBytes(const MedialVoxelBox & box) const
 void
 MedialVoxelSmallComponents::Change(const MedialVoxelBox &        box,
                                    MedialVoxelBits &             object,
-                                   MedialVoxelBits &             changed,
+                                   MedialVoxelSparseBits &       changed,
                                    const std::function<void()> & beforeSlice) const
 {
   if (!this->IsOn())

@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelBits.h"
 #include "itkMedialVoxelGrid.h"
+#include "itkMedialVoxelSparseBits.h"
 
 #include "MedialVoxelExport.h"
 
@@ -62,7 +63,7 @@ public:
   void
   Change(const MedialVoxelBox &        box,
          MedialVoxelBits &             object,
-         MedialVoxelBits &             changed,
+         MedialVoxelSparseBits &       changed,
          const std::function<void()> & beforeSlice) const;
 
 private:
