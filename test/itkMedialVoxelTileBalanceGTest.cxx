@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -80,7 +81,7 @@ TEST(MedialVoxelTileBalance, TilesKeepTheirVoxelsWhateverIsKnown)
   }
 }
 
-TEST(MedialVoxelTileBalance, LongTilesComeFirst)
+TEST(MedialVoxelTileBalance, VeryLongTilesComeFirst)
 {
   const auto tiles = itk::MedialVoxelCutIntoTiles(MakeBox({ { 0, 0, 0 } }, { { 64, 128, 8 } }), { { 64, 32, 8 } });
   const auto next = itk::MedialVoxelCutIntoTiles(MakeBox({ { 0, 0, 8 } }, { { 64, 128, 12 } }), { { 64, 32, 8 } });
@@ -92,6 +93,38 @@ TEST(MedialVoxelTileBalance, LongTilesComeFirst)
   }
   const std::vector<MedialVoxelBox> expected{ next[2], next[3], next[1], next[0] };
   EXPECT_EQ(balance.Balance(next, { 2, 2, false, true }), expected);
+}
+
+TEST(MedialVoxelTileBalance, NeighborsFollowEachOtherAndWorkersEndTogether)
+{
+  const auto   tiles = itk::MedialVoxelCutIntoTiles(MakeBox({ { 0, 0, 0 } }, { { 64, 16384, 8 } }), { { 64, 32, 8 } });
+  std::mt19937 generator(7);
+  MedialVoxelTileBalance                  balance;
+  std::map<itk::MedialVoxelIndex, double> seconds;
+  for (const MedialVoxelBox & tile : tiles)
+  {
+    seconds[tile.lower] = static_cast<double>(1 + generator() % 20) / 20.0;
+    balance.Record(tile, 2, seconds[tile.lower]);
+  }
+  for (const unsigned int workers : { 2u, 4u, 16u })
+  {
+    const auto          balanced = balance.Balance(tiles, { 2, workers, false, true });
+    std::vector<double> ends(workers, 0.0);
+    double              sum = 0.0;
+    std::size_t         neighbors = 0;
+    for (std::size_t i = 0; i < balanced.size(); ++i)
+    {
+      *std::min_element(ends.begin(), ends.end()) += seconds[balanced[i].lower];
+      sum += seconds[balanced[i].lower];
+      neighbors += i > 0 && balanced[i].lower[1] == balanced[i - 1].upper[1] ? 1 : 0;
+    }
+    // Tiles take at most a second.
+    EXPECT_LE(*std::max_element(ends.begin(), ends.end()), sum / workers + 0.15) << workers;
+    if (workers == 2)
+    {
+      EXPECT_GE(neighbors, tiles.size() * 3 / 4);
+    }
+  }
 }
 
 TEST(MedialVoxelTileBalance, ManyWorkersDoNotWaitForTheLongestTile)

@@ -3,6 +3,7 @@
 #include "itkMedialVoxelTileBalance.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace itk
@@ -16,6 +17,12 @@ constexpr double TilesPerWorker = 4.0;
 
 /** Of the time that a slab takes, the most that one of its tiles may take. */
 constexpr double ShareOfLongestTile = 0.5;
+
+/** Of the time of a worker, what a tile takes that comes first. */
+constexpr double ShareOfLeadingTile = 0.125;
+
+/** For each worker, the time of short tiles at the end, as a multiple of that of the longest tile before them. */
+constexpr double TrailingTime = 2.0;
 
 /** Workers from which tiles are split: parts repeat more of the work of the halo, which fewer do not gain back. */
 constexpr unsigned int ManyWorkers = 32;
@@ -56,35 +63,79 @@ MedialVoxelTileBalance::Record(const MedialVoxelBox & tile, const unsigned int s
 }
 
 auto
-MedialVoxelTileBalance::Sort(const std::vector<MedialVoxelBox> & tiles, const unsigned int slowestAxis) const
+MedialVoxelTileBalance::Time(const std::vector<MedialVoxelBox> & tiles, const unsigned int slowestAxis) const
   -> std::vector<TimedTile>
 {
-  std::vector<TimedTile> sorted;
+  std::vector<TimedTile> timed;
   for (const MedialVoxelBox & tile : tiles)
   {
     const auto   found = m_VoxelSeconds.find(GetColumn(tile, slowestAxis));
     const double ofVoxel = found == m_VoxelSeconds.end() ? 0.0 : found->second;
-    sorted.push_back({ ofVoxel * static_cast<double>(tile.NumberOfVoxels()), tile });
+    timed.push_back({ ofVoxel * static_cast<double>(tile.NumberOfVoxels()), tile });
   }
-  std::stable_sort(sorted.begin(), sorted.end(), [](const auto & a, const auto & b) { return a.seconds > b.seconds; });
-  return sorted;
+  return timed;
+}
+
+double
+MedialVoxelTileBalance::SumOf(const std::vector<TimedTile> & tiles)
+{
+  const auto add = [](const double sum, const TimedTile & tile) { return sum + tile.seconds; };
+  return std::accumulate(tiles.begin(), tiles.end(), 0.0, add);
+}
+
+double
+MedialVoxelTileBalance::FindLongestTrailing(const std::vector<TimedTile> & tiles,
+                                            const double                   longest,
+                                            const double                   numberOfWorkers)
+{
+  std::vector<double> seconds;
+  for (const TimedTile & tile : tiles)
+  {
+    seconds.push_back(tile.seconds);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  const double wanted = TrailingTime * numberOfWorkers * longest;
+  double       sum = 0.0;
+  double       last = 0.0;
+  for (auto next = seconds.begin(); next != seconds.end() && sum < wanted; ++next)
+  {
+    sum += *next;
+    last = *next;
+  }
+  return last;
+}
+
+void
+MedialVoxelTileBalance::Order(std::vector<TimedTile> & tiles, const double numberOfWorkers)
+{
+  const auto   isLonger = [](const TimedTile & a, const TimedTile & b) { return a.seconds > b.seconds; };
+  const double leading = ShareOfLeadingTile * SumOf(tiles) / numberOfWorkers;
+  double       longest = 0.0;
+  for (const TimedTile & tile : tiles)
+  {
+    longest = std::max(longest, tile.seconds <= leading ? tile.seconds : 0.0);
+  }
+  const double trailing = FindLongestTrailing(tiles, longest, numberOfWorkers);
+  const auto   middle = std::stable_partition(
+    tiles.begin(), tiles.end(), [leading](const TimedTile & tile) { return tile.seconds > leading; });
+  const auto end =
+    std::stable_partition(middle, tiles.end(), [trailing](const TimedTile & tile) { return tile.seconds > trailing; });
+  std::stable_sort(tiles.begin(), middle, isLonger);
+  std::stable_sort(end, tiles.end(), isLonger);
 }
 
 std::vector<MedialVoxelBox>
 MedialVoxelTileBalance::Balance(const std::vector<MedialVoxelBox> & tiles, const Slab & slab) const
 {
-  const std::vector<TimedTile> sorted = this->Sort(tiles, slab.slowestAxis);
-  double                       rest = 0.0;
-  for (const TimedTile & tile : sorted)
-  {
-    rest += tile.seconds;
-  }
-  const double                workers = slab.numberOfWorkers;
+  const double           workers = slab.numberOfWorkers;
+  std::vector<TimedTile> timed = this->Time(tiles, slab.slowestAxis);
+  Order(timed, workers);
+  double                      rest = SumOf(timed);
   const double                most = slab.numberOfWorkers < ManyWorkers ? 1.0 : workers;
   const double                wanted = slab.wasDeferred ? TilesPerWorker * workers : workers;
   const double                least = wanted / static_cast<double>(tiles.size());
   std::vector<MedialVoxelBox> balanced;
-  for (const TimedTile & tile : sorted)
+  for (const TimedTile & tile : timed)
   {
     const double longest = ShareOfLongestTile * rest / workers;
     const double parts = std::max(least, longest > 0.0 ? tile.seconds / longest : 0.0);

@@ -37,7 +37,8 @@ public:
   void
   Record(const MedialVoxelBox & tile, unsigned int slowestAxis, double seconds);
 
-  /** The tiles, long ones first, in parts where many threads would have to wait for the last of them. */
+  /** The tiles, in parts where many threads would have to wait for the last of them. Very long tiles come first and
+   * short ones last, so that threads end together; others keep their order, as neighbors share what caches hold. */
   std::vector<MedialVoxelBox>
   Balance(const std::vector<MedialVoxelBox> & tiles, const Slab & slab) const;
 
@@ -54,7 +55,17 @@ private:
   };
 
   std::vector<TimedTile>
-  Sort(const std::vector<MedialVoxelBox> & tiles, unsigned int slowestAxis) const;
+  Time(const std::vector<MedialVoxelBox> & tiles, unsigned int slowestAxis) const;
+
+  static double
+  SumOf(const std::vector<TimedTile> & tiles);
+
+  /** The seconds of the longest tile that comes last for its shortness, when none takes longer than \a longest. */
+  static double
+  FindLongestTrailing(const std::vector<TimedTile> & tiles, double longest, double numberOfWorkers);
+
+  static void
+  Order(std::vector<TimedTile> & tiles, double numberOfWorkers);
 
   std::map<MedialVoxelIndex, double> m_VoxelSeconds; // of the last tile at a place within the slabs
 };
