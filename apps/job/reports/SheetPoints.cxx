@@ -22,6 +22,9 @@ constexpr unsigned int MostLevels = 64;
 constexpr unsigned int LeastBitsOfPlaces = 8;
 constexpr unsigned int BitsOfHash = 64;
 
+/** Blocks along x whose numbers lie in one line of the cache, as a power of two. */
+constexpr unsigned int BitsOfLine = 4;
+
 unsigned int
 GetFirstLevel(const std::array<std::uint64_t, 3> & size)
 {
@@ -126,7 +129,10 @@ std::uint32_t &
 SheetPoints::FindNumber(const KeyType key)
 {
   constexpr std::uint64_t goldenRatio = 0x9E3779B97F4A7C15u;
-  for (std::size_t place = key * goldenRatio >> m_Shift;; place = (place + 1) & (m_Numbers.size() - 1))
+  constexpr KeyType       line = KeyType{ 1 } << BitsOfLine;
+  const std::size_t       first = ((key >> BitsOfLine) * goldenRatio >> m_Shift) ^ (key & (line - 1));
+  // The next line, as a whole one may be taken.
+  for (std::size_t place = first;; place = (place + line + 1) & (m_Numbers.size() - 1))
   {
     std::uint32_t & number = m_Numbers[place];
     if (number == 0 || m_Blocks[number - 1].key == key)
