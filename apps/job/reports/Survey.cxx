@@ -105,7 +105,7 @@ GetNumberOfBlocks(const VolumeGeometry & geometry)
 } // namespace
 
 /** What one tile adds. Columns run along the last axis; those of a word of cells are bits, the first one bit 0. */
-struct Survey::TileSums
+struct Survey::TileSums : public Workspace
 {
   struct ColumnWord
   {
@@ -119,17 +119,23 @@ struct Survey::TileSums
     std::uint64_t area;
   };
 
-  TileSums(const itk::MedialVoxelBox & box, bool withPicture)
-    : firstWord(box.lower[0] >> 6)
-    , wordsPerRow(((box.upper[0] - 1) >> 6) - firstWord + 1)
-    , lowerY(box.lower[1])
+  /** Nothing, of a tile. Its memory is that of the tile before. */
+  void
+  Clear(const itk::MedialVoxelBox & box, bool withPicture)
   {
+    firstWord = box.lower[0] >> 6;
+    wordsPerRow = ((box.upper[0] - 1) >> 6) - firstWord + 1;
+    lowerY = box.lower[1];
+    measured.clear();
+    uncertainties.clear();
+    rimCells = 0;
+    unresolvedCells = 0;
     if (withPicture)
     {
-      columns.resize(static_cast<std::size_t>(wordsPerRow * box.Extent(1)));
+      columns.assign(static_cast<std::size_t>(wordsPerRow * box.Extent(1)), {});
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
-        slices[axis].resize(static_cast<std::size_t>(box.Extent(axis)));
+        slices[axis].assign(static_cast<std::size_t>(box.Extent(axis)), {});
       }
     }
   }
@@ -140,9 +146,9 @@ struct Survey::TileSums
     return columns[static_cast<std::size_t>((cell[1] - lowerY) * wordsPerRow + ((cell[0] >> 6) - firstWord))];
   }
 
-  std::int64_t                          firstWord;
-  std::int64_t                          wordsPerRow;
-  std::int64_t                          lowerY;
+  std::int64_t                          firstWord{ 0 };
+  std::int64_t                          wordsPerRow{ 0 };
+  std::int64_t                          lowerY{ 0 };
   std::vector<Measured>                 measured;
   std::vector<std::size_t>              uncertainties; // bins
   std::uint64_t                         rimCells{ 0 };
@@ -236,10 +242,17 @@ Survey::SelectCells(const itk::MedialVoxelCellRow & row) const
   return pattern;
 }
 
-void
-Survey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
+auto
+Survey::MakeWorkspace() const -> std::unique_ptr<Workspace>
 {
-  TileSums sums(tile.box, m_Settings.picture);
+  return std::make_unique<TileSums>();
+}
+
+void
+Survey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace)
+{
+  auto & sums = static_cast<TileSums &>(*workspace);
+  sums.Clear(tile.box, m_Settings.picture);
   sums.measured.reserve(tile.walls.size());
   if (m_Settings.picture)
   {

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -48,6 +49,9 @@ public:
   {
     return WorkerBytesPerVoxel;
   }
+
+  std::unique_ptr<Workspace>
+  MakeWorkspace() const override;
 
   void
   Begin() override;
