@@ -104,11 +104,33 @@ MedialVoxelCellPairs::CellsFrom(const MedialVoxelFeatures & features,
                                 const MedialVoxelIndex &    first,
                                 const WordType              asked) const
 {
-  MedialVoxelCells   cells = this->GroupAt(features, first);
-  const std::int64_t end = features.box.upper[0] - m_Grid.GetUnitMargin()[0];
-  cells.number = std::min<std::int64_t>(MedialVoxelBits::BitsPerWord, end - first[0]);
+  MedialVoxelCells cells = this->GroupAt(features, first);
   cells.candidates = asked;
-  this->FindWidest(asked, cells);
+#if defined(__GNUC__)
+  constexpr WordType sameLine = 0xFFFF;
+  for (WordType rest = m_HasCornerRows ? asked : 0; rest != 0;)
+  {
+    const int x = MedialVoxelLowestBit(rest);
+    rest &= ~(sameLine << x);
+    for (const auto & rows : cells.corners.rows)
+    {
+      for (const std::int32_t * const row : rows)
+      {
+        __builtin_prefetch(row + x);
+      }
+    }
+  }
+#endif
+  return cells;
+}
+
+MedialVoxelCells
+MedialVoxelCellPairs::CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const
+{
+  MedialVoxelCells cells = this->GroupAt(features, cell);
+  cells.number = 1;
+  cells.candidates = 1;
+  this->FindWidest(1, cells);
   return cells;
 }
 

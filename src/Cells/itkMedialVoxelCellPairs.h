@@ -88,8 +88,8 @@ public:
     return true;
   }
 
-  /** Cells of a row from \a first on that have all their corners among the features, with the widest diagonals of those
-   * of \a asked. */
+  /** Cells of a row from \a first on, without their diagonals; the displacements of those of \a asked are fetched to
+   * the cache meanwhile. */
   MedialVoxelCells
   CellsFrom(const MedialVoxelFeatures & features,
             const MedialVoxelIndex &    first,
@@ -97,10 +97,7 @@ public:
 
   /** The only cell of a group. */
   MedialVoxelCells
-  CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const
-  {
-    return this->CellsFrom(features, cell, 1);
-  }
+  CellAt(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell) const;
 
   /** The nearest boundary points of the corners of the cell \a x after the first; as many as the cell has corners. */
   void

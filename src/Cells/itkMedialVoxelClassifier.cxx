@@ -127,7 +127,8 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelTileInput &         input,
 {
   const WordType spread = m_Pairs.Spread(cells);
   labels.AddCandidates(cells.first, cells.candidates, spread);
-  const std::size_t offset = labels.OffsetOf(cells.first);
+  const std::size_t          offset = labels.OffsetOf(cells.first);
+  MedialVoxelDiagonalNumbers diagonals;
   for (WordType rest = spread; rest != 0; rest &= rest - 1)
   {
     const int           x = MedialVoxelLowestBit(rest);
@@ -142,30 +143,42 @@ MedialVoxelClassifier::ClassifyCells(const MedialVoxelTileInput &         input,
     {
       return false;
     }
+    diagonals.Set(x, widest.number);
     labels.Decide(offset + static_cast<std::size_t>(x),
                   m_Decision.Decide(*input.window.sites, widest.pair, workspace, missing));
   }
+  labels.KeepDiagonals(cells.first, diagonals);
   return true;
 }
 
 bool
 MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
-                                     const MedialVoxelCells &    cells,
-                                     const int                   x,
+                                     const MedialVoxelIndex &    cell,
                                      MedialVoxelWallPoints &     wall) const
 {
-  MedialVoxelDiagonal widest;
-  if (!m_Pairs.Choose(features, cells, x, widest))
+  const MedialVoxelCells cells = m_Pairs.CellAt(features, cell);
+  MedialVoxelDiagonal    widest;
+  const bool             hasPair = m_Pairs.Choose(features, cells, 0, widest);
+  if (hasPair)
   {
-    return false;
+    this->GetWallPoints(features, cells, 0, widest.number, wall);
   }
+  return hasPair;
+}
+
+void
+MedialVoxelClassifier::GetWallPoints(const MedialVoxelFeatures & features,
+                                     const MedialVoxelCells &    cells,
+                                     const int                   x,
+                                     const unsigned int          diagonal,
+                                     MedialVoxelWallPoints &     wall) const
+{
   const MedialVoxelDualCell & geometry = m_Pairs.GetCell();
   wall.numberOfCorners = geometry.GetNumberOfCorners();
   m_Pairs.GetPoints(features, cells, x, wall.corners);
   wall.cell = { { cells.first[0] + x, cells.first[1], cells.first[2] } };
-  wall.a = wall.corners[widest.number];
-  wall.b = wall.corners[geometry.GetOppositeCorner(widest.number)];
-  return true;
+  wall.a = wall.corners[diagonal];
+  wall.b = wall.corners[geometry.GetOppositeCorner(diagonal)];
 }
 
 std::uint64_t

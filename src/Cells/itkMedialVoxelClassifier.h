@@ -106,12 +106,12 @@ public:
   /** The boundary points that decide \a cell, from the features of a tile that it is in.
    * \return false when there is no pair or it is trivial, as at cells that are not medial */
   bool
-  GetWallPoints(const MedialVoxelFeatures & features, const MedialVoxelIndex & cell, MedialVoxelWallPoints & wall) const
-  {
-    return this->GetWallPoints(features, m_Pairs.CellAt(features, cell), 0, wall);
-  }
+  GetWallPoints(const MedialVoxelFeatures & features,
+                const MedialVoxelIndex &    cell,
+                MedialVoxelWallPoints &     wall) const;
 
-  /** Cells of a row from \a first on, for GetWallPoints() of those of \a asked, whose bit 0 is the first one. */
+  /** Cells of a row from \a first on, for GetWallPoints() of those of \a asked, whose bit 0 is the first one. Their
+   * displacements are on the way to the cache. */
   MedialVoxelCells
   FindCells(const MedialVoxelFeatures &     features,
             const MedialVoxelIndex &        first,
@@ -120,11 +120,12 @@ public:
     return m_Pairs.CellsFrom(features, first, asked);
   }
 
-  /** The boundary points that decide the cell \a x after the first one of \a cells, which was asked for. */
-  bool
+  /** The boundary points at the cell \a x after the first one of \a cells, which its \a diagonal decides. */
+  void
   GetWallPoints(const MedialVoxelFeatures & features,
                 const MedialVoxelCells &    cells,
                 int                         x,
+                unsigned int                diagonal,
                 MedialVoxelWallPoints &     wall) const;
 
   /** Whether cells of a tile are decided together: each threshold depends on the cells around, or searches are long. */

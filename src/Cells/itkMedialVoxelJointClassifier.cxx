@@ -251,6 +251,7 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
     {
       labels.AddCandidates(cells.first, inTile, spread);
     }
+    MedialVoxelDiagonalNumbers diagonals;
     for (auto rest = spread; rest != 0; rest &= rest - 1)
     {
       const int           x = MedialVoxelLowestBit(rest);
@@ -273,7 +274,12 @@ MedialVoxelJointClassifier::Collect(const MedialVoxelTileInput & input,
       if (isInTile)
       {
         this->AddCell(center, widest.pair, radius, labels, workspace);
+        diagonals.Set(x, widest.number);
       }
+    }
+    if (inTile != 0)
+    {
+      labels.KeepDiagonals(cells.first, diagonals);
     }
     return !input.progress.IsAborted();
   };

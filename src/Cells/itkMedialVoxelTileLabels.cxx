@@ -43,6 +43,17 @@ MedialVoxelTileLabels::AddCandidates(const MedialVoxelIndex & first, const WordT
 }
 
 void
+MedialVoxelTileLabels::KeepDiagonals(const MedialVoxelIndex & first, const MedialVoxelDiagonalNumbers & diagonals)
+{
+  if (m_Rows != nullptr)
+  {
+    MedialVoxelCellRow & row = m_Rows->back();
+    const std::int64_t   before = row.first[0] - first[0];
+    row.diagonals = { diagonals.lower >> before, diagonals.upper >> before };
+  }
+}
+
+void
 MedialVoxelTileLabels::FinishRows()
 {
   if (m_Rows == nullptr)

@@ -15,6 +15,30 @@
 namespace itk
 {
 
+/** \struct MedialVoxelDiagonalNumbers
+ * \brief The numbers of the diagonals that decide up to 64 cells of a row, bit 0 the first cell.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelDiagonalNumbers
+{
+  MedialVoxelBits::WordType lower{ 0 }; ///< the lower bits of the numbers, which are below 4
+  MedialVoxelBits::WordType upper{ 0 }; ///< the upper bits
+
+  /** The number of the cell \a x after the first, which had none before. */
+  void
+  Set(const int x, const unsigned int number)
+  {
+    lower |= MedialVoxelBits::WordType{ number & 1u } << x;
+    upper |= MedialVoxelBits::WordType{ number >> 1 } << x;
+  }
+
+  unsigned int
+  Get(const int x) const
+  {
+    return static_cast<unsigned int>(((lower >> x) & 1u) | (((upper >> x) & 1u) << 1));
+  }
+};
+
 /** \struct MedialVoxelCellRow
  * \brief Up to 64 cells of a row as bits, bit 0 the first one.
  * \ingroup MedialVoxel
@@ -29,6 +53,8 @@ struct MedialVoxelCellRow
   MedialVoxelBits::WordType byBound{ 0 };    ///< of them: medial by the bound
   MedialVoxelBits::WordType byGeodesic{ 0 }; ///< of them: medial by the search
   MedialVoxelBits::WordType measured{ 0 };   ///< of the medial ones: their walls are measured
+
+  MedialVoxelDiagonalNumbers diagonals{}; ///< of the medial ones, at least
 };
 
 /** \class MedialVoxelTileLabels
@@ -64,6 +90,10 @@ public:
    * \a spread are trivial. */
   void
   AddCandidates(const MedialVoxelIndex & first, WordType candidates, WordType spread);
+
+  /** The diagonals of cells of the last AddCandidates(), which began at \a first. */
+  void
+  KeepDiagonals(const MedialVoxelIndex & first, const MedialVoxelDiagonalNumbers & diagonals);
 
   /** One more of the spread cells turns out to be trivial. */
   void

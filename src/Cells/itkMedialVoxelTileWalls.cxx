@@ -4,6 +4,8 @@
 
 #include "itkMedialVoxelProgress.h"
 
+#include <algorithm>
+
 namespace itk
 {
 
@@ -25,17 +27,26 @@ ForEachWallPoints(const MedialVoxelClassifier &           classifier,
 {
   MedialVoxelWallPoints  points;
   MedialVoxelPollCounter poll;
-  for (const MedialVoxelCellRow & row : rows)
+  const auto             findMeasured = [&rows](const auto from) {
+    return std::find_if(from, rows.end(), [](const MedialVoxelCellRow & row) { return row.measured != 0; });
+  };
+  const auto findCells = [&](const auto row) {
+    return row == rows.end() ? MedialVoxelCells() : classifier.FindCells(features, row->first, row->measured);
+  };
+  // The displacements of one row come from memory while the walls of the row before are measured.
+  auto             next = findMeasured(rows.begin());
+  MedialVoxelCells nextCells = findCells(next);
+  while (next != rows.end())
   {
-    if (row.measured == 0)
+    const auto             row = next;
+    const MedialVoxelCells cells = nextCells;
+    next = findMeasured(row + 1);
+    nextCells = findCells(next);
+    for (MedialVoxelBits::WordType rest = row->measured; rest != 0; rest &= rest - 1)
     {
-      continue;
-    }
-    const MedialVoxelCells cells = classifier.FindCells(features, row.first, row.measured);
-    for (MedialVoxelBits::WordType rest = row.measured; rest != 0; rest &= rest - 1)
-    {
+      const int x = MedialVoxelLowestBit(rest);
       poll.Count(steps);
-      classifier.GetWallPoints(features, cells, MedialVoxelLowestBit(rest), points);
+      classifier.GetWallPoints(features, cells, x, row->diagonals.Get(x), points);
       function(points);
     }
   }
