@@ -136,8 +136,8 @@ TEST(SheetSurvey, SumsCellsByBlocksInAnyNumberOfRuns)
 {
   std::mt19937_64 random(17);
   Shower          shower;
-  // Long axes have blocks of 1, 2, 8, 16 and 128 voxels.
-  for (const unsigned int level : { 0u, 1u, 3u, 4u, 7u })
+  // Long axes have blocks of 1, 2, 4, 8, 16 and 128 voxels.
+  for (const unsigned int level : { 0u, 1u, 2u, 3u, 4u, 7u })
   {
     VolumeGeometry geometry;
     geometry.size = { level == 0 ? 200u : std::uint64_t{ 1 } << (20 + level), 200, 200 };

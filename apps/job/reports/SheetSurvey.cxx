@@ -83,12 +83,14 @@ ForEachPart(const itk::MedialVoxelClassifiedTile & tile, double lengthUnit, unsi
   }
 }
 
-/** The sums of all blocks of a tile: a ninth of a byte for each of its voxels. */
+/** The sums of all blocks of a tile: seven eighths of a byte for each of its voxels at the least level. */
 class BlocksOfTile
 {
 public:
   /** Of smaller blocks a tile has too many. */
-  static constexpr unsigned int LeastLevel = 3;
+  static constexpr unsigned int LeastLevel = 2;
+
+  static_assert(sizeof(SheetPoints::Sums) <= SheetSurvey::WorkerBytesPerVoxel << (3 * LeastLevel));
 
   BlocksOfTile(const itk::MedialVoxelBox & tile, unsigned int level)
     : m_Level(level)

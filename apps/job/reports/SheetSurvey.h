@@ -24,10 +24,13 @@ public:
   /** \param lengthUnit of which the thickness of a cell is a multiple, in the units of the grid */
   SheetSurvey(const VolumeGeometry & geometry, double lengthUnit);
 
+  /** The sums of the blocks of a tile, rounded up. */
+  static constexpr std::uint64_t WorkerBytesPerVoxel = 1;
+
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
-    return 0;
+    return WorkerBytesPerVoxel;
   }
 
   void

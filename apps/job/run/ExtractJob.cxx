@@ -112,7 +112,8 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   const FindingSettings      findings = GetFindingSettings(options);
   itk::MedialVoxelExtraction extraction = MakeExtraction(options, header);
   extraction.isObserved = true;
-  extraction.observerBytesPerVoxel = Survey::WorkerBytesPerVoxel;
+  extraction.observerBytesPerVoxel =
+    Survey::WorkerBytesPerVoxel + (findings.sheet ? SheetSurvey::WorkerBytesPerVoxel : 0);
   footprint.bytesBeside += Findings::GetBytes(header.geometry, findings);
   if (ListsPlaces(options))
   {
