@@ -36,20 +36,28 @@ FillGray(const Values & values, const itk::MedialVoxelBox & box, itk::MedialVoxe
   });
 }
 
+constexpr auto FreeSpace = itk::MedialVoxelPseudoGeodesicBound::FreeSpace;
+
+itk::MedialVoxelParameters
+OfThickness(const double thickness)
+{
+  return itk::MedialVoxelParameters::ForThickness(thickness, FreeSpace);
+}
+
 /** A tile of a volume whose voxels of at least 50 are the object. */
 class Tile
 {
 public:
-  Tile(const Values &              values,
-       const itk::MedialVoxelBox & box,
-       const Index3 &              size = { { 24, 24, 24 } },
-       const Vector3 &             spacing = { { 1.0, 1.0, 1.0 } },
-       const double                thickness = 3.0)
+  Tile(const Values &                     values,
+       const itk::MedialVoxelBox &        box,
+       const Index3 &                     size = { { 24, 24, 24 } },
+       const Vector3 &                    spacing = { { 1.0, 1.0, 1.0 } },
+       const itk::MedialVoxelParameters & parameters = OfThickness(3.0))
     : m_Volume(MakeVolume(size, spacing, [&](const Index3 & v) { return values(KernelIndex(v)) >= 50.0; }))
     , m_Grid(GridOf(m_Volume))
     , m_Object(ObjectBits(m_Volume, m_Grid.GetVoxelBox()))
     , m_Sites(SiteBits(BoundarySites(m_Volume), m_Grid.GetVoxelBox()))
-    , m_Classifier(m_Grid, Parameters(thickness))
+    , m_Classifier(m_Grid, parameters)
   {
     const itk::MedialVoxelWindow                window{ &m_Object, &m_Sites };
     itk::MedialVoxelFeatureTransform::Workspace transform;
@@ -128,14 +136,6 @@ public:
   }
 
 private:
-  static itk::MedialVoxelParameters
-  Parameters(const double thickness)
-  {
-    itk::MedialVoxelParameters parameters;
-    parameters.epsilon = itk::MedialVoxelParameters::EpsilonFromThickness(thickness);
-    return parameters;
-  }
-
   Volume                               m_Volume;
   itk::MedialVoxelGrid                 m_Grid;
   itk::MedialVoxelBits                 m_Object;
@@ -196,9 +196,15 @@ TEST(MedialVoxelTileWalls, AreThoseOfSingleCells)
       box.upper[axis] = box.lower[axis] + 1 +
                         static_cast<std::int64_t>(random() % static_cast<unsigned int>(size[axis] - box.lower[axis]));
     }
-    // Cells decided one by one, and together.
-    const double thickness = trial % 2 == 0 ? 3.0 : 9.0;
-    const Tile   tile(DrawShells(random, size), box, size, spacings[trial % spacings.size()], thickness);
+    // Cells decided one by one, together, and together with some around the tile.
+    const std::vector<itk::MedialVoxelParameters> parameters{
+      OfThickness(3.0), OfThickness(9.0), itk::MedialVoxelParameters::ForWalls(3.0, 8.0, FreeSpace)
+    };
+    const Tile tile(DrawShells(random, size),
+                    box,
+                    size,
+                    spacings[trial % spacings.size()],
+                    parameters[trial / 3 % parameters.size()]);
     compared += tile.CompareWithSingleCells();
   }
   EXPECT_GT(compared, 1000u);
