@@ -176,6 +176,7 @@ MedialVoxelJointClassifier::LabelAtOnce(const MedialVoxelBits & sites,
     const MedialVoxelPair & pair = workspace.m_Pairs[waiting];
     const double            epsilon = m_Threshold.EpsilonOf(workspace.m_Threshold.radii[waiting]);
     ++waiting;
+    cell.limit = std::min(cell.limit, epsilon);
     if (m_Pairs.GetCell().IsTrivial(pair.difference, epsilon))
     {
       labels.CountTrivialCell();
@@ -338,6 +339,15 @@ MedialVoxelJointClassifier::LeaveOut(const MedialVoxelBits & sites, Cell & cell,
   return true;
 }
 
+/** Length by which the bounds of cells are to exceed their thresholds, so that they decide pairs beside those of the
+ * cells, if observers ask for such. */
+double
+MedialVoxelJointClassifier::GetWayToEdges(const MedialVoxelTileInput &  input,
+                                          const MedialVoxelTileLabels & labels) const
+{
+  return labels.GetTile().Contains(input.cells) ? 0.0 : WayToEdges * m_Grid.GetLongestEdge();
+}
+
 /** Decide the cells whose points no path joins that is shorter than any threshold they can have. */
 void
 MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
@@ -348,17 +358,17 @@ MedialVoxelJointClassifier::SeparateByBlocks(const MedialVoxelTileInput & input,
   {
     return;
   }
-  // Observers ask for pairs beside those of the cells.
-  const double           way = labels.GetTile().Contains(input.cells) ? 0.0 : WayToEdges * m_Grid.GetLongestEdge();
+  const double           way = this->GetWayToEdges(input, labels);
   MedialVoxelPollCounter poll;
   for (Cell & cell : workspace.m_Cells)
   {
     poll.Count();
     const bool isLeftOut = this->LeaveOut(*input.window.sites, cell, labels);
-    cell.epsilon =
-      isLeftOut
-        ? 0.0
-        : way + m_Threshold.EpsilonOf(m_Threshold.GetLargestRadius(cell.center, cell.radius, workspace.m_Threshold));
+    if (!isLeftOut || way > 0.0)
+    {
+      cell.limit = this->GetLargestEpsilon(cell.center, cell.radius, workspace);
+    }
+    cell.epsilon = isLeftOut ? 0.0 : way + cell.limit;
   }
   m_Blocks.Narrow(*input.window.sites, input.progress, workspace.m_Blocks, workspace.m_Cells);
   for (Cell & cell : workspace.m_Cells)
@@ -384,6 +394,7 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
   auto & threshold = workspace.m_Threshold;
   threshold.cells.Reshape(labels.GetTile());
   threshold.radii.clear();
+  const double           way = this->GetWayToEdges(input, labels);
   MedialVoxelPollCounter poll;
   for (Cell & cell : workspace.m_Cells)
   {
@@ -408,7 +419,8 @@ MedialVoxelJointClassifier::BoundCells(const MedialVoxelTileInput & input,
       // What a cell reaches anyway, smaller balls need not raise; the bound has its own label.
       const bool isBounded =
         cell.bounds.shortest > 0.0 && m_Pairs.GetCell().FreeSpaceLength(pair.difference) >= epsilon;
-      known = isBounded ? 0.0 : m_Threshold.RadiusBelow(cell.bounds.shortest * (1.0 - 3.0 * MedialVoxelResolutionBand));
+      const double reached = (cell.bounds.shortest - way) * (1.0 - 3.0 * MedialVoxelResolutionBand);
+      known = isBounded ? 0.0 : m_Threshold.RadiusBelow(reached);
     }
     threshold.cells.Set(cell.center);
     threshold.radii.push_back(std::max(cell.radius, known));

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -45,6 +46,8 @@ struct MedialVoxelTileInput
 class MedialVoxel_EXPORT MedialVoxelJointClassifier
 {
 private:
+  static constexpr double Unlimited = std::numeric_limits<double>::infinity();
+
   /** A cell of the tile that is not trivial. */
   struct Cell
   {
@@ -53,7 +56,8 @@ private:
     MedialVoxelIndex        b;
     std::size_t             label{ 0 };         // position in the labels of the tile
     double                  radius{ 0.0 };      // of its own ball, or 0
-    double                  epsilon{ 0.0 };     // at least its threshold, while blocks may separate its points
+    double                  limit{ Unlimited }; // its threshold is not above it, once known
+    double                  epsilon{ 0.0 };     // up to which paths matter while blocks may separate its points
     MedialVoxelLengthBounds bounds;             // of the geodesic distance
     bool                    isAtFloor{ false }; // known to reach the smallest threshold
     bool                    isWaiting{ true };  // for its own threshold
@@ -164,6 +168,12 @@ private:
 
   bool
   LeaveOut(const MedialVoxelBits & sites, Cell & cell, MedialVoxelTileLabels & labels) const;
+
+  double
+  GetLargestEpsilon(const MedialVoxelIndex & cell, double radius, const Workspace & workspace) const;
+
+  double
+  GetWayToEdges(const MedialVoxelTileInput & input, const MedialVoxelTileLabels & labels) const;
 
   void
   SeparateByBlocks(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;

@@ -79,6 +79,15 @@ MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelI
   return std::min(straight, crossed);
 }
 
+/** At least the threshold of a cell with a ball of \a radius or 0. */
+double
+MedialVoxelJointClassifier::GetLargestEpsilon(const MedialVoxelIndex & cell,
+                                              const double             radius,
+                                              const Workspace &        workspace) const
+{
+  return m_Threshold.EpsilonOf(MedialVoxelLocalThreshold::GetLargestRadius(cell, radius, workspace.m_Threshold));
+}
+
 /** Widen the limits of the thresholds of a pair by those of the cells around its edge. */
 void
 MedialVoxelJointClassifier::LimitThresholds(const Workspace &           workspace,
@@ -89,25 +98,30 @@ MedialVoxelJointClassifier::LimitThresholds(const Workspace &           workspac
 {
   const MedialVoxelBox & tile = workspace.m_Ranks.GetBits().GetBox();
   double                 least = 0.0;
-  double                 most = 0.0;
   for (unsigned int i = 0; i < around.number; ++i)
   {
-    const MedialVoxelIndex & cell = around.cells[i];
-    double                   radius = 0.0;
-    if (known[i] != nullptr)
+    const Cell * const cell = known[i];
+    if (cell != nullptr && cell->limit < Unlimited)
     {
-      radius = known[i]->radius;
+      least = std::max(least, cell->radius);
+      pair.mostEpsilon = std::max(pair.mostEpsilon, cell->limit);
+      continue;
     }
-    else if (!tile.Contains(cell))
+    const MedialVoxelIndex & index = around.cells[i];
+    double                   radius = 0.0;
+    if (cell != nullptr)
     {
-      radius = m_Threshold.FindRadius(features, cell);
+      radius = cell->radius;
+    }
+    else if (!tile.Contains(index))
+    {
+      radius = m_Threshold.FindRadius(features, index);
     }
     least = std::max(least, radius);
-    most = std::max(most, MedialVoxelLocalThreshold::GetLargestRadius(cell, radius, workspace.m_Threshold));
+    pair.mostEpsilon = std::max(pair.mostEpsilon, this->GetLargestEpsilon(index, radius, workspace));
   }
   // Thresholds grow with radii.
   pair.leastEpsilon = std::max(pair.leastEpsilon, m_Threshold.EpsilonOf(least));
-  pair.mostEpsilon = std::max(pair.mostEpsilon, m_Threshold.EpsilonOf(most));
 }
 
 void
