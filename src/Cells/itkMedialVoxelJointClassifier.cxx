@@ -23,9 +23,6 @@ constexpr double ThicknessOfFlood = 5.0;
 /** Steps along each axis between the points of most cells beside a sheet. */
 constexpr std::int64_t ShortWay = 2;
 
-/** Longest edges from the points of a cell to those of most edges of voxels around it. */
-constexpr double WayToEdges = 1.0;
-
 /** Cells whose own ball would set less than this share of their threshold are probably in a branch of a wall. */
 constexpr double LargestBranch = 0.85;
 
@@ -337,15 +334,6 @@ MedialVoxelJointClassifier::LeaveOut(const MedialVoxelBits & sites, Cell & cell,
   cell.isWaiting = false;
   labels.Decide(cell.label, MedialVoxelLabel::NonMedial);
   return true;
-}
-
-/** Length by which the bounds of cells are to exceed their thresholds, so that they decide pairs beside those of the
- * cells, if observers ask for such. */
-double
-MedialVoxelJointClassifier::GetWayToEdges(const MedialVoxelTileInput &  input,
-                                          const MedialVoxelTileLabels & labels) const
-{
-  return labels.GetTile().Contains(input.cells) ? 0.0 : WayToEdges * m_Grid.GetLongestEdge();
 }
 
 /** Decide the cells whose points no path joins that is shorter than any threshold they can have. */

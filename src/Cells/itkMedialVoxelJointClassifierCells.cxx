@@ -12,6 +12,14 @@
 namespace itk
 {
 
+namespace
+{
+
+/** Longest edges from the points of a cell to those of most edges of voxels around it. */
+constexpr double WayToEdges = 1.0;
+
+} // namespace
+
 /** A cell of the tile that is not trivial, or null. */
 auto
 MedialVoxelJointClassifier::FindCell(const Workspace & workspace, const MedialVoxelIndex & cell) -> const Cell *
@@ -77,6 +85,15 @@ MedialVoxelJointClassifier::WayTo(const MedialVoxelIndex & a, const MedialVoxelI
   const double straight = this->EdgeBetween(a, cell.a) + this->EdgeBetween(b, cell.b);
   const double crossed = this->EdgeBetween(a, cell.b) + this->EdgeBetween(b, cell.a);
   return std::min(straight, crossed);
+}
+
+/** Length by which the bounds of cells are to exceed their thresholds, so that they decide pairs beside those of the
+ * cells, if observers ask for such. */
+double
+MedialVoxelJointClassifier::GetWayToEdges(const MedialVoxelTileInput &  input,
+                                          const MedialVoxelTileLabels & labels) const
+{
+  return labels.GetTile().Contains(input.cells) ? 0.0 : WayToEdges * m_Grid.GetLongestEdge();
 }
 
 /** At least the threshold of a cell with a ball of \a radius or 0. */
