@@ -4,6 +4,8 @@
 
 #include "VolumeFormats.h"
 
+#include "itkMultiThreaderBase.h"
+
 #include <gtest/gtest.h>
 
 using namespace medialvoxel;
@@ -148,6 +150,34 @@ TEST(Plan, TheMaskOfACompressedVolumeIsInMemoryWhereItFits)
   EXPECT_LE(plan.memoryBytes, 100 * MiB);
   options.scratchFolder.clear();
   EXPECT_THROW(MakePlanFor(options, header, 1), JobError);
+}
+
+TEST(Plan, TakesAsManyThreadsAsHalfOfTheMemoryHolds)
+{
+  const auto wanted = itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads();
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(64);
+  const VolumeHeader header = MakeHeader({ 500, 500, 500 });
+  unsigned int       fewest = 64;
+  unsigned int       most = 1;
+  for (const std::uint64_t memory : { 4096 * MiB, 150 * MiB, 80 * MiB, 50 * MiB, 30 * MiB })
+  {
+    JobOptions options;
+    options.memoryBytes = memory;
+    const JobPlan plan = MakePlanFor(options, header, 1);
+    EXPECT_LE(plan.memoryBytes, memory);
+    fewest = std::min(fewest, plan.threads);
+    most = std::max(most, plan.threads);
+    if (plan.threads < 64)
+    {
+      // Half of the memory is left for thicker walls.
+      options.threads = plan.threads + 1;
+      options.memoryBytes = memory / 2;
+      EXPECT_THROW(MakePlanFor(options, header, 1), JobError) << memory;
+    }
+  }
+  EXPECT_EQ(most, 64u);
+  EXPECT_LT(fewest, 16u);
+  itk::MultiThreaderBase::SetGlobalDefaultNumberOfThreads(wanted);
 }
 
 TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)

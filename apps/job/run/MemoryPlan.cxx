@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -279,6 +280,22 @@ TryScratch(JobPlan & plan, const Request & request)
   return TryRows(plan, request);
 }
 
+/** As many threads as half of the memory holds, fewer than the plan has; the rest is for thicker walls. */
+bool
+TryFewerThreads(JobPlan & plan, const Request & request)
+{
+  const std::uint64_t all = std::exchange(plan.memoryLimit, plan.memoryLimit / 2);
+  unsigned int        fitting = 0;
+  for (unsigned int tooMany = plan.threads; tooMany - fitting > 1;)
+  {
+    plan.threads = fitting + (tooMany - fitting) / 2;
+    (TryScratch(plan, request) ? fitting : tooMany) = plan.threads;
+  }
+  plan.memoryLimit = all;
+  plan.threads = std::max(fitting, 1u);
+  return TryScratch(plan, request);
+}
+
 /** A part of the memory that is left is for chunks that reach beyond a slab, or they are unpacked for each slab. */
 void
 AddChunksToKeep(JobPlan & plan, const Request & request)
@@ -345,12 +362,7 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   plan.numberOfEngines = footprint.engines.size();
   plan.maskBytes = header.CanStream() ? 0 : GetBitStoreBytes(header.geometry.GetNumberOfVoxels() * footprint.maskBits);
   plan.memoryLimit = std::min(wanted, GetRestOfLimits());
-  bool fits = TryScratch(plan, request);
-  if (!fits && !options.threads)
-  {
-    plan.threads = 1;
-    fits = TryScratch(plan, request);
-  }
+  const bool fits = TryScratch(plan, request) || (!options.threads && TryFewerThreads(plan, request));
   if (!fits)
   {
     RefuseLackOfMemory(plan, request);
