@@ -94,6 +94,25 @@ Differences(const itk::MedialVoxelMovingWindow & window,
   differences += changes.removed != static_cast<std::uint64_t>(removed) ? 1 : 0;
   return differences;
 }
+/** Move a window, in parts, with what another one has. */
+void
+CopyAndMove(itk::MedialVoxelMovingWindow &       window,
+            const itk::MedialVoxelBox &          sites,
+            const itk::MedialVoxelMovingWindow & donor,
+            VolumeSource &                       source)
+{
+  constexpr std::int64_t parts = 3;
+  window.BeginMove(sites, sites, &donor);
+  for (const itk::MedialVoxelBox & part : window.CutToFill(parts, 1))
+  {
+    window.Fill(part, source);
+  }
+  window.ChangeSmallComponents(source);
+  for (const itk::MedialVoxelBox & part : window.CutToMark(parts))
+  {
+    window.Mark(part);
+  }
+}
 } // namespace
 
 TEST(MedialVoxelSmallComponents, RandomMasksFollowTheDefinition)
@@ -188,6 +207,7 @@ TEST(MedialVoxelSmallComponents, WindowsOfAnyKindHoldTheSameBits)
       const Volume                 expected = WithoutPores(volume, static_cast<std::size_t>(most));
       VolumeSource                 source(volume);
       itk::MedialVoxelMovingWindow window(GridOf(volume), Background, false, false, static_cast<std::uint64_t>(most));
+      itk::MedialVoxelMovingWindow ahead(GridOf(volume), Background, false, false, static_cast<std::uint64_t>(most));
       for (int trial = 0; trial < 12; ++trial)
       {
         auto sites = RandomBox(size, generator);
@@ -201,6 +221,8 @@ TEST(MedialVoxelSmallComponents, WindowsOfAnyKindHoldTheSameBits)
           const itk::MedialVoxelIndex step =
             trial % 2 == 0 ? itk::MedialVoxelIndex{ { 0, 0, 2 } } : itk::MedialVoxelIndex{ { 3, 2, 1 } };
           sites = sites.Expanded(step).Intersection(GridOf(volume).GetVoxelBox());
+          CopyAndMove(ahead, sites, window, source);
+          ASSERT_EQ(Differences(ahead, sites, volume, expected), 0u) << "seed " << seed << ", at most " << most;
         }
       }
     }
