@@ -3,8 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which work an extraction spends its time on, by samples of a profiler, now and with an earlier build; writes one JSON file.
 
-Runs with one thread: a fixed thickness, the automatic one, and a mesh; on the side frame also a large thickness, and the
-distances of all voxels. A sample counts for the function that runs, and
+Runs with one thread: a fixed thickness, the automatic one, and a mesh. A sample counts for the function that runs, and
 functions are grouped by their names. Both builds run in turn, round after round, and their labels are compared.
 Needs perf of Linux.
 
@@ -32,7 +31,6 @@ SAMPLES_PER_SECOND = 999
 GROUPS = {
     "system: reading, writing, pages": r"^\[k\]",
     "mesh": r"Surface|Isosurface|Smooth(?!ed)|MeshWriter|Vtp|MeasureThickness|SpreadEdges|LimitThresholds|FindCell|LookAt",
-    "distances of all voxels": r"DistanceTransform|SearchLanes|WriteFloats|LengthTask",
     "voxels around a tile whose balls may reach it": r"ReachingVoxels",
     "nearest boundary points": r"FeatureTransform|SearchOffsets|RowPass|NearestSite|FindSmallestSum|Features::|ColumnPass",
     "pairs of cells": r"SpreadCells|WidestDiagonals|CellPairs|Joint\w+::(Collect|AddCell)|DualCell|GroupAt",
@@ -44,10 +42,7 @@ GROUPS = {
     "window: bits, boundary, specks, roughness": r"MovingWindow|SmallComponents|ComponentChange|ComputeBoundary|PackRow|Roughness|MedialVoxelBits::",
     "other": r"",
 }
-# Thickness and further options, as in measure_automatic.py.
-CASE = measure_automatic.CASES["side-frame"].ways
-WAYS = {"thickness 3": CASE["fixed"], "automatic": CASE["automatic"], "with a mesh": CASE["with a mesh"]}
-FURTHER_WAYS = {"thickness 8": CASE["thickness 8"], "with distances": (*CASE["fixed"], "--distance", "FILE.mha")}
+WAYS = {"thickness 3": "fixed", "automatic": "automatic", "with a mesh": "with a mesh"}
 CASES = ("side-frame", "gyroid", "engine")
 
 
@@ -94,8 +89,8 @@ def measure(arguments, scratch, name):
     case = measure_automatic.CASES[name]
     builds = {"now": arguments.build} | ({"before": arguments.before} if arguments.before else {})
     result, labels = {}, {}
-    for way, options in (WAYS | (FURTHER_WAYS if name == "side-frame" else {})).items():
-        words = [str(word).replace("FILE", str(scratch / "extra")) for word in options]
+    for way, key in WAYS.items():
+        words = [str(word).replace("FILE", str(scratch / "extra")) for word in case.ways[key]]
         commands = {
             which: compare_peers.Extraction(build, volume, size, 1, *words, *case.options, scratch=scratch)
             for which, build in builds.items()
