@@ -60,10 +60,12 @@ private:
   static double
   SumOf(const std::vector<TimedTile> & tiles);
 
-  /** The seconds of the longest tile that comes last for its shortness, when none takes longer than \a longest. */
+  /** Tiles of at most so many seconds come last. Together they take long enough to level threads that end with tiles of
+   * up to \a longest seconds. */
   static double
   FindLongestTrailing(const std::vector<TimedTile> & tiles, double longest, double numberOfWorkers);
 
+  /** Put very long tiles first, longest first, and short ones last; others keep their order. */
   static void
   Order(std::vector<TimedTile> & tiles, double numberOfWorkers);
 
