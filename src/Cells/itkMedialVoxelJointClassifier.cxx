@@ -69,7 +69,7 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
   this->BoundCells(input, workspace, labels);
   m_Threshold.RaiseRadii(workspace.m_Threshold);
   this->LabelAtOnce(sites, workspace, labels);
-  this->LeaveOutBranches(workspace, labels);
+  this->LeaveOutBranches(sites, workspace, labels);
   const MedialVoxelBox missing =
     m_Separation.FindSeparated(sites, input.progress, workspace.m_Separation, workspace.m_Queries);
   if (missing.IsEmpty())
@@ -81,12 +81,14 @@ MedialVoxelJointClassifier::Classify(const MedialVoxelTileInput & input,
 
 /** Decide a query when the pairs of neighbors suffice. */
 bool
-MedialVoxelJointClassifier::DecideByNeighbors(const Query &           query,
+MedialVoxelJointClassifier::DecideByNeighbors(const MedialVoxelBits & sites,
+                                              const Way               way,
+                                              const Query &           query,
                                               Workspace &             workspace,
                                               MedialVoxelTileLabels & labels) const
 {
   Cell & cell = workspace.m_Cells[query.cell];
-  this->FollowNeighbors(workspace, query.epsilon, cell);
+  this->FollowNeighbors(workspace, sites, way, query.epsilon, cell);
   const bool reaches = cell.bounds.Reach(query.epsilon);
   if (!reaches && !cell.bounds.FallShortOf(query.epsilon))
   {
@@ -108,7 +110,9 @@ MedialVoxelJointClassifier::SortInwards(const Workspace &   workspace,
 
 /** Decide the cells of branches that follow others; branches are in walls that are thicker than they are. */
 void
-MedialVoxelJointClassifier::LeaveOutBranches(Workspace & workspace, MedialVoxelTileLabels & labels) const
+MedialVoxelJointClassifier::LeaveOutBranches(const MedialVoxelBits & sites,
+                                             Workspace &             workspace,
+                                             MedialVoxelTileLabels & labels) const
 {
   auto &     queries = workspace.m_Queries;
   const auto isInSheet = [&](const Query & query) {
@@ -119,7 +123,7 @@ MedialVoxelJointClassifier::LeaveOutBranches(Workspace & workspace, MedialVoxelT
   MedialVoxelPollCounter poll;
   const auto             isDecided = [&](const Query & query) {
     poll.Count();
-    return this->DecideByNeighbors(query, workspace, labels);
+    return this->DecideByNeighbors(sites, Way::Edges, query, workspace, labels);
   };
   queries.erase(std::remove_if(branches, queries.end(), isDecided), queries.end());
 }
@@ -130,8 +134,9 @@ MedialVoxelJointClassifier::Search(const MedialVoxelTileInput & input,
                                    Workspace &                  workspace,
                                    MedialVoxelTileLabels &      labels) const
 {
-  auto &     queries = workspace.m_Queries;
-  const auto joined =
+  const MedialVoxelBits & sites = *input.window.sites;
+  auto &                  queries = workspace.m_Queries;
+  const auto              joined =
     std::partition(queries.begin(), queries.end(), [](const Query & query) { return query.isSeparated; });
   std::for_each(queries.begin(), joined, [&](const Query & query) {
     Cell & cell = workspace.m_Cells[query.cell];
@@ -143,10 +148,11 @@ MedialVoxelJointClassifier::Search(const MedialVoxelTileInput & input,
   for (auto query = joined; query != queries.end() && !input.progress.IsAborted(); ++query)
   {
     poll.Count();
-    if (!this->DecideByNeighbors(*query, workspace, labels))
+    if (!this->DecideByNeighbors(sites, Way::Edges, *query, workspace, labels) &&
+        !this->DecideByNeighbors(sites, Way::TwoEdges, *query, workspace, labels))
     {
       Cell &     cell = workspace.m_Cells[query->cell];
-      const bool reaches = m_Separation.Reaches(*input.window.sites, *query, workspace.m_Separation);
+      const bool reaches = m_Separation.Reaches(sites, *query, workspace.m_Separation);
       cell.bounds.Narrow(query->bounds);
       labels.Decide(cell.label, reaches ? MedialVoxelLabel::MedialByGeodesic : MedialVoxelLabel::NonMedial);
     }

@@ -199,14 +199,25 @@ private:
   std::optional<std::uint8_t>
   LabelByLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
 
+  /** From the points of a cell to those of its neighbor. */
+  enum class Way : std::uint8_t
+  {
+    Edges,    ///< an edge or none from each
+    TwoEdges, ///< up to two from each
+  };
+
   bool
-  DecideByNeighbors(const Query & query, Workspace & workspace, MedialVoxelTileLabels & labels) const;
+  DecideByNeighbors(const MedialVoxelBits & sites,
+                    Way                     way,
+                    const Query &           query,
+                    Workspace &             workspace,
+                    MedialVoxelTileLabels & labels) const;
 
   static void
   SortInwards(const Workspace & workspace, QueryIterator first, QueryIterator last);
 
   void
-  LeaveOutBranches(Workspace & workspace, MedialVoxelTileLabels & labels) const;
+  LeaveOutBranches(const MedialVoxelBits & sites, Workspace & workspace, MedialVoxelTileLabels & labels) const;
 
   void
   Search(const MedialVoxelTileInput & input, Workspace & workspace, MedialVoxelTileLabels & labels) const;
@@ -226,11 +237,21 @@ private:
   double
   WayTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b, const Cell & cell) const;
 
+  double
+  LongerWayTo(const MedialVoxelBits & sites, const Cell & from, const Cell & to, double most) const;
+
   void
-  FollowNeighbors(const Workspace & workspace, double epsilon, Cell & cell) const;
+  FollowNeighbors(const Workspace &       workspace,
+                  const MedialVoxelBits & sites,
+                  Way                     way,
+                  double                  epsilon,
+                  Cell &                  cell) const;
 
   double
   EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;
+
+  double
+  TwoEdgesBetween(const MedialVoxelBits & sites, const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;
 
   MedialVoxelGrid            m_Grid;
   MedialVoxelParameters      m_Parameters;

@@ -169,9 +169,67 @@ MedialVoxelJointClassifier::LookAt(const Workspace &           workspace,
   }
 }
 
+/** Length of the shortest way of two edges between two boundary points; infinite when there is none. */
+double
+MedialVoxelJointClassifier::TwoEdgesBetween(const MedialVoxelBits &  sites,
+                                            const MedialVoxelIndex & a,
+                                            const MedialVoxelIndex & b) const
+{
+  MedialVoxelBox middles;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    middles.lower[axis] = std::max(a[axis], b[axis]) - 1;
+    middles.upper[axis] = std::min(a[axis], b[axis]) + 2;
+  }
+  middles = middles.Intersection(sites.GetBox());
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::int64_t z = middles.lower[2]; z < middles.upper[2]; ++z)
+  {
+    for (std::int64_t y = middles.lower[1]; y < middles.upper[1]; ++y)
+    {
+      const auto inBox = MedialVoxelBits::RangeMask(0, 0, middles.Extent(0));
+      for (auto rest = sites.Extract(middles.lower[0], y, z) & inBox; rest != 0; rest &= rest - 1)
+      {
+        const MedialVoxelIndex middle{ { middles.lower[0] + MedialVoxelLowestBit(rest), y, z } };
+        shortest = std::min(shortest, this->EdgeBetween(a, middle) + this->EdgeBetween(middle, b));
+      }
+    }
+  }
+  return shortest;
+}
+
+/** WayTo() with up to two edges from each of the points; infinite when it exceeds \a most. */
+double
+MedialVoxelJointClassifier::LongerWayTo(const MedialVoxelBits & sites,
+                                        const Cell &            from,
+                                        const Cell &            to,
+                                        const double            most) const
+{
+  const auto between = [&](const MedialVoxelIndex & i, const MedialVoxelIndex & j) {
+    return std::min(this->EdgeBetween(i, j), this->TwoEdgesBetween(sites, i, j));
+  };
+  for (const bool isCrossed : { false, true })
+  {
+    double way = between(from.a, isCrossed ? to.b : to.a);
+    if (way <= most)
+    {
+      way += between(from.b, isCrossed ? to.a : to.b);
+    }
+    if (way <= most)
+    {
+      return way;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 /** Narrow the bounds of a cell by those of its neighbors, until they decide it. */
 void
-MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const double epsilon, Cell & cell) const
+MedialVoxelJointClassifier::FollowNeighbors(const Workspace &       workspace,
+                                            const MedialVoxelBits & sites,
+                                            const Way               way,
+                                            const double            epsilon,
+                                            Cell &                  cell) const
 {
   const MedialVoxelBits & bits = workspace.m_Ranks.GetBits();
   const std::int64_t      x = cell.center[0];
@@ -187,10 +245,14 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace & workspace, const d
       {
         const Cell & neighbor =
           workspace.m_Cells[workspace.m_Ranks.RankOf({ { x - 1 + MedialVoxelLowestBit(rest), y, z } })];
-        if (neighbor.bounds.longest < cell.bounds.longest || neighbor.bounds.shortest > epsilon)
+        const double most = std::max(neighbor.bounds.shortest - epsilon, epsilon - neighbor.bounds.longest);
+        if (most <= 0.0)
         {
-          cell.bounds.Narrow(neighbor.bounds, this->WayTo(cell.a, cell.b, neighbor));
+          continue;
         }
+        const double length =
+          way == Way::Edges ? this->WayTo(cell.a, cell.b, neighbor) : this->LongerWayTo(sites, cell, neighbor, most);
+        cell.bounds.Narrow(neighbor.bounds, length);
         if (cell.bounds.FallShortOf(epsilon) || cell.bounds.Reach(epsilon))
         {
           return;

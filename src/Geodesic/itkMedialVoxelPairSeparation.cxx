@@ -14,12 +14,12 @@ namespace itk
 namespace
 {
 
-/** Groups are cubes of 16, then 8 and 4 voxels. */
-constexpr unsigned int FirstLevel = 4;
+/** Groups are cubes of 8, then 4 voxels. */
+constexpr unsigned int FirstLevel = 3;
 constexpr unsigned int LastLevel = 2;
 
 /** Share of the threshold that paths are searched for: what is known beyond it decides neighboring pairs. */
-constexpr double LongestSearch = 1.3;
+constexpr double LongestSearch = 1.45;
 
 /** Number of the cube of 2^level voxels that the middle of a pair lies in. */
 std::uint64_t

@@ -16,6 +16,21 @@ using WordType = MedialVoxelBits::WordType;
 namespace
 {
 
+/** Points around one and itself, x first; the one in the middle. */
+constexpr unsigned int NumberOfDirections = 27;
+constexpr unsigned int NoDirection = 13;
+
+/** Buckets of this share of the shortest edge keep most points from being visited twice. */
+constexpr double BucketsToEdge = 0.5;
+
+/** Steps along an axis in a direction. */
+constexpr int
+StepOf(const unsigned int direction, const unsigned int axis)
+{
+  const unsigned int along = axis == 0 ? direction : (axis == 1 ? direction / 3 : direction / 9);
+  return static_cast<int>(along % 3) - 1;
+}
+
 /** The smallest number of bits that holds the numbers below \a count. */
 unsigned int
 BitsFor(const std::int64_t count)
@@ -75,27 +90,35 @@ struct MedialVoxelPathSearch::Raster
     return { { point & ((1 << columnBits) - 1), row & ((1 << rowBits) - 1), row >> rowBits } };
   }
 
-  /** Call \a visit(neighbor, mask) for each neighbor, with the axes that change. */
-  template <typename TVisit>
-  void
-  VisitNeighbors(const PointType point, TVisit && visit) const
+  /** Directions in which a point has neighbors, as bits. */
+  std::uint32_t
+  NeighborsOf(const PointType point) const
   {
-    const std::int32_t row = point >> columnBits;
-    const std::int32_t x = point & ((1 << columnBits) - 1);
-    for (std::int32_t dz = -1; dz <= 1; ++dz)
+    const std::int32_t    x = point & ((1 << columnBits) - 1);
+    const std::uint64_t * rows = words.data() + (point >> columnBits) - (1 << rowBits) - 1;
+    std::uint32_t         neighbors = 0;
+    for (unsigned int slice = 0; slice < 3; ++slice)
     {
-      for (std::int32_t dy = -1; dy <= 1; ++dy)
+      for (unsigned int row = 0; row < 3; ++row)
       {
-        const std::int32_t neighborRow = row + dz * (1 << rowBits) + dy;
-        const unsigned int mask = (dy != 0 ? 2u : 0u) | (dz != 0 ? 4u : 0u);
-        const auto         bits = (words[static_cast<std::size_t>(neighborRow)] >> (x - 1)) & (mask == 0 ? 5u : 7u);
-        for (auto rest = bits; rest != 0; rest &= rest - 1)
-        {
-          const std::int32_t dx = MedialVoxelLowestBit(rest) - 1;
-          visit(neighborRow * (1 << columnBits) + x + dx, mask | (dx != 0 ? 1u : 0u));
-        }
+        neighbors |= static_cast<std::uint32_t>((rows[row] >> (x - 1)) & 7u) << (9 * slice + 3 * row);
       }
+      rows += std::ptrdiff_t{ 1 } << rowBits;
     }
+    return neighbors & ~(std::uint32_t{ 1 } << NoDirection);
+  }
+
+  /** What leads from a point to its neighbors. */
+  std::array<PointType, NumberOfDirections>
+  GetSteps() const
+  {
+    std::array<PointType, NumberOfDirections> steps{};
+    for (unsigned int direction = 0; direction < NumberOfDirections; ++direction)
+    {
+      const int rows = StepOf(direction, 2) * (1 << rowBits) + StepOf(direction, 1);
+      steps[direction] = rows * (1 << columnBits) + StepOf(direction, 0);
+    }
+    return steps;
   }
 
   const MedialVoxelBox               box;
@@ -110,6 +133,15 @@ MedialVoxelPathSearch::MedialVoxelPathSearch(const MedialVoxelGrid & grid)
   for (unsigned int mask = 0; mask < m_EdgeLengths.size(); ++mask)
   {
     m_EdgeLengths[mask] = grid.GetEdgeLength(mask);
+  }
+  for (unsigned int direction = 0; direction < m_LengthsOfDirections.size(); ++direction)
+  {
+    unsigned int mask = 0;
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      mask |= StepOf(direction, axis) != 0 ? 1u << axis : 0u;
+    }
+    m_LengthsOfDirections[direction] = m_EdgeLengths[mask];
   }
 }
 
@@ -157,16 +189,21 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
 
   auto &       queue = workspace.m_Queue;
   const double straight = this->FreeSpaceLength(raster.CoordinatesOf(start), end);
-  queue.Begin(straight, m_Grid.GetShortestEdge());
+  queue.Begin(straight, BucketsToEdge * m_Grid.GetShortestEdge());
   nodeOf(start) = { 0.0, straight, number };
   queue.Push({ start, 0.0 }, straight);
   double                 found = std::numeric_limits<double>::infinity();
   double                 limit = most;
   MedialVoxelPollCounter poll;
+  const auto             steps = raster.GetSteps();
   const auto             visit = [&](const PointType from, const double lengthHere) {
-    raster.VisitNeighbors(from, [&](const PointType to, const unsigned int mask) {
-      const double length = lengthHere + m_EdgeLengths[mask];
-      auto &       node = nodeOf(to);
+    // One loop over all directions: a loop for each row ends where no processor foresees it.
+    for (std::uint32_t rest = raster.NeighborsOf(from); rest != 0; rest &= rest - 1)
+    {
+      const auto      direction = static_cast<std::size_t>(MedialVoxelLowestBit(rest));
+      const PointType to = from + steps[direction];
+      const double    length = lengthHere + m_LengthsOfDirections[direction];
+      auto &          node = nodeOf(to);
       if (node.search != number)
       {
         node = { std::numeric_limits<double>::infinity(),
@@ -175,7 +212,7 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
       }
       if (length >= node.length || length + node.rest > limit)
       {
-        return;
+        continue;
       }
       node.length = length;
       if (to == target)
@@ -186,7 +223,7 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
       {
         queue.Push({ to, length }, length + node.rest);
       }
-    });
+    }
   };
   while (found >= enough)
   {

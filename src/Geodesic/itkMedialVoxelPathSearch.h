@@ -87,8 +87,9 @@ private:
   double
   FreeSpaceLength(const std::array<std::int32_t, 3> & a, const std::array<std::int32_t, 3> & b) const;
 
-  MedialVoxelGrid       m_Grid;
-  std::array<double, 8> m_EdgeLengths;
+  MedialVoxelGrid        m_Grid;
+  std::array<double, 8>  m_EdgeLengths; // by the axes that change
+  std::array<double, 27> m_LengthsOfDirections;
 };
 
 } // end namespace itk
