@@ -241,10 +241,16 @@ MedialVoxelJointClassifier::FollowNeighbors(const Workspace &       workspace,
       {
         continue;
       }
-      for (auto rest = bits.Extract(x - 1, y, z) & 7u; rest != 0; rest &= rest - 1)
+      const auto inRow = bits.Extract(x - 1, y, z) & 7u;
+      if (inRow == 0)
       {
-        const Cell & neighbor =
-          workspace.m_Cells[workspace.m_Ranks.RankOf({ { x - 1 + MedialVoxelLowestBit(rest), y, z } })];
+        continue;
+      }
+      // The cells of a row follow each other.
+      std::size_t next = workspace.m_Ranks.RankOf({ { x - 1 + MedialVoxelLowestBit(inRow), y, z } });
+      for (auto rest = inRow; rest != 0; rest &= rest - 1)
+      {
+        const Cell & neighbor = workspace.m_Cells[next++];
         const double most = std::max(neighbor.bounds.shortest - epsilon, epsilon - neighbor.bounds.longest);
         if (most <= 0.0)
         {
