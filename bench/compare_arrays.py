@@ -27,11 +27,17 @@ from skimage import measure, morphology
 
 from run_benchmarks import describe_revision, text_of
 
+
+
+def labels_of(thickness):
+    """A call that finds labels alone."""
+    return lambda mask, threads: medialvoxel.extract(mask, thickness, thickness_map=False, vectors=False, threads=threads)
+
+
 CALLS = {
     "medialvoxel.extract, automatic, all outputs": lambda mask, threads: medialvoxel.extract(mask, threads=threads),
-    "medialvoxel.extract, thickness 5, labels alone": lambda mask, threads: medialvoxel.extract(
-        mask, 5, thickness_map=False, vectors=False, threads=threads
-    ),
+    "medialvoxel.extract, thickness 3, labels alone": labels_of(3),
+    "medialvoxel.extract, thickness 5, labels alone": labels_of(5),
     "skimage.morphology.skeletonize (curves)": lambda mask, _: morphology.skeletonize(mask),
     "medialvoxel.mesh": lambda mask, threads: medialvoxel.mesh(mask, threads=threads),
     "skimage.measure.marching_cubes (faces)": lambda mask, _: measure.marching_cubes(mask, 0.5),

@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which work an extraction spends its time on, by samples of a profiler, now and with an earlier build; writes one JSON file.
 
-Runs with one thread: a fixed thickness, the automatic one, and a mesh. A sample counts for the function that runs, and
+Runs with one thread: a fixed thickness, the automatic one, and a mesh; on the side frame also a large thickness, and the
+distances of all voxels; on random blobs the automatic thickness alone. A sample counts for the function that runs, and
 functions are grouped by their names. Both builds run in turn, round after round, and their labels are compared.
 Needs perf of Linux.
 
@@ -31,19 +32,28 @@ SAMPLES_PER_SECOND = 999
 GROUPS = {
     "system: reading, writing, pages": r"^\[k\]",
     "mesh": r"Surface|Isosurface|Smooth(?!ed)|MeshWriter|Vtp|MeasureThickness|SpreadEdges|LimitThresholds|FindCell|LookAt",
+    "distances of all voxels": r"DistanceTransform|SearchLanes|WriteFloats|LengthTask",
     "voxels around a tile whose balls may reach it": r"ReachingVoxels",
     "nearest boundary points": r"FeatureTransform|SearchOffsets|RowPass|NearestSite|FindSmallestSum|Features::|ColumnPass",
     "pairs of cells": r"SpreadCells|WidestDiagonals|CellPairs|Joint\w+::(Collect|AddCell)|DualCell|GroupAt",
     "inscribed balls, thresholds": r"InscribedBall|BallSieve|LocalThreshold",
     "components of the boundary": r"BoxComponents|BlockSeparation|SeparateByBlocks|JudgeGroup|FindSeparated",
     "floods of words": r"Flood|LeaveOut|BoundCells|LabelAtOnce|LabelByLength",
-    "neighbors and path searches": r"PathSearch|Separation|\w+Neighbors|WayTo|Geodesic|BoundaryGraph|Landmark|PairDecision",
+    "neighbors and path searches": r"PathSearch|Separation|\w+Neighbors|WayTo|Edges?Between|Geodesic|BoundaryGraph|Landmark|PairDecision",
     "labels and walls": r"TileLabels|TileResult|Thickness|MeasureWalls|WriteLabels|RankedBits|GetStep",
     "window: bits, boundary, specks, roughness": r"MovingWindow|SmallComponents|ComponentChange|ComputeBoundary|PackRow|Roughness|MedialVoxelBits::",
     "other": r"",
 }
-WAYS = {"thickness 3": "fixed", "automatic": "automatic", "with a mesh": "with a mesh"}
-CASES = ("side-frame", "gyroid", "engine")
+# Thickness and further options, as in measure_automatic.py.
+OPTIONS = measure_automatic.CASES["side-frame"].ways
+WAYS = {"thickness 3": OPTIONS["fixed"], "automatic": OPTIONS["automatic"], "with a mesh": OPTIONS["with a mesh"]}
+FURTHER_WAYS = {"thickness 8": OPTIONS["thickness 8"], "with distances": (*OPTIONS["fixed"], "--distance", "FILE.mha")}
+CASES = {
+    "side-frame": WAYS | FURTHER_WAYS,
+    "gyroid": WAYS,
+    "engine": WAYS,
+    "blobs": {"automatic": OPTIONS["automatic"]},
+}
 
 
 def parse_arguments():
@@ -89,8 +99,8 @@ def measure(arguments, scratch, name):
     case = measure_automatic.CASES[name]
     builds = {"now": arguments.build} | ({"before": arguments.before} if arguments.before else {})
     result, labels = {}, {}
-    for way, key in WAYS.items():
-        words = [str(word).replace("FILE", str(scratch / "extra")) for word in case.ways[key]]
+    for way, options in CASES[name].items():
+        words = [str(word).replace("FILE", str(scratch / "extra")) for word in options]
         commands = {
             which: compare_peers.Extraction(build, volume, size, 1, *words, *case.options, scratch=scratch)
             for which, build in builds.items()

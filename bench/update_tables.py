@@ -44,6 +44,7 @@ TRANSFORM_VOLUMES = {
 # A call, and what stands beside it.
 CALLS = {
     "medialvoxel.extract, automatic, all outputs": "skimage.morphology.skeletonize (curves)",
+    "medialvoxel.extract, thickness 3, labels alone": None,
     "medialvoxel.extract, thickness 5, labels alone": None,
     "medialvoxel.mesh": "skimage.measure.marching_cubes (faces)",
     "medialvoxel.distance, inside": "scipy.ndimage.distance_transform_edt with indices",
@@ -193,11 +194,11 @@ def long_runs(document):
     return ["run", "times the CPU"], rows
 
 
-def profile(way):
-    """Makes the table of CPU seconds by work, before and now, of one way of all cases."""
+def profile(columns):
+    """Makes the table of CPU seconds by work, before and now, with a column for each title and its case and way."""
 
     def make(document):
-        runs = {name: case["seconds"][way] for name, case in document["cases"].items()}
+        runs = {title: document["cases"][name]["seconds"][way] for title, (name, way) in columns.items()}
 
         def cell(run, group):
             return " / ".join(f"{run[when][group]:.2f}" for when in ("before", "now"))
@@ -211,6 +212,12 @@ def profile(way):
     return make
 
 
+PROFILED = ("side-frame", "gyroid", "engine")
+SIDE_FRAME = {
+    "side-frame, thickness 8": ("side-frame", "thickness 8"),
+    "side-frame, thickness 3 and `--distance`": ("side-frame", "with distances"),
+}
+
 # The file of results, and what makes the header and the rows of a table of it.
 TABLES = {
     "whole-runs": ("peers.json", whole_runs),
@@ -222,9 +229,10 @@ TABLES = {
     "threads": ("tiles.json", threads),
     "automatic": ("automatic.json", automatic),
     "long-runs": ("automatic.json", long_runs),
-    "profile-fixed": ("profile.json", profile("thickness 3")),
-    "profile-automatic": ("profile.json", profile("automatic")),
-    "profile-mesh": ("profile.json", profile("with a mesh")),
+    "profile-fixed": ("profile.json", profile({name: (name, "thickness 3") for name in PROFILED})),
+    "profile-automatic": ("profile.json", profile({name: (name, "automatic") for name in (*PROFILED, "blobs")})),
+    "profile-mesh": ("profile.json", profile({name: (name, "with a mesh") for name in PROFILED})),
+    "profile-further": ("profile.json", profile(SIDE_FRAME)),
 }
 
 
