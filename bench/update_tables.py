@@ -36,6 +36,12 @@ PEERS = {
     "skimage": "skimage",
     "itk-thickness3d": "ITK's thinning",
 }
+LOCAL_VOLUMES = {
+    "gyroid": "gyroid 256 x 256 x 256",
+    "solid": "solid with bores 256 x 256 x 256",
+    "engine": "engine 256 x 256 x 110",
+}
+
 TRANSFORM_VOLUMES = {
     "solids": "solids 512 x 512 x 512",
     "gyroid": "gyroid 256 x 256 x 256",
@@ -111,6 +117,22 @@ def arrays(document):
 
     rows = [[call, seconds(call), beside or "-", seconds(beside)] for call, beside in CALLS.items()]
     return ["call", "CPU s", "beside it", "CPU s"], rows
+
+
+def local_thickness(document):
+    def row(name, volume):
+        ways = volume["ways"]
+        ours = [ways[f"medialvoxel, threads {threads}"] for threads in (1, 2)]
+        cells = [LOCAL_VOLUMES[name], f"{volume['largest_diameter']:.1f}", f"{ours[0]['cpu_seconds']:.2f}"]
+        cells.append(f"{ours[0]['wall_seconds'] / ours[1]['wall_seconds']:.1f}")
+        for peer in ("porespy", "localthickness"):
+            mean, largest = (ways[peer][f"{which}_difference"] for which in ("mean", "largest"))
+            cells += [f"{ways[peer]['cpu_seconds']:.2f}", f"{mean:+.2f} / {largest:.1f}"]
+        return cells
+
+    header = ["volume", "largest diameter", "one thread", "two threads: times as fast", "PoreSpy", "difference", "localthickness",
+              "difference"]  # fmt: skip
+    return header, [row(name, volume) for name, volume in document["volumes"].items()]
 
 
 def variants(document):
@@ -225,6 +247,7 @@ TABLES = {
     "variants": ("peers.json", variants),
     "transform": ("transform.json", transform),
     "arrays": ("arrays.json", arrays),
+    "local-thickness": ("local-thickness.json", local_thickness),
     "options": ("options.json", options),
     "threads": ("tiles.json", threads),
     "automatic": ("automatic.json", automatic),
