@@ -206,6 +206,24 @@ TEST(Manifest, RefusesWhatHasTheChecksumButAnotherForm)
   }
 }
 
+TEST(Manifest, FormatsAreWholeNumbers)
+{
+  const TemporaryFolder folder;
+  for (const char * const format : { "1e36", "1.5", "-2147483649", "true" })
+  {
+    WriteSealed(folder / "m.json", Json{ { "version", GetVersion() }, { "format", Json::parse(format) } });
+    try
+    {
+      ReadManifest(folder / "m.json");
+      ADD_FAILURE() << format;
+    }
+    catch (const JobError & error)
+    {
+      EXPECT_NE(std::string(error.what()).find("is not a whole number in range"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST(SealedJson, WholeNumbersAreNotConverted)
 {
   const auto read = [](const char * text, auto number) {

@@ -289,14 +289,16 @@ ReadManifest(const std::filesystem::path & fileName)
   }
   try
   {
-    if (json->value("version", "") != GetVersion() || json->value("format", 0) != ManifestFormat)
+    int format = 0;
+    ReadWhole(json->value("format", Json(format)), format);
+    if (json->value("version", "") != GetVersion() || format != ManifestFormat)
     {
       Fail(ExitStatus::Failure,
            fileName.string(),
            " is of version ",
            json->value("version", "unknown"),
            " of medialvoxel (format ",
-           json->value("format", 0),
+           format,
            "), this is version ",
            GetVersion(),
            " (format ",
