@@ -199,11 +199,11 @@ private:
   std::optional<std::uint8_t>
   LabelByLength(const MedialVoxelBits & sites, const MedialVoxelPair & pair, double epsilon, Cell & cell) const;
 
-  /** From the points of a cell to those of its neighbor. */
+  /** How far along the boundary the points of a neighboring cell may lie from those of a cell that follows it. */
   enum class Way : std::uint8_t
   {
-    Edges,    ///< an edge or none from each
-    TwoEdges, ///< up to two from each
+    Edges,    ///< up to one edge from each point
+    TwoEdges, ///< up to two, which takes longer to find out
   };
 
   bool

@@ -16,8 +16,7 @@ using WordType = MedialVoxelBits::WordType;
 namespace
 {
 
-/** Points around one and itself, x first; the one in the middle. */
-constexpr unsigned int NumberOfDirections = 27;
+/** The one that leads from a point to itself. */
 constexpr unsigned int NoDirection = 13;
 
 /** Buckets of this share of the shortest edge keep most points from being visited twice. */
@@ -108,7 +107,7 @@ struct MedialVoxelPathSearch::Raster
     return neighbors & ~(std::uint32_t{ 1 } << NoDirection);
   }
 
-  /** What leads from a point to its neighbors. */
+  /** What to add to a point to get its neighbor, for each direction. */
   std::array<PointType, NumberOfDirections>
   GetSteps() const
   {
@@ -197,7 +196,7 @@ MedialVoxelPathSearch::FindLength(const MedialVoxelBits &  boundary,
   MedialVoxelPollCounter poll;
   const auto             steps = raster.GetSteps();
   const auto             visit = [&](const PointType from, const double lengthHere) {
-    // One loop over all directions: a loop for each row ends where no processor foresees it.
+    // One loop over all directions: processors predict its end better than the ends of nine short ones.
     for (std::uint32_t rest = raster.NeighborsOf(from); rest != 0; rest &= rest - 1)
     {
       const auto      direction = static_cast<std::size_t>(MedialVoxelLowestBit(rest));

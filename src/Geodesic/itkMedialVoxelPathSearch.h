@@ -82,14 +82,17 @@ public:
              Workspace &              workspace) const;
 
 private:
+  /** To the points of a cube of 3 x 3 x 3 from its middle one, which is among them; x first. */
+  static constexpr unsigned int NumberOfDirections = 27;
+
   struct Raster;
 
   double
   FreeSpaceLength(const std::array<std::int32_t, 3> & a, const std::array<std::int32_t, 3> & b) const;
 
-  MedialVoxelGrid        m_Grid;
-  std::array<double, 8>  m_EdgeLengths; // by the axes that change
-  std::array<double, 27> m_LengthsOfDirections;
+  MedialVoxelGrid                        m_Grid;
+  std::array<double, 8>                  m_EdgeLengths; // by the axes that change
+  std::array<double, NumberOfDirections> m_LengthsOfDirections;
 };
 
 } // end namespace itk
