@@ -28,7 +28,6 @@ from skimage import measure, morphology
 from run_benchmarks import describe_revision, text_of
 
 
-
 def labels_of(thickness):
     """A call that finds labels alone."""
     return lambda mask, threads: medialvoxel.extract(mask, thickness, thickness_map=False, vectors=False, threads=threads)

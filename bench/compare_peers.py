@@ -65,8 +65,8 @@ VOLUMES = {
     "plates": ((), CUBES[:2]),
     "cover": ((), (*CUBES, "1500,1500,668")),
 }
-# Only the program, two threads. Name: kind, options of the phantom, size, extractions by name with their options.
 LONG = {f"tau {tau}": (tau,) for tau in (5, 6, 8, 12)}
+# Only the program, two threads. Name: kind, options of the phantom, size, extractions by name with their options.
 VARIANTS = {
     "cover, other thickness": ("cover", (), "1500,1500,668", {"tau 2": (2,), "tau 3": (3,), "tau 5": (5,)}),
     "side frame, larger thickness": ("side-frame", (), "256", LONG),
