@@ -4,6 +4,7 @@
 
 import csv
 import itertools
+import struct
 
 
 def read_places(path):
@@ -20,7 +21,8 @@ def read_places(path):
 
 def find_places(values, size, kind, limit, grow_limit):
     """Connected cells of a map, x fastest, that are beyond the second limit and have one beyond the first, as rows of
-    the table have them; sorted by the index of the worst cell."""
+    the table have them; sorted by the index of the worst cell. Limits have the precision of the map."""
+    limit, grow_limit = struct.unpack("2f", struct.pack("2f", limit, grow_limit))
     sign = 1 if kind == "thin" else -1
     size = (*size, 1)[:3]
     steps = [step for step in itertools.product((-1, 0, 1), repeat=3) if any(step)]

@@ -45,7 +45,8 @@ struct WallPlace
   using Index = std::array<std::int64_t, 3>;
 
   std::uint64_t cells{ 0 };
-  double        area{ 0.0 }; ///< of the mid-surface, in squared units of the job's lengths; 2-D: a length
+  double        area{ 0.0 };       ///< of the mid-surface, in squared units of the job's lengths; 2-D: a length
+  double        areaBeyond{ 0.0 }; ///< of the cells beyond the limit
   double        minimum{ 0.0 };
   double        mean{ 0.0 }; ///< every cell counts the same
   double        maximum{ 0.0 };
@@ -65,11 +66,12 @@ struct PlaceSummary
   double                 limit{ 0.0 };
   double                 growLimit{ 0.0 };
   double                 smallestArea{ 0.0 };
-  std::uint64_t          number{ 0 };  ///< of places, also those that are not listed
-  std::uint64_t          cells{ 0 };   ///< of all of them
-  double                 area{ 0.0 };  ///< of all of them
-  std::uint64_t          smaller{ 0 }; ///< places that are left out, as their area is smaller
-  std::vector<WallPlace> places;       ///< largest area first, then by z, y, x of the index
+  std::uint64_t          number{ 0 };       ///< of places, also those that are not listed
+  std::uint64_t          cells{ 0 };        ///< of all of them
+  double                 area{ 0.0 };       ///< of all of them
+  double                 areaBeyond{ 0.0 }; ///< of their cells beyond the limit
+  std::uint64_t          smaller{ 0 };      ///< places that are left out, as their area beyond the limit is smaller
+  std::vector<WallPlace> places;            ///< largest area beyond the limit first, then by z, y, x of the index
 };
 
 } // end namespace medialvoxel

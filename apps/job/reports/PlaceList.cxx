@@ -14,7 +14,7 @@ namespace
 bool
 IsLarger(const PlaceSums & a, const PlaceSums & b)
 {
-  return a.area != b.area ? a.area > b.area : a.worst.key < b.worst.key;
+  return a.areaBeyond != b.areaBeyond ? a.areaBeyond > b.areaBeyond : a.worst.key < b.worst.key;
 }
 
 } // namespace
@@ -26,7 +26,7 @@ PlaceList::Add(const PlaceSums & place, const PlaceRule & rule)
   {
     return;
   }
-  if (place.area < rule.smallestArea)
+  if (place.areaBeyond < rule.smallestArea)
   {
     ++m_Totals.smaller;
     return;
@@ -34,6 +34,7 @@ PlaceList::Add(const PlaceSums & place, const PlaceRule & rule)
   ++m_Totals.number;
   m_Totals.cells += place.cells;
   m_Totals.area += place.area;
+  m_Totals.areaBeyond += place.areaBeyond;
   this->Keep(place);
 }
 
@@ -72,7 +73,8 @@ PlaceList::Clear()
 void
 PlaceList::Save(NumberWriter & numbers) const
 {
-  for (const std::uint64_t number : { m_Totals.number, m_Totals.cells, m_Totals.area, m_Totals.smaller })
+  for (const std::uint64_t number :
+       { m_Totals.number, m_Totals.cells, m_Totals.area, m_Totals.areaBeyond, m_Totals.smaller })
   {
     numbers.Add(number);
   }
@@ -89,6 +91,7 @@ PlaceList::Merge(NumberReader & numbers)
   m_Totals.number += numbers.Get();
   m_Totals.cells += numbers.Get();
   m_Totals.area += numbers.Get();
+  m_Totals.areaBeyond += numbers.Get();
   m_Totals.smaller += numbers.Get();
   const std::size_t length = numbers.GetLength();
   for (std::size_t i = 0; i < length; ++i)

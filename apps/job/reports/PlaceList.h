@@ -27,10 +27,11 @@ public:
     std::uint64_t number{ 0 };
     std::uint64_t cells{ 0 };
     std::uint64_t area{ 0 };
+    std::uint64_t areaBeyond{ 0 };
     std::uint64_t smaller{ 0 }; ///< places that are too small, which nothing else here counts
   };
 
-  /** Takes a place, unless no cell of it is beyond the first limit or its area is too small. */
+  /** Takes a place, unless no cell of it is beyond the first limit or the area of these is too small. */
   void
   Add(const PlaceSums & place, const PlaceRule & rule);
 
@@ -40,7 +41,7 @@ public:
     return m_Totals;
   }
 
-  /** The largest area first, then by the keys of their worst cells. None are left. */
+  /** The largest area beyond the limit first, then by the keys of their worst cells. None are left. */
   std::vector<PlaceSums>
   TakeSorted();
 

@@ -46,7 +46,11 @@ PlaceSums::Add(const PlaceCell & cell, const PlaceRule & rule, const PlaceGrid &
     first[axis] = std::min(first[axis], position);
     last[axis] = std::max(last[axis], position);
   }
-  hasBegun = hasBegun || rule.Begins(static_cast<double>(cell.thickness));
+  if (rule.Begins(cell.thickness))
+  {
+    hasBegun = true;
+    areaBeyond += cell.area;
+  }
 }
 
 void
@@ -55,6 +59,7 @@ PlaceSums::Add(const PlaceSums & other, const PlaceRule & rule)
   this->TakeWorst(other.worst, rule);
   cells += other.cells;
   area += other.area;
+  areaBeyond += other.areaBeyond;
   thickness += other.thickness;
   minimum = std::min(minimum, other.minimum);
   maximum = std::max(maximum, other.maximum);
@@ -81,7 +86,7 @@ PlaceSums::TakeWorst(const PlaceCell & cell, const PlaceRule & rule)
 void
 PlaceSums::Save(NumberWriter & numbers) const
 {
-  for (const std::uint64_t number : { cells, area, thickness })
+  for (const std::uint64_t number : { cells, area, areaBeyond, thickness })
   {
     numbers.Add(number);
   }
@@ -106,6 +111,7 @@ PlaceSums::Load(NumberReader & numbers)
   PlaceSums sums;
   sums.cells = numbers.Get();
   sums.area = numbers.Get();
+  sums.areaBeyond = numbers.Get();
   sums.thickness = numbers.Get();
   sums.minimum = GetFloat(numbers);
   sums.maximum = GetFloat(numbers);

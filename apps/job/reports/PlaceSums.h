@@ -16,25 +16,25 @@ namespace medialvoxel
 {
 
 /** Which cells make places. Areas and lengths are whole multiples of units, so that sums do not depend on their order.
- */
+ * Limits have the precision of the map, so that a wall of exactly a limit is not beyond it. */
 struct PlaceRule
 {
   PlaceKind     kind{ PlaceKind::Thin };
-  double        limit{ 0.0 };
-  double        growLimit{ 0.0 };
-  std::uint64_t smallestArea{ 0 }; ///< in units of area
+  float         limit{ 0.0f };
+  float         growLimit{ 0.0f };
+  std::uint64_t smallestArea{ 0 }; ///< of the cells beyond the limit, in units of area
   double        lengthUnit{ 1.0 };
 
-  /** A place has such a cell. */
+  /** A place has such cells. */
   bool
-  Begins(double thickness) const
+  Begins(float thickness) const
   {
     return kind == PlaceKind::Thin ? thickness < limit : thickness > limit;
   }
 
   /** All cells of a place are such. */
   bool
-  Grows(double thickness) const
+  Grows(float thickness) const
   {
     return kind == PlaceKind::Thin ? thickness < growLimit : thickness > growLimit;
   }
@@ -140,7 +140,8 @@ struct PlaceSums
 
   std::uint64_t cells{ 0 };
   std::uint64_t area{ 0 };
-  std::uint64_t thickness{ 0 }; ///< sum, in units of length
+  std::uint64_t areaBeyond{ 0 }; ///< of the cells beyond the limit
+  std::uint64_t thickness{ 0 };  ///< sum, in units of length
   float         minimum{ std::numeric_limits<float>::infinity() };
   float         maximum{ 0.0f };
   PlaceStep     first{ { Far, Far, Far } };

@@ -80,12 +80,12 @@ PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
   {
     PlaceRule rule;
     rule.kind = kind;
-    rule.limit = limits.limit;
-    rule.growLimit = limits.GetGrowLimit(kind);
+    rule.limit = static_cast<float>(limits.limit);
+    rule.growLimit = static_cast<float>(limits.GetGrowLimit(kind));
     rule.smallestArea =
       smallest < 0x1p63 ? static_cast<std::uint64_t>(std::ceil(smallest)) : std::numeric_limits<std::uint64_t>::max();
     rule.lengthUnit = GetLengthUnit(grid, geometry.GetDimension());
-    m_Findings.push_back({ PlaceClusters(rule, m_Grid), {} });
+    m_Findings.push_back({ limits, PlaceClusters(rule, m_Grid), {} });
   }
 }
 
@@ -113,14 +113,13 @@ PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
     std::vector<PlaceCell>     cells;
     itk::MedialVoxelWallPoints points;
     itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & index, const auto & wall) {
-      const auto thickness = static_cast<double>(wall.thickness);
-      if (!wall.IsMeasured() || !rule.Grows(thickness))
+      if (!wall.IsMeasured() || !rule.Grows(wall.thickness))
       {
         return;
       }
       PlaceCell cell{ m_Grid.GetKey(index), wall.thickness };
       cell.area = static_cast<std::uint32_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit));
-      if (rule.Begins(thickness) && tile.classifier.GetWallPoints(tile.features, index, points))
+      if (rule.Begins(wall.thickness) && tile.classifier.GetWallPoints(tile.features, index, points))
       {
         cell.a = GetStep(index, points.a);
         cell.b = GetStep(index, points.b);
@@ -199,12 +198,13 @@ PlaceSurvey::Summarize() const
     PlaceSummary &    summary = summaries.emplace_back();
     summary.kind = rule.kind;
     summary.dimension = m_Geometry.GetDimension();
-    summary.limit = rule.limit;
-    summary.growLimit = rule.growLimit;
+    summary.limit = finding.limits.limit;
+    summary.growLimit = finding.limits.GetGrowLimit(rule.kind);
     summary.smallestArea = static_cast<double>(rule.smallestArea) * m_AreaUnit;
     summary.number = list.GetTotals().number;
     summary.cells = list.GetTotals().cells;
     summary.area = static_cast<double>(list.GetTotals().area) * m_AreaUnit;
+    summary.areaBeyond = static_cast<double>(list.GetTotals().areaBeyond) * m_AreaUnit;
     summary.smaller = list.GetTotals().smaller;
     const std::vector<PlaceSums> sorted = list.TakeSorted();
     summary.places.reserve(sorted.size());
@@ -224,6 +224,7 @@ PlaceSurvey::Describe(const PlaceSums & sums, double lengthUnit) const
   WallPlace                   place;
   place.cells = sums.cells;
   place.area = static_cast<double>(sums.area) * m_AreaUnit;
+  place.areaBeyond = static_cast<double>(sums.areaBeyond) * m_AreaUnit;
   place.minimum = static_cast<double>(sums.minimum);
   place.mean = static_cast<double>(sums.thickness) * lengthUnit / static_cast<double>(sums.cells);
   place.maximum = static_cast<double>(sums.maximum);

@@ -120,6 +120,7 @@ private:
   /** What is found of a kind. */
   struct Finding
   {
+    PlaceLimits           limits;
     PlaceClusters         clusters;
     std::deque<PlaceCell> pending;
   };

@@ -69,6 +69,7 @@ Json
 PlaceToJson(const WallPlace & place, unsigned int dimension)
 {
   return { { "area", place.area },
+           { "area_beyond_limit", place.areaBeyond },
            { "cells", place.cells },
            { "minimum", place.minimum },
            { "mean", place.mean },
@@ -94,6 +95,7 @@ SummaryToJson(const PlaceSummary & summary)
            { "number", summary.number },
            { "cells", summary.cells },
            { "area", summary.area },
+           { "area_beyond_limit", summary.areaBeyond },
            { "smaller", summary.smaller },
            { "places", places } };
 }
@@ -113,8 +115,8 @@ MakeViewAttributes(std::size_t number, const WallPlace & place, PlaceKind kind)
   return " data-center=\"" + JoinNumbers(place.center) + "\" data-sides=\"" + JoinNumbers(place.sideA) + ' ' +
          JoinNumbers(place.sideB) + "\" data-box=\"" + JoinNumbers(place.first) + ' ' + JoinNumbers(place.last) +
          "\" data-length=\"" + length + "\" data-text=\"" + GetName(kind) + " place " + std::to_string(number) + ": " +
-         (kind == PlaceKind::Thin ? "minimum " : "maximum ") + length + ", area " + FormatShort(place.area) + ", at " +
-         Join(place.center, ", ", FormatShort) + '"';
+         (kind == PlaceKind::Thin ? "minimum " : "maximum ") + length + ", area " + FormatShort(place.areaBeyond) +
+         ", at " + Join(place.center, ", ", FormatShort) + '"';
 }
 
 std::string
@@ -131,16 +133,24 @@ MakeHtmlRow(std::size_t number, const WallPlace & place, PlaceKind kind, unsigne
   };
   const auto whole = [](std::int64_t value) { return std::to_string(value); };
   return "<tr class=\"place\"" + MakeViewAttributes(number, place, kind) + ">" + cell(std::to_string(number)) +
-         cell(FormatShort(place.area)) + cell(std::to_string(place.cells)) + cell(FormatShort(place.minimum)) +
-         cell(FormatShort(place.mean)) + cell(FormatShort(place.maximum)) + cell(list(place.center, FormatShort)) +
-         cell(list(place.index, whole)) + cell(list(place.first, whole) + " to " + list(place.last, whole)) + "</tr>\n";
+         cell(FormatShort(place.areaBeyond)) + cell(FormatShort(place.area)) + cell(std::to_string(place.cells)) +
+         cell(FormatShort(place.minimum)) + cell(FormatShort(place.mean)) + cell(FormatShort(place.maximum)) +
+         cell(list(place.center, FormatShort)) + cell(list(place.index, whole)) +
+         cell(list(place.first, whole) + " to " + list(place.last, whole)) + "</tr>\n";
 }
 
 std::string
+GetSide(const PlaceSummary & summary)
+{
+  return summary.kind == PlaceKind::Thin ? "below " : "above ";
+}
+
+/** What follows the area beyond the limit. */
+std::string
 DescribeLimit(const PlaceSummary & summary)
 {
-  const std::string side = summary.kind == PlaceKind::Thin ? "below " : "above ";
-  return side + FormatShort(summary.limit) + ", with all that is " + side + FormatShort(summary.growLimit) + " around";
+  return GetSide(summary) + FormatShort(summary.limit) + "; area " + FormatShort(summary.area) + " with all that is " +
+         GetSide(summary) + FormatShort(summary.growLimit) + " around";
 }
 
 } // namespace
@@ -149,7 +159,7 @@ std::string
 MakePlacesCsv(const std::vector<PlaceSummary> & summaries)
 {
   const unsigned int dimension = summaries.empty() ? 3 : summaries.front().dimension;
-  std::string        text = "kind,place,area,cells,minimum,mean,maximum";
+  std::string        text = "kind,place,area,area_beyond_limit,cells,minimum,mean,maximum";
   for (const Column & column : Columns)
   {
     for (unsigned int axis = 0; axis < dimension; ++axis)
@@ -169,8 +179,8 @@ MakePlacesCsv(const std::vector<PlaceSummary> & summaries)
     for (const WallPlace & place : summary.places)
     {
       text += std::string(GetName(summary.kind)) + ',' + std::to_string(++number) + ',' + FormatNumber(place.area) +
-              ',' + std::to_string(place.cells) + ',' + FormatNumber(place.minimum) + ',' + FormatNumber(place.mean) +
-              ',' + FormatNumber(place.maximum);
+              ',' + FormatNumber(place.areaBeyond) + ',' + std::to_string(place.cells) + ',' +
+              FormatNumber(place.minimum) + ',' + FormatNumber(place.mean) + ',' + FormatNumber(place.maximum);
       for (const Column & column : Columns)
       {
         for (unsigned int axis = 0; axis < dimension; ++axis)
@@ -204,11 +214,13 @@ MakePlacesHtml(const std::vector<PlaceSummary> & summaries, const std::string & 
     const std::string kind = GetName(summary.kind);
     const std::size_t rows = std::min(summary.places.size(), MostPlacesOfPage);
     text += "<h2>Places that are too " + kind + "</h2>\n<p>" + std::to_string(summary.number) + " places, area " +
-            FormatShort(summary.area) + ": walls " + DescribeLimit(summary) + "; " + std::to_string(summary.smaller) +
-            " smaller than " + FormatShort(summary.smallestArea) + " are left out.</p>\n";
+            FormatShort(summary.areaBeyond) + ' ' + DescribeLimit(summary) + "; " + std::to_string(summary.smaller) +
+            " with less than " + FormatShort(summary.smallestArea) + ' ' + GetSide(summary) +
+            "the limit are left out.</p>\n";
     if (rows > 0)
     {
-      text += "<table>\n<tr><th>place</th><th>area</th><th>cells</th><th>minimum</th><th>mean</th><th>maximum</th>"
+      text += "<table>\n<tr><th>place</th><th>area " + GetSide(summary) + FormatShort(summary.limit) +
+              "</th><th>with its surroundings</th><th>cells</th><th>minimum</th><th>mean</th><th>maximum</th>"
               "<th>position</th><th>index</th><th>extent</th></tr>\n";
       for (std::size_t i = 0; i < rows; ++i)
       {
@@ -230,11 +242,12 @@ DescribePlaces(const std::vector<PlaceSummary> & summaries)
   for (const PlaceSummary & summary : summaries)
   {
     const std::string kind = GetName(summary.kind);
-    std::string       text = std::to_string(summary.number) + ", area " + FormatShort(summary.area);
+    std::string       text = std::to_string(summary.number) + ", area " + FormatShort(summary.areaBeyond) + ' ' +
+                       GetSide(summary) + FormatShort(summary.limit);
     if (!summary.places.empty())
     {
       const WallPlace & first = summary.places.front();
-      text += ", the largest " + FormatShort(first.area) + " with ";
+      text += ", the largest " + FormatShort(first.areaBeyond) + " with ";
       text += summary.kind == PlaceKind::Thin ? "minimum " + FormatShort(first.minimum)
                                               : "maximum " + FormatShort(first.maximum);
     }
