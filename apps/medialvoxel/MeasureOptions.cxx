@@ -33,7 +33,11 @@ AddPlaceOptions(CLI::App & app, ExtractOptions & options)
     options.smallestPlace = ToDouble(text);
   })->group(group);
   AddFile(app, "--places", "Table of these places (.csv)", options.placesFile)->group(group);
-  app.add_flag("--fail-if-thin", options.failsIfThin, "Exit status 5 when there are thin places")->group(group);
+  app
+    .add_flag("--fail-if-thin",
+              options.failsIfThin,
+              "Exit status 5 when there are thin places, 6 when too little was measured to know")
+    ->group(group);
 }
 
 } // namespace

@@ -83,10 +83,25 @@ CheckStandardOutput(const CommandLine & line, const JobOptions & options)
   }
 }
 
+/** Says also with --quiet that there is no verdict, and why. \param result null: of a job that was finished before */
 ExitStatus
-GetStatus(const ExtractOptions & options, bool hasThinPlaces)
+GetStatus(const ExtractOptions & options, WallVerdict verdict, const JobResult * result)
 {
-  return options.failsIfThin && hasThinPlaces ? ExitStatus::TooThin : ExitStatus::Done;
+  if (!options.failsIfThin || options.dryRun || verdict == WallVerdict::Good)
+  {
+    return ExitStatus::Done;
+  }
+  if (verdict == WallVerdict::TooThin)
+  {
+    return ExitStatus::TooThin;
+  }
+  std::string reason;
+  for (const Warning & warning : result ? result->warnings : std::vector<Warning>{})
+  {
+    reason += warning.isOfEvidence ? ": " + warning.message : "";
+  }
+  std::cerr << "medialvoxel: no verdict on thin walls, too little was measured" << reason << std::endl;
+  return ExitStatus::NotMeasured;
 }
 
 /** Labels, a mesh, or both. */
@@ -105,7 +120,7 @@ Extract(const CommandLine & line, ExtractOptions options, const std::string & co
   {
     PrintResult(line, options, result, [&] { PrintPhaseTable(std::cout, options, result); });
   }
-  return GetStatus(options, HasThinPlaces(result));
+  return GetStatus(options, GetVerdict(result), &result);
 }
 
 /** The command that was typed, to be typed again. */
@@ -153,7 +168,7 @@ ExtractWithResume(const CommandLine & line, const std::string & command)
   {
     PrintEnd(line, result);
   }
-  return GetStatus(result.options, result.hasThinPlaces);
+  return GetStatus(result.options, result.verdict, result.job ? &*result.job : nullptr);
 }
 
 void
@@ -193,7 +208,7 @@ Finalize(const CommandLine & line)
   const FinalizeResult result =
     RunLogged(line, line.logFile, [&line](ProgressSink & sink) { return RunFinalize(line.finalizeOptions, sink); });
   PrintEnd(line, result);
-  return GetStatus(result.options, result.hasThinPlaces);
+  return GetStatus(result.options, result.verdict, result.job ? &*result.job : nullptr);
 }
 
 void

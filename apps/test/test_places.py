@@ -17,6 +17,7 @@ from places import find_places, read_places
 from program import PROGRAM, USAGE, ProgramTestCase
 
 TOO_THIN = 5
+NOT_MEASURED = 6
 ENGINE = pathlib.Path(__file__).parents[3] / "shared/data/engine.mha"
 AXES = "xyz"
 
@@ -83,7 +84,7 @@ class PlacesTest(ProgramTestCase):
     def assert_same_places(self, rows, expected, geometry):
         """Rows of one kind are these places, the largest first."""
         axes = AXES[: len(geometry.size)]
-        order = [(-row["area"], *(row["index_" + axis] for axis in axes[::-1])) for row in rows]
+        order = [(-row["area_beyond_limit"], *(row["index_" + axis] for axis in axes[::-1])) for row in rows]
         self.assertEqual(order, sorted(order))
         self.assertEqual([row["place"] for row in rows], list(range(1, len(rows) + 1)))
         by_index = sorted(rows, key=lambda row: [row["index_" + axis] for axis in axes[::-1]])
@@ -152,16 +153,18 @@ class PlacesTest(ProgramTestCase):
     def test_small_places_are_left_out(self):
         volumes.write_meta(self.folder / "in.mha", random_part(4))
         every = self.places("--thin-below", 2.2, "--smallest-place", 0)
-        areas = [row["area"] for row in every]
+        areas = [row["area_beyond_limit"] for row in every]
+        self.assertTrue(all(row["area_beyond_limit"] <= row["area"] for row in every))
+        self.assertTrue(any(row["area_beyond_limit"] < row["area"] for row in every))
         self.assertGreater(len(set(areas)), 5)
         for smallest in (areas[2], areas[-1], areas[0] * 1.001):
             rows = self.places("--thin-below", 2.2, "--smallest-place", smallest, "--report", "r.json")
-            self.assertEqual(rows, [row for row in every if row["area"] >= smallest])
+            self.assertEqual(rows, [row for row in every if row["area_beyond_limit"] >= smallest])
             told = json.loads((self.folder / "r.json").read_text())["places"]
             self.assertEqual((told["thin"]["number"], told["thin"]["smaller"]), (len(rows), len(every) - len(rows)))
             self.assertIsNone(told["thick"])
         faces = 10 * 0.75 * 0.6
-        self.assertEqual(self.places("--thin-below", 2.2), [row for row in every if row["area"] >= faces])
+        self.assertEqual(self.places("--thin-below", 2.2), [row for row in every if row["area_beyond_limit"] >= faces])
 
     def test_no_division_changes_a_byte(self):
         arguments = ["--thin-below", 2.2, "--thick-above", 2.6, "--smallest-place", 0]
@@ -213,6 +216,65 @@ class PlacesTest(ProgramTestCase):
         self.run_failing(
             "extract", "in.mha", "m.mha", "--thin-below", 2.2, "--fail-if-thin", "--resume", status=TOO_THIN
         )
+
+    def test_area_beyond_the_limit_is_that_of_its_cells(self):
+        volumes.write_meta(self.folder / "in.mha", random_part(13))
+        grown = self.places("--thin-below", "2.2,2.6", "--smallest-place", 0)
+        strict = self.places("--thin-below", "2.2,2.2", "--smallest-place", 0)
+        self.assertAlmostEqual(
+            sum(row["area_beyond_limit"] for row in grown), sum(row["area"] for row in strict), delta=1e-6
+        )
+        self.assertEqual([row["area"] for row in strict], [row["area_beyond_limit"] for row in strict])
+
+    def test_a_wall_of_exactly_the_limit_is_neither_thin_nor_thick(self):
+        for spacing in (0.0195, 0.1, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.1, 1.2):
+            for layers in range(3, 9):
+                plate = volumes.Volume((24, 24, 16), [], (spacing,) * 3)
+                plate.voxels = [
+                    1 if 2 <= x < 22 and 2 <= y < 22 and 4 <= z < 4 + layers else 0 for x, y, z in plate.indices()
+                ]
+                volumes.write_meta(self.folder / "in.mha", plate)
+                limit = f"{layers * spacing:.10g}"
+                rows = self.places("--thin-below", limit, "--thick-above", limit, "--smallest-place", 0)
+                self.assertEqual(rows, [], (spacing, layers))
+
+    def test_without_evidence_there_is_no_verdict(self):
+        ball = volumes.Volume((30, 30, 30), [])
+        ball.voxels = [1 if math.dist(index, (15, 15, 15)) < 10 else 0 for index in ball.indices()]
+        dust = volumes.Volume((30, 30, 30), [])
+        dust.voxels = [1 if all(9 < i < 12 for i in index) else 0 for index in dust.indices()]
+        empty = volumes.Volume((20, 20, 20), [0] * 8000)
+        full = volumes.Volume((20, 20, 20), [1] * 8000)
+        command = ["in.mha", "l.mha", "--thin-below", 2, "--fail-if-thin", "--overwrite", "--quiet"]
+        for part in (ball, dust, empty, full):
+            volumes.write_meta(self.folder / "in.mha", part)
+            for options in ([], ["--thickness", 3], ["--resume"], ["--thickness-map", "t.mha"]):
+                error = self.read_errors("extract", *command, *options, status=NOT_MEASURED)
+                self.assertIn("no verdict on thin walls", error)
+            self.run_failing("extract", *command, "--dry-run", status=0)
+            self.run_failing("mesh", "in.mha", "m.vtp", *command[2:], status=NOT_MEASURED)
+        labels = volumes.Volume((60, 30, 30), [])
+        labels.voxels = [
+            2 if math.dist((x, y, z), (15, 15, 15)) < 10 else 1 if 34 <= x < 56 and 4 <= y < 26 and 10 <= z < 16 else 0
+            for x, y, z in labels.indices()
+        ]
+        volumes.write_meta(self.folder / "in.mha", labels)
+        self.run_failing("extract", *command, "--label", 1, status=0)
+        self.run_failing("extract", *command, "--label", 2, status=NOT_MEASURED)
+
+    def test_a_label_that_no_voxel_has_is_a_mistake(self):
+        volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
+        for command in (["extract", "in.mha", "o.mha"], ["mesh", "in.mha", "o.vtp"], ["distance", "in.mha", "o.mha"],
+                        ["surface", "in.mha", "o.ply"], ["extract", "in.mha", "o.mha", "--resume"]):  # fmt: skip
+            self.assert_fails(USAGE, ["in.mha", "no voxel has the label 9"], *command, "--label", 9)
+            self.assertFalse(list(self.folder.glob("o.*")), command)
+
+    def read_errors(self, *arguments, status):
+        result = subprocess.run(
+            [PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False
+        )
+        self.assertEqual(result.returncode, status, f"{arguments}\n{result.stdout}{result.stderr}")
+        return result.stderr
 
     def run_failing(self, *arguments, status):
         """Prints its table also when it ends with the status for thin places."""

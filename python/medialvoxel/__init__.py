@@ -16,8 +16,8 @@ Results have the bytes of the program `medialvoxel`, which this package brings, 
 
 from ._arrays import distance, extract, local_thickness, mesh
 from ._native import version as _version
-from ._program import ThinPlacesError, extract_file
+from ._program import NotMeasuredError, ThinPlacesError, extract_file
 from ._results import Distances, LocalThickness, Medial, Mesh
 
-__all__ = ["Distances", "LocalThickness", "Medial", "Mesh", "ThinPlacesError", "distance", "extract", "extract_file", "local_thickness", "mesh"]
+__all__ = ["Distances", "LocalThickness", "Medial", "Mesh", "NotMeasuredError", "ThinPlacesError", "distance", "extract", "extract_file", "local_thickness", "mesh"]
 __version__ = _version()

@@ -23,6 +23,7 @@ _SWITCHES = ("smooth", "sub_voxel")
 
 _WRONG_VALUES = (2, 3, 4)  # of its exit status: usage, refused, corrupt input
 _TOO_THIN = 5  # all is written, and there are thin places
+_NOT_MEASURED = 6  # all is written, and too little was measured to know
 
 
 class ThinPlacesError(RuntimeError):
@@ -34,6 +35,18 @@ class ThinPlacesError(RuntimeError):
 
     def __init__(self, report: dict[str, Any]) -> None:
         super().__init__(f"{report['places']['thin']['number']} thin places")
+        self.report = report
+
+
+class NotMeasuredError(RuntimeError):
+    """Too little was measured for a verdict on thin walls, and fail_if_thin was on. All outputs are written.
+
+    report: what extract_file() returns otherwise; report["warnings"] has the reasons."""
+
+    report: dict[str, Any]
+
+    def __init__(self, message: str, report: dict[str, Any]) -> None:
+        super().__init__(message)
         self.report = report
 
 
@@ -93,7 +106,8 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
 
     Returns the report, whose keys doc/reference/report.md lists. Raises ValueError for what the program refuses,
     FileNotFoundError, MemoryError for a limit of memory that is too small, ThinPlacesError with fail_if_thin=True when
-    there are thin places, RuntimeError for other failures. Ctrl-C stops the program."""
+    there are thin places, NotMeasuredError when too little was measured to know, RuntimeError for other failures.
+    Ctrl-C stops the program."""
     with tempfile.TemporaryDirectory(prefix="medialvoxel-") as folder:
         wanted = options.pop("report", None)
         report = os.fspath(wanted) if wanted else os.path.join(folder, "report.json")
@@ -107,11 +121,13 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
             process.terminate()
             process.wait()
             raise
-        if process.returncode not in (0, _TOO_THIN):
+        if process.returncode not in (0, _TOO_THIN, _NOT_MEASURED):
             _fail(process.returncode, errors)
         if options.get("dry_run"):
             return {}
         found = json.loads(pathlib.Path(report).read_text())
         if process.returncode == _TOO_THIN:
             raise ThinPlacesError(found)
+        if process.returncode == _NOT_MEASURED:
+            raise NotMeasuredError(errors.strip().splitlines()[-1].removeprefix("medialvoxel: "), found)
         return found

@@ -74,6 +74,9 @@ class Files(Folder):
         options["thin_below"] = 0.01
         report = medialvoxel.extract_file(self.input, self.folder / "out.mha", fail_if_thin=True, **options)
         self.assertEqual(report["places"]["thin"]["number"], 0)
+        with self.assertRaisesRegex(medialvoxel.NotMeasuredError, "no verdict .* no object") as caught:
+            medialvoxel.extract_file(self.input, self.folder / "out.mha", fail_if_thin=True, **{**options, "lower": 1e4})
+        self.assertEqual(caught.exception.report["warnings"][0]["code"], "no_object")
 
     def test_errors(self):
         out = self.folder / "out.mha"
@@ -93,7 +96,9 @@ class Files(Folder):
     def test_ctrl_c(self):
         write(self.input, slow_noise().astype("uint8"))
         source = (
-            "import medialvoxel, time, sys\nprint('begin', flush=True)\n"
+            "import medialvoxel, signal, time\n"
+            # A shell that runs the tests in the background leaves the signal ignored.
+            "signal.signal(signal.SIGINT, signal.default_int_handler)\nprint('begin', flush=True)\n"
             f"try:\n    medialvoxel.extract_file({str(self.input)!r}, {str(self.folder / 'out.mha')!r}, thickness=154)\n"
             "except KeyboardInterrupt:\n    print(time.time())\n"
         )

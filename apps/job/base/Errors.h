@@ -18,7 +18,8 @@ enum class ExitStatus : int
   Usage = 2,        ///< wrong or contradictory option
   Refused = 3,      ///< refused before the start: space, memory, permissions, existing output
   CorruptInput = 4, ///< input that is corrupt, inconsistent or not a scalar volume
-  TooThin = 5       ///< done, and there are thin places, which were to fail
+  TooThin = 5,      ///< done, and there are thin places, which were to fail
+  NotMeasured = 6   ///< done, and thin places were to fail, but too little was measured to know of any
 };
 
 /** \class JobError

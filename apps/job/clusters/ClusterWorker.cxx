@@ -8,7 +8,7 @@
 #include "Outputs.h"
 #include "PeakMemory.h"
 
-#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMemoryShortage.h"
 
 #include <algorithm>
 #include <chrono>
@@ -115,7 +115,7 @@ ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
           break;
       }
     }
-    catch (const itk::MedialVoxelMemoryError &)
+    catch (const itk::MedialVoxelMemoryShortage &)
     {
       postpone();
     }

@@ -52,8 +52,8 @@ struct WorkResult
 struct FinalizeResult
 {
   ExtractOptions           options;
-  std::optional<JobResult> job;                    ///< nothing when the job was finished before
-  bool                     hasThinPlaces{ false }; ///< as HasThinPlaces(), also then
+  std::optional<JobResult> job;                          ///< nothing when the job was finished before
+  WallVerdict              verdict{ WallVerdict::Good }; ///< as GetVerdict(), also then
 };
 
 /** How far a job is. */

@@ -235,7 +235,7 @@ private:
     // What was replaced goes before the job counts as finished, or nobody would remove it.
     m_Volumes.clear();
     m_Outputs.reset();
-    m_Shared.folder.WriteFinished(m_Shared.manifest, HasThinPlaces(m_Job));
+    m_Shared.folder.WriteFinished(m_Shared.manifest, GetVerdict(m_Job));
     m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });
   }
 
@@ -257,7 +257,7 @@ FinalizeResult
 RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
 {
   const SharedJob job = OpenSharedJob(options.jobFolder);
-  FinalizeResult  result{ job.manifest.options, std::nullopt, false };
+  FinalizeResult  result{ job.manifest.options, std::nullopt };
   JobLocks        locks(job.folder.GetLocksName());
   const auto      lock = locks.TryLock(JobLocks::Finalizing);
   if (!lock)
@@ -266,7 +266,7 @@ RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
   }
   if (job.folder.IsFinished(job.manifest))
   {
-    result.hasThinPlaces = job.folder.HasThinPlaces(job.manifest);
+    result.verdict = job.folder.GetVerdict(job.manifest);
     return result;
   }
   try
@@ -275,7 +275,7 @@ RunFinalize(const FinalizeOptions & options, ProgressSink & sink)
       sink.Start("medialvoxel", "verifying and publishing");
       const StopListener listener(&sink);
       result.job = Finalization(job, options.overwrite, sink).Run(options.verifies);
-      result.hasThinPlaces = HasThinPlaces(*result.job);
+      result.verdict = GetVerdict(*result.job);
       sink.Finish(result.job->seconds.total);
     });
   }

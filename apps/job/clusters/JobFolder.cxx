@@ -271,16 +271,18 @@ JobFolder::WriteDataNames(const Manifest & manifest, const DataNames & names) co
 }
 
 void
-JobFolder::WriteFinished(const Manifest & manifest, bool hasThinPlaces) const
+JobFolder::WriteFinished(const Manifest & manifest, WallVerdict verdict) const
 {
-  WriteSealed(m_Path / FinishedName, { { "job", manifest.jobId }, { "thin_places", hasThinPlaces } });
+  WriteSealed(m_Path / FinishedName, { { "job", manifest.jobId }, { "verdict", static_cast<int>(verdict) } });
 }
 
-bool
-JobFolder::HasThinPlaces(const Manifest & manifest) const
+WallVerdict
+JobFolder::GetVerdict(const Manifest & manifest) const
 {
   const std::optional<Json> record = ReadSealed(m_Path / FinishedName);
-  return record && record->value("job", "") == manifest.jobId && record->value("thin_places", false);
+  const int  verdict = record && record->value("job", "") == manifest.jobId ? record->value("verdict", -1) : -1;
+  const bool isKnown = verdict >= 0 && verdict <= static_cast<int>(WallVerdict::NotMeasured);
+  return isKnown ? static_cast<WallVerdict>(verdict) : WallVerdict::NotMeasured;
 }
 
 void

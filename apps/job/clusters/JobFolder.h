@@ -5,6 +5,7 @@
 
 #include "ClusterMarker.h"
 #include "JobLocks.h"
+#include "JobResult.h"
 #include "Manifest.h"
 
 #include <cstdint>
@@ -104,11 +105,11 @@ public:
   WriteDataNames(const Manifest & manifest, const DataNames & names) const;
 
   void
-  WriteFinished(const Manifest & manifest, bool hasThinPlaces) const;
+  WriteFinished(const Manifest & manifest, WallVerdict verdict) const;
 
   /** What the job that is finished has found. */
-  bool
-  HasThinPlaces(const Manifest & manifest) const;
+  WallVerdict
+  GetVerdict(const Manifest & manifest) const;
 
   /** Removes the files that this class knows, but for the locks. */
   void

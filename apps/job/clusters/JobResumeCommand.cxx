@@ -67,7 +67,7 @@ RunResumable(const ExtractOptions & options, const std::string & command, Progre
     JobResult job = RunPlan(plan, sink);
     if (options.dryRun)
     {
-      return { options, std::move(job), false };
+      return { options, std::move(job) };
     }
   }
   try

@@ -9,12 +9,20 @@
 namespace medialvoxel
 {
 
-bool
-HasThinPlaces(const JobResult & result)
+WallVerdict
+GetVerdict(const JobResult & result)
 {
-  return std::any_of(result.places.begin(), result.places.end(), [](const PlaceSummary & summary) {
-    return summary.kind == PlaceKind::Thin && summary.number > 0;
-  });
+  const auto & places = result.places;
+  const auto & warnings = result.warnings;
+  if (std::any_of(places.begin(), places.end(), [](const PlaceSummary & summary) {
+        return summary.kind == PlaceKind::Thin && summary.number > 0;
+      }))
+  {
+    return WallVerdict::TooThin;
+  }
+  const bool lacksEvidence =
+    std::any_of(warnings.begin(), warnings.end(), [](const Warning & warning) { return warning.isOfEvidence; });
+  return lacksEvidence ? WallVerdict::NotMeasured : WallVerdict::Good;
 }
 
 bool

@@ -59,9 +59,16 @@ struct JobResult
   std::uint64_t                            bytesRead{ 0 };
 };
 
-/** Whether there are places with too thin walls. */
-bool
-HasThinPlaces(const JobResult & result);
+/** What a run says of thin walls. */
+enum class WallVerdict
+{
+  Good,
+  TooThin,    ///< there are thin places, whatever else was not measured
+  NotMeasured ///< there are none, but too little was measured to know
+};
+
+WallVerdict
+GetVerdict(const JobResult & result);
 
 /** Whether the object of an extraction was smoothed. */
 bool

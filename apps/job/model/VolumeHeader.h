@@ -4,6 +4,7 @@
 #define medialvoxelVolumeHeader_h
 
 #include "PixelType.h"
+#include "Warning.h"
 
 #include "itkMedialVoxelFileRegion.h"
 #include "itkMedialVoxelGrid.h"
@@ -84,6 +85,9 @@ struct SliceChoice
   std::string                series; ///< instance UID of a DICOM series; empty: the only one
   std::vector<std::uint64_t> range;  ///< first and last slice, counted from 0, or numbers of a pattern; empty: all
 
+  /** The user gives the spacing, so that slices need not be equally far from each other. */
+  bool hasSpacing{ false };
+
   bool
   IsGiven() const
   {
@@ -132,6 +136,9 @@ struct VolumeHeader
 
   /** Of a volume whose slices are images of their own. */
   std::shared_ptr<const SliceSeries> series;
+
+  /** What reading the header had to assume or to choose. */
+  std::vector<Warning> warnings;
 
   /** Of a volume that is resampled while it is read: what is in the file. */
   std::shared_ptr<const VolumeHeader> stored;

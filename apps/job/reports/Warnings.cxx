@@ -5,7 +5,6 @@
 #include "JobResult.h"
 #include "Options.h"
 #include "Progress.h"
-#include "SliceSeries.h"
 #include "Survey.h"
 #include "Text.h"
 
@@ -34,6 +33,7 @@ struct Rule
 {
   const char * code;
   std::optional<Finding> (*check)(const TFacts &...);
+  bool isOfEvidence{ false }; ///< without evidence there is no verdict on walls
 };
 
 template <typename... TFacts>
@@ -44,7 +44,7 @@ Apply(const std::vector<Rule<TFacts...>> & rules, std::vector<Warning> & warning
   {
     if (std::optional<Finding> finding = rule.check(facts...))
     {
-      warnings.push_back({ rule.code, std::move(finding->message), std::move(finding->values) });
+      warnings.push_back({ rule.code, std::move(finding->message), std::move(finding->values), rule.isOfEvidence });
     }
   }
 }
@@ -153,21 +153,6 @@ CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
                     { "largest_accurate_ratio", itk::MedialVoxelGridLimits::AccurateRatio } } };
 }
 
-/** Pictures do not tell how far slices are from each other. */
-std::optional<Finding>
-CheckSliceDistance(const JobOptions & options, const VolumeHeader & input)
-{
-  const VolumeHeader & stored = input.GetStored();
-  const bool           isKnown = !stored.series || stored.series->slices.front().place || !options.spacing.empty();
-  if (isKnown || stored.geometry.GetDimension() < 3)
-  {
-    return std::nullopt;
-  }
-  return Finding{ "the slices do not tell how far they are from each other; the spacing " +
-                    FormatNumbers(stored.geometry.spacing, " x ") + " is assumed, --spacing X,Y,Z sets it",
-                  {} };
-}
-
 const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
   { "unequal_spacing", CheckSpacing },
   { "unusual_thickness",
@@ -187,8 +172,6 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
       return options.meshFile.empty() ? CheckScratch(options, input) : std::nullopt;
     } },
 };
-
-const std::vector<Rule<JobOptions, VolumeHeader>> VolumeRules{ { "unknown_spacing", CheckSliceDistance } };
 
 const std::vector<Rule<DistanceOptions, VolumeHeader>> DistanceRequestRules{
   { "unusual_maximum_distance", CheckMaximumDistance },
@@ -271,8 +254,8 @@ CheckNames(const JobOptions &, const JobResult & result)
                   { { "labels", static_cast<double>(unknown.size()) } } };
 }
 
-const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject },
-                                                            { "no_background", CheckBackground },
+const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject, true },
+                                                            { "no_background", CheckBackground, true },
                                                             { "labels_without_segment", CheckNames } };
 
 /** What is known of the walls after an extraction. */
@@ -427,9 +410,36 @@ CheckBalls(const ExtractOptions & options, const JobResult & result)
                   { { "object_percent", 100.0 * share }, { "maximum_local_thickness", maximum } } };
 }
 
-const std::vector<Rule<WallFacts>> WallRules{ { "no_medial_cells", CheckMedialCells },
+/** A verdict on a label map is one on each of its objects. */
+std::optional<Finding>
+CheckObjectsWithoutWalls(const WallFacts & facts)
+{
+  if (!facts.options.failsIfThin || !facts.result.objects)
+  {
+    return std::nullopt;
+  }
+  std::vector<std::int64_t> unmeasured;
+  for (const ObjectSummary & object : facts.result.objects->objects)
+  {
+    if (object.medialCells == 0 || (object.thickness.cells == 0 && facts.survey.GetStep() == 1))
+    {
+      unmeasured.push_back(object.label);
+    }
+  }
+  if (unmeasured.empty())
+  {
+    return std::nullopt;
+  }
+  return Finding{ "of " + std::to_string(facts.result.objects->objects.size()) + " labels " +
+                    std::to_string(unmeasured.size()) + " have no wall that was measured, as has " +
+                    std::to_string(unmeasured.front()),
+                  { { "labels", static_cast<double>(unmeasured.size()) } } };
+}
+
+const std::vector<Rule<WallFacts>> WallRules{ { "no_medial_cells", CheckMedialCells, true },
                                               { "beyond_maximum_thickness", CheckMaximumThickness },
-                                              { "few_sheets", CheckSheets } };
+                                              { "few_sheets", CheckSheets, true },
+                                              { "labels_without_walls", CheckObjectsWithoutWalls, true } };
 
 const std::vector<Rule<ExtractOptions, JobResult>> BallRules{ { "beyond_maximum_local_thickness", CheckBalls } };
 
@@ -438,8 +448,7 @@ const std::vector<Rule<ExtractOptions, JobResult>> BallRules{ { "beyond_maximum_
 std::vector<Warning>
 FindWarningsOfRequest(const ExtractOptions & options, const VolumeHeader & input)
 {
-  std::vector<Warning> warnings;
-  Apply<JobOptions, VolumeHeader>(VolumeRules, warnings, options, input);
+  std::vector<Warning> warnings = input.GetStored().warnings;
   Apply(RequestRules, warnings, options, input);
   return warnings;
 }
@@ -447,25 +456,34 @@ FindWarningsOfRequest(const ExtractOptions & options, const VolumeHeader & input
 std::vector<Warning>
 FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & input)
 {
-  std::vector<Warning> warnings;
-  Apply<JobOptions, VolumeHeader>(VolumeRules, warnings, options, input);
+  std::vector<Warning> warnings = input.GetStored().warnings;
   Apply(DistanceRequestRules, warnings, options, input);
   return warnings;
 }
 
 std::vector<Warning>
-FindWarningsOfRequest(const SurfaceOptions & options, const VolumeHeader & input)
+FindWarningsOfRequest(const SurfaceOptions &, const VolumeHeader & input)
 {
-  std::vector<Warning> warnings;
-  Apply<JobOptions, VolumeHeader>(VolumeRules, warnings, options, input);
-  return warnings;
+  return input.GetStored().warnings;
+}
+
+/** \throw JobError Usage for a label that no voxel has, which is no empty object but a mistake */
+void
+ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelCounts & counts = result.sums.counts;
+  if (options.label && counts.objectVoxels == 0 && counts.removedVoxels == 0)
+  {
+    Fail(ExitStatus::Usage, result.input.fileName.string(), ": no voxel has the label ", FormatLabel(*options.label));
+  }
+  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
 }
 
 std::vector<Warning>
 FindWarningsOfResult(const ExtractOptions & options, const JobResult & result, const Survey & survey)
 {
   std::vector<Warning> warnings;
-  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+  ApplyObjectRules(warnings, options, result);
   Apply(WallRules, warnings, WallFacts{ options, result, survey });
   Apply(BallRules, warnings, options, result);
   return warnings;
@@ -475,7 +493,7 @@ std::vector<Warning>
 FindWarningsOfResult(const DistanceOptions & options, const JobResult & result)
 {
   std::vector<Warning> warnings;
-  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+  ApplyObjectRules(warnings, options, result);
   return warnings;
 }
 
@@ -483,7 +501,7 @@ std::vector<Warning>
 FindWarningsOfResult(const SurfaceOptions & options, const JobResult & result)
 {
   std::vector<Warning> warnings;
-  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+  ApplyObjectRules(warnings, options, result);
   Apply(BallRules, warnings, GetThicknessOptions(options), result);
   return warnings;
 }
