@@ -146,6 +146,43 @@ TEST(MedialVoxelThickness, PlatesAlongAnAxisAreExactUpToTheFacesOfTheImage)
   }
 }
 
+/** A plate with four free edges, of some layers of voxels across an axis. */
+Volume
+FreePlate(int axis, int layers, const Vector3 & spacing, int start)
+{
+  constexpr int margin = 4;
+  Index3        size{ { 3 * layers + 18, 3 * layers + 18, 3 * layers + 18 } };
+  size[static_cast<std::size_t>(axis)] = layers + start + margin;
+  return MakeVolume(size, spacing, [=](const Index3 & v) {
+    bool isObject = v[axis] >= start && v[axis] < start + layers;
+    for (int other = 0; other < 3; ++other)
+    {
+      isObject = isObject && (other == axis || (v[other] >= margin && v[other] < size[other] - margin));
+    }
+    return isObject;
+  });
+}
+
+TEST(MedialVoxelThickness, FreePlatesAlongAnAxisAreExactBesideTheirRimsToo)
+{
+  for (const Vector3 & spacing : { UnitSpacing, Vector3{ { 0.7, 0.7, 1.2 } }, Vector3{ { 1.5, 1.0, 0.75 } } })
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const int layers : { 1, 2, 3, 4, 5, 7, 8, 9, 11, 15 })
+      {
+        const Volume      volume = FreePlate(axis, layers, spacing, 2 + layers % 3);
+        const Measurement measured(volume, 3.0 * spacing[0], Everywhere);
+        ASSERT_FALSE(measured.GetWallValues().empty()) << axis << ' ' << layers;
+        EXPECT_NEAR(measured.GetWallValues().front(), layers * spacing[static_cast<std::size_t>(axis)], 1e-5)
+          << axis << ' ' << layers << ' ' << spacing[2];
+        EXPECT_NEAR(measured.GetWallValues().back(), layers * spacing[static_cast<std::size_t>(axis)], 1e-5)
+          << axis << ' ' << layers << ' ' << spacing[2];
+      }
+    }
+  }
+}
+
 TEST(MedialVoxelThickness, PlatesWhoseBoundaryIsAtTheFaceOfTheImageAreExact)
 {
   const Volume      volume = AxisPlate({ { 12, 12, 6 } }, UnitSpacing, 2, 1, 4);

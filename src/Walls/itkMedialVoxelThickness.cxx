@@ -261,9 +261,11 @@ MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
 struct MedialVoxelThickness::Span
 {
   Side                  sides[2];
-  std::array<double, 2> numbers; // of points
-  PositionType          way;     // from the mean of one side to that of the other
-  PositionType          across;  // in voxels, times the distance
+  Side                  allSides[2]; // with the points that face other ways
+  bool                  isInPlanes;  // the points of each side are, across an axis
+  std::array<double, 2> numbers;     // of points
+  PositionType          way;         // from the mean of one side to that of the other
+  PositionType          across;      // in voxels, times the distance
   double                distance;
   double                step; // of Direction
 };
@@ -330,14 +332,64 @@ MedialVoxelThickness::FindWaysOut(Direction & direction)
   direction.knowsOut = true;
 }
 
+/** Corners whose points do not face the way of a or b, on whose side they are: beside a rim the end of the wall can be
+ * as near to a corner as its side. */
+template <typename TBlockAt>
+unsigned int
+MedialVoxelThickness::FindOthers(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const
+{
+  const auto & spacing = m_Grid.GetSpacing();
+  const auto   inwardsAt = [&](const MedialVoxelIndex & point) {
+    const Side   side(1, blockAt(point).sums, m_BlockVoxels);
+    PositionType inwards{};
+    for (unsigned int axis = 0; axis < 3; ++axis)
+    {
+      inwards[axis] = static_cast<double>(side.inwards[axis]) / spacing[axis];
+    }
+    return inwards;
+  };
+  const Sides        split(wall);
+  const PositionType sides[2] = { inwardsAt(wall.a), inwardsAt(wall.b) };
+  unsigned int       others = 0;
+  for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
+  {
+    const PositionType   own = inwardsAt(wall.corners[corner]);
+    const PositionType & side = sides[split.Find(wall.corners[corner]) < 0 ? 0 : 1];
+    const double         dot = own[0] * side[0] + own[1] * side[1] + own[2] * side[2];
+    const bool           isKnown = own != PositionType{} && side != PositionType{};
+    others |= (isKnown && dot <= 0.0 ? 1u : 0u) << corner;
+  }
+  return others;
+}
+
 /** \param blockAt  called with a point, tells the block around it */
 template <typename TBlockAt>
 auto
 MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const
   -> Span
 {
+  Span               span = this->FindSpanWithout(0, wall, direction, blockAt);
+  const unsigned int others = span.isInPlanes ? 0 : this->FindOthers(wall, blockAt);
+  if (others != 0)
+  {
+    const Span all = span;
+    span = this->FindSpanWithout(others, wall, direction, blockAt);
+    std::copy(std::begin(all.sides), std::end(all.sides), std::begin(span.allSides));
+  }
+  return span;
+}
+
+/** \param others  bits of corners that are left out */
+template <typename TBlockAt>
+auto
+MedialVoxelThickness::FindSpanWithout(const unsigned int            others,
+                                      const MedialVoxelWallPoints & wall,
+                                      Direction &                   direction,
+                                      TBlockAt &&                   blockAt) const -> Span
+{
   const Sides      split(wall);
   MedialVoxelIndex positions[2] = {}; // sums of them, seen from a
+  MedialVoxelIndex bits[2] = {};      // that differ from those of a and b
   std::int64_t     numbersOfPoints[2] = {};
   PackedSums       sums[2] = {};
   unsigned int     doubtful = 0; // corners that may see another wall
@@ -345,7 +397,7 @@ MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & d
   {
     const MedialVoxelIndex & point = wall.corners[corner];
     const std::int64_t       side = split.Find(point);
-    if (side == 0)
+    if (side == 0 || ((others >> corner) & 1u) != 0)
     {
       continue;
     }
@@ -358,6 +410,7 @@ MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & d
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
         positions[i][axis] += (point[axis] - wall.a[axis]) & masks[i];
+        bits[i][axis] |= (point[axis] ^ (i == 0 ? wall.a : wall.b)[axis]) & masks[i];
       }
       numbersOfPoints[i] -= masks[i];
       sums[i] += block.sums & masks[i];
@@ -365,6 +418,11 @@ MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & d
   }
 
   Span span;
+  span.isInPlanes = false;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    span.isInPlanes |= (bits[0][axis] | bits[1][axis]) == 0 && wall.a[axis] != wall.b[axis];
+  }
   span.numbers = { { static_cast<double>(numbersOfPoints[0]), static_cast<double>(numbersOfPoints[1]) } };
   const auto & spacing = m_Grid.GetSpacing();
   double       squaredDistance = 0.0;
@@ -404,6 +462,7 @@ MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & d
   for (unsigned int side = 0; side < 2; ++side)
   {
     span.sides[side] = { numbersOfPoints[side], sums[side], m_BlockVoxels };
+    span.allSides[side] = span.sides[side];
   }
   return span;
 }
@@ -433,10 +492,9 @@ MedialVoxelThickness::MeasureSpan(const Span & span) const
     longest = std::max(longest, std::abs(way));
   }
   const auto & spacing = m_Grid.GetSpacing();
-  const Side(&sides)[2] = span.sides;
   measured.thickness = this->ThicknessOf(span);
   measured.area = static_cast<float>(m_CellVolume * span.distance / extent);
-  measured.isRim = IsRim(sides, spacing);
+  measured.isRim = IsRim(span.allSides, spacing);
   return measured;
 }
 
