@@ -129,11 +129,11 @@ class DicomTest(SeriesTestCase):
         spacing = 1.5
         even = [spacing * number for number in range(24)]
         moved, doubled, gap = list(even), list(even), list(even)
-        moved[10] += 0.1
+        moved[10] += 0.5
         doubled[10] = even[9]
         gap[12:] = [place + 2 * spacing for place in gap[12:]]
         for places, parts in (
-            (moved, ["not equally spaced", "1.6", "1.5"]),
+            (moved, ["not equally spaced", "distance is 2", "that of others 1.5"]),
             (doubled, ["have the same place", "doubled"]),
             (gap, ["2 slices are missing between", "distance is 4.5", "that of others 1.5"]),
         ):
@@ -144,6 +144,87 @@ class DicomTest(SeriesTestCase):
         # A thousandth of the spacing is what rounding does.
         moved[10] = even[10] + spacing / 1000
         self.info(self.write_dicom(volume, "nearly", places=moved))
+
+    def test_signed_numbers_of_few_bits_are_extended_in_every_syntax(self):
+        volume = in_hounsfield_units()
+        volume.voxels = [max(-1000, min(1000, value - 1000)) for value in volume.voxels]
+        expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
+        for bits in (12, 13):
+            for syntax in ("explicit", "implicit", "big", "rle", "jpeg-ls", "jpeg", "jpeg-2000"):
+                with self.subTest(syntax=syntax, bits=bits):
+                    options = {"syntax": syntax, "bits": bits, "intercept": 0, "is_signed": True}
+                    folder = self.write_dicom(volume, f"{syntax}-{bits}", **options)
+                    table = self.info(folder, "--values")
+                    self.assertEqual((table["minimum"], table["maximum"]), ("-1000", "1000"))
+                    self.assertEqual(self.results(folder), expected)
+
+    def test_without_positions_numbers_give_the_order(self):
+        volume = in_hounsfield_units()
+        expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
+        folder = self.write_dicom(volume, has_position=False, numbers=list(range(5, 29)))
+        spacing = ["--spacing", "0.8,0.7,1.5"]
+        self.assertEqual(self.results(folder, *spacing), expected)
+        errors = self.run_program("extract", folder, "w.mha", "--lower", 1000).stderr
+        self.assertIn("unknown_slice_order", self.warnings_of(folder))
+        self.assertIn("in the order of their instance numbers", errors)
+        gap = [*range(12), *range(13, 25)]
+        folder = self.write_dicom(volume, "gap", has_position=False, numbers=gap)
+        self.assert_fails(CORRUPT, ["slices are missing between", "11 and 13"], "info", folder)
+
+    def warnings_of(self, source, *arguments):
+        self.run_program("extract", source, "w.mha", "--lower", 1000, "--report", "w.json", "--overwrite", *arguments)
+        return [warning["code"] for warning in json.loads((self.folder / "w.json").read_text())["warnings"]]
+
+    def test_spacings_are_two_numbers_or_a_warning(self):
+        volume = in_hounsfield_units()
+        self.assertIn("unknown_spacing", self.warnings_of(self.write_dicom(volume, "none", missing=["PixelSpacing"])))
+        self.assertNotIn("unknown_spacing", self.warnings_of(self.folder / "none", "--spacing", "0.8,0.7,1.5"))
+        for text in ("0,7\\0,8", "0.7\\0.0", "-.7\\0.8", "0.7 0.8", "nan\\0.8"):
+            folder = self.write_dicom(volume, "wrong", spacing_text=text)
+            self.assert_fails(CORRUPT, ["PixelSpacing", "two numbers greater than 0"], "info", folder)
+
+    def test_rounded_places_are_a_line(self):
+        volume = in_hounsfield_units()
+        for spacing, digits in ((0.0195, 3), (0.0625, 2), (0.625, 1)):
+            places = [round(spacing * number, digits) for number in range(24)]
+            folder = self.write_dicom(volume, "rounded", places=places)
+            self.assertAlmostEqual(float(self.info(folder)["spacing"].split(" x ")[2]), spacing, delta=spacing / 50)
+            self.assertIn("uneven_slices", self.warnings_of(folder))
+            for number in (1, 12, 22):  # one that is missing is found all the same
+                without = places[:number] + [place + spacing for place in places[number:]]
+                folder = self.write_dicom(volume, "missing", places=without)
+                self.assert_fails(CORRUPT, ["slice"], "info", folder)
+                self.info(folder, "--spacing", "1,1,1")
+
+    def test_scales_of_slices_may_differ(self):
+        volume = in_hounsfield_units()
+        volume.voxels = [max(0, value) // 20 * 20 for value in volume.voxels]
+        expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
+        slopes = [(1, 0.5, 2)[number % 3] for number in range(24)]
+        folder = self.write_dicom(volume, intercept=0, slopes=slopes)
+        self.assertEqual(self.results(folder), expected)
+
+    def test_what_follows_the_image_is_not_read(self):
+        volume = in_hounsfield_units()
+        expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
+        for behind in ([0], [0] * 57, [0] * 512, [10], [255] * 40):
+            for syntax in ("explicit", "implicit", "rle"):
+                folder = self.write_dicom(volume, "behind", bytes_behind=behind, syntax=syntax)
+                self.assertEqual(self.results(folder), expected, behind)
+
+    def test_acquisitions_that_overlap_are_refused(self):
+        volume = in_hounsfield_units()
+        turns = {str(number): {"AcquisitionNumber": 1 + number % 2} for number in range(24)}
+        folder = self.write_dicom(volume, "turns", changes=turns)
+        self.assert_fails(CORRUPT, ["acquisitions that overlap", "IM00"], "info", folder)
+        halves = {str(number): {"AcquisitionNumber": 1 + number // 12} for number in range(24)}
+        self.info(self.write_dicom(volume, "halves", changes=halves))
+        every = {str(number): {"AcquisitionNumber": number} for number in range(24)}
+        self.info(self.write_dicom(volume, "every", changes=every))
+
+    def test_directions_have_a_length(self):
+        folder = self.write_dicom(in_hounsfield_units(), directions=[0, 0, 0, 0, 0, 0])
+        self.assert_fails(CORRUPT, [str(folder)], "info", folder)
 
     def test_tilted_gantry_and_other_directions_are_refused(self):
         volume = in_hounsfield_units()

@@ -47,7 +47,7 @@ def write_dicom(voxels, spec):
         data.Modality, data.PatientName, data.PatientID = "CT", "Nobody", "0"
         data.StudyInstanceUID, data.SeriesInstanceUID = "1.2.3", spec["series"]
         data.SeriesDescription = spec.get("description", "")
-        data.InstanceNumber = len(voxels) - number
+        data.InstanceNumber = spec["numbers"][number] if "numbers" in spec else len(voxels) - number
         if spec.get("has_position", True):
             shear = numpy.array(spec.get("shear", [0, 0, 0])) * number
             data.ImagePositionPatient = [f"{c:.10g}" for c in origin + normal * places[number] + shear]
@@ -56,13 +56,16 @@ def write_dicom(voxels, spec):
         data.SamplesPerPixel, data.PhotometricInterpretation = 1, "MONOCHROME2"
         data.Rows, data.Columns = slice_.shape
         data.BitsAllocated, data.BitsStored, data.HighBit = 16, bits, bits - 1
-        data.PixelRepresentation = 0
-        data.RescaleIntercept, data.RescaleSlope = str(intercept), str(slope)
-        stored = numpy.rint((slice_.astype(float) - intercept) / slope)
+        data.PixelRepresentation = 1 if spec.get("is_signed") else 0
+        own_slope = spec["slopes"][number] if "slopes" in spec else slope
+        data.RescaleIntercept, data.RescaleSlope = str(intercept), str(own_slope)
+        stored = numpy.rint((slice_.astype(float) - intercept) / own_slope).astype(int) & ((1 << bits) - 1)
         data.PixelData = stored.astype(">u2" if plain == "big" else "<u2").tobytes()
         data["PixelData"].VR = "OW"
-        for keyword, value in spec.get("changes", {}).get(str(number), {}).items():
+        for keyword, value in {**spec.get("all", {}), **spec.get("changes", {}).get(str(number), {})}.items():
             setattr(data, keyword, bytes(value) if keyword == "PixelData" else value)
+        for keyword in spec.get("missing", []):
+            delattr(data, keyword)
         data.is_little_endian, data.is_implicit_VR = plain != "big", plain == "implicit"
         if syntax == "rle":
             data.compress(pydicom.uid.RLELossless)
@@ -70,6 +73,11 @@ def write_dicom(voxels, spec):
         data.save_as(str(path), write_like_original=False)
         if syntax not in (plain, "rle"):
             change_syntax(path, syntax)
+        if "spacing_text" in spec:
+            old = f"{spacing[1]:.10g}\\{spacing[0]:.10g}".encode().ljust(len(spec["spacing_text"]))
+            path.write_bytes(path.read_bytes().replace(old, spec["spacing_text"].encode()))
+        with open(path, "ab") as file:
+            file.write(bytes(spec.get("bytes_behind", [])))
 
 
 def change_syntax(path, syntax):

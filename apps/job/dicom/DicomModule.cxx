@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "DicomModule.h"
 
+#include "FileStart.h"
 #include "PixelType.h"
 
 #include <gdcmImageHelper.h>
@@ -11,9 +12,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <istream>
+#include <locale>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -87,6 +93,67 @@ GetNumber(const gdcm::DataSet & data, const gdcm::Tag & tag, unsigned int otherw
   }
   std::memcpy(&number, bytes->GetPointer(), sizeof(number));
   return number;
+}
+
+/** Numbers of a text, which backslashes separate; nothing where one is none. */
+std::vector<double>
+ParseNumbers(const std::string & text)
+{
+  std::vector<double> numbers;
+  std::size_t         begin = 0;
+  do
+  {
+    const std::size_t  end = std::min(text.find('\\', begin), text.size());
+    std::istringstream part(text.substr(begin, end - begin));
+    part.imbue(std::locale::classic());
+    double number = 0.0;
+    if (!(part >> number) || !(part >> std::ws).eof() || !std::isfinite(number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+    begin = end + 1;
+  } while (begin <= text.size());
+  return numbers;
+}
+
+/** Half of the last digit behind the point, the least of all numbers of a text; 0 where none has a point. */
+double
+GetRounding(const std::string & text)
+{
+  std::size_t most = 0;
+  for (std::size_t point = text.find('.'); point != std::string::npos; point = text.find('.', point + 1))
+  {
+    most = std::max(most, std::min(text.find_first_not_of("0123456789", point + 1), text.size()) - point - 1);
+  }
+  return most == 0 || text.find_first_of("eE") != std::string::npos ? 0.0 : 0.5 * std::pow(10.0, -double(most));
+}
+
+/** \return false when there is none; two numbers greater than 0 otherwise */
+bool
+CheckSpacing(const gdcm::DataSet & data)
+{
+  const std::string text = GetText(data, gdcm::Tag(0x0028, 0x0030));
+  if (text.empty())
+  {
+    return false;
+  }
+  const std::vector<double> numbers = ParseNumbers(text);
+  if (numbers.size() != 2 || !(numbers[0] > 0.0) || !(numbers[1] > 0.0))
+  {
+    throw std::runtime_error("its PixelSpacing is '" + text +
+                             "'; it must be two numbers greater than 0, as in 0.5\\0.5");
+  }
+  return true;
+}
+
+/** Scans of one series differ in the number of the acquisition, or in the place in time. */
+std::string
+GetAcquisition(const gdcm::DataSet & data)
+{
+  const std::string number = GetText(data, gdcm::Tag(0x0020, 0x0012));
+  const std::string time = GetText(data, gdcm::Tag(0x0020, 0x0100));
+  return time.empty() ? number : number + " at time " + time;
 }
 
 /** GDCM ends the process when it is asked for a format whose numbers contradict each other. */
@@ -175,17 +242,67 @@ GetHeader(const gdcm::File & file)
   std::copy_n(directions.begin(), std::min<std::size_t>(directions.size(), 6), header.directions);
   const gdcm::Tag position(0x0020, 0x0032);
   const gdcm::Tag orientation(0x0020, 0x0037);
-  header.hasPosition = data.FindDataElement(position) && data.FindDataElement(orientation) ? 1 : 0;
+  header.hasPosition = !GetText(data, position).empty() && !GetText(data, orientation).empty() ? 1 : 0;
+  header.rounding = GetRounding(GetText(data, position));
+  header.hasSpacing = CheckSpacing(data) ? 1 : 0;
+  const std::vector<double> number = ParseNumbers(GetText(data, gdcm::Tag(0x0020, 0x0013)));
+  header.hasNumber = number.size() == 1 ? 1 : 0;
+  header.number = number.size() == 1 ? static_cast<std::int64_t>(std::clamp(number.front(), -1e15, 1e15)) : 0;
   CopyText(GetText(data, gdcm::Tag(0x0020, 0x000e)), header.series);
   CopyText(GetText(data, gdcm::Tag(0x0008, 0x103e)), header.description);
+  CopyText(GetAcquisition(data), header.acquisition);
   return header;
 }
 
+template <typename TNumber>
 void
-ReadVoxels(const char * fileName, const MedialVoxelDicomHeader & expected, void * voxels)
+RestoreValues(TNumber * numbers, std::size_t count, unsigned int storedBits)
 {
-  gdcm::ImageReader reader;
-  reader.SetFileName(fileName);
+  const auto unused = static_cast<unsigned int>(8 * sizeof(TNumber)) - storedBits;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    using Bits = std::make_unsigned_t<TNumber>;
+    // Shifting back fills with the sign, or with zeros.
+    numbers[i] = static_cast<TNumber>(static_cast<TNumber>(static_cast<Bits>(numbers[i]) << unused) >> unused);
+  }
+}
+
+/** Some codecs know no sign, and leave bits beyond the stored ones as they are. */
+void
+RestoreStoredBits(std::vector<char> & stored, const gdcm::File & file, std::size_t bytes)
+{
+  const gdcm::PixelFormat format = GetPixelFormat(file);
+  const unsigned int      storedBits = format.GetBitsStored();
+  const std::size_t       count = stored.size() / bytes;
+  if (storedBits >= 8 * bytes || format.GetBitsAllocated() != 8 * bytes)
+  {
+    return;
+  }
+  const bool isSigned = format.GetPixelRepresentation() == 1;
+  const auto restore = [&](auto zero) {
+    using Number = decltype(zero);
+    using Signed = std::make_signed_t<Number>;
+    isSigned ? RestoreValues(reinterpret_cast<Signed *>(stored.data()), count, storedBits)
+             : RestoreValues(reinterpret_cast<Number *>(stored.data()), count, storedBits);
+  };
+  switch (bytes)
+  {
+    case 1:
+      return restore(std::uint8_t{});
+    case 2:
+      return restore(std::uint16_t{});
+    default:
+      return restore(std::uint32_t{});
+  }
+}
+
+void
+ReadVoxels(const char * fileName, std::uint64_t end, const MedialVoxelDicomHeader & expected, void * voxels)
+{
+  medialvoxel::FileStart file(fileName, end);
+  std::istream           stream(&file);
+  gdcm::ImageReader      reader;
+  reader.SetStream(stream);
   if (!reader.Read())
   {
     throw std::runtime_error("GDCM cannot read its voxels");
@@ -209,6 +326,7 @@ ReadVoxels(const char * fileName, const MedialVoxelDicomHeader & expected, void 
   {
     throw std::runtime_error("its voxels are damaged or end early, or their compression is unknown to GDCM");
   }
+  RestoreStoredBits(stored, reader.GetFile(), storedBytes);
   if (!rescaler.Rescale(static_cast<char *>(voxels), stored.data(), stored.size()))
   {
     throw std::runtime_error("its voxels cannot be rescaled");
@@ -258,8 +376,11 @@ extern "C"
   }
 
   MEDIALVOXEL_MODULE_EXPORT const char *
-  MedialVoxelModuleReadDicomVoxels(const char * fileName, const MedialVoxelDicomHeader * header, void * voxels)
+  MedialVoxelModuleReadDicomVoxels(const char *                   fileName,
+                                   std::uint64_t                  end,
+                                   const MedialVoxelDicomHeader * header,
+                                   void *                         voxels)
   {
-    return Guard([&] { ReadVoxels(fileName, *header, voxels); });
+    return Guard([&] { ReadVoxels(fileName, end, *header, voxels); });
   }
 }

@@ -159,7 +159,14 @@ ReadHeader(const std::filesystem::path & fileName)
   header.fileName = fileName;
   header.size = { { dicom.columns, dicom.rows } };
   header.pixelType = static_cast<PixelType>(dicom.pixelType);
+  header.storedType = header.pixelType;
   header.spacing = { { dicom.spacing[0], dicom.spacing[1] } };
+  header.isSpacingKnown = dicom.hasSpacing != 0;
+  header.acquisition = itk::MedialVoxelText::MakePrintable(dicom.acquisition);
+  if (dicom.hasNumber != 0)
+  {
+    header.number = dicom.number;
+  }
   header.series = itk::MedialVoxelText::MakePrintable(dicom.series);
   header.description = itk::MedialVoxelText::MakePrintable(dicom.description);
   if (dicom.hasPosition != 0)
@@ -168,24 +175,49 @@ ReadHeader(const std::filesystem::path & fileName)
     std::copy_n(dicom.origin, 3, header.place->origin.begin());
     std::copy_n(dicom.directions, 3, header.place->rowAxis.begin());
     std::copy_n(dicom.directions + 3, 3, header.place->columnAxis.begin());
+    header.place->rounding = dicom.rounding;
   }
   // The file in memory, and what it is unpacked to on the way.
   header.decodeBytes = structure.voxelBytes + (structure.isPacked ? 3 : 1) * header.GetVoxelBytes() + MiB;
   return header;
 }
 
+/** Slices whose values are of different types share one that holds all of them. */
+void
+ConvertValues(PixelType from, const void * values, const SliceHeader & slice, void * voxels)
+{
+  const std::size_t count = slice.size[0] * slice.size[1];
+  DispatchPixelType(from, [&](auto zeroFrom) {
+    DispatchPixelType(slice.pixelType, [&](auto zeroTo) {
+      const auto * const first = static_cast<const decltype(zeroFrom) *>(values);
+      std::transform(first, first + count, static_cast<decltype(zeroTo) *>(voxels), [](auto value) {
+        return static_cast<decltype(zeroTo)>(value);
+      });
+    });
+  });
+}
+
 void
 ReadVoxels(const SliceHeader & expected, void * voxels)
 {
-  CheckSize(expected.fileName, CheckDicomStructure(expected.fileName));
+  const DicomStructure structure = CheckDicomStructure(expected.fileName);
+  CheckSize(expected.fileName, structure);
   MedialVoxelDicomHeader dicom{};
   dicom.columns = static_cast<std::uint32_t>(expected.size[0]);
   dicom.rows = static_cast<std::uint32_t>(expected.size[1]);
-  dicom.pixelType = static_cast<std::uint32_t>(expected.pixelType);
+  dicom.pixelType = static_cast<std::uint32_t>(*expected.storedType);
   const AbortNotice notice(ExitStatus::CorruptInput, TextOfAbort(expected.fileName));
-  if (const char * const problem = GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), &dicom, voxels))
+  const bool        isOther = *expected.storedType != expected.pixelType;
+  std::vector<char> stored(isOther ? expected.size[0] * expected.size[1] * GetTraits(*expected.storedType).bytes : 0);
+  void * const      target = isOther ? stored.data() : voxels;
+  if (const char * const problem =
+        GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), structure.endOfVoxels, &dicom, target))
   {
     RefuseHeader(expected.fileName, problem);
+  }
+  if (isOther)
+  {
+    ConvertValues(*expected.storedType, stored.data(), expected, voxels);
   }
 }
 

@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <iomanip>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -209,7 +211,12 @@ private:
     }
     else
     {
-      this->Refuse("an element has the unknown value representation '" + element.representation + "'");
+      std::ostringstream bytes;
+      for (const char byte : element.representation)
+      {
+        bytes << ' ' << std::hex << std::setw(2) << std::setfill('0') << int{ static_cast<unsigned char>(byte) };
+      }
+      this->Refuse("an element has an unknown value representation, the bytes" + bytes.str());
     }
     return element;
   }
@@ -271,7 +278,8 @@ private:
   void
   WalkElements(std::uint64_t end, unsigned int depth)
   {
-    while (m_Position < end)
+    // What follows the image is not looked at, by GDCM neither: padding, or what a transfer left there.
+    while (m_Position < end && (depth > 0 || m_Structure.endOfVoxels == 0))
     {
       const Element element = this->ReadElement();
       if (element.tag == EndOfItem)
@@ -304,6 +312,7 @@ private:
         this->MoveTo(m_Position + element.length);
       }
       m_Structure.voxelBytes = m_Position - begin;
+      m_Structure.endOfVoxels = m_Position;
     }
     else if (element.representation == "SQ" || isUndefined)
     {

@@ -21,6 +21,7 @@ struct DicomStructure
   std::uint64_t isSigned{ 0 };   ///< 0 or 1
   std::uint64_t voxelBytes{ 0 }; ///< in the file, packed or not; 0: the file has no image
   bool          isPacked{ false };
+  std::uint64_t endOfVoxels{ 0 }; ///< where what follows the image begins
 };
 
 /** Whether a file has the signature of DICOM. */

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -53,10 +54,18 @@ CheckDirections(const std::filesystem::path & input, const Slices & slices)
 {
   constexpr double   tolerance = 1e-3;
   const SlicePlace & first = *slices.front().place;
+  const auto         length = [](const Vector & vector) { return std::sqrt(Dot(vector, vector)); };
   const auto         differs = [](const Vector & a, const Vector & b) {
     const Vector difference = Subtract(a, b);
     return !(std::sqrt(Dot(difference, difference)) <= tolerance);
   };
+  const auto isUnit = [&length](const Vector & vector) { return std::abs(length(vector) - 1.0) <= 10.0 * tolerance; };
+  if (!isUnit(first.rowAxis) || !isUnit(first.columnAxis))
+  {
+    RefuseHeader(slices.front().fileName,
+                 "its rows and columns have the directions " + Describe(first.rowAxis) + " and " +
+                   Describe(first.columnAxis) + "; they must have the length 1");
+  }
   if (!(std::abs(Dot(first.rowAxis, first.columnAxis)) <= tolerance))
   {
     RefuseHeader(slices.front().fileName,
@@ -75,18 +84,6 @@ CheckDirections(const std::filesystem::path & input, const Slices & slices)
   }
 }
 
-/** Distances from each slice to the next one. */
-std::vector<double>
-GetSteps(const Slices & slices, const Vector & normal)
-{
-  std::vector<double> steps;
-  for (std::size_t slice = 1; slice < slices.size(); ++slice)
-  {
-    steps.push_back(Dot(Subtract(slices[slice].place->origin, slices[slice - 1].place->origin), normal));
-  }
-  return steps;
-}
-
 double
 GetMedian(std::vector<double> values)
 {
@@ -95,31 +92,108 @@ GetMedian(std::vector<double> values)
   return *middle;
 }
 
+/** Scans of the same region that one series holds would be stacked into each other. */
+void
+CheckAcquisitions(const std::filesystem::path & input, const Slices & sorted)
+{
+  std::map<std::string, std::pair<std::size_t, std::size_t>> extents;
+  for (std::size_t slice = 0; slice < sorted.size(); ++slice)
+  {
+    const auto [extent, isNew] = extents.try_emplace(sorted[slice].acquisition, slice, slice);
+    extent->second.second = slice;
+  }
+  for (const auto & [name, extent] : extents)
+  {
+    for (std::size_t slice = extent.first; slice <= extent.second; ++slice)
+    {
+      const SliceHeader & other = sorted[slice];
+      if (other.acquisition != name)
+      {
+        RefuseHeader(input,
+                     "its slices are of acquisitions that overlap: " + sorted[extent.first].fileName.string() +
+                       " is of acquisition '" + name + "', " + other.fileName.string() + " of '" + other.acquisition +
+                       "'; put the files of one of them into a folder of their own");
+      }
+    }
+  }
+}
+
+/** How far slices may be from equal distances: exporters round positions to the digits that they write. A slice that
+ * is missing puts others off by more than a third of the distance. */
+double
+GetTolerance(const Slices & slices, double spacing)
+{
+  constexpr double usual = 0.1;
+  constexpr double most = 0.25;
+  double           rounding = 0.0;
+  for (const SliceHeader & slice : slices)
+  {
+    rounding = rounding == 0.0 ? slice.place->rounding : std::min(rounding, slice.place->rounding);
+  }
+  return spacing * std::clamp(rounding / spacing, usual, most);
+}
+
 /** The first slice that is not where the others let it be expected. */
 void
-CheckSteps(const std::filesystem::path & input, const Slices & slices, const Vector & normal)
+CheckSteps(const std::filesystem::path & input,
+           const Slices &                slices,
+           const Vector &                normal,
+           bool                          hasSpacing,
+           std::vector<Warning> &        warnings)
 {
-  const std::vector<double> steps = GetSteps(slices, normal);
-  const double              usual = GetMedian(steps);
-  const double              tolerance = SlicePositionTolerance * usual;
+  const Vector &      first = slices.front().place->origin;
+  std::vector<double> places;
+  std::vector<double> steps;
+  for (const SliceHeader & slice : slices)
+  {
+    places.push_back(Dot(Subtract(slice.place->origin, first), normal));
+    if (places.size() > 1)
+    {
+      steps.push_back(places.back() - places[places.size() - 2]);
+    }
+  }
+  const double spacing = places.back() / static_cast<double>(steps.size());
+  const double tolerance = GetTolerance(slices, spacing);
+  const double usual = GetMedian(steps);
+  double       worst = 0.0;
   for (std::size_t slice = 0; slice < steps.size(); ++slice)
   {
-    const std::string pair = slices[slice].fileName.string() + " and " + slices[slice + 1].fileName.string();
-    const double      step = steps[slice];
-    if (!(step > tolerance))
+    if (!(steps[slice] > SlicePositionTolerance * usual))
     {
       RefuseHeader(input,
-                   pair + " have the same place " + Describe(slices[slice].place->origin) + "; a slice is doubled");
+                   slices[slice].fileName.string() + " and " + slices[slice + 1].fileName.string() +
+                     " have the same place " + Describe(slices[slice].place->origin) + "; a slice is doubled");
     }
-    if (!(std::abs(step - usual) <= tolerance))
-    {
-      const double more = std::round(step / usual) - 1;
-      const bool   isGap = more >= 1 && std::abs(step - (more + 1) * usual) <= tolerance * (more + 1);
-      RefuseHeader(input,
-                   (isGap ? FormatNumber(more) + (more > 1 ? " slices are" : " slice is") + " missing between " + pair
-                          : "the slices are not equally spaced: " + pair + " do not fit") +
-                     "; their distance is " + FormatShort(step) + ", that of others " + FormatShort(usual));
-    }
+    worst = std::max(worst, std::abs(places[slice + 1] - spacing * static_cast<double>(slice + 1)));
+  }
+  if (hasSpacing)
+  {
+    return;
+  }
+  if (!(worst <= tolerance))
+  {
+    const auto odd = std::max_element(
+      steps.begin(), steps.end(), [usual](double a, double b) { return std::abs(a - usual) < std::abs(b - usual); });
+    const auto        at = static_cast<std::size_t>(odd - steps.begin());
+    const std::string pair = slices[at].fileName.string() + " and " + slices[at + 1].fileName.string();
+    const double      more = std::round(*odd / usual) - 1;
+    const bool        isGap = more >= 1 && std::abs(*odd - (more + 1) * usual) <= 2 * tolerance;
+    RefuseHeader(input,
+                 (isGap ? FormatNumber(more) + (more > 1 ? " slices are" : " slice is") + " missing between " + pair
+                        : "the slices are not equally spaced: " + pair + " do not fit") +
+                   "; their distance is " + FormatShort(*odd) + ", that of others " + FormatShort(usual) +
+                   "; --spacing takes them as equally spaced");
+  }
+  if (worst > SlicePositionTolerance * spacing)
+  {
+    constexpr double percent = 100.0;
+    const double     share = percent * worst / spacing;
+    warnings.push_back({ "uneven_slices",
+                         "positions of slices are up to " + FormatShort(share) +
+                           " % of their distance away from equal distances, as rounded numbers are; the slices are "
+                           "taken as " +
+                           FormatShort(spacing) + " mm apart",
+                         { { "percent", share }, { "distance", spacing } } });
   }
 }
 
@@ -135,7 +209,8 @@ CheckLine(const std::filesystem::path & input, const Slices & slices, const Vect
     const Vector way = Subtract(slices[slice].place->origin, first);
     const double along = Dot(way, normal);
     const double beside = std::sqrt(std::max(0.0, Dot(way, way) - along * along));
-    if (!(beside <= SlicePositionTolerance * spacing * static_cast<double>(slice)))
+    const double rounding = std::min(GetTolerance(slices, spacing), 2.0 * slices[slice].place->rounding);
+    if (!(beside <= SlicePositionTolerance * spacing * static_cast<double>(slice) + rounding))
     {
       RefuseHeader(input,
                    slices[slice].fileName.string() + " is shifted by " + FormatShort(beside) +
@@ -149,7 +224,7 @@ CheckLine(const std::filesystem::path & input, const Slices & slices, const Vect
 } // namespace
 
 void
-SortAlongNormal(const std::filesystem::path & input, Slices & slices)
+SortAlongNormal(const std::filesystem::path & input, Slices & slices, bool hasSpacing, std::vector<Warning> & warnings)
 {
   CheckDirections(input, slices);
   const Vector normal = GetNormal(*slices.front().place);
@@ -158,7 +233,8 @@ SortAlongNormal(const std::filesystem::path & input, Slices & slices)
   });
   if (slices.size() > 1)
   {
-    CheckSteps(input, slices, normal);
+    CheckAcquisitions(input, slices);
+    CheckSteps(input, slices, normal, hasSpacing, warnings);
     CheckLine(input, slices, normal);
   }
 }

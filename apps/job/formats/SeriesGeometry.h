@@ -12,16 +12,21 @@
 namespace medialvoxel
 {
 
-/** How far the distance of two slices may be from that of the others, and a slice from the line through the first
- * voxels: this share of the spacing. */
+/** How far slices may be from their places without a word, and from the line through the first voxels at all: this
+ * share of the spacing. */
 constexpr double SlicePositionTolerance = 0.01;
 
 /** Sorts slices that all have a place in the direction of the normal, as ITK does.
- * \param input that messages begin with
+ * \param input      that messages begin with
+ * \param hasSpacing the distances of the slices do not matter, unless one is doubled
+ * \param warnings   get one when the places are rounded
  * \throw HeaderError that names the slices when their directions differ, or one is missing, doubled, unequally spaced,
  * or beside the others, as with a tilted gantry */
 void
-SortAlongNormal(const std::filesystem::path & input, std::vector<SliceHeader> & slices);
+SortAlongNormal(const std::filesystem::path & input,
+                std::vector<SliceHeader> &    slices,
+                bool                          hasSpacing,
+                std::vector<Warning> &        warnings);
 
 /** Where the volume of sorted slices of one size lies; a single slice is an image of two dimensions. The distance of
  * slices without places is 1. \throw HeaderError for spacings that differ from slice to slice */

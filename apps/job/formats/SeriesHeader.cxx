@@ -9,7 +9,9 @@
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace medialvoxel
@@ -127,7 +129,8 @@ CheckAlike(const std::filesystem::path & input, const Slices & slices)
            std::string(GetTraits(slice.pixelType).name);
   };
   const auto other = std::find_if(slices.begin(), slices.end(), [&first](const SliceHeader & slice) {
-    return slice.size != first.size || slice.pixelType != first.pixelType;
+    const bool canConvert = slice.storedType && first.storedType;
+    return slice.size != first.size || (slice.pixelType != first.pixelType && !canConvert);
   });
   if (other != slices.end())
   {
@@ -153,9 +156,88 @@ TakeRange(const std::filesystem::path & input, const Slices & slices, const std:
   return { begin + static_cast<std::ptrdiff_t>(range[0]), begin + static_cast<std::ptrdiff_t>(range[1]) + 1 };
 }
 
-/** In order along the normal where they have places, otherwise in that of their names, and without a gap. */
+/** The smallest type that has all values of both; reals of 64 bits have them for what DICOM stores. */
+PixelType
+GetCommonType(PixelType a, PixelType b)
+{
+  const auto range = [](PixelType type) {
+    return DispatchPixelType(type, [](auto zero) {
+      using Limits = std::numeric_limits<decltype(zero)>;
+      return std::make_tuple(
+        Limits::is_integer, static_cast<double>(Limits::lowest()), static_cast<double>(Limits::max()));
+    });
+  };
+  const auto [isIntegerA, leastA, mostA] = range(a);
+  const auto [isIntegerB, leastB, mostB] = range(b);
+  if (isIntegerA && isIntegerB)
+  {
+    for (const PixelType type : { a, b, PixelType::Int16, PixelType::Int32, PixelType::UInt32, PixelType::Int64 })
+    {
+      const auto [isInteger, least, most] = range(type);
+      if (isInteger && least <= std::min(leastA, leastB) && most >= std::max(mostA, mostB))
+      {
+        return type;
+      }
+    }
+  }
+  return a == b ? a : PixelType::Float64;
+}
+
+/** The scale of slices may differ, and with it the type of their values. */
+void
+UnifyTypes(Slices & slices)
+{
+  PixelType type = slices.front().pixelType;
+  for (const SliceHeader & slice : slices)
+  {
+    type = slice.pixelType == type ? type : GetCommonType(type, slice.pixelType);
+  }
+  for (SliceHeader & slice : slices)
+  {
+    // What is converted is in memory twice.
+    slice.decodeBytes += slice.pixelType == type ? 0 : slice.GetVoxelBytes();
+    slice.pixelType = type;
+  }
+}
+
+/** Slices without places, in the order of their numbers where these all differ. */
+void
+SortByNumber(const std::filesystem::path & input, Slices & slices, std::vector<Warning> & warnings)
+{
+  const auto isBefore = [](const SliceHeader & a, const SliceHeader & b) { return a.number < b.number; };
+  Slices     sorted = slices;
+  std::stable_sort(sorted.begin(), sorted.end(), isBefore);
+  const auto isSame = [](const SliceHeader & a, const SliceHeader & b) { return a.number == b.number; };
+  const bool differ = sorted.front().number && std::adjacent_find(sorted.begin(), sorted.end(), isSame) == sorted.end();
+  warnings.push_back({ "unknown_slice_order",
+                       std::string("the slices have no position; they are in the order of their ") +
+                         (differ ? "instance numbers" : "file names"),
+                       {} });
+  if (!differ)
+  {
+    return;
+  }
+  slices = std::move(sorted);
+  std::int64_t step = std::numeric_limits<std::int64_t>::max();
+  for (std::size_t slice = 1; slice < slices.size(); ++slice)
+  {
+    step = std::min(step, *slices[slice].number - *slices[slice - 1].number);
+  }
+  for (std::size_t slice = 1; slice < slices.size(); ++slice)
+  {
+    if (*slices[slice].number - *slices[slice - 1].number != step)
+    {
+      RefuseHeader(input,
+                   "slices are missing between " + slices[slice - 1].fileName.string() + " and " +
+                     slices[slice].fileName.string() + ", which have the instance numbers " +
+                     std::to_string(*slices[slice - 1].number) + " and " + std::to_string(*slices[slice].number));
+    }
+  }
+}
+
+/** In order along the normal where they have places, otherwise in that of their numbers or names, and without a gap. */
 Slices
-SortSlices(const std::filesystem::path & input, Slices slices)
+SortSlices(const std::filesystem::path & input, Slices slices, bool hasSpacing, std::vector<Warning> & warnings)
 {
   const auto hasPlace = [](const SliceHeader & slice) { return slice.place.has_value(); };
   const auto without = std::find_if_not(slices.begin(), slices.end(), hasPlace);
@@ -166,7 +248,12 @@ SortSlices(const std::filesystem::path & input, Slices slices)
   }
   if (without == slices.end())
   {
-    SortAlongNormal(input, slices);
+    SortAlongNormal(input, slices, hasSpacing, warnings);
+    return slices;
+  }
+  if (slices.front().storedType)
+  {
+    SortByNumber(input, slices, warnings);
     return slices;
   }
   Files files;
@@ -184,16 +271,24 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
   const bool countsNumbers = IsNumberPattern(input);
   const auto [format, files] =
     FindFormat(input, ListSliceFiles(input, countsNumbers ? choice.range : std::vector<std::uint64_t>{}));
-  Slices slices = ReadHeaders(input, *format, files);
-  slices = SortSlices(input, ChooseSeries(input, slices, choice.series));
+  Slices       slices = ReadHeaders(input, *format, files);
+  VolumeHeader header;
+  slices = SortSlices(input, ChooseSeries(input, slices, choice.series), choice.hasSpacing, header.warnings);
   slices = TakeRange(input, slices, countsNumbers ? std::vector<std::uint64_t>{} : choice.range);
   CheckAlike(input, slices);
+  UnifyTypes(slices);
 
-  VolumeHeader header;
   header.fileName = input;
   header.dataFile = slices.front().fileName;
   header.pixelType = slices.front().pixelType;
   header.geometry = MakeSeriesGeometry(input, slices);
+  const bool hasPlaces = slices.size() == 1 || slices.front().place;
+  if (!hasPlaces || !slices.front().isSpacingKnown)
+  {
+    WarnOfUnknownSpacing(header,
+                         hasPlaces ? "the slices have no PixelSpacing (an ImagerPixelSpacing is not used)"
+                                   : "the slices do not tell how far they are from each other");
+  }
   const auto series = std::make_shared<SliceSeries>();
   series->format = format;
   series->slices = std::move(slices);

@@ -19,9 +19,10 @@ namespace medialvoxel
 /** Where a slice lies in space, in millimeters. */
 struct SlicePlace
 {
-  std::array<double, 3> origin;     ///< center of the first voxel
-  std::array<double, 3> rowAxis;    ///< unit vector of increasing columns
-  std::array<double, 3> columnAxis; ///< unit vector of increasing rows
+  std::array<double, 3> origin;          ///< center of the first voxel
+  std::array<double, 3> rowAxis;         ///< unit vector of increasing columns
+  std::array<double, 3> columnAxis;      ///< unit vector of increasing rows
+  double                rounding{ 0.0 }; ///< of the numbers of the origin, as they are written
 };
 
 /** What the image of a slice says before its voxels are read. */
@@ -31,7 +32,11 @@ struct SliceHeader
   std::array<std::uint64_t, 2> size{ { 0, 0 } }; ///< columns and rows
   PixelType                    pixelType{ PixelType::UInt8 };
   std::array<double, 2>        spacing{ { 1.0, 1.0 } };
-  std::optional<SlicePlace>    place;            ///< of DICOM
+  std::optional<SlicePlace>    place;      ///< of DICOM
+  std::optional<PixelType>     storedType; ///< of DICOM: of the slice alone
+  bool                         isSpacingKnown{ true };
+  std::optional<std::int64_t>  number;           ///< of the DICOM instance
+  std::string                  acquisition;      ///< of DICOM: what tells scans of one series apart
   std::string                  series;           ///< instance UID of the DICOM series; empty: none
   std::string                  description;      ///< of the series
   std::uint64_t                decodeBytes{ 0 }; ///< memory that decoding takes beside the slice
