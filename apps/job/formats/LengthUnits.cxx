@@ -18,16 +18,38 @@ struct Unit
   double       millimeters;
 };
 
-constexpr std::array<Unit, 21> Units{
-  { { "m", 1e3 },          { "meter", 1e3 },    { "cm", 10.0 },         { "centimeter", 10.0 }, { "mm", 1.0 },
-    { "millimeter", 1.0 }, { "um", 1e-3 },      { "\u00b5m", 1e-3 }, // micro sign
-    { "\u03bcm", 1e-3 },                                             // Greek letter mu
-    { "\xb5m", 1e-3 },                                               // micro sign of Latin-1
-    { "\\u00b5m", 1e-3 },                                            // as ImageJ writes it
-    { "&#181;m", 1e-3 },                                             // as XML may write it
-    { "micron", 1e-3 },    { "microns", 1e-3 }, { "micrometer", 1e-3 }, { "nm", 1e-6 },         { "nanometer", 1e-6 },
-    { "angstrom", 1e-7 },  { "\u00c5", 1e-7 },  { "in", 25.4 },         { "inch", 25.4 } }
-};
+constexpr std::array<Unit, 32> Units{ { { "m", 1e3 },
+                                        { "meter", 1e3 },
+                                        { "cm", 10.0 },
+                                        { "centimeter", 10.0 },
+                                        { "mm", 1.0 },
+                                        { "millimeter", 1.0 },
+                                        { "um", 1e-3 },
+                                        { "\u00b5m", 1e-3 },  // micro sign
+                                        { "\u03bcm", 1e-3 },  // Greek letter mu
+                                        { "\xb5m", 1e-3 },    // micro sign of Latin-1
+                                        { "\\u00b5m", 1e-3 }, // as ImageJ writes it
+                                        { "&#181;m", 1e-3 },  // as XML may write it
+                                        { "micron", 1e-3 },
+                                        { "microns", 1e-3 },
+                                        { "micrometer", 1e-3 },
+                                        { "nm", 1e-6 },
+                                        { "nanometer", 1e-6 },
+                                        { "angstrom", 1e-7 },
+                                        { "angstroms", 1e-7 },
+                                        { "a", 1e-7 },
+                                        { "\u00e5", 1e-7 },
+                                        { "meters", 1e3 },
+                                        { "centimeters", 10.0 },
+                                        { "millimeters", 1.0 },
+                                        { "micrometers", 1e-3 },
+                                        { "nanometers", 1e-6 },
+                                        { "mil", 0.0254 },
+                                        { "inches", 25.4 },
+                                        { "pm", 1e-9 },
+                                        { "\u00c5", 1e-7 },
+                                        { "in", 25.4 },
+                                        { "inch", 25.4 } } };
 
 } // namespace
 

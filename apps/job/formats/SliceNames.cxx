@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -235,6 +236,59 @@ FindNumber(const std::vector<std::vector<Token>> & names)
   return place;
 }
 
+std::string
+GetTexts(const std::vector<Token> & name)
+{
+  return Join(name, "", [](const Token & token) { return token.isNumber ? "#" : token.text; });
+}
+
+/** Whether several numbers differ, and the last of them comes again: sets that each begin anew. */
+bool
+AreSeveralSets(const std::vector<std::vector<Token>> & names)
+{
+  std::size_t last = names.front().size();
+  for (std::size_t token = 0; token < names.front().size(); ++token)
+  {
+    const auto differs = [&](const auto & name) { return name[token].number != names.front()[token].number; };
+    last = std::any_of(names.begin(), names.end(), differs) ? token : last;
+  }
+  if (last == names.front().size())
+  {
+    return false;
+  }
+  std::set<std::uint64_t> numbers;
+  return !std::all_of(
+    names.begin(), names.end(), [&](const auto & name) { return numbers.insert(name[last].number).second; });
+}
+
+/** Slices have one text around their number; what has another one is of another set, or no slice. */
+void
+CheckTexts(const std::filesystem::path &              input,
+           const std::vector<std::filesystem::path> & files,
+           const std::vector<std::vector<Token>> &    names)
+{
+  const std::string texts = GetTexts(names.front());
+  const auto        isOther = [&texts](const auto & name) { return GetTexts(name) != texts; };
+  const auto        other = std::find_if(names.begin(), names.end(), isOther);
+  const bool        areSets = other == names.end() && AreSeveralSets(names);
+  std::error_code   error;
+  const auto        hasNumber = [](const auto & name) { return GetTexts(name).find('#') != std::string::npos; };
+  const bool        matters =
+    std::filesystem::is_directory(input, error) || std::any_of(names.begin(), names.end(), hasNumber);
+  if ((other == names.end() && !areSets) || !matters)
+  {
+    return;
+  }
+  const std::filesystem::path & second =
+    areSets ? files.back() : files[static_cast<std::size_t>(other - names.begin())];
+  const std::string start = names.front().front().isNumber ? "" : names.front().front().text;
+  RefuseHeader(input,
+               files.front().string() + " and " + second.string() +
+                 " are of different sets, or one of them is no slice: their names differ in more than a number; name "
+                 "the slices by a pattern, such as " +
+                 (files.front().parent_path() / (start + "%d" + files.front().extension().string())).string());
+}
+
 } // namespace
 
 bool
@@ -295,9 +349,14 @@ CheckNumbers(const std::filesystem::path & input, const std::vector<std::filesys
 {
   std::vector<std::vector<Token>> names;
   std::transform(files.begin(), files.end(), std::back_inserter(names), SplitAtNumbers);
-  const std::optional<std::size_t> place = files.empty() ? std::nullopt : FindNumber(names);
+  if (files.size() < 2)
+  {
+    return;
+  }
+  const std::optional<std::size_t> place = FindNumber(names);
   if (!place)
   {
+    CheckTexts(input, files, names);
     return;
   }
   const auto stepTo = [&](std::size_t slice) { return names[slice][*place].number - names[slice - 1][*place].number; };

@@ -26,10 +26,22 @@ FindBetween(const std::string & text, const std::string & begin, char end)
 }
 
 std::optional<double>
-ParseLength(const std::optional<std::string> & text, double unit)
+ParseLength(const std::optional<std::string> & text)
 {
   const std::optional<double> length = text ? ParseDouble(Trim(*text)) : std::nullopt;
-  return length && std::isfinite(*length) && *length > 0 ? std::optional<double>(*length * unit) : std::nullopt;
+  return length && std::isfinite(*length) && *length > 0 ? length : std::nullopt;
+}
+
+/** Keeps the first unit that is not known. */
+std::optional<double>
+ParseUnit(const std::string & unit, TiffDescription & description)
+{
+  const std::optional<double> millimeters = GetMillimeters(unit);
+  if (!millimeters && !unit.empty() && description.unknownUnit.empty())
+  {
+    description.unknownUnit = unit;
+  }
+  return millimeters;
 }
 
 /** Of channels and points in time; one of these may be the only one there are. */
@@ -57,14 +69,36 @@ ReadImageJ(const std::string & text)
   const auto find = [&text](const std::string & name) { return FindBetween(text, "\n" + name + "=", '\n'); };
 
   TiffDescription description;
+  description.isOfImageJ = true;
+  description.isCalibrated = find("cf").has_value();
   description.images = find("images").value_or("");
   description.refusal = FindRefusal(find("channels"), find("frames"), find("slices"));
-  description.unit = GetMillimeters(Trim(find("unit").value_or("")));
-  if (description.unit)
-  {
-    description.spacing[2] = ParseLength(find("spacing"), *description.unit);
-  }
+  const std::string unit = Trim(find("unit").value_or(""));
+  description.units = { ParseUnit(unit, description),
+                        ParseUnit(Trim(find("yunit").value_or(unit)), description),
+                        ParseUnit(Trim(find("zunit").value_or(unit)), description) };
+  // ImageJ leaves a depth of 1 out.
+  description.lengths[2] = ParseLength(find("spacing").value_or("1"));
   return description;
+}
+
+/** Planes lie in the file in the order of the volume; other orders, and those of several files, are refused. */
+bool
+HasOtherOrder(const std::string & text)
+{
+  for (std::size_t at = text.find("TiffData "); at != std::string::npos; at = text.find("TiffData ", at + 1))
+  {
+    const std::string planes = " " + text.substr(at, text.find('>', at) - at);
+    const auto        find = [&planes](const char * name) {
+      return ParseInteger(FindBetween(planes, std::string(" ") + name + "=\"", '"').value_or("0")).value_or(-1);
+    };
+    const bool isTold = planes.find(" IFD=") != std::string::npos;
+    if (isTold && find("IFD") != find("FirstZ") + find("FirstT") + find("FirstC"))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /** Attributes of the element Pixels; lengths without a unit are micrometers. */
@@ -81,11 +115,22 @@ ReadOme(const std::string & text)
   {
     description.refusal = "its description tells of several images; only one volume is read";
   }
+  if (description.refusal.empty() && HasOtherOrder(text))
+  {
+    description.refusal =
+      "its description tells of planes in another order than they lie in the file, which is not read";
+  }
+  const auto slices = find("SizeZ");
+  const auto times = find("SizeT");
+  description.images = Trim(slices && Trim(*slices) != "1" ? *slices : times.value_or(slices.value_or("")));
   for (size_t axis = 0; axis < 3; ++axis)
   {
     const std::string name = std::string("PhysicalSize") + "XYZ"[axis];
-    const auto        unit = GetMillimeters(find(name + "Unit").value_or("micrometer"));
-    description.spacing[axis] = unit ? ParseLength(find(name), *unit) : std::nullopt;
+    description.lengths[axis] = ParseLength(find(name));
+    if (description.lengths[axis])
+    {
+      description.units[axis] = ParseUnit(find(name + "Unit").value_or("micrometer"), description);
+    }
   }
   return description;
 }

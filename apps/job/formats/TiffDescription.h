@@ -14,10 +14,17 @@ namespace medialvoxel
 /** What ImageJ, or a program that writes OME-TIFF, says of a stack in the description of its first slice. */
 struct TiffDescription
 {
-  std::string                          images;  ///< that ImageJ announces; empty: none
-  std::string                          refusal; ///< why the stack is not one volume; empty when it may be one
-  std::optional<double>                unit;    ///< millimeters, of the resolution; ImageJ tells it here alone
-  std::array<std::optional<double>, 3> spacing; ///< millimeters, where it is told
+  std::string images;  ///< number of slices that it announces; empty: none
+  std::string refusal; ///< why the stack is not one volume; empty when it may be one
+  bool        isOfImageJ{ false };
+  bool        isCalibrated{ false }; ///< ImageJ shows other values than those that are stored
+  std::string unknownUnit;           ///< of a length; empty: all units are known
+
+  /** Millimeters of the unit of each axis; ImageJ tells that of the resolution here alone. */
+  std::array<std::optional<double>, 3> units;
+
+  /** Distances of voxels in these units, where they are told. */
+  std::array<std::optional<double>, 3> lengths;
 };
 
 /** Never fails: what is not understood is left out. */

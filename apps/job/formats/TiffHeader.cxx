@@ -82,8 +82,12 @@ void
 CheckVariant(const TiffFile & file)
 {
   Require<std::uint16_t>(file, TIFFTAG_SAMPLESPERPIXEL, 1, "only one value per voxel is read");
-  Require<std::uint16_t>(
-    file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK, "only gray values that grow from black to white are read");
+  // Masks of ImageJ have 0 for white, and label images a palette: their numbers are the values.
+  const auto meaning = file.Get<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
+  if (meaning != PHOTOMETRIC_MINISWHITE && meaning != PHOTOMETRIC_PALETTE)
+  {
+    Require<std::uint16_t>(file, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK, "only gray values are read");
+  }
   Require<std::uint16_t>(
     file, TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT, "only rows from top to bottom, and left to right, are read");
   Require<std::uint16_t>(file, TIFFTAG_FILLORDER, FILLORDER_MSB2LSB, "only bytes with the highest bit first are read");
@@ -127,18 +131,56 @@ GetPixelType(const TiffFile & file, const SliceFormat & format)
   return *type;
 }
 
-/** Millimeters along x and y; 1 where the file has none. */
-std::vector<double>
-GetSpacing(const TiffFile & file, const TiffDescription & description)
+/** Distances of voxels, and why they are a guess; empty: they are millimeters that the file tells. */
+struct TiffSpacing
 {
-  const auto   unit = file.Get<std::uint16_t>(TIFFTAG_RESOLUTIONUNIT, RESUNIT_NONE);
-  const double x = static_cast<double>(file.Get<float>(TIFFTAG_XRESOLUTION, 1.0F));
-  const double y = static_cast<double>(file.Get<float>(TIFFTAG_YRESOLUTION, 1.0F));
-  const double known = unit == RESUNIT_INCH ? 25.4 : unit == RESUNIT_CENTIMETER ? 10.0 : 0.0;
-  const double millimeters = description.unit.value_or(known);
-  const bool   isTold = millimeters > 0 && x > 0 && y > 0;
-  return { description.spacing[0].value_or(isTold ? millimeters / x : 1.0),
-           description.spacing[1].value_or(isTold ? millimeters / y : 1.0) };
+  std::array<double, 3> lengths{ { 1.0, 1.0, 1.0 } };
+  std::string           doubt;
+};
+
+/** Of numbers in millimeters. Where a unit is not known, all are numbers as they are written, so that their ratios
+ * hold. */
+TiffSpacing
+GetSpacing(const TiffFile & file, const TiffDescription & description, bool isStack)
+{
+  const auto                  unit = file.Get<std::uint16_t>(TIFFTAG_RESOLUTIONUNIT, RESUNIT_NONE);
+  const std::optional<double> unitOfTag = unit == RESUNIT_INCH         ? std::optional<double>(25.4)
+                                          : unit == RESUNIT_CENTIMETER ? std::optional<double>(10.0)
+                                                                       : std::nullopt;
+  const std::array<double, 2> perUnit{ { static_cast<double>(file.Get<float>(TIFFTAG_XRESOLUTION, 0.0F)),
+                                         static_cast<double>(file.Get<float>(TIFFTAG_YRESOLUTION, 0.0F)) } };
+  TiffSpacing                 spacing;
+  const std::size_t           axes = isStack ? 3 : 2;
+  bool                        isKnown = description.unknownUnit.empty();
+  std::array<double, 3>       units{ { 1.0, 1.0, 1.0 } };
+  for (std::size_t axis = 0; axis < axes; ++axis)
+  {
+    std::optional<double> length = description.lengths[axis];
+    std::optional<double> millimeters = description.units[axis];
+    if (!length && axis < 2 && perUnit[axis] > 0.0)
+    {
+      length = 1.0 / perUnit[axis];
+      millimeters = description.isOfImageJ && millimeters ? millimeters : unitOfTag;
+    }
+    millimeters = millimeters || !description.isOfImageJ ? millimeters : unitOfTag;
+    spacing.lengths[axis] = length.value_or(1.0);
+    units[axis] = millimeters.value_or(1.0);
+    isKnown = isKnown && length && millimeters;
+  }
+  if (!description.unknownUnit.empty())
+  {
+    spacing.doubt = "its lengths are in the unknown unit '" + description.unknownUnit + "'";
+    return spacing;
+  }
+  for (std::size_t axis = 0; axis < axes; ++axis)
+  {
+    spacing.lengths[axis] *= units[axis];
+  }
+  if (!isKnown && isStack)
+  {
+    spacing.doubt = "the file does not tell all distances of its voxels in a unit of length";
+  }
+  return spacing;
 }
 
 /** \class StackReader
@@ -146,8 +188,10 @@ GetSpacing(const TiffFile & file, const TiffDescription & description)
 class StackReader
 {
 public:
-  explicit StackReader(const std::filesystem::path & fileName)
+  /** \param isSlice of a series, which may have a description of all of them */
+  StackReader(const std::filesystem::path & fileName, bool isSlice)
     : m_File(fileName)
+    , m_IsSlice(isSlice)
   {
     m_Header.fileName = fileName;
     m_Header.dataFile = fileName;
@@ -165,7 +209,8 @@ public:
       this->AddSlice();
       ++slices;
     } while (m_File.NextDirectory());
-    this->SetGeometry(slices == 1 ? this->AddUnlistedSlices() : slices);
+    this->SetGeometry(slices == 1 && m_Description.isOfImageJ && !m_IsSlice ? this->AddUnlistedSlices() : slices);
+    this->CheckNumberOfSlices();
     return std::move(m_Header);
   }
 
@@ -186,7 +231,8 @@ private:
       m_File.Refuse("a slice of " + FormatSize({ m_Format.width, m_Format.height }) + " voxels is empty or too large");
     }
     m_Header.pixelType = GetPixelType(m_File, m_Format);
-    m_Header.geometry.spacing = GetSpacing(m_File, m_Description);
+    m_IsWhiteZero = m_File.Get<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK) == PHOTOMETRIC_MINISWHITE;
+    m_Spacing = { GetSpacing(m_File, m_Description, false), GetSpacing(m_File, m_Description, true) };
     m_Header.compressed = m_Format.compression != COMPRESSION_NONE;
     m_Header.liesInRows = !m_Format.isTiled;
     // libtiff unpacks into the order of the machine.
@@ -304,16 +350,41 @@ private:
     return static_cast<std::uint64_t>(*images);
   }
 
+  /** Planes of a stack that were lost, or lie in other files, are missed. */
+  void
+  CheckNumberOfSlices() const
+  {
+    const std::uint64_t slices = m_Header.geometry.GetDimension() == 3 ? m_Header.geometry.size[2] : 1;
+    if (!m_IsSlice && !m_Description.images.empty() && m_Description.images != std::to_string(slices))
+    {
+      m_File.Refuse("its description tells of " + itk::MedialVoxelText::MakePrintable(m_Description.images) +
+                    " slices, and it has " + std::to_string(slices) +
+                    (slices == 1 ? "; a series with a file for each slice is named by its folder" : ""));
+    }
+  }
+
   void
   SetGeometry(std::uint64_t slices)
   {
-    VolumeGeometry & geometry = m_Header.geometry;
+    VolumeGeometry &    geometry = m_Header.geometry;
+    const TiffSpacing & spacing = m_Spacing[slices > 1 ? 1 : 0];
     geometry.size = { m_Format.width, m_Format.height };
     if (slices > 1)
     {
-      // The format itself has no distance of slices.
       geometry.size.push_back(slices);
-      geometry.spacing.push_back(m_Description.spacing[2].value_or(1.0));
+    }
+    geometry.spacing.assign(spacing.lengths.begin(), spacing.lengths.begin() + geometry.GetDimension());
+    if (!spacing.doubt.empty())
+    {
+      WarnOfUnknownSpacing(m_Header, spacing.doubt);
+    }
+    if (m_Description.isCalibrated || m_IsWhiteZero)
+    {
+      m_Header.warnings.push_back(
+        { "stored_values",
+          std::string(m_IsWhiteZero ? "0 is white in this file" : "ImageJ shows calibrated values of this file") +
+            "; thresholds compare the numbers that are stored",
+          {} });
     }
     geometry.origin.assign(geometry.size.size(), 0.0);
     geometry.SetIdentityDirection();
@@ -333,11 +404,15 @@ private:
   }
 
   TiffFile        m_File;
+  bool            m_IsSlice;
+  bool            m_IsWhiteZero{ false };
   SliceFormat     m_Format{};
   Packing         m_Packing{};
   bool            m_IsUnpacked{ false }; ///< by libtiff, which puts tiles together too
   TiffDescription m_Description;
   VolumeHeader    m_Header;
+
+  std::array<TiffSpacing, 2> m_Spacing; ///< of an image, and of a stack
 };
 
 } // namespace
@@ -345,7 +420,13 @@ private:
 VolumeHeader
 ReadTiffHeader(const std::filesystem::path & fileName)
 {
-  return StackReader(fileName).Read();
+  return StackReader(fileName, false).Read();
+}
+
+VolumeHeader
+ReadTiffSliceHeader(const std::filesystem::path & fileName)
+{
+  return StackReader(fileName, true).Read();
 }
 
 } // end namespace medialvoxel

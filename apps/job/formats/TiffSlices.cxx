@@ -14,7 +14,7 @@ namespace
 VolumeHeader
 ReadImage(const std::filesystem::path & fileName)
 {
-  VolumeHeader image = ReadTiffHeader(fileName);
+  VolumeHeader image = ReadTiffSliceHeader(fileName);
   if (image.geometry.GetDimension() != 2)
   {
     RefuseHeader(fileName,
