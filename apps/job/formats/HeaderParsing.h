@@ -21,6 +21,18 @@ using itk::MedialVoxelText::ParseSpacings;
 using itk::MedialVoxelText::RefuseHeader;
 using itk::MedialVoxelText::RequireField;
 
+/** Code of the warning that lengths along some axes are a guess; a spacing that the user gives ends it. */
+constexpr const char * UnknownSpacing = "unknown_spacing";
+
+/** \param what the file lacks, such as "the pages do not tell how far they are from each other" */
+void
+WarnOfUnknownSpacing(VolumeHeader & header, const std::string & what);
+
+/** Lengths of the geometry in millimeters, where all axes have a unit; a warning where only some have, or a rare one.
+ * \param units names, x first; empty ones are not told */
+void
+ApplyUnits(VolumeHeader & header, const std::vector<std::string> & units);
+
 /** \throw HeaderError */
 VolumeHeader
 ReadMetaImageHeader(const std::filesystem::path & fileName);
@@ -46,6 +58,9 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
 #ifdef MEDIALVOXEL_WITH_TIFF
 VolumeHeader
 ReadTiffHeader(const std::filesystem::path & fileName);
+/** Of an image of a series, whose description may tell of all of them. */
+VolumeHeader
+ReadTiffSliceHeader(const std::filesystem::path & fileName);
 #endif
 
 } // end namespace medialvoxel

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 namespace medialvoxel
@@ -244,6 +247,14 @@ PlaceByQuaternion(const NiftiNumbers & fields)
   };
 }
 
+/** Of a column. */
+double
+GetLength(const Placement & placement, std::size_t axis)
+{
+  return std::sqrt(placement[0][axis] * placement[0][axis] + placement[1][axis] * placement[1][axis] +
+                   placement[2][axis] * placement[2][axis]);
+}
+
 bool
 HasRightAngles(const Placement & placement)
 {
@@ -255,18 +266,81 @@ HasRightAngles(const Placement & placement)
   return std::abs(cosine(0, 1)) < tolerance && std::abs(cosine(0, 2)) < tolerance && std::abs(cosine(1, 2)) < tolerance;
 }
 
-/** The placement that ITK would take of the two that a header can have; nothing when it has none. */
-std::optional<Placement>
-ReadPlacement(const NiftiNumbers & fields)
+/** Columns in voxels become columns in lengths. */
+Placement
+Scale(Placement placement, const std::array<double, 3> & lengths)
 {
-  constexpr int scannerCode = 1;
-  const int     byQuaternion = fields.Get<int>(QFormCode);
-  const int     byRows = fields.Get<int>(SFormCode);
-  if (byRows > 0 && (byQuaternion <= 0 || (byRows == scannerCode && HasRightAngles(PlaceByRows(fields)))))
+  for (auto & row : placement)
   {
-    return PlaceByRows(fields);
+    std::transform(lengths.begin(), lengths.end(), row.begin(), row.begin(), std::multiplies<>());
   }
-  return byQuaternion > 0 ? std::optional<Placement>(PlaceByQuaternion(fields)) : std::nullopt;
+  return placement;
+}
+
+/** Whether voxels of the image lie at the same places, within a tenth of the smallest voxel. */
+bool
+AreNearlyEqual(const Placement & a, const Placement & b, const std::vector<std::uint64_t> & size)
+{
+  constexpr double share = 0.1;
+  double           smallest = std::numeric_limits<double>::infinity();
+  double           farthest = 0.0;
+  for (std::size_t axis = 0; axis < size.size(); ++axis)
+  {
+    smallest = std::min(smallest, GetLength(a, axis));
+  }
+  for (std::size_t row = 0; row < 3; ++row)
+  {
+    double apart = std::abs(a[row][3] - b[row][3]);
+    for (std::size_t axis = 0; axis < size.size(); ++axis)
+    {
+      apart += std::abs(a[row][axis] - b[row][axis]) * static_cast<double>(size[axis]);
+    }
+    farthest = std::max(farthest, apart);
+  }
+  return farthest <= share * smallest;
+}
+
+/** The sform when it has a code, as nibabel takes it, else the qform; nothing when it has neither. A sform with axes
+ * that are not at right angles gives way to a qform. */
+std::optional<Placement>
+ReadPlacement(VolumeHeader & header, const NiftiNumbers & fields)
+{
+  const bool                  hasRows = fields.Get<int>(SFormCode) > 0;
+  const bool                  hasQuaternion = fields.Get<int>(QFormCode) > 0;
+  const std::array<double, 3> lengths{
+    { fields.Get<double>(PixDim, 1), fields.Get<double>(PixDim, 2), fields.Get<double>(PixDim, 3) }
+  };
+  const Placement rows = PlaceByRows(fields);
+  const Placement quaternion = Scale(PlaceByQuaternion(fields), lengths);
+  const bool      takesRows = hasRows && (!hasQuaternion || HasRightAngles(rows));
+  if (hasRows && hasQuaternion && !AreNearlyEqual(rows, quaternion, header.geometry.size))
+  {
+    header.warnings.push_back({ "contradicting_forms",
+                                std::string("its sform and its qform place the voxels differently; the ") +
+                                  (takesRows ? "sform" : "qform, whose axes are at right angles,") + " is taken",
+                                {} });
+  }
+  if (takesRows && !hasQuaternion)
+  {
+    for (std::size_t axis = 0; axis < header.geometry.size.size(); ++axis)
+    {
+      const double own = GetLength(rows, axis);
+      if (!(std::abs(own - lengths[axis]) <= 1e-3 * own))
+      {
+        header.warnings.push_back({ "contradicting_forms",
+                                    "its sform has the spacing " + FormatShort(own) + " along axis " +
+                                      std::to_string(axis) + " and its pixdim " + FormatShort(lengths[axis]) +
+                                      "; that of the sform is taken",
+                                    {} });
+        break;
+      }
+    }
+  }
+  if (takesRows)
+  {
+    return rows;
+  }
+  return hasQuaternion ? std::optional<Placement>(quaternion) : std::nullopt;
 }
 
 void
@@ -281,32 +355,31 @@ ReadGeometry(VolumeHeader & header, const NiftiNumbers & fields)
   }
   geometry.origin.assign(dimension, 0.0);
   geometry.SetIdentityDirection();
-  const std::optional<Placement> placement = ReadPlacement(fields);
+  const std::optional<Placement> placement = ReadPlacement(header, fields);
   if (!placement)
   {
     return;
   }
-  for (std::size_t row = 0; row < dimension; ++row)
+  for (std::size_t axis = 0; axis < dimension; ++axis)
   {
-    // The x and y axes of the format point right and anterior.
-    const double sign = row < 2 ? -1.0 : 1.0;
-    geometry.origin[row] = sign * unit * (*placement)[row][3];
-    for (std::size_t axis = 0; axis < dimension; ++axis)
+    const double length = GetLength(*placement, axis);
+    // The numbers of pixdim are exact where those of the form, which are rounded to 32 bits, are the same.
+    if (!(std::abs(unit * length - geometry.spacing[axis]) <= 1e-5 * geometry.spacing[axis]))
     {
+      geometry.spacing[axis] = unit * length;
+    }
+    for (std::size_t row = 0; row < dimension; ++row)
+    {
+      // The x and y axes of the format point right and anterior.
+      const double sign = row < 2 ? -1.0 : 1.0;
+      geometry.origin[row] = sign * unit * (*placement)[row][3];
       geometry.direction[axis][row] = sign * (*placement)[row][axis];
     }
   }
   for (std::vector<double> & direction : geometry.direction)
   {
-    double squares = 0;
-    for (const double component : direction)
-    {
-      squares += component * component;
-    }
-    for (double & component : direction)
-    {
-      component /= std::sqrt(squares);
-    }
+    const double length = std::sqrt(std::inner_product(direction.begin(), direction.end(), direction.begin(), 0.0));
+    std::transform(direction.begin(), direction.end(), direction.begin(), [length](double x) { return x / length; });
   }
   if (!std::all_of(geometry.origin.begin(), geometry.origin.end(), [](double value) { return std::isfinite(value); }))
   {

@@ -5,6 +5,8 @@
 
 #include "itkMedialVoxelNrrdHeader.h"
 
+#include <algorithm>
+
 namespace medialvoxel
 {
 namespace
@@ -26,6 +28,22 @@ LocateVoxels(VolumeHeader & header, const itk::MedialVoxelNrrdHeader & nrrd)
   header.dataOffset = SkipMedialVoxelNrrdLines(nrrd, header.dataFile);
   // Bytes are skipped in the unpacked data.
   header.skipAfterInflation = static_cast<std::uint64_t>(nrrd.byteSkip);
+}
+
+/** The texts between quotes of a field. */
+std::vector<std::string>
+ReadQuoted(const itk::MedialVoxelNrrdHeader & nrrd, const char * field)
+{
+  const auto               found = nrrd.fields.find(field);
+  const std::string        text = found == nrrd.fields.end() ? "" : found->second;
+  std::vector<std::string> texts;
+  for (std::size_t begin = text.find('"'); begin != std::string::npos;)
+  {
+    const std::size_t end = std::min(text.find('"', begin + 1), text.size());
+    texts.push_back(text.substr(begin + 1, end - begin - 1));
+    begin = text.find('"', end + 1);
+  }
+  return texts;
 }
 
 } // namespace
@@ -65,6 +83,8 @@ ReadNrrdHeader(const std::filesystem::path & fileName)
   header.geometry.spacing = nrrd.spacing;
   header.geometry.origin = nrrd.origin;
   header.geometry.direction = nrrd.direction;
+  const std::vector<std::string> unitsOfSpace = ReadQuoted(nrrd, "spaceunits");
+  ApplyUnits(header, unitsOfSpace.empty() ? ReadQuoted(nrrd, "units") : unitsOfSpace);
   header.pixelType = *PixelTypeFromName(nrrd.componentType);
   header.bigEndian = nrrd.bigEndian;
   header.compressed = nrrd.encoding != "raw";

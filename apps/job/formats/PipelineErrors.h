@@ -7,7 +7,7 @@
 #include "Text.h"
 
 #include "itkMacro.h"
-#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMemoryShortage.h"
 
 #include <new>
 
@@ -27,7 +27,7 @@ WithPipelineErrors(TFunction && function)
   {
     throw JobError(ExitStatus::Failure, RemoveOrigin(error.GetDescription()));
   }
-  catch (const itk::MedialVoxelMemoryError & error)
+  catch (const itk::MedialVoxelMemoryShortage & error)
   {
     Fail(ExitStatus::Refused,
          "the walls are so thick that the windows on the input need at least ",

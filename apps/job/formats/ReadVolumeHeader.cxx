@@ -3,6 +3,7 @@
 #include "ReadVolumeHeader.h"
 
 #include "HeaderParsing.h"
+#include "LengthUnits.h"
 #include "Resampling.h"
 #include "SliceSeries.h"
 #include "Text.h"
@@ -103,6 +104,15 @@ CheckGeometry(const VolumeHeader & header)
       matrix(row, axis) = header.geometry.direction[axis][row];
     }
   }
+  const std::string shear = itk::MedialVoxelGridLimits::FindShear(geometry.direction);
+  if (!shear.empty())
+  {
+    Fail(ExitStatus::CorruptInput,
+         header.fileName.string(),
+         ": ",
+         shear,
+         "; resample the volume to a straight grid first");
+  }
   const double determinant = vnl_det(matrix);
   if (!(std::abs(determinant) > 1e-6))
   {
@@ -130,6 +140,8 @@ ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
          " axes");
   }
   header.geometry.spacing = spacing;
+  const auto isKnown = [](const Warning & warning) { return warning.code == UnknownSpacing; };
+  header.warnings.erase(std::remove_if(header.warnings.begin(), header.warnings.end(), isKnown), header.warnings.end());
 }
 
 /** The voxels must be in the data file, or packed voxels could be. */
@@ -176,6 +188,42 @@ DescribeSlices(const SliceSeries & series)
 
 } // namespace
 
+void
+ApplyUnits(VolumeHeader & header, const std::vector<std::string> & units)
+{
+  const auto isEmpty = [](const std::string & unit) { return unit.empty(); };
+  if (std::all_of(units.begin(), units.end(), isEmpty))
+  {
+    return;
+  }
+  std::vector<double> factors;
+  for (std::size_t axis = 0; axis < header.geometry.GetDimension(); ++axis)
+  {
+    const std::string           unit = axis < units.size() ? units[axis] : "";
+    const std::optional<double> millimeters = GetMillimeters(unit);
+    if (!millimeters)
+    {
+      WarnOfUnknownSpacing(header, unit.empty() ? "not all axes have a unit" : "the unit '" + unit + "' is not known");
+      return;
+    }
+    factors.push_back(*millimeters);
+  }
+  for (std::size_t axis = 0; axis < factors.size(); ++axis)
+  {
+    header.geometry.spacing[axis] *= factors[axis];
+    header.geometry.origin[axis] *= factors[axis];
+  }
+}
+
+void
+WarnOfUnknownSpacing(VolumeHeader & header, const std::string & what)
+{
+  header.warnings.push_back(
+    { UnknownSpacing,
+      what + "; the spacing " + FormatNumbers(header.geometry.spacing, " x ") + " is assumed, --spacing sets it",
+      {} });
+}
+
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,
@@ -194,9 +242,11 @@ try
          " needs a folder or a pattern of slices; this is ",
          format.name);
   }
+  SliceChoice choice = slices;
+  choice.hasSpacing = !spacing.empty();
   VolumeHeader header = raw                       ? DescribeRawVolume(fileName, *raw)
                         : level > 0               ? ReadLevel(format, fileName, level)
-                        : format.input.readChoice ? format.input.readChoice(fileName, slices)
+                        : format.input.readChoice ? format.input.readChoice(fileName, choice)
                                                   : format.input.readHeader(fileName);
   header.format = &format;
   if (!spacing.empty())

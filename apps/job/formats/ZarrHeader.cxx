@@ -7,6 +7,7 @@
 #include "ZarrValues.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace medialvoxel
 {
@@ -25,6 +26,8 @@ struct ZarrImage
   unsigned int numberOfLevels{ 1 };
   Json         transforms = Json::array();
   Json         direction;
+
+  std::vector<std::string> units; ///< of the axes of space, z first; empty ones are not told
 };
 
 Path
@@ -42,16 +45,22 @@ ReadDatasetPath(const Path & fileName, const Json & dataset)
 
 /** Axes of space come last, as z, y, x. */
 unsigned int
-ReadDimension(const Path & fileName, const Json & multiscale)
+ReadDimension(const Path & fileName, const Json & multiscale, std::vector<std::string> & units)
 {
   std::string space;
   bool        spaceIsLast = true;
   const Json  axes = multiscale.value("axes", Json::array());
   for (const Json & axis : axes)
   {
-    const bool isSpace = axis.value("type", "space") == "space"; // the type may be left out
+    // Version 0.3 has names alone; later ones may leave the type out.
+    const std::string name = axis.is_string() ? axis.get<std::string>() : axis.at("name").get<std::string>();
+    const bool        isSpace = axis.is_string() ? name != "t" && name != "c" : axis.value("type", "space") == "space";
     spaceIsLast = spaceIsLast && (isSpace || space.empty());
-    space += isSpace ? axis.at("name").get<std::string>() : "";
+    space += isSpace ? name : "";
+    if (isSpace)
+    {
+      units.push_back(axis.is_string() ? "" : axis.value("unit", ""));
+    }
   }
   const bool isKnown = axes.empty() || (spaceIsLast && (space == "zyx" || space == "yx"));
   if (!isKnown)
@@ -70,23 +79,64 @@ FindArrayFile(const Path & folder)
   return std::filesystem::exists(version3) ? version3 : folder / ZarrArrayFile;
 }
 
+/** What OME has among the metadata of a group. */
+Json
+GetOmeAttributes(const Path & fileName, const Json & metadata)
+{
+  const bool isVersion3 = fileName.filename() == ZarrFile;
+  return isVersion3 ? metadata.value("attributes", Json::object()).value("ome", Json::object()) : metadata;
+}
+
 /** The images that a group names; nothing when it is an array. */
 Json
 ReadMultiscales(const Path & fileName, const Json & metadata)
 {
-  const bool isVersion3 = fileName.filename() == ZarrFile;
-  if (isVersion3 && metadata.value("node_type", "") == "array")
+  if (fileName.filename() == ZarrFile && metadata.value("node_type", "") == "array")
   {
     return {};
   }
-  const Json attributes =
-    isVersion3 ? metadata.value("attributes", Json::object()).value("ome", Json::object()) : metadata;
-  const Json multiscales = attributes.value("multiscales", Json::array());
+  const Json multiscales = GetOmeAttributes(fileName, metadata).value("multiscales", Json::array());
   if (multiscales.empty())
   {
-    RefuseHeader(fileName, "it names no multiscales; give the folder of an array");
+    RefuseHeader(fileName, "it names no multiscales; give the folder of an image or of an array");
   }
   return multiscales;
+}
+
+/** The file with the metadata of a group. */
+Path
+FindGroupFile(const Path & folder)
+{
+  const Path version3 = folder / ZarrFile;
+  return std::filesystem::exists(version3) ? version3 : folder / ".zattrs";
+}
+
+/** Of the containers that bioformats2raw writes: the only image, whose folder is a number. */
+std::optional<Path>
+FindOnlyImage(const Path & folder, const Path & fileName, const Json & metadata)
+{
+  if (!GetOmeAttributes(fileName, metadata).contains("bioformats2raw.layout"))
+  {
+    return std::nullopt;
+  }
+  std::vector<std::string> images;
+  std::error_code          error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  {
+    const std::string name = entry->path().filename().string();
+    if (ParseInteger(name) && IsZarrFolder(entry->path()))
+    {
+      images.push_back(name);
+    }
+  }
+  std::sort(images.begin(), images.end());
+  if (images.size() != 1)
+  {
+    RefuseHeader(fileName,
+                 "it is a container with " + std::to_string(images.size()) + " images (" +
+                   Join(images, ", ", [](const std::string & name) { return name; }) + "); give the folder of one");
+  }
+  return folder / images.front();
 }
 
 ZarrImage
@@ -105,7 +155,7 @@ ReadGroup(const Path & folder, const Path & fileName, const Json & metadata, uns
   image.numberOfLevels = static_cast<unsigned int>(datasets.size());
   const Json & dataset = datasets.at(std::min<std::size_t>(level, datasets.size() - 1)); // a further one is refused
   image.arrayFile = FindArrayFile(folder / ReadDatasetPath(fileName, dataset));
-  image.dimension = ReadDimension(fileName, multiscale);
+  image.dimension = ReadDimension(fileName, multiscale, image.units);
   for (const Json & place : { dataset, multiscale })
   {
     for (const Json & transform : place.value("coordinateTransformations", Json::array()))
@@ -119,6 +169,34 @@ ReadGroup(const Path & folder, const Path & fileName, const Json & metadata, uns
   return image;
 }
 
+/** Of an array that is a level of an image: its place in space, which the image has. */
+std::optional<ZarrImage>
+FindImageOf(const Path & array)
+{
+  const Path folder = std::filesystem::absolute(array).lexically_normal();
+  const Path name = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
+  const Path parent = folder.has_filename() ? folder.parent_path() : folder.parent_path().parent_path();
+  const Path fileName = FindGroupFile(parent);
+  if (!std::filesystem::exists(fileName))
+  {
+    return std::nullopt;
+  }
+  return ZarrFields::WithJson(fileName, [&](const Json & metadata) -> std::optional<ZarrImage> {
+    const Json multiscales = GetOmeAttributes(fileName, metadata).value("multiscales", Json::array());
+    const Json datasets = multiscales.empty() ? Json::array() : multiscales.at(0).value("datasets", Json::array());
+    for (unsigned int level = 0; level < datasets.size(); ++level)
+    {
+      if (Path(datasets.at(level).value("path", "")).lexically_normal() == name)
+      {
+        ZarrImage image = ReadGroup(parent, fileName, metadata, level);
+        image.numberOfLevels = 1;
+        return image;
+      }
+    }
+    return std::nullopt;
+  });
+}
+
 ZarrImage
 ReadImage(const Path & folder, unsigned int level)
 {
@@ -126,10 +204,20 @@ ReadImage(const Path & folder, unsigned int level)
   image.arrayFile = folder / ZarrArrayFile;
   if (!std::filesystem::exists(image.arrayFile))
   {
-    const Path version3 = folder / ZarrFile;
-    const Path fileName = std::filesystem::exists(version3) ? version3 : folder / ".zattrs";
-    image = ZarrFields::WithJson(fileName,
-                                 [&](const Json & metadata) { return ReadGroup(folder, fileName, metadata, level); });
+    const Path          fileName = FindGroupFile(folder);
+    std::optional<Path> only;
+    image = ZarrFields::WithJson(fileName, [&](const Json & metadata) {
+      only = FindOnlyImage(folder, fileName, metadata);
+      return only ? ZarrImage{} : ReadGroup(folder, fileName, metadata, level);
+    });
+    if (only)
+    {
+      return ReadImage(*only, level);
+    }
+  }
+  if (image.metadataFile.empty())
+  {
+    image = FindImageOf(folder).value_or(image);
   }
   if (level >= image.numberOfLevels)
   {
@@ -266,6 +354,12 @@ ReadZarrHeader(const Path & folder, unsigned int level)
   header.numberOfLevels = image.numberOfLevels;
   const ZarrArray array = ReadZarrArray(header.dataFile, image.dimension);
   header.geometry = MakeGeometry(image, array.grid);
+  ApplyUnits(header, { image.units.rbegin(), image.units.rend() });
+  const auto isScale = [](const Json & transform) { return transform.value("type", "") == "scale"; };
+  if (std::none_of(image.transforms.begin(), image.transforms.end(), isScale))
+  {
+    WarnOfUnknownSpacing(header, "the metadata have no scale");
+  }
   header.pixelType = array.grid.layout.pixelType;
   header.chunks = DescribeChunks(array);
   header.liesInRows = false;
