@@ -83,13 +83,17 @@ operator!=(const MedialVoxelBox & a, const MedialVoxelBox & b)
  *
  * Axes of length 1 are inactive: they have no neighbors, no cell corners and no say in whether spacings are equal.
  * Squared distances are compared in index units when the spacings of the active axes are equal, so that they are
- * integers and ties are exact; otherwise in physical units.
+ * integers and ties are exact; otherwise in physical units. Formats round spacings, so that one that is nearly that of
+ * an axis before it is taken for it.
  * \ingroup MedialVoxel
  */
 class MedialVoxel_EXPORT MedialVoxelGrid
 {
 public:
   using SpacingType = std::array<double, 3>;
+
+  /** Spacings that differ by this share or less are equal. */
+  static constexpr double EqualSpacing = 1e-6;
 
   MedialVoxelGrid() = default;
 
@@ -102,6 +106,7 @@ public:
     return m_Size;
   }
 
+  /** Those of the constructor; nearly equal ones are the first of them. */
   const SpacingType &
   GetSpacing() const
   {
@@ -191,6 +196,10 @@ public:
   MarginForMetricLength(double length) const;
 
 private:
+  /** The spacing of an axis, or that of an axis before it that is nearly the same. */
+  double
+  FindEqualSpacing(unsigned int axis) const;
+
   MedialVoxelIndex      m_Size{ { 1, 1, 1 } };
   SpacingType           m_Spacing{ { 1.0, 1.0, 1.0 } };
   SpacingType           m_MetricSpacing{ { 1.0, 1.0, 1.0 } };

@@ -48,6 +48,13 @@ struct MedialVoxel_EXPORT MedialVoxelGridLimits
               const std::vector<double> &        spacing,
               const std::vector<double> &        origin);
 
+  /** Of the cosine of the angle between two axes; with more, lengths along a straight grid are wrong. */
+  static constexpr double LargestShear = 0.01;
+
+  /** Axes that are not at right angles to each other, in words; empty when all are. \param axes unit vectors */
+  static std::string
+  FindShear(const std::vector<std::vector<double>> & axes);
+
   /** The largest spacing to the smallest, among the axes longer than 1; 1 without any. */
   static double
   RatioOf(const MedialVoxelGrid & grid);

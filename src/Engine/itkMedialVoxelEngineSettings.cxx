@@ -25,7 +25,7 @@ MedialVoxelLocalThickness::GetDefaultMaximum(const MedialVoxelGrid & grid)
   {
     largest = grid.IsActive(axis) ? std::max(largest, grid.GetSpacing()[axis]) : largest;
   }
-  return DefaultVoxels * (largest > 0.0 ? largest : 1.0);
+  return std::min(DefaultVoxels * (largest > 0.0 ? largest : 1.0), GetLargestMaximum(grid));
 }
 
 double

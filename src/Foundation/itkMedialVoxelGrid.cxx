@@ -101,17 +101,18 @@ MedialVoxelGrid::MedialVoxelGrid(const MedialVoxelIndex & size, const SpacingTyp
     assert(size[axis] > 0 && spacing[axis] > 0.0 && std::isfinite(spacing[axis]));
     if (this->IsActive(axis))
     {
+      m_Spacing[axis] = this->FindEqualSpacing(axis);
       firstActive = (firstActive == none) ? axis : firstActive;
-      m_HasEqualSpacing = m_HasEqualSpacing && spacing[axis] == spacing[firstActive];
+      m_HasEqualSpacing = m_HasEqualSpacing && m_Spacing[axis] == m_Spacing[firstActive];
     }
   }
   if (m_HasEqualSpacing)
   {
-    m_MetricUnit = (firstActive == none) ? 1.0 : spacing[firstActive];
+    m_MetricUnit = (firstActive == none) ? 1.0 : m_Spacing[firstActive];
   }
   else
   {
-    m_MetricSpacing = spacing;
+    m_MetricSpacing = m_Spacing;
   }
 
   m_ShortestEdge = std::numeric_limits<double>::infinity();
@@ -123,7 +124,7 @@ MedialVoxelGrid::MedialVoxelGrid(const MedialVoxelIndex & size, const SpacingTyp
     {
       if (mask & (1u << axis))
       {
-        sum += spacing[axis] * spacing[axis];
+        sum += m_Spacing[axis] * m_Spacing[axis];
         exists = exists && this->IsActive(axis);
       }
     }
@@ -134,6 +135,19 @@ MedialVoxelGrid::MedialVoxelGrid(const MedialVoxelIndex & size, const SpacingTyp
       m_ShortestEdge = std::min(m_ShortestEdge, m_EdgeLength[mask]);
     }
   }
+}
+
+double
+MedialVoxelGrid::FindEqualSpacing(const unsigned int axis) const
+{
+  for (unsigned int other = 0; other < axis; ++other)
+  {
+    if (this->IsActive(other) && std::abs(m_Spacing[axis] - m_Spacing[other]) <= EqualSpacing * m_Spacing[other])
+    {
+      return m_Spacing[other];
+    }
+  }
+  return m_Spacing[axis];
 }
 
 MedialVoxelBox

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 
 namespace itk
 {
@@ -116,6 +117,27 @@ MedialVoxelGridLimits::FindProblem(const std::vector<std::uint64_t> & size,
   {
     return Describe("the ratio of its largest spacing to its smallest", FormatNumber(range.Ratio()), "not exceed ") +
            FormatNumber(LargestRatio);
+  }
+  return {};
+}
+
+std::string
+MedialVoxelGridLimits::FindShear(const std::vector<std::vector<double>> & axes)
+{
+  constexpr double degreesPerRadian = 57.29577951308232;
+  for (std::size_t axis = 0; axis < axes.size(); ++axis)
+  {
+    for (std::size_t other = axis + 1; other < axes.size(); ++other)
+    {
+      const double cosine = std::inner_product(axes[axis].begin(), axes[axis].end(), axes[other].begin(), 0.0);
+      if (!(std::abs(cosine) <= LargestShear))
+      {
+        const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * degreesPerRadian;
+        return std::string("its axes ") + "xyz"[axis] + " and " + "xyz"[other] + " are at " +
+               FormatNumber(std::round(100.0 * degrees) / 100.0) +
+               " degrees to each other; they must be at 90, within 0.57 degrees";
+      }
+    }
   }
   return {};
 }
