@@ -352,7 +352,7 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   {
     this->RunPieces();
     m_LabelFilter->SetTileObservers({});
-    surface.Finish();
+    MedialVoxelWithItkErrors([&surface] { surface.Finish(); });
   }
   catch (...)
   {

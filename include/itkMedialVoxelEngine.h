@@ -6,7 +6,7 @@
 #include "itkMedialVoxelEngineClient.h"
 #include "itkMedialVoxelEngineSettings.h"
 #include "itkMedialVoxelGrid.h"
-#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMemoryShortage.h"
 #include "itkMedialVoxelSums.h"
 
 #include "MedialVoxelExport.h"
@@ -57,7 +57,7 @@ public:
 
   /** Process all of \a region. What was found up to an exception does not count. When it is known which region comes
    * next, its voxels are asked for while this one is processed.
-   * \throw MedialVoxelMemoryError when the memory limit does not hold what a slab of one voxel depends on. */
+   * \throw MedialVoxelMemoryShortage when the memory limit does not hold what a slab of one voxel depends on. */
   MedialVoxelSums
   Run(const MedialVoxelBox & region, MedialVoxelEngineClient & client, const MedialVoxelBox & nextRegion = {});
 

@@ -5,6 +5,7 @@
 
 #include "itkMedialVoxelEngine.h"
 #include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelMemoryError.h"
 #include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelObjectPredicate.h"
 #include "itkMedialVoxelRoughness.h"

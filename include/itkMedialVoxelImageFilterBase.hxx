@@ -129,6 +129,19 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyInputInformation() 
   {
     itkExceptionMacro("The input cannot be measured: " << problem << '.');
   }
+  std::vector<std::vector<double>> axes(ImageDimension, std::vector<double>(ImageDimension));
+  for (unsigned int axis = 0; axis < ImageDimension; ++axis)
+  {
+    for (unsigned int row = 0; row < ImageDimension; ++row)
+    {
+      axes[axis][row] = input->GetDirection()[row][axis];
+    }
+  }
+  const std::string shear = MedialVoxelGridLimits::FindShear(axes);
+  if (!shear.empty())
+  {
+    itkWarningMacro(<< "Lengths of the input are measured as if its grid were straight: " << shear << '.');
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -214,7 +227,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   MedialVoxelSums      sums;
   try
   {
-    sums = this->RunRegion(region);
+    sums = MedialVoxelWithItkErrors([&] { return this->RunRegion(region); });
   }
   catch (...)
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelMemoryError_h
-#define itkMedialVoxelMemoryError_h
+#ifndef itkMedialVoxelMemoryShortage_h
+#define itkMedialVoxelMemoryShortage_h
 
 #include "MedialVoxelExport.h"
 
@@ -11,14 +11,14 @@
 namespace itk
 {
 
-/** \class MedialVoxelMemoryError
+/** \class MedialVoxelMemoryShortage
  * \brief The memory that an engine may use does not hold what a single voxel of the image depends on.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelMemoryError : public std::runtime_error
+class MedialVoxel_EXPORT MedialVoxelMemoryShortage : public std::runtime_error
 {
 public:
-  MedialVoxelMemoryError(std::uint64_t neededBytes, std::uint64_t allowedBytes);
+  MedialVoxelMemoryShortage(std::uint64_t neededBytes, std::uint64_t allowedBytes);
 
   /** Bytes that the step at hand needs; later ones may need more. */
   std::uint64_t

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMemoryShortage.h"
 #include "itkMedialVoxelSlabWalker.h"
 
 #include "MedialVoxelTestKernels.h"
@@ -239,7 +239,7 @@ TEST(MedialVoxelSlabWalker, AMemoryLimitHoldsAndChangesNothingElse)
       {
         engine.Run(image, {}, client);
       }
-      catch (const itk::MedialVoxelMemoryError & error)
+      catch (const itk::MedialVoxelMemoryShortage & error)
       {
         EXPECT_GT(error.GetNeededBytes(), settings.memoryLimit);
         ++refused;

@@ -6,7 +6,6 @@
 #include "Version.h"
 
 #include "itkMedialVoxelGridLimits.h"
-#include "itkMedialVoxelMemoryError.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkObject.h"
 #include "itkProcessObject.h"
@@ -93,10 +92,6 @@ Guard(MedialVoxelResult & result, TWork && work)
   catch (const StoppedBySignal &)
   {
     fail(MedialVoxelStopped, "stopped");
-  }
-  catch (const itk::MedialVoxelMemoryError & error)
-  {
-    fail(MedialVoxelOutOfMemory, error.what());
   }
   catch (const itk::MemoryAllocationError & error)
   {

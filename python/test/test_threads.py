@@ -16,8 +16,10 @@ import numpy as np
 from support import PATIENCE, blob, scene, slow_noise, slow_options
 
 # Waits until the engine works, is interrupted, and tells the seconds that it took from there.
+# A shell that runs the tests in the background leaves the signal ignored.
 INTERRUPTED = """
-import sys, time
+import signal, sys, time
+signal.signal(signal.SIGINT, signal.default_int_handler)
 sys.path.insert(0, {tests!r})
 import medialvoxel, support
 values = {values}

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMemoryShortage.h"
 
 #include <string>
 
 namespace itk
 {
 
-MedialVoxelMemoryError::MedialVoxelMemoryError(const std::uint64_t neededBytes, const std::uint64_t allowedBytes)
+MedialVoxelMemoryShortage::MedialVoxelMemoryShortage(const std::uint64_t neededBytes, const std::uint64_t allowedBytes)
   : std::runtime_error("The walls are so thick that the windows on the input need at least " +
                        std::to_string(neededBytes) + " bytes of memory; " + std::to_string(allowedBytes) +
                        " bytes are allowed.")

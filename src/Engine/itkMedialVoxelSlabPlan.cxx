@@ -5,7 +5,7 @@
 #include "itkMedialVoxelClassifier.h"
 #include "itkMedialVoxelDistanceTransform.h"
 #include "itkMedialVoxelLengthTask.h"
-#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMemoryShortage.h"
 
 #include <algorithm>
 #include <utility>
@@ -254,7 +254,7 @@ MedialVoxelSlabPlan::ChooseCut(const MedialVoxelBox & region, const MedialVoxelI
     const std::int64_t largest = *std::max_element(cut.halo.begin(), cut.halo.end());
     if (largest == 0)
     {
-      throw MedialVoxelMemoryError(this->BytesOf(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
+      throw MedialVoxelMemoryShortage(this->BytesOf(this->LargestSitesBox(region, cut), cut), m_Settings.memoryLimit);
     }
     for (std::int64_t & voxels : cut.halo)
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelSlabSchedule.h"
 
-#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMemoryShortage.h"
 
 #include <algorithm>
 #include <cassert>
@@ -287,7 +287,7 @@ MedialVoxelSlabSchedule::GrowDeferred(Pending & pending) const -> std::optional<
   }
   if (!IsLarger(m_Plan.ChooseCut(slab.box, m_State.halo).halo, slab.cut.halo))
   {
-    throw MedialVoxelMemoryError(bytes, m_Plan.GetSettings().memoryLimit);
+    throw MedialVoxelMemoryShortage(bytes, m_Plan.GetSettings().memoryLimit);
   }
   pending = { slab.box, slab.tiles, slab.box.lower[m_Plan.GetSlowestAxis()], std::nullopt };
   return {};

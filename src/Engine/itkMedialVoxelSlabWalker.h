@@ -53,7 +53,7 @@ public:
 
   /** Process all of \a region, and prepare a window for \a nextRegion, which may be empty; windows are kept for the
    * next call.
-   * \throw MedialVoxelMemoryError when the memory limit does not hold what a slab of one voxel depends on. */
+   * \throw MedialVoxelMemoryShortage when the memory limit does not hold what a slab of one voxel depends on. */
   void
   Run(const MedialVoxelBox & region, const MedialVoxelBox & nextRegion, MedialVoxelTileRunner & runner);
 

@@ -108,7 +108,7 @@ public:
    * until the next run, or Release(). A piece without a cell to decide and without an object is all zero, which sparse
    * volumes need not be told.
    * \throw itk::MedialVoxelAborted when the observer stops it
-   * \throw itk::MedialVoxelMemoryError; what the input and the tile observers throw */
+   * \throw itk::MedialVoxelMemoryShortage; what the input and the tile observers throw */
   PieceResults
   Run(const PieceRange & range, const PieceRange & nextRange);
 

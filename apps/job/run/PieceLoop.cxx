@@ -10,7 +10,7 @@
 #include "Text.h"
 #include "VolumeFormats.h"
 
-#include "itkMedialVoxelMemoryError.h"
+#include "itkMedialVoxelMemoryShortage.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelSurfaceObserver.h"
 
@@ -149,7 +149,7 @@ PieceLoop::RunSlices(PieceEngine & engine, const PieceRange & range, const Piece
       sums += this->RunRange(engine, now, now.slices.end < range.slices.end ? then : limit(nextRange), writer);
       rest.slices.begin = now.slices.end;
     }
-    catch (const itk::MedialVoxelMemoryError & error)
+    catch (const itk::MedialVoxelMemoryShortage & error)
     {
       this->ShortenPieces(engine, 0.5, "memory of windows");
       const std::uint64_t bytes = m_Plan.GetEngineLimit(m_SlicesAtOnce);

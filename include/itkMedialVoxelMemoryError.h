@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelMemoryError_h
+#define itkMedialVoxelMemoryError_h
+
+#include "itkMedialVoxelMemoryShortage.h"
+#include "itkMedialVoxelProgress.h"
+
+#include "itkMacro.h"
+
+#include <exception>
+#include <new>
+
+namespace itk
+{
+
+/** \class MedialVoxelMemoryError
+ * \brief The working memory limit of a filter does not hold what a single voxel of the image depends on.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelMemoryError : public MemoryAllocationError
+{
+public:
+  explicit MedialVoxelMemoryError(const MedialVoxelMemoryShortage & shortage)
+    : MemoryAllocationError(__FILE__, __LINE__, shortage.what(), ITK_LOCATION)
+    , m_NeededBytes(shortage.GetNeededBytes())
+    , m_AllowedBytes(shortage.GetAllowedBytes())
+  {}
+
+  const char *
+  GetNameOfClass() const override
+  {
+    return "MedialVoxelMemoryError";
+  }
+
+  /** Bytes that the step at hand needs; later ones may need more. */
+  std::uint64_t
+  GetNeededBytes() const
+  {
+    return m_NeededBytes;
+  }
+
+  std::uint64_t
+  GetAllowedBytes() const
+  {
+    return m_AllowedBytes;
+  }
+
+private:
+  std::uint64_t m_NeededBytes;
+  std::uint64_t m_AllowedBytes;
+};
+
+/** Calls a function of the library below the filters. Hosts of ITK end at exceptions of other kinds, so that all but
+ * a stop becomes one of ITK. */
+template <typename TFunction>
+decltype(auto)
+MedialVoxelWithItkErrors(TFunction && function)
+{
+  try
+  {
+    return function();
+  }
+  catch (const ExceptionObject &)
+  {
+    throw;
+  }
+  catch (const MedialVoxelAborted &)
+  {
+    throw;
+  }
+  catch (const MedialVoxelMemoryShortage & shortage)
+  {
+    throw MedialVoxelMemoryError(shortage);
+  }
+  catch (const std::bad_alloc &)
+  {
+    throw MemoryAllocationError(__FILE__, __LINE__, "There is not enough memory.", ITK_LOCATION);
+  }
+  catch (const std::exception & error)
+  {
+    throw ExceptionObject(__FILE__, __LINE__, error.what(), ITK_LOCATION);
+  }
+}
+
+} // end namespace itk
+
+#endif
