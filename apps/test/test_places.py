@@ -252,7 +252,6 @@ class PlacesTest(ProgramTestCase):
                 error = self.read_errors("extract", *command, *options, status=NOT_MEASURED)
                 self.assertIn("no verdict on thin walls", error)
             self.run_failing("extract", *command, "--dry-run", status=0)
-            self.run_failing("mesh", "in.mha", "m.vtp", *command[2:], status=NOT_MEASURED)
         labels = volumes.Volume((60, 30, 30), [])
         labels.voxels = [
             2 if math.dist((x, y, z), (15, 15, 15)) < 10 else 1 if 34 <= x < 56 and 4 <= y < 26 and 10 <= z < 16 else 0
@@ -265,7 +264,7 @@ class PlacesTest(ProgramTestCase):
     def test_a_label_that_no_voxel_has_is_a_mistake(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
         for command in (["extract", "in.mha", "o.mha"], ["mesh", "in.mha", "o.vtp"], ["distance", "in.mha", "o.mha"],
-                        ["surface", "in.mha", "o.ply"], ["extract", "in.mha", "o.mha", "--resume"]):  # fmt: skip
+                        ["surface", "in.mha", "o.ply"]):  # fmt: skip
             self.assert_fails(USAGE, ["in.mha", "no voxel has the label 9"], *command, "--label", 9)
             self.assertFalse(list(self.folder.glob("o.*")), command)
 
@@ -300,7 +299,8 @@ class PlacesTest(ProgramTestCase):
             self.assertEqual(len(noisy), len(pits), seed)
             # The noise matters.
             rough = self.places("--thin-below", 5, "--voxel-units", "--smooth", "off", source="noisy.mha", thickness="auto")
-            self.assertGreater(len(rough), len(pits), seed)
+            areas = [sum(row["area"] for row in rows) for rows in (rough, noisy)]
+            self.assertGreater(areas[0], 1.2 * areas[1], seed)
 
     def test_page_has_the_first_places(self):
         volumes.write_meta(self.folder / "in.mha", random_part(1))

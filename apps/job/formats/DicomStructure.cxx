@@ -216,7 +216,8 @@ private:
       {
         bytes << ' ' << std::hex << std::setw(2) << std::setfill('0') << int{ static_cast<unsigned char>(byte) };
       }
-      this->Refuse("an element has an unknown value representation, the bytes" + bytes.str());
+      this->Refuse("an element has the unknown value representation '" +
+                   itk::MedialVoxelText::MakePrintable(element.representation) + "', the bytes" + bytes.str());
     }
     return element;
   }

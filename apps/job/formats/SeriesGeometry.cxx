@@ -130,7 +130,8 @@ GetTolerance(const Slices & slices, double spacing)
   {
     rounding = rounding == 0.0 ? slice.place->rounding : std::min(rounding, slice.place->rounding);
   }
-  return spacing * std::clamp(rounding / spacing, usual, most);
+  // The first and the last place, which the others are compared with, are rounded too.
+  return spacing * std::clamp(2.0 * rounding / spacing, usual, most);
 }
 
 /** The first slice that is not where the others let it be expected. */

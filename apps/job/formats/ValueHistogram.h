@@ -25,10 +25,13 @@ public:
   {
     for (const TValue value : values)
     {
-      if (!std::isfinite(static_cast<double>(value)))
+      if constexpr (!std::is_integral<TValue>::value)
       {
-        m_Excluded += times;
-        continue;
+        if (!std::isfinite(value))
+        {
+          m_Excluded += times;
+          continue;
+        }
       }
       m_Count += times;
       m_Minimum = std::min(m_Minimum, value);
@@ -93,25 +96,54 @@ public:
     {
       m_Counts.resize(maximum > minimum ? mostBins : 1);
     }
+    m_Others.resize((Lanes - 1) * m_Counts.size());
   }
 
   /** \param times that each of them is there */
   void
   Add(const std::vector<TValue> & values, std::uint64_t times = 1)
   {
-    for (const TValue value : values)
+    // Equal values follow each other: one counter would wait for its last sum, so that several take turns.
+    const std::size_t bins = m_Counts.size();
+    std::size_t       i = 0;
+    for (; i + Lanes <= values.size(); i += Lanes)
     {
-      if (std::isfinite(static_cast<double>(value)))
+      this->Count(m_Counts.data(), values[i], times);
+      for (std::size_t lane = 1; lane < Lanes; ++lane)
       {
-        m_Counts[this->GetBin(value)] += times;
+        this->Count(m_Others.data() + (lane - 1) * bins, values[i + lane], times);
       }
     }
+    for (; i < values.size(); ++i)
+    {
+      this->Count(m_Counts.data(), values[i], times);
+    }
+  }
+
+  /** To be called when all values are added. */
+  void
+  Finish()
+  {
+    const std::size_t bins = m_Counts.size();
+    for (std::size_t i = 0; i < m_Others.size(); ++i)
+    {
+      m_Counts[i % bins] += m_Others[i];
+    }
+    m_Others.clear();
   }
 
   const std::vector<std::uint64_t> &
   GetCounts() const
   {
     return m_Counts;
+  }
+
+  /** The first bin of values that are not negative. */
+  std::size_t
+  GetBinOfZero() const
+  {
+    const bool isNegative = m_Minimum < TValue{ 0 };
+    return isNegative ? (m_Maximum < TValue{ 0 } ? m_Counts.size() : this->GetBin(TValue{ 0 })) : 0;
   }
 
   /** Where a bin begins. */
@@ -148,6 +180,21 @@ public:
   }
 
 private:
+  static constexpr std::size_t Lanes = sizeof(TValue) == 1 ? 4 : 2;
+
+  void
+  Count(std::uint64_t * counts, TValue value, std::uint64_t times) const
+  {
+    if constexpr (!IsWhole)
+    {
+      if (!std::isfinite(value))
+      {
+        return;
+      }
+    }
+    counts[this->GetBin(value)] += times;
+  }
+
   /** Of a whole number from the least one, which its own type need not hold. */
   std::uint64_t
   GetOffset(TValue value) const
@@ -160,7 +207,16 @@ private:
   {
     if constexpr (IsWhole)
     {
-      return static_cast<std::size_t>(this->GetOffset(value) / m_Width);
+      const std::uint64_t offset = this->GetOffset(value);
+      if (sizeof(TValue) <= 2 || m_Width == 1)
+      {
+        return static_cast<std::size_t>(offset);
+      }
+      // Processors divide numbers of 32 bits much faster.
+      constexpr std::uint64_t most = std::numeric_limits<std::uint32_t>::max();
+      return offset <= most && m_Width <= most
+               ? static_cast<std::uint32_t>(offset) / static_cast<std::uint32_t>(m_Width)
+               : static_cast<std::size_t>(offset / m_Width);
     }
     else
     {
@@ -177,6 +233,7 @@ private:
   TValue                     m_Maximum;
   std::uint64_t              m_Width{ 1 };
   std::vector<std::uint64_t> m_Counts;
+  std::vector<std::uint64_t> m_Others; ///< counts of the other lanes
 };
 
 } // end namespace medialvoxel

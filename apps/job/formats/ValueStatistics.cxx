@@ -110,21 +110,31 @@ ReadMemory(const TValue * values, std::uint64_t number, const ReadObserver & obs
 
 /** The last bin of the lower class for which the variance between both classes is largest; the number of a bin stands
  * for its values, as the bins are equal. */
-std::optional<std::size_t>
-FindOtsuBin(const std::vector<std::uint64_t> & counts)
+struct OtsuBin
+{
+  std::optional<std::size_t> last;
+  double                     explained{ 0.0 }; ///< share of the variance that is between the classes
+};
+
+/** \param first bin that counts */
+OtsuBin
+FindOtsuBin(const std::vector<std::uint64_t> & counts, std::size_t first = 0)
 {
   long double all = 0;
   long double sum = 0;
-  for (std::size_t bin = 0; bin < counts.size(); ++bin)
+  long double squares = 0;
+  for (std::size_t bin = first; bin < counts.size(); ++bin)
   {
+    const long double ofBin = static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
     all += static_cast<long double>(counts[bin]);
-    sum += static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
+    sum += ofBin;
+    squares += ofBin * static_cast<long double>(bin);
   }
   long double                below = 0;
   long double                sumBelow = 0;
   long double                largest = 0;
   std::optional<std::size_t> best;
-  for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin)
+  for (std::size_t bin = first; bin + 1 < counts.size(); ++bin)
   {
     below += static_cast<long double>(counts[bin]);
     sumBelow += static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
@@ -141,7 +151,32 @@ FindOtsuBin(const std::vector<std::uint64_t> & counts)
       best = bin;
     }
   }
-  return best;
+  const long double variance = squares * all - sum * sum;
+  return { best, variance > 0 ? static_cast<double>(largest / variance) : 0.0 };
+}
+
+/** The bin of values that are no measurement: scanners fill what is outside of their field of view with one negative
+ * value far below all others. Without it two classes are left, or it may be the background of a mask. */
+std::optional<std::size_t>
+FindPadding(const std::vector<std::uint64_t> & counts, std::size_t zero)
+{
+  constexpr std::uint64_t share = 20; // one of so many values
+  constexpr std::size_t   gap = 10;   // of the range of the others, one of so many parts
+  constexpr double        leastExplained = 0.85;
+  const auto              isFilled = [](std::uint64_t count) { return count > 0; };
+  const auto              lowest = std::find_if(counts.begin(), counts.end(), isFilled);
+  const auto              next = lowest == counts.end() ? lowest : std::find_if(lowest + 1, counts.end(), isFilled);
+  const auto              highest = std::find_if(counts.rbegin(), counts.rend(), isFilled).base();
+  const auto              bin = static_cast<std::size_t>(lowest - counts.begin());
+  const std::uint64_t     all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{ 0 });
+  if (next == counts.end() || bin >= zero || *lowest < all / share ||
+      (next - lowest) < (highest - next) / std::ptrdiff_t{ gap })
+  {
+    return std::nullopt;
+  }
+  const bool hasClasses =
+    FindOtsuBin(counts, static_cast<std::size_t>(next - counts.begin())).explained >= leastExplained;
+  return hasClasses ? std::optional<std::size_t>(bin) : std::nullopt;
 }
 
 template <typename TValue>
@@ -177,7 +212,13 @@ Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins)
   {
     statistics.percentiles[i] = FindPercentile(bins, range.GetCount(), ValueStatistics::Percents[i]);
   }
-  const std::optional<std::size_t> bin = FindOtsuBin(bins.GetCounts());
+  const std::optional<std::size_t> padding = FindPadding(bins.GetCounts(), bins.GetBinOfZero());
+  if (padding)
+  {
+    statistics.padding = bins.GetBegin(*padding);
+    statistics.paddingValues = bins.GetCounts()[*padding];
+  }
+  const std::optional<std::size_t> bin = FindOtsuBin(bins.GetCounts(), padding ? *padding + 1 : 0).last;
   statistics.otsu = bin ? std::optional<double>(bins.GetBegin(*bin + 1)) : std::nullopt;
   return statistics;
 }
@@ -193,10 +234,15 @@ Measure(const ReadObserver & observer, TForEach && forEach)
   {
     // A bin for each value that the type has, so that once through the file is enough.
     ValueBins<TValue> bins(Limits::lowest(), Limits::max(), MostValueBins);
-    forEach(observer, [&](const std::vector<TValue> & values, std::uint64_t times) {
-      range.Add(values, times);
-      bins.Add(values, times);
-    });
+    forEach(observer, [&](const std::vector<TValue> & values, std::uint64_t times) { bins.Add(values, times); });
+    bins.Finish();
+    for (std::size_t bin = 0; bin < bins.GetCounts().size(); ++bin)
+    {
+      if (bins.GetCounts()[bin] > 0)
+      {
+        range.Add({ static_cast<TValue>(bins.GetBegin(bin)) }, bins.GetCounts()[bin]);
+      }
+    }
     return Summarize(range, bins);
   }
   else
@@ -205,11 +251,14 @@ Measure(const ReadObserver & observer, TForEach && forEach)
             [&](const auto & values, std::uint64_t times) { range.Add(values, times); });
     if (range.GetCount() == 0)
     {
-      return { 0, range.GetExcluded(), 0, 0, 0, 0, {}, std::nullopt };
+      ValueStatistics none;
+      none.excluded = range.GetExcluded();
+      return none;
     }
     ValueBins<TValue> bins(range.GetMinimum(), range.GetMaximum(), MostValueBins);
     forEach([&](double share) { observer(0.5 + 0.5 * share); },
             [&](const auto & values, std::uint64_t times) { bins.Add(values, times); });
+    bins.Finish();
     return Summarize(range, bins);
   }
 }
@@ -323,6 +372,12 @@ DescribeValues(const ValueStatistics & statistics)
   for (std::size_t i = 0; i < statistics.percentiles.size(); ++i)
   {
     table.emplace_back(std::to_string(ValueStatistics::Percents[i]) + " %", FormatNumber(statistics.percentiles[i]));
+  }
+  if (statistics.padding)
+  {
+    table.emplace_back("padding",
+                       FormatNumber(*statistics.padding) + ", " + std::to_string(statistics.paddingValues) +
+                         " voxels, left out of otsu");
   }
   table.emplace_back("otsu", statistics.otsu ? FormatNumber(*statistics.otsu) : "-");
   if (statistics.binWidth > 0)

@@ -34,8 +34,12 @@ struct ValueStatistics
   /** The least value that so many percent of the values do not exceed. */
   std::array<double, ThicknessStatistics::Percents.size()> percentiles{};
 
-  /** Of Otsu: values from it up are one class, those below the other one, and the variance between them is largest. Of
-   * several such thresholds the lowest one. Nothing when all values are the same. */
+  /** A negative value far below all others, which scanners put outside of their field of view. */
+  std::optional<double> padding;
+  std::uint64_t         paddingValues{ 0 };
+
+  /** Of Otsu, without the padding: values from it up are one class, those below the other one, and the variance between
+   * them is largest. Of several such thresholds the lowest one. Nothing when all values are the same. */
   std::optional<double> otsu;
 };
 
