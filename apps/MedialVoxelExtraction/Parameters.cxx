@@ -20,28 +20,36 @@ constexpr std::uint64_t MostThreads = 128;
 void
 AddPositional(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
 {
-  AddFile(app, name, help, target)->required()->check([](const std::string & text) {
-    return text.empty() ? "it is empty; it must be the name of a file" : "";
-  });
+  AddFile(app, name, help, target)->required();
 }
 
 void
 AddPath(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
 {
-  AddFile(app, "--" + name, help, target);
+  AddOptionalFile(app, "--" + name, help, target);
 }
 
 void
 AddBoolean(CLI::App & app, const std::string & name, const std::string & help, bool & target)
 {
-  app.add_flag("--" + name, target, help)->default_str("false");
+  AddFlag(app, "--" + name, help, target)->default_str("false");
 }
 
 CLI::Option *
-AddDouble(CLI::App & app, const std::string & name, const std::string & help, double & target)
+AddThreshold(CLI::App & app, const std::string & name, const std::string & help, double & target)
 {
-  return AddText(app, "--" + name, help, "NUMBER", [&target](const std::string & text) { target = ToDouble(text); })
-    ->default_str(FormatNumber(target));
+  const auto parse = [&target](const std::string & text) { target = ToLimit(text).GetNearestDouble(); };
+  return AddText(app, "--" + name, help, "NUMBER", parse)->default_str(FormatNumber(target));
+}
+
+/** Of what is greater than 0, or 0 where that is the default. */
+void
+AddLength(CLI::App & app, const std::string & name, const std::string & help, double & target)
+{
+  const bool mayBeNone = target == 0.0;
+  AddText(app, "--" + name, help, "NUMBER", [&target, mayBeNone](const std::string & text) {
+    target = mayBeNone ? ToLengthOrNone(text) : ToLength(text);
+  })->default_str(FormatNumber(target));
 }
 
 /** \param value by default */
@@ -87,9 +95,9 @@ AddObjectParameters(CLI::App & app, ModuleOptions & options)
                                                                     { "Label", ObjectSelection::Label },
                                                                     { "Labels", ObjectSelection::Labels } });
   // Without a selection these would have no effect.
-  AddDouble(app, "lowerThreshold", "Smallest value of the object, for AboveLower and Between", options.lowerThreshold)
+  AddThreshold(app, "lowerThreshold", "Smallest value of the object, for AboveLower and Between", options.lowerThreshold)
     ->needs(selection);
-  AddDouble(app, "upperThreshold", "Largest value of the object, for BelowUpper and Between", options.upperThreshold)
+  AddThreshold(app, "upperThreshold", "Largest value of the object, for BelowUpper and Between", options.upperThreshold)
     ->needs(selection);
   using Limits = std::numeric_limits<std::int32_t>;
   AddInteger(app,
@@ -115,7 +123,7 @@ AddObjectParameters(CLI::App & app, ModuleOptions & options)
                        "Thickness of walls that become sheets: their own, or a fixed one",
                        options.thicknessMode,
                        { { "Automatic", Mode::Automatic }, { "Fixed", Mode::Fixed } });
-  AddDouble(app, "thickness", "The fixed thickness of walls, in the units of the spacing", options.thickness);
+  AddLength(app, "thickness", "The fixed thickness of walls, in the units of the spacing", options.thickness);
   AddEnumeration<std::optional<Smoothing>>(
     app,
     "smoothing",
@@ -139,10 +147,14 @@ AddObjectParameters(CLI::App & app, ModuleOptions & options)
 }
 
 void
-AddPlaceLimits(CLI::App & app, const std::string & name, const std::string & help, std::optional<PlaceLimits> & target)
+AddPlaceLimits(CLI::App &                   app,
+               const std::string &          name,
+               const std::string &          help,
+               const PlaceKind              kind,
+               std::optional<PlaceLimits> & target)
 {
-  AddText(app, "--" + name, help, "T,G", [&target](const std::string & text) {
-    target = text.empty() ? std::nullopt : std::optional<PlaceLimits>(ToPlaceLimits(text));
+  AddText(app, "--" + name, help, "T,G", [&target, kind](const std::string & text) {
+    target = text.empty() ? std::nullopt : std::optional<PlaceLimits>(ToPlaceLimits(text, kind));
   })->default_str("");
 }
 
@@ -172,7 +184,7 @@ AddOutputParameters(CLI::App & app, ModuleOptions & options)
   AddText(app, "--maximumLocalThickness", "Largest of these", "T", [&job](const std::string & text) {
     if (!text.empty())
     {
-      job.maximumLocalThickness = ToDouble(text);
+      job.maximumLocalThickness = ToLength(text);
     }
   })->default_str("");
   AddEnumeration<std::optional<bool>>(app,
@@ -186,18 +198,18 @@ AddOutputParameters(CLI::App & app, ModuleOptions & options)
       job.levels = ToLevels(text);
     }
   })->default_str("");
-  AddPlaceLimits(app, "thinBelow", "List places thinner than T, grown to G", job.thinBelow);
-  AddPlaceLimits(app, "thickAbove", "List places thicker than T, grown to G", job.thickAbove);
+  AddPlaceLimits(app, "thinBelow", "List places thinner than T, grown to G", PlaceKind::Thin, job.thinBelow);
+  AddPlaceLimits(app, "thickAbove", "List places thicker than T, grown to G", PlaceKind::Thick, job.thickAbove);
   AddPath(app, "placesFile", "Table of these places (.csv)", job.placesFile);
   AddPath(app, "meshModel", "Medial surface", job.meshFile);
-  AddDouble(app, "minimumBranchLength", "Shorter branches are left out of it", job.minimumBranchLength);
+  AddLength(app, "minimumBranchLength", "Shorter branches are left out of it", job.minimumBranchLength);
   using Kind = ElementSize::Kind;
   AddEnumeration<Kind>(app,
                        "elementSizeMode",
                        "Length of the sides of its elements",
                        options.elementSizeMode,
                        { { "Voxel", Kind::Voxel }, { "Automatic", Kind::Automatic }, { "Fixed", Kind::Length } });
-  AddDouble(app, "elementSize", "The fixed length, in the units of the spacing", options.elementSize);
+  AddLength(app, "elementSize", "The fixed length, in the units of the spacing", options.elementSize);
   AddBoolean(app, "extendRims", "Carry it on to the free edges of the part", job.extendsRims);
   AddPath(app, "reportFile", "Report as JSON", job.reportFile);
   AddPath(app, "previewFile", "Picture of three slices as PNG", job.previewFile);
@@ -225,7 +237,7 @@ AddRunParameters(CLI::App & app, ExtractOptions & job)
           [&job](const std::string & text) {
             job.memoryBytes = text.empty() ? std::nullopt : std::optional<std::uint64_t>(ToByteSize(text));
           });
-  AddFile(app, "--scratchFolder", "For what memory cannot hold of a compressed volume", job.scratchFolder)
+  AddOptionalFile(app, "--scratchFolder", "For what memory cannot hold of a compressed volume", job.scratchFolder)
     ->type_name("DIR");
 }
 

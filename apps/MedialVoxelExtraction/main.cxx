@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "CommandWords.h"
 #include "Parameters.h"
 #include "Program.h"
 #include "VolumeJob.h"
@@ -26,12 +27,13 @@ Extract(const CLI::App & app, ModuleOptions & options)
   RunExtract(options.job, *sink);
 }
 
-/** Slicer's name of the mark after which no argument is an option, as the parser knows it; last argument first. */
+/** As the parser knows them, the last one first; the mark after which no argument is an option has Slicer's name. */
 std::vector<std::string>
-ReverseArguments(int argc, char * argv[])
+ReverseArguments(const CLI::App & app, int argc, char * argv[])
 {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   std::replace(arguments.begin(), arguments.end(), std::string("--ignore_rest"), std::string("--"));
+  arguments = CompleteWords(app, arguments);
   std::reverse(arguments.begin(), arguments.end());
   return arguments;
 }
@@ -46,7 +48,7 @@ main(int argc, char * argv[])
     const auto    app = DefineParameters(options);
     try
     {
-      app->parse(ReverseArguments(argc, argv));
+      app->parse(ReverseArguments(*app, argc, argv));
     }
     catch (const CLI::Success & result) // help, version, description
     {

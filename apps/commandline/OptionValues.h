@@ -7,12 +7,15 @@
 #include "SuggestName.h"
 #include "Text.h"
 
+#include "itkMedialVoxelGridLimits.h"
 #include "itkMedialVoxelLimit.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,41 +36,103 @@ ToDouble(const std::string & text)
   return *value;
 }
 
-/** The same for a limit on values, where whole numbers keep all 64 bits. */
+/** The same for a limit on values, where whole numbers keep all 64 bits. \param others what the option takes beside */
 inline itk::MedialVoxelLimit
-ToLimit(const std::string & text)
+ToLimit(const std::string & text, const std::string & others = "")
 {
   const std::optional<itk::MedialVoxelLimit> value = itk::MedialVoxelLimit::Parse(text);
-  if (!value)
+  if (value && !value->IsNotANumber())
   {
-    throw CLI::ValidationError("'" + text + "' is not a number, from 2^53 on a whole number");
+    return *value;
   }
-  return *value;
+  throw CLI::ValidationError("'" + text + "' is not a number" + others +
+                             (!value && ParseDouble(text) ? "; from 2^53 on it must be a whole number" : ""));
 }
 
 inline double
-ToPositive(const std::string & text)
+ToFinite(const std::string & text)
 {
-  const double value = ToDouble(text);
-  if (!(value > 0.0))
+  const double value = ParseDouble(text).value_or(std::numeric_limits<double>::infinity());
+  if (!std::isfinite(value))
   {
-    throw CLI::ValidationError("'" + text + "' is not greater than 0");
+    throw CLI::ValidationError("'" + text + "' is not a finite number");
   }
   return value;
+}
+
+/** Infinity is the same as no limit. */
+inline double
+ToDistance(const std::string & text)
+{
+  const double value = ParseDouble(text).value_or(0.0);
+  if (!(value > 0.0))
+  {
+    throw CLI::ValidationError("'" + text + "' is not a number greater than 0");
+  }
+  return value;
+}
+
+/** Of a distance between voxels. */
+inline double
+ToSpacing(const std::string & text, const std::string & others = "")
+{
+  using Limits = itk::MedialVoxelGridLimits;
+  const double value = ParseDouble(text).value_or(0.0);
+  if (!(value >= Limits::SmallestSpacing && value <= Limits::LargestSpacing))
+  {
+    throw CLI::ValidationError("'" + text + "' is not a number greater than 0, from " +
+                               FormatNumber(Limits::SmallestSpacing) + " to " + FormatNumber(Limits::LargestSpacing) +
+                               others);
+  }
+  return value;
+}
+
+/** Of a length that a wall or a ball may have. */
+inline double
+ToLength(const std::string & text, const std::string & others = "")
+{
+  constexpr double largest = itk::MedialVoxelGridLimits::LargestLength;
+  const double     value = ParseDouble(text).value_or(0.0);
+  if (!(value > 0.0 && value <= largest))
+  {
+    throw CLI::ValidationError("'" + text + "' is not a finite number greater than 0, at most " +
+                               FormatNumber(largest) + others);
+  }
+  return value;
+}
+
+/** The same, where 0 stands for none. */
+inline double
+ToLengthOrNone(const std::string & text)
+{
+  const std::optional<double> value = ParseDouble(text);
+  return value && *value == 0.0 ? 0.0 : ToLength(text);
+}
+
+/** What a flag says: true, on, yes and 1, or false, off, no and 0, in any case. */
+std::optional<bool>
+ParseFlag(const std::string & text);
+
+inline bool
+ToFlag(const std::string & text)
+{
+  const std::optional<bool> value = ParseFlag(text);
+  if (!value)
+  {
+    throw CLI::ValidationError("'" + text + "' is not one of true|on|yes|1|false|off|no|0");
+  }
+  return *value;
 }
 
 inline ElementSize
 ToElementSize(const std::string & text)
 {
-  if (text == VoxelElementSize || text == AutomaticElementSize)
+  const std::string name = ToLower(text);
+  if (name == VoxelElementSize || name == AutomaticElementSize)
   {
-    return { text == VoxelElementSize ? ElementSize::Kind::Voxel : ElementSize::Kind::Automatic, 0.0 };
+    return { name == VoxelElementSize ? ElementSize::Kind::Voxel : ElementSize::Kind::Automatic, 0.0 };
   }
-  if (!ParseDouble(text))
-  {
-    throw CLI::ValidationError("'" + text + "' is not a length, " + AutomaticElementSize + " or " + VoxelElementSize);
-  }
-  return { ElementSize::Kind::Length, ToPositive(text) };
+  return { ElementSize::Kind::Length, ToLength(text, std::string(", ") + AutomaticElementSize + " or " + VoxelElementSize) };
 }
 
 inline std::int64_t
@@ -133,9 +198,31 @@ AddText(CLI::App & app, const std::string & name, const std::string & help, cons
   return app.add_option(name, parse, help)->type_name(unit)->type_size(1)->expected(1);
 }
 
-/** Adds an option, or an argument, that names a file or a folder, which a shell completes with a slash. */
+/** Adds an option that takes no word of its own, but a value behind an equals sign; alone it says true. CompleteWords()
+ * brings the words into the form that the parser knows. */
+template <typename TAssign>
+CLI::Option *
+AddFlag(CLI::App & app, const std::string & name, const std::string & help, TAssign assign)
+{
+  return AddText(app, name, help, "", [assign](const std::string & text) { assign(ToFlag(text)); });
+}
+
 inline CLI::Option *
-AddFile(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
+AddFlag(CLI::App & app, const std::string & name, const std::string & help, bool & target)
+{
+  return AddFlag(app, name, help, [&target](bool value) { target = value; });
+}
+
+/** Whether a value is the word behind an option. */
+inline bool
+HasValue(const CLI::Option & option)
+{
+  return option.get_items_expected_max() > 0 && !option.get_type_name().empty();
+}
+
+/** Adds an option that names a file or a folder, which a shell completes with a slash; nothing stands for none. */
+inline CLI::Option *
+AddOptionalFile(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
 {
   const auto withoutSlash = [](std::string fileName) {
     while (fileName.size() > 1 && fileName.back() == '/')
@@ -145,6 +232,19 @@ AddFile(CLI::App & app, const std::string & name, const std::string & help, std:
     return fileName;
   };
   return app.add_option(name, target, help)->type_name("FILE")->transform(withoutSlash, "", "");
+}
+
+inline CLI::Option *
+RefuseEmpty(CLI::Option * option, const std::string & what)
+{
+  return option->check([what](const std::string & text) { return text.empty() ? "'' is not " + what : ""; });
+}
+
+/** The same, or an argument, where nothing is refused: with it an output would be missing. */
+inline CLI::Option *
+AddFile(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
+{
+  return RefuseEmpty(AddOptionalFile(app, name, help, target), "the name of a file");
 }
 
 /** The names of choices. */
@@ -183,22 +283,29 @@ AddChoice(CLI::App &                                         app,
   });
 }
 
-inline std::vector<std::string>
-SplitAtCommas(const std::string & text)
-{
-  return CLI::detail::split(text, ',');
-}
+/** Also of nothing, and behind the last comma. */
+std::vector<std::string>
+SplitAtCommas(const std::string & text);
 
 /** A limit on the thickness of walls, and perhaps the one that places grow to. */
 inline PlaceLimits
-ToPlaceLimits(const std::string & text)
+ToPlaceLimits(const std::string & text, PlaceKind kind)
 {
   const std::vector<std::string> values = SplitAtCommas(text);
-  if (values.empty() || values.size() > 2)
+  if (values.size() > 2)
   {
     throw CLI::ValidationError("'" + text + "' is not one length, or two with a comma");
   }
-  return { ToDouble(values[0]), values.size() > 1 ? std::optional<double>(ToDouble(values[1])) : std::nullopt };
+  const bool        isThin = kind == PlaceKind::Thin;
+  const PlaceLimits limits{ ToLength(values[0]),
+                            values.size() > 1 ? std::optional<double>(ToLength(values[1])) : std::nullopt };
+  const double      growLimit = limits.GetGrowLimit(kind);
+  if (isThin ? growLimit < limits.limit : growLimit > limits.limit)
+  {
+    throw CLI::ValidationError("'" + text + "' has a second length that is " + (isThin ? "less" : "greater") +
+                               " than the first; it must not be");
+  }
+  return limits;
 }
 
 /** Values of background and material. */
@@ -210,7 +317,7 @@ ToLevels(const std::string & text)
   {
     throw CLI::ValidationError("'" + text + "' is not two values, of background and material, with a comma");
   }
-  return { ToDouble(values[0]), ToDouble(values[1]) };
+  return { ToFinite(values[0]), ToFinite(values[1]) };
 }
 
 } // end namespace medialvoxel

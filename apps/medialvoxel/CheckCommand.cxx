@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandParts.h"
 #include "MeshFile.h"
+#include "OptionValues.h"
 #include "Text.h"
 
 namespace medialvoxel
@@ -11,8 +12,8 @@ void
 DefineCheck(CommandLine & line)
 {
   const std::string formats = Join(ListMeshFileExtensions(), " ", [](const std::string & name) { return name; });
-  line.check->add_option("MESH", line.checkedMesh, "Shell mesh: " + formats)->type_name("FILE")->required();
-  line.check->add_flag("--json", line.checkAsJson, "Print it as JSON");
+  AddFile(*line.check, "MESH", "Shell mesh: " + formats, line.checkedMesh)->required();
+  AddFlag(*line.check, "--json", "Print it as JSON", line.checkAsJson);
   line.examples[line.check] = { "medialvoxel check shell.inp", "medialvoxel check shell.bdf --json" };
   line.check->footer("Exits with 1 where a limit does not hold.");
 }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandLine.h"
 
+#include "ClusterRange.h"
 #include "CommandParts.h"
+#include "CommandTable.h"
 #include "CommandText.h"
 #include "MeasureOptions.h"
 #include "MeshOptions.h"
@@ -61,7 +63,7 @@ AddSpacing(CLI::App & app, const std::string & name, const std::string & help, T
   return AddText(app, name, help, "X,Y,Z", [target](const std::string & text) {
     for (const std::string & part : SplitAtCommas(text))
     {
-      target().push_back(ToDouble(part));
+      target().push_back(ToSpacing(part));
     }
   });
 }
@@ -73,7 +75,12 @@ AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
   const std::string group = "Headerless input";
   auto * const      size = AddText(app, "--raw-size", "Voxels along each axis", "X,Y,Z", [&](const std::string & text) {
-    for (const std::string & part : SplitAtCommas(text))
+    const std::vector<std::string> parts = SplitAtCommas(text);
+    if (parts.size() < 2 || parts.size() > 3)
+    {
+      throw CLI::ValidationError("'" + text + "' has " + std::to_string(parts.size()) + " values; it must have 2 or 3");
+    }
+    for (const std::string & part : parts)
     {
       GetRaw(options).size.push_back(ToCount(part, 1, LargestCount));
     }
@@ -102,15 +109,17 @@ AddRawOptions(CommandLine & line, CLI::App & app, JobOptions & options)
     AddText(app, "--raw-header", "Bytes before the first voxel (default 0)", "BYTES", [&](const std::string & text) {
       GetRaw(options).headerBytes = ToCount(text, 0, LargestCount);
     });
-  auto * const bigEndian = app.add_flag_callback(
-    "--raw-big-endian", [&] { GetRaw(options).bigEndian = true; }, "The first byte of a voxel is the most significant");
+  auto * const bigEndian =
+    AddFlag(app, "--raw-big-endian", "The first byte of a voxel is the most significant", [&](bool value) {
+      GetRaw(options).bigEndian = value;
+    });
   size->group(group)->needs(type);
   type->group(group)->needs(size);
   for (CLI::Option * const option : { header, bigEndian })
   {
     option->group(group)->needs(size);
   }
-  spacing->group("")->needs(size); // not shown, as --spacing says it for any input
+  spacing->group(HiddenGroup)->needs(size); // not shown, as --spacing says it for any input
 }
 
 void
@@ -118,7 +127,8 @@ AddObjectOptions(CLI::App & app, JobOptions & options)
 {
   AddText(app, "--lower", "Smallest value, or otsu (default: all but 0)", "L", [&](const std::string & text) {
     options.lowerIsOtsu = ToLower(text) == "otsu";
-    options.lowerThreshold = options.lowerIsOtsu ? std::nullopt : std::optional<itk::MedialVoxelLimit>(ToLimit(text));
+    options.lowerThreshold =
+      options.lowerIsOtsu ? std::nullopt : std::optional<itk::MedialVoxelLimit>(ToLimit(text, " or otsu"));
   });
   AddText(app, "--upper", "Largest value of the object", "U", [&](const std::string & text) {
     options.upperThreshold = ToLimit(text);
@@ -168,7 +178,7 @@ AddProgress(CommandLine & line, CLI::App & app)
                              { "json", ProgressStyle::Json },
                              { "none", ProgressStyle::None } })
     ->group(group);
-  app.add_flag("--quiet", line.quiet, "Print errors only")->group(group);
+  AddFlag(app, "--quiet", "Print errors only", line.quiet)->group(group);
 }
 
 void
@@ -203,7 +213,7 @@ ListExtensions(unsigned int components)
 void
 AddCompression(CommandLine & line, CLI::App & app, JobOptions & options)
 {
-  app.add_flag("--compress", options.compress, "Pack .mha and .nrrd outputs")->group("Run");
+  AddFlag(app, "--compress", "Pack .mha and .nrrd outputs", options.compress)->group("Run");
   AddChoice<ZarrCompression>(line,
                              app,
                              "--zarr-compression",
@@ -230,9 +240,9 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
   AddText(app, "--divisions", "Number of pieces (default: chosen)", "N", [&](const std::string & text) {
     options.divisions = ToCount(text, 1, LargestCount);
   })->group(group);
-  app.add_flag("--dry-run", options.dryRun, "Check everything, print the plan and stop")->group(group);
-  app.add_flag("--sparse", options.sparse, "Leave zeros as holes in the files, reserve no space")->group(group);
-  app.add_flag("--overwrite", options.overwrite, "Replace existing outputs")->group(group);
+  AddFlag(app, "--dry-run", "Check everything, print the plan and stop", options.dryRun)->group(group);
+  AddFlag(app, "--sparse", "Leave zeros as holes in the files, reserve no space", options.sparse)->group(group);
+  AddFlag(app, "--overwrite", "Replace existing outputs", options.overwrite)->group(group);
   AddProgress(line, app);
   AddLog(line, app, options.logFile);
 }
@@ -242,21 +252,23 @@ AddInput(CLI::App & app, JobOptions & options)
 {
   AddFile(app, "INPUT", "Volume: " + CLI::detail::join(ListInputFormats(), " "), options.input)->required();
   AddText(app, "--slices", "FIRST-LAST, of a folder or pattern of slices", "RANGE", [&](const std::string & text) {
-    const std::size_t dash = text.find('-');
-    for (const std::string & number : { text.substr(0, dash), text.substr(dash == std::string::npos ? 0 : dash + 1) })
+    const std::optional<std::vector<ClusterRange>> ranges = ParseClusters(text);
+    if (!ranges || ranges->size() != 1)
     {
-      options.slices.range.push_back(ToCount(number, 0, LargestCount));
+      throw CLI::ValidationError("'" + text + "' is not a range such as 20-40, of whole numbers from 0 on");
     }
+    options.slices.range = { ranges->front().first, ranges->front().last };
   });
-  app.add_option("--series", options.slices.series, "The DICOM series of a folder that has several")
-    ->type_name("UID")
-    ->group(""); // not shown, as the message that lists the series says it
+  RefuseEmpty(app.add_option("--series", options.slices.series, "The DICOM series of a folder that has several")
+                ->type_name("UID"),
+              "the UID of a series")
+    ->group(HiddenGroup); // not shown, as the message that lists the series says it
   AddSpacing(app, "--spacing", "Spacing, instead of that of the file", [&]() -> auto & { return options.spacing; });
   AddText(app, "--level", "Of an image with several sizes; 0 (default): largest", "N", [&](const std::string & text) {
     options.level = static_cast<unsigned int>(ToCount(text, 0, LargestLevel));
   });
   AddText(app, "--resample", "Resample to the spacing S; auto: to the smallest", "S", [&](const std::string & text) {
-    options.resample = text == AutomaticSpacing ? 0.0 : ToPositive(text);
+    options.resample = ToLower(text) == AutomaticSpacing ? 0.0 : ToSpacing(text, " or auto");
   });
 }
 
@@ -282,16 +294,17 @@ void
 AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
 {
   AddText(app, "--thickness", "Thickness of the walls, or auto (default: auto)", "T", [&](const std::string & text) {
-    options.thickness = ToLower(text) == AutomaticThickness ? std::nullopt : std::optional<double>(ToDouble(text));
+    options.thickness =
+      ToLower(text) == AutomaticThickness ? std::nullopt : std::optional<double>(ToLength(text, " or auto"));
   });
   AddText(app,
           "--minimum-thickness",
           "auto: thinner walls count as this (default: 3 voxels)",
           "T",
-          [&](const std::string & text) { options.minimumThickness = ToDouble(text); });
+          [&](const std::string & text) { options.minimumThickness = ToLength(text); });
   AddText(
     app, "--maximum-thickness", "auto: thickest wall to be a sheet (default: 16)", "T", [&](const std::string & text) {
-      options.maximumThickness = ToDouble(text);
+      options.maximumThickness = ToLength(text);
     });
   AddPoreSize(app, "Largest pore or grain left out (auto: 32, else 0)", options.maximumPoreSize);
   AddChoice<std::optional<Smoothing>>(line,
@@ -303,7 +316,7 @@ AddThickness(CommandLine & line, CLI::App & app, ExtractOptions & options)
                                       { { GetName(Smoothing::Automatic), Smoothing::Automatic },
                                         { GetName(Smoothing::On), Smoothing::On },
                                         { GetName(Smoothing::Off), Smoothing::Off } });
-  app.add_flag("--voxel-units", options.voxelUnits, "Lengths are in voxels, not in units of the spacing");
+  AddFlag(app, "--voxel-units", "Lengths are in voxels, not in units of the spacing", options.voxelUnits);
 }
 
 namespace
@@ -343,7 +356,7 @@ AddExtractOptions(CommandLine & line, CLI::App & app, ExtractOptions & options, 
   AddCompression(line, app, options);
   if (resumes != nullptr)
   {
-    app.add_flag("--resume", *resumes, "Continue a stopped run, or start one that can")->group("Run");
+    AddFlag(app, "--resume", "Continue a stopped run, or start one that can", *resumes)->group("Run");
   }
   AddRawOptions(line, app, options);
 }
@@ -386,9 +399,9 @@ DefineDistance(CommandLine & line)
                       { GetName(Region::Inside), Region::Inside },
                       { GetName(Region::Outside), Region::Outside } });
   AddText(app, "--maximum-distance", "Voxels farther than this become NaN", "X", [&](const std::string & text) {
-    options.maximumDistance = ToDouble(text);
+    options.maximumDistance = ToDistance(text);
   });
-  app.add_flag("--voxel-units", options.voxelUnits, "Lengths are in voxels, not in units of the spacing");
+  AddFlag(app, "--voxel-units", "Lengths are in voxels, not in units of the spacing", options.voxelUnits);
   AddObjectOptions(app, options);
   const std::string group = "Further outputs";
   AddFile(app, "--distance", "Signed distance, negative inside the object", options.distanceFile)->group(group);
@@ -404,8 +417,8 @@ void
 DefineInfo(CommandLine & line)
 {
   AddInput(*line.info, line.infoOptions);
-  line.info->add_flag("--values", line.showsValues, "Read the values: range, mean, percentiles, Otsu");
-  line.info->add_flag("--labels", line.showsLabels, "Read a label map: objects, and passes for all of them");
+  AddFlag(*line.info, "--values", "Read the values: range, mean, percentiles, Otsu", line.showsValues);
+  AddFlag(*line.info, "--labels", "Read a label map: objects, and passes for all of them", line.showsLabels);
   AddRawOptions(line, *line.info, line.infoOptions);
   line.examples[line.info] = { "medialvoxel info part.mha --values",
                                "medialvoxel info scan.raw --raw-size 708,965,325 --raw-type uint16" };

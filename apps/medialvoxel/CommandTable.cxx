@@ -11,12 +11,6 @@ GetCommands(const CLI::App & app)
   return app.get_subcommands([](const CLI::App * command) { return !command->get_group().empty(); });
 }
 
-bool
-HasValue(const CLI::Option & option)
-{
-  return option.get_items_expected_max() > 0;
-}
-
 const std::vector<std::string> &
 GetChoices(const CommandLine & line, const CLI::Option & option)
 {
@@ -30,7 +24,7 @@ Options
 GetOptions(const CLI::App & app, bool positional)
 {
   return app.get_options([positional](const CLI::Option * option) {
-    return option->get_positional() == positional && !option->get_group().empty();
+    return option->get_positional() == positional && option->get_group() != HiddenGroup;
   });
 }
 

@@ -4,6 +4,7 @@
 #define medialvoxelCommandTable_h
 
 #include "CommandLine.h"
+#include "OptionValues.h"
 
 #include <string>
 #include <vector>
@@ -11,14 +12,14 @@
 namespace medialvoxel
 {
 
+/** Of options that are not shown; the parser takes the name of one in no group for empty. */
+constexpr const char * HiddenGroup = "hidden";
+
 using Options = std::vector<const CLI::Option *>;
 
 /** The commands that users are told of. */
 std::vector<const CLI::App *>
 GetCommands(const CLI::App & app);
-
-bool
-HasValue(const CLI::Option & option);
 
 /** Names that the option takes; empty when it takes others. */
 const std::vector<std::string> &

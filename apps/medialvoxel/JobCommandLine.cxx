@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ClusterOptions.h"
 #include "CommandParts.h"
+#include "CommandTable.h"
+#include "OptionValues.h"
 
 namespace medialvoxel
 {
@@ -11,34 +13,36 @@ namespace
 void
 AddJobFolder(CLI::App & app, std::string & target, const std::string & help)
 {
-  app.add_option("JOBDIR", target, help)->type_name("DIR")->required();
+  RefuseEmpty(app.add_option("JOBDIR", target, help)->type_name("DIR"), "the name of a folder")->required();
 }
 
 void
 AddSlurm(CLI::App & app, std::optional<SlurmOptions> & target)
 {
-  const auto getTarget = [&target]() -> SlurmOptions & { return target ? *target : target.emplace(); };
-  const auto setFile = [getTarget](const CLI::results_t & results) {
-    const std::string flagWithoutValue = "true"; // as the parser has it
-    getTarget().fileName = results.front() == flagWithoutValue ? "" : results.front();
-    return true;
-  };
-  const auto setClusters = [getTarget](const CLI::results_t & results) {
-    if (!ParseSlurmClusters(results.front(), getTarget()))
+  // What is no value of a flag is the name of a file.
+  const auto setFile = [&target](const std::string & text) {
+    if (text.empty())
     {
-      throw CLI::ValidationError("--slurm-clusters",
-                                 "'" + results.front() + "' is not a number of clusters such as 4, or 4%8");
+      throw CLI::ValidationError("'' is not the name of a file");
     }
-    return true;
+    const std::optional<bool> isWanted = ParseFlag(text);
+    if (isWanted.value_or(true))
+    {
+      target.emplace().fileName = isWanted ? "" : text;
+    }
   };
-  // A value stands behind an equals sign only, so that no argument is taken for it.
-  auto * const slurm = app.add_option("--slurm", setFile, "Write a Slurm job array: JOBDIR/slurm.sh, or =FILE");
-  slurm->expected(0);
-  app.add_option("--slurm-clusters", setClusters, "Clusters per task; N%M: M tasks at once")
-    ->type_name("N")
-    ->type_size(1)
-    ->expected(1)
-    ->needs(slurm);
+  const auto setClusters = [&target](const std::string & text) {
+    if (!target)
+    {
+      throw CLI::ValidationError("'" + text + "' has no effect; it needs --slurm");
+    }
+    if (!ParseSlurmClusters(text, *target))
+    {
+      throw CLI::ValidationError("'" + text + "' is not a number of clusters from 1 on such as 4, or two as 4%8");
+    }
+  };
+  auto * const slurm = AddText(app, "--slurm", "Write a Slurm job array: JOBDIR/slurm.sh, or =FILE", "", setFile);
+  AddText(app, "--slurm-clusters", "Clusters per task; N%M: M tasks at once", "N", setClusters)->needs(slurm);
 }
 
 void
@@ -61,7 +65,7 @@ DefinePlan(CommandLine & line)
                                       "--sparse",
                                       "--compress" })
   {
-    app.get_option(refused)->group(""); // not shown; RunPlan() says what to do instead
+    app.get_option(refused)->group(HiddenGroup); // not shown; RunPlan() says what to do instead
   }
   line.examples[&app] = { "medialvoxel plan part.mha out.mha job --lower 72",
                           "medialvoxel plan part.mha out.mha job --divisions 64 --threads 8 --slurm" };
@@ -72,20 +76,14 @@ DefineWork(CommandLine & line)
 {
   CLI::App & app = *line.work;
   AddJobFolder(app, line.workOptions.jobFolder, "Folder made by medialvoxel plan");
-  const auto parse = [&line](const CLI::results_t & results) {
-    const auto ranges = ParseClusters(results.front());
+  AddText(app, "--clusters", "Clusters to compute, as 7 or 0-3,9 (default: all)", "RANGES", [&](const std::string & text) {
+    const auto ranges = ParseClusters(text);
     if (!ranges)
     {
-      throw CLI::ValidationError("--clusters",
-                                 "'" + results.front() + "' is not a list of clusters such as 7 or 0-3,9");
+      throw CLI::ValidationError("'" + text + "' is not a list of clusters from 0 on such as 7 or 0-3,9");
     }
     line.workOptions.clusters = *ranges;
-    return true;
-  };
-  app.add_option("--clusters", parse, "Clusters to compute, as 7 or 0-3,9 (default: all)")
-    ->type_name("RANGES")
-    ->type_size(1)
-    ->expected(1);
+  });
   AddMemory(app, line.workOptions.memoryBytes);
   AddThreads(app, line.workOptions.threads);
   AddProgress(line, app);
@@ -99,11 +97,10 @@ DefineFinalize(CommandLine & line)
 {
   CLI::App & app = *line.finalize;
   AddJobFolder(app, line.finalizeOptions.jobFolder, "Folder made by medialvoxel plan");
-  app.add_flag_callback(
-    "--no-verify",
-    [&] { line.finalizeOptions.verifies = false; },
-    "Skip reading the outputs again for their checksums");
-  app.add_flag("--overwrite", line.finalizeOptions.overwrite, "Replace existing outputs, whatever the plan says");
+  AddFlag(app, "--no-verify", "Skip reading the outputs again for their checksums", [&line](bool value) {
+    line.finalizeOptions.verifies = !value;
+  });
+  AddFlag(app, "--overwrite", "Replace existing outputs, whatever the plan says", line.finalizeOptions.overwrite);
   AddProgress(line, app);
   AddLog(line, app, line.logFile);
   line.examples[&app] = { "medialvoxel finalize job", "medialvoxel finalize job --no-verify" };
@@ -114,7 +111,7 @@ DefineStatus(CommandLine & line)
 {
   CLI::App & app = *line.status;
   AddJobFolder(app, line.statusFolder, "Folder made by medialvoxel plan");
-  app.add_flag("--json", line.statusAsJson, "Print it as JSON");
+  AddFlag(app, "--json", "Print it as JSON", line.statusAsJson);
   line.examples[&app] = { "medialvoxel status job", "medialvoxel status job --json" };
 }
 

@@ -24,20 +24,16 @@ AddPlaceOptions(CLI::App & app, ExtractOptions & options)
 {
   const std::string group = "Thin and thick places";
   AddText(app, "--thin-below", "List places thinner than T, grown to G", "T,G", [&](const std::string & text) {
-    options.thinBelow = ToPlaceLimits(text);
+    options.thinBelow = ToPlaceLimits(text, PlaceKind::Thin);
   })->group(group);
   AddText(app, "--thick-above", "List places thicker than T, grown to G", "T,G", [&](const std::string & text) {
-    options.thickAbove = ToPlaceLimits(text);
+    options.thickAbove = ToPlaceLimits(text, PlaceKind::Thick);
   })->group(group);
   AddText(app, "--smallest-place", "Least area of these places", "A", [&](const std::string & text) {
-    options.smallestPlace = ToDouble(text);
+    options.smallestPlace = ToLengthOrNone(text);
   })->group(group);
   AddFile(app, "--places", "Table of these places (.csv)", options.placesFile)->group(group);
-  app
-    .add_flag("--fail-if-thin",
-              options.failsIfThin,
-              "Exit status 5 when there are thin places, 6 when too little was measured to know")
-    ->group(group);
+  AddFlag(app, "--fail-if-thin", "Exit status 5 when there are thin places, 6 when too little was measured to know", options.failsIfThin)->group(group);
 }
 
 } // namespace
@@ -45,8 +41,8 @@ AddPlaceOptions(CLI::App & app, ExtractOptions & options)
 CLI::Option *
 AddSubVoxel(CLI::App & app, ExtractOptions & options)
 {
-  const auto set = [&options](std::int64_t count) { options.subVoxel = count > 0; };
-  return app.add_flag_function("--sub-voxel", set, "Measure walls on gray values; =off: on the object");
+  const auto set = [&options](bool value) { options.subVoxel = value; };
+  return AddFlag(app, "--sub-voxel", "Measure walls on gray values; =off: on the object", set);
 }
 
 void
@@ -66,7 +62,7 @@ AddLargestBall(CLI::App & app, std::optional<double> & target)
 {
   return AddText(
     app, "--largest-ball", "Its largest value (default: 32 voxels)", "T", [&target](const std::string & text) {
-      target = ToDouble(text);
+      target = ToLength(text);
     });
 }
 

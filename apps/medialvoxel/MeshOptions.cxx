@@ -20,7 +20,7 @@ CLI::Option *
 AddSectionWidth(CLI::App & app, ExtractOptions & options)
 {
   return AddText(app, "--section-width", "Step of the thickness of sections", "W", [&](const std::string & text) {
-    options.sectionWidth = ToDouble(text);
+    options.sectionWidth = ToLength(text);
   });
 }
 
@@ -68,7 +68,7 @@ DefineMesh(CommandLine & line)
   AddThickness(line, app, options);
   AddObjectOptions(app, options);
   const std::string group = "Mesh";
-  app.add_flag("--triangles", options.meshTriangles, "Split the quadrilaterals")->group(group);
+  AddFlag(app, "--triangles", "Split the quadrilaterals", options.meshTriangles)->group(group);
   AddText(app,
           "--smallest-component",
           "Leave out components of fewer quadrilaterals",
@@ -77,10 +77,10 @@ DefineMesh(CommandLine & line)
     ->group(group);
   AddElementSize(app, options)->group(group);
   AddThicknessPlace(line, app, options)->group(group);
-  app.add_flag("--extend-rims", options.extendsRims, "Carry the sheet on to the free edges of the part")->group(group);
+  AddFlag(app, "--extend-rims", "Carry the sheet on to the free edges of the part", options.extendsRims)->group(group);
   AddSectionWidth(app, options)->group(group);
   AddText(app, "--min-branch-length", "Leave out branches shorter than L", "L", [&](const std::string & text) {
-    options.minimumBranchLength = ToDouble(text);
+    options.minimumBranchLength = ToLengthOrNone(text);
   })->group(group);
   AddSubVoxel(app, options)->group(group);
   AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group("Further outputs");

@@ -16,16 +16,15 @@ DefineSurface(CommandLine & line)
   AddInput(app, options);
   AddFile(app, "OUTPUT", "Triangles: " + CLI::detail::join(ListPartExtensions(), " "), options.output)->required();
   AddObjectOptions(app, options);
-  app.add_flag("--open", options.isOpen, "Leave it open where the volume cuts the part");
-  app.add_flag_function(
-    "--sub-voxel",
-    [&options](std::int64_t count) { options.subVoxel = count > 0; },
-    "Place and measure it by gray values; =off: not");
+  AddFlag(app, "--open", "Leave it open where the volume cuts the part", options.isOpen);
+  AddFlag(app, "--sub-voxel", "Place and measure it by gray values; =off: not", [&options](bool value) {
+    options.subVoxel = value;
+  });
   const std::string group = "Wall thickness";
   AddLocalThicknessMethod(line, app, options.localThicknessMethod, group);
   AddLargestBall(app, options.maximumLocalThickness)->group(group);
   AddPoreSize(app, "Largest pore or grain left out of it (default: 32)", options.maximumPoreSize)->group(group);
-  app.add_flag("--ray", options.measuresRays, "Thickness by rays too")->group(group);
+  AddFlag(app, "--ray", "Thickness by rays too", options.measuresRays)->group(group);
   AddFile(app, "--report", "All numbers (JSON); - for stdout", options.reportFile)->group("Further outputs");
   AddRunOptions(line, app, options);
   AddRawOptions(line, app, options);

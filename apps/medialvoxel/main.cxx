@@ -3,6 +3,7 @@
 #include "ClusterOptions.h"
 #include "CommandLine.h"
 #include "CommandTable.h"
+#include "CommandWords.h"
 #include "CommandText.h"
 #include "Log.h"
 #include "MeshCheck.h"
@@ -354,6 +355,20 @@ RunCommand(const CommandLine & line, const std::string & command)
   return ExitStatus::Done;
 }
 
+/** The command that the words begin with; null when they begin with none. */
+const CLI::App *
+FindCommand(const CLI::App & app, const std::vector<std::string> & words)
+{
+  for (const CLI::App * const command : app.get_subcommands({}))
+  {
+    if (!words.empty() && command->get_name() == words.front())
+    {
+      return command;
+    }
+  }
+  return nullptr;
+}
+
 /** What was typed in place of a command, or the option that the command lacks, with the name that was probably meant;
  * empty when that is not what is wrong. */
 std::string
@@ -363,18 +378,16 @@ DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words
   {
     return "";
   }
+  const CLI::App * const   command = FindCommand(app, words);
   std::vector<std::string> names;
-  const CLI::App *         command = nullptr;
-  for (const CLI::App * const known : app.get_subcommands({}))
+  if (command == nullptr)
   {
-    names.push_back(known->get_name());
-    command = known->get_name() == words.front() ? known : command;
-  }
-  if (!command)
-  {
+    for (const CLI::App * const known : app.get_subcommands({}))
+    {
+      names.push_back(known->get_name());
+    }
     return "'" + words.front() + "' is not a command" + SuggestName(words.front(), names);
   }
-  names.clear();
   for (const CLI::Option * const option : GetOptions(*command, false))
   {
     names.push_back(option->get_name());
@@ -390,6 +403,23 @@ DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words
   return "";
 }
 
+/** As the parser is to see them, the last one first. */
+std::vector<std::string>
+ReverseWords(const CLI::App & app, std::vector<std::string> words)
+{
+  const CLI::App * const   command = FindCommand(app, words);
+  std::vector<std::string> reversed;
+  if (command != nullptr)
+  {
+    reversed.push_back(words.front());
+    words.erase(words.begin());
+  }
+  words = CompleteWords(command != nullptr ? *command : app, words);
+  reversed.insert(reversed.end(), words.begin(), words.end());
+  std::reverse(reversed.begin(), reversed.end());
+  return reversed;
+}
+
 /** Help and version are results, other ends of the parsing are errors. */
 int
 ReportParsing(const CLI::App & app, const std::vector<std::string> & words, const CLI::ParseError & error)
@@ -398,9 +428,17 @@ ReportParsing(const CLI::App & app, const std::vector<std::string> & words, cons
   {
     return app.exit(error);
   }
-  const std::string unknown = DescribeUnknownName(app, words);
-  std::cerr << "medialvoxel: " << itk::MedialVoxelText::MakePrintable(unknown.empty() ? error.what() : unknown)
-            << " (see medialvoxel --help)" << std::endl;
+  const CLI::App * const command = FindCommand(app, words);
+  std::string            message = DescribeUnknownName(app, words);
+  if (message.empty())
+  {
+    message = error.what();
+    message += command != nullptr && error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)
+                 ? SuggestEqualsSign(*command, words)
+                 : "";
+  }
+  std::cerr << "medialvoxel: " << itk::MedialVoxelText::MakePrintable(message) << " (see medialvoxel "
+            << (command != nullptr ? command->get_name() + " " : "") << "--help)" << std::endl;
   return static_cast<int>(ExitStatus::Usage);
 }
 
@@ -410,15 +448,16 @@ int
 main(int argc, char * argv[])
 {
   return RunProgram("medialvoxel", [&] {
-    CommandLine line;
-    const auto  app = DefineCommandLine(line);
+    CommandLine                    line;
+    const auto                     app = DefineCommandLine(line);
+    const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     try
     {
-      app->parse(argc, argv);
+      app->parse(ReverseWords(*app, words));
     }
     catch (const CLI::ParseError & error)
     {
-      return ReportParsing(*app, { argv + std::min(argc, 1), argv + argc }, error);
+      return ReportParsing(*app, words, error);
     }
     if (line.generate->parsed())
     {

@@ -73,7 +73,7 @@ CheckJobOptions(const JobOptions & options)
 {
   for (const double spacing : options.spacing)
   {
-    CheckSpacing("the spacing", spacing);
+    CheckSpacing("--spacing", spacing);
   }
   if (options.resample && *options.resample != 0.0)
   {
@@ -81,7 +81,7 @@ CheckJobOptions(const JobOptions & options)
   }
   if (options.raw && !options.raw->spacing.empty() && !options.spacing.empty())
   {
-    Fail(ExitStatus::Usage, "both the spacing and the raw spacing are given; they are the same, and one is enough");
+    Fail(ExitStatus::Usage, "--spacing and --raw-spacing are given; they are the same, and one is enough");
   }
   if (options.raw)
   {
@@ -90,7 +90,7 @@ CheckJobOptions(const JobOptions & options)
   const std::vector<std::uint64_t> & range = options.slices.range;
   if (range.size() == 2 && range[0] > range[1])
   {
-    Fail(ExitStatus::Usage, "the first slice is ", range[0], ", the last one ", range[1], "; it must not be before");
+    Fail(ExitStatus::Usage, "--slices is ", range[0], "-", range[1], "; its last slice must not be before its first");
   }
   CheckThreshold("lower", options.lowerThreshold);
   CheckThreshold("upper", options.upperThreshold);
@@ -234,7 +234,7 @@ CheckOptions(const RawDescription & raw)
   const size_t dimension = raw.size.size();
   if (dimension < 2 || dimension > 3)
   {
-    Fail(ExitStatus::Usage, "the raw size has ", dimension, " values; it must have 2 or 3");
+    Fail(ExitStatus::Usage, "--raw-size has ", dimension, " values; it must have 2 or 3");
   }
   std::uint64_t voxels = 1;
   for (const std::uint64_t size : raw.size)
@@ -242,7 +242,7 @@ CheckOptions(const RawDescription & raw)
     if (size == 0 || size > itk::MedialVoxelGridLimits::MostVoxels / voxels)
     {
       Fail(ExitStatus::Usage,
-           "the raw size is ",
+           "--raw-size is ",
            FormatSize(raw.size),
            "; each size must be 1 or more, and their product less than 2^59");
     }
@@ -250,11 +250,11 @@ CheckOptions(const RawDescription & raw)
   }
   if (!raw.spacing.empty() && raw.spacing.size() != dimension)
   {
-    Fail(ExitStatus::Usage, "the raw spacing has ", raw.spacing.size(), " values; the raw size has ", dimension);
+    Fail(ExitStatus::Usage, "--raw-spacing has ", raw.spacing.size(), " values; --raw-size has ", dimension);
   }
   for (const double spacing : raw.spacing)
   {
-    CheckSpacing("the raw spacing", spacing);
+    CheckSpacing("--raw-spacing", spacing);
   }
 }
 

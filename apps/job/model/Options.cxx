@@ -30,7 +30,7 @@ ParseLabel(const std::string & text)
 std::optional<LabelSelection>
 ParseLabelSelection(const std::string & text)
 {
-  if (text == "all")
+  if (ToLower(text) == "all")
   {
     return LabelSelection{ true, {}, {} };
   }
@@ -39,7 +39,7 @@ ParseLabelSelection(const std::string & text)
   for (std::string word; std::getline(stream, word, ',');)
   {
     const bool isNumber = word.find_first_not_of("-0123456789") == std::string::npos;
-    if (!isNumber)
+    if (!isNumber && !Trim(word).empty())
     {
       selection.names.push_back(word);
       continue;

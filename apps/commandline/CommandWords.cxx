@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "CommandWords.h"
+
+#include "OptionValues.h"
+
+#include <set>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** The option that a word names, with or without a value behind an equals sign; null when it names none. */
+const CLI::Option *
+FindOption(const CLI::App & command, const std::string & word)
+{
+  return word.compare(0, 2, "--") == 0 ? command.get_option_no_throw(word.substr(0, word.find('='))) : nullptr;
+}
+
+} // namespace
+
+std::vector<std::string>
+CompleteWords(const CLI::App & command, const std::vector<std::string> & words)
+{
+  std::vector<std::string>      complete;
+  std::set<const CLI::Option *> given;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const std::string & word = words[i];
+    if (word == "--")
+    {
+      complete.insert(complete.end(), words.begin() + static_cast<std::ptrdiff_t>(i), words.end());
+      break;
+    }
+    const CLI::Option * const option = FindOption(command, word);
+    const std::size_t         sign = word.find('=');
+    const std::string         name = word.substr(0, sign);
+    if (option == nullptr)
+    {
+      complete.push_back(word); // an argument, or refused by the parser
+      continue;
+    }
+    complete.push_back(name);
+    const bool hasSign = sign != std::string::npos;
+    const bool hasNext = i + 1 < words.size();
+    if (option->get_items_expected_max() == 0) // help and version, which end the program
+    {
+      if (hasSign)
+      {
+        throw CLI::ValidationError(name, "'" + word.substr(sign + 1) + "' is a value; it takes none");
+      }
+      continue;
+    }
+    if (hasSign)
+    {
+      complete.push_back(word.substr(sign + 1));
+    }
+    else if (!HasValue(*option))
+    {
+      complete.emplace_back("true");
+    }
+    else if (!hasNext || FindOption(command, words[i + 1]) != nullptr)
+    {
+      throw CLI::ValidationError(name,
+                                 "has no value, " + option->get_type_name() +
+                                   (hasNext ? "; the option " + words[i + 1] + " follows" : ""));
+    }
+    else
+    {
+      complete.push_back(words[++i]);
+    }
+    if (!given.insert(option).second)
+    {
+      throw CLI::ValidationError(name, "is given twice, now as '" + complete.back() + "'; it must be given once");
+    }
+  }
+  return complete;
+}
+
+std::string
+SuggestEqualsSign(const CLI::App & command, const std::vector<std::string> & words)
+{
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+  {
+    const CLI::Option * const option = FindOption(command, words[i]);
+    if (option != nullptr && !HasValue(*option) && words[i].find('=') == std::string::npos && ParseFlag(words[i + 1]))
+    {
+      return "; did you mean " + words[i] + "=" + words[i + 1] + "?";
+    }
+  }
+  return "";
+}
+
+} // end namespace medialvoxel

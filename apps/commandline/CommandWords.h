@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelCommandWords_h
+#define medialvoxelCommandWords_h
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** The words of a command in the one form that the parser is to see: each option, flags too, once, with its value as the
+ * next word. What the parser makes of values of flags, of nothing behind an equals sign, and of options in place of
+ * values never counts.
+ * \throw CLI::ValidationError for an option that is given twice, or lacks its value */
+std::vector<std::string>
+CompleteWords(const CLI::App & command, const std::vector<std::string> & words);
+
+/** "; did you mean --sub-voxel=off?" where the word behind a flag is one that belongs behind its equals sign. */
+std::string
+SuggestEqualsSign(const CLI::App & command, const std::vector<std::string> & words);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Odd values of all options in the program's own list: each is taken for what it says, or ends with status 2 and a line
+that names option, value and what is allowed."""
+
+import json
+import unittest
+
+from program import FAILURE, USAGE, ProgramTestCase
+from slicer_module import Description, ModuleTestCase
+
+# None of the files is there: what is taken ends with another status than 2, before anything is read.
+ARGUMENTS = {
+    "extract": ["no.mha", "out.mha"], "mesh": ["no.mha", "out.inp"], "surface": ["no.mha", "out.vtp"],
+    "distance": ["no.mha", "out.mha"], "info": ["no.mha"], "check": ["no.inp"], "plan": ["no.mha", "out.mha", "job"],
+    "work": ["job"], "finalize": ["job"], "status": ["job"],
+}  # fmt: skip
+HIDDEN = {"extract": ["--raw-spacing X,Y,Z", "--series UID"]}
+RAW = ["--raw-size=2,2,2", "--raw-type=uint8"]
+NEEDS = {
+    "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--raw-spacing": RAW, "--raw-header": RAW, "--raw-big-endian": RAW,
+    "--log-level": ["--log-file=log.txt"], "--slurm-clusters": ["--slurm"], "--levels": ["--lower=50"],
+    "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"], "--smallest-place": ["--thin-below=2"],
+}  # fmt: skip
+# Of commands with a mesh or a thickness of their own these are no options.
+NEEDS_OF_EXTRACT = {
+    "--largest-ball": ["--local-thickness=t.mha"], "--local-thickness-method": ["--local-thickness=t.mha"],
+    "--element-size": ["--mesh=m.inp"], "--section-width": ["--mesh=m.inp"], "--vector-boundary": ["--vectors=v.mha"],
+    "--zarr-compression": ["--thickness-map=t.zarr"], "--extend-rims": ["--mesh=m.inp"],
+}  # fmt: skip
+FLAG_WORDS = ["true", "ON", "Yes", "1", "false", "off", "NO", "0"]
+ODD_FLAGS = [
+    "", "2", "-1", "-0-3", "3abc", "1.2.3", "1Q", "1,2", "1e300,1,1", "'", "{}", "[1]", "NaN", "/", "g-endian", "auto",
+    " on", "+1", "01", "\uff11", "1=1", "99999999999999999999",
+]  # fmt: skip
+ODD = [
+    "", " ", "inf", "nan", "0x10", "1e999", "9" * 40, "3abc", "1,,2", "1,2,", ",", " 1", "1 ", "\uff13", "--", "{}", "[1]",
+    "=", "1=1", "+-1", "1_000", "0,5", "banana", "-1",
+]  # fmt: skip
+# What numbers mean that are odd elsewhere.
+TAKEN = {
+    "--lower": {"inf", "-1", "9" * 40}, "--upper": {"inf", "-1", "9" * 40}, "--label": {"-1"}, "--maximum-distance": {"inf", "9" * 40},
+    "--labels": {"-1"}, "--series": set(ODD),
+}  # fmt: skip
+
+
+class OptionValueTest(ProgramTestCase):
+    def setUp(self):
+        super().setUp()
+        self.run_program("generate", ".")
+        commands = json.loads((self.folder / "catalog.json").read_text())["commands"]
+        self.options = [
+            (command["name"], *usage.partition(" ")[::2], option_choices)
+            for command in commands
+            for usage, option_choices in [
+                *((option["usage"], option.get("choices")) for option in command["options"]),
+                *((usage, None) for usage in HIDDEN.get(command["name"], [])),
+            ]
+            if usage != "--version"
+        ]
+
+    def command_with(self, command, option, value):
+        needs = NEEDS.get(option, []) + (NEEDS_OF_EXTRACT.get(option, []) if command in ("extract", "plan") else [])
+        needs = ["--distance=d.zarr"] if (command, option) == ("distance", "--zarr-compression") else needs
+        return [command, *ARGUMENTS[command], *needs, option if value is None else f"{option}={value}"]
+
+    def assert_refused(self, option, value, command):
+        """The line has the option, and the value or one of its parts."""
+        message = self.run_program(*command, status=USAGE).stderr
+        self.assertTrue(any(f"'{part}'" in message for part in [value, *value.split(",")]), (command, message))
+        self.assertIn(option, message, command)
+        self.assertIn(f"(see medialvoxel {command[0]} --help)", message)
+        self.assertEqual(message.count("\n"), 1, message)
+
+    def assert_taken(self, command):
+        self.run_program(*command, status=FAILURE)
+
+    def test_flags(self):
+        seen = set()
+        for command, option, unit, _ in self.options:
+            if unit or option == "--slurm":
+                continue
+            with self.subTest(command=command, option=option):
+                for value in ODD_FLAGS if option not in seen else ODD_FLAGS[:3]:
+                    self.assert_refused(option, value, self.command_with(command, option, value))
+                for value in [None, *(FLAG_WORDS if option not in seen else ["no"])]:
+                    self.assert_taken(self.command_with(command, option, value))
+                self.assert_refused(option, "No", [*self.command_with(command, option, None), f"{option}=No"])
+            seen.add(option)
+        self.assertGreater(len(seen), 15)
+
+    def test_values(self):
+        seen = set()
+        for command, option, unit, choices in self.options:
+            if not unit or command == "plan" and option in ("--mesh", "--element-size", "--section-width"):
+                continue
+            with self.subTest(command=command, option=option):
+                odd = [""] if unit in ("FILE", "DIR") else ODD if option not in seen else ["", "1e999", "3abc"]
+                for value in odd:
+                    if value in TAKEN.get(option, ()) and value:
+                        self.assert_taken(self.command_with(command, option, value))
+                    else:
+                        self.assert_refused(option, value, self.command_with(command, option, value))
+                for choice in choices or ():
+                    self.assert_taken(self.command_with(command, option, choice.upper()))
+                self.assertIn(option, self.run_program(*self.command_with(command, option, None), status=USAGE).stderr)
+                self.assert_refused(option, "a", [*self.command_with(command, option, "a"), option, "a"])
+            seen.add(option)
+        self.assertGreater(len(seen), 40)
+
+    def test_words_in_any_case(self):
+        extract = ["extract", "no.mha", "out.mha", "--mesh", "m.inp"]
+        for option, value in (
+            ("--lower", "OTSU"), ("--thickness", "Auto"), ("--resample", "AUTO"), ("--element-size", "AUTO"),
+            ("--element-size", "Voxel"), ("--labels", "ALL"), ("--smooth", "ON"), ("--memory", "2gIb"),
+        ):  # fmt: skip
+            self.assert_taken([*extract, option, value])
+
+    def test_slurm_names_a_file_or_is_a_flag(self):
+        plan = ["plan", "no.mha", "out.mha", "job"]
+        for value in ("--slurm", "--slurm=on", "--slurm=No", "--slurm=run.sh"):
+            self.assert_taken([*plan, value])
+        self.assert_refused("--slurm", "", [*plan, "--slurm="])
+        self.assert_refused("--slurm-clusters", "4", [*plan, "--slurm=off", "--slurm-clusters", "4"])
+
+    def test_value_of_a_flag_stands_behind_an_equals_sign(self):
+        message = self.run_program("extract", "no.mha", "out.mha", "--sub-voxel", "off", status=USAGE).stderr
+        self.assertIn("did you mean --sub-voxel=off?", message)
+        message = self.run_program("extract", "no.mha", "out.mha", "--report", "--quiet", status=USAGE).stderr
+        self.assertIn("--report: has no value; the option --quiet follows", message)
+
+    def test_a_flag_that_is_off_is_as_none(self):
+        for flag in ("--dry-run", "--overwrite", "--quiet"):
+            self.run_program("extract", "no.mha", "out.mha", f"{flag}=off", status=FAILURE)
+        self.assertIn("Usage", self.run_program("extract", "--help").stdout)
+        for words in (["--help=yes"], ["--version=1"], ["info", "--help=no"]):
+            message = self.run_program(*words, status=USAGE).stderr
+            self.assertIn("takes none", message)
+
+
+class ParameterValueTest(ModuleTestCase):
+    def test_flags(self):
+        flags = [flag for flag, element in Description().flagged.items() if element.tag == "boolean"]
+        self.assertGreater(len(flags), 2)
+        for flag in flags:
+            for value in ODD_FLAGS:
+                self.assert_module_fails(USAGE, [f"--{flag}", f"'{value}'", "true|on"], f"--{flag}={value}", "in.mha", "out.mha")
+
+    def test_numbers(self):
+        for flag, element in Description().flagged.items():
+            if element.tag in ("integer", "double"):
+                for value in ODD:
+                    if value in ("-1", "inf", "9" * 40) and flag in ("lowerThreshold", "upperThreshold", "maximumPoreSize", "labelValue"):
+                        continue
+                    others = [] if flag == "objectSelection" else ["--objectSelection", "NonZero"]
+                    self.assert_module_fails(USAGE, [f"--{flag}", f"'{value}'"], *others, f"--{flag}={value}", "in.mha", "out.mha")
+
+
+if __name__ == "__main__":
+    unittest.main()
