@@ -102,7 +102,9 @@ def make_commands(catalog):
         "After this page you know every option of the program. `medialvoxel COMMAND --help` prints the short form, and\n"
         "`man medialvoxel-COMMAND` this text. The first of several choices is the default.\n",
         table(["command", "what it does"], [[f"[{c['name']}](#{c['name']})", c["description"]] for c in catalog["commands"]]),
-        "Write `--lower 72` or `--lower=72`. Choices may be in upper or lower case. Options that would have no effect are refused.\n",
+        "Write `--lower 72` or `--lower=72`. Choices may be in upper or lower case. Options that would have no effect are refused.\n"
+        "An option is given once. The value of a flag stands behind an equals sign: `--sub-voxel=off`. It is `true`, `on`, `yes` or\n"
+        "`1`, or `false`, `off`, `no` or `0`; without a value it is `true`.\n",
     ]
     for command in catalog["commands"]:
         arguments = " ".join(argument["usage"] for argument in command["arguments"])

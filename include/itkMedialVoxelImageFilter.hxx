@@ -292,11 +292,11 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_C
   {
     itkExceptionMacro("GenerateUncertainty is on; SubvoxelThickness must be on for it.");
   }
-  if (m_ScanLevels && !(std::isfinite(m_ScanLevels->background - m_ScanLevels->material) &&
-                        m_ScanLevels->background != m_ScanLevels->material))
+  const std::string problem =
+    m_ScanLevels ? m_ScanLevels->FindProblem(this->GetLowerThreshold(), this->GetUpperThreshold()) : "";
+  if (!problem.empty())
   {
-    itkExceptionMacro("The levels of the scan are " << m_ScanLevels->background << " and " << m_ScanLevels->material
-                                                    << "; they must be finite and not equal.");
+    itkExceptionMacro("ScanLevels: " << problem << '.');
   }
 }
 

@@ -175,7 +175,8 @@ private:
   void
   Survey()
   {
-    MedialVoxelLabelSurvey survey(m_Filter.m_ObjectLabels, m_Grid.GetSize(), m_Filter.GetMaximumPoreSize());
+    MedialVoxelLabelSurvey         survey(m_Filter.m_ObjectLabels, m_Grid.GetSize(), m_Filter.GetMaximumPoreSize());
+    MedialVoxelLabelSurvey::Result found;
     try
     {
       m_Filter.ForEachPart(m_Grid.GetVoxelBox(), [&](const MedialVoxelBox & part, const InputPixelType * const first) {
@@ -188,12 +189,12 @@ private:
           std::rethrow_exception(Self::MakeAbortException());
         }
       });
+      found = survey.Finish();
     }
     catch (const MedialVoxelLabelError & error)
     {
       itkGenericExceptionMacro("The input is not a label map: " << error.what() << '.');
     }
-    const auto found = survey.Finish();
     if (!found.missing.empty())
     {
       itkGenericExceptionMacro("No voxel of the input has the label " << found.missing.front() << " of ObjectLabels.");

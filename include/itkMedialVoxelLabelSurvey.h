@@ -11,22 +11,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
 namespace itk
 {
-
-/** \class MedialVoxelLabelError
- * \brief The values of an image are not those of a label map.
- * \ingroup MedialVoxel
- */
-class MedialVoxel_EXPORT MedialVoxelLabelError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /** \class MedialVoxelLabelSurvey
  * \brief Finds the objects of a label map, and which of them are close, while its values come by once from the first to
@@ -55,7 +45,7 @@ public:
 
   /** Adds values that follow the ones before.
    * \return their objects, numbered as they came, until the next call
-   * \throw MedialVoxelLabelError for a number that is not whole, or for too many values */
+   * \throw MedialVoxelLabelError for a number that is not whole, for too many values, or for too many that are close */
   template <typename TValue>
   const std::vector<MedialVoxelObjectNumber> &
   Add(const TValue * const values, const std::size_t count)
@@ -77,8 +67,9 @@ public:
     return m_Objects;
   }
 
+  /** \throw MedialVoxelLabelError for more passes than a label map takes */
   Result
-  Finish() const;
+  Finish();
 
   std::uint64_t
   GetNotANumberVoxels() const
@@ -99,7 +90,8 @@ private:
     const std::optional<std::int64_t> label = MedialVoxelToLabel(value);
     if (!label)
     {
-      RefuseValue(static_cast<double>(value));
+      using Shown = std::conditional_t<std::is_integral_v<TValue>, std::uint64_t, double>;
+      RefuseValue(static_cast<Shown>(value)); // of whole numbers only those of 64 bits are too large
     }
     return this->FindLabel(*label);
   }
@@ -109,6 +101,8 @@ private:
 
   [[noreturn]] static void
   RefuseValue(double value);
+  [[noreturn]] static void
+  RefuseValue(std::uint64_t value);
 
   void
   AddRows();

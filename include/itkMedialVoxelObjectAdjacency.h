@@ -11,12 +11,22 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 namespace itk
 {
+
+/** \class MedialVoxelLabelError
+ * \brief The values of an image are not those of a label map.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelLabelError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
 
 /** \class MedialVoxelObjectAdjacency
  * \brief Which objects of a label map are so close that one may change the result of the other, and passes without such
@@ -47,16 +57,21 @@ public:
   static std::uint64_t
   GetBytes(const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
 
-  /** Add the objects of the next row. */
+  /** More passes than a label map takes: objects of two voxels along each axis that fill an image take some dozens. */
+  static constexpr std::size_t MostPasses = 128;
+
+  /** Add the objects of the next row.
+   * \throw MedialVoxelLabelError as soon as objects that are all close to each other take more than MostPasses */
   void
   AddRow(const ObjectType * row);
 
   /** The pass of each object from 0 on, by number; no two close objects share a pass. Background has pass 0. The same
    * for any order of the pairs: the object with the fewest passes left comes first, then that with most neighbors, then
    * the smaller number; it gets the first pass that is free.
-   * \param numberOfObjects not less than the largest number of a row */
+   * \param numberOfObjects not less than the largest number of a row
+   * \throw MedialVoxelLabelError for more passes than MostPasses */
   std::vector<ObjectType>
-  MakePasses(std::size_t numberOfObjects) const;
+  MakePasses(std::size_t numberOfObjects);
 
 private:
   /** Objects of a block that are kept in place; lists for each of millions of blocks would take ten times the memory.
@@ -70,8 +85,8 @@ private:
     std::unordered_map<std::size_t, std::vector<ObjectType>> rest;
   };
 
-  static void
-  AddObject(Layer & layer, std::size_t block, ObjectType object);
+  void
+  AddObject(Layer & layer, std::size_t block, ObjectType object) const;
 
   template <typename TFunction>
   static void
@@ -80,18 +95,34 @@ private:
   void
   FinishLayer();
 
+  /** Objects of a block and of those that are lower by up to 1 along each axis: all are close to each other. */
+  void
+  CheckPasses(std::int64_t blockX, std::int64_t blockY);
+
+  [[noreturn]] void
+  RefusePasses() const;
+
+  void
+  AddPair(ObjectType first, ObjectType second);
+
+  /** Leaves each pair once, in ascending order. */
+  void
+  SortPairs();
+
   void
   Connect(std::size_t block, const Layer & otherLayer, std::size_t other);
 
-  MedialVoxelIndex                  m_Size;
-  std::int64_t                      m_BlockEdge;
-  std::int64_t                      m_BlocksX;
-  std::int64_t                      m_BlocksY;
-  std::int64_t                      m_NextY{ 0 };
-  std::int64_t                      m_NextZ{ 0 };
-  Layer                             m_Layer;         ///< of blocks that rows are added to
-  Layer                             m_PreviousLayer; ///< the one before
-  std::unordered_set<std::uint32_t> m_Pairs;         ///< smaller number above, larger below
+  MedialVoxelIndex           m_Size;
+  std::int64_t               m_BlockEdge;
+  std::int64_t               m_BlocksX;
+  std::int64_t               m_BlocksY;
+  std::int64_t               m_NextY{ 0 };
+  std::int64_t               m_NextZ{ 0 };
+  Layer                      m_Layer;               ///< of blocks that rows are added to
+  Layer                      m_PreviousLayer;       ///< the one before
+  std::vector<std::uint32_t> m_Pairs;               ///< smaller number above, larger below; some more than once
+  std::size_t                m_NumberOfSorted{ 0 }; ///< pairs, which are the first ones, when they were sorted
+  std::vector<std::uint32_t> m_LastPairs;           ///< that came last, by a hash
 };
 
 } // end namespace itk

@@ -22,10 +22,15 @@ namespace itk
  * \brief Values of both materials.
  * \ingroup MedialVoxel
  */
-struct MedialVoxelScanLevels
+struct MedialVoxel_EXPORT MedialVoxelScanLevels
 {
   double background{ 0.0 };
   double material{ 0.0 };
+
+  /** What is wrong with them for an object between two thresholds, of which one or both may be infinite; empty when
+   * nothing is. One of the thresholds must be between them, the material in the object. */
+  std::string
+  FindProblem(double lower, double upper) const;
 };
 
 /** \class MedialVoxelScanSurvey

@@ -59,7 +59,124 @@ FindDistance(const itk::MedialVoxelIndex & size,
   return smallest;
 }
 
+/** Blocks of the reach that hold an object, which are close where they are the same or touch. */
+std::vector<std::set<itk::MedialVoxelIndex>>
+ListBlocks(const itk::MedialVoxelIndex & size,
+           const Objects &               objects,
+           const std::size_t             count,
+           const std::int64_t            edge)
+{
+  std::vector<std::set<itk::MedialVoxelIndex>> blocks(count + 1);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+  {
+    const auto at = static_cast<std::int64_t>(i);
+    blocks[objects[i]].insert(
+      { { at % size[0] / edge, at / size[0] % size[1] / edge, at / size[0] / size[1] / edge } });
+  }
+  return blocks;
+}
+
+/** The rule of MakePasses() word by word. */
+Objects
+FindPassesSlowly(const itk::MedialVoxelIndex & size, const Objects & objects, const std::size_t count)
+{
+  const auto blocks = ListBlocks(size, objects, count, Adjacency::GetReach(size, 0));
+  const auto areClose = [&](const std::size_t a, const std::size_t b) {
+    return std::any_of(blocks[a].begin(), blocks[a].end(), [&](const auto & one) {
+      return std::any_of(blocks[b].begin(), blocks[b].end(), [&](const auto & other) {
+        return std::abs(one[0] - other[0]) <= 1 && std::abs(one[1] - other[1]) <= 1 && std::abs(one[2] - other[2]) <= 1;
+      });
+    });
+  };
+  std::vector<std::set<std::size_t>> neighbors(count + 1);
+  for (std::size_t a = 1; a <= count; ++a)
+  {
+    for (std::size_t b = 1; b <= count; ++b)
+    {
+      if (a != b && areClose(a, b))
+      {
+        neighbors[a].insert(b);
+      }
+    }
+  }
+  std::vector<std::set<Adjacency::ObjectType>> taken(count + 1);
+  Objects                                      passes(count + 1, 0);
+  std::set<std::size_t>                        waiting;
+  for (std::size_t object = 1; object <= count; ++object)
+  {
+    waiting.insert(object);
+  }
+  while (!waiting.empty())
+  {
+    const std::size_t next = *std::min_element(waiting.begin(), waiting.end(), [&](std::size_t a, std::size_t b) {
+      return taken[a].size() != taken[b].size() ? taken[a].size() > taken[b].size()
+                                                : neighbors[a].size() > neighbors[b].size();
+    });
+    waiting.erase(next);
+    while (taken[next].count(passes[next]) > 0)
+    {
+      ++passes[next];
+    }
+    for (const std::size_t neighbor : neighbors[next])
+    {
+      taken[neighbor].insert(passes[next]);
+    }
+  }
+  return passes;
+}
+
 } // namespace
+
+TEST(MedialVoxelObjectAdjacency, PassesFollowTheRule)
+{
+  std::mt19937 generator(3);
+  for (unsigned int trial = 0; trial < 40; ++trial)
+  {
+    const auto roll = [&](const int low, const int high) {
+      return low + static_cast<std::int64_t>(generator() % static_cast<unsigned int>(high - low + 1));
+    };
+    const itk::MedialVoxelIndex size{ { roll(1, 22), roll(1, 20), roll(1, 18) } };
+    const auto                  count = static_cast<std::size_t>(roll(2, 110));
+    Objects                     objects(static_cast<std::size_t>(size[0] * size[1] * size[2]), 0);
+    for (std::size_t voxel = 0; voxel < objects.size(); voxel += static_cast<std::size_t>(1 + trial % 3))
+    {
+      // Some hold the whole image, others a few voxels.
+      objects[voxel] =
+        static_cast<Adjacency::ObjectType>(trial % 2 == 0 ? generator() % (count + 1) : voxel * count / objects.size());
+    }
+    EXPECT_EQ(FindPasses(size, objects, count), FindPassesSlowly(size, objects, count)) << "trial " << trial;
+  }
+}
+
+TEST(MedialVoxelObjectAdjacency, AGrayScanIsRefusedBeforeItsPairsAreKnown)
+{
+  // As many values as voxels: the first layer of blocks tells.
+  const itk::MedialVoxelIndex size{ { 40, 40, 40 } };
+  Adjacency                   adjacency(size, 0);
+  Objects                     row(40);
+  std::int64_t                rows = 0;
+  const auto                  add = [&] {
+    for (; rows < size[1] * size[2]; ++rows)
+    {
+      for (std::size_t x = 0; x < row.size(); ++x)
+      {
+        row[x] = static_cast<Adjacency::ObjectType>(1 + static_cast<std::size_t>(rows) * row.size() + x);
+      }
+      adjacency.AddRow(row.data());
+    }
+  };
+  EXPECT_THROW(add(), itk::MedialVoxelLabelError);
+  EXPECT_LT(rows, 6 * size[1]);
+  // 255 values that are side by side somewhere, but nowhere more than 128 of them.
+  Adjacency spread({ { 12, 255, 255 } }, 0);
+  for (std::size_t line = 0; line < std::size_t{ 255 } * 255; ++line)
+  {
+    Objects pair(12, static_cast<Adjacency::ObjectType>(1 + line / 255));
+    std::fill(pair.begin() + 6, pair.end(), static_cast<Adjacency::ObjectType>(1 + line % 255));
+    spread.AddRow(pair.data());
+  }
+  EXPECT_THROW(spread.MakePasses(255), itk::MedialVoxelLabelError);
+}
 
 TEST(MedialVoxelObjectAdjacency, ReachGrowsUntilNoPoreHoldsAnObject)
 {
@@ -109,16 +226,19 @@ TEST(MedialVoxelObjectAdjacency, BlocksHoldAnyNumberOfObjects)
   Objects                     objects(static_cast<std::size_t>(size[0] * size[1] * size[2]));
   for (std::size_t voxel = 0; voxel < objects.size(); ++voxel)
   {
-    objects[voxel] = static_cast<Adjacency::ObjectType>(voxel + 1);
+    objects[voxel] = static_cast<Adjacency::ObjectType>(voxel / 6 + 1);
   }
-  const auto passes = FindPasses(size, objects, objects.size());
-  for (std::size_t first = 0; first < objects.size(); ++first)
+  const std::size_t count = objects.size() / 6;
+  const auto        passes = FindPasses(size, objects, count);
+  for (std::size_t first = 0; first < count; ++first)
   {
     for (std::size_t second = 0; second < first; ++second)
     {
-      if (FindDistance(size, objects, objects[first], objects[second]) <= Adjacency::GetReach(size, 0))
+      const auto a = static_cast<Adjacency::ObjectType>(first + 1);
+      const auto b = static_cast<Adjacency::ObjectType>(second + 1);
+      if (FindDistance(size, objects, a, b) <= Adjacency::GetReach(size, 0))
       {
-        EXPECT_NE(passes[first + 1], passes[second + 1]);
+        EXPECT_NE(passes[a], passes[b]);
       }
     }
   }

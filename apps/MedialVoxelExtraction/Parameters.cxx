@@ -95,7 +95,8 @@ AddObjectParameters(CLI::App & app, ModuleOptions & options)
                                                                     { "Label", ObjectSelection::Label },
                                                                     { "Labels", ObjectSelection::Labels } });
   // Without a selection these would have no effect.
-  AddThreshold(app, "lowerThreshold", "Smallest value of the object, for AboveLower and Between", options.lowerThreshold)
+  AddThreshold(
+    app, "lowerThreshold", "Smallest value of the object, for AboveLower and Between", options.lowerThreshold)
     ->needs(selection);
   AddThreshold(app, "upperThreshold", "Largest value of the object, for BelowUpper and Between", options.upperThreshold)
     ->needs(selection);

@@ -27,14 +27,12 @@ Extract(const CLI::App & app, ModuleOptions & options)
   RunExtract(options.job, *sink);
 }
 
-/** As the parser knows them, the last one first; the mark after which no argument is an option has Slicer's name. */
+/** With the mark after which no argument is an option as the parser knows it; Slicer has another name. */
 std::vector<std::string>
-ReverseArguments(const CLI::App & app, int argc, char * argv[])
+GetArguments(int argc, char * argv[])
 {
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   std::replace(arguments.begin(), arguments.end(), std::string("--ignore_rest"), std::string("--"));
-  arguments = CompleteWords(app, arguments);
-  std::reverse(arguments.begin(), arguments.end());
   return arguments;
 }
 
@@ -48,7 +46,7 @@ main(int argc, char * argv[])
     const auto    app = DefineParameters(options);
     try
     {
-      app->parse(ReverseArguments(*app, argc, argv));
+      ParseWords(*app, GetArguments(argc, argv));
     }
     catch (const CLI::Success & result) // help, version, description
     {

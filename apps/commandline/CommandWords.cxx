@@ -4,7 +4,9 @@
 
 #include "OptionValues.h"
 
+#include <algorithm>
 #include <set>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -17,8 +19,6 @@ FindOption(const CLI::App & command, const std::string & word)
 {
   return word.compare(0, 2, "--") == 0 ? command.get_option_no_throw(word.substr(0, word.find('='))) : nullptr;
 }
-
-} // namespace
 
 std::vector<std::string>
 CompleteWords(const CLI::App & command, const std::vector<std::string> & words)
@@ -76,6 +76,37 @@ CompleteWords(const CLI::App & command, const std::vector<std::string> & words)
     }
   }
   return complete;
+}
+
+} // namespace
+
+const CLI::App *
+FindCommand(const CLI::App & app, const std::vector<std::string> & words)
+{
+  for (const CLI::App * const command : app.get_subcommands({}))
+  {
+    if (!words.empty() && command->get_name() == words.front())
+    {
+      return command;
+    }
+  }
+  return nullptr;
+}
+
+void
+ParseWords(CLI::App & app, std::vector<std::string> words)
+{
+  const CLI::App * const   command = FindCommand(app, words);
+  std::vector<std::string> reversed;
+  if (command != nullptr)
+  {
+    reversed.push_back(words.front());
+    words.erase(words.begin());
+  }
+  words = CompleteWords(command != nullptr ? *command : app, words);
+  reversed.insert(reversed.end(), words.begin(), words.end());
+  std::reverse(reversed.begin(), reversed.end());
+  app.parse(std::move(reversed));
 }
 
 std::string

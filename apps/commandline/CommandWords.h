@@ -11,12 +11,17 @@
 namespace medialvoxel
 {
 
-/** The words of a command in the one form that the parser is to see: each option, flags too, once, with its value as the
- * next word. What the parser makes of values of flags, of nothing behind an equals sign, and of options in place of
- * values never counts.
- * \throw CLI::ValidationError for an option that is given twice, or lacks its value */
-std::vector<std::string>
-CompleteWords(const CLI::App & command, const std::vector<std::string> & words);
+/** The command that the words begin with; null when they begin with none. */
+const CLI::App *
+FindCommand(const CLI::App & app, const std::vector<std::string> & words);
+
+/** Parses words in the one form that the parser is to see: each option, flags too, once, with its value as the next
+ * word. What the parser makes of values of flags, of nothing behind an equals sign, and of options in place of values
+ * never counts.
+ * \throw CLI::ValidationError for an option that is given twice, or lacks its value
+ * \throw CLI::ParseError as the parser */
+void
+ParseWords(CLI::App & app, std::vector<std::string> words);
 
 /** "; did you mean --sub-voxel=off?" where the word behind a flag is one that belongs behind its equals sign. */
 std::string

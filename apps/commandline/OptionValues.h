@@ -132,7 +132,8 @@ ToElementSize(const std::string & text)
   {
     return { name == VoxelElementSize ? ElementSize::Kind::Voxel : ElementSize::Kind::Automatic, 0.0 };
   }
-  return { ElementSize::Kind::Length, ToLength(text, std::string(", ") + AutomaticElementSize + " or " + VoxelElementSize) };
+  return { ElementSize::Kind::Length,
+           ToLength(text, std::string(", ") + AutomaticElementSize + " or " + VoxelElementSize) };
 }
 
 inline std::int64_t
@@ -198,7 +199,7 @@ AddText(CLI::App & app, const std::string & name, const std::string & help, cons
   return app.add_option(name, parse, help)->type_name(unit)->type_size(1)->expected(1);
 }
 
-/** Adds an option that takes no word of its own, but a value behind an equals sign; alone it says true. CompleteWords()
+/** Adds an option that takes no word of its own, but a value behind an equals sign; alone it says true. ParseWords()
  * brings the words into the form that the parser knows. */
 template <typename TAssign>
 CLI::Option *

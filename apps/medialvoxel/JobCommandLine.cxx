@@ -76,14 +76,15 @@ DefineWork(CommandLine & line)
 {
   CLI::App & app = *line.work;
   AddJobFolder(app, line.workOptions.jobFolder, "Folder made by medialvoxel plan");
-  AddText(app, "--clusters", "Clusters to compute, as 7 or 0-3,9 (default: all)", "RANGES", [&](const std::string & text) {
-    const auto ranges = ParseClusters(text);
-    if (!ranges)
-    {
-      throw CLI::ValidationError("'" + text + "' is not a list of clusters from 0 on such as 7 or 0-3,9");
-    }
-    line.workOptions.clusters = *ranges;
-  });
+  AddText(
+    app, "--clusters", "Clusters to compute, as 7 or 0-3,9 (default: all)", "RANGES", [&](const std::string & text) {
+      const auto ranges = ParseClusters(text);
+      if (!ranges)
+      {
+        throw CLI::ValidationError("'" + text + "' is not a list of clusters from 0 on such as 7 or 0-3,9");
+      }
+      line.workOptions.clusters = *ranges;
+    });
   AddMemory(app, line.workOptions.memoryBytes);
   AddThreads(app, line.workOptions.threads);
   AddProgress(line, app);

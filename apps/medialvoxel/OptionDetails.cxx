@@ -43,7 +43,8 @@ ListOptionDetails()
     { "", "--label", "From -2^63 to 2^64 - 1. Not with --lower and --upper." },
     { "",
       "--labels",
-      "Objects that touch are kept apart, and each has a row in the report. all: every value but 0, at most 65535. "
+      "Objects that touch are kept apart, and each has a row in the report. all: every value but 0, at most 65535, and "
+      "at most 128 side by side. "
       "L1: a value, or the name of a segment. "
       "Labels of cells are those of runs with one --label at a time, put together." },
     { "",
@@ -88,7 +89,7 @@ ListOptionDetails()
       "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map, "
       "--local-thickness of walls, --thin-below and --thick-above of a gray scan with one threshold, and for "
       "--element-size of a scan or mask with one threshold. A mask is measured halfway between its two values." },
-    { "", "--levels", "Default: those of the scan. Needs one threshold." },
+    { "", "--levels", "Default: those of the scan. Needs one threshold, which is between them; M is in the object." },
     { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
     { "",
       "--thin-below",
@@ -188,7 +189,7 @@ ListOptionDetails()
     { "", "--raw-size", "2 or 3 numbers, x first. The file must have exactly this size." },
     { "", "--values", "Reads the volume once, or twice for values of more than 16 bits." },
     { "", "--clusters", "Counted from 0." },
-    { "", "--slurm", "Prints the commands that submit it, too." },
+    { "", "--slurm", "Prints the commands that submit it, too. on and off are no file names, but ./on is one." },
     { "", "--slurm-clusters", "Default: so many that there are up to 64 tasks." },
     { "", "--no-verify", "For file systems that have checksums of their own." },
   };

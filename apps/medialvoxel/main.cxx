@@ -355,20 +355,6 @@ RunCommand(const CommandLine & line, const std::string & command)
   return ExitStatus::Done;
 }
 
-/** The command that the words begin with; null when they begin with none. */
-const CLI::App *
-FindCommand(const CLI::App & app, const std::vector<std::string> & words)
-{
-  for (const CLI::App * const command : app.get_subcommands({}))
-  {
-    if (!words.empty() && command->get_name() == words.front())
-    {
-      return command;
-    }
-  }
-  return nullptr;
-}
-
 /** What was typed in place of a command, or the option that the command lacks, with the name that was probably meant;
  * empty when that is not what is wrong. */
 std::string
@@ -403,23 +389,6 @@ DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words
   return "";
 }
 
-/** As the parser is to see them, the last one first. */
-std::vector<std::string>
-ReverseWords(const CLI::App & app, std::vector<std::string> words)
-{
-  const CLI::App * const   command = FindCommand(app, words);
-  std::vector<std::string> reversed;
-  if (command != nullptr)
-  {
-    reversed.push_back(words.front());
-    words.erase(words.begin());
-  }
-  words = CompleteWords(command != nullptr ? *command : app, words);
-  reversed.insert(reversed.end(), words.begin(), words.end());
-  std::reverse(reversed.begin(), reversed.end());
-  return reversed;
-}
-
 /** Help and version are results, other ends of the parsing are errors. */
 int
 ReportParsing(const CLI::App & app, const std::vector<std::string> & words, const CLI::ParseError & error)
@@ -442,6 +411,21 @@ ReportParsing(const CLI::App & app, const std::vector<std::string> & words, cons
   return static_cast<int>(ExitStatus::Usage);
 }
 
+/** A message that begins with the name of a file, behind the option that named it. */
+std::string
+NameOption(const CLI::App & command, const std::string & message)
+{
+  for (const CLI::Option * const option : GetOptions(command, false))
+  {
+    const bool isFile = option->count() > 0 && option->get_type_name() == "FILE";
+    if (isFile && message.rfind(option->results().front() + ": ", 0) == 0)
+    {
+      return option->get_name() + " " + message;
+    }
+  }
+  return message;
+}
+
 } // namespace
 
 int
@@ -453,7 +437,7 @@ main(int argc, char * argv[])
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     try
     {
-      app->parse(ReverseWords(*app, words));
+      ParseWords(*app, words);
     }
     catch (const CLI::ParseError & error)
     {
@@ -467,6 +451,15 @@ main(int argc, char * argv[])
     CompleteElementSize(*line.extract, line.extractOptions);
     CompleteElementSize(*line.mesh, line.meshOptions);
     CheckOptionEffects(line);
-    return static_cast<int>(RunCommand(line, JoinCommand(argc, argv)));
+    try
+    {
+      return static_cast<int>(RunCommand(line, JoinCommand(argc, argv)));
+    }
+    catch (const JobError & error)
+    {
+      const bool isUsage = error.GetStatus() == ExitStatus::Usage;
+      throw JobError(error.GetStatus(),
+                     isUsage ? NameOption(*app->get_subcommands().front(), error.what()) : error.what());
+    }
   });
 }

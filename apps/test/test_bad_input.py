@@ -33,6 +33,51 @@ class BadInputTest(ProgramTestCase):
         for name in ("none.mha", "none.mhd", "none.nrrd", "none.nhdr"):
             self.assert_refused(name, ["no such file"], FAILURE)
         self.assert_refused("none.raw", ["no such file"], FAILURE, volumes.raw_options(self.volume))
+        for name in ("nope", "scans/nope", "none.xyz"):
+            self.assert_refused(name, ["cannot open", "no such file or folder"], FAILURE)
+
+    def test_axes_of_length_one_behind_the_third(self):
+        """They are no axes of the volume; longer ones are refused."""
+        self.extract(volumes.write_meta(self.folder / "3d.mha", self.volume), "3d-labels.mha")
+        size = " ".join(map(str, self.volume.size))
+        four = {"NDims": 4, "ElementSpacing": "1 1 1 7", "Offset": "0 0 0 9", "TransformMatrix": "1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1"}
+        self.meta(DimSize=f"{size} 1", **four)
+        self.nrrd(dimension=4, sizes=f"{size} 1", spacings="1 1 1 nan", kinds="domain domain domain time")
+        dim = [4, *self.volume.size, 0, 1, 1, 1]
+        volumes.write_nifti(self.folder / "in.nii", self.volume, dim=dim)
+        for name in ("in.mha", "in.nrrd", "in.nii"):
+            self.extract(name, "labels.mha", "--overwrite")
+            self.assertEqual((self.folder / "labels.mha").read_bytes(), (self.folder / "3d-labels.mha").read_bytes(), name)
+        self.meta(DimSize=f"{size} 2", **four)
+        self.assert_refused("in.mha", ["NDims", 4])
+        self.nrrd(dimension=4, sizes=f"{size} 2", spacings="1 1 1 nan")
+        self.assert_refused("in.nrrd", ["dimension", 4])
+        volumes.write_nifti(self.folder / "in.nii", self.volume, dim=[4, *self.volume.size, 2, 1, 1, 1])
+        self.assert_refused("in.nii", ["4 dimensions"])
+
+    def test_what_is_not_packed(self):
+        volumes.write_nifti(self.folder / "in.nii", self.volume).rename(self.folder / "in.nii.gz")
+        self.assert_refused("in.nii.gz", ["not packed by gzip"])
+
+    def test_names_of_data_files_with_a_percent_sign(self):
+        (self.folder / "77 % x.raw").write_bytes(self.volume.data())
+        volumes.write_meta(self.folder / "in.mhd", self.volume, ElementDataFile="77 % x.raw")
+        self.run_program("info", "in.mhd")
+        for name in ("x%03d.raw 1 16 1", "LIST", "LIST 2"):
+            volumes.write_meta(self.folder / "in.mhd", self.volume, ElementDataFile=name)
+            self.assert_refused("in.mhd", ["several files"])
+
+    def test_data_behind_the_voxels(self):
+        """A warning, as the header may tell of another type than its data have."""
+        for write, name in ((volumes.write_meta, "long.mha"), (volumes.write_nrrd, "long.nrrd"), (volumes.write_nifti, "long.nii")):
+            path = write(self.folder / name, self.volume)
+            self.assertEqual(self.run_program("extract", name, "out.mha", "--overwrite", "--dry-run").warnings, [])
+            with open(path, "ab") as file:
+                file.write(bytes(77))
+            for command in (["extract", name, "out.mha"], ["distance", name, "out.mha"], ["mesh", name, "out.vtp"]):
+                warnings = self.run_program(*command, "--overwrite").warnings
+                self.assertTrue(any("77 bytes behind its last voxel" in warning for warning in warnings), (command, warnings))
+            self.assertRegex(self.run_program("info", name).stdout, "bytes behind them +77")
 
     def test_folder_instead_of_a_file(self):
         (self.folder / "in.mha").mkdir()

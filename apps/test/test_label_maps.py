@@ -233,7 +233,50 @@ class LabelMapTest(ProgramTestCase):
         self.assert_fails(USAGE, ["map.mha", "no object"], "extract", "map.mha", "out.mha", "--labels", "all")
         many = volumes.Volume((300, 300, 1), range(90000), kind="int32")
         volumes.write_meta(self.folder / "map.mha", many)
-        self.assert_fails(CORRUPT, ["map.mha", "65535"], "extract", "map.mha", "out.mha", "--labels", "all")
+        self.assert_fails(CORRUPT, ["map.mha", "65535"], "extract", "map.mha", "out.mha", "--labels", "all", "--max-pore-size", 0)
+
+
+class GrayScanTest(ProgramTestCase):
+    """A scan that is taken for a label map ends at once: its objects would take a pass each."""
+
+    def refuse(self, volume):
+        volumes.write_meta(self.folder / "in.mha", volume)
+        volumes.write_nrrd(self.folder / "in.nrrd", volume, compressed=True)
+        for name in ("in.mha", "in.nrrd"):
+            parts = [name, "more than 128 of its values lie side by side", "gray scan", "threshold"]
+            self.assert_fails(CORRUPT, parts, "info", name, "--labels", timeout=120)
+            self.assert_fails(CORRUPT, parts, "extract", name, "out.mha", "--labels", "all", timeout=120)
+
+    def test_noise(self):
+        dice = random.Random(4)
+        size = (40, 40, 40)
+        self.refuse(volumes.Volume(size, [dice.randrange(65536) for _ in range(40**3)], kind="uint16"))
+
+    def test_smooth_values(self):
+        """Nowhere more than some dozens of values, but each beside many others somewhere."""
+        dice = random.Random(5)
+        values = [min(max(int(z * 6.4 + dice.gauss(0, 60)), 0), 255) for z in range(40) for _ in range(40 * 40)]
+        self.refuse(volumes.Volume((40, 40, 40), values, kind="uint8"))
+
+    def test_many_small_objects_are_a_label_map(self):
+        volume = volumes.Volume((24, 24, 24), [], kind="uint16")
+        volume.voxels = [1 + x // 2 + 12 * (y // 2 + 12 * (z // 2)) for x, y, z in volume.indices()]
+        volumes.write_meta(self.folder / "in.mha", volume)
+        self.assertRegex(self.run_program("info", "in.mha", "--labels").stdout, "objects +1728,.*\n(.*\n)*passes +[67][0-9] ")
+
+    def test_value_that_is_no_label(self):
+        volumes.write_meta(self.folder / "in.mha", volumes.Volume((3, 3, 3), [0] * 26 + [2**64 - 1], kind="uint64"))
+        parts = [f"a voxel has the value {2**64 - 1};"]
+        self.assert_fails(CORRUPT, parts, "extract", "in.mha", "out.mha", "--labels", "all")
+
+    def test_labels_that_resampling_loses(self):
+        volume = volumes.Volume((6, 6, 6), [0] * 36 + [5] * 36 + [0] * 144)
+        volumes.write_meta(self.folder / "in.mha", volume)
+        for labels, words in (("all", "all voxels are 0"), ("5", "no voxel has the label 5")):
+            parts = [words, "when it is resampled to 1 x 1 x 1 voxels"]
+            self.assert_fails(USAGE, parts, "extract", "in.mha", "out.mha", "--labels", labels, "--resample", "1e5")
+        warnings = self.run_program("extract", "in.mha", "out.mha", "--resample", "1e5").warnings
+        self.assertTrue(any("no object when it is resampled to 1 x 1 x 1" in warning for warning in warnings), warnings)
 
 
 if __name__ == "__main__":

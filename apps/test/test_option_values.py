@@ -6,7 +6,8 @@ that names option, value and what is allowed."""
 import json
 import unittest
 
-from program import FAILURE, USAGE, ProgramTestCase
+import volumes
+from program import FAILURE, REFUSED, USAGE, ProgramTestCase
 from slicer_module import Description, ModuleTestCase
 
 # None of the files is there: what is taken ends with another status than 2, before anything is read.
@@ -19,7 +20,7 @@ HIDDEN = {"extract": ["--raw-spacing X,Y,Z", "--series UID"]}
 RAW = ["--raw-size=2,2,2", "--raw-type=uint8"]
 NEEDS = {
     "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--raw-spacing": RAW, "--raw-header": RAW, "--raw-big-endian": RAW,
-    "--log-level": ["--log-file=log.txt"], "--slurm-clusters": ["--slurm"], "--levels": ["--lower=50"],
+    "--log-level": ["--log-file=log.txt"], "--slurm-clusters": ["--slurm"], "--levels": ["--lower=2.5"],
     "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"], "--smallest-place": ["--thin-below=2"],
 }  # fmt: skip
 # Of commands with a mesh or a thickness of their own these are no options.
@@ -40,7 +41,8 @@ ODD = [
 # What numbers mean that are odd elsewhere.
 TAKEN = {
     "--lower": {"inf", "-1", "9" * 40}, "--upper": {"inf", "-1", "9" * 40}, "--label": {"-1"}, "--maximum-distance": {"inf", "9" * 40},
-    "--labels": {"-1"}, "--series": set(ODD),
+    "--labels": {value for value in ODD if value.strip() and "," not in value and value != "9" * 40 and value[0] != "-"} | {"-1"},
+    "--clusters": {"0,5"}, "--levels": {"0,5"},
 }  # fmt: skip
 
 
@@ -73,7 +75,7 @@ class OptionValueTest(ProgramTestCase):
         self.assertEqual(message.count("\n"), 1, message)
 
     def assert_taken(self, command):
-        self.run_program(*command, status=FAILURE)
+        self.run_program(*command, status=REFUSED if command[0] == "check" else FAILURE)
 
     def test_flags(self):
         seen = set()
@@ -95,7 +97,7 @@ class OptionValueTest(ProgramTestCase):
             if not unit or command == "plan" and option in ("--mesh", "--element-size", "--section-width"):
                 continue
             with self.subTest(command=command, option=option):
-                odd = [""] if unit in ("FILE", "DIR") else ODD if option not in seen else ["", "1e999", "3abc"]
+                odd = [""] if unit in ("FILE", "DIR", "UID") else ODD if option not in seen else ["", "1e999", "3abc"]
                 for value in odd:
                     if value in TAKEN.get(option, ()) and value:
                         self.assert_taken(self.command_with(command, option, value))
@@ -127,15 +129,54 @@ class OptionValueTest(ProgramTestCase):
         message = self.run_program("extract", "no.mha", "out.mha", "--sub-voxel", "off", status=USAGE).stderr
         self.assertIn("did you mean --sub-voxel=off?", message)
         message = self.run_program("extract", "no.mha", "out.mha", "--report", "--quiet", status=USAGE).stderr
-        self.assertIn("--report: has no value; the option --quiet follows", message)
+        self.assertIn("--report: has no value, FILE; the option --quiet follows", message)
 
     def test_a_flag_that_is_off_is_as_none(self):
-        for flag in ("--dry-run", "--overwrite", "--quiet"):
-            self.run_program("extract", "no.mha", "out.mha", f"{flag}=off", status=FAILURE)
-        self.assertIn("Usage", self.run_program("extract", "--help").stdout)
+        volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
+        self.run_program("extract", "in.mha", "out.mha", "--dry-run=off", "--quiet=No")
+        before = (self.folder / "out.mha").stat().st_mtime_ns
+        self.run_program("extract", "in.mha", "out.mha", "--overwrite=0", status=REFUSED)
+        self.run_program("extract", "in.mha", "out.mha", "--overwrite=1", "--dry-run=on")
+        self.assertEqual((self.folder / "out.mha").stat().st_mtime_ns, before)
         for words in (["--help=yes"], ["--version=1"], ["info", "--help=no"]):
             message = self.run_program(*words, status=USAGE).stderr
             self.assertIn("takes none", message)
+
+
+    def test_levels_around_the_threshold(self):
+        """Also that of Otsu, which is known later; a status and the values, in every door of the job."""
+        volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
+        extract = ["extract", "in.mha", "out.mha", "--thickness-map", "t.mha"]
+        for limits, refused, taken in (
+            (["--lower", 50], ["144,4", "4,50", "50,144", "60,144", "4,40", "5,5"], ["4,144", "-1e3,51"]),
+            (["--upper", 50], ["4,144", "144,50", "50,4", "40,4"], ["144,4"]),
+            (["--lower", 50, "--upper", 90], ["4,144", "60,70"], ["4,70", "144,70"]),
+            (["--lower", "otsu"], ["144,4", "0,1"], []),
+        ):  # fmt: skip
+            for levels in refused:
+                parts = ["--levels", *(f"{float(value):g}" for value in levels.split(","))]
+                self.assert_fails(USAGE, parts, *extract, *limits, "--levels", levels)
+                self.assert_fails(USAGE, parts, "plan", "in.mha", "out.mha", "job", *limits, "--levels", levels)
+            for levels in taken:
+                self.run_program(*extract, *limits, "--levels", levels, "--dry-run")
+        for levels in ("nan,144", "4,inf", "-inf,4", "4", "4,5,6"):
+            self.assert_fails(USAGE, ["--levels", f"'{levels.split(',')[0]}"], *extract, "--lower", 50, "--levels", levels)
+
+    def test_names_of_outputs(self):
+        volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
+        for option in ("--distance", "--vectors", "--thickness-map", "--mesh", "--report", "--html", "--preview", "--thickness-csv"):
+            self.assert_fails(USAGE, [f"{option} x.abc: "], "extract", "in.mha", "out.mha", option, "x.abc")
+        parts = ["--largest-ball", "is 257;", "256 voxels"]
+        self.assert_fails(USAGE, parts, "surface", "in.mha", "out.vtp", "--largest-ball", 257)
+
+    def test_spacing_that_was_typed(self):
+        volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
+        volumes.write_raw(self.folder / "in.raw", volumes.box_with_plate())
+        raw = volumes.raw_options(volumes.box_with_plate())
+        for command in (["info", "in.mha"], ["extract", "in.mha", "o.mha"], ["distance", "in.mha", "o.mha"]):
+            self.assert_fails(USAGE, ["--spacing is 1,1,1001", "ratio", "1000"], *command, "--spacing", "1,1,1001")
+        self.assert_fails(USAGE, ["--raw-spacing is 1001,1,1", "ratio"], "info", "in.raw", *raw, "--raw-spacing", "1001,1,1")
+        self.assert_fails(USAGE, ["--spacing is 1e-12,1,1"], "info", "in.raw", *raw, "--spacing", "1e-12,1,1")
 
 
 class ParameterValueTest(ModuleTestCase):

@@ -156,7 +156,7 @@ class ArgumentTest(ModuleTestCase):
         for flag in ("--bogus", "-t", "--Thickness", "--inputVolume", "--lower-threshold"):
             self.assert_module_fails(USAGE, [flag, "not expected"], flag, *VOLUMES)
         self.assert_module_fails(USAGE, ["thickness"], *VOLUMES, "--thickness")
-        self.assert_module_fails(USAGE, ["thickness", "received 2"], "--thickness", "3", "--thickness=4", *VOLUMES)
+        self.assert_module_fails(USAGE, ["thickness", "given twice"], "--thickness", "3", "--thickness=4", *VOLUMES)
         self.assert_module_fails(USAGE, ["voxelUnits", "maybe"], "--voxelUnits=maybe", *VOLUMES)
         self.assert_module_fails(
             USAGE, ["processinformationaddress", "7"], "--processinformationaddress", "7", *VOLUMES

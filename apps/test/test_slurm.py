@@ -93,7 +93,7 @@ class SlurmScriptTest(JobTestCase):
     def test_what_is_refused(self):
         for clusters in ("0", "x", "2%", "%2", "2%0", "-1"):
             message = self.plan("--slurm", f"--slurm-clusters={clusters}", status=USAGE).stderr
-            self.assertIn("is not a number of clusters such as 4, or 4%8", message)
+            self.assertIn("is not a number of clusters from 1 on such as 4, or two as 4%8", message)
         self.assertIn("--slurm", self.plan("--slurm-clusters", 2, status=USAGE).stderr)
         self.assertIn("input", self.plan("--slurm=../in.mha", "--overwrite", status=USAGE).stderr)
         self.assertIn("is named for both", self.plan("--slurm=out.mha", status=USAGE).stderr)

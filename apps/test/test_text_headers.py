@@ -50,6 +50,17 @@ class TextHeadersTest(ProgramTestCase):
                 self.assertRegex(text, r"reading +streams")
                 self.assertRegex(text, r"format +VOL\n")
 
+    def test_names_that_windows_wrote(self):
+        """An umlaut is one byte in the header, and two in the name of the file."""
+        data = self.folder / "Pr\u00fcfung.raw"
+        data.write_bytes(self.volume.data())
+        header = volumes.write_meta(self.folder / "in.mhd", self.volume, ElementDataFile=data.name)
+        for source, name in ((header, data.name), (self.write("in.vgi"), "in.vol")):
+            content = source.read_bytes()
+            self.assertIn(name.encode(), content)
+            source.write_bytes(content.replace(name.encode(), data.name.encode("latin-1")))
+            self.assert_same(source.name)
+
     def test_either_file_may_be_named(self):
         for name in NAMES:
             header = self.write(name)

@@ -54,14 +54,14 @@ class UsageTest(ProgramTestCase):
     def test_labels_of_objects(self):
         for value in ("", "0", "1,,2", "1,0", "9223372036854775808"):
             self.assert_extract_usage(["--labels", f"'{value}'", "whole numbers other than 0"], "--labels", value)
-        for value in ("2G", "All", "1.5"):
+        for value in ("2G", "Alle", "1.5"):
             self.assert_extract_usage(["labels", f"'{value}'", "no names", "--segments"], "--labels", value)
 
     def test_limits_of_the_automatic_thickness(self):
         command = ["extract", "in.mha", "out.mha"]
         for name in ("minimum", "maximum"):
             for value in ("0", "-2", "nan", "inf"):
-                self.assert_usage([f"{name} thickness", "greater than 0"], *command, f"--{name}-thickness", value)
+                self.assert_usage([f"--{name}-thickness", f"'{value}'", "greater than 0"], *command, f"--{name}-thickness", value)
         limits = ["--minimum-thickness", 5, "--maximum-thickness", 4]
         self.assert_usage(["minimum thickness 5", "maximum thickness 4"], *command, *limits)
 
@@ -85,7 +85,7 @@ class UsageTest(ProgramTestCase):
         self.assert_extract_usage(["--divisions", "'0'", "from 1"], "--divisions", 0)
         for size in ("x", "", "-1G", "1X", "2GiBs", "nan", "1e30"):
             self.assert_extract_usage(["--memory", f"'{size}'", "500M"], "--memory", size)
-        self.assert_usage(["maximum distance", "0"], "distance", "in.mha", "out.mha", "--maximum-distance", 0)
+        self.assert_usage(["--maximum-distance", "'0'"], "distance", "in.mha", "out.mha", "--maximum-distance", 0)
 
     def test_names_in_any_case(self):
         raw = ["--raw-size", "24,20,16", "--raw-type", "UINT8"]
@@ -143,15 +143,15 @@ class UsageTest(ProgramTestCase):
         for size in ("24,20,x", "24,20,-16", "24,20,0", "24,,16", "1e3,2,2", ""):
             self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", size)
         for size in ("24", "24,20,16,1"):
-            self.assert_usage(["raw size", "2 or 3"], *command, "--raw-type", "uint8", "--raw-size", size)
-        self.assert_usage(["raw size"], *command, "--raw-type", "uint8", "--raw-size", "2000000000,2000000000,2000000000")
+            self.assert_usage(["--raw-size", "2 or 3"], *command, "--raw-type", "uint8", "--raw-size", size)
+        self.assert_usage(["--raw-size"], *command, "--raw-type", "uint8", "--raw-size", "2000000000,2000000000,2000000000")
         self.assert_usage(["--raw-type", "'uint7'", "did you mean uint8?"], *command, "--raw-size", "24,20,16", "--raw-type", "uint7")
         described = [*command, "--raw-size", "24,20,16", "--raw-type", "uint8"]
         for spacing in ("-1,1,1", "0,1,1", "nan,1,1", "inf,1,1"):
             self.assert_usage(
-                ["raw spacing", spacing.split(",")[0], "greater than 0"], *described, "--raw-spacing", spacing
+                ["--raw-spacing", spacing.split(",")[0], "greater than 0"], *described, "--raw-spacing", spacing
             )
-        self.assert_usage(["raw spacing", "2", "3"], *described, "--raw-spacing", "1,1")
+        self.assert_usage(["--raw-spacing", "2", "3"], *described, "--raw-spacing", "1,1")
         self.assert_usage(["--raw-spacing"], *described, "--raw-spacing", "1,1,a")
         self.assert_usage(["--raw-header", "'-1'"], *described, "--raw-header", -1)
 

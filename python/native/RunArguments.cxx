@@ -3,13 +3,14 @@
 #include "ArrayRun.h"
 
 #include "CommandLine.h"
+#include "CommandWords.h"
 #include "OptionEffects.h"
 #include "OptionValues.h"
 #include "ValueStatistics.h"
 
 #include "itkMedialVoxelGridLimits.h"
 
-#include <algorithm>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -56,7 +57,7 @@ DefineLocalThickness(CommandLine & line, LocalThicknessOptions & options)
   using Method = LocalThicknessMethod;
   line.distance->name(LocalThicknessCommand);
   AddText(*line.distance, "--maximum", "Diameter at which balls are cut", "T", [&options](const std::string & text) {
-    options.maximum = ToDouble(text);
+    options.maximum = ToLength(text);
   });
   AddChoice<Method>(*line.distance,
                     "--method",
@@ -64,7 +65,7 @@ DefineLocalThickness(CommandLine & line, LocalThicknessOptions & options)
                     "KIND",
                     options.method,
                     { { GetName(Method::Wall), Method::Wall }, { GetName(Method::Sphere), Method::Sphere } });
-  line.distance->add_flag("--sub-voxel", options.subVoxel, "Measure walls on gray values");
+  AddFlag(*line.distance, "--sub-voxel", "Measure walls on gray values", options.subVoxel);
 }
 
 template <typename TOptions, typename TRun>
@@ -73,6 +74,7 @@ Run(const ArrayCall & call, TOptions & options, TRun && run)
 {
   CheckOptions(options);
   SetObject(call, options);
+  CheckOptions(options); // with the threshold of Otsu
   nlohmann::json numbers = run();
   AddHints(numbers, call, options);
   return numbers;
@@ -91,8 +93,7 @@ RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMe
   {
     DefineLocalThickness(line, localThickness);
   }
-  std::reverse(arguments.begin(), arguments.end());
-  app->parse(std::move(arguments));
+  ParseWords(*app, std::move(arguments));
   CheckOptionEffects(line);
   if (isLocalThickness)
   {

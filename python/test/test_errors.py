@@ -30,6 +30,8 @@ OF_THE_PROGRAM = [
     ({"sub_voxel": True}, ["--sub-voxel"]),
     ({"levels": (1, 2)}, ["--levels=1,2"]),
     ({"levels": (2, 2), "lower": 1}, ["--levels=2,2", "--lower=1"]),
+    ({"levels": (9, 2), "lower": 5}, ["--levels=9,2", "--lower=5"]),
+    ({"levels": (float("nan"), 2), "lower": 1}, ["--levels=nan,2", "--lower=1"]),
     ({"levels": (1, 2, 3), "lower": 1}, ["--levels=1,2,3", "--lower=1"]),
     ({"levels": (1, 2), "lower": 1, "sub_voxel": False}, ["--levels=1,2", "--lower=1", "--sub-voxel=off"]),
     ({"uncertainty": True}, ["--uncertainty-map={folder}/u.mha"]),
@@ -77,7 +79,7 @@ class Errors(Folder):
                 options = [option.format(folder=self.folder) for option in options]
                 status, errors = run(["extract", self.folder / "in.mha", self.folder / "out.mha", *options])
                 self.assertIn(status, (2, 3, 4))
-                said = errors.splitlines()[-1].removeprefix("medialvoxel: ").removesuffix(" (see medialvoxel --help)")
+                said = errors.splitlines()[-1].removeprefix("medialvoxel: ").removesuffix(" (see medialvoxel extract --help)")
                 with self.assertRaises(ValueError) as caught:
                     medialvoxel.extract(values, **keywords)
                 self.assertEqual(str(caught.exception), said.replace(str(self.folder / "in.mha"), "array"))

@@ -161,6 +161,31 @@ HeaderLines::Next(std::string & line)
   return true;
 }
 
+std::filesystem::path
+FindDataFile(const std::filesystem::path & headerName, const std::string & name)
+{
+  const std::filesystem::path folder = headerName.parent_path();
+  std::error_code             error;
+  if (std::filesystem::exists(folder / name, error))
+  {
+    return folder / name;
+  }
+  // Windows writes umlauts as one byte, where the name of the file has two.
+  std::string twoBytes;
+  for (const char character : name)
+  {
+    const auto byte = static_cast<unsigned char>(character);
+    if (byte < 0x80)
+    {
+      twoBytes.push_back(character);
+      continue;
+    }
+    twoBytes.push_back(static_cast<char>(0xC0 | (byte >> 6)));
+    twoBytes.push_back(static_cast<char>(0x80 | (byte & 0x3F)));
+  }
+  return folder / (std::filesystem::exists(folder / twoBytes, error) ? twoBytes : name);
+}
+
 std::uint64_t
 GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem::path & dataFile)
 {

@@ -96,6 +96,10 @@ private:
 MedialVoxel_EXPORT std::ifstream
                    OpenRegularFile(const std::filesystem::path & fileName);
 
+/** The data file that a header names, beside it; a name in Latin-1 finds the file whose name is the same in UTF-8. */
+MedialVoxel_EXPORT std::filesystem::path
+                   FindDataFile(const std::filesystem::path & headerName, const std::string & name);
+
 /** Size of an existing file. \throw HeaderError Corrupt when the data file of a header is missing. */
 MedialVoxel_EXPORT std::uint64_t
                    GetDataFileSize(const std::filesystem::path & headerName, const std::filesystem::path & dataFile);

@@ -206,7 +206,7 @@ ListNrrdDataFiles(const MedialVoxelNrrdHeader &      header,
   }
   for (std::filesystem::path & name : names)
   {
-    name = fileName.parent_path() / name;
+    name = FindDataFile(fileName, name.string());
   }
   return names;
 }

@@ -240,6 +240,36 @@ ReadDimension(const std::filesystem::path & fileName, const HeaderFields & field
   return static_cast<size_t>(*dimension);
 }
 
+/** Leaves out axes of length 1 behind the third axis of space, with the values that fields have for them.
+ * \return the number of axes that are left */
+size_t
+DropAxesBeyondSpace(HeaderFields & fields, size_t axes)
+{
+  constexpr std::array<const char *, 9> perAxis{
+    { "sizes", "kinds", "spacings", "thicknesses", "axismins", "axismaxs", "centers", "centerings", "spacedirections" }
+  };
+  const std::vector<std::string> kinds = SplitAtBlanks(fields.Find("kinds").value_or(""));
+  const size_t                   most = 3 + (!kinds.empty() && FindName(ComponentKinds, kinds.front()) ? 1 : 0);
+  const auto                     isOne = [&fields] {
+    const std::vector<std::string> sizes = SplitAtBlanks(fields.Find("sizes").value_or(""));
+    return !sizes.empty() && sizes.back() == "1";
+  };
+  for (; axes > most && isOne(); --axes)
+  {
+    for (const char * const name : perAxis)
+    {
+      const auto field = fields.values.find(name);
+      if (field != fields.values.end())
+      {
+        std::string & text = field->second;
+        const size_t  begin = text.find_last_of(!text.empty() && text.back() == ')' ? "(" : " \t");
+        text = begin == std::string::npos ? "" : Trim(text.substr(0, begin));
+      }
+    }
+  }
+  return axes;
+}
+
 /** The kind of the first axis if it is one of components; there may be no other. */
 std::string
 ReadComponentKind(const std::filesystem::path & fileName, const HeaderFields & fields, size_t axes)
@@ -321,9 +351,9 @@ MedialVoxelNrrdHeader::GetNumberOfBytes() const
 MedialVoxelNrrdHeader
 ReadMedialVoxelNrrdHeader(const std::filesystem::path & fileName)
 {
-  const HeaderText     text = ReadText(fileName);
+  HeaderText           text = ReadText(fileName);
   const HeaderFields & fields = text.fields;
-  const size_t         axes = ReadDimension(fileName, fields);
+  const size_t         axes = DropAxesBeyondSpace(text.fields, ReadDimension(fileName, fields));
 
   MedialVoxelNrrdHeader header;
   header.fileName = fileName;

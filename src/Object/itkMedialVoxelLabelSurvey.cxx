@@ -11,6 +11,16 @@
 
 namespace itk
 {
+namespace
+{
+
+[[noreturn]] void
+RefuseText(const std::string & value)
+{
+  throw MedialVoxelLabelError("a voxel has the value " + value + "; labels are whole numbers from -2^63 to 2^63 - 1");
+}
+
+} // namespace
 
 MedialVoxelLabelSurvey::MedialVoxelLabelSurvey(std::vector<std::int64_t> values,
                                                const MedialVoxelIndex &  size,
@@ -24,7 +34,7 @@ MedialVoxelLabelSurvey::MedialVoxelLabelSurvey(std::vector<std::int64_t> values,
 }
 
 auto
-MedialVoxelLabelSurvey::Finish() const -> Result
+MedialVoxelLabelSurvey::Finish() -> Result
 {
   Result result;
   for (const auto & [value, number] : m_Numbers)
@@ -82,8 +92,13 @@ MedialVoxelLabelSurvey::FindLabel(const std::int64_t value)
 void
 MedialVoxelLabelSurvey::RefuseValue(const double value)
 {
-  throw MedialVoxelLabelError("a voxel has the value " + MedialVoxelText::FormatNumber(value) +
-                              "; labels are whole numbers from -2^63 to 2^63 - 1");
+  RefuseText(MedialVoxelText::FormatNumber(value));
+}
+
+void
+MedialVoxelLabelSurvey::RefuseValue(const std::uint64_t value)
+{
+  RefuseText(std::to_string(value));
 }
 
 void

@@ -3,10 +3,11 @@
 #include "itkMedialVoxelObjectAdjacency.h"
 
 #include <algorithm>
+#include <bitset>
 #include <cassert>
 #include <limits>
-#include <set>
-#include <tuple>
+#include <numeric>
+#include <string>
 
 namespace itk
 {
@@ -43,6 +44,159 @@ MakePair(const MedialVoxelObjectAdjacency::ObjectType first, const MedialVoxelOb
   return first < second ? (std::uint32_t{ first } << 16 | second) : (std::uint32_t{ second } << 16 | first);
 }
 
+/** Pairs that are kept twice before they are sorted for the first time. */
+constexpr std::size_t MostUnsorted = std::size_t{ 1 } << 16;
+
+/** A power of two; the pair of 0 and 0 is none. */
+constexpr unsigned int BitsOfLastPairs = 12;
+
+/** \class Neighbors
+ * \brief Those of each object, in one list. */
+class Neighbors
+{
+public:
+  using ObjectType = MedialVoxelObjectAdjacency::ObjectType;
+
+  Neighbors(const std::vector<std::uint32_t> & pairs, const std::size_t numberOfObjects)
+    : m_Ends(numberOfObjects + 2, 0)
+    , m_Objects(2 * pairs.size())
+  {
+    constexpr std::uint32_t mask = std::numeric_limits<ObjectType>::max();
+    for (const std::uint32_t pair : pairs)
+    {
+      ++m_Ends[(pair >> 16) + 1];
+      ++m_Ends[(pair & mask) + 1];
+    }
+    std::partial_sum(m_Ends.begin(), m_Ends.end(), m_Ends.begin());
+    std::vector<std::size_t> next(m_Ends.begin(), m_Ends.end() - 1);
+    for (const std::uint32_t pair : pairs)
+    {
+      m_Objects[next[pair >> 16]++] = static_cast<ObjectType>(pair & mask);
+      m_Objects[next[pair & mask]++] = static_cast<ObjectType>(pair >> 16);
+    }
+  }
+
+  std::size_t
+  Count(const std::size_t object) const
+  {
+    return m_Ends[object + 1] - m_Ends[object];
+  }
+
+  template <typename TFunction>
+  void
+  ForEach(const std::size_t object, TFunction && function) const
+  {
+    std::for_each(m_Objects.begin() + static_cast<std::ptrdiff_t>(m_Ends[object]),
+                  m_Objects.begin() + static_cast<std::ptrdiff_t>(m_Ends[object + 1]),
+                  function);
+  }
+
+private:
+  std::vector<std::size_t> m_Ends;
+  std::vector<ObjectType>  m_Objects;
+};
+
+/** \class WaitingObjects
+ * \brief A heap of the objects that wait for a pass. */
+class WaitingObjects
+{
+public:
+  explicit WaitingObjects(const Neighbors & neighbors, const std::size_t numberOfObjects)
+    : m_Rank(numberOfObjects + 1, 0)
+    , m_Taken(numberOfObjects + 1, 0)
+    , m_Place(numberOfObjects + 1)
+    , m_Heap(numberOfObjects)
+  {
+    // Before the first pass is taken, those with most neighbors come first, and the smaller number.
+    std::iota(m_Heap.begin(), m_Heap.end(), std::size_t{ 1 });
+    std::stable_sort(m_Heap.begin(), m_Heap.end(), [&](const std::size_t a, const std::size_t b) {
+      return neighbors.Count(a) > neighbors.Count(b);
+    });
+    for (std::size_t place = 0; place < m_Heap.size(); ++place)
+    {
+      m_Rank[m_Heap[place]] = place;
+      m_Place[m_Heap[place]] = place;
+    }
+  }
+
+  bool
+  IsEmpty() const
+  {
+    return m_Heap.empty();
+  }
+
+  std::size_t
+  Pop()
+  {
+    const std::size_t first = m_Heap.front();
+    const std::size_t last = m_Heap.back();
+    m_Heap.pop_back();
+    m_Place[first] = None;
+    if (!m_Heap.empty())
+    {
+      this->Sink(last);
+    }
+    return first;
+  }
+
+  /** A neighbor has taken one more pass. */
+  void
+  Raise(const std::size_t object)
+  {
+    ++m_Taken[object];
+    std::size_t place = m_Place[object];
+    if (place == None)
+    {
+      return;
+    }
+    while (place > 0 && this->IsBefore(object, m_Heap[(place - 1) / 2]))
+    {
+      this->Put(m_Heap[(place - 1) / 2], place);
+      place = (place - 1) / 2;
+    }
+    this->Put(object, place);
+  }
+
+private:
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+
+  bool
+  IsBefore(const std::size_t a, const std::size_t b) const
+  {
+    return m_Taken[a] != m_Taken[b] ? m_Taken[a] > m_Taken[b] : m_Rank[a] < m_Rank[b];
+  }
+
+  void
+  Put(const std::size_t object, const std::size_t place)
+  {
+    m_Heap[place] = object;
+    m_Place[object] = place;
+  }
+
+  /** From the top. */
+  void
+  Sink(const std::size_t object)
+  {
+    std::size_t place = 0;
+    for (std::size_t child = 1; child < m_Heap.size(); child = 2 * place + 1)
+    {
+      child += child + 1 < m_Heap.size() && this->IsBefore(m_Heap[child + 1], m_Heap[child]) ? 1 : 0;
+      if (!this->IsBefore(m_Heap[child], object))
+      {
+        break;
+      }
+      this->Put(m_Heap[child], place);
+      place = child;
+    }
+    this->Put(object, place);
+  }
+
+  std::vector<std::size_t> m_Rank;  ///< of objects whose neighbors take equally many passes
+  std::vector<std::size_t> m_Taken; ///< passes of neighbors
+  std::vector<std::size_t> m_Place; ///< in the heap
+  std::vector<std::size_t> m_Heap;
+};
+
 } // namespace
 
 MedialVoxelObjectAdjacency::MedialVoxelObjectAdjacency(const MedialVoxelIndex & size,
@@ -54,6 +208,7 @@ MedialVoxelObjectAdjacency::MedialVoxelObjectAdjacency(const MedialVoxelIndex & 
 {
   m_Layer.first.resize(static_cast<std::size_t>(m_BlocksX * m_BlocksY));
   m_PreviousLayer.first.resize(m_Layer.first.size());
+  m_LastPairs.resize(std::size_t{ 1 } << BitsOfLastPairs, 0);
 }
 
 std::int64_t
@@ -77,7 +232,7 @@ MedialVoxelObjectAdjacency::GetBytes(const MedialVoxelIndex & size, const std::u
 }
 
 void
-MedialVoxelObjectAdjacency::AddObject(Layer & layer, const std::size_t block, const ObjectType object)
+MedialVoxelObjectAdjacency::AddObject(Layer & layer, const std::size_t block, const ObjectType object) const
 {
   for (ObjectType & known : layer.first[block])
   {
@@ -91,6 +246,10 @@ MedialVoxelObjectAdjacency::AddObject(Layer & layer, const std::size_t block, co
   if (std::find(rest.begin(), rest.end(), object) == rest.end())
   {
     rest.push_back(object);
+  }
+  if (rest.size() + MostInBlock > MostPasses)
+  {
+    this->RefusePasses();
   }
 }
 
@@ -157,6 +316,7 @@ MedialVoxelObjectAdjacency::FinishLayer()
       {
         continue;
       }
+      this->CheckPasses(x, y);
       for (std::int64_t otherY = std::max<std::int64_t>(y - 1, 0); otherY <= std::min(y + 1, m_BlocksY - 1); ++otherY)
       {
         for (std::int64_t otherX = std::max<std::int64_t>(x - 1, 0); otherX <= std::min(x + 1, m_BlocksX - 1); ++otherX)
@@ -190,57 +350,103 @@ MedialVoxelObjectAdjacency::Connect(const std::size_t block, const Layer & other
     ForEachObject(otherLayer, other, [&](const ObjectType second) {
       if (first != second)
       {
-        m_Pairs.insert(MakePair(first, second));
+        this->AddPair(first, second);
       }
     });
   });
 }
 
-auto
-MedialVoxelObjectAdjacency::MakePasses(const std::size_t numberOfObjects) const -> std::vector<ObjectType>
+void
+MedialVoxelObjectAdjacency::RefusePasses() const
 {
-  std::vector<std::vector<ObjectType>> neighbors(numberOfObjects + 1);
-  for (const std::uint32_t pair : m_Pairs)
-  {
-    const auto first = static_cast<ObjectType>(pair >> 16);
-    const auto second = static_cast<ObjectType>(pair & std::numeric_limits<ObjectType>::max());
-    neighbors[first].push_back(second);
-    neighbors[second].push_back(first);
-  }
+  constexpr std::int64_t usual = 6; // of slices; of volumes it is half as large
+  throw MedialVoxelLabelError("more than " + std::to_string(MostPasses) +
+                              " of its values lie side by side, and each takes a pass of its own; " +
+                              (m_BlockEdge > usual ? "with pores of fewer voxels, or fewer labels, passes are fewer"
+                                                   : "this looks like a gray scan: give a threshold, such as lower"));
+}
 
-  // Of each object that waits: minus the number of passes that its neighbors take, minus that of its neighbors, itself.
-  using Waiting = std::tuple<std::int64_t, std::int64_t, std::size_t>;
-  std::vector<std::set<ObjectType>> taken(numberOfObjects + 1);
-  std::set<Waiting>                 queue;
-  const auto                        describe = [&](const std::size_t object) {
-    return Waiting{ -static_cast<std::int64_t>(taken[object].size()),
-                    -static_cast<std::int64_t>(neighbors[object].size()),
-                    object };
-  };
-  for (std::size_t object = 1; object <= numberOfObjects; ++object)
+void
+MedialVoxelObjectAdjacency::CheckPasses(const std::int64_t blockX, const std::int64_t blockY)
+{
+  std::vector<ObjectType> objects;
+  for (const Layer * const layer : { &m_Layer, &m_PreviousLayer })
   {
-    queue.insert(describe(object));
+    for (std::int64_t y = std::max<std::int64_t>(blockY - 1, 0); y <= blockY; ++y)
+    {
+      for (std::int64_t x = std::max<std::int64_t>(blockX - 1, 0); x <= blockX; ++x)
+      {
+        const auto add = [&objects](const ObjectType object) { objects.push_back(object); };
+        ForEachObject(*layer, static_cast<std::size_t>(y * m_BlocksX + x), add);
+      }
+    }
   }
-  std::vector<ObjectType> passes(numberOfObjects + 1, 0);
-  while (!queue.empty())
+  if (objects.size() <= MostPasses)
   {
-    const std::size_t object = std::get<2>(*queue.begin());
-    queue.erase(queue.begin());
+    return;
+  }
+  std::sort(objects.begin(), objects.end());
+  if (std::unique(objects.begin(), objects.end()) - objects.begin() > static_cast<std::ptrdiff_t>(MostPasses))
+  {
+    this->RefusePasses();
+  }
+}
+
+void
+MedialVoxelObjectAdjacency::AddPair(const ObjectType first, const ObjectType second)
+{
+  const std::uint32_t pair = MakePair(first, second);
+  // Neighboring blocks mostly have the same pairs.
+  std::uint32_t & last = m_LastPairs[(pair * 2654435769u) >> (32 - BitsOfLastPairs)];
+  if (last == pair)
+  {
+    return;
+  }
+  last = pair;
+  m_Pairs.push_back(pair);
+  if (m_Pairs.size() >= 2 * m_NumberOfSorted + MostUnsorted)
+  {
+    this->SortPairs();
+  }
+}
+
+void
+MedialVoxelObjectAdjacency::SortPairs()
+{
+  std::sort(m_Pairs.begin(), m_Pairs.end());
+  m_Pairs.erase(std::unique(m_Pairs.begin(), m_Pairs.end()), m_Pairs.end());
+  m_NumberOfSorted = m_Pairs.size();
+}
+
+auto
+MedialVoxelObjectAdjacency::MakePasses(const std::size_t numberOfObjects) -> std::vector<ObjectType>
+{
+  this->SortPairs();
+  const Neighbors         neighbors(m_Pairs, numberOfObjects);
+  WaitingObjects          waiting(neighbors, numberOfObjects);
+  std::vector<ObjectType> passes(numberOfObjects + 1, 0);
+  using Passes = std::bitset<MostPasses>;
+  std::vector<Passes> taken(numberOfObjects + 1);
+  while (!waiting.IsEmpty())
+  {
+    const std::size_t object = waiting.Pop();
+    if (taken[object].all())
+    {
+      this->RefusePasses();
+    }
     ObjectType pass = 0;
-    while (taken[object].count(pass) > 0)
+    while (taken[object][pass])
     {
       ++pass;
     }
     passes[object] = pass;
-    for (const ObjectType neighbor : neighbors[object])
-    {
-      const bool isWaiting = queue.erase(describe(neighbor)) > 0;
-      taken[neighbor].insert(pass);
-      if (isWaiting)
+    neighbors.ForEach(object, [&](const ObjectType neighbor) {
+      if (!taken[neighbor][pass])
       {
-        queue.insert(describe(neighbor));
+        taken[neighbor][pass] = true;
+        waiting.Raise(neighbor);
       }
-    }
+    });
   }
   return passes;
 }

@@ -6,6 +6,7 @@
 #include "itkMedialVoxelGrayNormals.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelScanSamples.h"
+#include "itkMedialVoxelText.h"
 #include "itkMedialVoxelWallFit.h"
 
 #include <algorithm>
@@ -355,6 +356,31 @@ ChooseBlocks(const Box & image)
 }
 
 } // namespace
+
+std::string
+MedialVoxelScanLevels::FindProblem(const double lower, const double upper) const
+{
+  const std::string values = "the values of background and material are " + MedialVoxelText::FormatNumber(background) +
+                             " and " + MedialVoxelText::FormatNumber(material) + "; ";
+  if (!std::isfinite(background) || !std::isfinite(material))
+  {
+    return values + "they must be finite";
+  }
+  if (!(background < material || material < background))
+  {
+    return values + "they must differ";
+  }
+  const bool isBright = background < lower && lower < material && material <= upper;
+  const bool isDark = background > upper && upper > material && material >= lower;
+  if (isBright || isDark || (std::isinf(lower) && std::isinf(upper)))
+  {
+    return "";
+  }
+  const bool hasLower = !std::isinf(lower);
+  return values + "the threshold " + MedialVoxelText::FormatNumber(hasLower ? lower : upper) +
+         (hasLower && !std::isinf(upper) ? " or " + MedialVoxelText::FormatNumber(upper) : "") +
+         " must be between them, and the material in the object";
+}
 
 MedialVoxelScanSurvey::MedialVoxelScanSurvey(const MedialVoxelGrid &                    grid,
                                              const double                               threshold,

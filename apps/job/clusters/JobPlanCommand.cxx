@@ -220,6 +220,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     const auto  volumes = ListVolumes(options, job.input);
     PlanOptions own = options;
     MeasureThreshold(own, job.input, sink);
+    CheckOptions(own); // with the threshold of Otsu
     MeasureVolume(own, job, sink);
     const Manifest manifest = MakeManifest(own, job, folder);
     folder.Create();

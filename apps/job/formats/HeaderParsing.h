@@ -10,6 +10,7 @@
 namespace medialvoxel
 {
 
+using itk::MedialVoxelText::FindDataFile;
 using itk::MedialVoxelText::GetDataFileSize;
 using itk::MedialVoxelText::HeaderError;
 using itk::MedialVoxelText::HeaderFields;

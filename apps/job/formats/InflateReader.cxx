@@ -18,6 +18,8 @@ namespace
 // Window of 2^15 bytes, and recognition of both zlib's and gzip's header.
 constexpr int    WindowBits = 15 + 32;
 constexpr size_t ChunkBytes = size_t{ 1 } << 20;
+/** With which a packed stream begins. */
+constexpr unsigned long BytesOfMark = 2;
 } // namespace
 
 struct InflateReader::State
@@ -65,7 +67,8 @@ struct InflateReader::State
     atEndOfStream = result == Z_STREAM_END;
     if (!atEndOfStream && result != Z_OK && result != Z_BUF_ERROR)
     {
-      Refuse("are damaged");
+      Refuse(stream.total_in <= BytesOfMark && stream.total_out == 0 ? "are not packed by gzip or zlib"
+                                                                     : "are damaged");
     }
   }
 

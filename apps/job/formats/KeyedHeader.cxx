@@ -328,8 +328,7 @@ private:
   {
     std::string name = m_Fields.Find(m_Dialect.dataFile).value_or("");
     name = name.substr(name.find_last_of("/\\") + 1);
-    return m_FileName.parent_path() /
-           (name.empty() ? *GetStem(m_FileName, m_Dialect.extension) + VoxelExtension : name);
+    return FindDataFile(m_FileName, name.empty() ? *GetStem(m_FileName, m_Dialect.extension) + VoxelExtension : name);
   }
 
   std::filesystem::path m_FileName;

@@ -277,22 +277,25 @@ LabelMap::Prepare(const ReadObserver & observer)
   itk::MedialVoxelLabelSurvey survey(m_Selection.all ? std::vector<std::int64_t>{} : m_Selection.values,
                                      m_Header.geometry.GetVoxelBox().upper,
                                      m_MaximumPoreSize);
+  itk::MedialVoxelLabelSurvey::Result found;
   try
   {
     this->MeasureReading([&] { m_Source->Show(survey, observer); });
+    found = survey.Finish();
   }
   catch (const itk::MedialVoxelLabelError & error)
   {
     Fail(ExitStatus::CorruptInput, m_Header.fileName.string(), ": ", error.what());
   }
-  const auto found = survey.Finish();
+  const std::string resampled =
+    m_Header.stored ? ", when it is resampled to " + FormatSize(m_Header.geometry.size) + " voxels" : "";
   if (!found.missing.empty())
   {
-    Fail(ExitStatus::Usage, m_Header.fileName.string(), ": no voxel has the label ", found.missing.front());
+    Fail(ExitStatus::Usage, m_Header.fileName.string(), ": no voxel has the label ", found.missing.front(), resampled);
   }
   if (found.values.empty())
   {
-    Fail(ExitStatus::Usage, m_Header.fileName.string(), ": all voxels are 0; there is no object");
+    Fail(ExitStatus::Usage, m_Header.fileName.string(), ": all voxels are 0", resampled, "; there is no object");
   }
   m_Source->Learn(found);
   this->Learn(found);

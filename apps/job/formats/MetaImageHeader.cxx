@@ -6,6 +6,7 @@
 
 #include "itkByteSwapper.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace medialvoxel
@@ -61,16 +62,35 @@ ReadFlag(const std::filesystem::path & fileName, const HeaderFields & fields, co
   RefuseHeader(fileName, name + " is '" + *value + "'; it must be True or False");
 }
 
-unsigned int
-ReadDimension(const std::filesystem::path & fileName, const HeaderFields & fields)
+/** Number of axes of the file. */
+size_t
+ReadAxes(const std::filesystem::path & fileName, const HeaderFields & fields)
 {
+  constexpr std::int64_t            mostAxes = 10; // of the format
   const std::string                 text = RequireField(fileName, fields, "NDims");
-  const std::optional<std::int64_t> dimension = ParseInteger(text);
-  if (!dimension || *dimension < 2 || *dimension > 3)
+  const std::optional<std::int64_t> axes = ParseInteger(text);
+  if (!axes || *axes < 2 || *axes > mostAxes)
   {
     RefuseHeader(fileName, "NDims is '" + text + "'; only volumes with 2 or 3 dimensions are read");
   }
-  return static_cast<unsigned int>(*dimension);
+  return static_cast<size_t>(*axes);
+}
+
+/** Without those of length 1 behind the third axis. */
+std::vector<std::uint64_t>
+ReadSize(const std::filesystem::path & fileName, const HeaderFields & fields, const size_t axes)
+{
+  std::vector<std::string> sizes = SplitAtBlanks(RequireField(fileName, fields, "DimSize"));
+  size_t                   dimension = axes;
+  for (; dimension > 3 && sizes.size() == dimension && sizes.back() == "1"; --dimension)
+  {
+    sizes.pop_back();
+  }
+  if (dimension > 3)
+  {
+    RefuseHeader(fileName, "NDims is '" + std::to_string(axes) + "'; only volumes with 2 or 3 dimensions are read");
+  }
+  return ParseSizes(fileName, "DimSize", Join(sizes, " ", [](const std::string & size) { return size; }), dimension);
 }
 
 PixelType
@@ -114,32 +134,33 @@ ReadNumbers(const VolumeHeader &             header,
 
 /** A rule of this format: without ElementSpacing, ElementSize is the spacing. */
 std::vector<double>
-ReadSpacing(const VolumeHeader & header, const HeaderFields & fields)
+ReadSpacing(const VolumeHeader & header, const HeaderFields & fields, const size_t axes)
 {
-  const size_t dimension = header.geometry.size.size();
   for (const char * const name : { "ElementSpacing", "ElementSize" })
   {
     if (fields.Find(name))
     {
-      return ParseSpacings(header.fileName, name, *fields.Find(name), dimension);
+      return ParseSpacings(header.fileName, name, *fields.Find(name), axes);
     }
   }
-  return std::vector<double>(dimension, 1.0);
+  return std::vector<double>(axes, 1.0);
 }
 
 void
-ReadGeometry(VolumeHeader & header, const HeaderFields & fields)
+ReadGeometry(VolumeHeader & header, const HeaderFields & fields, const size_t axes)
 {
   const size_t dimension = header.geometry.size.size();
-  header.geometry.spacing = ReadSpacing(header, fields);
-  header.geometry.origin = ReadNumbers(header, fields, { "Offset", "Position", "Origin" }, dimension);
+  header.geometry.spacing = ReadSpacing(header, fields, axes);
+  header.geometry.spacing.resize(dimension);
+  header.geometry.origin = ReadNumbers(header, fields, { "Offset", "Position", "Origin" }, axes);
   header.geometry.origin.resize(dimension, 0.0);
   const std::vector<double> matrix =
-    ReadNumbers(header, fields, { "Orientation", "Rotation", "TransformMatrix" }, dimension * dimension);
+    ReadNumbers(header, fields, { "Orientation", "Rotation", "TransformMatrix" }, axes * axes);
   header.geometry.SetIdentityDirection();
-  for (size_t i = 0; i < matrix.size(); ++i)
+  for (size_t axis = 0; axis < dimension && !matrix.empty(); ++axis)
   {
-    header.geometry.direction[i / dimension][i % dimension] = matrix[i];
+    std::copy_n(
+      matrix.begin() + static_cast<std::ptrdiff_t>(axis * axes), dimension, header.geometry.direction[axis].begin());
   }
 }
 
@@ -152,11 +173,16 @@ LocateData(const std::filesystem::path & fileName, const HeaderFields & fields)
   {
     return fileName;
   }
-  if (lower.rfind("list", 0) == 0 || name.find('%') != std::string::npos)
+  const std::vector<std::string> words = SplitAtBlanks(name);
+  // A pattern has a place for a number, and three numbers behind it.
+  const bool isPattern =
+    words.size() >= 4 && words.front().find('%') != std::string::npos &&
+    std::all_of(words.end() - 3, words.end(), [](const std::string & word) { return ParseInteger(word); });
+  if (words.front() == "LIST" || isPattern)
   {
     RefuseHeader(fileName, "ElementDataFile is '" + name + "'; voxels spread over several files are not read");
   }
-  return fileName.parent_path() / name;
+  return FindDataFile(fileName, name);
 }
 
 /** HeaderSize is the offset of the voxels; -1 says that they end with the file. */
@@ -190,7 +216,7 @@ ReadMetaImageHeader(const std::filesystem::path & fileName)
   {
     RefuseHeader(fileName, "ObjectType is '" + *fields.Find("ObjectType") + "', not Image");
   }
-  const unsigned int dimension = ReadDimension(fileName, fields);
+  const size_t axes = ReadAxes(fileName, fields);
   if (!ReadFlag(fileName, fields, "BinaryData", true))
   {
     RefuseHeader(fileName, "its voxels are text (BinaryData = False); only binary voxels are read");
@@ -198,8 +224,8 @@ ReadMetaImageHeader(const std::filesystem::path & fileName)
 
   VolumeHeader header;
   header.fileName = fileName;
-  header.geometry.size = ParseSizes(fileName, "DimSize", RequireField(fileName, fields, "DimSize"), dimension);
-  ReadGeometry(header, fields);
+  header.geometry.size = ReadSize(fileName, fields, axes);
+  ReadGeometry(header, fields, axes);
   header.pixelType = ReadPixelType(fileName, fields);
   const bool machineIsBigEndian = itk::ByteSwapper<int>::SystemIsBigEndian();
   header.bigEndian = ReadFlag(fileName, fields, "BinaryDataByteOrderMSB", machineIsBigEndian);

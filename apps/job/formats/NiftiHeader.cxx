@@ -127,7 +127,7 @@ ReadSize(const std::filesystem::path & fileName, const NiftiNumbers & fields)
     return fields.Get<std::int64_t>(Dim, static_cast<std::size_t>(axis));
   };
   std::int64_t dimension = dimOf(0);
-  while (dimension > 3 && dimension <= 7 && dimOf(dimension) == 1)
+  while (dimension > 3 && dimension <= 7 && dimOf(dimension) >= 0 && dimOf(dimension) <= 1) // 0 is not said
   {
     --dimension;
   }

@@ -131,7 +131,7 @@ ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
   {
     Fail(ExitStatus::Usage,
          header.fileName.string(),
-         ": the spacing ",
+         ": --spacing ",
          FormatNumbers(spacing, ","),
          " has ",
          spacing.size(),
@@ -142,6 +142,19 @@ ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
   header.geometry.spacing = spacing;
   const auto isKnown = [](const Warning & warning) { return warning.code == UnknownSpacing; };
   header.warnings.erase(std::remove_if(header.warnings.begin(), header.warnings.end(), isKnown), header.warnings.end());
+}
+
+/** What was typed wrong is no fault of the file. */
+void
+CheckTypedSpacing(const VolumeHeader & header, const char * option)
+{
+  const VolumeGeometry &    geometry = header.geometry;
+  const std::vector<double> origin(geometry.size.size(), 0.0);
+  const std::string         problem = itk::MedialVoxelGridLimits::FindProblem(geometry.size, geometry.spacing, origin);
+  if (!problem.empty())
+  {
+    Fail(ExitStatus::Usage, option, " is ", FormatNumbers(geometry.spacing, ","), ": ", problem);
+  }
 }
 
 /** The voxels must be in the data file, or packed voxels could be. */
@@ -252,9 +265,22 @@ try
   if (!spacing.empty())
   {
     ReplaceSpacing(header, spacing);
+    CheckTypedSpacing(header, "--spacing");
+  }
+  else if (raw && !raw->spacing.empty())
+  {
+    CheckTypedSpacing(header, "--raw-spacing");
   }
   CheckDataSize(header);
   CheckGeometry(header);
+  if (const std::uint64_t bytes = GetBytesBehindVoxels(header))
+  {
+    header.warnings.push_back(
+      { "data_behind_voxels",
+        itk::MedialVoxelText::MakePrintable(header.dataFile.string()) + " goes on for " + std::to_string(bytes) +
+          " bytes behind its last voxel; compare sizes and type of its header with what wrote it",
+        { { "bytes", static_cast<double>(bytes) } } });
+  }
   return header;
 }
 catch (const HeaderError & error)
@@ -269,6 +295,27 @@ ReadInputHeader(const JobOptions & options)
   const VolumeHeader header =
     ReadVolumeHeader(options.input, options.raw, options.spacing, options.level, options.slices);
   return options.resample ? ResampleHeader(header, *options.resample) : header;
+}
+
+std::uint64_t
+GetBytesBehindVoxels(const VolumeHeader & header)
+{
+  if (header.compressed || header.format->input.sizeCheck != DataSizeCheck::AtLeast)
+  {
+    return 0;
+  }
+  if (header.segments.empty())
+  {
+    const std::uint64_t end = header.dataOffset + header.GetVoxelBytes();
+    return header.dataFileSize - std::min(header.dataFileSize, end);
+  }
+  std::uint64_t bytes = 0;
+  for (const itk::MedialVoxelFileSegment & segment : header.segments)
+  {
+    const std::uint64_t size = itk::MedialVoxelText::GetDataFileSize(header.fileName, segment.fileName);
+    bytes += size - std::min(size, segment.offset + segment.numberOfBytes);
+  }
+  return bytes;
 }
 
 TextTable
@@ -294,6 +341,10 @@ DescribeHeader(const VolumeHeader & seen)
   table.emplace_back("voxels", std::to_string(header.geometry.GetNumberOfVoxels()));
   table.emplace_back("bytes",
                      std::to_string(header.GetVoxelBytes()) + " (" + FormatBytes(header.GetVoxelBytes()) + ")");
+  if (const std::uint64_t behind = GetBytesBehindVoxels(header))
+  {
+    table.emplace_back("bytes behind them", std::to_string(behind) + ", which the header does not tell of");
+  }
   if (header.series)
   {
     table.emplace_back("slices", itk::MedialVoxelText::MakePrintable(DescribeSlices(*header.series)));

@@ -35,6 +35,10 @@ ReadVolumeHeader(const std::filesystem::path &         fileName,
 VolumeHeader
 ReadInputHeader(const JobOptions & options);
 
+/** Of uncompressed voxels of formats that allow it: bytes that nothing tells of; read by no one. */
+std::uint64_t
+GetBytesBehindVoxels(const VolumeHeader & header);
+
 /** The volume as names and values to print. */
 TextTable
 DescribeHeader(const VolumeHeader & header);

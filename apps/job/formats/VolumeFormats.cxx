@@ -253,6 +253,10 @@ FindInputFormat(const std::filesystem::path & fileName)
       return format;
     }
   }
+  if (!std::filesystem::exists(status))
+  {
+    Fail(ExitStatus::Failure, "cannot open ", fileName.string(), ": no such file or folder");
+  }
   RefuseExtension(
     fileName,
     JoinExtensions(ListInputExtensions(), ", ") +

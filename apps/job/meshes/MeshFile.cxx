@@ -34,7 +34,53 @@ constexpr std::array<Format, 7> Formats{ { { ".inp", ReadAbaqusMesh },
 /** Products of six coordinates are still numbers. */
 constexpr double LargestCoordinate = 1e30;
 
+/** Bytes; a longer one is no text. */
+constexpr std::size_t LongestLine = std::size_t{ 1 } << 20;
+
+/** Opens a file without waiting for another process to write it. */
+std::ifstream
+Open(const std::string & fileName)
+{
+  std::error_code                    error;
+  const std::filesystem::file_status status = std::filesystem::status(fileName, error);
+  const bool                         isThere = std::filesystem::exists(status);
+  if (isThere && !std::filesystem::is_regular_file(status))
+  {
+    const char * const kind = std::filesystem::is_directory(status) ? "it is a folder" : "it is not a regular file";
+    Fail(ExitStatus::Refused, "cannot open ", fileName, ": ", kind);
+  }
+  errno = 0;
+  std::ifstream input(fileName, std::ios::binary);
+  if (!input)
+  {
+    Fail(ExitStatus::Refused, "cannot open ", fileName, ": ", std::strerror(errno));
+  }
+  return input;
+}
+
 } // namespace
+
+bool
+ReadMeshLine(std::istream & input, std::string & line, const std::string & fileName)
+{
+  constexpr int    end = std::istream::traits_type::eof();
+  std::streambuf & buffer = *input.rdbuf();
+  int              byte = end;
+  for (line.clear(); (byte = buffer.sbumpc()) != end && byte != '\n';)
+  {
+    line.push_back(static_cast<char>(byte));
+    if (line.size() > LongestLine)
+    {
+      Fail(ExitStatus::CorruptInput, fileName, ": has a line of more than ", LongestLine, " bytes; it is not a mesh");
+    }
+  }
+  const bool isRead = byte != end || !line.empty();
+  if (!line.empty() && line.back() == '\r')
+  {
+    line.pop_back();
+  }
+  return isRead;
+}
 
 void
 MeshFileBuilder::AddNode(const std::uint64_t number, const itk::MedialVoxelVector3 & point)
@@ -119,11 +165,7 @@ ReadMeshFile(const std::string & fileName)
     const std::string known = Join(ListMeshFileExtensions(), ", ", [](const std::string & name) { return name; });
     Fail(ExitStatus::Usage, "the extension of the mesh ", fileName, " is not one of ", known);
   }
-  std::ifstream input(fileName, std::ios::binary);
-  if (!input || std::filesystem::is_directory(fileName))
-  {
-    Fail(ExitStatus::Failure, "cannot open ", fileName, ": ", input ? "it is a folder" : std::strerror(errno));
-  }
+  std::ifstream   input = Open(fileName);
   MeshFileBuilder builder(fileName);
   format->reader(input, builder);
   return builder.Finish();

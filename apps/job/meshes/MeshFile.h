@@ -63,6 +63,12 @@ private:
   std::unordered_map<std::uint64_t, std::uint32_t> m_Places;
 };
 
+/** Reads the next line without its end.
+ * \return whether there is one
+ * \throw JobError CorruptInput for a line that is too long for a text */
+bool
+ReadMeshLine(std::istream & input, std::string & line, const std::string & fileName);
+
 /** Readers of the formats. Each leaves out what is neither a node nor a shell element.
  * \throw JobError CorruptInput naming the file and the line or number that it does not understand */
 using MeshFileReader = void(std::istream & input, MeshFileBuilder & builder);
@@ -70,7 +76,7 @@ MeshFileReader ReadAbaqusMesh;
 MeshFileReader ReadNastranMesh;
 MeshFileReader ReadLsDynaMesh;
 MeshFileReader ReadPlyMesh;
-MeshFileReader ReadStlMesh; ///< binary; corners at one place are one node
+MeshFileReader ReadStlMesh; ///< binary or text; corners at one place are one node
 MeshFileReader ReadVtkMesh; ///< .vtp and .vtu with appended raw data, as the program writes them
 
 /** Extensions of files that are read. */
@@ -78,7 +84,7 @@ std::vector<std::string>
 ListMeshFileExtensions();
 
 /** \throw JobError Usage when the extension is of none of the formats
- * \throw JobError Failure when the file can not be opened
+ * \throw JobError Refused when the file can not be opened, or is not a regular one
  * \throw JobError CorruptInput when it is not understood */
 MeshFile
 ReadMeshFile(const std::string & fileName);

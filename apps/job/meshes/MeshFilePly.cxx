@@ -52,7 +52,7 @@ public:
     std::vector<Group> groups;
     std::string        line;
     bool               isBinary = false;
-    for (bool first = true; std::getline(m_Input, line); first = false)
+    for (bool first = true; ReadMeshLine(m_Input, line, m_FileName); first = false)
     {
       const auto words = SplitAtBlanks(line);
       if (first && line != "ply")

@@ -31,7 +31,7 @@ public:
   Next(std::string & line)
   {
     ++m_Number;
-    return static_cast<bool>(std::getline(m_Input, line));
+    return ReadMeshLine(m_Input, line, m_FileName);
   }
 
   [[noreturn]] void
@@ -109,6 +109,26 @@ GetParameter(const Fields & words, const std::string & name)
     }
   }
   return "";
+}
+
+/** A line of Abaqus goes on in the next one behind a comma: a keyword always, numbers until they are enough. */
+Fields
+ReadAbaqusFields(Lines & lines, std::string line, const std::size_t enough)
+{
+  Fields      fields = SplitAtCommas(line);
+  const auto  goesOn = [&] { return fields.back().empty() && (line.front() == '*' || fields.size() <= enough); };
+  std::string more;
+  while (fields.size() > 1 && goesOn() && lines.Next(more))
+  {
+    if (more.compare(0, 2, "**") == 0)
+    {
+      continue;
+    }
+    fields.pop_back();
+    const Fields next = SplitAtCommas(more);
+    fields.insert(fields.end(), next.begin(), next.end());
+  }
+  return fields;
 }
 
 /** Whether elements of Abaqus are shells: an S before the number of their nodes. */
@@ -216,7 +236,8 @@ AddShell(const Lines & lines, const Fields & fields, MeshFileBuilder & builder)
     const bool isMissing = place == 5 && (place >= fields.size() || fields[place].empty() || fields[place] == "0");
     nodes.push_back(isMissing ? nodes.back() : lines.ToNumber(fields, place));
   }
-  if (std::any_of(fields.begin() + 6, fields.end(), [](const std::string & f) { return !f.empty() && f != "0"; }))
+  const auto rest = fields.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(6, fields.size()));
+  if (std::any_of(rest, fields.end(), [](const std::string & f) { return !f.empty() && f != "0"; }))
   {
     lines.FailAt("shells of more than four nodes are not read");
   }
@@ -264,7 +285,8 @@ ReadAbaqusMesh(std::istream & input, MeshFileBuilder & builder)
     {
       continue;
     }
-    const Fields fields = SplitAtCommas(line);
+    const std::size_t enough = nodesOfElement > 0 ? nodesOfElement + 1 : 0;
+    const Fields      fields = ReadAbaqusFields(lines, line, enough);
     if (line.front() == '*')
     {
       const std::string keyword = ToLower(fields.front());

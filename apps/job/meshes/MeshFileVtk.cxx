@@ -137,7 +137,7 @@ private:
     std::string head;
     for (std::string line; head.find(DataMark) == std::string::npos;)
     {
-      if (head.size() > LargestHead || !std::getline(m_Input, line))
+      if (head.size() > LargestHead || !ReadMeshLine(m_Input, line, m_FileName))
       {
         this->FailWith("has no appended raw data; VTK XML is read as the program writes it");
       }

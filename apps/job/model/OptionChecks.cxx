@@ -7,6 +7,7 @@
 #include "itkMedialVoxelGridLimits.h"
 
 #include <cmath>
+#include <limits>
 
 namespace medialvoxel
 {
@@ -152,6 +153,22 @@ CheckLabelOptions(const ExtractOptions & options)
 }
 
 void
+CheckLevels(const ExtractOptions & options)
+{
+  constexpr double  infinity = std::numeric_limits<double>::infinity();
+  const bool        waitsForOtsu = options.lowerIsOtsu && !options.lowerThreshold;
+  const std::string problem =
+    options.levels && !waitsForOtsu
+      ? options.levels->FindProblem(options.lowerThreshold ? options.lowerThreshold->GetNearestDouble() : -infinity,
+                                    options.upperThreshold ? options.upperThreshold->GetNearestDouble() : infinity)
+      : "";
+  if (!problem.empty())
+  {
+    Fail(ExitStatus::Usage, "--levels: ", problem);
+  }
+}
+
+void
 CheckMeasure(const ExtractOptions & options)
 {
   const bool isOff = options.subVoxel && !*options.subVoxel;
@@ -170,13 +187,7 @@ CheckMeasure(const ExtractOptions & options)
   {
     Fail(ExitStatus::Usage, what, " needs a threshold; none is given");
   }
-  if (options.levels && !(options.levels->background != options.levels->material))
-  {
-    Fail(ExitStatus::Usage,
-         "the levels of background and material are both ",
-         FormatNumber(options.levels->material),
-         "; they must differ");
-  }
+  CheckLevels(options);
 }
 
 void

@@ -219,7 +219,7 @@ GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & g
   if (maximum > largest)
   {
     Fail(ExitStatus::Usage,
-         "the maximum local thickness is ",
+         "the maximum local thickness (--largest-ball) is ",
          FormatNumber(maximum),
          "; it must be at most ",
          FormatNumber(Task::MostVoxels),

@@ -7,8 +7,10 @@
 #include "Progress.h"
 #include "Survey.h"
 #include "Text.h"
+#include "WarningRules.h"
 
 #include "itkMedialVoxelGridLimits.h"
+#include "itkMedialVoxelHeaderText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,35 +21,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-/** Message and values of a warning that applies. */
-struct Finding
-{
-  std::string                                 message;
-  std::vector<std::pair<std::string, double>> values;
-};
-
-/** A row of a table: a code, and the check that finds whether it applies to the facts. */
-template <typename... TFacts>
-struct Rule
-{
-  const char * code;
-  std::optional<Finding> (*check)(const TFacts &...);
-  bool isOfEvidence{ false }; ///< without evidence there is no verdict on walls
-};
-
-template <typename... TFacts>
-void
-Apply(const std::vector<Rule<TFacts...>> & rules, std::vector<Warning> & warnings, const TFacts &... facts)
-{
-  for (const Rule<TFacts...> & rule : rules)
-  {
-    if (std::optional<Finding> finding = rule.check(facts...))
-    {
-      warnings.push_back({ rule.code, std::move(finding->message), std::move(finding->values), rule.isOfEvidence });
-    }
-  }
-}
 
 /** A share as a whole percentage, or as 0.5 % and the like. */
 std::string
@@ -192,6 +165,13 @@ DescribeObject(const JobOptions & options)
   return lower ? "at least " + lower->Format() : (upper ? "at most " + upper->Format() : "other than 0");
 }
 
+/** Of an input that is so coarse that the sentence behind would seem wrong. */
+std::string
+DescribeResampling(const VolumeHeader & input)
+{
+  return input.stored ? " when it is resampled to " + FormatSize(input.geometry.size) + " voxels" : "";
+}
+
 std::optional<Finding>
 CheckObject(const JobOptions & options, const JobResult & result)
 {
@@ -206,7 +186,9 @@ CheckObject(const JobOptions & options, const JobResult & result)
                       " voxels were small grains, taken for dust; a maximum pore size of 0 keeps them",
                     { { "removed_voxels", static_cast<double>(counts.removedVoxels) } } };
   }
-  return Finding{ "the volume has no object: no value is " + DescribeObject(options), {} };
+  return Finding{
+    "the volume has no object" + DescribeResampling(result.input) + ": no value is " + DescribeObject(options), {}
+  };
 }
 
 std::optional<Finding>
@@ -223,9 +205,9 @@ CheckBackground(const JobOptions & options, const JobResult & result)
                       " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
                     { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
   }
-  return Finding{
-    "the volume has no background, so the object has no boundary: all values are " + DescribeObject(options), {}
-  };
+  return Finding{ "the volume has no background" + DescribeResampling(result.input) +
+                    ", so the object has no boundary: all values are " + DescribeObject(options),
+                  {} };
 }
 
 /** Objects that are there are not in a table of names. */

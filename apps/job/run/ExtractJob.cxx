@@ -452,6 +452,7 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
     own.labels = ResolveNames(*options.labels, result.segments);
   }
   MeasureThreshold(own, result.input, sink);
+  CheckOptions(own); // with the threshold of Otsu
   result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;
   WithPipelineErrors([&] {
     sink.Start("medialvoxel", "extracting medial voxels");

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelWarningRules_h
+#define medialvoxelWarningRules_h
+
+#include "Warning.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Message and values of a warning that applies. */
+struct Finding
+{
+  std::string                                 message;
+  std::vector<std::pair<std::string, double>> values;
+};
+
+/** A row of a table: a code, and the check that finds whether it applies to the facts. */
+template <typename... TFacts>
+struct Rule
+{
+  const char * code;
+  std::optional<Finding> (*check)(const TFacts &...);
+  bool isOfEvidence{ false }; ///< without evidence there is no verdict on walls
+};
+
+template <typename... TFacts>
+void
+Apply(const std::vector<Rule<TFacts...>> & rules, std::vector<Warning> & warnings, const TFacts &... facts)
+{
+  for (const Rule<TFacts...> & rule : rules)
+  {
+    if (std::optional<Finding> finding = rule.check(facts...))
+    {
+      warnings.push_back({ rule.code, std::move(finding->message), std::move(finding->values), rule.isOfEvidence });
+    }
+  }
+}
+
+} // end namespace medialvoxel
+
+#endif
