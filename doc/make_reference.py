@@ -258,7 +258,8 @@ def make_report(catalog, schema):
         "no `percent` and `thickness`.\n",
         "## Warnings\n",
         "Some runs end well and their numbers mislead. Each warning is one line on the error stream, an entry under `warnings` in the\n"
-        "report, a line on the page, and a comment on the output stream of the Slicer module. The exit status stays 0.\n",
+        "report, a line on the page, and a comment on the output stream of the Slicer module. The exit status stays 0, or with\n"
+        "`--fail-if-thin` is 6 where the warning says that too little was measured.\n",
         table(["code", "when"], [[f"`{row['const']}`", row["description"]] for row in warnings]),
         "## Progress\n",
         "`--progress STYLE` chooses what the error stream shows. `--quiet` leaves out notes, warnings and the table too.\n",

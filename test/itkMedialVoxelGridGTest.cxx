@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace
 {
 using namespace MedialVoxelTest;
@@ -63,6 +65,21 @@ TEST(MedialVoxelGrid, EqualSpacingsAreComparedInVoxels)
   EXPECT_TRUE(grid.IsActive(0) && grid.IsActive(1));
   EXPECT_FALSE(grid.IsActive(2));
   EXPECT_EQ(grid.GetUnitMargin(), KernelIndex({ { 1, 1, 0 } }));
+}
+
+TEST(MedialVoxelGrid, SpacingsThatAreNearlyEqualAreEqual)
+{
+  const itk::MedialVoxelGrid grid(KernelIndex({ { 9, 8, 7 } }), { { 1.0, 1.000000015, 0.9999999 } });
+  EXPECT_TRUE(grid.HasEqualSpacing());
+  EXPECT_EQ(grid.GetSpacing(), (itk::MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } }));
+  EXPECT_EQ(grid.GetEdgeLength(6), std::sqrt(2.0));
+
+  const itk::MedialVoxelGrid two(KernelIndex({ { 9, 8, 7 } }), { { 0.9570312, 0.95703119, 1.5 } });
+  EXPECT_FALSE(two.HasEqualSpacing());
+  EXPECT_EQ(two.GetSpacing(), (itk::MedialVoxelGrid::SpacingType{ { 0.9570312, 0.9570312, 1.5 } }));
+
+  const itk::MedialVoxelGrid other(KernelIndex({ { 9, 8, 7 } }), { { 1.0, 1.0, 1.000002 } });
+  EXPECT_FALSE(other.HasEqualSpacing());
 }
 
 TEST(MedialVoxelGrid, UnequalSpacingsAreComparedInSpace)

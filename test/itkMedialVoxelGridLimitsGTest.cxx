@@ -102,6 +102,19 @@ TEST(MedialVoxelGridLimits, SizesExtentsAndOriginsAreNamed)
   }
 }
 
+TEST(MedialVoxelGridLimits, AxesThatAreNotAtRightAnglesAreNamed)
+{
+  const auto problem = [](const double degrees) {
+    const double radians = degrees * 3.14159265358979 / 180.0;
+    return itk::MedialVoxelGridLimits::FindShear(
+      { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 }, { 0.0, std::cos(radians), std::sin(radians) } });
+  };
+  EXPECT_EQ(problem(90.0), "");
+  EXPECT_EQ(problem(90.5), "");
+  EXPECT_NE(problem(91.0).find("axes y and z are at 91 degrees"), std::string::npos) << problem(91.0);
+  EXPECT_NE(problem(65.0).find("axes y and z are at 65 degrees"), std::string::npos) << problem(65.0);
+}
+
 TEST(MedialVoxelGridLimits, OnlyAxesLongerThanOneCount)
 {
   EXPECT_EQ(MedialVoxelGridLimits::RatioOf({ { { 5, 5, 1 } }, { { 1.0, 3.0, 99.0 } } }), 3.0);
