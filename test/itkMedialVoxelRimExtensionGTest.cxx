@@ -79,11 +79,13 @@ Placed(itk::MedialVoxelSheet sheet, unsigned int seed)
 }
 
 itk::MedialVoxelRimExtensionSummary
-Extend(itk::MedialVoxelSheet & sheet, const itk::MedialVoxelMeasureRimRays & measure = {})
+Extend(itk::MedialVoxelSheet &                sheet,
+       const itk::MedialVoxelMeasureRimRays & measure = {},
+       const itk::MedialVoxelRimLimits &      limits = {})
 {
   const std::size_t          before = sheet.points.size();
   std::vector<std::uint32_t> origins;
-  const auto                 summary = itk::MedialVoxelExtendRims(sheet, measure, origins);
+  const auto                 summary = itk::MedialVoxelExtendRims(sheet, measure, limits, origins);
   EXPECT_EQ(origins.size(), sheet.points.size());
   EXPECT_EQ(sheet.thickness.size(), sheet.points.size());
   for (std::size_t point = 0; point < origins.size(); ++point)
@@ -114,6 +116,44 @@ ToBox(const Vector3 & low, const Vector3 & high)
     }
     return lengths;
   };
+}
+
+TEST(MedialVoxelRimExtension, RimsStopAtTheFacesOfTheVolume)
+{
+  for (unsigned int seed = 0; seed < 8; ++seed)
+  {
+    itk::MedialVoxelSheet sheet = Placed(MakeSheet(15, Everywhere), seed);
+    // Across the tilted plate, a little beyond what it has.
+    for (const double left : { 0.0, 0.2, 0.7 })
+    {
+      itk::MedialVoxelSheet     grown = sheet;
+      itk::MedialVoxelRimLimits limits;
+      for (unsigned int axis = 0; axis < 3; ++axis)
+      {
+        for (const double sign : { -1.0, 1.0 })
+        {
+          itk::MedialVoxelRimLimit face;
+          face.normal[axis] = 2.0 * sign;
+          face.limit = -1e9;
+          for (const Vector3 & point : sheet.points)
+          {
+            face.limit = std::max(face.limit, 2.0 * (sign * point[axis] + left));
+          }
+          limits.push_back(face);
+        }
+      }
+      Extend(grown, {}, limits);
+      EXPECT_GT(grown.points.size(), sheet.points.size());
+      for (const Vector3 & point : grown.points)
+      {
+        for (const itk::MedialVoxelRimLimit & face : limits)
+        {
+          const double way = face.normal[0] * point[0] + face.normal[1] * point[1] + face.normal[2] * point[2];
+          EXPECT_LE(way, face.limit + 1e-9);
+        }
+      }
+    }
+  }
 }
 
 TEST(MedialVoxelRimExtension, PlatesGrowByHalfTheirThicknessAtAnyTilt)

@@ -229,12 +229,16 @@ RemeshExtended(MedialVoxelSheet                    sheet,
     carried.triangles.push_back({ { element.corners[0], element.corners[1], element.corners[2] } });
   }
   std::vector<Index> origins;
-  const auto         rims = MedialVoxelExtendRims(carried, size.measureRimRays, origins);
+  const auto         rims = MedialVoxelExtendRims(carried, size.measureRimRays, size.rimLimits, origins);
 
   MedialVoxelRemeshedSheet result = RemeshAsItIs(std::move(carried), size, true, progress);
   for (Index & point : result.finePoint)
   {
     point = before.finePoint[origins[point]];
+  }
+  for (MedialVoxelVector3 & point : result.points)
+  {
+    point = MedialVoxelMoveWithin(point, size.rimLimits);
   }
   result.summary = Add(before.summary, result.summary);
   result.summary.rims = rims;

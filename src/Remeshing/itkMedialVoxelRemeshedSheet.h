@@ -24,6 +24,7 @@ struct MedialVoxelElementSize
 
   bool                      extendsRims{ false }; ///< to the free edges of the part
   MedialVoxelMeasureRimRays measureRimRays{};     ///< finds these edges; empty: they are half a thickness away
+  MedialVoxelRimLimits      rimLimits{};          ///< faces of the volume, where rims end at the latest
 
   double
   GetNoise(double meanSide) const

@@ -92,8 +92,9 @@ Solve(const std::vector<std::pair<Vector, double>> & equations)
 class RimExtender
 {
 public:
-  RimExtender(MedialVoxelSheet & sheet, const MedialVoxelMeasureRimRays & measure)
+  RimExtender(MedialVoxelSheet & sheet, const MedialVoxelMeasureRimRays & measure, const MedialVoxelRimLimits & limits)
     : m_Sheet(sheet)
+    , m_Limits(limits)
     , m_Lines(sheet, measure)
     , m_Shifts(sheet.points.size())
     , m_Across(sheet.points.size())
@@ -108,6 +109,7 @@ public:
     std::iota(m_Twins.begin(), m_Twins.end(), Index{ 0 });
     this->FindShifts();
     this->FindCorners();
+    this->KeepWithin();
     this->KeepClear();
     this->KeepNormals();
     this->KeepApart();
@@ -222,6 +224,26 @@ private:
     {
       m_Shifts[point] = MedialVoxelSubtract(corner, m_Lines.PointOf(point));
       m_Twins[point] = *std::min_element(points.begin(), points.end());
+    }
+  }
+
+  /** Shortens what is added where it would leave the volume. */
+  void
+  KeepWithin()
+  {
+    for (Index point = 0; point < m_Lines.GetNumberOfPoints(); ++point)
+    {
+      double share = 1.0;
+      for (const MedialVoxelRimLimit & face : m_Limits)
+      {
+        const double left = face.limit - MedialVoxelDot(face.normal, m_Lines.PointOf(point));
+        const double way = MedialVoxelDot(face.normal, m_Shifts[point]);
+        share = way > left ? std::min(share, std::max(0.0, left) / way) : share;
+      }
+      if (share < 1.0)
+      {
+        this->Shorten(point, share);
+      }
     }
   }
 
@@ -437,6 +459,7 @@ private:
   }
 
   MedialVoxelSheet &             m_Sheet;
+  const MedialVoxelRimLimits &   m_Limits;
   MedialVoxelRimLines            m_Lines;
   std::vector<Vector>            m_Shifts; ///< of the points of rims
   std::vector<double>            m_Across; ///< the same across the rims
@@ -447,13 +470,29 @@ private:
 
 } // namespace
 
+MedialVoxelVector3
+MedialVoxelMoveWithin(const MedialVoxelVector3 & point, const MedialVoxelRimLimits & limits)
+{
+  MedialVoxelVector3 moved = point;
+  for (const MedialVoxelRimLimit & face : limits)
+  {
+    const double beyond = MedialVoxelDot(face.normal, moved) - face.limit;
+    if (beyond > 0.0)
+    {
+      moved = MedialVoxelAddScaled(moved, face.normal, -beyond / MedialVoxelDot(face.normal, face.normal));
+    }
+  }
+  return moved;
+}
+
 MedialVoxelRimExtensionSummary
 MedialVoxelExtendRims(MedialVoxelSheet &                sheet,
                       const MedialVoxelMeasureRimRays & measure,
+                      const MedialVoxelRimLimits &      limits,
                       std::vector<std::uint32_t> &      origins)
 {
   assert(sheet.thickness.size() == sheet.points.size());
-  return RimExtender(sheet, measure).Run(origins);
+  return RimExtender(sheet, measure, limits).Run(origins);
 }
 
 } // end namespace itk

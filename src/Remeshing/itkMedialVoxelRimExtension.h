@@ -21,6 +21,18 @@ struct MedialVoxelRimRays
 /** The length of each ray to where it first leaves the part; not finite: it starts outside, or is longer. */
 using MedialVoxelMeasureRimRays = std::function<std::vector<double>(const MedialVoxelRimRays & rays)>;
 
+/** A plane that rims are not carried on beyond: what is inside has products with the normal up to the limit. */
+struct MedialVoxelRimLimit
+{
+  MedialVoxelVector3 normal{}; ///< of any length
+  double             limit{ 0 };
+};
+using MedialVoxelRimLimits = std::vector<MedialVoxelRimLimit>;
+
+/** The point itself, or the nearest one on the planes that it is beyond, which are across to each other. */
+MedialVoxel_EXPORT MedialVoxelVector3
+MedialVoxelMoveWithin(const MedialVoxelVector3 & point, const MedialVoxelRimLimits & limits);
+
 /** What became of rims. Lengths are in the units of the points. */
 struct MedialVoxelRimExtensionSummary
 {
@@ -42,10 +54,12 @@ struct MedialVoxelRimExtensionSummary
  * Strips that meet at a junction share its line. A strip stops halfway to other walls and rims.
  * \param sheet   without triangles of one place, of triangles about as long as the walls are thick, or half as long
  * \param measure may be empty: no surface is known
+ * \param limits  of the volume, beyond which nothing is known
  * \param origins of each point of the result, the number of the one it was carried on from, or its own */
 MedialVoxel_EXPORT MedialVoxelRimExtensionSummary
 MedialVoxelExtendRims(MedialVoxelSheet &                sheet,
                       const MedialVoxelMeasureRimRays & measure,
+                      const MedialVoxelRimLimits &      limits,
                       std::vector<std::uint32_t> &      origins);
 
 } // end namespace itk

@@ -36,22 +36,46 @@ AddScaled(const Vector & a, const Vector & b, const double factor)
   return { { a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2] } };
 }
 
+/** The vectors whose products with a displacement are its numbers of voxels along the axes. */
+std::array<Vector, 3>
+InvertSteps(const std::array<Vector, 3> & steps)
+{
+  const double          volume = Dot(steps[0], Cross(steps[1], steps[2]));
+  std::array<Vector, 3> toIndex;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    toIndex[axis] = AddScaled({}, Cross(steps[(axis + 1) % 3], steps[(axis + 2) % 3]), 1.0 / volume);
+  }
+  return toIndex;
+}
+
 } // namespace
+
+itk::MedialVoxelRimLimits
+GetRimLimits(const VolumeGeometry & geometry)
+{
+  constexpr double          halfVoxel = 0.5;
+  const auto                placement = GetPlacement(geometry);
+  const auto                toIndex = InvertSteps(placement.steps);
+  const auto                size = GetSize(geometry);
+  itk::MedialVoxelRimLimits limits;
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    const double start = Dot(toIndex[axis], placement.origin);
+    limits.push_back({ toIndex[axis], static_cast<double>(size[axis]) - halfVoxel + start });
+    limits.push_back({ AddScaled({}, toIndex[axis], -1.0), halfVoxel - start });
+  }
+  return limits;
+}
 
 RimRays::RimRays(InputVolume & input, const VolumeGeometry & geometry, const std::optional<GrayRange> & range)
   : m_Input(input)
   , m_Size(GetSize(geometry))
   , m_Origin(GetPlacement(geometry).origin)
+  , m_ToIndex(InvertSteps(GetPlacement(geometry).steps))
   , m_Step(StepOfSpacing * *std::min_element(geometry.spacing.begin(), geometry.spacing.end()))
   , m_Range(range)
-{
-  const auto   steps = GetPlacement(geometry).steps;
-  const double volume = Dot(steps[0], Cross(steps[1], steps[2]));
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    m_ToIndex[axis] = AddScaled({}, Cross(steps[(axis + 1) % 3], steps[(axis + 2) % 3]), 1.0 / volume);
-  }
-}
+{}
 
 std::vector<double>
 RimRays::Measure(const itk::MedialVoxelRimRays & rays)

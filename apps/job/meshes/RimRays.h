@@ -15,6 +15,10 @@
 namespace medialvoxel
 {
 
+/** The faces of a volume, half a voxel beyond its last voxels. */
+itk::MedialVoxelRimLimits
+GetRimLimits(const VolumeGeometry & geometry);
+
 /** \class RimRays
  * \brief Finds the surface of a part from places inside it, in a volume that is read again around them.
  *

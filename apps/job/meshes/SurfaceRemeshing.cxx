@@ -3,6 +3,7 @@
 #include "SurfaceRemeshing.h"
 
 #include "Errors.h"
+#include "RimRays.h"
 #include "SurfaceCoarsening.h"
 #include "SurfaceFormat.h"
 #include "SurfaceReader.h"
@@ -188,6 +189,7 @@ GetElementSize(const ExtractOptions & options, const VolumeGeometry & geometry)
   size.least = isAutomatic ? 2.0 * largest : options.elementSize.length;
   size.atThickness = isAutomatic;
   size.joinsTriangles = !options.meshTriangles;
+  size.rimLimits = GetRimLimits(geometry);
   return size;
 }
 
