@@ -33,7 +33,7 @@ AddPlaceOptions(CLI::App & app, ExtractOptions & options)
     options.smallestPlace = ToLengthOrNone(text);
   })->group(group);
   AddFile(app, "--places", "Table of these places (.csv)", options.placesFile)->group(group);
-  AddFlag(app, "--fail-if-thin", "Exit status 5 when there are thin places, 6 when too little was measured to know", options.failsIfThin)->group(group);
+  AddFlag(app, "--fail-if-thin", "Exit status 5 if thin, 6 if not measured", options.failsIfThin)->group(group);
 }
 
 } // namespace

@@ -106,7 +106,10 @@ ListOptionDetails()
       "--places",
       "The 10000 largest of each kind, the largest first: area, cells, thickness; position and index of the thinnest "
       "(thickest) cell, its two opposite boundary voxels, first and last index." },
-    { "", "--fail-if-thin", "All outputs are written. Needs --thin-below." },
+    { "",
+      "--fail-if-thin",
+      "6: there are no thin places, but too little was measured to know. All outputs are written. Needs "
+      "--thin-below." },
     { "",
       "--mesh",
       "The medial surface, as medialvoxel mesh writes it. With --labels: that of each object, told apart." },

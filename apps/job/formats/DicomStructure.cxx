@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <iomanip>
 #include <set>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -211,13 +209,8 @@ private:
     }
     else
     {
-      std::ostringstream bytes;
-      for (const char byte : element.representation)
-      {
-        bytes << ' ' << std::hex << std::setw(2) << std::setfill('0') << int{ static_cast<unsigned char>(byte) };
-      }
       this->Refuse("an element has the unknown value representation '" +
-                   itk::MedialVoxelText::MakePrintable(element.representation) + "', the bytes" + bytes.str());
+                   itk::MedialVoxelText::MakePrintable(element.representation) + "'");
     }
     return element;
   }
