@@ -4,12 +4,10 @@
 #define itkMedialVoxelMemoryError_h
 
 #include "itkMedialVoxelMemoryShortage.h"
-#include "itkMedialVoxelProgress.h"
 
 #include "itkMacro.h"
 
-#include <exception>
-#include <new>
+#include <stdexcept>
 
 namespace itk
 {
@@ -51,8 +49,8 @@ private:
   std::uint64_t m_AllowedBytes;
 };
 
-/** Calls a function of the library below the filters. Hosts of ITK end at exceptions of other kinds, so that all but
- * a stop becomes one of ITK. */
+/** Calls a function of the library below the filters. Hosts of ITK end at exceptions of other kinds, so that those of
+ * the library become exceptions of ITK. Those of observers are theirs. */
 template <typename TFunction>
 decltype(auto)
 MedialVoxelWithItkErrors(TFunction && function)
@@ -61,23 +59,11 @@ MedialVoxelWithItkErrors(TFunction && function)
   {
     return function();
   }
-  catch (const ExceptionObject &)
-  {
-    throw;
-  }
-  catch (const MedialVoxelAborted &)
-  {
-    throw;
-  }
   catch (const MedialVoxelMemoryShortage & shortage)
   {
     throw MedialVoxelMemoryError(shortage);
   }
-  catch (const std::bad_alloc &)
-  {
-    throw MemoryAllocationError(__FILE__, __LINE__, "There is not enough memory.", ITK_LOCATION);
-  }
-  catch (const std::exception & error)
+  catch (const std::length_error & error)
   {
     throw ExceptionObject(__FILE__, __LINE__, error.what(), ITK_LOCATION);
   }

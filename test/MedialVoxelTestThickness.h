@@ -87,8 +87,9 @@ struct ExpectedWall
 /** Points of both sides of a wall. */
 using SidePoints = std::array<std::vector<Index3>, 2>;
 
+/** \param onlyAxis  that the way from side to side is along; 3: any way */
 inline ExpectedWall
-ExpectWallBetween(const Volume & volume, const SidePoints & points)
+ExpectWallBetween(const Volume & volume, const SidePoints & points, std::size_t onlyAxis = 3)
 {
   Vector3 way{};
   Vector3 stretched{}; // the normal in voxels
@@ -103,7 +104,8 @@ ExpectWallBetween(const Volume & volume, const SidePoints & points)
       }
       means[side] /= static_cast<double>(points[side].size());
     }
-    way[axis] = (means[1] - means[0]) * volume.spacing[axis];
+    const bool counts = onlyAxis == 3 || onlyAxis == static_cast<std::size_t>(axis);
+    way[axis] = counts ? (means[1] - means[0]) * volume.spacing[axis] : 0.0;
     stretched[axis] = way[axis] * volume.spacing[axis];
   }
   const double distance = std::sqrt(Dot(way, way));
@@ -185,17 +187,42 @@ ExpectWall(const Volume &              volume,
   {
     return all;
   }
-  // Points that face away from a or b are on the end of the wall.
-  for (std::size_t side = 0; side < 2; ++side)
+  // Points on the end of a wall across an axis: off the planes, and facing along them.
+  const auto facesAlong = [&](const Index3 & point, const std::size_t axis) {
+    const Vector3 scaled = LookAround(volume, point, {}).inwards;
+    double        aside = 0.0;
+    for (std::size_t other = 0; other < 3; ++other)
+    {
+      aside = other == axis ? aside : std::max(aside, std::abs(scaled[other] * volume.spacing[other]));
+    }
+    return aside > 0.5 && 2.0 * std::abs(scaled[axis] * volume.spacing[axis]) <= aside + 0.5;
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const Vector3 inwards = LookAround(volume, ends[side], {}).inwards;
-    const auto    facesAway = [&](const Index3 & point) {
-      const Vector3 own = LookAround(volume, point, {}).inwards;
-      return own != Vector3{} && inwards != Vector3{} && Dot(own, inwards) <= 0.0;
-    };
-    points[side].erase(std::remove_if(points[side].begin(), points[side].end(), facesAway), points[side].end());
+    if (ends[0][axis] == ends[1][axis] || facesAlong(ends[0], axis) || facesAlong(ends[1], axis))
+    {
+      continue;
+    }
+    SidePoints inPlanes;
+    bool       areEnds = true;
+    for (std::size_t side = 0; side < 2; ++side)
+    {
+      for (const Index3 & point : points[side])
+      {
+        const bool isInPlane = point[axis] == ends[side][axis];
+        areEnds = areEnds && (isInPlane || facesAlong(point, axis));
+        if (isInPlane)
+        {
+          inPlanes[side].push_back(point);
+        }
+      }
+    }
+    if (areEnds)
+    {
+      return { ExpectWallBetween(volume, inPlanes, axis).thickness, all.cosine };
+    }
   }
-  return { ExpectWallBetween(volume, points).thickness, all.cosine };
+  return all;
 }
 } // namespace MedialVoxelTest
 

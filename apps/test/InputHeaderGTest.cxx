@@ -320,7 +320,7 @@ TEST(InputHeader, NiftiGeometryIsTheOneThatItkReads)
   texts[3].Set<std::int16_t>(codes, { 2, 0 }).Set(quaternion, turn).Set(offset, place).Set<float>(76, { -1 });
   texts[4].Set<std::int16_t>(codes, { 0, 1 }).Set(matrix, rows);
   texts[5].Set<std::int16_t>(codes, { 1, 1 }).Set(quaternion, turn).Set(offset, place).Set(matrix, rows);
-  texts[6].Set<std::int16_t>(codes, { 1, 2 }).Set(quaternion, turn).Set(offset, place).Set(matrix, rows);
+  texts[6].Set<std::int16_t>(codes, { 0, 2 }).Set(quaternion, turn).Set(offset, place).Set(matrix, rows);
   texts[7].Set<std::int16_t>(codes, { 1, 1 }).Set(quaternion, turn).Set(offset, place).Set(matrix, skewed);
   texts[8].Set<std::int16_t>(codes, { 1, 0 }).Set<float>(quaternion, { 0, 0, 1 }).Set<unsigned char>(unit, { 1 });
   for (const NiftiText & text : texts)

@@ -84,7 +84,7 @@ TEST(VolumeHeader, GeometryIsTheOneThatItkReads)
   const std::string meta = "ObjectType = Image\nNDims = 3\nBinaryData = True\nDimSize = 4 3 2\n";
   const std::string metaEnd = "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
   const std::string nrrd = "NRRD0004\ntype: short\ndimension: 3\nsizes: 4 3 2\nendian: little\nencoding: raw\n";
-  const std::string vectors = "space directions: (0,0.5,0) (-0.25,0,0.25) (0,0.1,2)\nspace origin: (1,-2,3.5)\n";
+  const std::string vectors = "space directions: (0,0.5,0) (-0.25,0,0.25) (1.5,0,1.5)\nspace origin: (1,-2,3.5)\n";
   const std::vector<std::string> metaFields{
     "",
     "ElementSpacing = 0.1 0.2 0.3\n",

@@ -332,34 +332,47 @@ MedialVoxelThickness::FindWaysOut(Direction & direction)
   direction.knowsOut = true;
 }
 
-/** Corners whose points do not face the way of a or b, on whose side they are: beside a rim the end of the wall can be
- * as near to a corner as its side. */
+/** Beside a rim the end of a wall can be as near to a corner as its sides. \return bits of the corners whose points lie
+ * on the end of a wall across an axis: off the plane of their side, and facing along it while a and b face across; none
+ * when any other point is off the planes too */
 template <typename TBlockAt>
-unsigned int
-MedialVoxelThickness::FindOthers(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const
+auto
+MedialVoxelThickness::FindEnds(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const -> Ends
 {
-  const auto & spacing = m_Grid.GetSpacing();
-  const auto   inwardsAt = [&](const MedialVoxelIndex & point) {
-    const Side   side(1, blockAt(point).sums, m_BlockVoxels);
-    PositionType inwards{};
-    for (unsigned int axis = 0; axis < 3; ++axis)
+  const Sides split(wall);
+  const auto  facesAlong = [&](const MedialVoxelIndex & point, const unsigned int axis) {
+    const auto   inwards = Side(1, blockAt(point).sums, m_BlockVoxels).inwards;
+    std::int64_t aside = 0;
+    for (unsigned int other = 0; other < 3; ++other)
     {
-      inwards[axis] = static_cast<double>(side.inwards[axis]) / spacing[axis];
+      aside = other == axis ? aside : std::max(aside, std::abs(inwards[other]));
     }
-    return inwards;
+    return aside > 0 && 2 * std::abs(inwards[axis]) <= aside;
   };
-  const Sides        split(wall);
-  const PositionType sides[2] = { inwardsAt(wall.a), inwardsAt(wall.b) };
-  unsigned int       others = 0;
-  for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
+  for (unsigned int axis = 0; axis < 3; ++axis)
   {
-    const PositionType   own = inwardsAt(wall.corners[corner]);
-    const PositionType & side = sides[split.Find(wall.corners[corner]) < 0 ? 0 : 1];
-    const double         dot = own[0] * side[0] + own[1] * side[1] + own[2] * side[2];
-    const bool           isKnown = own != PositionType{} && side != PositionType{};
-    others |= (isKnown && dot <= 0.0 ? 1u : 0u) << corner;
+    if (wall.a[axis] == wall.b[axis] || facesAlong(wall.a, axis) || facesAlong(wall.b, axis))
+    {
+      continue;
+    }
+    Ends ends{ axis };
+    bool areEnds = true;
+    for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
+    {
+      const MedialVoxelIndex & point = wall.corners[corner];
+      const std::int64_t       side = split.Find(point);
+      if (side != 0 && point[axis] != (side < 0 ? wall.a : wall.b)[axis])
+      {
+        ends.corners |= 1u << corner;
+        areEnds = areEnds && facesAlong(point, axis);
+      }
+    }
+    if (areEnds)
+    {
+      return ends;
+    }
   }
-  return others;
+  return {};
 }
 
 /** \param blockAt  called with a point, tells the block around it */
@@ -368,21 +381,21 @@ auto
 MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const
   -> Span
 {
-  Span               span = this->FindSpanWithout(0, wall, direction, blockAt);
-  const unsigned int others = span.isInPlanes ? 0 : this->FindOthers(wall, blockAt);
-  if (others != 0)
+  Span       span = this->FindSpanWithout({}, wall, direction, blockAt);
+  const Ends ends = span.isInPlanes ? Ends{} : this->FindEnds(wall, blockAt);
+  if (ends.corners != 0)
   {
     const Span all = span;
-    span = this->FindSpanWithout(others, wall, direction, blockAt);
+    span = this->FindSpanWithout(ends, wall, direction, blockAt);
     std::copy(std::begin(all.sides), std::end(all.sides), std::begin(span.allSides));
   }
   return span;
 }
 
-/** \param others  bits of corners that are left out */
+/** \param ends  what is left out; without these points the way from side to side is along the axis */
 template <typename TBlockAt>
 auto
-MedialVoxelThickness::FindSpanWithout(const unsigned int            others,
+MedialVoxelThickness::FindSpanWithout(const Ends &                  ends,
                                       const MedialVoxelWallPoints & wall,
                                       Direction &                   direction,
                                       TBlockAt &&                   blockAt) const -> Span
@@ -397,7 +410,7 @@ MedialVoxelThickness::FindSpanWithout(const unsigned int            others,
   {
     const MedialVoxelIndex & point = wall.corners[corner];
     const std::int64_t       side = split.Find(point);
-    if (side == 0 || ((others >> corner) & 1u) != 0)
+    if (side == 0 || ((ends.corners >> corner) & 1u) != 0)
     {
       continue;
     }
@@ -430,7 +443,7 @@ MedialVoxelThickness::FindSpanWithout(const unsigned int            others,
   {
     const double way = (static_cast<double>(positions[1][axis]) / span.numbers[1] -
                         static_cast<double>(positions[0][axis]) / span.numbers[0]) *
-                       spacing[axis];
+                       spacing[axis] * (ends.corners == 0 || axis == ends.axis ? 1.0 : 0.0);
     span.way[axis] = way;
     span.across[axis] = way * spacing[axis];
     squaredDistance += way * way;
