@@ -17,7 +17,7 @@ namespace
 using namespace medialvoxel;
 
 using Cells = std::map<std::int64_t, PlaceCell>;
-using Row = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::int64_t, float, float>;
+using Row = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t, std::int64_t, float, float, std::uint64_t>;
 using Rows = std::vector<Row>;
 
 constexpr float Limit = 4.0f;
@@ -38,7 +38,7 @@ MakeRule(PlaceKind kind)
 Row
 MakeRow(const PlaceSums & sums)
 {
-  return { sums.area, sums.cells, sums.thickness, sums.worst.key, sums.minimum, sums.maximum };
+  return { sums.areaBeyond, sums.cells, sums.thickness, sums.worst.key, sums.minimum, sums.maximum, sums.area };
 }
 
 Rows
@@ -78,7 +78,7 @@ FindRows(Cells cells, const PlaceRule & rule, const PlaceGrid & grid)
         }
       }
     }
-    if (sums.hasBegun && sums.area >= rule.smallestArea)
+    if (sums.hasBegun && sums.areaBeyond >= rule.smallestArea)
     {
       rows.push_back(MakeRow(sums));
     }
@@ -223,7 +223,7 @@ TEST(MedialVoxelPlaceList, KeepsTheLargestInAnyOrder)
   {
     places[i].cells = 1;
     places[i].hasBegun = true;
-    places[i].area = 3 + i % 97;
+    places[i].area = places[i].areaBeyond = 3 + i % 97;
     places[i].worst.key = static_cast<std::int64_t>(i);
   }
   Rows         expected;
