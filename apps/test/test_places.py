@@ -314,15 +314,15 @@ class PlacesTest(ProgramTestCase):
     def test_wrong_values_are_refused(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())
         for parts, *arguments in (
-            (["thickness of thin places", "0", "greater than 0"], "--thin-below", 0),
-            (["thickness of thick places", "-1"], "--thick-above", -1),
-            (["thickness of thin places", "inf"], "--thin-below", "inf"),
-            (["--thin-below", "'x' is not a number"], "--thin-below", "x"),
+            (["--thin-below", "0", "greater than 0"], "--thin-below", 0),
+            (["--thick-above", "-1"], "--thick-above", -1),
+            (["--thin-below", "inf"], "--thin-below", "inf"),
+            (["--thin-below", "'x' is not a finite number"], "--thin-below", "x"),
             (["--thin-below", "not one length"], "--thin-below", "1,2,3"),
-            (["second limit", "1.5", "less", "2"], "--thin-below", "2,1.5"),
-            (["second limit", "3", "greater", "2"], "--thick-above", "2,3"),
-            (["smallest area", "-1", "0 or more"], "--thin-below", 2, "--smallest-place", -1),
-            (["smallest area", "nan"], "--thin-below", 2, "--smallest-place", "nan"),
+            (["second length", "1.5", "less", "2"], "--thin-below", "2,1.5"),
+            (["second length", "3", "greater", "2"], "--thick-above", "2,3"),
+            (["--smallest-place", "-1"], "--thin-below", 2, "--smallest-place", -1),
+            (["--smallest-place", "nan"], "--thin-below", 2, "--smallest-place", "nan"),
             (["--smallest-place", "--thin-below"], "--smallest-place", 1),
             (["--places", "--thin-below"], "--places", "p.csv"),
             (["--fail-if-thin", "--thin-below"], "--fail-if-thin", "--thick-above", 3),

@@ -42,6 +42,10 @@ class ReferenceTest(ProgramTestCase):
     def test_the_schema_describes_all_warnings(self):
         code = (SOURCE / "apps/job/reports/Warnings.cxx").read_text(encoding="utf-8")
         codes = set(re.findall(r'\{ "([a-z]+(?:_[a-z]+)+)",\s+(?:Check|\[\])', code))
+        for path in (SOURCE / "apps/job/formats").glob("*.cxx"):
+            text = path.read_text(encoding="utf-8")
+            codes |= set(re.findall(r'warnings\.push_back\(\s*\{ "([a-z]+(?:_[a-z]+)+)"', text))
+            codes |= {"unknown_spacing"} if "WarnOfUnknownSpacing(" in text else set()
         schema = json.loads((SOURCE / "doc/report.schema.json").read_text(encoding="utf-8"))
         described = schema["properties"]["warnings"]["items"]["properties"]["code"]["oneOf"]
         self.assertEqual({row["const"] for row in described}, codes)
