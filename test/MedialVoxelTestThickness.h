@@ -84,28 +84,46 @@ struct ExpectedWall
   double cosine; ///< of the angle between the surfaces: 1 when they face each other
 };
 
-/** Points of both sides of a wall. */
-using SidePoints = std::array<std::vector<Index3>, 2>;
-
-/** \param onlyAxis  that the way from side to side is along; 3: any way */
+/** The wall at a medial cell as its definition says, from the points that brute force finds. */
 inline ExpectedWall
-ExpectWallBetween(const Volume & volume, const SidePoints & points, std::size_t onlyAxis = 3)
+ExpectWall(const Volume &              volume,
+           const std::vector<Index3> & sites,
+           const std::vector<long> &   nearest,
+           const Index3 &              cell)
 {
+  const Pair pair = ChoosePair(volume, sites, nearest, cell);
+  const auto a = sites[static_cast<std::size_t>(pair.ni)];
+  const auto b = sites[static_cast<std::size_t>(pair.nj)];
+
+  std::vector<Index3> points[2];
+  Vector3             sum[2] = { {}, {} };
+  for (int k = 0; k < 1 << volume.Axes().size(); ++k)
+  {
+    const Index3 point = sites[static_cast<std::size_t>(nearest[volume.Offset(CellCorner(volume, cell, k))])];
+    double       toA = 0.0;
+    double       toB = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      toA += std::pow(point[axis] - a[axis], 2);
+      toB += std::pow(point[axis] - b[axis], 2);
+    }
+    if (toA != toB)
+    {
+      const int side = toA < toB ? 0 : 1;
+      points[side].push_back(point);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sum[side][axis] += point[axis];
+      }
+    }
+  }
   Vector3 way{};
   Vector3 stretched{}; // the normal in voxels
   for (int axis = 0; axis < 3; ++axis)
   {
-    double means[2] = { 0.0, 0.0 };
-    for (int side = 0; side < 2; ++side)
-    {
-      for (const Index3 & point : points[side])
-      {
-        means[side] += point[axis];
-      }
-      means[side] /= static_cast<double>(points[side].size());
-    }
-    const bool counts = onlyAxis == 3 || onlyAxis == static_cast<std::size_t>(axis);
-    way[axis] = counts ? (means[1] - means[0]) * volume.spacing[axis] : 0.0;
+    way[axis] =
+      (sum[1][axis] / static_cast<double>(points[1].size()) - sum[0][axis] / static_cast<double>(points[0].size())) *
+      volume.spacing[axis];
     stretched[axis] = way[axis] * volume.spacing[axis];
   }
   const double distance = std::sqrt(Dot(way, way));
@@ -133,96 +151,6 @@ ExpectWallBetween(const Volume & volume, const SidePoints & points, std::size_t 
   }
   return { std::max(smallest, distance + 3.0 * step * excess),
            lengths > 0.0 ? -Dot(inwards[0], inwards[1]) / lengths : -1.0 };
-}
-
-/** Whether the points of each side lie in a plane across an axis that the ends are apart along. */
-inline bool
-AreInPlanes(const SidePoints & points, const std::array<Index3, 2> & ends)
-{
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    bool isInPlanes = ends[0][axis] != ends[1][axis];
-    for (std::size_t side = 0; side < 2; ++side)
-    {
-      for (const Index3 & point : points[side])
-      {
-        isInPlanes = isInPlanes && point[axis] == ends[side][axis];
-      }
-    }
-    if (isInPlanes)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-/** The wall at a medial cell as its definition says, from the points that brute force finds. */
-inline ExpectedWall
-ExpectWall(const Volume &              volume,
-           const std::vector<Index3> & sites,
-           const std::vector<long> &   nearest,
-           const Index3 &              cell)
-{
-  const Pair                  pair = ChoosePair(volume, sites, nearest, cell);
-  const std::array<Index3, 2> ends{ { sites[static_cast<std::size_t>(pair.ni)],
-                                      sites[static_cast<std::size_t>(pair.nj)] } };
-  SidePoints                  points;
-  for (int k = 0; k < 1 << volume.Axes().size(); ++k)
-  {
-    const Index3 point = sites[static_cast<std::size_t>(nearest[volume.Offset(CellCorner(volume, cell, k))])];
-    double       toEnds[2] = { 0.0, 0.0 };
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      toEnds[0] += std::pow(point[axis] - ends[0][axis], 2);
-      toEnds[1] += std::pow(point[axis] - ends[1][axis], 2);
-    }
-    if (toEnds[0] != toEnds[1])
-    {
-      points[toEnds[0] < toEnds[1] ? 0 : 1].push_back(point);
-    }
-  }
-  const ExpectedWall all = ExpectWallBetween(volume, points);
-  if (AreInPlanes(points, ends))
-  {
-    return all;
-  }
-  // Points on the end of a wall across an axis: off the planes, and facing along them.
-  const auto facesAlong = [&](const Index3 & point, const std::size_t axis) {
-    const Vector3 scaled = LookAround(volume, point, {}).inwards;
-    double        aside = 0.0;
-    for (std::size_t other = 0; other < 3; ++other)
-    {
-      aside = other == axis ? aside : std::max(aside, std::abs(scaled[other] * volume.spacing[other]));
-    }
-    return aside > 0.5 && 2.0 * std::abs(scaled[axis] * volume.spacing[axis]) <= aside + 0.5;
-  };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    if (ends[0][axis] == ends[1][axis] || facesAlong(ends[0], axis) || facesAlong(ends[1], axis))
-    {
-      continue;
-    }
-    SidePoints inPlanes;
-    bool       areEnds = true;
-    for (std::size_t side = 0; side < 2; ++side)
-    {
-      for (const Index3 & point : points[side])
-      {
-        const bool isInPlane = point[axis] == ends[side][axis];
-        areEnds = areEnds && (isInPlane || facesAlong(point, axis));
-        if (isInPlane)
-        {
-          inPlanes[side].push_back(point);
-        }
-      }
-    }
-    if (areEnds)
-    {
-      return { ExpectWallBetween(volume, inPlanes, axis).thickness, all.cosine };
-    }
-  }
-  return all;
 }
 } // namespace MedialVoxelTest
 

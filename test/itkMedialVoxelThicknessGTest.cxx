@@ -146,41 +146,6 @@ TEST(MedialVoxelThickness, PlatesAlongAnAxisAreExactUpToTheFacesOfTheImage)
   }
 }
 
-/** A plate with four free edges, of some layers of voxels across an axis. */
-Volume
-FreePlate(int axis, int layers, const Vector3 & spacing, int start)
-{
-  constexpr int margin = 4;
-  Index3        size{ { 3 * layers + 18, 3 * layers + 18, 3 * layers + 18 } };
-  size[static_cast<std::size_t>(axis)] = layers + start + margin;
-  return MakeVolume(size, spacing, [=](const Index3 & v) {
-    bool isObject = v[axis] >= start && v[axis] < start + layers;
-    for (int other = 0; other < 3; ++other)
-    {
-      isObject = isObject && (other == axis || (v[other] >= margin && v[other] < size[other] - margin));
-    }
-    return isObject;
-  });
-}
-
-TEST(MedialVoxelThickness, FreePlatesAlongAnAxisAreExactBesideTheirRimsToo)
-{
-  for (const double unit : { 1.0, 0.7 })
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (const int layers : { 3, 4, 5, 6, 7, 8, 9, 11, 15 })
-      {
-        const Volume      volume = FreePlate(axis, layers, { { unit, unit, unit } }, 2 + layers % 3);
-        const Measurement measured(volume, 3.0 * unit, Everywhere);
-        ASSERT_FALSE(measured.GetWallValues().empty()) << axis << ' ' << layers;
-        EXPECT_NEAR(measured.GetWallValues().front(), layers * unit, 1e-5) << axis << ' ' << layers;
-        EXPECT_NEAR(measured.GetWallValues().back(), layers * unit, 1e-5) << axis << ' ' << layers;
-      }
-    }
-  }
-}
-
 TEST(MedialVoxelThickness, PlatesWhoseBoundaryIsAtTheFaceOfTheImageAreExact)
 {
   const Volume      volume = AxisPlate({ { 12, 12, 6 } }, UnitSpacing, 2, 1, 4);

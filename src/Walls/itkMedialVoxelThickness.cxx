@@ -261,11 +261,9 @@ MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
 struct MedialVoxelThickness::Span
 {
   Side                  sides[2];
-  Side                  allSides[2]; // with the points that face other ways
-  bool                  isInPlanes;  // the points of each side are, across an axis
-  std::array<double, 2> numbers;     // of points
-  PositionType          way;         // from the mean of one side to that of the other
-  PositionType          across;      // in voxels, times the distance
+  std::array<double, 2> numbers; // of points
+  PositionType          way;     // from the mean of one side to that of the other
+  PositionType          across;  // in voxels, times the distance
   double                distance;
   double                step; // of Direction
 };
@@ -332,77 +330,14 @@ MedialVoxelThickness::FindWaysOut(Direction & direction)
   direction.knowsOut = true;
 }
 
-/** Beside a rim the end of a wall can be as near to a corner as its sides. \return bits of the corners whose points lie
- * on the end of a wall across an axis: off the plane of their side, and facing along it while a and b face across; none
- * when any other point is off the planes too */
-template <typename TBlockAt>
-auto
-MedialVoxelThickness::FindEnds(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const -> Ends
-{
-  const Sides split(wall);
-  const auto  facesAlong = [&](const MedialVoxelIndex & point, const unsigned int axis) {
-    const auto   inwards = Side(1, blockAt(point).sums, m_BlockVoxels).inwards;
-    std::int64_t aside = 0;
-    for (unsigned int other = 0; other < 3; ++other)
-    {
-      aside = other == axis ? aside : std::max(aside, std::abs(inwards[other]));
-    }
-    return aside > 0 && 2 * std::abs(inwards[axis]) <= aside;
-  };
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    if (wall.a[axis] == wall.b[axis] || facesAlong(wall.a, axis) || facesAlong(wall.b, axis))
-    {
-      continue;
-    }
-    Ends ends{ axis };
-    bool areEnds = true;
-    for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
-    {
-      const MedialVoxelIndex & point = wall.corners[corner];
-      const std::int64_t       side = split.Find(point);
-      if (side != 0 && point[axis] != (side < 0 ? wall.a : wall.b)[axis])
-      {
-        ends.corners |= 1u << corner;
-        areEnds = areEnds && facesAlong(point, axis);
-      }
-    }
-    if (areEnds)
-    {
-      return ends;
-    }
-  }
-  return {};
-}
-
 /** \param blockAt  called with a point, tells the block around it */
 template <typename TBlockAt>
 auto
 MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const
   -> Span
 {
-  Span       span = this->FindSpanWithout({}, wall, direction, blockAt);
-  const Ends ends = span.isInPlanes ? Ends{} : this->FindEnds(wall, blockAt);
-  if (ends.corners != 0)
-  {
-    const Span all = span;
-    span = this->FindSpanWithout(ends, wall, direction, blockAt);
-    std::copy(std::begin(all.sides), std::end(all.sides), std::begin(span.allSides));
-  }
-  return span;
-}
-
-/** \param ends  what is left out; without these points the way from side to side is along the axis */
-template <typename TBlockAt>
-auto
-MedialVoxelThickness::FindSpanWithout(const Ends &                  ends,
-                                      const MedialVoxelWallPoints & wall,
-                                      Direction &                   direction,
-                                      TBlockAt &&                   blockAt) const -> Span
-{
   const Sides      split(wall);
   MedialVoxelIndex positions[2] = {}; // sums of them, seen from a
-  MedialVoxelIndex bits[2] = {};      // that differ from those of a and b
   std::int64_t     numbersOfPoints[2] = {};
   PackedSums       sums[2] = {};
   unsigned int     doubtful = 0; // corners that may see another wall
@@ -410,7 +345,7 @@ MedialVoxelThickness::FindSpanWithout(const Ends &                  ends,
   {
     const MedialVoxelIndex & point = wall.corners[corner];
     const std::int64_t       side = split.Find(point);
-    if (side == 0 || ((ends.corners >> corner) & 1u) != 0)
+    if (side == 0)
     {
       continue;
     }
@@ -423,7 +358,6 @@ MedialVoxelThickness::FindSpanWithout(const Ends &                  ends,
       for (unsigned int axis = 0; axis < 3; ++axis)
       {
         positions[i][axis] += (point[axis] - wall.a[axis]) & masks[i];
-        bits[i][axis] |= (point[axis] ^ (i == 0 ? wall.a : wall.b)[axis]) & masks[i];
       }
       numbersOfPoints[i] -= masks[i];
       sums[i] += block.sums & masks[i];
@@ -431,11 +365,6 @@ MedialVoxelThickness::FindSpanWithout(const Ends &                  ends,
   }
 
   Span span;
-  span.isInPlanes = false;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    span.isInPlanes |= (bits[0][axis] | bits[1][axis]) == 0 && wall.a[axis] != wall.b[axis];
-  }
   span.numbers = { { static_cast<double>(numbersOfPoints[0]), static_cast<double>(numbersOfPoints[1]) } };
   const auto & spacing = m_Grid.GetSpacing();
   double       squaredDistance = 0.0;
@@ -443,7 +372,7 @@ MedialVoxelThickness::FindSpanWithout(const Ends &                  ends,
   {
     const double way = (static_cast<double>(positions[1][axis]) / span.numbers[1] -
                         static_cast<double>(positions[0][axis]) / span.numbers[0]) *
-                       spacing[axis] * (ends.corners == 0 || axis == ends.axis ? 1.0 : 0.0);
+                       spacing[axis];
     span.way[axis] = way;
     span.across[axis] = way * spacing[axis];
     squaredDistance += way * way;
@@ -475,7 +404,6 @@ MedialVoxelThickness::FindSpanWithout(const Ends &                  ends,
   for (unsigned int side = 0; side < 2; ++side)
   {
     span.sides[side] = { numbersOfPoints[side], sums[side], m_BlockVoxels };
-    span.allSides[side] = span.sides[side];
   }
   return span;
 }
@@ -505,9 +433,10 @@ MedialVoxelThickness::MeasureSpan(const Span & span) const
     longest = std::max(longest, std::abs(way));
   }
   const auto & spacing = m_Grid.GetSpacing();
+  const Side(&sides)[2] = span.sides;
   measured.thickness = this->ThicknessOf(span);
   measured.area = static_cast<float>(m_CellVolume * span.distance / extent);
-  measured.isRim = IsRim(span.allSides, spacing);
+  measured.isRim = IsRim(sides, spacing);
   return measured;
 }
 

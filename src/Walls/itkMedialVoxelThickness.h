@@ -71,8 +71,7 @@ struct MedialVoxel_EXPORT MedialVoxelWall
  * boundary voxels' centers to the faces of the wall. That way follows from the share of object voxels among the 3^D
  * voxels around each point: a plane across the direction of the wall that cuts off this share. Another wall behind a
  * gap of one voxel does not count: of two object voxels that lie opposite each other around a point, one that is more
- * than a quarter of a voxel on the far side of the point is left out. So are points on the end of a wall across an
- * axis: off the planes of a and b, and facing along them. Walls parallel to an axis are measured exactly;
+ * than a quarter of a voxel on the far side of the point is left out. Walls parallel to an axis are measured exactly;
  * doc/explanation/accuracy.md has the errors of others.
  *
  * The cell is at a rim when the two sides do not face each other: the sums of the directions from the boundary points
@@ -176,24 +175,6 @@ private:
   template <typename TBlockAt>
   Span
   FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
-
-  /** Corners whose points are on the end of a wall across an axis. */
-  struct Ends
-  {
-    unsigned int axis{ 0 };
-    unsigned int corners{ 0 }; // bits
-  };
-
-  template <typename TBlockAt>
-  Ends
-  FindEnds(const MedialVoxelWallPoints & wall, TBlockAt && blockAt) const;
-
-  template <typename TBlockAt>
-  Span
-  FindSpanWithout(const Ends &                  ends,
-                  const MedialVoxelWallPoints & wall,
-                  Direction &                   direction,
-                  TBlockAt &&                   blockAt) const;
 
   MedialVoxelWall
   MeasureSpan(const Span & span) const;
