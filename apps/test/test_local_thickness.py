@@ -203,8 +203,8 @@ class LocalThicknessTest(ProgramTestCase):
     def test_errors(self):
         local = ("--local-thickness", "t.mha")
         for words, options in (
-            (["maximum local thickness", "0", "greater than 0"], (*local, "--largest-ball", 0)),
-            (["maximum local thickness", "180", "at most 256 voxels, 179.2"], (*local, "--largest-ball", 180)),
+            (["--largest-ball", "0", "greater than 0"], (*local, "--largest-ball", 0)),
+            (["--largest-ball", "180", "256 voxels, 179.2"], (*local, "--largest-ball", 180)),
             (["maximum local thickness", "none is asked for"], ("--largest-ball", 5)),
             (["--local-thickness-method", "no effect", "--local-thickness"], ("--local-thickness-method", "wall")),
             (["--local-thickness-method", "'ball'", "wall"], (*local, "--local-thickness-method", "ball")),
