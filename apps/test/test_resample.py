@@ -195,10 +195,10 @@ class ResampleTest(ProgramTestCase):
 
     def test_wrong_values(self):
         volumes.write_meta(self.folder / "in.mha", tilted_wall())
-        for value in ("0", "-1", "nan", "x", "Auto"):
+        for value in ("0", "-1", "nan", "x"):
             self.assert_fails(USAGE, ["--resample", value], "extract", "in.mha", "out.mha", "--resample", value)
         for value in ("inf", "1e+13"):
-            self.assert_fails(USAGE, ["resampled spacing", value], "extract", "in.mha", "out.mha", "--resample", value)
+            self.assert_fails(USAGE, ["--resample", value], "extract", "in.mha", "out.mha", "--resample", value)
         message = ["in.mha", "resampled spacing 1e-10", "size along axis", "2147483647"]
         self.assert_fails(USAGE, message, "extract", "in.mha", "out.mha", "--resample", "1e-10")
 
