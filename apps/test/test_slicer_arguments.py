@@ -55,6 +55,7 @@ class DriftTest(ModuleTestCase):
             others = [*others, "--thinBelow", "2"] if flag == "placesFile" else others
             others = [*others, "--localThickness", "t.mha"] if flag == "maximumLocalThickness" else others
             others = [*others, "--elementSizeMode", "Automatic"] if flag == "extendRims" else others
+            others = [*others, "--lowerThreshold", "50"] if flag == "levels" else others
             forms = [[f"--{flag}", value], [f"--{flag}={value}"]]
             if element.tag == "boolean":
                 forms[0] = [f"--{flag}"]
