@@ -15,7 +15,7 @@ DefineCheck(CommandLine & line)
   AddFile(*line.check, "MESH", "Shell mesh: " + formats, line.checkedMesh)->required();
   AddFlag(*line.check, "--json", "Print it as JSON", line.checkAsJson);
   line.examples[line.check] = { "medialvoxel check shell.inp", "medialvoxel check shell.bdf --json" };
-  line.check->footer("Exits with 1 where a limit does not hold, with 3 where the file cannot be opened.");
+  line.check->footer("Exits with 1 where a limit fails, with 3 where the file cannot be opened.");
 }
 
 } // end namespace medialvoxel

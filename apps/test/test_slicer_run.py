@@ -129,7 +129,7 @@ class RunTest(ModuleTestCase):
         cut = (self.folder / "cut.vtp").read_bytes()
         self.assertEqual(cut, (self.folder / "program.vtp").read_bytes())
         self.assertNotEqual(cut, (self.folder / "all.vtp").read_bytes())
-        self.assert_module_fails(USAGE, ["branch length is -1"], "--minimumBranchLength=-1", *arguments)
+        self.assert_module_fails(USAGE, ["'-1' is not a finite number"], "--minimumBranchLength=-1", *arguments)
 
     def test_elements_of_the_model(self):
         sizes = {

@@ -109,10 +109,10 @@ class SpacingTest(ProgramTestCase):
         for text, unit, expected in (
             ("ImageJ=1.53t\nimages=16\nslices=16\nunit=mm\nspacing=0.5\n", 1, [0.25, 0.25, 0.5]),
             ("ImageJ=1.53t\nimages=16\nunit=\\u00B5m\nspacing=2\n", 1, [0.00025, 0.00025, 0.002]),
-            ("ImageJ=1.53t\nimages=16\nframes=16\nunit=cm\n", 1, [2.5, 2.5, 1]),
-            ("ImageJ=1.53t\nimages=16\nunit=pixel\nspacing=2\n", 1, [1, 1, 1]),
+            ("ImageJ=1.53t\nimages=16\nframes=16\nunit=cm\n", 1, [2.5, 2.5, 10]),
+            ("ImageJ=1.53t\nimages=16\nunit=pixel\nspacing=2\n", 1, [0.25, 0.25, 2]),
             ("ImageJ=1.53t\nimages=16\nunit=mm\nspacing=-2\n", 1, [0.25, 0.25, 1]),
-            ("ImageJ=1.53t\nspacing=2\n", 3, [2.5, 2.5, 1]),
+            ("ImageJ=1.53t\nspacing=2\n", 3, [2.5, 2.5, 20]),
             ("spacing=2\nunit=mm\n", 1, [1, 1, 1]),
             (ome.format(1, 16, 250, ' PhysicalSizeZUnit="mm"'), 1, [0.25, 1, 3]),
             (ome.format(1, 16, 2, ' PhysicalSizeXUnit="&#181;m"'), 1, [0.002, 1, 0.003]),
@@ -171,7 +171,7 @@ class SpacingTest(ProgramTestCase):
             volumes.write_meta(self.folder / "in.mha", self.volume, TransformMatrix=matrix)
             self.assert_refused("in.mha", ["directions", "must have the length 1"])
         volumes.write_meta(self.folder / "in.mha", self.volume, TransformMatrix="1 0 0 1 0 0 0 0 1")
-        self.assert_refused("in.mha", ["lie in one plane"])
+        self.assert_refused("in.mha", ["axes x and y"])
         for matrix in ("1 nan 0 0 1 0 0 0 1", "inf 0 0 0 1 0 0 0 1"):
             volumes.write_meta(self.folder / "in.mha", self.volume, TransformMatrix=matrix)
             self.assert_refused("in.mha", ["TransformMatrix"])
@@ -201,7 +201,7 @@ class SpacingTest(ProgramTestCase):
         for limits in (["--maximum-thickness", "1e18"], ["--minimum-thickness", "1e-300"]):
             self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--lower", 72, *limits)
         self.assert_fails(
-            USAGE, ["maximum thickness", "1e+18"], "extract", "in.mha", "o.mha", "--maximum-thickness", "2e18"
+            USAGE, ["--maximum-thickness", "1e+18"], "extract", "in.mha", "o.mha", "--maximum-thickness", "2e18"
         )
 
     def test_spacing_of_any_input(self):
@@ -236,12 +236,12 @@ class SpacingTest(ProgramTestCase):
         raw = volumes.write_raw(self.folder / "in.raw", self.volume)
         for text in ("0,1,1", "-1,1,1", "nan,1,1", "inf,1,1", "1e13,1,1", "1e-13,1,1"):
             for command in (["info", "in.mha"], ["extract", "in.mha", "out.mha"], ["distance", "in.mha", "out.mha"]):
-                self.assert_fails(USAGE, ["the spacing is", "greater than 0", RANGE], *command, "--spacing", text)
+                self.assert_fails(USAGE, ["--spacing", "greater than 0", "from 1e-12 to 1e+12"], *command, "--spacing", text)
         for text in ("1,1", "1,1,1,1"):
             self.assert_refused("in.mha", ["spacing", text, "3 axes"], USAGE, ["--spacing", text])
         self.assert_fails(USAGE, ["--spacing", "'x'"], "info", "in.mha", "--spacing", "1,x,1")
         both = [*volumes.raw_options(self.volume), "--spacing", "1,1,1"]
-        self.assert_fails(USAGE, ["both", "raw spacing"], "extract", raw, "out.mha", *both)
+        self.assert_fails(USAGE, ["--spacing and --raw-spacing"], "extract", raw, "out.mha", *both)
 
     def test_warning_of_unequal_spacing(self):
         """Beyond a ratio of 4, on the error stream and in the report; not where the lengths do not count."""

@@ -152,12 +152,14 @@ GetSpacing(const TiffFile & file, const TiffDescription & description, bool isSt
   TiffSpacing                 spacing;
   const std::size_t           axes = isStack ? 3 : 2;
   bool                        isKnown = description.unknownUnit.empty();
+  bool                        isTold = true;
   std::array<double, 3>       units{ { 1.0, 1.0, 1.0 } };
   for (std::size_t axis = 0; axis < axes; ++axis)
   {
     std::optional<double> length = description.lengths[axis];
     std::optional<double> millimeters = description.units[axis];
-    if (!length && axis < 2 && perUnit[axis] > 0.0)
+    // Without a unit the resolution of other programs means nothing.
+    if (!length && axis < 2 && perUnit[axis] > 0.0 && (description.isOfImageJ || unitOfTag))
     {
       length = 1.0 / perUnit[axis];
       millimeters = description.isOfImageJ && millimeters ? millimeters : unitOfTag;
@@ -166,11 +168,12 @@ GetSpacing(const TiffFile & file, const TiffDescription & description, bool isSt
     spacing.lengths[axis] = length.value_or(1.0);
     units[axis] = millimeters.value_or(1.0);
     isKnown = isKnown && length && millimeters;
+    isTold = isTold && length;
   }
   if (!description.unknownUnit.empty())
   {
     spacing.doubt = "its lengths are in the unknown unit '" + description.unknownUnit + "'";
-    return spacing;
+    return isTold ? spacing : TiffSpacing{ { { 1.0, 1.0, 1.0 } }, spacing.doubt };
   }
   for (std::size_t axis = 0; axis < axes; ++axis)
   {
