@@ -159,8 +159,10 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateInputRequestedReg
     input->SetRequestedRegion(InputImageRegionType(requested.GetIndex(), requested.GetSize()));
     return;
   }
-  this->PrepareEngine(this->GetGrid());
-  const auto parts = m_Engine->GetMissingObjectBoxes(this->BoxOf(requested));
+  const auto parts = MedialVoxelWithItkErrors([&] {
+    this->PrepareEngine(this->GetGrid());
+    return m_Engine->GetMissingObjectBoxes(this->BoxOf(requested));
+  });
   if (!parts.empty())
   {
     input->SetRequestedRegion(this->RegionOf(Client::CutForPull(parts.front()).front()));

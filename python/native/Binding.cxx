@@ -6,6 +6,7 @@
 #include "Version.h"
 
 #include "itkMedialVoxelGridLimits.h"
+#include "itkMedialVoxelMemoryShortage.h"
 #include "itkMedialVoxelProgress.h"
 #include "itkObject.h"
 #include "itkProcessObject.h"
@@ -92,6 +93,10 @@ Guard(MedialVoxelResult & result, TWork && work)
   catch (const StoppedBySignal &)
   {
     fail(MedialVoxelStopped, "stopped");
+  }
+  catch (const itk::MedialVoxelMemoryShortage & error)
+  {
+    fail(MedialVoxelOutOfMemory, error.what());
   }
   catch (const itk::MemoryAllocationError & error)
   {
