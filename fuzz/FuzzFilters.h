@@ -170,7 +170,7 @@ try
 {
   run();
 }
-catch (const itk::MedialVoxelMemoryShortage & error)
+catch (const itk::MedialVoxelMemoryError & error)
 {
   Require(cut.memoryLimit > 0 && error.GetNeededBytes() > cut.memoryLimit, error.what());
 }

@@ -118,8 +118,12 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyInputInformation() 
   std::vector<std::uint64_t>   size;
   std::vector<double>          spacing;
   std::vector<double>          origin;
+
+  std::vector<std::vector<double>> axes;
   for (unsigned int axis = 0; axis < ImageDimension; ++axis)
   {
+    const auto direction = input->GetDirection().GetVnlMatrix().get_column(axis);
+    axes.emplace_back(direction.begin(), direction.end());
     size.push_back(input->GetLargestPossibleRegion().GetSize(axis));
     spacing.push_back(input->GetSpacing()[axis]);
     origin.push_back(input->GetOrigin()[axis]);
@@ -128,14 +132,6 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyInputInformation() 
   if (!problem.empty())
   {
     itkExceptionMacro("The input cannot be measured: " << problem << '.');
-  }
-  std::vector<std::vector<double>> axes(ImageDimension, std::vector<double>(ImageDimension));
-  for (unsigned int axis = 0; axis < ImageDimension; ++axis)
-  {
-    for (unsigned int row = 0; row < ImageDimension; ++row)
-    {
-      axes[axis][row] = input->GetDirection()[row][axis];
-    }
   }
   const std::string shear = MedialVoxelGridLimits::FindShear(axes);
   if (!shear.empty())

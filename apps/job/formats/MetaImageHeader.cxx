@@ -178,7 +178,7 @@ LocateData(const std::filesystem::path & fileName, const HeaderFields & fields)
   const bool isPattern =
     words.size() >= 4 && words.front().find('%') != std::string::npos &&
     std::all_of(words.end() - 3, words.end(), [](const std::string & word) { return ParseInteger(word); });
-  if (words.front() == "LIST" || isPattern)
+  if (isPattern || (!words.empty() && words.front() == "LIST"))
   {
     RefuseHeader(fileName, "ElementDataFile is '" + name + "'; voxels spread over several files are not read");
   }

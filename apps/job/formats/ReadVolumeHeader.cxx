@@ -12,8 +12,6 @@
 #include "itkMedialVoxelGridLimits.h"
 
 #include "itkMedialVoxelHeaderText.h"
-#include <vnl/vnl_det.h>
-#include <vnl/vnl_matrix_fixed.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,16 +91,9 @@ CheckGeometry(const VolumeHeader & header)
   {
     Fail(ExitStatus::CorruptInput, header.fileName.string(), ": ", problem);
   }
-  const unsigned int             dimension = header.geometry.GetDimension();
-  vnl_matrix_fixed<double, 3, 3> matrix;
-  matrix.set_identity();
-  for (unsigned int axis = 0; axis < dimension; ++axis)
+  for (unsigned int axis = 0; axis < geometry.GetDimension(); ++axis)
   {
     CheckDirection(header, axis);
-    for (unsigned int row = 0; row < dimension; ++row)
-    {
-      matrix(row, axis) = header.geometry.direction[axis][row];
-    }
   }
   const std::string shear = itk::MedialVoxelGridLimits::FindShear(geometry.direction);
   if (!shear.empty())
@@ -112,15 +103,6 @@ CheckGeometry(const VolumeHeader & header)
          ": ",
          shear,
          "; resample the volume to a straight grid first");
-  }
-  const double determinant = vnl_det(matrix);
-  if (!(std::abs(determinant) > 1e-6))
-  {
-    Fail(ExitStatus::CorruptInput,
-         header.fileName.string(),
-         ": the directions of its axes lie in one plane (determinant ",
-         determinant,
-         "); it must not be 0");
   }
 }
 

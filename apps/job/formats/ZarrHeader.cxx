@@ -354,11 +354,14 @@ ReadZarrHeader(const Path & folder, unsigned int level)
   header.numberOfLevels = image.numberOfLevels;
   const ZarrArray array = ReadZarrArray(header.dataFile, image.dimension);
   header.geometry = MakeGeometry(image, array.grid);
-  ApplyUnits(header, { image.units.rbegin(), image.units.rend() });
   const auto isScale = [](const Json & transform) { return transform.value("type", "") == "scale"; };
   if (std::none_of(image.transforms.begin(), image.transforms.end(), isScale))
   {
     WarnOfUnknownSpacing(header, "the metadata have no scale");
+  }
+  else
+  {
+    ApplyUnits(header, { image.units.rbegin(), image.units.rend() });
   }
   header.pixelType = array.grid.layout.pixelType;
   header.chunks = DescribeChunks(array);
