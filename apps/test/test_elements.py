@@ -181,17 +181,18 @@ class CheckTest(ElementsTestCase):
             (self.folder / f"zeros{extension}").touch()
             os.truncate(self.folder / f"zeros{extension}", 2**36)
             self.run_program("check", f"zeros{extension}", status=CORRUPT, timeout=60)
+            (self.folder / f"zeros{extension}").unlink()
 
     def test_elements_over_several_lines(self):
         for text in ("1, 1, 2,\n3, 4\n", "1,\n1, 2,\n** nodes\n3,\n4\n", "1, 1, 2, 3, 4,\n2, 2, 5, 6, 3\n"):
             (self.folder / "m.inp").write_text(SQUARES.replace("S4, ", "S4,\n") + text)
             self.assertEqual(self.check("m.inp")[0]["quadrilaterals"], 1 + text.count("5"))
         (self.folder / "m.inp").write_text(SQUARES + "1, 1, 2,\n3\n")
-        self.assert_fails(CORRUPT, ["m.inp", "line 13", "''"], "check", "m.inp")
+        self.assert_fails(CORRUPT, ["m.inp", "line 14", "''"], "check", "m.inp")
 
     def test_text_of_stl(self):
         """The same as the binary file of the same triangles."""
-        corners = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 1e-3))
+        corners = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 2**-10))
         facets = [[corners[k] for k in triangle] for triangle in ((0, 1, 2), (0, 2, 3))]
         text = "solid part\r\n"
         for facet in facets:
