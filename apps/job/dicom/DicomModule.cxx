@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "DicomModule.h"
 
+#include "DicomTexts.h"
 #include "FileStart.h"
 #include "PixelType.h"
 
 #include <gdcmImageHelper.h>
 #include <gdcmImageReader.h>
 #include <gdcmRescaler.h>
+#include <gdcmSequenceOfFragments.h>
 #include <gdcmTrace.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <istream>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -95,67 +94,6 @@ GetNumber(const gdcm::DataSet & data, const gdcm::Tag & tag, unsigned int otherw
   return number;
 }
 
-/** Numbers of a text, which backslashes separate; nothing where one is none. */
-std::vector<double>
-ParseNumbers(const std::string & text)
-{
-  std::vector<double> numbers;
-  std::size_t         begin = 0;
-  do
-  {
-    const std::size_t  end = std::min(text.find('\\', begin), text.size());
-    std::istringstream part(text.substr(begin, end - begin));
-    part.imbue(std::locale::classic());
-    double number = 0.0;
-    if (!(part >> number) || !(part >> std::ws).eof() || !std::isfinite(number))
-    {
-      return {};
-    }
-    numbers.push_back(number);
-    begin = end + 1;
-  } while (begin <= text.size());
-  return numbers;
-}
-
-/** Half of the last digit behind the point, the least of all numbers of a text; 0 where none has a point. */
-double
-GetRounding(const std::string & text)
-{
-  std::size_t most = 0;
-  for (std::size_t point = text.find('.'); point != std::string::npos; point = text.find('.', point + 1))
-  {
-    most = std::max(most, std::min(text.find_first_not_of("0123456789", point + 1), text.size()) - point - 1);
-  }
-  return most == 0 || text.find_first_of("eE") != std::string::npos ? 0.0 : 0.5 * std::pow(10.0, -double(most));
-}
-
-/** \return false when there is none; two numbers greater than 0 otherwise */
-bool
-CheckSpacing(const gdcm::DataSet & data)
-{
-  const std::string text = GetText(data, gdcm::Tag(0x0028, 0x0030));
-  if (text.empty())
-  {
-    return false;
-  }
-  const std::vector<double> numbers = ParseNumbers(text);
-  if (numbers.size() != 2 || !(numbers[0] > 0.0) || !(numbers[1] > 0.0))
-  {
-    throw std::runtime_error("its PixelSpacing is '" + text +
-                             "'; it must be two numbers greater than 0, as in 0.5\\0.5");
-  }
-  return true;
-}
-
-/** Scans of one series differ in the number of the acquisition, or in the place in time. */
-std::string
-GetAcquisition(const gdcm::DataSet & data)
-{
-  const std::string number = GetText(data, gdcm::Tag(0x0020, 0x0012));
-  const std::string time = GetText(data, gdcm::Tag(0x0020, 0x0100));
-  return time.empty() ? number : number + " at time " + time;
-}
-
 /** GDCM ends the process when it is asked for a format whose numbers contradict each other. */
 gdcm::PixelFormat
 GetPixelFormat(const gdcm::File & file)
@@ -177,25 +115,30 @@ GetPixelFormat(const gdcm::File & file)
 }
 
 gdcm::Rescaler
-MakeRescaler(const gdcm::File & file)
+MakeRescaler(const gdcm::PixelFormat & format, double intercept, double slope)
 {
-  const std::vector<double> scale = gdcm::ImageHelper::GetRescaleInterceptSlopeValue(file);
-  gdcm::Rescaler            rescaler;
-  rescaler.SetIntercept(scale.at(0));
-  rescaler.SetSlope(scale.at(1));
-  rescaler.SetPixelFormat(GetPixelFormat(file));
+  gdcm::Rescaler rescaler;
+  rescaler.SetIntercept(intercept);
+  rescaler.SetSlope(slope);
+  rescaler.SetPixelFormat(format);
   return rescaler;
 }
 
-PixelType
-GetValueType(const gdcm::File & file)
+gdcm::Rescaler
+MakeRescaler(const gdcm::File & file)
 {
-  const gdcm::PixelFormat stored = GetPixelFormat(file);
+  const std::vector<double> scale = gdcm::ImageHelper::GetRescaleInterceptSlopeValue(file);
+  return MakeRescaler(GetPixelFormat(file), scale.at(0), scale.at(1));
+}
+
+PixelType
+GetValueType(const gdcm::PixelFormat & stored, gdcm::Rescaler rescaler)
+{
   if (stored.GetScalarType() == gdcm::PixelFormat::UNKNOWN)
   {
     throw std::runtime_error("GDCM does not know the type of its voxels");
   }
-  const auto scalar = MakeRescaler(file).ComputeInterceptSlopePixelType();
+  const auto scalar = rescaler.ComputeInterceptSlopePixelType();
   const auto type =
     std::find_if(Types.begin(), Types.end(), [scalar](const TypePair & pair) { return pair.first == scalar; });
   if (type == Types.end())
@@ -226,14 +169,9 @@ GetHeader(const gdcm::File & file)
   MedialVoxelDicomHeader          header{};
   const gdcm::DataSet &           data = file.GetDataSet();
   const std::vector<unsigned int> size = gdcm::ImageHelper::GetDimensionsValue(file);
-  if (size.size() > 2 && size[2] > 1)
-  {
-    throw std::runtime_error("it has " + std::to_string(size[2]) +
-                             " frames; only series with a file for each slice are read");
-  }
   header.columns = size.at(0);
   header.rows = size.at(1);
-  header.pixelType = static_cast<std::uint32_t>(GetValueType(file));
+  header.pixelType = static_cast<std::uint32_t>(GetValueType(GetPixelFormat(file), MakeRescaler(file)));
   const std::vector<double> spacing = gdcm::ImageHelper::GetSpacingValue(file);
   const std::vector<double> origin = gdcm::ImageHelper::GetOriginValue(file);
   const std::vector<double> directions = gdcm::ImageHelper::GetDirectionCosinesValue(file);
@@ -243,14 +181,15 @@ GetHeader(const gdcm::File & file)
   const gdcm::Tag position(0x0020, 0x0032);
   const gdcm::Tag orientation(0x0020, 0x0037);
   header.hasPosition = !GetText(data, position).empty() && !GetText(data, orientation).empty() ? 1 : 0;
-  header.rounding = GetRounding(GetText(data, position));
-  header.hasSpacing = CheckSpacing(data) ? 1 : 0;
-  const std::vector<double> number = ParseNumbers(GetText(data, gdcm::Tag(0x0020, 0x0013)));
+  header.rounding = medialvoxel::GetDicomRounding(GetText(data, position));
+  header.hasSpacing = medialvoxel::ParseDicomSpacing(GetText(data, gdcm::Tag(0x0028, 0x0030))).empty() ? 0 : 1;
+  const std::vector<double> number = medialvoxel::ParseDicomNumbers(GetText(data, gdcm::Tag(0x0020, 0x0013)));
   header.hasNumber = number.size() == 1 ? 1 : 0;
   header.number = number.size() == 1 ? static_cast<std::int64_t>(std::clamp(number.front(), -1e15, 1e15)) : 0;
   CopyText(GetText(data, gdcm::Tag(0x0020, 0x000e)), header.series);
   CopyText(GetText(data, gdcm::Tag(0x0008, 0x103e)), header.description);
-  CopyText(GetAcquisition(data), header.acquisition);
+  CopyText(medialvoxel::JoinDicomAcquisition(GetText(data, gdcm::Tag(0x0020, 0x0012)), GetText(data, gdcm::Tag(0x0020, 0x0100))),
+           header.acquisition);
   return header;
 }
 
@@ -269,11 +208,10 @@ RestoreValues(TNumber * numbers, std::size_t count, unsigned int storedBits)
 
 /** Some codecs know no sign, and leave bits beyond the stored ones as they are. */
 void
-RestoreStoredBits(std::vector<char> & stored, const gdcm::File & file, std::size_t bytes)
+RestoreStoredBits(std::vector<char> & stored, const gdcm::PixelFormat & format, std::size_t bytes)
 {
-  const gdcm::PixelFormat format = GetPixelFormat(file);
-  const unsigned int      storedBits = format.GetBitsStored();
-  const std::size_t       count = stored.size() / bytes;
+  const unsigned int storedBits = format.GetBitsStored();
+  const std::size_t  count = stored.size() / bytes;
   if (storedBits >= 8 * bytes || format.GetBitsAllocated() != 8 * bytes)
   {
     return;
@@ -297,6 +235,37 @@ RestoreStoredBits(std::vector<char> & stored, const gdcm::File & file, std::size
 }
 
 void
+Rescale(const std::vector<char> & stored, gdcm::Rescaler rescaler, void * voxels)
+{
+  if (!rescaler.Rescale(static_cast<char *>(voxels), stored.data(), stored.size()))
+  {
+    throw std::runtime_error("its voxels cannot be rescaled");
+  }
+}
+
+void
+ReadImage(const gdcm::Image &       image,
+          const gdcm::PixelFormat & format,
+          const gdcm::Rescaler &    rescaler,
+          std::size_t               numberOfVoxels,
+          void *                    voxels)
+{
+  std::vector<char> stored(image.GetBufferLength());
+  const std::size_t storedBytes = image.GetPixelFormat().GetPixelSize();
+  if (stored.size() != numberOfVoxels * storedBytes)
+  {
+    throw std::runtime_error("it has " + std::to_string(stored.size()) + " bytes of voxels; its size needs " +
+                             std::to_string(numberOfVoxels * storedBytes));
+  }
+  if (!image.GetBuffer(stored.data()))
+  {
+    throw std::runtime_error("its voxels are damaged or end early, or their compression is unknown to GDCM");
+  }
+  RestoreStoredBits(stored, format, storedBytes);
+  Rescale(stored, rescaler, voxels);
+}
+
+void
 ReadVoxels(const char * fileName, std::uint64_t end, const MedialVoxelDicomHeader & expected, void * voxels)
 {
   medialvoxel::FileStart file(fileName, end);
@@ -313,24 +282,57 @@ ReadVoxels(const char * fileName, std::uint64_t end, const MedialVoxelDicomHeade
     throw std::runtime_error("it changed its size or type while it was read");
   }
   const gdcm::Image & image = reader.GetImage();
-  const std::size_t   numberOfVoxels = std::size_t{ header.columns } * header.rows;
-  gdcm::Rescaler      rescaler = MakeRescaler(reader.GetFile());
-  std::vector<char>   stored(image.GetBufferLength());
-  const std::size_t   storedBytes = image.GetPixelFormat().GetPixelSize();
-  if (stored.size() != numberOfVoxels * storedBytes)
+  ReadImage(image,
+            GetPixelFormat(reader.GetFile()),
+            MakeRescaler(reader.GetFile()),
+            std::size_t{ header.columns } * header.rows,
+            voxels);
+}
+
+/** A frame as an image of its own, which GDCM unpacks without the other frames. */
+gdcm::Image
+MakeImage(const MedialVoxelDicomFrame & frame, const gdcm::PixelFormat & format)
+{
+  const auto                                 length = static_cast<std::uint32_t>(frame.length);
+  gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = new gdcm::SequenceOfFragments;
+  gdcm::Fragment                             fragment;
+  fragment.SetByteValue(frame.bytes, gdcm::VL(length));
+  fragments->AddFragment(fragment);
+  gdcm::DataElement voxels(gdcm::Tag(0x7fe0, 0x0010));
+  voxels.SetVR(gdcm::VR::OB);
+  voxels.SetValue(*fragments);
+
+  gdcm::Image image;
+  image.SetTransferSyntax(gdcm::TransferSyntax::GetTSType(frame.syntax));
+  image.SetNumberOfDimensions(2);
+  image.SetDimension(0, frame.columns);
+  image.SetDimension(1, frame.rows);
+  image.SetPixelFormat(format);
+  image.SetPhotometricInterpretation(gdcm::PhotometricInterpretation::MONOCHROME2);
+  image.SetDataElement(voxels);
+  return image;
+}
+
+void
+ReadFrame(const MedialVoxelDicomFrame & frame, std::uint32_t & pixelType, void * voxels)
+{
+  const auto bits = [](std::uint32_t number) { return static_cast<unsigned short>(number); };
+  const gdcm::PixelFormat format(
+    1, bits(frame.bits), bits(frame.storedBits), bits(frame.storedBits - 1), bits(frame.isSigned));
+  const gdcm::Rescaler rescaler = MakeRescaler(format, frame.intercept, frame.slope);
+  pixelType = static_cast<std::uint32_t>(GetValueType(format, rescaler));
+  if (frame.bytes == nullptr)
   {
-    throw std::runtime_error("it has " + std::to_string(stored.size()) + " bytes of voxels; its size needs " +
-                             std::to_string(numberOfVoxels * storedBytes));
+    return;
   }
-  if (!image.GetBuffer(stored.data()))
+  if (frame.isPacked != 0)
   {
-    throw std::runtime_error("its voxels are damaged or end early, or their compression is unknown to GDCM");
+    ReadImage(MakeImage(frame, format), format, rescaler, std::size_t{ frame.columns } * frame.rows, voxels);
+    return;
   }
-  RestoreStoredBits(stored, reader.GetFile(), storedBytes);
-  if (!rescaler.Rescale(static_cast<char *>(voxels), stored.data(), stored.size()))
-  {
-    throw std::runtime_error("its voxels cannot be rescaled");
-  }
+  std::vector<char> stored(frame.bytes, frame.bytes + frame.length);
+  RestoreStoredBits(stored, format, frame.bits / 8);
+  Rescale(stored, rescaler, voxels);
 }
 
 /** Exceptions do not leave the module. */
@@ -382,5 +384,11 @@ extern "C"
                                    void *                         voxels)
   {
     return Guard([&] { ReadVoxels(fileName, end, *header, voxels); });
+  }
+
+  MEDIALVOXEL_MODULE_EXPORT const char *
+  MedialVoxelModuleReadDicomFrame(const MedialVoxelDicomFrame * frame, std::uint32_t * pixelType, void * voxels)
+  {
+    return Guard([&] { ReadFrame(*frame, *pixelType, voxels); });
   }
 }

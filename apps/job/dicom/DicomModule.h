@@ -29,6 +29,22 @@ extern "C"
     char          acquisition[65]; ///< what tells scans of one series apart; empty: nothing does
   };
 
+  /** One of several frames of a file, and the numbers that it is stored as. */
+  struct MedialVoxelDicomFrame
+  {
+    const char *  bytes;    ///< in the byte order of this machine, or packed; null: none are at hand
+    std::uint64_t length;   ///< of the bytes
+    const char *  syntax;   ///< transfer syntax of packed ones
+    std::uint32_t isPacked; ///< 0 or 1
+    std::uint32_t columns;
+    std::uint32_t rows;
+    std::uint32_t bits; ///< allocated
+    std::uint32_t storedBits;
+    std::uint32_t isSigned; ///< 0 or 1
+    double        slope;
+    double        intercept;
+  };
+
   /** \return null, or what is wrong, which holds until the next call of the thread */
   using MedialVoxelReadDicomHeader = const char * (*)(const char * fileName, MedialVoxelDicomHeader * header);
 
@@ -38,10 +54,17 @@ extern "C"
                                                       std::uint64_t                  end,
                                                       const MedialVoxelDicomHeader * header,
                                                       void *                         voxels);
+
+  /** Tells the medialvoxel::PixelType of the values of a frame and, when its bytes are at hand, the values, rescaled.
+   * \return null, or what is wrong, which holds until the next call of the thread */
+  using MedialVoxelReadDicomFrame = const char * (*)(const MedialVoxelDicomFrame * frame,
+                                                     std::uint32_t *               pixelType,
+                                                     void *                        voxels);
 }
 
 /** Names of the functions in the module. */
 constexpr const char * MedialVoxelReadDicomHeaderName = "MedialVoxelModuleReadDicomHeader";
 constexpr const char * MedialVoxelReadDicomVoxelsName = "MedialVoxelModuleReadDicomVoxels";
+constexpr const char * MedialVoxelReadDicomFrameName = "MedialVoxelModuleReadDicomFrame";
 
 #endif

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "AbortNotice.h"
+#include "DicomFrames.h"
 #include "DicomModule.h"
-#include "DicomStructure.h"
 #include "Errors.h"
 #include "HeaderParsing.h"
 #include "SliceFormats.h"
@@ -35,6 +35,7 @@ struct DicomFunctions
 {
   MedialVoxelReadDicomHeader readHeader{ nullptr };
   MedialVoxelReadDicomVoxels readVoxels{ nullptr };
+  MedialVoxelReadDicomFrame  readFrame{ nullptr };
 };
 
 /** Where the module may be: where it is installed, and beside the program, as it is built. */
@@ -70,6 +71,8 @@ LoadModule()
         itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomHeaderName));
       functions.readVoxels = reinterpret_cast<MedialVoxelReadDicomVoxels>(
         itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomVoxelsName));
+      functions.readFrame = reinterpret_cast<MedialVoxelReadDicomFrame>(
+        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomFrameName));
       break;
     }
   }
@@ -80,7 +83,7 @@ const DicomFunctions &
 GetModule(const std::filesystem::path & fileName)
 {
   static const DicomFunctions functions = LoadModule();
-  if (!functions.readHeader || !functions.readVoxels)
+  if (!functions.readHeader || !functions.readVoxels || !functions.readFrame)
   {
     RefuseHeader(fileName,
                  "DICOM is read by a module that is not at " +
@@ -121,13 +124,17 @@ CheckSize(const std::filesystem::path & fileName, const DicomStructure & structu
 {
   // Factors of 16 bits do not overflow.
   CheckVoxels(fileName, structure);
-  const std::uint64_t bytes = structure.columns * structure.rows * structure.samples * ((structure.bits + 7) / 8);
+  const std::uint64_t bytes =
+    structure.columns * structure.rows * structure.samples * ((structure.bits + 7) / 8) * structure.frames;
   const bool fits = structure.isPacked ? bytes <= std::max(SmallImageBytes, MaximumRatio * structure.voxelBytes)
                                        : bytes <= structure.voxelBytes;
   if (bytes == 0 || !fits)
   {
     RefuseHeader(fileName,
-                 "its " + FormatSize({ structure.columns, structure.rows }) + " voxels of " +
+                 "its " +
+                   (structure.frames > 1 ? FormatSize({ structure.columns, structure.rows, structure.frames })
+                                         : FormatSize({ structure.columns, structure.rows })) +
+                   " voxels of " +
                    std::to_string(structure.samples) + " x " + std::to_string(structure.bits) + " bits cannot be in " +
                    std::to_string(structure.voxelBytes) + " bytes");
   }
@@ -140,15 +147,68 @@ TextOfAbort(const std::filesystem::path & fileName)
   return fileName.string() + " is damaged: GDCM cannot decode it";
 }
 
-std::optional<SliceHeader>
-ReadHeader(const std::filesystem::path & fileName)
+MedialVoxelDicomFrame
+DescribeFrame(const DicomFrame & frame)
+{
+  const auto             number = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
+  const DicomStructure & file = *frame.file;
+  return { nullptr,
+           0,
+           file.syntax.c_str(),
+           number(file.isPacked),
+           number(file.columns),
+           number(file.rows),
+           number(file.bits),
+           number(file.storedBits),
+           number(file.isSigned),
+           frame.slope,
+           frame.intercept };
+}
+
+void
+CallReadFrame(const SliceHeader & slice, const MedialVoxelDicomFrame & frame, std::uint32_t & pixelType, void * voxels)
+{
+  const AbortNotice notice(ExitStatus::CorruptInput, TextOfAbort(slice.fileName));
+  if (const char * const problem = GetModule(slice.fileName).readFrame(&frame, &pixelType, voxels))
+  {
+    RefuseHeader(slice.fileName, (slice.frameNumber > 0 ? "frame " + std::to_string(slice.frameNumber) + ": " : "") + problem);
+  }
+}
+
+std::vector<SliceHeader>
+ReadFrameHeaders(const std::filesystem::path & fileName, const DicomStructure & structure)
+{
+  if (structure.interpretation != "MONOCHROME1" && structure.interpretation != "MONOCHROME2")
+  {
+    RefuseHeader(fileName,
+                 "it is a color image (" + structure.interpretation + "); only gray values are read",
+                 HeaderError::Kind::Unsupported);
+  }
+  std::vector<SliceHeader> slices = ListDicomFrames(fileName, structure);
+  for (SliceHeader & slice : slices)
+  {
+    std::uint32_t pixelType = 0;
+    CallReadFrame(slice, DescribeFrame(*slice.frame), pixelType, nullptr);
+    slice.pixelType = static_cast<PixelType>(pixelType);
+    slice.storedType = slice.pixelType;
+    slice.decodeBytes += slice.GetVoxelBytes();
+  }
+  return slices;
+}
+
+std::vector<SliceHeader>
+ReadHeaders(const std::filesystem::path & fileName)
 {
   const DicomStructure structure = CheckDicomStructure(fileName);
   if (structure.voxelBytes == 0)
   {
-    return std::nullopt;
+    return {};
   }
   CheckSize(fileName, structure);
+  if (HasDicomFrames(structure))
+  {
+    return ReadFrameHeaders(fileName, structure);
+  }
   MedialVoxelDicomHeader dicom{};
   const AbortNotice      notice(ExitStatus::CorruptInput, TextOfAbort(fileName));
   if (const char * const problem = GetModule(fileName).readHeader(fileName.c_str(), &dicom))
@@ -179,7 +239,7 @@ ReadHeader(const std::filesystem::path & fileName)
   }
   // The file in memory, and what it is unpacked to on the way.
   header.decodeBytes = structure.voxelBytes + (structure.isPacked ? 3 : 1) * header.GetVoxelBytes() + MiB;
-  return header;
+  return { header };
 }
 
 /** Slices whose values are of different types share one that holds all of them. */
@@ -197,9 +257,20 @@ ConvertValues(PixelType from, const void * values, const SliceHeader & slice, vo
   });
 }
 
+/** The voxels as the slice stores them. */
 void
-ReadVoxels(const SliceHeader & expected, void * voxels)
+ReadStoredVoxels(const SliceHeader & expected, void * voxels)
 {
+  if (expected.frame)
+  {
+    const std::vector<char> bytes = ReadDicomFrame(expected);
+    MedialVoxelDicomFrame   frame = DescribeFrame(*expected.frame);
+    frame.bytes = bytes.data();
+    frame.length = bytes.size();
+    std::uint32_t pixelType = 0;
+    CallReadFrame(expected, frame, pixelType, voxels);
+    return;
+  }
   const DicomStructure structure = CheckDicomStructure(expected.fileName);
   CheckSize(expected.fileName, structure);
   MedialVoxelDicomHeader dicom{};
@@ -207,14 +278,19 @@ ReadVoxels(const SliceHeader & expected, void * voxels)
   dicom.rows = static_cast<std::uint32_t>(expected.size[1]);
   dicom.pixelType = static_cast<std::uint32_t>(*expected.storedType);
   const AbortNotice notice(ExitStatus::CorruptInput, TextOfAbort(expected.fileName));
-  const bool        isOther = *expected.storedType != expected.pixelType;
-  std::vector<char> stored(isOther ? expected.size[0] * expected.size[1] * GetTraits(*expected.storedType).bytes : 0);
-  void * const      target = isOther ? stored.data() : voxels;
   if (const char * const problem =
-        GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), structure.endOfVoxels, &dicom, target))
+        GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), structure.endOfVoxels, &dicom, voxels))
   {
     RefuseHeader(expected.fileName, problem);
   }
+}
+
+void
+ReadVoxels(const SliceHeader & expected, void * voxels)
+{
+  const bool        isOther = *expected.storedType != expected.pixelType;
+  std::vector<char> stored(isOther ? expected.size[0] * expected.size[1] * GetTraits(*expected.storedType).bytes : 0);
+  ReadStoredVoxels(expected, isOther ? stored.data() : voxels);
   if (isOther)
   {
     ConvertValues(*expected.storedType, stored.data(), expected, voxels);
@@ -226,7 +302,7 @@ ReadVoxels(const SliceHeader & expected, void * voxels)
 SliceFormat
 MakeDicomSliceFormat()
 {
-  return { "DICOM", { ".dcm", ".dicom", ".ima" }, IsDicomFile, ReadHeader, ReadVoxels, BytesOfGdcm };
+  return { "DICOM", { ".dcm", ".dicom", ".ima" }, true, IsDicomFile, ReadHeaders, ReadVoxels, BytesOfGdcm };
 }
 
 } // end namespace medialvoxel

@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "DicomStructure.h"
 
-#include "HeaderParsing.h"
-
-#include "itkMedialVoxelFileRegion.h"
-#include "itkMedialVoxelProgress.h"
+#include "DicomElements.h"
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,16 +19,13 @@ namespace
 constexpr std::uint64_t    BytesOfPreamble = 128;
 constexpr std::string_view Signature = "DICM";
 
-/** More are not believed: GDCM keeps each in memory. */
-constexpr std::uint64_t MostElements = std::uint64_t{ 1 } << 17;
-constexpr unsigned int  DeepestSequence = 16;
-
-constexpr std::uint32_t UndefinedLength = 0xffffffff;
+constexpr unsigned int DeepestSequence = 16;
 
 // Tags, as group * 65536 + element.
 constexpr std::uint32_t TransferSyntax = 0x00020010;
 constexpr std::uint32_t Samples = 0x00280002;
 constexpr std::uint32_t Interpretation = 0x00280004;
+constexpr std::uint32_t NumberOfFrames = 0x00280008;
 constexpr std::uint32_t Rows = 0x00280010;
 constexpr std::uint32_t Columns = 0x00280011;
 constexpr std::uint32_t BitsAllocated = 0x00280100;
@@ -40,13 +33,42 @@ constexpr std::uint32_t BitsStored = 0x00280101;
 constexpr std::uint32_t HighBit = 0x00280102;
 constexpr std::uint32_t PixelRepresentation = 0x00280103;
 constexpr std::uint32_t PixelData = 0x7fe00010;
-constexpr std::uint32_t Item = 0xfffee000;
-constexpr std::uint32_t EndOfItem = 0xfffee00d;
-constexpr std::uint32_t EndOfSequence = 0xfffee0dd;
+constexpr std::uint32_t SharedGroups = 0x52009229;
+constexpr std::uint32_t GroupsOfFrames = 0x52009230;
 
-/** Value representations by the bytes of their length. */
-constexpr std::string_view ShortRepresentations = "AE AS AT CS DA DS DT FD FL IS LO LT PN SH SL SS ST TM UI UL US";
-constexpr std::string_view LongRepresentations = "OB OD OF OL OV OW SQ SV UC UN UR UT UV";
+/** Elements whose texts are kept, and whole numbers as texts. */
+constexpr std::array<std::uint32_t, 19> WantedTexts{
+  0x0008103e, // description of the series
+  0x00180088, // spacing between slices
+  0x0020000e, // series
+  0x00200012, // acquisition
+  0x00200013, // instance
+  0x00200032, // position
+  0x00200037, // orientation
+  0x00200100, // place in time
+  0x00209056, // stack
+  0x00209128, // place in time, of a frame
+  0x00209156, // acquisition of a frame
+  NumberOfFrames,
+  0x00280030, // spacing
+  0x00280120, // padding
+  0x00280121, // other end of the range of padding
+  0x00281052, // intercept
+  0x00281053, // slope
+  0x3004000c, // offsets of frames
+  0x3004000e, // scale of a dose
+};
+
+/** Sequences that lead to texts of frames: implicit encodings do not tell that they are some. */
+constexpr std::array<std::uint32_t, 7> SequencesOfFrames{
+  SharedGroups,
+  GroupsOfFrames,
+  0x00209111, // content
+  0x00209113, // position
+  0x00209116, // orientation
+  0x00289110, // spacing
+  0x00289145, // slope and intercept
+};
 
 /** What numbers of voxels mean: names that GDCM knows; it ends the program for others. */
 constexpr std::array<std::string_view, 12> Interpretations{ "MONOCHROME1", "MONOCHROME2", "PALETTE COLOR",
@@ -64,7 +86,7 @@ constexpr std::array<std::pair<std::uint32_t, std::string_view>, 17> Representat
   { 0x00200037, "DS" }, // orientation
   { Samples, "US" },
   { 0x00280006, "US" }, // planes
-  { 0x00280008, "IS" }, // frames
+  { NumberOfFrames, "IS" },
   { Rows, "US" },
   { Columns, "US" },
   { 0x00280030, "DS" }, // spacing
@@ -75,30 +97,13 @@ constexpr std::array<std::pair<std::uint32_t, std::string_view>, 17> Representat
   { 0x00281053, "DS" }, // slope
 } };
 
-/** How elements are written. */
-struct Encoding
-{
-  bool isExplicit{ true }; ///< with the value representation
-  bool isBigEndian{ false };
-  bool isRunLength{ false };
-};
-
-struct Element
-{
-  std::uint32_t tag{ 0 };
-  std::string   representation; ///< empty: not written
-  std::uint32_t length{ 0 };
-};
-
-/** \class Walker
+/** \class Walker : private DicomElements
  * \brief Steps from element to element. */
-class Walker
+class Walker : private DicomElements
 {
 public:
   explicit Walker(const std::filesystem::path & fileName)
-    : m_FileName(fileName)
-    , m_File(OpenRegularFile(fileName))
-    , m_Size(GetDataFileSize(fileName, fileName))
+    : DicomElements(fileName)
   {}
 
   DicomStructure
@@ -110,125 +115,29 @@ public:
       RefuseHeader(m_FileName, "it is not DICOM: bytes 128 to 131 are not DICM");
     }
     m_Encoding = this->ReadMetaInformation();
+    m_Structure.isBigEndian = m_Encoding.isBigEndian;
+    m_Structure.beginOfData = m_Position;
+    if (m_Structure.isDeflated)
+    {
+      this->BeginDeflated();
+    }
     this->WalkElements(m_Size, 0);
+    this->CountFrames();
     return m_Structure;
   }
 
 private:
-  [[noreturn]] void
-  Refuse(const std::string & what, HeaderError::Kind kind = HeaderError::Kind::Corrupt) const
-  {
-    RefuseHeader(m_FileName, what + " (at byte " + std::to_string(m_Position) + ")", kind);
-  }
-
-  std::string
-  ReadText(std::uint64_t count)
-  {
-    if (count > m_Size - std::min(m_Size, m_Position))
-    {
-      this->Refuse("the file ends within an element");
-    }
-    std::string text(count, '\0');
-    if (!m_File.read(text.data(), static_cast<std::streamsize>(count)))
-    {
-      this->Refuse("the file ends within an element");
-    }
-    m_Position += count;
-    return text;
-  }
-
-  /** A seek drops what was read ahead, so that short ways are read through. */
   void
-  MoveTo(std::uint64_t position)
+  CountFrames()
   {
-    constexpr std::uint64_t shortWay = 4096;
-    if (position < m_Position || position - m_Position > shortWay)
+    const std::string text = m_Structure.texts[NumberOfFrames];
+    const auto        isDigit = [](char character) { return character >= '0' && character <= '9'; };
+    const bool        isNumber = text.size() <= 10 && std::all_of(text.begin(), text.end(), isDigit);
+    m_Structure.frames = isNumber && !text.empty() ? std::max<std::uint64_t>(1, std::stoull(text)) : 1;
+    if (!isNumber || m_Structure.frames > MostDicomFrames)
     {
-      m_File.seekg(static_cast<std::streamoff>(position));
-    }
-    else
-    {
-      m_File.ignore(static_cast<std::streamsize>(position - m_Position));
-    }
-    m_Position = position;
-  }
-
-  template <typename TNumber>
-  TNumber
-  ReadNumber()
-  {
-    const std::string bytes = this->ReadText(sizeof(TNumber));
-    TNumber           number{};
-    std::memcpy(&number, bytes.data(), sizeof(number));
-    if (m_Encoding.isBigEndian != itk::MachineIsBigEndian())
-    {
-      itk::SwapComponentBytes(&number, sizeof(number), sizeof(number));
-    }
-    return number;
-  }
-
-  std::uint32_t
-  ReadTag()
-  {
-    const auto group = this->ReadNumber<std::uint16_t>();
-    return std::uint32_t{ group } << 16 | this->ReadNumber<std::uint16_t>();
-  }
-
-  Element
-  ReadElement()
-  {
-    if (++m_Elements > MostElements)
-    {
-      this->Refuse("it has more than " + std::to_string(MostElements) + " elements");
-    }
-    if (m_Elements % 1024 == 0)
-    {
-      itk::MedialVoxelPoll();
-    }
-    Element element;
-    element.tag = this->ReadTag();
-    const bool isMark = element.tag == Item || element.tag == EndOfItem || element.tag == EndOfSequence;
-    if (!m_Encoding.isExplicit || isMark)
-    {
-      element.length = this->ReadNumber<std::uint32_t>();
-      if (isMark && element.tag != Item && element.length != 0)
-      {
-        this->Refuse("the end of a sequence has " + std::to_string(element.length) + " bytes; it must have none");
-      }
-      return element;
-    }
-    element.representation = this->ReadText(2);
-    if (Contains(ShortRepresentations, element.representation))
-    {
-      element.length = this->ReadNumber<std::uint16_t>();
-    }
-    else if (Contains(LongRepresentations, element.representation))
-    {
-      this->ReadText(2);
-      element.length = this->ReadNumber<std::uint32_t>();
-    }
-    else
-    {
-      this->Refuse("an element has the unknown value representation '" +
-                   itk::MedialVoxelText::MakePrintable(element.representation) + "'");
-    }
-    return element;
-  }
-
-  static bool
-  Contains(std::string_view representations, const std::string & text)
-  {
-    return text.find(' ') == std::string::npos && representations.find(text) != std::string_view::npos;
-  }
-
-  /** The bytes of an element are within what is around it. */
-  void
-  RequireRoom(std::uint64_t length, std::uint64_t end) const
-  {
-    if (m_Position > end || length > end - m_Position)
-    {
-      this->Refuse("an element has " + std::to_string(length) + " bytes where " +
-                   std::to_string(end - std::min(end, m_Position)) + " are left");
+      this->Refuse("its NumberOfFrames is '" + itk::MedialVoxelText::MakePrintable(text) + "'; it must be 1 to " +
+                   std::to_string(MostDicomFrames));
     }
   }
 
@@ -237,7 +146,7 @@ private:
   ReadMetaInformation()
   {
     constexpr std::uint32_t metaGroup = 2;
-    std::string             syntax;
+    std::string &           syntax = m_Structure.syntax;
     for (std::uint64_t begin = m_Position; begin < m_Size; begin = m_Position)
     {
       const std::uint32_t group = this->ReadTag() >> 16;
@@ -259,12 +168,13 @@ private:
       }
     }
     constexpr std::string_view standard = "1.2.840.10008.1.2";
-    if (syntax == std::string(standard) + ".1.99" || syntax.compare(0, standard.size(), standard) != 0)
+    if (syntax.compare(0, standard.size(), standard) != 0)
     {
       this->Refuse("its transfer syntax '" + itk::MedialVoxelText::MakePrintable(syntax) + "' is not read",
                    HeaderError::Kind::Unsupported);
     }
     const std::string name(standard);
+    m_Structure.isDeflated = syntax == name + ".1.99";
     return { syntax != name, syntax == name + ".2", syntax == name + ".5" };
   }
 
@@ -306,17 +216,18 @@ private:
         this->MoveTo(m_Position + element.length);
       }
       m_Structure.voxelBytes = m_Position - begin;
+      m_Structure.beginOfVoxels = begin;
       m_Structure.endOfVoxels = m_Position;
     }
-    else if (element.representation == "SQ" || isUndefined)
+    else if (this->IsSequence(element))
     {
       this->WalkSequence(element, isUndefined ? end : m_Position + element.length, depth);
     }
     else if (element.tag == Interpretation)
     {
-      this->CheckInterpretation(element);
+      this->CheckInterpretation(element, depth);
     }
-    else if (depth == 0 && this->TakeNumber(element))
+    else if (this->TakeText(element) || (depth == 0 && this->TakeNumber(element)))
     {
       return;
     }
@@ -324,6 +235,15 @@ private:
     {
       this->MoveTo(m_Position + element.length);
     }
+  }
+
+  static bool
+  IsSequence(const Element & element)
+  {
+    const bool isUnknown = element.representation.empty() || element.representation == "UN";
+    const auto known = std::find(SequencesOfFrames.begin(), SequencesOfFrames.end(), element.tag);
+    return element.representation == "SQ" || element.length == UndefinedLength ||
+           (isUnknown && known != SequencesOfFrames.end());
   }
 
   void
@@ -339,7 +259,7 @@ private:
   }
 
   void
-  CheckInterpretation(const Element & element)
+  CheckInterpretation(const Element & element, unsigned int depth)
   {
     constexpr std::uint32_t longestName = 16;
     std::string             name = this->ReadText(std::min(element.length, longestName));
@@ -350,6 +270,62 @@ private:
       this->Refuse("its photometric interpretation '" + itk::MedialVoxelText::MakePrintable(name) + "' is not known",
                    HeaderError::Kind::Unsupported);
     }
+    m_Structure.interpretation = depth == 0 ? name : m_Structure.interpretation;
+  }
+
+  /** Where texts of what is walked through are kept: of the file, or of frames; null: nowhere. */
+  DicomTexts *
+  FindTexts()
+  {
+    if (m_Path.empty())
+    {
+      return &m_Structure.texts;
+    }
+    constexpr std::size_t depthOfGroups = 2;
+    if (m_Path.size() != depthOfGroups || m_Path.back().item > 0)
+    {
+      return nullptr;
+    }
+    const auto [sequence, item] = m_Path.front();
+    if (sequence == SharedGroups && item == 0)
+    {
+      return &m_Structure.textsOfFrames;
+    }
+    if (sequence != GroupsOfFrames)
+    {
+      return nullptr;
+    }
+    m_Structure.textsOfOneFrame.resize(std::max(m_Structure.textsOfOneFrame.size(), item + 1));
+    return &m_Structure.textsOfOneFrame[item];
+  }
+
+  /** True for one of the texts that are wanted. */
+  bool
+  TakeText(const Element & element)
+  {
+    constexpr std::uint32_t longest = std::uint32_t{ 1 } << 20;
+    DicomTexts * const      texts = this->FindTexts();
+    if (!texts || std::find(WantedTexts.begin(), WantedTexts.end(), element.tag) == WantedTexts.end() ||
+        element.length > longest)
+    {
+      return false;
+    }
+    std::string text = this->ReadText(element.length);
+    if (element.representation == "US" || (element.tag == 0x00209156 && text.size() == 2))
+    {
+      text = text.size() == 2 ? std::to_string(this->ToNumber<std::uint16_t>(text)) : "";
+    }
+    else if (element.representation == "SS")
+    {
+      text = text.size() == 2 ? std::to_string(this->ToNumber<std::int16_t>(text)) : "";
+    }
+    else if (element.representation == "UL" || (element.tag == 0x00209128 && text.size() == 4))
+    {
+      text = text.size() == 4 ? std::to_string(this->ToNumber<std::uint32_t>(text)) : "";
+    }
+    text.erase(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
+    texts->emplace(element.tag, text.substr(std::min(text.size(), text.find_first_not_of(' '))));
+    return true;
   }
 
   /** True for one of the numbers that are wanted. */
@@ -391,7 +367,10 @@ private:
     {
       m_Encoding = { false, false }; // as the standard has it for sequences of unknown representation
     }
-    while (m_Position < end)
+    m_Path.push_back({ sequence.tag, 0 });
+    m_Structure.hasGroups = m_Structure.hasGroups || m_Path.front().sequence >> 16 == SharedGroups >> 16;
+    m_IsCounted = m_Path.front().sequence >> 16 != SharedGroups >> 16; // GDCM does not read them
+    for (; m_Position < end; ++m_Path.back().item)
     {
       const Element item = this->ReadElement();
       if (item.tag == EndOfSequence)
@@ -402,12 +381,18 @@ private:
       {
         this->Refuse("a sequence has something else than items");
       }
+      if (m_Path.back().sequence == GroupsOfFrames && m_Path.back().item >= MostDicomFrames)
+      {
+        this->Refuse("it tells of more than " + std::to_string(MostDicomFrames) + " frames");
+      }
       if (item.length != UndefinedLength)
       {
         this->RequireRoom(item.length, end);
       }
       this->WalkElements(item.length == UndefinedLength ? end : m_Position + item.length, depth + 1);
     }
+    m_Path.pop_back();
+    m_IsCounted = m_IsCounted || m_Path.empty();
     m_Encoding = outer;
   }
 
@@ -417,7 +402,8 @@ private:
     bool isTable = true; // the first one has places of others
     for (;;)
     {
-      const Element fragment = this->ReadElement();
+      const std::uint64_t mark = m_Position;
+      const Element       fragment = this->ReadElement();
       if (fragment.tag == EndOfSequence)
       {
         return;
@@ -427,13 +413,35 @@ private:
         this->Refuse("its packed voxels are not in fragments");
       }
       this->RequireRoom(fragment.length, end);
-      const std::uint64_t next = m_Position + fragment.length;
+      const std::uint64_t begin = m_Position;
+      const std::uint64_t next = begin + fragment.length;
+      if (isTable)
+      {
+        this->ReadMarks(fragment.length);
+      }
+      else
+      {
+        m_Structure.fragments.push_back({ mark, begin, fragment.length });
+      }
       if (m_Encoding.isRunLength && !isTable)
       {
         this->CheckRunLengthSegments(fragment.length);
       }
       this->MoveTo(next);
       isTable = false;
+    }
+  }
+
+  void
+  ReadMarks(std::uint64_t length)
+  {
+    if (length > MostDicomFrames * sizeof(std::uint32_t))
+    {
+      this->Refuse("the table of its frames has " + std::to_string(length) + " bytes");
+    }
+    for (std::uint64_t i = 0; i < length / sizeof(std::uint32_t); ++i)
+    {
+      m_Structure.marks.push_back(this->ReadNumber<std::uint32_t>());
     }
   }
 
@@ -468,13 +476,15 @@ private:
     }
   }
 
-  std::filesystem::path   m_FileName;
-  std::ifstream           m_File;
-  std::uint64_t           m_Size;
-  std::uint64_t           m_Position{ 0 };
-  std::uint64_t           m_Elements{ 0 };
-  Encoding                m_Encoding;
+  /** A sequence that is walked through. */
+  struct Step
+  {
+    std::uint32_t sequence; ///< tag
+    std::size_t   item;
+  };
+
   std::set<std::uint32_t> m_Taken; ///< tags of numbers
+  std::vector<Step>       m_Path; ///< from the file to what is read
   DicomStructure          m_Structure;
 };
 

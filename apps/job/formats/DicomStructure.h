@@ -5,13 +5,31 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace medialvoxel
 {
 
+/** What elements have that tell of place, scale and series, by their tags. */
+using DicomTexts = std::map<std::uint32_t, std::string>;
+
+/** More are not believed. */
+constexpr std::uint64_t MostDicomFrames = std::uint64_t{ 1 } << 16;
+
+/** A piece of packed voxels. */
+struct DicomFragment
+{
+  std::uint64_t mark; ///< where its tag begins
+  std::uint64_t begin;
+  std::uint64_t length;
+};
+
 /** What decides how much memory the image of a DICOM file takes. */
 struct DicomStructure
 {
+  std::uint64_t frames{ 1 };
   std::uint64_t columns{ 0 };
   std::uint64_t rows{ 0 };
   std::uint64_t samples{ 1 };
@@ -21,7 +39,22 @@ struct DicomStructure
   std::uint64_t isSigned{ 0 };   ///< 0 or 1
   std::uint64_t voxelBytes{ 0 }; ///< in the file, packed or not; 0: the file has no image
   bool          isPacked{ false };
+  std::uint64_t beginOfVoxels{ 0 };
   std::uint64_t endOfVoxels{ 0 }; ///< where what follows the image begins
+
+  std::string   syntax;           ///< of the transfer
+  std::string   interpretation;   ///< photometric
+  std::uint64_t beginOfData{ 0 }; ///< behind what is always written in the same way
+  bool          isBigEndian{ false };
+  bool          isDeflated{ false }; ///< all places count unpacked bytes from the begin of the data on
+
+  std::vector<DicomFragment> fragments; ///< of packed voxels
+  std::vector<std::uint32_t> marks;     ///< of the first fragment of each frame, from that of the first one on
+
+  bool                    hasGroups{ false }; ///< of elements for frames
+  DicomTexts              texts;           ///< of the file
+  DicomTexts              textsOfFrames;   ///< that all frames share
+  std::vector<DicomTexts> textsOfOneFrame; ///< in the order of the frames; empty: there are none
 };
 
 /** Whether a file has the signature of DICOM. */

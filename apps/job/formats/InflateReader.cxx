@@ -17,6 +17,7 @@ namespace
 {
 // Window of 2^15 bytes, and recognition of both zlib's and gzip's header.
 constexpr int    WindowBits = 15 + 32;
+constexpr int    BareWindowBits = -15;
 constexpr size_t ChunkBytes = size_t{ 1 } << 20;
 /** With which a packed stream begins. */
 constexpr unsigned long BytesOfMark = 2;
@@ -85,13 +86,13 @@ struct InflateReader::State
   }
 };
 
-InflateReader::InflateReader(const std::filesystem::path & fileName, std::uint64_t offset)
+InflateReader::InflateReader(const std::filesystem::path & fileName, std::uint64_t offset, bool isBare)
   : m_State(std::make_unique<State>())
 {
   m_State->fileName = fileName;
   m_State->file = OpenRegularFile(fileName);
   m_State->file.seekg(static_cast<std::streamoff>(offset));
-  if (inflateInit2(&m_State->stream, WindowBits) != Z_OK)
+  if (inflateInit2(&m_State->stream, isBare ? BareWindowBits : WindowBits) != Z_OK)
   {
     Fail(ExitStatus::Failure, "cannot set up zlib to read ", fileName.string());
   }

@@ -15,8 +15,9 @@ namespace medialvoxel
 class InflateReader
 {
 public:
-  /** \throw JobError Failure when the file cannot be opened. */
-  InflateReader(const std::filesystem::path & fileName, std::uint64_t offset);
+  /** \param isBare the stream has neither the header nor the checksum of zlib or gzip
+   * \throw JobError Failure when the file cannot be opened. */
+  InflateReader(const std::filesystem::path & fileName, std::uint64_t offset, bool isBare = false);
   ~InflateReader();
   InflateReader(const InflateReader &) = delete;
   InflateReader &

@@ -163,10 +163,10 @@ struct Picture
     return header;
   }
 
-  static std::optional<SliceHeader>
-  ReadHeader(const std::filesystem::path & fileName)
+  static std::vector<SliceHeader>
+  ReadHeaders(const std::filesystem::path & fileName)
   {
-    return WithoutItkErrors(fileName, [&] { return MakeHeader(*Open(fileName), fileName); });
+    return { WithoutItkErrors(fileName, [&] { return MakeHeader(*Open(fileName), fileName); }) };
   }
 
   static void
@@ -197,7 +197,7 @@ template <typename TPicture>
 SliceFormat
 MakeFormat(const char * name, const std::vector<const char *> & extensions)
 {
-  return { name, extensions, nullptr, TPicture::ReadHeader, TPicture::ReadVoxels, 0 };
+  return { name, extensions, false, nullptr, TPicture::ReadHeaders, TPicture::ReadVoxels, 0 };
 }
 
 } // namespace

@@ -171,14 +171,17 @@ CheckDataSize(const VolumeHeader & header)
        header.compressed ? " bytes of header" : (exact ? " bytes of header, no more and no less" : " bytes of header"));
 }
 
-/** "DICOM series UID, 108 files from a to b" */
+/** "DICOM series UID, 108 files, a to b" */
 std::string
 DescribeSlices(const SliceSeries & series)
 {
   const SliceHeader & first = series.slices.front();
+  const SliceHeader & last = series.slices.back();
+  const bool          isOneFile = first.fileName == last.fileName;
+  const std::string   things = first.frameNumber > 0 ? " frame" : " file";
   return std::string(series.format->name) + (first.series.empty() ? "" : " series " + first.series) + ", " +
-         std::to_string(series.slices.size()) + (series.slices.size() == 1 ? " file, " : " files, ") +
-         first.fileName.string() + (series.slices.size() == 1 ? "" : " to " + series.slices.back().fileName.string());
+         std::to_string(series.slices.size()) + things + (series.slices.size() == 1 ? ", " : "s, ") +
+         first.fileName.string() + (isOneFile ? "" : " to " + last.fileName.string());
 }
 
 } // namespace

@@ -62,13 +62,13 @@ CheckDirections(const std::filesystem::path & input, const Slices & slices)
   const auto isUnit = [&length](const Vector & vector) { return std::abs(length(vector) - 1.0) <= 10.0 * tolerance; };
   if (!isUnit(first.rowAxis) || !isUnit(first.columnAxis))
   {
-    RefuseHeader(slices.front().fileName,
+    RefuseHeader(slices.front().GetName(),
                  "its rows and columns have the directions " + Describe(first.rowAxis) + " and " +
                    Describe(first.columnAxis) + "; they must have the length 1");
   }
   if (!(std::abs(Dot(first.rowAxis, first.columnAxis)) <= tolerance))
   {
-    RefuseHeader(slices.front().fileName,
+    RefuseHeader(slices.front().GetName(),
                  "its rows and columns are not at right angles: " + Describe(first.rowAxis) + " and " +
                    Describe(first.columnAxis));
   }
@@ -77,8 +77,8 @@ CheckDirections(const std::filesystem::path & input, const Slices & slices)
     if (differs(slice.place->rowAxis, first.rowAxis) || differs(slice.place->columnAxis, first.columnAxis))
     {
       RefuseHeader(input,
-                   "slices have different directions: " + slices.front().fileName.string() + " has " +
-                     Describe(first.rowAxis) + " and " + Describe(first.columnAxis) + ", " + slice.fileName.string() +
+                   "slices have different directions: " + slices.front().GetName() + " has " +
+                     Describe(first.rowAxis) + " and " + Describe(first.columnAxis) + ", " + slice.GetName() +
                      " has " + Describe(slice.place->rowAxis) + " and " + Describe(slice.place->columnAxis));
     }
   }
@@ -110,8 +110,8 @@ CheckAcquisitions(const std::filesystem::path & input, const Slices & sorted)
       if (other.acquisition != name)
       {
         RefuseHeader(input,
-                     "its slices are of acquisitions that overlap: " + sorted[extent.first].fileName.string() +
-                       " is of acquisition '" + name + "', " + other.fileName.string() + " of '" + other.acquisition +
+                     "its slices are of acquisitions that overlap: " + sorted[extent.first].GetName() +
+                       " is of acquisition '" + name + "', " + other.GetName() + " of '" + other.acquisition +
                        "'; put the files of one of them into a folder of their own");
       }
     }
@@ -162,7 +162,7 @@ CheckSteps(const std::filesystem::path & input,
     if (!(steps[slice] > SlicePositionTolerance * usual))
     {
       RefuseHeader(input,
-                   slices[slice].fileName.string() + " and " + slices[slice + 1].fileName.string() +
+                   slices[slice].GetName() + " and " + slices[slice + 1].GetName() +
                      " have the same place " + Describe(slices[slice].place->origin) + "; a slice is doubled");
     }
     worst = std::max(worst, std::abs(places[slice + 1] - spacing * static_cast<double>(slice + 1)));
@@ -176,7 +176,7 @@ CheckSteps(const std::filesystem::path & input,
     const auto odd = std::max_element(
       steps.begin(), steps.end(), [usual](double a, double b) { return std::abs(a - usual) < std::abs(b - usual); });
     const auto        at = static_cast<std::size_t>(odd - steps.begin());
-    const std::string pair = slices[at].fileName.string() + " and " + slices[at + 1].fileName.string();
+    const std::string pair = slices[at].GetName() + " and " + slices[at + 1].GetName();
     const double      more = std::round(*odd / usual) - 1;
     const bool        isGap = more >= 1 && std::abs(*odd - (more + 1) * usual) <= 2 * tolerance;
     RefuseHeader(input,
@@ -214,8 +214,8 @@ CheckLine(const std::filesystem::path & input, const Slices & slices, const Vect
     if (!(beside <= SlicePositionTolerance * spacing * static_cast<double>(slice) + rounding))
     {
       RefuseHeader(input,
-                   slices[slice].fileName.string() + " is shifted by " + FormatShort(beside) +
-                     " mm along its plane against " + slices.front().fileName.string() +
+                   slices[slice].GetName() + " is shifted by " + FormatShort(beside) +
+                     " mm along its plane against " + slices.front().GetName() +
                      ", as with a tilted gantry; resample the series to a straight one first",
                    HeaderError::Kind::Unsupported);
     }
@@ -251,9 +251,9 @@ MakeSeriesGeometry(const std::filesystem::path & input, const Slices & slices)
         !(std::abs(slice.spacing[1] - first.spacing[1]) <= tolerance * first.spacing[1]))
     {
       RefuseHeader(input,
-                   "slices have different spacings: " + first.fileName.string() + " has " +
+                   "slices have different spacings: " + first.GetName() + " has " +
                      FormatNumbers({ first.spacing.begin(), first.spacing.end() }, " x ") + ", " +
-                     slice.fileName.string() + " has " +
+                     slice.GetName() + " has " +
                      FormatNumbers({ slice.spacing.begin(), slice.spacing.end() }, " x "));
     }
   }

@@ -71,15 +71,12 @@ ReadHeaders(const std::filesystem::path & input, const SliceFormat & format, con
   for (const std::filesystem::path & file : files)
   {
     itk::MedialVoxelPoll();
-    std::optional<SliceHeader> slice = format.readHeader(file);
-    if (slice)
-    {
-      slices.push_back(std::move(*slice));
-    }
-    else if (!IsFolder(input))
+    std::vector<SliceHeader> images = format.readHeaders(file);
+    if (images.empty() && !IsFolder(input))
     {
       RefuseHeader(file, "it has no image");
     }
+    std::move(images.begin(), images.end(), std::back_inserter(slices));
   }
   if (slices.empty())
   {
@@ -125,7 +122,7 @@ CheckAlike(const std::filesystem::path & input, const Slices & slices)
 {
   const SliceHeader & first = slices.front();
   const auto          describe = [](const SliceHeader & slice) {
-    return slice.fileName.string() + " has " + FormatSize({ slice.size[0], slice.size[1] }) + " voxels of " +
+    return slice.GetName() + " has " + FormatSize({ slice.size[0], slice.size[1] }) + " voxels of " +
            std::string(GetTraits(slice.pixelType).name);
   };
   const auto other = std::find_if(slices.begin(), slices.end(), [&first](const SliceHeader & slice) {
@@ -244,7 +241,7 @@ SortSlices(const std::filesystem::path & input, Slices slices, bool hasSpacing, 
   const auto with = std::find_if(slices.begin(), slices.end(), hasPlace);
   if (without != slices.end() && with != slices.end())
   {
-    RefuseHeader(input, with->fileName.string() + " has a position and " + without->fileName.string() + " has none");
+    RefuseHeader(input, with->GetName() + " has a position and " + without->GetName() + " has none");
   }
   if (without == slices.end())
   {
@@ -282,12 +279,22 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
   header.dataFile = slices.front().fileName;
   header.pixelType = slices.front().pixelType;
   header.geometry = MakeSeriesGeometry(input, slices);
-  const bool hasPlaces = slices.size() == 1 || slices.front().place;
+  const auto & last = slices.back();
+  const bool   hasPlaces = slices.size() == 1 || (last.place && last.isDistanceKnown);
   if (!hasPlaces || !slices.front().isSpacingKnown)
   {
     WarnOfUnknownSpacing(header,
                          hasPlaces ? "the slices have no PixelSpacing (an ImagerPixelSpacing is not used)"
-                                   : "the slices do not tell how far they are from each other");
+                                   : (slices.front().frame ? "the frames do not tell how far they are from each other"
+                                                 : "the slices do not tell how far they are from each other"));
+  }
+  if (std::filesystem::is_regular_file(input) && slices.size() == 1)
+  {
+    header.warnings.push_back({ "single_slice",
+                                "the file is one slice, read as an image of two axes; give its folder, " +
+                                  itk::MedialVoxelText::MakePrintable(std::filesystem::absolute(input).parent_path().string()) +
+                                  ", to read the series",
+                                {} });
   }
   const auto series = std::make_shared<SliceSeries>();
   series->format = format;

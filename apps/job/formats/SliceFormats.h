@@ -6,7 +6,6 @@
 #include "SliceSeries.h"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,15 +36,15 @@ template <typename TFile>
 SliceFormat
 MakeSliceFormat(const char * name, std::vector<const char *> extensions)
 {
-  const auto readHeader = [](const std::filesystem::path & fileName) -> std::optional<SliceHeader> {
-    return TFile(fileName).GetHeader();
+  const auto readHeaders = [](const std::filesystem::path & fileName) -> std::vector<SliceHeader> {
+    return { TFile(fileName).GetHeader() };
   };
   const auto readVoxels = [](const SliceHeader & expected, void * voxels) {
     TFile file(expected.fileName);
     RequireSameSlice(expected, file.GetHeader());
     file.ReadVoxels(expected, voxels);
   };
-  return { name, std::move(extensions), nullptr, readHeader, readVoxels, 0 };
+  return { name, std::move(extensions), false, nullptr, readHeaders, readVoxels, 0 };
 }
 
 // The rows of the table, each in a file of its own.

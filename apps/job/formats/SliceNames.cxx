@@ -318,6 +318,10 @@ ListSliceFiles(const std::filesystem::path & input, const std::vector<std::uint6
   {
     return ListFolder(input, [](const std::string &) { return true; });
   }
+  if (std::filesystem::exists(input, error))
+  {
+    return { input };
+  }
   const std::filesystem::path folder = FolderOf(input);
   const std::string           last = input.filename().string();
   if (const auto pattern = ParseNumberPattern(last))

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct SlicePlace
   double                rounding{ 0.0 }; ///< of the numbers of the origin, as they are written
 };
 
+struct DicomFrame;
+
 /** What the image of a slice says before its voxels are read. */
 struct SliceHeader
 {
@@ -35,11 +38,23 @@ struct SliceHeader
   std::optional<SlicePlace>    place;      ///< of DICOM
   std::optional<PixelType>     storedType; ///< of DICOM: of the slice alone
   bool                         isSpacingKnown{ true };
+  bool                         isDistanceKnown{ true }; ///< of its place to that of others
   std::optional<std::int64_t>  number;           ///< of the DICOM instance
   std::string                  acquisition;      ///< of DICOM: what tells scans of one series apart
   std::string                  series;           ///< instance UID of the DICOM series; empty: none
   std::string                  description;      ///< of the series
   std::uint64_t                decodeBytes{ 0 }; ///< memory that decoding takes beside the slice
+
+  /** Of DICOM: one of several images of the file; null: it has one. */
+  std::shared_ptr<const DicomFrame> frame;
+  std::uint64_t                     frameNumber{ 0 }; ///< from 1; 0: the file has one image
+
+  /** For messages. */
+  std::string
+  GetName() const
+  {
+    return fileName.string() + (frameNumber > 0 ? " frame " + std::to_string(frameNumber) : "");
+  }
 
   std::uint64_t
   GetVoxelBytes() const
@@ -54,11 +69,13 @@ struct SliceFormat
   const char *              name;
   std::vector<const char *> extensions;
 
+  bool isInput; ///< also of a volume by itself: a file may have several slices
+
   /** Whether a file without such an extension is of the format; null: never. */
   bool (*isKnown)(const std::filesystem::path &);
 
   /** Nothing for a file of the format that has no image. \throw HeaderError */
-  std::optional<SliceHeader> (*readHeader)(const std::filesystem::path &);
+  std::vector<SliceHeader> (*readHeaders)(const std::filesystem::path &);
 
   /** Reads all values of the slice, x fastest, in the byte order of this machine.
    * \throw HeaderError when they are damaged, end early, or are others than the header said */

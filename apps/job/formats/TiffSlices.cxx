@@ -36,10 +36,10 @@ MakeHeader(const VolumeHeader & image)
   return header;
 }
 
-std::optional<SliceHeader>
-ReadHeader(const std::filesystem::path & fileName)
+std::vector<SliceHeader>
+ReadHeaders(const std::filesystem::path & fileName)
 {
-  return MakeHeader(ReadImage(fileName));
+  return { MakeHeader(ReadImage(fileName)) };
 }
 
 void
@@ -67,7 +67,7 @@ ReadVoxels(const SliceHeader & expected, void * voxels)
 SliceFormat
 MakeTiffSliceFormat()
 {
-  return { "TIFF", { ".tif", ".tiff" }, nullptr, ReadHeader, ReadVoxels, 0 };
+  return { "TIFF", { ".tif", ".tiff" }, false, nullptr, ReadHeaders, ReadVoxels, 0 };
 }
 
 } // end namespace medialvoxel

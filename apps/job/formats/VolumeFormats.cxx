@@ -8,8 +8,7 @@
 #include "PackedVolume.h"
 #include "RawImageIO.h"
 #include "SeriesImageIO.h"
-#include "SliceNames.h"
-#include "SeriesImageIO.h"
+#include "SliceFormats.h"
 #include "SliceNames.h"
 #include "Text.h"
 #include "VolumeText.h"
@@ -256,6 +255,11 @@ FindInputFormat(const std::filesystem::path & fileName)
   if (!std::filesystem::exists(status))
   {
     Fail(ExitStatus::Failure, "cannot open ", fileName.string(), ": no such file or folder");
+  }
+  const SliceFormat * const ofSlices = FindSliceFormat(fileName);
+  if (ofSlices && ofSlices->isInput)
+  {
+    return GetSeriesFormat();
   }
   RefuseExtension(
     fileName,

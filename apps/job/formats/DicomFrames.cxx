@@ -1,0 +1,361 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "DicomFrames.h"
+
+#include "DicomTexts.h"
+#include "HeaderParsing.h"
+#include "InflateReader.h"
+
+#include "itkMedialVoxelFileRegion.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
+
+// Tags, as group * 65536 + element.
+constexpr std::uint32_t Description = 0x0008103e;
+constexpr std::uint32_t Distance = 0x00180088;
+constexpr std::uint32_t Series = 0x0020000e;
+constexpr std::uint32_t Acquisition = 0x00200012;
+constexpr std::uint32_t Instance = 0x00200013;
+constexpr std::uint32_t Position = 0x00200032;
+constexpr std::uint32_t Orientation = 0x00200037;
+constexpr std::uint32_t Time = 0x00200100;
+constexpr std::uint32_t Stack = 0x00209056;
+constexpr std::uint32_t TimeOfFrame = 0x00209128;
+constexpr std::uint32_t AcquisitionOfFrame = 0x00209156;
+constexpr std::uint32_t Spacing = 0x00280030;
+constexpr std::uint32_t Intercept = 0x00281052;
+constexpr std::uint32_t Slope = 0x00281053;
+constexpr std::uint32_t Offsets = 0x3004000c;
+constexpr std::uint32_t ScaleOfDose = 0x3004000e;
+
+std::string
+Find(const DicomTexts & texts, std::uint32_t tag)
+{
+  const auto found = texts.find(tag);
+  return found == texts.end() ? "" : found->second;
+}
+
+/** \throw std::runtime_error for another number of numbers */
+std::vector<double>
+ParseExactly(const char * name, const std::string & text, std::size_t count)
+{
+  std::vector<double> numbers = ParseDicomNumbers(text);
+  if (numbers.size() != count)
+  {
+    throw std::runtime_error(std::string("its ") + name + " is '" + itk::MedialVoxelText::MakePrintable(text) +
+                             "'; it must have " + std::to_string(count) + (count == 1 ? " number" : " numbers"));
+  }
+  return numbers;
+}
+
+double
+ParseNumber(const char * name, const std::string & text, double otherwise)
+{
+  return text.empty() ? otherwise : ParseExactly(name, text, 1).front();
+}
+
+/** \class FrameReader
+ * \brief What a file says of its frames. */
+class FrameReader
+{
+public:
+  explicit FrameReader(DicomStructure structure)
+    : m_Structure(std::move(structure))
+  {
+    if (m_Structure.textsOfOneFrame.size() > m_Structure.frames)
+    {
+      throw std::runtime_error("it has " + std::to_string(m_Structure.frames) + " frames and tells of " +
+                               std::to_string(m_Structure.textsOfOneFrame.size()));
+    }
+    m_Structure.textsOfOneFrame.resize(m_Structure.frames);
+    this->ReadOffsets();
+  }
+
+  /** Of a frame by itself, of all, or of the file. */
+  std::string
+  GetText(std::uint64_t frame, std::uint32_t tag) const
+  {
+    for (const DicomTexts * const texts :
+         { &m_Structure.textsOfOneFrame[frame], &m_Structure.textsOfFrames, &m_Structure.texts })
+    {
+      if (const std::string text = Find(*texts, tag); !text.empty())
+      {
+        return text;
+      }
+    }
+    return "";
+  }
+
+  SliceHeader
+  MakeHeader(std::uint64_t frame) const
+  {
+    SliceHeader header;
+    header.size = { { m_Structure.columns, m_Structure.rows } };
+    header.frameNumber = m_Structure.frames > 1 ? frame + 1 : 0;
+    const std::vector<double> spacing = ParseDicomSpacing(this->GetText(frame, Spacing));
+    header.isSpacingKnown = !spacing.empty();
+    if (header.isSpacingKnown)
+    {
+      header.spacing = { { spacing[1], spacing[0] } }; // of rows first
+    }
+    header.place = this->MakePlace(frame);
+    header.isDistanceKnown = m_Structure.frames == 1 || this->HasOwnPlace(frame) || !m_Offsets.empty();
+    const std::vector<double> number = ParseDicomNumbers(this->GetText(frame, Instance));
+    if (number.size() == 1)
+    {
+      header.number = static_cast<std::int64_t>(std::clamp(number.front(), -1e15, 1e15));
+    }
+    header.series = itk::MedialVoxelText::MakePrintable(Find(m_Structure.texts, Series));
+    header.description = itk::MedialVoxelText::MakePrintable(Find(m_Structure.texts, Description));
+    header.acquisition = itk::MedialVoxelText::MakePrintable(this->DescribeAcquisition(frame));
+    return header;
+  }
+
+  DicomFrame
+  MakeFrame(std::uint64_t number) const
+  {
+    DicomFrame frame;
+    frame.number = number;
+    frame.intercept = ParseNumber("RescaleIntercept", this->GetText(number, Intercept), 0.0);
+    frame.slope = ParseNumber("DoseGridScaling", Find(m_Structure.texts, ScaleOfDose), 1.0);
+    frame.slope = ParseNumber("RescaleSlope", this->GetText(number, Slope), frame.slope);
+    frame.slope = frame.slope == 0.0 ? 1.0 : frame.slope; // as GDCM takes it
+    if (m_Structure.isPacked)
+    {
+      std::tie(frame.beginOfFragments, frame.endOfFragments) = this->FindFragments(number);
+    }
+    return frame;
+  }
+
+private:
+  /** Distances of the frames to the first one, of files whose frames have no places of their own. */
+  void
+  ReadOffsets()
+  {
+    const std::string text = Find(m_Structure.texts, Offsets);
+    if (!text.empty())
+    {
+      m_Offsets = ParseExactly("GridFrameOffsetVector", text, m_Structure.frames);
+      const double first = m_Offsets.front();
+      std::transform(m_Offsets.begin(), m_Offsets.end(), m_Offsets.begin(), [first](double place) {
+        return place - first;
+      });
+      return;
+    }
+    const std::string distance = this->GetText(0, Distance);
+    for (std::uint64_t frame = 0; frame < (distance.empty() ? 0 : m_Structure.frames); ++frame)
+    {
+      m_Offsets.push_back(ParseNumber("SpacingBetweenSlices", distance, 1.0) * static_cast<double>(frame));
+    }
+  }
+
+  bool
+  HasOwnPlace(std::uint64_t frame) const
+  {
+    return !Find(m_Structure.textsOfOneFrame[frame], Position).empty() && !this->GetText(frame, Orientation).empty();
+  }
+
+  std::optional<SlicePlace>
+  MakePlace(std::uint64_t frame) const
+  {
+    const std::string position = this->GetText(frame, Position);
+    const std::string orientation = this->GetText(frame, Orientation);
+    const bool        isPlaced = !position.empty() && !orientation.empty();
+    if (!isPlaced && m_Structure.frames == 1)
+    {
+      return std::nullopt;
+    }
+    SlicePlace place{ { { 0.0, 0.0, 0.0 } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } } };
+    if (isPlaced)
+    {
+      const std::vector<double> origin = ParseExactly("ImagePositionPatient", position, 3);
+      const std::vector<double> axes = ParseExactly("ImageOrientationPatient", orientation, 6);
+      std::copy_n(origin.begin(), 3, place.origin.begin());
+      std::copy_n(axes.begin(), 3, place.rowAxis.begin());
+      std::copy_n(axes.begin() + 3, 3, place.columnAxis.begin());
+      place.rounding = GetDicomRounding(position);
+    }
+    if (m_Structure.frames > 1 && !this->HasOwnPlace(frame))
+    {
+      const double offset = m_Offsets.empty() ? static_cast<double>(frame) : m_Offsets[frame];
+      const auto & a = place.rowAxis;
+      const auto & b = place.columnAxis;
+      const Vector normal{ { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+      std::transform(normal.begin(), normal.end(), place.origin.begin(), place.origin.begin(), [offset](double n, double o) {
+        return o + offset * n;
+      });
+    }
+    return place;
+  }
+
+  std::string
+  DescribeAcquisition(std::uint64_t frame) const
+  {
+    const std::string number = this->GetText(frame, AcquisitionOfFrame);
+    const std::string time = this->GetText(frame, TimeOfFrame);
+    const std::string stack = this->GetText(frame, Stack);
+    return JoinDicomAcquisition(number.empty() ? this->GetText(frame, Acquisition) : number,
+                                time.empty() ? this->GetText(frame, Time) : time) +
+           (stack.empty() ? "" : " of stack " + stack);
+  }
+
+  /** A frame has a fragment, those that the table of marks tells, or all of the file. */
+  std::pair<std::size_t, std::size_t>
+  FindFragments(std::uint64_t frame) const
+  {
+    const std::vector<DicomFragment> & fragments = m_Structure.fragments;
+    const std::vector<std::uint32_t> & marks = m_Structure.marks;
+    if (m_Structure.frames == 1 || fragments.size() == m_Structure.frames)
+    {
+      return { m_Structure.frames == 1 ? 0 : frame, m_Structure.frames == 1 ? fragments.size() : frame + 1 };
+    }
+    const auto findFragment = [&](std::uint64_t mark) {
+      const auto found =
+        std::lower_bound(fragments.begin(), fragments.end(), mark, [](const DicomFragment & a, std::uint64_t b) {
+          return a.mark < b;
+        });
+      return static_cast<std::size_t>(found - fragments.begin());
+    };
+    if (marks.size() != m_Structure.frames || fragments.empty())
+    {
+      throw std::runtime_error("its " + std::to_string(m_Structure.frames) + " frames are in " +
+                               std::to_string(fragments.size()) + " fragments, and no table tells which");
+    }
+    const std::uint64_t base = fragments.front().mark;
+    const std::size_t   begin = findFragment(base + marks[frame]);
+    const std::size_t   end =
+      frame + 1 < marks.size() ? findFragment(base + marks[frame + 1]) : fragments.size();
+    if (begin >= end)
+    {
+      throw std::runtime_error("the table of its frames is damaged at frame " + std::to_string(frame + 1));
+    }
+    return { begin, end };
+  }
+
+  DicomStructure      m_Structure;
+  std::vector<double> m_Offsets;
+};
+
+std::uint64_t
+GetBytesOfFrame(const DicomStructure & file)
+{
+  return file.columns * file.rows * (file.bits / 8);
+}
+
+/** \throw HeaderError when the file is another one than it was */
+void
+RequireSameFile(const SliceHeader & slice)
+{
+  std::error_code error;
+  if (std::filesystem::file_size(slice.fileName, error) != slice.frame->fileSize ||
+      std::filesystem::last_write_time(slice.fileName, error) != slice.frame->lastWrite || error)
+  {
+    RefuseHeader(slice.fileName, "it changed while it was read");
+  }
+}
+
+} // namespace
+
+bool
+HasDicomFrames(const DicomStructure & structure)
+{
+  return structure.frames > 1 || structure.hasGroups || structure.isDeflated;
+}
+
+std::vector<SliceHeader>
+ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure)
+{
+  DicomFrame sample;
+  sample.fileSize = GetDataFileSize(fileName, fileName);
+  sample.lastWrite = std::filesystem::last_write_time(fileName);
+  std::vector<SliceHeader> slices;
+  try
+  {
+    const FrameReader reader(structure);
+    structure.texts.clear();
+    structure.textsOfFrames.clear();
+    structure.textsOfOneFrame = {};
+    const auto file = std::make_shared<const DicomStructure>(std::move(structure));
+    for (std::uint64_t number = 0; number < file->frames; ++number)
+    {
+      DicomFrame frame = reader.MakeFrame(number);
+      frame.file = file;
+      frame.fileSize = sample.fileSize;
+      frame.lastWrite = sample.lastWrite;
+      std::uint64_t bytes = file->isPacked ? 0 : GetBytesOfFrame(*file);
+      for (std::size_t i = frame.beginOfFragments; i < frame.endOfFragments; ++i)
+      {
+        bytes += file->fragments[i].length;
+      }
+      SliceHeader slice = reader.MakeHeader(number);
+      slice.fileName = fileName;
+      slice.frame = std::make_shared<const DicomFrame>(std::move(frame));
+      slice.decodeBytes = 2 * bytes + 2 * MiB; // of the file, in GDCM too, and of what unpacks
+      slices.push_back(std::move(slice));
+    }
+  }
+  catch (const HeaderError &)
+  {
+    throw;
+  }
+  catch (const std::runtime_error & error)
+  {
+    RefuseHeader(fileName, error.what());
+  }
+  return slices;
+}
+
+std::vector<char>
+ReadDicomFrame(const SliceHeader & slice)
+{
+  RequireSameFile(slice);
+  const DicomFrame &     frame = *slice.frame;
+  const DicomStructure & file = *frame.file;
+  const std::uint64_t    bytes = GetBytesOfFrame(file);
+  const std::uint64_t    begin = file.beginOfVoxels + frame.number * bytes;
+  std::vector<char>      stored;
+  if (file.isDeflated)
+  {
+    stored.resize(bytes);
+    InflateReader reader(slice.fileName, file.beginOfData, true);
+    reader.Skip(begin - file.beginOfData);
+    reader.Read(stored.data(), bytes);
+    return stored;
+  }
+  std::vector<DicomFragment> pieces{ { begin, begin, bytes } };
+  if (file.isPacked)
+  {
+    pieces.assign(file.fragments.begin() + static_cast<std::ptrdiff_t>(frame.beginOfFragments),
+                  file.fragments.begin() + static_cast<std::ptrdiff_t>(frame.endOfFragments));
+  }
+  std::ifstream input = OpenRegularFile(slice.fileName);
+  for (const DicomFragment & piece : pieces)
+  {
+    const std::size_t old = stored.size();
+    stored.resize(old + piece.length);
+    input.seekg(static_cast<std::streamoff>(piece.begin));
+    if (!input.read(stored.data() + old, static_cast<std::streamsize>(piece.length)))
+    {
+      RefuseHeader(slice.fileName, "its voxels end early");
+    }
+  }
+  if (!file.isPacked && file.isBigEndian != itk::MachineIsBigEndian())
+  {
+    itk::SwapComponentBytes(stored.data(), stored.size(), file.bits / 8);
+  }
+  return stored;
+}
+
+} // end namespace medialvoxel
