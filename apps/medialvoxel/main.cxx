@@ -268,7 +268,11 @@ DescribeInput(const CommandLine & line)
   TextTable          table = DescribeHeader(header);
   const auto         append = [&table](const TextTable & more) { table.insert(table.end(), more.begin(), more.end()); };
   const auto         sink = MakeSink(line);
-  const auto         observer = [&sink](double share) {
+  for (const Warning & warning : header.warnings)
+  {
+    sink->Warn(warning.code, warning.message);
+  }
+  const auto observer = [&sink](double share) {
     sink->Report(share);
     if (sink->IsStopRequested())
     {

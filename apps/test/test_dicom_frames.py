@@ -188,7 +188,7 @@ class DicomFramesTest(ProgramTestCase):
         file = next(folder.iterdir())
         self.assertEqual(self.info(file)["size"], "20 x 18")
         result = self.run_program("info", file)
-        self.assertIn(f"give its folder, {folder}, to read the series", result.stdout + result.stderr)
+        self.assertIn(f"give its folder, {folder}, to read the series", " ".join(result.warnings))
         self.assertIn("single_slice", self.codes(file))
         self.assertNotIn("single_slice", self.codes(folder))
 
@@ -196,13 +196,38 @@ class DicomFramesTest(ProgramTestCase):
         volume = in_hounsfield_units()
         expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
         for number in range(12):
-            part = volumes.Volume((20, 18, 1), volume.voxels[360 * number : 360 * (number + 1)], volume.kind, volume.spacing)
+            part = volumes.Volume((20, 18, 1), volume.voxels[360 * number :][:360], volume.spacing, volume.kind)
             place = {**self.placed(volume), "ImagePositionPatient": ["0", "0", str(1.5 * number)]}
             self.write_frames(part, f"slices/{number}", False, syntax="deflated", all=place)
         self.assertEqual(self.results("slices"), expected)
         content = (self.folder / "slices/3").read_bytes()
         (self.folder / "slices/3").write_bytes(content[:-20])
         self.assertIn("end early", self.run_program("info", "slices", status=CORRUPT).stderr)
+
+    def test_padding_is_left_out_of_histograms(self):
+        """Two classes at -1000 and 0, and a third of the voxels outside of the field of view."""
+        size, measured = (12, 12, 6), [-1000] * 400 + [-20, 20] * 88
+        for value, elements in (
+            (-3024, {"PixelPaddingValue": -3024}),
+            (-3024, {}),
+            (-1010, {"PixelPaddingValue": -1010}),
+            (-1010, {"PixelPaddingValue": -1100, "PixelPaddingRangeLimit": -1005}),
+            (30000, {"PixelPaddingValue": 30000}),
+            (30000, {}),
+            (-500, {"PixelPaddingValue": -500}),
+        ):
+            for groups in (True, False):
+                with self.subTest(value=value, elements=elements, groups=groups):
+                    volume = volumes.Volume(size, measured + [value] * 288, (1, 1, 1), "int16")
+                    spec = {"is_signed": True, "intercepts": [0] * 6, "all": elements}
+                    for syntax in ("explicit", "implicit"):
+                        file = self.write_frames(volume, groups=groups, syntax=syntax, **spec)
+                        table = self.info(file, "--values")
+                        self.assertEqual((table["otsu"], table["1 %"], table["99 %"]), ("-999", "-1000", "20"))
+                        self.assertIn(", 288 voxels, left out of percentiles and otsu", table["padding"])
+        volume = volumes.Volume(size, measured + [-1000] * 288, (1, 1, 1), "int16")
+        folder = self.write_slices(volume, "slices", **{"all": {"PixelPaddingValue": 24}})
+        self.assertEqual(self.info(folder, "--values")["padding"].split(",")[0], "-1000")
 
     def test_wrong_numbers_of_frames_are_refused(self):
         volume = in_hounsfield_units()

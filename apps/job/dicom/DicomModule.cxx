@@ -172,6 +172,9 @@ GetHeader(const gdcm::File & file)
   header.columns = size.at(0);
   header.rows = size.at(1);
   header.pixelType = static_cast<std::uint32_t>(GetValueType(GetPixelFormat(file), MakeRescaler(file)));
+  const std::vector<double> scale = gdcm::ImageHelper::GetRescaleInterceptSlopeValue(file);
+  header.intercept = scale.at(0);
+  header.slope = scale.at(1);
   const std::vector<double> spacing = gdcm::ImageHelper::GetSpacingValue(file);
   const std::vector<double> origin = gdcm::ImageHelper::GetOriginValue(file);
   const std::vector<double> directions = gdcm::ImageHelper::GetDirectionCosinesValue(file);
@@ -188,7 +191,8 @@ GetHeader(const gdcm::File & file)
   header.number = number.size() == 1 ? static_cast<std::int64_t>(std::clamp(number.front(), -1e15, 1e15)) : 0;
   CopyText(GetText(data, gdcm::Tag(0x0020, 0x000e)), header.series);
   CopyText(GetText(data, gdcm::Tag(0x0008, 0x103e)), header.description);
-  CopyText(medialvoxel::JoinDicomAcquisition(GetText(data, gdcm::Tag(0x0020, 0x0012)), GetText(data, gdcm::Tag(0x0020, 0x0100))),
+  CopyText(medialvoxel::JoinDicomAcquisition(GetText(data, gdcm::Tag(0x0020, 0x0012)),
+                                             GetText(data, gdcm::Tag(0x0020, 0x0100))),
            header.acquisition);
   return header;
 }
@@ -293,9 +297,9 @@ ReadVoxels(const char * fileName, std::uint64_t end, const MedialVoxelDicomHeade
 gdcm::Image
 MakeImage(const MedialVoxelDicomFrame & frame, const gdcm::PixelFormat & format)
 {
-  const auto                                 length = static_cast<std::uint32_t>(frame.length);
+  const auto                                    length = static_cast<std::uint32_t>(frame.length);
   gdcm::SmartPointer<gdcm::SequenceOfFragments> fragments = new gdcm::SequenceOfFragments;
-  gdcm::Fragment                             fragment;
+  gdcm::Fragment                                fragment;
   fragment.SetByteValue(frame.bytes, gdcm::VL(length));
   fragments->AddFragment(fragment);
   gdcm::DataElement voxels(gdcm::Tag(0x7fe0, 0x0010));
@@ -316,7 +320,7 @@ MakeImage(const MedialVoxelDicomFrame & frame, const gdcm::PixelFormat & format)
 void
 ReadFrame(const MedialVoxelDicomFrame & frame, std::uint32_t & pixelType, void * voxels)
 {
-  const auto bits = [](std::uint32_t number) { return static_cast<unsigned short>(number); };
+  const auto              bits = [](std::uint32_t number) { return static_cast<unsigned short>(number); };
   const gdcm::PixelFormat format(
     1, bits(frame.bits), bits(frame.storedBits), bits(frame.storedBits - 1), bits(frame.isSigned));
   const gdcm::Rescaler rescaler = MakeRescaler(format, frame.intercept, frame.slope);

@@ -21,7 +21,9 @@ extern "C"
     std::uint32_t hasNumber;   ///< 0: the number means nothing
     std::int64_t  number;      ///< of the instance
     double        rounding;    ///< of the position: half of the last digit that is written
-    double        spacing[2];  ///< between columns, and between rows
+    double        slope;       ///< of the rescaled values
+    double        intercept;
+    double        spacing[2]; ///< between columns, and between rows
     double        origin[3];
     double        directions[6]; ///< of increasing columns, then of increasing rows
     char          series[65];    ///< instance UID of the series

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "DicomFrames.h"
 
+#include "DicomTags.h"
 #include "DicomTexts.h"
 #include "HeaderParsing.h"
 #include "InflateReader.h"
@@ -21,24 +22,6 @@ namespace
 using Vector = std::array<double, 3>;
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
-
-// Tags, as group * 65536 + element.
-constexpr std::uint32_t Description = 0x0008103e;
-constexpr std::uint32_t Distance = 0x00180088;
-constexpr std::uint32_t Series = 0x0020000e;
-constexpr std::uint32_t Acquisition = 0x00200012;
-constexpr std::uint32_t Instance = 0x00200013;
-constexpr std::uint32_t Position = 0x00200032;
-constexpr std::uint32_t Orientation = 0x00200037;
-constexpr std::uint32_t Time = 0x00200100;
-constexpr std::uint32_t Stack = 0x00209056;
-constexpr std::uint32_t TimeOfFrame = 0x00209128;
-constexpr std::uint32_t AcquisitionOfFrame = 0x00209156;
-constexpr std::uint32_t Spacing = 0x00280030;
-constexpr std::uint32_t Intercept = 0x00281052;
-constexpr std::uint32_t Slope = 0x00281053;
-constexpr std::uint32_t Offsets = 0x3004000c;
-constexpr std::uint32_t ScaleOfDose = 0x3004000e;
 
 std::string
 Find(const DicomTexts & texts, std::uint32_t tag)
@@ -104,7 +87,7 @@ public:
     SliceHeader header;
     header.size = { { m_Structure.columns, m_Structure.rows } };
     header.frameNumber = m_Structure.frames > 1 ? frame + 1 : 0;
-    const std::vector<double> spacing = ParseDicomSpacing(this->GetText(frame, Spacing));
+    const std::vector<double> spacing = ParseDicomSpacing(this->GetText(frame, DicomTag::PixelSpacing));
     header.isSpacingKnown = !spacing.empty();
     if (header.isSpacingKnown)
     {
@@ -112,13 +95,13 @@ public:
     }
     header.place = this->MakePlace(frame);
     header.isDistanceKnown = m_Structure.frames == 1 || this->HasOwnPlace(frame) || !m_Offsets.empty();
-    const std::vector<double> number = ParseDicomNumbers(this->GetText(frame, Instance));
+    const std::vector<double> number = ParseDicomNumbers(this->GetText(frame, DicomTag::InstanceNumber));
     if (number.size() == 1)
     {
       header.number = static_cast<std::int64_t>(std::clamp(number.front(), -1e15, 1e15));
     }
-    header.series = itk::MedialVoxelText::MakePrintable(Find(m_Structure.texts, Series));
-    header.description = itk::MedialVoxelText::MakePrintable(Find(m_Structure.texts, Description));
+    header.series = itk::MedialVoxelText::MakePrintable(Find(m_Structure.texts, DicomTag::SeriesInstance));
+    header.description = itk::MedialVoxelText::MakePrintable(Find(m_Structure.texts, DicomTag::SeriesDescription));
     header.acquisition = itk::MedialVoxelText::MakePrintable(this->DescribeAcquisition(frame));
     return header;
   }
@@ -128,9 +111,9 @@ public:
   {
     DicomFrame frame;
     frame.number = number;
-    frame.intercept = ParseNumber("RescaleIntercept", this->GetText(number, Intercept), 0.0);
-    frame.slope = ParseNumber("DoseGridScaling", Find(m_Structure.texts, ScaleOfDose), 1.0);
-    frame.slope = ParseNumber("RescaleSlope", this->GetText(number, Slope), frame.slope);
+    frame.intercept = ParseNumber("RescaleIntercept", this->GetText(number, DicomTag::RescaleIntercept), 0.0);
+    frame.slope = ParseNumber("DoseGridScaling", Find(m_Structure.texts, DicomTag::DoseGridScaling), 1.0);
+    frame.slope = ParseNumber("RescaleSlope", this->GetText(number, DicomTag::RescaleSlope), frame.slope);
     frame.slope = frame.slope == 0.0 ? 1.0 : frame.slope; // as GDCM takes it
     if (m_Structure.isPacked)
     {
@@ -144,17 +127,16 @@ private:
   void
   ReadOffsets()
   {
-    const std::string text = Find(m_Structure.texts, Offsets);
+    const std::string text = Find(m_Structure.texts, DicomTag::GridFrameOffsets);
     if (!text.empty())
     {
       m_Offsets = ParseExactly("GridFrameOffsetVector", text, m_Structure.frames);
       const double first = m_Offsets.front();
-      std::transform(m_Offsets.begin(), m_Offsets.end(), m_Offsets.begin(), [first](double place) {
-        return place - first;
-      });
+      std::transform(
+        m_Offsets.begin(), m_Offsets.end(), m_Offsets.begin(), [first](double place) { return place - first; });
       return;
     }
-    const std::string distance = this->GetText(0, Distance);
+    const std::string distance = this->GetText(0, DicomTag::SpacingBetweenSlices);
     for (std::uint64_t frame = 0; frame < (distance.empty() ? 0 : m_Structure.frames); ++frame)
     {
       m_Offsets.push_back(ParseNumber("SpacingBetweenSlices", distance, 1.0) * static_cast<double>(frame));
@@ -164,14 +146,15 @@ private:
   bool
   HasOwnPlace(std::uint64_t frame) const
   {
-    return !Find(m_Structure.textsOfOneFrame[frame], Position).empty() && !this->GetText(frame, Orientation).empty();
+    return !Find(m_Structure.textsOfOneFrame[frame], DicomTag::ImagePosition).empty() &&
+           !this->GetText(frame, DicomTag::ImageOrientation).empty();
   }
 
   std::optional<SlicePlace>
   MakePlace(std::uint64_t frame) const
   {
-    const std::string position = this->GetText(frame, Position);
-    const std::string orientation = this->GetText(frame, Orientation);
+    const std::string position = this->GetText(frame, DicomTag::ImagePosition);
+    const std::string orientation = this->GetText(frame, DicomTag::ImageOrientation);
     const bool        isPlaced = !position.empty() && !orientation.empty();
     if (!isPlaced && m_Structure.frames == 1)
     {
@@ -193,9 +176,10 @@ private:
       const auto & a = place.rowAxis;
       const auto & b = place.columnAxis;
       const Vector normal{ { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-      std::transform(normal.begin(), normal.end(), place.origin.begin(), place.origin.begin(), [offset](double n, double o) {
-        return o + offset * n;
-      });
+      std::transform(
+        normal.begin(), normal.end(), place.origin.begin(), place.origin.begin(), [offset](double n, double o) {
+          return o + offset * n;
+        });
     }
     return place;
   }
@@ -203,11 +187,11 @@ private:
   std::string
   DescribeAcquisition(std::uint64_t frame) const
   {
-    const std::string number = this->GetText(frame, AcquisitionOfFrame);
-    const std::string time = this->GetText(frame, TimeOfFrame);
-    const std::string stack = this->GetText(frame, Stack);
-    return JoinDicomAcquisition(number.empty() ? this->GetText(frame, Acquisition) : number,
-                                time.empty() ? this->GetText(frame, Time) : time) +
+    const std::string number = this->GetText(frame, DicomTag::FrameAcquisitionNumber);
+    const std::string time = this->GetText(frame, DicomTag::FrameTemporalPosition);
+    const std::string stack = this->GetText(frame, DicomTag::StackId);
+    return JoinDicomAcquisition(number.empty() ? this->GetText(frame, DicomTag::AcquisitionNumber) : number,
+                                time.empty() ? this->GetText(frame, DicomTag::TemporalPosition) : time) +
            (stack.empty() ? "" : " of stack " + stack);
   }
 
@@ -222,10 +206,8 @@ private:
       return { m_Structure.frames == 1 ? 0 : frame, m_Structure.frames == 1 ? fragments.size() : frame + 1 };
     }
     const auto findFragment = [&](std::uint64_t mark) {
-      const auto found =
-        std::lower_bound(fragments.begin(), fragments.end(), mark, [](const DicomFragment & a, std::uint64_t b) {
-          return a.mark < b;
-        });
+      const auto found = std::lower_bound(
+        fragments.begin(), fragments.end(), mark, [](const DicomFragment & a, std::uint64_t b) { return a.mark < b; });
       return static_cast<std::size_t>(found - fragments.begin());
     };
     if (marks.size() != m_Structure.frames || fragments.empty())
@@ -235,8 +217,7 @@ private:
     }
     const std::uint64_t base = fragments.front().mark;
     const std::size_t   begin = findFragment(base + marks[frame]);
-    const std::size_t   end =
-      frame + 1 < marks.size() ? findFragment(base + marks[frame + 1]) : fragments.size();
+    const std::size_t   end = frame + 1 < marks.size() ? findFragment(base + marks[frame + 1]) : fragments.size();
     if (begin >= end)
     {
       throw std::runtime_error("the table of its frames is damaged at frame " + std::to_string(frame + 1));
@@ -284,7 +265,6 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
   try
   {
     const FrameReader reader(structure);
-    structure.texts.clear();
     structure.textsOfFrames.clear();
     structure.textsOfOneFrame = {};
     const auto file = std::make_shared<const DicomStructure>(std::move(structure));
@@ -301,6 +281,7 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
       }
       SliceHeader slice = reader.MakeHeader(number);
       slice.fileName = fileName;
+      slice.padding = GetDicomPadding(*file, frame.slope, frame.intercept);
       slice.frame = std::make_shared<const DicomFrame>(std::move(frame));
       slice.decodeBytes = 2 * bytes + 2 * MiB; // of the file, in GDCM too, and of what unpacks
       slices.push_back(std::move(slice));
@@ -315,6 +296,25 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
     RefuseHeader(fileName, error.what());
   }
   return slices;
+}
+
+std::optional<std::array<double, 2>>
+GetDicomPadding(const DicomStructure & structure, double slope, double intercept)
+{
+  // The sign is that of the voxels, whatever the numbers of the padding are written as.
+  const auto parse = [&](const std::string & text) {
+    const auto number = static_cast<std::uint16_t>(std::stoul(text));
+    return slope * (structure.isSigned ? static_cast<std::int16_t>(number) : number) + intercept;
+  };
+  const std::string padding = Find(structure.texts, DicomTag::PixelPadding);
+  const std::string limit = Find(structure.texts, DicomTag::PixelPaddingLimit);
+  if (padding.empty())
+  {
+    return std::nullopt;
+  }
+  const double from = parse(padding);
+  const double to = limit.empty() ? from : parse(limit);
+  return std::array<double, 2>{ { std::min(from, to), std::max(from, to) } };
 }
 
 std::vector<char>

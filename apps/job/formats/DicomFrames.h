@@ -6,9 +6,11 @@
 #include "DicomStructure.h"
 #include "SliceSeries.h"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace medialvoxel
@@ -35,6 +37,10 @@ HasDicomFrames(const DicomStructure & structure);
  * \throw HeaderError */
 std::vector<SliceHeader>
 ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure);
+
+/** From and to, of values that the file tells to be no measurement; nothing where it tells of none. */
+std::optional<std::array<double, 2>>
+GetDicomPadding(const DicomStructure & structure, double slope, double intercept);
 
 /** The numbers of one frame as they are stored, packed or in the byte order of this machine.
  * \throw HeaderError when the file is another one than before */

@@ -134,9 +134,8 @@ CheckSize(const std::filesystem::path & fileName, const DicomStructure & structu
                  "its " +
                    (structure.frames > 1 ? FormatSize({ structure.columns, structure.rows, structure.frames })
                                          : FormatSize({ structure.columns, structure.rows })) +
-                   " voxels of " +
-                   std::to_string(structure.samples) + " x " + std::to_string(structure.bits) + " bits cannot be in " +
-                   std::to_string(structure.voxelBytes) + " bytes");
+                   " voxels of " + std::to_string(structure.samples) + " x " + std::to_string(structure.bits) +
+                   " bits cannot be in " + std::to_string(structure.voxelBytes) + " bytes");
   }
 }
 
@@ -171,7 +170,8 @@ CallReadFrame(const SliceHeader & slice, const MedialVoxelDicomFrame & frame, st
   const AbortNotice notice(ExitStatus::CorruptInput, TextOfAbort(slice.fileName));
   if (const char * const problem = GetModule(slice.fileName).readFrame(&frame, &pixelType, voxels))
   {
-    RefuseHeader(slice.fileName, (slice.frameNumber > 0 ? "frame " + std::to_string(slice.frameNumber) + ": " : "") + problem);
+    RefuseHeader(slice.fileName,
+                 (slice.frameNumber > 0 ? "frame " + std::to_string(slice.frameNumber) + ": " : "") + problem);
   }
 }
 
@@ -222,6 +222,7 @@ ReadHeaders(const std::filesystem::path & fileName)
   header.storedType = header.pixelType;
   header.spacing = { { dicom.spacing[0], dicom.spacing[1] } };
   header.isSpacingKnown = dicom.hasSpacing != 0;
+  header.padding = GetDicomPadding(structure, dicom.slope, dicom.intercept);
   header.acquisition = itk::MedialVoxelText::MakePrintable(dicom.acquisition);
   if (dicom.hasNumber != 0)
   {

@@ -3,6 +3,7 @@
 #include "DicomStructure.h"
 
 #include "DicomElements.h"
+#include "DicomTags.h"
 
 #include <algorithm>
 #include <array>
@@ -25,7 +26,6 @@ constexpr unsigned int DeepestSequence = 16;
 constexpr std::uint32_t TransferSyntax = 0x00020010;
 constexpr std::uint32_t Samples = 0x00280002;
 constexpr std::uint32_t Interpretation = 0x00280004;
-constexpr std::uint32_t NumberOfFrames = 0x00280008;
 constexpr std::uint32_t Rows = 0x00280010;
 constexpr std::uint32_t Columns = 0x00280011;
 constexpr std::uint32_t BitsAllocated = 0x00280100;
@@ -36,33 +36,9 @@ constexpr std::uint32_t PixelData = 0x7fe00010;
 constexpr std::uint32_t SharedGroups = 0x52009229;
 constexpr std::uint32_t GroupsOfFrames = 0x52009230;
 
-/** Elements whose texts are kept, and whole numbers as texts. */
-constexpr std::array<std::uint32_t, 19> WantedTexts{
-  0x0008103e, // description of the series
-  0x00180088, // spacing between slices
-  0x0020000e, // series
-  0x00200012, // acquisition
-  0x00200013, // instance
-  0x00200032, // position
-  0x00200037, // orientation
-  0x00200100, // place in time
-  0x00209056, // stack
-  0x00209128, // place in time, of a frame
-  0x00209156, // acquisition of a frame
-  NumberOfFrames,
-  0x00280030, // spacing
-  0x00280120, // padding
-  0x00280121, // other end of the range of padding
-  0x00281052, // intercept
-  0x00281053, // slope
-  0x3004000c, // offsets of frames
-  0x3004000e, // scale of a dose
-};
-
 /** Sequences that lead to texts of frames: implicit encodings do not tell that they are some. */
 constexpr std::array<std::uint32_t, 7> SequencesOfFrames{
-  SharedGroups,
-  GroupsOfFrames,
+  SharedGroups, GroupsOfFrames,
   0x00209111, // content
   0x00209113, // position
   0x00209116, // orientation
@@ -86,7 +62,7 @@ constexpr std::array<std::pair<std::uint32_t, std::string_view>, 17> Representat
   { 0x00200037, "DS" }, // orientation
   { Samples, "US" },
   { 0x00280006, "US" }, // planes
-  { NumberOfFrames, "IS" },
+  { DicomTag::NumberOfFrames, "IS" },
   { Rows, "US" },
   { Columns, "US" },
   { 0x00280030, "DS" }, // spacing
@@ -130,7 +106,7 @@ private:
   void
   CountFrames()
   {
-    const std::string text = m_Structure.texts[NumberOfFrames];
+    const std::string text = m_Structure.texts[DicomTag::NumberOfFrames];
     const auto        isDigit = [](char character) { return character >= '0' && character <= '9'; };
     const bool        isNumber = text.size() <= 10 && std::all_of(text.begin(), text.end(), isDigit);
     m_Structure.frames = isNumber && !text.empty() ? std::max<std::uint64_t>(1, std::stoull(text)) : 1;
@@ -305,23 +281,17 @@ private:
   {
     constexpr std::uint32_t longest = std::uint32_t{ 1 } << 20;
     DicomTexts * const      texts = this->FindTexts();
-    if (!texts || std::find(WantedTexts.begin(), WantedTexts.end(), element.tag) == WantedTexts.end() ||
+    if (!texts || std::find(DicomTag::Texts.begin(), DicomTag::Texts.end(), element.tag) == DicomTag::Texts.end() ||
         element.length > longest)
     {
       return false;
     }
     std::string text = this->ReadText(element.length);
-    if (element.representation == "US" || (element.tag == 0x00209156 && text.size() == 2))
+    if (std::find(DicomTag::Numbers.begin(), DicomTag::Numbers.end(), element.tag) != DicomTag::Numbers.end())
     {
-      text = text.size() == 2 ? std::to_string(this->ToNumber<std::uint16_t>(text)) : "";
-    }
-    else if (element.representation == "SS")
-    {
-      text = text.size() == 2 ? std::to_string(this->ToNumber<std::int16_t>(text)) : "";
-    }
-    else if (element.representation == "UL" || (element.tag == 0x00209128 && text.size() == 4))
-    {
-      text = text.size() == 4 ? std::to_string(this->ToNumber<std::uint32_t>(text)) : "";
+      text = text.size() == 2   ? std::to_string(this->ToNumber<std::uint16_t>(text))
+             : text.size() == 4 ? std::to_string(this->ToNumber<std::uint32_t>(text))
+                                : "";
     }
     text.erase(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
     texts->emplace(element.tag, text.substr(std::min(text.size(), text.find_first_not_of(' '))));
@@ -484,7 +454,7 @@ private:
   };
 
   std::set<std::uint32_t> m_Taken; ///< tags of numbers
-  std::vector<Step>       m_Path; ///< from the file to what is read
+  std::vector<Step>       m_Path;  ///< from the file to what is read
   DicomStructure          m_Structure;
 };
 

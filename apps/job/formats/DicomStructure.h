@@ -52,9 +52,9 @@ struct DicomStructure
   std::vector<std::uint32_t> marks;     ///< of the first fragment of each frame, from that of the first one on
 
   bool                    hasGroups{ false }; ///< of elements for frames
-  DicomTexts              texts;           ///< of the file
-  DicomTexts              textsOfFrames;   ///< that all frames share
-  std::vector<DicomTexts> textsOfOneFrame; ///< in the order of the frames; empty: there are none
+  DicomTexts              texts;              ///< of the file
+  DicomTexts              textsOfFrames;      ///< that all frames share
+  std::vector<DicomTexts> textsOfOneFrame;    ///< in the order of the frames; empty: there are none
 };
 
 /** Whether a file has the signature of DICOM. */

@@ -77,9 +77,9 @@ CheckDirections(const std::filesystem::path & input, const Slices & slices)
     if (differs(slice.place->rowAxis, first.rowAxis) || differs(slice.place->columnAxis, first.columnAxis))
     {
       RefuseHeader(input,
-                   "slices have different directions: " + slices.front().GetName() + " has " +
-                     Describe(first.rowAxis) + " and " + Describe(first.columnAxis) + ", " + slice.GetName() +
-                     " has " + Describe(slice.place->rowAxis) + " and " + Describe(slice.place->columnAxis));
+                   "slices have different directions: " + slices.front().GetName() + " has " + Describe(first.rowAxis) +
+                     " and " + Describe(first.columnAxis) + ", " + slice.GetName() + " has " +
+                     Describe(slice.place->rowAxis) + " and " + Describe(slice.place->columnAxis));
     }
   }
 }
@@ -162,8 +162,8 @@ CheckSteps(const std::filesystem::path & input,
     if (!(steps[slice] > SlicePositionTolerance * usual))
     {
       RefuseHeader(input,
-                   slices[slice].GetName() + " and " + slices[slice + 1].GetName() +
-                     " have the same place " + Describe(slices[slice].place->origin) + "; a slice is doubled");
+                   slices[slice].GetName() + " and " + slices[slice + 1].GetName() + " have the same place " +
+                     Describe(slices[slice].place->origin) + "; a slice is doubled");
     }
     worst = std::max(worst, std::abs(places[slice + 1] - spacing * static_cast<double>(slice + 1)));
   }
@@ -198,6 +198,15 @@ CheckSteps(const std::filesystem::path & input,
   }
 }
 
+/** Sums of written numbers are off in their last digits: 0.8 is 0.7999999999999999. */
+double
+DropRounding(double distance)
+{
+  constexpr double digits = 12.0;
+  const double     scale = std::pow(10.0, digits - std::ceil(std::log10(distance)));
+  return std::round(distance * scale) / scale;
+}
+
 /** Slices that are shifted against each other, as those of a tilted gantry, are no box. */
 void
 CheckLine(const std::filesystem::path & input, const Slices & slices, const Vector & normal)
@@ -214,8 +223,8 @@ CheckLine(const std::filesystem::path & input, const Slices & slices, const Vect
     if (!(beside <= SlicePositionTolerance * spacing * static_cast<double>(slice) + rounding))
     {
       RefuseHeader(input,
-                   slices[slice].GetName() + " is shifted by " + FormatShort(beside) +
-                     " mm along its plane against " + slices.front().GetName() +
+                   slices[slice].GetName() + " is shifted by " + FormatShort(beside) + " mm along its plane against " +
+                     slices.front().GetName() +
                      ", as with a tilted gantry; resample the series to a straight one first",
                    HeaderError::Kind::Unsupported);
     }
@@ -252,9 +261,8 @@ MakeSeriesGeometry(const std::filesystem::path & input, const Slices & slices)
     {
       RefuseHeader(input,
                    "slices have different spacings: " + first.GetName() + " has " +
-                     FormatNumbers({ first.spacing.begin(), first.spacing.end() }, " x ") + ", " +
-                     slice.GetName() + " has " +
-                     FormatNumbers({ slice.spacing.begin(), slice.spacing.end() }, " x "));
+                     FormatNumbers({ first.spacing.begin(), first.spacing.end() }, " x ") + ", " + slice.GetName() +
+                     " has " + FormatNumbers({ slice.spacing.begin(), slice.spacing.end() }, " x "));
     }
   }
   VolumeGeometry geometry;
@@ -272,7 +280,7 @@ MakeSeriesGeometry(const std::filesystem::path & input, const Slices & slices)
   {
     const Vector normal = GetNormal(*first.place);
     const Vector way = Subtract(slices.back().place->origin, first.place->origin);
-    geometry.spacing[2] = Dot(way, normal) / static_cast<double>(slices.size() - 1);
+    geometry.spacing[2] = DropRounding(Dot(way, normal) / static_cast<double>(slices.size() - 1));
     geometry.origin.assign(first.place->origin.begin(), first.place->origin.end());
     geometry.direction[0].assign(first.place->rowAxis.begin(), first.place->rowAxis.end());
     geometry.direction[1].assign(first.place->columnAxis.begin(), first.place->columnAxis.end());

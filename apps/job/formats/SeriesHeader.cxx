@@ -284,17 +284,19 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
   if (!hasPlaces || !slices.front().isSpacingKnown)
   {
     WarnOfUnknownSpacing(header,
-                         hasPlaces ? "the slices have no PixelSpacing (an ImagerPixelSpacing is not used)"
-                                   : (slices.front().frame ? "the frames do not tell how far they are from each other"
-                                                 : "the slices do not tell how far they are from each other"));
+                         hasPlaces
+                           ? "the slices have no PixelSpacing (an ImagerPixelSpacing is not used)"
+                           : (slices.front().frame ? "the frames do not tell how far they are from each other"
+                                                   : "the slices do not tell how far they are from each other"));
   }
   if (std::filesystem::is_regular_file(input) && slices.size() == 1)
   {
-    header.warnings.push_back({ "single_slice",
-                                "the file is one slice, read as an image of two axes; give its folder, " +
-                                  itk::MedialVoxelText::MakePrintable(std::filesystem::absolute(input).parent_path().string()) +
-                                  ", to read the series",
-                                {} });
+    header.warnings.push_back(
+      { "single_slice",
+        "the file is one slice, read as an image of two axes; give its folder, " +
+          itk::MedialVoxelText::MakePrintable(std::filesystem::absolute(input).parent_path().string()) +
+          ", to read the series",
+        {} });
   }
   const auto series = std::make_shared<SliceSeries>();
   series->format = format;

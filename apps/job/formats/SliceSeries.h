@@ -31,19 +31,20 @@ struct DicomFrame;
 /** What the image of a slice says before its voxels are read. */
 struct SliceHeader
 {
-  std::filesystem::path        fileName;
-  std::array<std::uint64_t, 2> size{ { 0, 0 } }; ///< columns and rows
-  PixelType                    pixelType{ PixelType::UInt8 };
-  std::array<double, 2>        spacing{ { 1.0, 1.0 } };
-  std::optional<SlicePlace>    place;      ///< of DICOM
-  std::optional<PixelType>     storedType; ///< of DICOM: of the slice alone
-  bool                         isSpacingKnown{ true };
-  bool                         isDistanceKnown{ true }; ///< of its place to that of others
-  std::optional<std::int64_t>  number;           ///< of the DICOM instance
-  std::string                  acquisition;      ///< of DICOM: what tells scans of one series apart
-  std::string                  series;           ///< instance UID of the DICOM series; empty: none
-  std::string                  description;      ///< of the series
-  std::uint64_t                decodeBytes{ 0 }; ///< memory that decoding takes beside the slice
+  std::filesystem::path                fileName;
+  std::array<std::uint64_t, 2>         size{ { 0, 0 } }; ///< columns and rows
+  PixelType                            pixelType{ PixelType::UInt8 };
+  std::array<double, 2>                spacing{ { 1.0, 1.0 } };
+  std::optional<SlicePlace>            place;      ///< of DICOM
+  std::optional<PixelType>             storedType; ///< of DICOM: of the slice alone
+  bool                                 isSpacingKnown{ true };
+  bool                                 isDistanceKnown{ true }; ///< of its place to that of others
+  std::optional<std::int64_t>          number;                  ///< of the DICOM instance
+  std::optional<std::array<double, 2>> padding;          ///< of DICOM: from and to, of values that are no measurement
+  std::string                          acquisition;      ///< of DICOM: what tells scans of one series apart
+  std::string                          series;           ///< instance UID of the DICOM series; empty: none
+  std::string                          description;      ///< of the series
+  std::uint64_t                        decodeBytes{ 0 }; ///< memory that decoding takes beside the slice
 
   /** Of DICOM: one of several images of the file; null: it has one. */
   std::shared_ptr<const DicomFrame> frame;

@@ -4,6 +4,7 @@
 
 #include "LabelValues.h"
 #include "PipelineErrors.h"
+#include "SliceSeries.h"
 #include "Text.h"
 #include "ValueHistogram.h"
 #include "ValueReader.h"
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace medialvoxel
 {
@@ -116,14 +118,13 @@ struct OtsuBin
   double                     explained{ 0.0 }; ///< share of the variance that is between the classes
 };
 
-/** \param first bin that counts */
 OtsuBin
-FindOtsuBin(const std::vector<std::uint64_t> & counts, std::size_t first = 0)
+FindOtsuBin(const std::vector<std::uint64_t> & counts)
 {
   long double all = 0;
   long double sum = 0;
   long double squares = 0;
-  for (std::size_t bin = first; bin < counts.size(); ++bin)
+  for (std::size_t bin = 0; bin < counts.size(); ++bin)
   {
     const long double ofBin = static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
     all += static_cast<long double>(counts[bin]);
@@ -134,7 +135,7 @@ FindOtsuBin(const std::vector<std::uint64_t> & counts, std::size_t first = 0)
   long double                sumBelow = 0;
   long double                largest = 0;
   std::optional<std::size_t> best;
-  for (std::size_t bin = first; bin + 1 < counts.size(); ++bin)
+  for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin)
   {
     below += static_cast<long double>(counts[bin]);
     sumBelow += static_cast<long double>(counts[bin]) * static_cast<long double>(bin);
@@ -155,51 +156,116 @@ FindOtsuBin(const std::vector<std::uint64_t> & counts, std::size_t first = 0)
   return { best, variance > 0 ? static_cast<double>(largest / variance) : 0.0 };
 }
 
+/** Whether a bin at an end of the range, the gap to the next one that has values, and the others are as with padding.
+ */
+bool
+IsPadding(const std::vector<std::uint64_t> & counts, std::size_t bin, std::size_t gap, std::size_t range)
+{
+  constexpr std::uint64_t    share = 20; // one of so many values
+  constexpr double           leastExplained = 0.85;
+  const std::uint64_t        all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{ 0 });
+  std::vector<std::uint64_t> others = counts;
+  others[bin] = 0;
+  return gap >= range && counts[bin] >= all / share && FindOtsuBin(others).explained >= leastExplained;
+}
+
 /** The bin of values that are no measurement: scanners fill what is outside of their field of view with one negative
- * value far below all others. Without it two classes are left, or it may be the background of a mask. */
+ * value far below all others, or one far above. Without it two classes are left, or it may be a background. */
 std::optional<std::size_t>
 FindPadding(const std::vector<std::uint64_t> & counts, std::size_t zero)
 {
-  constexpr std::uint64_t share = 20; // one of so many values
-  constexpr std::size_t   gap = 10;   // of the range of the others, one of so many parts
-  constexpr double        leastExplained = 0.85;
-  const auto              isFilled = [](std::uint64_t count) { return count > 0; };
-  const auto              lowest = std::find_if(counts.begin(), counts.end(), isFilled);
-  const auto              next = lowest == counts.end() ? lowest : std::find_if(lowest + 1, counts.end(), isFilled);
-  const auto              highest = std::find_if(counts.rbegin(), counts.rend(), isFilled).base();
-  const auto              bin = static_cast<std::size_t>(lowest - counts.begin());
-  const std::uint64_t     all = std::accumulate(counts.begin(), counts.end(), std::uint64_t{ 0 });
-  if (next == counts.end() || bin >= zero || *lowest < all / share ||
-      (next - lowest) < (highest - next) / std::ptrdiff_t{ gap })
+  constexpr std::size_t partBelow = 10; // the gap is at least one of so many parts of the range of the others
+  constexpr std::size_t timesAbove = 4; // or so many times as much: walls of metal are far above others too
+  const auto            isFilled = [](std::uint64_t count) { return count > 0; };
+  const auto            toBin = [&counts](auto place) { return static_cast<std::size_t>(place - counts.begin()); };
+  const auto            findNext = [&](std::size_t bin) {
+    return toBin(std::find_if(counts.begin() + static_cast<std::ptrdiff_t>(bin), counts.end(), isFilled));
+  };
+  const auto findLast = [&](std::size_t end) { // behind it
+    const auto from = counts.rend() - static_cast<std::ptrdiff_t>(end);
+    return toBin(std::find_if(from, counts.rend(), isFilled).base());
+  };
+  const std::size_t lowest = findNext(0);
+  const std::size_t highest = findLast(counts.size());
+  if (lowest + 1 >= highest)
   {
-    return std::nullopt;
+    return std::nullopt; // one value, or none
   }
-  const bool hasClasses =
-    FindOtsuBin(counts, static_cast<std::size_t>(next - counts.begin())).explained >= leastExplained;
-  return hasClasses ? std::optional<std::size_t>(bin) : std::nullopt;
+  const std::size_t second = findNext(lowest + 1);
+  const std::size_t lastButOne = findLast(highest - 1);
+  if (lowest < zero && IsPadding(counts, lowest, second - lowest, (highest - second) / partBelow))
+  {
+    return lowest;
+  }
+  return IsPadding(counts, highest - 1, highest - lastButOne, (lastButOne - lowest) * timesAbove)
+           ? std::optional<std::size_t>(highest - 1)
+           : std::nullopt;
+}
+
+/** Values that the file tells to be no measurement. */
+using Paddings = std::set<std::array<double, 2>>;
+
+/** Takes what is no measurement out of the counts, and tells of it. */
+template <typename TValue>
+void
+RemovePadding(const ValueBins<TValue> &    bins,
+              const Paddings &             paddings,
+              std::vector<std::uint64_t> & counts,
+              ValueStatistics &            statistics)
+{
+  const auto remove = [&](std::size_t bin, const std::array<double, 2> & values) {
+    statistics.padding = statistics.padding.value_or(values);
+    statistics.padding = { { std::min(values[0], (*statistics.padding)[0]),
+                             std::max(values[1], (*statistics.padding)[1]) } };
+    statistics.paddingValues += counts[bin];
+    counts[bin] = 0;
+  };
+  for (std::size_t bin = 0; bin < counts.size() && !paddings.empty(); ++bin)
+  {
+    const double begin = bins.GetBegin(bin);
+    const auto   hasBin = [&](const std::array<double, 2> & padding) {
+      return begin <= padding[1] && (begin >= padding[0] || begin + bins.GetWidth() > padding[0]);
+    };
+    const auto found = std::find_if(paddings.begin(), paddings.end(), hasBin);
+    if (counts[bin] > 0 && found != paddings.end())
+    {
+      remove(bin, *found);
+    }
+  }
+  if (statistics.padding)
+  {
+    return;
+  }
+  if (const std::optional<std::size_t> bin = FindPadding(counts, bins.GetBinOfZero()))
+  {
+    remove(*bin, { { bins.GetBegin(*bin), bins.GetBegin(*bin) } });
+  }
 }
 
 template <typename TValue>
 double
-FindPercentile(const ValueBins<TValue> & bins, std::uint64_t values, unsigned int percent)
+FindPercentile(const ValueBins<TValue> &          bins,
+               const std::vector<std::uint64_t> & counts,
+               std::uint64_t                      values,
+               unsigned int                       percent)
 {
   // Without the product, which may exceed 64 bits.
   const std::uint64_t rank = values / 100 * percent + (values % 100 * percent + 99) / 100;
   std::uint64_t       sum = 0;
-  for (std::size_t bin = 0; bin < bins.GetCounts().size(); ++bin)
+  for (std::size_t bin = 0; bin < counts.size(); ++bin)
   {
-    sum += bins.GetCounts()[bin];
+    sum += counts[bin];
     if (sum >= rank && sum > 0)
     {
       return bins.GetBegin(bin);
     }
   }
-  return bins.GetBegin(bins.GetCounts().size() - 1);
+  return bins.GetBegin(counts.size() - 1);
 }
 
 template <typename TValue>
 ValueStatistics
-Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins)
+Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins, const Paddings & paddings)
 {
   ValueStatistics statistics;
   statistics.values = range.GetCount();
@@ -208,17 +274,14 @@ Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins)
   statistics.maximum = static_cast<double>(range.GetMaximum());
   statistics.mean = range.GetMean();
   statistics.binWidth = bins.GetWidth();
+  std::vector<std::uint64_t> counts = bins.GetCounts();
+  RemovePadding(bins, paddings, counts, statistics);
   for (std::size_t i = 0; i < statistics.percentiles.size(); ++i)
   {
-    statistics.percentiles[i] = FindPercentile(bins, range.GetCount(), ValueStatistics::Percents[i]);
+    const std::uint64_t values = range.GetCount() - statistics.paddingValues;
+    statistics.percentiles[i] = FindPercentile(bins, counts, values, ValueStatistics::Percents[i]);
   }
-  const std::optional<std::size_t> padding = FindPadding(bins.GetCounts(), bins.GetBinOfZero());
-  if (padding)
-  {
-    statistics.padding = bins.GetBegin(*padding);
-    statistics.paddingValues = bins.GetCounts()[*padding];
-  }
-  const std::optional<std::size_t> bin = FindOtsuBin(bins.GetCounts(), padding ? *padding + 1 : 0).last;
+  const std::optional<std::size_t> bin = FindOtsuBin(counts).last;
   statistics.otsu = bin ? std::optional<double>(bins.GetBegin(*bin + 1)) : std::nullopt;
   return statistics;
 }
@@ -226,7 +289,7 @@ Summarize(const ValueRange<TValue> & range, const ValueBins<TValue> & bins)
 /** \param forEach calls what it gets with all values, and an observer meanwhile */
 template <typename TValue, typename TForEach>
 ValueStatistics
-Measure(const ReadObserver & observer, TForEach && forEach)
+Measure(const Paddings & paddings, const ReadObserver & observer, TForEach && forEach)
 {
   ValueRange<TValue> range;
   using Limits = std::numeric_limits<TValue>;
@@ -243,7 +306,7 @@ Measure(const ReadObserver & observer, TForEach && forEach)
         range.Add({ static_cast<TValue>(bins.GetBegin(bin)) }, bins.GetCounts()[bin]);
       }
     }
-    return Summarize(range, bins);
+    return Summarize(range, bins, paddings);
   }
   else
   {
@@ -259,8 +322,22 @@ Measure(const ReadObserver & observer, TForEach && forEach)
     forEach([&](double share) { observer(0.5 + 0.5 * share); },
             [&](const auto & values, std::uint64_t times) { bins.Add(values, times); });
     bins.Finish();
-    return Summarize(range, bins);
+    return Summarize(range, bins, paddings);
   }
+}
+
+Paddings
+ListPaddings(const VolumeHeader & header)
+{
+  Paddings paddings;
+  for (const SliceHeader & slice : header.series ? header.series->slices : std::vector<SliceHeader>{})
+  {
+    if (slice.padding)
+    {
+      paddings.insert(*slice.padding);
+    }
+  }
+  return paddings;
 }
 
 } // namespace
@@ -273,7 +350,7 @@ MeasureValues(const VolumeHeader & header, const ReadObserver & observer)
     const VolumeHeader & stored = header.GetStored();
     return DispatchValueType(stored, [&](auto zero) {
       using Value = decltype(zero);
-      return Measure<Value>(observer, [&stored](const ReadObserver & share, auto && function) {
+      return Measure<Value>(ListPaddings(stored), observer, [&stored](const ReadObserver & share, auto && function) {
         ForEachValue<Value>(stored, share, function);
       });
     });
@@ -285,7 +362,7 @@ MeasureValues(PixelType type, const void * values, std::uint64_t number, const R
 {
   return DispatchPixelType(type, [&](auto zero) {
     using Value = decltype(zero);
-    return Measure<Value>(observer, [&](const ReadObserver & share, auto && function) {
+    return Measure<Value>({}, observer, [&](const ReadObserver & share, auto && function) {
       ReadMemory(static_cast<const Value *>(values), number, share, function);
     });
   });
@@ -375,9 +452,10 @@ DescribeValues(const ValueStatistics & statistics)
   }
   if (statistics.padding)
   {
+    const auto [from, to] = *statistics.padding;
     table.emplace_back("padding",
-                       FormatNumber(*statistics.padding) + ", " + std::to_string(statistics.paddingValues) +
-                         " voxels, left out of otsu");
+                       FormatNumber(from) + (from < to ? " to " + FormatNumber(to) : "") + ", " +
+                         std::to_string(statistics.paddingValues) + " voxels, left out of percentiles and otsu");
   }
   table.emplace_back("otsu", statistics.otsu ? FormatNumber(*statistics.otsu) : "-");
   if (statistics.binWidth > 0)

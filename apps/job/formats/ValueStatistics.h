@@ -31,12 +31,13 @@ struct ValueStatistics
   double        mean{ 0.0 };
   double        binWidth{ 0.0 }; ///< to which percentiles and threshold are exact; 0: they are exact
 
-  /** The least value that so many percent of the values do not exceed. */
+  /** The least value that so many percent of the values, without the padding, do not exceed. */
   std::array<double, ThicknessStatistics::Percents.size()> percentiles{};
 
-  /** A negative value far below all others, which scanners put outside of their field of view. */
-  std::optional<double> padding;
-  std::uint64_t         paddingValues{ 0 };
+  /** From and to: what the file tells to be no measurement, or one value far away from all others, which scanners put
+   * outside of their field of view. */
+  std::optional<std::array<double, 2>> padding;
+  std::uint64_t                        paddingValues{ 0 };
 
   /** Of Otsu, without the padding: values from it up are one class, those below the other one, and the variance between
    * them is largest. Of several such thresholds the lowest one. Nothing when all values are the same. */
