@@ -111,6 +111,18 @@ class DicomFramesTest(ProgramTestCase):
         self.assertEqual(table["slices"], f"DICOM series 1.2.3.4, 12 frames, {self.folder / 'frames.dcm'}")
         self.assertEqual(self.info("frames.dcm", "--slices", "2-5")["size"], "20 x 18 x 4")
 
+    def test_jobs_and_meshes_know_the_file(self):
+        volume = in_hounsfield_units()
+        file = self.write_frames(volume, order=shuffled(12))
+        self.extract(file, "whole.mha", "--lower", 1000, "--mesh", "whole.ply")
+        self.extract(volumes.write_meta(self.folder / "in.mha", volume), "l.mha", "--lower", 1000, "--mesh", "in.ply")
+        self.assertEqual((self.folder / "whole.ply").read_bytes(), (self.folder / "in.ply").read_bytes())
+        self.run_program("plan", file, "out.mha", "job", "--lower", 1000, "--thickness", 3, "--divisions", 3)
+        for _ in range(3):
+            self.run_program("work", "job")
+        self.run_program("finalize", "job")
+        self.assertEqual((self.folder / "out.mha").read_bytes(), (self.folder / "whole.mha").read_bytes())
+
     def test_scales_of_frames_may_differ(self):
         volume = in_hounsfield_units()
         expected = self.info(volumes.write_meta(self.folder / "in.mha", volume), "--values")
@@ -171,6 +183,7 @@ class DicomFramesTest(ProgramTestCase):
             ({"SpacingBetweenSlices": "1.5"}, "1.5", True),
             (offsets, "1.5", True),
             ({}, "1", False),
+            ({"SpacingBetweenSlices": "0"}, "1", False),
         ):
             file = self.write_frames(volume, groups=False, all=elements)
             self.assertEqual(self.info(file)["spacing"], f"0.8 x 0.7 x {spacing}")

@@ -136,10 +136,10 @@ private:
         m_Offsets.begin(), m_Offsets.end(), m_Offsets.begin(), [first](double place) { return place - first; });
       return;
     }
-    const std::string distance = this->GetText(0, DicomTag::SpacingBetweenSlices);
-    for (std::uint64_t frame = 0; frame < (distance.empty() ? 0 : m_Structure.frames); ++frame)
+    const double distance = ParseNumber("SpacingBetweenSlices", this->GetText(0, DicomTag::SpacingBetweenSlices), 0.0);
+    for (std::uint64_t frame = 0; frame < (distance == 0.0 ? 0 : m_Structure.frames); ++frame)
     {
-      m_Offsets.push_back(ParseNumber("SpacingBetweenSlices", distance, 1.0) * static_cast<double>(frame));
+      m_Offsets.push_back(distance * static_cast<double>(frame));
     }
   }
 
