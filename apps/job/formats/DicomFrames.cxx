@@ -351,6 +351,10 @@ ReadDicomFrame(const SliceHeader & slice)
       RefuseHeader(slice.fileName, "its voxels end early");
     }
   }
+  if (stored.empty())
+  {
+    RefuseHeader(slice.fileName, "frame " + std::to_string(frame.number + 1) + " has no voxels");
+  }
   if (!file.isPacked && file.isBigEndian != itk::MachineIsBigEndian())
   {
     itk::SwapComponentBytes(stored.data(), stored.size(), file.bits / 8);

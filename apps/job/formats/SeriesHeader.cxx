@@ -289,7 +289,8 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
                            : (slices.front().frame ? "the frames do not tell how far they are from each other"
                                                    : "the slices do not tell how far they are from each other"));
   }
-  if (std::filesystem::is_regular_file(input) && slices.size() == 1)
+  std::error_code error;
+  if (std::filesystem::is_regular_file(input, error) && slices.size() == 1 && slices.front().frameNumber == 0)
   {
     header.warnings.push_back(
       { "single_slice",
