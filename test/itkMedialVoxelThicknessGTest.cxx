@@ -270,27 +270,42 @@ TEST(MedialVoxelThickness, DISABLED_ErrorTable)
   }
 }
 
-TEST(MedialVoxelThickness, CellsAtSquareRimsAreMarked)
+TEST(MedialVoxelThickness, CellsBesideSquareRimsAreExact)
 {
-  for (const Index3 & extent : { Index3{ { 30, 30, 4 } }, { { 30, 30, 2 } }, { { 40, 8, 4 } }, { { 30, 34, 8 } } })
+  for (const Vector3 & spacing : { UnitSpacing, Vector3{ { 1.0, 1.0, 1.3 } }, Vector3{ { 0.7, 1.2, 0.7 } } })
   {
-    for (int turn = 0; turn < 3; ++turn)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const Index3              turned{ { extent[turn], extent[(turn + 1) % 3], extent[(turn + 2) % 3] } };
-      const Measurement         measured(Block(turned), 3.0, Everywhere);
-      const std::vector<double> values = measured.GetWallValues();
-      ASSERT_GT(values.size(), 20u);
-      EXPECT_EQ(values.back(), extent[2]);
-      if (turn == 0 || extent[2] > 2)
+      for (int thickness = 1; thickness <= 9; ++thickness)
       {
-        EXPECT_LT(values.size(), measured.GetValues().size());
-        EXPECT_EQ(values.front(), extent[2]) << turn;
+        Index3 extent{ { 22, 24, 26 } };
+        extent[axis] = thickness;
+        Volume volume = Block(extent);
+        volume.spacing = spacing;
+        // Without branches into the edges.
+        const Measurement measured(volume, std::max(3.0, thickness - 1.0) * spacing[axis], Everywhere);
+        const auto        values = measured.GetWallValues();
+        ASSERT_GT(values.size(), 20u);
+        const float expected = static_cast<float>(thickness * spacing[axis]);
+        EXPECT_NEAR(values.front(), expected, 1e-6 * expected) << axis << ' ' << thickness << ' ' << spacing[2];
+        EXPECT_NEAR(values.back(), expected, 1e-6 * expected) << axis << ' ' << thickness << ' ' << spacing[2];
       }
-      // Of equally near boundary points that with the smaller z, y, x counts: at the end of thin walls it may be the
-      // one beside the edge, around which there is less of the wall.
-      EXPECT_GE(values.front(), extent[2] - 0.7);
-      EXPECT_GE(values[values.size() / 20], extent[2] - 0.34);
     }
+  }
+}
+
+TEST(MedialVoxelThickness, CellsInBranchesIntoEdgesAreMarked)
+{
+  for (int turn = 0; turn < 3; ++turn)
+  {
+    const Index3      extent{ { 30, 34, 8 } };
+    const Measurement measured(
+      Block({ { extent[turn], extent[(turn + 1) % 3], extent[(turn + 2) % 3] } }), 3.0, Everywhere);
+    const std::vector<double> values = measured.GetWallValues();
+    ASSERT_GT(values.size(), 20u);
+    EXPECT_LT(2 * values.size(), measured.GetValues().size());
+    EXPECT_EQ(values.front(), 8.0) << turn;
+    EXPECT_EQ(values.back(), 8.0) << turn;
   }
 }
 

@@ -126,20 +126,23 @@ MedialVoxelGrayThickness::FindCrossings(const MedialVoxelGray & gray, const Medi
 {
   const PositionType fromA = this->GetDirection(points);
   const PositionType fromB{ { -fromA[0], -fromA[1], -fromA[2] } };
+  const auto         sideOf = points.GetSides();
   Crossings          crossings;
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
-    const MedialVoxelIndex & point = points.corners[corner];
+    if (sideOf[corner] == 2)
+    {
+      continue;
+    }
     // Corners of a cell mostly share their boundary points.
-    const auto first = std::find(points.corners.begin(), points.corners.begin() + corner, point);
-    if (first != points.corners.begin() + corner)
+    unsigned int first = 0;
+    while (points.corners[first] != points.corners[corner] || sideOf[first] == 2)
     {
-      crossings[corner] = crossings[static_cast<std::size_t>(first - points.corners.begin())];
+      ++first;
     }
-    else if (points.SideOf(point) < 2)
-    {
-      crossings[corner] = m_Boundary.Find(gray, point, points.SideOf(point) == 0 ? fromA : fromB);
-    }
+    crossings[corner] = first < corner
+                          ? crossings[first]
+                          : m_Boundary.Find(gray, points.corners[corner], sideOf[corner] == 0 ? fromA : fromB);
   }
   return crossings;
 }
@@ -175,10 +178,11 @@ MedialVoxelGrayThickness::RefineByCrossings(const MedialVoxelGray &       gray,
                                             const Crossings &             crossings,
                                             MedialVoxelWall &             wall) const
 {
-  Crossing sides[2];
+  const auto sideOf = points.GetSides();
+  Crossing   sides[2];
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
-    const unsigned int side = points.SideOf(points.corners[corner]);
+    const unsigned int side = sideOf[corner];
     if (side < 2)
     {
       AddTo(sides[side], crossings[corner]);
@@ -373,12 +377,13 @@ MedialVoxelGrayThickness::GetCenter(const MedialVoxelWallPoints & points) const 
 auto
 MedialVoxelGrayThickness::GetSides(const MedialVoxelWallPoints & points) -> Sides
 {
-  Sides  sides{};
-  double numbers[2] = {};
+  const auto sideOf = points.GetSides();
+  Sides      sides{};
+  double     numbers[2] = {};
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
     const MedialVoxelIndex & point = points.corners[corner];
-    const unsigned int       side = points.SideOf(point);
+    const unsigned int       side = sideOf[corner];
     if (side < 2)
     {
       ++numbers[side];
@@ -404,12 +409,13 @@ MedialVoxelGrayThickness::GetSides(const MedialVoxelWallPoints & points) -> Side
 auto
 MedialVoxelGrayThickness::GetDirection(const MedialVoxelWallPoints & points) const -> PositionType
 {
+  const auto   sideOf = points.GetSides();
   PositionType sums[3] = {};
   double       numbers[3] = { 0.0, 0.0, 0.0 };
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
     const MedialVoxelIndex & point = points.corners[corner];
-    const unsigned int       side = points.SideOf(point);
+    const unsigned int       side = sideOf[corner];
     ++numbers[side];
     for (unsigned int axis = 0; axis < 3; ++axis)
     {

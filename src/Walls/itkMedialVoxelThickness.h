@@ -29,9 +29,12 @@ struct MedialVoxel_EXPORT MedialVoxelWallPoints
   MedialVoxelIndex                b{};                  ///< N(vj), not equal to \a a
   MedialVoxelIndex                cell{};               ///< the cell, as the index of its lowest corner
 
-  /** Side of the wall that a boundary point is on: 0 nearer to a, 1 nearer to b in voxels, 2 halfway. */
-  unsigned int
-  SideOf(const MedialVoxelIndex & point) const;
+  using SidesType = std::array<std::uint8_t, 8>;
+
+  /** The side of the wall that the point of each corner is on: 0 that of a, 1 that of b, 2 none: on the end of the
+   * wall, or the corner across the wall has its point there. Both sides have points. */
+  SidesType
+  GetSides() const;
 };
 
 /** \struct MedialVoxelWall
@@ -175,6 +178,10 @@ private:
   template <typename TBlockAt>
   Span
   FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
+
+  template <typename TBlockAt>
+  static void
+  LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt, MedialVoxelWallPoints::SidesType & sideOf);
 
   MedialVoxelWall
   MeasureSpan(const Span & span) const;
