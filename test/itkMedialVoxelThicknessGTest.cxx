@@ -110,20 +110,6 @@ const Tilt   Tilts[] = { { "along an axis", { { 0.0, 0.0, 1.0 } }, 1.0 },
                          { "(1,2,5)", { { 1.0, 2.0, 5.0 } }, std::sqrt(1.0 / 30) },
                          { "(1,1,1)", { { 1.0, 1.0, 1.0 } }, std::sqrt(1.0 / 3) },
                          { "(0.37,0.61,0.7)", { { 0.37, 0.61, 0.7 } }, 0.0 } };
-
-/** A block along the axes; its edges are square. */
-Volume
-Block(const Index3 & extent)
-{
-  return MakeVolume({ { extent[0] + 12, extent[1] + 12, extent[2] + 12 } }, UnitSpacing, [=](const Index3 & v) {
-    bool isInside = true;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      isInside = isInside && v[axis] >= 6 && v[axis] < 6 + extent[axis];
-    }
-    return isInside;
-  });
-}
 } // namespace
 
 TEST(MedialVoxelThickness, PlatesAlongAnAxisAreExactUpToTheFacesOfTheImage)
@@ -267,45 +253,6 @@ TEST(MedialVoxelThickness, DISABLED_ErrorTable)
       std::printf(" %+.2f / %.2f / %+.2f to %+.2f |", errors.mean, errors.deviation, errors.smallest, errors.largest);
     }
     std::printf("\n");
-  }
-}
-
-TEST(MedialVoxelThickness, CellsBesideSquareRimsAreExact)
-{
-  for (const Vector3 & spacing : { UnitSpacing, Vector3{ { 1.0, 1.0, 1.3 } }, Vector3{ { 0.7, 1.2, 0.7 } } })
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (int thickness = 1; thickness <= 9; ++thickness)
-      {
-        Index3 extent{ { 22, 24, 26 } };
-        extent[axis] = thickness;
-        Volume volume = Block(extent);
-        volume.spacing = spacing;
-        // Without branches into the edges.
-        const Measurement measured(volume, std::max(3.0, thickness - 1.0) * spacing[axis], Everywhere);
-        const auto        values = measured.GetWallValues();
-        ASSERT_GT(values.size(), 20u);
-        const float expected = static_cast<float>(thickness * spacing[axis]);
-        EXPECT_NEAR(values.front(), expected, 1e-6 * expected) << axis << ' ' << thickness << ' ' << spacing[2];
-        EXPECT_NEAR(values.back(), expected, 1e-6 * expected) << axis << ' ' << thickness << ' ' << spacing[2];
-      }
-    }
-  }
-}
-
-TEST(MedialVoxelThickness, CellsInBranchesIntoEdgesAreMarked)
-{
-  for (int turn = 0; turn < 3; ++turn)
-  {
-    const Index3      extent{ { 30, 34, 8 } };
-    const Measurement measured(
-      Block({ { extent[turn], extent[(turn + 1) % 3], extent[(turn + 2) % 3] } }), 3.0, Everywhere);
-    const std::vector<double> values = measured.GetWallValues();
-    ASSERT_GT(values.size(), 20u);
-    EXPECT_LT(2 * values.size(), measured.GetValues().size());
-    EXPECT_EQ(values.front(), 8.0) << turn;
-    EXPECT_EQ(values.back(), 8.0) << turn;
   }
 }
 

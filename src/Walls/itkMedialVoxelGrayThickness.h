@@ -66,8 +66,8 @@ public:
   MedialVoxelBox
   GetReadBox(const MedialVoxelWallPoints & points) const;
 
-  /** Where the values cross the threshold next to the boundary points; not next to those that are halfway between both
-   * sides.
+  /** Where the values cross the threshold next to the boundary points; not next to those that are on
+   * no side.
    *
    * \param gray  values of GetReadBox(points) */
   Crossings

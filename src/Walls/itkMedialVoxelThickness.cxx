@@ -202,108 +202,6 @@ GatherRows(const MedialVoxelBits::WordType * const first,
   return bits;
 }
 
-/** The way through a wall, from the mean of the points on one side to that of those on the other. */
-struct WayThrough
-{
-  MedialVoxelIndex across{};    // the way, times the numbers of points of both sides
-  std::int64_t     middle{ 0 }; // how far along it the middle is, times twice these numbers
-  std::int64_t     factor{ 0 }; // twice these numbers
-};
-
-std::int64_t
-DotProduct(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-MedialVoxelIndex
-FromTo(const MedialVoxelIndex & a, const MedialVoxelIndex & b)
-{
-  return { { b[0] - a[0], b[1] - a[1], b[2] - a[2] } };
-}
-
-/** From the points in the first and the last quarter of the way from a to b, which a and b are among. */
-WayThrough
-FindWayThrough(const MedialVoxelWallPoints & wall)
-{
-  const MedialVoxelIndex across = FromTo(wall.a, wall.b);
-  const std::int64_t     squaredLength = DotProduct(across, across);
-  MedialVoxelIndex       sums[2] = {};
-  std::int64_t           numbers[2] = {};
-  for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
-  {
-    const MedialVoxelIndex place = FromTo(wall.a, wall.corners[corner]);
-    const std::int64_t     quarters = 4 * DotProduct(across, place);
-    if (quarters <= squaredLength || quarters >= 3 * squaredLength)
-    {
-      const unsigned int side = quarters <= squaredLength ? 0 : 1;
-      ++numbers[side];
-      for (unsigned int axis = 0; axis < 3; ++axis)
-      {
-        sums[side][axis] += place[axis];
-      }
-    }
-  }
-  WayThrough       way;
-  MedialVoxelIndex ends;
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    way.across[axis] = numbers[0] * sums[1][axis] - numbers[1] * sums[0][axis];
-    ends[axis] = numbers[0] * sums[1][axis] + numbers[1] * sums[0][axis];
-  }
-  way.middle = DotProduct(way.across, ends);
-  way.factor = 2 * numbers[0] * numbers[1];
-  return way;
-}
-
-/** How far from the middle a point belongs to no side, as a share of half of the way: it is on the end of the wall. */
-double
-ShareOfEnds(const WayThrough & way)
-{
-  constexpr double largestShare = 0.3;
-  constexpr double voxelsOfSides = 3.0; // of thin tilted walls, the points of a side are as far apart along the way
-  const double     length =
-    2.0 * std::sqrt(static_cast<double>(DotProduct(way.across, way.across))) / static_cast<double>(way.factor);
-  return std::clamp(1.0 - voxelsOfSides / length, 0.0, largestShare);
-}
-
-using SidesType = MedialVoxelWallPoints::SidesType;
-
-/** The bit of the numbers of corners in which most pairs on opposite sides differ: the axis through the wall. */
-unsigned int
-BitOfPairs(const SidesType & sides, const unsigned int numberOfCorners)
-{
-  unsigned int best = 1;
-  unsigned int largest = 0;
-  for (unsigned int bit = 1; bit < numberOfCorners; bit <<= 1)
-  {
-    unsigned int number = 0;
-    for (unsigned int corner = 0; corner < numberOfCorners; ++corner)
-    {
-      number += sides[corner] + sides[corner ^ bit] == 1 ? 1 : 0;
-    }
-    best = number > largest ? bit : best;
-    largest = std::max(largest, number);
-  }
-  return best;
-}
-
-/** Corners whose partner through the wall belongs to no side leave theirs too, so that both sides have their means at
- * the same place; not where a side would lose all. */
-SidesType
-WithoutHalfPairs(const SidesType & sides, const unsigned int numberOfCorners)
-{
-  const unsigned int bit = BitOfPairs(sides, numberOfCorners);
-  SidesType          pairs = sides;
-  unsigned int       numbers[3] = {};
-  for (unsigned int corner = 0; corner < numberOfCorners; ++corner)
-  {
-    pairs[corner] = sides[corner ^ bit] == 2 ? 2 : sides[corner];
-    ++numbers[pairs[corner]];
-  }
-  return numbers[0] > 0 && numbers[1] > 0 ? pairs : sides;
-}
-
 /** Whether the surfaces at both points of a pair lean by more than 21.8 degrees (a tangent of 0.4) to the same side.
  *
  * \param sums  of the blocks, see SumsOf() */
@@ -323,21 +221,6 @@ LeanTheSameWay(PackedSums sumsOfA, PackedSums sumsOfB)
 }
 
 } // namespace
-
-auto
-MedialVoxelWallPoints::GetSides() const -> SidesType
-{
-  const WayThrough way = FindWayThrough(*this);
-  const double     ends = ShareOfEnds(way) * static_cast<double>(DotProduct(way.across, way.across));
-  SidesType        sides;
-  sides.fill(2);
-  for (unsigned int corner = 0; corner < numberOfCorners; ++corner)
-  {
-    const std::int64_t side = way.factor * DotProduct(way.across, FromTo(a, corners[corner])) - way.middle;
-    sides[corner] = std::abs(static_cast<double>(side)) <= ends ? 2 : (side < 0 ? 0 : 1);
-  }
-  return WithoutHalfPairs(sides, numberOfCorners);
-}
 
 MedialVoxelThickness::MedialVoxelThickness(const MedialVoxelGrid & grid)
   : m_Grid(grid)
@@ -429,19 +312,16 @@ MedialVoxelThickness::FindWaysOut(Direction & direction)
 /** In thin walls the blocks of points beside a rim reach over it: there both surfaces seem to lean the same way.
  * The points of these pairs belong to no side, unless all pairs are so. */
 template <typename TBlockAt>
-void
-MedialVoxelThickness::LeaveOutEdges(const MedialVoxelWallPoints &      wall,
-                                    TBlockAt &&                        blockAt,
-                                    MedialVoxelWallPoints::SidesType & sideOf)
+auto
+MedialVoxelThickness::LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt)
+  -> MedialVoxelWallPoints::SidesType
 {
-  // The points of the next thicker walls lie deeper inside.
-  constexpr std::int64_t largestSquaredLength = 12;
-  const MedialVoxelIndex across = FromTo(wall.a, wall.b);
-  if (DotProduct(across, across) > largestSquaredLength)
+  const MedialVoxelWallPoints::SidesType sideOf = wall.GetSides();
+  if (!wall.IsThin())
   {
-    return;
+    return sideOf;
   }
-  const unsigned int               bit = BitOfPairs(sideOf, wall.numberOfCorners);
+  const unsigned int               bit = wall.GetBitOfPairs(sideOf);
   MedialVoxelWallPoints::SidesType kept = sideOf;
   bool                             isAnyKept = false;
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
@@ -459,30 +339,28 @@ MedialVoxelThickness::LeaveOutEdges(const MedialVoxelWallPoints &      wall,
       isAnyKept = isAnyKept || kept[corner] != 2;
     }
   }
-  sideOf = isAnyKept ? kept : sideOf;
+  return isAnyKept ? kept : sideOf;
 }
 
-/** \param blockAt  called with a point, tells the block around it */
 template <typename TBlockAt>
 auto
 MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const
   -> Span
 {
-  auto sideOf = wall.GetSides();
-  LeaveOutEdges(wall, blockAt, sideOf);
+  const auto       sideOf = LeaveOutEdges(wall, blockAt);
   MedialVoxelIndex positions[2] = {}; // sums of them, seen from a
   std::int64_t     numbersOfPoints[2] = {};
   PackedSums       sums[2] = {};
   unsigned int     doubtful = 0; // corners that may see another wall
   for (unsigned int corner = 0; corner < wall.numberOfCorners; ++corner)
   {
-    const MedialVoxelIndex & point = wall.corners[corner];
-    const std::int64_t       side = sideOf[corner];
+    const std::int64_t side = sideOf[corner];
     if (side == 2)
     {
       continue;
     }
-    const Block & block = blockAt(point);
+    const MedialVoxelIndex & point = wall.corners[corner];
+    const Block &            block = blockAt(point);
     doubtful |= (block.opposite != 0 ? 1u : 0u) << corner;
     // Without jumps: which side it is cannot be foreseen.
     const std::int64_t masks[2] = { side - 1, -side };
@@ -522,8 +400,8 @@ MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & d
   span.step = direction.step;
   for (; doubtful != 0; doubtful &= doubtful - 1)
   {
-    const auto         corner = static_cast<unsigned int>(MedialVoxelLowestBit(doubtful));
-    const unsigned int side = sideOf[corner];
+    const auto corner = static_cast<unsigned int>(MedialVoxelLowestBit(doubtful));
+    const auto side = sideOf[corner];
     if (!direction.knowsOut)
     {
       FindWaysOut(direction);

@@ -4,6 +4,7 @@
 #define itkMedialVoxelThickness_h
 
 #include "itkMedialVoxelBits.h"
+#include "itkMedialVoxelWallPoints.h"
 
 #include "MedialVoxelExport.h"
 
@@ -15,27 +16,6 @@
 
 namespace itk
 {
-
-/** \struct MedialVoxelWallPoints
- * \brief What is known of the wall at a medial cell: the nearest boundary points of its corners, and the pair that
- * decided it.
- * \ingroup MedialVoxel
- */
-struct MedialVoxel_EXPORT MedialVoxelWallPoints
-{
-  std::array<MedialVoxelIndex, 8> corners;              ///< the first \a numberOfCorners count
-  unsigned int                    numberOfCorners{ 0 }; ///< 2, 4 or 8
-  MedialVoxelIndex                a{};                  ///< N(vi) of the chosen diagonal
-  MedialVoxelIndex                b{};                  ///< N(vj), not equal to \a a
-  MedialVoxelIndex                cell{};               ///< the cell, as the index of its lowest corner
-
-  using SidesType = std::array<std::uint8_t, 8>;
-
-  /** The side of the wall that the point of each corner is on: 0 that of a, 1 that of b, 2 none: on the end of the
-   * wall, or the corner across the wall has its point there. Both sides have points. */
-  SidesType
-  GetSides() const;
-};
 
 /** \struct MedialVoxelWall
  * \brief What is measured of the wall at a medial cell.
@@ -69,13 +49,14 @@ struct MedialVoxel_EXPORT MedialVoxelWall
 /** \class MedialVoxelThickness
  * \brief Thickness of a wall at a medial cell, measured on the binary object.
  *
- * The boundary points of the corners are split into two sides, by which of a and b they are nearer to in voxels;
- * points halfway belong to neither. The thickness is the distance of the means of both sides, less the way from the
- * boundary voxels' centers to the faces of the wall. That way follows from the share of object voxels among the 3^D
- * voxels around each point: a plane across the direction of the wall that cuts off this share. Another wall behind a
- * gap of one voxel does not count: of two object voxels that lie opposite each other around a point, one that is more
- * than a quarter of a voxel on the far side of the point is left out. Walls parallel to an axis are measured exactly;
- * doc/explanation/accuracy.md has the errors of others.
+ * The boundary points of the corners are split into two sides, see MedialVoxelWallPoints::GetSides(). Where a and b are
+ * at most 3.46 voxels apart, both points of a pair are left out whose surfaces lean the same way by more than 21.8
+ * degrees: the voxels around them reach over the edge of the wall. The thickness is the distance of the means of both
+ * sides, less the way from the boundary voxels' centers to the faces of the wall. That way follows from the share of
+ * object voxels among the 3^D voxels around each point: a plane across the direction of the wall that cuts off this
+ * share. Another wall behind a gap of one voxel does not count: of two object voxels that lie opposite each other
+ * around a point, one that is more than a quarter of a voxel on the far side of the point is left out. Walls parallel
+ * to an axis are measured exactly; doc/explanation/accuracy.md has the errors of others.
  *
  * The cell is at a rim when the two sides do not face each other: the sums of the directions from the boundary points
  * to the object voxels around them are more than 36.9 degrees (a cosine of 0.8) from opposite. There the points of the
@@ -180,8 +161,8 @@ private:
   FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
 
   template <typename TBlockAt>
-  static void
-  LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt, MedialVoxelWallPoints::SidesType & sideOf);
+  static MedialVoxelWallPoints::SidesType
+  LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt);
 
   MedialVoxelWall
   MeasureSpan(const Span & span) const;
