@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PhaseTable.h"
 
+#include "LocalThicknessTable.h"
 #include "PlaceTable.h"
 
 #include "Report.h"
@@ -205,8 +206,10 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("pseudo", percent ? FormatFixed(percent->pseudo, 2) + " %" : "-");
   table.emplace_back("correct", percent ? FormatFixed(percent->correct, 2) + " %" : "-");
   AddThickness(table, options, result);
-  const TextTable places = DescribePlaces(result.places);
-  table.insert(table.end(), places.begin(), places.end());
+  for (const TextTable & rows : { DescribeLocalThickness(options, result), DescribePlaces(result.places) })
+  {
+    table.insert(table.end(), rows.begin(), rows.end());
+  }
   if (result.surface)
   {
     table.emplace_back("mesh",

@@ -4,6 +4,7 @@
 
 import json
 import math
+import statistics
 import random
 import unittest
 
@@ -110,9 +111,33 @@ class LocalThicknessTest(ProgramTestCase):
         at_maximum = sum(value >= CAP - 1e-6 for value in expected)
         self.assertGreater(at_maximum, 50)
         expected = {"method": "sphere", "maximum": CAP, "voxels_at_maximum": at_maximum, "voxels_without_wall": 0}
-        self.assertEqual(self.report["local_thickness"], expected)
+        self.assertEqual({key: self.report["local_thickness"][key] for key in expected}, expected)
         header, _ = volumes.read_header(self.folder / "t.mha")
         self.assertEqual(header["DimSize"], " ".join(map(str, SIZE)))
+
+    def test_statistics_are_of_the_map(self):
+        for method in ("sphere", "wall"):
+            for options in ((), ("--largest-ball", CAP), ("--voxel-units",), ("--divisions", 3), ("--threads", 1)):
+                known = [value for value in self.measure(*options, method=method) if value > 0]
+                found = self.report["local_thickness"]
+                self.assertAlmostEqual(found["mean"], statistics.fmean(known), delta=1e-4)
+                self.assertAlmostEqual(found["standard_deviation"], statistics.pstdev(known), delta=1e-4)
+                self.assertAlmostEqual(found["largest"], max(known), delta=1e-6)
+                numbers = {key: found[key] for key in ("mean", "standard_deviation", "largest")}
+                if not options:
+                    expected = numbers
+                elif options[0] in ("--divisions", "--threads"):
+                    self.assertEqual(numbers, expected)
+        table = self.run_program(
+            "extract", "in.mha", "out.mha", "--local-thickness", "t.mha", "--html", "p.html", "--overwrite", "--smooth", "off"
+        ).stdout
+        self.assertRegex(table, rf"local thickness +mean {expected['mean']:.3g}\d*, standard deviation .*, largest .*, in ")
+        self.assertIn("largest", (self.folder / "p.html").read_text().split("local thickness")[1])
+
+    def test_no_object_has_no_statistics(self):
+        volumes.write_meta(self.folder / "in.mha", volumes.Volume(SIZE, [0] * len(self.volume.voxels), SPACING))
+        self.measure()
+        self.assertEqual([self.report["local_thickness"][key] for key in ("mean", "standard_deviation", "largest")], [None] * 3)
 
     def test_in_voxels_without_a_limit_that_matters(self):
         found = self.measure("--max-pore-size", 0, "--voxel-units")

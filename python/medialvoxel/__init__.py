@@ -18,6 +18,7 @@ from ._arrays import distance, extract, local_thickness, mesh
 from ._native import version as _version
 from ._program import NotMeasuredError, ThinPlacesError, extract_file
 from ._results import Distances, LocalThickness, Medial, Mesh
+from ._warnings import MedialVoxelWarning
 
-__all__ = ["Distances", "LocalThickness", "Medial", "Mesh", "NotMeasuredError", "ThinPlacesError", "distance", "extract", "extract_file", "local_thickness", "mesh"]
+__all__ = ["Distances", "LocalThickness", "Medial", "MedialVoxelWarning", "Mesh", "NotMeasuredError", "ThinPlacesError", "distance", "extract", "extract_file", "local_thickness", "mesh"]
 __version__ = _version()

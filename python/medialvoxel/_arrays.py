@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any, Literal, Union
 
@@ -12,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._options import make_flags, make_options
+from ._options import make_flags, make_options, read_flag
 from ._results import Distances, LocalThickness, Medial, Mesh
+from ._warnings import warn
 
 Number = Union[int, float, np.integer, np.floating]
 Progress = Union[Callable[[float], object], bool, None]
@@ -79,8 +79,7 @@ class _Call:
         finally:
             if bar:
                 bar.close()
-        for text in numbers["warnings"]:
-            warnings.warn(text, stacklevel=4)
+        warn(numbers["warnings"])
         return numbers, surface
 
 
@@ -149,7 +148,7 @@ def extract(
         True shows a bar of tqdm.
 
     Raises ValueError for wrong values, with the message of the program, MemoryError, and what progress raises. Ctrl-C
-    stops the work. Warns where the spacing makes results inaccurate.
+    stops the work. Warns by MedialVoxelWarning of what makes results doubtful.
 
         >>> import numpy as np
         >>> ring = np.hypot(*np.mgrid[-20:21, -20:21])
@@ -159,7 +158,8 @@ def extract(
     """
     call = _Call(array, spacing)
     separate = labels is not None
-    vectors = vectors and not separate
+    thickness_map, uncertainty = read_flag("thickness_map", thickness_map), read_flag("uncertainty", uncertainty)
+    vectors = read_flag("vectors", vectors) and not separate
     outputs = {
         "labels": call.make(np.uint8),
         "thickness": call.make(np.float32) if thickness_map else None,

@@ -25,6 +25,17 @@ def format_value(value: Any) -> str:
     return str(value)
 
 
+def read_flag(name: str, value: Any) -> bool:
+    """Whether a keyword switches something on: a bool, None for off, or a word that the program takes for a flag."""
+    words = {"true": True, "on": True, "yes": True, "1": True, "false": False, "off": False, "no": False, "0": False}
+    if value is None or isinstance(value, (bool, np.bool_)):
+        return bool(value)
+    text = str(value).lower() if isinstance(value, (str, int, np.integer)) else ""
+    if text not in words:
+        raise ValueError(f"{name} is {value!r}; it must be True or False, or one of {', '.join(words)}")
+    return words[text]
+
+
 def make_options(values: dict[str, Any]) -> list[str]:
     """Arguments of the program for keywords. None: the option is left to its default."""
     arguments: list[str] = []
@@ -41,4 +52,4 @@ def make_options(values: dict[str, Any]) -> list[str]:
 
 def make_flags(values: dict[str, Any]) -> list[str]:
     """Arguments of the program for keywords that switch something on."""
-    return [f"--{name.replace('_', '-')}" for name, value in values.items() if value]
+    return [f"--{name.replace('_', '-')}" for name, value in values.items() if read_flag(name, value)]

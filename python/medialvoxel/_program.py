@@ -14,6 +14,7 @@ import tempfile
 from typing import Any, NoReturn
 
 from ._options import format_value
+from ._warnings import warn
 
 # Where values of all axes are: x first for the program.
 _PER_AXIS = ("spacing", "raw_size", "raw_spacing")
@@ -106,7 +107,8 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
 
     Returns the report, whose keys doc/reference/report.md lists. Raises ValueError for what the program refuses,
     FileNotFoundError, MemoryError for a limit of memory that is too small, ThinPlacesError with fail_if_thin=True when
-    there are thin places, NotMeasuredError when too little was measured to know, RuntimeError for other failures.
+    there are thin places, NotMeasuredError when too little was measured to know, RuntimeError for other failures. Warns of
+    each of the report's warnings by MedialVoxelWarning.
     Ctrl-C stops the program."""
     with tempfile.TemporaryDirectory(prefix="medialvoxel-") as folder:
         wanted = options.pop("report", None)
@@ -126,6 +128,7 @@ def extract_file(input: str | os.PathLike, output: str | os.PathLike, **options:
         if options.get("dry_run"):
             return {}
         found = json.loads(pathlib.Path(report).read_text())
+        warn(found["warnings"])
         if process.returncode == _TOO_THIN:
             raise ThinPlacesError(found)
         if process.returncode == _NOT_MEASURED:

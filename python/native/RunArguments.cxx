@@ -4,13 +4,17 @@
 
 #include "CommandLine.h"
 #include "CommandWords.h"
+#include "JobResult.h"
+#include "NamedCounts.h"
 #include "OptionEffects.h"
 #include "OptionValues.h"
 #include "ValueStatistics.h"
+#include "Warnings.h"
 
-#include "itkMedialVoxelGridLimits.h"
-
+#include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -37,17 +41,68 @@ SetObject(const ArrayCall & call, JobOptions & options)
   }
 }
 
-/** What a reader of results wants to know of the call. */
-void
-AddHints(nlohmann::json & numbers, const ArrayCall & call, const JobOptions & options)
+/** Words for arrays instead of those for files. */
+std::string
+ForArrays(std::string message)
 {
-  numbers["lower"] = options.lowerThreshold ? nlohmann::json(options.lowerThreshold->GetNearestDouble()) : nullptr;
-  numbers["warnings"] = nlohmann::json::array();
-  const std::string inaccuracy = itk::MedialVoxelGridLimits::FindInaccuracy(GetGrid(options, call.header));
-  if (!inaccuracy.empty())
+  const std::pair<std::string, std::string> words[] = {
+    { "--resample auto brings the input to equal spacing", "resample the array to equal spacing" },
+    { "--largest-ball", "maximum" },
+  };
+  for (const auto & [ofFiles, ofArrays] : words)
   {
-    numbers["warnings"].push_back("the spacing is unequal: " + inaccuracy + "; resample the array to equal spacing");
+    if (const std::size_t at = message.find(ofFiles); at != std::string::npos)
+    {
+      message.replace(at, ofFiles.size(), ofArrays);
+    }
   }
+  return message;
+}
+
+/** The warnings of the program that need no survey of walls.
+ * \throw JobError Usage for a label that no value has */
+template <typename TOptions>
+void
+AddWarnings(nlohmann::json & numbers, const ArrayCall & call, const TOptions & options)
+{
+  std::vector<Warning> warnings = FindWarningsOfRequest(options, call.header);
+  if (numbers.contains("counts"))
+  {
+    const nlohmann::json & counts = numbers["counts"];
+    JobResult              result;
+    result.input = call.header;
+    for (const NamedCount & count : NamedCounts)
+    {
+      result.sums.counts.*count.member = counts.value(count.name, std::uint64_t{ 0 });
+    }
+    result.sums.voxelsAtMaximum = counts.value("voxels_at_maximum", std::uint64_t{ 0 });
+    const std::vector<Warning> found = FindWarningsOfResult(options, result);
+    warnings.insert(warnings.end(), found.begin(), found.end());
+  }
+  numbers["warnings"] = nlohmann::json::array();
+  for (const Warning & warning : warnings)
+  {
+    numbers["warnings"].push_back({ { "code", warning.code }, { "message", ForArrays(warning.message) } });
+  }
+}
+
+/** The command that warns of the same. */
+SurfaceOptions
+ForWarnings(const LocalThicknessOptions & options)
+{
+  SurfaceOptions known;
+  static_cast<JobOptions &>(known) = options;
+  known.output = "array";
+  known.localThicknessMethod = options.method;
+  known.maximumLocalThickness = options.maximum;
+  return known;
+}
+
+template <typename TOptions>
+const TOptions &
+ForWarnings(const TOptions & options)
+{
+  return options;
 }
 
 /** Has the command distance be local-thickness, which the program has not: both say the same of object and run. */
@@ -76,7 +131,8 @@ Run(const ArrayCall & call, TOptions & options, TRun && run)
   SetObject(call, options);
   CheckOptions(options); // with the threshold of Otsu
   nlohmann::json numbers = run();
-  AddHints(numbers, call, options);
+  numbers["lower"] = options.lowerThreshold ? nlohmann::json(options.lowerThreshold->GetNearestDouble()) : nullptr;
+  AddWarnings(numbers, call, ForWarnings(options));
   return numbers;
 }
 

@@ -120,11 +120,49 @@ class Errors(Folder):
             medialvoxel.mesh(scene()[0])
 
     def test_unequal_spacing_is_a_warning(self):
-        with self.assertWarnsRegex(UserWarning, "unequal"):
-            medialvoxel.extract(scene(), lower=40, spacing=(8, 1, 1))
+        for call in (medialvoxel.extract, medialvoxel.local_thickness, medialvoxel.mesh):
+            with self.assertWarnsRegex(medialvoxel.MedialVoxelWarning, "resample the array") as caught:
+                call(scene(), lower=40, spacing=(8, 1, 1))
+            self.assertEqual((caught.warning.code, caught.filename), ("unequal_spacing", __file__))
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             medialvoxel.extract(scene(), lower=40, spacing=(2, 1, 1))
+
+    def test_what_was_found_is_a_warning(self):
+        """With the codes that the report of the program has."""
+        ball = ((np.indices((21, 21, 21)) - 10.0) ** 2).sum(axis=0) < 64
+        nothing = np.zeros((5, 6, 7))
+        for call, array, keywords, code in (
+            (medialvoxel.extract, nothing, {}, "no_object"),
+            (medialvoxel.distance, nothing, {}, "no_object"),
+            (medialvoxel.local_thickness, nothing, {}, "no_object"),
+            (medialvoxel.extract, 1 - nothing, {}, "no_background"),
+            (medialvoxel.extract, ball, {}, "no_medial_cells"),
+            (medialvoxel.extract, ball, {"thickness": 300}, "unusual_thickness"),
+            (medialvoxel.distance, ball, {"maximum_distance": 300}, "unusual_maximum_distance"),
+            (medialvoxel.local_thickness, ball, {"method": "sphere", "maximum": 4}, "beyond_maximum_local_thickness"),
+        ):
+            with self.subTest(code, call=call.__name__), warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                call(array, **keywords)
+                self.assertEqual([(one.category, one.message.code) for one in caught], [(medialvoxel.MedialVoxelWarning, code)])
+                self.assertEqual(caught[0].filename, __file__)
+
+    def test_flags_take_the_words_of_the_program(self):
+        for value, is_on in ((False, False), ("off", False), ("no", False), (0, False), (np.False_, False), ("on", True), (1, True)):
+            found = medialvoxel.extract(scene(), lower=40, vectors=value, thickness_map=value)
+            self.assertEqual((found.vectors is not None, found.thickness is not None), (is_on, is_on), value)
+        spacing = (1, 1, 0.5)
+        in_voxels, in_units = (
+            medialvoxel.local_thickness(scene(), spacing, 40, voxel_units=value).thickness for value in (True, "no")
+        )
+        self.assertFalse(np.array_equal(in_voxels, in_units, equal_nan=True))
+        for name in ("vectors", "thickness_map", "uncertainty", "voxel_units"):
+            for value in ("maybe", 2, 1.0, [True]):
+                with self.assertRaisesRegex(ValueError, f"{name} is .*; it must be True or False"):
+                    medialvoxel.extract(scene(), lower=40, **{name: value})
+        with self.assertRaisesRegex(ValueError, "sub_voxel is 'maybe'"):
+            medialvoxel.local_thickness(scene(), lower=40, sub_voxel="maybe")
 
     def test_unknown_keywords(self):
         with self.assertRaises(TypeError):

@@ -59,6 +59,7 @@ MedialVoxelLocalThicknessTask::Process(const MedialVoxelBox &          tile,
     m_Painter.Paint(tile, window.GetObject(), workspace.features, workspace.painter, workspace.diameters);
     sums.classificationSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - middle).count();
     result.localThickness = &workspace.diameters;
+    sums.localThickness.Add(workspace.diameters, m_Maximum);
     sums.voxelsAtMaximum =
       static_cast<std::uint64_t>(std::count(workspace.diameters.begin(), workspace.diameters.end(), m_Maximum));
   }

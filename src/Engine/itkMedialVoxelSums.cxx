@@ -11,6 +11,7 @@ MedialVoxelSums::operator+=(const MedialVoxelSums & other)
   counts += other.counts;
   voxelsAtMaximum += other.voxelsAtMaximum;
   voxelsWithoutWall += other.voxelsWithoutWall;
+  localThickness += other.localThickness;
   recomputedVoxels += other.recomputedVoxels;
   distanceSeconds += other.distanceSeconds;
   classificationSeconds += other.classificationSeconds;

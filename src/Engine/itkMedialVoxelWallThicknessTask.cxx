@@ -75,6 +75,7 @@ MedialVoxelWallThicknessTask::Process(const MedialVoxelBox &          tile,
       return static_cast<std::uint64_t>(
         std::count_if(workspace.thickness.begin(), workspace.thickness.end(), isCounted));
     };
+    sums.localThickness.Add(workspace.thickness, m_Maximum);
     sums.voxelsAtMaximum = count([this](const float thickness) { return thickness == m_Maximum; });
     sums.voxelsWithoutWall = count([](const float thickness) { return std::isnan(thickness); });
   }

@@ -22,6 +22,11 @@ SumsToJson(const itk::MedialVoxelSums & sums)
   json["recomputed_voxels"] = sums.recomputedVoxels;
   json["voxels_at_maximum"] = sums.voxelsAtMaximum;
   json["voxels_without_wall"] = sums.voxelsWithoutWall;
+  json["local_thickness"] = { { "voxels", sums.localThickness.voxels },
+                              { "lengths", sums.localThickness.lengths },
+                              { "low_squares", sums.localThickness.lowSquares },
+                              { "high_squares", sums.localThickness.highSquares },
+                              { "largest", sums.localThickness.largest } };
   return json;
 }
 
@@ -36,6 +41,12 @@ SumsFromJson(const Json & json)
   ReadWhole(json.at("recomputed_voxels"), sums.recomputedVoxels);
   ReadWhole(json.at("voxels_at_maximum"), sums.voxelsAtMaximum);
   ReadWhole(json.at("voxels_without_wall"), sums.voxelsWithoutWall);
+  const Json & localThickness = json.at("local_thickness");
+  ReadWhole(localThickness.at("voxels"), sums.localThickness.voxels);
+  ReadWhole(localThickness.at("lengths"), sums.localThickness.lengths);
+  ReadWhole(localThickness.at("low_squares"), sums.localThickness.lowSquares);
+  ReadWhole(localThickness.at("high_squares"), sums.localThickness.highSquares);
+  localThickness.at("largest").get_to(sums.localThickness.largest);
   return sums;
 }
 

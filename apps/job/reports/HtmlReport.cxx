@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
+#include "LocalThicknessTable.h"
 #include "PageText.h"
 #include "PageView.h"
 #include "PlaceTable.h"
@@ -258,6 +259,8 @@ MakeHtmlReport(const ExtractOptions & options,
       "color.</p>\n";
   }
   page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, result.measure);
+  const TextTable localThickness = DescribeLocalThickness(options, result);
+  page += localThickness.empty() ? "" : MakeRows(localThickness, "text");
   page += MakePlacesHtml(result.places, unit);
   page += result.objects ? MakeObjectTable(*result.objects, unit) : "";
   page += "<h2>Phases</h2>\n" + MakePhaseTable(counts);

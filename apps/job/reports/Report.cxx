@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Report.h"
 
+#include "LocalThicknessTable.h"
 #include "PlaceTable.h"
 #include "SealedJson.h"
 #include "Version.h"
@@ -350,8 +351,13 @@ MakeUncertainty(const ThicknessSummary & thickness)
 Json
 MakeLocalThickness(const ExtractOptions & options, const JobResult & result)
 {
+  const float                                maximum = GetLargestBall(options, result.input);
+  const itk::MedialVoxelLocalThicknessSums & sums = result.sums.localThickness;
   return { { "method", GetName(options.localThicknessMethod) },
-           { "maximum", GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness },
+           { "maximum", maximum },
+           { "mean", sums.voxels > 0 ? Json(sums.GetMean(maximum)) : Json(nullptr) },
+           { "standard_deviation", sums.voxels > 0 ? Json(sums.GetStandardDeviation(maximum)) : Json(nullptr) },
+           { "largest", sums.voxels > 0 ? Json(sums.largest) : Json(nullptr) },
            { "voxels_at_maximum", result.sums.voxelsAtMaximum },
            { "voxels_without_wall", result.sums.voxelsWithoutWall } };
 }

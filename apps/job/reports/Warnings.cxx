@@ -3,6 +3,7 @@
 #include "Warnings.h"
 
 #include "JobResult.h"
+#include "ObjectWarnings.h"
 #include "Options.h"
 #include "Progress.h"
 #include "Survey.h"
@@ -146,99 +147,29 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
     } },
 };
 
+const std::vector<Rule<ExtractOptions, VolumeHeader>> ThicknessRequestRules{ { "unequal_spacing", CheckSpacing } };
+
 const std::vector<Rule<DistanceOptions, VolumeHeader>> DistanceRequestRules{
   { "unusual_maximum_distance", CheckMaximumDistance },
   { "unused_scratch",
     [](const DistanceOptions & options, const VolumeHeader & input) { return CheckScratch(options, input); } },
 };
 
-/** Which values are object. */
-std::string
-DescribeObject(const JobOptions & options)
-{
-  const auto & lower = options.lowerThreshold;
-  const auto & upper = options.upperThreshold;
-  if (lower && upper)
-  {
-    return "from " + lower->Format() + " to " + upper->Format();
-  }
-  return lower ? "at least " + lower->Format() : (upper ? "at most " + upper->Format() : "other than 0");
-}
-
-/** Of an input that is so coarse that the sentence behind would seem wrong. */
-std::string
-DescribeResampling(const VolumeHeader & input)
-{
-  return input.stored ? " when it is resampled to " + FormatSize(input.geometry.size) + " voxels" : "";
-}
-
 std::optional<Finding>
-CheckObject(const JobOptions & options, const JobResult & result)
+CheckMedialCells(const ExtractOptions & options, const JobResult & result)
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
-  if (counts.objectVoxels > 0)
+  if (counts.objectVoxels == 0 || counts.objectVoxels == result.input.geometry.GetNumberOfVoxels() ||
+      counts.boundCells + counts.geodesicMedialCells > 0)
   {
     return std::nullopt;
   }
-  if (counts.removedVoxels > 0)
-  {
-    return Finding{ "no object is left: all its " + std::to_string(counts.removedVoxels) +
-                      " voxels were small grains, taken for dust; a maximum pore size of 0 keeps them",
-                    { { "removed_voxels", static_cast<double>(counts.removedVoxels) } } };
-  }
-  return Finding{
-    "the volume has no object" + DescribeResampling(result.input) + ": no value is " + DescribeObject(options), {}
-  };
-}
-
-std::optional<Finding>
-CheckBackground(const JobOptions & options, const JobResult & result)
-{
-  const itk::MedialVoxelCounts & counts = result.sums.counts;
-  if (counts.objectVoxels < result.input.geometry.GetNumberOfVoxels())
-  {
-    return std::nullopt;
-  }
-  if (counts.filledVoxels > 0)
-  {
-    return Finding{ "no background is left: all its " + std::to_string(counts.filledVoxels) +
-                      " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
-                    { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
-  }
-  return Finding{ "the volume has no background" + DescribeResampling(result.input) +
-                    ", so the object has no boundary: all values are " + DescribeObject(options),
+  return Finding{ std::string("there are no medial cells and no thickness: no part of the object is a sheet") +
+                    (options.thickness ? " of at least the given thickness" : ", as of rods and balls none is"),
                   {} };
 }
 
-/** Objects that are there are not in a table of names. */
-std::optional<Finding>
-CheckNames(const JobOptions &, const JobResult & result)
-{
-  if (!result.objects || result.segments.IsEmpty())
-  {
-    return std::nullopt;
-  }
-  std::vector<std::int64_t> unknown;
-  for (const ObjectSummary & object : result.objects->objects)
-  {
-    if (result.segments.Find(object.label) == nullptr)
-    {
-      unknown.push_back(object.label);
-    }
-  }
-  if (unknown.empty())
-  {
-    return std::nullopt;
-  }
-  return Finding{ "of " + std::to_string(result.objects->objects.size()) + " labels " + std::to_string(unknown.size()) +
-                    " are of no segment, as is " + std::to_string(unknown.front()) +
-                    "; they have no name, and 3D Slicer does not show them in a segmentation",
-                  { { "labels", static_cast<double>(unknown.size()) } } };
-}
-
-const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject, true },
-                                                            { "no_background", CheckBackground, true },
-                                                            { "labels_without_segment", CheckNames } };
+const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true } };
 
 /** What is known of the walls after an extraction. */
 struct WallFacts
@@ -268,19 +199,6 @@ struct WallFacts
     return this->GetMedialCells() > (step == 1 ? 0 : few * step);
   }
 };
-
-std::optional<Finding>
-CheckMedialCells(const WallFacts & facts)
-{
-  const std::uint64_t object = facts.result.sums.counts.objectVoxels;
-  if (object == 0 || object == facts.result.input.geometry.GetNumberOfVoxels() || facts.GetMedialCells() > 0)
-  {
-    return std::nullopt;
-  }
-  return Finding{ std::string("there are no medial cells and no thickness: no part of the object is a sheet") +
-                    (facts.options.thickness ? " of at least the given thickness" : ", as of rods and balls none is"),
-                  {} };
-}
 
 /** A histogram of areas above a length, as a share of all. */
 double
@@ -418,8 +336,7 @@ CheckObjectsWithoutWalls(const WallFacts & facts)
                   { { "labels", static_cast<double>(unmeasured.size()) } } };
 }
 
-const std::vector<Rule<WallFacts>> WallRules{ { "no_medial_cells", CheckMedialCells, true },
-                                              { "beyond_maximum_thickness", CheckMaximumThickness },
+const std::vector<Rule<WallFacts>> WallRules{ { "beyond_maximum_thickness", CheckMaximumThickness },
                                               { "few_sheets", CheckSheets, true },
                                               { "labels_without_walls", CheckObjectsWithoutWalls, true } };
 
@@ -444,30 +361,28 @@ FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & inpu
 }
 
 std::vector<Warning>
-FindWarningsOfRequest(const SurfaceOptions &, const VolumeHeader & input)
+FindWarningsOfRequest(const SurfaceOptions & options, const VolumeHeader & input)
 {
-  return input.GetStored().warnings;
+  std::vector<Warning> warnings = input.GetStored().warnings;
+  Apply(ThicknessRequestRules, warnings, GetThicknessOptions(options), input);
+  return warnings;
 }
 
-/** \throw JobError Usage for a label that no voxel has, which is no empty object but a mistake */
-void
-ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, const JobResult & result)
+std::vector<Warning>
+FindWarningsOfResult(const ExtractOptions & options, const JobResult & result)
 {
-  const itk::MedialVoxelCounts & counts = result.sums.counts;
-  if (options.label && counts.objectVoxels == 0 && counts.removedVoxels == 0)
-  {
-    Fail(ExitStatus::Usage, result.input.fileName.string(), ": no voxel has the label ", FormatLabel(*options.label));
-  }
-  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+  std::vector<Warning> warnings;
+  ApplyObjectRules(warnings, options, result);
+  Apply(SheetRules, warnings, options, result);
+  Apply(BallRules, warnings, options, result);
+  return warnings;
 }
 
 std::vector<Warning>
 FindWarningsOfResult(const ExtractOptions & options, const JobResult & result, const Survey & survey)
 {
-  std::vector<Warning> warnings;
-  ApplyObjectRules(warnings, options, result);
+  std::vector<Warning> warnings = FindWarningsOfResult(options, result);
   Apply(WallRules, warnings, WallFacts{ options, result, survey });
-  Apply(BallRules, warnings, options, result);
   return warnings;
 }
 

@@ -31,6 +31,10 @@ FindWarningsOfRequest(const SurfaceOptions & options, const VolumeHeader & input
 /** What the counts and the thickness tell after the run. */
 std::vector<Warning>
 FindWarningsOfResult(const ExtractOptions & options, const JobResult & result, const Survey & survey);
+
+/** The same of a run that does not survey its walls. */
+std::vector<Warning>
+FindWarningsOfResult(const ExtractOptions & options, const JobResult & result);
 std::vector<Warning>
 FindWarningsOfResult(const DistanceOptions & options, const JobResult & result);
 std::vector<Warning>

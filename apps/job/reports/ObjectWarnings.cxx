@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ObjectWarnings.h"
+
+#include "JobResult.h"
+#include "Options.h"
+#include "Text.h"
+#include "WarningRules.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** Which values are object. */
+std::string
+DescribeObject(const JobOptions & options)
+{
+  const auto & lower = options.lowerThreshold;
+  const auto & upper = options.upperThreshold;
+  if (lower && upper)
+  {
+    return "from " + lower->Format() + " to " + upper->Format();
+  }
+  return lower ? "at least " + lower->Format() : (upper ? "at most " + upper->Format() : "other than 0");
+}
+
+/** Of an input that is so coarse that the sentence behind would seem wrong. */
+std::string
+DescribeResampling(const VolumeHeader & input)
+{
+  return input.stored ? " when it is resampled to " + FormatSize(input.geometry.size) + " voxels" : "";
+}
+
+std::optional<Finding>
+CheckObject(const JobOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelCounts & counts = result.sums.counts;
+  if (counts.objectVoxels > 0)
+  {
+    return std::nullopt;
+  }
+  if (counts.removedVoxels > 0)
+  {
+    return Finding{ "no object is left: all its " + std::to_string(counts.removedVoxels) +
+                      " voxels were small grains, taken for dust; a maximum pore size of 0 keeps them",
+                    { { "removed_voxels", static_cast<double>(counts.removedVoxels) } } };
+  }
+  return Finding{
+    "the volume has no object" + DescribeResampling(result.input) + ": no value is " + DescribeObject(options), {}
+  };
+}
+
+std::optional<Finding>
+CheckBackground(const JobOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelCounts & counts = result.sums.counts;
+  if (counts.objectVoxels < result.input.geometry.GetNumberOfVoxels())
+  {
+    return std::nullopt;
+  }
+  if (counts.filledVoxels > 0)
+  {
+    return Finding{ "no background is left: all its " + std::to_string(counts.filledVoxels) +
+                      " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
+                    { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
+  }
+  return Finding{ "the volume has no background" + DescribeResampling(result.input) +
+                    ", so the object has no boundary: all values are " + DescribeObject(options),
+                  {} };
+}
+
+/** Objects that are there are not in a table of names. */
+std::optional<Finding>
+CheckNames(const JobOptions &, const JobResult & result)
+{
+  if (!result.objects || result.segments.IsEmpty())
+  {
+    return std::nullopt;
+  }
+  std::vector<std::int64_t> unknown;
+  for (const ObjectSummary & object : result.objects->objects)
+  {
+    if (result.segments.Find(object.label) == nullptr)
+    {
+      unknown.push_back(object.label);
+    }
+  }
+  if (unknown.empty())
+  {
+    return std::nullopt;
+  }
+  return Finding{ "of " + std::to_string(result.objects->objects.size()) + " labels " + std::to_string(unknown.size()) +
+                    " are of no segment, as is " + std::to_string(unknown.front()) +
+                    "; they have no name, and 3D Slicer does not show them in a segmentation",
+                  { { "labels", static_cast<double>(unknown.size()) } } };
+}
+
+const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject, true },
+                                                            { "no_background", CheckBackground, true },
+                                                            { "labels_without_segment", CheckNames } };
+
+} // namespace
+
+void
+ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, const JobResult & result)
+{
+  const itk::MedialVoxelCounts & counts = result.sums.counts;
+  if (options.label && counts.objectVoxels == 0 && counts.removedVoxels == 0)
+  {
+    Fail(ExitStatus::Usage, result.input.fileName.string(), ": no voxel has the label ", FormatLabel(*options.label));
+  }
+  Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+}
+
+} // end namespace medialvoxel
