@@ -196,7 +196,7 @@ class CheckTest(ElementsTestCase):
         facets = [[corners[k] for k in triangle] for triangle in ((0, 1, 2), (0, 2, 3))]
         text = "solid part\r\n"
         for facet in facets:
-            vertices = "".join(f"      VERTEX {x:g} {y:g} {z:g}\r\n" for x, y, z in facet)
+            vertices = "".join(f"      VERTEX {x} {y} {z}\r\n" for x, y, z in facet)
             text += f"  facet normal 0 0 1\r\n    outer loop\r\n{vertices}    endloop\r\n  endfacet\r\n"
         (self.folder / "text.stl").write_text(text + "endsolid part\r\n", newline="")
         binary = b"solid part".ljust(80) + struct.pack("<I", len(facets))

@@ -131,7 +131,7 @@ class LocalThicknessTest(ProgramTestCase):
         table = self.run_program(
             "extract", "in.mha", "out.mha", "--local-thickness", "t.mha", "--html", "p.html", "--overwrite", "--smooth", "off"
         ).stdout
-        self.assertRegex(table, rf"local thickness +mean {expected['mean']:.3g}\d*, standard deviation .*, largest .*, in ")
+        self.assertRegex(table, rf"local thickness +mean {expected['mean']:.4g}, standard deviation .*, largest .*, in ")
         self.assertIn("largest", (self.folder / "p.html").read_text().split("local thickness")[1])
 
     def test_no_object_has_no_statistics(self):
@@ -177,7 +177,8 @@ class LocalThicknessTest(ProgramTestCase):
             self.assertGreater(uncovered, 0)
             walls = self.report["local_thickness"]
             at_maximum = sum(value == cap for value in expected)
-            self.assertEqual(walls, {"method": "wall", "maximum": cap, "voxels_at_maximum": at_maximum, "voxels_without_wall": uncovered})
+            walls = {key: value for key, value in walls.items() if key not in ("mean", "standard_deviation", "largest")}
+        self.assertEqual(walls, {"method": "wall", "maximum": cap, "voxels_at_maximum": at_maximum, "voxels_without_wall": uncovered})
 
     def test_walls_on_gray_values(self):
         """A wall whose two faces are between voxels: as the map of its medial cells, not a whole number of voxels."""

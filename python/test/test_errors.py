@@ -138,14 +138,14 @@ class Errors(Folder):
             (medialvoxel.local_thickness, nothing, {}, "no_object"),
             (medialvoxel.extract, 1 - nothing, {}, "no_background"),
             (medialvoxel.extract, ball, {}, "no_medial_cells"),
-            (medialvoxel.extract, ball, {"thickness": 300}, "unusual_thickness"),
-            (medialvoxel.distance, ball, {"maximum_distance": 300}, "unusual_maximum_distance"),
+            (medialvoxel.extract, ball, {"maximum_thickness": 101}, "unusual_maximum_thickness"),
             (medialvoxel.local_thickness, ball, {"method": "sphere", "maximum": 4}, "beyond_maximum_local_thickness"),
         ):
             with self.subTest(code, call=call.__name__), warnings.catch_warnings(record=True) as caught:
                 warnings.simplefilter("always")
                 call(array, **keywords)
-                self.assertEqual([(one.category, one.message.code) for one in caught], [(medialvoxel.MedialVoxelWarning, code)])
+                self.assertEqual({one.category for one in caught}, {medialvoxel.MedialVoxelWarning})
+                self.assertIn(code, [one.message.code for one in caught])
                 self.assertEqual(caught[0].filename, __file__)
 
     def test_flags_take_the_words_of_the_program(self):

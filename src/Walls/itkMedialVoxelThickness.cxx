@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelThickness.h"
 
+#include "itkMedialVoxelBlockSums.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,91 +13,9 @@ namespace itk
 namespace
 {
 
+using namespace MedialVoxelBlockSums;
+
 using PositionType = std::array<double, 3>;
-using BlockType = std::uint32_t; // the 3^3 voxels around a point, see GetObjectAround()
-
-constexpr int CenterOfBlock = 13;
-
-constexpr unsigned int BitsOfSlice = 9;
-constexpr BlockType    SliceMask = (BlockType{ 1 } << BitsOfSlice) - 1;
-
-/** Sums of object voxels and of their offsets along the axes, side by side in one number, so that they are added at
- * once. */
-using PackedSums = std::int64_t;
-
-/** Enough for the blocks around eight points. */
-constexpr unsigned int BitsOfSum = 16;
-
-constexpr PackedSums
-PackSums(const std::int64_t number, const std::int64_t x, const std::int64_t y, const std::int64_t z)
-{
-  constexpr std::int64_t factor = std::int64_t{ 1 } << BitsOfSum;
-  return ((number * factor + z) * factor + y) * factor + x;
-}
-
-/** The sum in the lowest place of \a sums, which loses it. */
-std::int64_t
-TakeLowest(PackedSums & sums)
-{
-  const std::int64_t lowest = static_cast<std::int16_t>(sums & 0xFFFF);
-  sums = (sums - lowest) >> BitsOfSum;
-  return lowest;
-}
-
-/** What a slice of nine voxels of a block adds. Tables are faster than counting bits. */
-struct Slices
-{
-  std::array<std::array<PackedSums, SliceMask + 1>, 3> sums{};     // of each slice of a block
-  std::array<std::uint16_t, SliceMask + 1>             mirrored{}; // the bits in reverse order
-};
-
-constexpr Slices
-MakeSlices()
-{
-  Slices slices{};
-  for (BlockType bits = 0; bits <= SliceMask; ++bits)
-  {
-    for (unsigned int bit = 0; bit < BitsOfSlice; ++bit)
-    {
-      if (((bits >> bit) & 1u) != 0)
-      {
-        slices.mirrored[bits] = static_cast<std::uint16_t>(slices.mirrored[bits] | 1u << (BitsOfSlice - 1 - bit));
-        for (unsigned int z = 0; z < 3; ++z)
-        {
-          slices.sums[z][bits] += PackSums(1,
-                                           static_cast<std::int64_t>(bit % 3) - 1,
-                                           static_cast<std::int64_t>(bit / 3) - 1,
-                                           static_cast<std::int64_t>(z) - 1);
-        }
-      }
-    }
-  }
-  return slices;
-}
-
-constexpr Slices SliceTable = MakeSlices();
-
-BlockType
-SliceOf(const BlockType block, const unsigned int z)
-{
-  return (block >> (z * BitsOfSlice)) & SliceMask;
-}
-
-/** The voxels at the opposite offsets: the bits in reverse order. */
-BlockType
-Mirror(const BlockType block)
-{
-  const auto & mirrored = SliceTable.mirrored;
-  return mirrored[SliceOf(block, 2)] | (BlockType{ mirrored[SliceOf(block, 1)] } << BitsOfSlice) |
-         (BlockType{ mirrored[SliceOf(block, 0)] } << (2 * BitsOfSlice));
-}
-
-PackedSums
-SumsOf(const BlockType block)
-{
-  const auto & sums = SliceTable.sums;
-  return sums[0][SliceOf(block, 0)] + sums[1][SliceOf(block, 1)] + sums[2][SliceOf(block, 2)];
-}
 
 /** Sums over the boundary points of one side of a wall. */
 struct Side
@@ -247,34 +167,6 @@ struct MedialVoxelThickness::Span
   double                step; // of Direction
 };
 
-MedialVoxelWall
-MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const
-{
-  Direction direction;
-  return this->MeasureSpan(
-    this->FindSpan(wall, direction, [&](const MedialVoxelIndex & point) { return this->GetBlock(object, point); }));
-}
-
-MedialVoxelWall
-MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const
-{
-  const auto blockAt = [&](const MedialVoxelIndex & point) -> const Block & {
-    return this->RecallBlock(object, point, memory);
-  };
-  return this->MeasureSpan(this->FindSpan(wall, memory.m_Direction, blockAt));
-}
-
-float
-MedialVoxelThickness::MeasureThickness(const MedialVoxelBits &       object,
-                                       const MedialVoxelWallPoints & wall,
-                                       Memory &                      memory) const
-{
-  const auto blockAt = [&](const MedialVoxelIndex & point) -> const Block & {
-    return this->RecallBlock(object, point, memory);
-  };
-  return this->ThicknessOf(this->FindSpan(wall, memory.m_Direction, blockAt));
-}
-
 /** The block around a point, from \a memory when it is there. */
 auto
 MedialVoxelThickness::RecallBlock(const MedialVoxelBits & object, const MedialVoxelIndex & point, Memory & memory) const
@@ -344,10 +236,11 @@ MedialVoxelThickness::LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt
 
 template <typename TBlockAt>
 auto
-MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const
-  -> Span
+MedialVoxelThickness::FindSpan(const MedialVoxelWallPoints &            wall,
+                               const MedialVoxelWallPoints::SidesType & sideOf,
+                               Direction &                              direction,
+                               TBlockAt &&                              blockAt) const -> Span
 {
-  const auto       sideOf = LeaveOutEdges(wall, blockAt);
   MedialVoxelIndex positions[2] = {}; // sums of them, seen from a
   std::int64_t     numbersOfPoints[2] = {};
   PackedSums       sums[2] = {};
@@ -429,9 +322,14 @@ MedialVoxelThickness::ThicknessOf(const Span & span) const
   return static_cast<float>(std::max(m_Smallest, span.distance - toFaces));
 }
 
+/** Points on the end of a wall tell that it is one, and nothing of its thickness. */
+template <typename TBlockAt>
 MedialVoxelWall
-MedialVoxelThickness::MeasureSpan(const Span & span) const
+MedialVoxelThickness::MeasureWall(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const
 {
+  const auto      sideOf = LeaveOutEdges(wall, blockAt);
+  const auto      nearerSideOf = wall.GetNearerSides();
+  const Span      span = this->FindSpan(wall, sideOf, direction, blockAt);
   MedialVoxelWall measured;
   double          longest = 0.0;
   double          extent = 0.0; // of a cell across the wall, times the distance
@@ -444,11 +342,39 @@ MedialVoxelThickness::MeasureSpan(const Span & span) const
     longest = std::max(longest, std::abs(way));
   }
   const auto & spacing = m_Grid.GetSpacing();
-  const Side(&sides)[2] = span.sides;
   measured.thickness = this->ThicknessOf(span);
   measured.area = static_cast<float>(m_CellVolume * span.distance / extent);
-  measured.isRim = IsRim(sides, spacing);
+  measured.isRim = sideOf == nearerSideOf
+                     ? IsRim(span.sides, spacing)
+                     : IsRim(this->FindSpan(wall, nearerSideOf, direction, blockAt).sides, spacing);
   return measured;
+}
+
+MedialVoxelWall
+MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall) const
+{
+  Direction direction;
+  return this->MeasureWall(
+    wall, direction, [&](const MedialVoxelIndex & point) { return this->GetBlock(object, point); });
+}
+
+MedialVoxelWall
+MedialVoxelThickness::Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const
+{
+  return this->MeasureWall(wall, memory.m_Direction, [&](const MedialVoxelIndex & point) -> const Block & {
+    return this->RecallBlock(object, point, memory);
+  });
+}
+
+float
+MedialVoxelThickness::MeasureThickness(const MedialVoxelBits &       object,
+                                       const MedialVoxelWallPoints & wall,
+                                       Memory &                      memory) const
+{
+  const auto blockAt = [&](const MedialVoxelIndex & point) -> const Block & {
+    return this->RecallBlock(object, point, memory);
+  };
+  return this->ThicknessOf(this->FindSpan(wall, LeaveOutEdges(wall, blockAt), memory.m_Direction, blockAt));
 }
 
 std::uint32_t

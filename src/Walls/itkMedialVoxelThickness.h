@@ -58,10 +58,11 @@ struct MedialVoxel_EXPORT MedialVoxelWall
  * around a point, one that is more than a quarter of a voxel on the far side of the point is left out. Walls parallel
  * to an axis are measured exactly; doc/explanation/accuracy.md has the errors of others.
  *
- * The cell is at a rim when the two sides do not face each other: the sums of the directions from the boundary points
- * to the object voxels around them are more than 36.9 degrees (a cosine of 0.8) from opposite. There the points of the
- * cell are on the end of the wall too, or of several walls that meet, and the thickness is that of none. The smallest
- * thickness is a 64th of the smallest spacing.
+ * The cell is at a rim when the two sides do not face each other, with all points on the side of the nearer one of a
+ * and b, see MedialVoxelWallPoints::GetNearerSides(): the sums of the directions from the boundary points to the object
+ * voxels around them are more than 36.9 degrees (a cosine of 0.8) from opposite. There the points of the cell are on
+ * the end of the wall too, or of several walls that meet, and the thickness is that of none. The smallest thickness is
+ * a 64th of the smallest spacing.
  *
  * Outside the image, where nothing is known, the outermost voxels are continued.
  *
@@ -155,17 +156,23 @@ private:
   /** The two sides of a wall, and the way between them. */
   struct Span;
 
-  /** \param direction  that of the last wall, or none */
+  /** \param sideOf     the sides of the corners
+   * \param direction  that of the last wall, or none
+   * \param blockAt    called with a point, tells the block around it */
   template <typename TBlockAt>
   Span
-  FindSpan(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
+  FindSpan(const MedialVoxelWallPoints &            wall,
+           const MedialVoxelWallPoints::SidesType & sideOf,
+           Direction &                              direction,
+           TBlockAt &&                              blockAt) const;
 
   template <typename TBlockAt>
   static MedialVoxelWallPoints::SidesType
   LeaveOutEdges(const MedialVoxelWallPoints & wall, TBlockAt && blockAt);
 
+  template <typename TBlockAt>
   MedialVoxelWall
-  MeasureSpan(const Span & span) const;
+  MeasureWall(const MedialVoxelWallPoints & wall, Direction & direction, TBlockAt && blockAt) const;
 
   float
   ThicknessOf(const Span & span) const;

@@ -111,6 +111,20 @@ MedialVoxelWallPoints::GetSides() const -> SidesType
   return WithoutHalfPairs(*this, sides);
 }
 
+auto
+MedialVoxelWallPoints::GetNearerSides() const -> SidesType
+{
+  const MedialVoxelIndex across = FromTo(a, b);
+  SidesType              sides;
+  sides.fill(2);
+  for (unsigned int corner = 0; corner < numberOfCorners; ++corner)
+  {
+    const std::int64_t side = 2 * DotProduct(across, FromTo(a, corners[corner])) - DotProduct(across, across);
+    sides[corner] = side == 0 ? 2 : (side < 0 ? 0 : 1);
+  }
+  return sides;
+}
+
 bool
 MedialVoxelWallPoints::IsThin() const
 {

@@ -33,6 +33,10 @@ struct MedialVoxel_EXPORT MedialVoxelWallPoints
   SidesType
   GetSides() const;
 
+  /** The side of the nearer one of a and b in voxels, 2 halfway. */
+  SidesType
+  GetNearerSides() const;
+
   /** Whether a and b are at most 3.46 voxels apart, as in walls of up to two layers. */
   bool
   IsThin() const;

@@ -169,7 +169,29 @@ CheckMedialCells(const ExtractOptions & options, const JobResult & result)
                   {} };
 }
 
-const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true } };
+/** Elements that are too large for a part leave out what is narrower than they are. */
+std::optional<Finding>
+CheckElements(const ExtractOptions &, const JobResult & result)
+{
+  constexpr double nearlyAll = 0.9;
+  if (!result.surface || !result.surface->remeshing || result.surface->remeshing->fineArea <= 0.0)
+  {
+    return std::nullopt;
+  }
+  const double share = result.surface->area / result.surface->remeshing->fineArea;
+  if (share >= nearlyAll)
+  {
+    return std::nullopt;
+  }
+  return Finding{
+    "the mesh has only " + FormatShare(share) +
+      " of the area of the sheet: its elements are too large for the rest; a smaller --element-size keeps it",
+    { { "area_percent", 100.0 * share } }
+  };
+}
+
+const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true },
+                                                               { "coarse_elements", CheckElements } };
 
 /** What is known of the walls after an extraction. */
 struct WallFacts
