@@ -18,7 +18,7 @@ add_test(
     "${CMAKE_CTEST_COMMAND}" --output-on-failure --no-tests=error)
 
 set_tests_properties(MedialVoxelPackageClean MedialVoxelPackageInstall MedialVoxelPackageConsumer
-                     PROPERTIES LABELS MedialVoxel)
+                     PROPERTIES LABELS "MedialVoxel;program")
 set_tests_properties(MedialVoxelPackageClean PROPERTIES FIXTURES_SETUP MedialVoxelPackageFolder)
 set_tests_properties(MedialVoxelPackageInstall PROPERTIES FIXTURES_REQUIRED MedialVoxelPackageFolder FIXTURES_SETUP
                                                                                                      MedialVoxelPackage)

@@ -31,6 +31,6 @@ if(MedialVoxel_PYTHON)
   add_test(NAME MedialVoxelScipy
            COMMAND "${MedialVoxel_PYTHON}" "${CMAKE_CURRENT_SOURCE_DIR}/python/compare_scipy.py" --dump
                    "$<TARGET_FILE:MedialVoxelTestDump>" --data "${MedialVoxel_TEST_DATA}")
-  set_tests_properties(MedialVoxelScipy PROPERTIES SKIP_RETURN_CODE 77 LABELS MedialVoxel)
+  set_tests_properties(MedialVoxelScipy PROPERTIES SKIP_RETURN_CODE 77 LABELS "MedialVoxel;identity")
 endif()
-set_tests_properties(MedialVoxelFixtures PROPERTIES LABELS MedialVoxel)
+set_tests_properties(MedialVoxelFixtures PROPERTIES LABELS "MedialVoxel;identity")
