@@ -302,6 +302,17 @@ class ElementSizeTest(ProgramTestCase):
             "mesh"
         ]
 
+    def test_elements_that_lose_the_part_are_a_warning(self):
+        for size, is_warned in (("auto", False), (2.5, False), (100, True), (1000, True)):
+            report = self.run_program("mesh", "in.mha", "m.vtp", "--overwrite", "--report", "-", "--element-size", size).stdout
+            report = json.loads(report)
+            found = [warning for warning in report["warnings"] if warning["code"] == "coarse_elements"]
+            self.assertEqual(len(found), is_warned, size)
+            if found:
+                self.assertIn("--element-size", found[0]["message"])
+                share = report["mesh"]["area"] / report["mesh"]["remeshing"]["area_before"]
+                self.assertAlmostEqual(found[0]["values"]["area_percent"], 100 * share, places=6)
+
     def test_sizes(self):
         voxel = self.count()
         self.assertEqual(voxel["element_size"], "voxel")

@@ -67,6 +67,23 @@ class StackTest(ProgramTestCase):
             parts = [f"{self.depth + 4} slices", f"it has {self.depth}"]
             self.assert_fails(CORRUPT, ["in.tif", *parts], "info", "in.tif")
 
+    def test_arrays_of_tifffile(self):
+        """As it describes arrays whose axes it is not told."""
+        width, height, depth = self.volume.size
+        for shape, is_read in (
+            ([depth, height, width], True),
+            ([1, depth, height, width], True),
+            ([depth, height, width, 1], True),
+            ([2, depth // 2, height, width], False),
+            ([depth + 1, height, width], False),
+        ):
+            volumes.write_tiff(self.folder / "in.tif", self.volume, tag_270=json.dumps({"shape": shape}).encode() + b"\0")
+            if is_read:
+                self.size("in.tif")
+            else:
+                parts = ["of the shape", ", ".join(map(str, shape))] if len(shape) == 4 else [f"{depth + 1} slices"]
+                self.assert_fails(CORRUPT, ["in.tif", *parts], "info", "in.tif")
+
     def test_orders_of_planes(self):
         last = self.depth - 1
         planes = [f'<TiffData IFD="{z}" FirstZ="{z}" PlaneCount="1"/>' for z in range(self.depth)]

@@ -5,7 +5,10 @@
 #include "LengthUnits.h"
 #include "Text.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -135,6 +138,29 @@ ReadOme(const std::string & text)
   return description;
 }
 
+/** The sizes of an array as tifffile writes them where it is not told what its axes are. */
+TiffDescription
+ReadShape(const std::string & text)
+{
+  const std::string        shape = FindBetween(text, "\"shape\": [", ']').value_or("");
+  std::vector<std::string> sizes; // other than 1
+  for (std::size_t first = 0; first < shape.size(); first = std::min(shape.find(',', first), shape.size()) + 1)
+  {
+    const std::string size = Trim(shape.substr(first, shape.find(',', first) - first));
+    if (size != "1")
+    {
+      sizes.push_back(size);
+    }
+  }
+  TiffDescription description;
+  if (sizes.size() > 3)
+  {
+    description.refusal = "its description tells of an array of the shape " + shape + "; only one volume is read";
+  }
+  description.images = sizes.size() == 3 ? sizes.front() : "";
+  return description;
+}
+
 } // namespace
 
 TiffDescription
@@ -143,6 +169,10 @@ ReadTiffDescription(const std::string & text)
   if (text.rfind("ImageJ=", 0) == 0)
   {
     return ReadImageJ(text);
+  }
+  if (text.rfind("{\"shape\"", 0) == 0)
+  {
+    return ReadShape(text);
   }
   return text.find("<OME") == std::string::npos ? TiffDescription() : ReadOme(text);
 }

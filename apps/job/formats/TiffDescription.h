@@ -11,7 +11,7 @@
 namespace medialvoxel
 {
 
-/** What ImageJ, or a program that writes OME-TIFF, says of a stack in the description of its first slice. */
+/** What ImageJ, tifffile, or a program that writes OME-TIFF, says of a stack in the description of its first slice. */
 struct TiffDescription
 {
   std::string images;  ///< number of slices that it announces; empty: none
