@@ -226,25 +226,19 @@ ExpectSides(const Volume & volume, const std::vector<Index3> & corners, const In
   return sides;
 }
 
-/** The wall at a medial cell as its definition says, from the points that brute force finds. */
-inline ExpectedWall
-ExpectWall(const Volume &              volume,
-           const std::vector<Index3> & sites,
-           const std::vector<long> &   nearest,
-           const Index3 &              cell)
+/** What the points of both sides of a wall tell. */
+struct ExpectedSides
 {
-  const Pair pair = ChoosePair(volume, sites, nearest, cell);
-  const auto a = sites[static_cast<std::size_t>(pair.ni)];
-  const auto b = sites[static_cast<std::size_t>(pair.nj)];
+  Vector3 way;        ///< from the mean of the points of one side to that of the other
+  double  excess;     ///< of object voxels around the points, mean of each side
+  Vector3 inwards[2]; ///< sums over the points of each side
+};
 
-  std::vector<Index3> corners;
-  for (int k = 0; k < 1 << volume.Axes().size(); ++k)
-  {
-    corners.push_back(sites[static_cast<std::size_t>(nearest[volume.Offset(CellCorner(volume, cell, k))])]);
-  }
-  const std::vector<int> sideOf = ExpectSides(volume, corners, a, b);
-  std::vector<Index3>    points[2];
-  Vector3                sum[2] = { {}, {} };
+inline ExpectedSides
+MeasureSides(const Volume & volume, const std::vector<Index3> & corners, const std::vector<int> & sideOf)
+{
+  std::vector<Index3> points[2];
+  Vector3             sum[2] = { {}, {} };
   for (std::size_t k = 0; k < corners.size(); ++k)
   {
     if (sideOf[k] != 2)
@@ -256,40 +250,73 @@ ExpectWall(const Volume &              volume,
       }
     }
   }
-  Vector3 way{};
-  Vector3 stretched{}; // the normal in voxels
+  ExpectedSides sides{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    way[axis] =
+    sides.way[axis] =
       (sum[1][axis] / static_cast<double>(points[1].size()) - sum[0][axis] / static_cast<double>(points[0].size())) *
       volume.spacing[axis];
-    stretched[axis] = way[axis] * volume.spacing[axis];
   }
-  const double distance = std::sqrt(Dot(way, way));
-  double       excess = 0.0;
-  Vector3      inwards[2] = { {}, {} };
   for (int side = 0; side < 2; ++side)
   {
     const double sign = side == 0 ? 1.0 : -1.0;
     for (const Index3 & point : points[side])
     {
-      const auto around = LookAround(volume, point, { { sign * way[0], sign * way[1], sign * way[2] } });
-      excess += around.excess / static_cast<double>(points[side].size());
+      const Vector3 across{ { sign * sides.way[0], sign * sides.way[1], sign * sides.way[2] } };
+      const auto    around = LookAround(volume, point, across);
+      sides.excess += around.excess / static_cast<double>(points[side].size());
       for (int axis = 0; axis < 3; ++axis)
       {
-        inwards[side][axis] += around.inwards[axis];
+        sides.inwards[side][axis] += around.inwards[axis];
       }
     }
   }
-  const double step = std::sqrt(Dot(stretched, stretched)) / SectionOfCube(stretched) / distance;
-  const double lengths = std::sqrt(Dot(inwards[0], inwards[0])) * std::sqrt(Dot(inwards[1], inwards[1]));
-  double       smallest = std::numeric_limits<double>::infinity();
+  return sides;
+}
+
+/** The wall at a medial cell as its definition says, from the points that brute force finds. */
+inline ExpectedWall
+ExpectWall(const Volume &              volume,
+           const std::vector<Index3> & sites,
+           const std::vector<long> &   nearest,
+           const Index3 &              cell)
+{
+  const Pair          pair = ChoosePair(volume, sites, nearest, cell);
+  const auto          a = sites[static_cast<std::size_t>(pair.ni)];
+  const auto          b = sites[static_cast<std::size_t>(pair.nj)];
+  std::vector<Index3> corners;
+  std::vector<int>    nearerSideOf;
+  for (int k = 0; k < 1 << volume.Axes().size(); ++k)
+  {
+    const Index3 point = sites[static_cast<std::size_t>(nearest[volume.Offset(CellCorner(volume, cell, k))])];
+    double       toA = 0.0;
+    double       toB = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      toA += std::pow(point[axis] - a[axis], 2);
+      toB += std::pow(point[axis] - b[axis], 2);
+    }
+    corners.push_back(point);
+    nearerSideOf.push_back(toA == toB ? 2 : (toA < toB ? 0 : 1));
+  }
+  const ExpectedSides sides = MeasureSides(volume, corners, ExpectSides(volume, corners, a, b));
+  const ExpectedSides nearer = MeasureSides(volume, corners, nearerSideOf);
+  Vector3             stretched{}; // the normal in voxels
+  double              smallest = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    stretched[axis] = sides.way[axis] * volume.spacing[axis];
+  }
   for (const int axis : volume.Axes())
   {
     smallest = std::min(smallest, volume.spacing[axis] / 64);
   }
-  return { std::max(smallest, distance + 3.0 * step * excess),
-           lengths > 0.0 ? -Dot(inwards[0], inwards[1]) / lengths : -1.0 };
+  const double distance = std::sqrt(Dot(sides.way, sides.way));
+  const double step = std::sqrt(Dot(stretched, stretched)) / SectionOfCube(stretched) / distance;
+  const double lengths =
+    std::sqrt(Dot(nearer.inwards[0], nearer.inwards[0]) * Dot(nearer.inwards[1], nearer.inwards[1]));
+  return { std::max(smallest, distance + 3.0 * step * sides.excess),
+           lengths > 0.0 ? -Dot(nearer.inwards[0], nearer.inwards[1]) / lengths : -1.0 };
 }
 } // namespace MedialVoxelTest
 
