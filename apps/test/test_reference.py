@@ -40,7 +40,7 @@ class ReferenceTest(ProgramTestCase):
             self.assertIn(option, options[command])
 
     def test_the_schema_describes_all_warnings(self):
-        code = (SOURCE / "apps/job/reports/Warnings.cxx").read_text(encoding="utf-8")
+        code = "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "apps/job/reports").glob("*Warnings.cxx"))
         codes = set(re.findall(r'\{ "([a-z]+(?:_[a-z]+)+)",\s+(?:Check|\[\])', code))
         for path in (SOURCE / "apps/job/formats").glob("*.cxx"):
             text = path.read_text(encoding="utf-8")

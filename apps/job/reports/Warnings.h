@@ -19,7 +19,8 @@ struct JobResult;
 struct SurfaceOptions;
 struct VolumeHeader;
 
-/** What the options and the header tell before the run. The tables of Warnings.cxx have a row for each code. */
+/** What the options and the header tell before the run. The tables of Warnings.cxx and ObjectWarnings.cxx have a row
+ * for each code. */
 std::vector<Warning>
 FindWarningsOfRequest(const ExtractOptions & options, const VolumeHeader & input);
 std::vector<Warning>
