@@ -126,7 +126,7 @@ MedialVoxelGrayThickness::FindCrossings(const MedialVoxelGray & gray, const Medi
 {
   const PositionType fromA = this->GetDirection(points);
   const PositionType fromB{ { -fromA[0], -fromA[1], -fromA[2] } };
-  const auto         sideOf = points.GetSides();
+  const auto         sideOf = points.GetNearerSides();
   Crossings          crossings;
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
@@ -178,7 +178,7 @@ MedialVoxelGrayThickness::RefineByCrossings(const MedialVoxelGray &       gray,
                                             const Crossings &             crossings,
                                             MedialVoxelWall &             wall) const
 {
-  const auto sideOf = points.GetSides();
+  const auto sideOf = points.GetNearerSides();
   Crossing   sides[2];
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
   {
@@ -377,7 +377,7 @@ MedialVoxelGrayThickness::GetCenter(const MedialVoxelWallPoints & points) const 
 auto
 MedialVoxelGrayThickness::GetSides(const MedialVoxelWallPoints & points) -> Sides
 {
-  const auto sideOf = points.GetSides();
+  const auto sideOf = points.GetNearerSides();
   Sides      sides{};
   double     numbers[2] = {};
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
@@ -409,7 +409,7 @@ MedialVoxelGrayThickness::GetSides(const MedialVoxelWallPoints & points) -> Side
 auto
 MedialVoxelGrayThickness::GetDirection(const MedialVoxelWallPoints & points) const -> PositionType
 {
-  const auto   sideOf = points.GetSides();
+  const auto   sideOf = points.GetNearerSides();
   PositionType sums[3] = {};
   double       numbers[3] = { 0.0, 0.0, 0.0 };
   for (unsigned int corner = 0; corner < points.numberOfCorners; ++corner)
