@@ -446,7 +446,10 @@ TEST(MedialVoxelThickness, MemoryChangesNoMeasure)
       ASSERT_EQ(measured.area, expected.area);
       ASSERT_EQ(measured.axis, expected.axis);
       ASSERT_EQ(measured.isRim, expected.isRim);
-      ASSERT_EQ(thickness.MeasureThickness(object, wall, memory), expected.thickness);
+      if (wall.GetSides() == wall.GetNearerSides() && !wall.IsThin())
+      {
+        ASSERT_EQ(thickness.MeasureThickness(object, wall, memory), expected.thickness);
+      }
     }
   }
 }

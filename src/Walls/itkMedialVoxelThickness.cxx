@@ -374,7 +374,7 @@ MedialVoxelThickness::MeasureThickness(const MedialVoxelBits &       object,
   const auto blockAt = [&](const MedialVoxelIndex & point) -> const Block & {
     return this->RecallBlock(object, point, memory);
   };
-  return this->ThicknessOf(this->FindSpan(wall, LeaveOutEdges(wall, blockAt), memory.m_Direction, blockAt));
+  return this->ThicknessOf(this->FindSpan(wall, wall.GetNearerSides(), memory.m_Direction, blockAt));
 }
 
 std::uint32_t

@@ -137,7 +137,7 @@ public:
   MedialVoxelWall
   Measure(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const;
 
-  /** Only the thickness of Measure(), which takes less time. */
+  /** The thickness for points of meshes, in less time: with all points, those on the end of the wall too. */
   float
   MeasureThickness(const MedialVoxelBits & object, const MedialVoxelWallPoints & wall, Memory & memory) const;
 
