@@ -8,19 +8,6 @@
 namespace
 {
 using namespace MedialVoxelTest;
-using itk::MedialVoxelParameters;
-
-constexpr auto FreeSpace = itk::MedialVoxelPseudoGeodesicBound::FreeSpace;
-
-constexpr std::pair<const char *, Noise> NoisesOfSurfaces[] = { { "flip", Noise::Flip },
-                                                                { "shift", Noise::Shift },
-                                                                { "scan", Noise::Scan } };
-
-MedialVoxelParameters
-Automatic()
-{
-  return MedialVoxelParameters::ForWalls(3.0, 16.0, FreeSpace);
-}
 } // namespace
 
 TEST(MedialVoxelAutomaticQuality, PlatesHaveOneCellPerColumn)
@@ -30,7 +17,7 @@ TEST(MedialVoxelAutomaticQuality, PlatesHaveOneCellPerColumn)
     const int    lower = 5;
     const Volume plate = MakeVolume(
       { { 40, 40, 20 } }, UnitSpacing, [&](const Index3 & v) { return v[2] >= lower && v[2] < lower + thickness; });
-    const auto labels = Classify(plate, Automatic());
+    const auto labels = Classify(plate, AutomaticThickness());
     for (int y = 0; y < 39; ++y)
     {
       for (int x = 0; x < 39; ++x)
@@ -49,9 +36,9 @@ TEST(MedialVoxelAutomaticQuality, PlatesHaveOneCellPerColumn)
 TEST(MedialVoxelAutomaticQuality, StepsHaveNoBranches)
 {
   const Part part = StepsPart();
-  const auto clean = Judge(part, Noise::None, Automatic());
-  const auto flipped = Judge(part, Noise::Flip, Automatic());
-  const auto fixed = Judge(part, Noise::None, MedialVoxelParameters::ForThickness(3.0, FreeSpace));
+  const auto clean = Judge(part, Noise::None, AutomaticThickness());
+  const auto flipped = Judge(part, Noise::Flip, AutomaticThickness());
+  const auto fixed = Judge(part, Noise::None, FixedThickness(3.0));
   EXPECT_LE(clean.spurious, 0.5);
   EXPECT_LE(clean.uncovered, 1.5);
   EXPECT_LE(flipped.spurious, 0.5);
@@ -96,7 +83,7 @@ TEST(MedialVoxelAutomaticQuality, NoiseLeavesSheetsWholeWhereItLeavesWallsWhole)
     for (const auto & [name, noise] : NoisesOfSurfaces)
     {
       const Volume volume = Voxelize(part, noise, 77);
-      const auto   labels = Classify(volume, Automatic());
+      const auto   labels = Classify(volume, AutomaticThickness());
       EXPECT_LE(Judge(part, volume, labels).spurious, 0.5) << part.name << ", " << name;
       for (const auto & [thickness, wall] : JudgeWalls(part, volume, labels))
       {
@@ -118,7 +105,7 @@ TEST(MedialVoxelAutomaticQuality, RibsAndBendsKeepTheirSheets)
   {
     for (const Noise noise : { Noise::None, Noise::Flip, Noise::Scan })
     {
-      const auto quality = Judge(part, noise, Automatic());
+      const auto quality = Judge(part, noise, AutomaticThickness());
       EXPECT_LE(quality.spurious, 0.5) << part.name;
       EXPECT_LE(quality.uncovered, 1.5) << part.name;
     }
@@ -132,7 +119,7 @@ TEST(MedialVoxelAutomaticQuality, ClosedShellsHaveNoHoles)
     const Part part = ShellPart(thickness);
     for (const Noise noise : { Noise::None, Noise::Flip })
     {
-      const auto quality = Judge(part, noise, Automatic());
+      const auto quality = Judge(part, noise, AutomaticThickness());
       EXPECT_LE(quality.spurious, 0.5) << part.name;
       EXPECT_EQ(quality.uncovered, 0.0) << part.name;
     }
@@ -142,8 +129,8 @@ TEST(MedialVoxelAutomaticQuality, ClosedShellsHaveNoHoles)
 TEST(MedialVoxelAutomaticQuality, PoresAreLeftOut)
 {
   const Part part = StepsPart();
-  const auto kept = Judge(part, Voxelize(part, Noise::Pores, 77, 0), Automatic());
-  const auto quality = Judge(part, Noise::Pores, Automatic());
+  const auto kept = Judge(part, Voxelize(part, Noise::Pores, 77, 0), AutomaticThickness());
+  const auto quality = Judge(part, Noise::Pores, AutomaticThickness());
   EXPECT_GT(kept.spurious, 10.0);
   EXPECT_LE(quality.spurious, 1.0);
   EXPECT_LE(quality.uncovered, 1.5);
@@ -154,8 +141,8 @@ TEST(MedialVoxelAutomaticQuality, WhatPoresLeaveIsBesidePits)
   const Part   part = ShellPart(10.0);
   const Volume volume = Voxelize(part, Noise::Pores, 77);
   EXPECT_EQ(WithoutPores(volume, 1000).object, volume.object) << "a larger size leaves out no more";
-  EXPECT_GT(Judge(part, volume, Automatic()).spurious, 0.5);
-  EXPECT_EQ(Judge(part, WithoutPits(part, volume), Automatic()).spurious, 0.0);
+  EXPECT_GT(Judge(part, volume, AutomaticThickness()).spurious, 0.5);
+  EXPECT_EQ(Judge(part, WithoutPits(part, volume), AutomaticThickness()).spurious, 0.0);
 }
 
 /** The table of all parts of doc/explanation/accuracy.md, as Markdown; takes minutes. */
@@ -176,13 +163,11 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_Table)
     for (const auto & noise : noises)
     {
       std::printf("| %s | %s |", part.name.c_str(), noise.first);
-      for (const auto & parameters : { Automatic(),
-                                       MedialVoxelParameters::ForThickness(3.0, FreeSpace),
-                                       MedialVoxelParameters::ForThickness(5.0, FreeSpace) })
+      for (const auto & parameters : { AutomaticThickness(), FixedThickness(3.0), FixedThickness(5.0) })
       {
         print(Judge(part, noise.second, parameters));
       }
-      print(Judge(part, Voxelize(part, noise.second, 77, 0), Automatic()));
+      print(Judge(part, Voxelize(part, noise.second, 77, 0), AutomaticThickness()));
       std::printf("\n");
     }
   }
@@ -199,7 +184,7 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_WallTable)
     for (const auto & [name, noise] : NoisesOfSurfaces)
     {
       const Volume volume = Voxelize(part, noise, 77);
-      for (const auto & [thickness, wall] : JudgeWalls(part, volume, Classify(volume, Automatic())))
+      for (const auto & [thickness, wall] : JudgeWalls(part, volume, Classify(volume, AutomaticThickness())))
       {
         EXPECT_GT(wall.cells, 0u);
         if (wall.uncovered > 0)
@@ -229,7 +214,7 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_PoreTable)
     for (unsigned int seed = 77; seed < 82; ++seed)
     {
       const Volume volume = Voxelize(part, noise, seed, poreSize);
-      const auto   quality = Judge(part, withPits ? volume : WithoutPits(part, volume), Automatic());
+      const auto   quality = Judge(part, withPits ? volume : WithoutPits(part, volume), AutomaticThickness());
       EXPECT_GT(quality.cells, 0u);
       sum += quality.spurious;
       worst = std::max(worst, quality.spurious);
@@ -255,7 +240,7 @@ TEST(MedialVoxelAutomaticQuality, SheetsBeginWhereTheAxesOfSquareRimsDo)
 {
   const auto expectOnAxis = [](const Part & part, Noise noise) {
     const Volume volume = Voxelize(part, noise, 77);
-    const auto   labels = Classify(volume, Automatic());
+    const auto   labels = Classify(volume, AutomaticThickness());
     for (const double thickness : WallsOf(part))
     {
       const RimQuality quality = JudgeRims(WithRimsOf(part, thickness), volume, labels);
@@ -291,12 +276,11 @@ TEST(MedialVoxelAutomaticQuality, DISABLED_RimTable)
     std::vector<std::pair<const Volume *, std::vector<unsigned char>>> columns;
     for (const Volume & volume : volumes)
     {
-      columns.emplace_back(&volume, Classify(volume, Automatic()));
+      columns.emplace_back(&volume, Classify(volume, AutomaticThickness()));
     }
     for (const double thickness : { 3.0, 5.0 })
     {
-      columns.emplace_back(&volumes[0],
-                           Classify(volumes[0], MedialVoxelParameters::ForThickness(thickness, FreeSpace)));
+      columns.emplace_back(&volumes[0], Classify(volumes[0], FixedThickness(thickness)));
     }
     for (const double thickness : WallsOf(part))
     {
