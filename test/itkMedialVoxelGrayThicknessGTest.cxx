@@ -67,30 +67,6 @@ TEST(MedialVoxelGrayThickness, PlatesBesideNarrowGapsAreMeasured)
   }
 }
 
-/** The table of doc/explanation/accuracy.md. */
-TEST(MedialVoxelGrayThickness, DISABLED_ErrorTable)
-{
-  for (const double blur : { 0.0, 0.5, 1.0 })
-  {
-    for (const Tilt & tilt : Tilts)
-    {
-      std::printf("| %s | %g |", tilt.name, blur);
-      for (const double thickness : { 2.0, 3.0, 4.3, 7.0 })
-      {
-        const GrayPlateErrors errors = MeasureGrayPlates(tilt.normal, thickness, blur);
-        std::printf(" %+.3f / %.3f / %+.2f to %+.2f |", errors.mean, errors.deviation, errors.smallest, errors.largest);
-      }
-      for (const double gap : { 1.0, 2.0 })
-      {
-        // A blur closes gaps of one voxel in places.
-        std::printf(blur > 0.0 ? " |" : " %+.2f |",
-                    blur > 0.0 ? 0.0 : MeasureGrayPlates(tilt.normal, 4.3, blur, gap).mean);
-      }
-      std::printf("\n");
-    }
-  }
-}
-
 TEST(MedialVoxelGrayThickness, BlurredShellsAreMeasuredWithinAFractionOfAVoxel)
 {
   for (const double blur : { 0.5, 1.0 })

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 
 namespace
 {
@@ -133,59 +132,4 @@ TEST(MedialVoxelSurfaceQuality, UnequalSpacingIsMeasuredInItsUnits)
     thickness += vertex.thickness / static_cast<double>(surface.vertices.size());
   }
   EXPECT_NEAR(thickness, 2.0, 0.2 * spacing[1]);
-}
-
-/** The table of binary objects of doc/explanation/accuracy.md, as Markdown. */
-TEST(MedialVoxelSurfaceQuality, DISABLED_Table)
-{
-  std::printf("| object | tau | faces | mean | 95 %% | angle | ends | meetings |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
-  const auto print = [](const std::string &                            name,
-                        const Volume &                                 volume,
-                        double                                         tau,
-                        const std::function<double(const Vector3 &)> & distance,
-                        const PointTest &                              mayEnd,
-                        const PointTest &                              mayMeet) {
-    for (const bool isAutomatic : { false, true })
-    {
-      const Surface surface = isAutomatic ? MakeSurface(volume, AutomaticThickness()) : MakeSurface(volume, tau);
-      const auto    quality = MeasureQuality(surface, mayEnd, mayMeet);
-      ASSERT_FALSE(surface.vertices.empty());
-      std::vector<double> distances;
-      for (const auto & vertex : surface.vertices)
-      {
-        distances.push_back(distance(vertex.point));
-      }
-      std::sort(distances.begin(), distances.end());
-      std::printf("| %s | %s | %zu | %.3f | %.2f | %.1f° | %zu | %zu |\n",
-                  name.c_str(),
-                  isAutomatic ? "auto" : std::to_string(static_cast<int>(tau)).c_str(),
-                  surface.quads.size(),
-                  MeanDistance(surface, distance, Everywhere),
-                  distances[distances.size() * 95 / 100],
-                  quality.AngleOfOneInHundred(),
-                  quality.boundarySides,
-                  quality.nonManifoldSides);
-    }
-  };
-  print("shell, radius 24, wall 4", Shell(), 3.0, DistanceToShell, Nowhere, Nowhere);
-  print("plate, wall 4, turned about all axes", TurnedPlate(), 5.0, DistanceToPlate, IsRimOfPlate, Nowhere);
-  for (const double rib : { 4.0, 2.0, 8.0 })
-  {
-    const double widest = std::max(rib / 2.0, HalfThickness);
-    const auto   mayEnd = [widest](const Vector3 & point) {
-      const Vector3 p = TurnedFrame.ToLocal(point);
-      return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - widest - 3.0 || p[2] > 18.0 - widest - 3.0;
-    };
-    print("T, " + std::to_string(static_cast<int>(rib)) + " on 4, turned",
-          TurnedTee(HalfThickness, rib / 2.0),
-          5.0,
-          DistanceToTee,
-          mayEnd,
-          IsJunctionOfTee);
-  }
-  print("gyroid 84³, period 64", GyroidWall(), 3.0, DistanceToGyroid, IsAtFaceOfGyroid, Nowhere);
-  print("shell, flips", Flipped(Shell(), 1), 5.0, DistanceToShell, Nowhere, Nowhere);
-  print("plate, flips", Flipped(TurnedPlate(), 2), 5.0, DistanceToPlate, IsRimOfPlate, Nowhere);
-  print("gyroid, flips", Flipped(GyroidWall(), 3), 5.0, DistanceToGyroid, IsAtFaceOfGyroid, Nowhere);
 }

@@ -149,21 +149,6 @@ TEST(MedialVoxelThickness, TiltedWallsAreRightInTheMeanOverPlaces)
   }
 }
 
-/** The table of doc/explanation/accuracy.md. */
-TEST(MedialVoxelThickness, DISABLED_ErrorTable)
-{
-  for (const Tilt & tilt : Tilts)
-  {
-    std::printf("| %s |", tilt.name);
-    for (const double thickness : { 2.0, 3.0, 4.0, 6.0, 8.0 })
-    {
-      const PlateErrors errors = MeasureTiltedPlates(tilt.normal, thickness);
-      std::printf(" %+.2f / %.2f / %+.2f to %+.2f |", errors.mean, errors.deviation, errors.smallest, errors.largest);
-    }
-    std::printf("\n");
-  }
-}
-
 TEST(MedialVoxelThickness, CellsOfWallsWithoutRimsAreNotMarked)
 {
   for (const Tilt & tilt : Tilts)
