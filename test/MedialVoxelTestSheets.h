@@ -11,6 +11,7 @@
 
 #include "MedialVoxelTestHoles.h"
 #include "MedialVoxelTestKernels.h"
+#include "MedialVoxelTestParameters.h"
 
 #include <gtest/gtest.h>
 

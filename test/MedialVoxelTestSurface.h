@@ -7,6 +7,7 @@
 // Medial surfaces of test volumes, by the kernels alone, and measures of their quality.
 
 #include "MedialVoxelTestKernels.h"
+#include "MedialVoxelTestParameters.h"
 
 #include "itkMedialVoxelSurfaceTrimmer.h"
 #include "itkMedialVoxelSlabPlan.h"
@@ -39,13 +40,6 @@ struct Surface : public itk::MedialVoxelSurfaceConsumer
     quads.insert(quads.end(), more.begin(), more.end());
   }
 };
-
-/** One thickness everywhere. */
-inline itk::MedialVoxelParameters
-FixedThickness(double tau)
-{
-  return itk::MedialVoxelParameters::ForThickness(tau, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
-}
 
 /** The cells of the surface in a tile, from the sites in `known`; \return the box of sites that are missing. */
 inline itk::MedialVoxelBox

@@ -8,6 +8,8 @@
 
 #include "MedialVoxelTestPores.h"
 
+#include <utility>
+
 namespace MedialVoxelTest
 {
 /** A strip of a plate, one voxel wide, that runs inwards from a square rim. Coordinates are turned ones. */
@@ -56,6 +58,11 @@ enum class Noise
   Pores, // cavities of 1 to 8 voxels begin at 0.2 % of the voxels that are deeper than 2
   PoresAndFlip
 };
+
+/** Those that leave no pores inside. */
+inline constexpr std::pair<const char *, Noise> NoisesOfSurfaces[] = { { "flip", Noise::Flip },
+                                                                       { "shift", Noise::Shift },
+                                                                       { "scan", Noise::Scan } };
 
 /** Center of the volume, in voxels. */
 inline Vector3

@@ -5,8 +5,7 @@
 
 #include "itkMedialVoxelGrayThickness.h"
 
-#include "itkMedialVoxelImageFilter.h"
-
+#include "MedialVoxelTestGrayWalls.h"
 #include "MedialVoxelTestRuns.h"
 
 #include "itkStreamingImageFilter.h"
@@ -14,188 +13,6 @@
 namespace
 {
 using namespace MedialVoxelTest;
-
-using GrayImage = itk::Image<short, 3>;
-using GrayFilter = itk::MedialVoxelImageFilter<GrayImage>;
-using Distance = std::function<double(const Vector3 &)>;
-
-constexpr double Air = -1000.0;
-constexpr double Metal = 3000.0;
-constexpr double Middle = 0.5 * (Air + Metal);
-
-/** Values of walls around surfaces where a distance in millimeters is zero. A voxel holds the mean over a Gaussian of
- * its own size and that of the blur, as if the wall were flat there; without a blur over a voxel whose face lies along
- * the wall, a linear ramp. Another wall of 5 voxels begins behind a gap, if there is one. */
-GrayImage::Pointer
-BlurredWall(const Index3 &   size,
-            const Vector3 &  spacing,
-            double           thickness,
-            double           blur,
-            const Distance & distance,
-            double           gap = 0.0)
-{
-  const auto   image = MakeImage<GrayImage>(MakeVolume(size, spacing, [](const Index3 &) { return false; }));
-  const double voxel = std::cbrt(spacing[0] * spacing[1] * spacing[2]);
-  const double sigma = voxel * std::sqrt(blur * blur + 1.0 / 12);
-  const auto   share = [&](double x) {
-    return blur > 0.0 ? 0.5 * std::erfc(-x / (sigma * std::sqrt(2.0))) : std::clamp(0.5 + x / voxel, 0.0, 1.0);
-  };
-  itk::ImageRegionIterator<GrayImage> value(image, image->GetLargestPossibleRegion());
-  for (; !value.IsAtEnd(); ++value)
-  {
-    Vector3 position;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      position[axis] = static_cast<double>(value.GetIndex()[axis]) * spacing[axis];
-    }
-    const double d = distance(position);
-    const double other = 0.5 * thickness + gap;
-    const double filled = share(0.5 * thickness - d) - share(-0.5 * thickness - d) +
-                          (gap > 0.0 ? share(other + 5.0 * voxel - d) - share(other - d) : 0.0);
-    value.Set(static_cast<short>(std::lround(Air + (Metal - Air) * filled)));
-  }
-  return image;
-}
-
-Distance
-ToPlane(const Vector3 & center, const Vector3 & normal)
-{
-  return [=](const Vector3 & p) {
-    const Vector3 r{ { p[0] - center[0], p[1] - center[1], p[2] - center[2] } };
-    return Dot(r, normal) / std::sqrt(Dot(normal, normal));
-  };
-}
-
-Distance
-ToSphere(const Vector3 & center, double radius)
-{
-  return [=](const Vector3 & p) {
-    const Vector3 r{ { p[0] - center[0], p[1] - center[1], p[2] - center[2] } };
-    return std::sqrt(Dot(r, r)) - radius;
-  };
-}
-
-GrayFilter::Pointer
-MakeGrayFilter(GrayImage * image, double tau)
-{
-  auto filter = GrayFilter::New();
-  filter->SetInput(image);
-  filter->SetThickness(tau);
-  filter->SetLowerThreshold(Middle);
-  filter->GenerateThicknessOn();
-  filter->SubvoxelThicknessOn();
-  return filter;
-}
-
-struct Errors
-{
-  double      mean{ 0.0 };
-  double      deviation{ 0.0 };
-  std::size_t cells{ 0 };
-};
-
-/** At the medial cells further than a margin from the faces of the image that are not marked as rims, of which there
- * are hardly any. */
-Errors
-ErrorsOf(GrayFilter * filter, double thickness, int margin, const std::function<bool(const Vector3 &)> & isWanted = {})
-{
-  filter->Update();
-  auto                                                       region = filter->GetOutput()->GetLargestPossibleRegion();
-  double                                                     sum = 0.0;
-  double                                                     squares = 0.0;
-  Errors                                                     errors;
-  std::size_t                                                rims = 0;
-  itk::ImageRegionConstIterator<GrayFilter::OutputImageType> label(filter->GetOutput(), region);
-  itk::ImageRegionConstIterator<GrayFilter::ThicknessImageType> value(filter->GetThicknessOutput(), region);
-  for (; !label.IsAtEnd(); ++label, ++value)
-  {
-    bool isInside = label.Get() >= 2;
-    for (unsigned int axis = 0; axis < 3; ++axis)
-    {
-      const auto index = label.GetIndex()[axis];
-      isInside = isInside && index >= margin && index < static_cast<int>(region.GetSize(axis)) - 1 - margin;
-    }
-    const auto index = label.GetIndex();
-    if (isInside && isWanted)
-    {
-      isInside = isWanted({ { index[0] + 0.5, index[1] + 0.5, index[2] + 0.5 } });
-    }
-    if (isInside && value.Get() < 0.0f)
-    {
-      ++rims;
-    }
-    else if (isInside)
-    {
-      const double error = static_cast<double>(value.Get()) - thickness;
-      sum += error;
-      squares += error * error;
-      ++errors.cells;
-    }
-  }
-  EXPECT_LE(static_cast<double>(rims), 0.005 * static_cast<double>(errors.cells));
-  errors.mean = sum / static_cast<double>(errors.cells);
-  errors.deviation = std::sqrt(std::max(0.0, squares / static_cast<double>(errors.cells) - errors.mean * errors.mean));
-  return errors;
-}
-} // namespace
-
-namespace
-{
-struct Tilt
-{
-  const char * name;
-  Vector3      normal;
-};
-const Tilt Tilts[] = { { "along an axis", { { 0, 0, 1 } } },
-                       { "15 degrees", { { 0, std::tan(0.26179938779), 1 } } },
-                       { "45 degrees (1,1,0)", { { 1, 1, 0 } } },
-                       { "(1,2,5)", { { 1, 2, 5 } } },
-                       { "(1,1,1)", { { 1, 1, 1 } } },
-                       { "(0.37,0.61,0.7)", { { 0.37, 0.61, 0.7 } } } };
-
-struct PlateErrors
-{
-  double       mean{ 0.0 };          // over the places of the means of plates
-  double       smallest{ 1e9 };      // mean of a plate
-  double       largest{ -1e9 };      // mean of a plate
-  double       deviation{ 0.0 };     // of the cells of a plate, mean over the places
-  unsigned int numberOfFits{ 0 };    // plates of which the scan is known
-  double       largestOfFits{ 0.0 }; // of the means of these, without sign
-};
-
-/** Over seven places between the voxels that meet their layers evenly. */
-PlateErrors
-MeasurePlates(const Vector3 & normal, double thickness, double blur, double gap = 0.0)
-{
-  constexpr int places = 7;
-  const int     steps[3] = { 1, 3, 5 };
-  PlateErrors   errors;
-  for (int place = 0; place < places; ++place)
-  {
-    Vector3 center;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      center[axis] = 18.49 + static_cast<double>(place * steps[axis] % places) / places;
-    }
-    const auto distance = ToPlane(center, normal);
-    const auto image = BlurredWall({ { 38, 38, 38 } }, UnitSpacing, thickness, blur, distance, gap);
-    // The other wall is not measured.
-    const auto filter = MakeGrayFilter(image, thickness < 6 ? 3.0 : 5.0);
-    const auto part =
-      ErrorsOf(filter, thickness, 10, [&](const Vector3 & p) { return std::abs(distance(p)) <= thickness / 2; });
-    if (filter->GetReasonWithoutScan().empty())
-    {
-      ++errors.numberOfFits;
-      errors.largestOfFits = std::max(errors.largestOfFits, std::abs(part.mean));
-    }
-    EXPECT_GT(part.cells, 200u);
-    errors.mean += part.mean / places;
-    errors.deviation += part.deviation / places;
-    errors.smallest = std::min(errors.smallest, part.mean);
-    errors.largest = std::max(errors.largest, part.mean);
-  }
-  return errors;
-}
 } // namespace
 
 TEST(MedialVoxelGrayThickness, BlurredPlatesAreMeasuredWithinAFractionOfAVoxel)
@@ -206,8 +23,8 @@ TEST(MedialVoxelGrayThickness, BlurredPlatesAreMeasuredWithinAFractionOfAVoxel)
     {
       for (const double thickness : { 3.0, 4.3, 7.0 })
       {
-        const PlateErrors errors = MeasurePlates(tilt.normal, thickness, blur);
-        const std::string name =
+        const GrayPlateErrors errors = MeasureGrayPlates(tilt.normal, thickness, blur);
+        const std::string     name =
           std::string(tilt.name) + " blur " + std::to_string(blur) + " thickness " + std::to_string(thickness);
         EXPECT_LT(errors.largestOfFits, 0.03) << name;
         // Crossings err with the place. Walls of three voxels that are blurred by one hardly reach their material.
@@ -229,9 +46,10 @@ TEST(MedialVoxelGrayThickness, PlatesBesideNarrowGapsAreMeasured)
   {
     for (const double thickness : { 2.0, 4.3 })
     {
-      const PlateErrors errors = MeasurePlates(tilt.normal, thickness, 0.0, 1.0);
+      const GrayPlateErrors errors = MeasureGrayPlates(tilt.normal, thickness, 0.0, 1.0);
       EXPECT_LT(std::abs(errors.mean), 0.15) << tilt.name << ' ' << thickness;
-      EXPECT_LT(std::abs(MeasurePlates(tilt.normal, thickness, 0.0, 2.0).mean), 0.02) << tilt.name << ' ' << thickness;
+      EXPECT_LT(std::abs(MeasureGrayPlates(tilt.normal, thickness, 0.0, 2.0).mean), 0.02)
+        << tilt.name << ' ' << thickness;
     }
   }
   // Voxels that are full or empty.
@@ -246,29 +64,6 @@ TEST(MedialVoxelGrayThickness, PlatesBesideNarrowGapsAreMeasured)
     });
     EXPECT_NEAR(errors.mean, 0.0, 1e-6) << thickness;
     EXPECT_NEAR(errors.deviation, 0.0, 1e-3) << thickness;
-  }
-}
-
-/** The table of doc/explanation/accuracy.md. */
-TEST(MedialVoxelGrayThickness, DISABLED_ErrorTable)
-{
-  for (const double blur : { 0.0, 0.5, 1.0 })
-  {
-    for (const Tilt & tilt : Tilts)
-    {
-      std::printf("| %s | %g |", tilt.name, blur);
-      for (const double thickness : { 2.0, 3.0, 4.3, 7.0 })
-      {
-        const PlateErrors errors = MeasurePlates(tilt.normal, thickness, blur);
-        std::printf(" %+.3f / %.3f / %+.2f to %+.2f |", errors.mean, errors.deviation, errors.smallest, errors.largest);
-      }
-      for (const double gap : { 1.0, 2.0 })
-      {
-        // A blur closes gaps of one voxel in places.
-        std::printf(blur > 0.0 ? " |" : " %+.2f |", blur > 0.0 ? 0.0 : MeasurePlates(tilt.normal, 4.3, blur, gap).mean);
-      }
-      std::printf("\n");
-    }
   }
 }
 
@@ -312,11 +107,11 @@ TEST(MedialVoxelGrayThickness, AnObjectBelowAThresholdIsMeasuredToo)
   const auto bright = ErrorsOf(MakeGrayFilter(image, 3.0), 4.3, 10);
   for (itk::ImageRegionIterator<GrayImage> value(image, image->GetLargestPossibleRegion()); !value.IsAtEnd(); ++value)
   {
-    value.Set(static_cast<short>(Air + Metal - value.Get()));
+    value.Set(static_cast<short>(AirValue + MetalValue - value.Get()));
   }
   auto filter = MakeGrayFilter(image, 3.0);
   filter->UnsetThresholds();
-  filter->SetUpperThreshold(Middle);
+  filter->SetUpperThreshold(MiddleValue);
   const auto dark = ErrorsOf(filter, 4.3, 10);
   EXPECT_NEAR(dark.mean, bright.mean, 1e-3);
   EXPECT_NEAR(dark.deviation, bright.deviation, 1e-3);

@@ -34,10 +34,8 @@ CountFailures(unsigned int number, bool isAutomatic, Failures & failures)
   SmallParts      parts(number);
   const SmallPart part = parts.Make(kind);
   // A threshold that is too small for a wall has sheets towards the edges of its rims.
-  const double tau = std::max(3.0, part.thickness) + parts.Between(0.0, 1.5);
-  const auto   parameters =
-    isAutomatic ? itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace)
-                  : FixedThickness(tau);
+  const double  tau = std::max(3.0, part.thickness) + parts.Between(0.0, 1.5);
+  const auto    parameters = isAutomatic ? AutomaticThickness() : FixedThickness(tau);
   const Surface surface = MakeSurface(SmallParts::Fill(part), parameters);
   ASSERT_FALSE(surface.quads.empty());
   const ManifoldFaults faults = FindManifoldFaults(surface);

@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-#include "MedialVoxelTestSurface.h"
-#include "MedialVoxelTestWalls.h"
+#include "MedialVoxelTestSurfaceObjects.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 
 namespace
 {
@@ -15,181 +13,6 @@ using namespace MedialVoxelTest;
 
 constexpr double Goal = 0.06;          // mean distance to the true mid-surface, in voxels
 constexpr double SmallestAngle99 = 26; // of which only one triangle in a hundred has less, in degrees
-
-bool
-Nowhere(const Vector3 &)
-{
-  return false;
-}
-
-bool
-Everywhere(const Vector3 &)
-{
-  return true;
-}
-
-/** The axes of a plate that is turned about all axes of the image. */
-struct Frame
-{
-  Vector3                center;
-  std::array<Vector3, 3> axes{
-    { { { 0.6544, -0.5868, 0.4769 } }, { { 0.7469, 0.6255, -0.2255 } }, { { -0.1660, 0.5038, 0.8477 } } }
-  };
-
-  Vector3
-  ToLocal(const Vector3 & point) const
-  {
-    const Vector3 r{ { point[0] - center[0], point[1] - center[1], point[2] - center[2] } };
-    return { { Dot(axes[0], r), Dot(axes[1], r), Dot(axes[2], r) } };
-  }
-
-  Vector3
-  ToLocal(const Index3 & voxel) const
-  {
-    return this->ToLocal(Vector3{ { double(voxel[0]), double(voxel[1]), double(voxel[2]) } });
-  }
-};
-
-constexpr double HalfWidth = 22.0;
-constexpr double HalfThickness = 2.0;
-const Frame      TurnedFrame{ { { 32.6, 32.8, 32.3 } } };
-const Index3     TurnedSize{ { 66, 66, 66 } };
-
-/** A square plate 4 voxels thick. */
-Volume
-TurnedPlate()
-{
-  return MakeVolume(TurnedSize, UnitSpacing, [](const Index3 & v) {
-    const Vector3 p = TurnedFrame.ToLocal(v);
-    return std::max(std::abs(p[0]), std::abs(p[1])) <= HalfWidth && std::abs(p[2]) <= HalfThickness;
-  });
-}
-
-/** The sheet begins half a thickness from the sides of the plate; within three voxels of that it may end. */
-bool
-IsRimOfPlate(const Vector3 & point)
-{
-  const Vector3 p = TurnedFrame.ToLocal(point);
-  return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - HalfThickness - 3.0;
-}
-
-double
-DistanceToPlate(const Vector3 & point)
-{
-  return std::abs(TurnedFrame.ToLocal(point)[2]);
-}
-
-/** A rib on a plate. */
-Volume
-TurnedTee(double halfPlate, double halfRib)
-{
-  return MakeVolume(TurnedSize, UnitSpacing, [=](const Index3 & v) {
-    const Vector3 p = TurnedFrame.ToLocal(v);
-    const bool    inPlate = std::abs(p[0]) <= HalfWidth && std::abs(p[2] + 8.0) <= halfPlate;
-    const bool    inRib = std::abs(p[0]) <= halfRib && p[2] >= -8.0 && p[2] <= 18.0;
-    return std::abs(p[1]) <= HalfWidth && (inPlate || inRib);
-  });
-}
-
-double
-DistanceToTeeAxis(const Vector3 & point)
-{
-  const Vector3 p = TurnedFrame.ToLocal(point);
-  return std::hypot(p[0], p[2] + 8.0);
-}
-
-bool
-IsJunctionOfTee(const Vector3 & point)
-{
-  return DistanceToTeeAxis(point) < 3.0;
-}
-
-bool
-IsRimOfTee(const Vector3 & point)
-{
-  const Vector3 p = TurnedFrame.ToLocal(point);
-  return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - HalfThickness - 3.0 ||
-         p[2] > 18.0 - HalfThickness - 3.0;
-}
-
-double
-DistanceToTee(const Vector3 & point)
-{
-  const Vector3 p = TurnedFrame.ToLocal(point);
-  const double  toPlate = std::abs(p[2] + 8.0);
-  return p[2] > -8.0 ? std::min(toPlate, std::abs(p[0])) : toPlate;
-}
-
-constexpr Vector3 ShellCenter{ { 29.4, 29.7, 29.5 } };
-
-double
-DistanceToShell(const Vector3 & point)
-{
-  const Vector3 r{ { point[0] - ShellCenter[0], point[1] - ShellCenter[1], point[2] - ShellCenter[2] } };
-  return std::abs(std::sqrt(Dot(r, r)) - 24.0);
-}
-
-/** The gyroid function for a period of 64 voxels. */
-double
-Gyroid(const Vector3 & p)
-{
-  constexpr double k = 2.0 * 3.14159265358979323846 / 64.0;
-  return std::sin(k * p[0]) * std::cos(k * p[1]) + std::sin(k * p[1]) * std::cos(k * p[2]) +
-         std::sin(k * p[2]) * std::cos(k * p[0]);
-}
-
-double
-DistanceToGyroid(const Vector3 & p)
-{
-  constexpr double step = 1e-4;
-  Vector3          gradient;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    Vector3 lower = p;
-    Vector3 upper = p;
-    lower[axis] -= step;
-    upper[axis] += step;
-    gradient[axis] = (Gyroid(upper) - Gyroid(lower)) / (2.0 * step);
-  }
-  return std::abs(Gyroid(p)) / std::sqrt(Dot(gradient, gradient));
-}
-
-/** A tenth of the voxels next to the surface changes sides. */
-Volume
-Flipped(Volume volume, unsigned int seed)
-{
-  std::mt19937 generator(seed);
-  FlipSurface(volume, [&generator]() { return generator() / 4294967296.0; });
-  return volume;
-}
-
-constexpr int GyroidSize = 84;
-
-Volume
-GyroidWall()
-{
-  return MakeVolume({ { GyroidSize, GyroidSize, GyroidSize } }, UnitSpacing, [](const Index3 & v) {
-    return std::abs(Gyroid({ { double(v[0]), double(v[1]), double(v[2]) } })) < 0.4;
-  });
-}
-
-bool
-IsAtFaceOfGyroid(const Vector3 & point)
-{
-  return std::any_of(point.begin(), point.end(), [](double c) { return c < 3.0 || c > GyroidSize - 4.0; });
-}
-
-Volume
-Shell()
-{
-  return SphericalShell({ { 60, 60, 60 } }, ShellCenter, 24.0, 4.0);
-}
-
-itk::MedialVoxelParameters
-Automatic()
-{
-  return itk::MedialVoxelParameters::ForWalls(3.0, 16.0, itk::MedialVoxelPseudoGeodesicBound::FreeSpace);
-}
 
 void
 ExpectGoodTriangles(const SurfaceQuality & quality)
@@ -252,7 +75,7 @@ TEST(MedialVoxelSurfaceQuality, SheetsMeetAtAJunctionAlone)
 
 TEST(MedialVoxelSurfaceQuality, AutomaticThicknessSuitsThickAndThinWallsTogether)
 {
-  const Surface surface = MakeSurface(TurnedTee(1.5, 4.0), Automatic());
+  const Surface surface = MakeSurface(TurnedTee(1.5, 4.0), AutomaticThickness());
   const auto    isRim = [](const Vector3 & point) {
     const Vector3 p = TurnedFrame.ToLocal(point);
     return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - 7.0 || p[2] > 18.0 - 7.0;
@@ -309,59 +132,4 @@ TEST(MedialVoxelSurfaceQuality, UnequalSpacingIsMeasuredInItsUnits)
     thickness += vertex.thickness / static_cast<double>(surface.vertices.size());
   }
   EXPECT_NEAR(thickness, 2.0, 0.2 * spacing[1]);
-}
-
-/** The table of binary objects of doc/explanation/accuracy.md, as Markdown. */
-TEST(MedialVoxelSurfaceQuality, DISABLED_Table)
-{
-  std::printf("| object | tau | faces | mean | 95 %% | angle | ends | meetings |\n"
-              "| --- | --- | --- | --- | --- | --- | --- | --- |\n");
-  const auto print = [](const std::string &                            name,
-                        const Volume &                                 volume,
-                        double                                         tau,
-                        const std::function<double(const Vector3 &)> & distance,
-                        const PointTest &                              mayEnd,
-                        const PointTest &                              mayMeet) {
-    for (const bool isAutomatic : { false, true })
-    {
-      const Surface surface = isAutomatic ? MakeSurface(volume, Automatic()) : MakeSurface(volume, tau);
-      const auto    quality = MeasureQuality(surface, mayEnd, mayMeet);
-      ASSERT_FALSE(surface.vertices.empty());
-      std::vector<double> distances;
-      for (const auto & vertex : surface.vertices)
-      {
-        distances.push_back(distance(vertex.point));
-      }
-      std::sort(distances.begin(), distances.end());
-      std::printf("| %s | %s | %zu | %.3f | %.2f | %.1f° | %zu | %zu |\n",
-                  name.c_str(),
-                  isAutomatic ? "auto" : std::to_string(static_cast<int>(tau)).c_str(),
-                  surface.quads.size(),
-                  MeanDistance(surface, distance, Everywhere),
-                  distances[distances.size() * 95 / 100],
-                  quality.AngleOfOneInHundred(),
-                  quality.boundarySides,
-                  quality.nonManifoldSides);
-    }
-  };
-  print("shell, radius 24, wall 4", Shell(), 3.0, DistanceToShell, Nowhere, Nowhere);
-  print("plate, wall 4, turned about all axes", TurnedPlate(), 5.0, DistanceToPlate, IsRimOfPlate, Nowhere);
-  for (const double rib : { 4.0, 2.0, 8.0 })
-  {
-    const double widest = std::max(rib / 2.0, HalfThickness);
-    const auto   mayEnd = [widest](const Vector3 & point) {
-      const Vector3 p = TurnedFrame.ToLocal(point);
-      return std::max(std::abs(p[0]), std::abs(p[1])) > HalfWidth - widest - 3.0 || p[2] > 18.0 - widest - 3.0;
-    };
-    print("T, " + std::to_string(static_cast<int>(rib)) + " on 4, turned",
-          TurnedTee(HalfThickness, rib / 2.0),
-          5.0,
-          DistanceToTee,
-          mayEnd,
-          IsJunctionOfTee);
-  }
-  print("gyroid 84³, period 64", GyroidWall(), 3.0, DistanceToGyroid, IsAtFaceOfGyroid, Nowhere);
-  print("shell, flips", Flipped(Shell(), 1), 5.0, DistanceToShell, Nowhere, Nowhere);
-  print("plate, flips", Flipped(TurnedPlate(), 2), 5.0, DistanceToPlate, IsRimOfPlate, Nowhere);
-  print("gyroid, flips", Flipped(GyroidWall(), 3), 5.0, DistanceToGyroid, IsAtFaceOfGyroid, Nowhere);
 }

@@ -3,8 +3,7 @@
 
 #include "itkMedialVoxelThickness.h"
 
-#include "MedialVoxelTestMeasurement.h"
-#include "MedialVoxelTestPhantoms.h"
+#include "MedialVoxelTestTiltedPlates.h"
 
 #include <gtest/gtest.h>
 
@@ -19,97 +18,6 @@ Everywhere(const itk::MedialVoxelIndex &)
 {
   return true;
 }
-
-/** Cells further than the thickness of the walls from the faces of a cube. */
-Measurement::Test
-Inside(int size, int margin)
-{
-  return [=](const itk::MedialVoxelIndex & cell) {
-    for (const auto index : cell)
-    {
-      if (index < margin || index >= size - 1 - margin)
-      {
-        return false;
-      }
-    }
-    return true;
-  };
-}
-
-/** Where a plate lies between the voxels changes how many of their layers it holds. */
-constexpr int NumberOfPlaces = 13;
-
-/** Spread over a voxel so that the layers of voxels across all of the tilts are met evenly. */
-Vector3
-PlaceInVoxel(int place)
-{
-  const int steps[3] = { 1, 3, 5 };
-  Vector3   result;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    result[axis] = 20.99 + static_cast<double>(place * steps[axis] % NumberOfPlaces) / NumberOfPlaces;
-  }
-  return result;
-}
-
-struct PlateErrors
-{
-  double mean{ 0.0 };      // over the places of the means of plates
-  double smallest{ 0.0 };  // mean of a plate
-  double largest{ 0.0 };   // mean of a plate
-  double deviation{ 0.0 }; // of the cells of a plate, mean over the places
-};
-
-/** Errors at the cells of a plate; on one side or on both there is another one behind a gap. */
-PlateErrors
-MeasureTiltedPlates(const Vector3 & normal, double thickness, double gap = 0.0, int numberOfOthers = 0)
-{
-  constexpr int size = 44;
-  const double  length = std::sqrt(Dot(normal, normal));
-  PlateErrors   errors;
-  errors.smallest = std::numeric_limits<double>::infinity();
-  errors.largest = -errors.smallest;
-  for (int place = 0; place < NumberOfPlaces; ++place)
-  {
-    const Vector3 center = PlaceInVoxel(place);
-    const auto    heightOf = [&](double x, double y, double z) {
-      return Dot({ { x - center[0], y - center[1], z - center[2] } }, normal) / length;
-    };
-    const Volume volume = MakeVolume({ { size, size, size } }, UnitSpacing, [&](const Index3 & v) {
-      const double height = heightOf(v[0], v[1], v[2]);
-      const double above = (numberOfOthers == 2 ? std::abs(height) : height) - thickness / 2;
-      return std::abs(height) <= thickness / 2 || (numberOfOthers > 0 && above > gap && above <= gap + 5.0);
-    });
-    const auto   isInside = Inside(size, 10);
-    const auto   isInPlate = [&](const itk::MedialVoxelIndex & cell) {
-      const auto centerOf = [&](int axis) { return static_cast<double>(cell[axis]) + 0.5; };
-      return isInside(cell) && std::abs(heightOf(centerOf(0), centerOf(1), centerOf(2))) <= thickness / 2;
-    };
-    const Measurement measured(volume, 3.0, isInPlate);
-    EXPECT_GT(measured.GetValues().size(), 300u);
-    const double error = measured.Mean() - thickness;
-    errors.mean += error / NumberOfPlaces;
-    errors.deviation += measured.Deviation() / NumberOfPlaces;
-    errors.smallest = std::min(errors.smallest, error);
-    errors.largest = std::max(errors.largest, error);
-  }
-  return errors;
-}
-
-struct Tilt
-{
-  const char * name;
-  Vector3      normal;
-  double       layer; // distance of the layers of voxels that lie in a plate; 0 where it cuts them all
-};
-
-const double Tangent15 = std::tan(3.14159265358979323846 / 12);
-const Tilt   Tilts[] = { { "along an axis", { { 0.0, 0.0, 1.0 } }, 1.0 },
-                         { "15 degrees", { { 0.0, Tangent15, 1.0 } }, 0.0 },
-                         { "45 degrees (1,1,0)", { { 1.0, 1.0, 0.0 } }, std::sqrt(0.5) },
-                         { "(1,2,5)", { { 1.0, 2.0, 5.0 } }, std::sqrt(1.0 / 30) },
-                         { "(1,1,1)", { { 1.0, 1.0, 1.0 } }, std::sqrt(1.0 / 3) },
-                         { "(0.37,0.61,0.7)", { { 0.37, 0.61, 0.7 } }, 0.0 } };
 } // namespace
 
 TEST(MedialVoxelThickness, PlatesAlongAnAxisAreExactUpToTheFacesOfTheImage)
@@ -241,21 +149,6 @@ TEST(MedialVoxelThickness, TiltedWallsAreRightInTheMeanOverPlaces)
   }
 }
 
-/** The table of doc/explanation/accuracy.md. */
-TEST(MedialVoxelThickness, DISABLED_ErrorTable)
-{
-  for (const Tilt & tilt : Tilts)
-  {
-    std::printf("| %s |", tilt.name);
-    for (const double thickness : { 2.0, 3.0, 4.0, 6.0, 8.0 })
-    {
-      const PlateErrors errors = MeasureTiltedPlates(tilt.normal, thickness);
-      std::printf(" %+.2f / %.2f / %+.2f to %+.2f |", errors.mean, errors.deviation, errors.smallest, errors.largest);
-    }
-    std::printf("\n");
-  }
-}
-
 TEST(MedialVoxelThickness, CellsOfWallsWithoutRimsAreNotMarked)
 {
   for (const Tilt & tilt : Tilts)
@@ -263,7 +156,7 @@ TEST(MedialVoxelThickness, CellsOfWallsWithoutRimsAreNotMarked)
     for (const double thickness : { 1.5, 2.0, 4.0, 8.0 })
     {
       const Measurement measured(
-        TiltedPlate({ { 40, 40, 40 } }, PlaceInVoxel(3), tilt.normal, thickness), 3.0, Inside(40, 10));
+        TiltedPlate({ { 40, 40, 40 } }, PlaceInVoxel(20.99, 3, 13), tilt.normal, thickness), 3.0, Inside(40, 10));
       const double rims = static_cast<double>(measured.GetValues().size() - measured.GetWallValues().size());
       EXPECT_LE(rims / static_cast<double>(measured.GetValues().size()), thickness < 2.0 ? 0.05 : 0.01)
         << tilt.name << ' ' << thickness;
