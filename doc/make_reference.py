@@ -195,7 +195,7 @@ def type_of(schema, definitions):
     if "$ref" in schema:
         return type_of(definitions[schema["$ref"].split("/")[-1]], definitions)
     if "enum" in schema:
-        return ", ".join(f"`{value}`" for value in schema["enum"])
+        return ", ".join("null" if value is None else f"`{value}`" for value in schema["enum"])
     if "const" in schema:
         return f"`{schema['const']}`"
     if "oneOf" in schema:

@@ -109,7 +109,8 @@ AddThickness(TextTable & table, const ExtractOptions & options, const JobResult 
     table.emplace_back("wall thickness",
                        "mean " + FormatShort(thickness.mean) + ", median " + FormatShort(thickness.GetMedian()) +
                          ", 5 to 95 %: " + FormatShort(thickness.percentiles[1]) + " to " +
-                         FormatShort(thickness.percentiles[5]) + ", in " + DescribeUnit(options) +
+                         FormatShort(thickness.percentiles[5]) + ", in " +
+                         DescribeUnit(options, result.input.geometry) +
                          (thickness.step > 1 ? ", of one cell in " + std::to_string(thickness.step) : ""));
     const std::uint64_t all = thickness.rimCells + thickness.unresolvedCells + thickness.cells;
     table.emplace_back("  at rims, junctions", FormatCount(thickness.rimCells, all));
@@ -190,7 +191,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   const std::optional<PhasePercent> percent = GetPhasePercent(counts);
   TextTable                         table;
   table.emplace_back("resolution", FormatSize(result.input.geometry.size));
-  table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options)));
+  table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options, result.input.geometry)));
   AddObject(table, options, result);
   AddLabelMap(table, result);
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
@@ -242,11 +243,11 @@ void
 PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobResult & result)
 {
   const PartSummary & part = *result.part;
-  const auto          describe = [&options](const ThicknessOfSurface & thickness) {
+  const auto          describe = [&](const ThicknessOfSurface & thickness) {
     return thickness.area > 0.0
                       ? "mean " + FormatShort(thickness.mean) + ", median " + FormatShort(thickness.GetMedian()) +
                  ", 5 to 95 % of the area: " + FormatShort(thickness.percentiles[1]) + " to " +
-                 FormatShort(thickness.percentiles[5]) + ", in " + DescribeUnit(options)
+                 FormatShort(thickness.percentiles[5]) + ", in " + DescribeUnit(options, result.input.geometry)
                       : std::string("not known anywhere");
   };
   TextTable table;

@@ -66,7 +66,7 @@ TEST(SurfaceWriter, PiecesMakeNoDifference)
 TEST(SurfaceWriter, Obj)
 {
   EXPECT_EQ(WriteFile(MakeTwoFaces(), ".obj"),
-            "# Medial surface by MedialVoxel, lengths in the units of the image\n"
+            "# Medial surface by MedialVoxel, coordinates and thickness in units of the spacing\n"
             "v 0 0 0\nv 4 0 0\nv 5 3 0\nv 1 1.5 0\nv -2 0 1e-05\nf 1 2 3 4\nf 1 4 5\n");
 }
 

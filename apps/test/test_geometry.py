@@ -107,6 +107,25 @@ class GeometryTest(ProgramTestCase):
             self.assertEqual(numbers, [float(number) for number in spacing.split(" x ")])
             self.assertEqual("unknown_spacing" in self.warnings_of("u.nrrd"), not is_known, units)
 
+    def test_the_unit_is_told_everywhere(self):
+        size = " ".join(map(str, SIZE))
+        for told, unit, text in (('space units: "um" "um" "um"\n', "mm", "mm"), ("", None, "units of the spacing")):
+            header = f"NRRD0004\ntype: uchar\ndimension: 3\nsizes: {size}\nencoding: raw\nspace dimension: 3\n"
+            header += f"space directions: (500,0,0) (0,500,0) (0,0,800)\n{told}\n"
+            (self.folder / "u.nrrd").write_bytes(header.encode() + bytes(plate().voxels))
+            self.assertEqual(self.table("u.nrrd")["unit"], unit or "not told")
+            length = 500 if unit is None else 0.5
+            run = ["l.mha", "--overwrite", "--lower", 50, "--thickness", 3 * length, "--html", "p.html", "--report", "r.json"]
+            table = self.run_program("extract", "u.nrrd", *run).stdout
+            self.assertRegex(table, rf"\nwall thickness .*, in {text}\n")
+            self.assertEqual(json.loads((self.folder / "r.json").read_text())["input"]["unit"], unit)
+            self.assertIn(f"The scale bar is in {text}.", (self.folder / "p.html").read_text())
+            for name in ("m.obj", "m.ply", "m.vtk", "m.vtp", "m.vtu", "m.stl", "m.inp", "m.bdf", "m.k"):
+                self.run_program("mesh", "u.nrrd", name, "--overwrite", "--lower", 50, "--thickness", 3 * length)
+                title = f"Medial surface by MedialVoxel, coordinates and thickness in {text}"
+                self.assertIn(title.encode(), (self.folder / name).read_bytes(), name)
+                self.run_program("check", name)
+
     def test_forms_of_nifti(self):
         sform = [(-0.5, 0, 0, 10), (0, -0.6, 0, 20), (0, 0, 0.7, 30)]
         for options, spacing, origin, contradicts in (

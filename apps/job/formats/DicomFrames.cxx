@@ -89,6 +89,7 @@ public:
     header.frameNumber = m_Structure.frames > 1 ? frame + 1 : 0;
     const std::vector<double> spacing = ParseDicomSpacing(this->GetText(frame, DicomTag::PixelSpacing));
     header.isSpacingKnown = !spacing.empty();
+    header.inMillimeters = header.isSpacingKnown;
     if (header.isSpacingKnown)
     {
       header.spacing = { { spacing[1], spacing[0] } }; // of rows first

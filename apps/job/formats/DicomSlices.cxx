@@ -222,6 +222,7 @@ ReadHeaders(const std::filesystem::path & fileName)
   header.storedType = header.pixelType;
   header.spacing = { { dicom.spacing[0], dicom.spacing[1] } };
   header.isSpacingKnown = dicom.hasSpacing != 0;
+  header.inMillimeters = header.isSpacingKnown;
   header.padding = GetDicomPadding(structure, dicom.slope, dicom.intercept);
   header.acquisition = itk::MedialVoxelText::MakePrintable(dicom.acquisition);
   if (dicom.hasNumber != 0)

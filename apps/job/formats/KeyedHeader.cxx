@@ -213,6 +213,7 @@ public:
     header.fileName = m_FileName;
     header.geometry.size = this->ReadSize();
     header.geometry.spacing = this->ReadSpacing();
+    header.geometry.inMillimeters = m_Fields.Find(m_Dialect.spacing).has_value();
     header.geometry.origin.assign(header.geometry.size.size(), 0.0);
     header.geometry.SetIdentityDirection();
     header.pixelType = this->ReadPixelType();

@@ -195,6 +195,7 @@ ReadGeometry(VolumeHeader & header, const BinaryHeader & fields)
   header.geometry.spacing.assign(spacing.begin(), spacing.begin() + dimension);
   header.geometry.origin.assign(origin.begin(), origin.begin() + dimension);
   header.geometry.SetIdentityDirection();
+  header.geometry.inMillimeters = ReadReal(fields, Cell) != Real{ 0, 0, 0 };
 }
 
 std::uint64_t

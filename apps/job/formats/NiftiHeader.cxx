@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace medialvoxel
@@ -194,14 +195,13 @@ ReadScale(const NiftiNumbers & fields)
   return ValueScale{ slope, usedIntercept };
 }
 
-/** Millimeters of the unit of lengths; 1 for an unknown one. */
-double
+/** Millimeters of the unit of lengths; nothing for an unknown one. */
+std::optional<double>
 ReadUnit(const NiftiNumbers & fields)
 {
-  constexpr unsigned int meter = 1;
-  constexpr unsigned int micrometer = 3;
-  const unsigned int     unit = fields.Get<std::uint32_t>(Units) & 7u;
-  return unit == meter ? 1e3 : (unit == micrometer ? 1e-3 : 1.0);
+  constexpr std::array<double, 3> units{ { 1e3, 1.0, 1e-3 } };
+  const std::uint32_t             code = fields.Get<std::uint32_t>(Units) & 7u;
+  return code >= 1 && code <= units.size() ? std::optional<double>(units[code - 1]) : std::nullopt;
 }
 
 /** Rows of three columns for the axes and one for the origin. */
@@ -348,7 +348,8 @@ ReadGeometry(VolumeHeader & header, const NiftiNumbers & fields)
 {
   VolumeGeometry &  geometry = header.geometry;
   const std::size_t dimension = geometry.size.size();
-  const double      unit = ReadUnit(fields);
+  const double      unit = ReadUnit(fields).value_or(1.0);
+  geometry.inMillimeters = ReadUnit(fields).has_value();
   for (std::size_t axis = 0; axis < dimension; ++axis)
   {
     geometry.spacing.push_back(unit * fields.Get<double>(PixDim, axis + 1));

@@ -211,6 +211,7 @@ ApplyUnits(VolumeHeader & header, const std::vector<std::string> & units)
     header.geometry.spacing[axis] *= factors[axis];
     header.geometry.origin[axis] *= factors[axis];
   }
+  header.geometry.inMillimeters = true;
 }
 
 void
@@ -317,6 +318,7 @@ DescribeHeader(const VolumeHeader & seen)
   }
   table.emplace_back("size", FormatSize(header.geometry.size));
   table.emplace_back("spacing", FormatNumbers(header.geometry.spacing, " x "));
+  table.emplace_back("unit", header.geometry.inMillimeters ? "mm" : "not told");
   table.emplace_back("origin", FormatNumbers(header.geometry.origin, ", "));
   if (resampled)
   {

@@ -277,6 +277,7 @@ MakeSeriesGeometry(const std::filesystem::path & input, const Slices & slices)
     geometry.origin.push_back(0.0);
   }
   geometry.SetIdentityDirection();
+  geometry.inMillimeters = first.inMillimeters;
   if (slices.size() > 1 && first.place)
   {
     const Vector normal = GetNormal(*first.place);

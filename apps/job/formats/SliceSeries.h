@@ -38,6 +38,7 @@ struct SliceHeader
   std::optional<SlicePlace>            place;      ///< of DICOM
   std::optional<PixelType>             storedType; ///< of DICOM: of the slice alone
   bool                                 isSpacingKnown{ true };
+  bool                                 inMillimeters{ false };  ///< its spacing
   bool                                 isDistanceKnown{ true }; ///< of its place to that of others
   std::optional<std::int64_t>          number;                  ///< of the DICOM instance
   std::optional<std::array<double, 2>> padding;          ///< of DICOM: from and to, of values that are no measurement

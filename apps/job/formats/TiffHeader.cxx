@@ -136,6 +136,7 @@ struct TiffSpacing
 {
   std::array<double, 3> lengths{ { 1.0, 1.0, 1.0 } };
   std::string           doubt;
+  bool                  inMillimeters{ false };
 };
 
 /** Of numbers in millimeters. Where a unit is not known, all are numbers as they are written, so that their ratios
@@ -173,12 +174,13 @@ GetSpacing(const TiffFile & file, const TiffDescription & description, bool isSt
   if (!description.unknownUnit.empty())
   {
     spacing.doubt = "its lengths are in the unknown unit '" + description.unknownUnit + "'";
-    return isTold ? spacing : TiffSpacing{ { { 1.0, 1.0, 1.0 } }, spacing.doubt };
+    return isTold ? spacing : TiffSpacing{ { { 1.0, 1.0, 1.0 } }, spacing.doubt, false };
   }
   for (std::size_t axis = 0; axis < axes; ++axis)
   {
     spacing.lengths[axis] *= units[axis];
   }
+  spacing.inMillimeters = isKnown;
   if (!isKnown && isStack)
   {
     spacing.doubt = "the file does not tell all distances of its voxels in a unit of length";
@@ -377,6 +379,7 @@ private:
       geometry.size.push_back(slices);
     }
     geometry.spacing.assign(spacing.lengths.begin(), spacing.lengths.begin() + geometry.GetDimension());
+    geometry.inMillimeters = spacing.inMillimeters;
     if (!spacing.doubt.empty())
     {
       WarnOfUnknownSpacing(m_Header, spacing.doubt);

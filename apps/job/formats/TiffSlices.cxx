@@ -32,6 +32,7 @@ MakeHeader(const VolumeHeader & image)
   header.size = { { image.geometry.size[0], image.geometry.size[1] } };
   header.pixelType = image.pixelType;
   header.spacing = { { image.geometry.spacing[0], image.geometry.spacing[1] } };
+  header.inMillimeters = image.geometry.inMillimeters;
   header.decodeBytes = image.unpackBytes;
   return header;
 }

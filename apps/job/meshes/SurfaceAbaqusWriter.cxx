@@ -253,7 +253,7 @@ WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, 
     isAtNodes ? CountNodePasses(reader.GetSurface().GetNumberOfVertices(), options.keptNumbers) : 0;
   reader.SetNumberOfPasses(1, 13 + elementPasses + ends.size() + nodePasses);
 
-  output.Text("*HEADING\n" + SurfaceTitle + "\n");
+  output.Text("*HEADING\n" + GetTitle(options) + "\n");
   WriteNodes(reader, output);
   if (sections.GetNumberOfTriangles() > 0)
   {

@@ -81,6 +81,9 @@ struct SurfaceWriteOptions
   /** The surface of a part, not its medial surface: its faces have no rims and junctions, but caps. */
   bool isOfPart{ false };
 
+  /** Of lengths, for a reader. */
+  std::string unit{ "units of the spacing" };
+
   /** Further numbers of all vertices, with their names; formats for the surface of a part have them. */
   std::vector<const SurfaceArray *> vertexArrays;
 

@@ -236,7 +236,7 @@ WriteSurfaceGltf(SurfaceReader & reader, const SurfaceWriteOptions & options, Bu
       description.AddArray(UnsignedInt, "SCALAR", 3 * triangles, sizeof(std::uint32_t), ElementArrayBuffer);
     mesh = { { "primitives",
                Json::array({ { { "attributes", attributes }, { "indices", corners }, { "material", 0 } } }) },
-             { "extras", { { "thickness_color_range", { colors.low, colors.high } } } } };
+             { "extras", { { "thickness_color_range", { colors.low, colors.high } }, { "unit", options.unit } } } };
   }
   const std::string   text = description.Finish(mesh);
   const std::uint64_t binary = description.GetBytes() > 0 ? ChunkHeaderBytes + description.GetBytes() : 0;

@@ -187,7 +187,7 @@ WriteSurfaceLsDyna(SurfaceReader & reader, const SurfaceWriteOptions & options, 
   const SurfaceEdges    edges(reader);
   const SurfaceSections sections(reader, edges, options);
   CheckElementsFit(SurfaceFormat::LsDyna, reader, sections);
-  output.Text("*KEYWORD\n*TITLE\n" + SurfaceTitle + "\n");
+  output.Text("*KEYWORD\n*TITLE\n" + GetTitle(options) + "\n");
   WriteParts(sections.GetSections(), options.objectLabels, output);
   WriteNodes(reader, output);
   WriteElements(reader, sections, options, output);

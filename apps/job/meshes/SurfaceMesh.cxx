@@ -129,6 +129,7 @@ SurfaceMesh::Write(OutputFile &                        file,
     m_Options.sectionWidth.value_or(0.25 * *std::min_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end()));
   options.thicknessPlace = m_Options.thicknessPlace;
   options.objectLabels = m_ObjectLabels;
+  options.unit = m_Geometry.DescribeUnit();
   options.progress = progress;
   WriteSurface(GetSurfaceFormat(m_Options.meshFile), *m_Spool, options, file);
   SurfaceSummary summary;

@@ -161,7 +161,7 @@ WriteSurfaceNastran(SurfaceReader & reader, const SurfaceWriteOptions & options,
   const SurfaceEdges    edges(reader);
   const SurfaceSections sections(reader, edges, options);
   CheckElementsFit(SurfaceFormat::Nastran, reader, sections);
-  output.Text("$ " + SurfaceTitle + "\nSOL 101\nCEND\n");
+  output.Text("$ " + GetTitle(options) + "\nSOL 101\nCEND\n");
   WriteSet(1, "RIM", edges.GetRims(), output);
   WriteSet(2, "JUNCTION", edges.GetJunctions(), output);
   output.Text("BEGIN BULK\n");

@@ -9,7 +9,7 @@ void
 WriteSurfaceObj(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 1);
-  output.Text("# Medial surface by MedialVoxel, lengths in the units of the image\n");
+  output.Text("# " + GetTitle(options) + "\n");
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
     output.Text("v");
     ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.Text(" ").Float(coordinate); });

@@ -25,8 +25,7 @@ void
 WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 1);
-  output.Text(std::string("ply\nformat binary_little_endian 1.0\ncomment ") +
-              (options.isOfPart ? "Surface" : "Medial surface") + " by MedialVoxel\nelement vertex ");
+  output.Text("ply\nformat binary_little_endian 1.0\ncomment " + GetTitle(options) + "\nelement vertex ");
   output.Integer(reader.GetSurface().GetNumberOfVertices());
   const std::string type = reader.GetSurface().GetPrecision() == SurfacePrecision::Double ? "double" : "float";
   output.Text("\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type + " z\nproperty float thickness");

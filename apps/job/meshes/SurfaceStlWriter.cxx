@@ -57,11 +57,11 @@ WriteTriangle(const std::array<Position, 3> & corners, BufferedOutput & output)
 } // namespace
 
 void
-WriteSurfaceStl(SurfaceReader & reader, const SurfaceWriteOptions &, BufferedOutput & output)
+WriteSurfaceStl(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(0, 1);
   // Readers take a header that begins with "solid" for a text file.
-  std::string header = "Medial surface by MedialVoxel";
+  std::string header = GetTitle(options);
   header.resize(HeaderBytes, ' ');
   output.Text(header);
   const SurfaceSpool & surface = reader.GetSurface();

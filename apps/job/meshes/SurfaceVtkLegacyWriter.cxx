@@ -59,7 +59,7 @@ void
 WriteSurfaceVtk(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(2, options.objectLabels.empty() ? 4 : 5);
-  output.Text("# vtk DataFile Version 3.0\nMedial surface by MedialVoxel\nBINARY\nDATASET POLYDATA\n");
+  output.Text("# vtk DataFile Version 3.0\n" + GetTitle(options) + "\nBINARY\nDATASET POLYDATA\n");
   WriteGeometry(reader, output);
   output.Text("POINT_DATA ").Integer(reader.GetSurface().GetNumberOfVertices()).Text("\n");
   WriteScalars("Thickness", "float", output, [&](auto && write) {

@@ -166,10 +166,11 @@ WriteFile(const char *           dataSet,
           const std::string &    counts,
           const std::string &    content,
           const AppendedArrays & arrays,
+          const std::string &    title,
           BufferedOutput &       output)
 {
   const std::string name = dataSet;
-  output.Text("<?xml version=\"1.0\"?>\n<VTKFile type=\"" + name +
+  output.Text("<?xml version=\"1.0\"?>\n<!-- " + title + " -->\n<VTKFile type=\"" + name +
               "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <" + name +
               ">\n    <Piece NumberOfPoints=\"");
   output.Integer(reader.GetSurface().GetNumberOfVertices());
@@ -190,7 +191,7 @@ WriteSurfaceVtp(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
                               "      </Polys>\n";
   const std::string counts = R"(NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")" +
                              std::to_string(reader.GetSurface().GetNumberOfFaces()) + "\"";
-  WriteFile("PolyData", reader, counts, content, arrays, output);
+  WriteFile("PolyData", reader, counts, content, arrays, GetTitle(options), output);
 }
 
 void
@@ -208,7 +209,7 @@ WriteSurfaceVtu(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
                  [](const SurfaceFace & face) { return face.numberOfVertices == 3 ? VtkTriangle : VtkQuad; }) +
     "      </Cells>\n";
   const std::string counts = "NumberOfCells=\"" + std::to_string(reader.GetSurface().GetNumberOfFaces()) + "\"";
-  WriteFile("UnstructuredGrid", reader, counts, content, arrays, output);
+  WriteFile("UnstructuredGrid", reader, counts, content, arrays, GetTitle(options), output);
 }
 
 } // end namespace medialvoxel

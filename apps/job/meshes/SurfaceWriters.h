@@ -42,9 +42,13 @@ GetLabel(SurfaceReader & reader, const SurfaceWriteOptions & options, const Surf
 std::string
 GetObjectName(std::int64_t label);
 
-/** What the mesh of a solver is, for a reader. */
-inline const std::string SurfaceTitle =
-  "Medial surface by MedialVoxel, coordinates and thickness in units of the spacing";
+/** What the mesh is, for a reader. */
+inline std::string
+GetTitle(const SurfaceWriteOptions & options)
+{
+  return std::string(options.isOfPart ? "Surface" : "Medial surface") +
+         " by MedialVoxel, coordinates and thickness in " + options.unit;
+}
 
 /** Calls function(number) for all marked vertices in their order. */
 template <typename TFunction>

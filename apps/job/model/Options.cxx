@@ -239,9 +239,9 @@ GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & g
 }
 
 std::string
-DescribeUnit(const JobOptions & options)
+DescribeUnit(const JobOptions & options, const VolumeGeometry & geometry)
 {
-  return options.voxelUnits ? "voxels" : "units of the spacing";
+  return options.voxelUnits ? "voxels" : geometry.DescribeUnit();
 }
 
 std::string

@@ -267,7 +267,7 @@ constexpr const char * AutomaticSpacing = "auto";
 
 /** What lengths are in, for a reader. */
 std::string
-DescribeUnit(const JobOptions & options);
+DescribeUnit(const JobOptions & options, const VolumeGeometry & geometry);
 
 /** The thickness and its unit for a reader. */
 std::string

@@ -28,6 +28,7 @@ struct VolumeGeometry
   std::vector<double>              spacing;
   std::vector<double>              origin;
   std::vector<std::vector<double>> direction; ///< direction[axis] is the unit vector of that axis
+  bool inMillimeters{ false };                ///< the lengths, as the file tells; else their unit is not known
 
   unsigned int
   GetDimension() const
@@ -41,6 +42,13 @@ struct VolumeGeometry
   /** All voxels; the size along axes that the volume has not is 1. */
   itk::MedialVoxelBox
   GetVoxelBox() const;
+
+  /** Of lengths in space, for a reader. */
+  std::string
+  DescribeUnit() const
+  {
+    return inMillimeters ? "mm" : "units of the spacing";
+  }
 
   /** Lets the axes run along those of space. */
   void

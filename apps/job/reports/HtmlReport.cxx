@@ -168,7 +168,7 @@ DescribeInput(const VolumeHeader & header)
   return { { "file", header.fileName.filename().string() },
            { "format", header.format->name },
            { "resolution", FormatSize(header.geometry.size) },
-           { "spacing", FormatNumbers(header.geometry.spacing, " x ") },
+           { "spacing", FormatNumbers(header.geometry.spacing, " x ") + (header.geometry.inMillimeters ? " mm" : "") },
            { "type", std::string(GetTraits(header.GetStored().pixelType).name) } };
 }
 
@@ -184,7 +184,7 @@ DescribeParameters(const ExtractOptions & options, const JobResult & result)
     table.emplace_back("maximum thickness", FormatShort(limits.maximum));
   }
   const TextTable others{
-    { "lengths in", DescribeUnit(options) },
+    { "lengths in", DescribeUnit(options, result.input.geometry) },
     { "lower threshold", FormatLimit(options.lowerThreshold) + (options.lowerIsOtsu ? " (otsu)" : "") },
     { "upper threshold", FormatLimit(options.upperThreshold) },
     { "label", options.label ? FormatLabel(*options.label) : "none" },
@@ -230,7 +230,7 @@ MakeHtmlReport(const ExtractOptions & options,
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
   const std::string              name = EscapeHtml(result.input.fileName.filename().string());
-  const std::string              unit = DescribeUnit(options);
+  const std::string              unit = DescribeUnit(options, result.input.geometry);
   std::string                    page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += Policy;
   page +=
@@ -247,7 +247,8 @@ MakeHtmlReport(const ExtractOptions & options,
     "src=\"data:image/png;base64," +
     EncodeBase64(pictures.labels) +
     "\">\n<p class=\"muted\"><span class=\"object\"></span>object, <span class=\"bound\"></span>medial by the bound, "
-    "<span class=\"geodesic\"></span>medial by a path search. The scale bar is in units of the spacing.</p>\n";
+    "<span class=\"geodesic\"></span>medial by a path search. The scale bar is in " +
+    result.input.geometry.DescribeUnit() + ".</p>\n";
   page += "<h2>Thickness of the walls</h2>\n";
   if (!pictures.thicknesses.empty())
   {

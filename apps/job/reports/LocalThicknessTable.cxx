@@ -25,8 +25,8 @@ DescribeLocalThickness(const ExtractOptions & options, const JobResult & result)
   return { { "local thickness",
              "mean " + FormatShort(sums.GetMean(maximum)) + ", standard deviation " +
                FormatShort(sums.GetStandardDeviation(maximum)) + ", largest " +
-               FormatShort(static_cast<double>(sums.largest)) + ", in " + DescribeUnit(options) + ", of " +
-               std::to_string(sums.voxels) + " object voxels" } };
+               FormatShort(static_cast<double>(sums.largest)) + ", in " + DescribeUnit(options, result.input.geometry) +
+               ", of " + std::to_string(sums.voxels) + " object voxels" } };
 }
 
 } // end namespace medialvoxel

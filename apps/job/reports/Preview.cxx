@@ -110,7 +110,7 @@ DrawPreview(const VoxelOutput & labels, const VolumeGeometry & geometry, const S
   unsigned int       x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "Object");
   x = DrawLegendEntry(canvas, x, y, BoundColor, "Medial by bound");
   x = DrawLegendEntry(canvas, x, y, GeodesicColor, "Medial by geodesic");
-  DrawScaleBar(canvas, x, y, layout.pixelsPerUnit);
+  DrawScaleBar(canvas, x, y, layout.pixelsPerUnit, geometry);
   return canvas;
 }
 

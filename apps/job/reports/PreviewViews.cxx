@@ -49,7 +49,7 @@ DrawLegendEntry(Canvas & canvas, unsigned int x, unsigned int y, const Color & c
 }
 
 void
-DrawScaleBar(Canvas & canvas, unsigned int x, unsigned int y, double pixelsPerUnit)
+DrawScaleBar(Canvas & canvas, unsigned int x, unsigned int y, double pixelsPerUnit, const VolumeGeometry & geometry)
 {
   constexpr double longestBar = 100.0;
   double           length = std::pow(10.0, std::floor(std::log10(longestBar / pixelsPerUnit)));
@@ -65,7 +65,8 @@ DrawScaleBar(Canvas & canvas, unsigned int x, unsigned int y, double pixelsPerUn
   canvas.FillRectangle({ x, y + TextHeight / 2 - 1, width, 3 }, PreviewTextColor);
   canvas.FillRectangle({ x, y, 2, TextHeight }, PreviewTextColor);
   canvas.FillRectangle({ x + width - 2, y, 2, TextHeight }, PreviewTextColor);
-  canvas.DrawText(x + width + TextAdvance, y, FormatNumber(length) + " units", PreviewTextColor);
+  canvas.DrawText(
+    x + width + TextAdvance, y, FormatNumber(length) + (geometry.inMillimeters ? " mm" : " units"), PreviewTextColor);
 }
 
 } // end namespace medialvoxel

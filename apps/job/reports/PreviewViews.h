@@ -186,7 +186,7 @@ DrawLegendEntry(Canvas & canvas, unsigned int x, unsigned int y, const Color & c
 
 /** A bar of 1, 2 or 5 times a power of ten, in the units of the spacing, and its length behind it. */
 void
-DrawScaleBar(Canvas & canvas, unsigned int x, unsigned int y, double pixelsPerUnit);
+DrawScaleBar(Canvas & canvas, unsigned int x, unsigned int y, double pixelsPerUnit, const VolumeGeometry & geometry);
 
 } // end namespace medialvoxel
 

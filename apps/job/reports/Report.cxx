@@ -21,6 +21,7 @@ MakeInput(const VolumeHeader & header)
            { "format", header.format->name },
            { "type", std::string(GetTraits(stored.pixelType).name) },
            { "spacing", stored.geometry.spacing },
+           { "unit", stored.geometry.inMillimeters ? Json("mm") : Json(nullptr) },
            { "bytes", stored.GetVoxelBytes() } };
 }
 

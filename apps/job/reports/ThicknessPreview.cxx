@@ -135,7 +135,7 @@ DrawThicknessPreview(const VoxelOutput &    labels,
   }
   const unsigned int y = layout.height - TextHeight - PreviewGap;
   const unsigned int x = DrawLegendEntry(canvas, PreviewGap, y, ObjectColor, "Object");
-  DrawScaleBar(canvas, scale.Draw(canvas, x, y, unit), y, layout.pixelsPerUnit);
+  DrawScaleBar(canvas, scale.Draw(canvas, x, y, unit), y, layout.pixelsPerUnit, geometry);
   return canvas;
 }
 

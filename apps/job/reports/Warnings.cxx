@@ -56,12 +56,12 @@ struct Length
 Length
 MeasureLength(const char * name, double value, const JobOptions & options, const VolumeHeader & input)
 {
-  const double spacing = GetSmallestSpacing(input.geometry);
-  Length       length{ name, value, options.voxelUnits ? value : value / spacing, "" };
-  length.text =
-    std::string("the ") + name + " of " +
-    (options.voxelUnits ? FormatShort(value) + " voxels is " + FormatShort(value * spacing) + " in units of the spacing"
-                        : FormatShort(value) + " in units of the spacing is " + FormatShort(length.voxels) + " voxels");
+  const double      spacing = GetSmallestSpacing(input.geometry);
+  const std::string unit = (input.geometry.inMillimeters ? " " : " in ") + input.geometry.DescribeUnit();
+  Length            length{ name, value, options.voxelUnits ? value : value / spacing, "" };
+  length.text = std::string("the ") + name + " of " +
+                (options.voxelUnits ? FormatShort(value) + " voxels is " + FormatShort(value * spacing) + unit
+                                    : FormatShort(value) + unit + " is " + FormatShort(length.voxels) + " voxels");
   return length;
 }
 

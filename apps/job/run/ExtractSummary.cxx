@@ -63,8 +63,13 @@ ExtractSummary::Draw(const OutputSet & outputs, const VolumeGeometry & geometry)
   std::string preview = m_Pictures.labels;
   if (const VoxelOutput * const thicknesses = outputs.FindVolume("thickness_map"))
   {
-    const Canvas other =
-      DrawThicknessPreview(labels, *thicknesses, geometry, m_Survey, m_Options.voxelUnits ? "voxels" : "units");
+    const Canvas other = DrawThicknessPreview(labels,
+                                              *thicknesses,
+                                              geometry,
+                                              m_Survey,
+                                              m_Options.voxelUnits     ? "voxels"
+                                              : geometry.inMillimeters ? "mm"
+                                                                       : "units");
     m_Pictures.thicknesses = other.EncodePng();
     preview = JoinCanvases(canvas, other).EncodePng();
   }

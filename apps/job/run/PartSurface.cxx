@@ -264,6 +264,7 @@ PartSurface::Write(OutputFile & file, const std::function<void(double)> & progre
   }
   SurfaceWriteOptions options;
   options.isOfPart = true;
+  options.unit = m_Header.geometry.DescribeUnit();
   options.progress = progress;
   if (summary.colorRange)
   {
