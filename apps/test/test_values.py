@@ -119,6 +119,8 @@ class ValuesTest(ProgramTestCase):
             self.assertLessEqual(abs(fractions.Fraction(float(found["otsu"])) - expected), fractions.Fraction(width) * 2, kind)
             median = sorted(values)[len(values) // 2 - 1]
             self.assertLessEqual(abs(float(found["50 %"]) / 2 - median / 2), width, kind)
+            if real:
+                self.assertEqual(float(found["mean"]), float(sum(map(fractions.Fraction, values)) / len(values)), kind)
 
     def test_not_a_number_and_infinite(self):
         values = [1.0, 2.0, 9.0, 10.0, math.nan, math.inf, -math.inf, 2.0]

@@ -4,8 +4,10 @@
 #define medialvoxelValueHistogram_h
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 #include <vector>
@@ -13,8 +15,59 @@
 namespace medialvoxel
 {
 
+/** \class ExactSum
+ * \brief Of finite real numbers: the same for any order of them. */
+template <typename TValue>
+class ExactSum
+{
+public:
+  /** \param times that the value is there */
+  void
+  Add(TValue value, std::uint64_t times)
+  {
+    Bits bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    const auto exponent = static_cast<std::size_t>(bits >> MantissaBits) & (Exponents - 1);
+    const Bits mantissa = (bits & ((Bits{ 1 } << MantissaBits) - 1)) | (Bits{ exponent > 0 } << MantissaBits);
+    const auto factor = std::signbit(value) ? -static_cast<std::int64_t>(times) : static_cast<std::int64_t>(times);
+    for (std::size_t part = 0; part < Parts; ++part)
+    {
+      const Bits ofPart = (mantissa >> (part * PartBits)) & ((Bits{ 1 } << PartBits) - 1);
+      m_Sums[part][exponent] += factor * static_cast<std::int64_t>(ofPart);
+    }
+  }
+
+  long double
+  Get() const
+  {
+    constexpr int least = std::numeric_limits<TValue>::min_exponent - std::numeric_limits<TValue>::digits;
+    long double   sum = 0.0L;
+    for (std::size_t exponent = 0; exponent < Exponents; ++exponent)
+    {
+      for (std::size_t part = 0; part < Parts; ++part)
+      {
+        // Numbers of exponent 0 have no leading bit, and are as small as those of exponent 1.
+        const int power = least + static_cast<int>(std::max<std::size_t>(exponent, 1) + part * PartBits) - 1;
+        sum += std::ldexp(static_cast<long double>(m_Sums[part][exponent]), power);
+      }
+    }
+    return sum;
+  }
+
+private:
+  using Bits = std::conditional_t<sizeof(TValue) == 4, std::uint32_t, std::uint64_t>;
+  static constexpr unsigned int MantissaBits = std::numeric_limits<TValue>::digits - 1;
+  static constexpr std::size_t  Exponents = std::size_t{ 1 } << (8 * sizeof(TValue) - 1 - MantissaBits);
+
+  /** Sums of so few bits hold 2 to the power of 36 values and more. */
+  static constexpr unsigned int PartBits = 27;
+  static constexpr std::size_t  Parts = MantissaBits / PartBits + 1;
+
+  std::array<std::array<std::int64_t, Exponents>, Parts> m_Sums{};
+};
+
 /** \class ValueRange
- * \brief Least, largest and mean of the finite ones of many values, which come in their order. */
+ * \brief Least, largest and mean of the finite ones of many values, in any order. */
 template <typename TValue>
 class ValueRange
 {
@@ -25,18 +78,22 @@ public:
   {
     for (const TValue value : values)
     {
-      if constexpr (!std::is_integral<TValue>::value)
+      if constexpr (!IsWhole)
       {
         if (!std::isfinite(value))
         {
           m_Excluded += times;
           continue;
         }
+        m_Sum.Add(value, times);
+      }
+      else
+      {
+        m_Sum += static_cast<long double>(value) * static_cast<long double>(times);
       }
       m_Count += times;
       m_Minimum = std::min(m_Minimum, value);
       m_Maximum = std::max(m_Maximum, value);
-      m_Sum += static_cast<long double>(value) * static_cast<long double>(times);
     }
   }
 
@@ -63,15 +120,27 @@ public:
   double
   GetMean() const
   {
-    return static_cast<double>(m_Sum / static_cast<long double>(m_Count));
+    long double sum = 0.0L;
+    if constexpr (IsWhole)
+    {
+      sum = m_Sum;
+    }
+    else
+    {
+      sum = m_Sum.Get();
+    }
+    return static_cast<double>(sum / static_cast<long double>(m_Count));
   }
 
 private:
+  static constexpr bool IsWhole = std::is_integral<TValue>::value;
+
   std::uint64_t m_Count{ 0 };
   std::uint64_t m_Excluded{ 0 };
   TValue        m_Minimum{ std::numeric_limits<TValue>::max() };
   TValue        m_Maximum{ std::numeric_limits<TValue>::lowest() };
-  long double   m_Sum{ 0.0L };
+
+  std::conditional_t<IsWhole, long double, ExactSum<TValue>> m_Sum{};
 };
 
 /** \class ValueBins
@@ -90,12 +159,14 @@ public:
     {
       const std::uint64_t range = this->GetOffset(maximum);
       m_Width = range / mostBins + 1;
-      m_Counts.resize(range / m_Width + 1);
+      m_Bins = range / m_Width + 1;
     }
     else
     {
-      m_Counts.resize(maximum > minimum ? mostBins : 1);
+      m_Bins = maximum > minimum ? mostBins : 1;
     }
+    // Behind them real numbers that are not finite have one.
+    m_Counts.resize(IsWhole ? m_Bins : m_Bins + 1);
     m_Others.resize((Lanes - 1) * m_Counts.size());
   }
 
@@ -103,20 +174,20 @@ public:
   void
   Add(const std::vector<TValue> & values, std::uint64_t times = 1)
   {
-    // Equal values follow each other: one counter would wait for its last sum, so that several take turns.
-    const std::size_t bins = m_Counts.size();
-    std::size_t       i = 0;
-    for (; i + Lanes <= values.size(); i += Lanes)
+    if constexpr (IsWhole)
     {
-      this->Count(m_Counts.data(), values[i], times);
-      for (std::size_t lane = 1; lane < Lanes; ++lane)
-      {
-        this->Count(m_Others.data() + (lane - 1) * bins, values[i + lane], times);
-      }
+      this->Count(values.data(), values.size(), times, [this](TValue value) { return this->GetBin(value); });
     }
-    for (; i < values.size(); ++i)
+    else
     {
-      this->Count(m_Counts.data(), values[i], times);
+      // Bins are found for many values at once, several in one instruction.
+      std::array<std::int32_t, 512> bins;
+      for (std::size_t begin = 0; begin < values.size(); begin += bins.size())
+      {
+        const std::size_t number = std::min(bins.size(), values.size() - begin);
+        this->FindBins(values.data() + begin, number, bins.data());
+        this->Count(bins.data(), number, times, [](std::int32_t bin) { return static_cast<std::size_t>(bin); });
+      }
     }
   }
 
@@ -130,6 +201,7 @@ public:
       m_Counts[i % bins] += m_Others[i];
     }
     m_Others.clear();
+    m_Counts.resize(m_Bins);
   }
 
   const std::vector<std::uint64_t> &
@@ -143,7 +215,7 @@ public:
   GetBinOfZero() const
   {
     const bool isNegative = m_Minimum < TValue{ 0 };
-    return isNegative ? (m_Maximum < TValue{ 0 } ? m_Counts.size() : this->GetBin(TValue{ 0 })) : 0;
+    return isNegative ? (m_Maximum < TValue{ 0 } ? m_Bins : this->GetBin(TValue{ 0 })) : 0;
   }
 
   /** Where a bin begins. */
@@ -160,7 +232,7 @@ public:
     }
     else
     {
-      const double share = static_cast<double>(bin) / static_cast<double>(m_Counts.size());
+      const double share = static_cast<double>(bin) / static_cast<double>(m_Bins);
       return static_cast<double>(m_Minimum) * (1.0 - share) + static_cast<double>(m_Maximum) * share;
     }
   }
@@ -182,17 +254,44 @@ public:
 private:
   static constexpr std::size_t Lanes = sizeof(TValue) == 1 ? 4 : 2;
 
+  /** \param getBin of one of the items */
+  template <typename TItem, typename TGetBin>
   void
-  Count(std::uint64_t * counts, TValue value, std::uint64_t times) const
+  Count(const TItem * items, std::size_t number, std::uint64_t times, TGetBin && getBin)
   {
-    if constexpr (!IsWhole)
+    // Equal values follow each other: one counter would wait for its last sum, so that several take turns.
+    const std::size_t bins = m_Counts.size();
+    std::size_t       i = 0;
+    for (; i + Lanes <= number; i += Lanes)
     {
-      if (!std::isfinite(value))
+      m_Counts[getBin(items[i])] += times;
+      for (std::size_t lane = 1; lane < Lanes; ++lane)
       {
-        return;
+        m_Others[(lane - 1) * bins + getBin(items[i + lane])] += times;
       }
     }
-    counts[this->GetBin(value)] += times;
+    for (; i < number; ++i)
+    {
+      m_Counts[getBin(items[i])] += times;
+    }
+  }
+
+  /** Of real numbers: the bin behind all others for those that are not finite. */
+  void
+  FindBins(const TValue * values, std::size_t number, std::int32_t * bins) const
+  {
+    // Halves, as the range of all numbers is not one.
+    const auto   count = static_cast<double>(m_Bins);
+    const double half = 0.5 * static_cast<double>(m_Minimum);
+    const double difference = 0.5 * static_cast<double>(m_Maximum) - half;
+    const double range = difference > 0.0 ? difference : 1.0;
+    for (std::size_t i = 0; i < number; ++i)
+    {
+      const double place = (0.5 * static_cast<double>(values[i]) - half) / range * count;
+      const double bin = place < count - 1.0 ? place : count - 1.0;
+      const bool   isFinite = std::abs(values[i]) <= std::numeric_limits<TValue>::max();
+      bins[i] = static_cast<std::int32_t>(isFinite ? bin : count);
+    }
   }
 
   /** Of a whole number from the least one, which its own type need not hold. */
@@ -220,18 +319,16 @@ private:
     }
     else
     {
-      // Halves, as the range of all numbers is not one.
-      const double half = 0.5 * static_cast<double>(m_Minimum);
-      const double range = 0.5 * static_cast<double>(m_Maximum) - half;
-      const double share = range > 0.0 ? (0.5 * static_cast<double>(value) - half) / range : 0.0;
-      const auto   bin = static_cast<std::size_t>(share * static_cast<double>(m_Counts.size()));
-      return std::min(bin, m_Counts.size() - 1);
+      std::int32_t bin = 0;
+      this->FindBins(&value, 1, &bin);
+      return static_cast<std::size_t>(bin);
     }
   }
 
   TValue                     m_Minimum;
   TValue                     m_Maximum;
   std::uint64_t              m_Width{ 1 };
+  std::size_t                m_Bins{ 0 };
   std::vector<std::uint64_t> m_Counts;
   std::vector<std::uint64_t> m_Others; ///< counts of the other lanes
 };
