@@ -3,27 +3,18 @@
 """DICOM files that hold several slices or are packed as a whole: the results of the volume in one file, or a refusal."""
 
 import json
-import os
 import pathlib
 import random
 import subprocess
 import unittest
 
 import volumes
-from interpreters import python_with
-from program import CORRUPT, PROGRAM, USAGE, ProgramTestCase
+from program import CORRUPT, PROGRAM, USAGE
+from series import SeriesTestCase, in_hounsfield_units, needs_dicom
 
 WRITE_FRAMES = pathlib.Path(__file__).with_name("write_frames.py")
-WRITE_SLICES = pathlib.Path(__file__).with_name("write_slices.py")
-READS_DICOM = os.environ.get("MEDIALVOXEL_READS_DICOM", "1") == "1"
+SIZE = (20, 18, 12)
 SYNTAXES = ("explicit", "implicit", "big", "deflated", "rle", "jpeg-ls", "jpeg", "jpeg-2000")
-
-
-def in_hounsfield_units(size=(20, 18, 12)):
-    """A tilted wall of -1000 in air and 3000 in metal."""
-    volume = volumes.blurred_wall(size=size)
-    volume.spacing = (0.8, 0.7, 1.5)
-    return volume
 
 
 def shuffled(count):
@@ -32,42 +23,16 @@ def shuffled(count):
     return order
 
 
-@unittest.skipUnless(READS_DICOM, "the program was built without GDCM")
-class DicomFramesTest(ProgramTestCase):
-    def call_writer(self, script, kind, volume, **spec):
-        python = python_with("pydicom")
-        if python is None or python_with("numpy") is None:
-            self.skipTest("pydicom is not installed; scripts/install-packages slices does it")
-        if spec.get("syntax", "").startswith("jpeg") and python_with("gdcm") is None:
-            self.skipTest("python3-gdcm is not installed; scripts/install-packages slices does it")
-        raw = volumes.write_raw(self.folder / "written.raw", volume)
-        spec = {"raw": str(raw), "type": volume.kind, "size": volume.size, "spacing": volume.spacing, **spec}
-        subprocess.run([python, script, *kind, json.dumps(spec)], check=True)
-        raw.unlink()
-
+@needs_dicom
+class DicomFramesTest(SeriesTestCase):
     def write_frames(self, volume, name="frames.dcm", groups=True, **spec):
         path = self.folder / name
         path.parent.mkdir(exist_ok=True)
-        self.call_writer(WRITE_FRAMES, [], volume, file=str(path), groups=groups, **spec)
+        self.call_writer([WRITE_FRAMES], "pydicom", volume, file=str(path), groups=groups, **spec)
         return path
 
     def write_slices(self, volume, name, **spec):
-        path = self.folder / name
-        path.mkdir()
-        self.call_writer(
-            WRITE_SLICES, ["dicom"], volume, folder=str(path), series="1.2.3.4", intercept=-1024, **spec
-        )
-        return path
-
-    def info(self, *arguments):
-        lines = self.run_program("info", *arguments).stdout.splitlines()
-        return {line.split("  ", 1)[0]: line.split("  ", 1)[1].strip() for line in lines}
-
-    def results(self, source, *arguments):
-        """Labels and sub-voxel thickness."""
-        options = ["--lower", 1000, "--sub-voxel", "--thickness-map", "t.mha", "--overwrite", *arguments]
-        self.extract(source, "l.mha", *options, thickness="auto")
-        return [(self.folder / name).read_bytes() for name in ("l.mha", "t.mha")]
+        return self.write("dicom", "pydicom", volume, name, series="1.2.3.4", intercept=-1024, **spec)
 
     def codes(self, source):
         arguments = ["v.mha", "--distance", "d.mha", "--lower", 1000, "--report", "r.json", "--overwrite"]
@@ -75,7 +40,7 @@ class DicomFramesTest(ProgramTestCase):
         return {warning["code"] for warning in json.loads((self.folder / "r.json").read_text())["warnings"]}
 
     def test_every_transfer_syntax_gives_the_results_of_the_volume(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         expected = self.results(volumes.write_meta(self.folder / "in.mha", volume, Offset="-3 4.5 -20"))
         for syntax in SYNTAXES:
             for groups in (True, False):
@@ -98,14 +63,14 @@ class DicomFramesTest(ProgramTestCase):
         }
 
     def test_a_file_has_any_name_and_may_be_in_a_folder(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
         for name in ("IM0001", "1.2.840.5", "scan.DCM"):
             self.assertEqual(self.results(self.write_frames(volume, f"folder-{name}/{name}")), expected, name)
             self.assertEqual(self.results(self.folder / f"folder-{name}"), expected, name)
 
     def test_info_tells_of_the_frames(self):
-        table = self.info(self.write_frames(in_hounsfield_units(), origin=(1, 2, 3)))
+        table = self.info(self.write_frames(in_hounsfield_units(SIZE), origin=(1, 2, 3)))
         self.assertEqual(table["size"], "20 x 18 x 12")
         self.assertEqual(table["spacing"], "0.8 x 0.7 x 1.5")
         self.assertEqual(table["origin"], "1, 2, 3")
@@ -114,11 +79,13 @@ class DicomFramesTest(ProgramTestCase):
         self.assertEqual(self.run_program("info", "frames.dcm", "--slices", "2-2").warnings, [])
 
     def test_jobs_and_meshes_know_the_file(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         file = self.write_frames(volume, order=shuffled(12))
         self.extract(file, "whole.mha", "--lower", 1000, "--mesh", "whole.ply")
         self.extract(volumes.write_meta(self.folder / "in.mha", volume), "l.mha", "--lower", 1000, "--mesh", "in.ply")
-        self.assertEqual((self.folder / "whole.ply").read_bytes(), (self.folder / "in.ply").read_bytes())
+        mesh = (self.folder / "whole.ply").read_bytes()
+        self.assertIn(b" in mm\n", mesh)  # as a file of DICOM tells
+        self.assertEqual(mesh.replace(b" in mm\n", b" in units of the spacing\n"), (self.folder / "in.ply").read_bytes())
         self.run_program("plan", file, "out.mha", "job", "--lower", 1000, "--thickness", 3, "--divisions", 3)
         for _ in range(3):
             self.run_program("work", "job")
@@ -126,7 +93,7 @@ class DicomFramesTest(ProgramTestCase):
         self.assertEqual((self.folder / "out.mha").read_bytes(), (self.folder / "whole.mha").read_bytes())
 
     def test_scales_of_frames_may_differ(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         expected = self.info(volumes.write_meta(self.folder / "in.mha", volume), "--values")
         slopes, intercepts = [1, 2, 0.5] * 4, [-1024, -2000, -1500] * 4
         volume.voxels = [2 * (value // 2) for value in volume.voxels]
@@ -137,7 +104,7 @@ class DicomFramesTest(ProgramTestCase):
             self.assertEqual(float(table[name]), float(expected[name]), name)
 
     def test_negative_values_of_few_bits(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         volume.voxels = [max(-1000, min(2000, value)) for value in volume.voxels]
         for syntax in ("explicit", "jpeg-ls", "jpeg-2000", "rle"):
             for bits in (12, 13):
@@ -148,7 +115,7 @@ class DicomFramesTest(ProgramTestCase):
                     self.assertEqual(float(table["maximum"]), max(volume.voxels))
 
     def test_frames_in_several_fragments_need_a_table(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
         file = self.write_frames(volume, syntax="jpeg-2000", fragments=2)
         self.assertEqual(self.results(file), expected)
@@ -165,7 +132,7 @@ class DicomFramesTest(ProgramTestCase):
         self.assertEqual(line.count("\n"), 1, line)
 
     def test_frames_at_wrong_places_are_refused(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         regular = [1.5 * number for number in range(12)]
         for places, text in (
             (regular[:6] + [place + 1.5 for place in regular[6:]], "1 slice is missing between"),
@@ -179,7 +146,7 @@ class DicomFramesTest(ProgramTestCase):
         self.assert_refused("acquisitions that overlap")
 
     def test_frames_without_places_tell_their_distance_or_it_is_a_guess(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         offsets = {"GridFrameOffsetVector": [str(7 + 1.5 * number) for number in range(12)]}
         for elements, spacing, is_known in (
             ({"SpacingBetweenSlices": "1.5"}, "1.5", True),
@@ -198,7 +165,7 @@ class DicomFramesTest(ProgramTestCase):
         self.assert_refused("GridFrameOffsetVector is '0\\1'; it must have 12 numbers")
 
     def test_a_file_of_one_slice_is_read_with_a_word(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         folder = self.write_slices(volume, "slices")
         file = next(folder.iterdir())
         self.assertEqual(self.info(file)["size"], "20 x 18")
@@ -208,7 +175,7 @@ class DicomFramesTest(ProgramTestCase):
         self.assertNotIn("single_slice", self.codes(folder))
 
     def test_deflated_slices_are_read(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         expected = self.results(volumes.write_meta(self.folder / "in.mha", volume))
         for number in range(12):
             part = volumes.Volume((20, 18, 1), volume.voxels[360 * number :][:360], volume.spacing, volume.kind)
@@ -245,7 +212,7 @@ class DicomFramesTest(ProgramTestCase):
         self.assertEqual(self.info(folder, "--values")["padding"].split(",")[0], "-1000")
 
     def test_wrong_numbers_of_frames_are_refused(self):
-        volume = in_hounsfield_units()
+        volume = in_hounsfield_units(SIZE)
         for number, text in (
             ("13", "cannot be in"),
             ("11", "it has 11 frames and tells of 12"),

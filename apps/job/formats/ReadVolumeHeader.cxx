@@ -217,6 +217,7 @@ ApplyUnits(VolumeHeader & header, const std::vector<std::string> & units)
 void
 WarnOfUnknownSpacing(VolumeHeader & header, const std::string & what)
 {
+  header.geometry.inMillimeters = false;
   header.warnings.push_back(
     { UnknownSpacing,
       what + "; the spacing " + FormatNumbers(header.geometry.spacing, " x ") + " is assumed, --spacing sets it",
