@@ -6,7 +6,8 @@ import json
 import unittest
 
 import volumes
-from program import CORRUPT, ProgramTestCase, needs_tiff
+from program import CORRUPT, needs_tiff
+from series import SeriesTestCase
 
 OME = (
     '<OME><Image><Pixels SizeC="1" SizeT="1" SizeZ="{}" PhysicalSizeX="500" PhysicalSizeY="500" PhysicalSizeZ="800">'
@@ -14,8 +15,16 @@ OME = (
 )
 
 
+WRITE_MASK = """
+import json, sys, numpy, tifffile
+spec = json.loads(sys.argv[1])
+values = numpy.fromfile(spec["raw"], spec["type"]).reshape(spec["size"][::-1])
+tifffile.imwrite(spec["file"], values >= 50, photometric="minisblack", **spec["options"])
+"""
+
+
 @needs_tiff
-class StackTest(ProgramTestCase):
+class StackTest(SeriesTestCase):
     def setUp(self):
         super().setUp()
         self.volume = volumes.box_with_plate()
@@ -100,7 +109,7 @@ class StackTest(ProgramTestCase):
         volumes.write_meta(self.folder / "in.mha", self.volume)
         self.extract("in.mha", "expected.mha", "--lower", 50)
         expected = volumes.read_data(self.folder / "expected.mha")
-        for meaning, is_warned in ((1, False), (0, True), (3, False)):
+        for meaning, is_warned in ((1, False), (0, True), (3, True)):
             for packing in ("none", "deflate"):
                 palette = {"tag_320": [0] * 768} if meaning == 3 else {}
                 volumes.write_tiff(self.folder / "in.tif", self.volume, packing=packing, tag_262=meaning, **palette)
@@ -110,6 +119,43 @@ class StackTest(ProgramTestCase):
         text = b"ImageJ=1.53t\nunit=mm\nspacing=1\ncf=0\nc0=-1000\nc1=1\n\0"
         volumes.write_tiff(self.folder / "in.tif", self.volume, tag_270=text)
         self.assertIn("stored_values", self.warnings_of("in.tif"))
+
+    def test_slices_of_tiles(self):
+        folder = self.folder / "tiles"
+        folder.mkdir()
+        for z, voxels in enumerate(self.slices):
+            image = volumes.Volume(self.volume.size[:2], voxels, kind=self.volume.kind)
+            volumes.write_tiff(folder / f"{z:02}.tif", image, tile=(16, 16))
+        volumes.write_meta(self.folder / "in.mha", self.volume)
+        self.extract("in.mha", "expected.mha", "--lower", 50)
+        self.extract(folder, "o.mha", "--lower", 50, "--spacing", "1,1,1")
+        self.assertEqual(*(volumes.read_data(self.folder / name) for name in ("o.mha", "expected.mha")))
+
+    def test_masks_of_one_bit(self):
+        """As tifffile writes them: rows begin at whole bytes, the highest bit is first."""
+        file = self.folder / "in.tif"
+        for size in ((21, 18, 12), (16, 18, 12), (3, 18, 12)):
+            volume = volumes.blurred_wall(size=size)
+            volumes.write_meta(self.folder / "in.mha", volume)
+            self.extract("in.mha", "expected.mha", "--lower", 50, "--overwrite")
+            for options in ({}, {"rowsperstrip": 5}, {"compression": "zlib"}, {"tile": [16, 16]}):
+                self.call_writer(["-c", WRITE_MASK], "tifffile", volume, file=str(file), options=options)
+                self.assertEqual(self.info("in.tif")["type"], "uint8")
+                self.extract("in.tif", "o.mha", "--lower", 1, "--spacing", "1,1,1", "--overwrite")
+                found, expected = (volumes.read_data(self.folder / name) for name in ("o.mha", "expected.mha"))
+                self.assertEqual(found, expected, (size, options))
+                self.extract("in.tif", "o.mha", "--lower", 1, "--spacing", "1,1,1", "--overwrite", "--divisions", 3)
+                self.assertEqual(volumes.read_data(self.folder / "o.mha"), expected, (size, options))
+            folder = self.folder / f"bits{size[0]}"
+            folder.mkdir()
+            for z in range(size[2]):
+                image = volumes.Volume(size[:2], volume.voxels[z * size[0] * size[1] :][: size[0] * size[1]], kind=volume.kind)
+                self.call_writer(["-c", WRITE_MASK], "tifffile", image, file=str(folder / f"{z:02}.tif"), options={})
+            self.extract(folder, "o.mha", "--lower", 1, "--spacing", "1,1,1", "--overwrite")
+            self.assertEqual(volumes.read_data(self.folder / "o.mha"), expected, size)
+        content = file.read_bytes()
+        file.write_bytes(content[:-20])
+        self.assert_fails(CORRUPT, ["in.tif"], "extract", "in.tif", "o.mha", "--lower", 1, "--overwrite")
 
     def test_a_distance_of_slices_that_is_a_guess_is_a_warning(self):
         inch = {"tag_282": (254, 1), "tag_283": (254, 1), "tag_296": 2}

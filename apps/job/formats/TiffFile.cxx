@@ -77,7 +77,13 @@ TiffFile::GetBands() const
 std::uint64_t
 TiffFile::GetBytesPerVoxel() const
 {
-  return this->Get<std::uint16_t>(TIFFTAG_BITSPERSAMPLE, 1) / 8u;
+  return this->HasBits() ? 1 : this->Get<std::uint16_t>(TIFFTAG_BITSPERSAMPLE, 1) / 8u;
+}
+
+bool
+TiffFile::HasBits() const
+{
+  return this->Get<std::uint16_t>(TIFFTAG_BITSPERSAMPLE, 1) == 1;
 }
 
 std::uint64_t
@@ -90,7 +96,9 @@ TiffFile::GetBytesToRead(std::uint64_t band) const
   {
     largest = std::max(largest, TIFFGetStrileByteCount(m_Handle.get(), static_cast<std::uint32_t>(part)));
   }
-  return largest + this->GetBytesPerVoxel() * (bands.GetRows(band) * bands.width + bands.rows * bands.tileWidth);
+  const std::uint64_t tile = bands.rows * bands.tileWidth;
+  const std::uint64_t bits = this->HasBits() ? bands.rows * (std::max(bands.width, bands.tileWidth) / 8 + 1) : 0;
+  return largest + this->GetBytesPerVoxel() * (bands.GetRows(band) * bands.width + tile) + bits;
 }
 
 std::uint64_t
@@ -112,12 +120,33 @@ TiffFile::ReadBand(std::uint64_t band, char * voxels, std::uint64_t numberOfByte
     this->ReadTiles(bands, band, voxels);
     return packedBytes;
   }
-  const auto size = static_cast<tmsize_t>(numberOfBytes);
-  if (TIFFReadEncodedStrip(m_Handle.get(), static_cast<std::uint32_t>(band), voxels, size) != size)
-  {
-    this->Refuse("its compressed voxels are damaged or end early");
-  }
+  this->ReadPart(band, bands.width, bands.GetRows(band), voxels);
   return packedBytes;
+}
+
+void
+TiffFile::ReadPart(std::uint64_t part, std::uint64_t width, std::uint64_t rows, char * voxels)
+{
+  const bool          isTile = TIFFIsTiled(m_Handle.get()) != 0;
+  const bool          hasBits = this->HasBits();
+  const std::uint64_t rowBytes = hasBits ? (width + 7) / 8 : width * this->GetBytesPerVoxel();
+  m_Bits.resize(hasBits ? rows * rowBytes : 0);
+  void * const target = hasBits ? static_cast<void *>(m_Bits.data()) : voxels;
+  const auto   size = static_cast<tmsize_t>(rows * rowBytes);
+  const auto   number = static_cast<std::uint32_t>(part);
+  const auto   read = isTile ? TIFFReadEncodedTile(m_Handle.get(), number, target, size)
+                             : TIFFReadEncodedStrip(m_Handle.get(), number, target, size);
+  if (read != size)
+  {
+    this->Refuse(isTile ? "its tiles are damaged or end early" : "its compressed voxels are damaged or end early");
+  }
+  for (std::uint64_t row = 0; hasBits && row < rows; ++row)
+  {
+    for (std::uint64_t x = 0; x < width; ++x)
+    {
+      voxels[row * width + x] = static_cast<char>(m_Bits[row * rowBytes + x / 8] >> (7 - x % 8) & 1);
+    }
+  }
 }
 
 void
@@ -126,15 +155,10 @@ TiffFile::ReadTiles(const TiffBands & bands, std::uint64_t band, char * voxels)
   const std::uint64_t bytesPerVoxel = this->GetBytesPerVoxel();
   const std::uint64_t bytesPerTileRow = bands.tileWidth * bytesPerVoxel;
   m_Tile.resize(bands.rows * bytesPerTileRow);
-  const auto size = static_cast<tmsize_t>(m_Tile.size());
   for (std::uint64_t column = 0; column < bands.GetParts(); ++column)
   {
     itk::MedialVoxelPoll();
-    const auto tile = static_cast<std::uint32_t>(band * bands.GetParts() + column);
-    if (TIFFReadEncodedTile(m_Handle.get(), tile, m_Tile.data(), size) != size)
-    {
-      this->Refuse("its tiles are damaged or end early");
-    }
+    this->ReadPart(band * bands.GetParts() + column, bands.tileWidth, bands.rows, m_Tile.data());
     const std::uint64_t first = column * bands.tileWidth;
     const std::uint64_t bytes = std::min(bands.tileWidth, bands.width - first) * bytesPerVoxel;
     for (std::uint64_t row = 0; row < bands.GetRows(band); ++row)

@@ -130,8 +130,16 @@ private:
   static int
   DropWarning(TIFF *, void *, const char *, const char *, va_list);
 
+  /** Of voxels as they are unpacked: those of one bit become bytes. */
   std::uint64_t
   GetBytesPerVoxel() const;
+
+  bool
+  HasBits() const;
+
+  /** Reads a strip or tile of so many rows and voxels in a row. */
+  void
+  ReadPart(std::uint64_t part, std::uint64_t width, std::uint64_t rows, char * voxels);
 
   void
   ReadTiles(const TiffBands & bands, std::uint64_t band, char * voxels);
@@ -147,6 +155,7 @@ private:
   std::string                   m_Complaint; ///< the first one, which is the cause of those that follow
   std::unique_ptr<TIFF, Closer> m_Handle;
   std::vector<char>             m_Tile;
+  std::vector<unsigned char>    m_Bits; ///< of a strip or tile
 };
 
 } // end namespace medialvoxel

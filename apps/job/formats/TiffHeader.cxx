@@ -117,6 +117,10 @@ GetPixelType(const TiffFile & file, const SliceFormat & format)
 {
   const std::array<const char *, 3> kinds{ "uint", "int", "float" };
   std::string                       name = "unknown";
+  if (format.bits == 1)
+  {
+    return PixelType::UInt8; // they are unpacked
+  }
   if (format.sampleFormat >= SAMPLEFORMAT_UINT && format.sampleFormat <= SAMPLEFORMAT_IEEEFP)
   {
     name = kinds[format.sampleFormat - 1u] + std::to_string(format.bits);
@@ -126,7 +130,7 @@ GetPixelType(const TiffFile & file, const SliceFormat & format)
   {
     file.Refuse("its voxels have " + std::to_string(format.bits) + " bits of the sample format " +
                 std::to_string(format.sampleFormat) +
-                "; only whole numbers of 8 to 64 bits and reals of 32 and 64 bits are read");
+                "; only whole numbers of 1 bit or 8 to 64 bits and reals of 32 and 64 bits are read");
   }
   return *type;
 }
@@ -236,12 +240,12 @@ private:
       m_File.Refuse("a slice of " + FormatSize({ m_Format.width, m_Format.height }) + " voxels is empty or too large");
     }
     m_Header.pixelType = GetPixelType(m_File, m_Format);
-    m_IsWhiteZero = m_File.Get<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK) == PHOTOMETRIC_MINISWHITE;
+    m_Meaning = m_File.Get<std::uint16_t>(TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_MINISBLACK);
     m_Spacing = { GetSpacing(m_File, m_Description, false), GetSpacing(m_File, m_Description, true) };
     m_Header.compressed = m_Format.compression != COMPRESSION_NONE;
-    m_Header.liesInRows = !m_Format.isTiled;
+    m_Header.liesInRows = !m_Format.isTiled && m_Format.bits > 1;
     // libtiff unpacks into the order of the machine.
-    m_IsUnpacked = m_Header.compressed || m_Format.isTiled;
+    m_IsUnpacked = m_Header.compressed || !m_Header.liesInRows;
     m_Header.bigEndian = m_IsUnpacked ? itk::MachineIsBigEndian() : TIFFIsBigEndian(m_File.GetHandle()) != 0;
   }
 
@@ -302,7 +306,7 @@ private:
       m_File.Refuse("it has " + std::to_string(size) + " bytes; " + std::to_string(packedBytes) +
                     " bytes of voxels should lie at " + std::to_string(offset));
     }
-    if (bytes / m_Packing.maximumRatio > packedBytes || packedBytes == 0)
+    if (bytes / m_Packing.maximumRatio / this->GetVoxelsPerByte() > packedBytes || packedBytes == 0)
     {
       m_File.Refuse((m_Format.isTiled ? "a tile of " : "a strip of ") + std::to_string(packedBytes) +
                     " bytes cannot hold " + std::to_string(bytes) + " bytes of voxels");
@@ -384,23 +388,35 @@ private:
     {
       WarnOfUnknownSpacing(m_Header, spacing.doubt);
     }
-    if (m_Description.isCalibrated || m_IsWhiteZero)
+    if (const std::string shown = this->DescribeShown(); !shown.empty())
     {
-      m_Header.warnings.push_back(
-        { "stored_values",
-          std::string(m_IsWhiteZero ? "0 is white in this file" : "ImageJ shows calibrated values of this file") +
-            "; thresholds compare the numbers that are stored",
-          {} });
+      m_Header.warnings.push_back({ "stored_values", shown + "; thresholds compare the numbers that are stored", {} });
     }
     geometry.origin.assign(geometry.size.size(), 0.0);
     geometry.SetIdentityDirection();
     // Tiles may lie in one place; without this, a small file could stand for a large volume.
     const std::uint64_t bytes = slices * m_Format.height * this->GetRowBytes();
-    if (m_Format.isTiled && !m_Header.compressed && bytes > m_Header.dataFileSize)
+    if (m_IsUnpacked && !m_Header.compressed && bytes / this->GetVoxelsPerByte() > m_Header.dataFileSize)
     {
       m_File.Refuse("it has " + std::to_string(m_Header.dataFileSize) + " bytes, its voxels have " +
                     std::to_string(bytes));
     }
+  }
+
+  /** How other programs show values that are not what is stored. */
+  std::string
+  DescribeShown() const
+  {
+    return m_Meaning == PHOTOMETRIC_MINISWHITE ? "0 is white in this file"
+           : m_Meaning == PHOTOMETRIC_PALETTE  ? "the numbers are those of colors in a palette"
+           : m_Description.isCalibrated        ? "ImageJ shows calibrated values of this file"
+                                               : "";
+  }
+
+  std::uint64_t
+  GetVoxelsPerByte() const
+  {
+    return m_Format.bits == 1 ? 8 : 1;
   }
 
   std::uint64_t
@@ -411,7 +427,7 @@ private:
 
   TiffFile        m_File;
   bool            m_IsSlice;
-  bool            m_IsWhiteZero{ false };
+  std::uint16_t   m_Meaning{ PHOTOMETRIC_MINISBLACK };
   SliceFormat     m_Format{};
   Packing         m_Packing{};
   bool            m_IsUnpacked{ false }; ///< by libtiff, which puts tiles together too

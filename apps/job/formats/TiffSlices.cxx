@@ -49,7 +49,7 @@ ReadVoxels(const SliceHeader & expected, void * voxels)
   const VolumeHeader image = ReadImage(expected.fileName);
   RequireSameSlice(expected, MakeHeader(image));
   const std::uint64_t bytes = expected.GetVoxelBytes();
-  if (image.compressed)
+  if (image.compressed || !image.liesInRows)
   {
     OpenTiffStream(image)->Read(voxels, bytes);
   }
