@@ -69,7 +69,7 @@ class LargeJobTest(ProgramTestCase):
         wasted, kills, done, ended = 0, 0, set(), False
         while kills < KILLS and not ended:
             process = self.start(*command)
-            time.sleep(noise.uniform(0.1, 1.9) * self.cluster_seconds)
+            time.sleep(noise.uniform(0.1, 1.9) * self.cluster_seconds)  # any moment will do
             # While it is stopped, its locks tell what it is at.
             process.send_signal(signal.SIGSTOP)
             status = {"running": {"number": 0}}

@@ -6,21 +6,20 @@ import os
 import shutil
 import signal
 import sys
-import time
 import unittest
 
 import network_hosts
-from network_hosts import wait_for
 from network_jobs import CLUSTERS, OPTIONS, OUTPUTS, NetworkTestCase
-from program import DONE, FAILURE
+from program import DONE, FAILURE, wait_until
+from stops import state_of
 
 # Locks a byte of a file until it is killed.
 HOLD_LOCK = """
-import fcntl, sys, time
+import fcntl, signal, sys
 with open(sys.argv[1], "r+b") as file:
     fcntl.lockf(file, fcntl.LOCK_EX, 1, int(sys.argv[2]))
     print("locked", flush=True)
-    time.sleep(1000)
+    signal.pause()
 """
 
 
@@ -40,10 +39,16 @@ class GlusterTest(NetworkTestCase):
         self.assertIn("\nrunning   1: 3\n", self.on(gamma, "status", "job"))
         log = self.folder / "beta.log"
         worker = self.start_on(beta, "work", "job", "--clusters", 3, "--log-file", log)
-        wait_for(lambda: log.exists() and " plan " in log.read_text(), "the start")
-        time.sleep(0.5)
+        wait_until(lambda: log.exists() and " plan " in log.read_text(), "the start")
+        wait_until(lambda: self.waits_for_a_lock(network_hosts.child_of(worker.pid)), "the one that waits")
         beta.cut_off()
         self.assert_ends(worker, FAILURE, "cannot lock")
+
+    @staticmethod
+    def waits_for_a_lock(program):
+        """Whether it sleeps, with the file of locks open."""
+        files = [os.readlink(entry) for entry in os.scandir(f"/proc/{program}/fd")]
+        return any(file.endswith("/locks") for file in files) and state_of(program) == "S"
 
     def test_resumed_on_two_hosts_at_once(self):
         alpha, beta, gamma = self.clients
@@ -67,9 +72,9 @@ class SftpTest(NetworkTestCase):
 
         for _ in range(CLUSTERS - 1):
             before = labeled()
-            wait_for(lambda before=before: labeled() > before, "the next cluster")
+            wait_until(lambda before=before: labeled() > before, "the next cluster")
             os.kill(program, signal.SIGSTOP)
-            time.sleep(0.2)
+            wait_until(lambda: state_of(program) == "T", "the halt")
             if labeled() > len(list(self.target.glob("d.zarr.*.partial/0/*/0/0"))):
                 return
             os.kill(program, signal.SIGCONT)
@@ -82,7 +87,7 @@ class SftpTest(NetworkTestCase):
         self.in_target("plan", "../in.raw", "out.mha", "job", *OPTIONS, *OUTPUTS, "--divisions", CLUSTERS)
         log = self.folder / "late.log"
         late = self.start_on(beta, "work", "job", "--log-file", log)
-        wait_for(lambda: log.exists() and " plan " in log.read_text(), "the start")
+        wait_until(lambda: log.exists() and " plan " in log.read_text(), "the start")
         late_program = network_hosts.child_of(late.pid)
         self.stop_before_distances(late_program, log)
         self.on(alpha, "work", "job")

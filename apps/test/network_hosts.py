@@ -10,7 +10,8 @@ import shutil
 import signal
 import subprocess
 import sys
-import time
+
+from program import wait_until
 
 SFTP_SERVER = "/usr/lib/openssh/sftp-server"
 SFTP_PORT = 2222
@@ -116,14 +117,6 @@ def send(process, number):
     os.kill(child_of(process.pid), number)
 
 
-def wait_for(condition, what, seconds=60):
-    deadline = time.monotonic() + seconds
-    while not condition():
-        if time.monotonic() > deadline:
-            raise AssertionError(f"waited {seconds} s for {what}")
-        time.sleep(0.01)
-
-
 class Network:
     """A server, and clients at a bridge that belongs to it."""
 
@@ -165,7 +158,7 @@ class Network:
         server = self.server
         server.run("mkdir", "/run/gluster")
         server.run("glusterd")
-        wait_for(lambda: server.run("gluster", "pool", "list", check=False).returncode == 0, "glusterd")
+        wait_until(lambda: server.run("gluster", "pool", "list", check=False).returncode == 0, "glusterd")
         command = ["gluster", "--mode=script", "volume"]
         server.run(*command, "create", "shared", f"{SERVER_ADDRESS}:{folder}", "force")
         server.run(*command, "set", "shared", *itertools.chain(*GLUSTER_OPTIONS.items()))
@@ -181,7 +174,7 @@ class Network:
         for client in self.clients:
             command = ["sshfs", f"{SERVER_ADDRESS}:{folder}", folder, "-o", f"directport={SFTP_PORT}"]
             mounted = lambda: client.run(*command, *options, check=False).returncode == 0  # noqa: B023
-            wait_for(mounted, "sshfs")
+            wait_until(mounted, "sshfs")
 
 
 def serve_sftp():

@@ -9,8 +9,7 @@ import unittest
 import jobs
 import network_hosts
 from jobs import JobTestCase
-from network_hosts import wait_for
-from program import DONE, PATIENCE, PROGRAM
+from program import DONE, PATIENCE, PROGRAM, wait_until
 
 SIZE = (48, 48, 640)
 CLUSTERS = 20
@@ -61,7 +60,7 @@ class NetworkTestCase(JobTestCase):
 
     def wait_for_markers(self, number):
         markers = self.job / "clusters"
-        wait_for(lambda: len(list(markers.glob("*.json"))) >= number, f"{number} clusters")
+        wait_until(lambda: len(list(markers.glob("*.json"))) >= number, f"{number} clusters")
 
     def assert_same_bytes_on_all(self):
         """As one run on the disk of this machine makes, and nothing else."""

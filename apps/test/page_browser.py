@@ -5,7 +5,6 @@
 import io
 import json
 import shutil
-import time
 
 import numpy
 from PIL import Image
@@ -15,6 +14,8 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
+
+from program import wait_until
 
 BROWSER = shutil.which("chromium")
 DRIVER = shutil.which("chromedriver")
@@ -49,14 +50,18 @@ class PageBrowser:
 
     def wait(self, name, value=None):
         """Until the view says that, or says it with this value."""
-        end = time.monotonic() + SECONDS
-        while time.monotonic() < end:
+
+        def says():
             state = self.state()
-            if name in state and value in (None, state[name]):
-                time.sleep(0.2)  # for the picture of the last frame
-                return self.state()
-            time.sleep(0.05)
-        raise AssertionError(f"the view does not say {name} = {value}: {self.state()}")
+            return name in state and value in (None, state[name])
+
+        wait_until(says, f"the view to say {name} = {value}", SECONDS, 0.05)
+        self.wait_for_frames()
+        return self.state()
+
+    def wait_for_frames(self):
+        """Until the page has drawn what it knows of: a frame that it has asked for, and the next one begins."""
+        self.driver.execute_async_script("requestAnimationFrame(() => requestAnimationFrame(arguments[0]))")
 
     def camera(self):
         """Position and target."""
@@ -78,7 +83,7 @@ class PageBrowser:
             if shift:
                 chain.key_up(Keys.SHIFT)
             chain.perform()
-        time.sleep(0.4)
+        self.wait_for_frames()
 
     def press_anywhere(self, *keys):
         """Keys, on whatever has the focus."""
@@ -87,12 +92,12 @@ class PageBrowser:
     def drag(self, right, down):
         canvas = self.find("#view-canvas")[0]
         ActionChains(self.driver).move_to_element(canvas).click_and_hold().move_by_offset(right, down).release().perform()
-        time.sleep(0.4)
+        self.wait_for_frames()
 
     def click_view(self):
         """In the middle."""
         ActionChains(self.driver).move_to_element(self.find("#view-canvas")[0]).click().perform()
-        time.sleep(0.4)
+        self.wait_for_frames()
 
     def messages(self):
         """Of the console, those that are no errors too."""

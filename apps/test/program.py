@@ -51,14 +51,23 @@ def has_begun(process, folder):
     return any(link.startswith(f"{folder.resolve()}/#") for link in links)
 
 
-def wait_for_begin(process, folder, seconds=20):
+def wait_until(condition, what, seconds=60, interval=0.001):
+    """Asks again and again until a condition holds. Returns what it says."""
+    deadline = time.monotonic() + seconds * PATIENCE
+    while not (found := condition()):
+        if time.monotonic() > deadline:
+            raise AssertionError(f"waited {seconds * PATIENCE:g} s for {what}")
+        time.sleep(interval)
+    return found
+
+
+def wait_for_begin(process, folder):
     """Waits until a process writes outputs, or has ended. Returns whether it writes them."""
-    deadline = time.monotonic() + seconds
-    while process.poll() is None and time.monotonic() < deadline:
-        if has_begun(process, folder):
-            return True
-        time.sleep(0.001)
-    return False
+
+    def begins_or_ends():
+        return "ends" if process.poll() is not None else has_begun(process, folder) and "begins"
+
+    return wait_until(begins_or_ends, "the first output") == "begins"
 
 
 class ProgramTestCase(unittest.TestCase):

@@ -5,11 +5,10 @@
 import os
 import pathlib
 import random
-import time
 
 import jobs
 from jobs import JobTestCase
-from program import PROGRAM
+from program import PROGRAM, wait_until
 
 PROGRAM_FOLDER = pathlib.Path(PROGRAM).parent
 CLUSTERS = 20
@@ -37,10 +36,7 @@ class ScheduledJobTestCase(JobTestCase):
         return self.in_target("plan", "../in.raw", "out.mha", "job", *self.options, *options)
 
     def wait_for_markers(self, number):
-        deadline = time.monotonic() + 120
-        while len(self.markers()) < number:
-            self.assertLess(time.monotonic(), deadline, f"{len(self.markers())} clusters are done")
-            time.sleep(0.01)
+        wait_until(lambda: len(self.markers()) >= number, f"{number} clusters", 120, 0.01)
 
     def find_workers(self):
         """Processes that are at work on the job, and their clusters."""

@@ -7,7 +7,8 @@ import pathlib
 import shutil
 import socket
 import subprocess
-import time
+
+from program import wait_until
 
 DAEMONS = {"munged": "munge", "slurmctld": "slurmctld", "slurmd": "slurmd", "sbatch": "slurm-client"}
 CONFIGURATION = """\
@@ -121,11 +122,15 @@ class SlurmNode:
         return "\n".join(f"{path.name}: {path.read_text(errors='replace')[-2000:]}" for path in files)
 
     def wait_for(self, condition, seconds=60):
-        deadline = time.monotonic() + seconds
-        while not condition():
-            if time.monotonic() > deadline or any(daemon.poll() is not None for daemon in self.daemons):
-                raise AssertionError(f"Slurm does not come to that\n{self.logs()}")
-            time.sleep(0.1)
+        def holds():
+            if any(daemon.poll() is not None for daemon in self.daemons):
+                raise AssertionError("a daemon of Slurm has ended")
+            return condition()
+
+        try:
+            wait_until(holds, "Slurm", seconds, 0.1)
+        except AssertionError as error:
+            raise AssertionError(f"{error}\n{self.logs()}") from None
 
     def run(self, *command, check=True, cwd=None):
         """What a command of Slurm prints."""

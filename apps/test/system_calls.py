@@ -24,11 +24,11 @@ def _is_missing():
 needs_strace = unittest.skipIf(_is_missing(), _is_missing() or "")
 
 
-def command_with(injections, arguments, path=None):
+def command_with(injections, arguments, path=None, trace=os.devnull):
     """The program with injections of strace, such as "rename:error=EIO:when=2", with blanks between, in calls for a
-    file."""
+    file. The calls are listed in the trace."""
     calls = ",".join(injection.split(":")[0] for injection in injections.split())
-    command = ["strace", "-f", "-o", os.devnull, "-e", "trace=" + calls]
+    command = ["strace", "-f", "-o", trace, "-e", "trace=" + calls]
     command += [text for injection in injections.split() for text in ("-e", "inject=" + injection)]
     command += ["-P", path] if path else []
     return [*command, PROGRAM, *map(str, arguments)]

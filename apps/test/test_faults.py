@@ -324,7 +324,7 @@ class RunningTest(ProgramTestCase):
         expected = volumes.read_data(self.folder / "whole.mhd")
         for delay in (0, 0.01, 0.02, 0.04, 0.08, 0.16):
             running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3, "--overwrite")
-            time.sleep(delay)
+            time.sleep(delay)  # moments all over the run, or after its end: what holds, holds at any time
             running.process.kill()
             status, _ = running.finish()
             self.assertIn(status, (0, -signal.SIGKILL))

@@ -6,12 +6,11 @@ import os
 import pathlib
 import signal
 import subprocess
-import time
 import unittest
 
 from job_kills import JOB_OPTIONS, WORK, JobKillCase
 from jobs import results
-from program import FAILURE
+from program import FAILURE, wait_until
 from system_calls import command_with, needs_strace, run_with
 
 PLAN = ["plan", "../in.mha", "out.mha", "job", *JOB_OPTIONS]
@@ -48,15 +47,20 @@ class JobCallTest(JobKillCase):
         options = ["--raw-size", "100,100,100", "--raw-type", "uint8", "--divisions", 1, "--vectors", "v.mha"]
         self.in_target("plan", path, "out.mha", "job", *options)
         self.in_target(*WORK)
-        slow = ["pread64:delay_enter=1000000", ["finalize", "job"], next(self.target.glob("v.mha.*.partial"))]
+        trace = self.folder / "trace"
+        slow = ["pread64:delay_enter=1000000", ["finalize", "job"], next(self.target.glob("v.mha.*.partial")), trace]
         with subprocess.Popen(command_with(*slow), cwd=self.target, stderr=subprocess.PIPE, text=True) as process:
-            time.sleep(3)
+            wait_until(lambda: process.poll() is not None or self.count_reads(trace) >= 2, "the second megabyte")
             child = pathlib.Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()[0]
-            begin = time.monotonic()
+            before = self.count_reads(trace)
             os.kill(int(child), signal.SIGTERM)
             error = process.communicate()[1]
         self.assertEqual(process.returncode, 128 + signal.SIGTERM, error)
-        self.assertLess(time.monotonic() - begin, 4)
+        self.assertLessEqual(self.count_reads(trace), before + 2)
+
+    @staticmethod
+    def count_reads(trace):
+        return trace.read_text().count("pread64(") if trace.exists() else 0
 
     def test_reserving_space_is_interrupted(self):
         """As when a process is halted and goes on."""

@@ -4,16 +4,17 @@
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
-import time
 import unittest
 
 import jobs
 import volumes
 from jobs import JobTestCase
-from program import FAILURE, PROGRAM, REFUSED, unprivileged
+from program import FAILURE, PROGRAM, REFUSED, unprivileged, wait_until
+from stops import state_of
 from test_identity import rough_shell
 
 OPTIONS = ["--thickness", 2, "--vectors", "v.nhdr", "--preview", "p.png", "--report", "r.json", "--divisions", 7]
@@ -287,17 +288,24 @@ class JobFaultTest(JobTestCase):
         for _ in range(4):
             (self.job / "locks").unlink(missing_ok=True)
             workers.append(self.start("work", "job"))
-            time.sleep(0.01)
+            wait_until(lambda: self.has_locks(workers[-1]), "the file of locks")
         for worker in workers:
             self.assertEqual(worker.wait(timeout=60), 0, worker.stderr.read())
         self.assert_finishes()
 
+    @staticmethod
+    def has_locks(worker):
+        """Whether it has opened the file, or has ended."""
+        try:
+            files = [os.readlink(entry) for entry in os.scandir(f"/proc/{worker.pid}/fd")]
+        except OSError:
+            files = []  # it ends, or has just closed one
+        return worker.poll() is not None or any(re.search(r"/locks( \(deleted\))?\Z", file) for file in files)
+
     def test_lock_ends_with_its_process(self):
         self.plan()
         worker = self.start("work", "job", "--threads", 1)
-        deadline = time.monotonic() + 20
-        while not self.status()["running"]["number"] and worker.poll() is None and time.monotonic() < deadline:
-            pass
+        wait_until(lambda: worker.poll() is not None or self.status()["running"]["number"], "a cluster")
         worker.send_signal(signal.SIGKILL)
         worker.wait()
         self.assertEqual(self.status()["running"]["number"], 0)
@@ -339,16 +347,21 @@ class JobFaultTest(JobTestCase):
         """Starts a worker and stops it while it computes a cluster."""
         for _ in range(50):
             worker = self.start("work", "job", "--threads", 1, "--clusters", "0-6")
-            while worker.poll() is None:
-                worker.send_signal(signal.SIGSTOP)
-                running = self.status()["running"]["clusters"]
-                if running and not list(self.job.glob(f"clusters/{int(running):06}.*")):
-                    return worker
-                worker.send_signal(signal.SIGCONT)
-                time.sleep(0.001)
+            if wait_until(lambda: worker.poll() is not None or self.halts(worker), "a cluster") == "halted":  # noqa: B023
+                return worker
             self.clear_target()  # it was faster
             self.plan()
         self.fail("no worker was found at work")
+
+    def halts(self, worker):
+        """Stops it; lets it go on where it computes no cluster."""
+        worker.send_signal(signal.SIGSTOP)
+        wait_until(lambda: state_of(worker.pid) in "TZ", "the halt")
+        running = self.status()["running"]["clusters"]
+        if running and not list(self.job.glob(f"clusters/{int(running):06}.*")):
+            return "halted"
+        worker.send_signal(signal.SIGCONT)
+        return None
 
     def test_clock_that_is_wrong(self):
         """Markers and locks of another time, past or future, are as good."""

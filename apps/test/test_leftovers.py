@@ -14,7 +14,8 @@ import unittest
 
 import volumes
 import zarr_folder
-from program import DONE, PROGRAM, REFUSED, ProgramTestCase, has_begun
+from program import DONE, PROGRAM, REFUSED, ProgramTestCase, has_begun, wait_for_begin, wait_until
+from stops import state_of
 from system_calls import command_with, kill_at_each, needs_strace, run_with
 from test_identity import rough_shell
 
@@ -118,7 +119,11 @@ class KilledRunTest(LeftoverCase):
             if not overwrites:
                 self.remove_outputs()
             process = self.start(command + ["--overwrite"] if overwrites and PROGRAM in command else command)
-            time.sleep(seconds * (kill + generator.random()) / KILLS)
+            # Moments all over the run; the first one is sure to be in the work.
+            if kill:
+                time.sleep(seconds * (kill + generator.random()) / KILLS)
+            else:
+                wait_for_begin(process, self.folder)
             at_work += has_begun(process, self.folder)
             process.kill()
             process.wait()
@@ -248,11 +253,10 @@ class SweepTest(LeftoverCase):
     def begin(self, name):
         """A run that waits after its folder is there."""
         process = self.start([PROGRAM, "extract", "in.mha", name, "--thickness", 3, "--divisions", 40])
-        left = []
-        while not left and process.poll() is None:
-            left = list(self.folder.glob(name + ".*"))
+        wait_until(lambda: process.poll() is not None or list(self.folder.glob(name + ".*")), "its folder")
         process.send_signal(signal.SIGSTOP)
-        self.assertRegex(left[0].name, rf"\A{re.escape(name)}\.{NAME}\Z")
+        (left,) = self.folder.glob(name + ".*")
+        self.assertRegex(left.name, rf"\A{re.escape(name)}\.{NAME}\Z")
         return process
 
     def run_other(self):
@@ -263,10 +267,7 @@ class SweepTest(LeftoverCase):
         self.run_other()
         self.assertEqual(len(self.leftovers()), 2)
         second.kill()  # and not waited for: the system still knows the process
-        deadline = time.monotonic() + 20
-        while pathlib.Path(f"/proc/{second.pid}/stat").read_text().rsplit(")", 1)[1].split()[0] != "Z":
-            self.assertLess(time.monotonic(), deadline)
-            time.sleep(0.01)
+        wait_until(lambda: state_of(second.pid) == "Z", "the end of the process")
         self.run_other()
         (left,) = self.leftovers()
         self.assertTrue(left.startswith("a.zarr."), left)

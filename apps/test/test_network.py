@@ -8,9 +8,8 @@ import unittest
 
 import jobs
 import network_hosts
-from network_hosts import wait_for
 from network_jobs import CLUSTERS, OPTIONS, NetworkTestCase
-from program import DONE, FAILURE
+from program import DONE, FAILURE, wait_until
 
 
 class GlusterTest(NetworkTestCase):
@@ -36,7 +35,7 @@ class GlusterTest(NetworkTestCase):
         counts = ["clusters done     0\nclusters skipped  1\n", "clusters done     1\nclusters skipped  0\n"]
         self.assertIn(rivals, [counts, [counts[0], counts[0]]])
         beta.join_again()
-        wait_for(lambda: beta.run("ls", self.job, check=False).returncode == 0, "the return of the host")
+        wait_until(lambda: beta.run("ls", self.job, check=False).returncode == 0, "the return of the host")
         self.on(beta, "work", "job", messages=[f"clusters skipped  {CLUSTERS}\n"])
         self.on(gamma, "finalize", "job")
         self.assert_same_bytes_on_all()

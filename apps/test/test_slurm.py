@@ -8,14 +8,13 @@ import shutil
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 
 import jobs
 import slurm_node
 import volumes
 from jobs import JobTestCase
-from program import REFUSED, USAGE
+from program import REFUSED, USAGE, wait_until
 from scheduled_jobs import CLUSTERS, PROGRAM_FOLDER, ScheduledJobTestCase
 from test_identity import rough_shell
 
@@ -129,8 +128,7 @@ class SlurmTest(ScheduledJobTestCase):
 
     def kill_a_process(self):
         """As when a machine fails: the task of the process fails, the others go on."""
-        while not (found := self.find_workers()):
-            time.sleep(0.01)
+        found = wait_until(self.find_workers, "a worker", 120, 0.01)
         os.kill(min(found), signal.SIGKILL)
 
     def test_killed_and_cancelled_half_way_and_submitted_again_unchanged(self):

@@ -4,10 +4,10 @@
 
 import signal
 import subprocess
-import time
 import unittest
 
 from program import PATIENCE, PROGRAM, ProgramTestCase, wait_for_begin
+from stops import processor_seconds, stop, wait_for_work
 
 SIZE = 360
 
@@ -31,11 +31,9 @@ class StopTest(ProgramTestCase):
         ) as process:
             process.stderr.readline()
             self.assertTrue(wait_for_begin(process, self.folder), "the work has not begun")
-            time.sleep(0.3)
-            sent = time.monotonic()
-            process.send_signal(number)
-            out, error = process.communicate(timeout=60)
-            self.stop_seconds = time.monotonic() - sent
+            wait_for_work(process, processor_seconds(process.pid) + 0.3)
+            self.stop_seconds = stop(process, number)
+            out, error = process.communicate()
             self.assertEqual(out, "")
             return process.returncode, error
 

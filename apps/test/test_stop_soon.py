@@ -4,15 +4,17 @@
 
 import gzip
 import json
+import os
 import random
 import re
 import signal
 import subprocess
-import time
+import tempfile
 import unittest
 
-from program import PATIENCE, PROGRAM, ProgramTestCase
+from program import PATIENCE, PROGRAM, ProgramTestCase, wait_until
 from slicer_module import MODULE
+from stops import stop, wait_for_work
 
 SIZE = 200
 NOISE = ("noise.raw", "--raw-size", f"{SIZE},{SIZE},{SIZE}", "--raw-type", "uint8", "--lower", "64")
@@ -21,6 +23,11 @@ SOLID = ("solid.raw", "--raw-size", f"{SIZE},{SIZE},{SIZE}", "--raw-type", "uint
 # A member of a packed file, and how often it is repeated: gigabytes that take seconds to unpack, in little space.
 MEMBER_BYTES = 1 << 26
 MEMBERS = 64
+
+# Seconds of processors after which a run is in its long step.
+WORK = 2
+
+FRACTION = re.compile(r"<filter-progress>(.*)</filter-progress>\n")
 
 
 class StopSoonTest(ProgramTestCase):
@@ -39,37 +46,33 @@ class StopSoonTest(ProgramTestCase):
         return sorted(path.name for path in self.folder.iterdir())
 
     def start(self, *command):
-        process = subprocess.Popen(
-            [*map(str, command)], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
-        )
-        self.addCleanup(process.stdout.close)
-        self.addCleanup(process.stderr.close)
+        """The process has files for its output streams, which can be read at any time."""
+        self.streams = [tempfile.TemporaryFile() for _ in range(2)]
+        for file in self.streams:
+            self.addCleanup(file.close)
+        process = subprocess.Popen([*map(str, command)], cwd=self.folder, stdout=self.streams[0], stderr=self.streams[1])
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
         return process
 
-    def stop(self, number, process, seconds):
-        """Sends the signal after some seconds of work; the output streams, and how long the stop took is checked."""
-        try:
-            process.wait(timeout=seconds)
-            self.fail(f"the work ended before it could be stopped: {process.communicate()}")
-        except subprocess.TimeoutExpired:
-            pass
-        sent = time.monotonic()
-        process.send_signal(number)
-        try:
-            streams = process.communicate(timeout=10 * PATIENCE)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.communicate()
-            self.fail(f"no stop {10 * PATIENCE} s after the signal")
-        took = time.monotonic() - sent
+    def read_streams(self):
+        return [os.pread(file.fileno(), 1 << 20, 0).decode() for file in self.streams]
+
+    def stop(self, number, process):
+        """Sends the signal; returns what is in the output streams. How long the stop takes is checked."""
+        self.assertIsNone(process.poll(), f"the work ended before it could be stopped: {self.read_streams()}")
+        seconds = stop(process, number)
+        streams = self.read_streams()
         self.assertEqual(process.returncode, 128 + number, streams)
-        self.assertLess(took, 1 * PATIENCE, streams)
+        self.assertLess(seconds, 1 * PATIENCE, streams)
         return streams
 
-    def assert_stops(self, *arguments, seconds=1.5):
+    def assert_stops(self, *arguments):
         for number in (signal.SIGTERM, signal.SIGINT):
             with self.subTest(arguments=arguments, signal=number):
-                out, error = self.stop(number, self.start(PROGRAM, *arguments), seconds)
+                process = self.start(PROGRAM, *arguments)
+                wait_for_work(process, WORK)
+                out, error = self.stop(number, process)
                 self.assertEqual(out, "")
                 self.assertIn("medialvoxel: stopped, no output was written", error)
                 self.assertEqual(self.names(), self.before)
@@ -121,7 +124,9 @@ class StopSoonTest(ProgramTestCase):
         """On a cluster; what is done stays."""
         self.run_program("plan", *NOISE, "out.mha", "hard", "--thickness", "40", "--divisions", "2")
         for number in (signal.SIGTERM, signal.SIGINT):
-            error = self.stop(number, self.start(PROGRAM, "work", "hard"), 1.5)[1]
+            process = self.start(PROGRAM, "work", "hard")
+            wait_for_work(process, WORK)
+            error = self.stop(number, process)[1]
             self.assertIn("medialvoxel: stopped; what is done stays, to continue: medialvoxel work ", error)
 
     def test_module(self):
@@ -134,20 +139,28 @@ class StopSoonTest(ProgramTestCase):
         options = ("--objectSelection", "AboveLower", "--lowerThreshold", "64", "--thicknessMode", "Fixed")
         for number in (signal.SIGTERM, signal.SIGINT):
             process = self.start(MODULE, "noise.nhdr", "out.nrrd", *options, "--thickness", "40")
-            out, _ = self.stop(number, process, 3.5)
-            self.assert_fractions(re.findall(r"<filter-progress>(.*)</filter-progress>", out))
+            self.wait_for_fractions(process, lambda: FRACTION.findall(self.read_streams()[0]))
+            self.stop(number, process)
             self.assertEqual(self.names(), self.before)
 
-    def assert_fractions(self, fractions):
-        """At least two in three seconds, none below the one before."""
-        self.assertGreaterEqual(len(fractions), 2)
-        self.assertEqual(list(map(float, fractions)), sorted(map(float, fractions)))
+    def wait_for_fractions(self, process, read):
+        """Three, none of which is below the one before, while a single step goes on."""
+        wait_until(lambda: process.poll() is not None or len(read()) >= 3, "progress")
+        fractions = list(map(float, read()))
+        self.assertGreaterEqual(len(fractions), 3, self.read_streams())
+        self.assertEqual(fractions, sorted(fractions))
 
     def test_progress_is_not_silent(self):
         command = (PROGRAM, "extract", *NOISE, "out.mha", "--thickness", "154", "--threads", "1")
-        error = self.stop(signal.SIGTERM, self.start(*command, "--progress", "json"), 3.5)[1]
-        lines = [json.loads(line) for line in error.splitlines() if line.startswith("{")]
-        self.assert_fractions([line["progress"] for line in lines if "progress" in line])
+        process = self.start(*command, "--progress", "json")
+        self.wait_for_fractions(process, lambda: [line["progress"] for line in self.read_progress()])
+        seconds = [line["seconds"] for line in self.read_progress()]
+        self.assertLess(max(after - before for before, after in zip(seconds, seconds[1:])), 3 * PATIENCE)
+        self.stop(signal.SIGTERM, process)
+
+    def read_progress(self):
+        lines = re.findall(r"^(\{.*\})\n", self.read_streams()[1], re.MULTILINE)
+        return [line for line in map(json.loads, lines) if "progress" in line]
 
 
 if __name__ == "__main__":

@@ -9,11 +9,11 @@ import random
 import re
 import signal
 import subprocess
-import time
 import unittest
 
 import volumes
 from program import PATIENCE, PROGRAM, REFUSED, USAGE, ProgramTestCase
+from stops import stop, wait_for_work
 
 PERCENTS = (1, 5, 25, 50, 75, 95, 99)
 
@@ -200,12 +200,11 @@ class ValuesTest(ProgramTestCase):
         raw = ["--raw-size", ",".join(map(str, size)), "--raw-type", "uint8"]
         for command in (["info", "in.raw", "--values"], ["extract", "in.raw", "out.mha", "--lower", "otsu", "--sparse"]):
             process = subprocess.Popen([PROGRAM, *command, *raw], cwd=self.folder, stderr=subprocess.PIPE)
-            time.sleep(1)
-            process.send_signal(signal.SIGTERM)
-            start = time.monotonic()
-            process.communicate(timeout=60)
+            self.assertTrue(wait_for_work(process, 0.5), "the work ended before it could be stopped")
+            seconds = stop(process, signal.SIGTERM)
+            process.communicate()
             self.assertEqual(process.returncode, 128 + signal.SIGTERM)
-            self.assertLess(time.monotonic() - start, 2 * PATIENCE)
+            self.assertLess(seconds, 2 * PATIENCE)
 
 
 class LabelTest(ProgramTestCase):

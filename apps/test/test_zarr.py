@@ -235,7 +235,7 @@ class ZarrFolderTest(ProgramTestCase):
                     [PROGRAM, *map(str, self.run), "--vectors", "v.zarr", "--overwrite", "--divisions", "20"],
                     cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                 )  # fmt: skip
-                time.sleep(delay)
+                time.sleep(delay)  # moments all over the run, or after its end: what holds, holds at any time
                 process.send_signal(number)
                 process.wait()
                 for name, data in zip(("out.zarr", "v.zarr"), expected):

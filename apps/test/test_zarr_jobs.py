@@ -9,14 +9,13 @@ import re
 import shutil
 import signal
 import subprocess
-import time
 import unittest
 
 import jobs
 import volumes
 from interpreters import python_with
 from jobs import JobTestCase
-from program import FAILURE, REFUSED, USAGE
+from program import FAILURE, REFUSED, USAGE, wait_until
 from test_zarr import READ_ZARR, make_part
 
 # Layers of 28 slices: four of them.
@@ -277,8 +276,8 @@ class ZarrJobKillTest(ZarrJobTestCase):
             self.plan()
             self.assertEqual(self.status()["clusters"], 11)
             workers = [self.start("work", "job", "--threads", 1, "--clusters", part) for part in ("0-2", "3-10")]
-            while not self.markers().keys() - {f"{cluster:06}.json" for cluster in range(3)}:
-                self.assertIsNone(workers[1].poll())
+            first = {f"{cluster:06}.json" for cluster in range(3)}
+            wait_until(lambda: self.markers().keys() - first, "a cluster of the second worker")
             workers[1].send_signal(signal.SIGKILL)
             workers[1].wait()
             self.assertEqual(workers[0].wait(), 0)
@@ -305,7 +304,7 @@ class ZarrJobKillTest(ZarrJobTestCase):
         for _ in range(8):
             process = self.start(*command)
             try:
-                process.wait(timeout=choose.uniform(0.02, 0.2))
+                process.wait(timeout=choose.uniform(0.02, 0.2))  # any moment will do
                 break
             except subprocess.TimeoutExpired:
                 process.send_signal(signal.SIGKILL)

@@ -7,6 +7,7 @@ import pathlib
 import re
 import subprocess
 import tempfile
+import time
 import unittest
 
 import numpy as np
@@ -145,6 +146,15 @@ def run(arguments):
     """Runs the program. Returns its status and the text of its error stream."""
     done = subprocess.run([program(), *map(str, arguments)], capture_output=True, text=True)
     return done.returncode, done.stderr
+
+
+def wait_until(condition, what, seconds=60):
+    """Asks again and again until a condition holds."""
+    deadline = time.monotonic() + seconds * PATIENCE
+    while not condition():
+        if time.monotonic() > deadline:
+            raise AssertionError(f"waited {seconds * PATIENCE:g} s for {what}")
+        time.sleep(0.005)
 
 
 class Folder(unittest.TestCase):

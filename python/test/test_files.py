@@ -4,15 +4,14 @@
 
 import csv
 import json
-import signal
 import subprocess
 import sys
-import time
 import unittest
 
 import medialvoxel
 import numpy as np
 
+from interrupts import interrupt
 from support import PATIENCE, Folder, program, read, scene, slow_noise, write
 
 
@@ -95,25 +94,8 @@ class Files(Folder):
 
     def test_ctrl_c(self):
         write(self.input, slow_noise().astype("uint8"))
-        source = (
-            "import medialvoxel, signal, time\n"
-            # A shell that runs the tests in the background leaves the signal ignored.
-            "signal.signal(signal.SIGINT, signal.default_int_handler)\nprint('begin', flush=True)\n"
-            f"try:\n    medialvoxel.extract_file({str(self.input)!r}, {str(self.folder / 'out.mha')!r}, thickness=154)\n"
-            "except KeyboardInterrupt:\n    print(time.time())\n"
-        )
-        # The best of a few: other processes of the machine disturb.
-        waits = []
-        while len(waits) < 3 and min(waits, default=9.0) >= 1.0 * PATIENCE:
-            process = subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE, text=True)
-            process.stdout.readline()
-            time.sleep(1.5)
-            sent = time.time()
-            process.send_signal(signal.SIGINT)
-            output, _ = process.communicate(timeout=60)
-            waits.append(float(output) - sent)
-        print(f"Ctrl-C stops extract_file after {min(waits):.2f} s")
-        self.assertLess(min(waits), 1.0 * PATIENCE)
+        files = f"{str(self.input)!r}, {str(self.folder / 'out.mha')!r}"
+        self.assertLess(interrupt(f"extract_file({files}, thickness=154)", None), 1 * PATIENCE)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["in.mha"])
 
     def test_the_command(self):

@@ -3,7 +3,6 @@
 """Other threads run while the engine works; progress, Ctrl-C and exceptions of the progress stop it soon."""
 
 import pathlib
-import signal
 import subprocess
 import sys
 import threading
@@ -13,24 +12,8 @@ import unittest
 import medialvoxel
 import numpy as np
 
-from support import PATIENCE, blob, scene, slow_noise, slow_options
-
-# Waits until the engine works, is interrupted, and tells the seconds that it took from there.
-# A shell that runs the tests in the background leaves the signal ignored.
-INTERRUPTED = """
-import signal, sys, time
-signal.signal(signal.SIGINT, signal.default_int_handler)
-sys.path.insert(0, {tests!r})
-import medialvoxel, support
-values = {values}
-print("begin", flush=True)
-try:
-    medialvoxel.{call}
-except KeyboardInterrupt:
-    print("interrupted", time.time(), flush=True)
-print(medialvoxel.extract(support.scene(), lower=40).counts["object_voxels"])
-"""
-
+from interrupts import interrupt, processor_seconds
+from support import PATIENCE, blob, scene, slow_noise, slow_options, wait_until
 
 # Works until it is killed.
 SLOW = """
@@ -82,13 +65,15 @@ class Threads(unittest.TestCase):
         while len(shares) < 5 and max(shares, default=0.0) < 0.8:
             with subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE, text=True) as other:
                 other.stdout.readline()
-                time.sleep(0.5)
+                begin = processor_seconds(other.pid)
+                wait_until(lambda: processor_seconds(other.pid) >= begin + 0.5, "work beside")  # noqa: B023
                 beside_process = count_for(seconds)
                 other.kill()
             stop.clear()
             worker = threading.Thread(target=work)
+            begin = time.process_time()
             worker.start()
-            time.sleep(0.5)
+            wait_until(lambda: time.process_time() >= begin + 0.5, "work in a thread")  # noqa: B023
             beside_thread = count_for(seconds)
             stop.set()
             worker.join()
@@ -101,31 +86,20 @@ class Threads(unittest.TestCase):
         if event.is_set():
             raise KeyError("enough")
 
-    def interrupt(self, call, values="support.slow_noise()"):
-        source = INTERRUPTED.format(tests=str(pathlib.Path(__file__).parent), call=call, values=values)
-        process = subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        self.assertEqual(process.stdout.readline(), "begin\n", "" if process.poll() is None else process.stderr.read())
-        time.sleep(1.5)
-        sent = time.time()
-        process.send_signal(signal.SIGINT)
-        output, errors = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, 0, errors)
-        word, when = output.splitlines()[0].split()
-        self.assertEqual(word, "interrupted", output)
-        print(f"Ctrl-C stops {call.split('(')[0]} after {float(when) - sent:.2f} s")
-        self.assertLess(float(when) - sent, 1.0 * PATIENCE)
+    def assert_interrupted(self, call, values="support.slow_noise()"):
+        self.assertLess(interrupt(call, values), 1 * PATIENCE)
 
     def test_interrupted_extraction(self):
-        self.interrupt("extract(values, thickness=154.0)")
+        self.assert_interrupted("extract(values, thickness=154.0)")
 
     def test_interrupted_mesh(self):
-        self.interrupt("mesh(values, thickness=154.0)")
+        self.assert_interrupted("mesh(values, thickness=154.0)")
 
     def test_interrupted_distance(self):
-        self.interrupt("distance(values)", "support.blob(500)")
+        self.assert_interrupted("distance(values)", "support.blob(500)")
 
     def test_interrupted_local_thickness(self):
-        self.interrupt("local_thickness(values, maximum=200)", "support.blob(400)")
+        self.assert_interrupted("local_thickness(values, maximum=200)", "support.blob(400)")
 
     def test_progress(self):
         for call in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance, medialvoxel.local_thickness):

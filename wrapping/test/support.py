@@ -70,6 +70,17 @@ def real_volume(name):
     return folder / file_name, lower, thickness, unit
 
 
+def hindrance():
+    """For how many seconds each thread of this process could have gone on, and others had the processors."""
+    found = {}
+    for path in pathlib.Path("/proc/self/task").glob("*/schedstat"):
+        try:
+            found[path.parent.name] = int(path.read_text().split()[1]) / 1e9
+        except (OSError, IndexError):
+            pass  # the thread has ended
+    return found
+
+
 def program():
     """Path of the program medialvoxel; skips the test where it is not built."""
     path = pathlib.Path(os.environ.get("MEDIALVOXEL_PROGRAM") or "absent")

@@ -17,7 +17,7 @@ import unittest
 import itk
 import numpy as np
 
-from support import blobs, image_of
+from support import blobs, hindrance, image_of
 
 
 def thick_part():
@@ -47,9 +47,11 @@ class Interruption(unittest.TestCase):
         is_running = threading.Event()
         is_aborted = threading.Event()
         aborted = []
+        hindered = {}
 
         def abort():
             is_running.wait()
+            hindered.update(hindrance())
             medial.AbortGenerateDataOn()
             aborted.append(time.monotonic())
             is_aborted.set()
@@ -64,9 +66,11 @@ class Interruption(unittest.TestCase):
         with self.assertRaises(RuntimeError) as caught:
             medial.Update()
         ended = time.monotonic()
+        lost = max((seconds - hindered.get(thread, 0) for thread, seconds in hindrance().items()), default=0)
         other.join()
         self.assertIn("abort", str(caught.exception).lower())
-        self.assertLess(ended - aborted[0], 1.0)
+        # On a machine that is free.
+        self.assertLess(ended - aborted[0] - lost, 1.0)
 
     def test_abort_by_an_observer(self):
         for medial in (thick_part(), hard_part()):
@@ -112,13 +116,13 @@ class Interruption(unittest.TestCase):
 
     def test_interrupt_from_the_keyboard(self):
         """Heard in the observer that waits, and in a long tile by the next call of one that does nothing."""
-        self.assert_interrupted("thick_part", "time.sleep(30)")
+        self.assert_interrupted("thick_part", "while True: pass")
         self.assert_interrupted("hard_part", "pass")
 
     def assert_interrupted(self, part, observer):
         script = "\n".join(
             [
-                "import signal, sys, time",
+                "import signal, sys",
                 # A shell that runs the tests in the background leaves the signal ignored.
                 "signal.signal(signal.SIGINT, signal.default_int_handler)",
                 f"sys.path.insert(0, {str(pathlib.Path(__file__).parent)!r})",
@@ -139,8 +143,10 @@ class Interruption(unittest.TestCase):
         )
         command = [sys.executable, "-B", "-c", script]
         child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        while child.stdout.readline().strip() != "progress":
-            self.assertIsNone(child.poll())
+        self.addCleanup(child.wait)
+        self.addCleanup(child.kill)
+        while (line := child.stdout.readline()).strip() != "progress":
+            self.assertTrue(line, "it has ended")
         sent = time.monotonic()
         child.send_signal(signal.SIGINT)
         output, _ = child.communicate(timeout=120)
