@@ -124,7 +124,8 @@ class GeometryTest(ProgramTestCase):
                 self.run_program("mesh", "u.nrrd", name, "--overwrite", "--lower", 50, "--thickness", 3 * length)
                 title = f"Medial surface by MedialVoxel, coordinates and thickness in {text}"
                 self.assertIn(title.encode(), (self.folder / name).read_bytes(), name)
-                self.run_program("check", name)
+                if name not in ("m.obj", "m.vtk"):
+                    self.run_program("check", name)
 
     def test_forms_of_nifti(self):
         sform = [(-0.5, 0, 0, 10), (0, -0.6, 0, 20), (0, 0, 0.7, 30)]
