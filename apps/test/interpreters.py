@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Interpreters of Python, of which some may have what others read our files with."""
 
+import functools
 import os
 import pathlib
 import subprocess
@@ -18,6 +19,7 @@ PYTHONS = [
 ]
 
 
+@functools.lru_cache(maxsize=None)
 def python_with(module):
     """The first one that has the module, or None."""
     for python in PYTHONS:
