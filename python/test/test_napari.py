@@ -8,7 +8,6 @@ MEDIALVOXEL_PICTURE=FILE.png keeps a picture of the window.
 import os
 import pathlib
 import sys
-import time
 import unittest
 from unittest import mock
 
@@ -22,13 +21,13 @@ except ImportError:
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import medialvoxel  # noqa: E402
+from support import wait_until  # noqa: E402
 
 if napari:
     from medialvoxel_napari import layers, samples
     from medialvoxel_napari.widget import AUTOMATIC, FIXED, WallsWidget
 
     MANIFEST = pathlib.Path(layers.__file__).with_name("napari.yaml")
-SECONDS = 60
 
 
 def setUpModule():
@@ -122,11 +121,7 @@ class WidgetTest(unittest.TestCase):
         self.viewer.window.add_dock_widget(self.widget, name="Medial sheet of walls")
 
     def wait(self):
-        deadline = time.monotonic() + SECONDS
-        while self.widget.is_busy():
-            self.assertLess(time.monotonic(), deadline, "the work does not end")
-            napari.qt.get_qapp().processEvents()
-            time.sleep(0.01)
+        wait_until(lambda: napari.qt.get_qapp().processEvents() or not self.widget.is_busy(), "the end of the work")
 
     def names(self):
         return [layer.name for layer in self.viewer.layers]
@@ -162,9 +157,14 @@ class WidgetTest(unittest.TestCase):
         self.viewer.reset_view()
         self.viewer.camera.angles = (12, 28, -120)
         self.viewer.camera.zoom *= 0.8
-        for _ in range(20):
+        pictures = []
+
+        def is_still():
             napari.qt.get_qapp().processEvents()
-            time.sleep(0.05)
+            pictures.append(self.viewer.screenshot(canvas_only=False, flash=False))
+            return len(pictures) > 2 and all(np.array_equal(pictures[-1], picture) for picture in pictures[-3:])
+
+        wait_until(is_still, "a picture that changes no more")
         self.viewer.screenshot(os.environ["MEDIALVOXEL_PICTURE"], canvas_only=False)
 
     def test_labels_need_no_threshold(self):
