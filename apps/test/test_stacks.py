@@ -15,12 +15,24 @@ OME = (
 )
 
 
-WRITE_MASK = """
-import json, sys, numpy, tifffile
+READ_MASK = """
+import json, sys, numpy
 spec = json.loads(sys.argv[1])
-values = numpy.fromfile(spec["raw"], spec["type"]).reshape(spec["size"][::-1])
-tifffile.imwrite(spec["file"], values >= 50, photometric="minisblack", **spec["options"])
+mask = numpy.fromfile(spec["raw"], spec["type"]).reshape(spec["size"][::-1]) >= 50
 """
+WRITE_MASK = {
+    "tifffile": READ_MASK
+    + """
+import tifffile
+tifffile.imwrite(spec["file"], mask, photometric="minisblack", **spec["options"])
+""",
+    "PIL": READ_MASK
+    + """
+import PIL.Image
+pages = [PIL.Image.fromarray(page) for page in mask]
+pages[0].save(spec["file"], save_all=True, append_images=pages[1:], **spec["options"])
+""",
+}
 
 
 @needs_tiff
@@ -132,14 +144,20 @@ class StackTest(SeriesTestCase):
         self.assertEqual(*(volumes.read_data(self.folder / name) for name in ("o.mha", "expected.mha")))
 
     def test_masks_of_one_bit(self):
-        """As tifffile writes them: rows begin at whole bytes, the highest bit is first."""
+        """As two other programs write them: rows begin at whole bytes, the highest bit is first."""
         file = self.folder / "in.tif"
         for size in ((21, 18, 12), (16, 18, 12), (3, 18, 12)):
             volume = volumes.blurred_wall(size=size)
             volumes.write_meta(self.folder / "in.mha", volume)
             self.extract("in.mha", "expected.mha", "--lower", 50, "--overwrite")
-            for options in ({}, {"rowsperstrip": 5}, {"compression": "zlib"}, {"tile": [16, 16]}):
-                self.call_writer(["-c", WRITE_MASK], "tifffile", volume, file=str(file), options=options)
+            for module, options in (
+                ("tifffile", {}),
+                ("tifffile", {"rowsperstrip": 5}),
+                ("tifffile", {"tile": [16, 16]}),
+                ("PIL", {"compression": "packbits"}),
+                ("PIL", {"compression": "tiff_adobe_deflate"}),
+            ):
+                self.call_writer(["-c", WRITE_MASK[module]], module, volume, file=str(file), options=options)
                 self.assertEqual(self.info("in.tif")["type"], "uint8")
                 self.extract("in.tif", "o.mha", "--lower", 1, "--spacing", "1,1,1", "--overwrite")
                 found, expected = (volumes.read_data(self.folder / name) for name in ("o.mha", "expected.mha"))
@@ -150,7 +168,7 @@ class StackTest(SeriesTestCase):
             folder.mkdir()
             for z in range(size[2]):
                 image = volumes.Volume(size[:2], volume.voxels[z * size[0] * size[1] :][: size[0] * size[1]], kind=volume.kind)
-                self.call_writer(["-c", WRITE_MASK], "tifffile", image, file=str(folder / f"{z:02}.tif"), options={})
+                self.call_writer(["-c", WRITE_MASK["tifffile"]], "tifffile", image, file=str(folder / f"{z:02}.tif"), options={})
             self.extract(folder, "o.mha", "--lower", 1, "--spacing", "1,1,1", "--overwrite")
             self.assertEqual(volumes.read_data(self.folder / "o.mha"), expected, size)
         content = file.read_bytes()
