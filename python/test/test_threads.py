@@ -26,13 +26,19 @@ medialvoxel.extract(values, threads=1, **support.slow_options)
 """
 
 
-def count_for(seconds):
-    """Rounds of a loop that this thread does in so many seconds."""
+def hindered_seconds():
+    """For how long this thread could have gone on, and others had the processors."""
+    return int(pathlib.Path("/proc/thread-self/schedstat").read_text().split()[1]) / 1e9
+
+
+def measure_speed(seconds):
+    """Rounds of a loop that this thread does in a second in which it is not hindered."""
     rounds = 0
-    end = time.perf_counter() + seconds
-    while time.perf_counter() < end:
+    hindered = hindered_seconds()
+    begin = time.perf_counter()
+    while time.perf_counter() < begin + seconds:
         rounds += 1
-    return rounds
+    return rounds / (time.perf_counter() - begin - (hindered_seconds() - hindered))
 
 
 def pause_after(calls):
@@ -67,14 +73,14 @@ class Threads(unittest.TestCase):
                 other.stdout.readline()
                 begin = processor_seconds(other.pid)
                 wait_until(lambda: processor_seconds(other.pid) >= begin + 0.5, "work beside")  # noqa: B023
-                beside_process = count_for(seconds)
+                beside_process = measure_speed(seconds)
                 other.kill()
             stop.clear()
             worker = threading.Thread(target=work)
             begin = time.process_time()
             worker.start()
             wait_until(lambda: time.process_time() >= begin + 0.5, "work in a thread")  # noqa: B023
-            beside_thread = count_for(seconds)
+            beside_thread = measure_speed(seconds)
             stop.set()
             worker.join()
             shares.append(beside_thread / beside_process)
