@@ -358,6 +358,18 @@ private:
   void
   Pull(const MedialVoxelBox & part);
 
+  void
+  SetThreshold(MedialVoxelLimit & target, const MedialVoxelLimit & threshold)
+  {
+    m_UseObjectValue = false;
+    if (!m_UseThresholds || target != threshold)
+    {
+      m_UseThresholds = true;
+      target = threshold;
+      this->Modified();
+    }
+  }
+
   using PredicateType = MedialVoxelObjectPredicate<InputPixelType>;
 
   PredicateType

@@ -33,13 +33,7 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetLowerThreshold(const MedialVoxelLimit & threshold)
 {
-  m_UseObjectValue = false;
-  if (!m_UseThresholds || m_LowerThreshold != threshold)
-  {
-    m_UseThresholds = true;
-    m_LowerThreshold = threshold;
-    this->Modified();
-  }
+  this->SetThreshold(m_LowerThreshold, threshold);
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -53,13 +47,7 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetUpperThreshold(const MedialVoxelLimit & threshold)
 {
-  m_UseObjectValue = false;
-  if (!m_UseThresholds || m_UpperThreshold != threshold)
-  {
-    m_UseThresholds = true;
-    m_UpperThreshold = threshold;
-    this->Modified();
-  }
+  this->SetThreshold(m_UpperThreshold, threshold);
 }
 
 template <typename TInputImage, typename TOutputImage>

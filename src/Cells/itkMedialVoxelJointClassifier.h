@@ -241,11 +241,8 @@ private:
   LongerWayTo(const MedialVoxelBits & sites, const Cell & from, const Cell & to, double most) const;
 
   void
-  FollowNeighbors(const Workspace &       workspace,
-                  const MedialVoxelBits & sites,
-                  Way                     way,
-                  double                  epsilon,
-                  Cell &                  cell) const;
+  FollowNeighbors(const Workspace & workspace, const MedialVoxelBits & sites, Way way, double epsilon, Cell & cell)
+    const;
 
   double
   EdgeBetween(const MedialVoxelIndex & a, const MedialVoxelIndex & b) const;
