@@ -3,9 +3,12 @@
 
 # CTest reads this after the lists of the GoogleTests, and runs those with the highest COST first.
 
-# Against brute force, or for many divisions, at length; the others take a minute together.
+# Against brute force, for many divisions, on real volumes, or of stops, at length; the others take less than a minute
+# together.
 set(_identity
     "Identity|AnyDivision|AnyCut|SameBytes|BruteForce|Oracle|PlainDijkstra|Damaged|FindsTheNearestVoxels|InMemoryReference"
+    "|ThreadsDoNotChange|MedialVoxelPolling|MedialVoxelRealData|MedialVoxelObjectMaps|MedialVoxelSurfaceManifold"
+    "|MedialVoxelSurfaceGray|MedialVoxelSurfaceCells|MedialVoxelRemeshedSheet|MedialVoxelSheetPart|MedialVoxelBoundaryGraph"
     "|MedialVoxelAutomaticQuality|MedialVoxelGrayThickness|MedialVoxelThickness\\.Tilted|MedialVoxelSurfaceQuality"
     "|TilesAreTheDefinitions|NothingStaysOfTheTilesBefore|MedialVoxelAbort")
 string(CONCAT _identity ${_identity})
