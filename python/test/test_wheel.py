@@ -38,9 +38,10 @@ class Wheel(unittest.TestCase):
         values = np.zeros((16, 20, 24), np.uint8)
         values[6:10, 3:-3, 3:-3] = 1
         with tempfile.TemporaryDirectory() as folder:
-            volume, page = (pathlib.Path(folder, name) for name in ("part.mha", "part.html"))
+            volume, labels, page = (pathlib.Path(folder, name) for name in ("part.mha", "labels.mha", "part.html"))
             support.write(volume, values)
-            subprocess.run([sys.executable, "-m", "medialvoxel", "extract", volume, "--html", page], check=True, capture_output=True)
+            command = [sys.executable, "-m", "medialvoxel", "extract", volume, labels, "--html", page]
+            subprocess.run(command, check=True, capture_output=True)
             text = page.read_text()
         self.assertIn("OrbitControls", text)
         self.assertIn("Permission is hereby granted", text)
