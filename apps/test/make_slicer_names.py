@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Lists what classes and functions of 3D Slicer, CTK and Qt have, for the stand-ins of slicer_stand_in.py.
+"""Lists what classes and functions of 3D Slicer, CTK and Qt have, for the stand-ins of slicer_stand_in.py: as far as the
+modules of Slicer and their tests name it.
 
 Usage: make_slicer_names.py SLICER CTK [OUTPUT]     source folders; needs PyQt6, whose classes tell Qt's names
 
@@ -173,14 +174,47 @@ def read_functions(path):
     }
 
 
+def list_words():
+    """Of the sources of the modules and of their tests."""
+    tests = pathlib.Path(__file__).parent
+    sources = [*tests.glob("*slicer_*.py"), *(tests.parent / "MedialVoxelWalls").rglob("*.py")]
+    sources = [source for source in sources if source.name != pathlib.Path(__file__).name]
+    return {word for source in sources for word in re.findall(r"\w+", source.read_text(encoding="utf-8"))}
+
+
+def keep_used(names, words):
+    """Of classes that nothing names, only the base of others stays."""
+    classes, functions = names["classes"], names["functions"]
+    for kind in classes.values():
+        kind["methods"] = {name: count for name, count in kind["methods"].items() if name in words}
+        kind["signals"] = [name for name in kind["signals"] if name.split("(")[0] in words]
+        for part in ("properties", "constants"):
+            kind[part] = [name for name in kind[part] if name in words]
+    used = set()
+    for kind in words & classes.keys():
+        while kind in classes:
+            used.add(kind)
+            kind = classes[kind]["base"]
+    functions = {
+        module: {name: arguments for name, arguments in listed.items() if name.split(".")[-1] in words}
+        for module, listed in functions.items()
+    }
+    return {"classes": {name: classes[name] for name in used}, "functions": functions}
+
+
+def write_names(names, output):
+    text = json.dumps(names, indent=0, sort_keys=True)
+    text = re.sub(r"\[\s*(\d+),\s*(\d+)\s*\]", r"[\1, \2]", text)
+    output.write_text(re.sub(r"\[\s*\]", "[]", text) + "\n", encoding="utf-8")
+
+
 def main():
     slicer, ctk = (pathlib.Path(word) for word in sys.argv[1:3])
     output = pathlib.Path(sys.argv[3]) if len(sys.argv) > 3 else pathlib.Path(__file__).with_name("slicer_names.json")
     classes = read_qt() | read_classes([ctk / "Libs/Widgets"], CTK_CLASSES)
     classes |= read_classes([slicer / "Libs", slicer / "Base", slicer / "Modules/Loadable", ctk / "Libs/Widgets"], SLICER_CLASSES)
     functions = {name: read_functions(slicer / path) for name, path in FUNCTIONS.items()}
-    text = json.dumps({"classes": classes, "functions": functions}, indent=0, sort_keys=True)
-    output.write_text(re.sub(r"\[\s*(\d+),\s*(\d+)\s*\]", r"[\1, \2]", text) + "\n", encoding="utf-8")
+    write_names(keep_used({"classes": classes, "functions": functions}, list_words()), output)
 
 
 if __name__ == "__main__":
