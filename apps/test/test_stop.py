@@ -6,8 +6,9 @@ import signal
 import subprocess
 import unittest
 
+from processes import processor_seconds
 from program import PATIENCE, PROGRAM, ProgramTestCase, wait_for_begin
-from stops import processor_seconds, stop, wait_for_work
+from stops import stop, wait_for_work
 
 SIZE = 360
 

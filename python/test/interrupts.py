@@ -13,6 +13,10 @@ import time
 
 from support import PATIENCE, wait_until
 
+sys.path.append(str(pathlib.Path(__file__).parents[2] / "apps/test"))
+
+from processes import Hindrance, processor_seconds  # noqa: E402
+
 # A shell that runs the tests in the background leaves the signal ignored.
 SOURCE = """
 import signal, sys, time
@@ -27,55 +31,6 @@ except KeyboardInterrupt:
     print("interrupted", time.time(), flush=True)
 print("voxels", medialvoxel.extract(support.scene(), lower=40).counts["object_voxels"])
 """
-
-
-def family_of(process):
-    """The number of a process, and those of what it has started."""
-    family = [process]
-    for parent in family:
-        for path in pathlib.Path(f"/proc/{parent}/task").glob("*/children"):
-            try:
-                family += map(int, path.read_text().split())
-            except OSError:
-                pass  # the thread has ended
-    return family
-
-
-def processor_seconds(process):
-    """For how long a process, and what it has started, have had processors."""
-    ticks = 0
-    for member in family_of(process):
-        try:
-            ticks += sum(map(int, pathlib.Path(f"/proc/{member}/stat").read_text().rpartition(")")[2].split()[11:13]))
-        except OSError:
-            pass  # it has ended
-    return ticks / os.sysconf("SC_CLK_TCK")
-
-
-class Hindrance:
-    """For how long the threads of a process, and of what it has started, could have gone on, and others had the processors."""
-
-    def __init__(self, process):
-        self.process = process
-        self.first = self.read()
-        self.last = dict(self.first)
-
-    def read(self):
-        found = {}
-        for member in family_of(self.process):
-            for path in pathlib.Path(f"/proc/{member}/task").glob("*/schedstat"):
-                try:
-                    found[path.parent.name] = int(path.read_text().split()[1]) / 1e9
-                except (OSError, IndexError):
-                    pass  # the thread has ended
-        return found
-
-    def look(self):
-        self.last.update(self.read())
-
-    def seconds(self):
-        """Of the thread that was hindered most."""
-        return max((last - self.first.get(thread, 0) for thread, last in self.last.items()), default=0)
 
 
 def interrupt(call, values):

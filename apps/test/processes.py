@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: MedialVoxel contributors
+# SPDX-License-Identifier: Apache-2.0
+"""What the system tells of other processes."""
+
+import os
+import pathlib
+
+TICKS = os.sysconf("SC_CLK_TCK")
+
+
+def stat_of(process):
+    """What the system tells of a process, from its state on; its number, or that of a thread."""
+    return pathlib.Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+
+
+def state_of(process):
+    """One letter: R runs, S sleeps, T is halted, Z has ended."""
+    return stat_of(process)[0]
+
+
+def family_of(process):
+    """The number of a process, and those of what it has started."""
+    family = [process]
+    for parent in family:
+        for path in pathlib.Path(f"/proc/{parent}/task").glob("*/children"):
+            try:
+                family += map(int, path.read_text().split())
+            except OSError:
+                pass  # the thread has ended
+    return family
+
+
+def processor_seconds(process):
+    """For how long a process, and what it has started, have had processors."""
+    ticks = 0
+    for member in family_of(process):
+        try:
+            ticks += sum(map(int, stat_of(member)[11:13]))
+        except OSError:
+            pass  # it has ended
+    return ticks / TICKS
+
+
+class Hindrance:
+    """For how long the threads of a process, and of what it has started, could have gone on, and others had the processors."""
+
+    def __init__(self, process):
+        self.process = process
+        self.first = self.read()
+        self.last = dict(self.first)
+
+    def read(self):
+        found = {}
+        for member in family_of(self.process):
+            for path in pathlib.Path(f"/proc/{member}/task").glob("*/schedstat"):
+                try:
+                    found[path.parent.name] = int(path.read_text().split()[1]) / 1e9
+                except (OSError, IndexError):
+                    pass  # the thread has ended
+        return found
+
+    def look(self):
+        self.last.update(self.read())
+
+    def seconds(self):
+        """Of the thread that was hindered most."""
+        return max((last - self.first.get(thread, 0) for thread, last in self.last.items()), default=0)
