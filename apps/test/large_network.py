@@ -10,8 +10,8 @@ import unittest
 
 import network_hosts
 from network_jobs import CLUSTERS, OPTIONS, OUTPUTS, NetworkTestCase
-from processes import state_of
-from program import DONE, FAILURE, wait_until
+from processes import state_of, wait_until
+from program import DONE, FAILURE
 
 # Locks a byte of a file until it is killed.
 HOLD_LOCK = """

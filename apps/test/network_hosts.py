@@ -11,7 +11,7 @@ import signal
 import subprocess
 import sys
 
-from program import wait_until
+from processes import wait_until
 
 SFTP_SERVER = "/usr/lib/openssh/sftp-server"
 SFTP_PORT = 2222

@@ -9,7 +9,8 @@ import unittest
 import jobs
 import network_hosts
 from jobs import JobTestCase
-from program import DONE, PATIENCE, PROGRAM, wait_until
+from processes import PATIENCE, wait_until
+from program import DONE, PROGRAM
 
 SIZE = (48, 48, 640)
 CLUSTERS = 20

@@ -15,7 +15,7 @@ from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-from program import wait_until
+from processes import wait_until
 
 BROWSER = shutil.which("chromium")
 DRIVER = shutil.which("chromedriver")

@@ -1,11 +1,25 @@
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""What the system tells of other processes."""
+"""What the system tells of other processes, and how tests wait for them."""
 
 import os
 import pathlib
+import time
 
 TICKS = os.sysconf("SC_CLK_TCK")
+
+# How many times longer than usual a test may wait for what must not take long.
+PATIENCE = float(os.environ.get("MEDIALVOXEL_PATIENCE", 1))
+
+
+def wait_until(condition, what, seconds=60, interval=0.001):
+    """Asks again and again until a condition holds. Returns what it says."""
+    deadline = time.monotonic() + seconds * PATIENCE
+    while not (found := condition()):
+        if time.monotonic() > deadline:
+            raise AssertionError(f"waited {seconds * PATIENCE:g} s for {what}")
+        time.sleep(interval)
+    return found
 
 
 def stat_of(process):

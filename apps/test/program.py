@@ -7,8 +7,9 @@ import pathlib
 import re
 import subprocess
 import tempfile
-import time
 import unittest
+
+from processes import wait_until
 
 PROGRAM = os.environ["MEDIALVOXEL_PROGRAM"]
 READS_TIFF = os.environ.get("MEDIALVOXEL_READS_TIFF", "1") == "1"
@@ -23,9 +24,6 @@ PROGRESS = re.compile(r"^medialvoxel: \d+ % after .* left\n", re.MULTILINE)
 
 # What it must know who uses the results.
 WARNING = re.compile(r"^medialvoxel: warning: (.*)\n", re.MULTILINE)
-
-# How many times longer than usual a test may wait for what must not take long.
-PATIENCE = float(os.environ.get("MEDIALVOXEL_PATIENCE", 1))
 
 DONE, FAILURE, USAGE, REFUSED, CORRUPT = range(5)
 
@@ -49,16 +47,6 @@ def has_begun(process, folder):
     except OSError:
         return False  # it has ended, or has just closed one
     return any(link.startswith(f"{folder.resolve()}/#") for link in links)
-
-
-def wait_until(condition, what, seconds=60, interval=0.001):
-    """Asks again and again until a condition holds. Returns what it says."""
-    deadline = time.monotonic() + seconds * PATIENCE
-    while not (found := condition()):
-        if time.monotonic() > deadline:
-            raise AssertionError(f"waited {seconds * PATIENCE:g} s for {what}")
-        time.sleep(interval)
-    return found
 
 
 def wait_for_begin(process, folder):

@@ -8,7 +8,8 @@ import random
 
 import jobs
 from jobs import JobTestCase
-from program import PROGRAM, wait_until
+from processes import wait_until
+from program import PROGRAM
 
 PROGRAM_FOLDER = pathlib.Path(PROGRAM).parent
 CLUSTERS = 20

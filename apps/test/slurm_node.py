@@ -8,7 +8,7 @@ import shutil
 import socket
 import subprocess
 
-from program import wait_until
+from processes import wait_until
 
 DAEMONS = {"munged": "munge", "slurmctld": "slurmctld", "slurmd": "slurmd", "sbatch": "slurm-client"}
 CONFIGURATION = """\

@@ -5,8 +5,7 @@
 import signal
 import time
 
-from processes import Hindrance, processor_seconds
-from program import wait_until
+from processes import Hindrance, processor_seconds, wait_until
 
 # A shell that runs the tests in the background leaves the signal ignored, for them and what they start.
 signal.signal(signal.SIGINT, signal.default_int_handler)

@@ -8,7 +8,8 @@ import socket
 import unittest
 
 import volumes
-from program import CORRUPT, FAILURE, PATIENCE, READS_TIFF, REFUSED, USAGE, ProgramTestCase, unprivileged
+from processes import PATIENCE
+from program import CORRUPT, FAILURE, READS_TIFF, REFUSED, USAGE, ProgramTestCase, unprivileged
 
 
 class BadInputTest(ProgramTestCase):

@@ -13,7 +13,8 @@ import unittest.mock
 
 import text_headers
 import volumes
-from program import CORRUPT, PATIENCE, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
+from processes import PATIENCE
+from program import CORRUPT, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
 
 FOUR_GIGABYTES = 1 << 32
 

@@ -10,7 +10,8 @@ import unittest
 
 from job_kills import JOB_OPTIONS, WORK, JobKillCase
 from jobs import results
-from program import FAILURE, wait_until
+from processes import wait_until
+from program import FAILURE
 from system_calls import command_with, needs_strace, run_with
 
 PLAN = ["plan", "../in.mha", "out.mha", "job", *JOB_OPTIONS]

@@ -13,8 +13,8 @@ import unittest
 import jobs
 import volumes
 from jobs import JobTestCase
-from processes import state_of
-from program import FAILURE, PROGRAM, REFUSED, unprivileged, wait_until
+from processes import state_of, wait_until
+from program import FAILURE, PROGRAM, REFUSED, unprivileged
 from test_identity import rough_shell
 
 OPTIONS = ["--thickness", 2, "--vectors", "v.nhdr", "--preview", "p.png", "--report", "r.json", "--divisions", 7]

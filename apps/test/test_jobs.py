@@ -15,7 +15,8 @@ import unittest
 import jobs
 import volumes
 from jobs import ALL_OUTPUTS, JobTestCase
-from program import FAILURE, PATIENCE, READS_TIFF, REFUSED, USAGE, wait_until
+from processes import PATIENCE, wait_until
+from program import FAILURE, READS_TIFF, REFUSED, USAGE
 from stops import stop
 from test_identity import rough_shell
 from test_pores import solid, with_noise

@@ -14,8 +14,8 @@ import unittest
 
 import volumes
 import zarr_folder
-from processes import state_of
-from program import DONE, PROGRAM, REFUSED, ProgramTestCase, has_begun, wait_for_begin, wait_until
+from processes import state_of, wait_until
+from program import DONE, PROGRAM, REFUSED, ProgramTestCase, has_begun, wait_for_begin
 from system_calls import command_with, kill_at_each, needs_strace, run_with
 from test_identity import rough_shell
 

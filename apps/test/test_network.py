@@ -9,7 +9,8 @@ import unittest
 import jobs
 import network_hosts
 from network_jobs import CLUSTERS, OPTIONS, NetworkTestCase
-from program import DONE, FAILURE, wait_until
+from processes import wait_until
+from program import DONE, FAILURE
 
 
 class GlusterTest(NetworkTestCase):

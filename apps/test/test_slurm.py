@@ -14,7 +14,8 @@ import jobs
 import slurm_node
 import volumes
 from jobs import JobTestCase
-from program import REFUSED, USAGE, wait_until
+from processes import wait_until
+from program import REFUSED, USAGE
 from scheduled_jobs import CLUSTERS, PROGRAM_FOLDER, ScheduledJobTestCase
 from test_identity import rough_shell
 

@@ -6,8 +6,8 @@ import signal
 import subprocess
 import unittest
 
-from processes import processor_seconds
-from program import PATIENCE, PROGRAM, ProgramTestCase, wait_for_begin
+from processes import PATIENCE, processor_seconds
+from program import PROGRAM, ProgramTestCase, wait_for_begin
 from stops import stop, wait_for_work
 
 SIZE = 360

@@ -12,7 +12,8 @@ import subprocess
 import tempfile
 import unittest
 
-from program import PATIENCE, PROGRAM, ProgramTestCase, wait_until
+from processes import PATIENCE, wait_until
+from program import PROGRAM, ProgramTestCase
 from slicer_module import MODULE
 from stops import stop, wait_for_work
 

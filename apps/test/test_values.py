@@ -12,7 +12,8 @@ import subprocess
 import unittest
 
 import volumes
-from program import PATIENCE, PROGRAM, REFUSED, USAGE, ProgramTestCase
+from processes import PATIENCE
+from program import PROGRAM, REFUSED, USAGE, ProgramTestCase
 from stops import stop, wait_for_work
 
 PERCENTS = (1, 5, 25, 50, 75, 95, 99)

@@ -15,7 +15,8 @@ import jobs
 import volumes
 from interpreters import python_with
 from jobs import JobTestCase
-from program import FAILURE, REFUSED, USAGE, wait_until
+from processes import wait_until
+from program import FAILURE, REFUSED, USAGE
 from test_zarr import READ_ZARR, make_part
 
 # Layers of 28 slices: four of them.

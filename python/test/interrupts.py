@@ -11,11 +11,8 @@ import sys
 import tempfile
 import time
 
-from support import PATIENCE, wait_until
-
-sys.path.append(str(pathlib.Path(__file__).parents[2] / "apps/test"))
-
-from processes import Hindrance, processor_seconds  # noqa: E402
+import support  # noqa: F401, which makes the next one importable
+from processes import PATIENCE, Hindrance, processor_seconds, wait_until
 
 # A shell that runs the tests in the background leaves the signal ignored.
 SOURCE = """

@@ -6,11 +6,13 @@ import os
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
-import time
 import unittest
 
 import numpy as np
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "apps/test"))
 
 META_TYPES = {
     "uint8": "MET_UCHAR",
@@ -27,9 +29,6 @@ META_TYPES = {
 
 INTEGERS = ["int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"]
 REALS = ["float16", "float32", "float64"]
-
-# How many times longer than usual a test may wait for what must not take long.
-PATIENCE = float(os.environ.get("MEDIALVOXEL_PATIENCE", 1))
 
 
 def spread(values):
@@ -146,15 +145,6 @@ def run(arguments):
     """Runs the program. Returns its status and the text of its error stream."""
     done = subprocess.run([program(), *map(str, arguments)], capture_output=True, text=True)
     return done.returncode, done.stderr
-
-
-def wait_until(condition, what, seconds=60):
-    """Asks again and again until a condition holds."""
-    deadline = time.monotonic() + seconds * PATIENCE
-    while not condition():
-        if time.monotonic() > deadline:
-            raise AssertionError(f"waited {seconds * PATIENCE:g} s for {what}")
-        time.sleep(0.005)
 
 
 class Folder(unittest.TestCase):

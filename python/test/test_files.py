@@ -12,7 +12,8 @@ import medialvoxel
 import numpy as np
 
 from interrupts import interrupt
-from support import PATIENCE, Folder, program, read, scene, slow_noise, write
+from support import Folder, program, read, scene, slow_noise, write
+from processes import PATIENCE
 
 
 class Files(Folder):

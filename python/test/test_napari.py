@@ -21,7 +21,8 @@ except ImportError:
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1]))
 import medialvoxel  # noqa: E402
-from support import wait_until  # noqa: E402
+import support  # noqa: F401, which makes the next one importable
+from processes import wait_until
 
 if napari:
     from medialvoxel_napari import layers, samples

@@ -13,7 +13,8 @@ import medialvoxel
 import numpy as np
 
 from interrupts import interrupt, processor_seconds
-from support import PATIENCE, blob, scene, slow_noise, slow_options, wait_until
+from support import blob, scene, slow_noise, slow_options
+from processes import PATIENCE, wait_until
 
 # Works until it is killed.
 SLOW = """
