@@ -20,7 +20,8 @@ ListOptionDetails()
     { "",
       "--resample",
       "The input is brought to this spacing while it is read. Values between voxels are linear with a threshold; "
-      "without one, or with one value for both, the nearest voxel counts." },
+      "without one, or with one value for both, the nearest voxel counts. Default: auto for sheets and thickness where "
+      "the largest spacing is more than 4 times the smallest, otherwise off." },
     { "", "--thickness", "In units of the spacing; greater than 0. A number gives all cells the same threshold." },
     { "", "--minimum-thickness", "In units of the spacing. Needs the thickness auto." },
     { "", "--maximum-thickness", "In units of the spacing. Needs the thickness auto. Time and memory grow with it." },
