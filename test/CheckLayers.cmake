@@ -3,6 +3,7 @@
 
 # Checks the direction of dependency between folders: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A file includes only files of its own folder and of folders that stand before it in these tables.
+cmake_minimum_required(VERSION 3.22.1...3.29.0)
 
 # Folders of src. No file in them includes a header of ITK, but for those named below.
 set(library Foundation IO Object Distance Geodesic Walls Cells Engine Surface Isosurface Remeshing)
@@ -15,15 +16,13 @@ set(image_io "^itkStreaming[A-Za-z]*$")
 set(folder_of_itkMedialVoxelObjectPredicate Object)
 set(folder_of_itkMedialVoxelObjectUnion Object)
 set(folder_of_itkMedialVoxelRows Foundation)
-set(folder_of_itkMedialVoxelRandomSample Walls)
 set(folder_of_itkMedialVoxelScan Foundation)
-set(folder_of_itkMedialVoxelSiteKey Distance)
 set(folder_of_itkMedialVoxelSmoothing Object)
 set(folder_of_itkMedialVoxelSquaredLengths Distance)
-set(folder_of_itkMedialVoxelText Foundation)
 
-# Folders of apps. The two programs at the end know nothing of each other.
+# Folders of apps.
 set(program
+    job/system
     job/base
     job/model
     job/dicom
@@ -37,6 +36,13 @@ set(program
     commandline
     medialvoxel
     MedialVoxelExtraction)
+
+# Of these, programs, which know nothing of each other.
+set(programs medialvoxel MedialVoxelExtraction)
+
+# The one folder that calls the system. What others include in <> is of the C++ library, or of these libraries.
+set(system_folder job/system)
+set(other_libraries "^(CLI/|nlohmann/|itksys/|gdcm|blosc\\.h$|zstd\\.h$|tiffio\\.h$|png\\.h$|jpeglib\\.h$)")
 
 set(violations "")
 
@@ -58,11 +64,13 @@ function(check_includes file folder folders)
     set(other "${folder_of_${included}}")
     list(FIND folders "${other}" other_rank)
     get_filename_component(name "${file}" NAME)
-    if(other STREQUAL "")
+    if(line MATCHES "<" AND calls_no_system AND header MATCHES "[./]|^csignal$" AND NOT header MATCHES "${other_libraries}")
+      list(APPEND violations "${folder}/${name}: <${header}> is of the system, which ${system_folder} calls")
+    elseif(other STREQUAL "")
       if(header MATCHES "^(itk|vnl|vcl)" AND NOT header MATCHES "Export\\.h$" AND uses_no_itk)
         list(APPEND violations "${folder}/${name}: ${header} is not a header of these folders")
       endif()
-    elseif(other_rank GREATER rank OR (other MATCHES "^M|^m" AND NOT other STREQUAL folder))
+    elseif(other_rank GREATER rank OR (other IN_LIST programs AND NOT other STREQUAL folder))
       list(APPEND violations "${folder}/${name}: ${header} is of ${other}, which stands above")
     endif()
   endforeach()
@@ -104,6 +112,7 @@ endforeach()
 foreach(file IN LISTS library_files)
   get_unit(unit "${file}")
   set(uses_no_itk ON)
+  set(calls_no_system OFF)
   if(unit MATCHES "${filters}|${image_io}")
     set(uses_no_itk OFF)
   endif()
@@ -132,6 +141,10 @@ foreach(file IN LISTS all_files)
 endforeach()
 foreach(file IN LISTS program_files)
   string(REGEX REPLACE "^.*/apps/(.*)/[^/]*$" "\\1" folder "${file}")
+  set(calls_no_system ON)
+  if(folder STREQUAL system_folder)
+    set(calls_no_system OFF)
+  endif()
   check_includes("${file}" ${folder} "${library};Filters;${program}")
 endforeach()
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "AbortNotice.h"
 #include "DicomFrames.h"
 #include "DicomModule.h"
 #include "Errors.h"
 #include "HeaderParsing.h"
+#include "Signals.h"
 #include "SliceFormats.h"
 #include "Text.h"
 
@@ -140,10 +140,11 @@ CheckSize(const std::filesystem::path & fileName, const DicomStructure & structu
 }
 
 /** GDCM checks some of what it decodes by assertions. */
-std::string
-TextOfAbort(const std::filesystem::path & fileName)
+AbortNotice
+TellOfAbort(const std::filesystem::path & fileName)
 {
-  return fileName.string() + " is damaged: GDCM cannot decode it";
+  return AbortNotice(static_cast<int>(ExitStatus::CorruptInput),
+                     fileName.string() + " is damaged: GDCM cannot decode it");
 }
 
 MedialVoxelDicomFrame
@@ -167,7 +168,7 @@ DescribeFrame(const DicomFrame & frame)
 void
 CallReadFrame(const SliceHeader & slice, const MedialVoxelDicomFrame & frame, std::uint32_t & pixelType, void * voxels)
 {
-  const AbortNotice notice(ExitStatus::CorruptInput, TextOfAbort(slice.fileName));
+  const AbortNotice notice = TellOfAbort(slice.fileName);
   if (const char * const problem = GetModule(slice.fileName).readFrame(&frame, &pixelType, voxels))
   {
     RefuseHeader(slice.fileName,
@@ -210,7 +211,7 @@ ReadHeaders(const std::filesystem::path & fileName)
     return ReadFrameHeaders(fileName, structure);
   }
   MedialVoxelDicomHeader dicom{};
-  const AbortNotice      notice(ExitStatus::CorruptInput, TextOfAbort(fileName));
+  const AbortNotice      notice = TellOfAbort(fileName);
   if (const char * const problem = GetModule(fileName).readHeader(fileName.c_str(), &dicom))
   {
     RefuseHeader(fileName, problem, HeaderError::Kind::Unsupported);
@@ -279,7 +280,7 @@ ReadStoredVoxels(const SliceHeader & expected, void * voxels)
   dicom.columns = static_cast<std::uint32_t>(expected.size[0]);
   dicom.rows = static_cast<std::uint32_t>(expected.size[1]);
   dicom.pixelType = static_cast<std::uint32_t>(*expected.storedType);
-  const AbortNotice notice(ExitStatus::CorruptInput, TextOfAbort(expected.fileName));
+  const AbortNotice notice = TellOfAbort(expected.fileName);
   if (const char * const problem =
         GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), structure.endOfVoxels, &dicom, voxels))
   {

@@ -3,15 +3,10 @@
 #include "ZarrChunkFile.h"
 
 #include "FileNames.h"
-#include "FileTransfer.h"
-#include "ZarrDescriptor.h"
 #include "Zeros.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace medialvoxel
 {
@@ -26,38 +21,32 @@ GetPackedBytes(ZarrCompression compression, std::uint64_t numberOfBytes)
   return codec == nullptr ? 0 : codec->getMostBytes(numberOfBytes);
 }
 
-bool
-MakeOneFolder(const std::filesystem::path & folder)
-{
-  return mkdir(folder.c_str(), 0777) == 0 || errno == EEXIST;
-}
-
 /** Makes a folder and those that it is in; false on failure, with errno. The folder of the whole volume is not made:
  * when it is gone, another process has published or removed it, and it must not come back. */
 bool
-MakeFolder(const std::filesystem::path & folder)
+MakeFolders(const std::filesystem::path & folder)
 {
-  if (MakeOneFolder(folder))
+  if (MakeFolder(folder) || errno == EEXIST)
   {
     return true;
   }
   const auto parent = errno == ENOENT ? folder.parent_path() : std::filesystem::path();
-  return !parent.empty() && parent.extension() != PartialExtension && MakeFolder(parent) && MakeOneFolder(folder);
+  return !parent.empty() && parent.extension() != PartialExtension && MakeFolders(parent) &&
+         (MakeFolder(folder) || errno == EEXIST);
 }
 
 /** Opens a file to be written, and makes the folder that it is the first one of. */
-class NewFile : public ZarrDescriptor
+SystemFile
+MakeFile(const std::filesystem::path & name, FileAccess access)
 {
-public:
-  NewFile(const std::filesystem::path & file, int flags)
-    : ZarrDescriptor((MakeFolder(file.parent_path()), file), flags | O_RDWR | O_CREAT) // fails where the folder does
+  MakeFolders(name.parent_path()); // the file fails where the folder does
+  SystemFile file(name, access);
+  if (!file.IsOpen())
   {
-    if (this->Get() < 0)
-    {
-      FailWithErrno("create", file);
-    }
+    FailWithErrno(ExitStatus::Failure, "create", name);
   }
-};
+  return file;
+}
 
 } // namespace
 
@@ -81,9 +70,9 @@ ZarrChunkWriter::GetPartialName(const std::filesystem::path & chunkFile) const
 void
 ZarrChunkWriter::GiveName(const std::filesystem::path & chunkFile) const
 {
-  if (rename(this->GetPartialName(chunkFile).c_str(), chunkFile.c_str()) != 0)
+  if (!Rename(this->GetPartialName(chunkFile), chunkFile, TakenName::IsLost))
   {
-    FailWithErrno("give its name to", chunkFile);
+    FailWithErrno(ExitStatus::Failure, "give its name to", chunkFile);
   }
 }
 
@@ -125,15 +114,15 @@ ZarrChunkWriter::Write(const std::filesystem::path & chunkFile, const char * chu
 {
   const auto [bytes, numberOfBytes] = this->Pack(chunkFile, chunk);
   {
-    NewFile file(this->GetPartialName(chunkFile), O_TRUNC);
-    if (!WriteFully(file.Get(), 0, bytes, numberOfBytes))
+    SystemFile file = MakeFile(this->GetPartialName(chunkFile), FileAccess::MakeEmpty);
+    const bool isWritten = file.WriteAt(0, bytes, numberOfBytes);
+    if (isWritten)
     {
-      FailWithErrno("write", chunkFile);
+      file.StartSync(0, numberOfBytes);
     }
-    StartWriteBack(file.Get(), 0, numberOfBytes);
-    if (!file.Close())
+    if (!isWritten || !file.Close())
     {
-      FailWithErrno("write", chunkFile);
+      FailWithErrno(ExitStatus::Failure, "write", chunkFile);
     }
   }
   this->GiveName(chunkFile);
@@ -149,11 +138,11 @@ ZarrChunkWriter::WritePart(const std::filesystem::path & chunkFile,
                            const char *                  bytes,
                            bool                          isFirst) const
 {
-  NewFile file(this->GetPartialName(chunkFile), isFirst ? O_TRUNC : 0);
-  if ((isFirst && ftruncate(file.Get(), static_cast<off_t>(part.chunkBytes)) != 0) ||
-      !WriteFully(file.Get(), part.offset, bytes, part.numberOfBytes) || !file.Close())
+  SystemFile file = MakeFile(this->GetPartialName(chunkFile), isFirst ? FileAccess::MakeEmpty : FileAccess::Make);
+  if ((isFirst && !file.SetSize(part.chunkBytes)) || !file.WriteAt(part.offset, bytes, part.numberOfBytes) ||
+      !file.Close())
   {
-    FailWithErrno("write", chunkFile);
+    FailWithErrno(ExitStatus::Failure, "write", chunkFile);
   }
 }
 
@@ -162,14 +151,14 @@ ZarrChunkWriter::CompleteParts(const std::filesystem::path & chunkFile, char * c
 {
   const bool isPacked = m_Compression != ZarrCompression::None;
   {
-    const ZarrDescriptor parts(this->GetPartialName(chunkFile), O_RDWR);
-    if (parts.Get() < 0 || ((isPacked || m_Checksum) && !ReadFully(parts.Get(), 0, chunk, m_NumberOfBytes)))
+    const SystemFile parts(this->GetPartialName(chunkFile), FileAccess::Change);
+    if (!parts.IsOpen() || ((isPacked || m_Checksum) && !parts.ReadAt(0, chunk, m_NumberOfBytes)))
     {
-      FailWithErrno("read back", chunkFile);
+      FailWithErrno(ExitStatus::Failure, "read back", chunkFile);
     }
     if (!isPacked)
     {
-      StartWriteBack(parts.Get(), 0, m_NumberOfBytes);
+      parts.StartSync(0, m_NumberOfBytes);
     }
   }
   if (isPacked)
@@ -184,6 +173,22 @@ ZarrChunkWriter::CompleteParts(const std::filesystem::path & chunkFile, char * c
   }
 }
 
+std::optional<SystemFile>
+OpenZarrChunks(const std::filesystem::path & chunkFile)
+{
+  SystemFile file(chunkFile, FileAccess::Read);
+  if (!file.IsOpen() && errno != ENOENT)
+  {
+    FailWithErrno(ExitStatus::Failure, "read", chunkFile);
+  }
+  const auto status = file.IsOpen() ? file.GetStatus() : std::nullopt;
+  if (file.IsOpen() && !(status && status->isFile))
+  {
+    Fail(ExitStatus::Failure, "cannot read ", chunkFile.string(), ": it is not a regular file");
+  }
+  return file.IsOpen() ? std::optional(std::move(file)) : std::nullopt;
+}
+
 void
 AddZarrChunk(const std::filesystem::path & chunkFile, Checksum & checksum)
 {
@@ -194,9 +199,9 @@ AddZarrChunk(const std::filesystem::path & chunkFile, Checksum & checksum)
   for (std::uint64_t offset = 0; offset < numberOfBytes; offset += buffer.size())
   {
     const std::uint64_t count = std::min<std::uint64_t>(buffer.size(), numberOfBytes - offset);
-    if (!ReadFully(file->Get(), offset, buffer.data(), count))
+    if (!file->ReadAt(offset, buffer.data(), count))
     {
-      FailWithErrno("read", chunkFile);
+      FailWithErrno(ExitStatus::Failure, "read", chunkFile);
     }
     checksum.Add(buffer.data(), count);
   }

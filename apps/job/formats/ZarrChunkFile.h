@@ -4,6 +4,7 @@
 #define medialvoxelZarrChunkFile_h
 
 #include "Checksum.h"
+#include "SystemFile.h"
 #include "ZarrMetadata.h"
 
 #include <cstdint>
@@ -96,6 +97,11 @@ private:
 
   std::optional<Checksum> m_Checksum;
 };
+
+/** Opens a file of chunks to be read; nothing when there is none.
+ * \throw JobError Failure, also for what is not a regular file */
+std::optional<SystemFile>
+OpenZarrChunks(const std::filesystem::path & chunkFile);
 
 /** Adds the bytes of the file of a chunk, if there is one. */
 void

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ZarrChunks.h"
 
-#include "Errors.h"
-#include "FileTransfer.h"
+#include "FileNames.h"
 #include "MemoryPacking.h"
+#include "ZarrChunkFile.h"
 #include "ZarrShardIndex.h"
 
 #include "itkByteSwapper.h"
@@ -138,9 +138,9 @@ ZarrChunks::ReadPart(const ZarrIndex & index, std::uint64_t offset, std::vector<
          "; the chunks of its array have ",
          chunkBytes);
   }
-  if (!ReadFully(place->file->Get(), place->offset + offset, bytes.data(), bytes.size()))
+  if (!place->file->ReadAt(place->offset + offset, bytes.data(), bytes.size()))
   {
-    FailWithErrno("read", place->fileName);
+    FailWithErrno(ExitStatus::Failure, "read", place->fileName);
   }
   buffers.bytesRead += bytes.size();
   SwapToMachineOrder(m_Array, bytes);
@@ -248,9 +248,9 @@ ZarrChunks::Unpack(const Place & place, Buffers & buffers) const
   }
   std::vector<char> & packed = buffers.unpacker.GetPacked();
   packed.resize(place.numberOfBytes);
-  if (!ReadFully(place.file->Get(), place.offset, packed.data(), packed.size()))
+  if (!place.file->ReadAt(place.offset, packed.data(), packed.size()))
   {
-    FailWithErrno("read", place.fileName);
+    FailWithErrno(ExitStatus::Failure, "read", place.fileName);
   }
   buffers.bytesRead += packed.size();
   if (!buffers.unpacker.Unpack(buffers.chunk))

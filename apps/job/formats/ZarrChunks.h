@@ -3,7 +3,7 @@
 #ifndef medialvoxelZarrChunks_h
 #define medialvoxelZarrChunks_h
 
-#include "ZarrDescriptor.h"
+#include "SystemFile.h"
 #include "ZarrMetadata.h"
 
 #include <map>
@@ -79,10 +79,10 @@ private:
   /** Where the bytes of a chunk are. */
   struct Place
   {
-    std::filesystem::path           fileName;
-    std::unique_ptr<ZarrDescriptor> file;
-    std::uint64_t                   offset{ 0 };
-    std::uint64_t                   numberOfBytes{ 0 };
+    std::filesystem::path     fileName;
+    std::optional<SystemFile> file;
+    std::uint64_t             offset{ 0 };
+    std::uint64_t             numberOfBytes{ 0 };
   };
 
   /** Offset and bytes of each chunk of a shard; empty for a shard without a file. */

@@ -3,8 +3,7 @@
 #include "ZarrShardIndex.h"
 
 #include "Crc32c.h"
-#include "Errors.h"
-#include "FileTransfer.h"
+#include "FileNames.h"
 
 #include "itkByteSwapper.h"
 
@@ -40,7 +39,7 @@ CheckPlaces(const std::filesystem::path & fileName, std::uint64_t fileBytes, con
 } // namespace
 
 std::vector<std::uint64_t>
-ReadZarrShardIndex(const std::filesystem::path & fileName, const ZarrDescriptor & file, const ZarrShards & shards)
+ReadZarrShardIndex(const std::filesystem::path & fileName, const SystemFile & file, const ZarrShards & shards)
 {
   const std::uint64_t indexBytes = shards.GetIndexBytes();
   const std::uint64_t fileBytes = file.GetSize();
@@ -56,9 +55,9 @@ ReadZarrShardIndex(const std::filesystem::path & fileName, const ZarrDescriptor 
   constexpr std::uint64_t    numbersPerChunk = 2;
   std::vector<std::uint64_t> places((indexBytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t));
   auto * const               bytes = reinterpret_cast<char *>(places.data());
-  if (!ReadFully(file.Get(), shards.indexAtStart ? 0 : fileBytes - indexBytes, bytes, indexBytes))
+  if (!file.ReadAt(shards.indexAtStart ? 0 : fileBytes - indexBytes, bytes, indexBytes))
   {
-    FailWithErrno("read", fileName);
+    FailWithErrno(ExitStatus::Failure, "read", fileName);
   }
   if (shards.indexHasChecksum && !CheckCrc32c({ bytes, indexBytes }))
   {

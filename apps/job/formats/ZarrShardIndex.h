@@ -3,7 +3,7 @@
 #ifndef medialvoxelZarrShardIndex_h
 #define medialvoxelZarrShardIndex_h
 
-#include "ZarrDescriptor.h"
+#include "SystemFile.h"
 #include "ZarrMetadata.h"
 
 #include <cstdint>
@@ -19,7 +19,7 @@ constexpr std::uint64_t MissingInShard = ~std::uint64_t{ 0 };
 /** Offset and bytes of each chunk of a shard, x fastest; all chunks lie in the file.
  * \throw JobError CorruptInput, also when the checksum is another one */
 std::vector<std::uint64_t>
-ReadZarrShardIndex(const std::filesystem::path & fileName, const ZarrDescriptor & file, const ZarrShards & shards);
+ReadZarrShardIndex(const std::filesystem::path & fileName, const SystemFile & file, const ZarrShards & shards);
 
 } // end namespace medialvoxel
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ProcessIdentity.h"
 
-#include "Checksum.h"
-
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -37,7 +38,7 @@ struct ProcessState
 
 /** Of a process that this one may see. */
 std::optional<ProcessState>
-ReadState(pid_t number)
+ReadState(int number)
 {
   const std::string text = ReadSmallFile("/proc/" + std::to_string(number) + "/stat");
   // The name of the program, in brackets, may have blanks and brackets.
@@ -59,26 +60,32 @@ ReadState(pid_t number)
   return fields ? std::optional<ProcessState>(state) : std::nullopt;
 }
 
-/** Numbers of processes mean something in one name space of one start of one machine. Machines are many, so the digits
- * of their starts, which are random, add to the checksum of all three. */
+/** The number of a name space that this process is in; 0 where the system does not tell. */
+std::uint64_t
+GetNameSpace(const char * kind)
+{
+  std::error_code   error;
+  const std::string link = std::filesystem::read_symlink(std::string("/proc/self/ns/") + kind, error).string();
+  return std::strtoull(link.c_str() + std::min(link.size(), link.find('[') + 1), nullptr, 10);
+}
+
+/** Numbers of processes mean something in one name space of one start of one machine. The digits of a start are random,
+ * and numbers of name spaces differ in their low 16 bits. */
 std::string
 MakeHost()
 {
-  constexpr std::size_t digitsOfStart = 4;
   constexpr std::size_t firstDash = 8;
-  std::string           text = ReadSmallFile("/proc/sys/kernel/random/boot_id");
-  if (text.find_first_not_of("0123456789abcdef") != firstDash)
+  std::string           start = ReadSmallFile("/proc/sys/kernel/random/boot_id");
+  if (start.find_first_not_of("0123456789abcdef") != firstDash)
   {
     return {};
   }
-  std::ostringstream host;
-  host << text.substr(0, digitsOfStart);
-  for (const char * const space : { "/proc/self/ns/pid", "/proc/self/ns/time" })
-  {
-    std::error_code error;
-    text += std::filesystem::read_symlink(space, error).string() + "\n";
-  }
-  host << std::hex << std::setw(8) << std::setfill('0') << GetChecksum(text);
+  start.erase(firstDash, 1);
+  constexpr std::uint64_t mask = (std::uint64_t{ 1 } << 48) - 1;
+  const std::uint64_t     spaces = GetNameSpace("pid") << 16 ^ GetNameSpace("time");
+  std::ostringstream      host;
+  host << std::hex << std::setw(12) << std::setfill('0')
+       << ((std::stoull(start.substr(0, 12), nullptr, 16) ^ spaces) & mask);
   return host.str();
 }
 
@@ -118,6 +125,14 @@ HasEnded(const ProcessIdentity & process)
   const auto state = ReadState(process.number);
   // Another process may have the number now; of one that was killed, its parent may not have been told yet.
   return state && (state->startTime != process.startTime || state->letter == 'Z' || state->letter == 'X');
+}
+
+std::string
+GetHostName()
+{
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
 }
 
 } // end namespace medialvoxel

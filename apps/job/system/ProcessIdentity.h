@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <string>
-#include <sys/types.h>
 
 namespace medialvoxel
 {
@@ -15,7 +14,7 @@ namespace medialvoxel
 struct ProcessIdentity
 {
   std::string   host;           ///< 12 hexadecimal digits of a machine since it was started, and of a container on it
-  pid_t         number{ 0 };    ///< which another process has later
+  int           number{ 0 };    ///< which another process has later
   std::uint64_t startTime{ 0 }; ///< in ticks since the machine was started
 };
 
@@ -26,6 +25,10 @@ GetThisProcess();
 /** Whether a process has ended; false whenever this cannot be known, as of a process of another machine. */
 bool
 HasEnded(const ProcessIdentity & process);
+
+/** The name of this machine, for people. */
+std::string
+GetHostName();
 
 } // end namespace medialvoxel
 

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "FreeMemory.h"
-
-#include "Text.h"
+#include "ProcessMemory.h"
 
 #include <algorithm>
 #include <fstream>
 #include <limits>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <sys/resource.h>
+#ifdef __GLIBC__
+#  include <malloc.h>
+#endif
 
 namespace medialvoxel
 {
@@ -26,10 +28,12 @@ ReadKibibytes(const std::filesystem::path & file, const std::string & name)
   std::string   line;
   while (std::getline(information, line))
   {
-    const std::vector<std::string> parts = SplitAtBlanks(line);
-    if (parts.size() >= 2 && parts[0] == name)
+    std::istringstream parts(line);
+    std::string        word;
+    std::uint64_t      number = 0;
+    if (parts >> word >> number && word == name)
     {
-      return static_cast<std::uint64_t>(ParseInteger(parts[1]).value_or(0)) * 1024;
+      return number * 1024;
     }
   }
   return std::nullopt;
@@ -130,6 +134,21 @@ std::uint64_t
 GetFreeMemory(const std::filesystem::path & root)
 {
   return std::min({ GetAvailableOnSystem(root), GetAvailableInGroups(root), GetRestOfLimits() });
+}
+
+std::uint64_t
+GetPeakMemoryBytes()
+{
+  return ReadKibibytes("/proc/self/status", "VmHWM:").value_or(0);
+}
+
+void
+GiveLargeBlocksBack()
+{
+#ifdef M_MMAP_THRESHOLD
+  constexpr int largeBlock = 1 << 20;
+  mallopt(M_MMAP_THRESHOLD, largeBlock);
+#endif
 }
 
 } // end namespace medialvoxel

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelFreeMemory_h
-#define medialvoxelFreeMemory_h
+#ifndef medialvoxelProcessMemory_h
+#define medialvoxelProcessMemory_h
 
 #include <cstdint>
 #include <filesystem>
@@ -20,6 +20,14 @@ GetRestOfLimits();
  * \param root folder with proc and sys/fs/cgroup, for tests */
 std::uint64_t
 GetFreeMemory(const std::filesystem::path & root = "/");
+
+/** Peak of the memory that the process kept resident; 0 where the system does not tell. */
+std::uint64_t
+GetPeakMemoryBytes();
+
+/** Lets large blocks leave the process when they are freed, so that the peak is the one that was planned. */
+void
+GiveLargeBlocksBack();
 
 } // end namespace medialvoxel
 

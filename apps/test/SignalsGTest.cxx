@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "AbortNotice.h"
+#include "Errors.h"
+#include "Signals.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ TEST(AbortNoticeDeathTest, AnAbortEndsWithItsLine)
 {
   const auto abortWithNotice = [] {
     SetNameForAborts("program");
-    const AbortNotice notice(ExitStatus::CorruptInput, "a\nfile is damaged");
+    const AbortNotice notice(static_cast<int>(ExitStatus::CorruptInput), "a\nfile is damaged");
     std::abort();
   };
   EXPECT_EXIT(abortWithNotice(), testing::ExitedWithCode(4), "program: a.*file is damaged");
@@ -27,13 +28,13 @@ TEST(AbortNoticeDeathTest, OnlyItsThreadAndItsTimeCount)
 {
   const auto abortAfterNotice = [] {
     {
-      const AbortNotice notice(ExitStatus::CorruptInput, "over");
+      const AbortNotice notice(static_cast<int>(ExitStatus::CorruptInput), "over");
     }
     std::abort();
   };
   EXPECT_EXIT(abortAfterNotice(), testing::KilledBySignal(SIGABRT), "^$");
   const auto abortElsewhere = [] {
-    const AbortNotice notice(ExitStatus::CorruptInput, "of another thread");
+    const AbortNotice notice(static_cast<int>(ExitStatus::CorruptInput), "of another thread");
     std::thread([] { std::abort(); }).join();
   };
   EXPECT_EXIT(abortElsewhere(), testing::KilledBySignal(SIGABRT), "^$");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "FreeMemory.h"
+#include "ProcessMemory.h"
 
 #include "TemporaryFolder.h"
 
@@ -40,19 +40,19 @@ constexpr std::uint64_t GiB = std::uint64_t{ 1 } << 30;
 
 } // namespace
 
-TEST(FreeMemory, IsWhatTheSystemHasAvailable)
+TEST(ProcessMemory, IsWhatTheSystemHasAvailable)
 {
   const Machine machine;
   EXPECT_EQ(machine.GetFree(), 8 * GiB);
 }
 
-TEST(FreeMemory, IsUnknownWhereTheSystemDoesNotTell)
+TEST(ProcessMemory, IsUnknownWhereTheSystemDoesNotTell)
 {
   const TemporaryFolder folder;
   EXPECT_EQ(GetFreeMemory(folder / ""), std::numeric_limits<std::uint64_t>::max());
 }
 
-TEST(FreeMemory, AControlGroupMayAllowLess)
+TEST(ProcessMemory, AControlGroupMayAllowLess)
 {
   const Machine machine;
   machine.Write("proc/self/cgroup", "0::/jobs/17\n");
@@ -63,7 +63,7 @@ TEST(FreeMemory, AControlGroupMayAllowLess)
   EXPECT_EQ(machine.GetFree(), 3 * GiB);
 }
 
-TEST(FreeMemory, AContainerSeesItsOwnGroupAtTheTop)
+TEST(ProcessMemory, AContainerSeesItsOwnGroupAtTheTop)
 {
   const Machine machine;
   machine.Write("proc/self/cgroup", "0::/\n");
@@ -72,7 +72,7 @@ TEST(FreeMemory, AContainerSeesItsOwnGroupAtTheTop)
   EXPECT_EQ(machine.GetFree(), 0u);
 }
 
-TEST(FreeMemory, ControlGroupsOfTheFirstVersionCountToo)
+TEST(ProcessMemory, ControlGroupsOfTheFirstVersionCountToo)
 {
   const Machine machine;
   machine.Write("proc/self/cgroup", "5:cpu,cpuacct:/a\n4:memory:/a\n");
