@@ -37,7 +37,7 @@ struct MedialVoxelIsosurfaceTriangle
  * \brief Takes a surface in parts. A face may come before its vertices.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelIsosurfaceConsumer
+class MedialVoxelIsosurfaceConsumer
 {
 public:
   virtual ~MedialVoxelIsosurfaceConsumer();
@@ -57,7 +57,7 @@ public:
  * of vertices and faces follow from the image alone.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelIsosurface
+class MedialVoxelIsosurface
 {
 public:
   /** Where margins are not known, or do not differ, vertices are in the middle.

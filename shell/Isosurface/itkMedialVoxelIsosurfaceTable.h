@@ -3,8 +3,6 @@
 #ifndef itkMedialVoxelIsosurfaceTable_h
 #define itkMedialVoxelIsosurfaceTable_h
 
-#include "MedialVoxelExport.h"
-
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -21,7 +19,7 @@ namespace itk
  * faces.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelIsosurfaceTable
+class MedialVoxelIsosurfaceTable
 {
 public:
   static constexpr unsigned int NumberOfEdges = 12;

@@ -5,8 +5,6 @@
 
 #include "itkMedialVoxelGrid.h"
 
-#include "MedialVoxelExport.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -19,7 +17,7 @@ namespace itk
  * object, negative outside, NaN where it is not known. Of masks it is 1/2 and -1/2.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelMargins
+class MedialVoxelMargins
 {
 public:
   /** \param size of the image \param numberOfSlices that are kept, at least 1 */

@@ -40,7 +40,7 @@ struct MedialVoxelRayResult
  * become negative again; there the length is found to a millionth of a step.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelWallRay
+class MedialVoxelWallRay
 {
 public:
   using Point = std::array<double, 3>;

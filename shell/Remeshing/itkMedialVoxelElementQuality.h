@@ -5,8 +5,6 @@
 
 #include "itkMedialVoxelVector3.h"
 
-#include "MedialVoxelExport.h"
-
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,19 +20,19 @@ MedialVoxelTriangleNormal(const std::array<MedialVoxelVector3, 3> & corners)
 }
 
 /** The scaled Jacobian of the Verdict library: 1 for an equilateral triangle, 0 for a flat one. */
-MedialVoxel_EXPORT double
+double
 MedialVoxelScaledJacobian(const std::array<MedialVoxelVector3, 3> & corners);
 
 /** The same for a quadrilateral: 1 for a rectangle, below 0 where a corner is turned in. Corners go round it. */
-MedialVoxel_EXPORT double
+double
 MedialVoxelScaledJacobian(const std::array<MedialVoxelVector3, 4> & corners);
 
 /** The aspect ratio of the Verdict library: 1 for an equilateral triangle, infinite for a flat one. */
-MedialVoxel_EXPORT double
+double
 MedialVoxelAspectRatio(const std::array<MedialVoxelVector3, 3> & corners);
 
 /** The same for a quadrilateral: 1 for a square. */
-MedialVoxel_EXPORT double
+double
 MedialVoxelAspectRatio(const std::array<MedialVoxelVector3, 4> & corners);
 
 /** Shapes of all elements of a mesh; of none, all are as of a square. */
@@ -51,7 +49,7 @@ struct MedialVoxelShapeSummary
  * \brief Collects the shapes of elements.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelElementShapes
+class MedialVoxelElementShapes
 {
 public:
   /** \param points of the mesh \param corners places of its corners \param number of them, 3 or 4 */
@@ -69,7 +67,7 @@ private:
 };
 
 /** The value that a share of all does not exceed; \a values are not empty, and change their order. */
-MedialVoxel_EXPORT double
+double
 MedialVoxelFindPercentile(std::vector<double> & values, double share);
 
 } // end namespace itk

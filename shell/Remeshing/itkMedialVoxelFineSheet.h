@@ -12,7 +12,7 @@ namespace itk
 {
 
 /** A finished surface of triangles, in memory. */
-struct MedialVoxel_EXPORT MedialVoxelSheet
+struct MedialVoxelSheet
 {
   using Index = std::uint32_t;
 
@@ -36,7 +36,7 @@ struct MedialVoxel_EXPORT MedialVoxelSheet
  * to more than two. It also holds the sizes that elements are to have at its points.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelFineSheet
+class MedialVoxelFineSheet
 {
 public:
   using Index = MedialVoxelSheet::Index;

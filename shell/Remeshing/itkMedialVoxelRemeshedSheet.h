@@ -72,16 +72,16 @@ struct MedialVoxelRemeshedSheet
 };
 
 /** What sides are to have before rims are extended: they are about as long as what is added to them. */
-MedialVoxel_EXPORT MedialVoxelElementSize
+MedialVoxelElementSize
 MedialVoxelSizeBeforeRims(const MedialVoxelElementSize & size);
 
 /** Memory that remeshing takes for each triangle of the fine sheet, which is part of it. */
-MedialVoxel_EXPORT std::uint64_t
-                   MedialVoxelRemeshingBytesPerTriangle();
+std::uint64_t
+MedialVoxelRemeshingBytesPerTriangle();
 
 /** \param sheet    without triangles of one place; its points are those of its triangles
  * \param progress called often with the share that is done; may throw to stop */
-MedialVoxel_EXPORT MedialVoxelRemeshedSheet
+MedialVoxelRemeshedSheet
 MedialVoxelRemesh(MedialVoxelSheet                    sheet,
                   const MedialVoxelElementSize &      size,
                   const std::function<void(double)> & progress);

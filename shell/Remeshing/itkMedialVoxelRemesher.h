@@ -22,7 +22,7 @@ namespace itk
  * their width.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelRemesher
+class MedialVoxelRemesher
 {
 public:
   using Complex = MedialVoxelTriangleComplex;

@@ -30,7 +30,7 @@ struct MedialVoxelRimLimit
 using MedialVoxelRimLimits = std::vector<MedialVoxelRimLimit>;
 
 /** The point itself, or the nearest one on the planes that it is beyond, which are across to each other. */
-MedialVoxel_EXPORT MedialVoxelVector3
+MedialVoxelVector3
 MedialVoxelMoveWithin(const MedialVoxelVector3 & point, const MedialVoxelRimLimits & limits);
 
 /** What became of rims. Lengths are in the units of the points. */
@@ -56,7 +56,7 @@ struct MedialVoxelRimExtensionSummary
  * \param measure may be empty: no surface is known
  * \param limits  of the volume, beyond which nothing is known
  * \param origins of each point of the result, the number of the one it was carried on from, or its own */
-MedialVoxel_EXPORT MedialVoxelRimExtensionSummary
+MedialVoxelRimExtensionSummary
 MedialVoxelExtendRims(MedialVoxelSheet &                sheet,
                       const MedialVoxelMeasureRimRays & measure,
                       const MedialVoxelRimLimits &      limits,

@@ -17,7 +17,7 @@ namespace itk
  * \brief Distances in classes of a thousandth of their value. Sums of sums do not depend on their order, but the mean.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelDistanceHistogram
+class MedialVoxelDistanceHistogram
 {
 public:
   /** \param distance finite, 0 or more */
@@ -41,7 +41,7 @@ private:
  * \brief Distances between a sheet of elements and the fine one, of which any part may be given at a time.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelSheetDistances
+class MedialVoxelSheetDistances
 {
 public:
   /** A sample by its number, and its distance. */

@@ -12,8 +12,8 @@ namespace itk
  * thickness before a hole, so that these are none of the part.
  * \param least the least size of elements
  * \return how many there were */
-MedialVoxel_EXPORT std::uint64_t
-                   MedialVoxelCloseHoles(MedialVoxelSheet & sheet, double least);
+std::uint64_t
+MedialVoxelCloseHoles(MedialVoxelSheet & sheet, double least);
 
 } // end namespace itk
 

@@ -23,7 +23,7 @@ struct MedialVoxelCoarsenedPart
  * \param most     length of sides that triangles get at most; 0: they stay as they are
  * \param noise    as that of MedialVoxelElementSize
  * \param progress called often with the share that is done; may throw to stop */
-MedialVoxel_EXPORT MedialVoxelCoarsenedPart
+MedialVoxelCoarsenedPart
 MedialVoxelCoarsenPart(MedialVoxelSheet                    part,
                        std::vector<bool>                   isShared,
                        const MedialVoxelElementSize &      size,

@@ -5,8 +5,6 @@
 
 #include "itkMedialVoxelVector3.h"
 
-#include "MedialVoxelExport.h"
-
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -16,7 +14,7 @@ namespace itk
 {
 
 /** The point of a triangle that is nearest to another one. */
-MedialVoxel_EXPORT MedialVoxelVector3
+MedialVoxelVector3
 MedialVoxelNearestOfTriangle(const MedialVoxelVector3 & point, const std::array<MedialVoxelVector3, 3> & corners);
 
 /** \class MedialVoxelSheetTree
@@ -26,7 +24,7 @@ MedialVoxelNearestOfTriangle(const MedialVoxelVector3 & point, const std::array<
  * depends on the point and the content alone.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelSheetTree
+class MedialVoxelSheetTree
 {
 public:
   using Index = std::uint32_t;

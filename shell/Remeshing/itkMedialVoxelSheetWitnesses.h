@@ -15,7 +15,7 @@ namespace itk
  * They bound the distance of the fine sheet to the coarse one through all steps.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelSheetWitnesses
+class MedialVoxelSheetWitnesses
 {
 public:
   using Index = MedialVoxelTriangleComplex::Index;

@@ -25,18 +25,18 @@ struct MedialVoxelShellElement
  * \param complex stays as it is
  * \param corners of each triangle with its number; removed ones are empty
  * \return the number of sides whose triangles could not agree, as on a wall with one side only */
-MedialVoxel_EXPORT std::uint64_t
-                   MedialVoxelOrientWalls(const MedialVoxelTriangleComplex &                  complex,
-                                          std::vector<MedialVoxelTriangleComplex::Triangle> & corners);
+std::uint64_t
+MedialVoxelOrientWalls(const MedialVoxelTriangleComplex &                  complex,
+                       std::vector<MedialVoxelTriangleComplex::Triangle> & corners);
 
 /** Joins triangles to quadrilaterals, best first: where two share a side that no third one has, are nearly in one plane
  * (cosine above 0.9), and give a scaled Jacobian of 0.4 at least. What is left stays a triangle.
  * \param corners as MedialVoxelOrientWalls() has left them
  * \param joins   false: all stay triangles */
-MedialVoxel_EXPORT std::vector<MedialVoxelShellElement>
-                   MedialVoxelPairTriangles(const MedialVoxelTriangleComplex &                        complex,
-                                            const std::vector<MedialVoxelTriangleComplex::Triangle> & corners,
-                                            bool                                                      joins);
+std::vector<MedialVoxelShellElement>
+MedialVoxelPairTriangles(const MedialVoxelTriangleComplex &                        complex,
+                         const std::vector<MedialVoxelTriangleComplex::Triangle> & corners,
+                         bool                                                      joins);
 
 } // end namespace itk
 

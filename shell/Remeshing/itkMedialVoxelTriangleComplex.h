@@ -6,8 +6,6 @@
 #include "itkMedialVoxelShortList.h"
 #include "itkMedialVoxelVector3.h"
 
-#include "MedialVoxelExport.h"
-
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,7 +20,7 @@ namespace itk
  * triangle that was removed is given to one that is added. What is done depends on the order of the calls alone.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelTriangleComplex
+class MedialVoxelTriangleComplex
 {
 public:
   using Index = std::uint32_t;
