@@ -30,7 +30,13 @@ set(program
     apps/job/dicom
     apps/job/files
     apps/job/records
-    apps/job/formats
+    apps/job/formats/volume
+    apps/job/formats/plain
+    apps/job/formats/text
+    apps/job/formats/zarr
+    apps/job/formats/slices
+    apps/job/formats/catalog
+    apps/job/formats/input
     apps/job/meshes
     apps/job/reports
     apps/job/run
