@@ -67,9 +67,8 @@ ListOptionDetails()
       "32-bit real, on the grid of the labels: positive at medial cells, negative at rims, 0 elsewhere." },
     { "",
       "--uncertainty-map",
-      "32-bit real, on the grid of the labels: NaN at medial cells where it is not known. Needs one threshold, walls "
-      "of "
-      "5 voxels and an input that streams." },
+      "32-bit real, on the grid of the labels: NaN at medial cells where it is not known. Needs one threshold and "
+      "walls of 5 voxels." },
     { "",
       "--local-thickness",
       "32-bit real, on the grid of the input: the thickness of the wall or the ball that covers the center of the "
@@ -86,7 +85,7 @@ ListOptionDetails()
     { "",
       "--sub-voxel",
       "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
-      "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map, "
+      "threshold. Labels stay the same. Needs a threshold. Default: on for --thickness-map, "
       "--local-thickness of walls, --thin-below and --thick-above of a gray scan with one threshold, and for "
       "--element-size of a scan or mask with one threshold. A mask is measured halfway between its two values." },
     { "", "--levels", "Default: those of the scan. Needs one threshold, which is between them; M is in the object." },
@@ -128,7 +127,7 @@ ListOptionDetails()
     { "surface",
       "--sub-voxel",
       "Vertices are where linear values cross the threshold, and walls are fitted to values where these allow it; "
-      "otherwise vertices are in the middle between voxels. Needs one threshold and an input that streams. Default: on "
+      "otherwise vertices are in the middle between voxels. Needs one threshold. Default: on "
       "where it can be." },
     { "surface", "--open", "Otherwise it is closed half a voxel beyond the last voxels." },
     { "surface",
@@ -168,9 +167,8 @@ ListOptionDetails()
       "1024." },
     { "",
       "--scratch",
-      "Compressed input that does not fit the memory, and vertices and faces of meshes, wait there in files "
-      "without a "
-      "name." },
+      "Values of compressed input that do not fit the memory, and vertices and faces of meshes, wait there in files "
+      "without a name." },
     { "", "--threads", "Results do not depend on it." },
     { "", "--divisions", "Results do not depend on it." },
     { "plan", "--divisions", "Number of clusters. Results do not depend on it." },

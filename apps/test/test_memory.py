@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: MedialVoxel contributors
 # SPDX-License-Identifier: Apache-2.0
-"""A cap on the memory holds, whatever the format, and changes no byte; compressed volumes become a mask of bits."""
+"""A cap on the memory holds, whatever the format, and changes no byte; values of compressed volumes wait in memory or on the disk."""
 
 import json
 import os

@@ -54,14 +54,14 @@ ScratchFile::~ScratchFile()
 }
 
 void
-ScratchFile::Reserve(std::uint64_t numberOfBytes)
+ScratchFile::SetSize(std::uint64_t numberOfBytes)
 {
-  if (!ReserveSpace(m_Descriptor, numberOfBytes))
+  if (ftruncate(m_Descriptor, static_cast<off_t>(numberOfBytes)) != 0)
   {
-    Fail(ExitStatus::Refused,
-         "cannot reserve ",
+    Fail(ExitStatus::Failure,
+         "cannot make a scratch file of ",
          FormatBytes(numberOfBytes),
-         " for the scratch file in ",
+         " in ",
          m_Folder.string(),
          ": ",
          std::strerror(errno));

@@ -21,9 +21,9 @@ public:
   ScratchFile &
   operator=(const ScratchFile &) = delete;
 
-  /** Takes the space from the disk at once. \throw JobError Refused when there is none. */
+  /** Makes it a hole of so many bytes, which reads as zeros. \throw JobError Failure. */
   void
-  Reserve(std::uint64_t numberOfBytes);
+  SetSize(std::uint64_t numberOfBytes);
 
   /** \throw JobError Failure. */
   void

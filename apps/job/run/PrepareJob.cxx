@@ -5,6 +5,7 @@
 #include "Leftovers.h"
 #include "OutputChecks.h"
 #include "Plan.h"
+#include "UnpackedVolume.h"
 #include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
@@ -83,6 +84,16 @@ PrepareJob(const JobOptions &         options,
   }
   PrepareProcess(result.plan);
   return result;
+}
+
+VolumeHeader
+UnpackInput(const VolumeHeader & header, const JobPlan & plan, ProgressSink & sink)
+{
+  if (plan.unpackedBytes > 0)
+  {
+    sink.Note(header.fileName.string() + " is compressed and is unpacked once: " + DescribeUnpacking(plan));
+  }
+  return UnpackVolume(header, plan.scratchFolder, sink);
 }
 
 void
