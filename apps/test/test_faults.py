@@ -341,7 +341,8 @@ class ScratchDiskTest(ProgramTestCase):
         volume = volumes.Volume((300, 300, 300), [])
         volume.voxels = bytes(300**3)
         source = volumes.write_nrrd(self.folder / "in.nrrd", volume, compressed=True)
-        run = ["extract", source, "out.mha", "--thickness", 3, "--scratch", "disk", "--threads", 1, "--memory", "36M"]
+        run = ["extract", source, "out.mha", "--thickness", 3, "--scratch", "disk", "--threads", 1]
+        run += ["--memory", self.find_least_memory(*run, "--sparse") + (1 << 21)]
         for more in ([], ["--dry-run"]):
             self.assert_fails(REFUSED, ["no space", "scratch files", "disk", "25.7 MiB"], *run, *more)
         self.run_program(*run, "--sparse")

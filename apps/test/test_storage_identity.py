@@ -19,14 +19,22 @@ SPACING = (0.5, 0.5, 0.75)
 PLAIN = "plain.mha"
 
 
+def nifti_place(volume):
+    """Fields for the axes of other formats: those of NIfTI run from right to left and from front to back."""
+    if len(volume.size) < 3:
+        return {}
+    x, y, z = volume.spacing
+    return {"xyzt_units": 0, "sform_code": 1, "srow": (-x, 0, 0, 0, 0, -y, 0, 0, 0, 0, z, 0)}
+
+
 def write_storages(folder, volume):
     """The same voxels in eight ways. Returns the names."""
     volumes.write_meta(folder / PLAIN, volume)
     volumes.write_meta(folder / "packed.mha", volume, big_endian=True, compressed=True)
     volumes.write_nrrd(folder / "plain.nrrd", volume, big_endian=True)
     volumes.write_nrrd(folder / "packed.nrrd", volume, compressed=True)
-    volumes.write_nifti(folder / "plain.nii", volume)
-    volumes.write_nifti(folder / "packed.nii.gz", volume, big_endian=True)
+    volumes.write_nifti(folder / "plain.nii", volume, **nifti_place(volume))
+    volumes.write_nifti(folder / "packed.nii.gz", volume, big_endian=True, **nifti_place(volume))
     if READS_TIFF:
         volumes.write_tiff(folder / "plain.tif", volume)
         volumes.write_tiff(folder / "packed.tif", volume, packing="deflate")
@@ -105,7 +113,7 @@ class StorageIdentityTest(StorageTestCase):
     def test_scaled_values(self):
         volume, _ = scan(size=(30, 28, 26))
         volume.spacing = SPACING
-        scale = {"scl_slope": 0.25, "scl_inter": -30}
+        scale = {"scl_slope": 0.25, "scl_inter": -30, **nifti_place(volume)}
         volumes.write_nifti(self.folder / "plain.nii", volume, **scale)
         volumes.write_nifti(self.folder / "packed.nii.gz", volume, True, **scale)
         volume.voxels = [0.25 * voxel - 30 for voxel in volume.voxels]
@@ -147,26 +155,14 @@ class StorageIdentityTest(StorageTestCase):
         names = [name for name in write_storages(self.folder, volume) if name.startswith("packed")]
         command = ("l.mha", "--lower", self.LOWER, "--thickness-map", "t.mha", "--threads", 1)
         expected = self.results("extract", f"../{PLAIN}", *command)
-        memory = self.find_memory("packed.mha", *command)
+        scratch = ("--scratch", "../scratch")
+        memory = self.find_least_memory("extract", "../packed.mha", *command, *scratch, folder=self.target)
         for name in names:
-            limits = ("--memory", memory, "--scratch", "../scratch")
-            plan = self.in_target("extract", f"../{name}", "x.mha", *command[1:], *limits, "--dry-run").stdout
+            limits = ("--memory", memory, *scratch)
+            plan = self.in_target("extract", f"../{name}", *command, *limits, "--dry-run", "--overwrite").stdout
             self.assertRegex(plan, "unpacked +1000.0 KiB in ../scratch")
             self.compare(name, expected, "extract", f"../{name}", *command, *limits)
             self.assertEqual(list((self.folder / "scratch").iterdir()), [])
-
-    def find_memory(self, name, *command):
-        """The least with which the values wait in the scratch folder."""
-        plan = ("extract", f"../{name}", *command, "--scratch", "../scratch", "--dry-run", "--overwrite")
-        least, most = 8 << 10, 1 << 20
-        while most - least > 64:
-            middle = (least + most) // 2
-            try:
-                self.in_target(*plan, "--memory", f"{middle}K")
-                most = middle
-            except AssertionError:
-                least = middle
-        return f"{most}K"
 
 
 @unittest.skipUnless(DATA.is_dir(), "the scans are not here")

@@ -126,7 +126,7 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
 
 /** What all processes of the job do alike: the threshold, smooth or not, and measure walls. */
 void
-MeasureVolume(PlanOptions & options, const JobResult & job, ProgressSink & sink)
+MeasureVolume(PlanOptions & options, const JobResult & job, const ProgressSink & sink)
 {
   const bool measuresGray = MayMeasureOnGrayValues(options, job.input);
   const bool opensVolume = GetSmoothing(options) == Smoothing::Automatic || measuresGray;

@@ -87,12 +87,8 @@ PrepareJob(const JobOptions &         options,
 }
 
 VolumeHeader
-UnpackInput(const VolumeHeader & header, const JobPlan & plan, ProgressSink & sink)
+UnpackInput(const VolumeHeader & header, const JobPlan & plan, const ProgressSink & sink)
 {
-  if (plan.unpackedBytes > 0)
-  {
-    sink.Note(header.fileName.string() + " is compressed and is unpacked once: " + DescribeUnpacking(plan));
-  }
   return UnpackVolume(header, plan.scratchFolder, sink);
 }
 

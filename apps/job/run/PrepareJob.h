@@ -21,10 +21,10 @@ PrepareJob(const JobOptions &         options,
            std::vector<OutputRequest> outputs,
            const PieceFootprint &     footprint);
 
-/** Begins to unpack a compressed volume as planned, and tells of it; others stay as they are. The sink must outlive the
- * reading. \throw as UnpackVolume() */
+/** Begins to unpack a compressed volume as planned; others stay as they are. The sink must outlive the reading.
+ * \throw as UnpackVolume() */
 VolumeHeader
-UnpackInput(const VolumeHeader & header, const JobPlan & plan, ProgressSink & sink);
+UnpackInput(const VolumeHeader & header, const JobPlan & plan, const ProgressSink & sink);
 
 /** Lets the process keep to the plan: its threads, and memory that is given back. */
 void
