@@ -6,6 +6,7 @@ the right status, and never a file that looks like a result."""
 import itertools
 import signal
 import struct
+import subprocess
 import time
 import unittest
 import unittest.mock
@@ -13,7 +14,7 @@ import unittest.mock
 import text_headers
 import volumes
 from processes import PATIENCE
-from program import CORRUPT, FAILURE, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
+from program import CORRUPT, FAILURE, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
 
 FOUR_GIGABYTES = 1 << 32
 

@@ -169,7 +169,7 @@ class StorageIdentityTest(StorageTestCase):
 class ScanStorageTest(StorageTestCase):
     """Parts of real scans."""
 
-    SIZE = 64
+    SIZE = 48
 
     def read(self, name):
         """The middle of a scan."""

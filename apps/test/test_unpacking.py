@@ -14,7 +14,7 @@ from processes import PATIENCE, wait_until
 from program import CORRUPT, DONE, PROGRAM, ProgramTestCase
 from stops import stop
 
-SIDE = 160
+SIDE = 200
 MEGABYTE = 1 << 20
 
 
@@ -34,7 +34,7 @@ class UnpackingTest(ProgramTestCase):
     def run_in_scratch(self, source, *options):
         """A run whose memory has no room for the values."""
         run = ["extract", source, "out.mha", "--thickness", 3, "--threads", 1, "--scratch", "scratch", *options]
-        return [*run, "--memory", self.find_least_memory(*run) + 2 * MEGABYTE]
+        return [*run, "--memory", self.find_least_memory(*run) + 6 * MEGABYTE]
 
     def start(self, *arguments):
         process = subprocess.Popen(
@@ -92,7 +92,7 @@ class UnpackingTest(ProgramTestCase):
         self.assertEqual(list(self.scratch.iterdir()), [])
 
     def test_end(self):
-        volume = volumes.box_with_plate(size=(200, 200, 200))
+        volume = volumes.box_with_plate(size=(240, 240, 240))
         volumes.write_nrrd(self.folder / "in.nrrd", volume, compressed=True)
         volumes.write_meta(self.folder / "plain.mha", volume)
         self.extract("plain.mha", "out.mha")
