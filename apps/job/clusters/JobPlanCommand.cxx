@@ -135,16 +135,14 @@ MeasureVolume(PlanOptions & options, const JobResult & job, const ProgressSink &
   CheckOptions(options); // with the threshold of Otsu
   if (!opensVolume)
   {
+    options.measure = WallMeasure{ false, std::nullopt, DescribeMeasureOnObject(options, job.input) };
     return;
   }
   const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
   const auto input = OpenInputVolume(header, options, job.plan.bytesToKeep, GetSmoothing(options));
   input->Prepare(observer);
   options.roughness = input->GetRoughness();
-  if (measuresGray)
-  {
-    options.measure = FindWallMeasure(*input, header, options, observer);
-  }
+  options.measure = FindWallMeasure(*input, header, options, observer);
 }
 
 void

@@ -6,14 +6,13 @@
 #include "JobCommands.h"
 #include "PipelineErrors.h"
 #include "PrepareJob.h"
+#include "ProcessIdentity.h"
 #include "SharedJob.h"
 #include "StopListener.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string>
-#include <unistd.h>
 
 namespace medialvoxel
 {
@@ -29,14 +28,6 @@ GetOptions(const Manifest & manifest, const WorkOptions & options, const std::st
   own.scratchFolder = scratchFolder.empty() ? own.scratchFolder : scratchFolder;
   own.divisions.reset(); // the pieces of a cluster are for the memory of this machine to decide
   return own;
-}
-
-std::string
-GetHostName()
-{
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
 }
 
 bool

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "MemoryPlan.h"
 
-#include "FreeMemory.h"
 #include "InputVolume.h"
+#include "ProcessMemory.h"
 #include "Text.h"
 #include "VolumeFormats.h"
 
