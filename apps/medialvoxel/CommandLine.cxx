@@ -154,6 +154,12 @@ AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
 }
 
 void
+AddScratch(CLI::App & app, std::string & target)
+{
+  AddFile(app, "--scratch", "Folder for input and mesh beyond the memory", target)->type_name("DIR")->group("Run");
+}
+
+void
 AddThreads(CLI::App & app, std::optional<unsigned int> & target)
 {
   AddText(app, "--threads", "Threads (default: one per processor)", "N", [&target](const std::string & text) {
@@ -233,9 +239,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
   const std::string group = "Run";
   AddMemory(app, options.memoryBytes);
-  AddFile(app, "--scratch", "Folder for input and mesh beyond the memory", options.scratchFolder)
-    ->type_name("DIR")
-    ->group(group);
+  AddScratch(app, options.scratchFolder);
   AddThreads(app, options.threads);
   AddText(app, "--divisions", "Number of pieces (default: chosen)", "N", [&](const std::string & text) {
     options.divisions = ToCount(text, 1, LargestCount);

@@ -74,7 +74,7 @@ struct JobOptions
   std::string logFile;      ///< gets a line for each step; existing ones stay
   std::string command;      ///< that was typed, for the page; empty: not known
 
-  std::string scratchFolder; ///< for the mask of a compressed volume that does not fit the memory; empty: none
+  std::string scratchFolder; ///< for a compressed volume whose values do not fit the memory; empty: none
 
   std::optional<std::uint64_t> memoryBytes;       ///< cap on the memory; unset: half of what is free
   std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
