@@ -19,11 +19,11 @@ ScratchFile::ScratchFile(const std::filesystem::path & folder)
 }
 
 void
-ScratchFile::Reserve(std::uint64_t numberOfBytes)
+ScratchFile::SetSize(std::uint64_t numberOfBytes)
 {
-  if (!m_File.Reserve(numberOfBytes))
+  if (!m_File.SetSize(numberOfBytes))
   {
-    FailWithErrno(ExitStatus::Refused, "reserve " + FormatBytes(numberOfBytes) + " for the scratch file in", m_Folder);
+    FailWithErrno(ExitStatus::Failure, "make " + FormatBytes(numberOfBytes) + " of the scratch file in", m_Folder);
   }
 }
 

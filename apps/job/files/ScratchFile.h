@@ -19,9 +19,9 @@ public:
   /** \throw JobError Refused when the folder is missing or cannot be written. */
   explicit ScratchFile(const std::filesystem::path & folder);
 
-  /** Takes the space from the disk at once. \throw JobError Refused when there is none. */
+  /** Makes it a hole of so many bytes, which reads as zeros. \throw JobError Failure. */
   void
-  Reserve(std::uint64_t numberOfBytes);
+  SetSize(std::uint64_t numberOfBytes);
 
   /** \throw JobError Failure. */
   void

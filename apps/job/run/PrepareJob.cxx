@@ -6,6 +6,7 @@
 #include "OutputChecks.h"
 #include "Plan.h"
 #include "ProcessMemory.h"
+#include "UnpackedVolume.h"
 #include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
@@ -71,6 +72,12 @@ PrepareJob(const JobOptions &         options,
   }
   PrepareProcess(result.plan);
   return result;
+}
+
+VolumeHeader
+UnpackInput(const VolumeHeader & header, const JobPlan & plan, const ProgressSink & sink)
+{
+  return UnpackVolume(header, plan.scratchFolder, sink);
 }
 
 void

@@ -281,7 +281,26 @@ ReadInputHeader(const JobOptions & options)
 {
   const VolumeHeader header =
     ReadVolumeHeader(options.input, options.raw, options.spacing, options.level, options.slices);
-  return options.resample ? ResampleHeader(header, *options.resample) : header;
+  const bool resamples = options.resample && *options.resample != KeepSpacing;
+  return resamples ? ResampleHeader(header, *options.resample) : header;
+}
+
+VolumeHeader
+ReadSheetInputHeader(const JobOptions & options)
+{
+  const VolumeHeader header = ReadInputHeader(options);
+  if (options.resample || itk::MedialVoxelGridLimits::FindInaccuracy(GetGrid(options, header)).empty())
+  {
+    return header;
+  }
+  try
+  {
+    return ResampleHeader(header, 0.0);
+  }
+  catch (const JobError & error)
+  {
+    Fail(error.GetStatus(), error.what(), "; --resample off keeps the spacing of the file");
+  }
 }
 
 std::uint64_t

@@ -35,6 +35,11 @@ ReadVolumeHeader(const std::filesystem::path &         fileName,
 VolumeHeader
 ReadInputHeader(const JobOptions & options);
 
+/** The same for sheets and their thickness: unless the options say otherwise, spacings that differ too much for these
+ * are brought to the smallest one. */
+VolumeHeader
+ReadSheetInputHeader(const JobOptions & options);
+
 /** Of uncompressed voxels of formats that allow it: bytes that nothing tells of; read by no one. */
 std::uint64_t
 GetBytesBehindVoxels(const VolumeHeader & header);

@@ -12,17 +12,14 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 namespace medialvoxel
 {
 
-/** Hears how much of a volume was unpacked, from 0 to 1; throws to stop. */
+/** Hears how much of a volume was read, from 0 to 1; throws to stop. */
 using ReadObserver = std::function<void(double)>;
 
 /** Where the voxels of a box go; null: they are not wanted. */
@@ -40,16 +37,12 @@ class InputVolume
 public:
   virtual ~InputVolume() = default;
 
-  /** Does what must be done once before the first box is asked for.
-   * \return what was done and what it cost, as one line; empty when there was nothing to do.
-   * \throw JobError CorruptInput when packed voxels are damaged or end early. */
-  virtual std::string
+  /** Does what must be done once before the first box is asked for. \throw as Fill() */
+  virtual void
   Prepare(const ReadObserver &)
-  {
-    return {};
-  }
+  {}
 
-  /** Voxels that are not a number and that Fill() does not show; 0 for volumes that are read in parts. */
+  /** Voxels that are not a number and that Fill() does not show. */
   virtual std::uint64_t
   GetNumberOfNotANumberVoxels() const
   {
@@ -119,17 +112,14 @@ private:
   std::atomic<double> m_ReadSeconds{ 0.0 };
 };
 
-/** Opens a volume that ReadVolumeHeader() has checked. One that does not stream becomes a mask of the object that the
- * options describe, in memory or, when a scratch folder is given, in a file there.
+/** Opens a volume that ReadVolumeHeader() has checked, and UnpackVolume() has unpacked if it is compressed.
  * \param bytesToKeep of chunks whose further slices are needed later, as the plan has it
- * \param smoothing of the object
- * \throw JobError Refused when the scratch folder has no space. */
+ * \param smoothing of the object */
 std::unique_ptr<InputVolume>
-OpenInputVolume(const VolumeHeader &          header,
-                const JobOptions &            options,
-                const std::filesystem::path & scratchFolder,
-                std::uint64_t                 bytesToKeep = 0,
-                Smoothing                     smoothing = Smoothing::Off);
+OpenInputVolume(const VolumeHeader & header,
+                const JobOptions &   options,
+                std::uint64_t        bytesToKeep = 0,
+                Smoothing            smoothing = Smoothing::Off);
 
 } // end namespace medialvoxel
 

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ReaderPool.h"
 
+#include "VoxelSource.h"
+
 namespace medialvoxel
 {
 
 ReaderPool::ReaderPool(const VolumeHeader & header, Interpolation interpolation, std::uint64_t bytesToKeep)
+  : m_Unpacked(header.GetStored().unpacked)
 {
   m_Readers.push_back(MakeValueReader(header, interpolation, bytesToKeep));
   m_FreeReaders.push_back(m_Readers.front().get());
@@ -14,6 +17,10 @@ ReaderPool::ReaderPool(const VolumeHeader & header, Interpolation interpolation,
 std::uint64_t
 ReaderPool::GetNumberOfBytesRead() const
 {
+  if (m_Unpacked)
+  {
+    return m_Unpacked->GetNumberOfBytesRead();
+  }
   std::uint64_t bytes = 0;
   for (const auto & reader : m_Readers)
   {

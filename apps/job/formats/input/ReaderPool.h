@@ -14,7 +14,7 @@ namespace medialvoxel
 {
 
 /** \class ReaderPool
- * \brief Readers of a volume that streams, one for each thread that reads. */
+ * \brief Readers of a volume, one for each thread that reads. */
 class ReaderPool
 {
 public:
@@ -46,7 +46,8 @@ private:
   ValueReader *
   Take();
 
-  std::mutex                                m_Mutex; // of what follows
+  std::shared_ptr<VoxelSource>              m_Unpacked; ///< all readers share what is unpacked, and its bytes
+  std::mutex                                m_Mutex;    // of what follows
   std::vector<std::unique_ptr<ValueReader>> m_Readers;
   std::vector<ValueReader *>                m_FreeReaders;
 };

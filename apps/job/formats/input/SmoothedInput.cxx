@@ -38,19 +38,18 @@ SmoothedInput::SmoothedInput(const VolumeHeader & header,
   , m_Smoothing(smoothing)
 {}
 
-std::string
+void
 SmoothedInput::Prepare(const ReadObserver & observer)
 {
   if (m_Smoothing != Smoothing::Automatic)
   {
-    return {};
+    return;
   }
   const auto & chunks = this->GetHeader().GetStored().chunks;
   m_Smoothing = Smoothing::Off;
   m_Roughness =
     MeasureRoughness(*this, this->GetHeader().geometry.GetVoxelBox(), chunks ? chunks->size[2] : 1, observer);
   m_Smoothing = m_Roughness->NeedsSmoothing() ? Smoothing::On : Smoothing::Off;
-  return {};
 }
 
 std::int64_t
@@ -69,7 +68,7 @@ SmoothedInput::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & target
     return;
   }
   this->GetReaders().With([&](ValueReader & reader) {
-    DispatchPixelType(this->GetHeader().pixelType, [&](auto zero) {
+    DispatchPixelType(this->GetHeader().GetValueType(), [&](auto zero) {
       using ValueType = decltype(zero);
       WithSmoothingRule<ValueType>(
         this->GetOptions(), [&](const auto & rule) { this->FillSmoothed<ValueType>(reader, rule, box, targets); });
@@ -107,7 +106,7 @@ SmoothedInput::GetBytesPerThread(const VolumeHeader & header)
   strip.upper[1] = std::min(image.upper[1], GetRowsOfStrip(header) + 2 * Numbers::Margin);
   strip.upper[2] = std::min(image.upper[2], Numbers::SlicesOfStrip + 2 * Numbers::Margin);
   using LargestSmoother = itk::MedialVoxelSmoother<double, itk::MedialVoxelValueSmoothing<double>>;
-  return static_cast<std::uint64_t>(strip.NumberOfVoxels()) * GetTraits(header.pixelType).bytes +
+  return static_cast<std::uint64_t>(strip.NumberOfVoxels()) * GetTraits(header.GetValueType()).bytes +
          LargestSmoother::GetBytes();
 }
 

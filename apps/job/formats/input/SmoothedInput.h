@@ -9,7 +9,7 @@ namespace medialvoxel
 {
 
 /** \class SmoothedInput
- * \brief A streamed volume whose object is smoothed, always or when it is rough. Values stay as they are. */
+ * \brief A volume whose object is smoothed, always or when it is rough. Values stay as they are. */
 class SmoothedInput : public StreamedInput
 {
 public:
@@ -20,7 +20,7 @@ public:
                 Smoothing            smoothing);
 
   /** Measures the roughness when that decides. */
-  std::string
+  void
   Prepare(const ReadObserver & observer) override;
 
   std::optional<itk::MedialVoxelRoughness>

@@ -4,11 +4,13 @@
 
 #include "InputVolume.h"
 #include "VolumeFormats.h"
+#include "VoxelSource.h"
 
 #include "itkMedialVoxelEngineClient.h"
 #include "itkMultiThreaderBase.h"
 
 #include <array>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -39,17 +41,29 @@ OpenImageIO(const VolumeHeader & header)
 }
 
 /** \class CopiedValues
- * \brief Reads parts into memory of its own: whole slices, as many as fit a megabyte. */
+ * \brief Reads parts into memory of its own: whole slices, as many as fit a megabyte, or rows of large slices where
+ * several threads may read. */
 template <typename TValue>
 class CopiedValues : public ValueReader
 {
 public:
+  explicit CopiedValues(bool isParallel)
+    : m_IsParallel(isParallel)
+  {}
+
   void
   ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function) const override
   {
-    for (const itk::MedialVoxelBox & part : itk::MedialVoxelEngineClient::CutForPull(box, sizeof(TValue)))
+    const auto         bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * sizeof(TValue);
+    const bool         takesRows = m_IsParallel && bytesPerSlice > InputVolume::BytesPerPart;
+    const std::int64_t slices = takesRows ? 1 : box.Extent(2);
+    for (itk::MedialVoxelBox some = box; some.lower[2] < box.upper[2]; some.lower[2] += slices)
     {
-      function(part);
+      some.upper[2] = some.lower[2] + slices;
+      for (const itk::MedialVoxelBox & part : itk::MedialVoxelEngineClient::CutForPull(some, sizeof(TValue)))
+      {
+        function(part);
+      }
     }
   }
 
@@ -62,36 +76,22 @@ public:
   }
 
 private:
+  bool                m_IsParallel;
   std::vector<TValue> m_Values;
 };
 
 /** \class StoredValues
- * \brief Values as they are in the file; several threads may read rows of large slices. */
+ * \brief Values as they are in the file. */
 template <typename TValue>
 class StoredValues : public CopiedValues<TValue>
 {
 public:
   explicit StoredValues(const VolumeHeader & header)
-    : m_Header(header)
+    : CopiedValues<TValue>(InputVolume::IsReadInParallel(header))
+    , m_Header(header)
     , m_Dimension(header.geometry.GetDimension())
     , m_ImageIO(OpenImageIO(header))
   {}
-
-  void
-  ForEachPart(const itk::MedialVoxelBox & box, const ValueReader::PartFunction & function) const override
-  {
-    const auto bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * sizeof(TValue);
-    if (bytesPerSlice <= InputVolume::BytesPerPart || !InputVolume::IsReadInParallel(m_Header))
-    {
-      CopiedValues<TValue>::ForEachPart(box, function);
-      return;
-    }
-    for (itk::MedialVoxelBox slice = box; slice.lower[2] < box.upper[2]; ++slice.lower[2])
-    {
-      slice.upper[2] = slice.lower[2] + 1;
-      CopiedValues<TValue>::ForEachPart(slice, function);
-    }
-  }
 
   void
   Read(const itk::MedialVoxelBox & box, void * values) override
@@ -124,16 +124,129 @@ private:
   itk::StreamingRawImageIO::Pointer m_ImageIO;
 };
 
-/** Of a volume as it is in its file. */
+/** \class UnpackedValues
+ * \brief Values of a compressed file. */
+template <typename TValue>
+class UnpackedValues : public CopiedValues<TValue>
+{
+public:
+  UnpackedValues(const VolumeGeometry & geometry, std::shared_ptr<VoxelSource> source)
+    : CopiedValues<TValue>(true)
+    , m_Geometry(geometry)
+    , m_Source(std::move(source))
+  {}
+
+  void
+  Read(const itk::MedialVoxelBox & box, void * values) override
+  {
+    std::vector<std::uint64_t> index;
+    std::vector<std::uint64_t> extent;
+    for (unsigned int axis = 0; axis < m_Geometry.GetDimension(); ++axis)
+    {
+      index.push_back(static_cast<std::uint64_t>(box.lower[axis]));
+      extent.push_back(static_cast<std::uint64_t>(box.Extent(axis)));
+    }
+    const itk::MedialVoxelFileRegion region(m_Geometry.size, index, extent, sizeof(TValue));
+    auto *                           place = static_cast<char *>(values);
+    for (std::uint64_t run = 0; run < region.GetNumberOfRuns(); ++run, place += region.GetBytesPerRun())
+    {
+      m_Source->Read(region.GetRunOffset(run), place, region.GetBytesPerRun());
+    }
+  }
+
+  std::uint64_t
+  GetNumberOfBytesRead() const override
+  {
+    return m_Source->GetNumberOfBytesRead();
+  }
+
+  std::unique_ptr<ValueReader>
+  MakeAnother() const override
+  {
+    return std::make_unique<UnpackedValues>(m_Geometry, m_Source);
+  }
+
+private:
+  VolumeGeometry               m_Geometry;
+  std::shared_ptr<VoxelSource> m_Source;
+};
+
+/** \class ScaledValues
+ * \brief Values that are made of the numbers in the file. */
+template <typename TStored>
+class ScaledValues : public CopiedValues<double>
+{
+public:
+  ScaledValues(const VolumeHeader & header, std::unique_ptr<ValueReader> reader)
+    : CopiedValues<double>(InputVolume::IsReadInParallel(header))
+    , m_Header(header)
+    , m_Reader(std::move(reader))
+  {}
+
+  /** The numbers come to the end of the memory for the values, which overtake none of them. */
+  void
+  Read(const itk::MedialVoxelBox & box, void * values) override
+  {
+    const auto count = static_cast<std::size_t>(box.NumberOfVoxels());
+    auto *     value = static_cast<char *>(values);
+    auto *     number = value + count * (sizeof(double) - sizeof(TStored));
+    m_Reader->Read(box, number);
+    for (std::size_t i = 0; i < count; ++i, value += sizeof(double), number += sizeof(TStored))
+    {
+      TStored stored;
+      std::memcpy(&stored, number, sizeof(TStored));
+      const double scaled = m_Header.scale->slope * static_cast<double>(stored) + m_Header.scale->intercept;
+      std::memcpy(value, &scaled, sizeof(double));
+    }
+  }
+
+  std::uint64_t
+  GetNumberOfBytesRead() const override
+  {
+    return m_Reader->GetNumberOfBytesRead();
+  }
+
+  std::unique_ptr<ValueReader>
+  MakeAnother() const override
+  {
+    return std::make_unique<ScaledValues>(m_Header, m_Reader->MakeAnother());
+  }
+
+private:
+  VolumeHeader                 m_Header;
+  std::unique_ptr<ValueReader> m_Reader;
+};
+
+/** Of the numbers in a file. */
 std::unique_ptr<ValueReader>
-OpenStoredValues(const VolumeHeader & header, std::uint64_t bytesToKeep)
+OpenNumbers(const VolumeHeader & header, std::uint64_t bytesToKeep)
 {
   if (header.format->input.makeChunkReader != nullptr)
   {
     return header.format->input.makeChunkReader(header, bytesToKeep);
   }
   return DispatchPixelType(header.pixelType, [&](auto zero) -> std::unique_ptr<ValueReader> {
-    return std::make_unique<StoredValues<decltype(zero)>>(header);
+    using Value = decltype(zero);
+    if (header.compressed)
+    {
+      const auto source = header.unpacked ? header.unpacked : OpenVoxelSource(header);
+      return std::make_unique<UnpackedValues<Value>>(header.geometry, source);
+    }
+    return std::make_unique<StoredValues<Value>>(header);
+  });
+}
+
+/** Of a volume as its file describes it. */
+std::unique_ptr<ValueReader>
+OpenStoredValues(const VolumeHeader & header, std::uint64_t bytesToKeep)
+{
+  std::unique_ptr<ValueReader> numbers = OpenNumbers(header, bytesToKeep);
+  if (!header.scale)
+  {
+    return numbers;
+  }
+  return DispatchPixelType(header.pixelType, [&](auto zero) -> std::unique_ptr<ValueReader> {
+    return std::make_unique<ScaledValues<decltype(zero)>>(header, std::move(numbers));
   });
 }
 
@@ -144,7 +257,8 @@ class ResampledValues : public CopiedValues<double>
 {
 public:
   ResampledValues(const VolumeHeader & header, Interpolation interpolation, std::unique_ptr<ValueReader> reader)
-    : m_Header(header)
+    : CopiedValues<double>(false)
+    , m_Header(header)
     , m_Interpolation(interpolation)
     , m_Resampling(header, interpolation)
     , m_Reader(std::move(reader))
@@ -219,7 +333,7 @@ MakeValueReader(const VolumeHeader & header, Interpolation interpolation, std::u
   {
     return reader;
   }
-  return DispatchPixelType(header.stored->pixelType, [&](auto zero) -> std::unique_ptr<ValueReader> {
+  return DispatchPixelType(header.stored->GetValueType(), [&](auto zero) -> std::unique_ptr<ValueReader> {
     return std::make_unique<ResampledValues<decltype(zero)>>(header, interpolation, std::move(reader));
   });
 }

@@ -33,7 +33,7 @@ void
 StreamedInput::Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets)
 {
   m_Readers.With([&](ValueReader & reader) {
-    DispatchPixelType(m_Header.pixelType, [&](auto zero) {
+    DispatchPixelType(m_Header.GetValueType(), [&](auto zero) {
       reader.ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
         itk::MedialVoxelPoll();
         ValueView view;

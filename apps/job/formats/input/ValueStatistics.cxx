@@ -8,7 +8,6 @@
 #include "Text.h"
 #include "ValueHistogram.h"
 #include "ValueReader.h"
-#include "ValueStream.h"
 
 #include <algorithm>
 #include <numeric>
@@ -19,21 +18,14 @@ namespace medialvoxel
 namespace
 {
 
-itk::MedialVoxelBox
-GetWholeBox(const VolumeHeader & header)
-{
-  itk::MedialVoxelBox box{ { { 0, 0, 0 } }, { { 1, 1, 1 } } };
-  std::copy(header.geometry.size.begin(), header.geometry.size.end(), box.upper.begin());
-  return box;
-}
-
-/** Calls function(vector, times) for the numbers of a volume in chunks: one number for all voxels without a chunk. */
+/** Calls function(vector, times) for the values of a volume in parts, from front to back: one value for all voxels
+ * without a chunk. */
 template <typename TValue, typename TFunction>
 void
-ReadChunks(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
+ForEachValue(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
 {
   const auto                reader = MakeValueReader(header);
-  const itk::MedialVoxelBox box = GetWholeBox(header);
+  const itk::MedialVoxelBox box = header.geometry.GetVoxelBox();
   const unsigned int        last = header.geometry.GetDimension() - 1;
   std::vector<TValue>       values;
   reader->ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
@@ -54,58 +46,17 @@ ReadChunks(const VolumeHeader & header, const ReadObserver & observer, TFunction
   });
 }
 
-/** Calls function(vector, 1) for the numbers of a volume that streams, in whole slices from front to back. */
-template <typename TValue, typename TFunction>
-void
-ReadSlices(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
-{
-  const std::uint64_t perSlice = header.geometry.GetVoxelsPerSlice();
-  const std::uint64_t slices = header.geometry.size.back();
-  const std::uint64_t atOnce = std::max<std::uint64_t>(1, VoxelsPerChunk / perSlice);
-  const auto          reader = MakeValueReader(header);
-  itk::MedialVoxelBox box = GetWholeBox(header);
-  const unsigned int  last = header.geometry.GetDimension() - 1;
-  std::vector<TValue> values;
-  for (std::uint64_t slice = 0; slice < slices; slice += atOnce)
-  {
-    observer(static_cast<double>(slice) / static_cast<double>(slices));
-    const std::uint64_t count = std::min(atOnce, slices - slice);
-    box.lower[last] = static_cast<std::int64_t>(slice);
-    box.upper[last] = static_cast<std::int64_t>(slice + count);
-    values.resize(count * perSlice);
-    reader->Read(box, values.data());
-    function(values, 1);
-  }
-}
-
-template <typename TValue, typename TFunction>
-void
-ForEachValue(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
-{
-  if (header.CanStream() && header.chunks)
-  {
-    ReadChunks<TValue>(header, observer, function);
-  }
-  else if (header.CanStream())
-  {
-    ReadSlices<TValue>(header, observer, function);
-  }
-  else
-  {
-    StreamValues<TValue>(header, observer, [&](const std::vector<TValue> & values) { function(values, 1); });
-  }
-}
-
 /** Calls function(vector, 1) for values in memory, in parts. */
 template <typename TValue, typename TFunction>
 void
 ReadMemory(const TValue * values, std::uint64_t number, const ReadObserver & observer, TFunction && function)
 {
-  std::vector<TValue> part;
-  for (std::uint64_t begin = 0; begin < number; begin += VoxelsPerChunk)
+  std::vector<TValue>     part;
+  constexpr std::uint64_t most = std::uint64_t{ 1 } << 17;
+  for (std::uint64_t begin = 0; begin < number; begin += most)
   {
     observer(static_cast<double>(begin) / static_cast<double>(number));
-    part.assign(values + begin, values + std::min<std::uint64_t>(number, begin + VoxelsPerChunk));
+    part.assign(values + begin, values + std::min<std::uint64_t>(number, begin + most));
     function(part, 1);
   }
 }
@@ -348,7 +299,7 @@ MeasureValues(const VolumeHeader & header, const ReadObserver & observer)
   return WithPipelineErrors([&] {
     // Resampling is for the object; the values are those of the file.
     const VolumeHeader & stored = header.GetStored();
-    return DispatchValueType(stored, [&](auto zero) {
+    return DispatchPixelType(stored.GetValueType(), [&](auto zero) {
       using Value = decltype(zero);
       return Measure<Value>(ListPaddings(stored), observer, [&stored](const ReadObserver & share, auto && function) {
         ForEachValue<Value>(stored, share, function);
@@ -409,17 +360,17 @@ CheckLabel(const JobOptions & options, const VolumeHeader & header)
   {
     return;
   }
-  const bool isPossible = DispatchValueType(
-    header.GetStored(), [&options](auto zero) { return ConvertLabel<decltype(zero)>(*options.label).has_value(); });
+  const PixelType type = header.GetStored().GetValueType();
+  const bool      isPossible =
+    DispatchPixelType(type, [&options](auto zero) { return ConvertLabel<decltype(zero)>(*options.label).has_value(); });
   if (!isPossible)
   {
-    const std::string_view type = GetTraits(header.scale ? PixelType::Float64 : header.pixelType).name;
     Fail(ExitStatus::Usage,
          header.fileName.string(),
          ": the label ",
          FormatLabel(*options.label),
          " is not a value of its type, ",
-         type);
+         GetTraits(type).name);
   }
   if (header.stored && !ConvertLabel<double>(*options.label))
   {

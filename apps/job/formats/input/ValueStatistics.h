@@ -46,7 +46,7 @@ struct ValueStatistics
 
 /** Reads all voxels once, or twice: for types of more than 16 bits the first time is for the range of the values, which
  * MostValueBins equal bins then share. Depends neither on memory nor on threads.
- * \param observer is called at least once for each slice
+ * \param observer is called before each part that is read
  * \throw JobError as reading; what the observer throws */
 ValueStatistics
 MeasureValues(const VolumeHeader & header, const ReadObserver & observer);

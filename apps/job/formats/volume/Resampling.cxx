@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace medialvoxel
 {
@@ -29,12 +28,6 @@ GetSmallestSpacing(const VolumeGeometry & geometry)
     smallest = geometry.size[axis] > 1 ? std::min(smallest, geometry.spacing[axis]) : smallest;
   }
   return smallest;
-}
-
-std::uint64_t
-GetSliceLength(const VolumeGeometry & geometry)
-{
-  return geometry.size[0] * geometry.size[1];
 }
 
 } // namespace
@@ -107,46 +100,6 @@ std::array<std::uint64_t, 2>
 Resampling::GetStored(unsigned int axis, std::uint64_t first, std::uint64_t last) const
 {
   return { { this->GetStep(axis, first).lower, this->GetStep(axis, last).GetUpper() } };
-}
-
-SliceResampler::SliceResampler(const VolumeHeader & header, Interpolation interpolation, Sink sink)
-  : m_Stored(header.GetStored().geometry)
-  , m_Made(header.geometry)
-  , m_Resampling(header, interpolation)
-  , m_Sink(std::move(sink))
-  , m_SliceLength(GetSliceLength(m_Stored))
-{
-  m_Lower.reserve(m_SliceLength);
-  m_Upper.reserve(m_SliceLength);
-}
-
-/** The slices that lie between the last two of the file, and at the last one. */
-void
-SliceResampler::FinishSlice()
-{
-  ++m_NumberOfSlices;
-  const std::uint64_t size = m_Made.GetDimension() == 3 ? m_Made.size[2] : 1;
-  const auto          rowOf = [this](std::uint64_t y, std::uint64_t z) {
-    const auto & slice = z + 1 == m_NumberOfSlices ? m_Upper : m_Lower;
-    return slice.data() + y * m_Stored.size[0];
-  };
-  std::vector<double> row(m_Made.size[0]);
-  for (; m_NextSlice < size && m_Resampling.GetStored(2, m_NextSlice, m_NextSlice)[1] < m_NumberOfSlices; ++m_NextSlice)
-  {
-    for (std::uint64_t y = 0; y < m_Made.size[1]; ++y)
-    {
-      m_Resampling.MakeRow(rowOf, y, m_NextSlice, 0, row.size(), row.data());
-      m_Sink(row.data(), row.size());
-    }
-  }
-  m_Lower.swap(m_Upper);
-  m_Upper.clear();
-}
-
-std::uint64_t
-SliceResampler::GetBytes(const VolumeHeader & header)
-{
-  return 2 * GetSliceLength(header.GetStored().geometry) * sizeof(double);
 }
 
 } // end namespace medialvoxel

@@ -7,8 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <vector>
 
 namespace medialvoxel
 {
@@ -108,49 +106,6 @@ Resampling::MakeRow(const TRowOf & rowOf,
     *values++ = Interpolate(at(step.lower), at(step.GetUpper()), step.weight);
   }
 }
-
-/** \class SliceResampler
- * \brief Resamples voxels that come in order, each once: keeps two slices of the file. */
-class SliceResampler
-{
-public:
-  /** Takes the voxels of the resampled volume in order. */
-  using Sink = std::function<void(const double * values, std::uint64_t count)>;
-
-  SliceResampler(const VolumeHeader & header, Interpolation interpolation, Sink sink);
-
-  template <typename TValue>
-  void
-  Append(const std::vector<TValue> & values)
-  {
-    for (const TValue value : values)
-    {
-      m_Upper.push_back(static_cast<double>(value));
-      if (m_Upper.size() == m_SliceLength)
-      {
-        this->FinishSlice();
-      }
-    }
-  }
-
-  /** Memory beside the bits. */
-  static std::uint64_t
-  GetBytes(const VolumeHeader & header);
-
-private:
-  void
-  FinishSlice();
-
-  VolumeGeometry      m_Stored;
-  VolumeGeometry      m_Made;
-  Resampling          m_Resampling;
-  Sink                m_Sink;
-  std::uint64_t       m_SliceLength;
-  std::uint64_t       m_NumberOfSlices{ 0 }; ///< of the file, that are complete
-  std::uint64_t       m_NextSlice{ 0 };      ///< to be made
-  std::vector<double> m_Lower;
-  std::vector<double> m_Upper;
-};
 
 } // end namespace medialvoxel
 

@@ -24,7 +24,7 @@ struct ValueView
 };
 
 /** \class ValueReader
- * \brief Reads boxes of a volume that streams. */
+ * \brief Reads boxes of a volume. */
 class ValueReader
 {
 public:
@@ -32,7 +32,7 @@ public:
 
   virtual ~ValueReader() = default;
 
-  /** Reads the values of a box, x fastest, of the pixel type of the header, in the byte order of this machine.
+  /** Reads the values of a box, x fastest, of the value type of the header, in the byte order of this machine.
    * \throw JobError CorruptInput when the file lost voxels; itk::ExceptionObject */
   virtual void
   Read(const itk::MedialVoxelBox & box, void * values) = 0;
@@ -60,7 +60,8 @@ public:
   MakeAnother() const = 0;
 };
 
-/** Opens a volume that ReadVolumeHeader() has checked, or ResampleHeader() has made.
+/** Opens a volume that ReadVolumeHeader() has checked, or ResampleHeader() has made. A compressed one that
+ * UnpackVolume() has not got is read from front to back.
  * \param interpolation of a resampled one
  * \param bytesToKeep of chunks whose further slices are needed later, for volumes that are stored in such */
 std::unique_ptr<ValueReader>

@@ -12,7 +12,8 @@ namespace medialvoxel
 {
 
 /** \class VoxelStream
- * \brief The numbers of a volume from front to back, in bounded memory and in the byte order of its header. */
+ * \brief The numbers of a compressed volume from front to back, in bounded memory and in the byte order of its header.
+ */
 class VoxelStream
 {
 public:
@@ -31,11 +32,7 @@ public:
   GetNumberOfBytesRead() const = 0;
 };
 
-/** Opens a volume that ReadVolumeHeader() has checked. */
-std::unique_ptr<VoxelStream>
-OpenVoxelStream(const VolumeHeader & header);
-
-/** Opens a volume whose voxels are one stream, packed by zlib or gzip. */
+/** Opens a volume that ReadVolumeHeader() has checked, whose voxels are one stream, packed by zlib or gzip. */
 std::unique_ptr<VoxelStream>
 OpenInflatedStream(const VolumeHeader & header);
 
