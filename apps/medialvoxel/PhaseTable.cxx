@@ -150,6 +150,28 @@ AddRun(TextTable & table, const JobResult & result)
   }
 }
 
+/** Of a mesh with elements of a size, with the limits. */
+void
+AddQuality(TextTable & table, const MeshQuality & quality)
+{
+  const TextTable counts{ { "triangles", std::to_string(quality.triangles) },
+                          { "quadrilaterals", std::to_string(quality.quads) },
+                          { "sides of one element", std::to_string(quality.rimSides) },
+                          { "sides of more than two", std::to_string(quality.junctionSides) },
+                          { "walls", std::to_string(quality.walls) },
+                          { "walls with one side only", std::to_string(quality.oneSidedWalls) },
+                          { "least scaled Jacobian", FormatShort(quality.shapes.leastJacobian) },
+                          { "largest aspect ratio", FormatShort(quality.shapes.largestAspect) } };
+  for (const auto & [name, value] : counts)
+  {
+    table.emplace_back("  " + name, value);
+  }
+  for (const MeshLimit & limit : ListMeshLimits(quality))
+  {
+    table.emplace_back("  " + limit.name, limit.Format());
+  }
+}
+
 /** Of a mesh with elements of a size. */
 void
 AddRemeshing(TextTable & table, const SurfaceSummary & surface)
@@ -163,11 +185,9 @@ AddRemeshing(TextTable & table, const SurfaceSummary & surface)
   table.emplace_back("  farthest from the fine surface",
                      FormatShort(std::max(remeshing.toFine.largest, remeshing.fromFine.largest)) + ", 99 % within " +
                        FormatShort(std::max(remeshing.toFine.most, remeshing.fromFine.most)));
-  table.emplace_back("  scaled Jacobian",
-                     FormatShort(remeshing.leastQuality) + " and more, 99 % have " + FormatShort(remeshing.lowQuality));
-  table.emplace_back("  aspect ratio", "99 % have at most " + FormatShort(remeshing.highAspect));
   table.emplace_back("  walls left out", FormatCount(remeshing.wallsLeftOut, remeshing.walls));
   table.emplace_back("  orientation conflicts", std::to_string(remeshing.orientationConflicts));
+  AddQuality(table, surface.quality.value());
 }
 
 } // namespace

@@ -156,6 +156,30 @@ MakeRims(const std::optional<itk::MedialVoxelRimExtensionSummary> & rims)
               : Json(nullptr);
 }
 
+/** Limits as a list, in the order of the table. */
+Json
+MakeQuality(const MeshQuality & quality)
+{
+  Json limits = Json::array();
+  for (const MeshLimit & limit : ListMeshLimits(quality))
+  {
+    limits.push_back({ { "name", limit.name },
+                       { "value", limit.value },
+                       { limit.isLeast ? "least" : "most", limit.limit },
+                       { "holds", limit.Holds() } });
+  }
+  return { { "nodes", quality.nodes },
+           { "triangles", quality.triangles },
+           { "quadrilaterals", quality.quads },
+           { "rim_sides", quality.rimSides },
+           { "junction_sides", quality.junctionSides },
+           { "walls", quality.walls },
+           { "one_sided_walls", quality.oneSidedWalls },
+           { "least_scaled_jacobian", quality.shapes.leastJacobian },
+           { "largest_aspect_ratio", quality.shapes.largestAspect },
+           { "limits", limits } };
+}
+
 Json
 MakeMesh(const SurfaceSummary & surface)
 {
@@ -169,17 +193,13 @@ MakeMesh(const SurfaceSummary & surface)
     json["remeshing"] = { { "area_before", remeshing.fineArea },
                           { "distance_to_fine", MakeDistances(remeshing.toFine) },
                           { "distance_from_fine", MakeDistances(remeshing.fromFine) },
-                          { "scaled_jacobian",
-                            { { "minimum", remeshing.leastQuality },
-                              { "percentile_1", remeshing.lowQuality },
-                              { "not_positive", remeshing.elementsWithoutQuality } } },
-                          { "aspect_ratio", { { "percentile_99", remeshing.highAspect } } },
                           { "walls", remeshing.walls },
                           { "walls_left_out", remeshing.wallsLeftOut },
                           { "holes_closed", remeshing.holesClosed },
                           { "triangles_left_out", remeshing.trianglesLeftOut },
                           { "orientation_conflicts", remeshing.orientationConflicts },
                           { "rims", MakeRims(remeshing.rims) } };
+    json["quality"] = MakeQuality(surface.quality.value());
   }
   return json;
 }
