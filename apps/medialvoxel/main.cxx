@@ -350,7 +350,8 @@ DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words
   std::vector<std::string> names;
   if (command == nullptr && words.front() == "check")
   {
-    return "'check' has left the program; python -m medialvoxel check reads meshes, and mesh reports the quality of its own";
+    return "'check' has left the program; python -m medialvoxel check reads meshes, and mesh reports the quality of "
+           "its own";
   }
   if (command == nullptr)
   {

@@ -16,9 +16,9 @@ namespace
 using Corners = std::vector<std::uint64_t>;
 
 /** Two squares side by side, 0 1 2 3 and 1 4 5 2; 6 is on the side between them, 7 at the place of 0. */
-const std::vector<itk::MedialVoxelVector3> Points{ { 0, 0, 0 }, { 1, 0, 0 },   { 1, 1, 0 }, { 0, 1, 0 },
-                                                   { 2, 0, 0 }, { 2, 1, 0 },   { 1, 0.5, 0 }, { 0, 0, 0 },
-                                                   { 3, 0.5, 0 }, { 2.2, 0.5, 0 }, { 4, 0, 0 } };
+const std::vector<itk::MedialVoxelVector3> Points{ { 0, 0, 0 },   { 1, 0, 0 },     { 1, 1, 0 },   { 0, 1, 0 },
+                                                   { 2, 0, 0 },   { 2, 1, 0 },     { 1, 0.5, 0 }, { 0, 0, 0 },
+                                                   { 3, 0.5, 0 }, { 1.2, 0.5, 0 }, { 4, 0, 0 } };
 
 MeshQuality
 Measure(const std::vector<itk::MedialVoxelVector3> & points, const std::vector<Corners> & faces)
@@ -71,16 +71,16 @@ TEST(SurfaceQuality, CountsOfTwoSquares)
 
 TEST(SurfaceQuality, EachLimitFailsAlone)
 {
-  EXPECT_EQ(FindFailing({ { 0, 1, 2, 3 }, { 3, 0, 1, 2 } }), Names{ "elements with the same nodes" });
+  EXPECT_EQ(FindFailing({ { 0, 1, 2, 3 }, { 2, 1, 0, 3 } }), Names{ "elements with the same nodes" });
   EXPECT_EQ(FindFailing({ { 0, 1, 2 }, { 7, 2, 3 } }), Names{ "nodes at one place" });
   EXPECT_EQ(FindFailing({ { 0, 1, 2, 3 }, { 6, 4, 5 }, { 6, 5, 2 } }), Names{ "hanging nodes" });
   EXPECT_EQ(FindFailing({ { 0, 1, 2, 3 }, { 1, 2, 5, 4 } }), Names{ "walls turned both ways" });
-  EXPECT_EQ(FindFailing({ { 1, 9, 2, 8 } }), (Names{ "elements without a positive Jacobian", "scaled Jacobian of 99 %" }));
-  EXPECT_EQ(FindFailing({ { 0, 1, 4, 10 } }),
-            (Names{ "elements without a positive Jacobian",
-                    "scaled Jacobian of 99 %",
-                    "aspect ratio of 99 %",
-                    "hanging nodes" }));
+  EXPECT_EQ(FindFailing({ { 1, 9, 2, 8 } }),
+            (Names{ "elements without a positive Jacobian", "scaled Jacobian of 99 %" }));
+  EXPECT_EQ(
+    FindFailing({ { 0, 1, 4, 10 } }),
+    (Names{
+      "elements without a positive Jacobian", "scaled Jacobian of 99 %", "aspect ratio of 99 %", "hanging nodes" }));
 }
 
 TEST(SurfaceQuality, FlatElementsHaveAnInfiniteAspectRatio)

@@ -51,6 +51,17 @@ class RealElementsTest(ProgramTestCase):
         self.assertAlmostEqual(mesh["area"] / remeshing["area_before"], 1, delta=0.02)
         self.assertLessEqual(remeshing["distance_to_fine"]["mean"], 0.5)
 
+    def test_limits_that_fail_are_a_warning(self):
+        run = self.run_program("mesh", DATA / "shell.nrrd", "m.vtp", "--lower", 65, "--element-size", 100, "--report", "r.json")
+        report = json.loads((self.folder / "r.json").read_text())
+        names = failing(report["mesh"])
+        self.assertGreater(len(names), 0)
+        (found,) = (warning for warning in report["warnings"] if warning["code"] == "poor_elements")
+        self.assertIn(found["message"], run.warnings)
+        for limit in report["mesh"]["quality"]["limits"]:
+            self.assertEqual(limit["name"] in found["message"], not limit["holds"])
+        self.assertRegex(run.stdout, rf"\n  {names[0]} +\S+, (less|more) than ")
+
     def test_same_bytes_for_any_division(self):
         contents = set()
         for number, arguments in enumerate(

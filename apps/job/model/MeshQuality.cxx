@@ -10,7 +10,8 @@ namespace medialvoxel
 std::string
 MeshLimit::Format() const
 {
-  const char * const relation = Holds() ? (isLeast ? "at least " : "at most ") : (isLeast ? "less than " : "more than ");
+  const char * const relation =
+    Holds() ? (isLeast ? "at least " : "at most ") : (isLeast ? "less than " : "more than ");
   return FormatShort(value) + ", " + relation + FormatShort(limit);
 }
 

@@ -195,8 +195,8 @@ std::optional<Finding>
 CheckQuality(const ExtractOptions &, const JobResult & result)
 {
   std::string failing;
-  for (const MeshLimit & limit : result.surface && result.surface->quality ? ListMeshLimits(*result.surface->quality)
-                                                                           : std::vector<MeshLimit>{})
+  for (const MeshLimit & limit :
+       result.surface && result.surface->quality ? ListMeshLimits(*result.surface->quality) : std::vector<MeshLimit>{})
   {
     failing += limit.Holds() ? "" : (failing.empty() ? "" : "; ") + limit.name + ": " + limit.Format();
   }
