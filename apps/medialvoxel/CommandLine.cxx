@@ -154,6 +154,12 @@ AddMemory(CLI::App & app, std::optional<std::uint64_t> & target)
 }
 
 void
+AddScratch(CLI::App & app, std::string & target)
+{
+  AddFile(app, "--scratch", "Folder for input and mesh beyond the memory", target)->type_name("DIR")->group("Run");
+}
+
+void
 AddThreads(CLI::App & app, std::optional<unsigned int> & target)
 {
   AddText(app, "--threads", "Threads (default: one per processor)", "N", [&target](const std::string & text) {
@@ -233,9 +239,7 @@ AddRunOptions(CommandLine & line, CLI::App & app, JobOptions & options)
 {
   const std::string group = "Run";
   AddMemory(app, options.memoryBytes);
-  AddFile(app, "--scratch", "Folder for input and mesh beyond the memory", options.scratchFolder)
-    ->type_name("DIR")
-    ->group(group);
+  AddScratch(app, options.scratchFolder);
   AddThreads(app, options.threads);
   AddText(app, "--divisions", "Number of pieces (default: chosen)", "N", [&](const std::string & text) {
     options.divisions = ToCount(text, 1, LargestCount);
@@ -267,8 +271,11 @@ AddInput(CLI::App & app, JobOptions & options)
   AddText(app, "--level", "Of an image with several sizes; 0 (default): largest", "N", [&](const std::string & text) {
     options.level = static_cast<unsigned int>(ToCount(text, 0, LargestLevel));
   });
-  AddText(app, "--resample", "Resample to the spacing S; auto: to the smallest", "S", [&](const std::string & text) {
-    options.resample = ToLower(text) == AutomaticSpacing ? 0.0 : ToSpacing(text, " or auto");
+  AddText(app, "--resample", "Resample to the spacing S, auto (smallest) or off", "S", [&](const std::string & text) {
+    const std::string word = ToLower(text);
+    options.resample = word == AutomaticSpacing   ? 0.0
+                       : word == UnchangedSpacing ? KeepSpacing
+                                                  : ToSpacing(text, ", auto or off");
   });
 }
 

@@ -20,6 +20,8 @@ AddLabels(CLI::App & app, ExtractOptions & options);
 void
 AddMemory(CLI::App & app, std::optional<std::uint64_t> & target);
 void
+AddScratch(CLI::App & app, std::string & target);
+void
 AddThreads(CLI::App & app, std::optional<unsigned int> & target);
 void
 AddProgress(CommandLine & line, CLI::App & app);

@@ -61,7 +61,6 @@ DefinePlan(CommandLine & line)
                                       "--mesh",
                                       "--element-size",
                                       "--section-width",
-                                      "--scratch",
                                       "--sparse",
                                       "--compress" })
   {
@@ -86,6 +85,7 @@ DefineWork(CommandLine & line)
       line.workOptions.clusters = *ranges;
     });
   AddMemory(app, line.workOptions.memoryBytes);
+  AddScratch(app, line.workOptions.scratchFolder);
   AddThreads(app, line.workOptions.threads);
   AddProgress(line, app);
   AddLog(line, app, line.logFile);

@@ -3,6 +3,7 @@
 #include "PhaseTable.h"
 
 #include "LocalThicknessTable.h"
+#include "MeshTable.h"
 #include "PlaceTable.h"
 
 #include "Report.h"
@@ -22,6 +23,19 @@ std::string
 FormatCount(std::uint64_t count, std::uint64_t all)
 {
   return std::to_string(count) + (all > 0 ? " (" + FormatPercent(count, all) + ")" : "");
+}
+
+void
+AddResolution(TextTable & table, const VolumeHeader & input)
+{
+  const VolumeGeometry & stored = input.GetStored().geometry;
+  table.emplace_back("resolution", FormatSize(input.geometry.size));
+  if (input.stored)
+  {
+    table.emplace_back("  resampled",
+                       "from " + FormatSize(stored.size) + " at " + FormatNumbers(stored.spacing, " x ") + " to " +
+                         FormatNumbers(input.geometry.spacing, " x "));
+  }
 }
 
 void
@@ -150,46 +164,6 @@ AddRun(TextTable & table, const JobResult & result)
   }
 }
 
-/** Of a mesh with elements of a size, with the limits. */
-void
-AddQuality(TextTable & table, const MeshQuality & quality)
-{
-  const TextTable counts{ { "triangles", std::to_string(quality.triangles) },
-                          { "quadrilaterals", std::to_string(quality.quads) },
-                          { "sides of one element", std::to_string(quality.rimSides) },
-                          { "sides of more than two", std::to_string(quality.junctionSides) },
-                          { "walls", std::to_string(quality.walls) },
-                          { "walls with one side only", std::to_string(quality.oneSidedWalls) },
-                          { "least scaled Jacobian", FormatShort(quality.shapes.leastJacobian) },
-                          { "largest aspect ratio", FormatShort(quality.shapes.largestAspect) } };
-  for (const auto & [name, value] : counts)
-  {
-    table.emplace_back("  " + name, value);
-  }
-  for (const MeshLimit & limit : ListMeshLimits(quality))
-  {
-    table.emplace_back("  " + limit.name, limit.Format());
-  }
-}
-
-/** Of a mesh with elements of a size. */
-void
-AddRemeshing(TextTable & table, const SurfaceSummary & surface)
-{
-  if (!surface.remeshing)
-  {
-    return;
-  }
-  const itk::MedialVoxelRemeshingSummary & remeshing = *surface.remeshing;
-  table.emplace_back("  area", FormatShort(surface.area) + " of " + FormatShort(remeshing.fineArea));
-  table.emplace_back("  farthest from the fine surface",
-                     FormatShort(std::max(remeshing.toFine.largest, remeshing.fromFine.largest)) + ", 99 % within " +
-                       FormatShort(std::max(remeshing.toFine.most, remeshing.fromFine.most)));
-  table.emplace_back("  walls left out", FormatCount(remeshing.wallsLeftOut, remeshing.walls));
-  table.emplace_back("  orientation conflicts", std::to_string(remeshing.orientationConflicts));
-  AddQuality(table, surface.quality.value());
-}
-
 } // namespace
 
 void
@@ -212,7 +186,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   const itk::MedialVoxelCounts &    counts = result.sums.counts;
   const std::optional<PhasePercent> percent = GetPhasePercent(counts);
   TextTable                         table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options, result.input.geometry)));
   AddObject(table, options, result);
   AddLabelMap(table, result);
@@ -229,16 +203,11 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("pseudo", percent ? FormatFixed(percent->pseudo, 2) + " %" : "-");
   table.emplace_back("correct", percent ? FormatFixed(percent->correct, 2) + " %" : "-");
   AddThickness(table, options, result);
-  for (const TextTable & rows : { DescribeLocalThickness(options, result), DescribePlaces(result.places) })
+  for (const TextTable & rows : { DescribeLocalThickness(options, result),
+                                  DescribePlaces(result.places),
+                                  result.surface ? DescribeMesh(*result.surface) : TextTable() })
   {
     table.insert(table.end(), rows.begin(), rows.end());
-  }
-  if (result.surface)
-  {
-    table.emplace_back("mesh",
-                       std::to_string(result.surface->vertices) + " vertices, " +
-                         std::to_string(result.surface->faces) + " faces");
-    AddRemeshing(table, *result.surface);
   }
   const std::string threads =
     result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";
@@ -273,7 +242,7 @@ PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobR
                       : std::string("not known anywhere");
   };
   TextTable table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   AddObject(table, options, result);
   AddNotANumber(table, result.sums.counts);
   AddSmallComponents(table, result.sums.counts);
@@ -316,7 +285,7 @@ void
 PrintDistanceTable(std::ostream & out, const DistanceOptions & options, const JobResult & result)
 {
   TextTable table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   AddObject(table, options, result);
   AddNotANumber(table, result.sums.counts);
   const std::string threads =

@@ -108,8 +108,8 @@ CutsOff(const std::optional<itk::MedialVoxelLimit> & threshold, const PixelType 
 bool
 HasOneThreshold(const JobOptions & options, const VolumeHeader & header)
 {
-  const bool hasLower = options.lowerIsOtsu || CutsOff(options.lowerThreshold, header.pixelType, true);
-  return hasLower != CutsOff(options.upperThreshold, header.pixelType, false);
+  const bool hasLower = options.lowerIsOtsu || CutsOff(options.lowerThreshold, header.GetValueType(), true);
+  return hasLower != CutsOff(options.upperThreshold, header.GetValueType(), false);
 }
 
 ExtractOptions
@@ -129,7 +129,7 @@ GetThicknessOptions(const SurfaceOptions & options)
 bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  return options.subVoxel.value_or(HasOneThreshold(options, header)) && header.CanStream();
+  return options.subVoxel.value_or(HasOneThreshold(options, header));
 }
 
 std::string
@@ -143,16 +143,16 @@ DescribeMeasureOnObject(const ExtractOptions & options, const VolumeHeader & hea
   {
     return "gray values are switched off";
   }
-  return CutsOff(options.upperThreshold, header.pixelType, false) ? "the object is between two thresholds"
-                                                                  : "no threshold cuts the values";
+  return CutsOff(options.upperThreshold, header.GetValueType(), false) ? "the object is between two thresholds"
+                                                                       : "no threshold cuts the values";
 }
 
 itk::MedialVoxelExtraction::GrayRange
 GetGrayRange(const JobOptions & options, const VolumeHeader & header)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const bool       hasLower = CutsOff(options.lowerThreshold, header.pixelType, true);
-  const bool       hasUpper = CutsOff(options.upperThreshold, header.pixelType, false);
+  const bool       hasLower = CutsOff(options.lowerThreshold, header.GetValueType(), true);
+  const bool       hasUpper = CutsOff(options.upperThreshold, header.GetValueType(), false);
   return { hasLower ? options.lowerThreshold->GetNearestDouble() : -infinity,
            hasUpper ? options.upperThreshold->GetNearestDouble() : infinity };
 }

@@ -203,6 +203,7 @@ FromJson(const Json & json)
   manifest.options = OptionsFromJson(json.at("parameters"));
   ReadWhole(json.at("run").at("memory_bytes"), manifest.options.memoryBytes);
   ReadWhole(json.at("run").at("threads"), manifest.options.threads);
+  json.at("run").at("scratch").get_to(manifest.options.scratchFolder);
   manifest.input = InputFromJson(json.at("input"));
   ReadWhole(json.at("clusters").at("slices"), manifest.numberOfSlices);
   ReadWhole(json.at("clusters").at("number"), manifest.numberOfClusters);
@@ -270,7 +271,8 @@ WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest)
   json["folder_from_job"] = manifest.fromJob.string();
   json["parameters"] = OptionsToJson(manifest.options);
   json["run"] = { { "memory_bytes", OptionalToJson(manifest.options.memoryBytes) },
-                  { "threads", OptionalToJson(manifest.options.threads) } };
+                  { "threads", OptionalToJson(manifest.options.threads) },
+                  { "scratch", manifest.options.scratchFolder } };
   json["input"] = InputToJson(manifest.input);
   json["clusters"] = { { "number", manifest.numberOfClusters },
                        { "slices", manifest.numberOfSlices },

@@ -105,11 +105,11 @@ CheckMaximumDistance(const DistanceOptions & options, const VolumeHeader & input
 std::optional<Finding>
 CheckScratch(const JobOptions & options, const VolumeHeader & input)
 {
-  if (options.scratchFolder.empty() || !input.CanStream())
+  if (options.scratchFolder.empty() || input.compressed)
   {
     return std::nullopt;
   }
-  return Finding{ "the scratch folder has no use here: the volume is read in pieces, and there is no mesh", {} };
+  return Finding{ "the scratch folder has no use here: the volume is not compressed, and there is no mesh", {} };
 }
 
 /** Vectors and distances are exact at any spacing. */

@@ -6,7 +6,6 @@
 #include "ExtractSummary.h"
 #include "FinishJob.h"
 #include "JobClock.h"
-#include "MaskInput.h"
 #include "MemoryPlan.h"
 #include "OutputChecks.h"
 #include "Outputs.h"
@@ -59,24 +58,16 @@ NeedsFits(const ExtractOptions & options)
   return !options.uncertaintyFile.empty() || options.levels;
 }
 
-/** \throw JobError Refused when the values are to be measured on but are read only once, for the mask. */
+/** \throw JobError Usage when there is no threshold that the values could be measured at. */
 void
 CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  if ((options.subVoxel.value_or(false) || NeedsFits(options)) && !header.CanStream())
-  {
-    Fail(ExitStatus::Refused,
-         header.fileName.string(),
-         ": sub-voxel measures need values that can be read in pieces, but the file is read once, to a mask (",
-         header.DescribeReading(),
-         "); unpack it first");
-  }
   if (NeedsFits(options) && !HasOneThreshold(options, header))
   {
     Fail(ExitStatus::Usage,
          options.levels ? "levels of gray values" : "the uncertainty of the thickness",
          " need one threshold, --lower or --upper, that values of the type ",
-         std::string(GetTraits(header.pixelType).name),
+         std::string(GetTraits(header.GetValueType()).name),
          " reach");
   }
 }
@@ -93,7 +84,7 @@ AddSmoothing(PieceFootprint & footprint, const ExtractOptions & options, const V
     return;
   }
   std::uint64_t & bytes = InputVolume::IsReadInParallel(header) ? footprint.bytesPerThread : footprint.bytesBeside;
-  bytes += header.CanStream() ? SmoothedInput::GetBytesPerThread(header) : GetBytesOfSmoothedSlices(header);
+  bytes += SmoothedInput::GetBytesPerThread(header);
 }
 
 PieceFootprint
@@ -138,7 +129,6 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     footprint.bytesBeside += LabelMapRun::GetPlannedBytes(*options.labels);
     footprint.bytesBeside += itk::MedialVoxelObjectAdjacency::GetBytes(
       footprint.grid.GetSize(), GetParameters(options, footprint.grid).maximumPoreSize);
-    footprint.maskBits = LabelMap::UnpackedBits;
   }
   AddEngine(footprint, header, extraction);
   AddOutputs(footprint, options, header, ListOutputs(options, header));
@@ -359,7 +349,7 @@ JobResult
 DescribeExtract(const ExtractOptions & options)
 {
   JobResult result;
-  result.input = ReadInputHeader(options);
+  result.input = ReadSheetInputHeader(options);
   result.outputs = ListOutputs(options, result.input);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
@@ -374,7 +364,7 @@ Prepare(const ExtractOptions & options, const TGetFootprint & getFootprint)
 {
   CheckOptions(options);
   CheckFormats(options);
-  VolumeHeader header = ReadInputHeader(options);
+  VolumeHeader header = ReadSheetInputHeader(options);
   if (!options.meshFile.empty())
   {
     CheckSurfaceInput(header, options.meshFile, "medial surface");
@@ -437,6 +427,7 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
   {
     own.labels = ResolveNames(*options.labels, result.segments);
   }
+  result.input = UnpackInput(result.input, result.plan, sink);
   MeasureThreshold(own, result.input, sink);
   CheckOptions(own); // with the threshold of Otsu
   result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;

@@ -68,9 +68,9 @@ OpenInput(const ExtractOptions & options, const JobResult & job)
   if (options.labels)
   {
     return std::make_unique<LabelMap>(
-      job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.scratchFolder, job.plan.bytesToKeep);
+      job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.bytesToKeep);
   }
-  return OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep, GetSmoothing(options));
+  return OpenInputVolume(job.input, options, job.plan.bytesToKeep, GetSmoothing(options));
 }
 
 } // namespace

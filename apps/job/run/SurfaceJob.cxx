@@ -41,7 +41,7 @@ GetMapRequest(const SurfaceOptions & options, const VolumeHeader & header)
   return ListVolumes(GetThicknessOptions(options), header).front();
 }
 
-/** \throw JobError Usage, Refused when the values do not place a surface that is to be placed by them */
+/** \throw JobError Usage when the values do not place a surface that is to be placed by them */
 void
 CheckGrayValues(const SurfaceOptions & options, const VolumeHeader & header)
 {
@@ -49,19 +49,11 @@ CheckGrayValues(const SurfaceOptions & options, const VolumeHeader & header)
   {
     return;
   }
-  if (!header.CanStream())
-  {
-    Fail(ExitStatus::Refused,
-         header.fileName.string(),
-         ": a surface between voxels needs values that can be read in pieces, but the file is read once, to a mask (",
-         header.DescribeReading(),
-         "); unpack it first");
-  }
   if (!HasOneThreshold(options, header))
   {
     Fail(ExitStatus::Usage,
          "a surface between voxels needs one threshold, --lower or --upper, that values of the type ",
-         std::string(GetTraits(header.pixelType).name),
+         std::string(GetTraits(header.GetValueType()).name),
          " reach");
   }
 }
@@ -82,9 +74,9 @@ GetFootprint(const SurfaceOptions & options, const VolumeHeader & header)
 void
 Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto   input = OpenInputVolume(result.input, options, result.plan.scratchFolder, result.plan.bytesToKeep);
-  OutputSet    outputs(options, false);
-  OutputFile & file = *outputs.AddFile(options.output);
+  const auto                    input = OpenInputVolume(result.input, options, result.plan.bytesToKeep);
+  OutputSet                     outputs(options, false);
+  OutputFile &                  file = *outputs.AddFile(options.output);
   ReportSummary<SurfaceOptions> summary(options, outputs);
   PartSurface                   surface(options, result.input, *input);
   PieceLoop                     loop(result.plan, result.input, 1, sink);
@@ -124,7 +116,7 @@ RunSurface(const SurfaceOptions & options, ProgressSink & sink)
   const auto start = JobClock::now();
   CheckOptions(options);
   GetPartFormat(options.output);
-  VolumeHeader header = ReadInputHeader(options);
+  VolumeHeader header = ReadSheetInputHeader(options);
   CheckSurfaceInput(header, options.output, "surface");
   CheckGrayValues(options, header);
   CheckLabel(options, header);
@@ -139,6 +131,7 @@ RunSurface(const SurfaceOptions & options, ProgressSink & sink)
     return result;
   }
   SurfaceOptions own = options;
+  result.input = UnpackInput(result.input, result.plan, sink);
   MeasureThreshold(own, result.input, sink);
   result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;
   WithPipelineErrors([&] {
