@@ -445,7 +445,6 @@ DefineCommandLine(CommandLine & line)
   line.surface = app->add_subcommand("surface", "Build the surface of a part, with its wall thickness");
   line.distance = app->add_subcommand("distance", "Compute vectors to the boundary and distances");
   line.info = app->add_subcommand("info", "Describe a volume");
-  line.check = app->add_subcommand("check", "Check the elements of a shell mesh");
   line.plan = app->add_subcommand("plan", "Prepare an extraction by several processes");
   line.work = app->add_subcommand("work", "Compute clusters of a planned extraction");
   line.finalize = app->add_subcommand("finalize", "Verify a computed extraction and name its outputs");
@@ -455,7 +454,6 @@ DefineCommandLine(CommandLine & line)
   DefineSurface(line);
   DefineDistance(line);
   DefineInfo(line);
-  DefineCheck(line);
   DefineJobCommands(line);
   line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");
   line.generate->add_option("FOLDER", line.generateFolder, "An existing folder")->required();

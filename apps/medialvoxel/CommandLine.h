@@ -26,7 +26,6 @@ struct CommandLine
   CLI::App *      surface{ nullptr };
   CLI::App *      distance{ nullptr };
   CLI::App *      info{ nullptr };
-  CLI::App *      check{ nullptr };
   CLI::App *      plan{ nullptr };
   CLI::App *      work{ nullptr };
   CLI::App *      finalize{ nullptr };
@@ -39,8 +38,6 @@ struct CommandLine
   bool            showsValues{ false }; ///< of the volume
   bool            showsLabels{ false }; ///< what its objects take when it is a label map
   bool            resumes{ false };     ///< the extraction
-  std::string     checkedMesh;
-  bool            checkAsJson{ false };
   PlanOptions     planOptions;
   WorkOptions     workOptions;
   FinalizeOptions finalizeOptions;

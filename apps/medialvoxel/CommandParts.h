@@ -54,10 +54,6 @@ DefineMesh(CommandLine & line);
 void
 DefineSurface(CommandLine & line);
 
-/** Defines check. */
-void
-DefineCheck(CommandLine & line);
-
 /** Defines plan, work, finalize and status. */
 void
 DefineJobCommands(CommandLine & line);

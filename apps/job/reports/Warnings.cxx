@@ -205,8 +205,23 @@ CheckElements(const ExtractOptions &, const JobResult & result)
   };
 }
 
+/** Elements that solvers refuse or compute badly with. */
+std::optional<Finding>
+CheckQuality(const ExtractOptions &, const JobResult & result)
+{
+  std::string failing;
+  for (const MeshLimit & limit :
+       result.surface && result.surface->quality ? ListMeshLimits(*result.surface->quality) : std::vector<MeshLimit>{})
+  {
+    failing += limit.Holds() ? "" : (failing.empty() ? "" : "; ") + limit.name + ": " + limit.Format();
+  }
+  return failing.empty() ? std::nullopt
+                         : std::optional<Finding>({ "the mesh is beyond limits that solvers ask for: " + failing, {} });
+}
+
 const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true },
-                                                               { "coarse_elements", CheckElements } };
+                                                               { "coarse_elements", CheckElements },
+                                                               { "poor_elements", CheckQuality } };
 
 /** What is known of the walls after an extraction. */
 struct WallFacts
