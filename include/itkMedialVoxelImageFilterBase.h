@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <type_traits>
@@ -27,9 +28,9 @@ namespace itk
  * \brief Object definition, streaming and threads that the filters of the MedialVoxel module share.
  *
  * The requested region is processed slab by slab along its slowest axis. For each slab the filter pulls the input that
- * the slab depends on, part by part, and packs it to one bit per voxel. It runs the tiles of the slab in parallel
- * through DynamicThreadedGenerateData(). A tile that depends on more input runs again after the window has grown.
- * Results do not depend on the requested region, on the division of the work, or on the number of threads.
+ * the slab depends on, part by part, and packs it to one bit per voxel. Threads run the
+ * tiles of the slab in DynamicThreadedGenerateData(). A tile that depends on more input runs again after the window has
+ * grown. Results do not depend on the requested region, on the division of the work, or on the number of threads.
  *
  * The pieces of a streamed update (StreamingImageFilter, ImageFileWriter) share the window: input that two pieces
  * depend on is pulled once when they follow each other along the slowest axis. After an update the input image buffers
@@ -224,7 +225,8 @@ protected:
   void
   GenerateData() override;
 
-  /** Computes the tile \a region. A tile that depends on input that is not in the window leaves no trace. */
+  /** Runs the phases. Each thread of GenerateData() calls it, and takes part of the work on the requested region.
+   * Called by itself, it fills \a region of the outputs, which are allocated, and adds nothing to the counts. */
   void
   DynamicThreadedGenerateData(const OutputImageRegionType & region) override;
 
@@ -392,6 +394,9 @@ private:
   /** Keeps its window from piece to piece of a streamed update, so that shared input is pulled once. */
   std::unique_ptr<MedialVoxelEngine> m_Engine;
   ModifiedTimeType                   m_EngineMTime{ 0 };
+
+  /** Of a thread, as long as the engine runs. */
+  std::function<void()> m_Work;
 };
 
 } // end namespace itk

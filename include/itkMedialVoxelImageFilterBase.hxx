@@ -218,6 +218,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   catch (...)
   {
     m_Engine.reset();
+    m_Work = nullptr;
     // A buffer that is half written must not count as up to date when the same region is requested again.
     for (const auto & output : this->GetOutputs())
     {
@@ -380,7 +381,14 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::DynamicThreadedGenerateData(const OutputImageRegionType & region)
 {
-  m_Engine->ProcessTile(this->BoxOf(region));
+  if (m_Work)
+  {
+    m_Work();
+  }
+  else
+  {
+    MedialVoxelWithItkErrors([&] { return this->RunRegion(this->BoxOf(region)); });
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
