@@ -35,6 +35,18 @@ struct MedialVoxel_EXPORT MedialVoxelExtraction
     double                         upper;
     std::optional<MedialVoxelScan> scan{};
 
+    /** The range of thresholds, one of which a mask moves. */
+    static GrayRange
+    Of(const double lower, const double upper, const MedialVoxelScanResult & found)
+    {
+      GrayRange range{ lower, upper, found.scan };
+      if (found.middle)
+      {
+        range.MoveThreshold(*found.middle);
+      }
+      return range;
+    }
+
     /** Puts the end that is finite somewhere else. */
     void
     MoveThreshold(const double value)

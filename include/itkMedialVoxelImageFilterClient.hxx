@@ -150,7 +150,7 @@ private:
         this->FillValuesOfPart(part, m_Filter.FirstPixelOf(input, part), notANumber, gray);
       });
     };
-    MedialVoxelWithSmoothingRule(m_Predicate, m_Filter.m_LowerThreshold, m_Filter.m_UpperThreshold, fill);
+    MedialVoxelWithSmoothingRule(m_Predicate, m_Filter.GetLowerLimit(), m_Filter.GetUpperLimit(), fill);
   }
 
   void

@@ -69,16 +69,7 @@ public:
     std::function<void(double)> observe;
   };
 
-  /** \struct Result
-   * \brief The scan, or why there is none.
-   * \ingroup MedialVoxel
-   */
-  struct Result
-  {
-    std::optional<MedialVoxelScan> scan;
-    std::string                    reason;   ///< empty with a scan
-    std::optional<double>          middle{}; ///< of the two values of a mask
-  };
+  using Result = MedialVoxelScanResult;
 
   /** \param threshold  that cuts the object from the background
    * \param levels     of the materials, when they are known */

@@ -5,6 +5,7 @@
 
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkCommand.h"
 #include "itkStreamingImageFilter.h"
 
@@ -162,8 +163,8 @@ TEST(MedialVoxelAbort, AnAbortedPieceAddsNothingAndTheSamePieceCanBeRunAgain)
 {
   const Volume volume = RandomBoxes({ { 40, 38, 36 } }, UnitSpacing, 30, 103);
   auto         filter = MakeMedialFilter<3>(volume, 3.0);
-  filter->SetTileSize(8);
-  filter->SetSlabThickness(4);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 8);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 4);
   const auto runPiece = [&](itk::IndexValueType z, itk::SizeValueType depth) {
     filter->GetOutput()->SetRequestedRegion(itk::ImageRegion<3>({ { 0, 0, z } }, { { 40, 38, depth } }));
     filter->GetOutput()->PropagateRequestedRegion();
@@ -189,8 +190,8 @@ TEST(MedialVoxelAbort, AnAbortedPieceIsNotTakenForValidOutput)
   const Volume volume = RandomBoxes({ { 40, 38, 36 } }, UnitSpacing, 30, 105);
   auto         filter = MakeMedialFilter<3>(volume, 3.0);
   filter->GenerateVectorDistanceOn();
-  filter->SetTileSize(8);
-  filter->SetSlabThickness(4);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 8);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 4);
   auto aborter = Aborter::New();
   aborter->m_Fraction = 0.3f;
   const auto tag = filter->AddObserver(itk::ProgressEvent(), aborter);
@@ -219,8 +220,8 @@ TEST(MedialVoxelAbort, ProgressRisesToOne)
   std::vector<float> progress;
   // Only the calling thread reports, of the tiles that it did.
   filter->SetNumberOfWorkUnits(1);
-  filter->SetTileSize(10);
-  filter->SetSlabThickness(10);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 10);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 10);
   filter->AddObserver(itk::ProgressEvent(),
                       [&](const itk::EventObject &) { progress.push_back(filter->GetProgress()); });
   filter->Update();
@@ -250,7 +251,7 @@ TEST(MedialVoxelAbort, AFailingWorkerFailsTheUpdateAndNoMore)
   auto         filter = FailingFilter::New();
   filter->SetInput(MakeImage<MaskImage<3>>(volume));
   filter->SetThickness(3.0);
-  filter->SetTileSize(10);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 10);
   for (const unsigned int units : { 1u, 4u })
   {
     filter->SetNumberOfWorkUnits(units);
@@ -272,7 +273,7 @@ TEST(MedialVoxelAbort, AFailingInputFailsTheUpdateAndNoMore)
   auto filter = MedialFilter<3>::New();
   filter->SetInput(source->GetOutput());
   filter->SetThickness(3.0);
-  filter->SetSlabThickness(6);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 6);
   for (const std::size_t failAt : { 0, 3 })
   {
     source->ClearRequests();

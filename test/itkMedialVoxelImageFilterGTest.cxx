@@ -3,12 +3,15 @@
 
 // Defaults, parameters, errors, geometry, outputs and counters of the medial voxel filter.
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkMedialVoxelImageFilter.h"
 
 #include "MedialVoxelTestRuns.h"
 
+#include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkStreamingImageFilter.h"
 
+#include <atomic>
 #include <sstream>
 
 template class itk::MedialVoxelImageFilter<itk::Image<unsigned char, 2>>;
@@ -42,6 +45,42 @@ ExpectErrorNaming(TAction && action, const std::string & word)
     EXPECT_NE(std::string(error.GetDescription()).find(word), std::string::npos) << error.GetDescription();
   }
 }
+
+/** Counts the threads that run the phases, and lets a test run those of one region. */
+class EnteredFilter : public MedialFilter<3>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(EnteredFilter);
+
+  using Self = EnteredFilter;
+  using Superclass = MedialFilter<3>;
+  using Pointer = itk::SmartPointer<Self>;
+  itkNewMacro(Self);
+
+  using Superclass::AllocateOutputs;
+
+  void
+  DynamicThreadedGenerateData(const OutputImageRegionType & region) override
+  {
+    ++m_NumberOfCalls;
+    Superclass::DynamicThreadedGenerateData(region);
+  }
+
+  std::atomic<int> m_NumberOfCalls{ 0 };
+
+protected:
+  EnteredFilter() = default;
+};
+
+itk::SmartPointer<EnteredFilter>
+MakeEnteredFilter()
+{
+  auto filter = EnteredFilter::New();
+  filter->SetInput(MakeImage<MaskImage<3>>(SmallPart()));
+  filter->SetNumberOfWorkUnits(3);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 6);
+  return filter;
+}
 } // namespace
 
 TEST(MedialVoxelImageFilter, HasTheDocumentedDefaults)
@@ -57,10 +96,8 @@ TEST(MedialVoxelImageFilter, HasTheDocumentedDefaults)
   EXPECT_FALSE(filter->GetGenerateVectorDistance());
   EXPECT_EQ(filter->GetVectorDistanceBoundary(), itk::MedialVoxelBoundary::Object);
   EXPECT_EQ(filter->GetVectorDistanceOutput(), nullptr);
-  EXPECT_EQ(filter->GetTileSize(), 0u);
-  EXPECT_EQ(filter->GetSlabThickness(), 0u);
   EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
-  EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), 0u);
+  EXPECT_EQ(filter->GetCounts().notANumberVoxels, 0u);
 }
 
 TEST(MedialVoxelImageFilter, KeepsWhatIsSetAndNoticesChanges)
@@ -201,17 +238,49 @@ TEST(MedialVoxelImageFilter, AnEmptyRequestIsNoWork)
 
 TEST(MedialVoxelImageFilter, TimesAreMeasured)
 {
-  auto filter = MakeMedialFilter<3>(SmallPart(), 3.0);
-  EXPECT_EQ(filter->GetDistanceSeconds(), 0.0);
-  EXPECT_EQ(filter->GetClassificationSeconds(), 0.0);
+  auto                         filter = MakeMedialFilter<3>(SmallPart(), 3.0);
+  const itk::MedialVoxelSums & sums = itk::MedialVoxelFilterAccess::GetSums(*filter);
+  EXPECT_EQ(sums.distanceSeconds, 0.0);
+  EXPECT_EQ(sums.classificationSeconds, 0.0);
   filter->Update();
-  EXPECT_GT(filter->GetDistanceSeconds(), 0.0);
-  EXPECT_GT(filter->GetClassificationSeconds(), 0.0);
-  EXPECT_LT(filter->GetDistanceSeconds() + filter->GetClassificationSeconds(), 60.0);
+  EXPECT_GT(sums.distanceSeconds, 0.0);
+  EXPECT_GT(sums.classificationSeconds, 0.0);
+  EXPECT_LT(sums.distanceSeconds + sums.classificationSeconds, 60.0);
   // The threads cannot have been busy for longer than there were tiles.
   const double threads = filter->GetNumberOfWorkUnits();
-  EXPECT_LE(filter->GetThreadSeconds(), threads * filter->GetTileSeconds());
-  EXPECT_GE(filter->GetThreadSeconds(), filter->GetDistanceSeconds() + filter->GetClassificationSeconds());
+  EXPECT_LE(sums.threadSeconds, threads * sums.tileSeconds);
+  EXPECT_GE(sums.threadSeconds, sums.distanceSeconds + sums.classificationSeconds);
+}
+
+TEST(MedialVoxelImageFilter, EachThreadOfAnUpdateIsInDynamicThreadedGenerateData)
+{
+  const auto filter = MakeEnteredFilter();
+  filter->GetMultiThreader()->SetMaximumNumberOfThreads(3);
+  filter->Update();
+  EXPECT_GE(filter->m_NumberOfCalls, 3);
+}
+
+TEST(MedialVoxelImageFilter, DynamicThreadedGenerateDataRunsThePhasesOfARegion)
+{
+  const auto whole = MakeEnteredFilter();
+  whole->Update();
+  const auto filter = MakeEnteredFilter();
+  filter->UpdateOutputInformation();
+  filter->GetOutput()->SetRequestedRegionToLargestPossibleRegion();
+  filter->AllocateOutputs();
+  filter->GetOutput()->FillBuffer(9);
+  auto region = filter->GetOutput()->GetLargestPossibleRegion();
+  region.SetIndex(2, 3);
+  region.SetSize(2, 5);
+  filter->DynamicThreadedGenerateData(region);
+  itk::ImageRegionConstIteratorWithIndex<MedialFilter<3>::OutputImageType> label(
+    filter->GetOutput(), filter->GetOutput()->GetLargestPossibleRegion());
+  for (; !label.IsAtEnd(); ++label)
+  {
+    const auto index = label.GetIndex();
+    ASSERT_EQ(label.Get(), region.IsInside(index) ? whole->GetOutput()->GetPixel(index) : 9) << index;
+  }
+  EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
 }
 
 TEST(MedialVoxelImageFilter, RefusesToRunWithoutInput)

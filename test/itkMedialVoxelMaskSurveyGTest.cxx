@@ -125,14 +125,14 @@ TEST(MedialVoxelMaskSurvey, TheFilterMeasuresWallsThere)
       filter->SubvoxelThicknessOn();
       isReversed ? filter->SetUpperThreshold(threshold) : filter->SetLowerThreshold(threshold);
       filter->Update();
-      const auto range = filter->GetGrayRange();
-      EXPECT_EQ(isReversed ? range.upper : range.lower, 100.0);
-      EXPECT_FALSE(range.scan);
+      const auto found = filter->GetScan();
+      EXPECT_EQ(found.middle, 100.0);
+      EXPECT_FALSE(found.scan);
       for (const float value : PixelsOf(filter->GetThicknessOutput()))
       {
         EXPECT_TRUE(value == 0.0f || std::abs(value - 3.2f) < 1e-5f) << threshold << ' ' << value;
       }
-      EXPECT_GT(filter->GetNumberOfCandidateCells(), 0u);
+      EXPECT_GT(filter->GetCounts().candidateCells, 0u);
     }
   }
 }

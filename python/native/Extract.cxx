@@ -3,7 +3,7 @@
 #include "FilterRun.h"
 #include "NamedCounts.h"
 
-#include "itkMedialVoxelImageFilter.h"
+#include "itkMedialVoxelObjectsImageFilter.h"
 
 #include <variant>
 
@@ -12,7 +12,7 @@ namespace medialvoxel
 namespace
 {
 
-/** Shows the sums, and measures walls as the program does: without being asked, on gray values alone where it can fit
+/** Measures walls as the program does: without being asked, on gray values alone where it can fit
  * them. */
 template <typename TImage>
 class ProgramFilter final : public itk::MedialVoxelImageFilter<TImage>
@@ -26,8 +26,6 @@ public:
 
   itkNewMacro(Self);
 
-  using Superclass::GetSums;
-
   void
   SetMeasure(const ArrayCall & call, const ExtractOptions & options)
   {
@@ -39,37 +37,36 @@ public:
   nlohmann::json
   DescribeMeasure() const
   {
-    const bool hasScan = this->HasScan();
-    if (!this->GetSubvoxelThickness() || !(hasScan || m_MeasuresCrossings))
+    const auto found = this->GetScan();
+    if (!this->GetSubvoxelThickness() || !(found.scan || m_MeasuresCrossings))
     {
-      return { { "on", "object" }, { "scan", nullptr }, { "reason", this->GetReasonWithoutScan() } };
+      return { { "on", "object" }, { "scan", nullptr }, { "reason", found.reason } };
     }
     nlohmann::json scan;
-    if (hasScan)
+    if (found.scan)
     {
-      scan = { { "background", this->GetBackgroundLevel() },
-               { "material", this->GetMaterialLevel() },
-               { "blur", this->GetBlur() },
-               { "noise", this->GetNoise() } };
+      scan = { { "background", found.scan->background },
+               { "material", found.scan->material },
+               { "blur", found.scan->blur },
+               { "noise", found.scan->noise } };
     }
-    return { { "on", hasScan ? "fits" : "crossings" }, { "scan", scan }, { "reason", this->GetReasonWithoutScan() } };
+    return { { "on", found.scan ? "fits" : "crossings" }, { "scan", scan }, { "reason", found.reason } };
   }
 
 protected:
   itk::MedialVoxelEngineTask
   GetTask(const itk::MedialVoxelGrid & grid) const override
   {
-    auto task = Superclass::GetTask(grid);
-    if (!this->GetSubvoxelThickness() || this->HasScan())
+    auto       task = Superclass::GetTask(grid);
+    const auto found = this->GetScan();
+    if (!this->GetSubvoxelThickness() || found.scan)
     {
       return task;
     }
     // Tasks are asked for before the scan is known, too: then there is no reason yet.
-    if (this->GetGenerateUncertainty() && !this->GetReasonWithoutScan().empty())
+    if (this->GetGenerateUncertainty() && !found.reason.empty())
     {
-      Fail(ExitStatus::Refused,
-           "array: the uncertainty of the thickness cannot be stated, as ",
-           this->GetReasonWithoutScan());
+      Fail(ExitStatus::Refused, "array: the uncertainty of the thickness cannot be stated, as ", found.reason);
     }
     if (!m_MeasuresCrossings)
     {
@@ -81,12 +78,6 @@ protected:
 private:
   ProgramFilter() = default;
   ~ProgramFilter() override = default;
-
-  bool
-  HasScan() const
-  {
-    return this->GetBlur() > 0.0;
-  }
 
   bool m_MeasuresCrossings{ false };
 };
@@ -132,47 +123,43 @@ DescribeObjects(const TFilter & filter)
   return objects;
 }
 
+/** What one object and many have. */
 template <typename TFilter>
-void
-SetObjects(TFilter & filter, const LabelSelection & labels)
+nlohmann::json
+Run(TFilter & filter, const ArrayCall & call)
 {
-  if (!labels.names.empty())
+  const MedialVoxelOutputs & outputs = call.outputs;
+  filter.SetGenerateThickness(outputs.thickness != nullptr);
+  UseMemory(*filter.GetOutput(), outputs.labels, call.array);
+  if (outputs.thickness != nullptr)
   {
-    Fail(ExitStatus::Usage, "array: the label '", labels.names.front(), "' is a name, which an array has none of");
+    UseMemory(*filter.GetThicknessOutput(), outputs.thickness, call.array);
   }
-  filter.SetSeparateObjects(true);
-  if (!labels.all)
+  RunFilter(filter, call.control);
+  KeepPixels(*filter.GetOutput(), outputs.labels);
+  if (outputs.thickness != nullptr)
   {
-    filter.SetObjectLabels(labels.values);
+    KeepPixels(*filter.GetThicknessOutput(), outputs.thickness);
   }
+  return { { "counts", DescribeCounts(filter.GetCounts()) },
+           { "smoothed", filter.GetObjectIsSmoothed() },
+           { "roughness", filter.GetRoughness() } };
 }
 
 template <typename TPixel>
 nlohmann::json
-Extract(const ArrayCall & call, const ExtractOptions & options)
+ExtractOne(const ArrayCall & call, const ExtractOptions & options)
 {
-  using FilterType = ProgramFilter<ArrayImage<TPixel>>;
   const MedialVoxelOutputs & outputs = call.outputs;
-  auto                       filter = FilterType::New();
+  auto                       filter = ProgramFilter<ArrayImage<TPixel>>::New();
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   SetWalls(*filter, options);
-  CheckFits(call, options);
   filter->SetMeasure(call, options);
-  if (options.labels)
-  {
-    SetObjects(*filter, *options.labels);
-  }
-  filter->SetGenerateThickness(outputs.thickness != nullptr);
   filter->SetGenerateUncertainty(outputs.uncertainty != nullptr);
   filter->SetGenerateVectorDistance(outputs.vectors != nullptr);
   filter->SetVectorDistanceBoundary(options.vectorBoundary);
   auto * const vectors = reinterpret_cast<itk::Vector<float, 3> *>(outputs.vectors);
-  UseMemory(*filter->GetOutput(), outputs.labels, call.array);
-  if (outputs.thickness != nullptr)
-  {
-    UseMemory(*filter->GetThicknessOutput(), outputs.thickness, call.array);
-  }
   if (outputs.uncertainty != nullptr)
   {
     UseMemory(*filter->GetUncertaintyOutput(), outputs.uncertainty, call.array);
@@ -181,16 +168,7 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
   {
     UseMemory(*filter->GetVectorDistanceOutput(), vectors, call.array);
   }
-  if (options.labels)
-  {
-    UseMemory(*filter->GetObjectOutput(), static_cast<TPixel *>(outputs.objects), call.array);
-  }
-  RunFilter(*filter, call.control);
-  KeepPixels(*filter->GetOutput(), outputs.labels);
-  if (outputs.thickness != nullptr)
-  {
-    KeepPixels(*filter->GetThicknessOutput(), outputs.thickness);
-  }
+  nlohmann::json numbers = Run(*filter, call);
   if (outputs.uncertainty != nullptr)
   {
     KeepPixels(*filter->GetUncertaintyOutput(), outputs.uncertainty);
@@ -200,19 +178,36 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
     KeepPixels(*filter->GetVectorDistanceOutput(), vectors);
     ReverseVectors(outputs.vectors, call.array);
   }
-  if (options.labels)
+  numbers["measure"] = filter->DescribeMeasure();
+  return numbers;
+}
+
+template <typename TPixel>
+nlohmann::json
+ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
+{
+  auto filter = itk::MedialVoxelObjectsImageFilter<ArrayImage<TPixel>>::New();
+  filter->SetInput(MakeImage<TPixel>(call.array));
+  SetJobOptions(*filter, options);
+  SetWalls(*filter, options);
+  if (!options.labels->names.empty())
   {
-    KeepPixels(*filter->GetObjectOutput(), static_cast<TPixel *>(outputs.objects));
+    Fail(ExitStatus::Usage,
+         "array: the label '",
+         options.labels->names.front(),
+         "' is a name, which an array has none of");
   }
-  nlohmann::json numbers{ { "counts", DescribeCounts(filter->GetSums().counts) },
-                          { "measure", filter->DescribeMeasure() },
-                          { "smoothed", filter->GetObjectIsSmoothed() },
-                          { "roughness", filter->GetRoughness() } };
-  if (options.labels)
+  if (!options.labels->all)
   {
-    numbers["objects"] = DescribeObjects(*filter);
-    numbers["shared_cells"] = filter->GetNumberOfSharedCells();
+    filter->SetObjectLabels(options.labels->values);
   }
+  filter->SetGenerateVectorDistance(call.outputs.vectors != nullptr);
+  UseMemory(*filter->GetObjectOutput(), static_cast<TPixel *>(call.outputs.objects), call.array);
+  nlohmann::json numbers = Run(*filter, call);
+  KeepPixels(*filter->GetObjectOutput(), static_cast<TPixel *>(call.outputs.objects));
+  numbers["measure"] = { { "on", "object" }, { "scan", nullptr }, { "reason", "" } };
+  numbers["objects"] = DescribeObjects(*filter);
+  numbers["shared_cells"] = filter->GetNumberOfSharedCells();
   return numbers;
 }
 
@@ -221,7 +216,10 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
 nlohmann::json
 ExtractArray(const ArrayCall & call, const ExtractOptions & options)
 {
-  return DispatchPixelType(call.header.pixelType, [&](auto zero) { return Extract<decltype(zero)>(call, options); });
+  CheckFits(call, options);
+  return DispatchPixelType(call.header.pixelType, [&](auto zero) {
+    return options.labels ? ExtractObjects<decltype(zero)>(call, options) : ExtractOne<decltype(zero)>(call, options);
+  });
 }
 
 } // end namespace medialvoxel

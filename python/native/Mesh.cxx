@@ -136,9 +136,14 @@ MakeMesh(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mes
   CopyMesh(*filter->GetOutput(), mesh);
   if (!isOfVoxels)
   {
-    ArrayVolume volume(call, options, filter->GetObjectIsSmoothed());
-    const auto  range = filter->GetSubvoxelThickness() ? std::optional(filter->GetGrayRange()) : std::nullopt;
-    RimRays     rays(volume, call.header.geometry, range);
+    ArrayVolume                                          volume(call, options, filter->GetObjectIsSmoothed());
+    std::optional<itk::MedialVoxelExtraction::GrayRange> range;
+    if (filter->GetSubvoxelThickness())
+    {
+      range = itk::MedialVoxelExtraction::GrayRange::Of(
+        filter->GetLowerThreshold(), filter->GetUpperThreshold(), filter->GetScan());
+    }
+    RimRays rays(volume, call.header.geometry, range);
     Remesh(call, options, *filter->GetOutput(), [&rays](const auto & bundle) { return rays.Measure(bundle); }, mesh);
   }
   return nlohmann::json::object();
