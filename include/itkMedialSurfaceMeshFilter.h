@@ -48,8 +48,8 @@ namespace itk
  *
  * \par Units and gray values
  * Points of the mesh and thicknesses of walls are physical in any case; UseImageSpacing says so of Thickness and of the
- * nearest boundary points. SubvoxelThickness moves the boundary points to where values cross the threshold, or halfway
- * between the two values of a mask, see MedialVoxelGrayBoundary, for the points of the mesh and for the thickness.
+ * nearest boundary points. SubvoxelThickness moves the boundary points to where values cross the threshold, see
+ * MedialVoxelGrayBoundary, for the points of the mesh and for the thickness.
  *
  * \par Memory
  * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled part by part.

@@ -9,7 +9,6 @@
 
 #include "MedialVoxelExport.h"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -34,25 +33,6 @@ struct MedialVoxel_EXPORT MedialVoxelExtraction
     double                         lower;
     double                         upper;
     std::optional<MedialVoxelScan> scan{};
-
-    /** The range of thresholds, one of which a mask moves. */
-    static GrayRange
-    Of(const double lower, const double upper, const MedialVoxelScanResult & found)
-    {
-      GrayRange range{ lower, upper, found.scan };
-      if (found.middle)
-      {
-        range.MoveThreshold(*found.middle);
-      }
-      return range;
-    }
-
-    /** Puts the end that is finite somewhere else. */
-    void
-    MoveThreshold(const double value)
-    {
-      (std::isfinite(lower) ? lower : upper) = value;
-    }
   };
 
   MedialVoxelParameters parameters;

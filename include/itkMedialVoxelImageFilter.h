@@ -45,7 +45,7 @@ namespace itk
  * GenerateThicknessOn() adds the output GetThicknessOutput(): at medial cells the thickness of the wall, at rims the
  * negative of the measured value, zero elsewhere. Its geometry is that of the labels. MedialVoxelThickness describes
  * the measurement: walls parallel to an axis are exact, others to a layer of voxels. SubvoxelThicknessOn() measures on
- * the gray values at the thresholds, see MedialVoxelGrayThickness.
+ * the gray values of a scan, see MedialVoxelGrayThickness; masks and label maps are measured on the object.
  *
  * \par Departures from the paper
  * doc/explanation/method.md gives the reasons.
@@ -136,7 +136,7 @@ public:
   itkBooleanMacro(GenerateThickness);
 
   /** What the last update with SubvoxelThickness fitted walls with, or the reason why it fitted none. Members in
-   * Python: background, material, blur in voxels, noise of a value, all 0 without fits; reason. */
+   * Python: background, material, blur in voxels, noise of a value, all 0 without fits; reason; isMask. */
   MedialVoxelScanResult
   GetScan() const
   {

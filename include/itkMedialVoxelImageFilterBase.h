@@ -153,10 +153,15 @@ protected:
     return m_Scan;
   }
 
-  MedialVoxelExtraction::GrayRange
+  /** Gray values to measure walls on; none where walls are measured on the object. */
+  std::optional<MedialVoxelExtraction::GrayRange>
   GetGrayRange() const
   {
-    return MedialVoxelExtraction::GrayRange::Of(this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan);
+    if (m_Scan.isMask)
+    {
+      return std::nullopt;
+    }
+    return MedialVoxelExtraction::GrayRange{ this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan.scan };
   }
 
   /** The objects of the input, of which those that it shows are object; null, the default: values define one object. */

@@ -40,8 +40,8 @@ struct MedialVoxelScan
 struct MedialVoxelScanResult
 {
   std::optional<MedialVoxelScan> scan{};
-  std::string                    reason{}; ///< empty with a scan
-  std::optional<double>          middle{}; ///< of the two values of a mask
+  std::string                    reason{};        ///< empty with a scan
+  bool                           isMask{ false }; ///< or a label map, whose walls are measured on the object
 };
 
 } // end namespace itk

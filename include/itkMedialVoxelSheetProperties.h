@@ -138,8 +138,8 @@ public:
 
   /** Measure walls on the values of the image; one of the thresholds must be set. Default off. Where the image has
    * walls of 5 voxels, blurred walls are fitted to the values, which reads samples of the input once more; otherwise,
-   * and with both thresholds, walls reach to where values cross the thresholds, or the middle of the two values of a
-   * mask. The window keeps 4 bytes a voxel more, in single precision. See MedialVoxelGrayThickness. */
+   * and with both thresholds, walls reach to where values cross the thresholds. A mask or label map is measured on the
+   * object. The window keeps 4 bytes a voxel more, in single precision. See MedialVoxelGrayThickness. */
   itkSetMacro(SubvoxelThickness, bool);
   itkGetConstMacro(SubvoxelThickness, bool);
   itkBooleanMacro(SubvoxelThickness);

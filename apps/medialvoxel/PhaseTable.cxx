@@ -110,18 +110,20 @@ AddThickness(TextTable & table, const ExtractOptions & options, const JobResult 
                        "mean " + FormatShort(thickness.mean) + ", median " + FormatShort(thickness.GetMedian()) +
                          ", 5 to 95 %: " + FormatShort(thickness.percentiles[1]) + " to " +
                          FormatShort(thickness.percentiles[5]) + ", in " +
-                         DescribeUnit(options, result.input.geometry) +
-                         (thickness.step > 1 ? ", of one cell in " + std::to_string(thickness.step) : ""));
+                         DescribeUnit(options, result.input.geometry));
+    if (thickness.standardError)
+    {
+      table.emplace_back("  sample",
+                         "one medial cell in " + std::to_string(thickness.step) + ", standard error of the mean " +
+                           FormatShort(*thickness.standardError));
+    }
     const std::uint64_t all = thickness.rimCells + thickness.unresolvedCells + thickness.cells;
     table.emplace_back("  at rims, junctions", FormatCount(thickness.rimCells, all));
     if (thickness.unresolvedCells > 0)
     {
       table.emplace_back("  not resolved", FormatCount(thickness.unresolvedCells, all));
     }
-    if (result.measure)
-    {
-      table.emplace_back("  measured", Describe(*result.measure));
-    }
+    table.emplace_back("  measured", Describe(result.measure.value()));
     if (thickness.uncertainCells > 0)
     {
       table.emplace_back("  uncertainty (95 %)",
@@ -268,10 +270,7 @@ PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobR
   }
   table.emplace_back("wall thickness", describe(part.thickness));
   table.emplace_back("  of", options.localThicknessMethod == LocalThicknessMethod::Wall ? "walls" : "largest balls");
-  if (result.measure)
-  {
-    table.emplace_back("  measured", Describe(*result.measure));
-  }
+  table.emplace_back("  measured", Describe(result.measure.value()));
   table.emplace_back("  not known", FormatCount(part.thickness.unknownVertices, part.vertices) + " of the vertices");
   if (part.rays)
   {

@@ -320,7 +320,7 @@ def local_thickness(
     upper: Number | None = None,
     *,
     method: Literal["wall", "sphere"] = "wall",
-    sub_voxel: bool = False,
+    sub_voxel: bool | None = None,
     maximum: Number | None = None,
     label: int | None = None,
     voxel_units: bool = False,
@@ -333,7 +333,7 @@ def local_thickness(
 
     method: "wall" leaves edges and corners that no wall covers NaN. "sphere" is the diameter of the largest ball inside
         the object that covers a voxel, as Hildebrand and Ruegsegger (1997) define it, for comparison with other programs.
-    sub_voxel: measure walls on gray values, which needs `lower` or `upper`; otherwise on the object. Not with "sphere".
+    sub_voxel: as in extract(). Not with "sphere".
     maximum: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
         default 32 voxels of the largest spacing. Time and memory grow with it.
 
@@ -352,13 +352,14 @@ def local_thickness(
     options = {
         "method": method,
         "maximum": maximum,
+        "sub_voxel": sub_voxel,
         "lower": lower,
         "upper": upper,
         "label": label,
         "threads": threads,
         "memory": memory,
     }
-    flags = make_flags({"voxel_units": voxel_units, "sub_voxel": sub_voxel})
+    flags = make_flags({"voxel_units": voxel_units})
     numbers, _ = call.run(["local-thickness", "array", "thickness.mha", *make_options(options), *flags], outputs, progress)
     return LocalThickness(outputs["thickness"], numbers["counts"], numbers["lower"])
 

@@ -39,7 +39,7 @@ struct LocalThicknessOptions : JobOptions
 {
   std::optional<double> maximum; ///< diameter at which balls are cut
   LocalThicknessMethod  method{ LocalThicknessMethod::Wall };
-  bool                  subVoxel{ false }; ///< walls on gray values
+  std::optional<bool>   subVoxel; ///< walls on gray values; unset: where there is one threshold
 };
 
 /** Each returns numbers of the run.

@@ -5,15 +5,12 @@
 
 #include "itkMedialVoxelObjectsImageFilter.h"
 
-#include <variant>
-
 namespace medialvoxel
 {
 namespace
 {
 
-/** Measures walls as the program does: without being asked, on gray values alone where it can fit
- * them. */
+/** States an uncertainty only where it can. */
 template <typename TImage>
 class ProgramFilter final : public itk::MedialVoxelImageFilter<TImage>
 {
@@ -26,22 +23,11 @@ public:
 
   itkNewMacro(Self);
 
-  void
-  SetMeasure(const ArrayCall & call, const ExtractOptions & options)
-  {
-    m_MeasuresCrossings = options.subVoxel.value_or(false);
-    SetGrayMeasure(*this, call, options);
-  }
-
   /** As the report of the program has it. */
   nlohmann::json
   DescribeMeasure() const
   {
-    const auto found = this->GetScan();
-    if (!this->GetSubvoxelThickness() || !(found.scan || m_MeasuresCrossings))
-    {
-      return { { "on", "object" }, { "scan", nullptr }, { "reason", found.reason } };
-    }
+    const auto     found = this->GetScan();
     nlohmann::json scan;
     if (found.scan)
     {
@@ -50,36 +36,27 @@ public:
                { "blur", found.scan->blur },
                { "noise", found.scan->noise } };
     }
-    return { { "on", found.scan ? "fits" : "crossings" }, { "scan", scan }, { "reason", found.reason } };
+    const bool         isGray = this->GetSubvoxelThickness() && !found.isMask;
+    const char * const on = found.scan ? "fits" : (isGray ? "crossings" : "object");
+    return { { "on", on }, { "scan", scan }, { "reason", found.reason } };
   }
 
 protected:
   itk::MedialVoxelEngineTask
   GetTask(const itk::MedialVoxelGrid & grid) const override
   {
-    auto       task = Superclass::GetTask(grid);
-    const auto found = this->GetScan();
-    if (!this->GetSubvoxelThickness() || found.scan)
-    {
-      return task;
-    }
     // Tasks are asked for before the scan is known, too: then there is no reason yet.
-    if (this->GetGenerateUncertainty() && !found.reason.empty())
+    const auto found = this->GetScan();
+    if (this->GetGenerateUncertainty() && !found.scan && !found.reason.empty())
     {
       Fail(ExitStatus::Refused, "array: the uncertainty of the thickness cannot be stated, as ", found.reason);
     }
-    if (!m_MeasuresCrossings)
-    {
-      std::get<itk::MedialVoxelExtraction>(task).grayRange.reset();
-    }
-    return task;
+    return Superclass::GetTask(grid);
   }
 
 private:
   ProgramFilter() = default;
   ~ProgramFilter() override = default;
-
-  bool m_MeasuresCrossings{ false };
 };
 
 /** \throw JobError when fits are asked for and there is no threshold for them */
@@ -155,7 +132,9 @@ ExtractOne(const ArrayCall & call, const ExtractOptions & options)
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   SetWalls(*filter, options);
-  filter->SetMeasure(call, options);
+  const bool measures = outputs.thickness != nullptr || outputs.uncertainty != nullptr;
+  SetGrayMeasure(*filter, call, options, measures && MayMeasureOnGrayValues(options, call.header));
+  SetLevels(*filter, options);
   filter->SetGenerateUncertainty(outputs.uncertainty != nullptr);
   filter->SetGenerateVectorDistance(outputs.vectors != nullptr);
   filter->SetVectorDistanceBoundary(options.vectorBoundary);

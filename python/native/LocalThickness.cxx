@@ -17,7 +17,8 @@ Measure(const ArrayCall & call, const LocalThicknessOptions & options)
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   filter->SetMethod(options.method);
-  filter->SetSubvoxelThickness(options.subVoxel);
+  const bool mayMeasure = options.method == LocalThicknessMethod::Wall && HasOneThreshold(options, call.header);
+  SetGrayMeasure(*filter, call, options, options.subVoxel.value_or(mayMeasure));
   if (options.maximum)
   {
     filter->SetMaximumThickness(*options.maximum);

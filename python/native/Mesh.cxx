@@ -124,7 +124,8 @@ MakeMesh(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mes
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   SetWalls(*filter, options);
-  SetGrayMeasure(*filter, call, options);
+  SetGrayMeasure(*filter, call, options, MayMeasureOnGrayValues(options, call.header));
+  SetLevels(*filter, options);
   // Elements are joined from quadrilaterals, whether they become triangles or not.
   const bool isOfVoxels = options.elementSize.kind == ElementSize::Kind::Voxel;
   const bool hasTriangles = options.meshTriangles && isOfVoxels;
@@ -137,11 +138,11 @@ MakeMesh(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mes
   if (!isOfVoxels)
   {
     ArrayVolume                                          volume(call, options, filter->GetObjectIsSmoothed());
+    const auto                                           found = filter->GetScan();
     std::optional<itk::MedialVoxelExtraction::GrayRange> range;
-    if (filter->GetSubvoxelThickness())
+    if (filter->GetSubvoxelThickness() && !found.isMask)
     {
-      range = itk::MedialVoxelExtraction::GrayRange::Of(
-        filter->GetLowerThreshold(), filter->GetUpperThreshold(), filter->GetScan());
+      range = { filter->GetLowerThreshold(), filter->GetUpperThreshold(), found.scan };
     }
     RimRays rays(volume, call.header.geometry, range);
     Remesh(call, options, *filter->GetOutput(), [&rays](const auto & bundle) { return rays.Measure(bundle); }, mesh);

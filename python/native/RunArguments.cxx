@@ -120,7 +120,9 @@ DefineLocalThickness(CommandLine & line, LocalThicknessOptions & options)
                     "KIND",
                     options.method,
                     { { GetName(Method::Wall), Method::Wall }, { GetName(Method::Sphere), Method::Sphere } });
-  AddFlag(*line.distance, "--sub-voxel", "Measure walls on gray values", options.subVoxel);
+  AddFlag(*line.distance, "--sub-voxel", "Measure walls on gray values; =off: on the object", [&options](bool value) {
+    options.subVoxel = value;
+  });
 }
 
 template <typename TOptions, typename TRun>

@@ -139,6 +139,7 @@ MeasureVolume(ExtractOptions & options, const JobResult & job, const ProgressSin
   const bool measuresGray = MayMeasureOnGrayValues(options, job.input);
   if (GetSmoothing(options) != Smoothing::Automatic && !measuresGray)
   {
+    options.measure = WallMeasure{ false, std::nullopt, DescribeMeasureOnObject(options, job.input) };
     return;
   }
   const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
@@ -146,10 +147,7 @@ MeasureVolume(ExtractOptions & options, const JobResult & job, const ProgressSin
     OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep, GetSmoothing(options));
   input->Prepare(observer);
   options.roughness = input->GetRoughness();
-  if (measuresGray)
-  {
-    options.measure = FindWallMeasure(*input, job.input, options, observer);
-  }
+  options.measure = FindWallMeasure(*input, job.input, options, observer);
 }
 
 void

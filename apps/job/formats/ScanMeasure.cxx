@@ -23,8 +23,12 @@ FindWallMeasure(InputVolume &          input,
                 const ExtractOptions & options,
                 const ReadObserver &   observer)
 {
+  if (!MayMeasureOnGrayValues(options, header))
+  {
+    return { false, std::nullopt, DescribeMeasureOnObject(options, header) };
+  }
   const auto  range = GetGrayRange(options, header);
-  WallMeasure measure{ options.subVoxel.value_or(HasMeshForSolvers(options)), std::nullopt, {} };
+  WallMeasure measure{ true, std::nullopt, {} };
   if (std::isfinite(range.lower) && std::isfinite(range.upper))
   {
     measure.reason = "between two thresholds";
@@ -51,8 +55,7 @@ FindWallMeasure(InputVolume &          input,
   }
   measure.scan = result.scan;
   measure.reason = result.reason;
-  measure.middle = result.middle;
-  measure.usesGrayValues = measure.usesGrayValues || measure.scan;
+  measure.usesGrayValues = !result.isMask;
   return measure;
 }
 
@@ -65,10 +68,6 @@ GetGrayRange(const WallMeasure & measure, const JobOptions & options, const Volu
   }
   auto range = GetGrayRange(options, header);
   range.scan = measure.scan;
-  if (measure.middle)
-  {
-    range.MoveThreshold(*measure.middle);
-  }
   return range;
 }
 

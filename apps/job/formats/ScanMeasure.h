@@ -8,8 +8,8 @@
 namespace medialvoxel
 {
 
-/** Finds out from a prepared volume how its walls are measured on gray values. Where that is not asked for and walls
- * cannot be fitted, they are measured on the object.
+/** Finds out from a prepared volume how all walls of a run are measured: on gray values where a threshold cuts them, by
+ * fits where walls can be fitted, else where the values cross the threshold; masks and label maps on the object.
  * \throw JobError Refused when an uncertainty is wanted but cannot be stated; what the observer throws, and
  * InputVolume::Fill() */
 WallMeasure

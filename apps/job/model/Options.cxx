@@ -127,29 +127,24 @@ GetThicknessOptions(const SurfaceOptions & options)
 }
 
 bool
-IsPlacedByGrayValues(const SurfaceOptions & options, const VolumeHeader & header)
-{
-  return options.subVoxel.value_or(HasOneThreshold(options, header) && header.CanStream());
-}
-
-bool
-PaintsWalls(const ExtractOptions & options)
-{
-  return !options.localThicknessFile.empty() && options.localThicknessMethod == LocalThicknessMethod::Wall;
-}
-
-bool
-HasMeshForSolvers(const ExtractOptions & options)
-{
-  return !options.meshFile.empty() && options.elementSize.kind != ElementSize::Kind::Voxel;
-}
-
-bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const bool isWanted = !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels ||
-                        ListsPlaces(options) || PaintsWalls(options) || HasMeshForSolvers(options);
-  return options.subVoxel.value_or(isWanted && HasOneThreshold(options, header) && header.CanStream());
+  return options.subVoxel.value_or(HasOneThreshold(options, header)) && header.CanStream();
+}
+
+std::string
+DescribeMeasureOnObject(const ExtractOptions & options, const VolumeHeader & header)
+{
+  if (options.labels || options.label)
+  {
+    return "objects are labels";
+  }
+  if (!options.subVoxel.value_or(true))
+  {
+    return "gray values are switched off";
+  }
+  return CutsOff(options.upperThreshold, header.pixelType, false) ? "the object is between two thresholds"
+                                                                  : "no threshold cuts the values";
 }
 
 itk::MedialVoxelExtraction::GrayRange

@@ -124,7 +124,7 @@ struct ExtractOptions : JobOptions
   std::optional<Smoothing>                 smoothing; ///< unset: automatic with the automatic thickness, otherwise off
   std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it is known before
 
-  /** Measure on gray values, which needs a threshold; unset: for maps of the thickness, where the values allow it. */
+  /** Measure on gray values, which needs a threshold; unset: where one threshold cuts the values. */
   std::optional<bool> subVoxel;
 
   std::optional<itk::MedialVoxelScanLevels> levels;  ///< values of both materials; unset: those of the scan
@@ -186,10 +186,6 @@ struct SurfaceOptions : JobOptions
 ExtractOptions
 GetThicknessOptions(const SurfaceOptions & options);
 
-/** Whether the surface is placed by gray values. */
-bool
-IsPlacedByGrayValues(const SurfaceOptions & options, const VolumeHeader & header);
-
 /** \throw JobError Usage when a value is out of its range or options contradict each other. */
 void
 CheckOptions(const ExtractOptions & options);
@@ -214,17 +210,13 @@ GetReportFile(const JobOptions & options);
 itk::MedialVoxelGrid
 GetGrid(const JobOptions & options, const VolumeHeader & header);
 
-/** Whether the local thickness is asked for, and is that of walls. */
-bool
-PaintsWalls(const ExtractOptions & options);
-
-/** Whether elements are as long as walls are thick, or of a given length, as solvers want them. */
-bool
-HasMeshForSolvers(const ExtractOptions & options);
-
-/** Whether walls may be measured on gray values; the values themselves decide where that is not asked for. */
+/** Whether walls may be measured on gray values, unless these are a mask or a label map. */
 bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header);
+
+/** Why the options have walls measured on the object. */
+std::string
+DescribeMeasureOnObject(const ExtractOptions & options, const VolumeHeader & header);
 
 /** Whether values are cut off at one end alone; a threshold that no value of the type reaches does not count. */
 bool

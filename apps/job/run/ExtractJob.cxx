@@ -30,7 +30,6 @@
 #include "Warnings.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -318,27 +317,14 @@ private:
   ExtractRun                      m_Run; // ends before what it writes to and who observes it
 };
 
-/** Where the thickness is for the table alone, a sample of the cells keeps it nearly free. */
-constexpr std::uint64_t FullyMeasuredVoxelsOfTable = std::uint64_t{ 1 } << 16;
-
 } // namespace
 
 FindingSettings
 GetFindingSettings(const ExtractOptions & options)
 {
-  FindingSettings  findings;
-  SurveySettings & settings = findings.survey;
-  settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
+  FindingSettings findings;
+  findings.survey.picture = !options.previewFile.empty() || !options.htmlFile.empty();
   findings.sheet = !options.htmlFile.empty() && HasPageViewer();
-  const bool showsAll = !options.thicknessFile.empty() || !options.thicknessCsvFile.empty() || ListsPlaces(options);
-  if (showsAll)
-  {
-    settings.fullyMeasuredVoxels = std::numeric_limits<std::uint64_t>::max();
-  }
-  else if (!settings.picture && options.reportFile.empty())
-  {
-    settings.fullyMeasuredVoxels = FullyMeasuredVoxelsOfTable;
-  }
   for (const auto & [kind, limits] :
        { std::pair(PlaceKind::Thin, options.thinBelow), std::pair(PlaceKind::Thick, options.thickAbove) })
   {

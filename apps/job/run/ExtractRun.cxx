@@ -163,10 +163,7 @@ ExtractRun::Prepare()
     m_Engine->AddObserver(*sheet);
   }
   m_Loop.Prepare(*m_Input);
-  if (MayMeasureOnGrayValues(m_Options, m_Header))
-  {
-    this->ChooseMeasure();
-  }
+  this->ChooseMeasure();
   if (m_Objects)
   {
     m_Loop.SetRunsPerPiece(m_Objects->GetNumberOfPasses());

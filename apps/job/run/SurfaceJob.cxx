@@ -79,22 +79,6 @@ GetFootprint(const SurfaceOptions & options, const VolumeHeader & header)
   return footprint;
 }
 
-/** Finds out how walls are measured, where they may be on gray values. */
-void
-ChooseMeasure(const SurfaceOptions & options,
-              InputVolume &          input,
-              PieceLoop &            loop,
-              PieceEngine &          engine,
-              JobResult &            result)
-{
-  const ExtractOptions thickness = GetThicknessOptions(options);
-  if (PaintsWalls(thickness) && MayMeasureOnGrayValues(thickness, result.input))
-  {
-    result.measure = FindWallMeasure(input, result.input, thickness, [&loop](double) { loop.ThrowIfStopRequested(); });
-    engine.SetGrayRange(GetGrayRange(*result.measure, options, result.input));
-  }
-}
-
 void
 Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
@@ -109,7 +93,17 @@ Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, J
   engine->AddVolume(GetMapRequest(options, result.input), surface.GetMap());
   WriteBehind writer(false); // the surface reads the input, as the engine does
   loop.Prepare(*input);
-  ChooseMeasure(options, *input, loop, *engine, result);
+  result.measure = FindWallMeasure(
+    *input, result.input, GetThicknessOptions(options), [&loop](double) { loop.ThrowIfStopRequested(); });
+  engine->SetGrayRange(GetGrayRange(*result.measure, options, result.input));
+  if (result.measure->usesGrayValues)
+  {
+    surface.UseGrayValues();
+  }
+  if (options.localThicknessMethod == LocalThicknessMethod::Sphere)
+  {
+    result.measure = WallMeasure{ false, std::nullopt, "largest balls are those of its voxels" };
+  }
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
     result.sums += loop.Run(*engine, result.plan.GetPiece(piece), result.plan.GetNextPiece(piece), writer);
