@@ -8,10 +8,8 @@
 
 #include "MedialVoxelTestRuns.h"
 
-#include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkStreamingImageFilter.h"
 
-#include <atomic>
 #include <sstream>
 
 template class itk::MedialVoxelImageFilter<itk::Image<unsigned char, 2>>;
@@ -44,42 +42,6 @@ ExpectErrorNaming(TAction && action, const std::string & word)
   {
     EXPECT_NE(std::string(error.GetDescription()).find(word), std::string::npos) << error.GetDescription();
   }
-}
-
-/** Counts the threads that run the phases, and lets a test run those of one region. */
-class EnteredFilter : public MedialFilter<3>
-{
-public:
-  ITK_DISALLOW_COPY_AND_MOVE(EnteredFilter);
-
-  using Self = EnteredFilter;
-  using Superclass = MedialFilter<3>;
-  using Pointer = itk::SmartPointer<Self>;
-  itkNewMacro(Self);
-
-  using Superclass::AllocateOutputs;
-
-  void
-  DynamicThreadedGenerateData(const OutputImageRegionType & region) override
-  {
-    ++m_NumberOfCalls;
-    Superclass::DynamicThreadedGenerateData(region);
-  }
-
-  std::atomic<int> m_NumberOfCalls{ 0 };
-
-protected:
-  EnteredFilter() = default;
-};
-
-itk::SmartPointer<EnteredFilter>
-MakeEnteredFilter()
-{
-  auto filter = EnteredFilter::New();
-  filter->SetInput(MakeImage<MaskImage<3>>(SmallPart()));
-  filter->SetNumberOfWorkUnits(3);
-  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 6);
-  return filter;
 }
 } // namespace
 
@@ -250,37 +212,6 @@ TEST(MedialVoxelImageFilter, TimesAreMeasured)
   const double threads = filter->GetNumberOfWorkUnits();
   EXPECT_LE(sums.threadSeconds, threads * sums.tileSeconds);
   EXPECT_GE(sums.threadSeconds, sums.distanceSeconds + sums.classificationSeconds);
-}
-
-TEST(MedialVoxelImageFilter, EachThreadOfAnUpdateIsInDynamicThreadedGenerateData)
-{
-  const auto filter = MakeEnteredFilter();
-  filter->GetMultiThreader()->SetMaximumNumberOfThreads(3);
-  filter->Update();
-  EXPECT_GE(filter->m_NumberOfCalls, 3);
-}
-
-TEST(MedialVoxelImageFilter, DynamicThreadedGenerateDataRunsThePhasesOfARegion)
-{
-  const auto whole = MakeEnteredFilter();
-  whole->Update();
-  const auto filter = MakeEnteredFilter();
-  filter->UpdateOutputInformation();
-  filter->GetOutput()->SetRequestedRegionToLargestPossibleRegion();
-  filter->AllocateOutputs();
-  filter->GetOutput()->FillBuffer(9);
-  auto region = filter->GetOutput()->GetLargestPossibleRegion();
-  region.SetIndex(2, 3);
-  region.SetSize(2, 5);
-  filter->DynamicThreadedGenerateData(region);
-  itk::ImageRegionConstIteratorWithIndex<MedialFilter<3>::OutputImageType> label(
-    filter->GetOutput(), filter->GetOutput()->GetLargestPossibleRegion());
-  for (; !label.IsAtEnd(); ++label)
-  {
-    const auto index = label.GetIndex();
-    ASSERT_EQ(label.Get(), region.IsInside(index) ? whole->GetOutput()->GetPixel(index) : 9) << index;
-  }
-  EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
 }
 
 TEST(MedialVoxelImageFilter, RefusesToRunWithoutInput)
