@@ -154,6 +154,10 @@ protected:
     return m_UpperThreshold;
   }
 
+  /** Properties alone are no filter. */
+  void
+  GenerateData() override = 0;
+
   /** Have the properties of another filter. */
   template <typename TOther>
   void
