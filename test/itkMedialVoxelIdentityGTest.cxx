@@ -104,7 +104,7 @@ RandomPieces(const itk::ImageRegion<3> & whole, int cuts, unsigned int seed)
 
 /** Copies what a filter produced for a region into whole-image arrays. */
 void
-CopyPiece(const MedialFilter<3> * filter, const Volume & volume, const itk::ImageRegion<3> & region, Outcome & to)
+CopyPiece(MedialFilter<3> * filter, const Volume & volume, const itk::ImageRegion<3> & region, Outcome & to)
 {
   itk::ImageRegionConstIterator<MaskImage<3>> label(filter->GetOutput(), region);
   itk::ImageRegionConstIterator<Vectors>      vector(filter->GetVectorDistanceOutput(), region);
