@@ -114,8 +114,8 @@ TEST(MedialVoxelImageFilter, PrintsItsParameters)
                              "FreeSpace",
                              "GenerateVectorDistance",
                              "VectorDistanceBoundary",
-                             "NumberOfObjectVoxels",
-                             "NumberOfCandidateCells" })
+                             "objectVoxels 0",
+                             "candidateCells 0" })
   {
     EXPECT_NE(text.str().find(word), std::string::npos) << word;
   }
