@@ -267,8 +267,11 @@ AddInput(CLI::App & app, JobOptions & options)
   AddText(app, "--level", "Of an image with several sizes; 0 (default): largest", "N", [&](const std::string & text) {
     options.level = static_cast<unsigned int>(ToCount(text, 0, LargestLevel));
   });
-  AddText(app, "--resample", "Resample to the spacing S; auto: to the smallest", "S", [&](const std::string & text) {
-    options.resample = ToLower(text) == AutomaticSpacing ? 0.0 : ToSpacing(text, " or auto");
+  AddText(app, "--resample", "Resample to the spacing S, auto (smallest) or off", "S", [&](const std::string & text) {
+    const std::string word = ToLower(text);
+    options.resample = word == AutomaticSpacing   ? 0.0
+                       : word == UnchangedSpacing ? KeepSpacing
+                                                  : ToSpacing(text, ", auto or off");
   });
 }
 

@@ -20,7 +20,8 @@ ListOptionDetails()
     { "",
       "--resample",
       "The input is brought to this spacing while it is read. Values between voxels are linear with a threshold; "
-      "without one, or with one value for both, the nearest voxel counts." },
+      "without one, or with one value for both, the nearest voxel counts. Default: auto for sheets and thickness where "
+      "the largest spacing is more than 4 times the smallest, otherwise off." },
     { "", "--thickness", "In units of the spacing; greater than 0. A number gives all cells the same threshold." },
     { "", "--minimum-thickness", "In units of the spacing. Needs the thickness auto." },
     { "", "--maximum-thickness", "In units of the spacing. Needs the thickness auto. Time and memory grow with it." },
@@ -86,9 +87,8 @@ ListOptionDetails()
     { "",
       "--sub-voxel",
       "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
-      "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map, "
-      "--local-thickness of walls, --thin-below and --thick-above of a gray scan with one threshold, and for "
-      "--element-size of a scan or mask with one threshold. A mask is measured halfway between its two values." },
+      "threshold. Masks and label maps are measured on the object. Labels stay the same. Default: on where one threshold "
+      "cuts the values." },
     { "", "--levels", "Default: those of the scan. Needs one threshold, which is between them; M is in the object." },
     { "", "--thickness-csv", "A line for each bin: thickness, cells, area of the sheet." },
     { "",
@@ -128,8 +128,8 @@ ListOptionDetails()
     { "surface",
       "--sub-voxel",
       "Vertices are where linear values cross the threshold, and walls are fitted to values where these allow it; "
-      "otherwise vertices are in the middle between voxels. Needs one threshold and an input that streams. Default: on "
-      "where it can be." },
+      "in masks and label maps, vertices are in the middle between voxels. Default: on where one threshold cuts the "
+      "values." },
     { "surface", "--open", "Otherwise it is closed half a voxel beyond the last voxels." },
     { "surface",
       "--ray",

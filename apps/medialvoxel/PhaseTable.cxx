@@ -25,6 +25,19 @@ FormatCount(std::uint64_t count, std::uint64_t all)
 }
 
 void
+AddResolution(TextTable & table, const VolumeHeader & input)
+{
+  const VolumeGeometry & stored = input.GetStored().geometry;
+  table.emplace_back("resolution", FormatSize(input.geometry.size));
+  if (input.stored)
+  {
+    table.emplace_back("  resampled",
+                       "from " + FormatSize(stored.size) + " at " + FormatNumbers(stored.spacing, " x ") + " to " +
+                         FormatNumbers(input.geometry.spacing, " x "));
+  }
+}
+
+void
 AddObject(TextTable & table, const JobOptions & options, const JobResult & result)
 {
   if (result.otsu)
@@ -192,7 +205,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   const itk::MedialVoxelCounts &    counts = result.sums.counts;
   const std::optional<PhasePercent> percent = GetPhasePercent(counts);
   TextTable                         table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options, result.input.geometry)));
   AddObject(table, options, result);
   AddLabelMap(table, result);
@@ -253,7 +266,7 @@ PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobR
                       : std::string("not known anywhere");
   };
   TextTable table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   AddObject(table, options, result);
   AddNotANumber(table, result.sums.counts);
   AddSmallComponents(table, result.sums.counts);
@@ -296,7 +309,7 @@ void
 PrintDistanceTable(std::ostream & out, const DistanceOptions & options, const JobResult & result)
 {
   TextTable table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   AddObject(table, options, result);
   AddNotANumber(table, result.sums.counts);
   const std::string threads =

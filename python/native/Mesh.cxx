@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ArrayVolume.h"
 #include "FilterRun.h"
-#include "FreeMemory.h"
+#include "ProcessMemory.h"
 #include "RimRays.h"
 #include "SurfacePlacement.h"
 #include "SurfaceReader.h"

@@ -5,12 +5,11 @@
 #include "JobClock.h"
 #include "JobCommands.h"
 #include "PipelineErrors.h"
+#include "ProcessIdentity.h"
 #include "SharedJob.h"
 #include "StopListener.h"
 
 #include <algorithm>
-#include <array>
-#include <unistd.h>
 
 namespace medialvoxel
 {
@@ -25,14 +24,6 @@ GetOptions(const Manifest & manifest, const WorkOptions & options)
   own.threads = options.threads ? options.threads : own.threads;
   own.divisions.reset(); // the pieces of a cluster are for the memory of this machine to decide
   return own;
-}
-
-std::string
-GetHostName()
-{
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
 }
 
 bool

@@ -76,7 +76,7 @@ CheckJobOptions(const JobOptions & options)
   {
     CheckSpacing("--spacing", spacing);
   }
-  if (options.resample && *options.resample != 0.0)
+  if (options.resample && *options.resample != 0.0 && *options.resample != KeepSpacing)
   {
     CheckSpacing("the resampled spacing", *options.resample);
   }

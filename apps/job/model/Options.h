@@ -47,6 +47,8 @@ struct LabelSelection
 std::optional<LabelSelection>
 ParseLabelSelection(const std::string & text);
 
+constexpr double KeepSpacing = -1.0;
+
 /** What every job on a volume is told. Empty file names mean: not wanted. */
 struct JobOptions
 {
@@ -54,9 +56,12 @@ struct JobOptions
   std::optional<RawDescription> raw;    ///< set for headerless files
   SliceChoice                   slices; ///< of an input that is a series of images
 
-  unsigned int          level{ 0 }; ///< of an input that is there in several sizes, 0 the largest
-  std::vector<double>   spacing;    ///< along each axis, in place of that of the input; empty: as the input has it
-  std::optional<double> resample; ///< spacing that the input is brought to; 0: the smallest of its own; unset: as it is
+  unsigned int        level{ 0 }; ///< of an input that is there in several sizes, 0 the largest
+  std::vector<double> spacing;    ///< along each axis, in place of that of the input; empty: as the input has it
+
+  /** Spacing that the input is brought to; 0: the smallest of its own; KeepSpacing: as it is; unset: the smallest where
+   * sheets need it. */
+  std::optional<double> resample;
 
   std::optional<itk::MedialVoxelLimit> lowerThreshold; ///< object: value >= lower; unset: no limit
   std::optional<itk::MedialVoxelLimit> upperThreshold; ///< object: value <= upper; neither set: object is value != 0
@@ -256,6 +261,9 @@ constexpr const char * VoxelElementSize = "voxel";
 
 /** What stands for the smallest spacing of the input where a spacing is resampled to. */
 constexpr const char * AutomaticSpacing = "auto";
+
+/** What keeps the spacing of the input. */
+constexpr const char * UnchangedSpacing = "off";
 
 /** What lengths are in, for a reader. */
 std::string

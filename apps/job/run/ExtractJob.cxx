@@ -359,7 +359,7 @@ JobResult
 DescribeExtract(const ExtractOptions & options)
 {
   JobResult result;
-  result.input = ReadInputHeader(options);
+  result.input = ReadSheetInputHeader(options);
   result.outputs = ListOutputs(options, result.input);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
@@ -374,7 +374,7 @@ Prepare(const ExtractOptions & options, const TGetFootprint & getFootprint)
 {
   CheckOptions(options);
   CheckFormats(options);
-  VolumeHeader header = ReadInputHeader(options);
+  VolumeHeader header = ReadSheetInputHeader(options);
   if (!options.meshFile.empty())
   {
     CheckSurfaceInput(header, options.meshFile, "medial surface");

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FinishJob.h"
 
-#include "PeakMemory.h"
+#include "ProcessMemory.h"
 #include "Warnings.h"
 
 #include <cstddef>

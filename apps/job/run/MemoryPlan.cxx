@@ -3,7 +3,7 @@
 #include "MemoryPlan.h"
 
 #include "BitStore.h"
-#include "FreeMemory.h"
+#include "ProcessMemory.h"
 #include "InputVolume.h"
 #include "Resampling.h"
 #include "Text.h"

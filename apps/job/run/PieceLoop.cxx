@@ -4,7 +4,7 @@
 
 #include "Errors.h"
 #include "JobClock.h"
-#include "PeakMemory.h"
+#include "ProcessMemory.h"
 #include "PlaceSurvey.h"
 #include "Signals.h"
 #include "Text.h"

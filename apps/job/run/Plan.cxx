@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Plan.h"
 
+#include "FileNames.h"
 #include "MemoryPlan.h"
 #include "ReadVolumeHeader.h"
+#include "SystemFile.h"
 #include "Text.h"
 #include "VolumeFormats.h"
 
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sys/stat.h>
 
 namespace medialvoxel
 {
@@ -22,12 +23,6 @@ std::uint64_t
 GetOutputBytes(const VolumeHeader & header, const OutputRequest & output)
 {
   return output.layout ? GetOutputBytes(output.fileName, header.geometry, *output.layout) : 0;
-}
-
-std::filesystem::path
-GetFolder(const std::filesystem::path & fileName)
-{
-  return fileName.has_parent_path() ? fileName.parent_path() : std::filesystem::path(".");
 }
 
 /** True for outputs whose space is taken from the disk before the start. */
@@ -48,23 +43,23 @@ RefuseLackOfSpace(const JobOptions &                 options,
   for (const OutputRequest & output : outputs)
   {
     const std::uint64_t bytes = IsReserved(options, output) ? GetOutputBytes(header, output) : 0;
-    files.push_back({ GetFolder(output.fileName), bytes });
+    files.push_back({ FolderOf(output.fileName), bytes });
   }
   if (scratch.bytes > 0 && !options.sparse)
   {
     files.push_back(scratch);
   }
-  std::map<dev_t, std::uint64_t> needed;
+  std::map<std::uint64_t, std::uint64_t> needed;
   for (const auto & [folder, bytes] : files)
   {
-    struct stat     status = {};
     std::error_code error;
     const auto      space = std::filesystem::space(folder, error);
-    if (error || stat(folder.c_str(), &status) != 0)
+    const auto      status = GetFileStatus(folder);
+    if (error || !status)
     {
       continue; // creating the file will tell
     }
-    std::uint64_t & sum = needed[status.st_dev];
+    std::uint64_t & sum = needed[status->disk];
     sum += bytes;
     if (sum > space.free)
     {

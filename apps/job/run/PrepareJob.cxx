@@ -5,29 +5,17 @@
 #include "Leftovers.h"
 #include "OutputChecks.h"
 #include "Plan.h"
+#include "ProcessMemory.h"
 #include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
 
 #include <utility>
-#ifdef __GLIBC__
-#  include <malloc.h>
-#endif
 
 namespace medialvoxel
 {
 namespace
 {
-
-/** Lets large blocks leave the process when they are freed, so that the peak is the one that was planned. */
-void
-GiveLargeBlocksBack()
-{
-#ifdef M_MMAP_THRESHOLD
-  constexpr int largeBlock = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, largeBlock);
-#endif
-}
 
 void
 CheckScratchFolder(const JobOptions & options)

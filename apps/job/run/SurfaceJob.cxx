@@ -124,7 +124,7 @@ RunSurface(const SurfaceOptions & options, ProgressSink & sink)
   const auto start = JobClock::now();
   CheckOptions(options);
   GetPartFormat(options.output);
-  VolumeHeader header = ReadInputHeader(options);
+  VolumeHeader header = ReadSheetInputHeader(options);
   CheckSurfaceInput(header, options.output, "surface");
   CheckGrayValues(options, header);
   CheckLabel(options, header);
