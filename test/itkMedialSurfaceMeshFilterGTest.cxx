@@ -441,7 +441,7 @@ TEST(MedialSurfaceMeshFilter, LabelsHaveItsProperties)
   filter->SetBackgroundValue(6);
   filter->SetObjectValue(1);
   filter->SetLowerThreshold(0.5);
-  filter->SetUpperThreshold(1e9);
+  filter->SetUpperThreshold(7.5);
   filter->SubvoxelThicknessOn();
   filter->SetScanLevels(-1.0, 2.0);
   filter->UseImageSpacingOff();
@@ -458,7 +458,7 @@ TEST(MedialSurfaceMeshFilter, LabelsHaveItsProperties)
                                   "UseObjectValue: Off",
                                   "UseThresholds: On",
                                   "LowerThreshold: 0.5",
-                                  "UpperThreshold: 1000000000",
+                                  "UpperThreshold: 7.5",
                                   "SubvoxelThickness: On",
                                   "ScanLevels: -1 2",
                                   "UseImageSpacing: Off",
