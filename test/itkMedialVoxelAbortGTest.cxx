@@ -54,7 +54,7 @@ public:
   std::chrono::steady_clock::time_point m_Time;
 };
 
-/** A filter whose workers fail at the given tile. */
+/** A filter whose workers fail at the given tile, or before. */
 class FailingFilter : public MedialFilter<3>
 {
 public:
@@ -63,16 +63,27 @@ public:
   itkNewMacro(Self);
 
   std::atomic<int> m_TilesLeft{ 5 };
+  bool             m_FailsAtOnce{ false };
 
 protected:
   void
-  DynamicThreadedGenerateData(const OutputImageRegionType & tile) override
+  DynamicThreadedGenerateData(const OutputImageRegionType & region) override
+  {
+    if (m_FailsAtOnce)
+    {
+      throw std::runtime_error("no luck at all");
+    }
+    MedialFilter<3>::DynamicThreadedGenerateData(region);
+  }
+
+  void
+  TakeTile(const itk::MedialVoxelTileResult & tile) override
   {
     if (m_TilesLeft-- <= 0)
     {
       throw std::runtime_error("out of luck");
     }
-    MedialFilter<3>::DynamicThreadedGenerateData(tile);
+    MedialFilter<3>::TakeTile(tile);
   }
 };
 
@@ -258,8 +269,12 @@ TEST(MedialVoxelAbort, AFailingWorkerFailsTheUpdateAndNoMore)
     filter->m_TilesLeft = 5;
     EXPECT_THROW(filter->Update(), std::exception) << units << " work units";
     EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
+    filter->m_TilesLeft = 1000000;
+    filter->m_FailsAtOnce = true;
+    EXPECT_THROW(filter->Update(), std::exception) << units << " work units";
+    EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
+    filter->m_FailsAtOnce = false;
   }
-  filter->m_TilesLeft = 1000000;
   filter->Modified();
   filter->Update();
   EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), RunMedialFilter<3>(volume, 3.0).labels));
