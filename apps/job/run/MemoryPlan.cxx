@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
+#include <variant>
 
 namespace medialvoxel
 {
@@ -322,6 +323,35 @@ AddSurplus(JobPlan & plan, const Request & request)
   plan.memoryBytes += std::min(plan.surplusBytes, voxels * surplus.plannedBytesPerVoxel);
 }
 
+/** Whether windows hold gray values beside the object. */
+bool
+KeepsGrayValues(const PieceFootprint & footprint)
+{
+  struct Asker
+  {
+    bool
+    operator()(const itk::MedialVoxelExtraction & task) const
+    {
+      return task.grayRange.has_value();
+    }
+
+    bool
+    operator()(const itk::MedialVoxelLocalThickness & task) const
+    {
+      return task.walls && task.walls->grayRange;
+    }
+
+    bool
+    operator()(const itk::MedialVoxelDistanceMap &) const
+    {
+      return false;
+    }
+  };
+  return std::any_of(footprint.engines.begin(), footprint.engines.end(), [](const auto & settings) {
+    return std::visit(Asker{}, settings.task);
+  });
+}
+
 [[noreturn]] void
 RefuseLackOfMemory(const JobPlan & plan, const Request & request)
 {
@@ -336,6 +366,7 @@ RefuseLackOfMemory(const JobPlan & plan, const Request & request)
        ", ",
        FormatBytes(plan.memoryLimit),
        " are allowed",
+       KeepsGrayValues(request.footprint) ? "; walls measured on the object, with --sub-voxel=off, need less" : "",
        !request.header.compressed || !options.scratchFolder.empty()
          ? ""
          : "; it is compressed, and with --scratch DIR its " + FormatBytes(plan.unpackedBytes) +
