@@ -3,6 +3,7 @@
 """What would mislead is said: one line on the error stream, an entry of the report, a paragraph of the page."""
 
 import json
+import shutil
 import subprocess
 import unittest
 
@@ -160,7 +161,7 @@ class WarningTest(ProgramTestCase):
             labels = []
             for arguments in ([], ["--divisions", 5, "--threads", 3], ["--memory", "64M"]):
                 reports.append(self.warnings(volume, *arguments))
-                labels.append(volumes.read_data(self.folder / "l.mha"))
+                labels.append(volumes.read_data(self.folder / "out.mha"))
             self.assertEqual(reports, reports[:1] * 3)
             self.assertNotIn("beyond_maximum_thickness", reports[0])
             values = reports[0]["raised_maximum_thickness"]["values"]
@@ -168,7 +169,7 @@ class WarningTest(ProgramTestCase):
             self.assertTrue(32 * spacing <= values["maximum_thickness"] <= 36 * spacing, values)
             self.assertEqual(self.report["parameters"]["maximum_thickness"], values["maximum_thickness"])
             given = self.warnings(volume, "--maximum-thickness", values["maximum_thickness"])
-            labels.append(volumes.read_data(self.folder / "l.mha"))
+            labels.append(volumes.read_data(self.folder / "out.mha"))
             self.assertNotIn("raised_maximum_thickness", given)
             self.run_program("plan", "in.mha", "j.mha", "job", "--report", "j.json", "--divisions", 3)
             self.run_program("work", "job")
