@@ -311,7 +311,7 @@ TEST(Survey, CellsThatAMapMeasuresDoNotCount)
   const auto        filter = itk::MedialVoxelImageFilter<ImageType>::New();
   filter->SetInput(MakeImage(Size, IsWall));
   filter->GenerateThicknessOn();
-  filter->SetTileObservers({ &survey });
+  itk::MedialVoxelFilterAccess::SetTileObservers(*filter, { &survey });
   filter->Update();
   EXPECT_EQ(survey.GetSums().GetCells().GetNumbers(), part.GetSurvey().GetSums().GetCells().GetNumbers());
   EXPECT_EQ(survey.GetSums().GetAreas().GetNumbers(), part.GetSurvey().GetSums().GetAreas().GetNumbers());
