@@ -371,7 +371,8 @@ ReadGeometry(VolumeHeader & header, const NiftiNumbers & fields)
     }
     for (std::size_t row = 0; row < dimension; ++row)
     {
-      // The x and y axes of the format point right and anterior; the sum makes 0 of -0, which other formats do not have.
+      // The x and y axes of the format point right and anterior; the sum makes 0 of -0, which other formats do not
+      // have.
       const double sign = row < 2 ? -1.0 : 1.0;
       geometry.origin[row] = sign * unit * (*placement)[row][3] + 0.0;
       geometry.direction[axis][row] = sign * (*placement)[row][axis] + 0.0;
