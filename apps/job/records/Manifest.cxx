@@ -28,13 +28,15 @@ constexpr const char * OverwriteName = "overwrite";
 using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
 using LimitOption = std::pair<const char *, std::optional<itk::MedialVoxelLimit> ExtractOptions::*>;
 
-const std::array<NumberOption, 6> NumberOptions{ { { "thickness", &ExtractOptions::thickness },
-                                                   { "minimum_thickness", &ExtractOptions::minimumThickness },
-                                                   { "maximum_thickness", &ExtractOptions::maximumThickness },
-                                                   { "maximum_local_thickness",
-                                                     &ExtractOptions::maximumLocalThickness },
-                                                   { "resample", &ExtractOptions::resample },
-                                                   { "smallest_place", &ExtractOptions::smallestPlace } } };
+const std::array<NumberOption, 7> NumberOptions{
+  { { "thickness", &ExtractOptions::thickness },
+    { "minimum_thickness", &ExtractOptions::minimumThickness },
+    { "maximum_thickness", &ExtractOptions::maximumThickness },
+    { "default_maximum_thickness", &ExtractOptions::defaultMaximumThickness },
+    { "maximum_local_thickness", &ExtractOptions::maximumLocalThickness },
+    { "resample", &ExtractOptions::resample },
+    { "smallest_place", &ExtractOptions::smallestPlace } }
+};
 
 const std::array<LimitOption, 2> LimitOptions{ { { "lower", &ExtractOptions::lowerThreshold },
                                                  { "upper", &ExtractOptions::upperThreshold } } };
