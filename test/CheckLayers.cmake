@@ -28,9 +28,10 @@ set(program
     job/model
     job/dicom
     job/files
-    job/records
     job/formats
     job/meshes
+    job/options
+    job/records
     job/reports
     job/run
     job/clusters

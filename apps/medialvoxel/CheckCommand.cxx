@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "CommandParts.h"
+#include "CommandTable.h"
 #include "MeshFile.h"
-#include "OptionValues.h"
+#include "OptionText.h"
 #include "Text.h"
 
 namespace medialvoxel
@@ -12,8 +12,22 @@ void
 DefineCheck(CommandLine & line)
 {
   const std::string formats = Join(ListMeshFileExtensions(), " ", [](const std::string & name) { return name; });
-  AddFile(*line.check, "MESH", "Shell mesh: " + formats, line.checkedMesh)->required();
-  AddFlag(*line.check, "--json", "Print it as JSON", line.checkAsJson);
+  line.check->add_option("MESH", line.checkedMesh, "Shell mesh: " + formats)
+    ->type_name("FILE")
+    ->required()
+    ->check([](const std::string & text) { return text.empty() ? "'' is not the name of a file" : ""; });
+  const auto parse = [&line](const CLI::results_t & results) {
+    try
+    {
+      line.checkAsJson = ToFlag(results.front());
+    }
+    catch (const WrongValue & error)
+    {
+      throw CLI::ValidationError("--json", error.what());
+    }
+    return true;
+  };
+  line.check->add_option("--json", parse, "Print it as JSON")->type_name("")->type_size(1)->expected(1);
   line.examples[line.check] = { "medialvoxel check shell.inp", "medialvoxel check shell.bdf --json" };
   line.check->footer("Exits with 1 where a limit fails, with 3 where the file cannot be opened.");
 }

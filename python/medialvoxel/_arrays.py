@@ -321,7 +321,7 @@ def local_thickness(
     *,
     method: Literal["wall", "sphere"] = "wall",
     sub_voxel: bool = False,
-    maximum: Number | None = None,
+    largest_ball: Number | None = None,
     label: int | None = None,
     voxel_units: bool = False,
     threads: int | None = None,
@@ -334,7 +334,7 @@ def local_thickness(
     method: "wall" leaves edges and corners that no wall covers NaN. "sphere" is the diameter of the largest ball inside
         the object that covers a voxel, as Hildebrand and Ruegsegger (1997) define it, for comparison with other programs.
     sub_voxel: measure walls on gray values, which needs `lower` or `upper`; otherwise on the object. Not with "sphere".
-    maximum: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
+    largest_ball: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
         default 32 voxels of the largest spacing. Time and memory grow with it.
 
     Nothing is known outside of the array: an object that it cuts may be found too thick beside its faces.
@@ -348,18 +348,20 @@ def local_thickness(
         ([0.0, 2.0], 0)
     """
     call = _Call(array, spacing)
+    if read_flag("voxel_units", voxel_units):
+        call.spacing = (1.0,) * len(call.shape)
     outputs = {"thickness": call.make(np.float32)}
     options = {
-        "method": method,
-        "maximum": maximum,
+        "local_thickness_method": method,
+        "largest_ball": largest_ball,
         "lower": lower,
         "upper": upper,
         "label": label,
         "threads": threads,
         "memory": memory,
     }
-    flags = make_flags({"voxel_units": voxel_units, "sub_voxel": sub_voxel})
-    numbers, _ = call.run(["local-thickness", "array", "thickness.mha", *make_options(options), *flags], outputs, progress)
+    flags = make_flags({"sub_voxel": sub_voxel})
+    numbers, _ = call.run(["surface", "array", "thickness.vtp", *make_options(options), *flags], outputs, progress)
     return LocalThickness(outputs["thickness"], numbers["counts"], numbers["lower"])
 
 

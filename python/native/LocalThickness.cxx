@@ -11,16 +11,16 @@ namespace
 
 template <typename TPixel>
 nlohmann::json
-Measure(const ArrayCall & call, const LocalThicknessOptions & options)
+Measure(const ArrayCall & call, const SurfaceOptions & options)
 {
   auto filter = itk::LocalThicknessImageFilter<ArrayImage<TPixel>>::New();
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
-  filter->SetMethod(options.method);
-  filter->SetSubvoxelThickness(options.subVoxel);
-  if (options.maximum)
+  filter->SetMethod(options.localThicknessMethod);
+  filter->SetSubvoxelThickness(options.subVoxel.value_or(false));
+  if (options.maximumLocalThickness)
   {
-    filter->SetMaximumThickness(*options.maximum);
+    filter->SetMaximumThickness(*options.maximumLocalThickness);
   }
   UseMemory(*filter->GetOutput(), call.outputs.thickness, call.array);
   RunFilter(*filter, call.control);
@@ -35,7 +35,7 @@ Measure(const ArrayCall & call, const LocalThicknessOptions & options)
 } // namespace
 
 nlohmann::json
-MeasureLocalThickness(const ArrayCall & call, const LocalThicknessOptions & options)
+MeasureLocalThickness(const ArrayCall & call, const SurfaceOptions & options)
 {
   return DispatchPixelType(call.header.pixelType, [&](auto zero) { return Measure<decltype(zero)>(call, options); });
 }

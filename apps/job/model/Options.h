@@ -190,18 +190,6 @@ GetThicknessOptions(const SurfaceOptions & options);
 bool
 IsPlacedByGrayValues(const SurfaceOptions & options, const VolumeHeader & header);
 
-/** \throw JobError Usage when a value is out of its range or options contradict each other. */
-void
-CheckOptions(const ExtractOptions & options);
-void
-CheckOptions(const DistanceOptions & options);
-void
-CheckOptions(const SurfaceOptions & options);
-void
-CheckOptions(const JobOptions & options);
-void
-CheckOptions(const RawDescription & raw);
-
 /** Whether places with too thin or too thick walls are listed. */
 bool
 ListsPlaces(const ExtractOptions & options);

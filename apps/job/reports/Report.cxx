@@ -8,6 +8,8 @@
 #include "Version.h"
 #include "VolumeFormats.h"
 
+#include <cmath>
+
 namespace medialvoxel
 {
 namespace
@@ -104,8 +106,16 @@ MakeThickness(const std::optional<ThicknessSummary> & thickness)
 Json
 MakeLimit(const std::optional<itk::MedialVoxelLimit> & limit)
 {
-  const Json json = LimitToJson(limit);
-  return json.is_number() ? json : Json(nullptr);
+  if (!limit)
+  {
+    return nullptr;
+  }
+  if (!limit->IsDouble()) // a whole number that no double holds
+  {
+    return limit->GetWhole() ? Json(*limit->GetWhole()) : Json(*limit->GetNegative());
+  }
+  const double value = limit->GetNearestDouble();
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 Json

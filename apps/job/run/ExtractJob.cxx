@@ -9,6 +9,7 @@
 #include "MaskInput.h"
 #include "MemoryPlan.h"
 #include "OutputChecks.h"
+#include "OptionChecks.h"
 #include "Outputs.h"
 #include "PageView.h"
 #include "PipelineErrors.h"
