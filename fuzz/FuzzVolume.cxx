@@ -7,7 +7,7 @@
 #include "ValueReader.h"
 #include "VolumeFormats.h"
 #include "VolumeText.h"
-#include "VoxelStream.h"
+#include "VoxelSource.h"
 
 #include "itkStreamingRawImageIO.h"
 
@@ -171,12 +171,10 @@ ReadVoxels(const VolumeHeader & header)
   {
     return;
   }
-  if (!header.CanStream())
+  if (header.compressed)
   {
-    std::vector<unsigned char>         voxels(bytes);
-    const std::unique_ptr<VoxelStream> stream = OpenVoxelStream(header);
-    stream->Read(voxels.data(), bytes);
-    stream->CheckEnd();
+    std::vector<unsigned char> voxels(bytes);
+    OpenVoxelSource(header)->Read(0, voxels.data(), bytes);
     return;
   }
   const auto              imageIO = MakeReader(header);

@@ -55,13 +55,9 @@ LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) co
     settings.maximumPoreSize = 0;
     task.walls.emplace();
     task.walls->parameters = MedialVoxelParameters::ForSettings(grid, settings);
-    if (m_SubvoxelThickness)
+    if (m_SubvoxelThickness && !m_Survey.isMask)
     {
       task.walls->grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold(), m_Survey.scan };
-      if (m_Survey.middle)
-      {
-        task.walls->grayRange->MoveThreshold(*m_Survey.middle);
-      }
     }
   }
   return task;

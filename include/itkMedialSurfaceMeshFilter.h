@@ -191,7 +191,7 @@ public:
 
 #ifndef ITK_WRAPPING_PARSER
   /** As in MedialVoxelImageFilter. */
-  MedialVoxelExtraction::GrayRange
+  std::optional<MedialVoxelExtraction::GrayRange>
   GetGrayRange() const
   {
     return m_LabelFilter->GetGrayRange();

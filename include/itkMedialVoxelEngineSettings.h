@@ -9,7 +9,6 @@
 
 #include "MedialVoxelExport.h"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -34,13 +33,6 @@ struct MedialVoxel_EXPORT MedialVoxelExtraction
     double                         lower;
     double                         upper;
     std::optional<MedialVoxelScan> scan{};
-
-    /** Puts the end that is finite somewhere else. */
-    void
-    MoveThreshold(const double value)
-    {
-      (std::isfinite(lower) ? lower : upper) = value;
-    }
   };
 
   MedialVoxelParameters parameters;

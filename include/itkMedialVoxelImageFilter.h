@@ -66,7 +66,7 @@ namespace itk
  * GenerateThicknessOn() adds the output GetThicknessOutput(): at medial cells the thickness of the wall, at rims the
  * negative of the measured value, zero elsewhere. Its geometry is that of the labels. MedialVoxelThickness describes
  * the measurement: walls parallel to an axis are exact, others to a layer of voxels. SubvoxelThicknessOn() measures on
- * the gray values at the thresholds, see MedialVoxelGrayThickness.
+ * the gray values of a scan, see MedialVoxelGrayThickness; masks and label maps are measured on the object.
  *
  * \par Objects
  * SeparateObjectsOn() takes each value of a label map but 0 for an object of its own; SetObjectLabels() chooses some.
@@ -228,8 +228,9 @@ public:
 
   /** Measure the thickness on the values of the image; one of the thresholds must be set. Default off. Where the image
    * has walls of 5 voxels, blurred walls are fitted to the values, which reads samples of the input once more;
-   * otherwise, and with both thresholds, walls reach to where values cross the thresholds, or the middle of the two
-   * values of a mask. The window keeps 4 bytes a voxel more, in single precision. See MedialVoxelGrayThickness. */
+   * otherwise, and with both thresholds, walls reach to where values cross the thresholds. A mask or label map is
+   * measured on the object. The window keeps 4 bytes a voxel more, in single precision. See MedialVoxelGrayThickness.
+   */
   itkSetMacro(SubvoxelThickness, bool);
   itkGetConstMacro(SubvoxelThickness, bool);
   itkBooleanMacro(SubvoxelThickness);
@@ -380,8 +381,8 @@ public:
     return this->GetParameters(this->GetGrid());
   }
 
-  /** What the last update with SubvoxelThickness measured walls with. */
-  MedialVoxelExtraction::GrayRange
+  /** Gray values that the last update measured walls on; none when these were measured on the object. */
+  std::optional<MedialVoxelExtraction::GrayRange>
   GetGrayRange() const;
 #endif
 
@@ -477,7 +478,7 @@ private:
   double                  m_Noise{ 0.0 };
   double                  m_NoiseCorrelation{ 1.0 };
   std::string             m_ReasonWithoutScan;
-  std::optional<double>   m_MiddleOfMask; ///< of the two values of the input
+  bool                    m_IsMask{ false }; ///< the input; measured on the object
   ModifiedTimeType        m_ScanMTime{ 0 };
   ObjectLabelsType        m_ObjectLabels; ///< ascending, each once
 

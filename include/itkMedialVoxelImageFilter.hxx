@@ -128,7 +128,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
   const auto            result = this->SurveyScan(m_ScanLevels);
   const MedialVoxelScan scan = result.scan.value_or(MedialVoxelScan{});
   m_ReasonWithoutScan = result.reason;
-  m_MiddleOfMask = result.middle;
+  m_IsMask = result.isMask;
   m_BackgroundLevel = scan.background;
   m_MaterialLevel = scan.material;
   m_Blur = scan.blur;
@@ -140,17 +140,17 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareScan()
 }
 
 template <typename TInputImage, typename TOutputImage>
-MedialVoxelExtraction::GrayRange
+std::optional<MedialVoxelExtraction::GrayRange>
 MedialVoxelImageFilter<TInputImage, TOutputImage>::GetGrayRange() const
 {
+  if (!m_SubvoxelThickness || m_IsMask)
+  {
+    return std::nullopt;
+  }
   MedialVoxelExtraction::GrayRange range{ this->GetLowerThreshold(), this->GetUpperThreshold() };
   if (m_Blur > 0.0)
   {
     range.scan = MedialVoxelScan{ m_BackgroundLevel, m_MaterialLevel, m_Blur, m_Noise, m_NoiseCorrelation };
-  }
-  if (m_MiddleOfMask)
-  {
-    range.MoveThreshold(*m_MiddleOfMask);
   }
   return range;
 }
@@ -381,10 +381,7 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid
   {
     extraction.vectorBoundary = m_VectorDistanceBoundary;
   }
-  if (m_SubvoxelThickness)
-  {
-    extraction.grayRange = this->GetGrayRange();
-  }
+  extraction.grayRange = this->GetGrayRange();
   for (auto * const observer : m_TileObservers)
   {
     extraction.AddObserver(*observer);

@@ -32,7 +32,6 @@ public:
     std::vector<std::int64_t>            values;  ///< of the objects, ascending
     std::vector<MedialVoxelObjectNumber> passes;  ///< by number in that order, with one for the background first
     std::vector<std::uint64_t>           voxels;  ///< the same
-    std::vector<MedialVoxelObjectNumber> numbers; ///< in that order, by the number that Add() gave
     std::vector<std::int64_t>            missing; ///< selected values that no voxel has
   };
 

@@ -42,6 +42,8 @@ struct MedialVoxel_EXPORT MedialVoxelScanLevels
  * - The noise is 1.4826 times the median deviation of the background. Its correlation is the largest ratio of the
  *   variance of means over 3^D and 5^D voxels of the background to that of independent values.
  * - The blur is the median of fits to surfaces of walls of at least 5 voxels.
+ * - It is a mask or a label map where most faces between object and background are sharp: the values do not change from
+ *   the voxels at the face to the voxels behind them. One of four object voxels is looked at.
  *
  * Of a large volume some blocks are looked at, and of those some voxels, all chosen by their place, so that results do
  * not depend on how the volume is divided. Axes with one voxel do not count.
@@ -76,8 +78,8 @@ public:
   struct Result
   {
     std::optional<MedialVoxelScan> scan;
-    std::string                    reason;   ///< empty with a scan
-    std::optional<double>          middle{}; ///< of the two values of a mask
+    std::string                    reason;          ///< empty with a scan
+    bool                           isMask{ false }; ///< or a label map, whose walls are measured on the object
   };
 
   /** \param threshold  that cuts the object from the background

@@ -3,9 +3,10 @@
 
 # Checks the direction of dependency between folders: cmake -D SOURCE=<project folder> -P CheckLayers.cmake
 # A file includes only files of its own folder and of folders that stand before it in these tables.
+cmake_minimum_required(VERSION 3.22.1...3.29.0)
 
 # Folders of src. No file in them includes a header of ITK, but for those named below.
-set(library Foundation IO Object Distance Geodesic Walls Cells Engine Surface Isosurface Remeshing)
+set(library Foundation IO Object Distance Geodesic Walls Cells Engine Surface)
 
 # What users of the module include: filters stand above all folders, and both filters and image IO use ITK.
 set(filters "^(itkMedialVoxelImageFilter|itkMedialVoxelMemoryError|itkMedialSurface(Mesh|Progress)|itkVectorDistanceMap|itkLocalThickness)[A-Za-z]*$")
@@ -15,29 +16,42 @@ set(image_io "^itkStreaming[A-Za-z]*$")
 set(folder_of_itkMedialVoxelObjectPredicate Object)
 set(folder_of_itkMedialVoxelObjectUnion Object)
 set(folder_of_itkMedialVoxelRows Foundation)
-set(folder_of_itkMedialVoxelRandomSample Walls)
 set(folder_of_itkMedialVoxelScan Foundation)
-set(folder_of_itkMedialVoxelSiteKey Distance)
 set(folder_of_itkMedialVoxelSmoothing Object)
 set(folder_of_itkMedialVoxelSquaredLengths Distance)
-set(folder_of_itkMedialVoxelText Foundation)
 
-# Folders of apps. The two programs at the end know nothing of each other.
+# Folders beside the module; those of shell know nothing of ITK.
 set(program
-    job/base
-    job/model
-    job/dicom
-    job/files
-    job/formats
-    job/meshes
-    job/options
-    job/records
-    job/reports
-    job/run
-    job/clusters
-    commandline
-    medialvoxel
-    MedialVoxelExtraction)
+    shell/Isosurface
+    shell/Remeshing
+    apps/job/system
+    apps/job/base
+    apps/job/model
+    apps/job/dicom
+    apps/job/files
+    apps/job/formats/volume
+    apps/job/formats/plain
+    apps/job/formats/text
+    apps/job/formats/zarr
+    apps/job/formats/slices
+    apps/job/formats/catalog
+    apps/job/formats/input
+    apps/job/meshes
+    apps/job/options
+    apps/job/records
+    apps/job/reports
+    apps/job/run
+    apps/job/clusters
+    apps/commandline
+    apps/medialvoxel
+    apps/MedialVoxelExtraction)
+
+# Of these, programs, which know nothing of each other.
+set(programs apps/medialvoxel apps/MedialVoxelExtraction)
+
+# The one folder that calls the system. What others include in <> is of the C++ library, or of these libraries.
+set(system_folder apps/job/system)
+set(other_libraries "^(CLI/|nlohmann/|itksys/|gdcm|blosc\\.h$|zstd\\.h$|tiffio\\.h$|png\\.h$|jpeglib\\.h$)")
 
 set(violations "")
 
@@ -59,11 +73,13 @@ function(check_includes file folder folders)
     set(other "${folder_of_${included}}")
     list(FIND folders "${other}" other_rank)
     get_filename_component(name "${file}" NAME)
-    if(other STREQUAL "")
+    if(line MATCHES "<" AND calls_no_system AND header MATCHES "[./]|^csignal$" AND NOT header MATCHES "${other_libraries}")
+      list(APPEND violations "${folder}/${name}: <${header}> is of the system, which ${system_folder} calls")
+    elseif(other STREQUAL "")
       if(header MATCHES "^(itk|vnl|vcl)" AND NOT header MATCHES "Export\\.h$" AND uses_no_itk)
         list(APPEND violations "${folder}/${name}: ${header} is not a header of these folders")
       endif()
-    elseif(other_rank GREATER rank OR (other MATCHES "^M|^m" AND NOT other STREQUAL folder))
+    elseif(other_rank GREATER rank OR (other IN_LIST programs AND NOT other STREQUAL folder))
       list(APPEND violations "${folder}/${name}: ${header} is of ${other}, which stands above")
     endif()
   endforeach()
@@ -105,18 +121,16 @@ endforeach()
 foreach(file IN LISTS library_files)
   get_unit(unit "${file}")
   set(uses_no_itk ON)
+  set(calls_no_system OFF)
   if(unit MATCHES "${filters}|${image_io}")
     set(uses_no_itk OFF)
   endif()
   check_includes("${file}" ${folder_of_${unit}} "${library};Filters")
 endforeach()
 
-# The program is free to use ITK and the library.
-set(uses_no_itk OFF)
 set(program_files "")
 foreach(folder IN LISTS program)
-  file(GLOB files "${SOURCE}/apps/${folder}/*.h" "${SOURCE}/apps/${folder}/*.hxx" "${SOURCE}/apps/${folder}/*.cxx"
-       "${SOURCE}/apps/${folder}/*.cxx.in")
+  file(GLOB files "${SOURCE}/${folder}/*.h" "${SOURCE}/${folder}/*.hxx" "${SOURCE}/${folder}/*.cxx" "${SOURCE}/${folder}/*.cxx.in")
   list(APPEND program_files ${files})
   foreach(file IN LISTS files)
     get_unit(unit "${file}")
@@ -126,13 +140,23 @@ foreach(folder IN LISTS program)
     set(folder_of_${unit} ${folder})
   endforeach()
 endforeach()
-file(GLOB_RECURSE all_files "${SOURCE}/apps/job/*.h" "${SOURCE}/apps/job/*.hxx" "${SOURCE}/apps/job/*.cxx")
+file(GLOB_RECURSE all_files "${SOURCE}/apps/job/*.h" "${SOURCE}/apps/job/*.hxx" "${SOURCE}/apps/job/*.cxx" "${SOURCE}/shell/*.h"
+     "${SOURCE}/shell/*.cxx")
+list(FILTER all_files EXCLUDE REGEX "/shell/test/")
 list(REMOVE_ITEM all_files ${program_files} "")
 foreach(file IN LISTS all_files)
   list(APPEND violations "${file} is in no folder of the table")
 endforeach()
 foreach(file IN LISTS program_files)
-  string(REGEX REPLACE "^.*/apps/(.*)/[^/]*$" "\\1" folder "${file}")
+  string(REGEX REPLACE "^.*/((apps|shell)/.*)/[^/]*$" "\\1" folder "${file}")
+  set(uses_no_itk OFF)
+  if(folder MATCHES "^shell/")
+    set(uses_no_itk ON)
+  endif()
+  set(calls_no_system ON)
+  if(folder STREQUAL system_folder)
+    set(calls_no_system OFF)
+  endif()
   check_includes("${file}" ${folder} "${library};Filters;${program}")
 endforeach()
 

@@ -13,7 +13,7 @@ set(_identity
     "|TilesAreTheDefinitions|NothingStaysOfTheTilesBefore|MedialVoxelAbort")
 string(CONCAT _identity ${_identity})
 
-foreach(_test IN LISTS MedialVoxelGTestDriver_TESTS MedialVoxelJobGTestDriver_TESTS)
+foreach(_test IN LISTS MedialVoxelGTestDriver_TESTS MedialVoxelShellGTestDriver_TESTS MedialVoxelJobGTestDriver_TESTS)
   if(_test MATCHES "${_identity}")
     set_tests_properties("${_test}" PROPERTIES LABELS "MedialVoxel;identity" COST 20)
   else()

@@ -140,6 +140,7 @@ CompleteJobs(CommandLine & line)
   line.workOptions.jobFolder = line.program.jobFolder;
   line.workOptions.memoryBytes = line.processOptions.memoryBytes;
   line.workOptions.threads = line.processOptions.threads;
+  line.workOptions.scratchFolder = line.processOptions.scratchFolder;
   line.finalizeOptions.jobFolder = line.program.jobFolder;
 }
 

@@ -25,6 +25,19 @@ FormatCount(std::uint64_t count, std::uint64_t all)
 }
 
 void
+AddResolution(TextTable & table, const VolumeHeader & input)
+{
+  const VolumeGeometry & stored = input.GetStored().geometry;
+  table.emplace_back("resolution", FormatSize(input.geometry.size));
+  if (input.stored)
+  {
+    table.emplace_back("  resampled",
+                       "from " + FormatSize(stored.size) + " at " + FormatNumbers(stored.spacing, " x ") + " to " +
+                         FormatNumbers(input.geometry.spacing, " x "));
+  }
+}
+
+void
 AddObject(TextTable & table, const JobOptions & options, const JobResult & result)
 {
   if (result.otsu)
@@ -110,18 +123,20 @@ AddThickness(TextTable & table, const ExtractOptions & options, const JobResult 
                        "mean " + FormatShort(thickness.mean) + ", median " + FormatShort(thickness.GetMedian()) +
                          ", 5 to 95 %: " + FormatShort(thickness.percentiles[1]) + " to " +
                          FormatShort(thickness.percentiles[5]) + ", in " +
-                         DescribeUnit(options, result.input.geometry) +
-                         (thickness.step > 1 ? ", of one cell in " + std::to_string(thickness.step) : ""));
+                         DescribeUnit(options, result.input.geometry));
+    if (thickness.standardError)
+    {
+      table.emplace_back("  sample",
+                         "one medial cell in " + std::to_string(thickness.step) + ", standard error of the mean " +
+                           FormatShort(*thickness.standardError));
+    }
     const std::uint64_t all = thickness.rimCells + thickness.unresolvedCells + thickness.cells;
     table.emplace_back("  at rims, junctions", FormatCount(thickness.rimCells, all));
     if (thickness.unresolvedCells > 0)
     {
       table.emplace_back("  not resolved", FormatCount(thickness.unresolvedCells, all));
     }
-    if (result.measure)
-    {
-      table.emplace_back("  measured", Describe(*result.measure));
-    }
+    table.emplace_back("  measured", Describe(result.measure.value()));
     if (thickness.uncertainCells > 0)
     {
       table.emplace_back("  uncertainty (95 %)",
@@ -190,7 +205,7 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   const itk::MedialVoxelCounts &    counts = result.sums.counts;
   const std::optional<PhasePercent> percent = GetPhasePercent(counts);
   TextTable                         table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options, result.input.geometry)));
   AddObject(table, options, result);
   AddLabelMap(table, result);
@@ -251,7 +266,7 @@ PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobR
                       : std::string("not known anywhere");
   };
   TextTable table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   AddObject(table, options, result);
   AddNotANumber(table, result.sums.counts);
   AddSmallComponents(table, result.sums.counts);
@@ -268,10 +283,7 @@ PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobR
   }
   table.emplace_back("wall thickness", describe(part.thickness));
   table.emplace_back("  of", options.localThicknessMethod == LocalThicknessMethod::Wall ? "walls" : "largest balls");
-  if (result.measure)
-  {
-    table.emplace_back("  measured", Describe(*result.measure));
-  }
+  table.emplace_back("  measured", Describe(result.measure.value()));
   table.emplace_back("  not known", FormatCount(part.thickness.unknownVertices, part.vertices) + " of the vertices");
   if (part.rays)
   {
@@ -297,7 +309,7 @@ void
 PrintDistanceTable(std::ostream & out, const DistanceOptions & options, const JobResult & result)
 {
   TextTable table;
-  table.emplace_back("resolution", FormatSize(result.input.geometry.size));
+  AddResolution(table, result.input);
   AddObject(table, options, result);
   AddNotANumber(table, result.sums.counts);
   const std::string threads =

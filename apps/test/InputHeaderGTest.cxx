@@ -4,7 +4,7 @@
 #include "VolumeHeader.h"
 
 #include "TemporaryFolder.h"
-#include "VoxelStream.h"
+#include "VoxelSource.h"
 
 #ifdef MEDIALVOXEL_TEST_WITH_NIFTI
 #  include "itkNiftiImageIO.h"
@@ -132,12 +132,10 @@ ReadVoxels(const VolumeHeader & header)
   const std::uint64_t bytes = header.GetVoxelBytes();
   if (header.compressed)
   {
-    OpenVoxelStream(header)->Read(voxels.data(), bytes);
+    OpenVoxelSource(header)->Read(0, voxels.data(), bytes);
+    return voxels;
   }
-  else
-  {
-    itk::MedialVoxelFileRegion({ bytes }, { 0 }, { bytes }, 1).Read(header.segments, voxels.data());
-  }
+  itk::MedialVoxelFileRegion({ bytes }, { 0 }, { bytes }, 1).Read(header.segments, voxels.data());
   if (header.bigEndian != itk::MachineIsBigEndian())
   {
     itk::SwapComponentBytes(voxels.data(), bytes, sizeof(TPixel));
@@ -219,7 +217,7 @@ ExpectReadOrRefused(const std::string & name, const std::string & text, size_t b
       if (header.compressed)
       {
         std::vector<unsigned char> voxels(header.GetVoxelBytes());
-        OpenVoxelStream(header)->Read(voxels.data(), voxels.size());
+        OpenVoxelSource(header)->Read(0, voxels.data(), voxels.size());
       }
     }
     catch (const JobError & error)

@@ -135,13 +135,13 @@ TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
   }
 }
 
-TEST(Plan, TheMaskOfACompressedVolumeIsInMemoryWhereItFits)
+TEST(Plan, TheValuesOfACompressedVolumeAreInMemoryWhereTheyFit)
 {
   JobOptions   options;
   VolumeHeader header = MakeHeader({ 1000, 1000, 1000 });
   header.compressed = true;
   options.threads = 1;
-  options.memoryBytes = 400 * MiB;
+  options.memoryBytes = 1300 * MiB;
   options.scratchFolder = "folder";
   EXPECT_TRUE(MakePlanFor(options, header, 1).scratchFolder.empty());
   options.memoryBytes = 100 * MiB;

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 using namespace medialvoxel;
@@ -129,17 +130,17 @@ const std::vector<std::uint64_t> Size{ 150, 41, 37 };
 TEST(Survey, AnyCutGivesTheSame)
 {
   const SurveyedRun whole(Size, IsWall);
-  EXPECT_EQ(whole.GetSurvey().GetThickness().GetTotal() + whole.GetSurvey().GetRimCells(),
+  EXPECT_EQ(whole.GetSurvey().GetSums().GetCells().GetTotal() + whole.GetSurvey().GetSums().GetRimCells(),
             whole.GetNumberOfMedialCells());
-  EXPECT_GT(whole.GetSurvey().GetRimCells(), 0u);
-  EXPECT_LT(whole.GetSurvey().GetRimCells(), whole.GetNumberOfMedialCells() / 4);
+  EXPECT_GT(whole.GetSurvey().GetSums().GetRimCells(), 0u);
+  EXPECT_LT(whole.GetSurvey().GetSums().GetRimCells(), whole.GetNumberOfMedialCells() / 4);
   EXPECT_GT(whole.GetNumberOfMedialCells(), 1000u);
   for (const Cut & cut : { Cut{ 5, 0, 1 }, Cut{ 1, 13, 1 }, Cut{ 3, 0, 4 }, Cut{ 2, 9, 3 } })
   {
     const SurveyedRun other(Size, IsWall, cut);
-    EXPECT_EQ(other.GetSurvey().GetThickness().GetNumbers(), whole.GetSurvey().GetThickness().GetNumbers());
-    EXPECT_EQ(other.GetSurvey().GetThicknessByArea().GetNumbers(), whole.GetSurvey().GetThicknessByArea().GetNumbers());
-    EXPECT_EQ(other.GetSurvey().GetRimCells(), whole.GetSurvey().GetRimCells());
+    EXPECT_EQ(other.GetSurvey().GetSums().GetCells().GetNumbers(), whole.GetSurvey().GetSums().GetCells().GetNumbers());
+    EXPECT_EQ(other.GetSurvey().GetSums().GetAreas().GetNumbers(), whole.GetSurvey().GetSums().GetAreas().GetNumbers());
+    EXPECT_EQ(other.GetSurvey().GetSums().GetRimCells(), whole.GetSurvey().GetSums().GetRimCells());
     EXPECT_EQ(other.GetBestSlices(), whole.GetBestSlices());
     const auto & expected = whole.GetSurvey().GetProjection();
     const auto & projection = other.GetSurvey().GetProjection();
@@ -183,8 +184,8 @@ TEST(Survey, CountsWhatTheThicknessOutputHolds)
     }
   }
   EXPECT_GT(expected.GetTotal(), 1000u);
-  EXPECT_EQ(survey.GetThickness().GetNumbers(), expected.GetNumbers());
-  EXPECT_EQ(survey.GetRimCells(), rims);
+  EXPECT_EQ(survey.GetSums().GetCells().GetNumbers(), expected.GetNumbers());
+  EXPECT_EQ(survey.GetSums().GetRimCells(), rims);
   for (std::size_t i = 0; i < thickest.size(); ++i)
   {
     EXPECT_EQ(survey.GetProjection()[i].thickest, thickest[i]) << i;
@@ -194,7 +195,7 @@ TEST(Survey, CountsWhatTheThicknessOutputHolds)
 TEST(Survey, AreasOfPlatesAreExact)
 {
   const SurveyedRun run({ 60, 50, 40 }, [](auto x, auto, auto z) { return (z >= 8 && z < 11) || x >= 70; });
-  const auto &      areas = run.GetSurvey().GetThicknessByArea();
+  const auto &      areas = run.GetSurvey().GetSums().GetAreas();
   EXPECT_EQ(static_cast<double>(areas.GetTotal()) * run.GetSurvey().GetAreaUnit(), 59.0 * 49.0);
   EXPECT_EQ(areas.GetMean(), 3.0);
 }
@@ -260,7 +261,7 @@ TEST(Survey, WithoutMedialCellsTheMiddleIsShown)
 {
   const SurveyedRun run({ 21, 10, 7 }, [](auto, auto, auto) { return false; });
   EXPECT_EQ(run.GetBestSlices(), (std::vector<std::uint64_t>{ 10, 5, 3 }));
-  EXPECT_EQ(run.GetSurvey().GetThickness().GetTotal(), 0u);
+  EXPECT_EQ(run.GetSurvey().GetSums().GetCells().GetTotal(), 0u);
 }
 
 TEST(Survey, AnAbortedExecutionAddsNothing)
@@ -279,39 +280,83 @@ TEST(Survey, AnAbortedExecutionAddsNothing)
     }
   });
   EXPECT_THROW(filter->Update(), itk::ProcessAborted);
-  EXPECT_EQ(survey.GetThickness().GetTotal(), 0u);
+  EXPECT_EQ(survey.GetSums().GetCells().GetTotal(), 0u);
   filter->RemoveObserver(tag);
   filter->Update();
-  EXPECT_EQ(survey.GetThickness().GetNumbers(), SurveyedRun(Size, IsWall).GetSurvey().GetThickness().GetNumbers());
+  EXPECT_EQ(survey.GetSums().GetCells().GetNumbers(),
+            SurveyedRun(Size, IsWall).GetSurvey().GetSums().GetCells().GetNumbers());
 }
 
-TEST(Survey, OfLargeVolumesEverySoManyCellIsMeasured)
+TEST(Survey, OfLargeVolumesEverySoManyCellCounts)
 {
   SurveySettings settings;
   const auto     stepOf = [&](std::uint64_t edge) {
     const auto index = static_cast<std::int64_t>(edge);
     return Survey(MakeGeometry({ edge, edge, edge }), { { index, index, index }, { 1.0, 1.0, 1.0 } }, settings)
+      .GetSample()
       .GetStep();
   };
   EXPECT_EQ(stepOf(100), 1u);
-  EXPECT_EQ(stepOf(322), 1u);
-  EXPECT_EQ(stepOf(323), 2u);
+  EXPECT_EQ(stepOf(203), 1u);
+  EXPECT_EQ(stepOf(204), 2u);
   EXPECT_EQ(stepOf(4000), 64u);
 }
 
-TEST(Survey, ThePartThatIsMeasuredOfALargeVolumeIsTheSameForAnyCut)
+TEST(Survey, CellsThatAMapMeasuresDoNotCount)
+{
+  const SurveyedRun part(Size, IsWall, {}, 30000);
+  Survey            survey(MakeGeometry(Size), { { 150, 41, 37 }, { 1.0, 1.0, 1.0 } }, { true, 30000 });
+  const auto        filter = itk::MedialVoxelImageFilter<ImageType>::New();
+  filter->SetInput(MakeImage(Size, IsWall));
+  filter->GenerateThicknessOn();
+  filter->SetTileObservers({ &survey });
+  filter->Update();
+  EXPECT_EQ(survey.GetSums().GetCells().GetNumbers(), part.GetSurvey().GetSums().GetCells().GetNumbers());
+  EXPECT_EQ(survey.GetSums().GetAreas().GetNumbers(), part.GetSurvey().GetSums().GetAreas().GetNumbers());
+  EXPECT_EQ(survey.GetSums().GetRimCells(), part.GetSurvey().GetSums().GetRimCells());
+  EXPECT_EQ(survey.GetBestSlice(0), part.GetSurvey().GetBestSlice(0));
+}
+
+TEST(Survey, TheStandardErrorIsThatOfSamples)
+{
+  // Samples of one in 8 of the same cells, each with another place to begin.
+  ThicknessSums              all(1.0);
+  double                     squares = 0.0;
+  double                     error = 0.0;
+  std::vector<ThicknessSums> samples(8, all);
+  constexpr unsigned int     cells = 8000;
+  for (unsigned int cell = 0; cell < cells; ++cell)
+  {
+    const std::size_t   bin = 10 + cell * 2654435761u / 65536 % 7;
+    const std::uint64_t area = ThicknessSums::AreaUnitsPerFace * (1 + cell % 3) / 2;
+    all.AddCell(bin, area);
+    samples[cell * 40503u / 16 % 8].AddCell(bin, area);
+  }
+  for (const ThicknessSums & sample : samples)
+  {
+    const double difference = sample.GetAreas().GetMean() - all.GetAreas().GetMean();
+    squares += difference * difference / 8.0;
+    error += sample.GetStandardErrorOfMean(8) / 8.0;
+  }
+  // Of eight samples the deviation itself is known to a fourth.
+  EXPECT_NEAR(std::sqrt(squares) / error, 1.0, 0.5);
+  EXPECT_NEAR(error, std::sqrt(4.0 * (7.0 / 8.0) * (14.0 / 12.0) / 1000.0), 0.005);
+  EXPECT_EQ(ThicknessSums(1.0).GetStandardErrorOfMean(8), 0.0);
+}
+
+TEST(Survey, TheSampleOfALargeVolumeIsTheSameForAnyCut)
 {
   const SurveyedRun all(Size, IsWall);
   const SurveyedRun part(Size, IsWall, {}, 30000);
-  EXPECT_EQ(part.GetSurvey().GetStep(), 8u);
-  const double share = static_cast<double>(part.GetSurvey().GetThickness().GetTotal()) /
-                       static_cast<double>(all.GetSurvey().GetThickness().GetTotal());
+  EXPECT_EQ(part.GetSurvey().GetSample().GetStep(), 8u);
+  const double share = static_cast<double>(part.GetSurvey().GetSums().GetCells().GetTotal()) /
+                       static_cast<double>(all.GetSurvey().GetSums().GetCells().GetTotal());
   EXPECT_NEAR(share, 1.0 / 8, 0.01);
-  EXPECT_NEAR(part.GetSurvey().GetThickness().GetMean(), all.GetSurvey().GetThickness().GetMean(), 0.1);
+  EXPECT_NEAR(part.GetSurvey().GetSums().GetCells().GetMean(), all.GetSurvey().GetSums().GetCells().GetMean(), 0.1);
   for (const Cut & cut : { Cut{ 5, 0, 1 }, Cut{ 3, 13, 4 } })
   {
     const SurveyedRun other(Size, IsWall, cut, 30000);
-    EXPECT_EQ(other.GetSurvey().GetThickness().GetNumbers(), part.GetSurvey().GetThickness().GetNumbers());
+    EXPECT_EQ(other.GetSurvey().GetSums().GetCells().GetNumbers(), part.GetSurvey().GetSums().GetCells().GetNumbers());
     EXPECT_EQ(other.GetBestSlices(), part.GetBestSlices());
   }
 }

@@ -69,8 +69,8 @@ TEST(SurveyPart, PartsOfAllPiecesMakeTheWhole)
   const auto image = MakeImage();
   Survey     whole = MakeSurvey();
   RunSlices(image, whole, 0, Size);
-  ASSERT_GT(whole.GetThickness().GetTotal(), 0u);
-  ASSERT_GT(whole.GetRimCells(), 0u);
+  ASSERT_GT(whole.GetSums().GetCells().GetTotal(), 0u);
+  ASSERT_GT(whole.GetSums().GetRimCells(), 0u);
   for (const std::int64_t slices : { 1, 7, 16, 48 })
   {
     Survey merged = MakeSurvey();
@@ -82,8 +82,8 @@ TEST(SurveyPart, PartsOfAllPiecesMakeTheWhole)
       merged.Merge(piece.Save());
     }
     EXPECT_EQ(merged.Save(), whole.Save()) << slices;
-    EXPECT_EQ(merged.GetThickness().GetNumbers(), whole.GetThickness().GetNumbers());
-    EXPECT_EQ(merged.GetRimCells(), whole.GetRimCells());
+    EXPECT_EQ(merged.GetSums().GetCells().GetNumbers(), whole.GetSums().GetCells().GetNumbers());
+    EXPECT_EQ(merged.GetSums().GetRimCells(), whole.GetSums().GetRimCells());
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       EXPECT_EQ(merged.GetBestSlice(axis), whole.GetBestSlice(axis));

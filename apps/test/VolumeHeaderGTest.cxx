@@ -74,7 +74,7 @@ TEST(VolumeHeader, SameVolumeInBothFormats)
     EXPECT_EQ(header.pixelType, PixelType::Int16);
     EXPECT_EQ(header.GetVoxelBytes(), 48u);
     EXPECT_EQ(header.dataOffset + 48, header.dataFileSize);
-    EXPECT_TRUE(header.CanStream());
+    EXPECT_FALSE(header.compressed);
     EXPECT_FALSE(header.bigEndian);
   }
 }

@@ -17,7 +17,7 @@ READS_TIFF = os.environ.get("MEDIALVOXEL_READS_TIFF", "1") == "1"
 needs_tiff = unittest.skipUnless(READS_TIFF, "the program was built without libtiff")
 
 # What a run says that succeeds.
-NOTE_OF_UNPACKING = r"\A(medialvoxel: .* (is compressed and was unpacked|has scaled values and was read) (once|twice, as its object is rough): .*\n)?\Z"
+NOTE_OF_UNPACKING = r"\A(medialvoxel: .* is compressed and was unpacked once: .* in .*\n)?\Z"
 
 # What a run says as well when it takes more than half a minute.
 PROGRESS = re.compile(r"^medialvoxel: \d+ % after .* left\n", re.MULTILINE)
@@ -88,6 +88,17 @@ class ProgramTestCase(unittest.TestCase):
         return self.run_program(
             "extract", source, target, "--thickness", thickness, *arguments, status=status, **options
         )
+
+    def find_least_memory(self, *arguments, folder=None):
+        """The bytes with which a run can just be planned, to 64 KiB."""
+        refused, accepted = 0, 1 << 32
+        while accepted - refused > 1 << 16:
+            bytes_ = (refused + accepted) // 2
+            command = [PROGRAM, *map(str, arguments), "--memory", str(bytes_), "--dry-run", "--overwrite"]
+            plan = subprocess.run(command, capture_output=True, cwd=folder or self.folder, check=False)
+            self.assertIn(plan.returncode, (DONE, REFUSED), plan.stderr)
+            refused, accepted = (refused, bytes_) if plan.returncode == DONE else (bytes_, accepted)
+        return accepted
 
     def mount_small_disk(self, folder, size):
         """Skips the test where that is not permitted."""

@@ -54,7 +54,7 @@ class ArchitecturePageTest(unittest.TestCase):
         self.assertEqual(sorted(drawn), sorted(folders_of_the_project()))
 
     def test_the_files_that_the_page_names_exist(self):
-        names = re.findall(r"`((?:apps|bench|cmake|doc|fuzz|include|scripts|src|test)/[\w./-]*)`", self.page)
+        names = re.findall(r"`((?:apps|bench|cmake|doc|fuzz|include|scripts|shell|src|test)/[\w./-]*)`", self.page)
         self.assertGreater(len(names), 10)
         for name in names:
             self.assertTrue((SOURCE / name).exists(), name)
@@ -63,9 +63,9 @@ class ArchitecturePageTest(unittest.TestCase):
         """What stands lower in the drawing may include what stands above it, which the check of layers enforces."""
         layers = (SOURCE / "test/CheckLayers.cmake").read_text(encoding="utf-8")
         drawn = drawn_folders(self.page)
-        for table, parent in (("library", "src"), ("program", "apps")):
+        for table, parent in (("library", "src/"), ("program", "")):
             (names, *_) = re.findall(rf"^set\({table}([^)]*)\)", layers, re.MULTILINE)
-            folders = [f"{parent}/{name}" for name in names.split()]
+            folders = [parent + name for name in names.split()]
             self.assertGreater(len(folders), 5)
             self.assertEqual([name for name in drawn if name in folders], folders)
 

@@ -14,7 +14,7 @@ import unittest.mock
 import text_headers
 import volumes
 from processes import PATIENCE
-from program import CORRUPT, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
+from program import CORRUPT, FAILURE, PROGRAM, READS_TIFF, REFUSED, USAGE, ProgramTestCase, needs_tiff, wait_for_begin
 
 FOUR_GIGABYTES = 1 << 32
 
@@ -337,19 +337,20 @@ class RunningTest(ProgramTestCase):
 
 class ScratchDiskTest(ProgramTestCase):
     def test_scratch_folder_without_space(self):
-        """The mask of 3.4 MB does not fit a disk of one."""
+        """Values of 27 MB do not fit a disk of one, unless they are zero."""
         self.mount_small_disk(self.folder / "disk", "1M")
         volume = volumes.Volume((300, 300, 300), [])
         volume.voxels = bytes(300**3)
         source = volumes.write_nrrd(self.folder / "in.nrrd", volume, compressed=True)
         run = ["extract", source, "out.mha", "--thickness", 3, "--scratch", "disk", "--threads", 1]
-        for memory in range(8, 128):
-            command = [PROGRAM, *map(str, run), "--memory", f"{memory}M", "--dry-run"]
-            plan = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False)
-            if plan.returncode == 0:
-                break
-        self.assertIn("in disk", plan.stdout)
-        self.assert_fails(REFUSED, ["disk", "No space left"], *run, "--memory", f"{memory}M")
+        run += ["--memory", self.find_least_memory(*run, "--sparse") + (1 << 21)]
+        for more in ([], ["--dry-run"]):
+            self.assert_fails(REFUSED, ["no space", "scratch files", "disk", "25.7 MiB"], *run, *more)
+        self.run_program(*run, "--sparse")
+        volume.voxels = bytes([1]) * 300**3
+        volumes.write_nrrd(source, volume, compressed=True)
+        self.assert_fails(FAILURE, ["cannot write the scratch file", "disk", "No space left"], *run, "--sparse", "--overwrite")
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["disk", "in.nrrd", "out.mha"])
 
 
 if __name__ == "__main__":

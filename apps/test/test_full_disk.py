@@ -43,7 +43,7 @@ class FullDiskTest(ProgramTestCase):
         # 72 bytes for each 64 voxels, a megabyte of labels, and the mesh itself takes less.
         (self.disk / "filler").write_bytes(b"x" * (11 * MEGABYTE // 4))
         arguments = ("mesh", "in.mha", "m.ply", "--thickness", 3, "--scratch", "disk")
-        self.assert_fails(REFUSED, ["scratch files of the mesh", "1.1 MiB", "disk"], *arguments)
+        self.assert_fails(REFUSED, ["outputs and the scratch files", "1.1 MiB", "disk"], *arguments)
         self.assert_fails(REFUSED, ["2.2 MiB"], *arguments, "--min-branch-length", 3)
         self.assert_fails(REFUSED, ["scratch"], *arguments, "--dry-run")
         self.run_program(*arguments, "--sparse", status=FAILURE)

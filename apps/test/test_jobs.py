@@ -259,12 +259,9 @@ class SmallJobTest(JobTestCase):
         self.assertEqual([path.name for path in self.target.iterdir()], ["out.mha"])
 
     def test_what_jobs_do_not_do(self):
-        volumes.write_nrrd(self.folder / "packed.nrrd", rough_shell(), compressed=True)
         for command in (["plan", "../in.mha", "out.mha", "job"], ["extract", "../in.mha", "out.mha", "--resume"]):
             self.assertIn("medialvoxel mesh", self.in_target(*command, "--mesh", "m.vtp", status=REFUSED).stderr)
             self.assertIn("--sparse", self.in_target(*command, "--sparse", status=REFUSED).stderr)
-            command[1] = "../packed.nrrd"
-            self.assertIn("unpacked", self.in_target(*command, status=REFUSED).stderr)
         self.assertEqual(list(self.target.iterdir()), [])
 
     def test_folders_that_are_no_job(self):

@@ -157,11 +157,9 @@ class ReportTest(ProgramTestCase):
             self.assertEqual(thickness["standard_deviation"], 0)
             self.assertEqual(set(thickness["percentiles"].values()), {4 * unit})
             self.assertEqual(thickness["area"], (39 * unit) ** 2)
-            self.assertEqual(thickness["area_weighted"]["mean"], 4 * unit)
-            self.assertEqual(set(thickness["area_weighted"]["percentiles"].values()), {4 * unit})
             histogram = thickness["histogram"]
-            self.assertEqual(sum(histogram["counts"]) + histogram["above"], thickness["cells"])
-            self.assertEqual(histogram["counts"].index(39 * 39) * histogram["bin_width"], 4 * unit)
+            self.assertEqual(sum(histogram["areas"]) + histogram["above"], thickness["area"])
+            self.assertEqual(histogram["areas"].index(thickness["area"]) * histogram["bin_width"], 4 * unit)
             self.assertRegex(table, r"wall thickness +mean [42], median [42]")
 
     def test_table(self):

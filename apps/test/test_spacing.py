@@ -247,9 +247,9 @@ class SpacingTest(ProgramTestCase):
         """Beyond a ratio of 4, on the error stream and in the report; not where the lengths do not count."""
         for spacing, arguments, warns in (
             ("1,1,4", [], False),
-            ("1,1,5", [], True),
-            ("0.4,2.5,0.4", [], True),
-            ("1,1,5", ["--resample", "auto"], False),
+            ("1,1,5", [], False),
+            ("1,1,5", ["--resample", "off"], True),
+            ("0.4,2.5,0.4", ["--resample", "off"], True),
             ("1,1,5", ["--voxel-units"], False),
         ):
             volumes.write_meta(self.folder / "in.mha", self.volume)
@@ -259,6 +259,45 @@ class SpacingTest(ProgramTestCase):
             codes = [warning["code"] for warning in found]
             self.assertEqual("unequal_spacing" in codes, warns, (spacing, arguments))
             self.assertEqual(any("sheets have holes" in warning for warning in result.warnings), warns, result.warnings)
+
+    def test_unequal_spacing_is_resampled(self):
+        """Beyond a ratio of 4 sheets and thickness need equal spacing; vectors do not, and neither do lengths in voxels."""
+        volumes.write_meta(self.folder / "in.mha", self.volume)
+        size = self.volume.size
+        for command, spacing, arguments, resamples in (
+            ("extract", "1,1,4", [], False),
+            ("extract", "1,1,4.5", [], True),
+            ("extract", "2,0.4,0.4", [], True),
+            ("mesh", "1,1,4.5", [], True),
+            ("surface", "1,1,4.5", [], True),
+            ("distance", "1,1,4.5", [], False),
+            ("extract", "1,1,4.5", ["--voxel-units"], False),
+            ("extract", "1,1,4.5", ["--resample", "off"], False),
+        ):
+            with self.subTest(command=command, spacing=spacing, arguments=arguments):
+                output = "out.ply" if command in ("mesh", "surface") else "out.mha"
+                options = ["--spacing", spacing, "--lower", 72, "--report", "r.json", "--overwrite"]
+                table = self.run_program(command, "in.mha", output, *options, *arguments).stdout
+                found = json.loads((self.folder / "r.json").read_text())["parameters"]["resampled_spacing"]
+                least = min(float(step) for step in spacing.split(","))
+                self.assertEqual(found, [least] * 3 if resamples else None)
+                self.assertEqual("resampled " in table, resamples, table)
+        self.run_program("extract", "in.mha", "auto.mha", "--spacing", "1,1,4.5", "--lower", 72, "--resample", "auto")
+        self.run_program("extract", "in.mha", "out.mha", "--spacing", "1,1,4.5", "--lower", 72, "--overwrite")
+        self.assertEqual((self.folder / "out.mha").read_bytes(), (self.folder / "auto.mha").read_bytes())
+        self.run_program("plan", "in.mha", "jobs.mha", "job", "--spacing", "1,1,4.5", "--lower", 72, "--divisions", 3)
+        self.run_program("work", "job")
+        self.run_program("finalize", "job")
+        self.assertEqual((self.folder / "jobs.mha").read_bytes(), (self.folder / "auto.mha").read_bytes())
+        self.run_program("plan", "in.mha", "kept.mha", "kept", "--spacing", "1,1,4.5", "--lower", 72, "--resample", "off")
+        self.run_program("work", "kept")
+        self.run_program("finalize", "kept")
+        self.assertEqual(volumes.read_header(self.folder / "kept.mha")[0]["DimSize"], " ".join(map(str, size)))
+
+    def test_sizes_that_resampling_cannot_have(self):
+        volumes.write_meta(self.folder / "in.mha", volumes.Volume((3, 3, 3000), [0] * 27000))
+        options = ["in.mha", "out.mha", "--spacing", "1e-9,1,1"]
+        self.assert_fails(USAGE, ["in.mha", "resampled spacing 1e-09", "--resample off"], "extract", *options)
 
     def test_jobs_keep_the_spacing(self):
         volumes.write_meta(self.folder / "in.mha", self.volume)

@@ -320,7 +320,7 @@ def local_thickness(
     upper: Number | None = None,
     *,
     method: Literal["wall", "sphere"] = "wall",
-    sub_voxel: bool = False,
+    sub_voxel: bool | None = None,
     largest_ball: Number | None = None,
     label: int | None = None,
     voxel_units: bool = False,
@@ -333,7 +333,7 @@ def local_thickness(
 
     method: "wall" leaves edges and corners that no wall covers NaN. "sphere" is the diameter of the largest ball inside
         the object that covers a voxel, as Hildebrand and Ruegsegger (1997) define it, for comparison with other programs.
-    sub_voxel: measure walls on gray values, which needs `lower` or `upper`; otherwise on the object. Not with "sphere".
+    sub_voxel: as in extract(). Not with "sphere".
     largest_ball: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
         default 32 voxels of the largest spacing. Time and memory grow with it.
 
@@ -354,14 +354,15 @@ def local_thickness(
     options = {
         "local_thickness_method": method,
         "largest_ball": largest_ball,
+        "sub_voxel": sub_voxel,
         "lower": lower,
         "upper": upper,
         "label": label,
         "threads": threads,
         "memory": memory,
     }
-    flags = make_flags({"sub_voxel": sub_voxel})
-    numbers, _ = call.run(["surface", "array", "thickness.vtp", *make_options(options), *flags], outputs, progress)
+    words = ["surface", "array", "thickness.vtp", *make_options(options)]
+    numbers, _ = call.run(words, outputs, progress)
     return LocalThickness(outputs["thickness"], numbers["counts"], numbers["lower"])
 
 

@@ -5,15 +5,12 @@
 
 #include "itkMedialVoxelImageFilter.h"
 
-#include <variant>
-
 namespace medialvoxel
 {
 namespace
 {
 
-/** Shows the sums, and measures walls as the program does: without being asked, on gray values alone where it can fit
- * them. */
+/** Shows the sums, and states an uncertainty only where it can. */
 template <typename TImage>
 class ProgramFilter final : public itk::MedialVoxelImageFilter<TImage>
 {
@@ -28,22 +25,11 @@ public:
 
   using Superclass::GetSums;
 
-  void
-  SetMeasure(const ArrayCall & call, const ExtractOptions & options)
-  {
-    m_MeasuresCrossings = options.subVoxel.value_or(false);
-    SetGrayMeasure(*this, call, options);
-  }
-
   /** As the report of the program has it. */
   nlohmann::json
   DescribeMeasure() const
   {
-    const bool hasScan = this->HasScan();
-    if (!this->GetSubvoxelThickness() || !(hasScan || m_MeasuresCrossings))
-    {
-      return { { "on", "object" }, { "scan", nullptr }, { "reason", this->GetReasonWithoutScan() } };
-    }
+    const bool     hasScan = this->HasScan();
     nlohmann::json scan;
     if (hasScan)
     {
@@ -52,30 +38,22 @@ public:
                { "blur", this->GetBlur() },
                { "noise", this->GetNoise() } };
     }
-    return { { "on", hasScan ? "fits" : "crossings" }, { "scan", scan }, { "reason", this->GetReasonWithoutScan() } };
+    const char * const on = hasScan ? "fits" : (this->GetGrayRange() ? "crossings" : "object");
+    return { { "on", on }, { "scan", scan }, { "reason", this->GetReasonWithoutScan() } };
   }
 
 protected:
   itk::MedialVoxelEngineTask
   GetTask(const itk::MedialVoxelGrid & grid) const override
   {
-    auto task = Superclass::GetTask(grid);
-    if (!this->GetSubvoxelThickness() || this->HasScan())
-    {
-      return task;
-    }
     // Tasks are asked for before the scan is known, too: then there is no reason yet.
-    if (this->GetGenerateUncertainty() && !this->GetReasonWithoutScan().empty())
+    if (this->GetGenerateUncertainty() && !this->HasScan() && !this->GetReasonWithoutScan().empty())
     {
       Fail(ExitStatus::Refused,
            "array: the uncertainty of the thickness cannot be stated, as ",
            this->GetReasonWithoutScan());
     }
-    if (!m_MeasuresCrossings)
-    {
-      std::get<itk::MedialVoxelExtraction>(task).grayRange.reset();
-    }
-    return task;
+    return Superclass::GetTask(grid);
   }
 
 private:
@@ -87,8 +65,6 @@ private:
   {
     return this->GetBlur() > 0.0;
   }
-
-  bool m_MeasuresCrossings{ false };
 };
 
 /** \throw JobError when fits are asked for and there is no threshold for them */
@@ -158,7 +134,9 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
   SetJobOptions(*filter, options);
   SetWalls(*filter, options);
   CheckFits(call, options);
-  filter->SetMeasure(call, options);
+  const bool measures = outputs.thickness != nullptr || outputs.uncertainty != nullptr;
+  SetGrayMeasure(*filter, call, options, measures && MayMeasureOnGrayValues(options, call.header));
+  SetLevels(*filter, options);
   if (options.labels)
   {
     SetObjects(*filter, *options.labels);

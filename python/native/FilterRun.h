@@ -106,12 +106,11 @@ SetWalls(TFilter & filter, const ExtractOptions & options)
   }
 }
 
-/** Tells a filter whether walls may be measured on gray values, and how. */
+/** Tells a filter whether walls may be measured on gray values, and on which. */
 template <typename TFilter>
 void
-SetGrayMeasure(TFilter & filter, const ArrayCall & call, const ExtractOptions & options)
+SetGrayMeasure(TFilter & filter, const ArrayCall & call, const JobOptions & options, const bool mayMeasure)
 {
-  const bool mayMeasure = MayMeasureOnGrayValues(options, call.header);
   filter.SetSubvoxelThickness(mayMeasure);
   if (!mayMeasure)
   {
@@ -127,6 +126,12 @@ SetGrayMeasure(TFilter & filter, const ArrayCall & call, const ExtractOptions & 
   {
     filter.SetUpperThreshold(range.upper);
   }
+}
+
+template <typename TFilter>
+void
+SetLevels(TFilter & filter, const ExtractOptions & options)
+{
   if (options.levels)
   {
     filter.SetScanLevels(options.levels->background, options.levels->material);

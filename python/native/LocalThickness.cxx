@@ -17,7 +17,9 @@ Measure(const ArrayCall & call, const SurfaceOptions & options)
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   filter->SetMethod(options.localThicknessMethod);
-  filter->SetSubvoxelThickness(options.subVoxel.value_or(false));
+  const bool mayMeasure =
+    options.localThicknessMethod == LocalThicknessMethod::Wall && HasOneThreshold(options, call.header);
+  SetGrayMeasure(*filter, call, options, options.subVoxel.value_or(mayMeasure));
   if (options.maximumLocalThickness)
   {
     filter->SetMaximumThickness(*options.maximumLocalThickness);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ArrayVolume.h"
 #include "FilterRun.h"
-#include "FreeMemory.h"
+#include "ProcessMemory.h"
 #include "RimRays.h"
 #include "SurfacePlacement.h"
 #include "SurfaceReader.h"
@@ -124,7 +124,8 @@ MakeMesh(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mes
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   SetWalls(*filter, options);
-  SetGrayMeasure(*filter, call, options);
+  SetGrayMeasure(*filter, call, options, MayMeasureOnGrayValues(options, call.header));
+  SetLevels(*filter, options);
   // Elements are joined from quadrilaterals, whether they become triangles or not.
   const bool isOfVoxels = options.elementSize.kind == ElementSize::Kind::Voxel;
   const bool hasTriangles = options.meshTriangles && isOfVoxels;
@@ -137,8 +138,7 @@ MakeMesh(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mes
   if (!isOfVoxels)
   {
     ArrayVolume volume(call, options, filter->GetObjectIsSmoothed());
-    const auto  range = filter->GetSubvoxelThickness() ? std::optional(filter->GetGrayRange()) : std::nullopt;
-    RimRays     rays(volume, call.header.geometry, range);
+    RimRays     rays(volume, call.header.geometry, filter->GetGrayRange());
     Remesh(call, options, *filter->GetOutput(), [&rays](const auto & bundle) { return rays.Measure(bundle); }, mesh);
   }
   return nlohmann::json::object();

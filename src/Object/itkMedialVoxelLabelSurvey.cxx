@@ -51,13 +51,11 @@ MedialVoxelLabelSurvey::Finish() -> Result
   const auto passes = m_Adjacency.MakePasses(result.values.size());
   result.passes.assign(1, 0);
   result.voxels.assign(1, m_Voxels[0]);
-  result.numbers.assign(result.values.size() + 1, 0);
-  for (std::size_t i = 0; i < result.values.size(); ++i)
+  for (const std::int64_t value : result.values)
   {
-    const MedialVoxelObjectNumber came = m_Numbers.at(result.values[i]);
+    const MedialVoxelObjectNumber came = m_Numbers.at(value);
     result.passes.push_back(passes[came]);
     result.voxels.push_back(m_Voxels[came]);
-    result.numbers[came] = static_cast<MedialVoxelObjectNumber>(i + 1);
   }
   return result;
 }

@@ -33,8 +33,6 @@ constexpr double SmallestWay = 2.7;
 constexpr double SmallestBlur = 0.4;
 constexpr double LargestBlur = 3.0;
 
-constexpr const char * SharpEdges = "the edges are as sharp as those of a mask";
-
 /** The middle one; the values change their order. */
 double
 TakeMedian(std::vector<double> & values)
@@ -208,11 +206,9 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
                          const double                                 threshold,
                          const std::optional<MedialVoxelScanLevels> & levels)
 {
-  const std::optional<double> inside = samples.inside.GetOnlyOne();
-  const std::optional<double> outside = samples.outside.GetOnlyOne();
-  if (inside && outside)
+  if (2 * samples.faces.sharp >= samples.faces.all)
   {
-    return { std::nullopt, SharpEdges, 0.5 * (*inside + *outside) };
+    return { std::nullopt, "the values are those of a mask or a label map", true };
   }
   const std::vector<BackgroundSample> background = SelectBackground(samples.background.Take());
   const std::vector<MaterialSample>   material = samples.material.Take();
@@ -259,7 +255,7 @@ MedialVoxelSummarizeScan(MedialVoxelScanSamples &                     samples,
   }
   if (!(*blur >= SmallestBlur && *blur <= LargestBlur))
   {
-    return { std::nullopt, *blur < SmallestBlur ? SharpEdges : "the blur is too large" };
+    return { std::nullopt, *blur < SmallestBlur ? "the edges are too sharp for a fit" : "the blur is too large" };
   }
   if (level->toFace < SmallestWay * *blur)
   {

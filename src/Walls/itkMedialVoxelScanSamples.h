@@ -44,38 +44,13 @@ struct MedialVoxelScanSamples
   static constexpr double NearestFlat = 2.5;
   static constexpr double FarthestFlat = 4.5;
 
-  /** \class Values
-   * \brief Whether all values are the same. */
-  class Values
+  /** \struct Faces
+   * \brief Faces between object and background, and how many of them are sharp: the values are the same from the
+   * voxels at the face to the voxels behind them. */
+  struct Faces
   {
-  public:
-    void
-    Add(const double value)
-    {
-      m_AreSame = m_AreSame && (!m_Value || value == *m_Value);
-      m_Value = value;
-    }
-
-    void
-    Add(const Values & other)
-    {
-      if (other.m_Value)
-      {
-        this->Add(*other.m_Value);
-        m_AreSame = m_AreSame && other.m_AreSame;
-      }
-    }
-
-    /** Nothing when they differ, or without values. */
-    std::optional<double>
-    GetOnlyOne() const
-    {
-      return m_AreSame ? m_Value : std::nullopt;
-    }
-
-  private:
-    std::optional<double> m_Value;
-    bool                  m_AreSame{ true };
+    std::uint64_t all{ 0 };
+    std::uint64_t sharp{ 0 };
   };
 
   static constexpr std::size_t NumberOfLevels = 16384;
@@ -84,8 +59,7 @@ struct MedialVoxelScanSamples
   MedialVoxelRandomSample<Background> background{ NumberOfLevels };
   MedialVoxelRandomSample<Material>   material{ NumberOfLevels };
   MedialVoxelRandomSample<Surface>    surfaces{ NumberOfSurfaces };
-  Values                              inside;  ///< of all object voxels
-  Values                              outside; ///< of all other voxels near them
+  Faces                               faces;
 
   /** Whether more of them would hardly change what they say. */
   bool
@@ -110,8 +84,8 @@ struct MedialVoxelScanSamples
     background.Add(std::move(other.background));
     material.Add(std::move(other.material));
     surfaces.Add(std::move(other.surfaces));
-    inside.Add(other.inside);
-    outside.Add(other.outside);
+    faces.all += other.faces.all;
+    faces.sharp += other.faces.sharp;
   }
 };
 

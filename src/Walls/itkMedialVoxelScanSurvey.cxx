@@ -45,6 +45,9 @@ constexpr std::int64_t Margin = 9;
 /** Voxels of a row that are passed over at once when they are far from the object. */
 constexpr std::int64_t StepOfRow = 64;
 
+/** Faces of some object voxels are looked at, chosen by their place. */
+constexpr std::uint64_t ObjectVoxelsPerLook = 4;
+
 /** A row of voxels, and a surface, take as long as so many short steps. */
 constexpr std::uint32_t StepsOfRow = 128;
 constexpr std::uint32_t StepsOfSurface = 128;
@@ -135,7 +138,6 @@ private:
     {
       const std::uint64_t hash = MedialVoxelHash(seed + static_cast<std::uint64_t>(block.OffsetOf(voxel)));
       const bool          isObject = m_Object.Test(voxel);
-      (isObject ? samples.inside : samples.outside).Add(static_cast<double>(m_Gray.Get(voxel)));
       if (isObject)
       {
         this->TakeObject(voxel, hash, samples);
@@ -150,6 +152,10 @@ private:
   void
   TakeObject(const Index & voxel, const std::uint64_t hash, Samples & samples)
   {
+    if (hash % ObjectVoxelsPerLook == 0)
+    {
+      this->CountFaces(voxel, samples.faces);
+    }
     if (samples.material.Wants(hash))
     {
       const double depth = this->FindDepth(voxel);
@@ -162,6 +168,42 @@ private:
     {
       this->TakeSurface(voxel, hash, samples);
     }
+  }
+
+  void
+  CountFaces(const Index & voxel, Samples::Faces & faces)
+  {
+    m_Poll.Count();
+    for (unsigned int direction = 0; direction < 6; ++direction)
+    {
+      const unsigned int axis = direction / 2;
+      const std::int64_t outwards = direction % 2 == 0 ? -1 : 1;
+      const auto         at = [&](const std::int64_t steps) {
+        Index moved = voxel;
+        moved[axis] += steps * outwards;
+        return moved;
+      };
+      if (!this->IsBackground(at(1)))
+      {
+        continue;
+      }
+      const bool hasInner = m_Grid.GetVoxelBox().Contains(at(-1)) && m_Object.Test(at(-1));
+      const bool hasOuter = this->IsBackground(at(2));
+      if (!hasInner && !hasOuter)
+      {
+        continue;
+      }
+      const bool isSharp =
+        (!hasInner || m_Gray.Get(at(-1)) == m_Gray.Get(voxel)) && (!hasOuter || m_Gray.Get(at(2)) == m_Gray.Get(at(1)));
+      ++faces.all;
+      faces.sharp += isSharp ? 1 : 0;
+    }
+  }
+
+  bool
+  IsBackground(const Index & voxel) const
+  {
+    return m_Grid.GetVoxelBox().Contains(voxel) && !m_Object.Test(voxel);
   }
 
   void

@@ -13,7 +13,7 @@ namespace medialvoxel
 
 /** Throws JobError "cannot [action] [name]: [text of errno]". */
 [[noreturn]] void
-FailWithErrno(ExitStatus status, const char * action, const std::filesystem::path & name);
+FailWithErrno(ExitStatus status, const std::string & action, const std::filesystem::path & name);
 
 /** The file that a symbolic link leads to, whether it exists or not; other names stay as they are. */
 std::filesystem::path
@@ -22,15 +22,6 @@ FollowLinks(const std::filesystem::path & fileName);
 /** The folder that a file is in, also of a name without one. */
 std::filesystem::path
 FolderOf(const std::filesystem::path & fileName);
-
-/** Renames a file or folder; one that exists under the new name stops it. \return 0, or -1 with errno */
-int
-RenameToFreeName(const char * from, const char * to);
-
-/** Lets two files or folders change their names at once. \return 0, or -1 with errno, which is EINVAL or ENOSYS where
- * the system cannot */
-int
-ExchangeNames(const char * a, const char * b);
 
 /** 16 hexadecimal digits that no other process has. */
 std::string

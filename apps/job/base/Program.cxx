@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Program.h"
 
-#include "AbortNotice.h"
 #include "Errors.h"
 #include "Signals.h"
 #include "StopListener.h"

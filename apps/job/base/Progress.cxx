@@ -4,6 +4,7 @@
 
 #include "Errors.h"
 #include "Signals.h"
+#include "Terminal.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,8 +15,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 namespace medialvoxel
 {
@@ -67,20 +66,12 @@ private:
   Clock::time_point m_Start{ Clock::now() };
 };
 
-int
-GetTerminalColumns()
-{
-  constexpr int usual = 80;
-  winsize       size = {};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : usual;
-}
-
 /** True for a terminal that a line can be drawn over in. */
 bool
 CanDrawBar()
 {
   const char * const terminal = std::getenv("TERM");
-  return isatty(STDERR_FILENO) && terminal && *terminal != '\0' && std::strcmp(terminal, "dumb") != 0;
+  return HasTerminal() && terminal && *terminal != '\0' && std::strcmp(terminal, "dumb") != 0;
 }
 
 /** Base of the sinks whose notes are lines on the error stream. */

@@ -3,11 +3,7 @@
 #include "TemporaryName.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <climits>
-#include <fcntl.h>
 #include <regex>
-#include <unistd.h>
 
 namespace medialvoxel
 {
@@ -31,12 +27,13 @@ CutText(const std::string & text, std::size_t maximumBytes)
 std::filesystem::path
 MakeTemporaryName(const std::filesystem::path & fileName, int attempt)
 {
+  constexpr std::size_t   longestName = 255;
   const ProcessIdentity & process = GetThisProcess();
   const std::string       host = process.host.empty() ? std::string(12, '0') : process.host;
   const std::string       suffix = "." + host + "-" + std::to_string(process.number) + "-" +
                              std::to_string(process.startTime) + "-" + std::to_string(attempt) + ".partial";
   std::filesystem::path name = fileName;
-  return name.replace_filename(CutText(fileName.filename().string(), NAME_MAX - suffix.size()) + suffix);
+  return name.replace_filename(CutText(fileName.filename().string(), longestName - suffix.size()) + suffix);
 }
 
 std::optional<TemporaryName>
@@ -48,30 +45,7 @@ ParseTemporaryName(const std::string & name)
   {
     return std::nullopt;
   }
-  return TemporaryName{ parts[1], { parts[2], static_cast<pid_t>(std::stol(parts[3])), std::stoull(parts[4]) } };
-}
-
-int
-OpenNamelessFile([[maybe_unused]] const std::filesystem::path & folder, [[maybe_unused]] mode_t mode)
-{
-#ifdef O_TMPFILE
-  return open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode);
-#else
-  errno = EOPNOTSUPP;
-  return -1;
-#endif
-}
-
-std::string
-GetDescriptorName(int descriptor)
-{
-  return "/proc/self/fd/" + std::to_string(descriptor);
-}
-
-int
-LinkNamelessFile(int descriptor, const std::filesystem::path & name)
-{
-  return linkat(AT_FDCWD, GetDescriptorName(descriptor).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+  return TemporaryName{ parts[1], { parts[2], std::stoi(parts[3]), std::stoull(parts[4]) } };
 }
 
 } // end namespace medialvoxel

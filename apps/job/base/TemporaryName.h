@@ -8,7 +8,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <sys/types.h>
 
 namespace medialvoxel
 {
@@ -31,19 +30,6 @@ struct TemporaryName
 /** Nothing for names that MakeTemporaryName() does not give. */
 std::optional<TemporaryName>
 ParseTemporaryName(const std::string & name);
-
-/** Opens a new file that no folder lists, which vanishes with the process however that ends.
- * \return the descriptor, or -1 with errno, which is EOPNOTSUPP or EISDIR where the file system has no such files */
-int
-OpenNamelessFile(const std::filesystem::path & folder, mode_t mode);
-
-/** The name of an open file by which this process opens it again or gives it another name. */
-std::string
-GetDescriptorName(int descriptor);
-
-/** Gives an open file without a name one that no file has. \return 0, or -1 with errno */
-int
-LinkNamelessFile(int descriptor, const std::filesystem::path & name);
 
 } // end namespace medialvoxel
 

@@ -6,7 +6,7 @@
 #include "ExtractParts.h"
 #include "JobClock.h"
 #include "Outputs.h"
-#include "PeakMemory.h"
+#include "ProcessMemory.h"
 
 #include "itkMedialVoxelMemoryShortage.h"
 

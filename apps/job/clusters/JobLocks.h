@@ -3,9 +3,12 @@
 #ifndef medialvoxelJobLocks_h
 #define medialvoxelJobLocks_h
 
+#include "SystemFile.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -27,28 +30,26 @@ public:
   class Lock
   {
   public:
-    Lock(int descriptor, std::uint64_t thing)
-      : m_Descriptor(descriptor)
+    /** \param file null: nothing is to be given back */
+    Lock(SystemFile * file, std::uint64_t thing)
+      : m_File(file)
       , m_Thing(thing)
     {}
     ~Lock();
     Lock(Lock && other) noexcept
-      : m_Descriptor(other.m_Descriptor)
+      : m_File(std::exchange(other.m_File, nullptr))
       , m_Thing(other.m_Thing)
-    {
-      other.m_Descriptor = -1;
-    }
+    {}
     Lock &
     operator=(Lock &&) = delete;
 
   private:
-    int           m_Descriptor;
+    SystemFile *  m_File;
     std::uint64_t m_Thing;
   };
 
   /** Opens the file, which is created when it is not there. \throw JobError Failure */
   explicit JobLocks(const std::filesystem::path & fileName);
-  ~JobLocks();
   JobLocks(const JobLocks &) = delete;
   JobLocks &
   operator=(const JobLocks &) = delete;
@@ -60,7 +61,7 @@ public:
 
 private:
   std::filesystem::path m_FileName;
-  int                   m_Descriptor;
+  SystemFile            m_File;
 };
 
 /** True when a process has it; false when none has or the file is not there. */

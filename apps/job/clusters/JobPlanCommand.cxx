@@ -11,6 +11,7 @@
 #include "OutputChecks.h"
 #include "PieceFootprint.h"
 #include "PipelineErrors.h"
+#include "PrepareJob.h"
 #include "ScanMeasure.h"
 #include "SharedJob.h"
 #include "ValueStatistics.h"
@@ -67,19 +68,6 @@ RefuseUnsupported(const ExtractOptions & options)
   }
 }
 
-void
-RefusePacked(const VolumeHeader & header)
-{
-  if (!header.CanStream())
-  {
-    Fail(ExitStatus::Refused,
-         header.fileName.string(),
-         ": every process would have to read the file as a whole (",
-         header.DescribeReading(),
-         "); store the volume unpacked, or run medialvoxel extract without --resume");
-  }
-}
-
 /** Slices of about BytesPerCluster in whole slabs, which are the pieces that cost the least, or fewer, so that there
  * are FewestClusters. */
 std::uint64_t
@@ -122,6 +110,10 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
   std::error_code error;
   manifest.fromJob = manifest.folder.lexically_relative(std::filesystem::weakly_canonical(folder.GetPath(), error));
   manifest.options = options;
+  if (!options.scratchFolder.empty())
+  {
+    manifest.options.scratchFolder = std::filesystem::absolute(options.scratchFolder).string();
+  }
   for (const std::filesystem::path & fileName : ListInputFiles(job.input))
   {
     manifest.input.push_back(IdentifyFile(fileName));
@@ -133,24 +125,25 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
   return manifest;
 }
 
-/** What all processes of the job do alike: smooth or not, and measure walls. */
+/** What all processes of the job do alike: the threshold, smooth or not, and measure walls. */
 void
-MeasureVolume(ExtractOptions & options, const JobResult & job, const ProgressSink & sink)
+MeasureVolume(PlanOptions & options, const JobResult & job, const ProgressSink & sink)
 {
   const bool measuresGray = MayMeasureOnGrayValues(options, job.input);
-  if (GetSmoothing(options) != Smoothing::Automatic && !measuresGray)
+  const bool opensVolume = GetSmoothing(options) == Smoothing::Automatic || measuresGray;
+  const auto header = opensVolume ? UnpackInput(job.input, job.plan, sink) : job.input;
+  MeasureThreshold(options, header, sink);
+  CheckOptions(options); // with the threshold of Otsu
+  if (!opensVolume)
   {
+    options.measure = WallMeasure{ false, std::nullopt, DescribeMeasureOnObject(options, job.input) };
     return;
   }
   const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
-  const auto input =
-    OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep, GetSmoothing(options));
+  const auto input = OpenInputVolume(header, options, job.plan.bytesToKeep, GetSmoothing(options));
   input->Prepare(observer);
   options.roughness = input->GetRoughness();
-  if (measuresGray)
-  {
-    options.measure = FindWallMeasure(*input, job.input, options, observer);
-  }
+  options.measure = FindWallMeasure(*input, header, options, observer);
 }
 
 void
@@ -203,7 +196,6 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
   ExtractOptions ofProcess = options;
   ofProcess.divisions.reset(); // those are clusters, which each process divides for its memory
   PlanResult job{ PrepareProcesses(ofProcess), std::nullopt };
-  RefusePacked(job.input);
   TellWarnings(sink, job.warnings);
   const JobFolder folder(options.jobFolder);
   folder.CheckFree();
@@ -220,8 +212,6 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
   WithPipelineErrors([&] {
     const auto  volumes = ListVolumes(options, job.input);
     PlanOptions own = options;
-    MeasureThreshold(own, job.input, sink);
-    CheckOptions(own); // with the threshold of Otsu
     MeasureVolume(own, job, sink);
     const Manifest manifest = MakeManifest(own, job, folder);
     folder.Create();

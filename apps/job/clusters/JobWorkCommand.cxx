@@ -5,12 +5,14 @@
 #include "JobClock.h"
 #include "JobCommands.h"
 #include "PipelineErrors.h"
+#include "PrepareJob.h"
+#include "ProcessIdentity.h"
 #include "SharedJob.h"
 #include "StopListener.h"
 
 #include <algorithm>
-#include <array>
-#include <unistd.h>
+#include <filesystem>
+#include <string>
 
 namespace medialvoxel
 {
@@ -18,21 +20,14 @@ namespace
 {
 
 ExtractOptions
-GetOptions(const Manifest & manifest, const WorkOptions & options)
+GetOptions(const Manifest & manifest, const WorkOptions & options, const std::string & scratchFolder)
 {
   ExtractOptions own = manifest.options;
   own.memoryBytes = options.memoryBytes ? options.memoryBytes : own.memoryBytes;
   own.threads = options.threads ? options.threads : own.threads;
+  own.scratchFolder = scratchFolder.empty() ? own.scratchFolder : scratchFolder;
   own.divisions.reset(); // the pieces of a cluster are for the memory of this machine to decide
   return own;
-}
-
-std::string
-GetHostName()
-{
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  return name.data();
 }
 
 bool
@@ -61,6 +56,9 @@ RecordJob(const SharedJob & job, const std::vector<std::uint64_t> & clusters, Pr
 WorkResult
 RunWork(const WorkOptions & options, ProgressSink & sink)
 {
+  // Absolute, as the current folder may change.
+  const std::string scratchFolder =
+    options.scratchFolder.empty() ? "" : std::filesystem::absolute(options.scratchFolder).string();
   const SharedJob job = OpenSharedJob(options.jobFolder);
   const auto      clusters = ListClusters(options.clusters, job.manifest.numberOfClusters);
   WorkResult      result;
@@ -73,13 +71,18 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
   try
   {
     WithPipelineErrors([&] {
-      const JobResult plan = PrepareSharedExtract(GetOptions(job.manifest, options));
+      JobResult plan = PrepareSharedExtract(GetOptions(job.manifest, options, scratchFolder));
       sink.Start("medialvoxel", "extracting medial voxels");
       const StopListener listener(&sink);
       RecordJob(job, clusters, sink);
       // Volumes whose clusters are done may have got their names.
-      result =
-        AreDone(job, clusters) ? WorkResult{ {}, clusters.size() } : ClusterWorker(job, plan, sink).Run(clusters);
+      if (AreDone(job, clusters))
+      {
+        result.skipped = clusters.size();
+        return;
+      }
+      plan.input = UnpackInput(plan.input, plan.plan, sink);
+      result = ClusterWorker(job, plan, sink).Run(clusters);
     });
   }
   catch (const StoppedBySignal & stop)

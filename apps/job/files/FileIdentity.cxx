@@ -2,15 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FileIdentity.h"
 
-#include "Errors.h"
+#include "FileNames.h"
+#include "SystemFile.h"
 
 #include "itkMedialVoxelProgress.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <sys/stat.h>
-#include <utility>
 
 namespace medialvoxel
 {
@@ -44,25 +41,6 @@ ListFiles(const std::filesystem::path & name)
   return files;
 }
 
-/** Bytes, and nanoseconds since 1970. */
-std::pair<std::uint64_t, std::int64_t>
-GetSizeAndTime(const std::filesystem::path & fileName)
-{
-  struct stat status = {};
-  if (stat(fileName.c_str(), &status) != 0)
-  {
-    Fail(ExitStatus::Failure, "cannot read ", fileName.string(), ": ", std::strerror(errno));
-  }
-#ifdef __APPLE__
-  const timespec & time = status.st_mtimespec;
-#else
-  const timespec & time = status.st_mtim;
-#endif
-  constexpr std::int64_t perSecond = 1000000000;
-  return { static_cast<std::uint64_t>(status.st_size),
-           static_cast<std::int64_t>(time.tv_sec) * perSecond + static_cast<std::int64_t>(time.tv_nsec) };
-}
-
 /** True when both may be the time of one file: some file systems of networks keep less than the disk behind them does,
  * in whole seconds, microseconds or units of 100 ns, rounded down. */
 bool
@@ -88,9 +66,13 @@ IdentifyFile(const std::filesystem::path & name)
   for (const std::filesystem::path & file : ListFiles(name))
   {
     itk::MedialVoxelPoll();
-    const auto [numberOfBytes, modified] = GetSizeAndTime(file);
-    identity.numberOfBytes += numberOfBytes;
-    identity.modified = std::max(identity.modified, modified);
+    const auto status = GetFileStatus(file);
+    if (!status)
+    {
+      FailWithErrno(ExitStatus::Failure, "read", file);
+    }
+    identity.numberOfBytes += status->numberOfBytes;
+    identity.modified = std::max(identity.modified, status->modified);
   }
   return identity;
 }

@@ -4,14 +4,13 @@
 
 #include "DataFile.h"
 #include "FileNames.h"
+#include "SystemFile.h"
 #include "TemporaryName.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <set>
 #include <string>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace medialvoxel
 {
@@ -42,9 +41,8 @@ ListFolder(const std::filesystem::path & folder)
 bool
 IsOurs(const std::filesystem::path & path)
 {
-  struct stat status = {};
-  return lstat(path.c_str(), &status) == 0 && status.st_uid == geteuid() &&
-         (S_ISREG(status.st_mode) || S_ISDIR(status.st_mode));
+  const auto status = GetFileStatus(path, false);
+  return status && status->isOfThisUser && (status->isFile || status->isFolder);
 }
 
 std::vector<Leftover>
@@ -69,7 +67,7 @@ Claim(Leftover & leftover)
   for (int attempt = 0; attempt < MaximumTemporaryNames; ++attempt)
   {
     const std::filesystem::path name = MakeTemporaryName(leftover.owner, attempt);
-    if (RenameToFreeName(leftover.path.c_str(), name.c_str()) == 0)
+    if (Rename(leftover.path, name, TakenName::Stays))
     {
       leftover.path = name;
       return true;
@@ -88,7 +86,7 @@ RemoveOrphan(const std::filesystem::path & voxels, const std::filesystem::path &
 {
   if (IsDataName(voxels, header) && FindDataFile(header) != voxels)
   {
-    unlink(voxels.c_str());
+    RemoveName(voxels);
   }
 }
 
@@ -113,8 +111,8 @@ void
 RemoveVoxelsOfHeader(const Leftover & leftover)
 {
   const std::filesystem::path voxels = FindDataFile(leftover.owner, leftover.path);
-  struct stat                 status = {};
-  if (!voxels.empty() && lstat(voxels.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1)
+  const auto                  status = GetFileStatus(voxels, false);
+  if (status && status->isFile && status->numberOfNames == 1)
   {
     RemoveOrphan(voxels, leftover.owner);
   }
@@ -123,14 +121,14 @@ RemoveVoxelsOfHeader(const Leftover & leftover)
 void
 Remove(Leftover & leftover)
 {
-  struct stat status = {};
-  if (!Claim(leftover) || lstat(leftover.path.c_str(), &status) != 0)
+  const auto status = Claim(leftover) ? GetFileStatus(leftover.path, false) : std::nullopt;
+  if (!status)
   {
     return;
   }
-  if (S_ISREG(status.st_mode))
+  if (status->isFile)
   {
-    status.st_nlink > 1 ? RemoveOtherName(leftover) : RemoveVoxelsOfHeader(leftover);
+    status->numberOfNames > 1 ? RemoveOtherName(leftover) : RemoveVoxelsOfHeader(leftover);
   }
   std::error_code error;
   std::filesystem::remove_all(leftover.path, error);

@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Log.h"
 
-#include "Errors.h"
-#include "FileTransfer.h"
+#include "FileNames.h"
+#include "ProcessIdentity.h"
 #include "Text.h"
 
 #include <nlohmann/json.hpp>
 
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 
 namespace medialvoxel
@@ -41,15 +36,15 @@ BeginsWithTime(const std::string & text)
 
 /** A regular file must be empty or a log; what is not a file, such as a terminal, takes any lines. */
 bool
-TakesLines(int descriptor)
+TakesLines(const SystemFile & file)
 {
-  struct stat status = {};
-  if (fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0)
+  const auto status = file.GetStatus();
+  if (!status || !status->isFile || status->numberOfBytes == 0)
   {
     return true;
   }
   std::string begin(BytesOfTime, '\0');
-  return ReadFully(descriptor, 0, begin.data(), begin.size()) && BeginsWithTime(begin);
+  return file.ReadAt(0, begin.data(), begin.size()) && BeginsWithTime(begin);
 }
 
 const char *
@@ -148,23 +143,17 @@ private:
 } // namespace
 
 Log::Log(const std::filesystem::path & fileName, LogLevel level)
-  : m_Descriptor(open(fileName.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC | O_NOCTTY, 0666))
+  : m_File(fileName, FileAccess::MakeLog)
   , m_Level(level)
 {
-  if (m_Descriptor < 0)
+  if (!m_File.IsOpen())
   {
-    Fail(ExitStatus::Refused, "cannot write the log ", fileName.string(), ": ", std::strerror(errno));
+    FailWithErrno(ExitStatus::Refused, "write the log", fileName);
   }
-  if (!TakesLines(m_Descriptor))
+  if (!TakesLines(m_File))
   {
-    close(m_Descriptor);
     Fail(ExitStatus::Refused, fileName.string(), " is not a log; lines are added to logs and empty files only");
   }
-}
-
-Log::~Log()
-{
-  close(m_Descriptor);
 }
 
 void
@@ -174,14 +163,15 @@ Log::Write(const LogRecord & record)
   {
     return;
   }
-  std::string line = GetTime() + " " + GetName(record.level) + " " + std::to_string(getpid()) + " " + record.event;
+  std::string line =
+    GetTime() + " " + GetName(record.level) + " " + std::to_string(GetThisProcess().number) + " " + record.event;
   for (const auto & [name, value] : record.values)
   {
     line += " " + name + "=" + Quote(value);
   }
   line += "\n";
   // Whatever becomes of it, the work goes on.
-  [[maybe_unused]] const ssize_t written = write(m_Descriptor, line.data(), line.size());
+  m_File.Append(line.data(), line.size());
 }
 
 std::unique_ptr<ProgressSink>

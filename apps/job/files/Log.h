@@ -4,6 +4,7 @@
 #define medialvoxelLog_h
 
 #include "Progress.h"
+#include "SystemFile.h"
 
 #include <filesystem>
 #include <memory>
@@ -23,18 +24,14 @@ public:
   /** Opens a file, or makes it. \param level the least urgent one that is written
    * \throw JobError Refused when the file cannot be written, or has something that is not a log. */
   Log(const std::filesystem::path & fileName, LogLevel level);
-  ~Log();
-  Log(const Log &) = delete;
-  Log &
-  operator=(const Log &) = delete;
 
   /** A line that cannot be written is left out. */
   void
   Write(const LogRecord & record);
 
 private:
-  int      m_Descriptor;
-  LogLevel m_Level;
+  SystemFile m_File;
+  LogLevel   m_Level;
 };
 
 /** A sink that writes what it hears to a log, which must outlive it, and hands it on to \a next. */

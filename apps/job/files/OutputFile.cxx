@@ -4,7 +4,6 @@
 
 #include "Errors.h"
 #include "FileNames.h"
-#include "FileTransfer.h"
 #include "TemporaryName.h"
 #include "Text.h"
 #include "Zeros.h"
@@ -12,9 +11,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <vector>
 
 namespace medialvoxel
@@ -34,17 +30,14 @@ OutputFile::OutputFile(const std::filesystem::path & fileName, bool overwrite)
 
 OutputFile::~OutputFile()
 {
-  if (m_Descriptor >= 0)
-  {
-    close(m_Descriptor);
-  }
+  m_File.Close();
   if (m_IsForNow)
   {
-    unlink(m_FileName.c_str());
+    RemoveName(m_FileName);
   }
   if (!m_TemporaryName.empty() && !m_IsShared)
   {
-    unlink(m_TemporaryName.c_str());
+    RemoveName(m_TemporaryName);
   }
 }
 
@@ -52,14 +45,8 @@ void
 OutputFile::Create(std::uint64_t numberOfBytes, bool reserve)
 {
   this->CheckLengthOfName();
-  m_Descriptor = OpenNamelessFile(FolderOf(m_FileName), 0666);
-  m_IsNameless = m_Descriptor >= 0 && access(GetDescriptorName(m_Descriptor).c_str(), F_OK) == 0;
-  if (m_Descriptor >= 0 && !m_IsNameless)
-  {
-    // Without /proc, it could get no name.
-    close(m_Descriptor);
-    m_Descriptor = -1;
-  }
+  m_File = SystemFile::MakeNameless(FolderOf(m_FileName));
+  m_IsNameless = m_File.IsOpen();
   m_KeepsOrder = m_IsNameless;
   if (!m_IsNameless)
   {
@@ -72,7 +59,7 @@ void
 OutputFile::CreateNamed(std::uint64_t numberOfBytes, bool reserve, const std::string & suffix)
 {
   this->OpenUnder([this, &suffix](int attempt) {
-    return m_FileName.string() + "." + std::to_string(getpid()) + "-" + std::to_string(attempt) + suffix;
+    return m_FileName.string() + "." + std::to_string(GetThisProcess().number) + "-" + std::to_string(attempt) + suffix;
   });
   this->SetSize(numberOfBytes, reserve);
 }
@@ -81,8 +68,7 @@ OutputFile::CreateNamed(std::uint64_t numberOfBytes, bool reserve, const std::st
 void
 OutputFile::CheckLengthOfName() const
 {
-  struct stat status = {};
-  if (lstat(m_FileName.c_str(), &status) != 0 && errno == ENAMETOOLONG)
+  if (!GetFileStatus(m_FileName, false) && errno == ENAMETOOLONG)
   {
     FailWithErrno(ExitStatus::Refused, "create a file in the folder of", m_FileName);
   }
@@ -97,11 +83,11 @@ OutputFile::GetNameMaker() const
 void
 OutputFile::OpenUnder(const NameMaker & makeName)
 {
-  for (int attempt = 0; m_Descriptor < 0; ++attempt)
+  for (int attempt = 0; !m_File.IsOpen(); ++attempt)
   {
     const std::filesystem::path name = makeName(attempt);
-    m_Descriptor = open(name.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (m_Descriptor >= 0)
+    m_File = SystemFile(name, FileAccess::MakeNew);
+    if (m_File.IsOpen())
     {
       m_TemporaryName = name;
     }
@@ -115,8 +101,8 @@ OutputFile::OpenUnder(const NameMaker & makeName)
 void
 OutputFile::CreateShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes)
 {
-  m_Descriptor = open(temporaryName.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (m_Descriptor < 0)
+  m_File = SystemFile(temporaryName, FileAccess::MakeNew);
+  if (!m_File.IsOpen())
   {
     FailWithErrno(ExitStatus::Refused, "create", temporaryName);
   }
@@ -145,13 +131,13 @@ OutputFile::RemoveLeftovers(const std::string & suffix) const
       leftovers.push_back(entry->path());
     }
   }
-  std::for_each(leftovers.begin(), leftovers.end(), [](const auto & name) { unlink(name.c_str()); });
+  std::for_each(leftovers.begin(), leftovers.end(), RemoveName);
 }
 
 void
 OutputFile::OpenShared(const std::filesystem::path & temporaryName, std::uint64_t numberOfBytes, bool forWriting)
 {
-  if (access(temporaryName.c_str(), F_OK) != 0)
+  if (!GetFileStatus(temporaryName))
   {
     Fail(ExitStatus::Failure,
          "cannot open ",
@@ -160,7 +146,7 @@ OutputFile::OpenShared(const std::filesystem::path & temporaryName, std::uint64_
          std::strerror(errno),
          "; the output of the job is missing; put it back, or plan the job again");
   }
-  this->OpenExisting(temporaryName, numberOfBytes, forWriting ? O_WRONLY : O_RDONLY);
+  this->OpenExisting(temporaryName, numberOfBytes, forWriting ? FileAccess::Write : FileAccess::Read);
   m_TemporaryName = temporaryName;
   m_IsShared = true;
 }
@@ -168,21 +154,21 @@ OutputFile::OpenShared(const std::filesystem::path & temporaryName, std::uint64_
 void
 OutputFile::OpenPublished(std::uint64_t numberOfBytes)
 {
-  this->OpenExisting(m_FileName, numberOfBytes, O_RDONLY);
+  this->OpenExisting(m_FileName, numberOfBytes, FileAccess::Read);
 }
 
 void
-OutputFile::OpenExisting(const std::filesystem::path & name, std::uint64_t numberOfBytes, int flags)
+OutputFile::OpenExisting(const std::filesystem::path & name, std::uint64_t numberOfBytes, FileAccess access)
 {
-  m_Descriptor = open(name.c_str(), flags | O_CLOEXEC);
-  struct stat status = {};
-  if (m_Descriptor < 0 || fstat(m_Descriptor, &status) != 0)
+  m_File = SystemFile(name, access);
+  const auto status = m_File.IsOpen() ? m_File.GetStatus() : std::nullopt;
+  if (!status)
   {
     FailWithErrno(ExitStatus::Failure, "open", name);
   }
-  if (static_cast<std::uint64_t>(status.st_size) != numberOfBytes)
+  if (status->numberOfBytes != numberOfBytes)
   {
-    Fail(ExitStatus::Failure, name.string(), " has ", status.st_size, " bytes, not ", numberOfBytes);
+    Fail(ExitStatus::Failure, name.string(), " has ", status->numberOfBytes, " bytes, not ", numberOfBytes);
   }
   m_Size = numberOfBytes;
 }
@@ -190,12 +176,7 @@ OutputFile::OpenExisting(const std::filesystem::path & name, std::uint64_t numbe
 void
 OutputFile::Sync()
 {
-#ifdef __APPLE__
-  const int result = fsync(m_Descriptor);
-#else
-  const int result = fdatasync(m_Descriptor);
-#endif
-  if (result != 0 || !this->SyncUncached())
+  if (!m_File.SyncBytes() || !this->SyncUncached())
   {
     FailWithErrno(ExitStatus::Failure, "bring to the disk", m_FileName);
   }
@@ -216,7 +197,7 @@ OutputFile::SetSize(std::uint64_t numberOfBytes, bool reserve)
   {
     this->Reserve(numberOfBytes);
   }
-  if (ftruncate(m_Descriptor, static_cast<off_t>(numberOfBytes)) != 0)
+  if (!m_File.SetSize(numberOfBytes))
   {
     FailWithErrno(ExitStatus::Refused, "set the size of", m_FileName);
   }
@@ -225,25 +206,18 @@ OutputFile::SetSize(std::uint64_t numberOfBytes, bool reserve)
 void
 OutputFile::Reserve(std::uint64_t numberOfBytes)
 {
-  if (!ReserveSpace(m_Descriptor, numberOfBytes))
+  if (!m_File.Reserve(numberOfBytes))
   {
-    Fail(ExitStatus::Refused,
-         "cannot reserve ",
-         numberOfBytes,
-         " bytes (",
-         FormatBytes(numberOfBytes),
-         ") for ",
-         m_FileName.string(),
-         ": ",
-         std::strerror(errno));
+    FailWithErrno(ExitStatus::Refused,
+                  "reserve " + std::to_string(numberOfBytes) + " bytes (" + FormatBytes(numberOfBytes) + ") for",
+                  m_FileName);
   }
 }
 
 void
 OutputFile::BypassPageCache()
 {
-  m_Uncached = std::make_unique<UncachedWriter>(m_IsNameless ? std::filesystem::path(GetDescriptorName(m_Descriptor))
-                                                             : m_TemporaryName);
+  m_Uncached = std::make_unique<UncachedWriter>(m_IsNameless ? m_File.GetOwnName() : m_TemporaryName);
   if (!m_Uncached->IsOpen())
   {
     m_Uncached.reset();
@@ -288,11 +262,11 @@ OutputFile::WriteUncachedAt(std::uint64_t offset, const char * data, std::uint64
 void
 OutputFile::WriteCachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes)
 {
-  if (!WriteFully(m_Descriptor, offset, data, numberOfBytes))
+  if (!m_File.WriteAt(offset, data, numberOfBytes))
   {
     FailWithErrno(ExitStatus::Failure, "write", m_FileName);
   }
-  StartWriteBack(m_Descriptor, offset, numberOfBytes);
+  m_File.StartSync(offset, numberOfBytes);
 }
 
 void
@@ -315,7 +289,7 @@ OutputFile::WriteSparseAt(std::uint64_t offset, const void * data, std::uint64_t
 void
 OutputFile::ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfBytes) const
 {
-  if (!ReadFully(m_Descriptor, offset, static_cast<char *>(data), numberOfBytes))
+  if (!m_File.ReadAt(offset, static_cast<char *>(data), numberOfBytes))
   {
     FailWithErrno(ExitStatus::Failure, "read back", m_FileName);
   }
@@ -324,25 +298,24 @@ OutputFile::ReadAt(std::uint64_t offset, void * data, std::uint64_t numberOfByte
 void
 OutputFile::AcceptSize()
 {
-  struct stat status = {};
-  if (fstat(m_Descriptor, &status) != 0)
+  const auto status = m_File.GetStatus();
+  if (!status)
   {
     FailWithErrno(ExitStatus::Failure, "read the size of", m_FileName);
   }
-  m_Size = static_cast<std::uint64_t>(status.st_size);
+  m_Size = status->numberOfBytes;
 }
 
 void
 OutputFile::Finish()
 {
-  if (fsync(m_Descriptor) != 0 || !this->SyncUncached())
+  if (!m_File.Sync() || !this->SyncUncached())
   {
     FailWithErrno(ExitStatus::Failure, "bring to the disk", m_FileName);
   }
-  struct stat status = {};
-  if (fstat(m_Descriptor, &status) != 0 || static_cast<std::uint64_t>(status.st_size) != m_Size)
+  if (m_File.GetSize() != m_Size)
   {
-    Fail(ExitStatus::Failure, m_FileName.string(), " has ", status.st_size, " bytes after writing, not ", m_Size);
+    Fail(ExitStatus::Failure, m_FileName.string(), " has ", m_File.GetSize(), " bytes after writing, not ", m_Size);
   }
 }
 

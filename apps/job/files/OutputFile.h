@@ -3,6 +3,7 @@
 #ifndef medialvoxelOutputFile_h
 #define medialvoxelOutputFile_h
 
+#include "SystemFile.h"
 #include "UncachedWriter.h"
 
 #include <cstdint>
@@ -188,7 +189,7 @@ private:
   SyncUncached() const;
 
   void
-  OpenExisting(const std::filesystem::path & name, std::uint64_t numberOfBytes, int flags);
+  OpenExisting(const std::filesystem::path & name, std::uint64_t numberOfBytes, FileAccess access);
 
   void
   WriteCachedAt(std::uint64_t offset, const char * data, std::uint64_t numberOfBytes);
@@ -205,7 +206,7 @@ private:
   bool                  m_KeepsOrder{ false };
   bool                  m_IsForNow{ false }; ///< the final name is to be lost again
   bool                  m_IsShared{ false }; ///< the temporary file stays for other processes
-  int                   m_Descriptor{ -1 };
+  SystemFile            m_File;
   std::uint64_t         m_Size{ 0 };
 
   std::unique_ptr<UncachedWriter> m_Uncached;

@@ -3,15 +3,11 @@
 #include "Errors.h"
 #include "FileNames.h"
 #include "OutputFile.h"
+#include "SystemFile.h"
 #include "TemporaryName.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -24,52 +20,6 @@ namespace
 
 constexpr std::uint64_t CopiedBytes = std::uint64_t{ 1 } << 20;
 
-/** \class FileLock
- * \brief Holds off others that have this lock until its end, where the file system can and the file may be written. */
-class FileLock
-{
-public:
-  explicit FileLock(const std::filesystem::path & fileName)
-  {
-    for (int attempt = 0; !this->Open(fileName) && attempt < MaximumTemporaryNames; ++attempt)
-    {
-      // Another process replaced the file before this one had the lock.
-    }
-  }
-  ~FileLock()
-  {
-    if (m_Descriptor >= 0)
-    {
-      close(m_Descriptor);
-    }
-  }
-  FileLock(const FileLock &) = delete;
-  FileLock &
-  operator=(const FileLock &) = delete;
-
-private:
-  /** False when it locked a file that has lost its name. */
-  bool
-  Open(const std::filesystem::path & fileName)
-  {
-    if (m_Descriptor >= 0)
-    {
-      close(m_Descriptor);
-    }
-    struct stat locked = {};
-    struct stat named = {};
-    m_Descriptor = open(fileName.c_str(), O_RDWR | O_CLOEXEC);
-    if (m_Descriptor < 0 || flock(m_Descriptor, LOCK_EX) != 0 || fstat(m_Descriptor, &locked) != 0 ||
-        stat(fileName.c_str(), &named) != 0)
-    {
-      return true;
-    }
-    return locked.st_dev == named.st_dev && locked.st_ino == named.st_ino;
-  }
-
-  int m_Descriptor{ -1 };
-};
-
 } // namespace
 
 void
@@ -79,7 +29,7 @@ OutputFile::TakeTemporaryName()
   for (int attempt = 0; m_IsNameless; ++attempt)
   {
     const std::filesystem::path name = makeName(attempt);
-    if (LinkNamelessFile(m_Descriptor, name) == 0)
+    if (m_File.GiveName(name))
     {
       m_TemporaryName = name;
       m_IsNameless = false;
@@ -96,7 +46,7 @@ void
 OutputFile::CopyToTemporaryName()
 {
   OutputFile source(m_FileName, m_Overwrite);
-  std::swap(source.m_Descriptor, m_Descriptor);
+  std::swap(source.m_File, m_File);
   m_Uncached.reset();
   m_IsNameless = false;
   this->OpenUnder(this->GetNameMaker());
@@ -115,7 +65,7 @@ OutputFile::CopyToTemporaryName()
 bool
 OutputFile::TakeFreeName()
 {
-  if (m_IsNameless && LinkNamelessFile(m_Descriptor, m_FileName) == 0)
+  if (m_IsNameless && m_File.GiveName(m_FileName))
   {
     m_IsNameless = false;
     return true;
@@ -125,7 +75,7 @@ OutputFile::TakeFreeName()
     return false;
   }
   this->TakeTemporaryName();
-  if (RenameToFreeName(m_TemporaryName.c_str(), m_FileName.c_str()) == 0)
+  if (Rename(m_TemporaryName, m_FileName, TakenName::Stays))
   {
     m_TemporaryName.clear();
     return true;
@@ -141,12 +91,12 @@ OutputFile::TakeFreeName()
 bool
 OutputFile::LinkFreeName()
 {
-  if (m_TemporaryName.empty() || link(m_TemporaryName.c_str(), m_FileName.c_str()) != 0)
+  if (m_TemporaryName.empty() || !AddName(m_TemporaryName, m_FileName))
   {
     const bool isTaken = !m_TemporaryName.empty() && errno == EEXIST;
     return !isTaken && this->TakeFreeName();
   }
-  unlink(m_TemporaryName.c_str());
+  RemoveName(m_TemporaryName);
   m_TemporaryName.clear();
   return true;
 }
@@ -175,7 +125,7 @@ OutputFile::Replace()
     FailWithErrno(ExitStatus::Refused, "give its name to", m_FileName);
   }
   this->TakeTemporaryName();
-  if (rename(m_TemporaryName.c_str(), m_FileName.c_str()) != 0)
+  if (!Rename(m_TemporaryName, m_FileName, TakenName::IsLost))
   {
     FailWithErrno(ExitStatus::Failure, "give its name to", m_FileName);
   }
@@ -207,14 +157,14 @@ OutputFile::PublishByExchange()
 bool
 OutputFile::ExchangeWithFile()
 {
-  if (ExchangeNames(m_TemporaryName.c_str(), m_FileName.c_str()) != 0)
+  if (!Rename(m_TemporaryName, m_FileName, TakenName::Exchanges))
   {
-    return (errno == EINVAL || errno == ENOSYS) && this->ReplaceLinkedFile();
+    return errno == ENOSYS && this->ReplaceLinkedFile();
   }
-  struct stat status = {};
-  if (lstat(m_TemporaryName.c_str(), &status) == 0 && S_ISDIR(status.st_mode))
+  const auto status = GetFileStatus(m_TemporaryName, false);
+  if (status && status->isFolder)
   {
-    ExchangeNames(m_TemporaryName.c_str(), m_FileName.c_str());
+    Rename(m_TemporaryName, m_FileName, TakenName::Exchanges);
     errno = EISDIR;
     FailWithErrno(ExitStatus::Failure, "give its name to", m_FileName);
   }
@@ -225,13 +175,13 @@ OutputFile::ExchangeWithFile()
 bool
 OutputFile::ReplaceLinkedFile()
 {
-  const FileLock        lock(m_FileName);
+  const SystemFile      lock = SystemFile::OpenInTurn(m_FileName);
   const NameMaker       makeName = this->GetNameMaker();
   std::filesystem::path aside;
   for (int attempt = 0; aside.empty(); ++attempt)
   {
     const std::filesystem::path name = makeName(attempt);
-    if (link(m_FileName.c_str(), name.c_str()) == 0)
+    if (AddName(m_FileName, name))
     {
       aside = name;
     }
@@ -240,11 +190,10 @@ OutputFile::ReplaceLinkedFile()
       return false;
     }
   }
-  const bool isReplaced = rename(m_TemporaryName.c_str(), m_FileName.c_str()) == 0;
-  const int  error = errno;
-  if (!isReplaced)
+  if (!Rename(m_TemporaryName, m_FileName, TakenName::IsLost))
   {
-    unlink(aside.c_str());
+    const int error = errno;
+    RemoveName(aside);
     errno = error;
     FailWithErrno(ExitStatus::Failure, "give its name to", m_FileName);
   }
@@ -267,7 +216,7 @@ bool
 OutputFile::PublishForNow()
 {
   this->TakeTemporaryName();
-  m_IsForNow = link(m_TemporaryName.c_str(), m_FileName.c_str()) == 0;
+  m_IsForNow = AddName(m_TemporaryName, m_FileName);
   if (!m_IsForNow && errno != EEXIST)
   {
     // The file system has no second names.
@@ -283,7 +232,7 @@ OutputFile::KeepName()
   m_IsForNow = false;
   if (!m_TemporaryName.empty())
   {
-    unlink(m_TemporaryName.c_str());
+    RemoveName(m_TemporaryName);
     m_TemporaryName.clear();
   }
 }

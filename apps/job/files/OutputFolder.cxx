@@ -4,13 +4,10 @@
 
 #include "Errors.h"
 #include "FileNames.h"
+#include "SystemFile.h"
 #include "TemporaryName.h"
 
 #include <cerrno>
-#include <cstdio>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace medialvoxel
 {
@@ -53,7 +50,7 @@ OutputFolder::Create()
   for (int attempt = 0; m_TemporaryName.empty(); ++attempt)
   {
     const std::filesystem::path name = MakeTemporaryName(m_Name, attempt);
-    if (mkdir(name.c_str(), 0777) == 0)
+    if (MakeFolder(name))
     {
       m_TemporaryName = name;
     }
@@ -68,18 +65,16 @@ void
 OutputFolder::CreateShared(const std::string & suffix)
 {
   const std::filesystem::path name = this->GetSharedName(suffix);
-  if (mkdir(name.c_str(), 0777) != 0)
+  if (!MakeFolder(name))
   {
     FailWithErrno(ExitStatus::Refused, "create the folder", name);
   }
   m_TemporaryName = name;
   m_Suffix = suffix;
-  const int mark = open((name / suffix).c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (mark < 0)
+  if (!SystemFile(name / suffix, FileAccess::Make).IsOpen())
   {
     FailWithErrno(ExitStatus::Refused, "create a file in", name);
   }
-  close(mark);
 }
 
 void
@@ -94,7 +89,7 @@ OutputFolder::OpenShared(const std::string & suffix)
 {
   m_TemporaryName = this->GetSharedName(suffix);
   m_Suffix = suffix;
-  if (access((m_TemporaryName / suffix).c_str(), F_OK) != 0)
+  if (!GetFileStatus(m_TemporaryName / suffix))
   {
     FailWithErrno(ExitStatus::Failure, "open", m_TemporaryName);
   }
@@ -146,7 +141,7 @@ OutputFolder::Publish()
 void
 OutputFolder::GiveName()
 {
-  if (RenameToFreeName(m_TemporaryName.c_str(), m_Name.c_str()) == 0)
+  if (Rename(m_TemporaryName, m_Name, TakenName::Stays))
   {
     return;
   }
@@ -160,19 +155,19 @@ OutputFolder::GiveName()
 void
 OutputFolder::Replace()
 {
-  if (ExchangeNames(m_TemporaryName.c_str(), m_Name.c_str()) == 0)
+  if (Rename(m_TemporaryName, m_Name, TakenName::Exchanges))
   {
     return;
   }
   const std::filesystem::path aside = this->GetNameAside();
-  if ((errno != EINVAL && errno != ENOSYS) || rename(m_Name.c_str(), aside.c_str()) != 0)
+  if (errno != ENOSYS || !Rename(m_Name, aside, TakenName::IsLost))
   {
     FailWithErrno(ExitStatus::Failure, "replace", m_Name);
   }
-  if (rename(m_TemporaryName.c_str(), m_Name.c_str()) != 0)
+  if (!Rename(m_TemporaryName, m_Name, TakenName::IsLost))
   {
     const int error = errno;
-    rename(aside.c_str(), m_Name.c_str());
+    Rename(aside, m_Name, TakenName::IsLost);
     errno = error;
     FailWithErrno(ExitStatus::Failure, "replace", m_Name);
   }

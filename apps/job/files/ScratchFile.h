@@ -3,6 +3,8 @@
 #ifndef medialvoxelScratchFile_h
 #define medialvoxelScratchFile_h
 
+#include "SystemFile.h"
+
 #include <cstdint>
 #include <filesystem>
 
@@ -16,14 +18,10 @@ class ScratchFile
 public:
   /** \throw JobError Refused when the folder is missing or cannot be written. */
   explicit ScratchFile(const std::filesystem::path & folder);
-  ~ScratchFile();
-  ScratchFile(const ScratchFile &) = delete;
-  ScratchFile &
-  operator=(const ScratchFile &) = delete;
 
-  /** Takes the space from the disk at once. \throw JobError Refused when there is none. */
+  /** Makes it a hole of so many bytes, which reads as zeros. \throw JobError Failure. */
   void
-  Reserve(std::uint64_t numberOfBytes);
+  SetSize(std::uint64_t numberOfBytes);
 
   /** \throw JobError Failure. */
   void
@@ -35,7 +33,7 @@ public:
 
 private:
   std::filesystem::path m_Folder;
-  int                   m_Descriptor;
+  SystemFile            m_File;
 };
 
 } // end namespace medialvoxel

@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SpaceReserve.h"
 
-#include "Errors.h"
-#include "FileTransfer.h"
+#include "FileNames.h"
 #include "Text.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace medialvoxel
 {
@@ -18,38 +13,29 @@ namespace medialvoxel
 SpaceReserve::SpaceReserve(const std::filesystem::path & fileName, std::uint64_t numberOfBytes)
   : m_FileName(fileName)
   , m_NumberOfBytes(numberOfBytes)
-  , m_Descriptor(open(fileName.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666))
+  , m_File(fileName, FileAccess::Make)
 {
-  if (m_Descriptor < 0 || !ReserveSpace(m_Descriptor, numberOfBytes))
+  if (!m_File.IsOpen() || !m_File.Reserve(numberOfBytes))
   {
-    const int error = errno;
-    close(m_Descriptor);
-    Fail(ExitStatus::Refused,
-         "cannot reserve ",
-         numberOfBytes,
-         " bytes (",
-         FormatBytes(numberOfBytes),
-         ") in ",
-         fileName.parent_path().string(),
-         ": ",
-         std::strerror(error));
+    FailWithErrno(ExitStatus::Refused,
+                  "reserve " + std::to_string(numberOfBytes) + " bytes (" + FormatBytes(numberOfBytes) + ") in",
+                  fileName.parent_path());
   }
 }
 
 SpaceReserve::~SpaceReserve()
 {
-  close(m_Descriptor);
-  std::error_code error;
-  std::filesystem::remove(m_FileName, error);
+  m_File.Close();
+  RemoveName(m_FileName);
 }
 
 void
 SpaceReserve::GiveBack(std::uint64_t numberOfBytes)
 {
   m_NumberOfBytes -= std::min(m_NumberOfBytes, numberOfBytes);
-  if (ftruncate(m_Descriptor, static_cast<off_t>(m_NumberOfBytes)) != 0)
+  if (!m_File.SetSize(m_NumberOfBytes))
   {
-    Fail(ExitStatus::Failure, "cannot set the size of ", m_FileName.string(), ": ", std::strerror(errno));
+    FailWithErrno(ExitStatus::Failure, "set the size of", m_FileName);
   }
 }
 

@@ -3,6 +3,8 @@
 #ifndef medialvoxelSpaceReserve_h
 #define medialvoxelSpaceReserve_h
 
+#include "SystemFile.h"
+
 #include <cstdint>
 #include <filesystem>
 
@@ -30,7 +32,7 @@ public:
 private:
   std::filesystem::path m_FileName;
   std::uint64_t         m_NumberOfBytes;
-  int                   m_Descriptor;
+  SystemFile            m_File;
 };
 
 } // end namespace medialvoxel

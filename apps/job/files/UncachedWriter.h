@@ -3,6 +3,8 @@
 #ifndef medialvoxelUncachedWriter_h
 #define medialvoxelUncachedWriter_h
 
+#include "SystemFile.h"
+
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -24,16 +26,12 @@ public:
 
   /** Opens an existing file. */
   explicit UncachedWriter(const std::filesystem::path & fileName);
-  ~UncachedWriter();
-  UncachedWriter(const UncachedWriter &) = delete;
-  UncachedWriter &
-  operator=(const UncachedWriter &) = delete;
 
   /** False where the file system cannot write past the page cache. */
   bool
   IsOpen() const
   {
-    return m_Descriptor >= 0;
+    return m_Buffer && m_File.IsOpen();
   }
 
   /** \return false on failure, with errno; EINVAL where the file system cannot after all */
@@ -42,7 +40,10 @@ public:
 
   /** Waits for what the file system kept for later all the same. \return false on failure, with errno */
   bool
-  Sync() const;
+  Sync() const
+  {
+    return m_File.Sync();
+  }
 
 private:
   struct Free
@@ -54,7 +55,7 @@ private:
     }
   };
 
-  int                         m_Descriptor{ -1 };
+  SystemFile                  m_File;
   std::unique_ptr<char, Free> m_Buffer; ///< as the memory must be aligned, too
 };
 

@@ -43,6 +43,7 @@ struct WorkOptions
   std::vector<ClusterRange>    clusters;    ///< empty: all
   std::optional<std::uint64_t> memoryBytes; ///< as JobOptions; unset: as planned
   std::optional<unsigned int>  threads;
+  std::string                  scratchFolder; ///< empty: as planned
 };
 
 struct FinalizeOptions

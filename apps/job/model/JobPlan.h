@@ -60,10 +60,10 @@ struct JobPlan
   bool          readsAhead{ true };    ///< a second window is prepared for the next slab
   std::uint64_t numberOfEngines{ 1 };  ///< that keep windows
 
-  ScratchSpace          growingScratch; ///< of files that grow with the results, as planned
-  std::filesystem::path scratchFolder;  ///< of the mask of a compressed volume; empty: it is in memory
-  std::uint64_t         maskBytes{ 0 }; ///< of a volume that does not stream
-  std::uint64_t         diskBytes{ 0 }; ///< of all outputs; with sparse outputs the most they can grow to
+  ScratchSpace          growingScratch;     ///< of files that grow with the results, as planned
+  std::filesystem::path scratchFolder;      ///< of the values of a compressed volume; empty: they are in memory
+  std::uint64_t         unpackedBytes{ 0 }; ///< of these values; 0: it is not compressed
+  std::uint64_t         diskBytes{ 0 };     ///< of all outputs; with sparse outputs the most they can grow to
 
   SliceRange
   GetPiece(std::uint64_t piece) const;

@@ -46,7 +46,7 @@ struct JobResult
   itk::MedialVoxelSums                     sums;
   std::optional<itk::MedialVoxelLimit>     otsu;      ///< lower threshold, when it was measured
   std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it was measured
-  std::optional<WallMeasure>               measure;   ///< of walls, when gray values were looked at
+  std::optional<WallMeasure>               measure;   ///< of walls, where these are measured
   std::optional<ThicknessSummary>          thickness; ///< of an extraction
   std::vector<PlaceSummary>                places;    ///< with too thin or too thick walls; of the kinds looked for
   std::optional<LabelMapSummary>           objects;   ///< of a label map

@@ -108,8 +108,8 @@ CutsOff(const std::optional<itk::MedialVoxelLimit> & threshold, const PixelType 
 bool
 HasOneThreshold(const JobOptions & options, const VolumeHeader & header)
 {
-  const bool hasLower = options.lowerIsOtsu || CutsOff(options.lowerThreshold, header.pixelType, true);
-  return hasLower != CutsOff(options.upperThreshold, header.pixelType, false);
+  const bool hasLower = options.lowerIsOtsu || CutsOff(options.lowerThreshold, header.GetValueType(), true);
+  return hasLower != CutsOff(options.upperThreshold, header.GetValueType(), false);
 }
 
 ExtractOptions
@@ -127,37 +127,32 @@ GetThicknessOptions(const SurfaceOptions & options)
 }
 
 bool
-IsPlacedByGrayValues(const SurfaceOptions & options, const VolumeHeader & header)
-{
-  return options.subVoxel.value_or(HasOneThreshold(options, header) && header.CanStream());
-}
-
-bool
-PaintsWalls(const ExtractOptions & options)
-{
-  return !options.localThicknessFile.empty() && options.localThicknessMethod == LocalThicknessMethod::Wall;
-}
-
-bool
-HasMeshForSolvers(const ExtractOptions & options)
-{
-  return !options.meshFile.empty() && options.elementSize.kind != ElementSize::Kind::Voxel;
-}
-
-bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  const bool isWanted = !options.thicknessFile.empty() || !options.uncertaintyFile.empty() || options.levels ||
-                        ListsPlaces(options) || PaintsWalls(options) || HasMeshForSolvers(options);
-  return options.subVoxel.value_or(isWanted && HasOneThreshold(options, header) && header.CanStream());
+  return options.subVoxel.value_or(HasOneThreshold(options, header));
+}
+
+std::string
+DescribeMeasureOnObject(const ExtractOptions & options, const VolumeHeader & header)
+{
+  if (options.labels || options.label)
+  {
+    return "objects are labels";
+  }
+  if (!options.subVoxel.value_or(true))
+  {
+    return "gray values are switched off";
+  }
+  return CutsOff(options.upperThreshold, header.GetValueType(), false) ? "the object is between two thresholds"
+                                                                       : "no threshold cuts the values";
 }
 
 itk::MedialVoxelExtraction::GrayRange
 GetGrayRange(const JobOptions & options, const VolumeHeader & header)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const bool       hasLower = CutsOff(options.lowerThreshold, header.pixelType, true);
-  const bool       hasUpper = CutsOff(options.upperThreshold, header.pixelType, false);
+  const bool       hasLower = CutsOff(options.lowerThreshold, header.GetValueType(), true);
+  const bool       hasUpper = CutsOff(options.upperThreshold, header.GetValueType(), false);
   return { hasLower ? options.lowerThreshold->GetNearestDouble() : -infinity,
            hasUpper ? options.upperThreshold->GetNearestDouble() : infinity };
 }

@@ -47,6 +47,8 @@ struct LabelSelection
 std::optional<LabelSelection>
 ParseLabelSelection(const std::string & text);
 
+constexpr double KeepSpacing = -1.0;
+
 /** What every job on a volume is told. Empty file names mean: not wanted. */
 struct JobOptions
 {
@@ -54,9 +56,12 @@ struct JobOptions
   std::optional<RawDescription> raw;    ///< set for headerless files
   SliceChoice                   slices; ///< of an input that is a series of images
 
-  unsigned int          level{ 0 }; ///< of an input that is there in several sizes, 0 the largest
-  std::vector<double>   spacing;    ///< along each axis, in place of that of the input; empty: as the input has it
-  std::optional<double> resample; ///< spacing that the input is brought to; 0: the smallest of its own; unset: as it is
+  unsigned int        level{ 0 }; ///< of an input that is there in several sizes, 0 the largest
+  std::vector<double> spacing;    ///< along each axis, in place of that of the input; empty: as the input has it
+
+  /** Spacing that the input is brought to; 0: the smallest of its own; KeepSpacing: as it is; unset: the smallest where
+   * sheets need it. */
+  std::optional<double> resample;
 
   std::optional<itk::MedialVoxelLimit> lowerThreshold; ///< object: value >= lower; unset: no limit
   std::optional<itk::MedialVoxelLimit> upperThreshold; ///< object: value <= upper; neither set: object is value != 0
@@ -69,7 +74,7 @@ struct JobOptions
   std::string logFile;      ///< gets a line for each step; existing ones stay
   std::string command;      ///< that was typed, for the page; empty: not known
 
-  std::string scratchFolder; ///< for the mask of a compressed volume that does not fit the memory; empty: none
+  std::string scratchFolder; ///< for a compressed volume whose values do not fit the memory; empty: none
 
   std::optional<std::uint64_t> memoryBytes;       ///< cap on the memory; unset: half of what is free
   std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
@@ -124,7 +129,7 @@ struct ExtractOptions : JobOptions
   std::optional<Smoothing>                 smoothing; ///< unset: automatic with the automatic thickness, otherwise off
   std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it is known before
 
-  /** Measure on gray values, which needs a threshold; unset: for maps of the thickness, where the values allow it. */
+  /** Measure on gray values, which needs a threshold; unset: where one threshold cuts the values. */
   std::optional<bool> subVoxel;
 
   std::optional<itk::MedialVoxelScanLevels> levels;  ///< values of both materials; unset: those of the scan
@@ -186,9 +191,6 @@ struct SurfaceOptions : JobOptions
 ExtractOptions
 GetThicknessOptions(const SurfaceOptions & options);
 
-/** Whether the surface is placed by gray values. */
-bool
-IsPlacedByGrayValues(const SurfaceOptions & options, const VolumeHeader & header);
 
 /** Whether places with too thin or too thick walls are listed. */
 bool
@@ -202,17 +204,13 @@ GetReportFile(const JobOptions & options);
 itk::MedialVoxelGrid
 GetGrid(const JobOptions & options, const VolumeHeader & header);
 
-/** Whether the local thickness is asked for, and is that of walls. */
-bool
-PaintsWalls(const ExtractOptions & options);
-
-/** Whether elements are as long as walls are thick, or of a given length, as solvers want them. */
-bool
-HasMeshForSolvers(const ExtractOptions & options);
-
-/** Whether walls may be measured on gray values; the values themselves decide where that is not asked for. */
+/** Whether walls may be measured on gray values, unless these are a mask or a label map. */
 bool
 MayMeasureOnGrayValues(const ExtractOptions & options, const VolumeHeader & header);
+
+/** Why the options have walls measured on the object. */
+std::string
+DescribeMeasureOnObject(const ExtractOptions & options, const VolumeHeader & header);
 
 /** Whether values are cut off at one end alone; a threshold that no value of the type reaches does not count. */
 bool
@@ -252,6 +250,9 @@ constexpr const char * VoxelElementSize = "voxel";
 
 /** What stands for the smallest spacing of the input where a spacing is resampled to. */
 constexpr const char * AutomaticSpacing = "auto";
+
+/** What keeps the spacing of the input. */
+constexpr const char * UnchangedSpacing = "off";
 
 /** What lengths are in, for a reader. */
 std::string

@@ -35,7 +35,7 @@ VoxelLayout
 GetObjectLayout(const VolumeHeader & input)
 {
   const VolumeHeader & stored = input.GetStored();
-  return { stored.scale ? PixelType::Float64 : stored.pixelType, 1 };
+  return { stored.GetValueType(), 1 };
 }
 
 VoxelLayout

@@ -18,10 +18,7 @@ struct ThicknessOfSurface : ThicknessStatistics ///< by area
 {
   std::uint64_t unknownVertices{ 0 }; ///< at which it is not known
   double        area{ 0.0 };          ///< at which it is known
-  double        binWidth{ 0.0 };
-  double        above{ 0.0 }; ///< area beyond the last bin
-
-  std::vector<double> areas; ///< bin k: of lengths that are nearest to k times the width
+  AreaBins      bins;
 };
 
 /** Rays without an answer, by what ends them. */

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace medialvoxel
@@ -26,30 +27,35 @@ struct ThicknessStatistics
   }
 };
 
-/** Thickness of the walls at the medial cells that are at no rim, in the units of the job's lengths. Without cells all
- * is 0. */
-struct ThicknessSummary : ThicknessStatistics ///< every cell counts the same
+/** Area for each thickness. Bin k has the lengths that are nearest to k times the width. There are at most 64 bins;
+ * they leave out less than one of two hundred parts of the area, which is above. */
+struct AreaBins
+{
+  double              width{ 0.0 };
+  std::vector<double> areas;
+  double              above{ 0.0 };
+};
+
+/** Thickness of the walls at the medial cells that are at no rim, in the units of the job's lengths. Cells count as
+ * much as the area of the sheet in them. Without cells all is 0. */
+struct ThicknessSummary : ThicknessStatistics
 {
   std::uint64_t cells{ 0 };           ///< measured ones
   std::uint64_t rimCells{ 0 };        ///< measured ones that are at rims, which nothing else here counts
   std::uint64_t unresolvedCells{ 0 }; ///< of walls that the blur has joined, which nothing else counts either
-  unsigned int  step{ 1 };            ///< one of how many medial cells is measured
+  unsigned int  step{ 1 };            ///< one of how many medial cells counts; chosen by their place
   double        resolution{ 0.0 };    ///< of the lengths below, but for mean and deviation
-  double        minimum{ 0.0 };
-  double        maximum{ 0.0 };
 
-  /** Of the mid-surface, as far as its cells are measured, in squared units; in two dimensions a length. */
-  double              area{ 0.0 };
-  ThicknessStatistics byArea; ///< cells count as much as the area that they stand for
+  std::optional<double> minimum;       ///< where all cells count
+  std::optional<double> maximum;       ///< the same
+  std::optional<double> standardError; ///< of the mean of a sample
+
+  /** Of the mid-surface, as far as its cells count, in squared units; in two dimensions a length. */
+  double   area{ 0.0 };
+  AreaBins bins;
 
   std::uint64_t       uncertainCells{ 0 }; ///< whose uncertainty is known
   ThicknessStatistics uncertainty;         ///< of those: half the interval of the thickness that holds 95 %
-
-  /** Bin k has the lengths that are nearest to k times the width. There are at most 64 bins; what is longer than they
-   * reach, less than one of two hundred cells, is counted as above. */
-  double                     binWidth{ 0.0 };
-  std::vector<std::uint64_t> bins;
-  std::uint64_t              above{ 0 };
 };
 
 } // end namespace medialvoxel

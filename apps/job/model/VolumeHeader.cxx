@@ -52,7 +52,7 @@ GetCellGeometry(const VolumeGeometry & voxels)
 std::string
 VolumeHeader::DescribeReading() const
 {
-  if (this->CanStream() && chunks)
+  if (chunks)
   {
     std::string shape;
     for (unsigned int axis = 0; axis < geometry.GetDimension(); ++axis)
@@ -62,12 +62,11 @@ VolumeHeader::DescribeReading() const
     return "streams: chunks of " + shape + (chunks->packing.empty() ? "" : ", packed by " + chunks->packing + ",") +
            " are read as they are needed" + (chunks->inShards ? ", each alone from its shard" : "");
   }
-  if (this->CanStream())
+  if (compressed)
   {
-    return series ? "streams: slices are decoded as they are needed" : "streams: parts are read as they are needed";
+    return "does not stream: it is compressed and unpacked once, to memory or with --scratch to the disk";
   }
-  return compressed ? "does not stream: it is compressed and unpacked once to one bit per voxel"
-                    : "does not stream: its values are scaled, and it is read once to one bit per voxel";
+  return series ? "streams: slices are decoded as they are needed" : "streams: parts are read as they are needed";
 }
 
 std::map<std::filesystem::path, std::uint64_t>

@@ -86,6 +86,7 @@ struct ValueScale
 
 struct VolumeFormat;
 struct SliceSeries;
+class VoxelSource;
 
 /** Which images of a folder or pattern make up a volume. */
 struct SliceChoice
@@ -133,14 +134,19 @@ struct VolumeHeader
   bool                      liesInRows{ true }; ///< so that several threads read it at once; not in tiles or chunks
   std::optional<ValueScale> scale;              ///< of the numbers in the file; none: they are the values
 
-  /** Memory that reading takes beside voxels or bits and a few MiB: the largest strip of a compressed TIFF, a row of
-   * its tiles. */
+  /** Memory that reading takes beside voxels and a few MiB: the largest strip of a compressed TIFF, a row of its tiles.
+   */
   std::uint64_t unpackBytes{ 0 };
 
   std::optional<VolumeChunks> chunks; ///< of volumes that are stored so
 
   unsigned int level{ 0 }; ///< of an image that is there in several sizes, 0 the largest
   unsigned int numberOfLevels{ 1 };
+
+  /** Numbers of a compressed volume for readers of any part, by UnpackVolume(); null: they only come from front to
+   * back.
+   */
+  std::shared_ptr<VoxelSource> unpacked;
 
   /** Of a volume whose slices are images of their own. */
   std::shared_ptr<const SliceSeries> series;
@@ -163,12 +169,11 @@ struct VolumeHeader
     return geometry.GetNumberOfVoxels() * GetTraits(pixelType).bytes;
   }
 
-  /** True when a part of the volume can be read by itself. Others are read once from front to back in bounded memory,
-   * into one bit per voxel. */
-  bool
-  CanStream() const
+  /** Of the values that are read, while pixelType is that of the numbers in the file. */
+  PixelType
+  GetValueType() const
   {
-    return !compressed && !scale;
+    return scale ? PixelType::Float64 : pixelType;
   }
 
   /** Why and how the volume is read as it is, in words. */
@@ -176,7 +181,7 @@ struct VolumeHeader
   DescribeReading() const;
 };
 
-/** Bytes that each file of a volume that streams must have to hold its voxels. */
+/** Bytes that each file of a volume that is not compressed must have to hold its voxels. */
 std::map<std::filesystem::path, std::uint64_t>
 GetNeededFileSizes(const VolumeHeader & header);
 

@@ -16,9 +16,8 @@ namespace medialvoxel
 struct WallMeasure
 {
   bool                                usesGrayValues{ false }; ///< otherwise on the object
-  std::optional<itk::MedialVoxelScan> scan;     ///< that walls are fitted with; none: gray values cross the threshold
-  std::string                         reason;   ///< why there is no scan
-  std::optional<double>               middle{}; ///< of the values of a mask, which counts as the threshold there
+  std::optional<itk::MedialVoxelScan> scan;   ///< that walls are fitted with; none: gray values cross the threshold
+  std::string                         reason; ///< why there is no scan
 };
 
 /** What the uncertainty of a thickness is made of, and what not. */

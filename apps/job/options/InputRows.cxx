@@ -85,8 +85,13 @@ Resampling()
 {
   return Value(
     &JobOptions::resample,
-    [](const std::string & text) { return ToLower(text) == AutomaticSpacing ? 0.0 : ToSpacing(text, " or auto"); },
-    [](double spacing) { return spacing == 0.0 ? AutomaticSpacing : FormatNumber(spacing); });
+    [](const std::string & text) {
+      const std::string word = ToLower(text);
+      return word == AutomaticSpacing ? 0.0 : word == UnchangedSpacing ? KeepSpacing : ToSpacing(text, ", auto or off");
+    },
+    [](double spacing) {
+      return spacing == 0.0 ? AutomaticSpacing : spacing == KeepSpacing ? UnchangedSpacing : FormatNumber(spacing);
+    });
 }
 
 /** Of a headerless file, whose description comes to life with the first option that belongs to it. */
@@ -233,9 +238,10 @@ AddVolume(std::vector<OptionRow> & rows)
           "Needs an OME-Zarr image with so many levels. Each has about half the size of the one before.");
   AddRow(rows, "--resample", "S", Resampling())
     .OfJobs(Volumes)
-    .Help("Resample to the spacing S; auto: to the smallest",
+    .Help("Resample to the spacing S, auto (smallest) or off",
           "The input is brought to this spacing while it is read. Values between voxels are linear with a threshold; "
-          "without one, or with one value for both, the nearest voxel counts.")
+          "without one, or with one value for both, the nearest voxel counts. Default: auto for sheets and thickness "
+          "where the largest spacing is more than 4 times the smallest, otherwise off.")
     .Slicer(
       { "IO",
         "resample",

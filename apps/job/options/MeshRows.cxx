@@ -157,8 +157,8 @@ AddPart(std::vector<OptionRow> & rows)
     .Help(
       "Place and measure it by gray values; =off: not",
       "Vertices are where linear values cross the threshold, and walls are fitted to values where these allow it; "
-      "otherwise vertices are in the middle between voxels. Needs one threshold and an input that streams. Default: on "
-      "where it can be.")
+      "in masks and label maps, vertices are in the middle between voxels. Default: on where one threshold cuts the "
+      "values.")
     .Python(Surface);
 }
 

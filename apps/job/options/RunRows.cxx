@@ -135,12 +135,12 @@ AddResources(std::vector<OptionRow> & rows)
     .Python(Extract | Mesh | Distance | Surface)
     .Slicer({ Group, "memory", "Memory", "" });
   AddRow(rows, "--scratch", "DIR", File(&JobOptions::scratchFolder))
-    .Of(Runs, Group)
-    .HiddenIn(Plan)
+    .Of(Runs | Work, Group)
     .Help(
       "Folder for input and mesh beyond the memory",
-      "Compressed input that does not fit the memory, and vertices and faces of meshes, wait there in files without a "
-      "name.")
+      "Values of compressed input that do not fit the memory, and vertices and faces of meshes, wait there in files "
+      "without a name.")
+    .KeepForRun()
     .Slicer({ Group, "scratchFolder", "Scratch folder", "", "directory", "input" });
   constexpr std::int64_t mostThreads = itk::ITK_MAX_THREADS;
   AddRow(rows, "--threads", "N", Count(&JobOptions::threads, 1, mostThreads))

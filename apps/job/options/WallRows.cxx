@@ -60,10 +60,9 @@ AddMaps(std::vector<OptionRow> & rows)
     .Slicer({ Outputs, "thicknessMap", "Thickness", "", SlicerOutput("scalar"), "output" });
   AddRow(rows, "--uncertainty-map", "FILE", File(&ExtractOptions::uncertaintyFile))
     .OfJobs(Extractions, Walls)
-    .Help(
-      "Half of the 95 % interval of the thickness",
-      "32-bit real, on the grid of the labels: NaN at medial cells where it is not known. Needs one threshold, walls "
-      "of 5 voxels and an input that streams.")
+    .Help("Half of the 95 % interval of the thickness",
+          "32-bit real, on the grid of the labels: NaN at medial cells where it is not known. Needs one threshold and "
+          "walls of 5 voxels.")
     .Slicer({ Outputs, "uncertaintyMap", "Uncertainty", "", SlicerOutput("scalar"), "output" });
   AddRow(rows, "--local-thickness", "FILE", File(&ExtractOptions::localThicknessFile))
     .OfJobs(Extractions, Walls)
@@ -126,9 +125,9 @@ AddGrayValues(std::vector<OptionRow> & rows)
     .Help(
       "Measure walls on gray values; =off: on the object",
       "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
-      "threshold. Labels stay the same. Needs a threshold and an input that streams. Default: on for --thickness-map, "
-      "--local-thickness of walls, --thin-below and --thick-above of a gray scan with one threshold, and for "
-      "--element-size of a scan or mask with one threshold. A mask is measured halfway between its two values.")
+      "threshold. Masks and label maps are measured on the object. Labels stay the same. Default: on where one "
+      "threshold "
+      "cuts the values.")
     .Python(Extract | Mesh)
     .Slicer(
       { Outputs,

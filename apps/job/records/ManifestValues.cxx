@@ -45,8 +45,7 @@ MeasureToJson(const std::optional<WallMeasure> & measure)
   }
   return { { "gray_values", measure->usesGrayValues },
            { "scan", scan },
-           { "reason", measure->reason },
-           { "middle", measure->middle ? Json(*measure->middle) : Json(nullptr) } };
+           { "reason", measure->reason } };
 }
 
 std::optional<WallMeasure>
@@ -57,10 +56,6 @@ MeasureFromJson(const Json & json)
     return std::nullopt;
   }
   WallMeasure measure{ json.at("gray_values").get<bool>(), std::nullopt, json.at("reason").get<std::string>() };
-  if (!json.at("middle").is_null())
-  {
-    measure.middle = json.at("middle").get<double>();
-  }
   const Json & scan = json.at("scan");
   if (!scan.is_null())
   {

@@ -55,7 +55,8 @@ Findings::Findings(const VolumeGeometry &       geometry,
   }
   if (settings.sheet)
   {
-    m_Sheet = std::make_unique<SheetSurvey>(geometry, m_Survey.GetThickness().GetBinWidth());
+    m_Sheet =
+      std::make_unique<SheetSurvey>(geometry, m_Survey.GetSums().GetAreas().GetBinWidth(), m_Survey.GetSample());
   }
 }
 

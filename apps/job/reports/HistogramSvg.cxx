@@ -50,32 +50,32 @@ public:
     : m_Thickness(thickness)
     , m_First(0)
   {
-    while (thickness.bins[m_First] == 0)
+    while (thickness.bins.areas[m_First] == 0.0)
     {
       ++m_First;
     }
-    m_Least = (static_cast<double>(m_First) - 1.0) * thickness.binWidth;
-    m_Most = static_cast<double>(thickness.bins.size()) * thickness.binWidth;
+    m_Least = (static_cast<double>(m_First) - 1.0) * thickness.bins.width;
+    m_Most = static_cast<double>(thickness.bins.areas.size()) * thickness.bins.width;
   }
 
   void
   DrawBars()
   {
-    const auto & bins = m_Thickness.bins;
-    const auto   highest = static_cast<double>(*std::max_element(bins.begin(), bins.end()));
-    const double width = (Width - Left - Right) * m_Thickness.binWidth / (m_Most - m_Least);
+    const auto & bins = m_Thickness.bins.areas;
+    const double highest = *std::max_element(bins.begin(), bins.end());
+    const double width = (Width - Left - Right) * m_Thickness.bins.width / (m_Most - m_Least);
     for (std::size_t bin = m_First; bin < bins.size(); ++bin)
     {
-      if (bins[bin] == 0)
+      if (bins[bin] == 0.0)
       {
         continue;
       }
-      const double middle = static_cast<double>(bin) * m_Thickness.binWidth;
-      const double height = std::max(0.5, (Height - Top - Bottom) * static_cast<double>(bins[bin]) / highest);
+      const double middle = static_cast<double>(bin) * m_Thickness.bins.width;
+      const double height = std::max(0.5, (Height - Top - Bottom) * bins[bin] / highest);
       m_Text << "<rect class=\"bar\" x=\"" << Coordinate(this->GetX(middle) - 0.46 * width) << "\" y=\""
              << Coordinate(Height - Bottom - height) << "\" width=\"" << Coordinate(0.92 * width) << "\" height=\""
-             << Coordinate(height) << "\"><title>" << FormatNumber(middle) << ": " << bins[bin]
-             << " cells</title></rect>\n";
+             << Coordinate(height) << "\"><title>" << FormatNumber(middle) << ": area " << FormatShort(bins[bin])
+             << "</title></rect>\n";
     }
   }
 
@@ -115,7 +115,7 @@ public:
   {
     std::ostringstream svg;
     svg << "<svg viewBox=\"0 0 " << Width << ' ' << Height
-        << "\" role=\"img\" aria-label=\"Histogram of the thickness at medial cells\">\n"
+        << "\" role=\"img\" aria-label=\"Histogram of the thickness, by area of the sheet\">\n"
         << m_Text.str() << "</svg>\n";
     return svg.str();
   }

@@ -95,44 +95,44 @@ MakeObjectTable(const LabelMapSummary & summary, const std::string & unit)
 }
 
 std::string
-MakeThickness(const ThicknessSummary & thickness, const std::string & unit, const std::optional<WallMeasure> & measure)
+MakeThickness(const ThicknessSummary & thickness, const std::string & unit, const WallMeasure & measure)
 {
   if (thickness.cells == 0)
   {
     return "<p>No medial cells, so no thickness.</p>\n";
   }
-  TextTable table{ { "in " + unit, "" },
-                   { "mean", FormatShort(thickness.mean) },
-                   { "standard deviation", FormatShort(thickness.standardDeviation) },
-                   { "smallest", FormatShort(thickness.minimum) },
-                   { "largest", FormatShort(thickness.maximum) } };
-  TextTable percentiles;
-  TextTable byArea{ { "area of the sheet", FormatShort(thickness.area) },
-                    { "mean over the area", FormatShort(thickness.byArea.mean) } };
+  const auto limit = [](const std::optional<double> & length) { return length ? FormatShort(*length) : "not known"; };
+  TextTable  table{ { "in " + unit, "" },
+                    { "mean", FormatShort(thickness.mean) },
+                    { "standard deviation", FormatShort(thickness.standardDeviation) },
+                    { "smallest", limit(thickness.minimum) },
+                    { "largest", limit(thickness.maximum) },
+                    { "area of the sheet", FormatShort(thickness.area) } };
+  TextTable  percentiles;
   for (std::size_t i = 0; i < thickness.percentiles.size(); ++i)
   {
-    const std::string percent = std::to_string(ThicknessSummary::Percents[i]) + " % of the ";
-    percentiles.emplace_back(percent + "cells up to", FormatShort(thickness.percentiles[i]));
-    byArea.emplace_back(percent + "area up to", FormatShort(thickness.byArea.percentiles[i]));
+    percentiles.emplace_back(std::to_string(ThicknessSummary::Percents[i]) + " % of the area up to",
+                             FormatShort(thickness.percentiles[i]));
   }
   std::string text = MakeHistogramSvg(thickness, unit) + "<div class=\"columns\">\n" + MakeRows(table, "number") +
-                     MakeRows(percentiles, "number") + MakeRows(byArea, "number") + "</div>\n<p class=\"muted\">Of " +
+                     MakeRows(percentiles, "number") + "</div>\n<p class=\"muted\">Of " +
                      std::to_string(thickness.cells) + " medial cells, without " + std::to_string(thickness.rimCells) +
                      " at rims and junctions";
-  if (thickness.step > 1)
+  if (thickness.standardError)
   {
-    text += ", one of " + std::to_string(thickness.step);
+    text += ", a sample of one cell in " + std::to_string(thickness.step) + " (standard error of the mean " +
+            FormatShort(*thickness.standardError) + ")";
   }
   if (thickness.unresolvedCells > 0)
   {
     text += ", and " + std::to_string(thickness.unresolvedCells) + " that the blur does not resolve";
   }
-  text += ", in " + unit + ", measured " + EscapeHtml(Describe(measure.value_or(WallMeasure{}))) +
-          "; lengths are multiples of " + FormatNumber(thickness.resolution) +
-          ". The area of a cell is that of the sheet in it, in squared units.";
-  if (thickness.above > 0)
+  text += ", in " + unit + ", measured " + EscapeHtml(Describe(measure)) + "; lengths are multiples of " +
+          FormatNumber(thickness.resolution) +
+          ". Cells count as much as the area of the sheet in them, in squared units.";
+  if (thickness.bins.above > 0.0)
   {
-    text += " " + std::to_string(thickness.above) + " cells are thicker than the last bin.";
+    text += " An area of " + FormatShort(thickness.bins.above) + " is thicker than the last bin.";
   }
   if (thickness.uncertainCells > 0)
   {
@@ -259,7 +259,7 @@ MakeHtmlReport(const ExtractOptions & options,
       "; values outside are clamped. If several cells share a pixel, the thickest is shown. Cells at rims have no "
       "color.</p>\n";
   }
-  page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, result.measure);
+  page += MakeThickness(result.thickness.value_or(ThicknessSummary{}), unit, result.measure.value());
   const TextTable localThickness = DescribeLocalThickness(options, result);
   page += localThickness.empty() ? "" : MakeRows(localThickness, "text");
   page += MakePlacesHtml(result.places, unit);

@@ -59,6 +59,10 @@ ObjectSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
     }
   }
   itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & cell, const auto & wall) {
+    if (!m_Survey.GetSample().Contains(cell))
+    {
+      return;
+    }
     if (Sums * const found = find(cell))
     {
       this->AddWall(*found, wall);
@@ -90,9 +94,7 @@ ObjectSurvey::Commit()
     Sums & total = this->GetSums(m_Total, object);
     total.candidateCells += sums.candidateCells;
     total.medialCells += sums.medialCells;
-    total.rimCells += sums.rimCells;
     total.thickness.Add(sums.thickness);
-    total.area.Add(sums.area);
   }
 }
 
@@ -108,12 +110,12 @@ ObjectSurvey::AddWall(Sums & sums, const itk::MedialVoxelWall & wall) const
 {
   if (wall.isRim)
   {
-    ++sums.rimCells;
+    sums.thickness.AddRims(1);
     return;
   }
-  const std::size_t bin = sums.thickness.GetBin(static_cast<double>(wall.thickness));
-  sums.thickness.Add(bin);
-  sums.area.Add(bin, static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_Survey.GetAreaUnit())));
+  sums.thickness.AddCell(
+    sums.thickness.GetCells().GetBin(static_cast<double>(wall.thickness)),
+    static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_Survey.GetAreaUnit())));
 }
 
 std::vector<ObjectSummary>
@@ -128,11 +130,11 @@ ObjectSurvey::Summarize(const itk::MedialVoxelObjectMap & map) const
     summary.label = table.GetValue(object);
     summary.voxels = map.GetObjectVoxels()[number];
     const auto   found = m_Total.find(object);
-    const Sums   none(m_Survey.GetThickness().GetBinWidth());
+    const Sums   none(this->GetBinWidth());
     const Sums & sums = found == m_Total.end() ? none : found->second;
     summary.candidateCells = sums.candidateCells;
     summary.medialCells = sums.medialCells;
-    summary.thickness = medialvoxel::Summarize({ sums.thickness, sums.area, sums.rimCells }, m_Survey);
+    summary.thickness = medialvoxel::Summarize(sums.thickness, m_Survey);
     objects.push_back(summary);
   }
   return objects;
@@ -141,7 +143,13 @@ ObjectSurvey::Summarize(const itk::MedialVoxelObjectMap & map) const
 auto
 ObjectSurvey::GetSums(SumsByObject & sums, ObjectNumber object) const -> Sums &
 {
-  return sums.try_emplace(object, m_Survey.GetThickness().GetBinWidth()).first->second;
+  return sums.try_emplace(object, this->GetBinWidth()).first->second;
+}
+
+double
+ObjectSurvey::GetBinWidth() const
+{
+  return m_Survey.GetSums().GetCells().GetBinWidth();
 }
 
 } // end namespace medialvoxel

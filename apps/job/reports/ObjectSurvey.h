@@ -60,13 +60,10 @@ private:
   {
     explicit Sums(double binWidth)
       : thickness(binWidth)
-      , area(binWidth)
     {}
-    std::uint64_t   candidateCells{ 0 };
-    std::uint64_t   medialCells{ 0 };
-    std::uint64_t   rimCells{ 0 };
-    LengthHistogram thickness;
-    LengthHistogram area;
+    std::uint64_t candidateCells{ 0 };
+    std::uint64_t medialCells{ 0 };
+    ThicknessSums thickness;
   };
   using SumsByObject = std::map<ObjectNumber, Sums>;
 
@@ -80,6 +77,9 @@ private:
 
   Sums &
   GetSums(SumsByObject & sums, ObjectNumber object) const;
+
+  double
+  GetBinWidth() const;
 
   static void
   AddCell(Sums & sums, bool isMedial);

@@ -77,6 +77,12 @@ MakePercentiles(const ThicknessSummary & thickness, const ThicknessStatistics & 
 }
 
 Json
+MakeHistogram(const AreaBins & bins)
+{
+  return { { "bin_width", bins.width }, { "areas", bins.areas }, { "above", bins.above } };
+}
+
+Json
 MakeThickness(const std::optional<ThicknessSummary> & thickness)
 {
   if (!thickness)
@@ -88,18 +94,14 @@ MakeThickness(const std::optional<ThicknessSummary> & thickness)
            { "unresolved_cells", thickness->unresolvedCells },
            { "one_cell_of", thickness->step },
            { "resolution", thickness->resolution },
-           { "mean", LengthOfCells(*thickness, thickness->mean) },
-           { "standard_deviation", LengthOfCells(*thickness, thickness->standardDeviation) },
-           { "minimum", LengthOfCells(*thickness, thickness->minimum) },
-           { "maximum", LengthOfCells(*thickness, thickness->maximum) },
-           { "percentiles", MakePercentiles(*thickness, *thickness) },
            { "area", thickness->area },
-           { "area_weighted",
-             { { "mean", LengthOfCells(*thickness, thickness->byArea.mean) },
-               { "standard_deviation", LengthOfCells(*thickness, thickness->byArea.standardDeviation) },
-               { "percentiles", MakePercentiles(*thickness, thickness->byArea) } } },
-           { "histogram",
-             { { "bin_width", thickness->binWidth }, { "counts", thickness->bins }, { "above", thickness->above } } } };
+           { "mean", LengthOfCells(*thickness, thickness->mean) },
+           { "standard_error", OptionalToJson(thickness->standardError) },
+           { "standard_deviation", LengthOfCells(*thickness, thickness->standardDeviation) },
+           { "minimum", OptionalToJson(thickness->minimum) },
+           { "maximum", OptionalToJson(thickness->maximum) },
+           { "percentiles", MakePercentiles(*thickness, *thickness) },
+           { "histogram", MakeHistogram(thickness->bins) } };
 }
 
 /** Null without a limit, also for an infinite one. */
@@ -252,8 +254,7 @@ MakeThicknessOfSurface(const ThicknessOfSurface & thickness)
            { "mean", length(thickness.mean) },
            { "standard_deviation", length(thickness.standardDeviation) },
            { "percentiles", percentiles },
-           { "histogram",
-             { { "bin_width", thickness.binWidth }, { "areas", thickness.areas }, { "above", thickness.above } } } };
+           { "histogram", MakeHistogram(thickness.bins) } };
 }
 
 Json
@@ -376,11 +377,7 @@ MakeLocalThickness(const ExtractOptions & options, const JobResult & result)
 Json
 MakeMeasure(const JobResult & result)
 {
-  if (!result.measure)
-  {
-    return { { "on", "object" }, { "scan", nullptr }, { "reason", "" }, { "uncertainty", nullptr } };
-  }
-  const WallMeasure & measure = *result.measure;
+  const WallMeasure & measure = result.measure.value();
   Json                scan(nullptr);
   if (measure.scan)
   {

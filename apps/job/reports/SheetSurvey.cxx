@@ -61,11 +61,16 @@ SumCells(const itk::MedialVoxelCellRow & row, WordType cells)
  */
 template <typename TFunction>
 void
-ForEachPart(const itk::MedialVoxelClassifiedTile & tile, double lengthUnit, unsigned int level, TFunction && function)
+ForEachPart(const itk::MedialVoxelClassifiedTile & tile,
+            const CellSample &                     sample,
+            double                                 lengthUnit,
+            unsigned int                           level,
+            TFunction &&                           function)
 {
   auto wall = tile.walls.begin();
   for (const itk::MedialVoxelCellRow & row : tile.rows)
   {
+    const WordType counting = sample.Select(row);
     for (WordType rest = row.byBound | row.byGeodesic; rest != 0;)
     {
       const int             first = itk::MedialVoxelLowestBit(rest);
@@ -74,9 +79,12 @@ ForEachPart(const itk::MedialVoxelClassifiedTile & tile, double lengthUnit, unsi
       const WordType inBlock = rest & GetBlockMask(cell[0], first, level);
       rest &= ~inBlock;
       SheetPoints::Sums sums = SumCells(row, inBlock);
-      for (WordType measured = row.measured & inBlock; measured != 0; measured &= measured - 1)
+      for (WordType measured = row.measured & inBlock; measured != 0; measured &= measured - 1, ++wall)
       {
-        AddWall(*wall++, lengthUnit, sums);
+        if ((measured & (~measured + 1) & counting) != 0)
+        {
+          AddWall(*wall, lengthUnit, sums);
+        }
       }
       function(cell, sums);
     }
@@ -136,8 +144,9 @@ private:
 
 } // namespace
 
-SheetSurvey::SheetSurvey(const VolumeGeometry & geometry, double lengthUnit)
+SheetSurvey::SheetSurvey(const VolumeGeometry & geometry, double lengthUnit, const CellSample & sample)
   : m_LengthUnit(lengthUnit)
+  , m_Sample(sample)
   , m_Pending(geometry.size)
   , m_Total(geometry.size)
 {}
@@ -155,12 +164,14 @@ SheetSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
   const unsigned int           level = m_Pending.GetLevel();
   if (level < BlocksOfTile::LeastLevel)
   {
-    ForEachPart(tile, m_LengthUnit, level, [this](const auto & cell, const auto & sums) { m_Pending.Add(cell, sums); });
+    ForEachPart(
+      tile, m_Sample, m_LengthUnit, level, [this](const auto & cell, const auto & sums) { m_Pending.Add(cell, sums); });
     return;
   }
   lock.unlock();
   BlocksOfTile blocks(tile.box, level);
-  ForEachPart(tile, m_LengthUnit, level, [&blocks](const auto & cell, const auto & sums) { blocks.Add(cell, sums); });
+  ForEachPart(
+    tile, m_Sample, m_LengthUnit, level, [&blocks](const auto & cell, const auto & sums) { blocks.Add(cell, sums); });
   lock.lock();
   blocks.AddTo(m_Pending);
 }

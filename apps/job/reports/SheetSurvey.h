@@ -3,6 +3,7 @@
 #ifndef medialvoxelSheetSurvey_h
 #define medialvoxelSheetSurvey_h
 
+#include "CellSample.h"
 #include "SheetPoints.h"
 
 #include "itkMedialVoxelTileObserver.h"
@@ -17,12 +18,13 @@ namespace medialvoxel
 /** \class SheetSurvey
  * \brief The medial sheet, coarse enough to be looked at as a whole, taken while the tiles of a run are at hand.
  *
- * It measures no cells: where a survey measures one of several, points have the thickness of these. */
+ * It has no cells measured itself. */
 class SheetSurvey : public itk::MedialVoxelTileObserver
 {
 public:
-  /** \param lengthUnit of which the thickness of a cell is a multiple, in the units of the grid */
-  SheetSurvey(const VolumeGeometry & geometry, double lengthUnit);
+  /** \param lengthUnit of which the thickness of a cell is a multiple, in the units of the grid
+   * \param sample      of the cells whose thickness counts */
+  SheetSurvey(const VolumeGeometry & geometry, double lengthUnit, const CellSample & sample = {});
 
   /** The sums of the blocks of a tile, rounded up. */
   static constexpr std::uint64_t WorkerBytesPerVoxel = 1;
@@ -76,6 +78,7 @@ public:
 
 private:
   double      m_LengthUnit;
+  CellSample  m_Sample;
   SheetPoints m_Pending;
   SheetPoints m_Total;
   std::mutex  m_Mutex; // of what is pending

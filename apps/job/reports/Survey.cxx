@@ -13,7 +13,6 @@ namespace
 using WordType = itk::MedialVoxelBits::WordType;
 
 constexpr unsigned int BinsPerVoxel = 64;
-constexpr double       AreaUnitsPerFace = 1048576.0;
 
 double
 GetSmallestSpacing(const itk::MedialVoxelGrid & grid)
@@ -46,27 +45,6 @@ GetLargestFace(const itk::MedialVoxelGrid & grid)
     volume *= grid.IsActive(axis) ? grid.GetSpacing()[axis] : 1.0;
   }
   return volume / GetSmallestSpacing(grid);
-}
-
-unsigned int
-GetStepFor(std::uint64_t voxels, std::uint64_t fullyMeasuredVoxels)
-{
-  unsigned int step = 1;
-  while (voxels / step > fullyMeasuredVoxels && step < 64)
-  {
-    step *= 2;
-  }
-  return step;
-}
-
-/** Which cells of a row are measured: x = this number, modulo the step, in a different place in each row so that no
- * wall is missed whatever its direction. */
-std::uint64_t
-GetPhase(const itk::MedialVoxelIndex & cell, unsigned int step)
-{
-  std::uint64_t mixed = static_cast<std::uint64_t>(cell[1]) * 0x9E3779B97F4A7C15u;
-  mixed ^= static_cast<std::uint64_t>(cell[2]) * 0xC2B2AE3D27D4EB4Fu;
-  return (mixed ^ (mixed >> 29)) * 0x165667B19E3779F9u >> 40 & (step - 1);
 }
 
 template <typename TFunction>
@@ -160,8 +138,8 @@ struct Survey::TileSums : public Workspace
 Survey::Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings)
   : m_Grid(grid)
   , m_Settings(settings)
-  , m_Step(GetStepFor(geometry.GetNumberOfVoxels(), settings.fullyMeasuredVoxels))
-  , m_AreaUnit(GetLargestFace(grid) / AreaUnitsPerFace)
+  , m_Sample(geometry.GetNumberOfVoxels(), settings.fullyMeasuredVoxels)
+  , m_AreaUnit(GetLargestFace(grid) / static_cast<double>(ThicknessSums::AreaUnitsPerFace))
   , m_Pending(GetBinWidth(grid))
   , m_Total(GetBinWidth(grid))
 {
@@ -201,10 +179,8 @@ void
 Survey::Clear()
 {
   m_Total.thickness.Clear();
-  m_Total.area.Clear();
   m_Total.uncertainty.Clear();
   m_Total.unresolvedCells = 0;
-  m_Total.rimCells = 0;
   if (m_Settings.picture)
   {
     this->Resize(m_Total);
@@ -216,10 +192,8 @@ void
 Survey::Begin()
 {
   m_Pending.thickness.Clear();
-  m_Pending.area.Clear();
   m_Pending.uncertainty.Clear();
   m_Pending.unresolvedCells = 0;
-  m_Pending.rimCells = 0;
   if (m_Settings.picture)
   {
     this->Resize(m_Pending);
@@ -229,17 +203,7 @@ Survey::Begin()
 itk::MedialVoxelBits::WordType
 Survey::SelectCells(const itk::MedialVoxelCellRow & row) const
 {
-  if (m_Step == 1)
-  {
-    return ~WordType{ 0 };
-  }
-  WordType            pattern = 0;
-  const std::uint64_t shift = (GetPhase(row.first, m_Step) - static_cast<std::uint64_t>(row.first[0])) & (m_Step - 1);
-  for (unsigned int bit = static_cast<unsigned int>(shift); bit < 64; bit += m_Step)
-  {
-    pattern |= WordType{ 1 } << bit;
-  }
-  return pattern;
+  return m_Sample.Select(row);
 }
 
 auto
@@ -266,20 +230,35 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspa
       ForEachBit(row.byBound | row.byGeodesic, [&](int x) { ++columns.medialCells[x]; });
     }
   }
-  itk::MedialVoxelForEachWall(
-    tile.rows, tile.walls, [&](const auto & cell, const auto & wall) { this->AddWall(tile.box, cell, wall, sums); });
+  itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & cell, const auto & wall) {
+    if (m_Sample.Contains(cell))
+    {
+      this->AddWall(tile.box, cell, wall, sums);
+    }
+    if (m_Settings.picture && wall.IsMeasured())
+    {
+      TileSums::ColumnWord & columns = sums.ColumnsAt(cell);
+      std::uint32_t &        thickest = columns.thickest[cell[0] - columns.seen.first[0]];
+      thickest = std::max(thickest, static_cast<std::uint32_t>(this->GetBin(wall)));
+    }
+  });
   const std::lock_guard<std::mutex> lock(m_Mutex);
   this->AddSums(tile, sums);
 }
 
-/** What the wall at a measured cell counts for the histograms, the slices and the projection. */
+std::size_t
+Survey::GetBin(const itk::MedialVoxelWall & wall) const
+{
+  return m_Total.uncertainty.GetBin(static_cast<double>(wall.thickness));
+}
+
+/** What the wall at a cell counts for the sums and the slices. */
 void
 Survey::AddWall(const itk::MedialVoxelBox &   tile,
                 const itk::MedialVoxelIndex & cell,
                 const itk::MedialVoxelWall &  wall,
                 TileSums &                    sums) const
 {
-  const std::size_t bin = m_Total.thickness.GetBin(static_cast<double>(wall.thickness));
   if (wall.isRim)
   {
     ++sums.rimCells;
@@ -291,7 +270,7 @@ Survey::AddWall(const itk::MedialVoxelBox &   tile,
   else
   {
     sums.measured.push_back(
-      { bin, static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit)) });
+      { this->GetBin(wall), static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit)) });
     if (!std::isnan(wall.uncertainty))
     {
       sums.uncertainties.push_back(m_Total.uncertainty.GetBin(static_cast<double>(wall.uncertainty)));
@@ -305,9 +284,6 @@ Survey::AddWall(const itk::MedialVoxelBox &   tile,
       slice.score += axis == wall.axis ? -1 : 2;
       ++slice.cells;
     }
-    TileSums::ColumnWord & columns = sums.ColumnsAt(cell);
-    std::uint32_t &        thickest = columns.thickest[cell[0] - columns.seen.first[0]];
-    thickest = !wall.IsMeasured() ? thickest : std::max(thickest, static_cast<std::uint32_t>(bin));
   }
 }
 
@@ -316,14 +292,13 @@ Survey::AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & su
 {
   for (const TileSums::Measured & measured : sums.measured)
   {
-    m_Pending.thickness.Add(measured.bin);
-    m_Pending.area.Add(measured.bin, measured.area);
+    m_Pending.thickness.AddCell(measured.bin, measured.area);
   }
   for (const std::size_t bin : sums.uncertainties)
   {
     m_Pending.uncertainty.Add(bin);
   }
-  m_Pending.rimCells += sums.rimCells;
+  m_Pending.thickness.AddRims(sums.rimCells);
   m_Pending.unresolvedCells += sums.unresolvedCells;
   if (m_Settings.picture)
   {
@@ -372,9 +347,7 @@ void
 Survey::AddToTotal(const Sums & sums)
 {
   m_Total.thickness.Add(sums.thickness);
-  m_Total.area.Add(sums.area);
   m_Total.uncertainty.Add(sums.uncertainty);
-  m_Total.rimCells += sums.rimCells;
   m_Total.unresolvedCells += sums.unresolvedCells;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {

@@ -3,10 +3,11 @@
 #ifndef medialvoxelSurvey_h
 #define medialvoxelSurvey_h
 
+#include "CellSample.h"
 #include "PreviewLayout.h"
 #include "VolumeHeader.h"
 
-#include "LengthHistogram.h"
+#include "ThicknessSums.h"
 #include "itkMedialVoxelTileObserver.h"
 
 #include <array>
@@ -24,8 +25,8 @@ struct SurveySettings
 {
   bool picture{ false }; ///< which slices to show, and the projection along the last axis
 
-  /** Voxels of the largest volume of which all medial cells are measured. */
-  std::uint64_t fullyMeasuredVoxels{ std::uint64_t{ 1 } << 25 };
+  /** Voxels of the largest volume of which all medial cells count. */
+  std::uint64_t fullyMeasuredVoxels{ std::uint64_t{ 1 } << 23 };
 };
 
 /** \class Survey
@@ -33,9 +34,8 @@ struct SurveySettings
  *
  * All of it is sums of whole numbers and maxima, which do not depend on the order of the tiles. Memory depends on the
  * size of the picture and on the length of the axes, and for a map of blocks that have an object on one bit for 16384
- * voxels. Of larger volumes than the settings say only every n-th medial cell of a row is measured, n a power of two up
- * to 64 that leaves no more than they say; where a row begins to count is a fixed function of its place. What the
- * filter measures for its thickness output is counted as well, which is all medial cells. */
+ * voxels. Of a large volume only a sample of the cells counts, though others may be measured for a map or for places.
+ */
 class Survey : public itk::MedialVoxelTileObserver
 {
 public:
@@ -78,28 +78,15 @@ public:
   void
   Merge(const std::string & bytes);
 
-  /** Of the walls at the measured cells that are at no rim. Bins are a 64th of the smallest spacing of the grid. */
-  const LengthHistogram &
-  GetThickness() const
+  /** Of the walls at the cells that count. Bins are a 64th of the smallest spacing of the grid, areas multiples of
+   * GetAreaUnit(). */
+  const ThicknessSums &
+  GetSums() const
   {
     return m_Total.thickness;
   }
 
-  /** The same with the areas that the cells stand for, in multiples of GetAreaUnit(), in place of their numbers. */
-  const LengthHistogram &
-  GetThicknessByArea() const
-  {
-    return m_Total.area;
-  }
-
-  /** Measured cells at rims, which are not in the histograms. */
-  std::uint64_t
-  GetRimCells() const
-  {
-    return m_Total.rimCells;
-  }
-
-  /** Measured cells that the blur does not resolve, which are not in the histograms. */
+  /** Cells that count but that the blur does not resolve, which are not in the sums. */
   std::uint64_t
   GetUnresolvedCells() const
   {
@@ -113,18 +100,18 @@ public:
     return m_Total.uncertainty;
   }
 
-  /** 2^-20 of the largest face of a voxel, in squared units of the lengths; of the longest edge in two dimensions. */
+  /** Of areas in the sums, in squared units of the lengths; of the longest edge in two dimensions. */
   double
   GetAreaUnit() const
   {
     return m_AreaUnit;
   }
 
-  /** One of how many medial cells is measured. */
-  unsigned int
-  GetStep() const
+  /** The medial cells that count. */
+  const CellSample &
+  GetSample() const
   {
-    return m_Step;
+    return m_Sample;
   }
 
   /** Index of the slice across \a axis that shows most of the sheets, among the inner nine tenths; the middle one when
@@ -147,7 +134,7 @@ public:
   {
     std::uint8_t  label{ 0 };       ///< largest label of all cells that it covers
     std::uint32_t medialCells{ 0 }; ///< their number
-    std::uint32_t thickest{ 0 };    ///< largest bin of the measured ones among them, but for rims; 0: none
+    std::uint32_t thickest{ 0 }; ///< largest bin of the measured ones among them, also those that do not count; 0: none
   };
   using Projection = std::vector<ProjectedPixel>;
 
@@ -179,13 +166,10 @@ private:
   {
     explicit Sums(double binWidth)
       : thickness(binWidth)
-      , area(binWidth)
       , uncertainty(binWidth)
     {}
-    LengthHistogram                       thickness;
-    LengthHistogram                       area;
+    ThicknessSums                         thickness;
     LengthHistogram                       uncertainty;
-    std::uint64_t                         rimCells{ 0 };
     std::uint64_t                         unresolvedCells{ 0 };
     std::array<std::vector<SliceSums>, 3> slices;
     Projection                            projection;
@@ -195,6 +179,9 @@ private:
 
   void
   Resize(Sums & sums) const;
+
+  std::size_t
+  GetBin(const itk::MedialVoxelWall & wall) const;
 
   void
   AddWall(const itk::MedialVoxelBox &   tile,
@@ -219,7 +206,7 @@ private:
 
   itk::MedialVoxelGrid                     m_Grid;
   SurveySettings                           m_Settings;
-  unsigned int                             m_Step{ 1 };
+  CellSample                               m_Sample;
   double                                   m_AreaUnit{ 1.0 };
   std::array<unsigned int, 2>              m_ProjectionSize{ { 0, 0 } };
   std::array<std::vector<unsigned int>, 2> m_PixelOf; ///< by axis and index

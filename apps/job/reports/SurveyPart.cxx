@@ -13,10 +13,8 @@ std::string
 Survey::Save() const
 {
   NumberWriter numbers;
-  numbers.AddAll(m_Total.thickness.GetNumbers());
-  numbers.AddAll(m_Total.area.GetNumbers());
+  m_Total.thickness.Save(numbers);
   numbers.AddAll(m_Total.uncertainty.GetNumbers());
-  numbers.Add(m_Total.rimCells);
   numbers.Add(m_Total.unresolvedCells);
   for (const auto & slices : m_Total.slices)
   {
@@ -51,7 +49,7 @@ Survey::Merge(const std::string & bytes)
 {
   // No more than ten bytes for a number, and as many numbers as a survey of this size can have.
   constexpr std::uint64_t mostBins = std::uint64_t{ 1 } << 22;
-  std::uint64_t           mostNumbers = 3 * mostBins + 3 * m_Total.projection.size() + m_Blocks.size() + 9;
+  std::uint64_t           mostNumbers = 3 * mostBins + 3 * m_Total.projection.size() + m_Blocks.size() + 10;
   for (const auto & slices : m_Total.slices)
   {
     mostNumbers += 2 * slices.size();
@@ -63,12 +61,10 @@ Survey::Merge(const std::string & bytes)
       RefusePart();
     }
   };
-  Sums part(m_Total.thickness.GetBinWidth());
+  Sums part(m_Total.uncertainty.GetBinWidth());
   this->Resize(part);
-  numbers.AddTo(part.thickness);
-  numbers.AddTo(part.area);
+  part.thickness.Read(numbers);
   numbers.AddTo(part.uncertainty);
-  part.rimCells = numbers.Get();
   part.unresolvedCells = numbers.Get();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {

@@ -12,26 +12,18 @@
 namespace medialvoxel
 {
 
-/** Sums over measured cells. */
-struct ThicknessSums
-{
-  const LengthHistogram & thickness;
-  const LengthHistogram & area;
-  std::uint64_t           rimCells{ 0 };
-};
-
 /** Of lengths that were counted. */
 ThicknessStatistics
 MakeStatistics(const LengthHistogram & histogram);
 
-/** Sets the bins of a summary. */
-void
-AddBins(ThicknessSummary & summary, const LengthHistogram & histogram);
+/** \param histogram areas, in multiples of \a unit */
+AreaBins
+MakeBins(const LengthHistogram & histogram, double unit);
 
 ThicknessSummary
 Summarize(const Survey & survey);
 
-/** Of some of the cells that a survey measures. */
+/** Of some of the cells that a survey counts. */
 ThicknessSummary
 Summarize(const ThicknessSums & sums, const Survey & survey);
 

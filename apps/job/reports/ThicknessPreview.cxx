@@ -84,7 +84,7 @@ DrawProjection(Canvas & canvas, const Survey & survey, const Rectangle & area, c
     const Survey::ProjectedPixel & pixel = survey.GetProjection()[covered.rows[0] * size[0] + covered.columns[0]];
     if (pixel.thickest > 0)
     {
-      return scale.GetColor(pixel.thickest * survey.GetThickness().GetBinWidth());
+      return scale.GetColor(pixel.thickest * survey.GetSums().GetAreas().GetBinWidth());
     }
     return pixel.label == itk::MedialVoxelLabel::NoObject ? PreviewBackgroundColor : ObjectColor;
   });
@@ -113,7 +113,7 @@ DrawThicknessPreview(const VoxelOutput &    labels,
   const PreviewLayout     layout = ArrangePreview(geometry);
   const std::vector<View> views = ChooseViews(geometry, survey);
   const bool              isSolid = geometry.GetDimension() == 3;
-  const Scale             scale(survey.GetThickness());
+  const Scale             scale(survey.GetSums().GetAreas());
   Canvas                  canvas(layout.width, layout.height);
   for (size_t i = 0; i < views.size(); ++i)
   {

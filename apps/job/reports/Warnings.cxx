@@ -105,11 +105,11 @@ CheckMaximumDistance(const DistanceOptions & options, const VolumeHeader & input
 std::optional<Finding>
 CheckScratch(const JobOptions & options, const VolumeHeader & input)
 {
-  if (options.scratchFolder.empty() || !input.CanStream())
+  if (options.scratchFolder.empty() || input.compressed)
   {
     return std::nullopt;
   }
-  return Finding{ "the scratch folder has no use here: the volume is read in pieces, and there is no mesh", {} };
+  return Finding{ "the scratch folder has no use here: the volume is not compressed, and there is no mesh", {} };
 }
 
 /** Vectors and distances are exact at any spacing. */
@@ -209,7 +209,7 @@ struct WallFacts
   bool
   AreMeasured() const
   {
-    return survey.GetThicknessByArea().GetTotal() > 0;
+    return survey.GetSums().GetAreas().GetTotal() > 0;
   }
 
   /** False when there are no cells, and when the few of a large volume may be none of those that are measured. */
@@ -217,7 +217,7 @@ struct WallFacts
   ShouldBeMeasured() const
   {
     constexpr std::uint64_t few = 64;
-    const unsigned int      step = survey.GetStep();
+    const unsigned int      step = survey.GetSample().GetStep();
     return this->GetMedialCells() > (step == 1 ? 0 : few * step);
   }
 };
@@ -246,7 +246,7 @@ CheckMaximumThickness(const WallFacts & facts)
     return std::nullopt;
   }
   const itk::MedialVoxelGrid grid = GetGrid(facts.options, facts.result.input);
-  const LengthHistogram &    areas = facts.survey.GetThicknessByArea();
+  const LengthHistogram &    areas = facts.survey.GetSums().GetAreas();
   const double               maximum = itk::MedialVoxelParameters::LimitsOfWalls(grid,
                                                                    facts.options.minimumThickness.value_or(0.0),
                                                                    facts.options.maximumThickness.value_or(0.0))
@@ -272,13 +272,13 @@ CheckMaximumThickness(const WallFacts & facts)
 double
 GetVolumeOfWalls(const WallFacts & facts)
 {
-  const LengthHistogram & areas = facts.survey.GetThicknessByArea();
+  const LengthHistogram & areas = facts.survey.GetSums().GetAreas();
   if (areas.GetTotal() == 0)
   {
     return 0.0;
   }
   const double measured = static_cast<double>(areas.GetTotal()) * facts.survey.GetAreaUnit() * areas.GetMean();
-  return measured / static_cast<double>(facts.survey.GetThickness().GetTotal()) *
+  return measured / static_cast<double>(facts.survey.GetSums().GetCells().GetTotal()) *
          static_cast<double>(facts.GetMedialCells());
 }
 
@@ -343,7 +343,7 @@ CheckObjectsWithoutWalls(const WallFacts & facts)
   std::vector<std::int64_t> unmeasured;
   for (const ObjectSummary & object : facts.result.objects->objects)
   {
-    if (object.medialCells == 0 || (object.thickness.cells == 0 && facts.survey.GetStep() == 1))
+    if (object.medialCells == 0 || (object.thickness.cells == 0 && facts.survey.GetSample().GetStep() == 1))
     {
       unmeasured.push_back(object.label);
     }

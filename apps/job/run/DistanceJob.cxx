@@ -47,7 +47,7 @@ GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
 void
 Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto  input = OpenInputVolume(result.input, options, result.plan.scratchFolder, result.plan.bytesToKeep);
+  const auto  input = OpenInputVolume(result.input, options, result.plan.bytesToKeep);
   PieceLoop   loop(result.plan, result.input, 1, sink);
   PieceEngine engine(*input, result.input, options, result.plan, MakeDistanceMap(options), loop.GetObserver());
   OutputSet   outputs(options, result.plan.writesBehind);
@@ -96,6 +96,7 @@ RunDistance(const DistanceOptions & options, ProgressSink & sink)
     return result;
   }
   DistanceOptions own = options;
+  result.input = UnpackInput(result.input, result.plan, sink);
   MeasureThreshold(own, result.input, sink);
   result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;
   WithPipelineErrors([&] {

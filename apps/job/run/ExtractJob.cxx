@@ -6,7 +6,6 @@
 #include "ExtractSummary.h"
 #include "FinishJob.h"
 #include "JobClock.h"
-#include "MaskInput.h"
 #include "MemoryPlan.h"
 #include "OutputChecks.h"
 #include "OptionChecks.h"
@@ -31,7 +30,6 @@
 #include "Warnings.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -61,24 +59,16 @@ NeedsFits(const ExtractOptions & options)
   return !options.uncertaintyFile.empty() || options.levels;
 }
 
-/** \throw JobError Refused when the values are to be measured on but are read only once, for the mask. */
+/** \throw JobError Usage when there is no threshold that the values could be measured at. */
 void
 CheckGrayValues(const ExtractOptions & options, const VolumeHeader & header)
 {
-  if ((options.subVoxel.value_or(false) || NeedsFits(options)) && !header.CanStream())
-  {
-    Fail(ExitStatus::Refused,
-         header.fileName.string(),
-         ": sub-voxel measures need values that can be read in pieces, but the file is read once, to a mask (",
-         header.DescribeReading(),
-         "); unpack it first");
-  }
   if (NeedsFits(options) && !HasOneThreshold(options, header))
   {
     Fail(ExitStatus::Usage,
          options.levels ? "levels of gray values" : "the uncertainty of the thickness",
          " need one threshold, --lower or --upper, that values of the type ",
-         std::string(GetTraits(header.pixelType).name),
+         std::string(GetTraits(header.GetValueType()).name),
          " reach");
   }
 }
@@ -95,7 +85,7 @@ AddSmoothing(PieceFootprint & footprint, const ExtractOptions & options, const V
     return;
   }
   std::uint64_t & bytes = InputVolume::IsReadInParallel(header) ? footprint.bytesPerThread : footprint.bytesBeside;
-  bytes += header.CanStream() ? SmoothedInput::GetBytesPerThread(header) : GetBytesOfSmoothedSlices(header);
+  bytes += SmoothedInput::GetBytesPerThread(header);
 }
 
 PieceFootprint
@@ -140,7 +130,6 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     footprint.bytesBeside += LabelMapRun::GetPlannedBytes(*options.labels);
     footprint.bytesBeside += itk::MedialVoxelObjectAdjacency::GetBytes(
       footprint.grid.GetSize(), GetParameters(options, footprint.grid).maximumPoreSize);
-    footprint.maskBits = LabelMap::UnpackedBits;
   }
   AddEngine(footprint, header, extraction);
   AddOutputs(footprint, options, header, ListOutputs(options, header));
@@ -319,27 +308,14 @@ private:
   ExtractRun                      m_Run; // ends before what it writes to and who observes it
 };
 
-/** Where the thickness is for the table alone, a sample of the cells keeps it nearly free. */
-constexpr std::uint64_t FullyMeasuredVoxelsOfTable = std::uint64_t{ 1 } << 16;
-
 } // namespace
 
 FindingSettings
 GetFindingSettings(const ExtractOptions & options)
 {
-  FindingSettings  findings;
-  SurveySettings & settings = findings.survey;
-  settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
+  FindingSettings findings;
+  findings.survey.picture = !options.previewFile.empty() || !options.htmlFile.empty();
   findings.sheet = !options.htmlFile.empty() && HasPageViewer();
-  const bool showsAll = !options.thicknessFile.empty() || !options.thicknessCsvFile.empty() || ListsPlaces(options);
-  if (showsAll)
-  {
-    settings.fullyMeasuredVoxels = std::numeric_limits<std::uint64_t>::max();
-  }
-  else if (!settings.picture && options.reportFile.empty())
-  {
-    settings.fullyMeasuredVoxels = FullyMeasuredVoxelsOfTable;
-  }
   for (const auto & [kind, limits] :
        { std::pair(PlaceKind::Thin, options.thinBelow), std::pair(PlaceKind::Thick, options.thickAbove) })
   {
@@ -374,7 +350,7 @@ JobResult
 DescribeExtract(const ExtractOptions & options)
 {
   JobResult result;
-  result.input = ReadInputHeader(options);
+  result.input = ReadSheetInputHeader(options);
   result.outputs = ListOutputs(options, result.input);
   result.warnings = FindWarningsOfRequest(options, result.input);
   return result;
@@ -389,7 +365,7 @@ Prepare(const ExtractOptions & options, const TGetFootprint & getFootprint)
 {
   CheckOptions(options);
   CheckFormats(options);
-  VolumeHeader header = ReadInputHeader(options);
+  VolumeHeader header = ReadSheetInputHeader(options);
   if (!options.meshFile.empty())
   {
     CheckSurfaceInput(header, options.meshFile, "medial surface");
@@ -452,6 +428,7 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
   {
     own.labels = ResolveNames(*options.labels, result.segments);
   }
+  result.input = UnpackInput(result.input, result.plan, sink);
   MeasureThreshold(own, result.input, sink);
   CheckOptions(own); // with the threshold of Otsu
   result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;

@@ -68,9 +68,9 @@ OpenInput(const ExtractOptions & options, const JobResult & job)
   if (options.labels)
   {
     return std::make_unique<LabelMap>(
-      job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.scratchFolder, job.plan.bytesToKeep);
+      job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.bytesToKeep);
   }
-  return OpenInputVolume(job.input, options, job.plan.scratchFolder, job.plan.bytesToKeep, GetSmoothing(options));
+  return OpenInputVolume(job.input, options, job.plan.bytesToKeep, GetSmoothing(options));
 }
 
 } // namespace
@@ -163,10 +163,7 @@ ExtractRun::Prepare()
     m_Engine->AddObserver(*sheet);
   }
   m_Loop.Prepare(*m_Input);
-  if (MayMeasureOnGrayValues(m_Options, m_Header))
-  {
-    this->ChooseMeasure();
-  }
+  this->ChooseMeasure();
   if (m_Objects)
   {
     m_Loop.SetRunsPerPiece(m_Objects->GetNumberOfPasses());

@@ -111,7 +111,7 @@ std::string
 ExtractSummary::MakePage(const JobResult & result) const
 {
   return MakeHtmlReport(
-    m_Options, result, m_Pictures, { m_Findings.GetSheet(), GetColorRange(m_Survey.GetThickness()) });
+    m_Options, result, m_Pictures, { m_Findings.GetSheet(), GetColorRange(m_Survey.GetSums().GetAreas()) });
 }
 
 std::string

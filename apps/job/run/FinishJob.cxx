@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FinishJob.h"
 
-#include "PeakMemory.h"
+#include "Plan.h"
+#include "ProcessMemory.h"
 #include "Warnings.h"
 
 #include <cstddef>
@@ -30,6 +31,11 @@ FinishJob(OutputSet & outputs, JobSummary & summary, JobResult & result, Progres
   else
   {
     outputs.Publish();
+  }
+  if (result.plan.unpackedBytes > 0)
+  {
+    sink.Note(result.input.fileName.string() +
+              " is compressed and was unpacked once: " + DescribeUnpacking(result.plan));
   }
   TellWarnings(sink, result.warnings, told);
 }

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "MemoryPlan.h"
 
-#include "BitStore.h"
-#include "FreeMemory.h"
 #include "InputVolume.h"
-#include "Resampling.h"
+#include "ProcessMemory.h"
 #include "Text.h"
 #include "VolumeFormats.h"
 
@@ -14,6 +12,7 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
+#include <variant>
 
 namespace medialvoxel
 {
@@ -26,7 +25,7 @@ constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 constexpr std::uint64_t BytesOfProgram = 15 * MiB;
 constexpr std::uint64_t BytesPerThread = 1 * MiB;
 
-/** Beside the mask, and beside what the format of the volume needs. */
+/** Beside the values, and beside what the format of the volume needs. */
 constexpr std::uint64_t BytesOfUnpacking = 3 * MiB;
 
 /** An engine pulls input in whole slices of at least this many bytes. */
@@ -56,16 +55,12 @@ struct Request
   const PieceFootprint & footprint;
 };
 
-/** The slices of the file that those of a pull lie between, or two slices of a mask. */
+/** The slices of the file that those of a pull lie between. */
 std::uint64_t
 EstimateResampling(const VolumeHeader & header)
 {
-  if (!header.CanStream())
-  {
-    return SliceResampler::GetBytes(header) + BytesPerPull;
-  }
   const VolumeHeader & stored = *header.stored;
-  const std::uint64_t  bytesPerSlice = stored.geometry.GetVoxelsPerSlice() * GetTraits(stored.pixelType).bytes;
+  const std::uint64_t  bytesPerSlice = stored.geometry.GetVoxelsPerSlice() * GetTraits(stored.GetValueType()).bytes;
   return BytesPerPull + 3 * bytesPerSlice;
 }
 
@@ -83,8 +78,7 @@ std::uint64_t
 EstimateFixedMemory(const JobPlan & plan, const Request & request)
 {
   const VolumeHeader & header = request.header;
-  const bool           isMask = !header.CanStream();
-  const std::uint64_t  bytesPerVoxel = isMask ? 1 : GetTraits(header.pixelType).bytes;
+  const std::uint64_t  bytesPerVoxel = GetTraits(header.GetValueType()).bytes;
   const std::uint64_t  voxels = header.geometry.GetNumberOfVoxels();
   const std::uint64_t  pull = InputVolume::IsReadInParallel(header)
                                 ? plan.threads * InputVolume::BytesPerPart
@@ -93,12 +87,12 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
     header.GetStored().chunks ? EstimateChunks(plan, header) : std::min(pull, voxels * bytesPerVoxel);
   const VolumeInput & input = header.format->input;
   const std::uint64_t decoding = input.getMemory ? input.getMemory(header.GetStored(), plan.threads) : 0;
-  const std::uint64_t unpacking = header.unpackBytes + (isMask ? BytesOfUnpacking : 0);
+  const std::uint64_t unpacking = header.unpackBytes + (header.compressed ? BytesOfUnpacking : 0);
   const std::uint64_t resampling = header.stored ? EstimateResampling(header) : 0;
-  const std::uint64_t mask = isMask && plan.scratchFolder.empty() ? plan.maskBytes : 0;
+  const std::uint64_t unpacked = plan.scratchFolder.empty() ? plan.unpackedBytes : 0;
   const std::uint64_t writing = plan.writesBehind ? BytesOfWriting : 0;
   const std::uint64_t perThread = BytesPerThread + request.footprint.bytesPerThread;
-  return BytesOfProgram + perThread * plan.threads + writing + reading + decoding + mask + unpacking + resampling +
+  return BytesOfProgram + perThread * plan.threads + writing + reading + decoding + unpacked + unpacking + resampling +
          request.footprint.bytesBeside;
 }
 
@@ -263,7 +257,7 @@ TryRows(JobPlan & plan, const Request & request)
   return TrySlabs(plan, request, true);
 }
 
-/** A mask is in memory when that fits, otherwise in the scratch folder if there is one. */
+/** Values of compressed input are in memory when that fits, otherwise in the scratch folder if there is one. */
 bool
 TryScratch(JobPlan & plan, const Request & request)
 {
@@ -272,7 +266,7 @@ TryScratch(JobPlan & plan, const Request & request)
   {
     return true;
   }
-  if (request.header.CanStream() || request.options.scratchFolder.empty())
+  if (!request.header.compressed || request.options.scratchFolder.empty())
   {
     return false;
   }
@@ -329,6 +323,35 @@ AddSurplus(JobPlan & plan, const Request & request)
   plan.memoryBytes += std::min(plan.surplusBytes, voxels * surplus.plannedBytesPerVoxel);
 }
 
+/** Whether windows hold gray values beside the object. */
+bool
+KeepsGrayValues(const PieceFootprint & footprint)
+{
+  struct Asker
+  {
+    bool
+    operator()(const itk::MedialVoxelExtraction & task) const
+    {
+      return task.grayRange.has_value();
+    }
+
+    bool
+    operator()(const itk::MedialVoxelLocalThickness & task) const
+    {
+      return task.walls && task.walls->grayRange;
+    }
+
+    bool
+    operator()(const itk::MedialVoxelDistanceMap &) const
+    {
+      return false;
+    }
+  };
+  return std::any_of(footprint.engines.begin(), footprint.engines.end(), [](const auto & settings) {
+    return std::visit(Asker{}, settings.task);
+  });
+}
+
 [[noreturn]] void
 RefuseLackOfMemory(const JobPlan & plan, const Request & request)
 {
@@ -343,9 +366,11 @@ RefuseLackOfMemory(const JobPlan & plan, const Request & request)
        ", ",
        FormatBytes(plan.memoryLimit),
        " are allowed",
-       request.header.CanStream() || !options.scratchFolder.empty()
+       KeepsGrayValues(request.footprint) ? "; walls measured on the object, with --sub-voxel=off, need less" : "",
+       !request.header.compressed || !options.scratchFolder.empty()
          ? ""
-         : "; it is compressed, and with --scratch DIR its mask need not be in memory");
+         : "; it is compressed, and with --scratch DIR its " + FormatBytes(plan.unpackedBytes) +
+             " of values need not be in memory");
 }
 
 } // namespace
@@ -360,7 +385,7 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   plan.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   plan.numberOfSlices = header.geometry.size.back();
   plan.numberOfEngines = footprint.engines.size();
-  plan.maskBytes = header.CanStream() ? 0 : GetBitStoreBytes(header.geometry.GetNumberOfVoxels() * footprint.maskBits);
+  plan.unpackedBytes = header.compressed ? header.GetStored().GetVoxelBytes() : 0;
   plan.memoryLimit = std::min(wanted, GetRestOfLimits());
   const bool fits = TryScratch(plan, request) || (!options.threads && TryFewerThreads(plan, request));
   if (!fits)

@@ -16,9 +16,9 @@ namespace
 std::string
 DescribeReadingOfLabels(const LabelMap & map, const JobPlan & plan, const VolumeHeader & header)
 {
-  if (!header.CanStream())
+  if (header.compressed)
   {
-    return "unpacked once, " + FormatBytes(plan.maskBytes) + " in memory or with --scratch DIR on the disk";
+    return "unpacked once, " + FormatBytes(plan.unpackedBytes) + " in memory or with --scratch DIR on the disk";
   }
   const unsigned int passes = map.GetNumberOfPasses();
   return "streamed, each part " + std::to_string(passes + 1) + " times: to find the objects, and in each pass";
@@ -43,7 +43,7 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
   const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(own, header)).maximumPoreSize;
 
   const JobPlan plan = PlanObjects(own, header);
-  LabelMap      map(header, *own.labels, maximumPoreSize, {}, plan.bytesToKeep, false);
+  LabelMap      map(header, *own.labels, maximumPoreSize, plan.bytesToKeep);
   map.Prepare(observer);
 
   const std::vector<std::int64_t> & labels = map.GetTable().GetValues();

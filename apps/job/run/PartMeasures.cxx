@@ -63,24 +63,12 @@ public:
   {
     ThicknessOfSurface thickness;
     static_cast<ThicknessStatistics &>(thickness) = MakeStatistics(m_Histogram);
-    thickness.area = this->GetArea(m_Histogram.GetTotal());
-    ThicknessSummary bins;
-    AddBins(bins, m_Histogram);
-    thickness.binWidth = bins.binWidth;
-    thickness.above = this->GetArea(bins.above);
-    std::transform(bins.bins.begin(), bins.bins.end(), std::back_inserter(thickness.areas), [this](std::uint64_t bin) {
-      return this->GetArea(bin);
-    });
+    thickness.area = static_cast<double>(m_Histogram.GetTotal()) * m_Unit;
+    thickness.bins = MakeBins(m_Histogram, m_Unit);
     return thickness;
   }
 
 private:
-  double
-  GetArea(std::uint64_t units) const
-  {
-    return static_cast<double>(units) * m_Unit;
-  }
-
   double          m_Unit;
   LengthHistogram m_Histogram;
 };

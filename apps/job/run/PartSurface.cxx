@@ -89,7 +89,6 @@ PartSurface::PartSurface(const SurfaceOptions & options, const VolumeHeader & he
   , m_Size(GetSize(header.geometry))
   , m_Placement(GetPlacement(header.geometry))
   , m_IsMirrored(IsMirrored(m_Placement))
-  , m_UsesGrayValues(IsPlacedByGrayValues(options, header))
   , m_MaximumRay(GetMaximumRay(options, header))
   , m_Halo(GetHalo(options, header))
   , m_Margins(m_Size, GetSlicesOfMargins(options, header))
@@ -284,7 +283,8 @@ PartSurface::GetBytes(const SurfaceOptions & options, const VolumeHeader & heade
   const itk::MedialVoxelIndex size = GetSize(header.geometry);
   const std::uint64_t         perSlice = header.geometry.GetVoxelsPerSlice();
   const std::uint64_t         bits = itk::MedialVoxelBits::GetBytes({ { 0, 0, 0 }, { size[0], size[1], 1 } });
-  const std::uint64_t         gray = IsPlacedByGrayValues(options, header) ? perSlice * sizeof(float) : 0;
+  const bool                  mayUseGray = MayMeasureOnGrayValues(GetThicknessOptions(options), header);
+  const std::uint64_t         gray = mayUseGray ? perSlice * sizeof(float) : 0;
   return itk::MedialVoxelMargins::GetBytes(size, GetSlicesOfMargins(options, header)) +
          itk::MedialVoxelIsosurface::GetBytes(size) + perSlice * sizeof(float) + gray +
          static_cast<std::uint64_t>(GetHalo(options, header) + 1) * bits + BytesOfWriting;

@@ -38,6 +38,13 @@ public:
   PartSurface(const SurfaceOptions & options, const VolumeHeader & header, InputVolume & input);
   ~PartSurface() override;
 
+  /** Has vertices placed by gray values; to be called before the first slice of the map. */
+  void
+  UseGrayValues()
+  {
+    m_UsesGrayValues = true;
+  }
+
   /** Where the map of the thickness is written to, from its first slice to its last: float, 0 is unknown. */
   VoxelOutput &
   GetMap();
@@ -86,8 +93,8 @@ private:
   InputVolume &                    m_Input;
   itk::MedialVoxelIndex            m_Size;
   itk::MedialVoxelSurfacePlacement m_Placement;
-  bool                             m_IsMirrored;     ///< the axes of the image are left-handed
-  bool                             m_UsesGrayValues; ///< to place the vertices
+  bool                             m_IsMirrored;              ///< the axes of the image are left-handed
+  bool                             m_UsesGrayValues{ false }; ///< to place the vertices
   double                           m_MaximumRay;
   std::int64_t                     m_Halo; ///< slices that are read ahead
   itk::MedialVoxelMargins          m_Margins;

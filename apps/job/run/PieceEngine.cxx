@@ -13,11 +13,10 @@ namespace medialvoxel
 itk::MedialVoxelEngineSettings
 MakeEngineSettings(const VolumeHeader & header, const itk::MedialVoxelEngineTask & task)
 {
-  const bool isReal = header.pixelType == PixelType::Float32 || header.pixelType == PixelType::Float64;
+  const PixelType                type = header.GetValueType();
   itk::MedialVoxelEngineSettings settings;
   settings.task = task;
-  // A mask has counted them.
-  settings.countsNotANumber = isReal && header.CanStream();
+  settings.countsNotANumber = type == PixelType::Float32 || type == PixelType::Float64;
   return settings;
 }
 

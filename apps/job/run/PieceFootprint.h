@@ -33,7 +33,6 @@ struct PieceFootprint
   std::uint64_t        bytesBeside{ 0 };     ///< what does not depend on pieces
   std::uint64_t        bytesPerThread{ 0 };  ///< of threads that read, beside what they always take
   PieceSurplus         surplus;              ///< what waits for its piece to be done
-  std::uint64_t        maskBits{ 1 };        ///< of a voxel of an input that does not stream
   std::uint64_t        preferredSlices{ 1 }; ///< pieces have a multiple of it where they can: a layer of chunks
   std::uint64_t        preferredRows{ 0 };   ///< of slices that may be done in rows, a multiple of it; 0: as a whole
   itk::MedialVoxelGrid grid;

@@ -4,7 +4,7 @@
 
 #include "Errors.h"
 #include "JobClock.h"
-#include "PeakMemory.h"
+#include "ProcessMemory.h"
 #include "PlaceSurvey.h"
 #include "Signals.h"
 #include "Text.h"
@@ -91,16 +91,12 @@ void
 PieceLoop::Prepare(InputVolume & input)
 {
   m_Input = &input;
-  constexpr double  share = 0.3;
-  const std::string note = input.Prepare([this](double fraction) {
+  constexpr double share = 0.3;
+  input.Prepare([this](double fraction) {
     m_ShareOfPreparation = share;
     m_Sink.Report(share * fraction);
     this->ThrowIfStopRequested();
   });
-  if (!note.empty())
-  {
-    m_Sink.Note(note);
-  }
 }
 
 itk::MedialVoxelSums

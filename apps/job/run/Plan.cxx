@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Plan.h"
 
+#include "FileNames.h"
 #include "MemoryPlan.h"
 #include "ReadVolumeHeader.h"
+#include "SystemFile.h"
 #include "Text.h"
 #include "VolumeFormats.h"
 
@@ -11,7 +13,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sys/stat.h>
 
 namespace medialvoxel
 {
@@ -22,12 +23,6 @@ std::uint64_t
 GetOutputBytes(const VolumeHeader & header, const OutputRequest & output)
 {
   return output.layout ? GetOutputBytes(output.fileName, header.geometry, *output.layout) : 0;
-}
-
-std::filesystem::path
-GetFolder(const std::filesystem::path & fileName)
-{
-  return fileName.has_parent_path() ? fileName.parent_path() : std::filesystem::path(".");
 }
 
 /** True for outputs whose space is taken from the disk before the start. */
@@ -42,35 +37,41 @@ void
 RefuseLackOfSpace(const JobOptions &                 options,
                   const VolumeHeader &               header,
                   const std::vector<OutputRequest> & outputs,
-                  const ScratchSpace &               scratch)
+                  const JobPlan &                    plan)
 {
+  const ScratchSpace        unpacked{ plan.scratchFolder, plan.scratchFolder.empty() ? 0 : plan.unpackedBytes };
   std::vector<ScratchSpace> files;
   for (const OutputRequest & output : outputs)
   {
     const std::uint64_t bytes = IsReserved(options, output) ? GetOutputBytes(header, output) : 0;
-    files.push_back({ GetFolder(output.fileName), bytes });
+    files.push_back({ FolderOf(output.fileName), bytes });
   }
-  if (scratch.bytes > 0 && !options.sparse)
+  bool hasScratch = false;
+  for (const ScratchSpace & scratch : { plan.growingScratch, unpacked })
   {
-    files.push_back(scratch);
+    if (scratch.bytes > 0 && !options.sparse)
+    {
+      files.push_back(scratch);
+      hasScratch = true;
+    }
   }
-  std::map<dev_t, std::uint64_t> needed;
+  std::map<std::uint64_t, std::uint64_t> needed;
   for (const auto & [folder, bytes] : files)
   {
-    struct stat     status = {};
     std::error_code error;
     const auto      space = std::filesystem::space(folder, error);
-    if (error || stat(folder.c_str(), &status) != 0)
+    const auto      status = GetFileStatus(folder);
+    if (error || !status)
     {
       continue; // creating the file will tell
     }
-    std::uint64_t & sum = needed[status.st_dev];
+    std::uint64_t & sum = needed[status->disk];
     sum += bytes;
     if (sum > space.free)
     {
       Fail(ExitStatus::Refused,
            "no space for the ",
-           scratch.bytes > 0 ? "outputs and the scratch files of the mesh" : "outputs",
+           hasScratch ? "outputs and the scratch files" : "outputs",
            " in ",
            folder.string(),
            ": they need ",
@@ -78,7 +79,7 @@ RefuseLackOfSpace(const JobOptions &                 options,
            ", ",
            FormatBytes(space.free),
            " are free",
-           scratch.bytes > 0 ? "; with --sparse this is not checked" : "");
+           hasScratch ? "; with --sparse this is not checked" : "");
     }
   }
 }
@@ -98,8 +99,15 @@ MakePlan(const JobOptions &                 options,
   {
     plan.diskBytes += GetOutputBytes(header, output);
   }
-  RefuseLackOfSpace(options, header, outputs, footprint.scratch);
+  RefuseLackOfSpace(options, header, outputs, plan);
   return plan;
+}
+
+std::string
+DescribeUnpacking(const JobPlan & plan)
+{
+  return FormatBytes(plan.unpackedBytes) + " in " +
+         (plan.scratchFolder.empty() ? "memory" : plan.scratchFolder.string());
 }
 
 TextTable
@@ -117,11 +125,9 @@ DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vecto
   table.emplace_back("memory",
                      FormatBytes(plan.memoryBytes) + " for walls of up to " + std::to_string(PlannedWallThickness) +
                        " voxels, up to " + FormatBytes(plan.memoryLimit) + " for thicker ones");
-  if (!header.CanStream())
+  if (plan.unpackedBytes > 0)
   {
-    const std::string mask = FormatBytes(plan.maskBytes);
-    table.emplace_back("mask",
-                       mask + (plan.scratchFolder.empty() ? " in memory" : " in " + plan.scratchFolder.string()));
+    table.emplace_back("unpacked", DescribeUnpacking(plan));
   }
   table.emplace_back("disk", FormatBytes(plan.diskBytes));
   if (plan.growingScratch.bytes > 0)

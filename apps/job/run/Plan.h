@@ -9,18 +9,23 @@
 #include "PieceFootprint.h"
 #include "Text.h"
 
+#include <string>
 #include <vector>
 
 namespace medialvoxel
 {
 
 /** Divides the work so that it fits the memory.
- * \throw JobError Refused when it cannot, or when a disk has no space for the outputs. */
+ * \throw JobError Refused when it cannot, or when a disk has no space for the outputs and scratch files. */
 JobPlan
 MakePlan(const JobOptions &                 options,
          const VolumeHeader &               header,
          const std::vector<OutputRequest> & outputs,
          const PieceFootprint &             footprint);
+
+/** How much is unpacked of a compressed volume, and where to. */
+std::string
+DescribeUnpacking(const JobPlan & plan);
 
 /** The plan as names and values to print. */
 TextTable

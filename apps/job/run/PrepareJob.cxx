@@ -5,29 +5,18 @@
 #include "Leftovers.h"
 #include "OutputChecks.h"
 #include "Plan.h"
+#include "ProcessMemory.h"
+#include "UnpackedVolume.h"
 #include "VolumeFormats.h"
 
 #include "itkMultiThreaderBase.h"
 
 #include <utility>
-#ifdef __GLIBC__
-#  include <malloc.h>
-#endif
 
 namespace medialvoxel
 {
 namespace
 {
-
-/** Lets large blocks leave the process when they are freed, so that the peak is the one that was planned. */
-void
-GiveLargeBlocksBack()
-{
-#ifdef M_MMAP_THRESHOLD
-  constexpr int largeBlock = 1 << 20;
-  mallopt(M_MMAP_THRESHOLD, largeBlock);
-#endif
-}
 
 void
 CheckScratchFolder(const JobOptions & options)
@@ -83,6 +72,12 @@ PrepareJob(const JobOptions &         options,
   }
   PrepareProcess(result.plan);
   return result;
+}
+
+VolumeHeader
+UnpackInput(const VolumeHeader & header, const JobPlan & plan, const ProgressSink & sink)
+{
+  return UnpackVolume(header, plan.scratchFolder, sink);
 }
 
 void

@@ -7,6 +7,7 @@
 #include "Options.h"
 #include "OutputRequest.h"
 #include "PieceFootprint.h"
+#include "Progress.h"
 
 #include <vector>
 
@@ -19,6 +20,11 @@ PrepareJob(const JobOptions &         options,
            VolumeHeader               header,
            std::vector<OutputRequest> outputs,
            const PieceFootprint &     footprint);
+
+/** Begins to unpack a compressed volume as planned; others stay as they are. The sink must outlive the reading.
+ * \throw as UnpackVolume() */
+VolumeHeader
+UnpackInput(const VolumeHeader & header, const JobPlan & plan, const ProgressSink & sink);
 
 /** Lets the process keep to the plan: its threads, and memory that is given back. */
 void

@@ -42,7 +42,7 @@ GetMapRequest(const SurfaceOptions & options, const VolumeHeader & header)
   return ListVolumes(GetThicknessOptions(options), header).front();
 }
 
-/** \throw JobError Usage, Refused when the values do not place a surface that is to be placed by them */
+/** \throw JobError Usage when the values do not place a surface that is to be placed by them */
 void
 CheckGrayValues(const SurfaceOptions & options, const VolumeHeader & header)
 {
@@ -50,19 +50,11 @@ CheckGrayValues(const SurfaceOptions & options, const VolumeHeader & header)
   {
     return;
   }
-  if (!header.CanStream())
-  {
-    Fail(ExitStatus::Refused,
-         header.fileName.string(),
-         ": a surface between voxels needs values that can be read in pieces, but the file is read once, to a mask (",
-         header.DescribeReading(),
-         "); unpack it first");
-  }
   if (!HasOneThreshold(options, header))
   {
     Fail(ExitStatus::Usage,
          "a surface between voxels needs one threshold, --lower or --upper, that values of the type ",
-         std::string(GetTraits(header.pixelType).name),
+         std::string(GetTraits(header.GetValueType()).name),
          " reach");
   }
 }
@@ -80,28 +72,12 @@ GetFootprint(const SurfaceOptions & options, const VolumeHeader & header)
   return footprint;
 }
 
-/** Finds out how walls are measured, where they may be on gray values. */
-void
-ChooseMeasure(const SurfaceOptions & options,
-              InputVolume &          input,
-              PieceLoop &            loop,
-              PieceEngine &          engine,
-              JobResult &            result)
-{
-  const ExtractOptions thickness = GetThicknessOptions(options);
-  if (PaintsWalls(thickness) && MayMeasureOnGrayValues(thickness, result.input))
-  {
-    result.measure = FindWallMeasure(input, result.input, thickness, [&loop](double) { loop.ThrowIfStopRequested(); });
-    engine.SetGrayRange(GetGrayRange(*result.measure, options, result.input));
-  }
-}
-
 void
 Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto   input = OpenInputVolume(result.input, options, result.plan.scratchFolder, result.plan.bytesToKeep);
-  OutputSet    outputs(options, false);
-  OutputFile & file = *outputs.AddFile(options.output);
+  const auto                    input = OpenInputVolume(result.input, options, result.plan.bytesToKeep);
+  OutputSet                     outputs(options, false);
+  OutputFile &                  file = *outputs.AddFile(options.output);
   ReportSummary<SurfaceOptions> summary(options, outputs);
   PartSurface                   surface(options, result.input, *input);
   PieceLoop                     loop(result.plan, result.input, 1, sink);
@@ -110,7 +86,17 @@ Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, J
   engine->AddVolume(GetMapRequest(options, result.input), surface.GetMap());
   WriteBehind writer(false); // the surface reads the input, as the engine does
   loop.Prepare(*input);
-  ChooseMeasure(options, *input, loop, *engine, result);
+  result.measure = FindWallMeasure(
+    *input, result.input, GetThicknessOptions(options), [&loop](double) { loop.ThrowIfStopRequested(); });
+  engine->SetGrayRange(GetGrayRange(*result.measure, options, result.input));
+  if (result.measure->usesGrayValues)
+  {
+    surface.UseGrayValues();
+  }
+  if (options.localThicknessMethod == LocalThicknessMethod::Sphere)
+  {
+    result.measure = WallMeasure{ false, std::nullopt, "largest balls are those of its voxels" };
+  }
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
     result.sums += loop.Run(*engine, result.plan.GetPiece(piece), result.plan.GetNextPiece(piece), writer);
@@ -131,7 +117,7 @@ RunSurface(const SurfaceOptions & options, ProgressSink & sink)
   const auto start = JobClock::now();
   CheckOptions(options);
   GetPartFormat(options.output);
-  VolumeHeader header = ReadInputHeader(options);
+  VolumeHeader header = ReadSheetInputHeader(options);
   CheckSurfaceInput(header, options.output, "surface");
   CheckGrayValues(options, header);
   CheckLabel(options, header);
@@ -146,6 +132,7 @@ RunSurface(const SurfaceOptions & options, ProgressSink & sink)
     return result;
   }
   SurfaceOptions own = options;
+  result.input = UnpackInput(result.input, result.plan, sink);
   MeasureThreshold(own, result.input, sink);
   result.otsu = own.lowerIsOtsu ? own.lowerThreshold : std::nullopt;
   WithPipelineErrors([&] {

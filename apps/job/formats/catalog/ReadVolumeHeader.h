@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelReadVolumeHeader_h
+#define medialvoxelReadVolumeHeader_h
+
+#include "Options.h"
+#include "Text.h"
+#include "VolumeHeader.h"
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Reads and checks the header of a volume: of one of the formats of VolumeFormats.cxx (TIFF when built with
+ * libtiff), a folder or pattern of images that are slices or, with a description, a headerless file.
+ *
+ * When it returns, the size is that of a 2-D or 3-D scalar volume, its voxels are in the data file (of compressed
+ * ones: may be), and its place in space is within itk::MedialVoxelGridLimits.
+ * \param spacing along each axis, in place of that of the file; empty: that of the file
+ * \param level of an image that is there in several sizes, 0 the largest
+ * \param slices that are chosen among those of a folder or pattern
+ * \throw JobError: Usage for an unknown extension, another number of spacings than of axes or a level that is not
+ * there, Failure for a file that cannot be read, CorruptInput for all else. */
+VolumeHeader
+ReadVolumeHeader(const std::filesystem::path &         fileName,
+                 const std::optional<RawDescription> & raw,
+                 const std::vector<double> &           spacing = {},
+                 unsigned int                          level = 0,
+                 const SliceChoice &                   slices = {});
+
+/** The input as the options want it seen, at another spacing or resampled. \throw as ReadVolumeHeader() */
+VolumeHeader
+ReadInputHeader(const JobOptions & options);
+
+/** The same for sheets and their thickness: unless the options say otherwise, spacings that differ too much for these
+ * are brought to the smallest one. */
+VolumeHeader
+ReadSheetInputHeader(const JobOptions & options);
+
+/** Of uncompressed voxels of formats that allow it: bytes that nothing tells of; read by no one. */
+std::uint64_t
+GetBytesBehindVoxels(const VolumeHeader & header);
+
+/** The volume as names and values to print. */
+TextTable
+DescribeHeader(const VolumeHeader & header);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "DicomFrames.h"
+#include "DicomModule.h"
+#include "Errors.h"
+#include "HeaderParsing.h"
+#include "Signals.h"
+#include "SliceFormats.h"
+#include "Text.h"
+
+#include <itksys/DynamicLoader.hxx>
+#include <itksys/SystemTools.hxx>
+
+#include <cstdlib>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
+
+/** No way of packing makes one byte out of more than this many, but for small images of one value. */
+constexpr std::uint64_t MaximumRatio = 4096;
+constexpr std::uint64_t SmallImageBytes = 16 * MiB;
+
+/** Measured: GDCM and its tables. */
+constexpr std::uint64_t BytesOfGdcm = 12 * MiB;
+
+/** In place of the module's usual places. */
+constexpr const char * ModuleVariable = "MEDIALVOXEL_DICOM_MODULE";
+
+/** The functions of the module. */
+struct DicomFunctions
+{
+  MedialVoxelReadDicomHeader readHeader{ nullptr };
+  MedialVoxelReadDicomVoxels readVoxels{ nullptr };
+  MedialVoxelReadDicomFrame  readFrame{ nullptr };
+};
+
+/** Where the module may be: where it is installed, and beside the program, as it is built. */
+std::vector<std::filesystem::path>
+ListModulePlaces()
+{
+  if (const char * const place = std::getenv(ModuleVariable))
+  {
+    return { place };
+  }
+  std::error_code             error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const std::filesystem::path name = std::string("MedialVoxelDicom") + itksys::DynamicLoader::LibExtension();
+  return { (program.parent_path() / MEDIALVOXEL_MODULE_FOLDER / name).lexically_normal(),
+           program.parent_path() / name };
+}
+
+/** Null functions where there is no module, or one that cannot be loaded. */
+DicomFunctions
+LoadModule()
+{
+  DicomFunctions functions;
+  for (const std::filesystem::path & place : ListModulePlaces())
+  {
+    std::error_code error;
+    if (!std::filesystem::exists(place, error))
+    {
+      continue;
+    }
+    if (const auto module = itksys::DynamicLoader::OpenLibrary(place.string()))
+    {
+      functions.readHeader = reinterpret_cast<MedialVoxelReadDicomHeader>(
+        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomHeaderName));
+      functions.readVoxels = reinterpret_cast<MedialVoxelReadDicomVoxels>(
+        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomVoxelsName));
+      functions.readFrame = reinterpret_cast<MedialVoxelReadDicomFrame>(
+        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomFrameName));
+      break;
+    }
+  }
+  return functions;
+}
+
+const DicomFunctions &
+GetModule(const std::filesystem::path & fileName)
+{
+  static const DicomFunctions functions = LoadModule();
+  if (!functions.readHeader || !functions.readVoxels || !functions.readFrame)
+  {
+    RefuseHeader(fileName,
+                 "DICOM is read by a module that is not at " +
+                   Join(ListModulePlaces(), " or ", [](const auto & place) { return place.string(); }) +
+                   "; build it with an ITK that has GDCM",
+                 HeaderError::Kind::Unsupported);
+  }
+  return functions;
+}
+
+/** What GDCM takes for granted. */
+void
+CheckVoxels(const std::filesystem::path & fileName, const DicomStructure & structure)
+{
+  if (structure.samples != 1)
+  {
+    RefuseHeader(fileName,
+                 "it is a color image (" + std::to_string(structure.samples) +
+                   " values per voxel); only gray values are read",
+                 HeaderError::Kind::Unsupported);
+  }
+  const bool isWhole = structure.bits == 8 || structure.bits == 16 || structure.bits == 32;
+  if (!isWhole || structure.storedBits == 0 || structure.storedBits > structure.bits ||
+      structure.highBit + 1 != structure.storedBits || structure.isSigned > 1)
+  {
+    RefuseHeader(fileName,
+                 "its voxels have " + std::to_string(structure.bits) + " bits, of which " +
+                   std::to_string(structure.storedBits) + " are stored up to bit " + std::to_string(structure.highBit) +
+                   ", and the representation " + std::to_string(structure.isSigned) +
+                   "; 8, 16 or 32 bits are read, of which the lowest are stored, and representation 0 or 1",
+                 HeaderError::Kind::Unsupported);
+  }
+}
+
+/** Before GDCM allocates anything. */
+void
+CheckSize(const std::filesystem::path & fileName, const DicomStructure & structure)
+{
+  // Factors of 16 bits do not overflow.
+  CheckVoxels(fileName, structure);
+  const std::uint64_t bytes =
+    structure.columns * structure.rows * structure.samples * ((structure.bits + 7) / 8) * structure.frames;
+  const bool fits = structure.isPacked ? bytes <= std::max(SmallImageBytes, MaximumRatio * structure.voxelBytes)
+                                       : bytes <= structure.voxelBytes;
+  if (bytes == 0 || !fits)
+  {
+    RefuseHeader(fileName,
+                 "its " +
+                   (structure.frames > 1 ? FormatSize({ structure.columns, structure.rows, structure.frames })
+                                         : FormatSize({ structure.columns, structure.rows })) +
+                   " voxels of " + std::to_string(structure.samples) + " x " + std::to_string(structure.bits) +
+                   " bits cannot be in " + std::to_string(structure.voxelBytes) + " bytes");
+  }
+}
+
+/** GDCM checks some of what it decodes by assertions. */
+AbortNotice
+TellOfAbort(const std::filesystem::path & fileName)
+{
+  return AbortNotice(static_cast<int>(ExitStatus::CorruptInput),
+                     fileName.string() + " is damaged: GDCM cannot decode it");
+}
+
+MedialVoxelDicomFrame
+DescribeFrame(const DicomFrame & frame)
+{
+  const auto             number = [](std::uint64_t value) { return static_cast<std::uint32_t>(value); };
+  const DicomStructure & file = *frame.file;
+  return { nullptr,
+           0,
+           file.syntax.c_str(),
+           number(file.isPacked),
+           number(file.columns),
+           number(file.rows),
+           number(file.bits),
+           number(file.storedBits),
+           number(file.isSigned),
+           frame.slope,
+           frame.intercept };
+}
+
+void
+CallReadFrame(const SliceHeader & slice, const MedialVoxelDicomFrame & frame, std::uint32_t & pixelType, void * voxels)
+{
+  const AbortNotice notice = TellOfAbort(slice.fileName);
+  if (const char * const problem = GetModule(slice.fileName).readFrame(&frame, &pixelType, voxels))
+  {
+    RefuseHeader(slice.fileName,
+                 (slice.frameNumber > 0 ? "frame " + std::to_string(slice.frameNumber) + ": " : "") + problem);
+  }
+}
+
+std::vector<SliceHeader>
+ReadFrameHeaders(const std::filesystem::path & fileName, const DicomStructure & structure)
+{
+  if (structure.interpretation != "MONOCHROME1" && structure.interpretation != "MONOCHROME2")
+  {
+    RefuseHeader(fileName,
+                 "it is a color image (" + structure.interpretation + "); only gray values are read",
+                 HeaderError::Kind::Unsupported);
+  }
+  std::vector<SliceHeader> slices = ListDicomFrames(fileName, structure);
+  for (SliceHeader & slice : slices)
+  {
+    std::uint32_t pixelType = 0;
+    CallReadFrame(slice, DescribeFrame(*slice.frame), pixelType, nullptr);
+    slice.pixelType = static_cast<PixelType>(pixelType);
+    slice.storedType = slice.pixelType;
+    slice.decodeBytes += slice.GetVoxelBytes();
+  }
+  return slices;
+}
+
+std::vector<SliceHeader>
+ReadHeaders(const std::filesystem::path & fileName)
+{
+  const DicomStructure structure = CheckDicomStructure(fileName);
+  if (structure.voxelBytes == 0)
+  {
+    return {};
+  }
+  CheckSize(fileName, structure);
+  if (HasDicomFrames(structure))
+  {
+    return ReadFrameHeaders(fileName, structure);
+  }
+  MedialVoxelDicomHeader dicom{};
+  const AbortNotice      notice = TellOfAbort(fileName);
+  if (const char * const problem = GetModule(fileName).readHeader(fileName.c_str(), &dicom))
+  {
+    RefuseHeader(fileName, problem, HeaderError::Kind::Unsupported);
+  }
+  SliceHeader header;
+  header.fileName = fileName;
+  header.size = { { dicom.columns, dicom.rows } };
+  header.pixelType = static_cast<PixelType>(dicom.pixelType);
+  header.storedType = header.pixelType;
+  header.spacing = { { dicom.spacing[0], dicom.spacing[1] } };
+  header.isSpacingKnown = dicom.hasSpacing != 0;
+  header.inMillimeters = header.isSpacingKnown;
+  header.padding = GetDicomPadding(structure, dicom.slope, dicom.intercept);
+  header.acquisition = itk::MedialVoxelText::MakePrintable(dicom.acquisition);
+  if (dicom.hasNumber != 0)
+  {
+    header.number = dicom.number;
+  }
+  header.series = itk::MedialVoxelText::MakePrintable(dicom.series);
+  header.description = itk::MedialVoxelText::MakePrintable(dicom.description);
+  if (dicom.hasPosition != 0)
+  {
+    header.place.emplace();
+    std::copy_n(dicom.origin, 3, header.place->origin.begin());
+    std::copy_n(dicom.directions, 3, header.place->rowAxis.begin());
+    std::copy_n(dicom.directions + 3, 3, header.place->columnAxis.begin());
+    header.place->rounding = dicom.rounding;
+  }
+  // The file in memory, and what it is unpacked to on the way.
+  header.decodeBytes = structure.voxelBytes + (structure.isPacked ? 3 : 1) * header.GetVoxelBytes() + MiB;
+  return { header };
+}
+
+/** Slices whose values are of different types share one that holds all of them. */
+void
+ConvertValues(PixelType from, const void * values, const SliceHeader & slice, void * voxels)
+{
+  const std::size_t count = slice.size[0] * slice.size[1];
+  DispatchPixelType(from, [&](auto zeroFrom) {
+    DispatchPixelType(slice.pixelType, [&](auto zeroTo) {
+      const auto * const first = static_cast<const decltype(zeroFrom) *>(values);
+      std::transform(first, first + count, static_cast<decltype(zeroTo) *>(voxels), [](auto value) {
+        return static_cast<decltype(zeroTo)>(value);
+      });
+    });
+  });
+}
+
+/** The voxels as the slice stores them. */
+void
+ReadStoredVoxels(const SliceHeader & expected, void * voxels)
+{
+  if (expected.frame)
+  {
+    const std::vector<char> bytes = ReadDicomFrame(expected);
+    MedialVoxelDicomFrame   frame = DescribeFrame(*expected.frame);
+    frame.bytes = bytes.data();
+    frame.length = bytes.size();
+    std::uint32_t pixelType = 0;
+    CallReadFrame(expected, frame, pixelType, voxels);
+    return;
+  }
+  const DicomStructure structure = CheckDicomStructure(expected.fileName);
+  CheckSize(expected.fileName, structure);
+  MedialVoxelDicomHeader dicom{};
+  dicom.columns = static_cast<std::uint32_t>(expected.size[0]);
+  dicom.rows = static_cast<std::uint32_t>(expected.size[1]);
+  dicom.pixelType = static_cast<std::uint32_t>(*expected.storedType);
+  const AbortNotice notice = TellOfAbort(expected.fileName);
+  if (const char * const problem =
+        GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), structure.endOfVoxels, &dicom, voxels))
+  {
+    RefuseHeader(expected.fileName, problem);
+  }
+}
+
+void
+ReadVoxels(const SliceHeader & expected, void * voxels)
+{
+  const bool        isOther = *expected.storedType != expected.pixelType;
+  std::vector<char> stored(isOther ? expected.size[0] * expected.size[1] * GetTraits(*expected.storedType).bytes : 0);
+  ReadStoredVoxels(expected, isOther ? stored.data() : voxels);
+  if (isOther)
+  {
+    ConvertValues(*expected.storedType, stored.data(), expected, voxels);
+  }
+}
+
+} // namespace
+
+SliceFormat
+MakeDicomSliceFormat()
+{
+  return { "DICOM", { ".dcm", ".dicom", ".ima" }, true, IsDicomFile, ReadHeaders, ReadVoxels, BytesOfGdcm };
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelValueReader_h
+#define medialvoxelValueReader_h
+
+#include "Resampling.h"
+#include "VolumeHeader.h"
+
+#include "itkMedialVoxelRows.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace medialvoxel
+{
+
+/** Values where they lie in memory. */
+struct ValueView
+{
+  const void *            values{ nullptr }; ///< the first one; those of a row follow each other
+  itk::MedialVoxelStrides strides;           ///< in values, from row to row and slice to slice
+  bool                    areEqual{ false }; ///< all of them, as nothing is stored for the box
+};
+
+/** \class ValueReader
+ * \brief Reads boxes of a volume. */
+class ValueReader
+{
+public:
+  using PartFunction = std::function<void(const itk::MedialVoxelBox &)>;
+
+  virtual ~ValueReader() = default;
+
+  /** Reads the values of a box, x fastest, of the value type of the header, in the byte order of this machine.
+   * \throw JobError CorruptInput when the file lost voxels; itk::ExceptionObject */
+  virtual void
+  Read(const itk::MedialVoxelBox & box, void * values) = 0;
+
+  /** Calls function(part) for parts of a box that are best read each by itself. */
+  virtual void
+  ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function) const = 0;
+
+  /** Rows that are best read by one thread, in all slices of a box; 1: slices are. */
+  virtual std::int64_t
+  GetRowsReadTogether() const
+  {
+    return 1;
+  }
+
+  /** Reads the values of a part that ForEachPart() gave, and keeps them until the next call. \throw as Read() */
+  virtual ValueView
+  Look(const itk::MedialVoxelBox & part) = 0;
+
+  virtual std::uint64_t
+  GetNumberOfBytesRead() const = 0;
+
+  /** Of the same volume, for another thread. */
+  virtual std::unique_ptr<ValueReader>
+  MakeAnother() const = 0;
+};
+
+/** Opens a volume that ReadVolumeHeader() has checked, or ResampleHeader() has made. A compressed one that
+ * UnpackVolume() has not got is read from front to back.
+ * \param interpolation of a resampled one
+ * \param bytesToKeep of chunks whose further slices are needed later, for volumes that are stored in such */
+std::unique_ptr<ValueReader>
+MakeValueReader(const VolumeHeader & header,
+                Interpolation        interpolation = Interpolation::Linear,
+                std::uint64_t        bytesToKeep = 0);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelVoxelStream_h
+#define medialvoxelVoxelStream_h
+
+#include "VolumeHeader.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace medialvoxel
+{
+
+/** \class VoxelStream
+ * \brief The numbers of a compressed volume from front to back, in bounded memory and in the byte order of its header.
+ */
+class VoxelStream
+{
+public:
+  virtual ~VoxelStream() = default;
+
+  /** Reads exactly \a numberOfBytes. \throw JobError CorruptInput when the voxels are damaged or end early. */
+  virtual void
+  Read(void * destination, std::uint64_t numberOfBytes) = 0;
+
+  /** To be called after the last voxel. \throw JobError CorruptInput when something is wrong with what follows. */
+  virtual void
+  CheckEnd() = 0;
+
+  /** Bytes read from the file so far. */
+  virtual std::uint64_t
+  GetNumberOfBytesRead() const = 0;
+};
+
+/** Opens a volume that ReadVolumeHeader() has checked, whose voxels are one stream, packed by zlib or gzip. */
+std::unique_ptr<VoxelStream>
+OpenInflatedStream(const VolumeHeader & header);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelZarrChunkFile_h
+#define medialvoxelZarrChunkFile_h
+
+#include "Checksum.h"
+#include "SystemFile.h"
+#include "ZarrMetadata.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Extension of the names that chunks have while they are written. */
+constexpr const char * PartialExtension = ".partial";
+
+/** Some bytes of a chunk that is not packed. */
+struct ZarrChunkPart
+{
+  std::uint64_t offset{ 0 };
+  std::uint64_t numberOfBytes{ 0 };
+  std::uint64_t chunkBytes{ 0 }; ///< of the whole chunk
+};
+
+/** \class ZarrChunkWriter
+ * \brief Writes chunks that appear under their names only when they are complete.
+ *
+ * A chunk is written at once, or in parts that are kept as they are until the last one is there. The folder of a chunk
+ * is made with its first file. Several processes may write different chunks of an array. */
+class ZarrChunkWriter
+{
+public:
+  /** \param numberOfBytes of a chunk, not packed
+   * \param valueBytes of one of its numbers
+   * \param process a text that differs where several processes might write a chunk at the same time */
+  ZarrChunkWriter(ZarrCompression     compression,
+                  std::uint64_t       numberOfBytes,
+                  std::uint64_t       valueBytes,
+                  const std::string & process);
+
+  /** Memory that a writer takes. */
+  static std::uint64_t
+  GetMemoryBytes(ZarrCompression compression, std::uint64_t numberOfBytes);
+
+  /** \throw JobError Failure. */
+  void
+  Write(const std::filesystem::path & chunkFile, const char * chunk);
+
+  /** Writes some bytes of a chunk that is completed later; bytes that are not written are 0.
+   * \param isFirst what an earlier process left of the chunk is dropped */
+  void
+  WritePart(const std::filesystem::path & chunkFile,
+            const ZarrChunkPart &         part,
+            const char *                  bytes,
+            bool                          isFirst) const;
+
+  /** Makes a chunk of the parts written. \param chunk memory for one */
+  void
+  CompleteParts(const std::filesystem::path & chunkFile, char * chunk);
+
+  /** Sums up the bytes of the files that get their names from now on. */
+  void
+  StartChecksum()
+  {
+    m_Checksum = Checksum();
+  }
+
+  std::uint32_t
+  GetChecksum() const
+  {
+    return m_Checksum ? m_Checksum->GetValue() : 0;
+  }
+
+private:
+  /** The name that a chunk has while it is written. */
+  std::filesystem::path
+  GetPartialName(const std::filesystem::path & chunkFile) const;
+
+  void
+  GiveName(const std::filesystem::path & chunkFile) const;
+
+  /** The bytes of a file, which are those of the chunk when nothing is packed. */
+  std::pair<const char *, std::uint64_t>
+  Pack(const std::filesystem::path & chunkFile, const char * chunk);
+
+  ZarrCompression   m_Compression;
+  std::uint64_t     m_NumberOfBytes;
+  std::uint64_t     m_ValueBytes;
+  std::string       m_PartialExtension;
+  std::vector<char> m_Packed;
+  std::vector<char> m_PackedZeros; ///< of a chunk without anything else, as soon as there was one
+
+  std::optional<Checksum> m_Checksum;
+};
+
+/** Opens a file of chunks to be read; nothing when there is none.
+ * \throw JobError Failure, also for what is not a regular file */
+std::optional<SystemFile>
+OpenZarrChunks(const std::filesystem::path & chunkFile);
+
+/** Adds the bytes of the file of a chunk, if there is one. */
+void
+AddZarrChunk(const std::filesystem::path & chunkFile, Checksum & checksum);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ThicknessSums.h"
+
+#include <cmath>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t UnitsPerRoot = 1024;
+
+} // namespace
+
+void
+ThicknessSums::AddCell(const std::size_t bin, const std::uint64_t area)
+{
+  const std::uint64_t root = (area + UnitsPerRoot / 2) / UnitsPerRoot;
+  m_Cells.Add(bin);
+  m_Areas.Add(bin, area);
+  m_SquaredAreas += root * root;
+}
+
+void
+ThicknessSums::Add(const ThicknessSums & other)
+{
+  m_Cells.Add(other.m_Cells);
+  m_Areas.Add(other.m_Areas);
+  m_SquaredAreas += other.m_SquaredAreas;
+  m_RimCells += other.m_RimCells;
+}
+
+void
+ThicknessSums::Clear()
+{
+  m_Cells.Clear();
+  m_Areas.Clear();
+  m_SquaredAreas = 0;
+  m_RimCells = 0;
+}
+
+double
+ThicknessSums::GetStandardErrorOfMean(const unsigned int step) const
+{
+  if (m_Areas.GetTotal() == 0)
+  {
+    return 0.0;
+  }
+  const double share = 1.0 - 1.0 / static_cast<double>(step); // the cells that count are known
+  const double areas = static_cast<double>(m_Areas.GetTotal()) / static_cast<double>(UnitsPerRoot);
+  return m_Areas.GetStandardDeviation() * std::sqrt(share * static_cast<double>(m_SquaredAreas)) / areas;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelThicknessSums_h
+#define medialvoxelThicknessSums_h
+
+#include "LengthHistogram.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace medialvoxel
+{
+
+/** \class ThicknessSums
+ * \brief Cells and areas of the sheet by thickness, as sums of whole numbers, which do not depend on their order. */
+class ThicknessSums
+{
+public:
+  /** Parts of the largest face of a voxel that areas are multiples of. */
+  static constexpr std::uint64_t AreaUnitsPerFace = std::uint64_t{ 1 } << 20;
+
+  explicit ThicknessSums(double binWidth)
+    : m_Cells(binWidth)
+    , m_Areas(binWidth)
+  {}
+
+  /** \param area of a cell, in units */
+  void
+  AddCell(std::size_t bin, std::uint64_t area);
+
+  void
+  AddRims(std::uint64_t cells)
+  {
+    m_RimCells += cells;
+  }
+
+  void
+  Add(const ThicknessSums & other);
+
+  void
+  Clear();
+
+  const LengthHistogram &
+  GetCells() const
+  {
+    return m_Cells;
+  }
+
+  const LengthHistogram &
+  GetAreas() const
+  {
+    return m_Areas;
+  }
+
+  std::uint64_t
+  GetRimCells() const
+  {
+    return m_RimCells;
+  }
+
+  /** That of the mean weighted by area, of a sample of one of \a step cells. */
+  double
+  GetStandardErrorOfMean(unsigned int step) const;
+
+  /** Numbers for another process. */
+  template <typename TWriter>
+  void
+  Save(TWriter & numbers) const
+  {
+    numbers.AddAll(m_Cells.GetNumbers());
+    numbers.AddAll(m_Areas.GetNumbers());
+    numbers.Add(m_SquaredAreas);
+    numbers.Add(m_RimCells);
+  }
+
+  template <typename TReader>
+  void
+  Read(TReader & numbers)
+  {
+    numbers.AddTo(m_Cells);
+    numbers.AddTo(m_Areas);
+    m_SquaredAreas += numbers.Get();
+    m_RimCells += numbers.Get();
+  }
+
+private:
+  LengthHistogram m_Cells;
+  LengthHistogram m_Areas;             ///< in units
+  std::uint64_t   m_SquaredAreas{ 0 }; ///< in units of 1024 by 1024, so that 2^40 cells fit
+  std::uint64_t   m_RimCells{ 0 };
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelProcessIdentity_h
+#define medialvoxelProcessIdentity_h
+
+#include <cstdint>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** \class ProcessIdentity
+ * \brief Tells a process from all others that ever wrote to a folder, also from those of other machines. */
+struct ProcessIdentity
+{
+  std::string   host;           ///< 12 hexadecimal digits of a machine since it was started, and of a container on it
+  int           number{ 0 };    ///< which another process has later
+  std::uint64_t startTime{ 0 }; ///< in ticks since the machine was started
+};
+
+/** Of this process; its host is empty where the system does not tell, as in a container without /proc. */
+const ProcessIdentity &
+GetThisProcess();
+
+/** Whether a process has ended; false whenever this cannot be known, as of a process of another machine. */
+bool
+HasEnded(const ProcessIdentity & process);
+
+/** The name of this machine, for people. */
+std::string
+GetHostName();
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelTerminal_h
+#define medialvoxelTerminal_h
+
+namespace medialvoxel
+{
+
+/** True when the error stream is a terminal. */
+bool
+HasTerminal();
+
+/** Columns of the terminal, 80 where it does not tell. */
+int
+GetTerminalColumns();
+
+} // end namespace medialvoxel
+
+#endif

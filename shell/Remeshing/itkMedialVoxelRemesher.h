@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelRemesher_h
+#define itkMedialVoxelRemesher_h
+
+#include "itkMedialVoxelFineSheet.h"
+#include "itkMedialVoxelSheetWitnesses.h"
+#include "itkMedialVoxelTriangleComplex.h"
+
+#include <functional>
+
+namespace itk
+{
+
+/** \class MedialVoxelRemesher
+ * \brief Brings a sheet to larger triangles of good shape, whose sides have the sizes of the fine sheet.
+ *
+ * Sides grow by 1.6 at a time. At each size, long sides are cut, short ones are collapsed, sides are flipped and
+ * vertices are moved along the fine sheet. Rims stay on rims and junctions on junctions. No step may leave a point of
+ * the fine sheet, or the middle of a triangle, farther away than 0.15 of the size there (or half a fine side,
+ * where that is more). Walls that are narrower than half an element, and bounded by a junction, are closed; others keep
+ * their width.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelRemesher
+{
+public:
+  using Complex = MedialVoxelTriangleComplex;
+  using Index = Complex::Index;
+  using Triangle = Complex::Triangle;
+  using Point = Complex::Point;
+
+  /** \param fine     with its sizes set; it stays as long as this
+   * \param noise    by how much the fine sheet may be off anywhere: steps keep this distance to it at least
+   * \param progress called often with the share that is done; may throw to stop */
+  MedialVoxelRemesher(MedialVoxelFineSheet & fine, double noise, std::function<void(double)> progress);
+
+  /** Lets sides grow, by 1.6 at a time, up to their sizes, but to \a most at most. */
+  void
+  Coarsen(double most);
+
+  /** Brings the sides to their sizes, and rids the sheet of triangles of bad shape. After Coarsen(), with all triangles
+   * of the sheet. */
+  void
+  Finish();
+
+  const Complex &
+  GetComplex() const
+  {
+    return m_Complex;
+  }
+
+  /** Holes of three sides, of which one was next to nothing. */
+  std::uint64_t
+  GetNumberOfHolesClosed() const
+  {
+    return m_HolesClosed;
+  }
+
+  /** Triangles of strips and fins that were too narrow. */
+  std::uint64_t
+  GetNumberLeftOut() const
+  {
+    return m_LeftOut;
+  }
+
+private:
+  /** What triangles of the complex are to become. */
+  struct Step
+  {
+    std::vector<Index>    before;  ///< numbers of the triangles that it changes or removes
+    std::vector<Index>    numbers; ///< of those that remain
+    std::vector<Triangle> after;   ///< their corners then
+    Index                 moved{ Complex::None };
+    Point                 place{}; ///< of the vertex that is moved
+  };
+
+  /** What a step must keep. */
+  struct Rules
+  {
+    double tolerance;        ///< of the distance
+    double leastCosine;      ///< between the normal of a triangle and what it was
+    double leastQuality;     ///< of triangles, unless they had less
+    double improvement{ 0 }; ///< of the worst triangle
+  };
+
+  // One pass each over the complex.
+  void
+  SplitLongSides();
+  void
+  CollapseShortSides(bool merging);
+  void
+  FlipSides();
+  void
+  MoveVertices();
+  void
+  RepairTriangles();
+  float
+  GetLargestSize() const;
+  void
+  RaiseSizesAtBends();
+  void
+  CleanUp();
+  std::vector<Index>
+  ListBad();
+  void
+  CloseSlits();
+  void
+  ZipRims();
+
+  bool
+  TryCollapse(Index from, Index to, bool merging);
+  bool
+  TryFlip(Index a, Index b);
+  bool
+  TryMove(Index vertex, Complex::Place kind);
+  bool
+  TryRepair(Index triangle);
+  bool
+  TryPassOver(Index a, Index b, Index c, double improvement);
+
+  /** How bad triangles are: 0 where each has a good shape and is not folded onto another one. */
+  double
+  GetBadness(Index triangle) const;
+  double
+  GetBadness(const std::vector<Index> & vertices) const;
+  double
+  GetFolds(Index a, Index b) const;
+  bool
+  IsTiny(Index triangle) const;
+  double
+  GetGain(const Step & step);
+  std::vector<Step>
+  ListCleanSteps(Index triangle) const;
+  bool
+  TryClean(Index triangle);
+  bool
+  TryCloseSlit(Index triangle);
+  bool
+  TryZip(Index vertex, Index a, Index b);
+  bool
+  TryMerge(Index from, Index to);
+  bool
+  TryLeaveOut(Index triangle);
+  bool
+  IsEnd(Index triangle) const;
+  bool
+  IsInStrip(Index triangle) const;
+
+  Step
+  MakeCollapse(Index from, Index to) const;
+  Step
+  MakeShorterRim(Index triangle) const;
+  Step
+  MakePassOver(const Complex::Indices & triangles, Index a, Index b, Index c) const;
+  Step
+  MakeMove(Index vertex, const Point & place) const;
+
+  bool
+  Allows(const Step & step, const Rules & rules);
+  bool
+  IsNear(const Step & step, double tolerance);
+  std::vector<Index>
+  Apply(const Step & step);
+
+  bool
+  IsStuck(Index a, Index b) const;
+  bool
+  MayLeave(Index from, Index to, bool merging) const;
+  bool
+  KeepsLine(Index from, Index to, double tolerance) const;
+
+  struct Worst
+  {
+    double quality;
+    bool   keepsNormals;
+  };
+  Worst
+  Judge(const Step & step, double leastCosine) const;
+
+  std::array<Point, 3>
+  GetCorners(const Step & step, std::size_t number) const;
+
+  Complex::Indices
+  FindLineNeighbors(Index vertex, Complex::Place kind) const;
+  bool
+  IsSharp(Index vertex, Complex::Place kind) const;
+
+  /** The place of the fine sheet, or of its lines, nearest to a place for a vertex. */
+  MedialVoxelSheetTree::Nearest
+  Project(Index vertex, Complex::Place kind, const Point & place) const;
+
+  MedialVoxelSheetTree::Nearest
+  FindOnLine(Index vertex, Complex::Place kind, const Point & place, double within) const;
+
+  double
+  GetSize(Index a, Index b) const;
+  double
+  GetTolerance(Index vertex) const;
+  double
+  GetLength(Index a, Index b) const;
+  double
+  GetQuality(Index triangle) const;
+
+  struct LengthOfSide
+  {
+    double length;
+    Index  a;
+    Index  b;
+  };
+  std::vector<LengthOfSide>
+  ListSides() const;
+
+  void
+  Proceed();
+
+  MedialVoxelFineSheet &      m_Fine;
+  std::function<void(double)> m_Progress;
+  Complex                     m_Complex;
+  MedialVoxelSheetWitnesses   m_Witnesses;
+  double                      m_Noise;
+  double                      m_Level{ 0 }; ///< the size that sides have at most
+  std::uint64_t               m_HolesClosed{ 0 };
+  std::uint64_t               m_LeftOut{ 0 };
+  std::uint64_t               m_Steps{ 0 };
+  double                      m_Share{ 0 };
+};
+
+} // end namespace itk
+
+#endif

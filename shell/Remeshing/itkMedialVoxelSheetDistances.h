@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSheetDistances_h
+#define itkMedialVoxelSheetDistances_h
+
+#include "itkMedialVoxelRemeshedSheet.h"
+
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelDistanceHistogram
+ * \brief Distances in classes of a thousandth of their value. Sums of sums do not depend on their order, but the mean.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelDistanceHistogram
+{
+public:
+  /** \param distance finite, 0 or more */
+  void
+  Add(double distance);
+
+  void
+  Add(const MedialVoxelDistanceHistogram & other);
+
+  MedialVoxelRemeshingSummary::Distances
+  Summarize() const;
+
+private:
+  std::vector<std::uint64_t> m_Counts;
+  std::uint64_t              m_Number{ 0 };
+  double                     m_Sum{ 0 };
+  double                     m_Largest{ 0 };
+};
+
+/** \class MedialVoxelSheetDistances
+ * \brief Distances between a sheet of elements and the fine one, of which any part may be given at a time.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelSheetDistances
+{
+public:
+  /** A sample by its number, and its distance. */
+  using SampleDistance = std::pair<std::size_t, double>;
+
+  /** Samples are the middles of the four parts of each triangle of an element, which stand for equal areas.
+   * \param sheet stays as long as this */
+  explicit MedialVoxelSheetDistances(const MedialVoxelRemeshedSheet & sheet);
+
+  /** Of the points of a part of the fine sheet to the elements. Several threads may call it. */
+  MedialVoxelDistanceHistogram
+  MeasurePoints(const MedialVoxelSheet & part) const;
+
+  /** Of the samples to a part of the fine sheet, where they are less than \a within. Several threads may call it. */
+  std::vector<SampleDistance>
+  MeasureSamples(const MedialVoxelSheet & part, double within) const;
+
+  /** Sums depend on the order of the parts in their last digits. */
+  void
+  Add(const MedialVoxelDistanceHistogram & points);
+
+  void
+  Add(const std::vector<SampleDistance> & samples);
+
+  /** Whether all samples have been near enough to some part. */
+  bool
+  IsComplete() const;
+
+  /** Adds the distances to the summary. */
+  void
+  Summarize(MedialVoxelRemeshingSummary & summary) const;
+
+private:
+  struct Sample
+  {
+    MedialVoxelVector3 point;
+    double             area;
+    double             distance{ std::numeric_limits<double>::infinity() };
+  };
+
+  std::vector<Sample>                   m_Samples;
+  std::unique_ptr<MedialVoxelSheetTree> m_Elements;
+  MedialVoxelDistanceHistogram          m_Points;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelSheetTree_h
+#define itkMedialVoxelSheetTree_h
+
+#include "itkMedialVoxelVector3.h"
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace itk
+{
+
+/** The point of a triangle that is nearest to another one. */
+MedialVoxelVector3
+MedialVoxelNearestOfTriangle(const MedialVoxelVector3 & point, const std::array<MedialVoxelVector3, 3> & corners);
+
+/** \class MedialVoxelSheetTree
+ * \brief Finds the nearest of many triangles, or segments, in groups that are searched one at a time.
+ *
+ * A tree of boxes. A segment is a triangle whose last two corners are one. Of several nearest ones it takes one that
+ * depends on the point and the content alone.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxelSheetTree
+{
+public:
+  using Index = std::uint32_t;
+  using Triangle = std::array<Index, 3>;
+  using Point = MedialVoxelVector3;
+
+  /** Memory for each triangle. */
+  static constexpr std::uint64_t BytesPerTriangle = 64;
+
+  static constexpr double Anywhere = std::numeric_limits<double>::infinity();
+
+  struct Nearest
+  {
+    Point  point{};
+    double distance{ Anywhere }; ///< infinite: none is near enough
+    Index  triangle{ 0 };        ///< its place in the order they were given in
+  };
+
+  /** \param points  stays as long as the tree is used
+   * \param groups  of each triangle, from 0 on without gaps */
+  MedialVoxelSheetTree(const std::vector<Point> &    points,
+                       const std::vector<Triangle> & triangles,
+                       const std::vector<Index> &    groups);
+
+  Index
+  GetNumberOfGroups() const
+  {
+    return static_cast<Index>(m_Roots.size());
+  }
+
+  /** The nearest of a group that is nearer than \a within. */
+  Nearest
+  Find(const Point & point, Index group, double within = Anywhere) const;
+
+  /** Whether one of a group is nearer than \a within; faster than to find the nearest. */
+  bool
+  HasWithin(const Point & point, Index group, double within) const;
+
+private:
+  struct Node
+  {
+    std::array<float, 3> low;
+    std::array<float, 3> high;
+    Index                first; ///< of its triangles in the order of the tree
+    Index                count; ///< of the triangles of a leaf; 0: the children are the next node and this first one
+  };
+
+  void
+  Build(Index first, Index count, const std::vector<std::array<float, 3>> & centers);
+
+  /** Ends at the first one whose squared distance is below \a enough. */
+  void
+  Search(Index node, const Point & point, double enough, Nearest & best) const;
+
+  const std::vector<Point> * m_Points;
+  std::vector<Triangle>      m_Triangles; ///< in the order of the tree
+  std::vector<Index>         m_Order;     ///< their places in the order they were given in
+  std::vector<Node>          m_Nodes;
+  std::vector<Index>         m_Roots;
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelShellElements_h
+#define itkMedialVoxelShellElements_h
+
+#include "itkMedialVoxelTriangleComplex.h"
+
+namespace itk
+{
+
+/** A triangle or a quadrilateral of a shell model. */
+struct MedialVoxelShellElement
+{
+  using Index = std::uint32_t;
+
+  std::array<Index, 4> corners{}; ///< round it; a triangle ignores the last one
+  std::uint8_t         numberOfCorners{ 3 };
+  std::uint8_t         rimSides{ 0 };      ///< bit k: the side from corner k to the next is of no other element
+  std::uint8_t         junctionSides{ 0 }; ///< bit k: of more than two
+  Index                wall{ 0 };          ///< of the fine sheet
+};
+
+/** Turns the triangles of each wall the same way round, from its first triangle on; walls are those that sides of two
+ * triangles join.
+ * \param complex stays as it is
+ * \param corners of each triangle with its number; removed ones are empty
+ * \return the number of sides whose triangles could not agree, as on a wall with one side only */
+std::uint64_t
+MedialVoxelOrientWalls(const MedialVoxelTriangleComplex &                  complex,
+                       std::vector<MedialVoxelTriangleComplex::Triangle> & corners);
+
+/** Joins triangles to quadrilaterals, best first: where two share a side that no third one has, are nearly in one plane
+ * (cosine above 0.9), and give a scaled Jacobian of 0.4 at least. What is left stays a triangle.
+ * \param corners as MedialVoxelOrientWalls() has left them
+ * \param joins   false: all stay triangles */
+std::vector<MedialVoxelShellElement>
+MedialVoxelPairTriangles(const MedialVoxelTriangleComplex &                        complex,
+                         const std::vector<MedialVoxelTriangleComplex::Triangle> & corners,
+                         bool                                                      joins);
+
+} // end namespace itk
+
+#endif
