@@ -358,6 +358,20 @@ RunCommand(const CommandLine & line, const std::string & command)
   return ExitStatus::Done;
 }
 
+/** What the option of a former name is called; empty: no option had the name. */
+std::string
+FindNewName(const std::string & name)
+{
+  for (const OptionRow & row : ListOptions())
+  {
+    if (row.formerName == name)
+    {
+      return row.name;
+    }
+  }
+  return "";
+}
+
 /** What was typed in place of a command, or the option that the command lacks, with the name that was probably meant;
  * empty when that is not what is wrong. */
 std::string
@@ -386,7 +400,9 @@ DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words
     const std::string name = word.substr(0, word.find('='));
     if (name.size() > 2 && name.compare(0, 2, "--") == 0 && !command->get_option_no_throw(name))
     {
-      return "'" + name + "' is not an option of " + words.front() + SuggestName(name, names);
+      const std::string newName = FindNewName(name);
+      return newName.empty() ? "'" + name + "' is not an option of " + words.front() + SuggestName(name, names)
+                             : name + " is now " + newName;
     }
   }
   return "";

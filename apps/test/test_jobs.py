@@ -130,12 +130,12 @@ class SmallJobTest(JobTestCase):
         of_run |= {"--log-level", "--slurm", "--slurm-clusters"}
         raw = "--raw-size 40,36,33 --raw-type uint8 --raw-spacing 1,2,3 --raw-header 5 --raw-big-endian"
         values = {
-            "--thickness": 2, "--minimum-thickness": 2, "--maximum-thickness": 7, "--max-pore-size": 3,
+            "--thickness": 2, "--min-thickness": 2, "--max-thickness": 7, "--max-pore-size": 3,
             "--smooth": "on", "--voxel-units": None, "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
-            "--uncertainty-map": "u.mha", "--levels": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
-            "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--level": 1,
-            "--slices": "2-6", "--thin-below": 2, "--thick-above": 2, "--smallest-place": 3, "--places": "p.csv",
+            "--uncertainty-map": "u.mha", "--materials": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
+            "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--resolution": 1,
+            "--slices": "2-6", "--thin-below": 2, "--thick-above": 2, "--min-place-area": 3, "--places": "p.csv",
             "--fail-if-thin": None, "--local-thickness": "lt.mha", "--largest-ball": 9,
             "--local-thickness-method": "sphere",
         }  # fmt: skip
@@ -151,7 +151,7 @@ class SmallJobTest(JobTestCase):
         volumes.write_meta(self.folder / "long.mha", volumes.box_with_plate((300, 20, 16)))
         self.extract("long.mha", "levels.zarr")
         volumes.write_meta(self.folder / "gray.mha", volumes.blurred_wall(7))
-        sources = {"--uncertainty-map": "../gray.mha", "--level": "../levels.zarr", "--slices": "../slice_*.tif"}
+        sources = {"--uncertainty-map": "../gray.mha", "--resolution": "../levels.zarr", "--slices": "../slice_*.tif"}
         for number in range(9 if READS_TIFF else 0):
             volumes.write_tiff(self.folder / f"slice_{number}.tif", volumes.Volume((20, 16, 1), [number] * 320))
         plain = parameters("../in.mha")
@@ -162,9 +162,9 @@ class SmallJobTest(JobTestCase):
             needed = {
                 "--sub-voxel": ["--lower", 50],
                 "--uncertainty-map": ["--lower", 1000],
-                "--levels": ["--lower", 50],
+                "--materials": ["--lower", 50],
                 "--vector-boundary": ["--vectors", "v.mha"],
-                "--smallest-place": ["--thin-below", 2],
+                "--min-place-area": ["--thin-below", 2],
                 "--places": ["--thin-below", 2],
                 "--fail-if-thin": ["--thin-below", 2],
                 "--largest-ball": ["--local-thickness", "lt.mha"],

@@ -165,9 +165,9 @@ class WarningTest(ProgramTestCase):
                 self.assertGreater(values["area_percent"], 90)
                 self.assertTrue(24 * spacing <= values["suggested_maximum_thickness"] <= 32 * spacing)
             self.assertEqual(*reports)
-            found = self.warnings(volume, "--maximum-thickness", values["suggested_maximum_thickness"])
+            found = self.warnings(volume, "--max-thickness", values["suggested_maximum_thickness"])
             self.assertNotIn("beyond_maximum_thickness", found)
-        found = self.warnings(plate(20, width=30), "--voxel-units", "--maximum-thickness", 8)
+        found = self.warnings(plate(20, width=30), "--voxel-units", "--max-thickness", 8)
         self.assertEqual(found["beyond_maximum_thickness"]["values"]["suggested_maximum_thickness"], 20)
         self.assertIn("20 voxels", found["beyond_maximum_thickness"]["message"])
         self.assertEqual(self.warnings(plate(20, width=30), thickness=8), {}, "a fixed thickness has no maximum")
@@ -193,7 +193,7 @@ class WarningTest(ProgramTestCase):
                     self.assertIn(expected, found[0])
         volumes.write_meta(self.folder / "in.mha", plate(4, 12, spacing=(2, 2, 2)))
         for distance, number in ((1.5, 1), (2, 0), (1000, 0)):
-            result = self.run_program("distance", "in.mha", "v.mha", "--maximum-distance", distance, "--overwrite")
+            result = self.run_program("distance", "in.mha", "v.mha", "--max-distance", distance, "--overwrite")
             self.assertEqual(len(result.warnings), number)
 
     def test_unused_scratch(self):
@@ -206,7 +206,7 @@ class WarningTest(ProgramTestCase):
 class WarningOfJobsTest(JobTestCase):
     def test_each_is_told_once_and_the_report_has_all(self):
         volumes.write_meta(self.folder / "in.mha", rod(6, 60))
-        arguments = ["../in.mha", "out.mha", "--minimum-thickness", 0.25, "--report", "r.json"]
+        arguments = ["../in.mha", "out.mha", "--min-thickness", 0.25, "--report", "r.json"]
         expected = self.expect("extract", *arguments)
         codes = [warning["code"] for warning in expected["r.json"]["warnings"]]
         self.assertEqual(codes, ["unusual_minimum_thickness", "few_sheets"])

@@ -38,7 +38,7 @@ def make_mesh(arguments, folder):
     """The mesh of the part, after its check."""
     path = folder / "part.inp"
     command = [arguments.program, "mesh", arguments.volume, path, "--lower", arguments.lower, "--element-size", "auto"]
-    command += ["--smallest-component", str(SMALLEST)]
+    command += ["--min-component-size", str(SMALLEST)]
     subprocess.run([*command, "--quiet", *(["--extend-rims"] if arguments.extend_rims else [])], check=True)
     # Status 1 when a limit of the quality does not hold.
     subprocess.run([arguments.program, "check", path], check=True)

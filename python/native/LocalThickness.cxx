@@ -20,9 +20,9 @@ Measure(const ArrayCall & call, const SurfaceOptions & options)
   const bool mayMeasure =
     options.localThicknessMethod == LocalThicknessMethod::Wall && HasOneThreshold(options, call.header);
   SetGrayMeasure(*filter, call, options, options.subVoxel.value_or(mayMeasure));
-  if (options.maximumLocalThickness)
+  if (options.largestBall)
   {
-    filter->SetMaximumThickness(*options.maximumLocalThickness);
+    filter->SetMaximumThickness(*options.largestBall);
   }
   UseMemory(*filter->GetOutput(), call.outputs.thickness, call.array);
   RunFilter(*filter, call.control);

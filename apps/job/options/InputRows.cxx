@@ -232,8 +232,9 @@ AddVolume(std::vector<OptionRow> & rows)
           "Default: that of the file, or 1. From 1e-12 to 1e12; the largest at most 1000 times the smallest.");
   // More than any volume has: each has half the size of the one before.
   constexpr std::uint64_t largestLevel = 64;
-  AddRow(rows, "--level", "N", Count(&JobOptions::level, 0, largestLevel))
+  AddRow(rows, "--resolution", "N", Count(&JobOptions::level, 0, largestLevel))
     .OfJobs(Volumes)
+    .Formerly("--level")
     .Help("Of an image with several sizes; 0 (default): largest",
           "Needs an OME-Zarr image with so many levels. Each has about half the size of the one before.");
   AddRow(rows, "--resample", "S", Resampling())

@@ -58,8 +58,9 @@ AddMesh(std::vector<OptionRow> & rows)
     .Of(Mesh, "Mesh")
     .Help("Split the quadrilaterals", "Along the shorter diagonal.")
     .Python(Mesh);
-  AddRow(rows, "--smallest-component", "N", Count(&ExtractOptions::smallestComponent, 0))
+  AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::smallestComponent, 0))
     .Of(Mesh, "Mesh")
+    .Formerly("--smallest-component")
     .Help("Leave out components of fewer quadrilaterals",
           "Default 0, which keeps all. Holds the whole surface in memory.")
     .Python(Mesh);

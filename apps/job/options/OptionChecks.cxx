@@ -111,7 +111,7 @@ CheckLevels(const ExtractOptions & options)
       : "";
   if (!problem.empty())
   {
-    Fail(ExitStatus::Usage, "--levels: ", problem);
+    Fail(ExitStatus::Usage, "--materials: ", problem);
   }
 }
 
@@ -190,9 +190,9 @@ CheckOptions(const ExtractOptions & options)
 {
   CheckRanges(options);
   CheckJobOptions(options);
-  if (options.maximumLocalThickness && options.localThicknessFile.empty())
+  if (options.largestBall && options.localThicknessFile.empty())
   {
-    Fail(ExitStatus::Usage, "a maximum local thickness needs a local thickness; none is asked for");
+    Fail(ExitStatus::Usage, "the largest ball needs a local thickness; none is asked for");
   }
   if (options.extendsRims && options.elementSize.kind == ElementSize::Kind::Voxel)
   {

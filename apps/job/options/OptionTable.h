@@ -62,6 +62,7 @@ struct OptionRow
   OptionValue     value; ///< member, range and default
   unsigned int    commands{ 0 };
   unsigned int    hiddenIn{ 0 }; ///< commands that take it and do not show it
+  std::string     formerName;    ///< refused, with the one of today
   std::string     group{ "Options" };
   std::string     help;      ///< the line of the help, without a full stop
   std::string     details;   ///< further sentences, of the manual and the reference
@@ -97,6 +98,12 @@ struct OptionRow
   HiddenIn(unsigned int those)
   {
     hiddenIn = those;
+    return *this;
+  }
+  OptionRow &
+  Formerly(std::string option)
+  {
+    formerName = std::move(option);
     return *this;
   }
   OptionRow &

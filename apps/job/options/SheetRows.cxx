@@ -85,14 +85,16 @@ AddThickness(std::vector<OptionRow> & rows)
         "double",
         "",
         Length(&ModuleOptions::thickness) });
-  AddRow(rows, "--minimum-thickness", "T", Length(&ExtractOptions::minimumThickness))
+  AddRow(rows, "--min-thickness", "T", Length(&ExtractOptions::minimumThickness))
     .OfJobs(Sheets)
+    .Formerly("--minimum-thickness")
     .Help("auto: thinner walls count as this (default: " + fewest + " voxels)",
           "In units of the spacing. Needs the thickness auto.")
     .Needs("the thickness auto", IsAutomatic)
     .Python(Extract | Mesh);
-  AddRow(rows, "--maximum-thickness", "T", Length(&ExtractOptions::maximumThickness))
+  AddRow(rows, "--max-thickness", "T", Length(&ExtractOptions::maximumThickness))
     .OfJobs(Sheets)
+    .Formerly("--maximum-thickness")
     .Help("auto: thickest wall to be a sheet (default: " + most + ")",
           "In units of the spacing. Needs the thickness auto. Time and memory grow with it.")
     .Needs("the thickness auto", IsAutomatic)
@@ -160,8 +162,9 @@ AddDistances(std::vector<OptionRow> & rows)
     .Of(Distance)
     .Help("Voxels with a vector")
     .Python(Distance);
-  AddRow(rows, "--maximum-distance", "X", Length(&DistanceOptions::maximumDistance, ToDistance))
+  AddRow(rows, "--max-distance", "X", Length(&DistanceOptions::maximumDistance, ToDistance))
     .Of(Distance)
+    .Formerly("--maximum-distance")
     .Help("Voxels farther than this become NaN", "In units of the spacing; greater than 0. Default: none.")
     .Python(Distance);
 }

@@ -95,11 +95,11 @@ AddLocalThickness(std::vector<OptionRow> & rows)
   using Task = itk::MedialVoxelLocalThickness;
   const std::string ballHelp = "Its largest value (default: " + FormatNumber(Task::DefaultVoxels) + " voxels)";
   const std::string most = "In units of the spacing; at most " + FormatNumber(Task::MostVoxels) + " voxels. ";
-  AddRow(rows, "--largest-ball", "T", Length(&ExtractOptions::maximumLocalThickness))
+  AddRow(rows, "--largest-ball", "T", Length(&ExtractOptions::largestBall))
     .OfJobs(Extractions, Walls)
     .Help(ballHelp, most + "Larger balls are cut to it. Time and memory grow with it.")
-    .Slicer({ Outputs, "maximumLocalThickness", "Maximum local thickness", "" });
-  AddRow(rows, "--largest-ball", "T", Length(&SurfaceOptions::maximumLocalThickness))
+    .Slicer({ Outputs, "largestBall", "Largest ball", "" });
+  AddRow(rows, "--largest-ball", "T", Length(&SurfaceOptions::largestBall))
     .Of(Surface, Walls)
     .Help(ballHelp, most + "Larger balls are cut to it, and longer rays have no answer. Time and memory grow with it.")
     .Python(Surface);
@@ -139,8 +139,9 @@ AddGrayValues(std::vector<OptionRow> & rows)
         "",
         Choice<ExtractOptions, Optional>(&ExtractOptions::subVoxel,
                                          { { "Automatic", std::nullopt }, { "On", true }, { "Off", false } }) });
-  AddRow(rows, "--levels", "B,M", Value(&ExtractOptions::levels, ToLevels, FormatLevels))
+  AddRow(rows, "--materials", "B,M", Value(&ExtractOptions::levels, ToLevels, FormatLevels))
     .OfJobs(Extractions, Walls)
+    .Formerly("--levels")
     .Help("Values of background and material for that",
           "Default: those of the scan. Needs one threshold, which is between them; M is in the object.")
     .Needs("sub-voxel measures", MayBeSubVoxel)
@@ -169,17 +170,17 @@ AddPlaces(std::vector<OptionRow> & rows)
     .Slicer({ Outputs, "thinBelow", "Thin below", "" });
   AddRow(rows, "--thick-above", "T,G", PlacesBeyond(&ExtractOptions::thickAbove, PlaceKind::Thick))
     .OfJobs(Extractions, Walls)
-    .Help(
-      "List places thicker than T, grown to G",
-      "T or T,G in units of the spacing; default of G: 0.875 T. Walls thicker than --maximum-thickness have no medial "
-      "cells.")
+    .Help("List places thicker than T, grown to G",
+          "T or T,G in units of the spacing; default of G: 0.875 T. Walls thicker than --max-thickness have no medial "
+          "cells.")
     .Slicer({ Outputs,
               "thickAbove",
               "Thick above",
               "The same for thicker walls; by default places grow to 0.875 times as much" });
   const char * const places = "--thin-below or --thick-above";
-  AddRow(rows, "--smallest-place", "A", Length(&ExtractOptions::smallestPlace, ToLengthOrNone))
+  AddRow(rows, "--min-place-area", "A", Length(&ExtractOptions::smallestPlace, ToLengthOrNone))
     .OfJobs(Extractions, Walls)
+    .Formerly("--smallest-place")
     .Help("Least area of these places",
           "In squared units of the spacing; default: that of ten faces of voxels. 0 keeps all.")
     .Needs(places, ListsPlaces);
