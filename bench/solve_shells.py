@@ -54,6 +54,7 @@ class Mesher:
         start = time.monotonic()
         target = self.folder / "part.inp"
         command = [self.program, "mesh", source, target, "--lower", str(lower), "--element-size", "auto"]
+        command += ["--report", self.folder / "report.json"]
         subprocess.run([*command, "--overwrite", "--quiet", *self.options, *options], check=True)
         return ShellModel(target), time.monotonic() - start
 
@@ -61,10 +62,9 @@ class Mesher:
         part.write(self.folder / "part.mha", is_gray)
         return self.mesh(self.folder / "part.mha", 128)[0]
 
-    def check(self):
+    def quality(self):
         """Of the mesh that was made last."""
-        command = [self.program, "check", self.folder / "part.inp", "--json"]
-        return json.loads(subprocess.run(command, capture_output=True, text=True, check=False).stdout)
+        return json.loads((self.folder / "report.json").read_text("utf-8"))["mesh"]["quality"]
 
 
 def errors_or_refused(find):
@@ -139,12 +139,12 @@ def check_joint(mesher, name, tilt, is_gray):
     """Shapes of the elements, and whether the solver takes them."""
     part = JOINTS[name](tilt)
     model = mesher.mesh_part(part, is_gray)
-    check = mesher.check()
+    quality = mesher.quality()
     row = {"joint": name, "tilt": tilt, "values": "gray" if is_gray else "binary", "elements": model.number_of_elements()}
-    row["failed_limits"] = [limit["name"] for limit in check["limits"] if not limit["holds"]]
-    row |= {name: check[name] for name in ("walls", "junction_sides")}
-    row |= {"least_jacobian": round(check["least_scaled_jacobian"], 3)}
-    values = {limit["name"]: limit["value"] for limit in check["limits"]}
+    row["failed_limits"] = [limit["name"] for limit in quality["limits"] if not limit["holds"]]
+    row |= {name: quality[name] for name in ("walls", "junction_sides")}
+    row |= {"least_jacobian": round(quality["least_scaled_jacobian"], 3)}
+    values = {limit["name"]: limit["value"] for limit in quality["limits"]}
     row |= {"jacobian_of_99": round(values["scaled Jacobian of 99 %"], 3), "aspect_of_99": round(values["aspect ratio of 99 %"], 3)}
     places = part.to_part(numpy.array(list(model.nodes.values())))
     held = [number for number, x in zip(model.nodes, places[:, 0]) if x < places[:, 0].min() + 1]

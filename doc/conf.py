@@ -30,10 +30,15 @@ suppress_warnings = ["duplicate_declaration.cpp"]
 
 CPP_CLASSES = (
     "MedialVoxelImageFilter",
+    "MedialVoxelObjectsImageFilter",
     "LocalThicknessImageFilter",
     "VectorDistanceMapImageFilter",
     "MedialSurfaceMeshFilter",
     "MedialVoxelImageFilterBase",
+    "MedialVoxelSheetProperties",
+    "MedialVoxelObjectProperties",
+    "MedialVoxelCounts",
+    "MedialVoxelScanResult",
     "MedialVoxelEnums",
     "StreamingNrrdImageIO",
     "StreamingRawImageIO",

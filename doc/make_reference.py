@@ -308,6 +308,14 @@ def make_member_tables(members):
     return tables + ([table(["method", "meaning"], methods)] if methods else [])
 
 
+# Sections of what several filters inherit.
+INHERITED = {
+    header_comments.SHEET: ("Properties of sheets", "Of the filters that find medial sheets."),
+    header_comments.OBJECT: ("Common properties", "Of all filters."),
+    header_comments.BASE: ("Common methods", "Of all filters whose output is an image."),
+}
+
+
 def make_python():
     """Parameters and methods of the wrapped classes, from the comments of their headers."""
     parts = [
@@ -321,11 +329,12 @@ def make_python():
         summary, members = read_public(name)
         parts.append(f"## {name}\n\n{summary} Function: `itk.{header_comments.to_snake(name)}(image, ...)`.\n")
         parts += make_member_tables(members)
-        if name in header_comments.IMAGE_FILTERS:
-            parts.append("And the [common parameters](#common-parameters).\n")
-    *others, last = header_comments.IMAGE_FILTERS
-    parts.append(f"## Common parameters\n\nOf {', '.join(others)} and {last}.\n")
-    parts += make_member_tables(read_public(header_comments.BASE)[1])
+        links = [f"[{INHERITED.get(parent, (parent,))[0]}]" for parent in header_comments.PARENTS[name]]
+        links = [f"{link}(#{link[1:-1].lower().replace(' ', '-')})" for link in links]
+        parts.append("Inherited: " + ", ".join(links) + ".\n")
+    for parent, (title, owners) in INHERITED.items():
+        parts.append(f"## {title}\n\n{owners}\n")
+        parts += make_member_tables(read_public(parent)[1])
     return "\n".join(parts)
 
 

@@ -23,8 +23,9 @@ try
   medialVoxels->SetLowerThreshold(std::atof(argv[3]));
   medialVoxels->SetThickness(std::atof(argv[4]));
   itk::WriteImage(medialVoxels->GetOutput(), argv[2]);
-  std::cout << medialVoxels->GetNumberOfBoundCells() + medialVoxels->GetNumberOfGeodesicMedialCells()
-            << " medial cells of " << medialVoxels->GetNumberOfCandidateCells() << " candidates\n";
+  const itk::MedialVoxelCounts counts = medialVoxels->GetCounts();
+  std::cout << counts.boundCells + counts.geodesicMedialCells << " medial cells of " << counts.candidateCells
+            << " candidates\n";
   return EXIT_SUCCESS;
 }
 catch (const itk::ExceptionObject & error)

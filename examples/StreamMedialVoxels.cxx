@@ -37,8 +37,9 @@ try
   writer->Update();
 
   // The counts add up over the pieces.
-  std::cout << medialVoxels->GetNumberOfBoundCells() + medialVoxels->GetNumberOfGeodesicMedialCells()
-            << " medial cells of " << medialVoxels->GetNumberOfCandidateCells() << " candidates\n";
+  const itk::MedialVoxelCounts counts = medialVoxels->GetCounts();
+  std::cout << counts.boundCells + counts.geodesicMedialCells << " medial cells of " << counts.candidateCells
+            << " candidates\n";
   return EXIT_SUCCESS;
 }
 catch (const itk::ExceptionObject & error)

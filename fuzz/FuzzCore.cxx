@@ -83,9 +83,9 @@ CheckWhole(TFilter & filter, const Case & all)
 {
   const Volume before = all.scene.GetMeasured();
   const Volume volume = CleanedByBruteForce(before, all.question);
-  Require(filter.GetNumberOfNotANumberVoxels() == all.scene.notANumbers, "another number of NaN");
-  Require(filter.GetNumberOfFilledVoxels() == CountVoxelsOnlyIn(volume, before) &&
-            filter.GetNumberOfRemovedVoxels() == CountVoxelsOnlyIn(before, volume),
+  Require(filter.GetCounts().notANumberVoxels == all.scene.notANumbers, "another number of NaN");
+  Require(filter.GetCounts().filledVoxels == CountVoxelsOnlyIn(volume, before) &&
+            filter.GetCounts().removedVoxels == CountVoxelsOnlyIn(before, volume),
           "other pores than by brute force");
   RequireVectors(*filter.GetVectorDistanceOutput(),
                  VectorsByBruteForce(all.scene, volume, all.extras.side, volume.object));
@@ -109,9 +109,9 @@ CheckStream(const Case &                          all,
   RequireSame(
     *labels, *whole.GetOutput(), labels->GetLargestPossibleRegion(), "labels of the pieces differ from the whole");
   Require(CountsOf(filter.GetPointer()) == CountsOf(&whole) &&
-            filter->GetNumberOfFilledVoxels() == whole.GetNumberOfFilledVoxels() &&
-            filter->GetNumberOfRemovedVoxels() == whole.GetNumberOfRemovedVoxels() &&
-            filter->GetNumberOfNotANumberVoxels() == whole.GetNumberOfNotANumberVoxels(),
+            filter->GetCounts().filledVoxels == whole.GetCounts().filledVoxels &&
+            filter->GetCounts().removedVoxels == whole.GetCounts().removedVoxels &&
+            filter->GetCounts().notANumberVoxels == whole.GetCounts().notANumberVoxels,
           "counts of the pieces do not add up");
 }
 

@@ -9,6 +9,7 @@
 
 #include "MedialVoxelTestSupport.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkImageRegionSplitterMultidimensional.h"
 #include "itkMedialVoxelImageFilterBase.h"
 #include "itkStreamingImageFilter.h"
@@ -107,8 +108,8 @@ template <typename TFilter>
 void
 SetTiles(TFilter & filter, const Cut & cut)
 {
-  filter.SetTileSize(cut.tileSize);
-  filter.SetSlabThickness(cut.slabThickness);
+  itk::MedialVoxelFilterAccess::SetTileSize(filter, cut.tileSize);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(filter, cut.slabThickness);
 }
 
 /** All of a question but the bound, which the mesh has not. Brute force takes the object as it is. */

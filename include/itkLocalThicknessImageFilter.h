@@ -82,21 +82,14 @@ public:
   /** What was set; 0 without. */
   itkGetConstMacro(MaximumThickness, double);
 
-  /** Sum over the requested regions since the last UpdateOutputInformation(). */
-  SizeValueType
-  GetNumberOfObjectVoxels() const
-  {
-    return static_cast<SizeValueType>(this->GetSums().counts.objectVoxels);
-  }
-
-  /** Object voxels whose value is MaximumThickness, so that their balls may be larger. Summed in the same way. */
+  /** Object voxels whose value is MaximumThickness, so that their balls may be larger. Summed like the counts. */
   SizeValueType
   GetNumberOfVoxelsAtMaximum() const
   {
     return static_cast<SizeValueType>(this->GetSums().voxelsAtMaximum);
   }
 
-  /** Object voxels that no wall covers, whose value is NaN; none with the Method Sphere. Summed in the same way. */
+  /** Object voxels that no wall covers, whose value is NaN; none with the Method Sphere. Summed like the counts. */
   SizeValueType
   GetNumberOfVoxelsWithoutWall() const
   {
@@ -126,9 +119,6 @@ private:
   MethodEnum m_Method{ MethodEnum::Wall };
   bool       m_SubvoxelThickness{ false };
   double     m_MaximumThickness{ 0.0 };
-
-  MedialVoxelScanSurvey::Result m_Survey; ///< of the input at a time
-  ModifiedTimeType              m_SurveyMTime{ 0 };
 };
 
 } // end namespace itk

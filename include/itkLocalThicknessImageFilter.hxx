@@ -55,9 +55,9 @@ LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) co
     settings.maximumPoreSize = 0;
     task.walls.emplace();
     task.walls->parameters = MedialVoxelParameters::ForSettings(grid, settings);
-    if (m_SubvoxelThickness && !m_Survey.isMask)
+    if (m_SubvoxelThickness)
     {
-      task.walls->grayRange = { this->GetLowerThreshold(), this->GetUpperThreshold(), m_Survey.scan };
+      task.walls->grayRange = this->GetGrayRange();
     }
   }
   return task;
@@ -82,14 +82,9 @@ template <typename TInputImage>
 MedialVoxelSums
 LocalThicknessImageFilter<TInputImage>::RunRegion(const MedialVoxelBox & region)
 {
-  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
-  if (m_SubvoxelThickness && m_SurveyMTime != modifiedTime)
+  if (m_SubvoxelThickness)
   {
-    m_SurveyMTime = 0;
-    m_Survey = this->SurveyScan({});
-    // Made again, for walls that are measured like this.
-    this->DropWindow();
-    m_SurveyMTime = modifiedTime;
+    this->PrepareScan({});
   }
   return Superclass::RunRegion(region);
 }
@@ -110,7 +105,6 @@ LocalThicknessImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent inde
   os << indent << "Method: " << m_Method << std::endl;
   os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
   os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
-  os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
   os << indent << "NumberOfVoxelsAtMaximum: " << this->GetNumberOfVoxelsAtMaximum() << std::endl;
   os << indent << "NumberOfVoxelsWithoutWall: " << this->GetNumberOfVoxelsWithoutWall() << std::endl;
 }

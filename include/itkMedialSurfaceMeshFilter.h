@@ -46,6 +46,11 @@ namespace itk
  * 16000 times its smallest spacing needs 64, or points would move by more than a thousandth of it: the filter throws.
  * A mesh with the traits DefaultStaticMeshTraits<float, 3, 3, double> has them.
  *
+ * \par Units and gray values
+ * Points of the mesh and thicknesses of walls are physical in any case; UseImageSpacing says so of Thickness and of the
+ * nearest boundary points. SubvoxelThickness moves the boundary points to where values cross the threshold, see
+ * MedialVoxelGrayBoundary, for the points of the mesh and for the thickness.
+ *
  * \par Memory
  * Beside the mesh, what MedialVoxelImageFilter takes for a piece of the image; the input is pulled part by part.
  *
@@ -57,13 +62,15 @@ namespace itk
  * \ingroup MedialVoxel
  */
 template <typename TInputImage, typename TOutputMesh = Mesh<float, 3>>
-class ITK_TEMPLATE_EXPORT MedialSurfaceMeshFilter : public ImageToMeshFilter<TInputImage, TOutputMesh>
+class ITK_TEMPLATE_EXPORT MedialSurfaceMeshFilter
+  : public MedialVoxelSheetProperties<MedialVoxelObjectProperties<ImageToMeshFilter<TInputImage, TOutputMesh>>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(MedialSurfaceMeshFilter);
 
   using Self = MedialSurfaceMeshFilter;
-  using Superclass = ImageToMeshFilter<TInputImage, TOutputMesh>;
+  using Superclass =
+    MedialVoxelSheetProperties<MedialVoxelObjectProperties<ImageToMeshFilter<TInputImage, TOutputMesh>>>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
@@ -75,112 +82,8 @@ public:
 #endif
 
   using InputImageType = TInputImage;
-  using InputPixelType = typename InputImageType::PixelType;
   using OutputMeshType = TOutputMesh;
   static_assert(InputImageType::ImageDimension == 3 && OutputMeshType::PointDimension == 3, "Surfaces are in 3-D.");
-
-  using ThicknessModeEnum = MedialVoxelEnums::ThicknessMode;
-  using SmoothingEnum = MedialVoxelEnums::Smoothing;
-
-  /** Whether Thickness holds everywhere (Fixed, default) or the walls set it themselves (Automatic), within
-   * MinimumThickness and MaximumThickness, as in MedialVoxelImageFilter. */
-  void
-  SetThicknessMode(ThicknessModeEnum mode);
-  ThicknessModeEnum
-  GetThicknessMode() const;
-  void
-  SetMinimumThickness(double thickness);
-  double
-  GetMinimumThickness() const;
-  void
-  SetMaximumThickness(double thickness);
-  double
-  GetMaximumThickness() const;
-
-  /** Thickness tau of the walls that are sheets, as in MedialVoxelImageFilter. Positive and finite; default 3. */
-  void
-  SetThickness(double thickness);
-  double
-  GetThickness() const;
-
-  /** Largest number of voxels of a pore, or of a grain of dust, that is taken for noise, as in MedialVoxelImageFilter:
-   * at most 1000000, 0 for none; until a value is set, 0 when ThicknessMode is Fixed and 32 when it is Automatic. */
-  void
-  SetMaximumPoreSize(SizeValueType numberOfVoxels);
-  SizeValueType
-  GetMaximumPoreSize() const;
-  void
-  UnsetMaximumPoreSize();
-
-  /** Smooth noise of the object away, as in MedialVoxelImageFilter. */
-  void
-  SetSmoothing(SmoothingEnum smoothing);
-  SmoothingEnum
-  GetSmoothing() const;
-  void
-  UnsetSmoothing();
-
-  /** Value of the background as long as no threshold is set. Default 0. */
-  void
-  SetBackgroundValue(InputPixelType value);
-  InputPixelType
-  GetBackgroundValue() const;
-
-  /** Smallest and largest value of an object voxel, as in MedialVoxelImageFilter; setting one replaces BackgroundValue.
-   * Integers are exact, the getters return the nearest double. */
-  void
-  SetLowerThreshold(double threshold);
-#ifndef ITK_WRAPPING_PARSER
-  void
-  SetLowerThreshold(const MedialVoxelLimit & threshold);
-  template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
-  void
-  SetLowerThreshold(const TInteger threshold)
-  {
-    this->SetLowerThreshold(MedialVoxelLimit(threshold));
-  }
-#endif
-  double
-  GetLowerThreshold() const;
-  void
-  SetUpperThreshold(double threshold);
-#ifndef ITK_WRAPPING_PARSER
-  void
-  SetUpperThreshold(const MedialVoxelLimit & threshold);
-  template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
-  void
-  SetUpperThreshold(const TInteger threshold)
-  {
-    this->SetUpperThreshold(MedialVoxelLimit(threshold));
-  }
-#endif
-  double
-  GetUpperThreshold() const;
-  void
-  UnsetThresholds();
-
-  /** Whether Thickness and the nearest boundary points are physical (default) or in voxels. Points of the mesh and
-   * thicknesses of walls are physical in any case. */
-  void
-  SetUseImageSpacing(bool use);
-  bool
-  GetUseImageSpacing() const;
-  itkBooleanMacro(UseImageSpacing);
-
-  /** Measure on the gray values that the thresholds cut the object from: boundary points are moved to where the values
-   * cross the threshold, or halfway between the two values of a mask, see MedialVoxelGrayBoundary, for the points of
-   * the mesh and for the thickness. Needs a threshold. Default off. */
-  void
-  SetSubvoxelThickness(bool use);
-  bool
-  GetSubvoxelThickness() const;
-  itkBooleanMacro(SubvoxelThickness);
-
-  /** Values of background and material, as in MedialVoxelImageFilter. */
-  void
-  SetScanLevels(double background, double material);
-  void
-  UnsetScanLevels();
 
   /** Whether the object of the last update is that of smoothed values. */
   bool
@@ -189,21 +92,12 @@ public:
     return m_LabelFilter->GetObjectIsSmoothed();
   }
 
-#ifndef ITK_WRAPPING_PARSER
-  /** As in MedialVoxelImageFilter. */
-  std::optional<MedialVoxelExtraction::GrayRange>
-  GetGrayRange() const
+  /** What the last update with SubvoxelThickness fitted walls with, as in MedialVoxelImageFilter. */
+  MedialVoxelScanResult
+  GetScan() const
   {
-    return m_LabelFilter->GetGrayRange();
+    return m_LabelFilter->GetScan();
   }
-#endif
-
-  /** Bytes that the window on the input and the memory of all threads may take, as in MedialVoxelImageFilter; 0
-   * (default) is without limit. Has no influence on the mesh. */
-  void
-  SetWorkingMemoryLimit(SizeValueType bytes);
-  SizeValueType
-  GetWorkingMemoryLimit() const;
 
   /** Slices of the image that are processed at a time; 0 (default) chooses. Has no influence on the mesh. */
   itkSetMacro(NumberOfSlicesPerPiece, unsigned int);
@@ -257,11 +151,6 @@ private:
   using LabelImageType = typename LabelFilterType::OutputImageType;
 
   class MeshWriter;
-
-  /** Change a property of the label filter, and be modified when that one is. */
-  template <typename TFunction>
-  void
-  Change(TFunction && function);
 
   SizeValueType
   GetSlicesPerPiece() const;

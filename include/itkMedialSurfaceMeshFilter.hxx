@@ -14,236 +14,6 @@ namespace itk
 {
 
 template <typename TInputImage, typename TOutputMesh>
-template <typename TFunction>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::Change(TFunction && function)
-{
-  const ModifiedTimeType before = m_LabelFilter->GetMTime();
-  function(*m_LabelFilter);
-  if (m_LabelFilter->GetMTime() != before)
-  {
-    this->Modified();
-  }
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetThicknessMode(const ThicknessModeEnum mode)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetThicknessMode(mode); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-auto
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetThicknessMode() const -> ThicknessModeEnum
-{
-  return m_LabelFilter->GetThicknessMode();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetMinimumThickness(const double thickness)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetMinimumThickness(thickness); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-double
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetMinimumThickness() const
-{
-  return m_LabelFilter->GetMinimumThickness();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetMaximumThickness(const double thickness)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetMaximumThickness(thickness); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-double
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetMaximumThickness() const
-{
-  return m_LabelFilter->GetMaximumThickness();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetSmoothing(const SmoothingEnum smoothing)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetSmoothing(smoothing); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-auto
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSmoothing() const -> SmoothingEnum
-{
-  return m_LabelFilter->GetSmoothing();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::UnsetSmoothing()
-{
-  this->Change([](LabelFilterType & filter) { filter.UnsetSmoothing(); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetMaximumPoreSize(const SizeValueType numberOfVoxels)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetMaximumPoreSize(numberOfVoxels); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-SizeValueType
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetMaximumPoreSize() const
-{
-  return m_LabelFilter->GetMaximumPoreSize();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::UnsetMaximumPoreSize()
-{
-  this->Change([](LabelFilterType & filter) { filter.UnsetMaximumPoreSize(); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetThickness(const double thickness)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetThickness(thickness); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-double
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetThickness() const
-{
-  return m_LabelFilter->GetThickness();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetBackgroundValue(const InputPixelType value)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetBackgroundValue(value); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-auto
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetBackgroundValue() const -> InputPixelType
-{
-  return m_LabelFilter->GetBackgroundValue();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetLowerThreshold(const double threshold)
-{
-  this->SetLowerThreshold(MedialVoxelLimit(threshold));
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetLowerThreshold(const MedialVoxelLimit & threshold)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetLowerThreshold(threshold); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-double
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetLowerThreshold() const
-{
-  return m_LabelFilter->GetLowerThreshold();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetUpperThreshold(const double threshold)
-{
-  this->SetUpperThreshold(MedialVoxelLimit(threshold));
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetUpperThreshold(const MedialVoxelLimit & threshold)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetUpperThreshold(threshold); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-double
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetUpperThreshold() const
-{
-  return m_LabelFilter->GetUpperThreshold();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::UnsetThresholds()
-{
-  this->Change([](LabelFilterType & filter) { filter.UnsetThresholds(); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetUseImageSpacing(const bool use)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetUseImageSpacing(use); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-bool
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetUseImageSpacing() const
-{
-  return m_LabelFilter->GetUseImageSpacing();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetSubvoxelThickness(const bool use)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetSubvoxelThickness(use); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetScanLevels(const double background, const double material)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetScanLevels(background, material); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::UnsetScanLevels()
-{
-  this->Change([](LabelFilterType & filter) { filter.UnsetScanLevels(); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-bool
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetSubvoxelThickness() const
-{
-  return m_LabelFilter->GetSubvoxelThickness();
-}
-
-template <typename TInputImage, typename TOutputMesh>
-void
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::SetWorkingMemoryLimit(const SizeValueType bytes)
-{
-  this->Change([=](LabelFilterType & filter) { filter.SetWorkingMemoryLimit(bytes); });
-}
-
-template <typename TInputImage, typename TOutputMesh>
-SizeValueType
-MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GetWorkingMemoryLimit() const
-{
-  return m_LabelFilter->GetWorkingMemoryLimit();
-}
-
-template <typename TInputImage, typename TOutputMesh>
 void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::RequestPiece(const IndexValueType firstSlice)
 {
@@ -290,6 +60,7 @@ void
 MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateInputRequestedRegion()
 {
   m_LabelFilter->SetInput(this->GetInput());
+  m_LabelFilter->CopySheetProperties(*this);
   m_LabelFilter->UpdateOutputInformation();
   this->RequestPiece(m_LabelFilter->GetOutput()->GetLargestPossibleRegion().GetIndex(2));
 }
@@ -339,24 +110,24 @@ MedialSurfaceMeshFilter<TInputImage, TOutputMesh>::GenerateData()
   std::copy_n(input.GetSpacing().Begin(), 3, settings.spacing.begin());
   settings.grid = { GetSize(input),
                     this->GetUseImageSpacing() ? settings.spacing : MedialVoxelGrid::SpacingType{ { 1.0, 1.0, 1.0 } } };
-  settings.parameters = m_LabelFilter->GetParameters();
+  settings.parameters = this->GetParameters(settings.grid);
   settings.placement = GetPlacement(input);
   settings.minimumBranchLength = m_MinimumBranchLength;
   settings.smallestComponent = m_SmallestComponent;
   MeshWriter         writer(mesh, m_GenerateTriangles, m_MarkSides);
   MedialVoxelSurface surface(settings, writer);
-  m_LabelFilter->SetTileObservers({ &surface.GetObserver() });
+  m_LabelFilter->m_TileObservers = { &surface.GetObserver() };
   MedialSurfaceProgress      progress(*this);
   const MedialVoxelPollScope scope(progress);
   try
   {
     this->RunPieces();
-    m_LabelFilter->SetTileObservers({});
+    m_LabelFilter->m_TileObservers.clear();
     MedialVoxelWithItkErrors([&surface] { surface.Finish(); });
   }
   catch (...)
   {
-    m_LabelFilter->SetTileObservers({});
+    m_LabelFilter->m_TileObservers.clear();
     mesh.Initialize();
     throw;
   }

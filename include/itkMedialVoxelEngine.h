@@ -61,11 +61,6 @@ public:
   MedialVoxelSums
   Run(const MedialVoxelBox & region, MedialVoxelEngineClient & client, const MedialVoxelBox & nextRegion = {});
 
-  /** Process one tile of the run in progress; the client takes the result unless the tile depends on more than the
-   * window holds. */
-  void
-  ProcessTile(const MedialVoxelBox & tile);
-
 private:
   class Implementation;
 

@@ -28,10 +28,6 @@ public:
   virtual void
   RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) = 0;
 
-  /** Have MedialVoxelEngine::ProcessTile() process \a tile in this thread, which is one of the workers. */
-  virtual void
-  RunTile(const MedialVoxelBox & tile) = 0;
-
   /** Store what was found in a tile. Called by several workers at a time, for each tile once. */
   virtual void
   TakeTile(const MedialVoxelTileResult & tile) = 0;

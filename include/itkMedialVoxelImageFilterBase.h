@@ -4,10 +4,9 @@
 #define itkMedialVoxelImageFilterBase_h
 
 #include "itkMedialVoxelEngine.h"
-#include "itkMedialVoxelLimit.h"
 #include "itkMedialVoxelMemoryError.h"
 #include "itkMedialVoxelObjectMap.h"
-#include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelObjectProperties.h"
 #include "itkMedialVoxelRoughness.h"
 #include "itkMedialVoxelScanSurvey.h"
 
@@ -15,31 +14,27 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
+#include <functional>
 #include <memory>
-#include <type_traits>
+#include <optional>
 #include <vector>
 
 namespace itk
 {
 
+class MedialVoxelFilterAccess;
+
 /** \class MedialVoxelImageFilterBase
- * \brief Object definition, streaming and threads that the filters of the MedialVoxel module share.
+ * \brief Streaming and threads that the filters of the MedialVoxel module share.
  *
  * The requested region is processed slab by slab along its slowest axis. For each slab the filter pulls the input that
- * the slab depends on, part by part, and packs it to one bit per voxel. It runs the tiles of the slab in parallel
- * through DynamicThreadedGenerateData(). A tile that depends on more input runs again after the window has grown.
- * Results do not depend on the requested region, on the division of the work, or on the number of threads.
+ * the slab depends on, part by part, and packs it to one bit per voxel. Threads run the tiles of the slab in
+ * DynamicThreadedGenerateData(). A tile that depends on more input runs again after the window has grown. Results do
+ * not depend on the requested region, on the division of the work, or on the number of threads.
  *
  * The pieces of a streamed update (StreamingImageFilter, ImageFileWriter) share the window: input that two pieces
  * depend on is pulled once when they follow each other along the slowest axis. After an update the input image buffers
  * only the last part that was pulled, unless it has no source or its source cannot stream.
- *
- * \par Object
- * Until a threshold is set, voxels that differ from BackgroundValue are object. Setting LowerThreshold or
- * UpperThreshold switches to LowerThreshold <= value <= UpperThreshold. Thresholds are compared as real numbers: 72.5
- * on an integer image means at least 73. A threshold given as an integer is exact for all 64 bits; the getters return
- * the nearest double. NaN is never object. The outside of the image is unknown: the end of the image is no boundary.
  *
  * \par Memory
  * Beside the outputs of the requested region: one part of the input (a slice, or 1 MiB of slices), two to three bits
@@ -49,13 +44,14 @@ namespace itk
  * \ingroup MedialVoxel
  */
 template <typename TInputImage, typename TOutputImage>
-class ITK_TEMPLATE_EXPORT MedialVoxelImageFilterBase : public ImageToImageFilter<TInputImage, TOutputImage>
+class ITK_TEMPLATE_EXPORT MedialVoxelImageFilterBase
+  : public MedialVoxelObjectProperties<ImageToImageFilter<TInputImage, TOutputImage>>
 {
 public:
   ITK_DISALLOW_COPY_AND_MOVE(MedialVoxelImageFilterBase);
 
   using Self = MedialVoxelImageFilterBase;
-  using Superclass = ImageToImageFilter<TInputImage, TOutputImage>;
+  using Superclass = MedialVoxelObjectProperties<ImageToImageFilter<TInputImage, TOutputImage>>;
   using Pointer = SmartPointer<Self>;
   using ConstPointer = SmartPointer<const Self>;
 
@@ -71,135 +67,18 @@ public:
 
   using InputImageType = TInputImage;
   using OutputImageType = TOutputImage;
-  using InputPixelType = typename InputImageType::PixelType;
+  using typename Superclass::InputPixelType;
   using InputImageRegionType = typename InputImageType::RegionType;
   using OutputImageRegionType = typename OutputImageType::RegionType;
 
-  /** Value of the background as long as no threshold is set. Default 0. */
-  itkSetMacro(BackgroundValue, InputPixelType);
-  itkGetConstMacro(BackgroundValue, InputPixelType);
-
-  /** Smallest value of an object voxel. Default minus infinity; not NaN, not above UpperThreshold. */
-  virtual void
-  SetLowerThreshold(double threshold);
-#ifndef ITK_WRAPPING_PARSER
-  virtual void
-  SetLowerThreshold(const MedialVoxelLimit & threshold);
-  template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
-  void
-  SetLowerThreshold(const TInteger threshold)
+  /** Numbers of voxels and cells of the requested regions since the last UpdateOutputInformation() that was followed by
+   * an execution. The pieces of a streamed update add up to the whole; an aborted execution adds nothing. Members:
+   * objectVoxels, boundaryVoxels, notANumberVoxels, filledVoxels, removedVoxels; of filters that label cells also
+   * candidateCells, trivialCells, boundCells, geodesicMedialCells, geodesicNonMedialCells. */
+  MedialVoxelCounts
+  GetCounts() const
   {
-    this->SetLowerThreshold(MedialVoxelLimit(threshold));
-  }
-#endif
-  double
-  GetLowerThreshold() const
-  {
-    return m_LowerThreshold.GetNearestDouble();
-  }
-
-  /** Largest value of an object voxel. Default infinity; not NaN, not below LowerThreshold. */
-  virtual void
-  SetUpperThreshold(double threshold);
-#ifndef ITK_WRAPPING_PARSER
-  virtual void
-  SetUpperThreshold(const MedialVoxelLimit & threshold);
-  template <typename TInteger, std::enable_if_t<std::is_integral<TInteger>::value, int> = 0>
-  void
-  SetUpperThreshold(const TInteger threshold)
-  {
-    this->SetUpperThreshold(MedialVoxelLimit(threshold));
-  }
-#endif
-  double
-  GetUpperThreshold() const
-  {
-    return m_UpperThreshold.GetNearestDouble();
-  }
-
-  /** The object consists of the voxels with exactly this value, up to 64 bits, as in a label map. Setting it replaces
-   * thresholds; setting a threshold replaces it. */
-  virtual void
-  SetObjectValue(InputPixelType value);
-  itkGetConstMacro(ObjectValue, InputPixelType);
-
-  /** True when ObjectValue defines the object. Default false. */
-  itkGetConstMacro(UseObjectValue, bool);
-
-  /** Return to BackgroundValue after a threshold or ObjectValue was set. */
-  virtual void
-  UnsetThresholds();
-
-  /** True once a threshold was set. */
-  itkGetConstMacro(UseThresholds, bool);
-
-  /** Measure in physical units (default, as in SignedMaurerDistanceMapImageFilter) or in voxels. */
-  itkSetMacro(UseImageSpacing, bool);
-  itkGetConstMacro(UseImageSpacing, bool);
-  itkBooleanMacro(UseImageSpacing);
-
-#ifndef ITK_WRAPPING_PARSER // tests cut the work with these; other languages need neither
-  /** Edge in voxels of the tiles that threads work on; 0 (default) chooses. Has no influence on results. */
-  itkSetMacro(TileSize, unsigned int);
-  itkGetConstMacro(TileSize, unsigned int);
-
-  /** Voxels along the slowest axis that are processed between two pulls of input; 0 (default) chooses. Has no influence
-   * on results; smaller slabs need less memory and give threads less to share. */
-  itkSetMacro(SlabThickness, unsigned int);
-  itkGetConstMacro(SlabThickness, unsigned int);
-#endif
-
-  /** Limit in bytes on the window on the input and the memory of all threads, beside the outputs and the part of input
-   * that is pulled; 0 (default) is without limit. Slabs and tiles become smaller to keep it; results stay the same. If
-   * walls are too thick for it, the update throws MedialVoxelMemoryError. */
-  itkSetMacro(WorkingMemoryLimit, SizeValueType);
-  itkGetConstMacro(WorkingMemoryLimit, SizeValueType);
-
-  /** Number of voxels of the requested regions that are NaN, which counts as background.
-   *
-   * A sum starts at the first execution after an UpdateOutputInformation(); the pieces of a streamed update add up. */
-  SizeValueType
-  GetNumberOfNotANumberVoxels() const
-  {
-    return static_cast<SizeValueType>(m_Sums.counts.notANumberVoxels);
-  }
-
-  /** Number of voxels of tiles that ran again because the window was too small at first; summed like the counts. Thin
-   * parts have none. */
-  SizeValueType
-  GetNumberOfRecomputedVoxels() const
-  {
-    return static_cast<SizeValueType>(m_Sums.recomputedVoxels);
-  }
-
-  /** Seconds that all threads together spent in the distance transform; summed like the counts. */
-  double
-  GetDistanceSeconds() const
-  {
-    return m_Sums.distanceSeconds;
-  }
-
-  /** Seconds that all threads together spent in the classification; summed like the counts. */
-  double
-  GetClassificationSeconds() const
-  {
-    return m_Sums.classificationSeconds;
-  }
-
-  /** Seconds that all threads together spent on tiles, on writing them to the outputs, and on what tiles need to know
-   * of the input; summed like the counts. */
-  double
-  GetThreadSeconds() const
-  {
-    return m_Sums.threadSeconds;
-  }
-
-  /** Seconds from the first to the last work of the threads; summed like the counts. The number of threads times this
-   * is the upper bound of ThreadSeconds. */
-  double
-  GetTileSeconds() const
-  {
-    return m_Sums.tileSeconds;
+    return m_Sums.counts;
   }
 
   void
@@ -213,9 +92,6 @@ protected:
   PrintSelf(std::ostream & os, Indent indent) const override;
 
   void
-  VerifyPreconditions() ITKv5_CONST override;
-
-  void
   VerifyInputInformation() ITKv5_CONST override;
 
   void
@@ -224,7 +100,8 @@ protected:
   void
   GenerateData() override;
 
-  /** Computes the tile \a region. A tile that depends on input that is not in the window leaves no trace. */
+  /** Runs the phases. Each thread of GenerateData() calls it, and takes part of the work on the requested region.
+   * Called by itself, it fills \a region of the outputs, which are allocated, and adds nothing to the counts. */
   void
   DynamicThreadedGenerateData(const OutputImageRegionType & region) override;
 
@@ -264,9 +141,28 @@ protected:
   MedialVoxelRoughness
   MeasureRoughness();
 
-  /** Read samples of the input: its values beside its one threshold. There is no scan with two of them. */
-  MedialVoxelScanSurvey::Result
-  SurveyScan(const std::optional<MedialVoxelScanLevels> & levels);
+  /** Find out what the values beside the one threshold are made of, from samples, once for each change of the input.
+   * There is no scan with two thresholds. */
+  void
+  PrepareScan(const std::optional<MedialVoxelScanLevels> & levels);
+
+  /** What PrepareScan() found. */
+  const MedialVoxelScanResult &
+  GetScanResult() const
+  {
+    return m_Scan;
+  }
+
+  /** Gray values to measure walls on; none where walls are measured on the object. */
+  std::optional<MedialVoxelExtraction::GrayRange>
+  GetGrayRange() const
+  {
+    if (m_Scan.isMask)
+    {
+      return std::nullopt;
+    }
+    return MedialVoxelExtraction::GrayRange{ this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan.scan };
+  }
 
   /** The objects of the input, of which those that it shows are object; null, the default: values define one object. */
   virtual const MedialVoxelObjectMap *
@@ -337,8 +233,14 @@ protected:
   WriteVectors(TVectorImage & image, const MedialVoxelTileResult & tile) const;
 
 private:
+  friend class MedialVoxelFilterAccess;
+
   class Client;
   class PassProgress;
+  using typename Superclass::PredicateType;
+
+  MedialVoxelScanResult
+  SurveyScan(const std::optional<MedialVoxelScanLevels> & levels);
 
   void
   ReleaseSmallOutputs();
@@ -358,33 +260,10 @@ private:
   void
   Pull(const MedialVoxelBox & part);
 
-  void
-  SetThreshold(MedialVoxelLimit & target, const MedialVoxelLimit & threshold)
-  {
-    m_UseObjectValue = false;
-    if (!m_UseThresholds || target != threshold)
-    {
-      m_UseThresholds = true;
-      target = threshold;
-      this->Modified();
-    }
-  }
-
-  using PredicateType = MedialVoxelObjectPredicate<InputPixelType>;
-
-  PredicateType
-  GetPredicate() const;
-
-  InputPixelType   m_BackgroundValue{};
-  MedialVoxelLimit m_LowerThreshold{ -std::numeric_limits<double>::infinity() };
-  MedialVoxelLimit m_UpperThreshold{ std::numeric_limits<double>::infinity() };
-  bool             m_UseThresholds{ false };
-  InputPixelType   m_ObjectValue{};
-  bool             m_UseObjectValue{ false };
-  bool             m_UseImageSpacing{ true };
-  unsigned int     m_TileSize{ 0 };
-  unsigned int     m_SlabThickness{ 0 };
-  SizeValueType    m_WorkingMemoryLimit{ 0 };
+  /** Edge in voxels of the tiles that threads work on, and voxels along the slowest axis between two pulls of input;
+   * 0 chooses. */
+  unsigned int m_TileSize{ 0 };
+  unsigned int m_SlabThickness{ 0 };
 
   MedialVoxelSums m_Sums;
   bool            m_StartNewSum{ true };
@@ -392,6 +271,12 @@ private:
   /** Keeps its window from piece to piece of a streamed update, so that shared input is pulled once. */
   std::unique_ptr<MedialVoxelEngine> m_Engine;
   ModifiedTimeType                   m_EngineMTime{ 0 };
+
+  MedialVoxelScanResult m_Scan;
+  ModifiedTimeType      m_ScanMTime{ 0 };
+
+  /** Of a thread, as long as the engine runs. */
+  std::function<void()> m_Work;
 };
 
 } // end namespace itk

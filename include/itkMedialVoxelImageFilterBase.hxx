@@ -5,7 +5,6 @@
 
 #include "itkMedialVoxelImageFilterClient.hxx"
 
-#include "itkMath.h"
 #include "itkMedialVoxelGridLimits.h"
 
 #include <algorithm>
@@ -24,77 +23,10 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MedialVoxelImageFilterBas
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetLowerThreshold(const double threshold)
-{
-  this->SetLowerThreshold(MedialVoxelLimit(threshold));
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetLowerThreshold(const MedialVoxelLimit & threshold)
-{
-  this->SetThreshold(m_LowerThreshold, threshold);
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetUpperThreshold(const double threshold)
-{
-  this->SetUpperThreshold(MedialVoxelLimit(threshold));
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetUpperThreshold(const MedialVoxelLimit & threshold)
-{
-  this->SetThreshold(m_UpperThreshold, threshold);
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SetObjectValue(const InputPixelType value)
-{
-  if (!m_UseObjectValue || !Math::ExactlyEquals(m_ObjectValue, value))
-  {
-    this->UnsetThresholds();
-    m_UseObjectValue = true;
-    m_ObjectValue = value;
-    this->Modified();
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::UnsetThresholds()
-{
-  if (m_UseThresholds || m_UseObjectValue)
-  {
-    m_UseThresholds = false;
-    m_UseObjectValue = false;
-    m_LowerThreshold = -std::numeric_limits<double>::infinity();
-    m_UpperThreshold = std::numeric_limits<double>::infinity();
-    this->Modified();
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::UpdateOutputInformation()
 {
   m_StartNewSum = true;
   Superclass::UpdateOutputInformation();
-}
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_CONST
-{
-  Superclass::VerifyPreconditions();
-  if (m_LowerThreshold.IsNotANumber() || m_UpperThreshold.IsNotANumber() || m_LowerThreshold.IsAbove(m_UpperThreshold))
-  {
-    itkExceptionMacro("The thresholds are " << m_LowerThreshold.Format() << " and " << m_UpperThreshold.Format()
-                                            << "; they must be numbers, the lower one not above the upper one.");
-  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -179,7 +111,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetEngineSettings(const M
   settings.countsNotANumber = std::is_floating_point<InputPixelType>::value;
   settings.tileSize = m_TileSize;
   settings.slabThickness = m_SlabThickness;
-  settings.memoryLimit = m_WorkingMemoryLimit;
+  settings.memoryLimit = this->GetWorkingMemoryLimit();
   settings.numberOfWorkers = this->GetNumberOfWorkers();
   return settings;
 }
@@ -218,6 +150,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateData()
   catch (...)
   {
     m_Engine.reset();
+    m_Work = nullptr;
     // A buffer that is half written must not count as up to date when the same region is requested again.
     for (const auto & output : this->GetOutputs())
     {
@@ -289,7 +222,22 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MeasureRoughness()
 }
 
 template <typename TInputImage, typename TOutputImage>
-MedialVoxelScanSurvey::Result
+void
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrepareScan(const std::optional<MedialVoxelScanLevels> & levels)
+{
+  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
+  if (m_ScanMTime != modifiedTime)
+  {
+    m_ScanMTime = 0;
+    m_Scan = this->SurveyScan(levels);
+    // Made again, for walls that are measured like this.
+    this->DropWindow();
+    m_ScanMTime = modifiedTime;
+  }
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelScanResult
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SurveyScan(const std::optional<MedialVoxelScanLevels> & levels)
 {
   const bool isLower = std::isfinite(this->GetLowerThreshold());
@@ -380,7 +328,14 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::DynamicThreadedGenerateData(const OutputImageRegionType & region)
 {
-  m_Engine->ProcessTile(this->BoxOf(region));
+  if (m_Work)
+  {
+    m_Work();
+  }
+  else
+  {
+    MedialVoxelWithItkErrors([&] { return this->RunRegion(this->BoxOf(region)); });
+  }
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -393,7 +348,7 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetGrid() const
   for (unsigned int axis = 0; axis < ImageDimension; ++axis)
   {
     size[axis] = static_cast<std::int64_t>(input->GetLargestPossibleRegion().GetSize(axis));
-    spacing[axis] = m_UseImageSpacing ? input->GetSpacing()[axis] : 1.0;
+    spacing[axis] = this->GetUseImageSpacing() ? input->GetSpacing()[axis] : 1.0;
   }
   return { size, spacing };
 }
@@ -441,7 +396,8 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::WriteVectors(TVectorImage
     for (unsigned int column = 0; column < ImageDimension; ++column)
     {
       const double unit = row == column ? 1.0 : 0.0;
-      matrix[row][column] = m_UseImageSpacing ? image.GetDirection()[row][column] * image.GetSpacing()[column] : unit;
+      matrix[row][column] =
+        this->GetUseImageSpacing() ? image.GetDirection()[row][column] * image.GetSpacing()[column] : unit;
     }
   }
   ValueType * const first = this->FirstPixelOf(image, tile.box)->GetDataPointer();
@@ -449,41 +405,11 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::WriteVectors(TVectorImage
 }
 
 template <typename TInputImage, typename TOutputImage>
-auto
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetPredicate() const -> PredicateType
-{
-  if (m_UseObjectValue)
-  {
-    return PredicateType::EqualTo(m_ObjectValue);
-  }
-  return m_UseThresholds ? PredicateType::InRange(m_LowerThreshold, m_UpperThreshold)
-                         : PredicateType::DifferentFrom(m_BackgroundValue);
-}
-
-template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent
-     << "BackgroundValue: " << static_cast<typename NumericTraits<InputPixelType>::PrintType>(m_BackgroundValue)
-     << std::endl;
-  os << indent << "LowerThreshold: " << m_LowerThreshold.Format() << std::endl;
-  os << indent << "UpperThreshold: " << m_UpperThreshold.Format() << std::endl;
-  os << indent << "UseThresholds: " << (m_UseThresholds ? "On" : "Off") << std::endl;
-  os << indent << "ObjectValue: " << static_cast<typename NumericTraits<InputPixelType>::PrintType>(m_ObjectValue)
-     << std::endl;
-  os << indent << "UseObjectValue: " << (m_UseObjectValue ? "On" : "Off") << std::endl;
-  os << indent << "UseImageSpacing: " << (m_UseImageSpacing ? "On" : "Off") << std::endl;
-  os << indent << "TileSize: " << m_TileSize << std::endl;
-  os << indent << "SlabThickness: " << m_SlabThickness << std::endl;
-  os << indent << "WorkingMemoryLimit: " << m_WorkingMemoryLimit << std::endl;
-  os << indent << "NumberOfNotANumberVoxels: " << this->GetNumberOfNotANumberVoxels() << std::endl;
-  os << indent << "NumberOfRecomputedVoxels: " << this->GetNumberOfRecomputedVoxels() << std::endl;
-  os << indent << "DistanceSeconds: " << this->GetDistanceSeconds() << std::endl;
-  os << indent << "ClassificationSeconds: " << this->GetClassificationSeconds() << std::endl;
-  os << indent << "ThreadSeconds: " << this->GetThreadSeconds() << std::endl;
-  os << indent << "TileSeconds: " << this->GetTileSeconds() << std::endl;
+  os << indent << "Counts: " << m_Sums.counts << std::endl;
 }
 
 } // end namespace itk

@@ -74,13 +74,11 @@ public:
   {
     MultiThreaderBase * const multiThreader = m_Filter.GetMultiThreader();
     multiThreader->SetNumberOfWorkUnits(static_cast<ThreadIdType>(numberOfWorkers));
-    multiThreader->ParallelizeArray(0, numberOfWorkers, [&work](SizeValueType) { work(); }, nullptr);
-  }
-
-  void
-  RunTile(const MedialVoxelBox & tile) override
-  {
-    m_Filter.DynamicThreadedGenerateData(m_Filter.RegionOf(tile));
+    const OutputImageRegionType region = m_Filter.GetOutput()->GetRequestedRegion();
+    m_Filter.m_Work = work;
+    multiThreader->ParallelizeArray(
+      0, numberOfWorkers, [&](SizeValueType) { m_Filter.DynamicThreadedGenerateData(region); }, nullptr);
+    m_Filter.m_Work = nullptr;
   }
 
   void
@@ -152,7 +150,7 @@ private:
         this->FillValuesOfPart(part, m_Filter.FirstPixelOf(input, part), notANumber, gray);
       });
     };
-    MedialVoxelWithSmoothingRule(m_Predicate, m_Filter.m_LowerThreshold, m_Filter.m_UpperThreshold, fill);
+    MedialVoxelWithSmoothingRule(m_Predicate, m_Filter.GetLowerLimit(), m_Filter.GetUpperLimit(), fill);
   }
 
   void

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <ostream>
 
 namespace itk
 {
@@ -136,6 +137,10 @@ struct MedialVoxel_EXPORT MedialVoxelCounts
   MedialVoxelCounts &
   operator+=(const MedialVoxelCounts & other);
 };
+
+/** All counts with their names, in one line. */
+extern MedialVoxel_EXPORT std::ostream &
+                          operator<<(std::ostream & out, const MedialVoxelCounts & counts);
 
 } // end namespace itk
 

@@ -3,6 +3,9 @@
 #ifndef itkMedialVoxelScan_h
 #define itkMedialVoxelScan_h
 
+#include <optional>
+#include <string>
+
 namespace itk
 {
 
@@ -28,6 +31,17 @@ struct MedialVoxelScan
     const double contrast = material - background;
     return noise / (contrast < 0.0 ? -contrast : contrast);
   }
+};
+
+/** \struct MedialVoxelScanResult
+ * \brief The scan, or why there is none.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelScanResult
+{
+  std::optional<MedialVoxelScan> scan{};
+  std::string                    reason{};        ///< empty with a scan
+  bool                           isMask{ false }; ///< or a label map, whose walls are measured on the object
 };
 
 } // end namespace itk

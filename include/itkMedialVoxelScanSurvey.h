@@ -71,16 +71,7 @@ public:
     std::function<void(double)> observe;
   };
 
-  /** \struct Result
-   * \brief The scan, or why there is none.
-   * \ingroup MedialVoxel
-   */
-  struct Result
-  {
-    std::optional<MedialVoxelScan> scan;
-    std::string                    reason;          ///< empty with a scan
-    bool                           isMask{ false }; ///< or a label map, whose walls are measured on the object
-  };
+  using Result = MedialVoxelScanResult;
 
   /** \param threshold  that cuts the object from the background
    * \param levels     of the materials, when they are known */

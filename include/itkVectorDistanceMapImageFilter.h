@@ -94,13 +94,6 @@ public:
   itkGetConstMacro(SquaredDistance, bool);
   itkBooleanMacro(SquaredDistance);
 
-  /** Sum over the requested regions since the last UpdateOutputInformation(). */
-  SizeValueType
-  GetNumberOfObjectVoxels() const
-  {
-    return static_cast<SizeValueType>(this->GetSums().counts.objectVoxels);
-  }
-
   /** Signed distance, in the units of the vectors. Null unless GenerateDistance is on. */
   DistanceImageType *
   GetDistanceOutput();

@@ -95,7 +95,6 @@ VectorDistanceMapImageFilter<TInputImage, TVectorImage>::PrintSelf(std::ostream 
   os << indent << "GenerateDistance: " << (m_GenerateDistance ? "On" : "Off") << std::endl;
   os << indent << "InsideIsPositive: " << (m_InsideIsPositive ? "On" : "Off") << std::endl;
   os << indent << "SquaredDistance: " << (m_SquaredDistance ? "On" : "Off") << std::endl;
-  os << indent << "NumberOfObjectVoxels: " << this->GetNumberOfObjectVoxels() << std::endl;
 }
 
 } // end namespace itk

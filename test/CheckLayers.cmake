@@ -9,7 +9,7 @@ cmake_minimum_required(VERSION 3.22.1...3.29.0)
 set(library Foundation IO Object Distance Geodesic Walls Cells Engine Surface)
 
 # What users of the module include: filters stand above all folders, and both filters and image IO use ITK.
-set(filters "^(itkMedialVoxelImageFilter|itkMedialVoxelMemoryError|itkMedialSurface(Mesh|Progress)|itkVectorDistanceMap|itkLocalThickness)[A-Za-z]*$")
+set(filters "^(itkMedialVoxel(Objects)?ImageFilter|itkMedialVoxel(Object|Sheet)Properties|itkMedialVoxelMemoryError|itkMedialSurface(Mesh|Progress)|itkVectorDistanceMap|itkLocalThickness)[A-Za-z]*$")
 set(image_io "^itkStreaming[A-Za-z]*$")
 
 # A header in include/ belongs to the folder of its .cxx. These have none, or another folder than their .cxx.

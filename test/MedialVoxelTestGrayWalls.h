@@ -163,7 +163,7 @@ MeasureGrayPlates(const Vector3 & normal, double thickness, double blur, double 
     const auto filter = MakeGrayFilter(image, thickness < 6 ? 3.0 : 5.0);
     const auto part =
       ErrorsOf(filter, thickness, 10, [&](const Vector3 & p) { return std::abs(distance(p)) <= thickness / 2; });
-    if (filter->GetReasonWithoutScan().empty())
+    if (filter->GetScan().reason.empty())
     {
       ++errors.numberOfFits;
       errors.largestOfFits = std::max(errors.largestOfFits, std::abs(part.mean));

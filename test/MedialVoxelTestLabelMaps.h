@@ -8,6 +8,8 @@
 
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelObjectsImageFilter.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -19,7 +21,7 @@
 namespace MedialVoxelTest
 {
 template <typename TPixel, unsigned int D>
-using ObjectFilter = itk::MedialVoxelImageFilter<itk::Image<TPixel, D>>;
+using ObjectFilter = itk::MedialVoxelObjectsImageFilter<itk::Image<TPixel, D>>;
 
 /** Random numbers with ends included. */
 class Dice

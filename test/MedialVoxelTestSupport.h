@@ -132,14 +132,15 @@ template <typename TFilter>
 Counts
 CountsOf(const TFilter * filter)
 {
-  Counts counts;
-  counts.objectVoxels = filter->GetNumberOfObjectVoxels();
-  counts.boundaryVoxels = filter->GetNumberOfBoundaryVoxels();
-  counts.candidateCells = filter->GetNumberOfCandidateCells();
-  counts.trivialCells = filter->GetNumberOfTrivialCells();
-  counts.boundCells = filter->GetNumberOfBoundCells();
-  counts.geodesicMedialCells = filter->GetNumberOfGeodesicMedialCells();
-  counts.geodesicNonMedialCells = filter->GetNumberOfGeodesicNonMedialCells();
+  const auto found = filter->GetCounts();
+  Counts     counts;
+  counts.objectVoxels = found.objectVoxels;
+  counts.boundaryVoxels = found.boundaryVoxels;
+  counts.candidateCells = found.candidateCells;
+  counts.trivialCells = found.trivialCells;
+  counts.boundCells = found.boundCells;
+  counts.geodesicMedialCells = found.geodesicMedialCells;
+  counts.geodesicNonMedialCells = found.geodesicNonMedialCells;
   return counts;
 }
 

@@ -6,6 +6,7 @@
 #include "MedialVoxelTestLocalThickness.h"
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkStreamingImageFilter.h"
 
 #include <algorithm>
@@ -48,8 +49,8 @@ TEST(LocalThicknessImageFilter, EqualsBruteForceInEveryVoxel)
       {
         const Volume volume = RandomBoxes(size, spacing, 6 + seed % 9, seed);
         auto         filter = MakeFilter<3>(volume, maximum);
-        filter->SetTileSize(4 + seed % 11);
-        filter->SetSlabThickness(1 + seed % 7);
+        itk::MedialVoxelFilterAccess::SetTileSize(*filter, 4 + seed % 11);
+        itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 1 + seed % 7);
         filter->Update();
         const auto expected = ExpectedThickness(volume, maximum);
         EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), expected)) << maximum << ' ' << seed;
@@ -74,7 +75,7 @@ TEST(LocalThicknessImageFilter, EqualsBruteForceInNoiseSolidsAndPlanes)
       for (const double maximum : { 4.0, 8.5 })
       {
         auto filter = MakeFilter<3>(noise, maximum);
-        filter->SetTileSize(5);
+        itk::MedialVoxelFilterAccess::SetTileSize(*filter, 5);
         filter->Update();
         EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), ExpectedThickness(noise, maximum))) << share;
         auto flat = MakeFilter<2>(plane, maximum);
@@ -91,7 +92,7 @@ TEST(LocalThicknessImageFilter, WideTilesEqualBruteForce)
   for (const unsigned int tileSize : { 0u, 70u, 200u })
   {
     auto filter = MakeFilter<3>(volume, 6.0);
-    filter->SetTileSize(tileSize);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, tileSize);
     filter->Update();
     EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), ExpectedThickness(volume, 6.0))) << tileSize;
   }
@@ -106,8 +107,8 @@ TEST(LocalThicknessImageFilter, AnyDivisionGivesTheSameBytes)
   for (const auto & cut : { std::make_pair(2u, 7u), { 1u, 5u }, { 64u, 64u } })
   {
     auto filter = MakeFilter<3>(volume, 12.0);
-    filter->SetSlabThickness(cut.first);
-    filter->SetTileSize(cut.second);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, cut.first);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, cut.second);
     filter->SetNumberOfWorkUnits(3);
     filter->Update();
     EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), expected)) << cut.first;
@@ -142,7 +143,7 @@ TEST(LocalThicknessImageFilter, PlatesReadTheirNumberOfVoxelsOrOneMore)
     {
       EXPECT_EQ(values[i], volume.object[i] ? static_cast<float>(layers + layers % 2) : 0.0f);
     }
-    EXPECT_EQ(filter->GetNumberOfObjectVoxels(), 1600u * layers);
+    EXPECT_EQ(filter->GetCounts().objectVoxels, 1600u * layers);
   }
 }
 

@@ -317,6 +317,9 @@ TEST(MedialSurfaceMeshFilter, ObjectIsThatOfTheLabels)
   filter->SetBackgroundValue(-100);
   filter->Update();
   EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), expected));
+  filter->SetObjectValue(800);
+  filter->Update();
+  EXPECT_TRUE(AreEqual(NumbersOf(*filter->GetOutput()), expected));
 }
 
 TEST(MedialSurfaceMeshFilter, VolumesWithoutSurfaceGiveAnEmptyMesh)
@@ -424,6 +427,49 @@ TEST(MedialSurfaceMeshFilter, LeavesOutShortBranches)
     filter->SetMinimumBranchLength(length);
     EXPECT_THROW(filter->Update(), itk::ExceptionObject) << length;
   }
+}
+
+TEST(MedialSurfaceMeshFilter, LabelsHaveItsProperties)
+{
+  const auto filter = MakeFilter(TestVolume(), 4.5);
+  filter->SetThicknessMode(itk::MedialVoxelThicknessMode::Automatic);
+  filter->SetMinimumThickness(2.5);
+  filter->SetMaximumThickness(7.5);
+  filter->SetMaximumPoreSize(9);
+  filter->SetSmoothing(itk::MedialVoxelSmoothing::On);
+  filter->SetPseudoGeodesicBound(itk::MedialVoxelPseudoGeodesicBound::Off);
+  filter->SetBackgroundValue(6);
+  filter->SetObjectValue(1);
+  filter->SetLowerThreshold(0.5);
+  filter->SetUpperThreshold(7.5);
+  filter->SubvoxelThicknessOn();
+  filter->SetScanLevels(-1.0, 2.0);
+  filter->UseImageSpacingOff();
+  filter->SetWorkingMemoryLimit(123456789);
+  filter->Update();
+  std::ostringstream text;
+  filter->Print(text);
+  for (const std::string line : { "Thickness: 4.5",
+                                  "MinimumThickness: 2.5",
+                                  "MaximumThickness: 7.5",
+                                  "MaximumPoreSize: 9",
+                                  "BackgroundValue: 6",
+                                  "ObjectValue: 1",
+                                  "UseObjectValue: Off",
+                                  "UseThresholds: On",
+                                  "LowerThreshold: 0.5",
+                                  "UpperThreshold: 7.5",
+                                  "SubvoxelThickness: On",
+                                  "ScanLevels: -1 2",
+                                  "UseImageSpacing: Off",
+                                  "WorkingMemoryLimit: 123456789" })
+  {
+    const auto own = text.str().find(' ' + line + '\n');
+    ASSERT_NE(own, std::string::npos) << line;
+    EXPECT_NE(text.str().find(' ' + line + '\n', own + 1), std::string::npos) << line;
+  }
+  EXPECT_TRUE(filter->GetObjectIsSmoothed());
+  EXPECT_FALSE(filter->GetScan().reason.empty());
 }
 
 TEST(MedialSurfaceMeshFilter, PrintsItsProperties)

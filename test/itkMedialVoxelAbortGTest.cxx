@@ -5,6 +5,7 @@
 
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkCommand.h"
 #include "itkStreamingImageFilter.h"
 
@@ -53,7 +54,7 @@ public:
   std::chrono::steady_clock::time_point m_Time;
 };
 
-/** A filter whose workers fail at the given tile. */
+/** A filter whose workers fail at the given tile, or before. */
 class FailingFilter : public MedialFilter<3>
 {
 public:
@@ -62,16 +63,27 @@ public:
   itkNewMacro(Self);
 
   std::atomic<int> m_TilesLeft{ 5 };
+  bool             m_FailsAtOnce{ false };
 
 protected:
   void
-  DynamicThreadedGenerateData(const OutputImageRegionType & tile) override
+  DynamicThreadedGenerateData(const OutputImageRegionType & region) override
+  {
+    if (m_FailsAtOnce)
+    {
+      throw std::runtime_error("no luck at all");
+    }
+    MedialFilter<3>::DynamicThreadedGenerateData(region);
+  }
+
+  void
+  TakeTile(const itk::MedialVoxelTileResult & tile) override
   {
     if (m_TilesLeft-- <= 0)
     {
       throw std::runtime_error("out of luck");
     }
-    MedialFilter<3>::DynamicThreadedGenerateData(tile);
+    MedialFilter<3>::TakeTile(tile);
   }
 };
 
@@ -162,8 +174,8 @@ TEST(MedialVoxelAbort, AnAbortedPieceAddsNothingAndTheSamePieceCanBeRunAgain)
 {
   const Volume volume = RandomBoxes({ { 40, 38, 36 } }, UnitSpacing, 30, 103);
   auto         filter = MakeMedialFilter<3>(volume, 3.0);
-  filter->SetTileSize(8);
-  filter->SetSlabThickness(4);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 8);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 4);
   const auto runPiece = [&](itk::IndexValueType z, itk::SizeValueType depth) {
     filter->GetOutput()->SetRequestedRegion(itk::ImageRegion<3>({ { 0, 0, z } }, { { 40, 38, depth } }));
     filter->GetOutput()->PropagateRequestedRegion();
@@ -189,8 +201,8 @@ TEST(MedialVoxelAbort, AnAbortedPieceIsNotTakenForValidOutput)
   const Volume volume = RandomBoxes({ { 40, 38, 36 } }, UnitSpacing, 30, 105);
   auto         filter = MakeMedialFilter<3>(volume, 3.0);
   filter->GenerateVectorDistanceOn();
-  filter->SetTileSize(8);
-  filter->SetSlabThickness(4);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 8);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 4);
   auto aborter = Aborter::New();
   aborter->m_Fraction = 0.3f;
   const auto tag = filter->AddObserver(itk::ProgressEvent(), aborter);
@@ -219,8 +231,8 @@ TEST(MedialVoxelAbort, ProgressRisesToOne)
   std::vector<float> progress;
   // Only the calling thread reports, of the tiles that it did.
   filter->SetNumberOfWorkUnits(1);
-  filter->SetTileSize(10);
-  filter->SetSlabThickness(10);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 10);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 10);
   filter->AddObserver(itk::ProgressEvent(),
                       [&](const itk::EventObject &) { progress.push_back(filter->GetProgress()); });
   filter->Update();
@@ -250,15 +262,19 @@ TEST(MedialVoxelAbort, AFailingWorkerFailsTheUpdateAndNoMore)
   auto         filter = FailingFilter::New();
   filter->SetInput(MakeImage<MaskImage<3>>(volume));
   filter->SetThickness(3.0);
-  filter->SetTileSize(10);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 10);
   for (const unsigned int units : { 1u, 4u })
   {
     filter->SetNumberOfWorkUnits(units);
     filter->m_TilesLeft = 5;
     EXPECT_THROW(filter->Update(), std::exception) << units << " work units";
     EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
+    filter->m_TilesLeft = 1000000;
+    filter->m_FailsAtOnce = true;
+    EXPECT_THROW(filter->Update(), std::exception) << units << " work units";
+    EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
+    filter->m_FailsAtOnce = false;
   }
-  filter->m_TilesLeft = 1000000;
   filter->Modified();
   filter->Update();
   EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), RunMedialFilter<3>(volume, 3.0).labels));
@@ -272,7 +288,7 @@ TEST(MedialVoxelAbort, AFailingInputFailsTheUpdateAndNoMore)
   auto filter = MedialFilter<3>::New();
   filter->SetInput(source->GetOutput());
   filter->SetThickness(3.0);
-  filter->SetSlabThickness(6);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 6);
   for (const std::size_t failAt : { 0, 3 })
   {
     source->ClearRequests();

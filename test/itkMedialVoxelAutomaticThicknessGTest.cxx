@@ -7,6 +7,7 @@
 #include "MedialVoxelTestPores.h"
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkStreamingImageFilter.h"
 
 namespace
@@ -123,8 +124,8 @@ TEST(MedialVoxelAutomaticThickness, DivisionsDoNotMatter)
     for (const auto & sizes : { std::make_pair(5u, 3u), { 8u, 64u }, { 64u, 2u } })
     {
       auto filter = MakeAutomaticFilter<3>(volume, 0.0, 0.0);
-      filter->SetTileSize(sizes.first);
-      filter->SetSlabThickness(sizes.second);
+      itk::MedialVoxelFilterAccess::SetTileSize(*filter, sizes.first);
+      itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, sizes.second);
       filter->SetNumberOfWorkUnits(sizes.second);
       filter->Update();
       EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), expected.labels));

@@ -3,6 +3,8 @@
 
 // Inputs at the ends of what is defined (invariant I10).
 
+#include "itkMedialVoxelFilterAccess.h"
+
 #include "MedialVoxelTestRuns.h"
 
 namespace
@@ -168,7 +170,7 @@ TEST(MedialVoxelEdgeCase, StartIndexAndPlaceInSpaceDoNotMatter)
     filter->SetInput(image);
     filter->SetThickness(2.5);
     filter->GenerateVectorDistanceOn();
-    filter->SetTileSize(16);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, 16);
     filter->Update();
     EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), expected.labels)) << "start " << start;
     EXPECT_EQ(CountsOf(filter.GetPointer()), expected.counts);

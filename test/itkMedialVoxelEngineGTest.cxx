@@ -59,12 +59,6 @@ public:
   }
 
   void
-  RunTile(const itk::MedialVoxelBox & tile) override
-  {
-    m_Engine->ProcessTile(tile);
-  }
-
-  void
   TakeTile(const itk::MedialVoxelTileResult & tile) override
   {
     std::size_t number = 0;
@@ -86,7 +80,6 @@ public:
   const Volume &             m_Volume;
   std::vector<unsigned char> m_Labels;
   std::vector<std::int32_t>  m_NearestX;
-  itk::MedialVoxelEngine *   m_Engine{ nullptr };
   std::atomic<int>           m_NumberOfTiles{ 0 };
   int                        m_TilesToAbort{ 1 << 30 };
 };
@@ -179,9 +172,8 @@ TEST(MedialVoxelEngine, ExtractsAsTheFilterDoes)
 {
   PlainClient            client(Boxes());
   itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsFor(ExtractionOf(3.0)));
-  client.m_Engine = &engine;
-  const auto sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
-  const auto expected = RunMedialFilter<3>(Boxes(), 3.0);
+  const auto             sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+  const auto             expected = RunMedialFilter<3>(Boxes(), 3.0);
   EXPECT_TRUE(AreEqual(client.m_Labels, expected.labels));
   EXPECT_EQ(sums.counts.boundCells, expected.counts.boundCells);
   EXPECT_EQ(sums.counts.trivialCells, expected.counts.trivialCells);
@@ -193,7 +185,6 @@ TEST(MedialVoxelEngine, FindsTheNearestVoxels)
   PlainClient            client(Boxes());
   itk::MedialVoxelEngine engine(GridOf(Boxes()),
                                 SettingsFor(itk::MedialVoxelDistanceMap{ itk::MedialVoxelBoundary::Background }));
-  client.m_Engine = &engine;
   engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
   const auto  sites = BoundarySites(Boxes());
   const auto  nearest = NearestSites(Boxes(), sites, std::vector<unsigned char>(Boxes().object.size(), 1));
@@ -212,12 +203,10 @@ TEST(MedialVoxelEngine, StopsWhenTheClientWantsIt)
   itk::MedialVoxelExtraction extraction = ExtractionOf(3.0);
   extraction.AddObserver(observer);
   itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsFor(extraction));
-  client.m_Engine = &engine;
   client.m_TilesToAbort = 5;
   EXPECT_THROW(engine.Run(GridOf(Boxes()).GetVoxelBox(), client), itk::MedialVoxelAborted);
   EXPECT_EQ(observer.m_Begun, 1);
   EXPECT_EQ(observer.m_Committed, 0);
-  EXPECT_THROW(engine.ProcessTile(MakeBox({ { 0, 0, 0 } }, { { 1, 1, 1 } })), std::logic_error);
 }
 
 TEST(MedialVoxelEngine, KnowsTheLastRegion)
@@ -246,8 +235,7 @@ TEST(MedialVoxelEngine, NoObserverSeesATileTwice)
     settings.memoryLimit = limit;
     PlainClient            client(Boxes());
     itk::MedialVoxelEngine engine(GridOf(Boxes()), settings);
-    client.m_Engine = &engine;
-    const auto sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+    const auto             sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
     EXPECT_GT(sums.recomputedVoxels, 0u);
     EXPECT_EQ(*std::max_element(first.m_Seen.begin(), first.m_Seen.end()), 1);
     EXPECT_EQ(first.m_Seen, demanding.m_Seen);
@@ -363,8 +351,7 @@ TEST(MedialVoxelEngine, ResultsDoNotDependOnWhoAsksForVoxels)
       WatchfulClient client(Boxes());
       client.m_Threads = threads;
       itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(workers));
-      client.m_Engine = &engine;
-      auto sums = engine.Run(first, client, second);
+      auto                   sums = engine.Run(first, client, second);
       sums += engine.Run(second, client);
       EXPECT_TRUE(AreEqual(client.m_Labels, expected.labels)) << workers;
       EXPECT_EQ(sums.counts.boundCells, expected.counts.boundCells);
@@ -383,7 +370,6 @@ TEST(MedialVoxelEngine, AFailureWhileItReadsAheadEndsTheRun)
     client.m_Threads = threads;
     client.m_SliceToFail = 70;
     itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(3));
-    client.m_Engine = &engine;
     try
     {
       engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
@@ -410,8 +396,7 @@ TEST(MedialVoxelEngine, AStopIsHeardWhileItReadsAhead)
     client.m_Threads = threads;
     client.m_SliceToWait = 70;
     itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(3));
-    client.m_Engine = &engine;
-    const auto start = Clock::now();
+    const auto             start = Clock::now();
     EXPECT_THROW(engine.Run(GridOf(Boxes()).GetVoxelBox(), client), itk::MedialVoxelAborted);
     EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 1.0 * Patience());
   }
@@ -439,7 +424,6 @@ TEST(MedialVoxelEngine, TilesRunWhileTheNextWindowWaits)
   };
   PatientClient          client(Boxes());
   itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(2));
-  client.m_Engine = &engine;
   engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
   EXPECT_FALSE(client.m_HasWaitedInVain);
 }

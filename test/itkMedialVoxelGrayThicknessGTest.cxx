@@ -3,6 +3,7 @@
 
 // Thickness measured on gray values: errors on blurred walls, the same bytes in any cut, input that is read once.
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkMedialVoxelGrayThickness.h"
 
 #include "MedialVoxelTestGrayWalls.h"
@@ -139,8 +140,8 @@ TEST(MedialVoxelGrayThickness, AnyCutGivesTheSameBytes)
     for (const auto & cut : { std::make_pair(2u, 7u), { 1u, 5u }, { 64u, 64u } })
     {
       auto filter = MakeGrayFilter(image, 3.0);
-      filter->SetSlabThickness(cut.first);
-      filter->SetTileSize(cut.second);
+      itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, cut.first);
+      itk::MedialVoxelFilterAccess::SetTileSize(*filter, cut.second);
       filter->SetNumberOfWorkUnits(3);
       filter->Update();
       EXPECT_TRUE(AreEqual(PixelsOf(filter->GetThicknessOutput()), expected)) << cut.first;
@@ -156,7 +157,7 @@ TEST(MedialVoxelGrayThickness, AnyCutGivesTheSameBytes)
     }
     auto limited = MakeGrayFilter(image, 3.0);
     limited->SetNumberOfWorkUnits(1);
-    limited->SetSlabThickness(1);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*limited, 1);
     limited->SetWorkingMemoryLimit(itk::SizeValueType{ 8 } << 20);
     limited->Update();
     EXPECT_TRUE(AreEqual(PixelsOf(limited->GetThicknessOutput()), expected));
@@ -186,7 +187,7 @@ TEST(MedialVoxelGrayThickness, ThinPartsAreReadOnce)
     }
     // The survey of the scan reads before, in blocks that overlap.
     EXPECT_LE(asked, 4 * image->GetLargestPossibleRegion().GetNumberOfPixels());
-    EXPECT_EQ(filter->GetNumberOfRecomputedVoxels(), 0u);
+    EXPECT_EQ(itk::MedialVoxelFilterAccess::GetSums(*filter).recomputedVoxels, 0u);
   }
 }
 

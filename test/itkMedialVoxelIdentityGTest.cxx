@@ -5,6 +5,7 @@
 
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkImageRegionSplitterDirection.h"
 #include "itkImageRegionSplitterMultidimensional.h"
 #include "itkImageRegionSplitterSlowDimension.h"
@@ -103,7 +104,7 @@ RandomPieces(const itk::ImageRegion<3> & whole, int cuts, unsigned int seed)
 
 /** Copies what a filter produced for a region into whole-image arrays. */
 void
-CopyPiece(const MedialFilter<3> * filter, const Volume & volume, const itk::ImageRegion<3> & region, Outcome & to)
+CopyPiece(MedialFilter<3> * filter, const Volume & volume, const itk::ImageRegion<3> & region, Outcome & to)
 {
   itk::ImageRegionConstIterator<MaskImage<3>> label(filter->GetOutput(), region);
   itk::ImageRegionConstIterator<Vectors>      vector(filter->GetVectorDistanceOutput(), region);
@@ -160,8 +161,8 @@ TEST(MedialVoxelIdentity, TilesAndSlabsDoNotMatter)
     {
       SCOPED_TRACE("tile " + std::to_string(sizes.first) + ", slab " + std::to_string(sizes.second));
       auto filter = MakeFilter(subject);
-      filter->SetTileSize(sizes.first);
-      filter->SetSlabThickness(sizes.second);
+      itk::MedialVoxelFilterAccess::SetTileSize(*filter, sizes.first);
+      itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, sizes.second);
       ExpectSame(OutcomeOf(filter), expected);
     }
   }
@@ -272,8 +273,8 @@ TEST(MedialVoxelIdentity, StreamedDistanceMapsGiveTheWhole)
     whole->Update();
     auto filter = VectorFilter<3>::New();
     filter->SetInput(MakeImage<MaskImage<3>>(subject.volume));
-    filter->SetTileSize(9);
-    filter->SetSlabThickness(4);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, 9);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 4);
     auto streamer =
       itk::StreamingImageFilter<VectorFilter<3>::OutputImageType, VectorFilter<3>::OutputImageType>::New();
     streamer->SetInput(filter->GetOutput());
@@ -291,8 +292,8 @@ TEST(MedialVoxelIdentity, PlaneImagesAreTheSameInPieces)
   for (const unsigned int divisions : { 2u, 5u, 16u })
   {
     auto filter = MakeMedialFilter<2>(volume, 3.0);
-    filter->SetTileSize(7);
-    filter->SetSlabThickness(5);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, 7);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 5);
     auto streamer = itk::StreamingImageFilter<MaskImage<2>, MaskImage<2>>::New();
     streamer->SetInput(filter->GetOutput());
     streamer->SetRegionSplitter(itk::ImageRegionSplitterMultidimensional::New());
@@ -311,7 +312,7 @@ TEST(MedialVoxelIdentity, ThinObjectsAreReadInWindowsByTheCallingThread)
   auto filter = MedialFilter<3>::New();
   filter->SetInput(source->GetOutput());
   filter->SetThickness(3.0);
-  filter->SetSlabThickness(8);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 8);
   filter->UpdateLargestPossibleRegion();
   EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), RunMedialFilter<3>(volume, 3.0).labels));
   EXPECT_GT(source->GetRequests().size(), 4u);

@@ -3,6 +3,7 @@
 
 // Defaults, parameters, errors, geometry, outputs and counters of the medial voxel filter.
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkMedialVoxelImageFilter.h"
 
 #include "MedialVoxelTestRuns.h"
@@ -57,10 +58,8 @@ TEST(MedialVoxelImageFilter, HasTheDocumentedDefaults)
   EXPECT_FALSE(filter->GetGenerateVectorDistance());
   EXPECT_EQ(filter->GetVectorDistanceBoundary(), itk::MedialVoxelBoundary::Object);
   EXPECT_EQ(filter->GetVectorDistanceOutput(), nullptr);
-  EXPECT_EQ(filter->GetTileSize(), 0u);
-  EXPECT_EQ(filter->GetSlabThickness(), 0u);
   EXPECT_EQ(CountsOf(filter.GetPointer()), Counts());
-  EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), 0u);
+  EXPECT_EQ(filter->GetCounts().notANumberVoxels, 0u);
 }
 
 TEST(MedialVoxelImageFilter, KeepsWhatIsSetAndNoticesChanges)
@@ -115,8 +114,8 @@ TEST(MedialVoxelImageFilter, PrintsItsParameters)
                              "FreeSpace",
                              "GenerateVectorDistance",
                              "VectorDistanceBoundary",
-                             "NumberOfObjectVoxels",
-                             "NumberOfCandidateCells" })
+                             "objectVoxels 0",
+                             "candidateCells 0" })
   {
     EXPECT_NE(text.str().find(word), std::string::npos) << word;
   }
@@ -201,17 +200,18 @@ TEST(MedialVoxelImageFilter, AnEmptyRequestIsNoWork)
 
 TEST(MedialVoxelImageFilter, TimesAreMeasured)
 {
-  auto filter = MakeMedialFilter<3>(SmallPart(), 3.0);
-  EXPECT_EQ(filter->GetDistanceSeconds(), 0.0);
-  EXPECT_EQ(filter->GetClassificationSeconds(), 0.0);
+  auto                         filter = MakeMedialFilter<3>(SmallPart(), 3.0);
+  const itk::MedialVoxelSums & sums = itk::MedialVoxelFilterAccess::GetSums(*filter);
+  EXPECT_EQ(sums.distanceSeconds, 0.0);
+  EXPECT_EQ(sums.classificationSeconds, 0.0);
   filter->Update();
-  EXPECT_GT(filter->GetDistanceSeconds(), 0.0);
-  EXPECT_GT(filter->GetClassificationSeconds(), 0.0);
-  EXPECT_LT(filter->GetDistanceSeconds() + filter->GetClassificationSeconds(), 60.0);
+  EXPECT_GT(sums.distanceSeconds, 0.0);
+  EXPECT_GT(sums.classificationSeconds, 0.0);
+  EXPECT_LT(sums.distanceSeconds + sums.classificationSeconds, 60.0);
   // The threads cannot have been busy for longer than there were tiles.
   const double threads = filter->GetNumberOfWorkUnits();
-  EXPECT_LE(filter->GetThreadSeconds(), threads * filter->GetTileSeconds());
-  EXPECT_GE(filter->GetThreadSeconds(), filter->GetDistanceSeconds() + filter->GetClassificationSeconds());
+  EXPECT_LE(sums.threadSeconds, threads * sums.tileSeconds);
+  EXPECT_GE(sums.threadSeconds, sums.distanceSeconds + sums.classificationSeconds);
 }
 
 TEST(MedialVoxelImageFilter, RefusesToRunWithoutInput)

@@ -26,7 +26,6 @@ public:
     task.findsDisplacements = findsDisplacements;
     settings.task = task;
     itk::MedialVoxelEngine engine(GridOf(volume), settings);
-    m_Engine = &engine;
     engine.Run(GridOf(volume).GetVoxelBox(), *this);
   }
 
@@ -48,12 +47,6 @@ public:
   }
 
   void
-  RunTile(const itk::MedialVoxelBox & tile) override
-  {
-    m_Engine->ProcessTile(tile);
-  }
-
-  void
   TakeTile(const itk::MedialVoxelTileResult & tile) override
   {
     const auto size = KernelIndex(m_Volume.size);
@@ -64,11 +57,10 @@ public:
     m_NumberOfDisplacements += tile.displacements != nullptr ? 1 : 0;
   }
 
-  const Volume &           m_Volume;
-  std::vector<float>       m_Distances;
-  itk::MedialVoxelEngine * m_Engine{ nullptr };
-  int                      m_NumberOfLengths{ 0 };
-  int                      m_NumberOfDisplacements{ 0 };
+  const Volume &     m_Volume;
+  std::vector<float> m_Distances;
+  int                m_NumberOfLengths{ 0 };
+  int                m_NumberOfDisplacements{ 0 };
 };
 
 bool

@@ -152,11 +152,12 @@ TEST(MedialVoxelMaskSurvey, TheFilterMeasuresMasksOnTheObject)
       filter->SubvoxelThicknessOn();
       isReversed ? filter->SetUpperThreshold(threshold) : filter->SetLowerThreshold(threshold);
       filter->Update();
+      EXPECT_TRUE(filter->GetScan().isMask);
       for (const float value : PixelsOf(filter->GetThicknessOutput()))
       {
         EXPECT_TRUE(value == 0.0f || std::abs(value - 3.2f) < 1e-5f) << threshold << ' ' << value;
       }
-      EXPECT_GT(filter->GetNumberOfCandidateCells(), 0u);
+      EXPECT_GT(filter->GetCounts().candidateCells, 0u);
     }
   }
 }

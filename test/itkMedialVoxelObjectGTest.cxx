@@ -3,6 +3,8 @@
 
 // Which pixel values are object (definition 1), on both filters.
 
+#include "itkMedialVoxelFilterAccess.h"
+
 #include "MedialVoxelTestRuns.h"
 
 #include <cmath>
@@ -50,8 +52,8 @@ ObjectOf(const std::vector<TPixel> & values, TConfigure && configure)
     object += NormOf(pixels[i]) != 0.0 ? '1' : '0'; // background and boundary have the zero vector
   }
   const auto ones = static_cast<std::size_t>(std::count(object.begin(), object.end(), '1'));
-  EXPECT_EQ(medial->GetNumberOfObjectVoxels(), 3 * ones);
-  EXPECT_EQ(medial->GetNumberOfNotANumberVoxels(), vectors->GetNumberOfNotANumberVoxels());
+  EXPECT_EQ(medial->GetCounts().objectVoxels, 3 * ones);
+  EXPECT_EQ(medial->GetCounts().notANumberVoxels, vectors->GetCounts().notANumberVoxels);
   return object;
 }
 
@@ -173,11 +175,11 @@ TEST(MedialVoxelObject, EveryVoxelIsObjectWithAWideRange)
   filter->SetLowerThreshold(-184.0);
   filter->SetUpperThreshold(1e300);
   filter->Update();
-  EXPECT_EQ(filter->GetNumberOfObjectVoxels(), 15u);
+  EXPECT_EQ(filter->GetCounts().objectVoxels, 15u);
   filter->SetLowerThreshold(-Infinity);
   filter->SetUpperThreshold(Infinity);
   filter->Update();
-  EXPECT_EQ(filter->GetNumberOfObjectVoxels(), 15u);
+  EXPECT_EQ(filter->GetCounts().objectVoxels, 15u);
 }
 
 TEST(MedialVoxelObject, LimitsOfWideTypesAreExact)
@@ -313,7 +315,7 @@ TEST(MedialVoxelObject, IsCountedByTheVectorFilterToo)
   {
     filter->Modified();
     filter->Update();
-    EXPECT_EQ(filter->GetNumberOfObjectVoxels(), 6u);
+    EXPECT_EQ(filter->GetCounts().objectVoxels, 6u);
   }
 }
 
@@ -328,7 +330,7 @@ TEST(MedialVoxelObject, NaNIsBackgroundAndCounted)
   auto filter = itk::MedialVoxelImageFilter<itk::Image<float, 2>>::New();
   filter->SetInput(ImageOfValues<float>(values));
   filter->Update();
-  EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), 6u);
+  EXPECT_EQ(filter->GetCounts().notANumberVoxels, 6u);
 }
 
 TEST(MedialVoxelObject, NaNIsCountedOnceHoweverTheWorkIsCut)
@@ -353,12 +355,11 @@ TEST(MedialVoxelObject, NaNIsCountedOnceHoweverTheWorkIsCut)
   filter->SetInput(source->GetOutput());
   for (const auto & cut : { std::make_pair(0u, 0u), { 5u, 1u }, { 9u, 4u }, { 40u, 100u } })
   {
-    filter->SetTileSize(cut.first);
-    filter->SetSlabThickness(cut.second);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, cut.first);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, cut.second);
     filter->Modified();
     filter->UpdateLargestPossibleRegion();
-    EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(),
-              std::accumulate(perSlice.begin(), perSlice.end(), std::uint64_t{}));
+    EXPECT_EQ(filter->GetCounts().notANumberVoxels, std::accumulate(perSlice.begin(), perSlice.end(), std::uint64_t{}));
     filter->Modified();
     filter->UpdateOutputInformation();
     std::uint64_t expected = 0;
@@ -369,7 +370,7 @@ TEST(MedialVoxelObject, NaNIsCountedOnceHoweverTheWorkIsCut)
       filter->GetOutput()->UpdateOutputData();
       expected += std::accumulate(perSlice.begin() + z, perSlice.begin() + z + 7, std::uint64_t{});
     }
-    EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), expected) << "tile " << cut.first;
+    EXPECT_EQ(filter->GetCounts().notANumberVoxels, expected) << "tile " << cut.first;
   }
 }
 

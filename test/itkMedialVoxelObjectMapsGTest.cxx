@@ -3,6 +3,8 @@
 
 // Many objects in one update: the results are those of updates on one object at a time, put together.
 
+#include "itkMedialVoxelFilterAccess.h"
+
 #include "MedialVoxelTestLabelMaps.h"
 
 #include <algorithm>
@@ -211,14 +213,13 @@ CheckMap(Dice & dice, const std::vector<std::int64_t> & pool, Tally & tally)
   auto       filter = FilterType::New();
   filter->SetInput(isStreamed ? source->GetOutput() : image.GetPointer());
   Apply(*filter, settings);
-  filter->SeparateObjectsOn();
   if (isSelection)
   {
     filter->SetObjectLabels({ labels.rbegin(), labels.rend() });
   }
   filter->SetNumberOfWorkUnits(static_cast<unsigned int>(dice.Choose<int>({ 1, 2, 5 })));
-  filter->SetTileSize(static_cast<unsigned int>(dice.Choose<int>({ 0, 3, 8 })));
-  filter->SetSlabThickness(static_cast<unsigned int>(dice.Choose<int>({ 0, 1, 6 })));
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, static_cast<unsigned int>(dice.Choose<int>({ 0, 3, 8 })));
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, static_cast<unsigned int>(dice.Choose<int>({ 0, 1, 6 })));
   filter->SetWorkingMemoryLimit(dice.Roll(0, 1) == 1 ? 0 : 64 << 20);
   const auto axis = static_cast<unsigned int>(dice.Roll(0, D - 1));
   const auto pieces = static_cast<unsigned int>(dice.Choose<int>({ 1, 1, 2, 5 }));

@@ -54,7 +54,7 @@ TEST(MedialVoxelPaperFigures, Figure4DualCellsLieBetweenTheVoxels)
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetOrigin()[0], 0.5);
   EXPECT_EQ(filter->GetOutput()->GetOrigin()[1], 0.5);
-  EXPECT_EQ(filter->GetNumberOfTrivialCells(), 4u);
+  EXPECT_EQ(filter->GetCounts().trivialCells, 4u);
   // Each pair is the diagonal of background corners, an edge of sqrt2 = 1.41; epsilon is 1.26 for tau 0.8.
   const std::vector<std::string> medial{ "220", "220", "000" };
   EXPECT_EQ(LabelRows(pixel, 0.8), medial);

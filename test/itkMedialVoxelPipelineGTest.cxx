@@ -3,6 +3,8 @@
 
 // From file to file with ITK's own witness of what a pipeline does on both sides of the filter (invariant I8).
 
+#include "itkMedialVoxelFilterAccess.h"
+
 #include "MedialVoxelTestRuns.h"
 
 #include <gtest/gtest.h>
@@ -146,7 +148,7 @@ TEST(MedialVoxelPipeline, EveryRequestUpstreamIsServed)
   const TemporaryFile target("out.nrrd");
   WriteWhole(MakeImage<ImageType>(volume), source.GetName());
   Pipeline pipeline(source.GetName(), target.GetName(), 10);
-  pipeline.filter->SetSlabThickness(5);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*pipeline.filter, 5);
   pipeline.writer->Update();
 
   // A request that is repeated, as for the first window of a piece, or that is served already, updates nothing.

@@ -3,6 +3,7 @@
 
 // MaximumPoreSize of the filters: what they compute is what they compute of the cleaned volume, for any division.
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkMedialSurfaceMeshFilter.h"
 
 #include "MedialVoxelTestMesh.h"
@@ -48,8 +49,8 @@ OutcomeOf(MedialFilter<D> & filter)
   return { PixelsOf(filter.GetOutput()),
            PixelsOf(filter.GetThicknessOutput()),
            CountsOf(&filter),
-           filter.GetNumberOfFilledVoxels(),
-           filter.GetNumberOfRemovedVoxels() };
+           filter.GetCounts().filledVoxels,
+           filter.GetCounts().removedVoxels };
 }
 
 template <unsigned int D>
@@ -111,8 +112,8 @@ TEST(MedialVoxelPores, DivisionsDoNotMatter)
     for (const auto & sizes : { std::make_pair(5u, 3u), { 8u, 64u }, { 64u, 1u } })
     {
       const auto filter = MakePoreFilter<3>(volume, Mode::Automatic, poreSize);
-      filter->SetTileSize(sizes.first);
-      filter->SetSlabThickness(sizes.second);
+      itk::MedialVoxelFilterAccess::SetTileSize(*filter, sizes.first);
+      itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, sizes.second);
       filter->SetNumberOfWorkUnits(sizes.second);
       filter->Update();
       ExpectSame(OutcomeOf<3>(*filter), expected);
@@ -141,8 +142,8 @@ TEST(MedialVoxelPores, StreamedPiecesAddUp)
       streamer->Update();
       EXPECT_TRUE(AreEqual(PixelsOf(streamer->GetOutput()), expected.labels));
       EXPECT_EQ(CountsOf(filter.GetPointer()), expected.counts);
-      EXPECT_EQ(filter->GetNumberOfFilledVoxels(), expected.filled);
-      EXPECT_EQ(filter->GetNumberOfRemovedVoxels(), expected.removed);
+      EXPECT_EQ(filter->GetCounts().filledVoxels, expected.filled);
+      EXPECT_EQ(filter->GetCounts().removedVoxels, expected.removed);
     }
   }
 }
@@ -198,10 +199,10 @@ TEST(MedialVoxelPores, TheDefaultDependsOnTheMode)
   automatic->SetThicknessMode(Mode::Automatic);
   automatic->Update();
   EXPECT_TRUE(AreEqual(PixelsOf(automatic->GetOutput()), RunOn<3>(volume, Mode::Automatic, 32).labels));
-  EXPECT_GT(automatic->GetNumberOfFilledVoxels(), 0u);
+  EXPECT_GT(automatic->GetCounts().filledVoxels, 0u);
   automatic->SetThicknessMode(Mode::Fixed);
   automatic->Update();
-  EXPECT_EQ(automatic->GetNumberOfFilledVoxels(), 0u);
+  EXPECT_EQ(automatic->GetCounts().filledVoxels, 0u);
 }
 
 TEST(MedialVoxelPores, TooLargeASizeIsRefused)
@@ -247,9 +248,9 @@ TEST(MedialVoxelPores, NotANumberIsBackgroundThatMayBeAPore)
   filter->SetInput(image);
   filter->SetMaximumPoreSize(1);
   filter->Update();
-  EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), 1u);
-  EXPECT_EQ(filter->GetNumberOfFilledVoxels(), 1u);
-  EXPECT_EQ(filter->GetNumberOfObjectVoxels(), 20u * 20u * 9u);
+  EXPECT_EQ(filter->GetCounts().notANumberVoxels, 1u);
+  EXPECT_EQ(filter->GetCounts().filledVoxels, 1u);
+  EXPECT_EQ(filter->GetCounts().objectVoxels, 20u * 20u * 9u);
   EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), RunMedialFilter<3>(volume, 3.0).labels));
 }
 
@@ -273,9 +274,9 @@ TEST(MedialVoxelPores, ThicknessOnGrayValuesDoesNotDependOnDivisions)
     filter->SetMaximumPoreSize(9);
     filter->GenerateThicknessOn();
     filter->SubvoxelThicknessOn();
-    filter->SetSlabThickness(slab);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, slab);
     filter->Update();
-    EXPECT_GT(filter->GetNumberOfFilledVoxels(), 0u);
+    EXPECT_GT(filter->GetCounts().filledVoxels, 0u);
     const auto thickness = PixelsOf(filter->GetThicknessOutput());
     expected = slab == 0 ? thickness : expected;
     EXPECT_TRUE(AreEqual(thickness, expected));

@@ -6,6 +6,7 @@
 
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkImageRegionSplitterMultidimensional.h"
 #include "itkStreamingImageFilter.h"
 
@@ -66,8 +67,8 @@ template <typename TFilter>
 void
 DrawCuts(Generator & generator, TFilter * filter)
 {
-  filter->SetTileSize(static_cast<unsigned int>(Roll(generator, 0, 70)));
-  filter->SetSlabThickness(static_cast<unsigned int>(Roll(generator, 0, 50)));
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, static_cast<unsigned int>(Roll(generator, 0, 70)));
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, static_cast<unsigned int>(Roll(generator, 0, 50)));
   filter->SetNumberOfWorkUnits(static_cast<itk::ThreadIdType>(Roll(generator, 1, 5)));
 }
 

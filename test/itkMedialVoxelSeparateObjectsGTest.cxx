@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 
-// The settings of separate objects: what they count, when they are found again, what is refused.
+// The objects of a label map: what they count, when they are found again, what is refused.
 
 #include "MedialVoxelTestLabelMaps.h"
 
@@ -40,7 +40,6 @@ MakeObjectFilter(const LabelVolume & map)
 {
   auto filter = ByteFilter::New();
   filter->SetInput(MakeLabelImage<itk::Image<unsigned char, 3>>(map));
-  filter->SeparateObjectsOn();
   return filter;
 }
 
@@ -87,34 +86,29 @@ TEST(MedialVoxelSeparateObjects, ShareCellsPassesAndSums)
   EXPECT_EQ(filter->GetNumberOfVoxelsWithLabel(120), 4u * 14 * 10);
 }
 
-TEST(MedialVoxelSeparateObjects, OutputComesAndGoes)
+TEST(MedialVoxelSeparateObjects, AreAllOrThoseThatAreChosen)
 {
-  auto filter = ByteFilter::New();
-  filter->SetInput(MakeLabelImage<itk::Image<unsigned char, 3>>(TwoPlatesAndABar()));
-  EXPECT_FALSE(filter->GetSeparateObjects());
-  EXPECT_EQ(filter->GetObjectOutput(), nullptr);
+  auto filter = MakeObjectFilter(TwoPlatesAndABar());
+  EXPECT_STREQ(filter->GetNameOfClass(), "MedialVoxelObjectsImageFilter");
+  EXPECT_TRUE(filter->GetObjectLabels().empty());
   EXPECT_EQ(filter->GetNumberOfPasses(), 0u);
   filter->Update();
-  const auto asOne = PixelsOf(filter->GetOutput());
+  const auto all = PixelsOf(filter->GetOutput());
   auto       time = filter->GetMTime();
   filter->SetObjectLabels({ 7, 3, 7 });
   EXPECT_GT(filter->GetMTime(), time);
-  EXPECT_TRUE(filter->GetSeparateObjects());
   EXPECT_EQ(filter->GetObjectLabels(), (std::vector<std::int64_t>{ 3, 7 }));
   time = filter->GetMTime();
   filter->SetObjectLabels({ 3, 7 });
   EXPECT_EQ(filter->GetMTime(), time);
   filter->Update();
-  EXPECT_NE(PixelsOf(filter->GetOutput()), asOne);
+  EXPECT_NE(PixelsOf(filter->GetOutput()), all);
+  EXPECT_EQ(filter->GetFoundLabels(), filter->GetObjectLabels());
   EXPECT_EQ(filter->GetObjectOutput()->GetOrigin(), filter->GetOutput()->GetOrigin());
   EXPECT_EQ(filter->GetNumberOfIndexedOutputs(), 1u);
   std::ostringstream text;
   filter->Print(text);
   EXPECT_NE(text.str().find("ObjectLabels: 3 7\n"), std::string::npos);
-  filter->SeparateObjectsOff();
-  EXPECT_EQ(filter->GetObjectOutput(), nullptr);
-  filter->Update();
-  EXPECT_EQ(PixelsOf(filter->GetOutput()), asOne);
 }
 
 TEST(MedialVoxelSeparateObjects, AreFoundAgainWhenTheInputChanges)
@@ -123,7 +117,6 @@ TEST(MedialVoxelSeparateObjects, AreFoundAgainWhenTheInputChanges)
   const auto  image = MakeLabelImage<itk::Image<unsigned char, 3>>(map);
   auto        filter = ByteFilter::New();
   filter->SetInput(image);
-  filter->SeparateObjectsOn();
   filter->Update();
   std::replace(image->GetBufferPointer(), image->GetBufferPointer() + map.labels.size(), 120, 121);
   image->Modified();
@@ -139,7 +132,7 @@ TEST(MedialVoxelSeparateObjects, OfAnEmptyMapAreNone)
   filter->Update();
   EXPECT_TRUE(filter->GetFoundLabels().empty());
   EXPECT_EQ(filter->GetNumberOfPasses(), 1u);
-  EXPECT_EQ(filter->GetNumberOfCandidateCells(), 0u);
+  EXPECT_EQ(filter->GetCounts().candidateCells, 0u);
   EXPECT_EQ(PixelsOf(filter->GetOutput()), std::vector<unsigned char>(map.labels.size(), 0));
   EXPECT_EQ(PixelsOf(filter->GetObjectOutput()), std::vector<unsigned char>(map.labels.size(), 0));
 }
@@ -151,10 +144,9 @@ TEST(MedialVoxelSeparateObjects, NotANumberCountsOnce)
   image->GetBufferPointer()[0] = std::numeric_limits<float>::quiet_NaN();
   auto filter = ObjectFilter<float, 3>::New();
   filter->SetInput(image);
-  filter->SeparateObjectsOn();
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfPasses(), 2u);
-  EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), 1u);
+  EXPECT_EQ(filter->GetCounts().notANumberVoxels, 1u);
 }
 
 TEST(MedialVoxelSeparateObjects, TheSearchForThemCanBeAborted)
@@ -186,11 +178,11 @@ TEST(MedialVoxelSeparateObjects, OtherDefinitionsOfTheObjectAreRefused)
   {
     auto filter = MakeObjectFilter(map);
     change(*filter);
-    ExpectRefused(*filter, { "SeparateObjects", "must not be set" });
+    ExpectRefused(*filter, { "LowerThreshold", "must not be set" });
   }
   auto filter = MakeObjectFilter(map);
   filter->GenerateVectorDistanceOn();
-  ExpectRefused(*filter, { "SeparateObjects", "vectors" });
+  ExpectRefused(*filter, { "Vectors", "one object" });
   filter->GenerateVectorDistanceOff();
   EXPECT_NO_THROW(filter->Update());
 }
@@ -221,7 +213,6 @@ TEST(MedialVoxelSeparateObjects, WrongValuesAreRefused)
   const auto image = MakeLabelImage<itk::Image<float, 3>>(TwoPlatesAndABar());
   auto       filter = ObjectFilter<float, 3>::New();
   filter->SetInput(image);
-  filter->SeparateObjectsOn();
   image->GetBufferPointer()[5] = 2.5f;
   ExpectRefused(*filter, { "not a label map", "2.5", "whole numbers" });
   image->GetBufferPointer()[5] = 1e30f;
@@ -235,6 +226,5 @@ TEST(MedialVoxelSeparateObjects, WrongValuesAreRefused)
   }
   auto manyFilter = ObjectFilter<int, 2>::New();
   manyFilter->SetInput(MakeLabelImage<itk::Image<int, 2>>(map));
-  manyFilter->SeparateObjectsOn();
   ExpectRefused(*manyFilter, { "more than 65535" });
 }

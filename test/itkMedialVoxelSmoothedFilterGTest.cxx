@@ -4,7 +4,7 @@
 // Smoothing of the filters: what they compute is what they compute of a mask that was smoothed by the definition.
 
 #include "itkMedialSurfaceMeshFilter.h"
-#include "itkMedialVoxelImageFilter.h"
+#include "itkMedialVoxelObjectsImageFilter.h"
 
 #include "MedialVoxelTestMesh.h"
 #include "MedialVoxelTestSupport.h"
@@ -130,8 +130,8 @@ ExpectThatOf(TFilter & filter, TMask mask)
   plain->Update();
   filter.Update();
   EXPECT_TRUE(AreEqual(PixelsOf(filter.GetOutput()), PixelsOf(plain->GetOutput())));
-  EXPECT_EQ(filter.GetNumberOfObjectVoxels(), plain->GetNumberOfObjectVoxels());
-  EXPECT_GT(filter.GetNumberOfObjectVoxels(), 0u);
+  EXPECT_EQ(filter.GetCounts().objectVoxels, plain->GetCounts().objectVoxels);
+  EXPECT_GT(filter.GetCounts().objectVoxels, 0u);
   EXPECT_TRUE(filter.GetObjectIsSmoothed());
   EXPECT_FALSE(plain->GetObjectIsSmoothed());
 }
@@ -247,9 +247,6 @@ TEST(MedialVoxelSmoothedFilter, Defaults)
   EXPECT_EQ(filter->GetSmoothing(), Smoothing::Off);
   filter->SetThicknessMode(Mode::Automatic);
   EXPECT_EQ(filter->GetSmoothing(), Smoothing::Automatic);
-  filter->SeparateObjectsOn();
-  EXPECT_EQ(filter->GetSmoothing(), Smoothing::Off);
-  filter->SeparateObjectsOff();
   filter->SetSmoothing(Smoothing::On);
   EXPECT_EQ(filter->GetSmoothing(), Smoothing::On);
   filter->UnsetSmoothing();
@@ -259,9 +256,20 @@ TEST(MedialVoxelSmoothedFilter, Defaults)
 TEST(MedialVoxelSmoothedFilter, ObjectsOfALabelMapAreNotSmoothed)
 {
   const auto image = MakeWall<Input<short, 3>>(25);
-  const auto filter = MakeFilter(image.GetPointer(), Smoothing::On);
-  filter->SeparateObjectsOn();
-  EXPECT_THROW(filter->Update(), itk::ExceptionObject);
+  const auto filter = itk::MedialVoxelObjectsImageFilter<Input<short, 3>>::New();
+  filter->SetInput(image);
+  filter->SetThicknessMode(Mode::Automatic);
+  EXPECT_EQ(filter->GetSmoothing(), Smoothing::Off);
+  filter->SetSmoothing(Smoothing::On);
+  try
+  {
+    filter->Update();
+    FAIL() << "no exception";
+  }
+  catch (const itk::ExceptionObject & error)
+  {
+    EXPECT_NE(std::string(error.GetDescription()).find("Smoothing must be Off"), std::string::npos);
+  }
 }
 
 TEST(MedialVoxelSmoothedFilter, Surface)

@@ -5,6 +5,7 @@
 
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkStreamingImageFilter.h"
 
 namespace
@@ -57,7 +58,7 @@ TEST(MedialVoxelStreaming, ThinPartsAreReadOnceForAnyNumberOfPieces)
     EXPECT_TRUE(AreEqual(PixelsOf(streamer->GetOutput()), expected.labels));
     EXPECT_EQ(CountsOf(filter.GetPointer()), expected.counts);
     EXPECT_EQ(PixelsAsked(source), volume.object.size());
-    EXPECT_EQ(filter->GetNumberOfRecomputedVoxels(), 0u);
+    EXPECT_EQ(itk::MedialVoxelFilterAccess::GetSums(*filter).recomputedVoxels, 0u);
   }
 }
 
@@ -97,10 +98,10 @@ TEST(MedialVoxelStreaming, ThickSolidsAreComputedOnceAndAHalf)
 {
   const Volume volume = Ball({ { 90, 80, 84 } }, UnitSpacing, { { 45, 40, 42 } }, 38);
   auto         filter = MakeMedialFilter<3>(volume, 3.0);
-  filter->SetSlabThickness(8);
-  filter->SetTileSize(16);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 8);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 16);
   filter->UpdateLargestPossibleRegion();
-  EXPECT_LE(filter->GetNumberOfRecomputedVoxels(), volume.object.size() / 2);
+  EXPECT_LE(itk::MedialVoxelFilterAccess::GetSums(*filter).recomputedVoxels, volume.object.size() / 2);
 }
 
 TEST(MedialVoxelStreaming, ChangedParametersAndInputsAreNotMissed)
@@ -154,6 +155,6 @@ TEST(MedialVoxelStreaming, NotANumberIsCountedInTheRequestedRegionsAlone)
     streamer->SetInput(filter->GetOutput());
     streamer->SetNumberOfStreamDivisions(divisions);
     streamer->Update();
-    EXPECT_EQ(filter->GetNumberOfNotANumberVoxels(), number);
+    EXPECT_EQ(filter->GetCounts().notANumberVoxels, number);
   }
 }

@@ -3,6 +3,7 @@
 
 // The thickness output of the medial voxel filter: where it is, what it holds, how little input it needs.
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkMedialVoxelImageFilter.h"
 
 #include "MedialVoxelTestRuns.h"
@@ -198,18 +199,18 @@ TEST(MedialVoxelThicknessOutput, WallsThickerThanTheWindowAreMeasuredInAnyCut)
   for (const auto & cut : { std::make_pair(3u, 7u), { 1u, 5u }, { 64u, 64u } })
   {
     auto filter = MakeThicknessFilter<3>(volume, 3.0);
-    filter->SetSlabThickness(cut.first);
-    filter->SetTileSize(cut.second);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, cut.first);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, cut.second);
     filter->SetNumberOfWorkUnits(3);
     filter->Update();
     EXPECT_TRUE(AreEqual(PixelsOf(filter->GetThicknessOutput()), expected));
   }
   auto limited = MakeThicknessFilter<3>(volume, 3.0);
   limited->SetNumberOfWorkUnits(1);
-  limited->SetSlabThickness(2);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*limited, 2);
   limited->SetWorkingMemoryLimit(itk::SizeValueType{ 6 } << 20);
   limited->Update();
-  EXPECT_GT(limited->GetNumberOfRecomputedVoxels(), 0u);
+  EXPECT_GT(itk::MedialVoxelFilterAccess::GetSums(*limited).recomputedVoxels, 0u);
   EXPECT_TRUE(AreEqual(PixelsOf(limited->GetThicknessOutput()), expected));
 }
 

@@ -6,6 +6,7 @@
 #include "MedialVoxelTestKernels.h"
 #include "MedialVoxelTestRuns.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkMedialSurfaceMeshFilter.h"
 #include "itkMedialVoxelSurfaceObserver.h"
 
@@ -90,7 +91,7 @@ TEST(MedialVoxelWorkingMemory, ALimitHoldsForTheSurfaceToo)
     filter->SetThicknessMode(parameters.mode);
     filter->SetNumberOfWorkUnits(1);
     filter->SetWorkingMemoryLimit(limit);
-    filter->SetTileObservers({ &surface });
+    itk::MedialVoxelFilterAccess::SetTileObservers(*filter, { &surface });
     filter->UpdateOutputInformation();
     const std::uint64_t labels = volume.object.size();
     const std::uint64_t before = BytesOfHeap();

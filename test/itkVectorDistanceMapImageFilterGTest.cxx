@@ -3,6 +3,7 @@
 
 // Options, errors and outputs of the vector distance filter.
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkVectorDistanceMapImageFilter.h"
 
 #include "MedialVoxelTestRuns.h"
@@ -244,7 +245,7 @@ TEST(VectorDistanceMapImageFilter, ANarrowBandReadsLittle)
   auto filter = VectorFilter<3>::New();
   filter->SetInput(source->GetOutput());
   filter->SetMaximumDistance(3.0);
-  filter->SetSlabThickness(4);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 4);
   filter->UpdateOutputInformation();
   filter->GetOutput()->SetRequestedRegion(itk::ImageRegion<3>({ { 0, 0, 50 } }, { { 10, 9, 4 } }));
   filter->GetOutput()->PropagateRequestedRegion();

@@ -6,6 +6,7 @@
 #include "MedialVoxelTestRuns.h"
 #include "MedialVoxelTestWallThickness.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkStreamingImageFilter.h"
 
 #include <algorithm>
@@ -33,8 +34,8 @@ itk::SizeValueType
 ExpectBruteForce(const Volume & volume, const double maximum, const unsigned int tileSize, const std::string & name)
 {
   auto filter = MakeFilter<VDimension>(volume, maximum);
-  filter->SetTileSize(tileSize);
-  filter->SetSlabThickness(1 + tileSize / 2);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, tileSize);
+  itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 1 + tileSize / 2);
   filter->Update();
   const auto expected = ExpectedWallThickness<VDimension>(volume, maximum);
   EXPECT_TRUE(AreEqualOrNan(PixelsOf(filter->GetOutput()), expected)) << name << ", maximum " << maximum;
@@ -44,7 +45,7 @@ ExpectBruteForce(const Volume & volume, const double maximum, const unsigned int
   EXPECT_EQ(filter->GetNumberOfVoxelsAtMaximum(),
             count([maximum](const float value) { return value == static_cast<float>(maximum); }));
   EXPECT_EQ(filter->GetNumberOfVoxelsWithoutWall(), count([](const float value) { return std::isnan(value); }));
-  EXPECT_EQ(filter->GetNumberOfObjectVoxels(),
+  EXPECT_EQ(filter->GetCounts().objectVoxels,
             static_cast<itk::SizeValueType>(std::count(volume.object.begin(), volume.object.end(), 1)));
   return count([](const float value) { return value > 0.0f; });
 }
@@ -132,8 +133,8 @@ TEST(WallThickness, AnyDivisionGivesTheSameBytes)
   for (const auto & cut : { std::make_pair(3u, 11u), { 1u, 17u }, { 64u, 64u } })
   {
     auto filter = MakeFilter<3>(volume, 9.0);
-    filter->SetSlabThickness(cut.first);
-    filter->SetTileSize(cut.second);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, cut.first);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, cut.second);
     filter->SetNumberOfWorkUnits(3);
     filter->Update();
     EXPECT_TRUE(AreEqualOrNan(PixelsOf(filter->GetOutput()), expected)) << cut.first;
@@ -185,15 +186,15 @@ TEST(WallThickness, OnGrayValuesEqualsBruteForce)
     cells->SetLowerThreshold(55);
     cells->SubvoxelThicknessOn();
     const auto expected = ExpectedWallThickness(volume, ThicknessOfCells(*cells), 9.0);
-    EXPECT_NE(cells->GetBlur(), 0.0);
+    EXPECT_TRUE(cells->GetScan().scan.has_value());
 
     auto filter = itk::LocalThicknessImageFilter<GrayImage>::New();
     filter->SetInput(image);
     filter->SetLowerThreshold(55);
     filter->SetMaximumThickness(9.0);
     filter->SubvoxelThicknessOn();
-    filter->SetTileSize(13);
-    filter->SetSlabThickness(7);
+    itk::MedialVoxelFilterAccess::SetTileSize(*filter, 13);
+    itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 7);
     filter->Update();
     const auto values = PixelsOf(filter->GetOutput());
     EXPECT_TRUE(AreEqualOrNan(values, expected));

@@ -40,3 +40,39 @@ MedialVoxelAsBool(PyObject * object, bool * value)
   }
   $1 = val;
 }
+
+// Members of structures, which the generator of ITK leaves out. Python reads them.
+%define MEDIALVOXEL_MEMBER(structure, type, name, expression)
+%immutable structure::name;
+%extend structure { type name; }
+%{
+#define structure##_##name##_get(self) (expression)
+%}
+%enddef
+
+%define MEDIALVOXEL_COUNT(name)
+MEDIALVOXEL_MEMBER(itkMedialVoxelCounts, unsigned long long, name, (self)->name)
+%enddef
+
+MEDIALVOXEL_COUNT(objectVoxels)
+MEDIALVOXEL_COUNT(boundaryVoxels)
+MEDIALVOXEL_COUNT(notANumberVoxels)
+MEDIALVOXEL_COUNT(filledVoxels)
+MEDIALVOXEL_COUNT(removedVoxels)
+MEDIALVOXEL_COUNT(candidateCells)
+MEDIALVOXEL_COUNT(trivialCells)
+MEDIALVOXEL_COUNT(boundCells)
+MEDIALVOXEL_COUNT(geodesicMedialCells)
+MEDIALVOXEL_COUNT(geodesicNonMedialCells)
+
+// 0 without a scan.
+%define MEDIALVOXEL_SCAN(name)
+MEDIALVOXEL_MEMBER(itkMedialVoxelScanResult, double, name, (self)->scan ? (self)->scan->name : 0.0)
+%enddef
+
+MEDIALVOXEL_SCAN(background)
+MEDIALVOXEL_SCAN(material)
+MEDIALVOXEL_SCAN(blur)
+MEDIALVOXEL_SCAN(noise)
+MEDIALVOXEL_MEMBER(itkMedialVoxelScanResult, std::string, reason, (self)->reason)
+MEDIALVOXEL_MEMBER(itkMedialVoxelScanResult, bool, isMask, (self)->isMask)

@@ -15,9 +15,9 @@ import sys
 import textwrap
 
 from filter_functions import describe
-from header_comments import BASE, ENUMERATIONS, FILTERS, read_comments, to_snake
+from header_comments import BASE, ENUMERATIONS, FILTERS, OBJECT, SHEET, read_comments, to_snake
 
-CLASSES = (ENUMERATIONS, BASE, *FILTERS, "StreamingNrrdImageIO", "StreamingNrrdImageIOFactory", "StreamingRawImageIO")
+CLASSES = (ENUMERATIONS, BASE, OBJECT, SHEET, *FILTERS, "StreamingNrrdImageIO", "StreamingNrrdImageIOFactory", "StreamingRawImageIO")
 MARK = "\n\nFrom C++:\n"
 
 

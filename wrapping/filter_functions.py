@@ -28,6 +28,20 @@ FUNCTIONS = {
         4.0
         """,
     ),
+    "MedialVoxelObjectsImageFilter": (
+        "the labels of the cells, of unsigned char: an\nimage for an image, an array for an array. The filter object, "
+        "itk.MedialVoxelObjectsImageFilter.New(image, ...), has\nthe object of each cell and the numbers of each object",
+        """
+        >>> import itk
+        >>> import numpy as np
+        >>> cells = np.zeros((12, 30, 30), np.uint8)
+        >>> cells[4:8, 3:15, 3:27] = 1  # axes z, y, x
+        >>> cells[4:8, 15:27, 3:27] = 7  # touches the first
+        >>> labels = itk.medial_voxel_objects_image_filter(cells, object_labels=[7])
+        >>> bool((labels >= 2)[:, :14].any())
+        False
+        """,
+    ),
     "VectorDistanceMapImageFilter": (
         "the vectors, x first, of float: an image for\nan image, an array for an array. The filter object, "
         "itk.VectorDistanceMapImageFilter.New(image, ...), has the signed\ndistances too",

@@ -7,9 +7,16 @@ import re
 
 INCLUDE = pathlib.Path(__file__).resolve().parents[1] / "include"
 
-BASE = "MedialVoxelImageFilterBase"
-IMAGE_FILTERS = ("MedialVoxelImageFilter", "VectorDistanceMapImageFilter", "LocalThicknessImageFilter")
-FILTERS = (*IMAGE_FILTERS, "MedialSurfaceMeshFilter")
+BASE, OBJECT, SHEET = "MedialVoxelImageFilterBase", "MedialVoxelObjectProperties", "MedialVoxelSheetProperties"
+# Each filter, and the classes of the module that it inherits from.
+PARENTS = {
+    "MedialVoxelImageFilter": (SHEET, BASE, OBJECT),
+    "MedialVoxelObjectsImageFilter": ("MedialVoxelImageFilter", SHEET, BASE, OBJECT),
+    "VectorDistanceMapImageFilter": (BASE, OBJECT),
+    "LocalThicknessImageFilter": (BASE, OBJECT),
+    "MedialSurfaceMeshFilter": (SHEET, OBJECT),
+}
+FILTERS = tuple(PARENTS)
 ENUMERATIONS = "MedialVoxelEnums"
 MACROS = {
     "itkSetMacro": ("Set{}",),
@@ -22,8 +29,7 @@ MACROS = {
 COMMENT = re.compile(r"/\*\*(.*?)\*/(.*?)(?=/\*\*|\Z)", re.DOTALL)
 NAME = re.compile(r"\b(\w+)\(\s*(\w*)")
 SETTER = re.compile(r"^  (?:itk\w*Set\w*Macro\((\w+), ([\w ]+)\)|Set(\w+)\(([^()]+)\)(?=;|\n))", re.MULTILINE)
-REFERENCE = "as in MedialVoxelImageFilter"
-UNWRAPPED = re.compile(r"#ifndef ITK_WRAPPING_PARSER.*?#endif\n", re.DOTALL)
+WRAPPED = re.compile(r"#ifdef ITK_WRAPPING_PARSER\n(.*?)#else.*?#endif\n", re.DOTALL)
 
 
 def plain(comment):
@@ -66,7 +72,7 @@ def read_comments(name):
 
 def read_public(name):
     """What of a header is wrapped."""
-    return UNWRAPPED.sub("", read(name).split("\nprotected:")[0])
+    return WRAPPED.sub(r"\1", read(name).split("\nprotected:")[0])
 
 
 def type_of(argument):
@@ -75,9 +81,9 @@ def type_of(argument):
 
 
 def read_setters(name):
-    """Types of the arguments of each setter of a filter and of what it inherits from MedialVoxelImageFilterBase."""
+    """Types of the arguments of each setter of a filter and of what it inherits from."""
     found = {}
-    for header in (name, BASE) if name in IMAGE_FILTERS else (name,):
+    for header in (name, *PARENTS[name]):
         for macro_name, macro_type, method, arguments in SETTER.findall(read_public(header)):
             types = [macro_type] if macro_name else [type_of(argument) for argument in arguments.split(",")]
             found.setdefault(macro_name or method, types)
@@ -85,15 +91,11 @@ def read_setters(name):
 
 
 def read_parameters(name):
-    """Comment of each setter, in the order of the headers, those of MedialVoxelImageFilterBase last."""
-    members = read_comments(name)[1]
-    if name in IMAGE_FILTERS:
-        members = {**members, **read_comments(BASE)[1]}
-    found = {setter: " ".join(members["Set" + setter].split()) for setter in read_setters(name)}
-    if name not in IMAGE_FILTERS:
-        others = read_parameters(IMAGE_FILTERS[0])
-        found = {setter: others[setter] if REFERENCE in text else text for setter, text in found.items()}
-    return found
+    """Comment of each setter, in the order of the headers, those of what the filter inherits from last."""
+    members = {}
+    for header in reversed((name, *PARENTS[name])):
+        members.update(read_comments(header)[1])
+    return {setter: " ".join(members["Set" + setter].split()) for setter in read_setters(name)}
 
 
 def read_enumerators():

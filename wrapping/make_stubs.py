@@ -42,6 +42,7 @@ def __getattr__(name: str) -> Any: ...
 # Of the array that is returned for an array; a mesh is a mesh.
 RESULTS = {
     "MedialVoxelImageFilter": "np.uint8",
+    "MedialVoxelObjectsImageFilter": "np.uint8",
     "VectorDistanceMapImageFilter": "np.float32",
     "LocalThicknessImageFilter": "np.float32",
 }

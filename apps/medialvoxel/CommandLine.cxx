@@ -17,7 +17,7 @@ namespace
 /** A command: its name, what it does, and the structures that its options fill. */
 struct CommandRow
 {
-  unsigned int command; ///< one of Commands; 0: it has no options of the table
+  unsigned int command; ///< one of Commands
   CLI::App * CommandLine::* app;
   const char *              name;
   const char *              help;
@@ -67,7 +67,6 @@ ListCommands()
       "Describe a volume",
       [](CommandLine & line) { return MakeTarget(line.infoOptions, line.program); },
       { "medialvoxel info part.mha --values", "medialvoxel info scan.raw --raw-size 708,965,325 --raw-type uint16" } },
-    { 0, &CommandLine::check, "check", "Check the elements of a shell mesh", nullptr },
     { Commands::Plan,
       &CommandLine::plan,
       "plan",
@@ -158,7 +157,7 @@ DefineCommandLine(CommandLine & line)
     CLI::App * const command = line.*row.app = app->add_subcommand(row.name, row.help);
     line.examples[command] = row.examples;
     command->footer(row.footer);
-    row.getTarget ? AddOptions(line, *command, row) : DefineCheck(line);
+    AddOptions(line, *command, row);
   }
   line.generate = app->add_subcommand("generate", "Write completions and manual pages to a folder")->group("");
   line.generate->add_option("FOLDER", line.generateFolder, "An existing folder")->required();

@@ -23,7 +23,6 @@ struct CommandLine
   CLI::App *      surface{ nullptr };
   CLI::App *      distance{ nullptr };
   CLI::App *      info{ nullptr };
-  CLI::App *      check{ nullptr };
   CLI::App *      plan{ nullptr };
   CLI::App *      work{ nullptr };
   CLI::App *      finalize{ nullptr };
@@ -33,8 +32,6 @@ struct CommandLine
   SurfaceOptions  surfaceOptions;
   DistanceOptions distanceOptions;
   JobOptions      infoOptions;
-  std::string     checkedMesh;
-  bool            checkAsJson{ false };
   PlanOptions     planOptions;
   WorkOptions     workOptions;
   FinalizeOptions finalizeOptions;

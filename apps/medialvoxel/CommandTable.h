@@ -16,10 +16,6 @@ constexpr const char * HiddenGroup = "hidden";
 
 using Options = std::vector<const CLI::Option *>;
 
-/** Adds the options of check, which reads no volume. */
-void
-DefineCheck(CommandLine & line);
-
 /** The commands that users are told of. */
 std::vector<const CLI::App *>
 GetCommands(const CLI::App & app);

@@ -3,6 +3,7 @@
 #include "PhaseTable.h"
 
 #include "LocalThicknessTable.h"
+#include "MeshTable.h"
 #include "PlaceTable.h"
 
 #include "Report.h"
@@ -163,26 +164,6 @@ AddRun(TextTable & table, const JobResult & result)
   }
 }
 
-/** Of a mesh with elements of a size. */
-void
-AddRemeshing(TextTable & table, const SurfaceSummary & surface)
-{
-  if (!surface.remeshing)
-  {
-    return;
-  }
-  const itk::MedialVoxelRemeshingSummary & remeshing = *surface.remeshing;
-  table.emplace_back("  area", FormatShort(surface.area) + " of " + FormatShort(remeshing.fineArea));
-  table.emplace_back("  farthest from the fine surface",
-                     FormatShort(std::max(remeshing.toFine.largest, remeshing.fromFine.largest)) + ", 99 % within " +
-                       FormatShort(std::max(remeshing.toFine.most, remeshing.fromFine.most)));
-  table.emplace_back("  scaled Jacobian",
-                     FormatShort(remeshing.leastQuality) + " and more, 99 % have " + FormatShort(remeshing.lowQuality));
-  table.emplace_back("  aspect ratio", "99 % have at most " + FormatShort(remeshing.highAspect));
-  table.emplace_back("  walls left out", FormatCount(remeshing.wallsLeftOut, remeshing.walls));
-  table.emplace_back("  orientation conflicts", std::to_string(remeshing.orientationConflicts));
-}
-
 } // namespace
 
 void
@@ -207,6 +188,15 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   TextTable                         table;
   AddResolution(table, result.input);
   table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options, result.input.geometry)));
+  for (const Warning & warning : result.warnings)
+  {
+    if (warning.code == "raised_maximum_thickness")
+    {
+      table.emplace_back("  of walls up to",
+                         FormatShort(warning.values.back().second) + ", raised from " +
+                           FormatShort(warning.values.front().second));
+    }
+  }
   AddObject(table, options, result);
   AddLabelMap(table, result);
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));
@@ -222,16 +212,11 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   table.emplace_back("pseudo", percent ? FormatFixed(percent->pseudo, 2) + " %" : "-");
   table.emplace_back("correct", percent ? FormatFixed(percent->correct, 2) + " %" : "-");
   AddThickness(table, options, result);
-  for (const TextTable & rows : { DescribeLocalThickness(options, result), DescribePlaces(result.places) })
+  for (const TextTable & rows : { DescribeLocalThickness(options, result),
+                                  DescribePlaces(result.places),
+                                  result.surface ? DescribeMesh(*result.surface) : TextTable() })
   {
     table.insert(table.end(), rows.begin(), rows.end());
-  }
-  if (result.surface)
-  {
-    table.emplace_back("mesh",
-                       std::to_string(result.surface->vertices) + " vertices, " +
-                         std::to_string(result.surface->faces) + " faces");
-    AddRemeshing(table, *result.surface);
   }
   const std::string threads =
     result.plan.threads == 1 ? " s" : " s, summed over " + std::to_string(result.plan.threads) + " threads";

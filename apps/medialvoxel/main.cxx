@@ -5,7 +5,6 @@
 #include "CommandWords.h"
 #include "CommandText.h"
 #include "Log.h"
-#include "MeshCheck.h"
 #include "ObjectPlan.h"
 #include "OptionChecks.h"
 #include "PhaseTable.h"
@@ -292,23 +291,6 @@ DescribeInput(const CommandLine & line)
 }
 
 ExitStatus
-CheckMeshFile(const CommandLine & line)
-{
-  const MeshCheck              check = CheckMesh(ReadMeshFile(line.checkedMesh));
-  const std::vector<MeshLimit> limits = ListMeshLimits(check);
-  if (line.checkAsJson)
-  {
-    std::cout << MakeMeshCheckJson(line.checkedMesh, check);
-  }
-  else
-  {
-    PrintTable(std::cout, DescribeMeshCheck(check));
-  }
-  const bool holds = std::all_of(limits.begin(), limits.end(), [](const MeshLimit & limit) { return limit.Holds(); });
-  return holds ? ExitStatus::Done : ExitStatus::Failure;
-}
-
-ExitStatus
 RunCommand(const CommandLine & line, const std::string & command)
 {
   if (line.extract->parsed() && line.program.resumes)
@@ -347,10 +329,6 @@ RunCommand(const CommandLine & line, const std::string & command)
   {
     ComputeDistance(line);
   }
-  else if (line.check->parsed())
-  {
-    return CheckMeshFile(line);
-  }
   else
   {
     DescribeInput(line);
@@ -383,6 +361,11 @@ DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words
   }
   const CLI::App * const   command = FindCommand(app, words);
   std::vector<std::string> names;
+  if (command == nullptr && words.front() == "check")
+  {
+    return "'check' has left the program; python -m medialvoxel check reads meshes, and mesh reports the quality of "
+           "its own";
+  }
   if (command == nullptr)
   {
     for (const CLI::App * const known : app.get_subcommands({}))

@@ -3,6 +3,7 @@
 #include "SurfaceCoarsening.h"
 
 #include "SurfacePartition.h"
+#include "SurfaceQuality.h"
 #include "SurfaceReader.h"
 #include "SurfaceShapes.h"
 
@@ -151,12 +152,16 @@ TEST(SurfaceRemeshing, ThreadsDoNotChangeTheBytes)
   for (const unsigned int threads : { 1u, 2u, 5u })
   {
     itk::MedialVoxelRemeshingSummary summary;
-    contents.emplace_back(*RemeshSurface(MakeLargeStrip(), MakeRemeshing(threads), summary));
+    const auto                       remeshed = RemeshSurface(MakeLargeStrip(), MakeRemeshing(threads), summary);
+    contents.emplace_back(*remeshed);
     EXPECT_EQ(summary.fineArea, 160000.0);
     EXPECT_EQ(summary.walls, 1u);
     EXPECT_LT(summary.toFine.largest, 1e-9);
     EXPECT_LT(summary.fromFine.largest, 1.0); // corners are cut
-    EXPECT_GE(summary.lowQuality, 0.3);
+    for (const MeshLimit & limit : ListMeshLimits(MeasureQuality(*remeshed)))
+    {
+      EXPECT_TRUE(limit.Holds()) << limit.name << ": " << limit.Format();
+    }
     const auto & first = contents.front();
     const auto & last = contents.back();
     ASSERT_EQ(last.vertices.size(), first.vertices.size());

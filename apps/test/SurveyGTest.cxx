@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Survey.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkImageRegionConstIteratorWithIndex.h"
 #include "itkImageRegionIteratorWithIndex.h"
 #include "itkMedialVoxelImageFilter.h"
@@ -70,9 +71,9 @@ public:
     , m_Image(MakeImage(size, isObject))
   {
     m_Filter->SetInput(m_Image);
-    m_Filter->SetTileSize(cut.tileSize);
+    itk::MedialVoxelFilterAccess::SetTileSize(*m_Filter, cut.tileSize);
     m_Filter->SetNumberOfWorkUnits(cut.threads);
-    m_Filter->SetTileObservers({ &m_Survey });
+    itk::MedialVoxelFilterAccess::SetTileObservers(*m_Filter, { &m_Survey });
     m_Filter->UpdateOutputInformation();
     for (unsigned int piece = 0; piece < cut.pieces; ++piece)
     {
@@ -101,7 +102,8 @@ public:
   std::uint64_t
   GetNumberOfMedialCells() const
   {
-    return m_Filter->GetNumberOfBoundCells() + m_Filter->GetNumberOfGeodesicMedialCells();
+    const auto counts = m_Filter->GetCounts();
+    return counts.boundCells + counts.geodesicMedialCells;
   }
 
   std::vector<std::uint64_t>
@@ -159,7 +161,7 @@ TEST(Survey, CountsWhatTheThicknessOutputHolds)
   Survey     survey(MakeGeometry(Size), { { 150, 41, 37 }, { 1.0, 1.0, 1.0 } }, { true, 30000 });
   const auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
   filter->SetInput(MakeImage(Size, IsWall));
-  filter->SetTileObservers({ &survey });
+  itk::MedialVoxelFilterAccess::SetTileObservers(*filter, { &survey });
   filter->GenerateThicknessOn();
   filter->Update();
   // The output is of all cells, so that the survey sees all of them, though it asks for an eighth.
@@ -270,9 +272,9 @@ TEST(Survey, AnAbortedExecutionAddsNothing)
   const auto image = MakeImage(Size, IsWall);
   const auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
   filter->SetInput(image);
-  filter->SetTileSize(10);
+  itk::MedialVoxelFilterAccess::SetTileSize(*filter, 10);
   filter->SetNumberOfWorkUnits(1);
-  filter->SetTileObservers({ &survey });
+  itk::MedialVoxelFilterAccess::SetTileObservers(*filter, { &survey });
   const auto tag = filter->AddObserver(itk::ProgressEvent(), [&](const itk::EventObject &) {
     if (filter->GetProgress() > 0.5F)
     {

@@ -3,6 +3,7 @@
 #include "Errors.h"
 #include "Survey.h"
 
+#include "itkMedialVoxelFilterAccess.h"
 #include "itkMedialVoxelImageFilter.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +53,7 @@ RunSlices(const ImageType::Pointer & image, Survey & survey, std::int64_t begin,
 {
   const auto filter = itk::MedialVoxelImageFilter<ImageType>::New();
   filter->SetInput(image);
-  filter->SetTileObservers({ &survey });
+  itk::MedialVoxelFilterAccess::SetTileObservers(*filter, { &survey });
   filter->UpdateOutputInformation();
   auto region = image->GetLargestPossibleRegion();
   region.SetIndex(2, begin);

@@ -279,7 +279,7 @@ class RunningTest(ProgramTestCase):
 
     def cut_while_running(self, source, data_files, length=0):
         before = sorted(path.name for path in self.folder.iterdir())
-        running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3, "--divisions", 100)
+        running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3, "--divisions", 100, "--memory", "4G")
         running.process.send_signal(signal.SIGSTOP)
         for data_file in data_files:
             with open(self.folder / data_file, "r+b") as file:
@@ -311,7 +311,7 @@ class RunningTest(ProgramTestCase):
         source = self.write_slow_archive()
         before = sorted(path.name for path in self.folder.iterdir())
         for number in (signal.SIGINT, signal.SIGTERM):
-            running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3)
+            running = RunningProgram(self, "extract", source, "out.mha", "--thickness", 3, "--memory", "4G")
             running.process.send_signal(number)
             status, message = running.finish()
             self.assertEqual(status, 128 + number, message)

@@ -13,7 +13,7 @@ from slicer_module import Description, ModuleTestCase
 # None of the files is there: what is taken ends with another status than 2, before anything is read.
 ARGUMENTS = {
     "extract": ["no.mha", "out.mha"], "mesh": ["no.mha", "out.inp"], "surface": ["no.mha", "out.vtp"],
-    "distance": ["no.mha", "out.mha"], "info": ["no.mha"], "check": ["no.inp"], "plan": ["no.mha", "out.mha", "job"],
+    "distance": ["no.mha", "out.mha"], "info": ["no.mha"], "plan": ["no.mha", "out.mha", "job"],
     "work": ["job"], "finalize": ["job"], "status": ["job"],
 }  # fmt: skip
 HIDDEN = {"extract": ["--raw-spacing X,Y,Z", "--series UID"]}
@@ -75,7 +75,7 @@ class OptionValueTest(ProgramTestCase):
         self.assertEqual(message.count("\n"), 1, message)
 
     def assert_taken(self, command):
-        self.run_program(*command, status=REFUSED if command[0] == "check" else FAILURE)
+        self.run_program(*command, status=FAILURE)
 
     def test_flags(self):
         seen = set()

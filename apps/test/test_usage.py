@@ -34,6 +34,7 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["'Extract' is not a command; did you mean extract?"], "Extract", "in.mha", "out.mha")
         self.assert_usage(["'finalise' is not a command; did you mean finalize?"], "finalise", "job")
         self.assert_usage(["'convert' is not a command (see"], "convert", "in.mha")
+        self.assert_usage(["'check' has left the program", "python -m medialvoxel check"], "check", "shell.inp", "--json")
         self.assert_usage(["'\\x1b[' is not a command".replace("\\x1b", "?")], "\x1b[")
         self.assert_usage(["INPUT"], "extract", "--thickness", 3)
         self.assert_usage(["OUTPUT"], "extract", "in.mha", "--thickness", 3)

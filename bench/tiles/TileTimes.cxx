@@ -175,19 +175,11 @@ public:
   }
 
   void
-  RunTile(const itk::MedialVoxelBox & tile) override
-  {
-    m_Engine->ProcessTile(tile);
-  }
-
-  void
   TakeTile(const itk::MedialVoxelTileResult & tile) override
   {
     tile.WriteLabels(m_Labels.data() + m_Piece.OffsetOf(tile.box.lower),
                      { 1, m_Piece.Extent(0), m_Piece.Extent(0) * m_Piece.Extent(1) });
   }
-
-  itk::MedialVoxelEngine * m_Engine{ nullptr };
 
 private:
   const Part &               m_Part;
@@ -384,12 +376,11 @@ RunForReal(const Part & part, unsigned int threads)
   settings.numberOfWorkers = threads;
   itk::MedialVoxelEngine engine(part.GetGrid(), settings);
   Client                 client(part);
-  client.m_Engine = &engine;
-  const auto pieces = part.GetPieces(engine.GetSlabThickness(part.GetGrid().GetVoxelBox()), threads);
-  const auto start = std::chrono::steady_clock::now();
-  const auto startOfProcess = std::clock();
-  double     busy = 0.0;
-  double     possible = 0.0;
+  const auto             pieces = part.GetPieces(engine.GetSlabThickness(part.GetGrid().GetVoxelBox()), threads);
+  const auto             start = std::chrono::steady_clock::now();
+  const auto             startOfProcess = std::clock();
+  double                 busy = 0.0;
+  double                 possible = 0.0;
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     client.BeginPiece(pieces[i]);

@@ -42,9 +42,10 @@ def extract(image):
         vector_distance_boundary=itk.MedialVoxelEnums.Boundary_Background,
     )
     medial.Update()
-    print(f"object voxels          {medial.GetNumberOfObjectVoxels():10}")
-    print(f"medial by bound        {medial.GetNumberOfBoundCells():10}")
-    print(f"medial by search       {medial.GetNumberOfGeodesicMedialCells():10}")
+    counts = medial.GetCounts()
+    print(f"object voxels          {counts.objectVoxels:10}")
+    print(f"medial by bound        {counts.boundCells:10}")
+    print(f"medial by search       {counts.geodesicMedialCells:10}")
     vectors = itk.array_view_from_image(medial.GetVectorDistanceOutput())
     return itk.array_from_image(medial.GetOutput()), np.linalg.norm(vectors, axis=-1)
 

@@ -65,7 +65,8 @@ def main():
     cap = (kibibytes("VmData") << 10) + (arguments.memory << 20)
     resource.setrlimit(resource.RLIMIT_DATA, (cap, cap))
     writer.Update()
-    print(f"medial cells {medial.GetNumberOfBoundCells() + medial.GetNumberOfGeodesicMedialCells()}")
+    counts = medial.GetCounts()
+    print(f"medial cells {counts.boundCells + counts.geodesicMedialCells}")
     print(f"volume {os.path.getsize(arguments.volume) >> 20} MiB, pieces {writer.GetNumberOfStreamDivisions()}")
     print(f"memory of the pipeline {(kibibytes('VmHWM') - modules) >> 10} MiB of {arguments.memory} MiB")
 

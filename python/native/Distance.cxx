@@ -29,8 +29,8 @@ Measure(const ArrayCall & call, const DistanceOptions & options)
   KeepPixels(*filter->GetDistanceOutput(), outputs.distance);
   ReverseVectors(outputs.vectors, call.array);
   return { { "counts",
-             { { "object_voxels", filter->GetNumberOfObjectVoxels() },
-               { "not_a_number_voxels", filter->GetNumberOfNotANumberVoxels() } } } };
+             { { "object_voxels", filter->GetCounts().objectVoxels },
+               { "not_a_number_voxels", filter->GetCounts().notANumberVoxels } } } };
 }
 
 } // namespace

@@ -3,14 +3,14 @@
 #include "FilterRun.h"
 #include "NamedCounts.h"
 
-#include "itkMedialVoxelImageFilter.h"
+#include "itkMedialVoxelObjectsImageFilter.h"
 
 namespace medialvoxel
 {
 namespace
 {
 
-/** Shows the sums, and states an uncertainty only where it can. */
+/** States an uncertainty only where it can. */
 template <typename TImage>
 class ProgramFilter final : public itk::MedialVoxelImageFilter<TImage>
 {
@@ -23,23 +23,22 @@ public:
 
   itkNewMacro(Self);
 
-  using Superclass::GetSums;
-
   /** As the report of the program has it. */
   nlohmann::json
   DescribeMeasure() const
   {
-    const bool     hasScan = this->HasScan();
+    const auto     found = this->GetScan();
     nlohmann::json scan;
-    if (hasScan)
+    if (found.scan)
     {
-      scan = { { "background", this->GetBackgroundLevel() },
-               { "material", this->GetMaterialLevel() },
-               { "blur", this->GetBlur() },
-               { "noise", this->GetNoise() } };
+      scan = { { "background", found.scan->background },
+               { "material", found.scan->material },
+               { "blur", found.scan->blur },
+               { "noise", found.scan->noise } };
     }
-    const char * const on = hasScan ? "fits" : (this->GetGrayRange() ? "crossings" : "object");
-    return { { "on", on }, { "scan", scan }, { "reason", this->GetReasonWithoutScan() } };
+    const bool         isGray = this->GetSubvoxelThickness() && !found.isMask;
+    const char * const on = found.scan ? "fits" : (isGray ? "crossings" : "object");
+    return { { "on", on }, { "scan", scan }, { "reason", found.reason } };
   }
 
 protected:
@@ -47,11 +46,10 @@ protected:
   GetTask(const itk::MedialVoxelGrid & grid) const override
   {
     // Tasks are asked for before the scan is known, too: then there is no reason yet.
-    if (this->GetGenerateUncertainty() && !this->HasScan() && !this->GetReasonWithoutScan().empty())
+    const auto found = this->GetScan();
+    if (this->GetGenerateUncertainty() && !found.scan && !found.reason.empty())
     {
-      Fail(ExitStatus::Refused,
-           "array: the uncertainty of the thickness cannot be stated, as ",
-           this->GetReasonWithoutScan());
+      Fail(ExitStatus::Refused, "array: the uncertainty of the thickness cannot be stated, as ", found.reason);
     }
     return Superclass::GetTask(grid);
   }
@@ -59,12 +57,6 @@ protected:
 private:
   ProgramFilter() = default;
   ~ProgramFilter() override = default;
-
-  bool
-  HasScan() const
-  {
-    return this->GetBlur() > 0.0;
-  }
 };
 
 /** \throw JobError when fits are asked for and there is no threshold for them */
@@ -108,49 +100,45 @@ DescribeObjects(const TFilter & filter)
   return objects;
 }
 
+/** What one object and many have. */
 template <typename TFilter>
-void
-SetObjects(TFilter & filter, const LabelSelection & labels)
+nlohmann::json
+Run(TFilter & filter, const ArrayCall & call)
 {
-  if (!labels.names.empty())
+  const MedialVoxelOutputs & outputs = call.outputs;
+  filter.SetGenerateThickness(outputs.thickness != nullptr);
+  UseMemory(*filter.GetOutput(), outputs.labels, call.array);
+  if (outputs.thickness != nullptr)
   {
-    Fail(ExitStatus::Usage, "array: the label '", labels.names.front(), "' is a name, which an array has none of");
+    UseMemory(*filter.GetThicknessOutput(), outputs.thickness, call.array);
   }
-  filter.SetSeparateObjects(true);
-  if (!labels.all)
+  RunFilter(filter, call.control);
+  KeepPixels(*filter.GetOutput(), outputs.labels);
+  if (outputs.thickness != nullptr)
   {
-    filter.SetObjectLabels(labels.values);
+    KeepPixels(*filter.GetThicknessOutput(), outputs.thickness);
   }
+  return { { "counts", DescribeCounts(filter.GetCounts()) },
+           { "smoothed", filter.GetObjectIsSmoothed() },
+           { "roughness", filter.GetRoughness() } };
 }
 
 template <typename TPixel>
 nlohmann::json
-Extract(const ArrayCall & call, const ExtractOptions & options)
+ExtractOne(const ArrayCall & call, const ExtractOptions & options)
 {
-  using FilterType = ProgramFilter<ArrayImage<TPixel>>;
   const MedialVoxelOutputs & outputs = call.outputs;
-  auto                       filter = FilterType::New();
+  auto                       filter = ProgramFilter<ArrayImage<TPixel>>::New();
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
   SetWalls(*filter, options);
-  CheckFits(call, options);
   const bool measures = outputs.thickness != nullptr || outputs.uncertainty != nullptr;
   SetGrayMeasure(*filter, call, options, measures && MayMeasureOnGrayValues(options, call.header));
   SetLevels(*filter, options);
-  if (options.labels)
-  {
-    SetObjects(*filter, *options.labels);
-  }
-  filter->SetGenerateThickness(outputs.thickness != nullptr);
   filter->SetGenerateUncertainty(outputs.uncertainty != nullptr);
   filter->SetGenerateVectorDistance(outputs.vectors != nullptr);
   filter->SetVectorDistanceBoundary(options.vectorBoundary);
   auto * const vectors = reinterpret_cast<itk::Vector<float, 3> *>(outputs.vectors);
-  UseMemory(*filter->GetOutput(), outputs.labels, call.array);
-  if (outputs.thickness != nullptr)
-  {
-    UseMemory(*filter->GetThicknessOutput(), outputs.thickness, call.array);
-  }
   if (outputs.uncertainty != nullptr)
   {
     UseMemory(*filter->GetUncertaintyOutput(), outputs.uncertainty, call.array);
@@ -159,16 +147,7 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
   {
     UseMemory(*filter->GetVectorDistanceOutput(), vectors, call.array);
   }
-  if (options.labels)
-  {
-    UseMemory(*filter->GetObjectOutput(), static_cast<TPixel *>(outputs.objects), call.array);
-  }
-  RunFilter(*filter, call.control);
-  KeepPixels(*filter->GetOutput(), outputs.labels);
-  if (outputs.thickness != nullptr)
-  {
-    KeepPixels(*filter->GetThicknessOutput(), outputs.thickness);
-  }
+  nlohmann::json numbers = Run(*filter, call);
   if (outputs.uncertainty != nullptr)
   {
     KeepPixels(*filter->GetUncertaintyOutput(), outputs.uncertainty);
@@ -178,19 +157,36 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
     KeepPixels(*filter->GetVectorDistanceOutput(), vectors);
     ReverseVectors(outputs.vectors, call.array);
   }
-  if (options.labels)
+  numbers["measure"] = filter->DescribeMeasure();
+  return numbers;
+}
+
+template <typename TPixel>
+nlohmann::json
+ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
+{
+  auto filter = itk::MedialVoxelObjectsImageFilter<ArrayImage<TPixel>>::New();
+  filter->SetInput(MakeImage<TPixel>(call.array));
+  SetJobOptions(*filter, options);
+  SetWalls(*filter, options);
+  if (!options.labels->names.empty())
   {
-    KeepPixels(*filter->GetObjectOutput(), static_cast<TPixel *>(outputs.objects));
+    Fail(ExitStatus::Usage,
+         "array: the label '",
+         options.labels->names.front(),
+         "' is a name, which an array has none of");
   }
-  nlohmann::json numbers{ { "counts", DescribeCounts(filter->GetSums().counts) },
-                          { "measure", filter->DescribeMeasure() },
-                          { "smoothed", filter->GetObjectIsSmoothed() },
-                          { "roughness", filter->GetRoughness() } };
-  if (options.labels)
+  if (!options.labels->all)
   {
-    numbers["objects"] = DescribeObjects(*filter);
-    numbers["shared_cells"] = filter->GetNumberOfSharedCells();
+    filter->SetObjectLabels(options.labels->values);
   }
+  filter->SetGenerateVectorDistance(call.outputs.vectors != nullptr);
+  UseMemory(*filter->GetObjectOutput(), static_cast<TPixel *>(call.outputs.objects), call.array);
+  nlohmann::json numbers = Run(*filter, call);
+  KeepPixels(*filter->GetObjectOutput(), static_cast<TPixel *>(call.outputs.objects));
+  numbers["measure"] = { { "on", "object" }, { "scan", nullptr }, { "reason", "" } };
+  numbers["objects"] = DescribeObjects(*filter);
+  numbers["shared_cells"] = filter->GetNumberOfSharedCells();
   return numbers;
 }
 
@@ -199,7 +195,10 @@ Extract(const ArrayCall & call, const ExtractOptions & options)
 nlohmann::json
 ExtractArray(const ArrayCall & call, const ExtractOptions & options)
 {
-  return DispatchPixelType(call.header.pixelType, [&](auto zero) { return Extract<decltype(zero)>(call, options); });
+  CheckFits(call, options);
+  return DispatchPixelType(call.header.pixelType, [&](auto zero) {
+    return options.labels ? ExtractObjects<decltype(zero)>(call, options) : ExtractOne<decltype(zero)>(call, options);
+  });
 }
 
 } // end namespace medialvoxel

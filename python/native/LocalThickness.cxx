@@ -28,10 +28,10 @@ Measure(const ArrayCall & call, const SurfaceOptions & options)
   RunFilter(*filter, call.control);
   KeepPixels(*filter->GetOutput(), call.outputs.thickness);
   return { { "counts",
-             { { "object_voxels", filter->GetNumberOfObjectVoxels() },
+             { { "object_voxels", filter->GetCounts().objectVoxels },
                { "voxels_at_maximum", filter->GetNumberOfVoxelsAtMaximum() },
                { "voxels_without_wall", filter->GetNumberOfVoxelsWithoutWall() },
-               { "not_a_number_voxels", filter->GetNumberOfNotANumberVoxels() } } } };
+               { "not_a_number_voxels", filter->GetCounts().notANumberVoxels } } } };
 }
 
 } // namespace

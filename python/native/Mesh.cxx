@@ -137,8 +137,14 @@ MakeMesh(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mes
   CopyMesh(*filter->GetOutput(), mesh);
   if (!isOfVoxels)
   {
-    ArrayVolume volume(call, options, filter->GetObjectIsSmoothed());
-    RimRays     rays(volume, call.header.geometry, filter->GetGrayRange());
+    ArrayVolume                                          volume(call, options, filter->GetObjectIsSmoothed());
+    const auto                                           found = filter->GetScan();
+    std::optional<itk::MedialVoxelExtraction::GrayRange> range;
+    if (filter->GetSubvoxelThickness() && !found.isMask)
+    {
+      range = { filter->GetLowerThreshold(), filter->GetUpperThreshold(), found.scan };
+    }
+    RimRays rays(volume, call.header.geometry, range);
     Remesh(call, options, *filter->GetOutput(), [&rays](const auto & bundle) { return rays.Measure(bundle); }, mesh);
   }
   return nlohmann::json::object();

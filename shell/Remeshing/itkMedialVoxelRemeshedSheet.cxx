@@ -119,21 +119,6 @@ PutInOrder(const MedialVoxelFineSheet & fine,
 }
 
 void
-MeasureShapes(MedialVoxelRemeshedSheet & sheet)
-{
-  MedialVoxelElementShapes shapes;
-  for (const MedialVoxelShellElement & element : sheet.elements)
-  {
-    shapes.Add(sheet.points, element.corners, element.numberOfCorners);
-  }
-  const MedialVoxelShapeSummary found = shapes.Summarize();
-  sheet.summary.elementsWithoutQuality = found.notPositive;
-  sheet.summary.leastQuality = found.leastJacobian;
-  sheet.summary.lowQuality = found.lowJacobian;
-  sheet.summary.highAspect = found.highAspect;
-}
-
-void
 MeasureAreasAndWalls(const MedialVoxelFineSheet & fine, const Complex & complex, MedialVoxelRemeshingSummary & summary)
 {
   const MedialVoxelSheet & sheet = fine.GetSheet();
@@ -192,7 +177,6 @@ RemeshAsItIs(MedialVoxelSheet                    sheet,
   result.elements = MedialVoxelPairTriangles(complex, corners, size.joinsTriangles);
   PutInOrder(fine, complex, numberGiven, result);
   MeasureAreasAndWalls(fine, complex, result.summary);
-  MeasureShapes(result);
   return result;
 }
 

@@ -48,14 +48,10 @@ struct MedialVoxelRemeshingSummary
   Distances     fromFine; ///< of the points of the fine sheet
   double        fineArea{ 0 };
   double        area{ 0 };
-  double        leastQuality{ 1 };           ///< scaled Jacobian, of all elements
-  double        lowQuality{ 1 };             ///< that 99 % reach
-  double        highAspect{ 1 };             ///< aspect ratio that 99 % do not exceed
-  std::uint64_t elementsWithoutQuality{ 0 }; ///< whose scaled Jacobian is not above 0
-  std::uint64_t walls{ 0 };                  ///< of the fine sheet
-  std::uint64_t wallsLeftOut{ 0 };           ///< that no element is left of
-  std::uint64_t holesClosed{ 0 };            ///< narrower than the wall is thick, or than an element
-  std::uint64_t trianglesLeftOut{ 0 };       ///< of strips and fins too narrow for elements
+  std::uint64_t walls{ 0 };            ///< of the fine sheet
+  std::uint64_t wallsLeftOut{ 0 };     ///< that no element is left of
+  std::uint64_t holesClosed{ 0 };      ///< narrower than the wall is thick, or than an element
+  std::uint64_t trianglesLeftOut{ 0 }; ///< of strips and fins too narrow for elements
   std::uint64_t orientationConflicts{ 0 };
 
   std::optional<MedialVoxelRimExtensionSummary> rims; ///< unless they stay where they are

@@ -5,6 +5,8 @@
 #include "MedialVoxelTestPhantoms.h"
 #include "MedialVoxelTestSupport.h"
 
+#include "itkMedialVoxelElementQuality.h"
+
 #include <gtest/gtest.h>
 
 namespace
@@ -151,7 +153,12 @@ TEST(MedialVoxelRemeshedSheet, RealCrops)
     const auto result = Remesh(sheet, { 2.0, true, true });
     ExpectSound(result);
     ExpectGoodShapes(FacesOf(result));
-    EXPECT_EQ(result.summary.elementsWithoutQuality, 0u);
+    itk::MedialVoxelElementShapes shapes;
+    for (const auto & element : result.elements)
+    {
+      shapes.Add(result.points, element.corners, element.numberOfCorners);
+    }
+    EXPECT_EQ(shapes.Summarize().notPositive, 0u);
     if (result.summary.trianglesLeftOut == 0)
     {
       EXPECT_EQ(FacesOf(result).GetEulerNumber(),

@@ -12,7 +12,6 @@
 #include "itkMedialVoxelWallThicknessTask.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <variant>
 
 namespace itk
@@ -153,7 +152,6 @@ public:
   MedialVoxelSlabWalker                      m_Walker;
   std::unique_ptr<const MedialVoxelTileTask> m_Task;
   MedialVoxelWorkspacePool                   m_Workspaces;
-  MedialVoxelExecution *                     m_Execution{ nullptr }; ///< the run in progress
 };
 
 MedialVoxelEngine::MedialVoxelEngine(const MedialVoxelGrid & grid, const MedialVoxelEngineSettings & settings)
@@ -193,26 +191,9 @@ MedialVoxelEngine::Run(const MedialVoxelBox &    region,
                        MedialVoxelEngineClient & client,
                        const MedialVoxelBox &    nextRegion)
 {
-  struct Ending
-  {
-    MedialVoxelExecution *& execution;
-    ~Ending() { execution = nullptr; }
-  };
   MedialVoxelExecution execution(
     region, m_Implementation->GetTask(), m_Implementation->m_Walker, client, m_Implementation->m_Workspaces);
-  m_Implementation->m_Execution = &execution;
-  const Ending ending{ m_Implementation->m_Execution };
   return execution.Run(nextRegion);
-}
-
-void
-MedialVoxelEngine::ProcessTile(const MedialVoxelBox & tile)
-{
-  if (m_Implementation->m_Execution == nullptr)
-  {
-    throw std::logic_error("MedialVoxelEngine: a tile is processed outside of a run");
-  }
-  m_Implementation->m_Execution->ProcessTile(tile);
 }
 
 } // end namespace itk

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <stdexcept>
 #include <utility>
 
 namespace itk
@@ -168,10 +167,6 @@ MedialVoxelExecution::WaitForWork(Work & work)
     }
     if (m_Schedule->Take(isCallingThread, work))
     {
-      if (work.phase == MedialVoxelSlabSchedule::Phase::Process)
-      {
-        m_RunningTiles.push_back(work);
-      }
       return true;
     }
     if (isPipeline && !isCallingThread)
@@ -218,7 +213,7 @@ MedialVoxelExecution::Do(const Work & work)
   const auto start = ClockType::now();
   if (work.phase == MedialVoxelSlabSchedule::Phase::Process)
   {
-    m_Client.RunTile(work.box);
+    this->ProcessTile(work);
   }
   else
   {
@@ -255,9 +250,9 @@ MedialVoxelExecution::StopAllWhenFailing(TFunction && function)
 }
 
 void
-MedialVoxelExecution::ProcessTile(const MedialVoxelBox & tile)
+MedialVoxelExecution::ProcessTile(const Work & work)
 {
-  const Work                      work = this->StartTile(tile);
+  const MedialVoxelBox &          tile = work.box;
   const MedialVoxelMovingWindow & window = m_Schedule->GetWindow(work);
   std::unique_ptr<Workspace>      workspace = this->TakeWorkspace(work.layout);
   MedialVoxelSums                 sums;
@@ -282,22 +277,6 @@ MedialVoxelExecution::ProcessTile(const MedialVoxelBox & tile)
   }
   m_Sums += sums;
   m_Workspaces.Return(std::move(workspace), work.layout);
-}
-
-/** Tiles come back from the client as boxes. */
-auto
-MedialVoxelExecution::StartTile(const MedialVoxelBox & tile) -> Work
-{
-  const std::lock_guard<std::mutex> lock(m_Mutex);
-  const auto                        found =
-    std::find_if(m_RunningTiles.begin(), m_RunningTiles.end(), [&tile](const Work & work) { return work.box == tile; });
-  if (found == m_RunningTiles.end())
-  {
-    throw std::logic_error("MedialVoxelEngine: this tile was not to be processed");
-  }
-  const Work work = *found;
-  m_RunningTiles.erase(found);
-  return work;
 }
 
 auto

@@ -15,7 +15,6 @@
 #include <memory>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 namespace itk
 {
@@ -40,9 +39,6 @@ public:
   /** Process the region; the window of \a nextRegion is prepared meanwhile. */
   MedialVoxelSums
   Run(const MedialVoxelBox & nextRegion);
-
-  void
-  ProcessTile(const MedialVoxelBox & tile);
 
   MedialVoxelSourceThreads
   GetSourceThreads() const override;
@@ -118,8 +114,9 @@ private:
   void
   StopAllWhenFailing(TFunction && function);
 
-  Work
-  StartTile(const MedialVoxelBox & tile);
+  /** The client takes the result, unless the tile depends on more than the window holds. */
+  void
+  ProcessTile(const Work & work);
 
   std::unique_ptr<Workspace>
   TakeWorkspace(std::uint64_t layout);
@@ -137,7 +134,6 @@ private:
   bool                        m_LacksWorkers{ false }; // some have left for want of work
   std::size_t                 m_NumberOfWaitingWorkers{ 0 };
   MedialVoxelSlabSchedule *   m_Schedule{ nullptr };
-  std::vector<Work>           m_RunningTiles;
   std::exception_ptr          m_Failure;
   MedialVoxelWorkspacePool &  m_Workspaces;
   MedialVoxelSums             m_Sums;

@@ -5,7 +5,9 @@
 #include "itkMedialVoxelGridLimits.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace itk
 {
@@ -78,20 +80,46 @@ MedialVoxelParameters::GetLargestEpsilon() const
   return mode == MedialVoxelThicknessMode::Fixed ? epsilon : std::max(epsilon, thicknessFactor * largestRadius);
 }
 
+namespace
+{
+
+using CountMember = std::pair<const char *, std::uint64_t MedialVoxelCounts::*>;
+
+constexpr std::array<CountMember, sizeof(MedialVoxelCounts) / sizeof(std::uint64_t)> CountMembers{
+  { { "objectVoxels", &MedialVoxelCounts::objectVoxels },
+    { "boundaryVoxels", &MedialVoxelCounts::boundaryVoxels },
+    { "notANumberVoxels", &MedialVoxelCounts::notANumberVoxels },
+    { "filledVoxels", &MedialVoxelCounts::filledVoxels },
+    { "removedVoxels", &MedialVoxelCounts::removedVoxels },
+    { "candidateCells", &MedialVoxelCounts::candidateCells },
+    { "trivialCells", &MedialVoxelCounts::trivialCells },
+    { "boundCells", &MedialVoxelCounts::boundCells },
+    { "geodesicMedialCells", &MedialVoxelCounts::geodesicMedialCells },
+    { "geodesicNonMedialCells", &MedialVoxelCounts::geodesicNonMedialCells } }
+};
+
+} // namespace
+
 MedialVoxelCounts &
 MedialVoxelCounts::operator+=(const MedialVoxelCounts & other)
 {
-  objectVoxels += other.objectVoxels;
-  boundaryVoxels += other.boundaryVoxels;
-  notANumberVoxels += other.notANumberVoxels;
-  filledVoxels += other.filledVoxels;
-  removedVoxels += other.removedVoxels;
-  candidateCells += other.candidateCells;
-  trivialCells += other.trivialCells;
-  boundCells += other.boundCells;
-  geodesicMedialCells += other.geodesicMedialCells;
-  geodesicNonMedialCells += other.geodesicNonMedialCells;
+  for (const auto & [name, member] : CountMembers)
+  {
+    this->*member += other.*member;
+  }
   return *this;
+}
+
+std::ostream &
+operator<<(std::ostream & out, const MedialVoxelCounts & counts)
+{
+  const char * separator = "";
+  for (const auto & [name, member] : CountMembers)
+  {
+    out << separator << name << ' ' << counts.*member;
+    separator = ", ";
+  }
+  return out;
 }
 
 } // end namespace itk

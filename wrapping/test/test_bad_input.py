@@ -11,10 +11,10 @@ from support import blobs, image_of
 
 
 class BadInput(unittest.TestCase):
-    def assert_refused(self, *words, exception=RuntimeError, image=None, **options):
+    def assert_refused(self, *words, exception=RuntimeError, image=None, function=itk.medial_voxel_image_filter, **options):
         """The call fails with a message that has all words; the next call works."""
         with self.assertRaises(exception) as caught:
-            itk.medial_voxel_image_filter(blobs() if image is None else image, **options)
+            function(blobs() if image is None else image, **options)
         for word in words:
             self.assertIn(word, str(caught.exception))
         self.assertTrue(itk.medial_voxel_image_filter(blobs(), thickness=3.0).any())
@@ -43,11 +43,12 @@ class BadInput(unittest.TestCase):
         self.assert_refused("thresholds", thickness=3.0, lower_threshold=float("nan"))
 
     def test_objects(self):
-        self.assert_refused("SeparateObjects", separate_objects=True, lower_threshold=1.0)
-        self.assert_refused("ObjectLabels has 256", "from 0 to 255", object_labels=[1, 256])
-        self.assert_refused("No voxel", "label 9", object_labels=[1, 9])
-        self.assert_refused("not a label map", "0.5", image=0.5 * blobs("float32"), separate_objects=True)
-        self.assert_refused(exception=TypeError, object_labels=[1.5])
+        objects = {"function": itk.medial_voxel_objects_image_filter}
+        self.assert_refused("must not be set", lower_threshold=1.0, **objects)
+        self.assert_refused("ObjectLabels has 256", "from 0 to 255", object_labels=[1, 256], **objects)
+        self.assert_refused("No voxel", "label 9", object_labels=[1, 9], **objects)
+        self.assert_refused("not a label map", "0.5", image=0.5 * blobs("float32"), **objects)
+        self.assert_refused(exception=TypeError, object_labels=[1.5], **objects)
 
     def test_arguments_of_a_wrong_type(self):
         self.assert_refused(exception=TypeError, thickness="thick")

@@ -17,6 +17,7 @@ import itk
 
 FUNCTIONS = {
     itk.medial_voxel_image_filter: itk.MedialVoxelImageFilter,
+    itk.medial_voxel_objects_image_filter: itk.MedialVoxelObjectsImageFilter,
     itk.vector_distance_map_image_filter: itk.VectorDistanceMapImageFilter,
     itk.local_thickness_image_filter: itk.LocalThicknessImageFilter,
     itk.medial_surface_mesh_filter: itk.MedialSurfaceMeshFilter,
@@ -32,7 +33,8 @@ import numpy as np
 mask = np.zeros((4, 5, 6), np.uint8)
 labels: np.ndarray = itk.medial_voxel_image_filter(mask, thickness=np.float32(3), maximum_pore_size=np.int64(2))
 labels.astype(np.int16)
-itk.medial_voxel_image_filter(itk.imread("part.mha"), scan_levels=(1, 2.5), object_labels=[1, 2])
+itk.medial_voxel_image_filter(itk.imread("part.mha"), scan_levels=(1, 2.5))
+itk.medial_voxel_objects_image_filter(mask, object_labels=[1, 2]).astype(np.int16)
 itk.local_thickness_image_filter(mask, maximum_thickness=10, use_image_spacing=False).astype(np.float64)
 itk.medial_surface_mesh_filter(mask, subvoxel_thickness=np.bool_(True))
 itk.medial_surface_mesh_filter(mask, thickness_mode=itk.MedialVoxelEnums.ThicknessMode_Automatic)
@@ -103,7 +105,7 @@ class Types(unittest.TestCase):
     def test_type_checker(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "use.py"
-            wrong = "".join(f"itk.medial_voxel_image_filter(mask, {argument})\n" for argument in WRONG)
+            wrong = "".join(f"itk.medial_voxel_objects_image_filter(mask, {argument})\n" for argument in WRONG)
             path.write_text(TYPED + wrong)
             command = [sys.executable, "-m", "mypy", "--no-error-summary", "--cache-dir", folder, path]
             output = subprocess.run(command, capture_output=True, text=True, cwd=folder).stdout

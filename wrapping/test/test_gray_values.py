@@ -31,11 +31,12 @@ def middle(array, begin, thickness):
 class GrayValues(unittest.TestCase):
     def test_the_scan_is_found(self):
         medial, *_ = measured(image_of(scan()))
-        self.assertEqual(medial.GetReasonWithoutScan(), "")
-        self.assertAlmostEqual(medial.GetBackgroundLevel(), 10, delta=0.5)
-        self.assertAlmostEqual(medial.GetMaterialLevel(), 110, delta=1.5)
-        self.assertAlmostEqual(medial.GetBlur(), 0.8, delta=0.05)
-        self.assertAlmostEqual(medial.GetNoise(), 1.5, delta=0.3)
+        found = medial.GetScan()
+        self.assertEqual(found.reason, "")
+        self.assertAlmostEqual(found.background, 10, delta=0.5)
+        self.assertAlmostEqual(found.material, 110, delta=1.5)
+        self.assertAlmostEqual(found.blur, 0.8, delta=0.05)
+        self.assertAlmostEqual(found.noise, 1.5, delta=0.3)
 
     def test_thickness_is_right_and_the_uncertainty_holds_the_error(self):
         for scale in (1.0, 0.25):
@@ -55,7 +56,7 @@ class GrayValues(unittest.TestCase):
     def test_levels_that_are_set(self):
         image = image_of(scan())
         medial, _, values, _ = measured(image, scan_levels=(np.float32(10), 110))
-        self.assertEqual((medial.GetBackgroundLevel(), medial.GetMaterialLevel()), (10, 110))
+        self.assertEqual((medial.GetScan().background, medial.GetScan().material), (10, 110))
         medial.SetScanLevels(10, 150)
         medial.Update()
         # A higher material explains the thin wall by a thinner one.
@@ -63,7 +64,7 @@ class GrayValues(unittest.TestCase):
         self.assertLess(np.median(middle(other, 4, 2)[middle(other, 4, 2) > 0]), np.median(middle(values, 4, 2)[middle(values, 4, 2) > 0]))
         medial.UnsetScanLevels()
         medial.Update()
-        self.assertAlmostEqual(medial.GetMaterialLevel(), 110, delta=1.5)
+        self.assertAlmostEqual(medial.GetScan().material, 110, delta=1.5)
         for levels in ((5, 5), (float("nan"), 1), (0, float("inf"))):
             with self.subTest(levels=levels), self.assertRaises(RuntimeError) as caught:
                 measured(image, scan_levels=levels)
@@ -71,8 +72,8 @@ class GrayValues(unittest.TestCase):
 
     def test_why_there_is_no_scan(self):
         medial, labels, values, uncertainty = measured(image_of(100 * blobs("float32")))
-        self.assertNotEqual(medial.GetReasonWithoutScan(), "")
-        self.assertEqual(medial.GetBlur(), 0)
+        self.assertNotEqual(medial.GetScan().reason, "")
+        self.assertEqual(medial.GetScan().blur, 0)
         self.assertTrue(np.isnan(uncertainty[labels >= 2]).all())
         self.assertTrue((values[labels >= 2] != 0).all())
 

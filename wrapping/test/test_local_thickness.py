@@ -57,7 +57,7 @@ class LocalThickness(unittest.TestCase):
         thickness.Update()
         found = itk.array_from_image(thickness.GetOutput())
         np.testing.assert_array_equal(found, largest_balls(mask, (1, 1, 1), 4))
-        self.assertEqual(thickness.GetNumberOfObjectVoxels(), np.count_nonzero(mask))
+        self.assertEqual(thickness.GetCounts().objectVoxels, np.count_nonzero(mask))
         self.assertEqual(thickness.GetNumberOfVoxelsAtMaximum(), np.count_nonzero(found == 4))
         thickness.UnsetMaximumThickness()
         self.assertEqual(thickness.GetMaximumThickness(), 0)

@@ -75,12 +75,14 @@ class MedialVoxels(unittest.TestCase):
         self.assertEqual(vectors.shape, (*mask.shape, 3))
         self.assertFalse(vectors[mask == 0].any())
         self.assertTrue(np.linalg.norm(vectors[mask != 0], axis=-1).max() > 1)
-        self.assertEqual(medial.GetNumberOfObjectVoxels(), np.count_nonzero(mask))
-        counted = medial.GetNumberOfBoundCells() + medial.GetNumberOfGeodesicMedialCells()
-        self.assertEqual(counted, np.count_nonzero(labels >= 2))
-        self.assertEqual(medial.GetNumberOfGeodesicMedialCells(), np.count_nonzero(labels == 3))
-        not_medial = medial.GetNumberOfTrivialCells() + medial.GetNumberOfGeodesicNonMedialCells()
-        self.assertEqual(not_medial, np.count_nonzero(labels == 1))
+        self.assertEqual(medial.GetCounts().objectVoxels, np.count_nonzero(mask))
+        counts = medial.GetCounts()
+        self.assertEqual(counts.boundCells + counts.geodesicMedialCells, np.count_nonzero(labels >= 2))
+        self.assertEqual(counts.geodesicMedialCells, np.count_nonzero(labels == 3))
+        self.assertEqual(counts.trivialCells + counts.geodesicNonMedialCells, np.count_nonzero(labels == 1))
+        self.assertEqual(counts.candidateCells, np.count_nonzero(labels))
+        with self.assertRaises(AttributeError):
+            counts.objectVoxels = 1
 
     def test_thresholds_background_and_units(self):
         values = 7 * blobs("int16")
@@ -130,7 +132,7 @@ class MedialVoxels(unittest.TestCase):
         medial = itk.MedialVoxelImageFilter.New(image_of(mask), thickness=3.0, maximum_pore_size=3)
         medial.Update()
         np.testing.assert_array_equal(itk.array_from_image(medial.GetOutput()), expected)
-        self.assertEqual((medial.GetNumberOfFilledVoxels(), medial.GetNumberOfRemovedVoxels()), (3, 1))
+        self.assertEqual((medial.GetCounts().filledVoxels, medial.GetCounts().removedVoxels), (3, 1))
         medial.UnsetMaximumPoreSize()
         self.assertEqual(medial.GetMaximumPoreSize(), 0)
         medial.SetThicknessMode(itk.MedialVoxelEnums.ThicknessMode_Automatic)
@@ -145,7 +147,7 @@ class MedialVoxels(unittest.TestCase):
                     label: itk.medial_voxel_image_filter((cells == label).astype("uint8"), thickness=3.0)
                     for label in (3, 120)
                 }
-                medial = itk.MedialVoxelImageFilter.New(image_of(cells), separate_objects=True, thickness=3.0)
+                medial = itk.MedialVoxelObjectsImageFilter.New(image_of(cells), thickness=3.0)
                 medial.Update()
                 labels = itk.array_from_image(medial.GetOutput())
                 objects = itk.array_from_image(medial.GetObjectOutput())
@@ -162,9 +164,9 @@ class MedialVoxels(unittest.TestCase):
                     medial_cells = medial.GetNumberOfMedialCellsWithLabel(label)
                     self.assertEqual(medial_cells, np.count_nonzero(single[label] >= 2))
                     self.assertEqual(medial.GetNumberOfVoxelsWithLabel(label), np.count_nonzero(cells == label))
-                from_array = itk.medial_voxel_image_filter(cells, separate_objects=True, thickness=3.0)
+                from_array = itk.medial_voxel_objects_image_filter(cells, thickness=3.0)
                 np.testing.assert_array_equal(from_array, labels)
-                chosen = itk.medial_voxel_image_filter(cells, object_labels=[120], thickness=3.0)
+                chosen = itk.medial_voxel_objects_image_filter(cells, object_labels=[120], thickness=3.0)
                 np.testing.assert_array_equal(chosen, single[120])
 
     def test_streamed_pieces_are_the_whole(self):
@@ -203,7 +205,7 @@ class NothingToFind(unittest.TestCase):
         medial.Update()
         labels = itk.array_view_from_image(medial.GetOutput())
         self.assertTrue((labels[:-1, :-1, :-1] == 1).all())
-        self.assertEqual(medial.GetNumberOfTrivialCells(), 7 * 8 * 9)
+        self.assertEqual(medial.GetCounts().trivialCells, 7 * 8 * 9)
 
 
 if __name__ == "__main__":

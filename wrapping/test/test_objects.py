@@ -23,7 +23,7 @@ def label_map(dtype="uint16", shape=(30, 34, 38)):
 
 
 def separated(image, **options):
-    medial = itk.MedialVoxelImageFilter.New(image, separate_objects=True, **options)
+    medial = itk.MedialVoxelObjectsImageFilter.New(image, **options)
     medial.Update()
     return medial
 
@@ -50,7 +50,7 @@ class SeparateObjects(unittest.TestCase):
         for label in (3, 7, 120):
             self.assertEqual(medial.GetNumberOfVoxelsWithLabel(label), np.count_nonzero(cells == label))
             self.assertEqual(medial.GetNumberOfVoxelsWithLabel(np.int64(label)), np.count_nonzero(cells == label))
-        self.assertEqual(medial.GetNumberOfObjectVoxels(), np.count_nonzero(cells))
+        self.assertEqual(medial.GetCounts().objectVoxels, np.count_nonzero(cells))
         with self.assertRaises(RuntimeError):
             medial.GetNumberOfVoxelsWithLabel(4)
 
@@ -62,15 +62,11 @@ class SeparateObjects(unittest.TestCase):
         for first, second in ((chosen.GetOutput(), alone.GetOutput()), (chosen.GetObjectOutput(), alone.GetObjectOutput())):
             np.testing.assert_array_equal(itk.array_from_image(first), itk.array_from_image(second))
 
-    def test_the_object_output_comes_and_goes(self):
-        medial = itk.MedialVoxelImageFilter.New(image_of(label_map()), thickness=3.0)
-        self.assertIsNone(medial.GetObjectOutput())
+    def test_one_object(self):
+        medial = itk.MedialVoxelObjectsImageFilter.New(image_of(label_map()), thickness=3.0)
         medial.SetObjectLabels([7])
-        self.assertTrue(medial.GetSeparateObjects())
         medial.Update()
         self.assertEqual(np.unique(itk.array_from_image(medial.GetObjectOutput())).tolist(), [0, 7])
-        medial.SeparateObjectsOff()
-        self.assertIsNone(medial.GetObjectOutput())
 
     def test_plane_images(self):
         cells = label_map(shape=(40, 50))

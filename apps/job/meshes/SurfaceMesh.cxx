@@ -4,6 +4,7 @@
 
 #include "JobClock.h"
 #include "SurfacePlacement.h"
+#include "SurfaceQuality.h"
 #include "SurfaceReader.h"
 #include "SurfaceRemeshing.h"
 #include "SurfaceSorting.h"
@@ -138,6 +139,10 @@ SurfaceMesh::Write(OutputFile &                        file,
   summary.area = m_Area;
   summary.elementSize = m_Options.elementSize;
   summary.remeshing = m_Remeshing;
+  if (m_Remeshing)
+  {
+    summary.quality = MeasureQuality(*m_Spool);
+  }
   summary.remeshingSeconds = m_RemeshingSeconds;
   return summary;
 }

@@ -3,6 +3,7 @@
 #ifndef medialvoxelSurfaceSummary_h
 #define medialvoxelSurfaceSummary_h
 
+#include "MeshQuality.h"
 #include "Options.h"
 
 #include "itkMedialVoxelRemeshedSheet.h"
@@ -23,6 +24,7 @@ struct SurfaceSummary
   ElementSize elementSize; ///< of its faces
 
   std::optional<itk::MedialVoxelRemeshingSummary> remeshing; ///< unless they have that of a voxel
+  std::optional<MeshQuality>                      quality;   ///< of its faces, likewise
   double                                          remeshingSeconds{ 0 };
 };
 

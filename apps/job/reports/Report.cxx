@@ -3,6 +3,7 @@
 #include "Report.h"
 
 #include "LocalThicknessTable.h"
+#include "MeshTable.h"
 #include "PlaceTable.h"
 #include "SealedJson.h"
 #include "Version.h"
@@ -143,55 +144,6 @@ MakeWarnings(const std::vector<Warning> & warnings)
     list.push_back({ { "code", warning.code }, { "message", warning.message }, { "values", values } });
   }
   return list;
-}
-
-Json
-MakeDistances(const itk::MedialVoxelRemeshingSummary::Distances & distances)
-{
-  return { { "largest", distances.largest }, { "percentile_99", distances.most }, { "mean", distances.mean } };
-}
-
-/** Null where they stay where they are. */
-Json
-MakeRims(const std::optional<itk::MedialVoxelRimExtensionSummary> & rims)
-{
-  return rims ? Json{ { "length", rims->rimLength },
-                      { "points", rims->points },
-                      { "mean_extension", rims->length },
-                      { "largest_extension", rims->longest },
-                      { "area", rims->area },
-                      { "points_cut_back", rims->cutBack },
-                      { "sides", rims->sides },
-                      { "sides_without_surface", rims->withoutSurface } }
-              : Json(nullptr);
-}
-
-Json
-MakeMesh(const SurfaceSummary & surface)
-{
-  Json json{ { "vertices", surface.vertices },
-             { "faces", surface.faces },
-             { "area", surface.area },
-             { "element_size", ElementSizeToJson(surface.elementSize) } };
-  if (surface.remeshing)
-  {
-    const itk::MedialVoxelRemeshingSummary & remeshing = *surface.remeshing;
-    json["remeshing"] = { { "area_before", remeshing.fineArea },
-                          { "distance_to_fine", MakeDistances(remeshing.toFine) },
-                          { "distance_from_fine", MakeDistances(remeshing.fromFine) },
-                          { "scaled_jacobian",
-                            { { "minimum", remeshing.leastQuality },
-                              { "percentile_1", remeshing.lowQuality },
-                              { "not_positive", remeshing.elementsWithoutQuality } } },
-                          { "aspect_ratio", { { "percentile_99", remeshing.highAspect } } },
-                          { "walls", remeshing.walls },
-                          { "walls_left_out", remeshing.wallsLeftOut },
-                          { "holes_closed", remeshing.holesClosed },
-                          { "triangles_left_out", remeshing.trianglesLeftOut },
-                          { "orientation_conflicts", remeshing.orientationConflicts },
-                          { "rims", MakeRims(remeshing.rims) } };
-  }
-  return json;
 }
 
 void
@@ -448,7 +400,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   }
   if (result.surface)
   {
-    report["mesh"] = MakeMesh(*result.surface);
+    report["mesh"] = MakeMeshJson(*result.surface);
   }
   AddRun(report, result);
   return Dump(report);

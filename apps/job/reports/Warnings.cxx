@@ -127,6 +127,20 @@ CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
                     { "largest_accurate_ratio", itk::MedialVoxelGridLimits::AccurateRatio } } };
 }
 
+std::optional<Finding>
+CheckRaisedMaximum(const ExtractOptions & options, const VolumeHeader &)
+{
+  if (!options.defaultMaximumThickness)
+  {
+    return std::nullopt;
+  }
+  const double raised = options.maximumThickness.value();
+  return Finding{ "the maximum thickness is raised from " + FormatShort(*options.defaultMaximumThickness) + " to " +
+                    FormatShort(raised) + ", as many walls are thicker",
+                  { { "default_maximum_thickness", *options.defaultMaximumThickness },
+                    { "maximum_thickness", raised } } };
+}
+
 const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
   { "unequal_spacing", CheckSpacing },
   { "unusual_thickness",
@@ -145,6 +159,7 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
     [](const ExtractOptions & options, const VolumeHeader & input) {
       return options.meshFile.empty() ? CheckScratch(options, input) : std::nullopt;
     } },
+  { "raised_maximum_thickness", CheckRaisedMaximum }, // is known later than the others
 };
 
 const std::vector<Rule<ExtractOptions, VolumeHeader>> ThicknessRequestRules{ { "unequal_spacing", CheckSpacing } };
@@ -190,8 +205,23 @@ CheckElements(const ExtractOptions &, const JobResult & result)
   };
 }
 
+/** Elements that solvers refuse or compute badly with. */
+std::optional<Finding>
+CheckQuality(const ExtractOptions &, const JobResult & result)
+{
+  std::string failing;
+  for (const MeshLimit & limit :
+       result.surface && result.surface->quality ? ListMeshLimits(*result.surface->quality) : std::vector<MeshLimit>{})
+  {
+    failing += limit.Holds() ? "" : (failing.empty() ? "" : "; ") + limit.name + ": " + limit.Format();
+  }
+  return failing.empty() ? std::nullopt
+                         : std::optional<Finding>({ "the mesh is beyond limits that solvers ask for: " + failing, {} });
+}
+
 const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true },
-                                                               { "coarse_elements", CheckElements } };
+                                                               { "coarse_elements", CheckElements },
+                                                               { "poor_elements", CheckQuality } };
 
 /** What is known of the walls after an extraction. */
 struct WallFacts

@@ -23,6 +23,7 @@
 #include "SurfacePlacement.h"
 #include "SurfaceRemeshing.h"
 #include "Text.h"
+#include "ThickWalls.h"
 #include "ThicknessPreview.h"
 #include "ValueStatistics.h"
 #include "VolumeFormats.h"
@@ -435,6 +436,10 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
   WithPipelineErrors([&] {
     sink.Start("medialvoxel", "extracting medial voxels");
     const StopListener listener(&sink);
+    RaiseMaximumThickness(own, result.input, result.plan, sink);
+    const std::size_t told = result.warnings.size();
+    result.warnings = FindWarningsOfRequest(own, result.input);
+    TellWarnings(sink, result.warnings, told);
     Extraction         extraction(own, result, sink);
     extraction.Run(start);
   });

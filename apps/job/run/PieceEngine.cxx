@@ -233,12 +233,6 @@ PieceEngine::RunWorkers(unsigned int numberOfWorkers, const std::function<void()
 }
 
 void
-PieceEngine::RunTile(const itk::MedialVoxelBox & tile)
-{
-  m_Engine->ProcessTile(tile);
-}
-
-void
 PieceEngine::TakeTile(const itk::MedialVoxelTileResult & tile)
 {
   if (tile.isEmpty)

@@ -198,9 +198,6 @@ private:
   RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) override;
 
   void
-  RunTile(const itk::MedialVoxelBox & tile) override;
-
-  void
   TakeTile(const itk::MedialVoxelTileResult & tile) override;
 
   void

@@ -1,21 +1,20 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelMeshCheck_h
-#define medialvoxelMeshCheck_h
-
-#include "MeshFile.h"
-#include "Text.h"
+#ifndef medialvoxelMeshQuality_h
+#define medialvoxelMeshQuality_h
 
 #include "itkMedialVoxelElementQuality.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace medialvoxel
 {
 
-/** What solvers ask of a shell mesh. Scaled Jacobian and aspect ratio are those of the Verdict library. */
-struct MeshCheck
+/** What solvers ask of a shell mesh. Scaled Jacobian and aspect ratio are those of the Verdict library. The Python
+ * package measures the same of files in `_check.py`. */
+struct MeshQuality
 {
   std::uint64_t nodes{ 0 }; ///< of elements
   std::uint64_t triangles{ 0 };
@@ -32,7 +31,7 @@ struct MeshCheck
   itk::MedialVoxelShapeSummary shapes;
 };
 
-/** One line of the table of limits. */
+/** A value of the quality that has a limit. */
 struct MeshLimit
 {
   std::string name;
@@ -45,22 +44,16 @@ struct MeshLimit
   {
     return isLeast ? value >= limit : value <= limit;
   }
-};
 
-MeshCheck
-CheckMesh(const MeshFile & mesh);
+  /** "0.41, at least 0.3", or "6, more than 5" where it does not hold. */
+  std::string
+  Format() const;
+};
 
 /** No element without a positive Jacobian, 0.3 and an aspect ratio of 5 for 99 % of them, nothing twice, no hanging
  * node, and walls that are turned one way where they can be. */
 std::vector<MeshLimit>
-ListMeshLimits(const MeshCheck & check);
-
-TextTable
-DescribeMeshCheck(const MeshCheck & check);
-
-/** The same numbers as JSON, with the limits and whether they hold. */
-std::string
-MakeMeshCheckJson(const std::string & fileName, const MeshCheck & check);
+ListMeshLimits(const MeshQuality & quality);
 
 } // end namespace medialvoxel
 

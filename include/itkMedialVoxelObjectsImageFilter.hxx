@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef itkMedialVoxelImageFilterObjects_hxx
-#define itkMedialVoxelImageFilterObjects_hxx
-
-#include "itkMedialVoxelImageFilter.h"
+#ifndef itkMedialVoxelObjectsImageFilter_hxx
+#define itkMedialVoxelObjectsImageFilter_hxx
 
 #include "itkMedialVoxelObjectRegion.h"
 #include "itkMedialVoxelObjectUnion.h"
@@ -11,6 +9,7 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <variant>
 #include <vector>
 
 namespace itk
@@ -18,7 +17,7 @@ namespace itk
 
 /** The objects of the input, and what the passes over them found. */
 template <typename TInputImage, typename TOutputImage>
-class MedialVoxelImageFilter<TInputImage, TOutputImage>::Objects : public MedialVoxelObjectMap
+class MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::Objects : public MedialVoxelObjectMap
 {
 public:
   struct Cells
@@ -80,7 +79,7 @@ public:
     }
     const MedialVoxelStrides strides{ 1, tile.box.Extent(0), tile.box.Extent(0) * tile.box.Extent(1) };
     std::vector<float>       thicknesses;
-    if (m_Filter.m_GenerateThickness)
+    if (m_Filter.GetGenerateThickness())
     {
       thicknesses.resize(static_cast<std::size_t>(tile.box.NumberOfVoxels()));
       tile.WriteThickness(thicknesses.data(), strides);
@@ -210,7 +209,7 @@ private:
     m_Outputs = region;
     m_Filter.GetOutput()->FillBuffer(OutputPixelType{});
     m_Filter.GetObjectOutput()->FillBuffer(InputPixelType{});
-    if (m_Filter.m_GenerateThickness)
+    if (m_Filter.GetGenerateThickness())
     {
       m_Filter.GetThicknessOutput()->FillBuffer(0.0f);
     }
@@ -230,7 +229,7 @@ private:
                                                          m_Filter.GetOutput()->GetBufferPointer()[offset],
                                                          m_Filter.GetObjectOutput()->GetBufferPointer()[offset]);
     sums.sharedCells += change.isShared ? 1 : 0;
-    if (change.isTaken && m_Filter.m_GenerateThickness)
+    if (change.isTaken && m_Filter.GetGenerateThickness())
     {
       m_Filter.GetThicknessOutput()->GetBufferPointer()[offset] = cell.thickness;
     }
@@ -267,25 +266,30 @@ private:
 };
 
 template <typename TInputImage, typename TOutputImage>
-MedialVoxelImageFilter<TInputImage, TOutputImage>::MedialVoxelImageFilter() = default;
-
-template <typename TInputImage, typename TOutputImage>
-MedialVoxelImageFilter<TInputImage, TOutputImage>::~MedialVoxelImageFilter() = default;
-
-template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::SetSeparateObjects(const bool separate)
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::MedialVoxelObjectsImageFilter()
 {
-  if (!separate)
+  this->SetSmoothing(SmoothingEnum::Off);
+  this->ProcessObject::SetOutput(ObjectsName, this->MakeOutput(ObjectsName));
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::~MedialVoxelObjectsImageFilter() = default;
+
+template <typename TInputImage, typename TOutputImage>
+ProcessObject::DataObjectPointer
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::MakeOutput(
+  const ProcessObject::DataObjectIdentifierType & name)
+{
+  if (name == ObjectsName)
   {
-    m_Objects.reset();
+    return ObjectImageType::New().GetPointer();
   }
-  this->SwitchOutput(m_SeparateObjects, separate, ObjectsName);
+  return Superclass::MakeOutput(name);
 }
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::SetObjectLabels(const ObjectLabelsType & labels)
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::SetObjectLabels(const ObjectLabelsType & labels)
 {
   ObjectLabelsType sorted = labels;
   std::sort(sorted.begin(), sorted.end());
@@ -295,68 +299,55 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::SetObjectLabels(const ObjectL
     m_ObjectLabels = std::move(sorted);
     this->Modified();
   }
-  this->SetSeparateObjects(true);
 }
 
 template <typename TInputImage, typename TOutputImage>
 auto
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetObjectOutput() -> ObjectImageType *
-{
-  return dynamic_cast<ObjectImageType *>(this->ProcessObject::GetOutput(ObjectsName));
-}
-
-template <typename TInputImage, typename TOutputImage>
-auto
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetObjectOutput() const -> const ObjectImageType *
-{
-  return dynamic_cast<const ObjectImageType *>(this->ProcessObject::GetOutput(ObjectsName));
-}
-
-template <typename TInputImage, typename TOutputImage>
-auto
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetFoundLabels() const -> ObjectLabelsType
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetFoundLabels() const -> ObjectLabelsType
 {
   return m_Objects ? m_Objects->GetTable().GetValues() : ObjectLabelsType{};
 }
 
 template <typename TInputImage, typename TOutputImage>
 SizeValueType
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetNumberOfPasses() const
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfPasses() const
 {
   return m_Objects ? m_Objects->GetNumberOfPasses() : 0;
 }
 
 template <typename TInputImage, typename TOutputImage>
 SizeValueType
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetNumberOfSharedCells() const
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfSharedCells() const
 {
   return m_Objects ? m_Objects->GetSharedCells() : 0;
 }
 
 template <typename TInputImage, typename TOutputImage>
 SizeValueType
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetNumberOfVoxelsWithLabel(const std::int64_t label) const
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfVoxelsWithLabel(const std::int64_t label) const
 {
   return static_cast<SizeValueType>(m_Objects->GetObjectVoxels()[this->FindObjectNumber(label)]);
 }
 
 template <typename TInputImage, typename TOutputImage>
 SizeValueType
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetNumberOfCandidateCellsWithLabel(const std::int64_t label) const
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfCandidateCellsWithLabel(
+  const std::int64_t label) const
 {
   return m_Objects->GetCells(this->FindObjectNumber(label)).candidate;
 }
 
 template <typename TInputImage, typename TOutputImage>
 SizeValueType
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetNumberOfMedialCellsWithLabel(const std::int64_t label) const
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfMedialCellsWithLabel(
+  const std::int64_t label) const
 {
   return m_Objects->GetCells(this->FindObjectNumber(label)).medial;
 }
 
 template <typename TInputImage, typename TOutputImage>
 MedialVoxelObjectNumber
-MedialVoxelImageFilter<TInputImage, TOutputImage>::FindObjectNumber(const std::int64_t label) const
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::FindObjectNumber(const std::int64_t label) const
 {
   const MedialVoxelObjectNumber number = m_Objects ? m_Objects->GetTable().GetNumber(label) : MedialVoxelObjectNumber{};
   if (number == 0)
@@ -368,21 +359,21 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::FindObjectNumber(const std::i
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyObjectLabels() const
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::VerifyPreconditions() ITKv5_CONST
 {
+  Superclass::VerifyPreconditions();
   if (this->GetUseThresholds() || this->GetUseObjectValue() || this->GetBackgroundValue() != InputPixelType{})
   {
-    itkExceptionMacro(
-      "SeparateObjects is on: each value but 0 is an object; LowerThreshold, UpperThreshold, ObjectValue "
-      "and BackgroundValue must not be set.");
+    itkExceptionMacro("Each value but 0 is an object: LowerThreshold, UpperThreshold, ObjectValue and BackgroundValue "
+                      "must not be set.");
   }
   if (this->GetSmoothing() != SmoothingEnum::Off)
   {
-    itkExceptionMacro("SeparateObjects is on: objects are not smoothed; Smoothing must be Off or unset.");
+    itkExceptionMacro("The objects of a label map are not smoothed; Smoothing must be Off.");
   }
-  if (m_GenerateVectorDistance || !m_TileObservers.empty())
+  if (this->GetGenerateVectorDistance())
   {
-    itkExceptionMacro("SeparateObjects is on: vectors and tile observers are for one object; set ObjectValue instead.");
+    itkExceptionMacro("Vectors are for one object; set ObjectValue of MedialVoxelImageFilter instead.");
   }
   for (const std::int64_t label : m_ObjectLabels)
   {
@@ -398,15 +389,30 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::VerifyObjectLabels() const
 }
 
 template <typename TInputImage, typename TOutputImage>
-MedialVoxelSums
-MedialVoxelImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBox & region)
+void
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GenerateOutputInformation()
 {
-  this->PrepareSmoothing();
-  this->PrepareScan();
-  if (!m_SeparateObjects)
+  Superclass::GenerateOutputInformation();
+  this->GetObjectOutput()->SetOrigin(this->GetOutput()->GetOrigin());
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelEngineTask
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetTask(const MedialVoxelGrid & grid) const
+{
+  auto task = Superclass::GetTask(grid);
+  if (this->GetGenerateThickness())
   {
-    return Superclass::RunRegion(region);
+    // Of a tile, until its cells have their objects.
+    std::get<MedialVoxelExtraction>(task).observerBytesPerVoxel += sizeof(float);
   }
+  return task;
+}
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelSums
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBox & region)
+{
   const ModifiedTimeType modifiedTime = this->GetPixelMTime();
   if (!m_Objects || m_ObjectsMTime != modifiedTime)
   {
@@ -419,19 +425,38 @@ MedialVoxelImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBo
 
 template <typename TInputImage, typename TOutputImage>
 void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::KeepSums(const bool isNew)
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTileResult & tile)
 {
-  if (m_SeparateObjects)
+  m_Objects->TakeTile(tile);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::KeepSums(const bool isNew)
+{
+  m_Objects->KeepSums(isNew);
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, Indent indent) const
+{
+  Superclass::PrintSelf(os, indent);
+  os << indent << "ObjectLabels:";
+  for (const std::int64_t label : m_ObjectLabels)
   {
-    m_Objects->KeepSums(isNew);
+    os << ' ' << label;
   }
+  os << std::endl;
+  os << indent << "NumberOfPasses: " << this->GetNumberOfPasses() << std::endl;
+  os << indent << "NumberOfSharedCells: " << this->GetNumberOfSharedCells() << std::endl;
 }
 
 template <typename TInputImage, typename TOutputImage>
 const MedialVoxelObjectMap *
-MedialVoxelImageFilter<TInputImage, TOutputImage>::GetObjectMap() const
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetObjectMap() const
 {
-  return m_SeparateObjects ? m_Objects.get() : nullptr;
+  return m_Objects.get();
 }
 
 } // end namespace itk

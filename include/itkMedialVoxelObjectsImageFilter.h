@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelObjectsImageFilter_h
+#define itkMedialVoxelObjectsImageFilter_h
+
+#include "itkMedialVoxelImageFilter.h"
+#include "itkMedialVoxelObjectMap.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelObjectsImageFilter
+ * \brief Medial voxels of all objects of a label map, each as if it were alone.
+ *
+ * Each value of the input but 0 is an object of its own; ObjectLabels chooses some. Values are whole numbers from -2^63
+ * to 2^63 - 1, at most 65535 different ones. The boundary of an object is every voxel that is not in it, so that
+ * objects that touch stay apart. The result is that of updates of MedialVoxelImageFilter with one ObjectValue at a
+ * time, put together: a cell that is medial for several objects, or for none of those it belongs to, gets the smallest
+ * label. The output GetObjectOutput() has the label of the object of each cell. Numbers of voxels and cells are sums
+ * over the objects.
+ *
+ * Objects that are more than a reach apart (MedialVoxelObjectAdjacency) share a pass. An update reads all of the input
+ * once to find them, and holds 2 bytes more for each voxel of the requested region.
+ *
+ * Thresholds, ObjectValue, BackgroundValue, GenerateVectorDistance, SubvoxelThickness and Smoothing are for one object:
+ * an update with one of them is refused. Smoothing is Off by default.
+ *
+ * \sa MedialVoxelImageFilter
+ * \ingroup MedialVoxel
+ */
+template <typename TInputImage, typename TOutputImage = Image<unsigned char, TInputImage::ImageDimension>>
+class ITK_TEMPLATE_EXPORT MedialVoxelObjectsImageFilter : public MedialVoxelImageFilter<TInputImage, TOutputImage>
+{
+public:
+  ITK_DISALLOW_COPY_AND_MOVE(MedialVoxelObjectsImageFilter);
+
+  using Self = MedialVoxelObjectsImageFilter;
+  using Superclass = MedialVoxelImageFilter<TInputImage, TOutputImage>;
+  using Pointer = SmartPointer<Self>;
+  using ConstPointer = SmartPointer<const Self>;
+
+  itkNewMacro(Self);
+#ifdef itkOverrideGetNameOfClassMacro
+  itkOverrideGetNameOfClassMacro(MedialVoxelObjectsImageFilter);
+#else
+  itkTypeMacro(MedialVoxelObjectsImageFilter, MedialVoxelImageFilter);
+#endif
+
+  using Superclass::ImageDimension;
+  using typename Superclass::InputPixelType;
+  using typename Superclass::OutputPixelType;
+  using typename Superclass::SmoothingEnum;
+  using ObjectImageType = Image<InputPixelType, ImageDimension>;
+  using ObjectLabelsType = std::vector<std::int64_t>;
+
+  /** Values that are objects. None of them is 0, and some voxel has each. Empty (default): all values but 0. */
+  virtual void
+  SetObjectLabels(const ObjectLabelsType & labels);
+  itkGetConstReferenceMacro(ObjectLabels, ObjectLabelsType);
+
+  /** Label of the object of each cell; 0 where no corner of the cell is in an object. */
+  ObjectImageType *
+  GetObjectOutput()
+  {
+    return dynamic_cast<ObjectImageType *>(this->ProcessObject::GetOutput(ObjectsName));
+  }
+
+  /** Labels of the objects that the last update found in the whole input, ascending. */
+  ObjectLabelsType
+  GetFoundLabels() const;
+
+  /** Passes over the input that these objects take; 1 without an object, 0 before an update. */
+  SizeValueType
+  GetNumberOfPasses() const;
+
+  /** Number of cells that are medial for several objects; summed like the counts. */
+  SizeValueType
+  GetNumberOfSharedCells() const;
+
+  /** Number of voxels of the whole input with a label, before pores are filled. The label is one of GetFoundLabels().
+   */
+  SizeValueType
+  GetNumberOfVoxelsWithLabel(std::int64_t label) const;
+
+  /** Number of cells with a corner in the object with a label; summed like the counts. The label is one of
+   * GetFoundLabels(). */
+  SizeValueType
+  GetNumberOfCandidateCellsWithLabel(std::int64_t label) const;
+
+  /** Number of cells that are medial for the object with a label, shared ones too; summed like the counts. The label is
+   * one of GetFoundLabels(). */
+  SizeValueType
+  GetNumberOfMedialCellsWithLabel(std::int64_t label) const;
+
+  using Superclass::MakeOutput;
+  ProcessObject::DataObjectPointer
+  MakeOutput(const ProcessObject::DataObjectIdentifierType & name) override;
+
+protected:
+  MedialVoxelObjectsImageFilter();
+  ~MedialVoxelObjectsImageFilter() override;
+
+  void
+  PrintSelf(std::ostream & os, Indent indent) const override;
+
+  void
+  VerifyPreconditions() ITKv5_CONST override;
+
+  void
+  GenerateOutputInformation() override;
+
+  MedialVoxelEngineTask
+  GetTask(const MedialVoxelGrid & grid) const override;
+
+  void
+  TakeTile(const MedialVoxelTileResult & tile) override;
+
+  MedialVoxelSums
+  RunRegion(const MedialVoxelBox & region) override;
+
+  void
+  KeepSums(bool isNew) override;
+
+  const MedialVoxelObjectMap *
+  GetObjectMap() const override;
+
+private:
+  class Objects;
+
+  static constexpr const char * ObjectsName = "Objects";
+
+  /** Of an object that the last update found; throws for other labels. */
+  MedialVoxelObjectNumber
+  FindObjectNumber(std::int64_t label) const;
+
+  ObjectLabelsType m_ObjectLabels; ///< ascending, each once
+
+  /** Of the input at a time. */
+  std::unique_ptr<Objects> m_Objects;
+  ModifiedTimeType         m_ObjectsMTime{ 0 };
+};
+
+} // end namespace itk
+
+#ifndef ITK_MANUAL_INSTANTIATION
+#  include "itkMedialVoxelObjectsImageFilter.hxx"
+#endif
+
+#endif
