@@ -37,7 +37,7 @@ class Program:
     def describe(self, commit=None):
         commit = commit or common.describe_revision()["commit"]
         version = subprocess.run([self.path, "--version"], capture_output=True, text=True, check=True).stdout.strip()
-        return {"version": version, "commit": commit[:10], "uncertainty": self.knows("--uncertainty-map"), "levels": self.knows("--levels")}
+        return {"version": version, "commit": commit[:10], "uncertainty": self.knows("--uncertainty-map"), "levels": self.knows("--materials")}
 
     def run(self, values, levels=None, options=(), threshold=THRESHOLD, measure=None):
         """Centers of the medial cells (x, y, z), their thickness (negative at rims), and the half widths or None.
@@ -55,7 +55,7 @@ class Program:
             command.append(measure or "--sub-voxel")
         else:
             command += ["--uncertainty-map", names["uncertainty"]]
-        command += ["--levels", ",".join(map(str, levels))] if levels else []
+        command += ["--materials", ",".join(map(str, levels))] if levels else []
         subprocess.run([str(word) for word in [*command, *options, "--quiet", "--overwrite"]], check=True)
         index = np.argwhere(read_voxels(names["labels"], np.uint8, size) >= 2)
         maps = [read_voxels(names[name], np.float32, size) for name in ("thickness", "uncertainty") if name in names]

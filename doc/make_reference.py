@@ -18,6 +18,7 @@ import tempfile
 import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
+REFERENCE = ROOT / "doc/reference"
 sys.path.insert(0, str(ROOT / "wrapping"))
 
 import header_comments  # noqa: E402
@@ -337,9 +338,9 @@ def make_python():
     return "\n".join(parts)
 
 
-def make_slicer():
+def make_slicer(text):
     """Parameters of the module of 3D Slicer, from its description."""
-    description = xml.etree.ElementTree.parse(ROOT / "apps/MedialVoxelExtraction/MedialVoxelExtraction.xml").getroot()
+    description = xml.etree.ElementTree.fromstring(text.encode())
     parts = [
         NOTICE,
         "# Parameters in 3D Slicer\n",
@@ -362,10 +363,12 @@ def make_slicer():
     return "\n".join(parts)
 
 
-def read_catalog(program):
+def generate(program):
+    """The catalog of the program and the description of the Slicer module."""
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "generate", folder], check=True)
-        return json.loads((pathlib.Path(folder) / "catalog.json").read_text(encoding="utf-8"))
+        catalog, description = ((pathlib.Path(folder) / name).read_text(encoding="utf-8") for name in ("catalog.json", "MedialVoxelExtraction.xml"))
+        return json.loads(catalog), description
 
 
 def main():
@@ -373,18 +376,17 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
-    catalog = read_catalog(arguments.program)
+    catalog, description = generate(arguments.program)
     schema = json.loads((ROOT / "doc/report.schema.json").read_text(encoding="utf-8"))
     pages = {
-        "commands.md": make_commands(catalog),
-        "formats.md": make_formats(catalog),
-        "report.md": make_report(catalog, schema),
-        "python.md": make_python(),
-        "slicer.md": make_slicer(),
+        REFERENCE / "commands.md": make_commands(catalog),
+        REFERENCE / "formats.md": make_formats(catalog),
+        REFERENCE / "report.md": make_report(catalog, schema),
+        REFERENCE / "python.md": make_python(),
+        REFERENCE / "slicer.md": make_slicer(description),
     }
     status = 0
-    for name, text in pages.items():
-        path = ROOT / "doc/reference" / name
+    for path, text in pages.items():
         text = text.rstrip("\n") + "\n"
         old = path.read_text(encoding="utf-8") if path.exists() else ""
         if not arguments.check:

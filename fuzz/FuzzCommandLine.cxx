@@ -5,7 +5,7 @@
 
 #include "FuzzArguments.h"
 #include "FuzzSupport.h"
-#include "Options.h"
+#include "OptionChecks.h"
 
 #include "ClusterRange.h"
 #include "Errors.h"

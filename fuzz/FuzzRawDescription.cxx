@@ -6,6 +6,7 @@
 #include "Errors.h"
 #include "FuzzArguments.h"
 #include "FuzzVolume.h"
+#include "OptionChecks.h"
 #include "VolumeHeader.h"
 
 namespace

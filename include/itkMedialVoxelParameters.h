@@ -53,6 +53,11 @@ struct MedialVoxel_EXPORT MedialVoxelParameters
    * grid. */
   static constexpr double ThicknessFactor = 3.0;
 
+  /** Defaults of the automatic thickness: walls from and to so many voxels, and its maximumPoreSize. */
+  static constexpr double        FewestVoxelsOfWalls = 3.0;
+  static constexpr double        MostVoxelsOfWalls = 16.0;
+  static constexpr std::uint64_t DefaultMaximumPoreSize = 32;
+
   /** The default of a mode. */
   static std::uint64_t
   GetDefaultMaximumPoreSize(MedialVoxelThicknessMode mode);

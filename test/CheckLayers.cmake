@@ -29,7 +29,6 @@ set(program
     apps/job/model
     apps/job/dicom
     apps/job/files
-    apps/job/records
     apps/job/formats/volume
     apps/job/formats/plain
     apps/job/formats/text
@@ -38,6 +37,8 @@ set(program
     apps/job/formats/catalog
     apps/job/formats/input
     apps/job/meshes
+    apps/job/options
+    apps/job/records
     apps/job/reports
     apps/job/run
     apps/job/clusters

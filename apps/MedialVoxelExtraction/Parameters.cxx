@@ -2,269 +2,79 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Parameters.h"
 
-#include "EmbeddedXml.h"
-#include "OptionValues.h"
+#include "Errors.h"
+#include "OptionParser.h"
+#include "OptionTable.h"
+#include "SlicerXml.h"
 #include "Version.h"
 
 #include <iostream>
-#include <limits>
 
 namespace medialvoxel
 {
 namespace
 {
 
-constexpr std::uint64_t MostThreads = 128;
+/** Word for a value in the help. */
+std::string
+GetUnit(const SlicerParameter & parameter, const OptionValue & value, const std::string & unit)
+{
+  const bool isNumber = parameter.element == "double" || parameter.element == "integer";
+  return !value.choices.empty() ? CLI::detail::join(value.choices, "|") : isNumber ? "NUMBER" : unit;
+}
 
-/** The required argument with a name. */
+/** Adds the parameters of the table. */
 void
-AddPositional(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
+AddParameters(CLI::App & app, const OptionTarget & target)
 {
-  AddFile(app, name, help, target)->required();
-}
-
-void
-AddPath(CLI::App & app, const std::string & name, const std::string & help, std::string & target)
-{
-  AddOptionalFile(app, "--" + name, help, target);
-}
-
-void
-AddBoolean(CLI::App & app, const std::string & name, const std::string & help, bool & target)
-{
-  AddFlag(app, "--" + name, help, target)->default_str("false");
-}
-
-CLI::Option *
-AddThreshold(CLI::App & app, const std::string & name, const std::string & help, double & target)
-{
-  const auto parse = [&target](const std::string & text) { target = ToLimit(text).GetNearestDouble(); };
-  return AddText(app, "--" + name, help, "NUMBER", parse)->default_str(FormatNumber(target));
-}
-
-/** Of what is greater than 0, or 0 where that is the default. */
-void
-AddLength(CLI::App & app, const std::string & name, const std::string & help, double & target)
-{
-  const bool mayBeNone = target == 0.0;
-  AddText(app, "--" + name, help, "NUMBER", [&target, mayBeNone](const std::string & text) {
-    target = mayBeNone ? ToLengthOrNone(text) : ToLength(text);
-  })->default_str(FormatNumber(target));
-}
-
-/** \param value by default */
-template <typename TAssign>
-CLI::Option *
-AddInteger(CLI::App &          app,
-           const std::string & name,
-           const std::string & help,
-           std::int64_t        value,
-           std::int64_t        minimum,
-           std::int64_t        maximum,
-           TAssign             assign)
-{
-  const auto parse = [=](const std::string & text) { assign(ToInteger(text, minimum, maximum)); };
-  return AddText(app, "--" + name, help, std::to_string(minimum) + ".." + std::to_string(maximum), parse)
-    ->default_str(std::to_string(value));
-}
-
-/** The first choice is the default. */
-template <typename TEnum>
-CLI::Option *
-AddEnumeration(CLI::App &                                         app,
-               const std::string &                                name,
-               const std::string &                                help,
-               TEnum &                                            target,
-               const std::vector<std::pair<std::string, TEnum>> & choices)
-{
-  return AddChoice(app, "--" + name, help, CLI::detail::join(ListNames(choices), "|"), target, choices)
-    ->default_str(choices.front().first);
-}
-
-void
-AddObjectParameters(CLI::App & app, ModuleOptions & options)
-{
-  CLI::Option * const selection = AddEnumeration<ObjectSelection>(app,
-                                                                  "objectSelection",
-                                                                  "Voxels of the object",
-                                                                  options.objectSelection,
-                                                                  { { "NonZero", ObjectSelection::NonZero },
-                                                                    { "AboveLower", ObjectSelection::AboveLower },
-                                                                    { "BelowUpper", ObjectSelection::BelowUpper },
-                                                                    { "Between", ObjectSelection::Between },
-                                                                    { "Label", ObjectSelection::Label },
-                                                                    { "Labels", ObjectSelection::Labels } });
-  // Without a selection these would have no effect.
-  AddThreshold(
-    app, "lowerThreshold", "Smallest value of the object, for AboveLower and Between", options.lowerThreshold)
-    ->needs(selection);
-  AddThreshold(app, "upperThreshold", "Largest value of the object, for BelowUpper and Between", options.upperThreshold)
-    ->needs(selection);
-  using Limits = std::numeric_limits<std::int32_t>;
-  AddInteger(app,
-             "labelValue",
-             "The one value of the object, for Label",
-             options.labelValue,
-             Limits::min(),
-             Limits::max(),
-             [&options](std::int64_t value) { options.labelValue = value; })
-    ->needs(selection);
-  AddText(app,
-          "--labels",
-          "Values or names that are objects, for Labels",
-          "LIST",
-          [&options](const std::string & text) {
-            options.labels = text.empty() ? LabelSelection{ true, {}, {} } : ToLabels(text);
-          })
-    ->default_str("all");
-  AddPath(app, "colorTable", "Names and colors of the labels, for Labels", options.colorTable);
-  using Mode = itk::MedialVoxelThicknessMode;
-  AddEnumeration<Mode>(app,
-                       "thicknessMode",
-                       "Thickness of walls that become sheets: their own, or a fixed one",
-                       options.thicknessMode,
-                       { { "Automatic", Mode::Automatic }, { "Fixed", Mode::Fixed } });
-  AddLength(app, "thickness", "The fixed thickness of walls, in the units of the spacing", options.thickness);
-  AddEnumeration<std::optional<Smoothing>>(
-    app,
-    "smoothing",
-    "Smooth noise of the object away",
-    options.job.smoothing,
-    { { "Automatic", std::nullopt }, { "On", Smoothing::On }, { "Off", Smoothing::Off } });
-  AddBoolean(app, "voxelUnits", "Take lengths in voxels", options.job.voxelUnits);
-  AddBoolean(app, "resample", "Bring the input to its smallest spacing first", options.resample);
-  AddInteger(app,
-             "maximumPoreSize",
-             "Voxels of pores and grains to leave out; -1 for 32 with Automatic and 0 with Fixed",
-             -1,
-             -1,
-             static_cast<std::int64_t>(LargestPoreSize),
-             [&options](std::int64_t value) {
-               if (value >= 0)
-               {
-                 options.job.maximumPoreSize = static_cast<std::uint64_t>(value);
-               }
-             });
-}
-
-void
-AddPlaceLimits(CLI::App &                   app,
-               const std::string &          name,
-               const std::string &          help,
-               const PlaceKind              kind,
-               std::optional<PlaceLimits> & target)
-{
-  AddText(app, "--" + name, help, "T,G", [&target, kind](const std::string & text) {
-    target = text.empty() ? std::nullopt : std::optional<PlaceLimits>(ToPlaceLimits(text, kind));
-  })->default_str("");
-}
-
-void
-AddOutputParameters(CLI::App & app, ModuleOptions & options)
-{
-  ExtractOptions & job = options.job;
-  using Boundary = itk::MedialVoxelBoundary;
-  AddPath(app, "objectsVolume", "The label of each cell's object, for Labels", job.objectFile);
-  AddPath(app, "vectorVolume", "Vectors to the nearest boundary point", job.vectorFile);
-  AddEnumeration<Boundary>(
-    app,
-    "vectorBoundary",
-    "Boundary that the vectors lead to",
-    job.vectorBoundary,
-    { { GetName(Boundary::Object), Boundary::Object }, { GetName(Boundary::Background), Boundary::Background } });
-  AddPath(app, "distanceVolume", "Signed distance, negative inside the object", job.distanceFile);
-  AddPath(app, "thicknessMap", "Thickness of the walls at medial cells", job.thicknessFile);
-  AddPath(app, "uncertaintyMap", "Half of the 95 % interval of the thickness", job.uncertaintyFile);
-  AddPath(app, "localThickness", "Thickness at each object voxel", job.localThicknessFile);
-  AddEnumeration<LocalThicknessMethod>(app,
-                                       "localThicknessMethod",
-                                       "Of walls, or of largest balls",
-                                       job.localThicknessMethod,
-                                       { { GetName(LocalThicknessMethod::Wall), LocalThicknessMethod::Wall },
-                                         { GetName(LocalThicknessMethod::Sphere), LocalThicknessMethod::Sphere } });
-  AddText(app, "--maximumLocalThickness", "Largest of these", "T", [&job](const std::string & text) {
-    if (!text.empty())
+  for (const OptionRow & row : ListOptions())
+  {
+    const SlicerParameter & parameter = row.slicer;
+    if (parameter.name.empty())
     {
-      job.maximumLocalThickness = ToLength(text);
+      continue;
     }
-  })->default_str("");
-  AddEnumeration<std::optional<bool>>(app,
-                                      "subVoxel",
-                                      "Measure walls on gray values",
-                                      job.subVoxel,
-                                      { { "Automatic", std::nullopt }, { "On", true }, { "Off", false } });
-  AddText(app, "--levels", "Values of background and material for that", "B,M", [&job](const std::string & text) {
-    if (!text.empty())
-    {
-      job.levels = ToLevels(text);
-    }
-  })->default_str("");
-  AddPlaceLimits(app, "thinBelow", "List places thinner than T, grown to G", PlaceKind::Thin, job.thinBelow);
-  AddPlaceLimits(app, "thickAbove", "List places thicker than T, grown to G", PlaceKind::Thick, job.thickAbove);
-  AddPath(app, "placesFile", "Table of these places (.csv)", job.placesFile);
-  AddPath(app, "meshModel", "Medial surface", job.meshFile);
-  AddLength(app, "minimumBranchLength", "Shorter branches are left out of it", job.minimumBranchLength);
-  using Kind = ElementSize::Kind;
-  AddEnumeration<Kind>(app,
-                       "elementSizeMode",
-                       "Length of the sides of its elements",
-                       options.elementSizeMode,
-                       { { "Voxel", Kind::Voxel }, { "Automatic", Kind::Automatic }, { "Fixed", Kind::Length } });
-  AddLength(app, "elementSize", "The fixed length, in the units of the spacing", options.elementSize);
-  AddBoolean(app, "extendRims", "Carry it on to the free edges of the part", job.extendsRims);
-  AddPath(app, "reportFile", "Report as JSON", job.reportFile);
-  AddPath(app, "previewFile", "Picture of three slices as PNG", job.previewFile);
-}
-
-void
-AddRunParameters(CLI::App & app, ExtractOptions & job)
-{
-  AddInteger(app,
-             "numberOfThreads",
-             "Number of threads, 0 for one per processor",
-             0,
-             0,
-             MostThreads,
-             [&job](std::int64_t value) {
-               if (value > 0)
-               {
-                 job.threads = static_cast<unsigned int>(value);
-               }
-             });
-  AddText(app,
-          "--memory",
-          "Cap on the memory, such as 500M or 2G; empty for half of the free memory",
-          "SIZE",
-          [&job](const std::string & text) {
-            job.memoryBytes = text.empty() ? std::nullopt : std::optional<std::uint64_t>(ToByteSize(text));
-          });
-  AddOptionalFile(app, "--scratchFolder", "For what memory cannot hold of a compressed volume", job.scratchFolder)
-    ->type_name("DIR");
+    const OptionValue   value = GetModuleValue(row);
+    const std::string   name = (row.IsArgument() ? "" : "--") + parameter.name;
+    CLI::Option * const option =
+      AddOption(app, name, GetUnit(parameter, value, row.unit), parameter.description, value, target);
+    option->default_str(value.initial.value_or(""))->required(row.IsArgument());
+    parameter.needsSelection ? option->needs(app.get_option("--objectSelection")) : option;
+  }
 }
 
 /** What every module for 3D Slicer understands beside its own parameters. */
 void
-AddCommonParameters(CLI::App & app, ModuleOptions & options)
+AddCommonParameters(CLI::App & app, const OptionTarget & target)
 {
-  AddPath(app, "returnparameterfile", "File for counts, percentages and seconds", options.job.returnParameterFile);
-  AddText(app,
-          "--processinformationaddress",
-          "Address of a progress structure; a program has none but 0",
-          "ADDRESS",
-          [](const std::string & text) {
-            if (text != "0")
-            {
-              throw CLI::ValidationError("'" + text + "' is not 0");
-            }
-          })
+  AddOption(app,
+            "--returnparameterfile",
+            "FILE",
+            "File for counts, percentages and seconds",
+            OrEmpty(File(&ExtractOptions::returnParameterFile)),
+            target);
+  OptionValue address;
+  address.set = [](const OptionTarget &, const std::string & text) {
+    if (text != "0")
+    {
+      throw WrongValue("'" + text + "' is not 0");
+    }
+  };
+  AddOption(app,
+            "--processinformationaddress",
+            "ADDRESS",
+            "Address of a progress structure; a program has none but 0",
+            address,
+            target)
     ->default_str("0");
-  AddBoolean(app, "echo", "Print all values before the run", options.echo);
+  AddOption(app, "--echo", "", "Print all values before the run", Flag(&ModuleOptions::echo), target)
+    ->default_str("false");
   app.set_version_flag("--version", "MedialVoxelExtraction " + GetVersion());
   app
     .add_flag_callback(
       "--xml",
       [] {
-        std::cout << GetEmbeddedXml();
+        std::cout << MakeSlicerXml();
         throw CLI::Success();
       },
       "Print the description for 3D Slicer and exit")
@@ -279,12 +89,9 @@ DefineParameters(ModuleOptions & options)
   auto app = std::make_unique<CLI::App>(
     "Extracts the medial voxels of an object in a volume, as a module of 3D Slicer or by itself.",
     "MedialVoxelExtraction");
-  AddPositional(*app, "inputVolume", "Volume of gray values or labels", options.job.input);
-  AddPositional(*app, "outputVolume", "Labels of the cells between the voxels", options.job.output);
-  AddObjectParameters(*app, options);
-  AddOutputParameters(*app, options);
-  AddRunParameters(*app, options.job);
-  AddCommonParameters(*app, options);
+  const OptionTarget target = MakeTarget(options.job, options);
+  AddParameters(*app, target);
+  AddCommonParameters(*app, target);
   app->footer(
     "What follows -- or --ignore_rest is no option. A boolean is given as --voxelUnits or --voxelUnits=true.\n\n"
     "Labels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic search.\n"

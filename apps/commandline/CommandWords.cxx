@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandWords.h"
 
-#include "OptionValues.h"
+#include "OptionParser.h"
 
 #include <algorithm>
 #include <set>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandTable.h"
 #include "CommandText.h"
-#include "OptionDetails.h"
 #include "Outputs.h"
 #include "SurfaceFormat.h"
 #include "Version.h"
@@ -19,17 +18,37 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
+/** Functions for arrays that have the option as a keyword. */
 Json
-DescribeOption(const CommandLine & line, const CLI::App & command, const CLI::Option & option)
+ListFunctions(const OptionRow & row)
+{
+  const std::pair<unsigned int, const char *> functions[] = { { Commands::Extract, "extract" },
+                                                              { Commands::Mesh, "mesh" },
+                                                              { Commands::Distance, "distance" },
+                                                              { Commands::Surface, "local_thickness" } };
+  Json                                        names = Json::array();
+  for (const auto & [command, name] : functions)
+  {
+    (row.python & command) != 0 ? names.push_back(name) : void();
+  }
+  return names;
+}
+
+Json
+DescribeOption(const CommandLine & line, const CLI::Option & option)
 {
   Json                             json{ { "usage", GetUsage(option) },
                                          { "group", option.get_group() },
                                          { "description", option.get_description() },
-                                         { "details", GetOptionDetails(command.get_name(), option.get_name()) } };
+                                         { "details", GetDetails(line, option) } };
   const std::vector<std::string> & choices = GetChoices(line, option);
   if (!choices.empty())
   {
     json["choices"] = choices;
+  }
+  if (const OptionRow * const row = FindRow(line, option); row && row->python != 0)
+  {
+    json["python"] = ListFunctions(*row);
   }
   return json;
 }
@@ -48,7 +67,7 @@ DescribeCommand(const CommandLine & line, const CLI::App & command)
     {
       if (option != command.get_help_ptr())
       {
-        json[positional ? "arguments" : "options"].push_back(DescribeOption(line, command, *option));
+        json[positional ? "arguments" : "options"].push_back(DescribeOption(line, *option));
       }
     }
   }

@@ -3,10 +3,7 @@
 #ifndef medialvoxelCommandLine_h
 #define medialvoxelCommandLine_h
 
-#include "ClusterOptions.h"
-#include "LogRecord.h"
-#include "Options.h"
-#include "Progress.h"
+#include "OptionTable.h"
 
 #include <CLI/CLI.hpp>
 
@@ -18,7 +15,7 @@
 namespace medialvoxel
 {
 
-/** What the command line says beyond the job: which job, and what to show of it. */
+/** What the command line says: which job, and what to show of it. */
 struct CommandLine
 {
   CLI::App *      extract{ nullptr };
@@ -35,33 +32,31 @@ struct CommandLine
   SurfaceOptions  surfaceOptions;
   DistanceOptions distanceOptions;
   JobOptions      infoOptions;
-  bool            showsValues{ false }; ///< of the volume
-  bool            showsLabels{ false }; ///< what its objects take when it is a label map
-  bool            resumes{ false };     ///< the extraction
   PlanOptions     planOptions;
   WorkOptions     workOptions;
   FinalizeOptions finalizeOptions;
-  std::string     statusFolder;
-  bool            statusAsJson{ false };
-  ProgressStyle   progress{ ProgressStyle::Auto };
-  bool            quiet{ false };
-  std::string     logFile; ///< of commands without JobOptions
-  LogLevel        logLevel{ LogLevel::Info };
+  JobOptions      processOptions; ///< of work and finalize, which read no volume
+  ProgramOptions  program;
 
   CLI::App *  generate{ nullptr }; ///< not shown: what the build calls
   std::string generateFolder;
 
-  /** Names that an option takes, the first one the default. */
-  std::map<const CLI::Option *, std::vector<std::string>> choices;
+  /** Where options come from. */
+  std::map<const CLI::Option *, const OptionRow *> rows;
 
   /** Two for each command, as they are typed. */
   std::map<const CLI::App *, std::vector<std::string>> examples;
 };
 
-/** Defines subcommands and options, the one place for all of them: parser, help, completions and manual pages follow;
- * parsing fills \a line, which must outlive the result. */
+/** Defines the commands, with their options from the table; parsing fills \a line, which must outlive the result. */
 std::unique_ptr<CLI::App>
 DefineCommandLine(CommandLine & line);
+
+/** Completes what was parsed, and refuses options that can change nothing beside the others. What only the volume
+ * decides is a warning of the job.
+ * \throw JobError Usage that names the option and what it needs */
+void
+CompleteCommandLine(CommandLine & line);
 
 } // end namespace medialvoxel
 

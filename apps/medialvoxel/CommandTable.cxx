@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandTable.h"
 
+#include "OptionParser.h"
+
 namespace medialvoxel
 {
 
@@ -11,12 +13,26 @@ GetCommands(const CLI::App & app)
   return app.get_subcommands([](const CLI::App * command) { return !command->get_group().empty(); });
 }
 
+const OptionRow *
+FindRow(const CommandLine & line, const CLI::Option & option)
+{
+  const auto found = line.rows.find(&option);
+  return found == line.rows.end() ? nullptr : found->second;
+}
+
 const std::vector<std::string> &
 GetChoices(const CommandLine & line, const CLI::Option & option)
 {
   static const std::vector<std::string> none;
-  const auto                            found = line.choices.find(&option);
-  return found == line.choices.end() ? none : found->second;
+  const OptionRow * const               row = FindRow(line, option);
+  return row ? row->value.choices : none;
+}
+
+std::string
+GetDetails(const CommandLine & line, const CLI::Option & option)
+{
+  const OptionRow * const row = FindRow(line, option);
+  return row ? row->details : "";
 }
 
 /** Positional arguments, or the others, in the order of their definition, without those that are not shown. */

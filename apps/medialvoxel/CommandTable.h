@@ -4,7 +4,6 @@
 #define medialvoxelCommandTable_h
 
 #include "CommandLine.h"
-#include "OptionValues.h"
 
 #include <string>
 #include <vector>
@@ -21,9 +20,17 @@ using Options = std::vector<const CLI::Option *>;
 std::vector<const CLI::App *>
 GetCommands(const CLI::App & app);
 
+/** The row of the table that an option comes from; null for those of no volume. */
+const OptionRow *
+FindRow(const CommandLine & line, const CLI::Option & option);
+
 /** Names that the option takes; empty when it takes others. */
 const std::vector<std::string> &
 GetChoices(const CommandLine & line, const CLI::Option & option);
+
+/** Sentences behind the line of the help; empty when there is no more to say. */
+std::string
+GetDetails(const CommandLine & line, const CLI::Option & option);
 
 /** Positional arguments, or the others, in the order of their definition. */
 Options

@@ -4,7 +4,7 @@
 
 #include "CommandTable.h"
 #include "Errors.h"
-#include "OptionDetails.h"
+#include "SlicerXml.h"
 #include "Version.h"
 
 #include <cctype>
@@ -184,7 +184,7 @@ MakeManualPage(const CommandLine & line, const CLI::App & app)
               : ToRoff(": " + CLI::detail::join(choices, ", ") +
                        (option.get_name() == "--raw-type" ? "." : " (default " + choices.front() + ").")) +
                   "\n";
-    const std::string details = GetOptionDetails(app.get_name(), option.get_name());
+    const std::string details = GetDetails(line, option);
     page += details.empty() ? "" : ToRoff(details) + "\n";
   };
   const Options arguments = GetOptions(app, true);
@@ -221,6 +221,7 @@ WriteCommandTexts(const CommandLine & line, const CLI::App & app)
   WriteFile(folder / "medialvoxel.bash", MakeBashCompletion(line, app));
   WriteFile(folder / "_medialvoxel", MakeZshCompletion(line, app));
   WriteFile(folder / "catalog.json", MakeCatalog(line, app));
+  WriteFile(folder / "MedialVoxelExtraction.xml", MakeSlicerXml());
   WriteFile(folder / "medialvoxel.1", MakeManualPage(line, app));
   for (const CLI::App * const command : GetCommands(app))
   {

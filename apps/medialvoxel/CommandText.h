@@ -30,7 +30,8 @@ MakeManualPage(const CommandLine & line, const CLI::App & app);
 std::string
 MakeCatalog(const CommandLine & line, const CLI::App & app);
 
-/** Writes all of these: medialvoxel.bash, _medialvoxel, catalog.json, medialvoxel.1 and a page for each command.
+/** Writes all of these: medialvoxel.bash, _medialvoxel, catalog.json, medialvoxel.1 and a page for each command, and
+ * the description of the module for 3D Slicer.
  * \throw JobError Failure */
 void
 WriteCommandTexts(const CommandLine & line, const CLI::App & app);

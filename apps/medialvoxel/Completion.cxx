@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandTable.h"
 #include "CommandText.h"
+#include "OptionParser.h"
 
 namespace medialvoxel
 {

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "ClusterOptions.h"
 #include "CommandLine.h"
 #include "CommandTable.h"
 #include "CommandWords.h"
 #include "CommandText.h"
 #include "Log.h"
 #include "ObjectPlan.h"
-#include "MeshOptions.h"
-#include "OptionEffects.h"
+#include "OptionChecks.h"
 #include "PhaseTable.h"
 #include "Plan.h"
 #include "Program.h"
@@ -33,7 +31,7 @@ using namespace medialvoxel;
 std::unique_ptr<ProgressSink>
 MakeSink(const CommandLine & line)
 {
-  return MakeProgressSink(line.quiet ? ProgressStyle::Quiet : line.progress);
+  return MakeProgressSink(line.program.quiet ? ProgressStyle::Quiet : line.program.progress);
 }
 
 /** Calls work(sink), and tells a log, if one was asked for, what it does and why it fails. */
@@ -45,7 +43,7 @@ RunLogged(const CommandLine & line, const std::string & logFile, TWork && work)
   {
     return work(*MakeSink(line));
   }
-  Log        log(logFile, line.logLevel);
+  Log        log(logFile, line.program.logLevel);
   const auto sink = MakeLogSink(log, MakeSink(line));
   try
   {
@@ -67,7 +65,7 @@ PrintResult(const CommandLine & line, const TOptions & options, const JobResult 
   {
     std::cout << MakeReport(options, result);
   }
-  else if (!line.quiet)
+  else if (!line.program.quiet)
   {
     print();
   }
@@ -77,7 +75,7 @@ PrintResult(const CommandLine & line, const TOptions & options, const JobResult 
 void
 CheckStandardOutput(const CommandLine & line, const JobOptions & options)
 {
-  if (options.reportFile == StandardOutput && line.progress == ProgressStyle::Slicer)
+  if (options.reportFile == StandardOutput && line.program.progress == ProgressStyle::Slicer)
   {
     Fail(ExitStatus::Usage, "--report - and --progress slicer both write to the standard output; choose one of them");
   }
@@ -147,7 +145,7 @@ PrintEnd(const CommandLine & line, const FinalizeResult & result)
   {
     std::cout << MakeReport(result.options, *result.job);
   }
-  else if (!line.quiet)
+  else if (!line.program.quiet)
   {
     PrintFinalization(std::cout, result);
   }
@@ -177,11 +175,11 @@ Plan(const CommandLine & line)
   const PlanOptions & options = line.planOptions;
   const PlanResult    result =
     RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunPlan(options, sink); });
-  if (options.dryRun || !line.quiet)
+  if (options.dryRun || !line.program.quiet)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
   }
-  if (!options.dryRun && !line.quiet)
+  if (!options.dryRun && !line.program.quiet)
   {
     PrintTable(std::cout,
                result.slurm ? DescribeSlurmSteps(*result.slurm)
@@ -192,9 +190,9 @@ Plan(const CommandLine & line)
 void
 Work(const CommandLine & line)
 {
-  const WorkResult result =
-    RunLogged(line, line.logFile, [&line](ProgressSink & sink) { return RunWork(line.workOptions, sink); });
-  if (!line.quiet)
+  const WorkResult result = RunLogged(
+    line, line.processOptions.logFile, [&line](ProgressSink & sink) { return RunWork(line.workOptions, sink); });
+  if (!line.program.quiet)
   {
     PrintTable(std::cout,
                { { "clusters done", std::to_string(result.done.size()) },
@@ -205,8 +203,9 @@ Work(const CommandLine & line)
 ExitStatus
 Finalize(const CommandLine & line)
 {
-  const FinalizeResult result =
-    RunLogged(line, line.logFile, [&line](ProgressSink & sink) { return RunFinalize(line.finalizeOptions, sink); });
+  const FinalizeResult result = RunLogged(line, line.processOptions.logFile, [&line](ProgressSink & sink) {
+    return RunFinalize(line.finalizeOptions, sink);
+  });
   PrintEnd(line, result);
   return GetStatus(result.options, result.verdict, result.job ? &*result.job : nullptr);
 }
@@ -214,8 +213,8 @@ Finalize(const CommandLine & line)
 void
 ShowStatus(const CommandLine & line)
 {
-  const JobStatus status = GetJobStatus(line.statusFolder);
-  if (line.statusAsJson)
+  const JobStatus status = GetJobStatus(line.program.jobFolder);
+  if (line.program.printsJson)
   {
     std::cout << MakeStatusJson(status);
   }
@@ -278,12 +277,12 @@ DescribeInput(const CommandLine & line)
       throw StoppedBySignal(GetStopSignal());
     }
   };
-  if (line.showsValues)
+  if (line.program.showsValues)
   {
     sink->Start("medialvoxel", "reading values");
     append(DescribeValues(MeasureValues(header, observer)));
   }
-  if (line.showsLabels)
+  if (line.program.showsLabels)
   {
     sink->Start("medialvoxel", "reading labels");
     append(DescribeObjects(line.infoOptions, header, observer));
@@ -294,7 +293,7 @@ DescribeInput(const CommandLine & line)
 ExitStatus
 RunCommand(const CommandLine & line, const std::string & command)
 {
-  if (line.extract->parsed() && line.resumes)
+  if (line.extract->parsed() && line.program.resumes)
   {
     return ExtractWithResume(line, command);
   }
@@ -337,6 +336,20 @@ RunCommand(const CommandLine & line, const std::string & command)
   return ExitStatus::Done;
 }
 
+/** What the option of a former name is called; empty: no option had the name. */
+std::string
+FindNewName(const std::string & name)
+{
+  for (const OptionRow & row : ListOptions())
+  {
+    if (row.formerName == name)
+    {
+      return row.name;
+    }
+  }
+  return "";
+}
+
 /** What was typed in place of a command, or the option that the command lacks, with the name that was probably meant;
  * empty when that is not what is wrong. */
 std::string
@@ -370,7 +383,9 @@ DescribeUnknownName(const CLI::App & app, const std::vector<std::string> & words
     const std::string name = word.substr(0, word.find('='));
     if (name.size() > 2 && name.compare(0, 2, "--") == 0 && !command->get_option_no_throw(name))
     {
-      return "'" + name + "' is not an option of " + words.front() + SuggestName(name, names);
+      const std::string newName = FindNewName(name);
+      return newName.empty() ? "'" + name + "' is not an option of " + words.front() + SuggestName(name, names)
+                             : name + " is now " + newName;
     }
   }
   return "";
@@ -435,9 +450,7 @@ main(int argc, char * argv[])
       WriteCommandTexts(line, *app);
       return static_cast<int>(ExitStatus::Done);
     }
-    CompleteElementSize(*line.extract, line.extractOptions);
-    CompleteElementSize(*line.mesh, line.meshOptions);
-    CheckOptionEffects(line);
+    CompleteCommandLine(line);
     try
     {
       return static_cast<int>(RunCommand(line, JoinCommand(argc, argv)));

@@ -87,7 +87,7 @@ class DistanceTest(ProgramTestCase):
         self.assert_close(norms, self.distances(spacing=(1, 1, 1)))
 
     def test_maximum_distance(self):
-        norms, signed = self.compute("--maximum-distance", 1.0)
+        norms, signed = self.compute("--max-distance", 1.0)
         for norm, value, wanted in zip(norms, signed, self.distances()):
             self.assertEqual(math.isnan(norm), wanted > 1.0)
             self.assertEqual(math.isnan(value), wanted > 1.0)

@@ -214,11 +214,11 @@ class GrayWallsTest(ProgramTestCase):
     def test_levels(self):
         volume, normal = scan()
         volumes.write_nrrd(self.folder / "in.nrrd", volume)
-        found, report = self.measure("in.nrrd", "--lower", 5000, "--levels", f"{AIR},{METAL}")
+        found, report = self.measure("in.nrrd", "--lower", 5000, "--materials", f"{AIR},{METAL}")
         self.assertEqual((report["measure"]["scan"]["background"], report["measure"]["scan"]["material"]), (AIR, METAL))
         self.assertEqual(report["parameters"]["levels"], [AIR, METAL])
         self.check(self.cells_of(volume, normal, THIN, found), 2, 0.03)
-        low, _ = self.measure("in.nrrd", "--lower", 5000, "--levels", f"{AIR + 800},{METAL}")
+        low, _ = self.measure("in.nrrd", "--lower", 5000, "--materials", f"{AIR + 800},{METAL}")
         self.assertLess(sum(low), 0.95 * sum(found))  # a background that is too high makes walls thin
 
     def test_without_thick_walls_the_measure_of_the_threshold_remains(self):
@@ -243,8 +243,8 @@ class GrayWallsTest(ProgramTestCase):
             (USAGE, ["uncertainty", "threshold", "none is"], ("in.nrrd", "o.mha", *uncertainty)),
             (USAGE, ["uncertainty", "one threshold", "uint16"], ("in.nrrd", "o.mha", "--lower", 1, "--upper", 9, *uncertainty)),
             (USAGE, ["uncertainty", "no sub-voxel"], ("in.nrrd", "o.mha", "--lower", 1, "--sub-voxel=off", *uncertainty)),
-            (USAGE, ["levels", "5", "must differ"], ("in.nrrd", "o.mha", "--lower", 1, "--levels", "5,5")),
-            (USAGE, ["--levels", "'5'", "background and material"], ("in.nrrd", "o.mha", "--lower", 1, "--levels", "5")),
-            (USAGE, ["--levels", "sub-voxel"], ("in.nrrd", "o.mha", "--lower", 1, "--levels", "5,6", "--sub-voxel=off")),
+            (USAGE, ["levels", "5", "must differ"], ("in.nrrd", "o.mha", "--lower", 1, "--materials", "5,5")),
+            (USAGE, ["--materials", "'5'", "background and material"], ("in.nrrd", "o.mha", "--lower", 1, "--materials", "5")),
+            (USAGE, ["--materials", "sub-voxel"], ("in.nrrd", "o.mha", "--lower", 1, "--materials", "5,6", "--sub-voxel=off")),
         ):
             self.assert_fails(status, parts, "extract", *arguments)

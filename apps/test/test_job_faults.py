@@ -105,7 +105,7 @@ class JobFaultTest(JobTestCase):
         path = self.job / "manifest.json"
         text = path.read_text()
         for changed in (
-            text.replace('"thickness": 2.0', '"thickness": 3.0'),
+            text.replace('"--thickness": "2"', '"--thickness": "3"'),
             text.replace('"number": 7', '"number": 6'),
             text[: len(text) // 2],
             "",
@@ -132,8 +132,8 @@ class JobFaultTest(JobTestCase):
             ("format", 4, "(format 4)"),
             ("job", 5, "not a manifest"),
             ("parameters", {}, "not a manifest"),
-            ("parameters", {**content["parameters"], "vector_boundary": "both"}, "both"),
-            ("parameters", {**content["parameters"], "raw": {"size": [1]}}, "not a manifest"),
+            ("parameters", {**content["parameters"], "--vector-boundary": "both"}, "both"),
+            ("parameters", {**content["parameters"], "--raw-size": "1"}, "not a manifest"),
             ("input", [{}], "not a manifest"),
             ("clusters", {**content["clusters"], "number": 0}, "not a manifest"),
             ("clusters", {**content["clusters"], "number": 10**9}, "not a manifest"),

@@ -55,15 +55,15 @@ class JobMessageTest(JobTestCase):
         command = ["extract", *PLAN[1:3], *PLAN[4:], "--resume"]
         self.in_target(*PLAN[:3], "out.mha.job", *PLAN[4:])
         for options, difference in (
-            (["--lower", 72], "lower is 72.0, not null"),
-            (["--vectors", "v.mha"], f'vectors is "{self.target}/v.mha", not ""'),
+            (["--lower", 72], "--lower is 72, not unset"),
+            (["--vectors", "v.mha"], f"--vectors is {self.target}/v.mha, not unset"),
         ):
             part = f"out.mha.job is of a job with other options: {difference}; remove the folder, and the files"
             self.assert_message(part, *command, *options, status=REFUSED)
         raw = os.fsencode(PROGRAM), *(os.fsencode(str(word)) for word in command), b"--vectors", b"\xff.mha"
         result = subprocess.run(raw, capture_output=True, cwd=self.target, check=False)
         self.assertEqual(result.returncode, REFUSED)
-        self.assertIn(b"of a job with other options: vectors is", result.stderr)
+        self.assertIn(b"of a job with other options: --vectors is", result.stderr)
         self.in_target(*command)
         self.assertEqual([path.name for path in self.target.iterdir()], ["out.mha"])
 

@@ -126,16 +126,16 @@ class SmallJobTest(JobTestCase):
     def test_every_option_of_plan_is_kept(self):
         """What changes a byte is in the manifest; what is not must be known here to change none."""
         help_text = self.run_program("plan", "--help").stdout
-        of_run = {"--memory", "--threads", "--divisions", "--dry-run", "--progress", "--quiet", "--log-file"}
+        of_run = {"--memory", "--threads", "--overwrite", "--divisions", "--dry-run", "--progress", "--quiet", "--log-file"}
         of_run |= {"--log-level", "--slurm", "--slurm-clusters"}
         raw = "--raw-size 40,36,33 --raw-type uint8 --raw-spacing 1,2,3 --raw-header 5 --raw-big-endian"
         values = {
-            "--thickness": 2, "--minimum-thickness": 2, "--maximum-thickness": 7, "--max-pore-size": 3,
+            "--thickness": 2, "--min-thickness": 2, "--max-thickness": 7, "--max-pore-size": 3,
             "--smooth": "on", "--voxel-units": None, "--lower": 1, "--upper": 1, "--label": 1, "--vectors": "v.mha",
             "--vector-boundary": "background", "--distance": "d.mha", "--thickness-map": "t.mha", "--sub-voxel": None,
-            "--uncertainty-map": "u.mha", "--levels": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
-            "--overwrite": None, "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--level": 1,
-            "--slices": "2-6", "--thin-below": 2, "--thick-above": 2, "--smallest-place": 3, "--places": "p.csv",
+            "--uncertainty-map": "u.mha", "--materials": "0,100", "--thickness-csv": "t.csv", "--preview": "p.png", "--html": "p.html", "--report": "r.json",
+            "--zarr-compression": "none", "--spacing": "1,2,3", "--resample": 0.75, "--resolution": 1,
+            "--slices": "2-6", "--thin-below": 2, "--thick-above": 2, "--min-place-area": 3, "--places": "p.csv",
             "--fail-if-thin": None, "--local-thickness": "lt.mha", "--largest-ball": 9,
             "--local-thickness-method": "sphere",
         }  # fmt: skip
@@ -151,7 +151,7 @@ class SmallJobTest(JobTestCase):
         volumes.write_meta(self.folder / "long.mha", volumes.box_with_plate((300, 20, 16)))
         self.extract("long.mha", "levels.zarr")
         volumes.write_meta(self.folder / "gray.mha", volumes.blurred_wall(7))
-        sources = {"--uncertainty-map": "../gray.mha", "--level": "../levels.zarr", "--slices": "../slice_*.tif"}
+        sources = {"--uncertainty-map": "../gray.mha", "--resolution": "../levels.zarr", "--slices": "../slice_*.tif"}
         for number in range(9 if READS_TIFF else 0):
             volumes.write_tiff(self.folder / f"slice_{number}.tif", volumes.Volume((20, 16, 1), [number] * 320))
         plain = parameters("../in.mha")
@@ -162,9 +162,9 @@ class SmallJobTest(JobTestCase):
             needed = {
                 "--sub-voxel": ["--lower", 50],
                 "--uncertainty-map": ["--lower", 1000],
-                "--levels": ["--lower", 50],
+                "--materials": ["--lower", 50],
                 "--vector-boundary": ["--vectors", "v.mha"],
-                "--smallest-place": ["--thin-below", 2],
+                "--min-place-area": ["--thin-below", 2],
                 "--places": ["--thin-below", 2],
                 "--fail-if-thin": ["--thin-below", 2],
                 "--largest-ball": ["--local-thickness", "lt.mha"],
@@ -175,8 +175,9 @@ class SmallJobTest(JobTestCase):
             found = parameters(source, option, *([] if value is None else [value]), *needed)
             self.assertEqual(len([name for name in found if name not in ("roughness", "measure") and found[name] != before[name]]), 1, option)
         (self.folder / "in.raw").write_bytes(bytes(5 + 40 * 36 * 33))
-        expected = {"size": [40, 36, 33], "type": "uint8", "spacing": [1, 2, 3], "header_bytes": 5, "big_endian": True}
-        self.assertEqual(parameters("../in.raw", *raw.split())["raw"], expected)
+        found = parameters("../in.raw", *raw.split())
+        expected = dict(zip(sorted(of_raw - {"--raw-big-endian"}), ["5", "40,36,33", "1,2,3", "uint8"]), **{"--raw-big-endian": "true"})
+        self.assertEqual({option: found[option] for option in of_raw}, expected)
 
     def test_status(self):
         self.plan()
@@ -419,10 +420,10 @@ class StoppedJobTest(JobTestCase):
         process.send_signal(signal.SIGKILL)
         process.wait()
         for change, difference in (
-            (["--thickness", 4], "thickness is 4.0, not 3.0"),
-            (["--upper", 1], "upper is 1.0, not 0.0"),
-            (["--divisions", 19], "divisions is 19, not 20"),
-            (["--raw-size", "200,100,400"], "raw is "),
+            (["--thickness", 4], "--thickness is 4, not 3"),
+            (["--upper", 1], "--upper is 1, not 0"),
+            (["--divisions", 19], "--divisions is 19, not 20"),
+            (["--raw-size", "200,100,400"], "--raw-size is "),
         ):
             other = [part for part in map(str, command)]
             other[other.index(change[0]) + 1] = str(change[1])

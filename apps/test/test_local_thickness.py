@@ -144,7 +144,7 @@ class LocalThicknessTest(ProgramTestCase):
         self.assert_equal_values(found, largest_balls(self.indices, self.volume.voxels, (1, 1, 1), 32))
         self.assertEqual(self.report["local_thickness"]["maximum"], 32)
         self.assertEqual(self.report["local_thickness"]["voxels_at_maximum"], 0)
-        self.assertNotIn("beyond_maximum_local_thickness", self.warnings)
+        self.assertNotIn("beyond_largest_ball", self.warnings)
 
     def test_a_picture(self):
         flat = volumes.Volume((60, 40), random_blobs((60, 40, 1)), (0.5, 0.8))
@@ -223,15 +223,15 @@ class LocalThicknessTest(ProgramTestCase):
 
     def test_a_share_at_the_maximum_is_a_warning(self):
         self.measure("--largest-ball", 2)
-        message = self.warnings["beyond_maximum_local_thickness"]
-        self.assertRegex(message, r"^\d+ % of the object has the maximum local thickness, 2, and may be thicker")
+        message = self.warnings["beyond_largest_ball"]
+        self.assertRegex(message, r"^\d+ % of the object has the thickness of the largest ball, 2, and may be thicker")
 
     def test_errors(self):
         local = ("--local-thickness", "t.mha")
         for words, options in (
             (["--largest-ball", "0", "greater than 0"], (*local, "--largest-ball", 0)),
             (["--largest-ball", "180", "256 voxels, 179.2"], (*local, "--largest-ball", 180)),
-            (["maximum local thickness", "none is asked for"], ("--largest-ball", 5)),
+            (["largest ball", "none is asked for"], ("--largest-ball", 5)),
             (["--local-thickness-method", "no effect", "--local-thickness"], ("--local-thickness-method", "wall")),
             (["--local-thickness-method", "'ball'", "wall"], (*local, "--local-thickness-method", "ball")),
             (["labels of several objects", "a local thickness"], (*local, "--labels", "all")),

@@ -148,7 +148,7 @@ class MeshTest(ProgramTestCase):
         for a, b in zip(near.vertices, far.vertices):
             for k, origin in enumerate((2e7, -2e7, 1e7)):
                 self.assertAlmostEqual(a[k] + origin, b[k], delta=1e-5)
-        self.mesh("far.mha", "cut.ply", "--smallest-component", 2, **tau)
+        self.mesh("far.mha", "cut.ply", "--min-component-size", 2, **tau)
         self.assertEqual((self.folder / "cut.ply").read_bytes(), (self.folder / "far.ply").read_bytes())
         self.assert_fails(
             USAGE, ["m.stl", "far.mha", "20000", "0.3"], "mesh", "far.mha", "m.stl", "--thickness", 1.2
@@ -190,14 +190,14 @@ class MeshTest(ProgramTestCase):
         self.write(plates(False), "one.mha")
         self.write(plates(True), "both.mha")
         self.mesh("one.mha", "one.ply", "--report", "r.json")
-        self.mesh("both.mha", "both.ply", "--smallest-component", 100, "--divisions", 6, "--report", "both.json")
+        self.mesh("both.mha", "both.ply", "--min-component-size", 100, "--divisions", 6, "--report", "both.json")
         self.assertEqual((self.folder / "both.ply").read_bytes(), (self.folder / "one.ply").read_bytes())
         one, both = (json.loads((self.folder / name).read_text())["mesh"] for name in ("r.json", "both.json"))
         self.assertAlmostEqual(one.pop("area"), both.pop("area"), places=2)
         self.assertEqual(one, both)
         self.mesh("both.mha", "all.ply")
         self.assertGreater(len(Mesh(self.folder / "all.ply").faces), one["faces"])
-        self.mesh("both.mha", "none.ply", "--smallest-component", 100000)
+        self.mesh("both.mha", "none.ply", "--min-component-size", 100000)
         self.assertEqual(Mesh(self.folder / "none.ply").faces, [])
 
     def write_rib(self):
@@ -212,7 +212,7 @@ class MeshTest(ProgramTestCase):
         self.write_rib()
         report = ("--report", "r.json", "--overwrite")
         sizes = []
-        for arguments in ([], ["--min-branch-length", 5], ["--min-branch-length", 12], ["--smallest-component", 60]):
+        for arguments in ([], ["--min-branch-length", 5], ["--min-branch-length", 12], ["--min-component-size", 60]):
             self.mesh("in.mha", "m.ply", *arguments, *report, thickness=3)
             mesh = Mesh(self.folder / "m.ply")
             told = json.loads((self.folder / "r.json").read_text())
@@ -222,7 +222,7 @@ class MeshTest(ProgramTestCase):
         self.assertEqual(told["parameters"]["minimum_branch_length"], 0)
         self.assertEqual(sizes[1], sizes[0])
         self.assertLess(sizes[2], sizes[0] - 100)
-        both = ("--min-branch-length", 12, "--smallest-component", 60)
+        both = ("--min-branch-length", 12, "--min-component-size", 60)
         self.mesh("in.mha", "both.vtp", *both, thickness=3)
         expected = (self.folder / "both.vtp").read_bytes()
         for arguments in (("--divisions", 7, "--threads", 3), ("--divisions", 24), ("--memory", "60M")):
@@ -246,7 +246,7 @@ class MeshTest(ProgramTestCase):
         (self.folder / "m.ply").unlink()
         arguments = ("mesh", "in.raw", "m.ply", *raw, "--thickness", 1)
         parts = ["vertices", "of memory", "--memory"]
-        for cleaning in (("--min-branch-length", 1, "--memory", "48M"), ("--smallest-component", 10, "--memory", "40M")):
+        for cleaning in (("--min-branch-length", 1, "--memory", "48M"), ("--min-component-size", 10, "--memory", "40M")):
             self.assert_fails(REFUSED, parts, *arguments, *cleaning)
 
     def test_gray_values_move_the_surface(self):

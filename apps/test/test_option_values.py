@@ -20,8 +20,8 @@ HIDDEN = {"extract": ["--raw-spacing X,Y,Z", "--series UID"]}
 RAW = ["--raw-size=2,2,2", "--raw-type=uint8"]
 NEEDS = {
     "--raw-size": RAW[1:], "--raw-type": RAW[:1], "--raw-spacing": RAW, "--raw-header": RAW, "--raw-big-endian": RAW,
-    "--log-level": ["--log-file=log.txt"], "--slurm-clusters": ["--slurm"], "--levels": ["--lower=2.5"],
-    "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"], "--smallest-place": ["--thin-below=2"],
+    "--log-level": ["--log-file=log.txt"], "--slurm-clusters": ["--slurm"], "--materials": ["--lower=2.5"],
+    "--sub-voxel": ["--lower=50"], "--fail-if-thin": ["--thin-below=2"], "--min-place-area": ["--thin-below=2"],
 }  # fmt: skip
 # Of commands with a mesh or a thickness of their own these are no options.
 NEEDS_OF_EXTRACT = {
@@ -40,9 +40,9 @@ ODD = [
 ]  # fmt: skip
 # What numbers mean that are odd elsewhere.
 TAKEN = {
-    "--lower": {"inf", "-1", "9" * 40}, "--upper": {"inf", "-1", "9" * 40}, "--label": {"-1"}, "--maximum-distance": {"inf", "9" * 40},
+    "--lower": {"inf", "-1", "9" * 40}, "--upper": {"inf", "-1", "9" * 40}, "--label": {"-1"}, "--max-distance": {"inf", "9" * 40},
     "--labels": {value for value in ODD if value.strip() and "," not in value and value != "9" * 40 and value[0] != "-"} | {"-1"},
-    "--clusters": {"0,5"}, "--levels": {"0,5"},
+    "--clusters": {"0,5"}, "--materials": {"0,5"},
 }  # fmt: skip
 
 
@@ -152,13 +152,13 @@ class OptionValueTest(ProgramTestCase):
             (["--lower", "otsu"], ["144,4", "0,1"], []),
         ):  # fmt: skip
             for levels in refused:
-                parts = ["--levels", *(f"{float(value):g}" for value in levels.split(","))]
-                self.assert_fails(USAGE, parts, *extract, *limits, "--levels", levels)
-                self.assert_fails(USAGE, parts, "plan", "in.mha", "out.mha", "job", *limits, "--levels", levels)
+                parts = ["--materials", *(f"{float(value):g}" for value in levels.split(","))]
+                self.assert_fails(USAGE, parts, *extract, *limits, "--materials", levels)
+                self.assert_fails(USAGE, parts, "plan", "in.mha", "out.mha", "job", *limits, "--materials", levels)
             for levels in taken:
-                self.run_program(*extract, *limits, "--levels", levels, "--dry-run")
+                self.run_program(*extract, *limits, "--materials", levels, "--dry-run")
         for levels in ("nan,144", "4,inf", "-inf,4", "4", "4,5,6"):
-            self.assert_fails(USAGE, ["--levels"], *extract, "--lower", 50, "--levels", levels)
+            self.assert_fails(USAGE, ["--materials"], *extract, "--lower", 50, "--materials", levels)
 
     def test_names_of_outputs(self):
         volumes.write_meta(self.folder / "in.mha", volumes.box_with_plate())

@@ -127,7 +127,7 @@ class PlacesTest(ProgramTestCase):
             part = random_part(seed)
             volumes.write_meta(self.folder / "in.mha", part)
             for limits in (("2.0,2.0", "2.6,2.6"), ("1.7,2.4", "3,2.5"), ("2.4", "2.5"), ("0.6", "9"), ("99", "0.01")):
-                arguments = ["--thin-below", limits[0], "--thick-above", limits[1], "--smallest-place", 0, *unit]
+                arguments = ["--thin-below", limits[0], "--thick-above", limits[1], "--min-place-area", 0, *unit]
                 rows = self.places("--thickness-map", "t.mha", "--report", "r.json", *arguments, thickness=thickness)
                 values = volumes.read_floats(self.folder / "t.mha")
                 report = json.loads((self.folder / "r.json").read_text())
@@ -152,13 +152,13 @@ class PlacesTest(ProgramTestCase):
 
     def test_small_places_are_left_out(self):
         volumes.write_meta(self.folder / "in.mha", random_part(4))
-        every = self.places("--thin-below", 2.2, "--smallest-place", 0)
+        every = self.places("--thin-below", 2.2, "--min-place-area", 0)
         areas = [row["area_beyond_limit"] for row in every]
         self.assertTrue(all(row["area_beyond_limit"] <= row["area"] for row in every))
         self.assertTrue(any(row["area_beyond_limit"] < row["area"] for row in every))
         self.assertGreater(len(set(areas)), 5)
         for smallest in (areas[2], areas[-1], areas[0] * 1.001):
-            rows = self.places("--thin-below", 2.2, "--smallest-place", smallest, "--report", "r.json")
+            rows = self.places("--thin-below", 2.2, "--min-place-area", smallest, "--report", "r.json")
             self.assertEqual(rows, [row for row in every if row["area_beyond_limit"] >= smallest])
             told = json.loads((self.folder / "r.json").read_text())["places"]
             self.assertEqual((told["thin"]["number"], told["thin"]["smaller"]), (len(rows), len(every) - len(rows)))
@@ -167,7 +167,7 @@ class PlacesTest(ProgramTestCase):
         self.assertEqual(self.places("--thin-below", 2.2), [row for row in every if row["area_beyond_limit"] >= faces])
 
     def test_no_division_changes_a_byte(self):
-        arguments = ["--thin-below", 2.2, "--thick-above", 2.6, "--smallest-place", 0]
+        arguments = ["--thin-below", 2.2, "--thick-above", 2.6, "--min-place-area", 0]
         for seed in (5, 6):
             volumes.write_meta(self.folder / "in.mha", random_part(seed))
             self.places(*arguments)
@@ -182,11 +182,11 @@ class PlacesTest(ProgramTestCase):
 
     def test_pieces_of_rows(self):
         volumes.write_meta(self.folder / "in.mha", random_part(7, (40, 300, 40)))
-        arguments = ["--thin-below", 2.2, "--smallest-place", 0]
+        arguments = ["--thin-below", 2.2, "--min-place-area", 0]
         self.places(*arguments)
         expected = (self.folder / "p.csv").read_bytes()
         self.extract("in.mha", "x.zarr", "--overwrite")
-        self.extract("x.zarr", "y.zarr", "--thin-below", 2.2, "--smallest-place", 0, "--places", "a.csv", thickness=1)
+        self.extract("x.zarr", "y.zarr", "--thin-below", 2.2, "--min-place-area", 0, "--places", "a.csv", thickness=1)
         whole = (self.folder / "a.csv").read_bytes()
         for run in (["--memory", "40M", "--threads", 1], ["--divisions", 3]):
             self.extract("x.zarr", "z.zarr", *arguments, "--places", "b.csv", "--overwrite", *run, thickness=1)
@@ -196,14 +196,14 @@ class PlacesTest(ProgramTestCase):
     def test_images_of_two_dimensions(self):
         part = random_part(8, (120, 90), (0.5, 0.75))
         volumes.write_meta(self.folder / "in.mha", part)
-        rows = self.places("--thin-below", 2, "--smallest-place", 0, "--thickness-map", "t.mha")
+        rows = self.places("--thin-below", 2, "--min-place-area", 0, "--thickness-map", "t.mha")
         values = volumes.read_floats(self.folder / "t.mha")
         expected = find_places(values, part.size, "thin", 2, 2.25)
         self.assertGreater(len(expected), 3)
         self.assert_same_places(rows, expected, part)
         self.assertNotIn("z", rows[0])
         before = (self.folder / "p.csv").read_bytes()
-        self.places("--thin-below", 2, "--smallest-place", 0, "--divisions", 9)
+        self.places("--thin-below", 2, "--min-place-area", 0, "--divisions", 9)
         self.assertEqual((self.folder / "p.csv").read_bytes(), before)
 
     def test_thin_places_may_fail(self):
@@ -219,8 +219,8 @@ class PlacesTest(ProgramTestCase):
 
     def test_area_beyond_the_limit_is_that_of_its_cells(self):
         volumes.write_meta(self.folder / "in.mha", random_part(13))
-        grown = self.places("--thin-below", "2.2,2.6", "--smallest-place", 0)
-        strict = self.places("--thin-below", "2.2,2.2", "--smallest-place", 0)
+        grown = self.places("--thin-below", "2.2,2.6", "--min-place-area", 0)
+        strict = self.places("--thin-below", "2.2,2.2", "--min-place-area", 0)
         self.assertAlmostEqual(
             sum(row["area_beyond_limit"] for row in grown), sum(row["area"] for row in strict), delta=1e-6
         )
@@ -235,7 +235,7 @@ class PlacesTest(ProgramTestCase):
                 ]
                 volumes.write_meta(self.folder / "in.mha", plate)
                 limit = f"{layers * spacing:.10g}"
-                rows = self.places("--thin-below", limit, "--thick-above", limit, "--smallest-place", 0)
+                rows = self.places("--thin-below", limit, "--thick-above", limit, "--min-place-area", 0)
                 self.assertEqual(rows, [], (spacing, layers))
 
     def test_without_evidence_there_is_no_verdict(self):
@@ -321,9 +321,9 @@ class PlacesTest(ProgramTestCase):
             (["--thin-below", "not one length"], "--thin-below", "1,2,3"),
             (["second length", "1.5", "less", "2"], "--thin-below", "2,1.5"),
             (["second length", "3", "greater", "2"], "--thick-above", "2,3"),
-            (["--smallest-place", "-1"], "--thin-below", 2, "--smallest-place", -1),
-            (["--smallest-place", "nan"], "--thin-below", 2, "--smallest-place", "nan"),
-            (["--smallest-place", "--thin-below"], "--smallest-place", 1),
+            (["--min-place-area", "-1"], "--thin-below", 2, "--min-place-area", -1),
+            (["--min-place-area", "nan"], "--thin-below", 2, "--min-place-area", "nan"),
+            (["--min-place-area", "--thin-below"], "--min-place-area", 1),
             (["--places", "--thin-below"], "--places", "p.csv"),
             (["--fail-if-thin", "--thin-below"], "--fail-if-thin", "--thick-above", 3),
             (["p.txt", ".csv"], "--thin-below", 2, "--places", "p.txt"),
@@ -352,7 +352,7 @@ class PlacesOfJobsTest(jobs.JobTestCase):
     def test_clusters_find_the_same_places(self):
         for number, seed in enumerate((10, 11)):
             volumes.write_meta(self.folder / "in.mha", random_part(seed))
-            options = "--thickness 3 --thin-below 2.2 --thick-above 2.6 --smallest-place 0 --places p.csv".split()
+            options = "--thickness 3 --thin-below 2.2 --thick-above 2.6 --min-place-area 0 --places p.csv".split()
             options += ["--report", "r.json", "--html", "h.html"]
             expected = self.expect("extract", "../in.mha", "out.mha", *options)
             self.assertGreater(expected["p.csv"].count(b"\n"), 15)

@@ -107,7 +107,7 @@ class ReportTest(ProgramTestCase):
             self.report("--lower", 72, "--voxel-units", "--upper", 200.5)[0],
             self.report("--lower", 72, "--thin-below", 99, "--thick-above", "0.2,0.1", "--places", "p.csv")[0],
         ]
-        self.run_program("distance", "in.mha", "v2.mha", "--lower", 72, "--report", "d.json", "--maximum-distance", 5)
+        self.run_program("distance", "in.mha", "v2.mha", "--lower", 72, "--report", "d.json", "--max-distance", 5)
         reports.append(json.loads((self.folder / "d.json").read_text()))
         for number, options in enumerate(([], ["--ray", "--open"])):
             self.run_program("surface", "in.mha", f"s{number}.vtp", "--lower", 72, "--report", f"s{number}.json", *options)
@@ -126,7 +126,7 @@ class ReportTest(ProgramTestCase):
         for name, options in {
             "none": [],
             "auto": ["--thickness", "auto"],
-            "limits": ["--minimum-thickness", 3, "--maximum-thickness", 16],
+            "limits": ["--min-thickness", 3, "--max-thickness", 16],
             "divided": ["--divisions", 3, "--threads", 2],
         }.items():
             self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--report", "r.json", *options)
@@ -137,7 +137,7 @@ class ReportTest(ProgramTestCase):
             labels[name] = (self.folder / "out.mha").read_bytes()
         self.assertEqual(len(set(labels.values())), 1)
         self.assertRegex(self.run_program("extract", "in.mha", "out.mha", "--overwrite").stdout, r"tau +auto\n")
-        self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--report", "r.json", "--minimum-thickness", 9)
+        self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--report", "r.json", "--min-thickness", 9)
         self.assertEqual(json.loads((self.folder / "r.json").read_text())["parameters"]["minimum_thickness"], 9)
 
     def test_thickness(self):
@@ -201,7 +201,7 @@ class ReportTest(ProgramTestCase):
             self.assertEqual(report["percent"]["pseudo"], None if objects == 0 else 100)
 
     def test_report_of_distance(self):
-        self.run_program("distance", "in.mha", "v.mha", "--lower", 72, "--report", "r.json", "--maximum-distance", 5)
+        self.run_program("distance", "in.mha", "v.mha", "--lower", 72, "--report", "r.json", "--max-distance", 5)
         report = json.loads((self.folder / "r.json").read_text())
         self.assertEqual(list(report), [key for key in KEYS if key not in ("percent", "smoothed", "roughness", "measure", "thickness")])
         self.assertEqual(report["parameters"]["maximum_distance"], 5)

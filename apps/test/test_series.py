@@ -320,7 +320,7 @@ class DicomTest(SeriesTestCase):
         options = ["--lower", 1000, "--thickness", 3]
         self.run_program("plan", folder, "l.mha", "job", *options, "--series", SERIES, "--slices", "2-21", "--divisions", 3)
         parameters = json.loads((self.folder / "job/manifest.json").read_text())["parameters"]
-        self.assertEqual((parameters["series"], parameters["slices"]), (SERIES, [2, 21]))
+        self.assertEqual((parameters["--series"], parameters["--slices"]), (SERIES, "2-21"))
         self.run_program("work", "job", "--clusters", 1)
         first = self.info(folder, "--series", SERIES, "--slices", "2-21")["slices"].split(", ")[-1].split(" to ")[0]
         victim = pathlib.Path(first)

@@ -11,7 +11,7 @@ from slicer_module import BUILT_IN, ENUMERATIONS, FILES, Description, ModuleTest
 VOLUMES = ["in.mha", "out.mha"]
 # Values beside the defaults; texts and files take any.
 OTHER = {"integer": "7", "double": "-2.5", "boolean": "true"}
-SPECIAL = {"thickness": "2.5", "minimumBranchLength": "2.5", "upperThreshold": "72.5", "memory": "500M", "levels": "10,90", "thinBelow": "2,3", "thickAbove": "3", "maximumLocalThickness": "9", "elementSize": "2.5"}
+SPECIAL = {"thickness": "2.5", "minimumBranchLength": "2.5", "upperThreshold": "72.5", "memory": "500M", "levels": "10,90", "thinBelow": "2,3", "thickAbove": "3", "largestBall": "9", "elementSize": "2.5"}
 
 
 class DriftTest(ModuleTestCase):
@@ -53,7 +53,7 @@ class DriftTest(ModuleTestCase):
             self.assertNotEqual(value, text_of(element, "default"))
             others = [] if flag == "objectSelection" else selection
             others = [*others, "--thinBelow", "2"] if flag == "placesFile" else others
-            others = [*others, "--localThickness", "t.mha"] if flag == "maximumLocalThickness" else others
+            others = [*others, "--localThickness", "t.mha"] if flag == "largestBall" else others
             others = [*others, "--elementSizeMode", "Automatic"] if flag == "extendRims" else others
             others = [*others, "--lowerThreshold", "50"] if flag == "levels" else others
             forms = [[f"--{flag}", value], [f"--{flag}={value}"]]

@@ -198,10 +198,10 @@ class SpacingTest(ProgramTestCase):
 
     def test_limits_of_the_automatic_thickness(self):
         volumes.write_meta(self.folder / "in.mha", self.volume)
-        for limits in (["--maximum-thickness", "1e18"], ["--minimum-thickness", "1e-300"]):
+        for limits in (["--max-thickness", "1e18"], ["--min-thickness", "1e-300"]):
             self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--lower", 72, *limits)
         self.assert_fails(
-            USAGE, ["--maximum-thickness", "1e+18"], "extract", "in.mha", "o.mha", "--maximum-thickness", "2e18"
+            USAGE, ["--max-thickness", "1e+18"], "extract", "in.mha", "o.mha", "--max-thickness", "2e18"
         )
 
     def test_spacing_of_any_input(self):

@@ -87,13 +87,13 @@ class StopSoonTest(ProgramTestCase):
         self.assert_stops("extract", *NOISE, "out.mha", "--thickness", "3", *spacing)
 
     def test_automatic_thickness(self):
-        self.assert_stops("extract", *SOLID, "out.mha", "--maximum-thickness", "60", "--thickness-map", "t.mha")
+        self.assert_stops("extract", *SOLID, "out.mha", "--max-thickness", "60", "--thickness-map", "t.mha")
 
     def test_pores(self):
         self.assert_stops("extract", *NOISE, "out.mha", "--max-pore-size", "1000000", "--thickness", "40")
 
     def test_mesh(self):
-        cleaning = ("--min-branch-length", "3", "--smallest-component", "20")
+        cleaning = ("--min-branch-length", "3", "--min-component-size", "20")
         self.assert_stops("mesh", *NOISE, "out.ply", "--thickness", "40", *cleaning)
 
     def test_mesh_with_labels(self):

@@ -39,6 +39,8 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["INPUT"], "extract", "--thickness", 3)
         self.assert_usage(["OUTPUT"], "extract", "in.mha", "--thickness", 3)
         self.assert_extract_usage(["--bogus"], "--bogus")
+        for former, name in (("--level", "--resolution"), ("--levels=1,2", "--materials"), ("--smallest-place", "--min-place-area")):
+            self.assert_extract_usage([f"{former.split('=')[0]} is now {name}"], former, 1)
         self.assert_extract_usage(["'--Lower' is not an option of extract; did you mean --lower?"], "--Lower", 3)
         self.assert_extract_usage(["'--thickness-maps'", "did you mean --thickness-map?"], "--thickness-maps=t.mha")
         self.assert_extract_usage(["extra"], "extra")
@@ -63,7 +65,7 @@ class UsageTest(ProgramTestCase):
         for name in ("minimum", "maximum"):
             for value in ("0", "-2", "nan", "inf"):
                 self.assert_usage([f"--{name}-thickness", f"'{value}'", "greater than 0"], *command, f"--{name}-thickness", value)
-        limits = ["--minimum-thickness", 5, "--maximum-thickness", 4]
+        limits = ["--min-thickness", 5, "--max-thickness", 4]
         self.assert_usage(["minimum thickness 5", "maximum thickness 4"], *command, *limits)
 
     def test_pore_size_out_of_range(self):
@@ -86,7 +88,7 @@ class UsageTest(ProgramTestCase):
         self.assert_extract_usage(["--divisions", "'0'", "from 1"], "--divisions", 0)
         for size in ("x", "", "-1G", "1X", "2GiBs", "nan", "1e30"):
             self.assert_extract_usage(["--memory", f"'{size}'", "500M"], "--memory", size)
-        self.assert_usage(["--maximum-distance", "'0'"], "distance", "in.mha", "out.mha", "--maximum-distance", 0)
+        self.assert_usage(["--max-distance", "'0'"], "distance", "in.mha", "out.mha", "--max-distance", 0)
 
     def test_names_in_any_case(self):
         raw = ["--raw-size", "24,20,16", "--raw-type", "UINT8"]
@@ -109,8 +111,8 @@ class UsageTest(ProgramTestCase):
         mesh = ["mesh", "in.mha"]
         distance = ["distance", "in.mha", "out.mha"]
         for command, need, option in (
-            (extract, None, ["--minimum-thickness", 2, "--thickness", 3]),
-            (extract, None, ["--maximum-thickness", 2, "--thickness", 3]),
+            (extract, None, ["--min-thickness", 2, "--thickness", 3]),
+            (extract, None, ["--max-thickness", 2, "--thickness", 3]),
             (extract, ["--vectors", "v.mha"], ["--vector-boundary", "object"]),
             (extract, ["--distance", "d.zarr"], ["--zarr-compression", "none"]),
             (extract, ["--mesh", "m.inp"], ["--section-width", 1]),

@@ -175,7 +175,7 @@ class ValuesTest(ProgramTestCase):
         self.run_program("extract", "in.mha", "expected.mha", "--lower", threshold)
         self.run_program("plan", "in.mha", "out.mha", "job", "--lower", "otsu", "--divisions", 3, "--report", "r.json")
         parameters = json.loads((self.folder / "job/manifest.json").read_text())["parameters"]
-        self.assertEqual((parameters["lower"], parameters["lower_otsu"]), (float(threshold), True))
+        self.assertEqual((float(parameters["--lower"]), parameters["lower_otsu"]), (float(threshold), True))
         self.run_program("work", "job")
         self.assertIn(f"{threshold}, of Otsu", self.run_program("finalize", "job").stdout)
         self.assertEqual(json.loads((self.folder / "r.json").read_text())["parameters"]["lower"], float(threshold))

@@ -168,7 +168,7 @@ class WarningTest(ProgramTestCase):
             self.assertEqual(values["default_maximum_thickness"], 16 * spacing)
             self.assertTrue(32 * spacing <= values["maximum_thickness"] <= 36 * spacing, values)
             self.assertEqual(self.report["parameters"]["maximum_thickness"], values["maximum_thickness"])
-            given = self.warnings(volume, "--maximum-thickness", values["maximum_thickness"])
+            given = self.warnings(volume, "--max-thickness", values["maximum_thickness"])
             labels.append(volumes.read_data(self.folder / "out.mha"))
             self.assertNotIn("raised_maximum_thickness", given)
             self.run_program("plan", "in.mha", "j.mha", "job", "--report", "j.json", "--divisions", 3)
@@ -191,16 +191,16 @@ class WarningTest(ProgramTestCase):
             volume = solid((48, 48, 48), lambda x, y, z: 8 <= z < 40 and 4 <= x < 44, spacing=[spacing] * 3)
             reports = []
             for arguments in ([], ["--divisions", 5, "--threads", 3]):
-                found = self.warnings(volume, "--maximum-thickness", 16 * spacing, *arguments)
+                found = self.warnings(volume, "--max-thickness", 16 * spacing, *arguments)
                 reports.append(found)
                 values = found["beyond_maximum_thickness"]["values"]
                 self.assertEqual(values["maximum_thickness"], 16 * spacing)
                 self.assertGreater(values["area_percent"], 90)
                 self.assertTrue(24 * spacing <= values["suggested_maximum_thickness"] <= 32 * spacing)
             self.assertEqual(*reports)
-            found = self.warnings(volume, "--maximum-thickness", values["suggested_maximum_thickness"])
+            found = self.warnings(volume, "--max-thickness", values["suggested_maximum_thickness"])
             self.assertNotIn("beyond_maximum_thickness", found)
-        found = self.warnings(plate(20, width=30), "--voxel-units", "--maximum-thickness", 8)
+        found = self.warnings(plate(20, width=30), "--voxel-units", "--max-thickness", 8)
         self.assertEqual(found["beyond_maximum_thickness"]["values"]["suggested_maximum_thickness"], 20)
         self.assertIn("20 voxels", found["beyond_maximum_thickness"]["message"])
         self.assertEqual(self.warnings(plate(20, width=30), thickness=8), {}, "a fixed thickness has no maximum")
@@ -226,7 +226,7 @@ class WarningTest(ProgramTestCase):
                     self.assertIn(expected, found[0])
         volumes.write_meta(self.folder / "in.mha", plate(4, 12, spacing=(2, 2, 2)))
         for distance, number in ((1.5, 1), (2, 0), (1000, 0)):
-            result = self.run_program("distance", "in.mha", "v.mha", "--maximum-distance", distance, "--overwrite")
+            result = self.run_program("distance", "in.mha", "v.mha", "--max-distance", distance, "--overwrite")
             self.assertEqual(len(result.warnings), number)
 
     def test_unused_scratch(self):
@@ -239,7 +239,7 @@ class WarningTest(ProgramTestCase):
 class WarningOfJobsTest(JobTestCase):
     def test_each_is_told_once_and_the_report_has_all(self):
         volumes.write_meta(self.folder / "in.mha", rod(6, 60))
-        arguments = ["../in.mha", "out.mha", "--minimum-thickness", 0.25, "--report", "r.json"]
+        arguments = ["../in.mha", "out.mha", "--min-thickness", 0.25, "--report", "r.json"]
         expected = self.expect("extract", *arguments)
         codes = [warning["code"] for warning in expected["r.json"]["warnings"]]
         self.assertEqual(codes, ["unusual_minimum_thickness", "few_sheets"])

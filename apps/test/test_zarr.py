@@ -101,7 +101,7 @@ class ZarrOutputTest(ProgramTestCase):
                 shape, labels = half, zarr_folder.read_data(self.folder / name, level)
                 self.assertEqual(labels, bytes(largest), f"{name} {level}")
             self.assertFalse((self.folder / name / "4").exists())
-        self.extract("a.zarr", "small.mha", "--level", 3, "--overwrite")
+        self.extract("a.zarr", "small.mha", "--resolution", 3, "--overwrite")
         self.assertEqual(volumes.read_header(self.folder / "small.mha")[0]["DimSize"], "138 10 5")
 
     def test_flat_labels_have_smaller_levels(self):

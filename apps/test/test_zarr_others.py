@@ -78,12 +78,12 @@ class ZarrOfOthersTest(ProgramTestCase):
             self.extract(name, "out.mha", "--overwrite", "--lower", 100)
             fields, _ = volumes.read_header(self.folder / "out.mha")
             self.assertEqual((fields["ElementSpacing"], fields["Offset"]), ("0.5 1 2", "6.25 5.5 5"))
-            text = self.run_program("info", name, "--level", 1).stdout
+            text = self.run_program("info", name, "--resolution", 1).stdout
             self.assertRegex(text, r"level +1 of 0 to 2\n")
             self.assertRegex(text, r"size +18 x 15 x 11\n")
-            self.assert_fails(USAGE, [name, "level 3", "0 to 2"], "info", name, "--level", 3)
-        self.assert_fails(USAGE, ["in.mha", "level 1", "MetaImage"], "info", "in.mha", "--level", 1)
-        self.assert_fails(USAGE, ["v3-default.zarr", "level 1"], "info", "v3-default.zarr", "--level", 1)
+            self.assert_fails(USAGE, [name, "level 3", "0 to 2"], "info", name, "--resolution", 3)
+        self.assert_fails(USAGE, ["in.mha", "level 1", "MetaImage"], "info", "in.mha", "--resolution", 1)
+        self.assert_fails(USAGE, ["v3-default.zarr", "level 1"], "info", "v3-default.zarr", "--resolution", 1)
 
     def test_info(self):
         text = self.run_program("info", "shards-0.zarr", "--values").stdout

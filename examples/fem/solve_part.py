@@ -39,7 +39,7 @@ def make_mesh(arguments, folder):
     """The mesh of the part, whose quality keeps the limits."""
     path, report = folder / "part.inp", folder / "report.json"
     command = [arguments.program, "mesh", arguments.volume, path, "--lower", arguments.lower, "--element-size", "auto"]
-    command += ["--smallest-component", str(SMALLEST), "--report", report]
+    command += ["--min-component-size", str(SMALLEST), "--report", report]
     subprocess.run([*command, "--quiet", *(["--extend-rims"] if arguments.extend_rims else [])], check=True)
     for limit in json.loads(report.read_text(encoding="utf-8"))["mesh"]["quality"]["limits"]:
         print(f"{limit['name']}: {limit['value']}")

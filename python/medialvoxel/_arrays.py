@@ -110,8 +110,8 @@ def extract(
     label: int | None = None,
     labels: Literal["all"] | Iterable[int] | None = None,
     smooth: Smooth = None,
-    minimum_thickness: Number | None = None,
-    maximum_thickness: Number | None = None,
+    min_thickness: Number | None = None,
+    max_thickness: Number | None = None,
     max_pore_size: int | None = None,
     voxel_units: bool = False,
     thickness_map: bool = True,
@@ -119,7 +119,7 @@ def extract(
     vectors: bool = True,
     vector_boundary: Literal["object", "background"] = "object",
     sub_voxel: bool | None = None,
-    levels: tuple[Number, Number] | None = None,
+    materials: tuple[Number, Number] | None = None,
     threads: int | None = None,
     memory: int | str | None = None,
     progress: Progress = None,
@@ -133,7 +133,7 @@ def extract(
     lower, upper: smallest and largest value of the object; lower="otsu" measures it. Default: all values but 0.
     label: the one value of the object. labels: each of these values, or "all", is an object of its own.
     smooth: noise of the object: "on", "off", or "auto", the default with thickness="auto", where it is rough.
-    minimum_thickness, maximum_thickness: limits of "auto"; default 3 and 16 voxels of the smallest spacing.
+    min_thickness, max_thickness: limits of "auto"; default 3 and 16 voxels of the smallest spacing.
     max_pore_size: largest pore or grain that is left out, from 0 to 1000000 voxels; default 32 with "auto", otherwise 0.
     voxel_units: lengths are in voxels instead of units of the spacing.
     thickness_map, vectors: make these outputs too, of 4 and 12 bytes for each voxel; vectors not with `labels`.
@@ -141,7 +141,7 @@ def extract(
     vector_boundary: voxels that vectors lead to: those of the object, or of the background.
     sub_voxel: measure the thickness on gray values, which needs `lower` or `upper`: by fits of blurred walls, or, where these
         cannot be, where values cross the threshold. False: on the object. Default: by fits, else on the object.
-    levels: values of (background, material) for these fits, which differ; default those of the scan.
+    materials: values of (background, material) for these fits, which differ; default those of the scan.
     threads: 1 or more; default one for each processor. memory: limit of what the work takes beside arrays, in bytes or as
         text such as "2G"; default none. Neither changes results.
     progress: called with the share that is done, from 0 to 1, about 20 times a second; an exception of it stops the work.
@@ -167,7 +167,7 @@ def extract(
         "vectors": call.make_vectors(vectors),
         "objects": call.make(call.values.dtype) if separate else None,
     }
-    options = _make_thickness_options(thickness, smooth, minimum_thickness, maximum_thickness, max_pore_size)
+    options = _make_thickness_options(thickness, smooth, min_thickness, max_thickness, max_pore_size)
     options |= {
         "lower": lower,
         "upper": upper,
@@ -176,7 +176,7 @@ def extract(
         "thickness_map": "thickness.mha" if thickness_map else None,
         "uncertainty_map": "uncertainty.mha" if uncertainty else None,
         "sub_voxel": sub_voxel,
-        "levels": levels,
+        "materials": materials,
         "vectors": "vectors.mha" if vectors else None,
         "vector_boundary": vector_boundary if vectors else None,
         "threads": threads,
@@ -210,12 +210,12 @@ def mesh(
     *,
     label: int | None = None,
     smooth: Smooth = None,
-    minimum_thickness: Number | None = None,
-    maximum_thickness: Number | None = None,
+    min_thickness: Number | None = None,
+    max_thickness: Number | None = None,
     max_pore_size: int | None = None,
     voxel_units: bool = False,
     triangles: bool = False,
-    smallest_component: int | None = None,
+    min_component_size: int | None = None,
     min_branch_length: Number | None = None,
     element_size: Number | Literal["auto", "voxel"] | None = None,
     extend_rims: bool = False,
@@ -227,7 +227,7 @@ def mesh(
     """The medial surface of an object of 3 axes as a mesh, with the thickness of the walls at its points.
 
     triangles: split the quadrilaterals.
-    smallest_component: leave out connected pieces of fewer quadrilaterals.
+    min_component_size: leave out connected pieces of fewer quadrilaterals.
     min_branch_length: leave out branches that are shorter, in units of the spacing.
     element_size: length of the sides of the faces, in units of the spacing, at least its smallest one; at junctions and
         bends they are as long as the wall is thick at least. "auto": as long as the wall is thick, at least two voxels,
@@ -250,12 +250,12 @@ def mesh(
     call = _Call(array, spacing)
     if len(call.shape) != 3:
         raise ValueError(f"the array has {len(call.shape)} axes; a mesh needs 3")
-    options = _make_thickness_options(thickness, smooth, minimum_thickness, maximum_thickness, max_pore_size)
+    options = _make_thickness_options(thickness, smooth, min_thickness, max_thickness, max_pore_size)
     options |= {
         "lower": lower,
         "upper": upper,
         "label": label,
-        "smallest_component": smallest_component,
+        "min_component_size": min_component_size,
         "min_branch_length": min_branch_length,
         "element_size": element_size,
         "sub_voxel": sub_voxel,
@@ -276,7 +276,7 @@ def distance(
     label: int | None = None,
     boundary: Literal["object", "background"] = "object",
     region: Literal["both", "inside", "outside"] = "both",
-    maximum_distance: Number | None = None,
+    max_distance: Number | None = None,
     voxel_units: bool = False,
     threads: int | None = None,
     memory: int | str | None = None,
@@ -286,7 +286,7 @@ def distance(
 
     boundary: voxels that distances are measured to: those of the object, or of the background.
     region: voxels that get a value; 0 elsewhere.
-    maximum_distance: > 0; voxels further away are NaN.
+    max_distance: > 0; voxels further away are NaN.
 
     Other parameters and errors: as extract().
 
@@ -304,7 +304,7 @@ def distance(
         "label": label,
         "boundary": boundary,
         "region": region,
-        "maximum_distance": maximum_distance,
+        "max_distance": max_distance,
         "threads": threads,
         "memory": memory,
     }
@@ -321,7 +321,7 @@ def local_thickness(
     *,
     method: Literal["wall", "sphere"] = "wall",
     sub_voxel: bool | None = None,
-    maximum: Number | None = None,
+    largest_ball: Number | None = None,
     label: int | None = None,
     voxel_units: bool = False,
     threads: int | None = None,
@@ -334,7 +334,7 @@ def local_thickness(
     method: "wall" leaves edges and corners that no wall covers NaN. "sphere" is the diameter of the largest ball inside
         the object that covers a voxel, as Hildebrand and Ruegsegger (1997) define it, for comparison with other programs.
     sub_voxel: as in extract(). Not with "sphere".
-    maximum: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
+    largest_ball: diameter at which balls are cut, and the largest thickness, > 0, at most 256 voxels of the smallest spacing;
         default 32 voxels of the largest spacing. Time and memory grow with it.
 
     Nothing is known outside of the array: an object that it cuts may be found too thick beside its faces.
@@ -348,10 +348,12 @@ def local_thickness(
         ([0.0, 2.0], 0)
     """
     call = _Call(array, spacing)
+    if read_flag("voxel_units", voxel_units):
+        call.spacing = (1.0,) * len(call.shape)
     outputs = {"thickness": call.make(np.float32)}
     options = {
-        "method": method,
-        "maximum": maximum,
+        "local_thickness_method": method,
+        "largest_ball": largest_ball,
         "sub_voxel": sub_voxel,
         "lower": lower,
         "upper": upper,
@@ -359,18 +361,18 @@ def local_thickness(
         "threads": threads,
         "memory": memory,
     }
-    flags = make_flags({"voxel_units": voxel_units})
-    numbers, _ = call.run(["local-thickness", "array", "thickness.mha", *make_options(options), *flags], outputs, progress)
+    words = ["surface", "array", "thickness.vtp", *make_options(options)]
+    numbers, _ = call.run(words, outputs, progress)
     return LocalThickness(outputs["thickness"], numbers["counts"], numbers["lower"])
 
 
 def _make_thickness_options(
-    thickness: Any, smooth: Any, minimum_thickness: Any, maximum_thickness: Any, max_pore_size: Any
+    thickness: Any, smooth: Any, min_thickness: Any, max_thickness: Any, max_pore_size: Any
 ) -> dict[str, Any]:
     return {
         "thickness": thickness,
         "smooth": smooth,
-        "minimum_thickness": minimum_thickness,
-        "maximum_thickness": maximum_thickness,
+        "min_thickness": min_thickness,
+        "max_thickness": max_thickness,
         "max_pore_size": max_pore_size,
     }

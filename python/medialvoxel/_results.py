@@ -66,7 +66,7 @@ class Distances:
     """Vectors and signed distances to the nearest boundary voxel."""
 
     distance: np.ndarray
-    """float32: negative inside the object; NaN beyond `maximum_distance` and without a boundary."""
+    """float32: negative inside the object; NaN beyond `max_distance` and without a boundary."""
     vectors: np.ndarray
     """float32, with a last axis (z, y, x): the displacement."""
     counts: dict[str, int]

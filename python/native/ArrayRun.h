@@ -34,14 +34,6 @@ struct ArrayMesh
   std::int64_t              cornersPerFace{ 4 };
 };
 
-/** Of a command that only arrays have. */
-struct LocalThicknessOptions : JobOptions
-{
-  std::optional<double> maximum; ///< diameter at which balls are cut
-  LocalThicknessMethod  method{ LocalThicknessMethod::Wall };
-  std::optional<bool>   subVoxel; ///< walls on gray values; unset: where there is one threshold
-};
-
 /** Each returns numbers of the run.
  * \throw JobError, itk::ExceptionObject and what the engine throws */
 nlohmann::json
@@ -51,9 +43,10 @@ MeshArray(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & me
 nlohmann::json
 MeasureDistances(const ArrayCall & call, const DistanceOptions & options);
 nlohmann::json
-MeasureLocalThickness(const ArrayCall & call, const LocalThicknessOptions & options);
+MeasureLocalThickness(const ArrayCall & call, const SurfaceOptions & options);
 
-/** Parses the arguments as the program does, and those of local-thickness, checks them and calls what they name. */
+/** Parses the arguments as the program does, checks them and calls what they name; surface stands for its local
+ * thickness. */
 nlohmann::json
 RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMesh & mesh);
 

@@ -11,17 +11,18 @@ namespace
 
 template <typename TPixel>
 nlohmann::json
-Measure(const ArrayCall & call, const LocalThicknessOptions & options)
+Measure(const ArrayCall & call, const SurfaceOptions & options)
 {
   auto filter = itk::LocalThicknessImageFilter<ArrayImage<TPixel>>::New();
   filter->SetInput(MakeImage<TPixel>(call.array));
   SetJobOptions(*filter, options);
-  filter->SetMethod(options.method);
-  const bool mayMeasure = options.method == LocalThicknessMethod::Wall && HasOneThreshold(options, call.header);
+  filter->SetMethod(options.localThicknessMethod);
+  const bool mayMeasure =
+    options.localThicknessMethod == LocalThicknessMethod::Wall && HasOneThreshold(options, call.header);
   SetGrayMeasure(*filter, call, options, options.subVoxel.value_or(mayMeasure));
-  if (options.maximum)
+  if (options.largestBall)
   {
-    filter->SetMaximumThickness(*options.maximum);
+    filter->SetMaximumThickness(*options.largestBall);
   }
   UseMemory(*filter->GetOutput(), call.outputs.thickness, call.array);
   RunFilter(*filter, call.control);
@@ -36,7 +37,7 @@ Measure(const ArrayCall & call, const LocalThicknessOptions & options)
 } // namespace
 
 nlohmann::json
-MeasureLocalThickness(const ArrayCall & call, const LocalThicknessOptions & options)
+MeasureLocalThickness(const ArrayCall & call, const SurfaceOptions & options)
 {
   return DispatchPixelType(call.header.pixelType, [&](auto zero) { return Measure<decltype(zero)>(call, options); });
 }

@@ -6,8 +6,7 @@
 #include "CommandWords.h"
 #include "JobResult.h"
 #include "NamedCounts.h"
-#include "OptionEffects.h"
-#include "OptionValues.h"
+#include "OptionChecks.h"
 #include "ValueStatistics.h"
 #include "Warnings.h"
 
@@ -20,8 +19,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-constexpr const char * LocalThicknessCommand = "local-thickness";
 
 /** Sets the threshold of Otsu where it is asked for, and refuses labels that the values cannot have. */
 void
@@ -47,7 +44,7 @@ ForArrays(std::string message)
 {
   const std::pair<std::string, std::string> words[] = {
     { "--resample auto brings the input to equal spacing", "resample the array to equal spacing" },
-    { "--largest-ball", "maximum" },
+    { "--largest-ball", "largest_ball" },
   };
   for (const auto & [ofFiles, ofArrays] : words)
   {
@@ -86,45 +83,6 @@ AddWarnings(nlohmann::json & numbers, const ArrayCall & call, const TOptions & o
   }
 }
 
-/** The command that warns of the same. */
-SurfaceOptions
-ForWarnings(const LocalThicknessOptions & options)
-{
-  SurfaceOptions known;
-  static_cast<JobOptions &>(known) = options;
-  known.output = "array";
-  known.localThicknessMethod = options.method;
-  known.maximumLocalThickness = options.maximum;
-  return known;
-}
-
-template <typename TOptions>
-const TOptions &
-ForWarnings(const TOptions & options)
-{
-  return options;
-}
-
-/** Has the command distance be local-thickness, which the program has not: both say the same of object and run. */
-void
-DefineLocalThickness(CommandLine & line, LocalThicknessOptions & options)
-{
-  using Method = LocalThicknessMethod;
-  line.distance->name(LocalThicknessCommand);
-  AddText(*line.distance, "--maximum", "Diameter at which balls are cut", "T", [&options](const std::string & text) {
-    options.maximum = ToLength(text);
-  });
-  AddChoice<Method>(*line.distance,
-                    "--method",
-                    "Of walls, or of largest balls",
-                    "KIND",
-                    options.method,
-                    { { GetName(Method::Wall), Method::Wall }, { GetName(Method::Sphere), Method::Sphere } });
-  AddFlag(*line.distance, "--sub-voxel", "Measure walls on gray values; =off: on the object", [&options](bool value) {
-    options.subVoxel = value;
-  });
-}
-
 template <typename TOptions, typename TRun>
 nlohmann::json
 Run(const ArrayCall & call, TOptions & options, TRun && run)
@@ -134,7 +92,7 @@ Run(const ArrayCall & call, TOptions & options, TRun && run)
   CheckOptions(options); // with the threshold of Otsu
   nlohmann::json numbers = run();
   numbers["lower"] = options.lowerThreshold ? nlohmann::json(options.lowerThreshold->GetNearestDouble()) : nullptr;
-  AddWarnings(numbers, call, ForWarnings(options));
+  AddWarnings(numbers, call, options);
   return numbers;
 }
 
@@ -143,20 +101,13 @@ Run(const ArrayCall & call, TOptions & options, TRun && run)
 nlohmann::json
 RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMesh & mesh)
 {
-  CommandLine           line;
-  const auto            app = DefineCommandLine(line);
-  const bool            isLocalThickness = arguments.front() == LocalThicknessCommand;
-  LocalThicknessOptions localThickness;
-  if (isLocalThickness)
-  {
-    DefineLocalThickness(line, localThickness);
-  }
+  CommandLine line;
+  const auto  app = DefineCommandLine(line);
   ParseWords(*app, std::move(arguments));
-  CheckOptionEffects(line);
-  if (isLocalThickness)
+  CompleteCommandLine(line);
+  if (line.surface->parsed()) // of its thickness alone
   {
-    static_cast<JobOptions &>(localThickness) = line.distanceOptions;
-    return Run(call, localThickness, [&] { return MeasureLocalThickness(call, localThickness); });
+    return Run(call, line.surfaceOptions, [&] { return MeasureLocalThickness(call, line.surfaceOptions); });
   }
   if (line.distance->parsed())
   {

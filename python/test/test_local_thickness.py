@@ -78,7 +78,7 @@ class LocalThickness(unittest.TestCase):
         self.assert_same(medialvoxel.local_thickness(mask, (1.0, 0.5), method="sphere"), largest_balls(mask, (1.0, 0.5), 32))
 
     def test_nothing_but_object_and_nothing_at_all(self):
-        full = medialvoxel.local_thickness(np.ones((5, 6, 7)), maximum=3, method="sphere")
+        full = medialvoxel.local_thickness(np.ones((5, 6, 7)), largest_ball=3, method="sphere")
         self.assertEqual((full.thickness == 3).sum(), full.counts["voxels_at_maximum"])
         self.assert_same(medialvoxel.local_thickness(np.zeros((5, 6, 7))), np.zeros((5, 6, 7), np.float32))
 
@@ -109,12 +109,12 @@ class LocalThickness(unittest.TestCase):
     def test_wrong_values(self):
         cases = [
             ({"lower": 40, "sub_voxel": True, "method": "sphere"}, "no effect with the Method Sphere"),
-            ({"sub_voxel": True}, "LowerThreshold or UpperThreshold must be set"),
-            ({"method": "ball"}, "--method"),
-            ({"maximum": 0}, "--maximum: '0' is not a finite number greater than 0"),
-            ({"maximum": float("nan")}, "--maximum: 'nan' is not a finite number"),
-            ({"maximum": 300}, "at most 256 voxels"),
-            ({"maximum": "thick"}, "--maximum: 'thick' is not a finite number"),
+            ({"sub_voxel": True}, "sub-voxel measures need a threshold"),
+            ({"method": "ball"}, "--local-thickness-method"),
+            ({"largest_ball": 0}, "--largest-ball: '0' is not a finite number greater than 0"),
+            ({"largest_ball": float("nan")}, "--largest-ball: 'nan' is not a finite number"),
+            ({"largest_ball": 300}, "at most 256 voxels"),
+            ({"largest_ball": "thick"}, "--largest-ball: 'thick' is not a finite number"),
             ({"lower": 5, "upper": 3}, "5"),
             ({"threads": 0}, "--threads"),
             ({"spacing": (1, 1, 0)}, "axis 2 is 0"),

@@ -15,8 +15,8 @@ MEASURES = {
     "by itself": ({}, [], "fits"),
     "asked for": ({"sub_voxel": True}, ["--sub-voxel"], "fits"),
     "refused": ({"sub_voxel": False}, ["--sub-voxel=off"], "object"),
-    "levels": ({"levels": (10, 110)}, ["--levels=10,110"], "fits"),
-    "levels of NumPy": ({"levels": np.float32([5, 120])}, ["--levels=5,120"], "fits"),
+    "levels": ({"materials": (10, 110)}, ["--materials=10,110"], "fits"),
+    "levels of NumPy": ({"materials": np.float32([5, 120])}, ["--materials=5,120"], "fits"),
     "smoothed": ({"smooth": True}, ["--smooth=on"], "fits"),
     "a limit of the type": ({"upper": 255}, ["--upper=255"], "fits"),
     "fixed, of voxels": ({"thickness": 3, "voxel_units": True}, ["--thickness=3", "--voxel-units"], "fits"),
@@ -126,7 +126,7 @@ class Results(Folder):
 
     def test_distance_with_every_option(self):
         files = [self.folder / "vectors.mha", f"--distance={self.folder / 'distance.mha'}"]
-        for keywords in ({"boundary": "background"}, {"region": "inside"}, {"maximum_distance": 2.5}, {"label": 80}):
+        for keywords in ({"boundary": "background"}, {"region": "inside"}, {"max_distance": 2.5}, {"label": 80}):
             with self.subTest(keywords):
                 options = [f"--{name.replace('_', '-')}={value}" for name, value in keywords.items()]
                 if "label" not in keywords:
@@ -157,7 +157,7 @@ class Results(Folder):
         path = self.folder / "mesh.ply"
         cases = {
             ("--triangles",): {"triangles": True},
-            ("--smallest-component=50",): {"smallest_component": 50},
+            ("--min-component-size=50",): {"min_component_size": 50},
             ("--min-branch-length=3",): {"min_branch_length": 3},
             ("--element-size=auto",): {"element_size": "auto"},
             ("--element-size=4", "--triangles"): {"element_size": 4, "triangles": True},

@@ -106,7 +106,7 @@ class Threads(unittest.TestCase):
         self.assert_interrupted("distance(values)", "support.blob(500)")
 
     def test_interrupted_local_thickness(self):
-        self.assert_interrupted("local_thickness(values, maximum=200)", "support.blob(400)")
+        self.assert_interrupted("local_thickness(values, largest_ball=200)", "support.blob(400)")
 
     def test_progress(self):
         for call in (medialvoxel.extract, medialvoxel.mesh, medialvoxel.distance, medialvoxel.local_thickness):

@@ -22,8 +22,7 @@ MedialVoxelParameters::EpsilonFromThickness(const double thickness)
 std::uint64_t
 MedialVoxelParameters::GetDefaultMaximumPoreSize(const MedialVoxelThicknessMode mode)
 {
-  constexpr std::uint64_t automaticDefault = 32;
-  return mode == MedialVoxelThicknessMode::Fixed ? 0 : automaticDefault;
+  return mode == MedialVoxelThicknessMode::Fixed ? 0 : DefaultMaximumPoreSize;
 }
 
 MedialVoxelParameters
@@ -56,15 +55,13 @@ MedialVoxelParameters::ForThickness(const double thickness, const MedialVoxelPse
 MedialVoxelParameters::Limits
 MedialVoxelParameters::LimitsOfWalls(const MedialVoxelGrid & grid, const double minimum, const double maximum)
 {
-  constexpr double fewestVoxels = 3.0;
-  constexpr double mostVoxels = 16.0;
   // The shortest edge runs along the axis with the smallest spacing; a grid of one voxel has none, and no cell.
   const double voxel = std::isfinite(grid.GetShortestEdge()) ? grid.GetShortestEdge() : 1.0;
   // Steps along a much longer axis are no walls, and a wall across it has a few of them.
   constexpr double mostLongVoxels = 4.0;
   const double     least = MedialVoxelGridLimits::LeastThickness(grid);
-  const double     most = std::max(mostVoxels * voxel, mostLongVoxels * least);
-  return { std::max(minimum > 0.0 ? minimum : fewestVoxels * voxel, least),
+  const double     most = std::max(MostVoxelsOfWalls * voxel, mostLongVoxels * least);
+  return { std::max(minimum > 0.0 ? minimum : FewestVoxelsOfWalls * voxel, least),
            std::max(maximum > 0.0 ? maximum : most, least) };
 }
 

@@ -118,7 +118,7 @@ class SameAsTheProgram(unittest.TestCase):
     def test_fits_and_their_uncertainty(self):
         for dtype in ("float32", "uint8"):
             image = image_of(scan(dtype), spacing=(0.5, 0.5, 0.75))
-            for options, words in (({}, []), ({"scan_levels": (5, 120)}, ["--levels=5,120"])):
+            for options, words in (({}, []), ({"scan_levels": (5, 120)}, ["--materials=5,120"])):
                 with self.subTest(dtype=dtype, options=options), tempfile.TemporaryDirectory() as name:
                     files = ("--lower=60", "--thickness-map=", "--uncertainty-map=", *words)
                     written = run_program(pathlib.Path(name), image, *files)

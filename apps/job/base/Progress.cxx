@@ -407,7 +407,7 @@ MakeProgressSink(ProgressStyle style)
       return std::make_unique<PlainSink>();
     case ProgressStyle::Slicer:
       return std::make_unique<SlicerSink>();
-    case ProgressStyle::Json:
+    case ProgressStyle::JsonLines:
       return std::make_unique<JsonSink>();
     case ProgressStyle::None:
       return std::make_unique<TextSink>();

@@ -56,12 +56,12 @@ ThrowIfStopRequested(const ProgressSink & sink);
 enum class ProgressStyle
 {
   Auto,
-  Bar,    ///< a line on the error stream that redraws itself, with the time left
-  Plain,  ///< a line on the error stream every 30 s
-  Slicer, ///< the tags of 3D Slicer's command line modules on the output stream
-  Json,   ///< an object per line on the error stream
-  None,   ///< notes only
-  Quiet   ///< nothing at all
+  Bar,       ///< a line on the error stream that redraws itself, with the time left
+  Plain,     ///< a line on the error stream every 30 s
+  Slicer,    ///< the tags of 3D Slicer's command line modules on the output stream
+  JsonLines, ///< an object per line on the error stream
+  None,      ///< notes only
+  Quiet      ///< nothing at all
 };
 
 std::unique_ptr<ProgressSink>

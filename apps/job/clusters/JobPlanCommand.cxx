@@ -6,6 +6,7 @@
 #include "InputVolume.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
+#include "OptionChecks.h"
 #include "Outputs.h"
 #include "OutputChecks.h"
 #include "PieceFootprint.h"

@@ -7,9 +7,7 @@
 #include "JsonFile.h"
 #include "JsonLimits.h"
 #include "OutputFile.h"
-#include "Text.h"
 
-#include <cmath>
 #include <utility>
 
 namespace medialvoxel
@@ -93,48 +91,6 @@ ReadSealed(const std::filesystem::path & fileName)
     return object;
   }
   Fail(ExitStatus::Failure, fileName.string(), " is damaged or was changed: its checksum does not fit");
-}
-
-Json
-NumberToJson(const std::optional<double> & value)
-{
-  if (!value)
-  {
-    return nullptr;
-  }
-  return std::isfinite(*value) ? Json(*value) : Json(FormatNumber(*value));
-}
-
-std::optional<double>
-NumberFromJson(const Json & value)
-{
-  if (value.is_null())
-  {
-    return std::nullopt;
-  }
-  return value.is_string() ? ParseDouble(value.get<std::string>()) : value.get<double>();
-}
-
-Json
-LimitToJson(const std::optional<itk::MedialVoxelLimit> & limit)
-{
-  if (limit && !limit->IsDouble())
-  {
-    return limit->GetWhole() ? Json(*limit->GetWhole()) : Json(*limit->GetNegative());
-  }
-  return NumberToJson(limit ? std::optional<double>(limit->GetNearestDouble()) : std::nullopt);
-}
-
-std::optional<itk::MedialVoxelLimit>
-LimitFromJson(const Json & value)
-{
-  if (!value.is_number_integer())
-  {
-    const std::optional<double> number = NumberFromJson(value);
-    return number ? std::optional<itk::MedialVoxelLimit>(*number) : std::nullopt;
-  }
-  return value.is_number_unsigned() ? itk::MedialVoxelLimit(value.get<std::uint64_t>())
-                                    : itk::MedialVoxelLimit(value.get<std::int64_t>());
 }
 
 } // end namespace medialvoxel

@@ -3,8 +3,6 @@
 #ifndef medialvoxelSealedJson_h
 #define medialvoxelSealedJson_h
 
-#include "itkMedialVoxelLimit.h"
-
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -42,18 +40,6 @@ OptionalToJson(const std::optional<TValue> & value)
 {
   return value ? Json(*value) : Json(nullptr);
 }
-
-/** Numbers of JSON are finite; others become text. */
-Json
-NumberToJson(const std::optional<double> & value);
-std::optional<double>
-NumberFromJson(const Json & value);
-
-/** The same for limits: what no double holds is a whole number of JSON. */
-Json
-LimitToJson(const std::optional<itk::MedialVoxelLimit> & limit);
-std::optional<itk::MedialVoxelLimit>
-LimitFromJson(const Json & value);
 
 /** A whole number of JSON, which the library would convert from others without a word.
  * \throw std::invalid_argument for what is none, or none of the type */

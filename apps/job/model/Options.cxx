@@ -119,7 +119,7 @@ GetThicknessOptions(const SurfaceOptions & options)
   static_cast<JobOptions &>(extract) = options;
   extract.localThicknessFile = options.output;
   extract.localThicknessMethod = options.localThicknessMethod;
-  extract.maximumLocalThickness = options.maximumLocalThickness;
+  extract.largestBall = options.largestBall;
   extract.subVoxel = options.subVoxel;
   extract.maximumPoreSize = options.maximumPoreSize;
   extract.smoothing = Smoothing::Off;
@@ -209,12 +209,12 @@ itk::MedialVoxelLocalThickness
 GetLocalThickness(const ExtractOptions & options, const itk::MedialVoxelGrid & grid)
 {
   using Task = itk::MedialVoxelLocalThickness;
-  const double maximum = options.maximumLocalThickness.value_or(Task::GetDefaultMaximum(grid));
+  const double maximum = options.largestBall.value_or(Task::GetDefaultMaximum(grid));
   const double largest = Task::GetLargestMaximum(grid);
   if (maximum > largest)
   {
     Fail(ExitStatus::Usage,
-         "the maximum local thickness (--largest-ball) is ",
+         "--largest-ball is ",
          FormatNumber(maximum),
          "; it must be at most ",
          FormatNumber(Task::MostVoxels),

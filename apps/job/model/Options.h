@@ -148,13 +148,13 @@ struct ExtractOptions : JobOptions
   std::string                uncertaintyFile;    ///< of the thickness at medial cells, float32
   std::string                localThicknessFile; ///< local thickness of the object voxels, float32
   LocalThicknessMethod       localThicknessMethod{ LocalThicknessMethod::Wall };
-  std::optional<double>      maximumLocalThickness; ///< largest of them, > 0; unset: 32 voxels of the largest spacing
-  std::string                thicknessCsvFile;      ///< histogram of the thickness, comma-separated values
-  std::optional<PlaceLimits> thinBelow;             ///< places with thinner walls are listed; not with labels
-  std::optional<PlaceLimits> thickAbove;            ///< places with thicker walls are listed; not with labels
-  std::optional<double>      smallestPlace;         ///< area of places that count; unset: that of ten faces of voxels
-  std::string                placesFile;            ///< these places, comma-separated values
-  bool failsIfThin{ false }; ///< the program ends with ExitStatus::TooThin when there are thin ones
+  std::optional<double>      largestBall;      ///< largest of them, > 0; unset: 32 voxels of the largest spacing
+  std::string                thicknessCsvFile; ///< histogram of the thickness, comma-separated values
+  std::optional<PlaceLimits> thinBelow;        ///< places with thinner walls are listed; not with labels
+  std::optional<PlaceLimits> thickAbove;       ///< places with thicker walls are listed; not with labels
+  std::optional<double>      smallestPlace;    ///< area of places that count; unset: that of ten faces of voxels
+  std::string                placesFile;       ///< these places, comma-separated values
+  bool failsIfThin{ false };                   ///< the program ends with ExitStatus::TooThin when there are thin ones
 
   std::string           previewFile;              ///< PNG
   std::string           htmlFile;                 ///< report as a page with the preview
@@ -183,8 +183,8 @@ struct SurfaceOptions : JobOptions
 {
   std::string                  output; ///< triangles
   LocalThicknessMethod         localThicknessMethod{ LocalThicknessMethod::Wall };
-  std::optional<double>        maximumLocalThickness; ///< as ExtractOptions; longest ray too
-  std::optional<std::uint64_t> maximumPoreSize;       ///< as ExtractOptions, of the thickness alone
+  std::optional<double>        largestBall;     ///< as ExtractOptions; longest ray too
+  std::optional<std::uint64_t> maximumPoreSize; ///< as ExtractOptions, of the thickness alone
   std::optional<bool>          subVoxel; ///< place it and measure walls by gray values; unset: where these allow it
   bool                         isOpen{ false };       ///< where the volume cuts the part
   bool                         measuresRays{ false }; ///< thickness by rays too
@@ -194,17 +194,6 @@ struct SurfaceOptions : JobOptions
 ExtractOptions
 GetThicknessOptions(const SurfaceOptions & options);
 
-/** \throw JobError Usage when a value is out of its range or options contradict each other. */
-void
-CheckOptions(const ExtractOptions & options);
-void
-CheckOptions(const DistanceOptions & options);
-void
-CheckOptions(const SurfaceOptions & options);
-void
-CheckOptions(const JobOptions & options);
-void
-CheckOptions(const RawDescription & raw);
 
 /** Whether places with too thin or too thick walls are listed. */
 bool

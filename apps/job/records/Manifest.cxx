@@ -4,16 +4,14 @@
 
 #include "FileNames.h"
 #include "ManifestValues.h"
-#include "Options.h"
+#include "OptionTable.h"
 #include "Outputs.h"
 #include "SealedJson.h"
 #include "Version.h"
 #include "VolumeHeader.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
-#include <utility>
 
 namespace medialvoxel
 {
@@ -21,151 +19,65 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 11;
+constexpr int ManifestFormat = 12;
 
-constexpr const char * OverwriteName = "overwrite";
-
-using NumberOption = std::pair<const char *, std::optional<double> ExtractOptions::*>;
-using LimitOption = std::pair<const char *, std::optional<itk::MedialVoxelLimit> ExtractOptions::*>;
-
-const std::array<NumberOption, 7> NumberOptions{
-  { { "thickness", &ExtractOptions::thickness },
-    { "minimum_thickness", &ExtractOptions::minimumThickness },
-    { "maximum_thickness", &ExtractOptions::maximumThickness },
-    { "default_maximum_thickness", &ExtractOptions::defaultMaximumThickness },
-    { "maximum_local_thickness", &ExtractOptions::maximumLocalThickness },
-    { "resample", &ExtractOptions::resample },
-    { "smallest_place", &ExtractOptions::smallestPlace } }
-};
-
-const std::array<LimitOption, 2> LimitOptions{ { { "lower", &ExtractOptions::lowerThreshold },
-                                                 { "upper", &ExtractOptions::upperThreshold } } };
-
-constexpr std::array<itk::MedialVoxelBoundary, 2> Boundaries{ { itk::MedialVoxelBoundary::Object,
-                                                                itk::MedialVoxelBoundary::Background } };
-
-constexpr std::array<LocalThicknessMethod, 2> LocalThicknessMethods{ { LocalThicknessMethod::Sphere,
-                                                                       LocalThicknessMethod::Wall } };
-
-constexpr std::array<ZarrCompression, 3> Compressions{
-  { ZarrCompression::None, ZarrCompression::Gzip, ZarrCompression::BloscZstd }
-};
-
-constexpr std::array<Smoothing, 3> Smoothings{ { Smoothing::Off, Smoothing::On, Smoothing::Automatic } };
-
-template <typename TEnum, std::size_t VSize>
-TEnum
-EnumFromJson(const Json & name, const std::array<TEnum, VSize> & values)
+/** Calls use(row) for the options that a job keeps in this way. */
+template <typename TUse>
+void
+ForEachKept(const Kept kept, TUse && use)
 {
-  for (const TEnum value : values)
+  for (const OptionRow & row : ListOptions())
   {
-    if (name == GetName(value))
+    if (row.kept == kept && (row.commands & Commands::Plan) != 0)
     {
-      return value;
+      use(row);
     }
   }
-  throw std::invalid_argument("it has the unknown choice " + name.dump());
 }
 
+/** Options as they would be typed, by their names; null: not given. */
 Json
-OptionsToJson(const ExtractOptions & options)
+KeptToJson(const Kept kept, ExtractOptions options)
 {
-  Json json = Json::object();
-  json["input"] = options.input;
-  for (const auto & kind : ListOutputKinds(options))
-  {
-    if (kind.parameter)
-    {
-      json[kind.parameter] = options.*kind.option;
-    }
-  }
-  for (const auto & [name, member] : NumberOptions)
-  {
-    json[name] = NumberToJson(options.*member);
-  }
-  for (const auto & [name, member] : LimitOptions)
-  {
-    json[name] = LimitToJson(options.*member);
-  }
-  json["maximum_pore_size"] = OptionalToJson(options.maximumPoreSize);
-  json["smooth"] = options.smoothing ? Json(GetName(*options.smoothing)) : Json(nullptr);
-  json["roughness"] = RoughnessToJson(options.roughness);
-  json["vector_boundary"] = GetName(options.vectorBoundary);
-  json["local_thickness_method"] = GetName(options.localThicknessMethod);
-  json["zarr_compression"] = GetName(options.zarrCompression);
-  json["lower_otsu"] = options.lowerIsOtsu;
-  json["label"] = options.label ? Json(FormatLabel(*options.label)) : Json(nullptr);
-  json["voxel_units"] = options.voxelUnits;
-  json["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
-  json["levels"] = LevelsToJson(options.levels);
-  json["measure"] = MeasureToJson(options.measure);
-  json["thin_below"] = PlacesToJson(options.thinBelow);
-  json["thick_above"] = PlacesToJson(options.thickAbove);
-  json["fail_if_thin"] = options.failsIfThin;
-  json[OverwriteName] = options.overwrite;
-  json["level"] = options.level;
-  json["spacing"] = options.spacing;
-  json["series"] = options.slices.series;
-  json["slices"] = options.slices.range;
-  json["raw"] = RawToJson(options.raw);
+  Json               json = Json::object();
+  const OptionTarget target = MakeTarget(options);
+  ForEachKept(kept, [&](const OptionRow & row) { json[row.name] = OptionalToJson(row.value.get(target)); });
   return json;
 }
 
-ExtractOptions
-OptionsFromJson(const Json & json)
+void
+KeptFromJson(const Kept kept, const Json & json, ExtractOptions & options)
 {
-  ExtractOptions options;
-  json.at("input").get_to(options.input);
-  for (const auto & kind : ListOutputKinds(options))
+  const OptionTarget target = MakeTarget(options);
+  ForEachKept(kept, [&](const OptionRow & row) {
+    const Json & text = json.at(row.name);
+    text.is_null() ? void() : row.value.set(target, text.get<std::string>());
+  });
+}
+
+/** Everything that decides a byte: options, and what was found in the volume before. */
+Json
+ParametersToJson(const ExtractOptions & options)
+{
+  Json json = KeptToJson(Kept::Result, options);
+  json["lower_otsu"] = options.lowerIsOtsu;
+  json["default_maximum_thickness"] = OptionalToJson(options.defaultMaximumThickness);
+  json["roughness"] = RoughnessToJson(options.roughness);
+  json["measure"] = MeasureToJson(options.measure);
+  return json;
+}
+
+void
+ParametersFromJson(const Json & json, ExtractOptions & options)
+{
+  KeptFromJson(Kept::Result, json, options);
+  json.at("lower_otsu").get_to(options.lowerIsOtsu);
+  if (const Json & thickness = json.at("default_maximum_thickness"); !thickness.is_null())
   {
-    if (kind.parameter)
-    {
-      json.at(kind.parameter).get_to(options.*kind.option);
-    }
-  }
-  for (const auto & [name, member] : NumberOptions)
-  {
-    options.*member = NumberFromJson(json.at(name));
-  }
-  for (const auto & [name, member] : LimitOptions)
-  {
-    options.*member = LimitFromJson(json.at(name));
-  }
-  ReadWhole(json.at("maximum_pore_size"), options.maximumPoreSize);
-  if (!json.at("smooth").is_null())
-  {
-    options.smoothing = EnumFromJson(json.at("smooth"), Smoothings);
+    options.defaultMaximumThickness = thickness.get<double>();
   }
   options.roughness = RoughnessFromJson(json.at("roughness"));
-  options.vectorBoundary = EnumFromJson(json.at("vector_boundary"), Boundaries);
-  options.localThicknessMethod = EnumFromJson(json.at("local_thickness_method"), LocalThicknessMethods);
-  options.zarrCompression = EnumFromJson(json.at("zarr_compression"), Compressions);
-  json.at("lower_otsu").get_to(options.lowerIsOtsu);
-  options.label = LabelFromJson(json.at("label"));
-  json.at("voxel_units").get_to(options.voxelUnits);
-  if (!json.at("sub_voxel").is_null())
-  {
-    options.subVoxel = json.at("sub_voxel").get<bool>();
-  }
-  options.levels = LevelsFromJson(json.at("levels"));
   options.measure = MeasureFromJson(json.at("measure"));
-  options.thinBelow = PlacesFromJson(json.at("thin_below"));
-  options.thickAbove = PlacesFromJson(json.at("thick_above"));
-  json.at("fail_if_thin").get_to(options.failsIfThin);
-  json.at(OverwriteName).get_to(options.overwrite);
-  ReadWhole(json.at("level"), options.level);
-  json.at("spacing").get_to(options.spacing);
-  json.at("series").get_to(options.slices.series);
-  for (const Json & slice : json.at("slices"))
-  {
-    ReadWhole(slice, options.slices.range.emplace_back());
-  }
-  if (options.slices.range.size() != 0 && options.slices.range.size() != 2)
-  {
-    throw std::invalid_argument("its range of slices has " + std::to_string(options.slices.range.size()) + " numbers");
-  }
-  options.raw = RawFromJson(json.at("raw"));
-  return options;
 }
 
 Json
@@ -202,10 +114,8 @@ FromJson(const Json & json)
   json.at("job").get_to(manifest.jobId);
   manifest.folder = json.at("folder").get<std::string>();
   manifest.fromJob = json.at("folder_from_job").get<std::string>();
-  manifest.options = OptionsFromJson(json.at("parameters"));
-  ReadWhole(json.at("run").at("memory_bytes"), manifest.options.memoryBytes);
-  ReadWhole(json.at("run").at("threads"), manifest.options.threads);
-  json.at("run").at("scratch").get_to(manifest.options.scratchFolder);
+  ParametersFromJson(json.at("parameters"), manifest.options);
+  KeptFromJson(Kept::Run, json.at("run"), manifest.options);
   manifest.input = InputFromJson(json.at("input"));
   ReadWhole(json.at("clusters").at("slices"), manifest.numberOfSlices);
   ReadWhole(json.at("clusters").at("number"), manifest.numberOfClusters);
@@ -271,10 +181,8 @@ WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest)
   json["job"] = manifest.jobId;
   json["folder"] = manifest.folder.string();
   json["folder_from_job"] = manifest.fromJob.string();
-  json["parameters"] = OptionsToJson(manifest.options);
-  json["run"] = { { "memory_bytes", OptionalToJson(manifest.options.memoryBytes) },
-                  { "threads", OptionalToJson(manifest.options.threads) },
-                  { "scratch", manifest.options.scratchFolder } };
+  json["parameters"] = ParametersToJson(manifest.options);
+  json["run"] = KeptToJson(Kept::Run, manifest.options);
   json["input"] = InputToJson(manifest.input);
   json["clusters"] = { { "number", manifest.numberOfClusters },
                        { "slices", manifest.numberOfSlices },
@@ -360,20 +268,25 @@ WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder)
 std::string
 FindDifference(const ExtractOptions & wanted, const ExtractOptions & present)
 {
-  const Json a = OptionsToJson(wanted);
-  const Json b = OptionsToJson(present);
+  const Json a = ParametersToJson(wanted);
+  const Json b = ParametersToJson(present);
   // A name that is not UTF-8 is to be shown, too.
-  const auto show = [](const Json & value) { return value.dump(-1, ' ', false, Json::error_handler_t::replace); };
+  const auto show = [](const Json & value) {
+    return value.is_null()     ? "unset"
+           : value.is_string() ? value.get<std::string>()
+                               : value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
   for (const auto & [name, value] : a.items())
   {
-    if (name != OverwriteName && value != b.at(name))
+    if (value != b.at(name))
     {
       return name + " is " + show(value) + ", not " + show(b.at(name));
     }
   }
   if (wanted.divisions && wanted.divisions != present.divisions)
   {
-    return "divisions is " + std::to_string(*wanted.divisions) + ", not " + OptionalToJson(present.divisions).dump();
+    return "--divisions is " + std::to_string(*wanted.divisions) + ", not " +
+           std::to_string(present.divisions.value_or(0));
   }
   return "";
 }

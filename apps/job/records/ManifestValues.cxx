@@ -2,66 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ManifestValues.h"
 
-#include "PixelType.h"
-
 #include <stdexcept>
 #include <string>
 
 namespace medialvoxel
 {
-
-Json
-RawToJson(const std::optional<RawDescription> & raw)
-{
-  if (!raw)
-  {
-    return nullptr;
-  }
-  return { { "size", raw->size },
-           { "type", std::string(GetTraits(raw->pixelType).name) },
-           { "spacing", raw->spacing },
-           { "header_bytes", raw->headerBytes },
-           { "big_endian", raw->bigEndian } };
-}
-
-std::optional<RawDescription>
-RawFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  RawDescription raw;
-  for (const Json & length : json.at("size"))
-  {
-    ReadWhole(length, raw.size.emplace_back());
-  }
-  const auto type = PixelTypeFromName(json.at("type").get<std::string>());
-  if (!type)
-  {
-    throw std::invalid_argument("it has the unknown type of voxels " + json.at("type").dump());
-  }
-  raw.pixelType = *type;
-  json.at("spacing").get_to(raw.spacing);
-  ReadWhole(json.at("header_bytes"), raw.headerBytes);
-  json.at("big_endian").get_to(raw.bigEndian);
-  return raw;
-}
-
-std::optional<LabelValue>
-LabelFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  const std::optional<LabelValue> label = ParseLabel(json.get<std::string>());
-  if (!label)
-  {
-    throw std::invalid_argument("it has the unknown label " + json.dump());
-  }
-  return label;
-}
 
 Json
 RoughnessToJson(const std::optional<itk::MedialVoxelRoughness> & roughness)
@@ -80,38 +25,6 @@ RoughnessFromJson(const Json & json)
   ReadWhole(json.at(0), roughness.roughVoxels);
   ReadWhole(json.at(1), roughness.borderVoxels);
   return roughness;
-}
-
-Json
-LevelsToJson(const std::optional<itk::MedialVoxelScanLevels> & levels)
-{
-  return levels ? Json{ levels->background, levels->material } : Json(nullptr);
-}
-
-std::optional<itk::MedialVoxelScanLevels>
-LevelsFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  return itk::MedialVoxelScanLevels{ json.at(0).get<double>(), json.at(1).get<double>() };
-}
-
-Json
-PlacesToJson(const std::optional<PlaceLimits> & limits)
-{
-  return limits ? Json{ limits->limit, NumberToJson(limits->growLimit) } : Json(nullptr);
-}
-
-std::optional<PlaceLimits>
-PlacesFromJson(const Json & json)
-{
-  if (json.is_null())
-  {
-    return std::nullopt;
-  }
-  return PlaceLimits{ json.at(0).get<double>(), NumberFromJson(json.at(1)) };
 }
 
 Json

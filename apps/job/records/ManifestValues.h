@@ -11,29 +11,12 @@
 namespace medialvoxel
 {
 
-/** Values of options in a manifest; what is not set is null. Reading throws Json::exception or std::invalid_argument
- * for what was not written so. */
-Json
-RawToJson(const std::optional<RawDescription> & raw);
-std::optional<RawDescription>
-RawFromJson(const Json & json);
-std::optional<LabelValue>
-LabelFromJson(const Json & json);
-
+/** What was found in a volume, in a manifest; what is not set is null. Reading throws Json::exception or
+ * std::invalid_argument for what was not written so. */
 Json
 RoughnessToJson(const std::optional<itk::MedialVoxelRoughness> & roughness);
 std::optional<itk::MedialVoxelRoughness>
 RoughnessFromJson(const Json & json);
-
-Json
-LevelsToJson(const std::optional<itk::MedialVoxelScanLevels> & levels);
-std::optional<itk::MedialVoxelScanLevels>
-LevelsFromJson(const Json & json);
-
-Json
-PlacesToJson(const std::optional<PlaceLimits> & limits);
-std::optional<PlaceLimits>
-PlacesFromJson(const Json & json);
 
 Json
 MeasureToJson(const std::optional<WallMeasure> & measure);

@@ -9,6 +9,8 @@
 #include "Version.h"
 #include "VolumeFormats.h"
 
+#include <cmath>
+
 namespace medialvoxel
 {
 namespace
@@ -107,8 +109,16 @@ MakeThickness(const std::optional<ThicknessSummary> & thickness)
 Json
 MakeLimit(const std::optional<itk::MedialVoxelLimit> & limit)
 {
-  const Json json = LimitToJson(limit);
-  return json.is_number() ? json : Json(nullptr);
+  if (!limit)
+  {
+    return nullptr;
+  }
+  if (!limit->IsDouble()) // a whole number that no double holds
+  {
+    return limit->GetWhole() ? Json(*limit->GetWhole()) : Json(*limit->GetNegative());
+  }
+  const double value = limit->GetNearestDouble();
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
 /** Each warning as an object with a code for scripts, a line for readers, and the numbers of that line. */

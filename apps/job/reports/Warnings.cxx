@@ -357,9 +357,9 @@ CheckBalls(const ExtractOptions & options, const JobResult & result)
     return std::nullopt;
   }
   const double maximum = GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness;
-  return Finding{ FormatShare(share) + " of the object has the maximum local thickness, " + FormatShort(maximum) +
+  return Finding{ FormatShare(share) + " of the object has the thickness of the largest ball, " + FormatShort(maximum) +
                     (options.voxelUnits ? " voxels" : "") + ", and may be thicker; a larger --largest-ball measures it",
-                  { { "object_percent", 100.0 * share }, { "maximum_local_thickness", maximum } } };
+                  { { "object_percent", 100.0 * share }, { "largest_ball", maximum } } };
 }
 
 /** A verdict on a label map is one on each of its objects. */
@@ -392,7 +392,7 @@ const std::vector<Rule<WallFacts>> WallRules{ { "beyond_maximum_thickness", Chec
                                               { "few_sheets", CheckSheets, true },
                                               { "labels_without_walls", CheckObjectsWithoutWalls, true } };
 
-const std::vector<Rule<ExtractOptions, JobResult>> BallRules{ { "beyond_maximum_local_thickness", CheckBalls } };
+const std::vector<Rule<ExtractOptions, JobResult>> BallRules{ { "beyond_largest_ball", CheckBalls } };
 
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "FinishJob.h"
 #include "JobClock.h"
 #include "OutputSet.h"
+#include "OptionChecks.h"
 #include "Outputs.h"
 #include "PieceLoop.h"
 #include "PipelineErrors.h"

@@ -8,6 +8,7 @@
 #include "JobClock.h"
 #include "MemoryPlan.h"
 #include "OutputChecks.h"
+#include "OptionChecks.h"
 #include "Outputs.h"
 #include "PageView.h"
 #include "PipelineErrors.h"

@@ -5,6 +5,7 @@
 #include "FinishJob.h"
 #include "JobClock.h"
 #include "OutputSet.h"
+#include "OptionChecks.h"
 #include "Outputs.h"
 #include "PartSurface.h"
 #include "PieceLoop.h"

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "Options.h"
+#include "OptionChecks.h"
 
+#include "OptionTable.h"
 #include "Text.h"
 
 #include "itkMedialVoxelGridLimits.h"
 
-#include <cmath>
 #include <limits>
 
 namespace medialvoxel
@@ -14,72 +14,29 @@ namespace medialvoxel
 namespace
 {
 
+/** Each value is one that its option takes. */
+template <typename TOptions>
 void
-CheckThreshold(const char * name, const std::optional<itk::MedialVoxelLimit> & threshold)
+CheckRanges(TOptions options)
 {
-  if (threshold && threshold->IsNotANumber())
+  const OptionTarget target = MakeTarget(options);
+  for (const OptionRow & row : ListOptions())
   {
-    Fail(ExitStatus::Usage, name, " threshold is nan; it must be a number");
-  }
-}
-
-void
-CheckPositive(const char * name, double value, bool mayBeInfinite)
-{
-  if (!(value > 0) || (!mayBeInfinite && std::isinf(value)))
-  {
-    Fail(ExitStatus::Usage,
-         name,
-         " is ",
-         FormatNumber(value),
-         "; it must be ",
-         mayBeInfinite ? "greater than 0" : "a finite number greater than 0");
-  }
-}
-
-/** Of walls that set their own threshold. */
-void
-CheckLimit(const char * name, const std::optional<double> & limit)
-{
-  constexpr double largest = itk::MedialVoxelGridLimits::LargestLength;
-  if (limit)
-  {
-    CheckPositive(name, *limit, false);
-  }
-  if (limit && *limit > largest)
-  {
-    Fail(ExitStatus::Usage, name, " is ", FormatNumber(*limit), "; it must not exceed ", FormatNumber(largest));
-  }
-}
-
-void
-CheckSpacing(const char * name, double spacing)
-{
-  using Limits = itk::MedialVoxelGridLimits;
-  if (!(spacing >= Limits::SmallestSpacing && spacing <= Limits::LargestSpacing))
-  {
-    Fail(ExitStatus::Usage,
-         name,
-         " is ",
-         FormatNumber(spacing),
-         "; it must be greater than 0, from ",
-         FormatNumber(Limits::SmallestSpacing),
-         " to ",
-         FormatNumber(Limits::LargestSpacing));
+    const std::optional<std::string> text = row.name.empty() ? std::nullopt : row.value.get(target);
+    try
+    {
+      text ? row.value.set(target, *text) : void();
+    }
+    catch (const WrongValue & error)
+    {
+      Fail(ExitStatus::Usage, row.name, ": ", error.what());
+    }
   }
 }
 
 void
 CheckJobOptions(const JobOptions & options)
 {
-  for (const double spacing : options.spacing)
-  {
-    CheckSpacing("--spacing", spacing);
-  }
-  if (options.resample && *options.resample != 0.0 && *options.resample != KeepSpacing)
-  {
-    CheckSpacing("the resampled spacing", *options.resample);
-  }
   if (options.raw && !options.raw->spacing.empty() && !options.spacing.empty())
   {
     Fail(ExitStatus::Usage, "--spacing and --raw-spacing are given; they are the same, and one is enough");
@@ -93,8 +50,6 @@ CheckJobOptions(const JobOptions & options)
   {
     Fail(ExitStatus::Usage, "--slices is ", range[0], "-", range[1], "; its last slice must not be before its first");
   }
-  CheckThreshold("lower", options.lowerThreshold);
-  CheckThreshold("upper", options.upperThreshold);
   if (options.label && (options.lowerThreshold || options.upperThreshold || options.lowerIsOtsu))
   {
     Fail(ExitStatus::Usage,
@@ -110,14 +65,6 @@ CheckJobOptions(const JobOptions & options)
          " is greater than upper threshold ",
          options.upperThreshold->Format(),
          "; it must not be");
-  }
-  if (options.threads && *options.threads == 0)
-  {
-    Fail(ExitStatus::Usage, "the number of threads is 0; it must be 1 or more");
-  }
-  if (options.divisions && *options.divisions == 0)
-  {
-    Fail(ExitStatus::Usage, "the number of divisions is 0; it must be 1 or more");
   }
 }
 
@@ -164,7 +111,7 @@ CheckLevels(const ExtractOptions & options)
       : "";
   if (!problem.empty())
   {
-    Fail(ExitStatus::Usage, "--levels: ", problem);
+    Fail(ExitStatus::Usage, "--materials: ", problem);
   }
 }
 
@@ -191,42 +138,8 @@ CheckMeasure(const ExtractOptions & options)
 }
 
 void
-CheckPlaces(const char * name, PlaceKind kind, const std::optional<PlaceLimits> & limits)
-{
-  if (!limits)
-  {
-    return;
-  }
-  CheckLimit(name, limits->limit);
-  const std::string nameOfSecond = std::string("the second limit of ") + name;
-  CheckLimit(nameOfSecond.c_str(), limits->growLimit);
-  const double growLimit = limits->GetGrowLimit(kind);
-  const bool   isThin = kind == PlaceKind::Thin;
-  if (isThin ? growLimit < limits->limit : growLimit > limits->limit)
-  {
-    Fail(ExitStatus::Usage,
-         nameOfSecond,
-         " is ",
-         FormatNumber(growLimit),
-         "; it must not be ",
-         isThin ? "less" : "greater",
-         " than the first one, ",
-         FormatNumber(limits->limit));
-  }
-}
-
-void
 CheckPlaceOptions(const ExtractOptions & options)
 {
-  CheckPlaces("the thickness of thin places", PlaceKind::Thin, options.thinBelow);
-  CheckPlaces("the thickness of thick places", PlaceKind::Thick, options.thickAbove);
-  if (options.smallestPlace && !(*options.smallestPlace >= 0.0 && std::isfinite(*options.smallestPlace)))
-  {
-    Fail(ExitStatus::Usage,
-         "the smallest area of places is ",
-         FormatNumber(*options.smallestPlace),
-         "; it must be a finite number of 0 or more");
-  }
   if (options.failsIfThin && !options.thinBelow)
   {
     Fail(ExitStatus::Usage, "a failure for thin places needs the thickness of thin places; none is given");
@@ -263,48 +176,27 @@ CheckOptions(const RawDescription & raw)
   {
     Fail(ExitStatus::Usage, "--raw-spacing has ", raw.spacing.size(), " values; --raw-size has ", dimension);
   }
-  for (const double spacing : raw.spacing)
-  {
-    CheckSpacing("--raw-spacing", spacing);
-  }
 }
 
 void
 CheckOptions(const JobOptions & options)
 {
+  CheckRanges(options);
   CheckJobOptions(options);
 }
 
 void
 CheckOptions(const ExtractOptions & options)
 {
+  CheckRanges(options);
   CheckJobOptions(options);
-  if (options.thickness)
+  if (options.largestBall && options.localThicknessFile.empty())
   {
-    CheckPositive("thickness", *options.thickness, false);
-  }
-  CheckLimit("minimum thickness", options.minimumThickness);
-  CheckLimit("maximum thickness", options.maximumThickness);
-  CheckLimit("maximum local thickness", options.maximumLocalThickness);
-  if (options.maximumLocalThickness && options.localThicknessFile.empty())
-  {
-    Fail(ExitStatus::Usage, "a maximum local thickness needs a local thickness; none is asked for");
-  }
-  if (options.sectionWidth)
-  {
-    CheckPositive("the width of sections", *options.sectionWidth, false);
-  }
-  if (options.elementSize.kind == ElementSize::Kind::Length)
-  {
-    CheckPositive("the element size", options.elementSize.length, false);
+    Fail(ExitStatus::Usage, "the largest ball needs a local thickness; none is asked for");
   }
   if (options.extendsRims && options.elementSize.kind == ElementSize::Kind::Voxel)
   {
     Fail(ExitStatus::Usage, "rims of faces of one voxel are not extended; give an element size, such as auto");
-  }
-  if (options.minimumBranchLength != 0)
-  {
-    CheckPositive("the minimum branch length", options.minimumBranchLength, false);
   }
   if (options.labels)
   {
@@ -323,11 +215,8 @@ CheckOptions(const SurfaceOptions & options)
 void
 CheckOptions(const DistanceOptions & options)
 {
+  CheckRanges(options);
   CheckJobOptions(options);
-  if (options.maximumDistance)
-  {
-    CheckPositive("maximum distance", *options.maximumDistance, true);
-  }
 }
 
 } // end namespace medialvoxel

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelOptionParser_h
+#define medialvoxelOptionParser_h
+
+#include "OptionValue.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace medialvoxel
+{
+
+/** Adds an option or an argument, whose value goes to the target; errors name it. ParseWords() brings flags into the
+ * form that the parser knows. */
+CLI::Option *
+AddOption(CLI::App &           app,
+          const std::string &  name,
+          const std::string &  unit,
+          const std::string &  help,
+          const OptionValue &  value,
+          const OptionTarget & target);
+
+/** Whether a value is the word behind an option. */
+bool
+HasValue(const CLI::Option & option);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OptionTable.h"
+
+#include "SlicerElements.h"
+#include "SurfaceFormat.h"
+#include "Text.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+using namespace Commands;
+
+constexpr const char * SolverExtensions = ".inp, .bdf or .k";
+
+std::string
+JoinExtensions(const std::vector<std::string> & extensions)
+{
+  return Join(extensions, " ", [](const std::string & extension) { return extension; });
+}
+
+bool
+HasMesh(const ExtractOptions & options)
+{
+  return !options.meshFile.empty();
+}
+
+bool
+HasElements(const ExtractOptions & options)
+{
+  return HasMesh(options) && HoldsElements(GetSurfaceFormat(options.meshFile));
+}
+
+bool
+HasSections(const ExtractOptions & options)
+{
+  return HasElements(options) && options.thicknessPlace == ThicknessPlace::Sections;
+}
+
+void
+AddMesh(std::vector<OptionRow> & rows)
+{
+  const std::string formats = "Mesh: " + JoinExtensions(ListSurfaceExtensions());
+  AddRow(rows, "OUTPUT", "FILE", File(&ExtractOptions::meshFile)).Of(Mesh).Help(formats);
+  AddRow(rows, "--mesh", "FILE", File(&ExtractOptions::meshFile))
+    .Of(Extractions, "Mesh")
+    .HiddenIn(Plan)
+    .Help(formats, "The medial surface, as medialvoxel mesh writes it. With --labels: that of each object, told apart.")
+    .Slicer({ "Further outputs",
+              "meshModel",
+              "Medial surface",
+              "Model of the surface in the middle of the walls, with the thickness of the wall at its points",
+              "geometry fileExtensions=\".vtp,.vtk,.ply,.stl,.obj\"",
+              "output" });
+  AddRow(rows, "--triangles", "", Flag(&ExtractOptions::meshTriangles))
+    .Of(Mesh, "Mesh")
+    .Help("Split the quadrilaterals", "Along the shorter diagonal.")
+    .Python(Mesh);
+  AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::smallestComponent, 0))
+    .Of(Mesh, "Mesh")
+    .Formerly("--smallest-component")
+    .Help("Leave out components of fewer quadrilaterals",
+          "Default 0, which keeps all. Holds the whole surface in memory.")
+    .Python(Mesh);
+}
+
+void
+AddElements(std::vector<OptionRow> & rows)
+{
+  const std::string solvers = SolverExtensions;
+  using Kind = ElementSize::Kind;
+  AddRow(rows, "", "", {})
+    .Slicer({ "Further outputs",
+              "elementSizeMode",
+              "Element size mode",
+              "Elements of the medial surface. Voxel: one for each voxel; Automatic: as long as the wall is thick, at "
+              "least two "
+              "voxels, for solvers; Fixed: of one length, at bends and junctions at least as long as the wall is thick",
+              "",
+              "",
+              Choice<ModuleOptions, Kind>(
+                &ModuleOptions::elementSizeMode,
+                { { "Voxel", Kind::Voxel }, { "Automatic", Kind::Automatic }, { "Fixed", Kind::Length } }) });
+  AddRow(rows, "--element-size", "H", Value(&ExtractOptions::elementSize, ToElementSize, FormatElementSize))
+    .Of(Sheets, "Mesh")
+    .HiddenIn(Plan)
+    .Help("Length of the mesh's sides; auto, voxel",
+          "In units of the spacing; elements are as long as the wall is thick at least at junctions and bends. auto "
+          "(default of .inp, .bdf and .k): as long as the wall is thick, at least two voxels. voxel (default of other "
+          "meshes): one face a voxel. Needs a mesh.")
+    .Needs("--mesh", HasMesh)
+    .Python(Mesh)
+    .Slicer(
+      { "Further outputs",
+        "elementSize",
+        "Element size",
+        "Length of the sides of the elements, used by Fixed, in the units of the spacing (mm); at least the smallest "
+        "spacing",
+        "double",
+        "",
+        Length(&ModuleOptions::elementSize) });
+  using Place = ThicknessPlace;
+  AddRow(rows,
+         "--thickness-at",
+         "PLACE",
+         Choice<ExtractOptions, Place>(&ExtractOptions::thicknessPlace,
+                                       { { "sections", Place::Sections }, { "nodes", Place::Nodes } }))
+    .Of(Mesh, "Mesh")
+    .Help(
+      "Thickness of elements for solvers",
+      "sections (default): elements of nearly the same thickness share a section, as every solver reads. nodes: .inp "
+      "has it at nodes, .bdf and .k at the corners of elements. Needs a mesh in " +
+        solvers + ".")
+    .Needs("a mesh that is written as " + solvers, HasElements);
+  AddRow(rows, "--extend-rims", "", Flag(&ExtractOptions::extendsRims))
+    .Of(Mesh, "Mesh")
+    .Help(
+      "Carry the sheet on to the free edges of the part",
+      "The sheet ends half the thickness of its wall before each free edge of the part. It is carried on in its plane "
+      "to the surface, at most for the thickness; with --labels for half the thickness. Needs an element size.")
+    .Python(Mesh)
+    .Slicer({ "Further outputs", "extendRims", "Extend rims", "" });
+  AddRow(rows, "--section-width", "W", Length(&ExtractOptions::sectionWidth))
+    .Of(Sheets, "Mesh")
+    .HiddenIn(Plan)
+    .Help("Step of the thickness of sections",
+          "In units of the spacing; default: a quarter of the smallest spacing. Needs a mesh in " + solvers +
+            " with sections.")
+    .Needs("sections of a mesh that is written as " + solvers, HasSections);
+  AddRow(rows, "--min-branch-length", "L", Length(&ExtractOptions::minimumBranchLength, ToLengthOrNone))
+    .Of(Mesh, "Mesh")
+    .Help("Leave out branches shorter than L",
+          "In units of the spacing; default 0, which keeps all. Holds the whole surface in memory.")
+    .Python(Mesh)
+    .Slicer({ "Further outputs",
+              "minimumBranchLength",
+              "Minimum branch length",
+              "",
+              "double",
+              "",
+              Length(&ExtractOptions::minimumBranchLength, ToLengthOrNone) });
+}
+
+void
+AddPart(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "OUTPUT", "FILE", File(&SurfaceOptions::output))
+    .Of(Surface)
+    .Help("Triangles: " + JoinExtensions(ListPartExtensions()));
+  AddRow(rows, "--open", "", Flag(&SurfaceOptions::isOpen))
+    .Of(Surface)
+    .Help("Leave it open where the volume cuts the part",
+          "Otherwise it is closed half a voxel beyond the last voxels.");
+  AddRow(rows, "--sub-voxel", "", Flag(&SurfaceOptions::subVoxel))
+    .Of(Surface)
+    .Help(
+      "Place and measure it by gray values; =off: not",
+      "Vertices are where linear values cross the threshold, and walls are fitted to values where these allow it; "
+      "in masks and label maps, vertices are in the middle between voxels. Default: on where one threshold cuts the "
+      "values.")
+    .Python(Surface);
+}
+
+} // namespace
+
+void
+AddMeshRows(std::vector<OptionRow> & rows)
+{
+  AddMesh(rows);
+  AddElements(rows);
+  AddPart(rows);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OptionTable.h"
+
+namespace medialvoxel
+{
+
+const std::vector<OptionRow> &
+ListOptions()
+{
+  static const std::vector<OptionRow> table = [] {
+    std::vector<OptionRow> rows;
+    for (const auto add :
+         { AddInputRows, AddSheetRows, AddMeshRows, AddOutputRows, AddJobRows, AddWallRows, AddRunRows, AddRawRows })
+    {
+      add(rows);
+    }
+    return rows;
+  }();
+  return table;
+}
+
+} // end namespace medialvoxel

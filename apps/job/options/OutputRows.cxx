@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OptionTable.h"
+
+#include "SlicerElements.h"
+#include "Text.h"
+#include "VolumeFormats.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+using namespace Commands;
+
+constexpr const char * Group = "Further outputs";
+
+std::string
+ListExtensions(unsigned int components)
+{
+  return Join(ListOutputExtensions(components), " ", [](const std::string & extension) { return extension; });
+}
+
+bool
+SeparatesObjects(const ExtractOptions & options)
+{
+  return options.labels.has_value();
+}
+
+bool
+HasVectors(const ExtractOptions & options)
+{
+  return !options.vectorFile.empty();
+}
+
+void
+AddArguments(std::vector<OptionRow> & rows)
+{
+  constexpr unsigned int vector = 3;
+  AddRow(rows, "OUTPUT", "FILE", File(&ExtractOptions::output))
+    .OfJobs(Extractions)
+    .Help("Labels: " + ListExtensions(1))
+    .Slicer(
+      { "IO",
+        "outputVolume",
+        "Medial voxels",
+        "Labels of the cells between the voxels: 0 no object, 1 not medial, 2 medial by bound, 3 medial by geodesic "
+        "search. Its origin is half a voxel from that of the input",
+        SlicerOutput("label"),
+        "output" });
+  AddRow(rows, "VECTORS", "FILE", File(&DistanceOptions::output))
+    .Of(Distance)
+    .Help("Vectors to the boundary: " + ListExtensions(vector));
+}
+
+void
+AddVolumes(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "--objects", "FILE", File(&ExtractOptions::objectFile))
+    .Of(Extractions, Group)
+    .HiddenIn(Plan)
+    .Help(
+      "With --labels: the label of each cell's object",
+      "Of the type of the input, on the grid of the labels. A cell that is medial for several objects has the smallest "
+      "label. Named .seg.nrrd, 3D Slicer loads it as a segmentation with the names and colors.")
+    .Needs("--labels", SeparatesObjects)
+    .Slicer(
+      { Group, "objectsVolume", "Objects", "", SlicerOutput("label", ".seg.nrrd,.nrrd,.nhdr,.mha,.mhd"), "output" });
+  AddRow(rows, "--vectors", "FILE", File(&ExtractOptions::vectorFile))
+    .OfJobs(Extractions, Group)
+    .Help("Vectors to the nearest boundary point",
+          "32-bit real components x, y, z at object voxels, 0 elsewhere; in units of the spacing, along the axes of "
+          "space.")
+    .Python(Extract)
+    .Slicer({ Group, "vectorVolume", "Vectors", "", SlicerOutput("vector"), "output" });
+  using Boundary = itk::MedialVoxelBoundary;
+  AddRow(rows,
+         "--vector-boundary",
+         "KIND",
+         Choice(&ExtractOptions::vectorBoundary, { Boundary::Object, Boundary::Background }))
+    .OfJobs(Extractions, Group)
+    .Help("Boundary that they lead to", "object: border voxels of the object. background: background voxels beside it.")
+    .Needs("--vectors", HasVectors)
+    .Python(Extract)
+    .Slicer({ Group, "vectorBoundary", "Boundary of the vectors", "" });
+  AddRow(rows, "--distance", "FILE", File(&JobOptions::distanceFile))
+    .OfJobs(Extractions | Distance, Group)
+    .Help("Signed distance, negative inside the object")
+    .Slicer({ Group, "distanceVolume", "Signed distance", "", SlicerOutput("scalar"), "output" });
+}
+
+void
+AddViews(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "--preview", "FILE", File(&ExtractOptions::previewFile))
+    .OfJobs(Extractions, Group)
+    .Help("Picture of slices and a projection (.png)",
+          "With --thickness-map a second picture has the colors of the thickness.")
+    .Slicer({ Group, "previewFile", "Picture", "", SlicerFile(".png"), "output" });
+  AddRow(rows, "--html", "FILE", File(&ExtractOptions::htmlFile))
+    .OfJobs(Extractions, Group)
+    .Help("Page with picture, histogram and phases (.html)", "One file that opens offline, with the sheet in 3-D.");
+  AddRow(rows, "--report", "FILE", File(&JobOptions::reportFile))
+    .OfJobs(Runs, Group)
+    .Help("All numbers (JSON); - for stdout", "With - it takes the place of the table.")
+    .Slicer({ Group,
+              "reportFile",
+              "Report",
+              "Parameters, counts, seconds and memory as JSON",
+              SlicerFile(".json"),
+              "output" });
+}
+
+} // namespace
+
+void
+AddOutputRows(std::vector<OptionRow> & rows)
+{
+  AddArguments(rows);
+  AddVolumes(rows);
+  AddViews(rows);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelProgramOptions_h
+#define medialvoxelProgramOptions_h
+
+#include "LogRecord.h"
+#include "Options.h"
+#include "Progress.h"
+
+#include <cstdint>
+#include <string>
+
+namespace medialvoxel
+{
+
+/** What the program is told beside the job. */
+struct ProgramOptions
+{
+  std::string   jobFolder;
+  bool          resumes{ false };     ///< the extraction
+  bool          showsValues{ false }; ///< of the volume
+  bool          showsLabels{ false }; ///< what its objects take when it is a label map
+  bool          printsJson{ false };
+  ProgressStyle progress{ ProgressStyle::Auto };
+  bool          quiet{ false };
+  LogLevel      logLevel{ LogLevel::Info };
+};
+
+/** Which voxels are the object. The module for 3D Slicer is given all limits at all times, so that one of them has to
+ * be chosen. */
+enum class ObjectSelection
+{
+  NonZero,
+  AboveLower, ///< lower threshold and more
+  BelowUpper, ///< upper threshold and less
+  Between,    ///< lower to upper threshold
+  Label,      ///< the label value alone
+  Labels      ///< each of several labels, as an object of its own
+};
+
+/** What the module for 3D Slicer is told in place of some options of the job, which CompleteJob() sets. */
+struct ModuleOptions
+{
+  ExtractOptions  job;
+  ObjectSelection objectSelection{ ObjectSelection::NonZero };
+  double          lowerThreshold{ 1 };
+  double          upperThreshold{ 65535 };
+  std::int64_t    labelValue{ 1 };
+  LabelSelection  labels{ true, {}, {} };
+  std::string     colorTable; ///< names of the labels
+  double          thickness{ 3 };
+  double          elementSize{ 6 };
+
+  ElementSize::Kind elementSizeMode{ ElementSize::Kind::Voxel };
+
+  itk::MedialVoxelThicknessMode thicknessMode{ itk::MedialVoxelThicknessMode::Automatic };
+
+  bool resample{ false };
+  bool echo{ false };
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OptionTable.h"
+
+#include "Outputs.h"
+#include "SlicerElements.h"
+#include "Text.h"
+
+#include "itkMultiThreaderBase.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using namespace Commands;
+
+constexpr const char * Group = "Run";
+
+/** Whether an option of outputs as .zarr has an effect. */
+bool
+WritesZarr(const OptionTarget & target)
+{
+  const auto * const             extract = std::get<ExtractOptions *>(target);
+  const std::vector<std::string> names =
+    extract ? ListVolumeNames(*extract) : ListVolumeNames(*std::get<DistanceOptions *>(target));
+  return std::any_of(names.begin(), names.end(), [](const std::string & name) {
+    return ToLower(std::filesystem::path(name).extension().string()) == ".zarr";
+  });
+}
+
+/** Of the module, where 0 stands for the default. */
+OptionValue
+ModuleThreads(std::int64_t most)
+{
+  return Value<ExtractOptions>(
+    [most](ExtractOptions & options, const std::string & text) {
+      const std::int64_t number = ToInteger(text, 0, most);
+      options.threads = number == 0 ? std::nullopt : std::optional<unsigned int>(number);
+    },
+    [](const ExtractOptions & options) {
+      return std::optional<std::string>(std::to_string(options.threads.value_or(0)));
+    });
+}
+
+void
+SetSlurm(PlanOptions & options, const std::string & text)
+{
+  if (text.empty())
+  {
+    throw WrongValue("'' is not the name of a file");
+  }
+  // What is no value of a flag is the name of a file.
+  const std::optional<bool> isWanted = ParseFlag(text);
+  if (isWanted.value_or(true))
+  {
+    options.slurm.emplace().fileName = isWanted ? "" : text;
+  }
+}
+
+void
+SetSlurmClusters(PlanOptions & options, const std::string & text)
+{
+  if (!options.slurm)
+  {
+    throw WrongValue("'" + text + "' has no effect; it needs --slurm");
+  }
+  if (!ParseSlurmClusters(text, *options.slurm))
+  {
+    throw WrongValue("'" + text + "' is not a number of clusters from 1 on such as 4, or two as 4%8");
+  }
+}
+
+void
+SetClusters(WorkOptions & options, const std::string & text)
+{
+  const auto ranges = ParseClusters(text);
+  if (!ranges)
+  {
+    throw WrongValue("'" + text + "' is not a list of clusters from 0 on such as 7 or 0-3,9");
+  }
+  options.clusters = *ranges;
+}
+
+/** Of what is never written again. */
+template <typename TOptions>
+OptionValue
+ReadOnly(void (*set)(TOptions &, const std::string &), bool isFlag = false)
+{
+  OptionValue value = Value<TOptions>(set, [](const TOptions &) { return std::optional<std::string>(); });
+  value.isFlag = isFlag;
+  return value;
+}
+
+void
+AddJobs(std::vector<OptionRow> & rows)
+{
+  const auto folder = [] { return Text(&ProgramOptions::jobFolder, "the name of a folder"); };
+  AddRow(rows, "JOBDIR", "DIR", folder()).Of(Plan).Help("Folder of the job, new or empty");
+  AddRow(rows, "JOBDIR", "DIR", folder()).Of(Work | Finalize | Status).Help("Folder made by medialvoxel plan");
+  AddRow(rows, "--slurm", "", ReadOnly(SetSlurm, true))
+    .Of(Plan)
+    .Help("Write a Slurm job array: JOBDIR/slurm.sh, or =FILE",
+          "Prints the commands that submit it, too. on and off are no file names, but ./on is one.");
+  AddRow(rows, "--slurm-clusters", "N", ReadOnly(SetSlurmClusters))
+    .Of(Plan)
+    .Help("Clusters per task; N%M: M tasks at once", "Default: so many that there are up to 64 tasks.")
+    .Requires("--slurm");
+  AddRow(rows, "--clusters", "RANGES", ReadOnly(SetClusters))
+    .Of(Work)
+    .Help("Clusters to compute, as 7 or 0-3,9 (default: all)", "Counted from 0.");
+  const auto setVerify = [](FinalizeOptions & options, const std::string & text) { options.verifies = !ToFlag(text); };
+  AddRow(rows, "--no-verify", "", ReadOnly<FinalizeOptions>(setVerify, true))
+    .Of(Finalize)
+    .Help("Skip reading the outputs again for their checksums", "For file systems that have checksums of their own.");
+  AddRow(rows, "--json", "", Flag(&ProgramOptions::printsJson)).Of(Status).Help("Print it as JSON");
+}
+
+void
+AddResources(std::vector<OptionRow> & rows)
+{
+  AddRow(rows,
+         "--memory",
+         "SIZE",
+         Value(&JobOptions::memoryBytes, ToByteSize, [](std::uint64_t bytes) { return std::to_string(bytes); }))
+    .Of(Runs | Work, Group)
+    .Help(
+      "Limit, such as 2G (default: half of the free memory)",
+      "A hard limit on the peak of the process. It changes the speed, never the results. K, M, G and T are powers of "
+      "1024.")
+    .KeepForRun()
+    .Python(Extract | Mesh | Distance | Surface)
+    .Slicer({ Group, "memory", "Memory", "" });
+  AddRow(rows, "--scratch", "DIR", File(&JobOptions::scratchFolder))
+    .Of(Runs | Work, Group)
+    .Help(
+      "Folder for input and mesh beyond the memory",
+      "Values of compressed input that do not fit the memory, and vertices and faces of meshes, wait there in files "
+      "without a name.")
+    .KeepForRun()
+    .Slicer({ Group, "scratchFolder", "Scratch folder", "", "directory", "input" });
+  constexpr std::int64_t mostThreads = itk::ITK_MAX_THREADS;
+  AddRow(rows, "--threads", "N", Count(&JobOptions::threads, 1, mostThreads))
+    .Of(Runs | Work, Group)
+    .Help("Threads (default: one per processor)", "Results do not depend on it.")
+    .KeepForRun()
+    .Python(Extract | Mesh | Distance | Surface)
+    .Slicer({ Group,
+              "numberOfThreads",
+              "Threads",
+              "Number of threads; 0 is one per processor",
+              "integer",
+              "",
+              ModuleThreads(mostThreads),
+              SlicerLimits("0", std::to_string(mostThreads)) });
+  AddRow(rows, "--divisions", "N", Count(&JobOptions::divisions, 1))
+    .Of(Runs & ~Plan, Group)
+    .Help("Number of pieces (default: chosen)", "Results do not depend on it.");
+  AddRow(rows, "--divisions", "N", Count(&JobOptions::divisions, 1))
+    .Of(Plan, Group)
+    .Help("Number of pieces (default: chosen)", "Number of clusters. Results do not depend on it.");
+}
+
+void
+AddFiles(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "--dry-run", "", Flag(&JobOptions::dryRun))
+    .Of(Runs, Group)
+    .Help("Check everything, print the plan and stop", "Writes nothing.");
+  AddRow(rows, "--sparse", "", Flag(&JobOptions::sparse))
+    .Of(Runs, Group)
+    .HiddenIn(Plan)
+    .Help("Leave zeros as holes in the files, reserve no space", "Not in jobs of several processes.");
+  const std::string overwriting =
+    "Without it the run is refused with status 3. Old files stay until the new ones are complete.";
+  AddRow(rows, "--overwrite", "", Flag(&JobOptions::overwrite))
+    .Of(Runs, Group)
+    .Help("Replace existing outputs", overwriting)
+    .KeepForRun();
+  AddRow(rows, "--overwrite", "", Flag(&FinalizeOptions::overwrite))
+    .Of(Finalize)
+    .Help("Replace existing outputs, whatever the plan says", overwriting);
+}
+
+void
+AddMessages(std::vector<OptionRow> & rows)
+{
+  using Style = ProgressStyle;
+  AddRow(rows,
+         "--progress",
+         "STYLE",
+         Choice<ProgramOptions, Style>(&ProgramOptions::progress,
+                                       { { "auto", Style::Auto },
+                                         { "bar", Style::Bar },
+                                         { "plain", Style::Plain },
+                                         { "slicer", Style::Slicer },
+                                         { "json", Style::JsonLines },
+                                         { "none", Style::None } }))
+    .Of(Processes, Group)
+    .Help("Progress");
+  AddRow(rows, "--quiet", "", Flag(&ProgramOptions::quiet))
+    .Of(Processes, Group)
+    .Help("Print errors only", "Warnings are left out too.");
+  AddRow(rows, "--log-file", "FILE", File(&JobOptions::logFile))
+    .Of(Processes, Group)
+    .Help("Append one line per step to this file", "Several processes may share it. Lines that are there stay.");
+  AddRow(rows,
+         "--log-level",
+         "LEVEL",
+         Choice<ProgramOptions, LogLevel>(&ProgramOptions::logLevel,
+                                          { { "info", LogLevel::Info },
+                                            { "error", LogLevel::Error },
+                                            { "warning", LogLevel::Warning },
+                                            { "debug", LogLevel::Debug } }))
+    .Of(Processes, Group)
+    .Help("Least urgent lines", "Lines that are less urgent are left out.")
+    .Requires("--log-file");
+}
+
+void
+AddPacking(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "--compress", "", Flag(&JobOptions::compress))
+    .Of(Extractions | Distance, Group)
+    .HiddenIn(Plan)
+    .Help("Pack .mha and .nrrd outputs",
+          "zlib for .mha, gzip for .nrrd. Packed files do not stream. Not in jobs of several processes.");
+  AddRow(
+    rows,
+    "--zarr-compression",
+    "KIND",
+    Choice(&JobOptions::zarrCompression, { ZarrCompression::Gzip, ZarrCompression::BloscZstd, ZarrCompression::None }))
+    .OfJobs(Extractions | Distance, Group)
+    .Help("Compression of .zarr outputs",
+          "Needs a .zarr output. blosc-zstd makes smaller files than gzip, and makes them sooner.")
+    .Needs("an output that is written as .zarr", WritesZarr);
+  AddRow(rows, "--resume", "", Flag(&ProgramOptions::resumes))
+    .Of(Extract, Group)
+    .Help("Continue a stopped run, or start one that can",
+          "The job folder is OUTPUT.job until the run is complete. The same command continues.");
+}
+
+} // namespace
+
+void
+AddJobRows(std::vector<OptionRow> & rows)
+{
+  AddJobs(rows);
+}
+
+void
+AddRunRows(std::vector<OptionRow> & rows)
+{
+  AddResources(rows);
+  AddFiles(rows);
+  AddMessages(rows);
+  AddPacking(rows);
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "OptionTable.h"
+
+#include "SlicerElements.h"
+#include "Text.h"
+
+#include "itkMedialVoxelEngineSettings.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+using namespace Commands;
+
+constexpr const char * Walls = "Wall thickness";
+
+constexpr const char * Outputs = "Further outputs";
+
+bool
+HasLocalThickness(const ExtractOptions & options)
+{
+  return !options.localThicknessFile.empty();
+}
+
+bool
+MayBeSubVoxel(const ExtractOptions & options)
+{
+  return options.subVoxel.value_or(true);
+}
+
+bool
+HasThinPlaces(const ExtractOptions & options)
+{
+  return options.thinBelow.has_value();
+}
+
+template <typename TOptions>
+OptionValue
+Method(LocalThicknessMethod TOptions::* member)
+{
+  return Choice(member, { LocalThicknessMethod::Wall, LocalThicknessMethod::Sphere });
+}
+
+OptionValue
+PlacesBeyond(std::optional<PlaceLimits> ExtractOptions::* member, PlaceKind kind)
+{
+  return Value(member, [kind](const std::string & text) { return ToPlaceLimits(text, kind); }, FormatPlaceLimits);
+}
+
+void
+AddMaps(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "--thickness-map", "FILE", File(&ExtractOptions::thicknessFile))
+    .OfJobs(Extractions, Walls)
+    .Help("Thickness of the walls at medial cells",
+          "32-bit real, on the grid of the labels: positive at medial cells, negative at rims, 0 elsewhere.")
+    .Python(Extract)
+    .Slicer({ Outputs, "thicknessMap", "Thickness", "", SlicerOutput("scalar"), "output" });
+  AddRow(rows, "--uncertainty-map", "FILE", File(&ExtractOptions::uncertaintyFile))
+    .OfJobs(Extractions, Walls)
+    .Help("Half of the 95 % interval of the thickness",
+          "32-bit real, on the grid of the labels: NaN at medial cells where it is not known. Needs one threshold and "
+          "walls of 5 voxels.")
+    .Slicer({ Outputs, "uncertaintyMap", "Uncertainty", "", SlicerOutput("scalar"), "output" });
+  AddRow(rows, "--local-thickness", "FILE", File(&ExtractOptions::localThicknessFile))
+    .OfJobs(Extractions, Walls)
+    .Help("Thickness at each object voxel",
+          "32-bit real, on the grid of the input: the thickness of the wall or the ball that covers the center of the "
+          "voxel, 0 outside the object. Not with --labels.")
+    .Slicer({ Outputs, "localThickness", "Local thickness", "", SlicerOutput("scalar"), "output" });
+}
+
+void
+AddLocalThickness(std::vector<OptionRow> & rows)
+{
+  const std::string methodHelp = "Of walls, or of largest balls";
+  AddRow(rows, "--local-thickness-method", "KIND", Method(&ExtractOptions::localThicknessMethod))
+    .OfJobs(Extractions, Walls)
+    .Help(
+      methodHelp,
+      "wall: thickness, as in --thickness-map, of the wall whose ball is the largest that covers the voxel; NaN in "
+      "edges and corners that no wall covers. sphere: diameter of the largest ball inside the object that does, for "
+      "comparison with other programs.")
+    .Needs("--local-thickness", HasLocalThickness)
+    .Slicer({ Outputs, "localThicknessMethod", "Local thickness method", "" });
+  AddRow(rows, "--local-thickness-method", "KIND", Method(&SurfaceOptions::localThicknessMethod))
+    .Of(Surface, Walls)
+    .Help(
+      methodHelp,
+      "wall: thickness of the wall whose ball is the largest that covers the object voxel beside the vertex; NaN in "
+      "edges and corners that no wall covers. sphere: diameter of the largest ball inside the object that does.")
+    .Python(Surface);
+  using Task = itk::MedialVoxelLocalThickness;
+  const std::string ballHelp = "Its largest value (default: " + FormatNumber(Task::DefaultVoxels) + " voxels)";
+  const std::string most = "In units of the spacing; at most " + FormatNumber(Task::MostVoxels) + " voxels. ";
+  AddRow(rows, "--largest-ball", "T", Length(&ExtractOptions::largestBall))
+    .OfJobs(Extractions, Walls)
+    .Help(ballHelp, most + "Larger balls are cut to it. Time and memory grow with it.")
+    .Slicer({ Outputs, "largestBall", "Largest ball", "" });
+  AddRow(rows, "--largest-ball", "T", Length(&SurfaceOptions::largestBall))
+    .Of(Surface, Walls)
+    .Help(ballHelp, most + "Larger balls are cut to it, and longer rays have no answer. Time and memory grow with it.")
+    .Python(Surface);
+  AddRow(rows, "--max-pore-size", "K", Count(&SurfaceOptions::maximumPoreSize, 0, LargestPoreSize))
+    .Of(Surface, Walls)
+    .Help("Largest pore or grain left out of it (default: " +
+            std::to_string(itk::MedialVoxelParameters::DefaultMaximumPoreSize) + ")",
+          "In voxels, from 0 to " + std::to_string(LargestPoreSize) +
+            ". Pores and grains of up to this size stay in the surface; 0 measures beside them.");
+  AddRow(rows, "--ray", "", Flag(&SurfaceOptions::measuresRays))
+    .Of(Surface, Walls)
+    .Help("Thickness by rays too",
+          "A second number of each vertex, ray_thickness: the way through the part along the smoothed gradient to the "
+          "opposite surface. NaN where the way leaves the volume or is longer than --largest-ball.");
+}
+
+void
+AddGrayValues(std::vector<OptionRow> & rows)
+{
+  using Optional = std::optional<bool>;
+  AddRow(rows, "--sub-voxel", "", Flag(&ExtractOptions::subVoxel))
+    .OfJobs(Sheets, Walls)
+    .Help(
+      "Measure walls on gray values; =off: on the object",
+      "Fits blurred walls to the values where the scan has walls of 5 voxels; otherwise finds where values cross the "
+      "threshold. Masks and label maps are measured on the object. Labels stay the same. Default: on where one "
+      "threshold "
+      "cuts the values.")
+    .Python(Extract | Mesh)
+    .Slicer(
+      { Outputs,
+        "subVoxel",
+        "Sub-voxel measures",
+        "Measure the thickness and the points of the medial surface on the gray values. Automatic: for maps of the "
+        "thickness, where the scan has walls of 5 voxels",
+        "",
+        "",
+        Choice<ExtractOptions, Optional>(&ExtractOptions::subVoxel,
+                                         { { "Automatic", std::nullopt }, { "On", true }, { "Off", false } }) });
+  AddRow(rows, "--materials", "B,M", Value(&ExtractOptions::levels, ToLevels, FormatLevels))
+    .OfJobs(Extractions, Walls)
+    .Formerly("--levels")
+    .Help("Values of background and material for that",
+          "Default: those of the scan. Needs one threshold, which is between them; M is in the object.")
+    .Needs("sub-voxel measures", MayBeSubVoxel)
+    .Python(Extract)
+    .Slicer(
+      { Outputs,
+        "levels",
+        "Levels",
+        "Values of background and material for sub-voxel measures, with a comma between them; empty: those of the "
+        "scan" });
+  AddRow(rows, "--thickness-csv", "FILE", File(&ExtractOptions::thicknessCsvFile))
+    .OfJobs(Extractions, Walls)
+    .Help("Histogram of the thickness (.csv)", "A line for each bin: thickness, cells, area of the sheet.");
+}
+
+void
+AddPlaces(std::vector<OptionRow> & rows)
+{
+  AddRow(rows, "--thin-below", "T,G", PlacesBeyond(&ExtractOptions::thinBelow, PlaceKind::Thin))
+    .OfJobs(Extractions, Walls)
+    .Help(
+      "List places thinner than T, grown to G",
+      "T or T,G in units of the spacing; greater than 0. A place is connected medial cells with walls thinner than G, "
+      "one of them thinner than T; default of G: 1.125 T. Measured as --thickness-map. Walls thinner than 3 voxels may "
+      "have holes. Not with --labels.")
+    .Slicer({ Outputs, "thinBelow", "Thin below", "" });
+  AddRow(rows, "--thick-above", "T,G", PlacesBeyond(&ExtractOptions::thickAbove, PlaceKind::Thick))
+    .OfJobs(Extractions, Walls)
+    .Help("List places thicker than T, grown to G",
+          "T or T,G in units of the spacing; default of G: 0.875 T. Walls thicker than --max-thickness have no medial "
+          "cells.")
+    .Slicer({ Outputs,
+              "thickAbove",
+              "Thick above",
+              "The same for thicker walls; by default places grow to 0.875 times as much" });
+  const char * const places = "--thin-below or --thick-above";
+  AddRow(rows, "--min-place-area", "A", Length(&ExtractOptions::smallestPlace, ToLengthOrNone))
+    .OfJobs(Extractions, Walls)
+    .Formerly("--smallest-place")
+    .Help("Least area of these places",
+          "In squared units of the spacing; default: that of ten faces of voxels. 0 keeps all.")
+    .Needs(places, ListsPlaces);
+  AddRow(rows, "--places", "FILE", File(&ExtractOptions::placesFile))
+    .OfJobs(Extractions, Walls)
+    .Help(
+      "Table of these places (.csv)",
+      "The 10000 largest of each kind, the largest first: area, cells, thickness; position and index of the thinnest "
+      "(thickest) cell, its two opposite boundary voxels, first and last index.")
+    .Needs(places, ListsPlaces)
+    .Slicer({ Outputs, "placesFile", "Places", "", SlicerFile(".csv"), "output" });
+  AddRow(rows, "--fail-if-thin", "", Flag(&ExtractOptions::failsIfThin))
+    .OfJobs(Extractions, Walls)
+    .Help("Exit status 5 if thin, 6 if not measured",
+          "6: there are no thin places, but too little was measured to know. All outputs are written. Needs "
+          "--thin-below.")
+    .Needs("--thin-below", HasThinPlaces);
+}
+
+} // namespace
+
+void
+AddWallRows(std::vector<OptionRow> & rows)
+{
+  AddMaps(rows);
+  AddLocalThickness(rows);
+  AddGrayValues(rows);
+  AddPlaces(rows);
+}
+
+} // end namespace medialvoxel
