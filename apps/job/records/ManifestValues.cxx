@@ -43,9 +43,7 @@ MeasureToJson(const std::optional<WallMeasure> & measure)
              measure->scan->noise,
              measure->scan->correlation };
   }
-  return { { "gray_values", measure->usesGrayValues },
-           { "scan", scan },
-           { "reason", measure->reason } };
+  return { { "gray_values", measure->usesGrayValues }, { "scan", scan }, { "reason", measure->reason } };
 }
 
 std::optional<WallMeasure>
@@ -55,7 +53,7 @@ MeasureFromJson(const Json & json)
   {
     return std::nullopt;
   }
-  WallMeasure measure{ json.at("gray_values").get<bool>(), std::nullopt, json.at("reason").get<std::string>() };
+  WallMeasure  measure{ json.at("gray_values").get<bool>(), std::nullopt, json.at("reason").get<std::string>() };
   const Json & scan = json.at("scan");
   if (!scan.is_null())
   {

@@ -10,6 +10,14 @@ namespace
 {
 
 Json
+ElementSizeToJson(const ElementSize & size)
+{
+  return size.kind == ElementSize::Kind::Length
+           ? Json(size.length)
+           : Json(size.kind == ElementSize::Kind::Voxel ? VoxelElementSize : AutomaticElementSize);
+}
+
+Json
 MakeDistances(const itk::MedialVoxelRemeshingSummary::Distances & distances)
 {
   return { { "largest", distances.largest }, { "percentile_99", distances.most }, { "mean", distances.mean } };

@@ -121,14 +121,6 @@ MakeLimit(const std::optional<itk::MedialVoxelLimit> & limit)
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json
-ElementSizeToJson(const ElementSize & size)
-{
-  return size.kind == ElementSize::Kind::Length
-           ? Json(size.length)
-           : Json(size.kind == ElementSize::Kind::Voxel ? VoxelElementSize : AutomaticElementSize);
-}
-
 /** Each warning as an object with a code for scripts, a line for readers, and the numbers of that line. */
 Json
 MakeWarnings(const std::vector<Warning> & warnings)

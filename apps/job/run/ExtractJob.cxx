@@ -440,7 +440,7 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
     const std::size_t told = result.warnings.size();
     result.warnings = FindWarningsOfRequest(own, result.input);
     TellWarnings(sink, result.warnings, told);
-    Extraction         extraction(own, result, sink);
+    Extraction extraction(own, result, sink);
     extraction.Run(start);
   });
   sink.Finish(result.seconds.total);
