@@ -37,7 +37,7 @@ class ReferenceTest(ProgramTestCase):
     def test_the_schema_describes_all_warnings(self):
         code = "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "apps/job/reports").glob("*Warnings.cxx"))
         codes = set(re.findall(r'\{ "([a-z]+(?:_[a-z]+)+)",\s+(?:Check|\[\])', code))
-        for path in (SOURCE / "apps/job/formats").glob("*.cxx"):
+        for path in (SOURCE / "apps/job/formats").rglob("*.cxx"):
             text = path.read_text(encoding="utf-8")
             codes |= set(re.findall(r'warnings\.push_back\(\s*\{ "([a-z]+(?:_[a-z]+)+)"', text))
             codes |= {"unknown_spacing"} if "WarnOfUnknownSpacing(" in text else set()
