@@ -62,7 +62,7 @@ class UsageTest(ProgramTestCase):
 
     def test_limits_of_the_automatic_thickness(self):
         command = ["extract", "in.mha", "out.mha"]
-        for name in ("minimum", "maximum"):
+        for name in ("min", "max"):
             for value in ("0", "-2", "nan", "inf"):
                 self.assert_usage([f"--{name}-thickness", f"'{value}'", "greater than 0"], *command, f"--{name}-thickness", value)
         limits = ["--min-thickness", 5, "--max-thickness", 4]
