@@ -282,7 +282,7 @@ TEST(MedialVoxelPolling, NoKernelComputesLongWithoutAPoll)
     filter->SetInput(MakeImage<MaskImage<3>>(hard.volume()));
     hard.prepare(*filter);
     const double longest = FindLongestSilence(*filter, 1.5);
-    EXPECT_LT(longest, 0.1 + 0.1 * Patience()) << hard.name;
+    EXPECT_LT(longest, 0.1 + 0.05 * Patience()) << hard.name;
     std::cout << hard.name << ": " << 1000.0 * longest << " ms" << std::endl;
   }
 }
@@ -295,7 +295,7 @@ TEST(MedialVoxelPolling, NoKernelOfDistancesComputesLongWithoutAPoll)
     const auto filter = VectorFilter<3>::New();
     filter->SetInput(MakeImage<MaskImage<3>>(hollow));
     const double longest = FindLongestSilence(*filter, 3.0);
-    EXPECT_LT(longest, 0.1 + 0.1 * Patience()) << spacing[2];
+    EXPECT_LT(longest, 0.1 + 0.05 * Patience()) << spacing[2];
     std::cout << "distances, spacing along z " << spacing[2] << ": " << 1000.0 * longest << " ms" << std::endl;
   }
 }
