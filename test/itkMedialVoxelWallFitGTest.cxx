@@ -401,12 +401,12 @@ TEST(MedialVoxelScanSurvey, SaysWhyThereIsNone)
     const Volume volume({ { 60, 60, 60 } }, { { 0, 0, 1 } }, 0.2, share, 0.0);
     return itk::MedialVoxelScanSurvey(volume.grid, threshold, std::nullopt).Run(MakeSource(volume)).reason;
   };
-  EXPECT_EQ(reasonOf([](double) { return 1.0; }, Threshold), "there is too little background beside the walls");
+  EXPECT_EQ(reasonOf([](double) { return 1.0; }, Threshold), "the values are those of a mask or a label map");
   EXPECT_NE(reasonOf(MakeWall(3.0, 0.8), Threshold).find("too few walls are 5 voxels thick"), std::string::npos);
   EXPECT_EQ(reasonOf(MakeWall(8.0, 0.8), Material + 1.0),
             "the threshold is not between the values of background and material");
   EXPECT_EQ(reasonOf([](double s) { return std::abs(s) < 4.0 ? 1.0 : 0.0; }, Threshold),
-            "the edges are as sharp as those of a mask");
+            "the values are those of a mask or a label map");
 }
 
 TEST(MedialVoxelScanSurvey, WallsThatTheObjectLacksOnBothSidesAreTheReason)

@@ -247,7 +247,7 @@ TEST(Manifest, NamesTheDifference)
   const ExtractOptions present = MakeManifest().options;
   ExtractOptions       wanted = present;
   wanted.thickness.reset();
-  EXPECT_EQ(FindDifference(wanted, present), "thickness is null, not 0.1");
+  EXPECT_EQ(FindDifference(wanted, present), "--thickness is unset, not 0.1");
   wanted = present;
   wanted.raw->size[2] = 101;
   EXPECT_NE(FindDifference(wanted, present), "");
@@ -258,7 +258,7 @@ TEST(Manifest, NamesTheDifference)
   wanted.overwrite = !present.overwrite;
   EXPECT_EQ(FindDifference(wanted, present), "");
   wanted.divisions = 3;
-  EXPECT_EQ(FindDifference(wanted, present), "divisions is 3, not null");
+  EXPECT_EQ(FindDifference(wanted, present), "--divisions is 3, not 0");
 }
 
 TEST(Manifest, RefusesNamesThatAreNotText)

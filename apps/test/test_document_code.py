@@ -46,7 +46,7 @@ PREPARED = {
     ("doc/how-to/label-maps.md", "medialvoxel extract segments.mha"): "cp part.mha segments.mha",
     ("doc/how-to/label-maps.md", "medialvoxel extract scan.seg.nrrd"): "medialvoxel extract part.mha scan.seg.nrrd",
     ("doc/how-to/label-maps.md", "python3 -c"): "medialvoxel extract part.mha x.mha --labels all --report report.json",
-    ("doc/how-to/wall-thickness.md", "medialvoxel extract plain.mha"): "cp gray.mha plain.mha",
+    ("doc/how-to/wall-thickness.md", "medialvoxel extract part.mha fine.mha"): "cp gray.mha part.mha",
     ("doc/how-to/wall-thickness.md", "awk -F,"): "medialvoxel extract part.mha x.mha --lower 72 --thickness-csv thickness.csv",
     ("doc/how-to/large-volumes.md", "import zarr"): "medialvoxel extract part.mha part.ome.zarr --lower 72",
 }

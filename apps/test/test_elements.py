@@ -65,7 +65,7 @@ class RealElementsTest(ProgramTestCase):
     def test_same_bytes_for_any_division(self):
         contents = set()
         for number, arguments in enumerate(
-            (["--divisions", 1, "--threads", 1], ["--divisions", 9, "--threads", 3], ["--memory", "200M"])
+            (["--divisions", 1, "--threads", 1], ["--divisions", 9, "--threads", 3], ["--memory", "240M"])
         ):
             self.mesh(f"{number}.inp", "--element-size", 6, *arguments)
             contents.add((self.folder / f"{number}.inp").read_bytes())

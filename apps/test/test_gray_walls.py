@@ -243,7 +243,7 @@ class GrayWallsTest(ProgramTestCase):
             (USAGE, ["uncertainty", "threshold", "none is"], ("in.nrrd", "o.mha", *uncertainty)),
             (USAGE, ["uncertainty", "one threshold", "uint16"], ("in.nrrd", "o.mha", "--lower", 1, "--upper", 9, *uncertainty)),
             (USAGE, ["uncertainty", "no sub-voxel"], ("in.nrrd", "o.mha", "--lower", 1, "--sub-voxel=off", *uncertainty)),
-            (USAGE, ["levels", "5", "must differ"], ("in.nrrd", "o.mha", "--lower", 1, "--materials", "5,5")),
+            (USAGE, ["--materials", "5", "must differ"], ("in.nrrd", "o.mha", "--lower", 1, "--materials", "5,5")),
             (USAGE, ["--materials", "'5'", "background and material"], ("in.nrrd", "o.mha", "--lower", 1, "--materials", "5")),
             (USAGE, ["--materials", "sub-voxel"], ("in.nrrd", "o.mha", "--lower", 1, "--materials", "5,6", "--sub-voxel=off")),
         ):

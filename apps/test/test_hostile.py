@@ -136,7 +136,7 @@ class HostileTest(ProgramTestCase):
 
     def assert_clear(self, name, statuses, what):
         """Read by both commands or refused by both, but for voxels that only one of them looks at."""
-        for arguments in (["info", name], ["extract", name, "out.mha", "--thickness", 3, "--threads", 1]):
+        for arguments in (["info", name], ["extract", name, "out.mha", "--thickness", 3, "--resample", "off", "--threads", 1]):
             status, message = self.run_limited(*arguments)
             self.assertIn(status, statuses, (what, arguments[0], message))
             if status != DONE:

@@ -20,7 +20,7 @@ namespace
 
 /** Voxels of the coarse look, and how coarse it may get for them. */
 constexpr std::uint64_t CoarseVoxels = std::uint64_t{ 1 } << 22;
-constexpr double        LeastStep = 2.0;
+constexpr double        LeastStep = 4.0; // windows as planned hold the thickest walls then
 constexpr double        MostStep = 8.0;
 
 /** Walls of the coarse look have at least so many of its voxels. */
@@ -127,7 +127,8 @@ RaiseMaximumThickness(ExtractOptions &     options,
   const LengthHistogram & areas = look.survey.GetSums().GetAreas();
   const double            maximum = GetLimitsOfWalls(options, GetGrid(options, header)).maximum;
   double                  thickVolume = 0.0;
-  for (std::size_t bin = areas.GetBin(maximum) + 1; bin < areas.GetNumbers().size(); ++bin)
+  // A coarse voxel more, as a wall of the maximum may read.
+  for (std::size_t bin = areas.GetBin(maximum + step * edge) + 1; bin < areas.GetNumbers().size(); ++bin)
   {
     thickVolume += static_cast<double>(areas.GetNumbers()[bin]) * static_cast<double>(bin);
   }
