@@ -209,7 +209,8 @@ class SpacingTest(ProgramTestCase):
         spacing = (0.5, 0.25, 2)
         text = ",".join(map(str, spacing))
         expected = volumes.write_meta(self.folder / "with.mha", volumes.box_with_plate(spacing=spacing))
-        self.extract(expected, "expected.mha", "--lower", 72, "--thickness-map", "expected-t.mha")
+        run = ("--lower", 72, "--resample", "off")
+        self.extract(expected, "expected.mha", *run, "--thickness-map", "expected-t.mha")
         sources = [
             volumes.write_meta(self.folder / "a.mha", self.volume),
             volumes.write_nrrd(self.folder / "b.nrrd", self.volume, compressed=True),
@@ -217,7 +218,7 @@ class SpacingTest(ProgramTestCase):
             *([volumes.write_tiff(self.folder / "d.tif", self.volume)] if READS_TIFF else []),
         ]
         for source in sources:
-            self.extract(source, "out.mha", "--lower", 72, "--thickness-map", "t.mha", "--spacing", text, "--overwrite")
+            self.extract(source, "out.mha", *run, "--thickness-map", "t.mha", "--spacing", text, "--overwrite")
             for made, wanted in (("out.mha", "expected.mha"), ("t.mha", "expected-t.mha")):
                 self.assertEqual(
                     volumes.read_data(self.folder / made), volumes.read_data(self.folder / wanted), source.name
@@ -227,7 +228,7 @@ class SpacingTest(ProgramTestCase):
         raw = volumes.write_raw(self.folder / "e.raw", self.volume)
         options = volumes.raw_options(self.volume)[:4]
         for name in ("--spacing", "--raw-spacing"):
-            self.extract(raw, "out.mha", "--lower", 72, *options, name, text, "--overwrite")
+            self.extract(raw, "out.mha", *run, *options, name, text, "--overwrite")
             made, wanted = (volumes.read_data(self.folder / out) for out in ("out.mha", "expected.mha"))
             self.assertEqual(made, wanted)
 
@@ -295,9 +296,9 @@ class SpacingTest(ProgramTestCase):
         self.assertEqual(volumes.read_header(self.folder / "kept.mha")[0]["DimSize"], " ".join(map(str, size)))
 
     def test_sizes_that_resampling_cannot_have(self):
-        volumes.write_meta(self.folder / "in.mha", volumes.Volume((3, 3, 3000), [0] * 27000))
-        options = ["in.mha", "out.mha", "--spacing", "1e-9,1,1"]
-        self.assert_fails(USAGE, ["in.mha", "resampled spacing 1e-09", "--resample off"], "extract", *options)
+        (self.folder / "in.raw").write_bytes(bytes(2 * 2200000))
+        options = ["in.raw", "out.mha", "--raw-size", "2200000,2", "--raw-type", "uint8", "--spacing", "1,0.001"]
+        self.assert_fails(USAGE, ["in.raw", "resampled spacing 0.001", "--resample off"], "extract", *options)
 
     def test_jobs_keep_the_spacing(self):
         volumes.write_meta(self.folder / "in.mha", self.volume)

@@ -159,7 +159,7 @@ class WarningTest(ProgramTestCase):
             volume = plate(32, width=64, spacing=[spacing] * 3)
             reports = []
             labels = []
-            for arguments in ([], ["--divisions", 5, "--threads", 3], ["--memory", "96M"]):
+            for arguments in ([], ["--divisions", 5, "--threads", 3], ["--memory", "128M"]):
                 reports.append(self.warnings(volume, *arguments))
                 labels.append(volumes.read_data(self.folder / "out.mha"))
             self.assertEqual(reports, reports[:1] * 3)
