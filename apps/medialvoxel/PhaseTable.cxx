@@ -188,15 +188,6 @@ PrintPhaseTable(std::ostream & out, const ExtractOptions & options, const JobRes
   TextTable                         table;
   AddResolution(table, result.input);
   table.emplace_back("tau", DescribeThickness(options, " " + DescribeUnit(options, result.input.geometry)));
-  for (const Warning & warning : result.warnings)
-  {
-    if (warning.code == "raised_maximum_thickness")
-    {
-      table.emplace_back("  of walls up to",
-                         FormatShort(warning.values.back().second) + ", raised from " +
-                           FormatShort(warning.values.front().second));
-    }
-  }
   AddObject(table, options, result);
   AddLabelMap(table, result);
   table.emplace_back("object voxels", std::to_string(counts.objectVoxels));

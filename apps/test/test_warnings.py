@@ -3,7 +3,6 @@
 """What would mislead is said: one line on the error stream, an entry of the report, a paragraph of the page."""
 
 import json
-import shutil
 import subprocess
 import unittest
 
@@ -131,7 +130,7 @@ class WarningTest(ProgramTestCase):
         for volume in (rod(4), rod(6), rod(8), ball(32)):
             found = self.warnings(volume)
             self.assertIn("few_sheets", found)
-            self.assertLessEqual(set(found), {"few_sheets", "beyond_maximum_thickness", "raised_maximum_thickness"})
+            self.assertLessEqual(set(found), {"few_sheets", "beyond_maximum_thickness"})
             percent = found["few_sheets"]["values"]["explained_percent"]
             self.assertTrue(0 <= percent < 20, percent)
             self.assertIn(f"only {percent:.{1 if 0 < percent < 1 else 0}f} %", found["few_sheets"]["message"])
@@ -154,44 +153,12 @@ class WarningTest(ProgramTestCase):
         wide.spacing = (0.5, 0.5, 0.5)
         self.assertAlmostEqual(self.warnings(wide)["few_sheets"]["values"]["explained_percent"], share, delta=1)
 
-    def test_thick_walls_raise_the_maximum_thickness(self):
-        for spacing in (1, 0.25):
-            volume = plate(32, width=64, spacing=[spacing] * 3)
-            reports = []
-            labels = []
-            for arguments in ([], ["--divisions", 5, "--threads", 3], ["--memory", "128M"]):
-                reports.append(self.warnings(volume, *arguments))
-                labels.append(volumes.read_data(self.folder / "out.mha"))
-            self.assertEqual(reports, reports[:1] * 3)
-            self.assertNotIn("beyond_maximum_thickness", reports[0])
-            values = reports[0]["raised_maximum_thickness"]["values"]
-            self.assertEqual(values["default_maximum_thickness"], 16 * spacing)
-            self.assertTrue(32 * spacing <= values["maximum_thickness"] <= 40 * spacing, values)
-            self.assertEqual(self.report["parameters"]["maximum_thickness"], values["maximum_thickness"])
-            given = self.warnings(volume, "--max-thickness", values["maximum_thickness"])
-            labels.append(volumes.read_data(self.folder / "out.mha"))
-            self.assertNotIn("raised_maximum_thickness", given)
-            self.run_program("plan", "in.mha", "j.mha", "job", "--report", "j.json", "--divisions", 3)
-            self.run_program("work", "job")
-            self.run_program("finalize", "job")
-            labels.append(volumes.read_data(self.folder / "j.mha"))
-            self.assertEqual(labels, labels[:1] * len(labels))
-            codes = [warning["code"] for warning in json.loads((self.folder / "j.json").read_text())["warnings"]]
-            self.assertIn("raised_maximum_thickness", codes)
-            shutil.rmtree(self.folder / "job")
-            (self.folder / "j.mha").unlink()
-            (self.folder / "j.json").unlink()
-
-    def test_thin_walls_keep_the_maximum_thickness(self):
-        for volume in (plate(4), plate(16, width=40), solid((40, 40, 40), lambda x, y, z: abs(x + 2 * y + 2 * z - 100) <= 20)):
-            self.assertNotIn("raised_maximum_thickness", self.warnings(volume))
-
     def test_walls_beyond_the_maximum_thickness(self):
         for spacing in (1, 0.25):
             volume = solid((48, 48, 48), lambda x, y, z: 8 <= z < 40 and 4 <= x < 44, spacing=[spacing] * 3)
             reports = []
             for arguments in ([], ["--divisions", 5, "--threads", 3]):
-                found = self.warnings(volume, "--max-thickness", 16 * spacing, *arguments)
+                found = self.warnings(volume, *arguments)
                 reports.append(found)
                 values = found["beyond_maximum_thickness"]["values"]
                 self.assertEqual(values["maximum_thickness"], 16 * spacing)

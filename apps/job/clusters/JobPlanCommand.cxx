@@ -13,7 +13,6 @@
 #include "PipelineErrors.h"
 #include "PrepareJob.h"
 #include "ScanMeasure.h"
-#include "ThickWalls.h"
 #include "SharedJob.h"
 #include "ValueStatistics.h"
 #include "Version.h"
@@ -128,10 +127,10 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
 
 /** What all processes of the job do alike: the threshold, smooth or not, and measure walls. */
 void
-MeasureVolume(PlanOptions & options, const JobResult & job, ProgressSink & sink)
+MeasureVolume(PlanOptions & options, const JobResult & job, const ProgressSink & sink)
 {
   const bool measuresGray = MayMeasureOnGrayValues(options, job.input);
-  const bool opensVolume = GetSmoothing(options) == Smoothing::Automatic || measuresGray || !options.thickness;
+  const bool opensVolume = GetSmoothing(options) == Smoothing::Automatic || measuresGray;
   const auto header = opensVolume ? UnpackInput(job.input, job.plan, sink) : job.input;
   MeasureThreshold(options, header, sink);
   CheckOptions(options); // with the threshold of Otsu
@@ -140,8 +139,6 @@ MeasureVolume(PlanOptions & options, const JobResult & job, ProgressSink & sink)
     options.measure = WallMeasure{ false, std::nullopt, DescribeMeasureOnObject(options, job.input) };
     return;
   }
-  RaiseMaximumThickness(options, header, job.plan, sink);
-  TellWarnings(sink, FindWarningsOfRequest(options, job.input), job.warnings.size());
   const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
   const auto input = OpenInputVolume(header, options, job.plan.bytesToKeep, GetSmoothing(options));
   input->Prepare(observer);

@@ -135,9 +135,6 @@ struct ExtractOptions : JobOptions
   std::optional<itk::MedialVoxelScanLevels> levels;  ///< values of both materials; unset: those of the scan
   std::optional<WallMeasure>                measure; ///< how walls are measured, when it is known before
 
-  /** Of the automatic thickness, where many walls are thicker, so that it is raised; unset: it stays. */
-  std::optional<double> defaultMaximumThickness;
-
   std::optional<LabelSelection> labels;     ///< each of these values is an object of its own, without thresholds
   std::string                   objectFile; ///< label of the object of each cell, of the type of the input
   std::string segmentFile; ///< names and colors of the labels; empty: those of the input, where it has some

@@ -61,7 +61,6 @@ ParametersToJson(const ExtractOptions & options)
 {
   Json json = KeptToJson(Kept::Result, options);
   json["lower_otsu"] = options.lowerIsOtsu;
-  json["default_maximum_thickness"] = OptionalToJson(options.defaultMaximumThickness);
   json["roughness"] = RoughnessToJson(options.roughness);
   json["measure"] = MeasureToJson(options.measure);
   return json;
@@ -72,10 +71,6 @@ ParametersFromJson(const Json & json, ExtractOptions & options)
 {
   KeptFromJson(Kept::Result, json, options);
   json.at("lower_otsu").get_to(options.lowerIsOtsu);
-  if (const Json & thickness = json.at("default_maximum_thickness"); !thickness.is_null())
-  {
-    options.defaultMaximumThickness = thickness.get<double>();
-  }
   options.roughness = RoughnessFromJson(json.at("roughness"));
   options.measure = MeasureFromJson(json.at("measure"));
 }

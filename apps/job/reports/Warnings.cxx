@@ -127,20 +127,6 @@ CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
                     { "largest_accurate_ratio", itk::MedialVoxelGridLimits::AccurateRatio } } };
 }
 
-std::optional<Finding>
-CheckRaisedMaximum(const ExtractOptions & options, const VolumeHeader &)
-{
-  if (!options.defaultMaximumThickness)
-  {
-    return std::nullopt;
-  }
-  const double raised = options.maximumThickness.value();
-  return Finding{ "the maximum thickness is raised from " + FormatShort(*options.defaultMaximumThickness) + " to " +
-                    FormatShort(raised) + ", as many walls are thicker",
-                  { { "default_maximum_thickness", *options.defaultMaximumThickness },
-                    { "maximum_thickness", raised } } };
-}
-
 const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
   { "unequal_spacing", CheckSpacing },
   { "unusual_thickness",
@@ -159,7 +145,6 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
     [](const ExtractOptions & options, const VolumeHeader & input) {
       return options.meshFile.empty() ? CheckScratch(options, input) : std::nullopt;
     } },
-  { "raised_maximum_thickness", CheckRaisedMaximum }, // is known later than the others
 };
 
 const std::vector<Rule<ExtractOptions, VolumeHeader>> ThicknessRequestRules{ { "unequal_spacing", CheckSpacing } };

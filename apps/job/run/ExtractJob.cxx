@@ -23,7 +23,6 @@
 #include "SurfacePlacement.h"
 #include "SurfaceRemeshing.h"
 #include "Text.h"
-#include "ThickWalls.h"
 #include "ThicknessPreview.h"
 #include "ValueStatistics.h"
 #include "VolumeFormats.h"
@@ -436,11 +435,7 @@ RunExtract(const ExtractOptions & options, ProgressSink & sink)
   WithPipelineErrors([&] {
     sink.Start("medialvoxel", "extracting medial voxels");
     const StopListener listener(&sink);
-    RaiseMaximumThickness(own, result.input, result.plan, sink);
-    const std::size_t told = result.warnings.size();
-    result.warnings = FindWarningsOfRequest(own, result.input);
-    TellWarnings(sink, result.warnings, told);
-    Extraction extraction(own, result, sink);
+    Extraction         extraction(own, result, sink);
     extraction.Run(start);
   });
   sink.Finish(result.seconds.total);
