@@ -23,9 +23,10 @@ public:
 
   itkNewMacro(Self);
 
-  /** As the report of the program has it. */
+  /** As the report of the program has it.
+   * \param whyOnObject where gray values are not looked at */
   nlohmann::json
-  DescribeMeasure() const
+  DescribeMeasure(const std::string & whyOnObject) const
   {
     const auto     found = this->GetScan();
     nlohmann::json scan;
@@ -36,9 +37,10 @@ public:
                { "blur", found.scan->blur },
                { "noise", found.scan->noise } };
     }
-    const bool         isGray = this->GetSubvoxelThickness() && !found.isMask;
-    const char * const on = found.scan ? "fits" : (isGray ? "crossings" : "object");
-    return { { "on", on }, { "scan", scan }, { "reason", found.reason } };
+    const bool          isGray = this->GetSubvoxelThickness() && !found.isMask;
+    const char * const  on = found.scan ? "fits" : (isGray ? "crossings" : "object");
+    const std::string & reason = this->GetSubvoxelThickness() ? found.reason : whyOnObject;
+    return { { "on", on }, { "scan", scan }, { "reason", reason } };
   }
 
 protected:
@@ -157,7 +159,8 @@ ExtractOne(const ArrayCall & call, const ExtractOptions & options)
     KeepPixels(*filter->GetVectorDistanceOutput(), vectors);
     ReverseVectors(outputs.vectors, call.array);
   }
-  numbers["measure"] = filter->DescribeMeasure();
+  numbers["measure"] =
+    filter->DescribeMeasure(measures ? DescribeMeasureOnObject(options, call.header) : "no thickness is asked for");
   return numbers;
 }
 
@@ -184,7 +187,8 @@ ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
   UseMemory(*filter->GetObjectOutput(), static_cast<TPixel *>(call.outputs.objects), call.array);
   nlohmann::json numbers = Run(*filter, call);
   KeepPixels(*filter->GetObjectOutput(), static_cast<TPixel *>(call.outputs.objects));
-  numbers["measure"] = { { "on", "object" }, { "scan", nullptr }, { "reason", "" } };
+  const std::string reason = DescribeMeasureOnObject(options, call.header);
+  numbers["measure"] = { { "on", "object" }, { "scan", nullptr }, { "reason", reason } };
   numbers["objects"] = DescribeObjects(*filter);
   numbers["shared_cells"] = filter->GetNumberOfSharedCells();
   return numbers;

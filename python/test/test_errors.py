@@ -161,7 +161,7 @@ class Errors(Folder):
             for value in ("maybe", 2, 1.0, [True]):
                 with self.assertRaisesRegex(ValueError, f"{name} is .*; it must be True or False"):
                     medialvoxel.extract(scene(), lower=40, **{name: value})
-        with self.assertRaisesRegex(ValueError, "sub_voxel is 'maybe'"):
+        with self.assertRaisesRegex(ValueError, "--sub-voxel: 'maybe' is not one of"):
             medialvoxel.local_thickness(scene(), lower=40, sub_voxel="maybe")
 
     def test_unknown_keywords(self):

@@ -54,8 +54,8 @@ class LocalThickness(unittest.TestCase):
         solid = (values >= 40) & (values <= 90)
         cases = [
             ({"lower": 40, "upper": 90}, solid, SPACING, 48),
-            ({"lower": 40, "upper": 90, "maximum": 4}, solid, SPACING, 4),
-            ({"lower": 40, "upper": 90, "maximum": np.float32(2.5)}, solid, SPACING, 2.5),
+            ({"lower": 40, "upper": 90, "largest_ball": 4}, solid, SPACING, 4),
+            ({"lower": 40, "upper": 90, "largest_ball": np.float32(2.5)}, solid, SPACING, 2.5),
             ({"lower": 40, "upper": 90, "voxel_units": True}, solid, (1, 1, 1), 32),
             ({"lower": 40, "upper": 90, "threads": 1, "memory": "1M"}, solid, SPACING, 48),
             ({"label": 0}, values == 0, SPACING, 48),
@@ -99,12 +99,13 @@ class LocalThickness(unittest.TestCase):
         z, y, x = np.indices((36, 38, 40), float) - 18
         away = abs(0.2 * x + 0.37 * y + 0.91 * z) / np.sqrt(0.2**2 + 0.37**2 + 0.91**2) - 3.2
         scan = 1000 / (1 + np.exp(2.5 * away))
-        cells = medialvoxel.extract(scan, lower=500, smooth="off", max_pore_size=0, sub_voxel=True).thickness
-        found = medialvoxel.local_thickness(scan, lower=500, sub_voxel=True).thickness
+        cells = medialvoxel.extract(scan, lower=500, smooth="off", max_pore_size=0).thickness
+        found = medialvoxel.local_thickness(scan, lower=500).thickness
         part = found[scan >= 500]
         self.assertLessEqual(set(part[~np.isnan(part)].tolist()), set(cells[cells > 0].tolist()))
         self.assertAlmostEqual(float(np.nanmedian(part)), 6.4, delta=0.05)
-        self.assertFalse(np.array_equal(found, medialvoxel.local_thickness(scan, lower=500).thickness, equal_nan=True))
+        on_object = medialvoxel.local_thickness(scan, lower=500, sub_voxel=False).thickness
+        self.assertFalse(np.array_equal(found, on_object, equal_nan=True))
 
     def test_wrong_values(self):
         cases = [
