@@ -49,7 +49,8 @@ class UnpackingTest(ProgramTestCase):
         for entry in pathlib.Path(f"/proc/{process.pid}/fd").iterdir():
             try:
                 if os.readlink(entry).startswith(f"{self.scratch.resolve()}/"):
-                    return entry.stat()
+                    found = entry.stat()
+                    return found if found.st_size > 0 else None  # it has just been made
             except OSError:
                 pass  # it has just been closed
         return None
