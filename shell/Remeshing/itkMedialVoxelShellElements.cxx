@@ -36,6 +36,30 @@ GetOther(const Complex & complex, const Index triangle, const Index a, const Ind
   return triangles.size() != 2 ? Complex::None : triangles[0] == triangle ? triangles[1] : triangles[0];
 }
 
+/** Whether the normals at all corners are nearly the same: solvers turn thick elements over that are not. */
+bool
+IsNearlyFlat(const std::array<MedialVoxelVector3, 4> & points)
+{
+  std::array<MedialVoxelVector3, 4> normals;
+  for (std::size_t corner = 0; corner < 4; ++corner)
+  {
+    normals[corner] =
+      MedialVoxelTriangleNormal({ { points[(corner + 3) % 4], points[corner], points[(corner + 1) % 4] } });
+  }
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    for (std::size_t k = i + 1; k < 4; ++k)
+    {
+      const double lengths = MedialVoxelNorm(normals[i]) * MedialVoxelNorm(normals[k]);
+      if (!(MedialVoxelDot(normals[i], normals[k]) > LeastCosine * lengths))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 struct Pair
 {
   double                  quality;
@@ -59,16 +83,6 @@ MakePair(const Complex &               complex,
   {
     return false;
   }
-  const auto normalOf = [&](const Index triangle) {
-    std::array<MedialVoxelVector3, 3> points;
-    std::transform(corners[triangle].begin(), corners[triangle].end(), points.begin(), [&](const Index vertex) {
-      return complex.GetPoint(vertex);
-    });
-    return MedialVoxelTriangleNormal(points);
-  };
-  const auto   u = normalOf(first);
-  const auto   v = normalOf(second);
-  const double lengths = MedialVoxelNorm(u) * MedialVoxelNorm(v);
   pair.element.corners = { { a, complex.GetOpposite(second, a, b), b, complex.GetOpposite(first, a, b) } };
   pair.element.numberOfCorners = 4;
   pair.element.wall = complex.GetWall(first);
@@ -80,8 +94,7 @@ MakePair(const Complex &               complex,
   pair.quality = MedialVoxelScaledJacobian(points);
   pair.first = first;
   pair.second = second;
-  return MedialVoxelDot(u, v) > LeastCosine * lengths && pair.quality >= LeastQuality &&
-         MedialVoxelAspectRatio(points) <= MostAspect;
+  return IsNearlyFlat(points) && pair.quality >= LeastQuality && MedialVoxelAspectRatio(points) <= MostAspect;
 }
 
 void
