@@ -25,7 +25,7 @@ class Files(Folder):
 
     def test_a_file_gives_what_an_array_gives(self):
         report = medialvoxel.extract_file(
-            self.input, self.folder / "out.mha", lower=40, thickness_map=self.folder / "map.mha", sub_voxel=False
+            self.input, self.folder / "out.mha", lower=40, thickness_map=self.folder / "map.mha"
         )
         found = medialvoxel.extract(scene().astype("uint8"), lower=40, spacing=(2.0, 1.0, 0.5))
         np.testing.assert_array_equal(read(self.folder / "out.mha"), found.labels)
