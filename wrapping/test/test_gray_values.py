@@ -68,7 +68,7 @@ class GrayValues(unittest.TestCase):
         for levels in ((5, 5), (float("nan"), 1), (0, float("inf"))):
             with self.subTest(levels=levels), self.assertRaises(RuntimeError) as caught:
                 measured(image, scan_levels=levels)
-            self.assertIn("levels of the scan", str(caught.exception))
+            self.assertIn("ScanLevels: the values of background and material", str(caught.exception))
 
     def test_why_there_is_no_scan(self):
         medial, labels, values, uncertainty = measured(image_of(100 * blobs("float32")))
@@ -143,6 +143,8 @@ class SameAsTheProgram(unittest.TestCase):
                     found[name] = itk.array_from_image(medial.GetOutput())
                     self.assertEqual(found[name].tobytes(), written["labels"].tobytes())
                     self.assertEqual(medial.GetObjectIsSmoothed(), name == "on" or (name == "auto" and is_rough))
+            if not found:
+                self.skipTest("the program is not built")
             np.testing.assert_array_equal(found["auto"], found["on" if is_rough else "off"])
             self.assertTrue((found["on"] != found["off"]).any())
 

@@ -105,10 +105,10 @@ class Numbers(unittest.TestCase):
         cells = np.zeros((20, 20, 20), np.uint8)
         cells[2:18, 2:18, 2:8] = 2
         cells[2:18, 2:18, 10:18] = 5
-        expected = itk.medial_voxel_image_filter(cells, object_labels=[2, 5], thickness=3.0)
+        expected = itk.medial_voxel_objects_image_filter(cells, object_labels=[2, 5], thickness=3.0)
         for labels in ((2, 5), np.array([2, 5]), np.array([2, 5], np.uint8), np.unique(cells[cells > 0]), [np.int16(2), 5]):
             with self.subTest(labels=repr(labels)):
-                found = itk.medial_voxel_image_filter(cells, object_labels=labels, thickness=3.0)
+                found = itk.medial_voxel_objects_image_filter(cells, object_labels=labels, thickness=3.0)
                 np.testing.assert_array_equal(found, expected)
 
     def test_what_does_not_fit(self):
