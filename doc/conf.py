@@ -37,19 +37,19 @@ CPP_CLASSES = (
     "MedialVoxelImageFilterBase",
     "MedialVoxelSheetProperties",
     "MedialVoxelObjectProperties",
-    "MedialVoxelCounts",
-    "MedialVoxelScanResult",
     "MedialVoxelEnums",
     "StreamingNrrdImageIO",
     "StreamingRawImageIO",
 )
+CPP_STRUCTS = ("MedialVoxelCounts", "MedialVoxelScanResult")
 CPP_PAGE = "reference/cpp"
 
 
 def make_cpp_page():
     lines = ["# C++ classes", "", "After this page you know every public member of the classes of the module.", ""]
-    for name in CPP_CLASSES:
-        lines += [f"## {name}", "", f"```{{doxygenclass}} itk::{name}", ":members:", "```", ""]
+    for kind, names in (("doxygenclass", CPP_CLASSES), ("doxygenstruct", CPP_STRUCTS)):
+        for name in names:
+            lines += [f"## {name}", "", f"```{{{kind}}} itk::{name}", ":members:", "```", ""]
     return "\n".join(lines)
 
 
