@@ -12,6 +12,11 @@ CellSample::CellSample(const std::uint64_t voxels, const std::uint64_t fullVoxel
   {
     m_Step *= 2;
   }
+  m_EveryStep = 0;
+  for (unsigned int bit = 0; bit < itk::MedialVoxelBits::BitsPerWord; bit += m_Step)
+  {
+    m_EveryStep |= itk::MedialVoxelBits::WordType{ 1 } << bit;
+  }
 }
 
 bool
@@ -23,14 +28,9 @@ CellSample::Contains(const itk::MedialVoxelIndex & cell) const
 itk::MedialVoxelBits::WordType
 CellSample::Select(const itk::MedialVoxelCellRow & row) const
 {
-  using WordType = itk::MedialVoxelBits::WordType;
+  // Steps divide the 64 cells of a row.
   const std::uint64_t first = (this->GetPhase(row.first) - static_cast<std::uint64_t>(row.first[0])) & (m_Step - 1);
-  WordType            cells = 0;
-  for (unsigned int bit = static_cast<unsigned int>(first); bit < itk::MedialVoxelBits::BitsPerWord; bit += m_Step)
-  {
-    cells |= WordType{ 1 } << bit;
-  }
-  return cells;
+  return m_EveryStep << first;
 }
 
 std::uint64_t

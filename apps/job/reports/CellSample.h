@@ -43,7 +43,8 @@ private:
   std::uint64_t
   GetPhase(const itk::MedialVoxelIndex & cell) const;
 
-  unsigned int m_Step{ 1 };
+  unsigned int                   m_Step{ 1 };
+  itk::MedialVoxelBits::WordType m_EveryStep{ ~itk::MedialVoxelBits::WordType{ 0 } }; ///< bits 0, step, 2 step ...
 };
 
 } // end namespace medialvoxel
