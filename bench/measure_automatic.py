@@ -38,9 +38,9 @@ CASES = {
     "gyroid": Case("256,256,256", (), USUAL),
     "blobs": Case("192,192,192", (), USUAL),
     "struts": Case("256,256,256", (), USUAL),
-    "engine": Case("engine.mha", ("--lower", "72"), USUAL, "256,256,110"),
-    "shell": Case("shell.nrrd", ("--lower", "65"), USUAL, "128,128,225"),
-    "cranium": Case("cranium.mha", ("--lower", "200"), USUAL | VOXELS, "256,256,108"),
+    "engine": Case("engine.mha", ("--lower", "72", "--sub-voxel=off"), USUAL, "256,256,110"),
+    "shell": Case("shell.nrrd", ("--lower", "65", "--sub-voxel=off"), USUAL, "128,128,225"),
+    "cranium": Case("cranium.mha", ("--lower", "200", "--sub-voxel=off"), USUAL | VOXELS, "256,256,108"),
 }
 RATIOS = {
     "automatic to fixed": ("automatic", "fixed"),
