@@ -6,6 +6,7 @@ import os
 import shutil
 import signal
 import sys
+import time
 import unittest
 
 import network_hosts
@@ -41,14 +42,16 @@ class GlusterTest(NetworkTestCase):
         worker = self.start_on(beta, "work", "job", "--clusters", 3, "--log-file", log)
         wait_until(lambda: log.exists() and " plan " in log.read_text(), "the start")
         wait_until(lambda: self.waits_for_a_lock(network_hosts.child_of(worker.pid)), "the one that waits")
+        time.sleep(1)
         beta.cut_off()
         self.assert_ends(worker, FAILURE, "cannot lock")
 
     @staticmethod
     def waits_for_a_lock(program):
-        """Whether it sleeps, with the file of locks open."""
-        files = [os.readlink(entry) for entry in os.scandir(f"/proc/{program}/fd")]
-        return any(file.endswith("/locks") for file in files) and state_of(program) == "S"
+        """Whether it sleeps, with the file of locks and its outputs open, of which it opens the thickness map last."""
+        files = {os.path.basename(os.readlink(entry)) for entry in os.scandir(f"/proc/{program}/fd")}
+        has_all = "locks" in files and any(name.startswith("t.") and name.endswith(".partial") for name in files)
+        return has_all and state_of(program) == "S"
 
     def test_resumed_on_two_hosts_at_once(self):
         alpha, beta, gamma = self.clients

@@ -139,12 +139,13 @@ OutputFile::OpenShared(const std::filesystem::path & temporaryName, std::uint64_
 {
   if (!GetFileStatus(temporaryName))
   {
+    const int error = errno;
     Fail(ExitStatus::Failure,
          "cannot open ",
          temporaryName.string(),
          ": ",
-         std::strerror(errno),
-         "; the output of the job is missing; put it back, or plan the job again");
+         std::strerror(error),
+         error == ENOENT ? "; the output of the job is missing; put it back, or plan the job again" : "");
   }
   this->OpenExisting(temporaryName, numberOfBytes, forWriting ? FileAccess::Write : FileAccess::Read);
   m_TemporaryName = temporaryName;
