@@ -16,7 +16,7 @@
 #include "Signals.h"
 #include "SuggestName.h"
 #include "ValueStatistics.h"
-#include "VolumeJob.h"
+#include "RunJob.h"
 
 #include "itkMedialVoxelHeaderText.h"
 
@@ -109,7 +109,7 @@ Extract(const CommandLine & line, ExtractOptions options, const std::string & co
   options.command = command;
   CheckStandardOutput(line, options);
   const JobResult result =
-    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunExtract(options, sink); });
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunJob(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
@@ -230,7 +230,7 @@ BuildSurface(const CommandLine & line)
   const SurfaceOptions & options = line.surfaceOptions;
   CheckStandardOutput(line, options);
   const JobResult result =
-    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunSurface(options, sink); });
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunJob(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
@@ -247,7 +247,7 @@ ComputeDistance(const CommandLine & line)
   const DistanceOptions & options = line.distanceOptions;
   CheckStandardOutput(line, options);
   const JobResult result =
-    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunDistance(options, sink); });
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunJob(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));

@@ -24,15 +24,15 @@ MakeHeader(const std::vector<std::uint64_t> & size)
   return header;
 }
 
-PieceFootprint
+Footprint
 MakeFootprint(const VolumeHeader & header, std::uint64_t bytesPerVoxel)
 {
-  PieceFootprint footprint;
-  footprint.bytesPerVoxel = bytesPerVoxel;
+  Footprint    footprint;
   const auto & size = header.geometry.size;
   footprint.grid = { { { std::int64_t(size[0]), std::int64_t(size[1]), std::int64_t(size[2]) } }, { { 1, 1, 1 } } };
   footprint.engines.emplace_back();
-  footprint.engines.back().task = itk::MedialVoxelDistanceMap{};
+  footprint.engines.back().settings.task = itk::MedialVoxelDistanceMap{};
+  footprint.engines.back().perVoxel = bytesPerVoxel;
   return footprint;
 }
 
@@ -75,8 +75,8 @@ TEST(Plan, PiecesCoverEverySliceOnce)
 TEST(Plan, PiecesAreWholeLayersOfChunksWhereTheyFit)
 {
   const VolumeHeader header = MakeHeader({ 500, 500, 670 });
-  PieceFootprint     footprint = MakeFootprint(header, 1);
-  footprint.preferredSlices = 31;
+  Footprint          footprint = MakeFootprint(header, 1);
+  footprint.slicesOfLayer = 31;
   JobOptions options;
   options.threads = 2;
   const JobPlan plan = MakePlan(options, header, {}, footprint);
@@ -92,9 +92,9 @@ TEST(Plan, PiecesAreWholeLayersOfChunksWhereTheyFit)
   EXPECT_GT(plan.divisions, 1u);
   EXPECT_EQ(next, 670u);
 
-  footprint.preferredSlices = 600;
+  footprint.slicesOfLayer = 600;
   EXPECT_EQ(MakePlan(options, header, {}, footprint).sliceUnit, 1u);
-  footprint.preferredSlices = 31;
+  footprint.slicesOfLayer = 31;
   options.divisions = 670;
   EXPECT_EQ(MakePlan(options, header, {}, footprint).divisions, 670u);
 }
@@ -199,7 +199,7 @@ TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)
   options.threads = 2;
 
   // Filters that take turns on a piece use each other's memory.
-  PieceFootprint two = MakeFootprint(header, 1);
+  Footprint two = MakeFootprint(header, 1);
   two.engines.push_back(two.engines.front());
   EXPECT_FALSE(MakePlan(options, header, {}, two).writesBehind);
   // Not with pieces of hundreds of megabytes, whoever chose them.
@@ -273,10 +273,10 @@ TEST(Plan, EachEngineHasRoomInItsShare)
   JobOptions         options;
   options.threads = 1;
   options.memoryBytes = 16384 * MiB;
-  PieceFootprint                 footprint = MakeFootprint(header, 1);
+  Footprint                      footprint = MakeFootprint(header, 1);
   itk::MedialVoxelLocalThickness thickness;
   thickness.maximumThickness = 100.0;
-  footprint.engines.front().task = thickness;
+  footprint.engines.front().settings.task = thickness;
   const auto getBytesOfEngines = [&] {
     const JobPlan plan = MakePlan(options, header, {}, footprint);
     return plan.memoryBytes - plan.fixedBytes - plan.GetResultBytes(plan.GetSlicesAtOnce());
@@ -284,7 +284,7 @@ TEST(Plan, EachEngineHasRoomInItsShare)
   const std::uint64_t one = getBytesOfEngines();
   // Shares are equal, so that a small engine takes as much as a large one.
   footprint.engines.emplace_back();
-  footprint.engines.back().task = itk::MedialVoxelDistanceMap{};
+  footprint.engines.back().settings.task = itk::MedialVoxelDistanceMap{};
   EXPECT_EQ(getBytesOfEngines(), 2 * one);
 }
 
@@ -298,8 +298,8 @@ TEST(Plan, WhatWaitsForItsPieceGetsAPartOfTheMemoryThatIsLeft)
   for (const std::uint64_t memory : { 40, 60, 100, 400, 4000 })
   {
     options.memoryBytes = memory * MiB;
-    const JobPlan  without = MakePlanFor(options, header, 1);
-    PieceFootprint footprint = MakeFootprint(header, 1);
+    const JobPlan without = MakePlanFor(options, header, 1);
+    Footprint     footprint = MakeFootprint(header, 1);
     footprint.surplus = { 8, 1 };
     const JobPlan       plan = MakePlan(options, header, {}, footprint);
     const std::uint64_t slices = plan.GetMaximumSlices();

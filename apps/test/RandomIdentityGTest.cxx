@@ -5,7 +5,7 @@
 // (invariant I2). MEDIALVOXEL_TEST_SEED sets the seed; each --gtest_repeat iteration draws anew.
 
 #include "RandomVolume.h"
-#include "VolumeJob.h"
+#include "RunJob.h"
 
 #include "Errors.h"
 
@@ -129,7 +129,7 @@ public:
   Run(const JobOptions & limits) const override
   {
     ProgressSink sink;
-    return RunExtract(WithLimits(m_Options, limits), sink);
+    return RunJob(WithLimits(m_Options, limits), sink);
   }
 
   std::vector<std::string>
@@ -176,7 +176,7 @@ public:
   Run(const JobOptions & limits) const override
   {
     ProgressSink sink;
-    return RunDistance(WithLimits(m_Options, limits), sink);
+    return RunJob(WithLimits(m_Options, limits), sink);
   }
 
   std::vector<std::string>

@@ -3,9 +3,7 @@
 #include "ClusterWorker.h"
 
 #include "Errors.h"
-#include "ExtractParts.h"
 #include "JobClock.h"
-#include "Outputs.h"
 #include "ProcessMemory.h"
 
 #include "itkMedialVoxelMemoryShortage.h"
@@ -34,9 +32,10 @@ CountSlices(const Manifest & manifest, const std::vector<std::uint64_t> & cluste
 }
 
 /** A series may have got slices, while its other files stayed as they were. */
-void
-CheckSlices(const Manifest & manifest, const VolumeHeader & input)
+const Job &
+CheckSlices(const Manifest & manifest, const Job & job)
 {
+  const VolumeHeader & input = job.result.input;
   if (input.geometry.size.back() != manifest.numberOfSlices)
   {
     Fail(ExitStatus::Failure,
@@ -47,30 +46,19 @@ CheckSlices(const Manifest & manifest, const VolumeHeader & input)
          " slices, it had ",
          manifest.numberOfSlices);
   }
+  return job;
 }
 
 } // namespace
 
-ClusterWorker::ClusterWorker(const SharedJob & job, const JobResult & plan, ProgressSink & sink)
-  : m_Job(job)
-  , m_Plan(plan)
+ClusterWorker::ClusterWorker(const SharedJob & shared, Job & job, ProgressSink & sink)
+  : m_Shared(shared)
+  , m_Job(job)
   , m_Sink(sink)
-  , m_Locks(job.folder.GetLocksName())
-  , m_Run(job.manifest.options, plan, sink)
-{
-  CheckSlices(job.manifest, plan.input);
-  m_Requests = ListVolumes(job.manifest.options, plan.input);
-  for (const VolumeRequest & request : m_Requests)
-  {
-    m_Volumes.push_back(MakeSharedVolume(request.fileName, job.manifest.options));
-    m_Volumes.back()->OpenShared(request.geometry, request.layout, job.manifest.GetSuffix());
-    if (plan.plan.writesBehind)
-    {
-      m_Volumes.back()->BypassPageCacheWhenLarge();
-    }
-    m_Run.AddVolume(request, *m_Volumes.back());
-  }
-}
+  , m_Locks(shared.folder.GetLocksName())
+  , m_Outputs(CheckSlices(shared.manifest, job), shared.manifest.GetSuffix())
+  , m_Run(job, m_Outputs, sink)
+{}
 
 WorkResult
 ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
@@ -86,11 +74,11 @@ ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
     m_Run.Wait();
     m_Run.Release();
   };
-  m_Run.SetSlicesToDo(CountSlices(m_Job.manifest, clusters));
+  m_Run.GetLoop().SetSlicesToDo(CountSlices(m_Shared.manifest, clusters));
   m_Run.Prepare();
   while (!free.empty() || !busy.empty())
   {
-    m_Run.ThrowIfStopRequested();
+    m_Run.GetLoop().ThrowIfStopRequested();
     if (free.empty())
     {
       // Those who are at the others may die, so they are asked for again until they are done.
@@ -134,7 +122,7 @@ ClusterWorker::Run(const std::vector<std::uint64_t> & clusters)
 ClusterWorker::Outcome
 ClusterWorker::TryCluster(std::uint64_t cluster)
 {
-  if (m_Job.folder.ReadMarker(m_Job.manifest, cluster))
+  if (m_Shared.folder.ReadMarker(m_Shared.manifest, cluster))
   {
     return Outcome::Skipped;
   }
@@ -144,7 +132,7 @@ ClusterWorker::TryCluster(std::uint64_t cluster)
     return Outcome::Busy;
   }
   // It may have been done between the question and the lock.
-  if (m_Job.folder.ReadMarker(m_Job.manifest, cluster))
+  if (m_Shared.folder.ReadMarker(m_Shared.manifest, cluster))
   {
     return Outcome::Skipped;
   }
@@ -157,15 +145,15 @@ void
 ClusterWorker::DoCluster(std::uint64_t cluster)
 {
   // Not before: its volumes may have got their names, or another job its folder, while this process waited.
-  m_Job.folder.CheckStillOf(m_Job.manifest);
-  const ClusterMarker marker = this->Compute(m_Job.manifest.GetCluster(cluster));
-  for (const auto & volume : m_Volumes)
+  m_Shared.folder.CheckStillOf(m_Shared.manifest);
+  const ClusterMarker marker = this->Compute(m_Shared.manifest.GetCluster(cluster));
+  for (const auto & [role, volume] : m_Outputs.GetVolumes())
   {
     volume->Sync();
   }
-  CheckUnchanged(m_Job.manifest.input);
-  m_Job.folder.CheckStillOf(m_Job.manifest);
-  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, m_Run.GetFindings().Save());
+  CheckUnchanged(m_Shared.manifest.input);
+  m_Shared.folder.CheckStillOf(m_Shared.manifest);
+  m_Shared.folder.WriteMarker(m_Shared.manifest, cluster, marker, SaveFindings(m_Job.products));
   this->RecordCluster(cluster, marker);
 }
 
@@ -174,9 +162,9 @@ ClusterWorker::RecordCluster(std::uint64_t cluster, const ClusterMarker & marker
 {
   m_Sink.Record({ LogLevel::Info,
                   "cluster",
-                  { { "job", m_Job.manifest.jobId },
+                  { { "job", m_Shared.manifest.jobId },
                     { "cluster", std::to_string(cluster) },
-                    { "slices", FormatSlices(m_Job.manifest.GetCluster(cluster)) },
+                    { "slices", FormatSlices(m_Shared.manifest.GetCluster(cluster)) },
                     { "seconds", FormatFixed(marker.seconds.total, 3) },
                     { "recomputed_voxels", std::to_string(marker.sums.recomputedVoxels) },
                     { "bytes_read", std::to_string(marker.bytesRead) },
@@ -190,19 +178,21 @@ ClusterWorker::Compute(const SliceRange & range)
   const double readBefore = m_Run.GetInput().GetReadSeconds();
   const double writtenBefore = m_Run.GetWriteSeconds();
   const auto   bytesBefore = m_Run.GetInput().GetNumberOfBytesRead();
-  m_Run.GetFindings().Clear();
-  for (const auto & volume : m_Volumes)
+  for (const auto & product : m_Job.products)
+  {
+    product->Clear();
+  }
+  for (const auto & [role, volume] : m_Outputs.GetVolumes())
   {
     volume->StartCluster();
   }
   ClusterMarker marker;
   marker.sums = m_Run.Run(range);
   m_Run.Wait();
-  for (std::size_t i = 0; i < m_Volumes.size(); ++i)
+  for (const auto & [role, volume] : m_Outputs.GetVolumes())
   {
-    marker.checksums[m_Requests[i].role] = m_Volumes[i]->GetChecksum();
+    marker.checksums[role] = volume->GetChecksum();
   }
-  CheckCounts(marker.sums.counts);
   marker.seconds.distance = marker.sums.distanceSeconds;
   marker.seconds.classification = marker.sums.classificationSeconds;
   marker.seconds.tiles = marker.sums.tileSeconds;
@@ -210,19 +200,19 @@ ClusterWorker::Compute(const SliceRange & range)
   marker.seconds.total = SecondsSince(start);
   marker.bytesRead = m_Run.GetInput().GetNumberOfBytesRead() - bytesBefore;
   marker.peakMemoryBytes = GetPeakMemoryBytes();
-  marker.plannedMemoryBytes = m_Plan.plan.memoryBytes;
-  marker.memoryLimit = m_Plan.plan.memoryLimit;
-  marker.threads = m_Plan.plan.threads;
+  marker.plannedMemoryBytes = m_Job.result.plan.memoryBytes;
+  marker.memoryLimit = m_Job.result.plan.memoryLimit;
+  marker.threads = m_Job.result.plan.threads;
   return marker;
 }
 
 /** For others to get on. */
 void
-ClusterWorker::WaitAMoment() const
+ClusterWorker::WaitAMoment()
 {
   constexpr auto moment = std::chrono::milliseconds(200);
   std::this_thread::sleep_for(moment);
-  m_Run.ThrowIfStopRequested();
+  m_Run.GetLoop().ThrowIfStopRequested();
 }
 
 } // end namespace medialvoxel

@@ -3,11 +3,11 @@
 #ifndef medialvoxelClusterWorker_h
 #define medialvoxelClusterWorker_h
 
-#include "ExtractRun.h"
 #include "JobCommands.h"
+#include "JobRun.h"
 #include "SharedJob.h"
+#include "SharedOutputs.h"
 
-#include <memory>
 #include <vector>
 
 namespace medialvoxel
@@ -18,10 +18,10 @@ namespace medialvoxel
 class ClusterWorker
 {
 public:
-  /** \param job  must stay
-   * \param plan header and plan for this process; must stay
+  /** \param shared must stay
+   * \param job    planned for this process, and opened; must stay
    * \throw JobError Failure when a volume is not as it was planned */
-  ClusterWorker(const SharedJob & job, const JobResult & plan, ProgressSink & sink);
+  ClusterWorker(const SharedJob & shared, Job & job, ProgressSink & sink);
 
   /** Returns when all these clusters are done, by whomever.
    * \throw JobError for a failure, at once; for lack of memory, when all others are done
@@ -51,15 +51,14 @@ private:
   RecordCluster(std::uint64_t cluster, const ClusterMarker & marker) const;
 
   void
-  WaitAMoment() const;
+  WaitAMoment();
 
-  const SharedJob &                          m_Job;
-  const JobResult &                          m_Plan;
-  ProgressSink &                             m_Sink;
-  JobLocks                                   m_Locks;
-  std::vector<VolumeRequest>                 m_Requests;
-  std::vector<std::unique_ptr<SharedVolume>> m_Volumes;
-  ExtractRun                                 m_Run;
+  const SharedJob & m_Shared;
+  Job &             m_Job;
+  ProgressSink &    m_Sink;
+  JobLocks          m_Locks;
+  SharedOutputs     m_Outputs;
+  JobRun            m_Run;
 };
 
 } // end namespace medialvoxel

@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "ExtractParts.h"
-#include "ExtractRun.h"
 #include "FileNames.h"
 #include "InputVolume.h"
+#include "Job.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
 #include "OptionChecks.h"
 #include "Outputs.h"
 #include "OutputChecks.h"
-#include "PieceFootprint.h"
 #include "PipelineErrors.h"
-#include "PrepareJob.h"
 #include "ScanMeasure.h"
 #include "SharedJob.h"
+#include "SharedVolume.h"
+#include "UnpackedVolume.h"
 #include "ValueStatistics.h"
 #include "Version.h"
 #include "VolumeFormats.h"
@@ -86,10 +85,10 @@ ChooseSlicesOfCluster(const JobResult & job)
 
 /** Whole layers of chunks, which no two processes share. */
 void
-DivideIntoClusters(const ExtractOptions & options, JobResult & job)
+DivideIntoClusters(const ExtractOptions & options, std::uint64_t slicesOfLayer, JobResult & job)
 {
   JobPlan & plan = job.plan;
-  plan.sliceUnit = GetSlicesOfLayer(job.input, job.outputs);
+  plan.sliceUnit = slicesOfLayer;
   const std::uint64_t units = plan.GetNumberOfUnits();
   if (options.divisions)
   {
@@ -131,7 +130,7 @@ MeasureVolume(PlanOptions & options, const JobResult & job, const ProgressSink &
 {
   const bool measuresGray = MayMeasureOnGrayValues(options, job.input);
   const bool opensVolume = GetSmoothing(options) == Smoothing::Automatic || measuresGray;
-  const auto header = opensVolume ? UnpackInput(job.input, job.plan, sink) : job.input;
+  const auto header = opensVolume ? UnpackVolume(job.input, job.plan.scratchFolder, sink) : job.input;
   MeasureThreshold(options, header, sink);
   CheckOptions(options); // with the threshold of Otsu
   if (!opensVolume)
@@ -195,12 +194,14 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
   RefuseUnsupported(options);
   ExtractOptions ofProcess = options;
   ofProcess.divisions.reset(); // those are clusters, which each process divides for its memory
-  PlanResult job{ PrepareProcesses(ofProcess), std::nullopt };
+  Job planned(ofProcess);
+  planned.Plan(true);
+  PlanResult job{ planned.result, std::nullopt };
   TellWarnings(sink, job.warnings);
   const JobFolder folder(options.jobFolder);
   folder.CheckFree();
   CheckJobFolder(folder.GetPath(), job.outputs);
-  DivideIntoClusters(options, job);
+  DivideIntoClusters(options, planned.GetFootprint().slicesOfLayer, job);
   if (options.slurm)
   {
     job.slurm = PlanSlurmArray(*options.slurm, options, job, folder.GetPath());

@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "ClusterWorker.h"
-#include "ExtractParts.h"
 #include "JobClock.h"
 #include "JobCommands.h"
 #include "PipelineErrors.h"
-#include "PrepareJob.h"
 #include "ProcessIdentity.h"
 #include "SharedJob.h"
 #include "StopListener.h"
@@ -71,7 +69,8 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
   try
   {
     WithPipelineErrors([&] {
-      JobResult plan = PrepareSharedExtract(GetOptions(job.manifest, options, scratchFolder));
+      Job planned(GetOptions(job.manifest, options, scratchFolder));
+      planned.PlanProcess();
       sink.Start("medialvoxel", "extracting medial voxels");
       const StopListener listener(&sink);
       RecordJob(job, clusters, sink);
@@ -81,8 +80,8 @@ RunWork(const WorkOptions & options, ProgressSink & sink)
         result.skipped = clusters.size();
         return;
       }
-      plan.input = UnpackInput(plan.input, plan.plan, sink);
-      result = ClusterWorker(job, plan, sink).Run(clusters);
+      planned.Open(sink);
+      result = ClusterWorker(job, planned, sink).Run(clusters);
     });
   }
   catch (const StoppedBySignal & stop)

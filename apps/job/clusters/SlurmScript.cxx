@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SlurmScript.h"
 
-#include "ExtractParts.h"
+#include "Job.h"
 #include "OutputChecks.h"
 #include "SharedJob.h"
 #include "Text.h"
@@ -69,7 +69,9 @@ ChooseMemory(ExtractOptions options)
     return *options.memoryBytes;
   }
   options.divisions.reset();
-  return std::max(LeastMemory, 2 * PrepareSharedExtract(options).plan.memoryBytes);
+  Job job(options);
+  job.PlanProcess();
+  return std::max(LeastMemory, 2 * job.result.plan.memoryBytes);
 }
 
 } // namespace

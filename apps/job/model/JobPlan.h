@@ -55,6 +55,7 @@ struct JobPlan
   std::uint64_t fixedBytes{ 0 };    ///< memory that depends neither on pieces nor on windows
   std::uint64_t bytesPerSlice{ 0 }; ///< results of the rows that are done at once
   std::uint64_t surplusBytes{ 0 };  ///< for what waits until a piece is done, counted in fixedBytes
+  std::uint64_t surplusTakers{ 1 }; ///< that share it
   std::uint64_t bytesToKeep{ 0 };   ///< of chunks of the input whose further slices are needed, counted in fixedBytes
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
   bool          readsAhead{ true };    ///< a second window is prepared for the next slab
@@ -84,6 +85,12 @@ struct JobPlan
   GetResultBytes(std::uint64_t slices) const
   {
     return slices * bytesPerSlice * (writesBehind ? 2 : 1);
+  }
+
+  std::uint64_t
+  GetSurplusShare() const
+  {
+    return surplusBytes / surplusTakers;
   }
 
   std::uint64_t

@@ -3,7 +3,6 @@
 #include "FinishJob.h"
 
 #include "Plan.h"
-#include "ProcessMemory.h"
 #include "Warnings.h"
 
 #include <cstddef>
@@ -12,45 +11,33 @@ namespace medialvoxel
 {
 
 void
-FinishJob(OutputSet & outputs, JobSummary & summary, JobResult & result, ProgressSink & sink, const JobEnd & end)
+FinishJob(Job & job, OutputSet & outputs, ProgressSink & sink, const JobEnd & end)
 {
+  JobResult &       result = job.result;
   const std::size_t told = result.warnings.size();
   outputs.FinishVolumes();
-  summary.Draw(outputs, result.input.geometry);
-  if (end.complete)
+  const ProductEnd complete{ outputs, end.input, [&sink](double) { ThrowIfStopRequested(sink); } };
+  for (const auto & product : job.products)
   {
-    end.complete();
+    product->Complete(result, complete);
   }
   ThrowIfStopRequested(sink);
-  end.measure();
-  summary.Write(result);
-  if (end.publish)
+  end.recordCosts();
+  for (const auto & product : job.products)
   {
-    end.publish();
+    product->Describe(result);
   }
-  else
+  for (const auto & product : job.products)
   {
-    outputs.Publish();
+    product->WriteFile(result);
   }
+  end.publish();
   if (result.plan.unpackedBytes > 0)
   {
     sink.Note(result.input.fileName.string() +
               " is compressed and was unpacked once: " + DescribeUnpacking(result.plan));
   }
   TellWarnings(sink, result.warnings, told);
-}
-
-void
-AddMeasurements(JobResult & result, const InputVolume & input, double writeSeconds, JobClock::time_point start)
-{
-  result.sums.counts.notANumberVoxels += input.GetNumberOfNotANumberVoxels();
-  result.seconds.distance = result.sums.distanceSeconds;
-  result.seconds.classification = result.sums.classificationSeconds;
-  result.seconds.tiles = result.sums.tileSeconds;
-  result.seconds.inputOutput = input.GetReadSeconds() + writeSeconds;
-  result.seconds.total = SecondsSince(start);
-  result.bytesRead = input.GetNumberOfBytesRead();
-  result.peakMemoryBytes = GetPeakMemoryBytes();
 }
 
 } // end namespace medialvoxel

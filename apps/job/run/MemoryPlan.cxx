@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "MemoryPlan.h"
+#include "Plan.h"
 
 #include "InputVolume.h"
 #include "ProcessMemory.h"
@@ -50,9 +50,9 @@ constexpr std::uint64_t BytesOfWriting = 6 * MiB;
 /** What does not change while a fitting plan is looked for. */
 struct Request
 {
-  const JobOptions &     options;
-  const VolumeHeader &   header;
-  const PieceFootprint & footprint;
+  const JobOptions &   options;
+  const VolumeHeader & header;
+  const Footprint &    footprint;
 };
 
 /** The slices of the file that those of a pull lie between. */
@@ -91,9 +91,9 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t resampling = header.stored ? EstimateResampling(header) : 0;
   const std::uint64_t unpacked = plan.scratchFolder.empty() ? plan.unpackedBytes : 0;
   const std::uint64_t writing = plan.writesBehind ? BytesOfWriting : 0;
-  const std::uint64_t perThread = BytesPerThread + request.footprint.bytesPerThread;
+  const std::uint64_t perThread = BytesPerThread + request.footprint.perThread;
   return BytesOfProgram + perThread * plan.threads + writing + reading + decoding + unpacked + unpacking + resampling +
-         request.footprint.bytesBeside;
+         request.footprint.beside;
 }
 
 std::unique_ptr<const itk::MedialVoxelEngine>
@@ -123,9 +123,9 @@ std::uint64_t
 EstimateEngines(const JobPlan & plan, const Request & request)
 {
   std::uint64_t most = 0;
-  for (const auto & settings : request.footprint.engines)
+  for (const EngineFootprint & engine : request.footprint.engines)
   {
-    most = std::max(most, MakeEngine(plan, request, settings)->GetBytes(GetLargestBox(plan, request)));
+    most = std::max(most, MakeEngine(plan, request, engine.settings)->GetBytes(GetLargestBox(plan, request)));
   }
   return most * request.footprint.engines.size();
 }
@@ -134,7 +134,7 @@ EstimateEngines(const JobPlan & plan, const Request & request)
 std::uint64_t
 GetSlabThicknessOfEngine(const JobPlan & plan, const Request & request)
 {
-  const auto engine = MakeEngine(plan, request, request.footprint.engines.front());
+  const auto engine = MakeEngine(plan, request, request.footprint.engines.front().settings);
   const auto thickness = static_cast<std::uint64_t>(engine->GetSlabThickness(GetLargestBox(plan, request)));
   return std::min(thickness, plan.numberOfSlices);
 }
@@ -160,7 +160,7 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
   // Most of the rest is for the engines, should walls be thicker than planned.
   const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), largest);
   const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
-  const std::uint64_t unit = slices < request.footprint.preferredSlices ? 1 : request.footprint.preferredSlices;
+  const std::uint64_t unit = slices < request.footprint.slicesOfLayer ? 1 : request.footprint.slicesOfLayer;
   plan.slicesAtOnce = plan.rowsAtOnce > 0 ? slices / unit * unit : 0;
   if (request.options.divisions)
   {
@@ -208,7 +208,7 @@ SetRowsAtOnce(JobPlan & plan, const Request & request, std::uint64_t rows)
   const VolumeGeometry & geometry = request.header.geometry;
   plan.rowsAtOnce = rows;
   plan.bytesPerSlice =
-    (rows > 0 ? geometry.size[0] * rows : geometry.GetVoxelsPerSlice()) * request.footprint.bytesPerVoxel;
+    (rows > 0 ? geometry.size[0] * rows : geometry.GetVoxelsPerSlice()) * request.footprint.GetResults();
 }
 
 /** Thinner slabs read and do more twice, so that the thickest that fit are taken; waiting for the disk costs more than
@@ -245,7 +245,8 @@ bool
 TryRows(JobPlan & plan, const Request & request)
 {
   SetRowsAtOnce(plan, request, 0);
-  if (request.footprint.preferredRows == 0)
+  const std::uint64_t rows = request.footprint.GetRows();
+  if (rows == 0)
   {
     return TrySlabs(plan, request, true);
   }
@@ -253,7 +254,7 @@ TryRows(JobPlan & plan, const Request & request)
   {
     return true;
   }
-  SetRowsAtOnce(plan, request, request.footprint.preferredRows);
+  SetRowsAtOnce(plan, request, rows);
   return TrySlabs(plan, request, true);
 }
 
@@ -317,15 +318,16 @@ AddSurplus(JobPlan & plan, const Request & request)
   const std::uint64_t  perSlice = request.header.geometry.GetVoxelsPerSlice();
   const std::uint64_t  voxels = plan.GetMaximumSlices() * perSlice;
   const std::uint64_t  rest = plan.memoryLimit - plan.memoryBytes;
-  const std::uint64_t  most = voxels * surplus.mostBytesPerVoxel + perSlice * surplus.mostBytesPerVoxelOfSlice;
+  const std::uint64_t  most = voxels * surplus.most + perSlice * surplus.mostOfSlice;
   plan.surplusBytes = std::min(rest / surplus.shareOfRest, most);
+  plan.surplusTakers = std::max<std::uint64_t>(1, surplus.takers);
   plan.fixedBytes += plan.surplusBytes;
-  plan.memoryBytes += std::min(plan.surplusBytes, voxels * surplus.plannedBytesPerVoxel);
+  plan.memoryBytes += std::min(plan.surplusBytes, voxels * surplus.planned);
 }
 
 /** Whether windows hold gray values beside the object. */
 bool
-KeepsGrayValues(const PieceFootprint & footprint)
+KeepsGrayValues(const Footprint & footprint)
 {
   struct Asker
   {
@@ -347,8 +349,8 @@ KeepsGrayValues(const PieceFootprint & footprint)
       return false;
     }
   };
-  return std::any_of(footprint.engines.begin(), footprint.engines.end(), [](const auto & settings) {
-    return std::visit(Asker{}, settings.task);
+  return std::any_of(footprint.engines.begin(), footprint.engines.end(), [](const auto & engine) {
+    return std::visit(Asker{}, engine.settings.task);
   });
 }
 
@@ -376,7 +378,7 @@ RefuseLackOfMemory(const JobPlan & plan, const Request & request)
 } // namespace
 
 JobPlan
-FitToMemory(const JobOptions & options, const VolumeHeader & header, const PieceFootprint & footprint)
+FitToMemory(const JobOptions & options, const VolumeHeader & header, const Footprint & footprint)
 {
   const Request       request{ options, header, footprint };
   const std::uint64_t free = options.memoryBytes ? 0 : GetFreeMemory();
@@ -394,6 +396,7 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   }
   AddChunksToKeep(plan, request);
   AddSurplus(plan, request);
+  plan.writesBehind = plan.writesBehind && !footprint.readsInput;
   return plan;
 }
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ObjectPlan.h"
 
-#include "ExtractParts.h"
+#include "Job.h"
 #include "LabelMapRun.h"
+#include "Plan.h"
 
 #include <algorithm>
 #include <string>
@@ -42,7 +43,7 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
   own.labels = LabelSelection{ true, {}, {} };
   const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(own, header)).maximumPoreSize;
 
-  const JobPlan plan = PlanObjects(own, header);
+  const JobPlan plan = FitToMemory(own, header, Job(own, header).GetFootprint());
   LabelMap      map(header, *own.labels, maximumPoreSize, plan.bytesToKeep);
   map.Prepare(observer);
 

@@ -3,7 +3,6 @@
 #include "Plan.h"
 
 #include "FileNames.h"
-#include "MemoryPlan.h"
 #include "ReadVolumeHeader.h"
 #include "SystemFile.h"
 #include "Text.h"
@@ -90,7 +89,7 @@ JobPlan
 MakePlan(const JobOptions &                 options,
          const VolumeHeader &               header,
          const std::vector<OutputRequest> & outputs,
-         const PieceFootprint &             footprint)
+         const Footprint &                  footprint)
 {
   JobPlan plan = FitToMemory(options, header, footprint);
   plan.growingScratch = footprint.scratch;

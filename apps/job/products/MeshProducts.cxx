@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ProductRows.h"
+
+#include "Outputs.h"
+#include "PartSurface.h"
+#include "RimRays.h"
+#include "ScanMeasure.h"
+#include "SurfaceMesh.h"
+
+#include <algorithm>
+
+namespace medialvoxel
+{
+namespace
+{
+
+/** \class MeshProduct
+ * \brief The medial mesh. */
+class MeshProduct : public Product
+{
+public:
+  explicit MeshProduct(const ExtractOptions & options)
+    : m_Options(options)
+  {}
+
+  static bool
+  IsWanted(const ExtractOptions & options)
+  {
+    return !options.meshFile.empty();
+  }
+
+  void
+  AddTo(Footprint & footprint, const VolumeHeader & header) const override
+  {
+    const itk::MedialVoxelParameters parameters = GetParameters(m_Options, footprint.grid);
+    footprint.AddObserver(itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(footprint.grid, parameters));
+    footprint.beside += SurfaceMesh::GetBytes(m_Options, header.geometry);
+    footprint.surplus.most += SurfaceMesh::MostBytesPerVoxel;
+    footprint.surplus.planned += SurfaceMesh::PlannedBytesPerVoxel;
+    ++footprint.surplus.takers;
+    footprint.scratch = SurfaceMesh::GetScratchSpace(m_Options, header.geometry);
+    footprint.needsSlices = true;
+  }
+
+  void
+  Start(ProductStart & start) override
+  {
+    const VolumeHeader & header = start.job.input;
+    m_Mesh = std::make_unique<SurfaceMesh>(
+      m_Options, header.geometry, GetGrid(m_Options, header), start.job.plan.GetSurplusShare());
+  }
+
+  itk::MedialVoxelTileObserver *
+  GetObserver() override
+  {
+    return &m_Mesh->GetObserver();
+  }
+
+  SurfaceMesh *
+  GetMesh() override
+  {
+    return m_Mesh.get();
+  }
+
+  void
+  Complete(JobResult & result, const ProductEnd & end) override
+  {
+    // Objects of a label map touch, which rays do not see.
+    if (!m_Options.labels)
+    {
+      const auto range = GetGrayRange(result.measure.value(), m_Options, result.input);
+      const auto rays = std::make_shared<RimRays>(*end.input, result.input.geometry, range);
+      m_Mesh->FindEdgesWith([rays](const itk::MedialVoxelRimRays & bundle) { return rays->Measure(bundle); });
+    }
+    const JobPlan &     plan = result.plan;
+    const std::uint64_t memory = plan.memoryLimit - std::min(plan.memoryLimit, plan.fixedBytes);
+    result.surface = m_Mesh->Write(*m_File, memory, plan.threads, end.progress);
+    result.seconds.remeshing = result.surface->remeshingSeconds;
+  }
+
+private:
+  std::string
+  GetFileName() const override
+  {
+    return m_Options.meshFile;
+  }
+
+  const ExtractOptions &       m_Options;
+  std::unique_ptr<SurfaceMesh> m_Mesh;
+};
+
+/** \class PartProduct
+ * \brief The surface of the part, which takes the map of the thickness instead of a file. */
+class PartProduct : public Product
+{
+public:
+  PartProduct(const SurfaceOptions & options, const VolumeHeader & header)
+    : m_Options(options)
+    , m_Request(ListVolumes(GetThicknessOptions(options), header).front())
+  {}
+
+  void
+  AddTo(Footprint & footprint, const VolumeHeader & header) const override
+  {
+    footprint.engines.front().perVoxel += m_Request.layout.GetBytes();
+    footprint.beside += PartSurface::GetBytes(m_Options, header);
+    footprint.scratch = PartSurface::GetScratchSpace(m_Options, header);
+    footprint.readsInput = true;
+  }
+
+  void
+  Start(ProductStart & start) override
+  {
+    m_Surface = std::make_unique<PartSurface>(m_Options, start.job.input, *start.input);
+  }
+
+  std::optional<FilledVolume>
+  GetVolume() override
+  {
+    return FilledVolume{ m_Request, m_Surface->GetMap() };
+  }
+
+  void
+  UseMeasure(const WallMeasure & measure) override
+  {
+    if (measure.usesGrayValues)
+    {
+      m_Surface->UseGrayValues();
+    }
+  }
+
+  void
+  Complete(JobResult & result, const ProductEnd & end) override
+  {
+    result.part = m_Surface->Write(*m_File, end.progress);
+    if (m_Options.localThicknessMethod == LocalThicknessMethod::Sphere)
+    {
+      result.measure = WallMeasure{ false, std::nullopt, "largest balls are those of its voxels" };
+    }
+  }
+
+private:
+  std::string
+  GetFileName() const override
+  {
+    return m_Options.output;
+  }
+
+  const SurfaceOptions &       m_Options;
+  VolumeRequest                m_Request; ///< of the map
+  std::unique_ptr<PartSurface> m_Surface;
+};
+
+} // namespace
+
+const ProductRow MeshRow = MakeRow<MeshProduct>();
+
+std::unique_ptr<Product>
+MakePart(const SurfaceOptions & options, const VolumeHeader & header)
+{
+  return std::make_unique<PartProduct>(options, header);
+}
+
+} // end namespace medialvoxel
