@@ -180,7 +180,10 @@ ClusterWorker::Compute(const SliceRange & range)
   const auto   bytesBefore = m_Run.GetInput().GetNumberOfBytesRead();
   for (const auto & product : m_Job.products)
   {
-    product->Clear();
+    if (TileSurvey * const survey = product->GetLinks().survey)
+    {
+      survey->Clear();
+    }
   }
   for (const auto & [role, volume] : m_Outputs.GetVolumes())
   {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ClusterRange.h"
 #include "DataFile.h"
-#include "FinishJob.h"
 #include "FileNames.h"
 #include "JobClock.h"
 #include "JobCommands.h"
@@ -111,7 +110,7 @@ public:
     JobEnd end;
     end.recordCosts = [this, start] { m_Job.result.seconds.total += SecondsSince(start); };
     end.publish = [this] { this->Publish(); };
-    FinishJob(m_Job, *m_Outputs, m_Sink, end);
+    m_Job.Finish(*m_Outputs, m_Sink, end);
     return std::move(m_Job.result);
   }
 

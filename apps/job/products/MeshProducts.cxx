@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "ProductRows.h"
-
 #include "Outputs.h"
 #include "PartSurface.h"
+#include "ProductRows.h"
 #include "RimRays.h"
 #include "ScanMeasure.h"
 #include "SurfaceMesh.h"
@@ -17,18 +16,10 @@ namespace
 
 /** \class MeshProduct
  * \brief The medial mesh. */
-class MeshProduct : public Product
+class MeshProduct : public ExtractProduct
 {
 public:
-  explicit MeshProduct(const ExtractOptions & options)
-    : m_Options(options)
-  {}
-
-  static bool
-  IsWanted(const ExtractOptions & options)
-  {
-    return !options.meshFile.empty();
-  }
+  using ExtractProduct::ExtractProduct;
 
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
@@ -49,18 +40,8 @@ public:
     const VolumeHeader & header = start.job.input;
     m_Mesh = std::make_unique<SurfaceMesh>(
       m_Options, header.geometry, GetGrid(m_Options, header), start.job.plan.GetSurplusShare());
-  }
-
-  itk::MedialVoxelTileObserver *
-  GetObserver() override
-  {
-    return &m_Mesh->GetObserver();
-  }
-
-  SurfaceMesh *
-  GetMesh() override
-  {
-    return m_Mesh.get();
+    m_Links.observer = &m_Mesh->GetObserver();
+    m_Links.mesh = m_Mesh.get();
   }
 
   void
@@ -80,30 +61,24 @@ public:
   }
 
 private:
-  std::string
-  GetFileName() const override
-  {
-    return m_Options.meshFile;
-  }
-
-  const ExtractOptions &       m_Options;
   std::unique_ptr<SurfaceMesh> m_Mesh;
 };
 
 /** \class PartProduct
- * \brief The surface of the part, which takes the map of the thickness instead of a file. */
+ * \brief The surface of the part, which takes the map of the thickness in place of a file. */
 class PartProduct : public Product
 {
 public:
   PartProduct(const SurfaceOptions & options, const VolumeHeader & header)
-    : m_Options(options)
-    , m_Request(ListVolumes(GetThicknessOptions(options), header).front())
+    : Product(options.output)
+    , m_Options(options)
+    , m_Map(ListVolumes(GetThicknessOptions(options), header).front())
   {}
 
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    footprint.engines.front().perVoxel += m_Request.layout.GetBytes();
+    footprint.engines.front().perVoxel += m_Map.layout.GetBytes();
     footprint.beside += PartSurface::GetBytes(m_Options, header);
     footprint.scratch = PartSurface::GetScratchSpace(m_Options, header);
     footprint.readsInput = true;
@@ -113,12 +88,8 @@ public:
   Start(ProductStart & start) override
   {
     m_Surface = std::make_unique<PartSurface>(m_Options, start.job.input, *start.input);
-  }
-
-  std::optional<FilledVolume>
-  GetVolume() override
-  {
-    return FilledVolume{ m_Request, m_Surface->GetMap() };
+    m_Links.request = &m_Map;
+    m_Links.volume = &m_Surface->GetMap();
   }
 
   void
@@ -141,20 +112,14 @@ public:
   }
 
 private:
-  std::string
-  GetFileName() const override
-  {
-    return m_Options.output;
-  }
-
   const SurfaceOptions &       m_Options;
-  VolumeRequest                m_Request; ///< of the map
+  VolumeRequest                m_Map;
   std::unique_ptr<PartSurface> m_Surface;
 };
 
 } // namespace
 
-const ProductRow MeshRow = MakeRow<MeshProduct>();
+const ProductRow MeshRow{ &ExtractOptions::meshFile, Make<MeshProduct> };
 
 std::unique_ptr<Product>
 MakePart(const SurfaceOptions & options, const VolumeHeader & header)

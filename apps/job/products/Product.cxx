@@ -51,7 +51,7 @@ SaveFindings(const ProductList & products)
   std::string bytes;
   for (const auto & product : products)
   {
-    bytes += product->IsSaved() ? PackPart(product->Save()) : "";
+    bytes += product->GetLinks().survey ? PackPart(product->GetLinks().survey->Save()) : "";
   }
   return bytes;
 }
@@ -62,9 +62,9 @@ MergeFindings(const ProductList & products, const std::string & bytes)
   std::string_view rest = bytes;
   for (const auto & product : products)
   {
-    if (product->IsSaved())
+    if (TileSurvey * const survey = product->GetLinks().survey)
     {
-      product->Merge(TakePart(rest));
+      survey->Merge(TakePart(rest));
     }
   }
   if (!rest.empty())

@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace medialvoxel
@@ -21,7 +22,7 @@ namespace medialvoxel
 class SurfaceMesh;
 struct Pictures;
 
-/** What products begin with. */
+/** What products start with. */
 struct ProductStart
 {
   const JobResult & job;              ///< header and plan
@@ -32,7 +33,7 @@ struct ProductStart
   const Pictures * pictures{ nullptr }; ///< they are drawn at the end
 };
 
-/** What products are completed with. */
+/** What they are completed with. */
 struct ProductEnd
 {
   const OutputSet &           outputs;  ///< whose volumes are finished
@@ -40,11 +41,14 @@ struct ProductEnd
   std::function<void(double)> progress; ///< may throw to stop
 };
 
-/** A volume that an engine fills. */
-struct FilledVolume
+/** What of a product a run serves; null: it has nothing of the kind. */
+struct ProductLinks
 {
-  const VolumeRequest & request;
-  VoxelOutput &         volume;
+  itk::MedialVoxelTileObserver * observer{ nullptr }; ///< sees the tiles of the extraction
+  TileSurvey *                   survey{ nullptr };   ///< the same, if it is saved for other processes
+  SurfaceMesh *                  mesh{ nullptr };     ///< tells the objects of a label map apart
+  VolumeRequest *                request{ nullptr };  ///< of a volume that an engine fills
+  VoxelOutput *                  volume{ nullptr };   ///< where it goes
 };
 
 /** \class Product
@@ -53,6 +57,10 @@ struct FilledVolume
 class Product
 {
 public:
+  /** \param fileName empty: no file is wanted */
+  explicit Product(std::string fileName)
+    : m_FileName(std::move(fileName))
+  {}
   virtual ~Product() = default;
 
   /** Adds the memory that Start() and what follows will take. */
@@ -65,32 +73,22 @@ public:
   Start(ProductStart &)
   {}
 
-  /** Creates its file, when all have started. */
-  virtual void
+  /** Creates its file, after the start. */
+  void
   CreateFile(OutputSet & outputs)
   {
-    m_File = outputs.AddFile(this->GetFileName());
+    if (m_Links.request != nullptr && m_Links.volume == nullptr)
+    {
+      m_Links.volume = &outputs.AddVolume(*m_Links.request);
+      return;
+    }
+    m_File = outputs.AddFile(m_FileName);
   }
 
-  /** A volume that it wants to be filled. */
-  virtual std::optional<FilledVolume>
-  GetVolume()
+  const ProductLinks &
+  GetLinks() const
   {
-    return std::nullopt;
-  }
-
-  /** Who sees the tiles of the extraction; null: nobody. */
-  virtual itk::MedialVoxelTileObserver *
-  GetObserver()
-  {
-    return nullptr;
-  }
-
-  /** The mesh that tells the objects of a label map apart; null: it is another product. */
-  virtual SurfaceMesh *
-  GetMesh()
-  {
-    return nullptr;
+    return m_Links;
   }
 
   /** Hears how walls are measured, before the first piece. */
@@ -98,33 +96,9 @@ public:
   UseMeasure(const WallMeasure &)
   {}
 
-  /** Hears the region of each run of the engine. */
+  /** Hears the region of each run of the extraction. */
   virtual void
   BeginRegion(const itk::MedialVoxelBox &)
-  {}
-
-  /** Whether it finds something that one process saves for another. */
-  virtual bool
-  IsSaved() const
-  {
-    return false;
-  }
-
-  /** Forgets all tiles. */
-  virtual void
-  Clear()
-  {}
-
-  /** What it found, as bytes that any machine reads. */
-  virtual std::string
-  Save() const
-  {
-    return {};
-  }
-
-  /** Adds what others found, in the order of their slices. \throw JobError Failure when these are not their bytes */
-  virtual void
-  Merge(const std::string &)
   {}
 
   /** Makes what needs all pieces, when the volumes are finished. */
@@ -137,34 +111,29 @@ public:
   Describe(JobResult &)
   {}
 
-  /** Writes its file, if that has a text. */
+  /** Writes its file, if it is wanted and has a text. */
   void
   WriteFile(const JobResult & result) const
   {
-    if (m_File != nullptr)
+    const std::optional<std::string> text = m_File != nullptr ? this->MakeText(result) : std::nullopt;
+    if (text)
     {
-      if (const std::optional<std::string> text = this->MakeText(result))
-      {
-        WriteText(*m_File, *text);
-      }
+      WriteText(*m_File, *text);
     }
   }
 
 protected:
-  /** Empty: none is wanted. */
-  virtual std::string
-  GetFileName() const
-  {
-    return {};
-  }
-
   virtual std::optional<std::string>
   MakeText(const JobResult &) const
   {
     return std::nullopt;
   }
 
+  ProductLinks m_Links;           ///< set at the start
   OutputFile * m_File{ nullptr }; ///< null: none is wanted
+
+private:
+  std::string m_FileName;
 };
 
 /** In the order in which they start and are completed. */

@@ -11,27 +11,41 @@ namespace medialvoxel
 /** A product of an extraction beside its volumes. */
 struct ProductRow
 {
-  bool (*isWanted)(const ExtractOptions &);
-  std::unique_ptr<Product> (*make)(const ExtractOptions &);
+  std::string ExtractOptions::* file;
+  std::unique_ptr<Product> (*make)(const ExtractOptions &, std::string fileName);
+
+  bool (*isWantedAnyway)(const ExtractOptions &){ [](const ExtractOptions &) { return false; } };
+
+  bool
+  IsWanted(const ExtractOptions & options) const
+  {
+    return !(options.*file).empty() || isWantedAnyway(options);
+  }
+};
+
+/** \class ExtractProduct
+ * \brief One that rows make. */
+class ExtractProduct : public Product
+{
+public:
+  ExtractProduct(const ExtractOptions & options, std::string fileName)
+    : Product(std::move(fileName))
+    , m_Options(options)
+  {}
+
+protected:
+  const ExtractOptions & m_Options;
 };
 
 template <typename TProduct>
-constexpr ProductRow
-MakeRow()
+std::unique_ptr<Product>
+Make(const ExtractOptions & options, std::string fileName)
 {
-  return { TProduct::IsWanted, [](const ExtractOptions & options) {
-            return std::unique_ptr<Product>(std::make_unique<TProduct>(options));
-          } };
+  return std::make_unique<TProduct>(options, std::move(fileName));
 }
 
-// SurveyProducts.cxx
-extern const ProductRow StatisticsRow;
-extern const ProductRow PictureRow;
-extern const ProductRow PlaceRow;
-extern const ProductRow PageRow;
-
-// MeshProducts.cxx
-extern const ProductRow MeshRow;
+// Of SurveyProducts.cxx and MeshProducts.cxx.
+extern const ProductRow StatisticsRow, PlaceRow, PictureRow, PageRow, MeshRow;
 
 std::unique_ptr<Product>
 MakePart(const SurfaceOptions & options, const VolumeHeader & header);

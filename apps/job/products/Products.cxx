@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <type_traits>
-#include <utility>
 
 namespace medialvoxel
 {
@@ -24,7 +23,8 @@ class VolumeProduct : public Product
 {
 public:
   VolumeProduct(const JobOptions & options, VolumeRequest request)
-    : m_Options(options)
+    : Product({})
+    , m_Options(options)
     , m_Request(std::move(request))
   {}
 
@@ -46,24 +46,12 @@ public:
   Start(ProductStart & start) override
   {
     m_Request.layout.segments = m_Request.filler == VolumeFiller::Objects ? &start.job.segments : nullptr;
-  }
-
-  void
-  CreateFile(OutputSet & outputs) override
-  {
-    m_Volume = &outputs.AddVolume(m_Request);
-  }
-
-  std::optional<FilledVolume>
-  GetVolume() override
-  {
-    return FilledVolume{ m_Request, *m_Volume };
+    m_Links.request = &m_Request;
   }
 
 private:
   const JobOptions & m_Options;
   VolumeRequest      m_Request;
-  VoxelOutput *      m_Volume{ nullptr };
 };
 
 /** \class ReportProduct
@@ -73,14 +61,9 @@ class ReportProduct : public Product
 {
 public:
   explicit ReportProduct(const TOptions & options)
-    : m_Options(options)
+    : Product(GetReportFile(options))
+    , m_Options(options)
   {}
-
-  static bool
-  IsWanted(const TOptions &)
-  {
-    return true;
-  }
 
   void
   Start(ProductStart & start) override
@@ -91,30 +74,19 @@ public:
   void
   Describe(JobResult & result) override
   {
-    const std::vector<Warning> found = this->FindWarnings(result);
+    std::vector<Warning> found;
+    if constexpr (std::is_same_v<TOptions, ExtractOptions>)
+    {
+      found = FindWarningsOfResult(m_Options, result, *m_Survey);
+    }
+    else
+    {
+      found = FindWarningsOfResult(m_Options, result);
+    }
     result.warnings.insert(result.warnings.end(), found.begin(), found.end());
   }
 
 private:
-  std::vector<Warning>
-  FindWarnings(const JobResult & result) const
-  {
-    if constexpr (std::is_same_v<TOptions, ExtractOptions>)
-    {
-      return FindWarningsOfResult(m_Options, result, *m_Survey);
-    }
-    else
-    {
-      return FindWarningsOfResult(m_Options, result);
-    }
-  }
-
-  std::string
-  GetFileName() const override
-  {
-    return GetReportFile(m_Options);
-  }
-
   std::optional<std::string>
   MakeText(const JobResult & result) const override
   {
@@ -127,37 +99,24 @@ private:
 
 /** \class ParameterProduct
  * \brief Counts and seconds for 3D Slicer. */
-class ParameterProduct : public Product
+class ParameterProduct : public ExtractProduct
 {
-public:
-  explicit ParameterProduct(const ExtractOptions & options)
-    : m_Options(options)
-  {}
-
-  static bool
-  IsWanted(const ExtractOptions & options)
-  {
-    return !options.returnParameterFile.empty();
-  }
-
-private:
-  std::string
-  GetFileName() const override
-  {
-    return m_Options.returnParameterFile;
-  }
+  using ExtractProduct::ExtractProduct;
 
   std::optional<std::string>
   MakeText(const JobResult & result) const override
   {
     return MakeReturnParameters(result);
   }
-
-  const ExtractOptions & m_Options;
 };
 
-constexpr ProductRow ReportRow = MakeRow<ReportProduct<ExtractOptions>>();
-constexpr ProductRow ParameterRow = MakeRow<ParameterProduct>();
+const ProductRow ReportRow{ &ExtractOptions::reportFile,
+                            [](const ExtractOptions & options, std::string) -> std::unique_ptr<Product> {
+                              return std::make_unique<ReportProduct<ExtractOptions>>(options);
+                            },
+                            [](const ExtractOptions &) { return true; } };
+
+const ProductRow ParameterRow{ &ExtractOptions::returnParameterFile, Make<ParameterProduct> };
 
 template <typename TOptions>
 ProductList
@@ -181,9 +140,9 @@ MakeProducts(const ExtractOptions & options, const VolumeHeader & header)
   for (const ProductRow * const row :
        { &MeshRow, &StatisticsRow, &PictureRow, &PlaceRow, &PageRow, &ReportRow, &ParameterRow })
   {
-    if (row->isWanted(options))
+    if (row->IsWanted(options))
     {
-      products.push_back(row->make(options));
+      products.push_back(row->make(options, options.*row->file));
     }
   }
   return products;

@@ -1,62 +1,51 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "ProductRows.h"
-
 #include "HtmlReport.h"
 #include "PlaceSurvey.h"
 #include "PlaceTable.h"
 #include "Preview.h"
+#include "ProductRows.h"
 #include "SheetSurvey.h"
 #include "SurveySummary.h"
 #include "ThicknessPreview.h"
-
-#include <utility>
 
 namespace medialvoxel
 {
 namespace
 {
 
+bool
+WantsPictures(const ExtractOptions & options)
+{
+  return !options.previewFile.empty() || !options.htmlFile.empty();
+}
+
 /** \class SurveyProduct
- * \brief Has a survey of the tiles, which others can save. */
+ * \brief Has a survey of the tiles. */
 template <typename TSurvey>
-class SurveyProduct : public Product
+class SurveyProduct : public ExtractProduct
 {
 public:
-  itk::MedialVoxelTileObserver *
-  GetObserver() override
-  {
-    return m_Survey.get();
-  }
-
-  bool
-  IsSaved() const override
-  {
-    return m_Survey != nullptr;
-  }
-
-  void
-  Clear() override
-  {
-    if (m_Survey)
-    {
-      m_Survey->Clear();
-    }
-  }
-
-  std::string
-  Save() const override
-  {
-    return m_Survey->Save();
-  }
-
-  void
-  Merge(const std::string & bytes) override
-  {
-    m_Survey->Merge(bytes);
-  }
+  using ExtractProduct::ExtractProduct;
 
 protected:
+  template <typename... TArguments>
+  void
+  StartSurvey(TArguments &&... arguments)
+  {
+    m_Survey = std::make_unique<TSurvey>(std::forward<TArguments>(arguments)...);
+    m_Links.observer = m_Links.survey = m_Survey.get();
+  }
+
+  /** Counts in a survey and what it takes to save it. */
+  static void
+  AddSurvey(Footprint & footprint, std::uint64_t bytes, std::uint64_t saving)
+  {
+    footprint.AddObserver(TSurvey::WorkerBytesPerVoxel);
+    footprint.beside += bytes;
+    footprint.saving += saving;
+  }
+
   std::unique_ptr<TSurvey> m_Survey; ///< null before the start
 };
 
@@ -65,32 +54,20 @@ protected:
 class StatisticsProduct : public SurveyProduct<Survey>
 {
 public:
-  explicit StatisticsProduct(const ExtractOptions & options)
-    : m_Options(options)
-  {
-    m_Settings.picture = !options.previewFile.empty() || !options.htmlFile.empty();
-  }
-
-  static bool
-  IsWanted(const ExtractOptions &)
-  {
-    return true;
-  }
+  using SurveyProduct::SurveyProduct;
 
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    const std::uint64_t bytes = Survey::GetBytes(header.geometry, m_Settings);
-    footprint.beside += bytes;
-    footprint.saving += bytes;
-    footprint.AddObserver(Survey::WorkerBytesPerVoxel);
+    const std::uint64_t bytes = Survey::GetBytes(header.geometry, this->GetSettings());
+    AddSurvey(footprint, bytes, bytes);
   }
 
   void
   Start(ProductStart & start) override
   {
     const VolumeHeader & header = start.job.input;
-    m_Survey = std::make_unique<Survey>(header.geometry, GetGrid(m_Options, header), m_Settings);
+    this->StartSurvey(header.geometry, GetGrid(m_Options, header), this->GetSettings());
     start.survey = m_Survey.get();
   }
 
@@ -101,10 +78,12 @@ public:
   }
 
 private:
-  std::string
-  GetFileName() const override
+  SurveySettings
+  GetSettings() const
   {
-    return m_Options.thicknessCsvFile;
+    SurveySettings settings;
+    settings.picture = WantsPictures(m_Options);
+    return settings;
   }
 
   std::optional<std::string>
@@ -112,9 +91,6 @@ private:
   {
     return MakeThicknessCsv(*m_Survey);
   }
-
-  const ExtractOptions & m_Options;
-  SurveySettings         m_Settings;
 };
 
 /** \class PlaceProduct
@@ -122,33 +98,13 @@ private:
 class PlaceProduct : public SurveyProduct<PlaceSurvey>
 {
 public:
-  explicit PlaceProduct(const ExtractOptions & options)
-    : m_Options(options)
-  {
-    for (const auto & [kind, limits] :
-         { std::pair(PlaceKind::Thin, options.thinBelow), std::pair(PlaceKind::Thick, options.thickAbove) })
-    {
-      if (limits)
-      {
-        m_Settings.limits[kind] = *limits;
-      }
-    }
-    m_Settings.smallestArea = options.smallestPlace;
-  }
-
-  static bool
-  IsWanted(const ExtractOptions & options)
-  {
-    return ListsPlaces(options);
-  }
+  using SurveyProduct::SurveyProduct;
 
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    const std::uint64_t bytes = PlaceSurvey::GetBytes(header.geometry, m_Settings);
-    footprint.beside += bytes;
-    footprint.saving += bytes;
-    footprint.AddObserver(PlaceSurvey::WorkerBytesPerVoxel);
+    const std::uint64_t bytes = PlaceSurvey::GetBytes(header.geometry, this->GetSettings());
+    AddSurvey(footprint, bytes, bytes);
     footprint.surplus.most += PlaceSurvey::MostBytesPerVoxel;
     footprint.surplus.planned += PlaceSurvey::PlannedBytesPerVoxel;
     footprint.surplus.mostOfSlice += PlaceSurvey::MostBytesPerVoxelOfSlice;
@@ -161,11 +117,11 @@ public:
   Start(ProductStart & start) override
   {
     const VolumeHeader & header = start.job.input;
-    m_Survey = std::make_unique<PlaceSurvey>(header.geometry,
-                                             GetGrid(m_Options, header),
-                                             m_Settings,
-                                             start.survey->GetAreaUnit(),
-                                             start.job.plan.GetSurplusShare());
+    this->StartSurvey(header.geometry,
+                      GetGrid(m_Options, header),
+                      this->GetSettings(),
+                      start.survey->GetAreaUnit(),
+                      start.job.plan.GetSurplusShare());
   }
 
   void
@@ -181,10 +137,20 @@ public:
   }
 
 private:
-  std::string
-  GetFileName() const override
+  PlaceSettings
+  GetSettings() const
   {
-    return m_Options.placesFile;
+    PlaceSettings settings;
+    for (const auto & [kind, limits] :
+         { std::pair(PlaceKind::Thin, m_Options.thinBelow), std::pair(PlaceKind::Thick, m_Options.thickAbove) })
+    {
+      if (limits)
+      {
+        settings.limits[kind] = *limits;
+      }
+    }
+    settings.smallestArea = m_Options.smallestPlace;
+    return settings;
   }
 
   std::optional<std::string>
@@ -192,25 +158,14 @@ private:
   {
     return MakePlacesCsv(result.places);
   }
-
-  const ExtractOptions & m_Options;
-  PlaceSettings          m_Settings;
 };
 
 /** \class PictureProduct
  * \brief Pictures of labels and thickness, and the preview of both. */
-class PictureProduct : public Product
+class PictureProduct : public ExtractProduct
 {
 public:
-  explicit PictureProduct(const ExtractOptions & options)
-    : m_Options(options)
-  {}
-
-  static bool
-  IsWanted(const ExtractOptions & options)
-  {
-    return !options.previewFile.empty() || !options.htmlFile.empty();
-  }
+  using ExtractProduct::ExtractProduct;
 
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
@@ -236,30 +191,24 @@ public:
     m_Preview = m_Pictures.labels;
     if (const VoxelOutput * const thicknesses = end.outputs.FindVolume("thickness_map"))
     {
-      const char * const unit = m_Options.voxelUnits ? "voxels" : geometry.inMillimeters ? "mm" : "units";
-      const Canvas       other = DrawThicknessPreview(labels, *thicknesses, geometry, *m_Survey, unit);
+      const char * const ofFile = geometry.inMillimeters ? "mm" : "units";
+      const Canvas       other =
+        DrawThicknessPreview(labels, *thicknesses, geometry, *m_Survey, m_Options.voxelUnits ? "voxels" : ofFile);
       m_Pictures.thicknesses = other.EncodePng();
       m_Preview = JoinCanvases(canvas, other).EncodePng();
     }
   }
 
 private:
-  std::string
-  GetFileName() const override
-  {
-    return m_Options.previewFile;
-  }
-
   std::optional<std::string>
   MakeText(const JobResult &) const override
   {
     return m_Preview;
   }
 
-  const ExtractOptions & m_Options;
-  const Survey *         m_Survey{ nullptr };
-  Pictures               m_Pictures;
-  std::string            m_Preview;
+  const Survey * m_Survey{ nullptr };
+  Pictures       m_Pictures;
+  std::string    m_Preview;
 };
 
 /** \class PageProduct
@@ -267,27 +216,19 @@ private:
 class PageProduct : public SurveyProduct<SheetSurvey>
 {
 public:
-  explicit PageProduct(const ExtractOptions & options)
-    : m_Options(options)
-  {}
-
-  static bool
-  IsWanted(const ExtractOptions & options)
-  {
-    return !options.htmlFile.empty();
-  }
+  using SurveyProduct::SurveyProduct;
 
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    const PreviewLayout layout = ArrangePreview(header.geometry);
-    const unsigned int  pictures = m_Options.thicknessFile.empty() ? 1 : 2;
-    footprint.beside += pictures * PerPixel * layout.width * layout.height + GetPageViewBytes(header.geometry);
+    // Bytes of pictures of few colors, which pack to less than half of one, as text, also while the page grows.
+    constexpr std::uint64_t perPixel = 3;
+    const PreviewLayout     layout = ArrangePreview(header.geometry);
+    const unsigned int      pictures = m_Options.thicknessFile.empty() ? 1 : 2;
+    footprint.beside += pictures * perPixel * layout.width * layout.height + GetPageViewBytes(header.geometry);
     if (HasPageViewer())
     {
-      footprint.AddObserver(SheetSurvey::WorkerBytesPerVoxel);
-      footprint.beside += SheetSurvey::GetBytes(header.geometry);
-      footprint.saving += SheetSurvey::GetSavedBytes(header.geometry);
+      AddSurvey(footprint, SheetSurvey::GetBytes(header.geometry), SheetSurvey::GetSavedBytes(header.geometry));
     }
   }
 
@@ -299,20 +240,11 @@ public:
     if (HasPageViewer())
     {
       const double unit = m_Thickness->GetSums().GetAreas().GetBinWidth();
-      m_Survey = std::make_unique<SheetSurvey>(start.job.input.geometry, unit, m_Thickness->GetSample());
+      this->StartSurvey(start.job.input.geometry, unit, m_Thickness->GetSample());
     }
   }
 
 private:
-  /** Bytes of pictures of few colors, which pack to less than half of one, as text, also while the page grows. */
-  static constexpr std::uint64_t PerPixel = 3;
-
-  std::string
-  GetFileName() const override
-  {
-    return m_Options.htmlFile;
-  }
-
   std::optional<std::string>
   MakeText(const JobResult & result) const override
   {
@@ -320,16 +252,17 @@ private:
     return MakeHtmlReport(m_Options, result, *m_Pictures, { m_Survey.get(), colors });
   }
 
-  const ExtractOptions & m_Options;
-  const Survey *         m_Thickness{ nullptr };
-  const Pictures *       m_Pictures{ nullptr };
+  const Survey *   m_Thickness{ nullptr };
+  const Pictures * m_Pictures{ nullptr };
 };
 
 } // namespace
 
-const ProductRow StatisticsRow = MakeRow<StatisticsProduct>();
-const ProductRow PictureRow = MakeRow<PictureProduct>();
-const ProductRow PlaceRow = MakeRow<PlaceProduct>();
-const ProductRow PageRow = MakeRow<PageProduct>();
+const ProductRow StatisticsRow{ &ExtractOptions::thicknessCsvFile, Make<StatisticsProduct>, [](const ExtractOptions &) {
+                                 return true;
+                               } };
+const ProductRow PlaceRow{ &ExtractOptions::placesFile, Make<PlaceProduct>, ListsPlaces };
+const ProductRow PictureRow{ &ExtractOptions::previewFile, Make<PictureProduct>, WantsPictures };
+const ProductRow PageRow{ &ExtractOptions::htmlFile, Make<PageProduct> };
 
 } // end namespace medialvoxel

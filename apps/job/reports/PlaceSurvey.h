@@ -6,8 +6,7 @@
 #include "PlaceClusters.h"
 #include "PlaceSummary.h"
 #include "VolumeHeader.h"
-
-#include "itkMedialVoxelTileObserver.h"
+#include "TileSurvey.h"
 
 #include <cstdint>
 #include <deque>
@@ -48,7 +47,7 @@ private:
 
 /** \class PlaceSurvey
  * \brief Finds the places whose walls are too thin or too thick while the tiles of a run are at hand. */
-class PlaceSurvey : public itk::MedialVoxelTileObserver
+class PlaceSurvey : public TileSurvey
 {
 public:
   /** What thin walls find in a tile. */
@@ -96,17 +95,14 @@ public:
   void
   Commit() override;
 
-  /** Forgets all tiles. */
   void
-  Clear();
+  Clear() override;
 
-  /** All that was found, as bytes that any machine reads. */
   std::string
-  Save() const;
+  Save() const override;
 
-  /** Adds what another one with the same arguments has found in the slices that follow. \throw JobError Failure */
   void
-  Merge(const std::string & bytes);
+  Merge(const std::string & bytes) override;
 
   /** To be called when all is found. */
   std::vector<PlaceSummary>

@@ -5,8 +5,7 @@
 
 #include "CellSample.h"
 #include "SheetPoints.h"
-
-#include "itkMedialVoxelTileObserver.h"
+#include "TileSurvey.h"
 
 #include <cstdint>
 #include <mutex>
@@ -19,7 +18,7 @@ namespace medialvoxel
  * \brief The medial sheet, coarse enough to be looked at as a whole, taken while the tiles of a run are at hand.
  *
  * It has no cells measured itself. */
-class SheetSurvey : public itk::MedialVoxelTileObserver
+class SheetSurvey : public TileSurvey
 {
 public:
   /** \param lengthUnit of which the thickness of a cell is a multiple, in the units of the grid
@@ -44,9 +43,8 @@ public:
   void
   Commit() override;
 
-  /** Forgets all tiles. */
   void
-  Clear();
+  Clear() override;
 
   const SheetPoints &
   GetPoints() const
@@ -60,13 +58,11 @@ public:
     return m_LengthUnit;
   }
 
-  /** All that was found, as bytes that any machine reads. */
   std::string
-  Save() const;
+  Save() const override;
 
-  /** Adds what another one with the same arguments has found. \throw JobError Failure when these are not its bytes */
   void
-  Merge(const std::string & bytes);
+  Merge(const std::string & bytes) override;
 
   /** Memory that it takes. */
   static std::uint64_t

@@ -8,7 +8,7 @@
 #include "VolumeHeader.h"
 
 #include "ThicknessSums.h"
-#include "itkMedialVoxelTileObserver.h"
+#include "TileSurvey.h"
 
 #include <array>
 #include <cstdint>
@@ -36,7 +36,7 @@ struct SurveySettings
  * size of the picture and on the length of the axes, and for a map of blocks that have an object on one bit for 16384
  * voxels. Of a large volume only a sample of the cells counts, though others may be measured for a map or for places.
  */
-class Survey : public itk::MedialVoxelTileObserver
+class Survey : public TileSurvey
 {
 public:
   Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings);
@@ -65,18 +65,14 @@ public:
   itk::MedialVoxelBits::WordType
   SelectCells(const itk::MedialVoxelCellRow & row) const override;
 
-  /** Forgets all tiles. */
   void
-  Clear();
+  Clear() override;
 
-  /** All that was found, as bytes that any machine reads. */
   std::string
-  Save() const;
+  Save() const override;
 
-  /** Adds what another survey with the same arguments has found. \throw JobError Failure when these are not its bytes
-   */
   void
-  Merge(const std::string & bytes);
+  Merge(const std::string & bytes) override;
 
   /** Of the walls at the cells that count. Bins are a 64th of the smallest spacing of the grid, areas multiples of
    * GetAreaUnit(). */

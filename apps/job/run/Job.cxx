@@ -22,6 +22,7 @@
 
 #include "itkMultiThreaderBase.h"
 
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -285,6 +286,35 @@ Job::Open(const ProgressSink & sink)
   MeasureThreshold(options, result.input, sink);
   std::visit([](const auto & own) { CheckOptions(own); }, command); // with the threshold of Otsu
   result.otsu = options.lowerIsOtsu ? options.lowerThreshold : std::nullopt;
+}
+
+void
+Job::Finish(OutputSet & outputs, ProgressSink & sink, const JobEnd & end)
+{
+  const std::size_t told = result.warnings.size();
+  outputs.FinishVolumes();
+  const ProductEnd complete{ outputs, end.input, [&sink](double) { ThrowIfStopRequested(sink); } };
+  for (const auto & product : products)
+  {
+    product->Complete(result, complete);
+  }
+  ThrowIfStopRequested(sink);
+  end.recordCosts();
+  for (const auto & product : products)
+  {
+    product->Describe(result);
+  }
+  for (const auto & product : products)
+  {
+    product->WriteFile(result);
+  }
+  end.publish();
+  if (result.plan.unpackedBytes > 0)
+  {
+    sink.Note(result.input.fileName.string() +
+              " is compressed and was unpacked once: " + DescribeUnpacking(result.plan));
+  }
+  TellWarnings(sink, result.warnings, told);
 }
 
 std::optional<ExtractOptions>

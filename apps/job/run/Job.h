@@ -9,6 +9,7 @@
 #include "Product.h"
 #include "Progress.h"
 
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -21,6 +22,14 @@ struct JobTask
 {
   VolumeFiller               filler;
   itk::MedialVoxelEngineTask task;
+};
+
+/** What differs from one end of a job to another. */
+struct JobEnd
+{
+  InputVolume *         input{ nullptr }; ///< of the run, if this process had one
+  std::function<void()> recordCosts;      ///< fills in what the job took
+  std::function<void()> publish;          ///< gives the outputs their names
 };
 
 /** \struct Job
@@ -53,6 +62,11 @@ struct Job
    * reading. \throw JobError; StoppedBySignal when the sink asks to stop */
   void
   Open(const ProgressSink & sink);
+
+  /** Ends it: volumes, products, costs, texts, names; then the sink hears of new warnings.
+   * \throw StoppedBySignal when the sink asks to stop; no output has its name then. */
+  void
+  Finish(OutputSet & outputs, ProgressSink & sink, const JobEnd & end);
 
   /** All that it takes, as its tasks and products say. */
   Footprint

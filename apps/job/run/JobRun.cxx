@@ -75,30 +75,31 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
 void
 JobRun::AddProduct(Product & product)
 {
-  if (itk::MedialVoxelTileObserver * const observer = product.GetObserver())
+  const ProductLinks & links = product.GetLinks();
+  if (links.observer != nullptr)
   {
     PieceEngine & engine = *m_Engines.front().engine;
-    engine.AddObserver(*observer);
+    engine.AddObserver(*links.observer);
     engine.AddRegionListener([&product](const itk::MedialVoxelBox & region) { product.BeginRegion(region); });
   }
-  if (SurfaceMesh * const mesh = m_Objects ? product.GetMesh() : nullptr)
+  if (m_Objects && links.mesh != nullptr)
   {
-    m_Objects->AddMesh(*mesh);
+    m_Objects->AddMesh(*links.mesh);
   }
-  const std::optional<FilledVolume> filled = product.GetVolume();
-  if (filled && filled->request.filler == VolumeFiller::Objects)
+  if (links.volume == nullptr)
   {
-    m_Objects->GetUnion().AddObjects(filled->request, filled->volume);
+    return;
   }
-  else if (filled)
+  if (links.request->filler == VolumeFiller::Objects)
   {
-    const auto    engine = std::find_if(m_Engines.begin(), m_Engines.end(), [&filled](const Engine & known) {
-      return known.filler == filled->request.filler;
-    });
-    VoxelOutput & volume =
-      m_Objects ? m_Objects->GetUnion().AddVolume(filled->request, filled->volume) : filled->volume;
-    engine->engine->AddVolume(filled->request, volume);
+    m_Objects->GetUnion().AddObjects(*links.request, *links.volume);
+    return;
   }
+  const auto engine = std::find_if(m_Engines.begin(), m_Engines.end(), [&links](const Engine & known) {
+    return known.filler == links.request->filler;
+  });
+  engine->engine->AddVolume(*links.request,
+                            m_Objects ? m_Objects->GetUnion().AddVolume(*links.request, *links.volume) : *links.volume);
 }
 
 void

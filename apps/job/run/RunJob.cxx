@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "RunJob.h"
 
-#include "FinishJob.h"
 #include "JobClock.h"
 #include "JobRun.h"
 #include "PipelineErrors.h"
@@ -50,7 +49,7 @@ RunPlanned(Job & job, ProgressSink & sink, JobClock::time_point start)
     RecordCosts(result, run.GetInput(), run.GetWriteSeconds() + SecondsSince(finishStart), start);
   };
   end.publish = [&outputs] { outputs.Publish(); };
-  FinishJob(job, outputs, sink, end);
+  job.Finish(outputs, sink, end);
 }
 
 } // namespace
