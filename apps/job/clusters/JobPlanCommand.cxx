@@ -1,19 +1,14 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "FileNames.h"
-#include "InputVolume.h"
 #include "Job.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
-#include "OptionChecks.h"
 #include "Outputs.h"
 #include "OutputChecks.h"
 #include "PipelineErrors.h"
-#include "ScanMeasure.h"
 #include "SharedJob.h"
 #include "SharedVolume.h"
-#include "UnpackedVolume.h"
-#include "ValueStatistics.h"
 #include "Version.h"
 #include "VolumeFormats.h"
 #include "Warnings.h"
@@ -100,7 +95,7 @@ DivideIntoClusters(const ExtractOptions & options, std::uint64_t slicesOfLayer, 
 }
 
 Manifest
-MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder & folder)
+MakeManifest(const ExtractOptions & options, const JobResult & job, const JobFolder & folder)
 {
   Manifest manifest;
   manifest.version = GetVersion();
@@ -125,24 +120,19 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
 }
 
 /** What all processes of the job do alike: the threshold, smooth or not, and measure walls. */
-void
-MeasureVolume(PlanOptions & options, const JobResult & job, const ProgressSink & sink)
+ExtractOptions
+MeasureVolume(const ExtractOptions & options, Job & job, const ProgressSink & sink)
 {
-  const bool measuresGray = MayMeasureOnGrayValues(options, job.input);
-  const bool opensVolume = GetSmoothing(options) == Smoothing::Automatic || measuresGray;
-  const auto header = opensVolume ? UnpackVolume(job.input, job.plan.scratchFolder, sink) : job.input;
-  MeasureThreshold(options, header, sink);
-  CheckOptions(options); // with the threshold of Otsu
-  if (!opensVolume)
-  {
-    options.measure = WallMeasure{ false, std::nullopt, DescribeMeasureOnObject(options, job.input) };
-    return;
-  }
   const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
-  const auto input = OpenInputVolume(header, options, job.plan.bytesToKeep, GetSmoothing(options));
+  job.Open(sink);
+  const auto input = job.OpenVolume();
   input->Prepare(observer);
-  options.roughness = input->GetRoughness();
-  options.measure = FindWallMeasure(*input, header, options, observer);
+  job.Measure(*input, observer);
+  ExtractOptions measured = options;
+  measured.lowerThreshold = job.options.lowerThreshold;
+  measured.roughness = job.result.roughness;
+  measured.measure = job.result.measure;
+  return measured;
 }
 
 void
@@ -211,10 +201,8 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     return job;
   }
   WithPipelineErrors([&] {
-    const auto  volumes = ListVolumes(options, job.input);
-    PlanOptions own = options;
-    MeasureVolume(own, job, sink);
-    const Manifest manifest = MakeManifest(own, job, folder);
+    const auto     volumes = ListVolumes<ExtractOptions>(options, job.input);
+    const Manifest manifest = MakeManifest(MeasureVolume(options, planned, sink), job, folder);
     folder.Create();
     JobLocks   locks(folder.GetLocksName());
     const auto lock = locks.TryLock(JobLocks::Planning);

@@ -50,10 +50,11 @@ struct Footprint
   std::uint64_t                perVoxelOfUnion{ 0 }; ///< of the passes over a piece, beside its results; 0: one pass
   PieceSurplus                 surplus;              ///< what waits for its piece to be done
   std::uint64_t                slicesOfLayer{ 1 };   ///< pieces have a multiple of it where they can: a layer of chunks
-  std::uint64_t                rowsOfLayer{ AllRows }; ///< slices may be done in multiples of it; 0: some cannot
-  bool                         needsSlices{ true };    ///< slices are done as a whole
-  bool                         readsInput{ false };    ///< who takes results reads the input, as the engines do
-  ScratchSpace                 scratch;                ///< of files that grow with the results
+  std::uint64_t                rowsOfLayer{ AllRows };   ///< slices may be done in multiples of it; 0: some cannot
+  bool                         needsSlices{ true };      ///< slices are done as a whole
+  bool                         keepsGrayValues{ false }; ///< windows hold them beside the object
+  bool                         readsInput{ false };      ///< who takes results reads the input, as the engines do
+  ScratchSpace                 scratch;                  ///< of files that grow with the results
 
   /** Counts in who sees the tiles of the extraction, with so many bytes for each voxel of the tile of a worker. */
   void

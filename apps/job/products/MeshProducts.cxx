@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Outputs.h"
 #include "PartSurface.h"
-#include "ProductRows.h"
+#include "Products.h"
 #include "RimRays.h"
 #include "ScanMeasure.h"
 #include "SurfaceMesh.h"

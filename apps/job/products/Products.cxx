@@ -3,7 +3,6 @@
 #include "Products.h"
 
 #include "Outputs.h"
-#include "ProductRows.h"
 #include "Report.h"
 #include "ReturnParameters.h"
 #include "VolumeFormats.h"

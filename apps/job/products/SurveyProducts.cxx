@@ -4,7 +4,7 @@
 #include "PlaceSurvey.h"
 #include "PlaceTable.h"
 #include "Preview.h"
-#include "ProductRows.h"
+#include "Products.h"
 #include "SheetSurvey.h"
 #include "SurveySummary.h"
 #include "ThicknessPreview.h"

@@ -252,7 +252,7 @@ WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder)
   makeAbsolute(options.input);
   for (const auto & kind : ListOutputKinds(options))
   {
-    if (kind.parameter && !kind.GetFileName(options).empty())
+    if (!kind.refusal && !kind.GetFileName(options).empty())
     {
       makeAbsolute(options.*kind.option);
     }

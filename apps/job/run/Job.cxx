@@ -11,6 +11,7 @@
 #include "ProcessMemory.h"
 #include "Products.h"
 #include "ReadVolumeHeader.h"
+#include "ScanMeasure.h"
 #include "SegmentFiles.h"
 #include "SurfaceFormat.h"
 #include "SurfacePlacement.h"
@@ -153,7 +154,7 @@ ListTasks(const ExtractOptions & options, const VolumeHeader & header)
   {
     extraction.vectorBoundary = options.vectorBoundary;
   }
-  std::vector<JobTask> tasks{ { VolumeFiller::Extraction, extraction } };
+  std::vector<JobTask> tasks{ { VolumeFiller::Extraction, extraction, range.has_value() } };
   if (!options.distanceFile.empty())
   {
     itk::MedialVoxelDistanceMap map;
@@ -167,7 +168,7 @@ ListTasks(const ExtractOptions & options, const VolumeHeader & header)
     {
       thickness.walls->grayRange = range;
     }
-    tasks.push_back({ VolumeFiller::LocalThickness, thickness });
+    tasks.push_back({ VolumeFiller::LocalThickness, thickness, thickness.walls && range });
   }
   return tasks;
 }
@@ -233,6 +234,7 @@ Job::GetFootprint(const bool isShared) const
   for (const JobTask & task : tasks)
   {
     footprint.engines.push_back({ task.filler, MakeEngineSettings(result.input, task.task) });
+    footprint.keepsGrayValues |= task.keepsGrayValues;
   }
   JobRun::AddTo(footprint, *this);
   for (const auto & product : products)
@@ -286,6 +288,29 @@ Job::Open(const ProgressSink & sink)
   MeasureThreshold(options, result.input, sink);
   std::visit([](const auto & own) { CheckOptions(own); }, command); // with the threshold of Otsu
   result.otsu = options.lowerIsOtsu ? options.lowerThreshold : std::nullopt;
+}
+
+std::unique_ptr<InputVolume>
+Job::OpenVolume() const
+{
+  const auto walls = this->GetWalls();
+  if (walls && walls->labels)
+  {
+    const auto poreSize = GetParameters(*walls, GetGrid(options, result.input)).maximumPoreSize;
+    return std::make_unique<LabelMap>(result.input, *walls->labels, poreSize, result.plan.bytesToKeep);
+  }
+  const Smoothing smoothing = walls ? GetSmoothing(*walls) : Smoothing::Off;
+  return OpenInputVolume(result.input, options, result.plan.bytesToKeep, smoothing);
+}
+
+void
+Job::Measure(InputVolume & input, const ReadObserver & observer)
+{
+  result.roughness = input.GetRoughness();
+  if (const auto walls = this->GetWalls())
+  {
+    result.measure = walls->measure ? walls->measure : FindWallMeasure(input, result.input, *walls, observer);
+  }
 }
 
 void

@@ -22,6 +22,7 @@ struct JobTask
 {
   VolumeFiller               filler;
   itk::MedialVoxelEngineTask task;
+  bool                       keepsGrayValues{ false }; ///< of the voxels in its windows
 };
 
 /** What differs from one end of a job to another. */
@@ -62,6 +63,14 @@ struct Job
    * reading. \throw JobError; StoppedBySignal when the sink asks to stop */
   void
   Open(const ProgressSink & sink);
+
+  /** The volume, which is not prepared. */
+  std::unique_ptr<InputVolume>
+  OpenVolume() const;
+
+  /** Finds out from the prepared volume how walls are measured. \throw as FindWallMeasure() */
+  void
+  Measure(InputVolume & input, const ReadObserver & observer);
 
   /** Ends it: volumes, products, costs, texts, names; then the sink hears of new warnings.
    * \throw StoppedBySignal when the sink asks to stop; no output has its name then. */

@@ -12,32 +12,11 @@
 
 namespace medialvoxel
 {
-namespace
-{
-
-std::uint64_t
-GetMaximumPoreSize(const ExtractOptions & walls, const VolumeHeader & header)
-{
-  return GetParameters(walls, GetGrid(walls, header)).maximumPoreSize;
-}
-
-std::unique_ptr<InputVolume>
-OpenInput(const Job & job, const std::optional<ExtractOptions> & walls)
-{
-  const auto & [header, bytesToKeep] = std::tie(job.result.input, job.result.plan.bytesToKeep);
-  if (walls && walls->labels)
-  {
-    return std::make_unique<LabelMap>(header, *walls->labels, GetMaximumPoreSize(*walls, header), bytesToKeep);
-  }
-  return OpenInputVolume(header, job.options, bytesToKeep, walls ? GetSmoothing(*walls) : Smoothing::Off);
-}
-
-} // namespace
 
 JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   : m_Job(job)
   , m_Walls(job.GetWalls())
-  , m_Input(OpenInput(job, m_Walls))
+  , m_Input(job.OpenVolume())
   , m_Loop(job.result.plan, job.result.input, static_cast<unsigned int>(job.tasks.size()), sink)
   , m_Writer(job.result.plan.writesBehind)
 {
@@ -61,7 +40,7 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   {
     m_Objects = std::make_unique<LabelMapRun>(static_cast<LabelMap &>(*m_Input),
                                               planned.input.geometry,
-                                              GetMaximumPoreSize(*m_Walls, planned.input),
+                                              GetParameters(*m_Walls, GetGrid(*m_Walls, planned.input)).maximumPoreSize,
                                               *start.survey);
     m_Engines.front().engine->AddObserver(m_Objects->GetObserver());
   }
@@ -119,9 +98,9 @@ JobRun::AddTo(Footprint & footprint, const Job & job)
   if (walls->labels)
   {
     footprint.perVoxelOfUnion = ObjectUnion::BytesPerVoxel;
-    footprint.beside +=
-      LabelMapRun::GetPlannedBytes(*walls->labels) +
-      itk::MedialVoxelObjectAdjacency::GetBytes(footprint.grid.GetSize(), GetMaximumPoreSize(*walls, header));
+    footprint.beside += LabelMapRun::GetPlannedBytes(*walls->labels) +
+                        itk::MedialVoxelObjectAdjacency::GetBytes(
+                          footprint.grid.GetSize(), GetParameters(*walls, footprint.grid).maximumPoreSize);
   }
   // Chunks are read and written in any order; all but labels are made of whole slices.
   const bool readsChunks = header.GetStored().chunks && !header.stored;
@@ -133,20 +112,17 @@ void
 JobRun::Prepare()
 {
   m_Loop.Prepare(*m_Input);
-  JobResult & result = m_Job.result;
-  result.roughness = m_Input->GetRoughness();
-  if (m_Walls)
+  m_Job.Measure(*m_Input, [this](double) { m_Loop.ThrowIfStopRequested(); });
+  if (const std::optional<WallMeasure> & measure = m_Job.result.measure)
   {
-    const auto observer = [this](double) { m_Loop.ThrowIfStopRequested(); };
-    result.measure = m_Walls->measure ? m_Walls->measure : FindWallMeasure(*m_Input, result.input, *m_Walls, observer);
-    const auto range = GetGrayRange(*result.measure, m_Job.options, result.input);
+    const auto range = GetGrayRange(*measure, m_Job.options, m_Job.result.input);
     for (const Engine & engine : m_Engines)
     {
       engine.engine->SetGrayRange(range);
     }
     for (const auto & product : m_Job.products)
     {
-      product->UseMeasure(*result.measure);
+      product->UseMeasure(*measure);
     }
   }
   if (m_Objects)

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
-#include <variant>
 
 namespace medialvoxel
 {
@@ -325,35 +324,6 @@ AddSurplus(JobPlan & plan, const Request & request)
   plan.memoryBytes += std::min(plan.surplusBytes, voxels * surplus.planned);
 }
 
-/** Whether windows hold gray values beside the object. */
-bool
-KeepsGrayValues(const Footprint & footprint)
-{
-  struct Asker
-  {
-    bool
-    operator()(const itk::MedialVoxelExtraction & task) const
-    {
-      return task.grayRange.has_value();
-    }
-
-    bool
-    operator()(const itk::MedialVoxelLocalThickness & task) const
-    {
-      return task.walls && task.walls->grayRange;
-    }
-
-    bool
-    operator()(const itk::MedialVoxelDistanceMap &) const
-    {
-      return false;
-    }
-  };
-  return std::any_of(footprint.engines.begin(), footprint.engines.end(), [](const auto & engine) {
-    return std::visit(Asker{}, engine.settings.task);
-  });
-}
-
 [[noreturn]] void
 RefuseLackOfMemory(const JobPlan & plan, const Request & request)
 {
@@ -368,7 +338,7 @@ RefuseLackOfMemory(const JobPlan & plan, const Request & request)
        ", ",
        FormatBytes(plan.memoryLimit),
        " are allowed",
-       KeepsGrayValues(request.footprint) ? "; walls measured on the object, with --sub-voxel=off, need less" : "",
+       request.footprint.keepsGrayValues ? "; walls measured on the object, with --sub-voxel=off, need less" : "",
        !request.header.compressed || !options.scratchFolder.empty()
          ? ""
          : "; it is compressed, and with --scratch DIR its " + FormatBytes(plan.unpackedBytes) +
