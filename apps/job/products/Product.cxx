@@ -4,46 +4,10 @@
 
 #include "PackedNumbers.h"
 
-#include <string_view>
+#include <sstream>
 
 namespace medialvoxel
 {
-namespace
-{
-
-/** Digits of the length of what a product saved, which stand before it. */
-constexpr std::size_t LengthDigits = 8;
-
-std::string
-PackPart(const std::string & part)
-{
-  std::string packed(LengthDigits, '\0');
-  for (std::size_t i = 0; i < LengthDigits; ++i)
-  {
-    packed[i] = static_cast<char>(std::uint64_t{ part.size() } >> (8 * i));
-  }
-  return packed + part;
-}
-
-/** Takes the first part away from \a bytes. */
-std::string
-TakePart(std::string_view & bytes)
-{
-  std::uint64_t length = 0;
-  for (std::size_t i = 0; i < LengthDigits && i < bytes.size(); ++i)
-  {
-    length |= std::uint64_t{ static_cast<std::uint8_t>(bytes[i]) } << (8 * i);
-  }
-  if (bytes.size() < LengthDigits || length > bytes.size() - LengthDigits)
-  {
-    RefusePart();
-  }
-  const std::string part(bytes.substr(LengthDigits, length));
-  bytes.remove_prefix(LengthDigits + length);
-  return part;
-}
-
-} // namespace
 
 std::string
 SaveFindings(const ProductList & products)
@@ -51,7 +15,11 @@ SaveFindings(const ProductList & products)
   std::string bytes;
   for (const auto & product : products)
   {
-    bytes += product->GetLinks().survey ? PackPart(product->GetLinks().survey->Save()) : "";
+    if (const TileSurvey * const survey = product->GetLinks().survey)
+    {
+      const std::string part = survey->Save();
+      bytes += std::to_string(part.size()) + " " + part;
+    }
   }
   return bytes;
 }
@@ -59,15 +27,23 @@ SaveFindings(const ProductList & products)
 void
 MergeFindings(const ProductList & products, const std::string & bytes)
 {
-  std::string_view rest = bytes;
+  std::istringstream stream(bytes);
   for (const auto & product : products)
   {
     if (TileSurvey * const survey = product->GetLinks().survey)
     {
-      survey->Merge(TakePart(rest));
+      std::size_t length = 0;
+      stream >> length;
+      stream.get();
+      std::string part(stream && length < bytes.size() ? length : 0, '\0');
+      if (part.empty() || !stream.read(part.data(), static_cast<std::streamsize>(length)))
+      {
+        RefusePart();
+      }
+      survey->Merge(part);
     }
   }
-  if (!rest.empty())
+  if (stream.peek() != std::istringstream::traits_type::eof())
   {
     RefusePart();
   }

@@ -19,7 +19,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 12;
+constexpr int ManifestFormat = 13;
 
 /** Calls use(row) for the options that a job keeps in this way. */
 template <typename TUse>
