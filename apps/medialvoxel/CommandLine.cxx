@@ -137,7 +137,7 @@ CompleteJobs(CommandLine & line)
 {
   line.planOptions.jobFolder = line.program.jobFolder;
   line.workOptions.jobFolder = line.program.jobFolder;
-  line.workOptions.memoryBytes = line.processOptions.memoryBytes;
+  line.workOptions.memoryLimit = line.processOptions.memoryLimit;
   line.workOptions.threads = line.processOptions.threads;
   line.workOptions.scratchFolder = line.processOptions.scratchFolder;
   line.finalizeOptions.jobFolder = line.program.jobFolder;

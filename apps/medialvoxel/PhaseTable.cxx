@@ -157,7 +157,7 @@ AddRun(TextTable & table, const JobResult & result)
   table.emplace_back("reading and writing", FormatFixed(result.seconds.inputOutput, 2) + " s");
   table.emplace_back("total", FormatFixed(result.seconds.total, 2) + " s");
   table.emplace_back("peak memory",
-                     FormatBytes(result.peakMemoryBytes) + ", planned " + FormatBytes(result.plan.memoryBytes));
+                     FormatBytes(result.peakMemoryBytes) + ", planned " + FormatBytes(result.plan.memory.planned));
   for (const OutputRequest & output : result.outputs)
   {
     table.emplace_back(output.role, output.fileName.string());

@@ -81,7 +81,7 @@ SetJobOptions(TFilter & filter, const JobOptions & options)
     filter.SetUpperThreshold(*upper);
   }
   filter.SetUseImageSpacing(!options.voxelUnits);
-  filter.SetWorkingMemoryLimit(static_cast<itk::SizeValueType>(options.memoryBytes.value_or(0)));
+  filter.SetWorkingMemoryLimit(static_cast<itk::SizeValueType>(options.memoryLimit.value_or(0)));
   if (options.threads)
   {
     filter.GetMultiThreader()->SetMaximumNumberOfThreads(*options.threads);

@@ -107,7 +107,7 @@ Remesh(const ArrayCall &              call,
   remeshing.size.extendsRims = options.extendsRims;
   remeshing.size.measureRimRays = std::move(findEdge);
   remeshing.scratchFolder = std::filesystem::temp_directory_path();
-  remeshing.memoryBytes = options.memoryBytes.value_or(GetFreeMemory() / 2);
+  remeshing.memoryLimit = options.memoryLimit.value_or(GetFreeMemory() / 2);
   remeshing.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   remeshing.progress = [](double) { itk::MedialVoxelPoll(); };
   itk::MedialVoxelRemeshingSummary summary;

@@ -71,8 +71,8 @@ AddMarker(JobResult & job, const ClusterMarker & marker)
   job.seconds.total += marker.seconds.total;
   job.bytesRead += marker.bytesRead;
   job.peakMemoryBytes = std::max(job.peakMemoryBytes, marker.peakMemoryBytes);
-  job.plan.memoryBytes = std::max(job.plan.memoryBytes, marker.plannedMemoryBytes);
-  job.plan.memoryLimit = std::max(job.plan.memoryLimit, marker.memoryLimit);
+  job.plan.memory.planned = std::max(job.plan.memory.planned, marker.plannedMemory);
+  job.plan.memory.limit = std::max(job.plan.memory.limit, marker.memoryLimit);
   job.plan.threads = std::max(job.plan.threads, marker.threads);
 }
 
@@ -180,7 +180,7 @@ private:
     m_Sink.Record({ LogLevel::Info,
                     "verified",
                     { { "clusters", std::to_string(m_Markers.size()) },
-                      { "bytes", std::to_string(m_Shared.manifest.bytesPerSlice * m_Shared.manifest.numberOfSlices) },
+                      { "bytes", std::to_string(m_Shared.manifest.perSlice * m_Shared.manifest.numberOfSlices) },
                       { "seconds", FormatFixed(SecondsSince(start), 3) } } });
   }
 

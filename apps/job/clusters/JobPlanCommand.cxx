@@ -22,7 +22,7 @@ namespace
 
 /** Voxels read and written for a cluster, in bytes, that take some ten seconds: little to lose when a process is
  * stopped, and much in comparison with the start of a process and with the neighborhood that it reads as well. */
-constexpr std::uint64_t BytesPerCluster = std::uint64_t{ 1 } << 29;
+constexpr std::uint64_t WorkPerCluster = std::uint64_t{ 1 } << 29;
 
 /** Fewer would leave processors without work towards the end, and more to lose when a process is stopped. */
 constexpr std::uint64_t FewestClusters = 16;
@@ -62,19 +62,19 @@ RefuseUnsupported(const ExtractOptions & options)
   }
 }
 
-/** Slices of about BytesPerCluster in whole slabs, which are the pieces that cost the least, or fewer, so that there
+/** Slices of about WorkPerCluster in whole slabs, which are the pieces that cost the least, or fewer, so that there
  * are FewestClusters. */
 std::uint64_t
 ChooseSlicesOfCluster(const JobResult & job)
 {
   const JobPlan &     plan = job.plan;
-  const std::uint64_t bytes = (job.input.GetStored().GetVoxelBytes() + plan.diskBytes) / plan.numberOfSlices;
+  const std::uint64_t bytes = (job.input.GetStored().GetVoxelBytes() + plan.disk) / plan.numberOfSlices;
   const std::uint64_t most = plan.numberOfSlices / FewestClusters;
   if (most < plan.slabSlices)
   {
     return std::max(FewestSlices, most);
   }
-  const std::uint64_t slabs = std::min(BytesPerCluster / std::max<std::uint64_t>(bytes, 1), most) / plan.slabSlices;
+  const std::uint64_t slabs = std::min(WorkPerCluster / std::max<std::uint64_t>(bytes, 1), most) / plan.slabSlices;
   return std::max<std::uint64_t>(slabs, 1) * plan.slabSlices;
 }
 
@@ -115,7 +115,7 @@ MakeManifest(const ExtractOptions & options, const JobResult & job, const JobFol
   manifest.numberOfSlices = job.plan.numberOfSlices;
   manifest.numberOfClusters = job.plan.divisions;
   manifest.sliceUnit = job.plan.sliceUnit;
-  manifest.bytesPerSlice = job.plan.diskBytes / job.plan.numberOfSlices;
+  manifest.perSlice = job.plan.disk / job.plan.numberOfSlices;
   return manifest;
 }
 
@@ -223,7 +223,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
                       { "folder", folder.GetPath().string() },
                       { "clusters", std::to_string(manifest.numberOfClusters) },
                       { "slices_of_cluster", std::to_string(job.plan.GetMaximumSlices()) },
-                      { "planned_memory_bytes", std::to_string(job.plan.memoryBytes) } } });
+                      { "planned_memory_bytes", std::to_string(job.plan.memory.planned) } } });
       if (script)
       {
         script->Publish();

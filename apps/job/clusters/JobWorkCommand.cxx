@@ -32,7 +32,7 @@ ExtractOptions
 GetOptions(const Manifest & manifest, const WorkOptions & options, const std::string & scratchFolder)
 {
   ExtractOptions own = manifest.options;
-  own.memoryBytes = options.memoryBytes ? options.memoryBytes : own.memoryBytes;
+  own.memoryLimit = options.memoryLimit ? options.memoryLimit : own.memoryLimit;
   own.threads = options.threads ? options.threads : own.threads;
   own.scratchFolder = scratchFolder.empty() ? own.scratchFolder : scratchFolder;
   own.divisions.reset(); // the pieces of a cluster are for the memory of this machine to decide
@@ -290,8 +290,8 @@ ClusterWorker::Compute(const SliceRange & range)
   marker.seconds.total = SecondsSince(start);
   marker.bytesRead = m_Run.GetInput().GetNumberOfBytesRead() - bytesBefore;
   marker.peakMemoryBytes = GetPeakMemoryBytes();
-  marker.plannedMemoryBytes = m_Job.result.plan.memoryBytes;
-  marker.memoryLimit = m_Job.result.plan.memoryLimit;
+  marker.plannedMemory = m_Job.result.plan.memory.planned;
+  marker.memoryLimit = m_Job.result.plan.memory.limit;
   marker.threads = m_Job.result.plan.threads;
   return marker;
 }

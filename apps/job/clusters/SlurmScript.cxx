@@ -64,14 +64,14 @@ Fill(const std::string & text, const Values & values)
 std::uint64_t
 ChooseMemory(ExtractOptions options)
 {
-  if (options.memoryBytes)
+  if (options.memoryLimit)
   {
-    return *options.memoryBytes;
+    return *options.memoryLimit;
   }
   options.divisions.reset();
   Job job(options);
   job.PlanProcess();
-  return std::max(LeastMemory, 2 * job.result.plan.memoryBytes);
+  return std::max(LeastMemory, 2 * job.result.plan.memory.planned);
 }
 
 } // namespace
@@ -85,7 +85,7 @@ SlurmArray::GetTasks() const
 std::uint64_t
 SlurmArray::GetMegabytes() const
 {
-  const std::uint64_t megabytes = (memoryBytes + MiB - 1) / MiB;
+  const std::uint64_t megabytes = (memoryLimit + MiB - 1) / MiB;
   return megabytes + (megabytes + 7) / 8;
 }
 
@@ -109,7 +109,7 @@ PlanSlurmArray(const SlurmOptions &          slurm,
     std::min(slurm.clustersPerTask.value_or((array.clusters - 1) / MostTasks + 1), array.clusters);
   array.tasksAtOnce = slurm.tasksAtOnce;
   array.threads = job.plan.threads;
-  array.memoryBytes = ChooseMemory(options);
+  array.memoryLimit = ChooseMemory(options);
   return array;
 }
 

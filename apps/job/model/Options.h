@@ -76,7 +76,7 @@ struct JobOptions
 
   std::string scratchFolder; ///< for a compressed volume whose values do not fit the memory; empty: none
 
-  std::optional<std::uint64_t> memoryBytes;       ///< cap on the memory; unset: half of what is free
+  std::optional<std::uint64_t> memoryLimit;       ///< cap on the memory; unset: half of what is free
   std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
   std::optional<std::uint64_t> divisions;         ///< pieces along the last axis, 1 or more; unset: chosen
   bool                         sparse{ false };   ///< blocks of zeros stay holes of the files, nothing is reserved

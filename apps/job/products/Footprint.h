@@ -3,8 +3,8 @@
 #ifndef medialvoxelFootprint_h
 #define medialvoxelFootprint_h
 
-#include "JobPlan.h"
 #include "OutputRequest.h"
+#include "ProductFootprint.h"
 
 #include "itkMedialVoxelEngine.h"
 #include "itkMedialVoxelGrid.h"
@@ -17,17 +17,6 @@
 
 namespace medialvoxel
 {
-
-/** What a piece finds and keeps until it is done, in bytes for each of its voxels. Pieces that find more than memory
- * allows are done in smaller ones. */
-struct PieceSurplus
-{
-  std::uint64_t most{ 0 };
-  std::uint64_t planned{ 0 };
-  std::uint64_t mostOfSlice{ 0 }; ///< of a piece of one slice, beside the first
-  std::uint64_t shareOfRest{ 4 }; ///< it takes one of so many parts of the memory that is left
-  std::uint64_t takers{ 0 };      ///< products that share it
-};
 
 /** An engine, which keeps its windows, and what it gives. */
 struct EngineFootprint
@@ -48,6 +37,7 @@ struct Footprint
   std::uint64_t                perThread{ 0 };       ///< of threads that read, beside what they always take
   std::uint64_t                saving{ 0 };          ///< of a process that saves what it found
   std::uint64_t                perVoxelOfUnion{ 0 }; ///< of the passes over a piece, beside its results; 0: one pass
+  std::uint64_t                surplusTakers{ 0 };   ///< products that share the surplus
   PieceSurplus                 surplus;              ///< what waits for its piece to be done
   std::uint64_t                slicesOfLayer{ 1 };   ///< pieces have a multiple of it where they can: a layer of chunks
   std::uint64_t                rowsOfLayer{ AllRows };   ///< slices may be done in multiples of it; 0: some cannot
@@ -56,13 +46,24 @@ struct Footprint
   bool                         readsInput{ false };      ///< who takes results reads the input, as the engines do
   ScratchSpace                 scratch;                  ///< of files that grow with the results
 
-  /** Counts in who sees the tiles of the extraction, with so many bytes for each voxel of the tile of a worker. */
+  /** Counts in who sees the tiles of the extraction, and others. */
   void
-  AddObserver(std::uint64_t perVoxel)
+  Add(const ProductFootprint & product)
   {
-    auto & extraction = std::get<itk::MedialVoxelExtraction>(engines.front().settings.task);
-    extraction.isObserved = true;
-    extraction.observerBytesPerVoxel += perVoxel;
+    if (product.perVoxelOfTile > 0)
+    {
+      auto & extraction = std::get<itk::MedialVoxelExtraction>(engines.front().settings.task);
+      extraction.isObserved = true;
+      extraction.observerBytesPerVoxel += product.perVoxelOfTile;
+    }
+    beside += product.beside;
+    saving += product.saving;
+    surplus.most += product.surplus.most;
+    surplus.planned += product.surplus.planned;
+    surplus.mostOfSlice += product.surplus.mostOfSlice;
+    surplus.shareOfRest = std::min(surplus.shareOfRest, product.surplus.shareOfRest);
+    surplusTakers += product.surplus.most > 0 ? 1 : 0;
+    scratch = product.scratch.bytes > 0 ? product.scratch : scratch;
   }
 
   /** Bytes of results for each voxel of a piece: one engine after the other gives its own. */

@@ -24,13 +24,7 @@ public:
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    const itk::MedialVoxelParameters parameters = GetParameters(m_Options, footprint.grid);
-    footprint.AddObserver(itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(footprint.grid, parameters));
-    footprint.beside += SurfaceMesh::GetBytes(m_Options, header.geometry);
-    footprint.surplus.most += SurfaceMesh::MostBytesPerVoxel;
-    footprint.surplus.planned += SurfaceMesh::PlannedBytesPerVoxel;
-    ++footprint.surplus.takers;
-    footprint.scratch = SurfaceMesh::GetScratchSpace(m_Options, header.geometry);
+    footprint.Add(SurfaceMesh::GetFootprint(m_Options, header.geometry, footprint.grid));
     footprint.needsSlices = true;
   }
 
@@ -55,7 +49,7 @@ public:
       m_Mesh->FindEdgesWith([rays](const itk::MedialVoxelRimRays & bundle) { return rays->Measure(bundle); });
     }
     const JobPlan &     plan = result.plan;
-    const std::uint64_t memory = plan.memoryLimit - std::min(plan.memoryLimit, plan.fixedBytes);
+    const std::uint64_t memory = plan.memory.limit - std::min(plan.memory.limit, plan.memory.fixed);
     result.surface = m_Mesh->Write(*m_File, memory, plan.threads, end.progress);
     result.seconds.remeshing = result.surface->remeshingSeconds;
   }
@@ -79,8 +73,7 @@ public:
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
     footprint.engines.front().perVoxel += m_Map.layout.GetBytes();
-    footprint.beside += PartSurface::GetBytes(m_Options, header);
-    footprint.scratch = PartSurface::GetScratchSpace(m_Options, header);
+    footprint.Add(PartSurface::GetFootprint(m_Options, header));
     footprint.readsInput = true;
   }
 

@@ -20,7 +20,7 @@ namespace
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
 /** What reading the scratch files takes, for measures and writers, and what waits for them. */
-constexpr std::uint64_t BytesOfWriting = 24 * MiB;
+constexpr std::uint64_t WritingMemory = 24 * MiB;
 
 /** Of surfaces that are planned for; there are twice as many triangles. */
 constexpr std::uint64_t VoxelsPerVertex = 32;
@@ -277,26 +277,23 @@ PartSurface::Write(OutputFile & file, const std::function<void(double)> & progre
   return summary;
 }
 
-std::uint64_t
-PartSurface::GetBytes(const SurfaceOptions & options, const VolumeHeader & header)
+ProductFootprint
+PartSurface::GetFootprint(const SurfaceOptions & options, const VolumeHeader & header)
 {
   const itk::MedialVoxelIndex size = GetSize(header.geometry);
   const std::uint64_t         perSlice = header.geometry.GetVoxelsPerSlice();
   const std::uint64_t         bits = itk::MedialVoxelBits::GetBytes({ { 0, 0, 0 }, { size[0], size[1], 1 } });
   const bool                  mayUseGray = MayMeasureOnGrayValues(GetThicknessOptions(options), header);
   const std::uint64_t         gray = mayUseGray ? perSlice * sizeof(float) : 0;
-  return itk::MedialVoxelMargins::GetBytes(size, GetSlicesOfMargins(options, header)) +
-         itk::MedialVoxelIsosurface::GetBytes(size) + perSlice * sizeof(float) + gray +
-         static_cast<std::uint64_t>(GetHalo(options, header) + 1) * bits + BytesOfWriting;
-}
-
-ScratchSpace
-PartSurface::GetScratchSpace(const SurfaceOptions & options, const VolumeHeader & header)
-{
+  ProductFootprint            footprint;
+  footprint.beside = itk::MedialVoxelMargins::GetBytes(size, GetSlicesOfMargins(options, header)) +
+                     itk::MedialVoxelIsosurface::GetBytes(size) + perSlice * sizeof(float) + gray +
+                     static_cast<std::uint64_t>(GetHalo(options, header) + 1) * bits + WritingMemory;
   const std::uint64_t perVertex = SurfaceSpool::BytesPerVertex + 2 * SurfaceSpool::BytesPerFace +
                                   (options.measuresRays ? SurfaceArray::BytesPerVertex : 0);
-  return { GetScratchFolder(options, options.output),
-           header.geometry.GetNumberOfVoxels() / VoxelsPerVertex * perVertex };
+  footprint.scratch = { GetScratchFolder(options, options.output),
+                        header.geometry.GetNumberOfVoxels() / VoxelsPerVertex * perVertex };
+  return footprint;
 }
 
 } // end namespace medialvoxel

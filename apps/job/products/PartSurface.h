@@ -4,8 +4,8 @@
 #define medialvoxelPartSurface_h
 
 #include "InputVolume.h"
-#include "JobPlan.h"
 #include "PartSummary.h"
+#include "ProductFootprint.h"
 #include "SurfaceArray.h"
 #include "SurfaceFormat.h"
 #include "SurfaceSpool.h"
@@ -53,13 +53,9 @@ public:
   PartSummary
   Write(OutputFile & file, const std::function<void(double)> & progress);
 
-  /** Memory taken beside that of the map. */
-  static std::uint64_t
-  GetBytes(const SurfaceOptions & options, const VolumeHeader & header);
-
-  /** Space for the scratch files of a surface that has a vertex for each 32 voxels. Larger ones take more. */
-  static ScratchSpace
-  GetScratchSpace(const SurfaceOptions & options, const VolumeHeader & header);
+  /** Beside the map. Scratch files are of a surface that has a vertex for each 32 voxels; larger ones take more. */
+  static ProductFootprint
+  GetFootprint(const SurfaceOptions & options, const VolumeHeader & header);
 
 private:
   class Map;

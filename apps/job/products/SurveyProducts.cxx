@@ -37,15 +37,6 @@ protected:
     m_Links.observer = m_Links.survey = m_Survey.get();
   }
 
-  /** Counts in a survey and what it takes to save it. */
-  static void
-  AddSurvey(Footprint & footprint, std::uint64_t bytes, std::uint64_t saving)
-  {
-    footprint.AddObserver(TSurvey::WorkerBytesPerVoxel);
-    footprint.beside += bytes;
-    footprint.saving += saving;
-  }
-
   std::unique_ptr<TSurvey> m_Survey; ///< null before the start
 };
 
@@ -59,8 +50,7 @@ public:
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    const std::uint64_t bytes = Survey::GetBytes(header.geometry, this->GetSettings());
-    AddSurvey(footprint, bytes, bytes);
+    footprint.Add(Survey::GetFootprint(header.geometry, this->GetSettings()));
   }
 
   void
@@ -103,14 +93,7 @@ public:
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    const std::uint64_t bytes = PlaceSurvey::GetBytes(header.geometry, this->GetSettings());
-    AddSurvey(footprint, bytes, bytes);
-    footprint.surplus.most += PlaceSurvey::MostBytesPerVoxel;
-    footprint.surplus.planned += PlaceSurvey::PlannedBytesPerVoxel;
-    footprint.surplus.mostOfSlice += PlaceSurvey::MostBytesPerVoxelOfSlice;
-    // A slice in one wall has many cells at once: half of what is left beside the walls themselves.
-    footprint.surplus.shareOfRest = 2;
-    ++footprint.surplus.takers;
+    footprint.Add(PlaceSurvey::GetFootprint(header.geometry, this->GetSettings()));
   }
 
   void
@@ -170,8 +153,8 @@ public:
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    footprint.beside += GetPreviewBytes(header.geometry);
-    footprint.beside += m_Options.thicknessFile.empty() ? 0 : GetThicknessPreviewBytes(header.geometry);
+    footprint.beside += GetPreviewMemory(header.geometry);
+    footprint.beside += m_Options.thicknessFile.empty() ? 0 : GetThicknessPreviewMemory(header.geometry);
   }
 
   void
@@ -225,10 +208,10 @@ public:
     constexpr std::uint64_t perPixel = 3;
     const PreviewLayout     layout = ArrangePreview(header.geometry);
     const unsigned int      pictures = m_Options.thicknessFile.empty() ? 1 : 2;
-    footprint.beside += pictures * perPixel * layout.width * layout.height + GetPageViewBytes(header.geometry);
+    footprint.beside += pictures * perPixel * layout.width * layout.height + GetPageViewMemory(header.geometry);
     if (HasPageViewer())
     {
-      AddSurvey(footprint, SheetSurvey::GetBytes(header.geometry), SheetSurvey::GetSavedBytes(header.geometry));
+      footprint.Add(SheetSurvey::GetFootprint(header.geometry));
     }
   }
 

@@ -38,7 +38,7 @@ ForEachNumber(Json & json, TMarker & marker, TUse && use)
   use(json["seconds"], "total", marker.seconds.total);
   use(json, "bytes_read", marker.bytesRead);
   use(json, "peak_memory_bytes", marker.peakMemoryBytes);
-  use(json, "planned_peak_bytes", marker.plannedMemoryBytes);
+  use(json, "planned_peak_bytes", marker.plannedMemory);
   use(json, "memory_limit_bytes", marker.memoryLimit);
   use(json, "threads", marker.threads);
 }

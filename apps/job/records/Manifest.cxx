@@ -114,7 +114,7 @@ FromJson(const Json & json)
   manifest.input = InputFromJson(json.at("input"));
   ReadWhole(json.at("clusters").at("slices"), manifest.numberOfSlices);
   ReadWhole(json.at("clusters").at("number"), manifest.numberOfClusters);
-  ReadWhole(json.at("clusters").at("bytes_per_slice"), manifest.bytesPerSlice);
+  ReadWhole(json.at("clusters").at("bytes_per_slice"), manifest.perSlice);
   manifest.options.divisions = manifest.numberOfClusters;
   ReadWhole(json.at("clusters").at("slice_unit"), manifest.sliceUnit);
   const bool isId =
@@ -182,7 +182,7 @@ WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest)
   json["clusters"] = { { "number", manifest.numberOfClusters },
                        { "slices", manifest.numberOfSlices },
                        { "slice_unit", manifest.sliceUnit },
-                       { "bytes_per_slice", manifest.bytesPerSlice } };
+                       { "bytes_per_slice", manifest.perSlice } };
   WriteSealed(fileName, json);
 }
 

@@ -6,6 +6,7 @@
 #include "PlaceClusters.h"
 #include "PlaceSummary.h"
 #include "VolumeHeader.h"
+#include "ProductFootprint.h"
 #include "TileSurvey.h"
 
 #include <cstdint>
@@ -50,24 +51,13 @@ private:
 class PlaceSurvey : public TileSurvey
 {
 public:
-  /** What thin walls find in a tile. */
-  static constexpr std::uint64_t WorkerBytesPerVoxel = 4;
-
-  /** Bytes for each voxel of a piece: all walls are thin and there is noise; walls are thin here and there. */
-  static constexpr std::uint64_t MostBytesPerVoxel = 8;
-  static constexpr std::uint64_t PlannedBytesPerVoxel = 1;
-
-  /** Bytes for each voxel of a slice beside those of the piece: a thin wall lies in it. */
-  static constexpr std::uint64_t MostBytesPerVoxelOfSlice =
-    PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell;
-
   /** \param areaUnit     of which areas are multiples, in squared units of the grid
-   * \param surplusBytes for the cells of a region, beside GetBytes() */
+   * \param surplus for the cells of a region, beside those of GetFootprint() */
   PlaceSurvey(const VolumeGeometry &       geometry,
               const itk::MedialVoxelGrid & grid,
               const PlaceSettings &        settings,
               double                       areaUnit,
-              std::uint64_t                surplusBytes);
+              std::uint64_t                surplus);
 
   /** The tiles from now on are of this region; those of a region that failed are forgotten. */
   void
@@ -79,7 +69,7 @@ public:
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
-    return WorkerBytesPerVoxel;
+    return PerVoxelOfTile;
   }
 
   void
@@ -108,11 +98,13 @@ public:
   std::vector<PlaceSummary>
   Summarize() const;
 
-  /** Memory that it takes, also of its summary. */
-  static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry, const PlaceSettings & settings);
+  /** Of a run, and its summary. */
+  static ProductFootprint
+  GetFootprint(const VolumeGeometry & geometry, const PlaceSettings & settings);
 
 private:
+  static constexpr std::uint64_t PerVoxelOfTile = 4; ///< what thin walls find
+
   /** What is found of a kind. */
   struct Finding
   {
@@ -122,7 +114,7 @@ private:
   };
 
   std::uint64_t
-  GetUsedBytes() const;
+  GetUsedMemory() const;
 
   WallPlace
   Describe(const PlaceSums & sums, double lengthUnit) const;

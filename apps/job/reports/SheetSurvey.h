@@ -5,6 +5,7 @@
 
 #include "CellSample.h"
 #include "SheetPoints.h"
+#include "ProductFootprint.h"
 #include "TileSurvey.h"
 
 #include <cstdint>
@@ -26,12 +27,12 @@ public:
   SheetSurvey(const VolumeGeometry & geometry, double lengthUnit, const CellSample & sample = {});
 
   /** The sums of the blocks of a tile, rounded up. */
-  static constexpr std::uint64_t WorkerBytesPerVoxel = 1;
+  static constexpr std::uint64_t PerVoxelOfTile = 1;
 
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
-    return WorkerBytesPerVoxel;
+    return PerVoxelOfTile;
   }
 
   void
@@ -64,13 +65,9 @@ public:
   void
   Merge(const std::string & bytes) override;
 
-  /** Memory that it takes. */
-  static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry);
-
-  /** Memory while it is saved, beside. */
-  static std::uint64_t
-  GetSavedBytes(const VolumeGeometry & geometry);
+  /** Of a run. */
+  static ProductFootprint
+  GetFootprint(const VolumeGeometry & geometry);
 
 private:
   double      m_LengthUnit;

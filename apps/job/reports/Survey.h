@@ -8,6 +8,7 @@
 #include "VolumeHeader.h"
 
 #include "ThicknessSums.h"
+#include "ProductFootprint.h"
 #include "TileSurvey.h"
 
 #include <array>
@@ -42,12 +43,12 @@ public:
   Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings);
 
   /** What it finds in a tile of thin walls and their noise. */
-  static constexpr std::uint64_t WorkerBytesPerVoxel = 2;
+  static constexpr std::uint64_t PerVoxelOfTile = 2;
 
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
-    return WorkerBytesPerVoxel;
+    return PerVoxelOfTile;
   }
 
   std::unique_ptr<Workspace>
@@ -147,9 +148,9 @@ public:
     return m_ProjectionSize;
   }
 
-  /** Memory that a survey takes. */
-  static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry, const SurveySettings & settings);
+  /** Of a run: its memory and what it finds in a tile. */
+  static ProductFootprint
+  GetFootprint(const VolumeGeometry & geometry, const SurveySettings & settings);
 
 private:
   struct SliceSums

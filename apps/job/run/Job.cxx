@@ -297,10 +297,10 @@ Job::OpenVolume() const
   if (walls && walls->labels)
   {
     const auto poreSize = GetParameters(*walls, GetGrid(options, result.input)).maximumPoreSize;
-    return std::make_unique<LabelMap>(result.input, *walls->labels, poreSize, result.plan.bytesToKeep);
+    return std::make_unique<LabelMap>(result.input, *walls->labels, poreSize, result.plan.memory.toKeep);
   }
   const Smoothing smoothing = walls ? GetSmoothing(*walls) : Smoothing::Off;
-  return OpenInputVolume(result.input, options, result.plan.bytesToKeep, smoothing);
+  return OpenInputVolume(result.input, options, result.plan.memory.toKeep, smoothing);
 }
 
 void
@@ -334,7 +334,7 @@ Job::Finish(OutputSet & outputs, ProgressSink & sink, const JobEnd & end)
     product->WriteFile(result);
   }
   end.publish();
-  if (result.plan.unpackedBytes > 0)
+  if (result.plan.memory.unpacked > 0)
   {
     sink.Note(result.input.fileName.string() +
               " is compressed and was unpacked once: " + DescribeUnpacking(result.plan));

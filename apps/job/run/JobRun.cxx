@@ -137,22 +137,22 @@ JobRun::ReserveForObjects()
 {
   JobPlan &           plan = m_Job.result.plan;
   const std::uint64_t bytes = LabelMapRun::GetUnplannedBytes(*m_Walls->labels, m_Objects->GetNumberOfObjects());
-  if (bytes > plan.memoryLimit - std::min(plan.memoryLimit, plan.memoryBytes))
+  if (bytes > plan.memory.limit - std::min(plan.memory.limit, plan.memory.planned))
   {
     Fail(ExitStatus::Refused,
          m_Job.result.input.fileName.string(),
          ": its objects take ",
          FormatBytes(bytes),
          " of memory beside the ",
-         FormatBytes(plan.memoryBytes),
+         FormatBytes(plan.memory.planned),
          " that are planned, ",
-         FormatBytes(plan.memoryLimit),
+         FormatBytes(plan.memory.limit),
          " are allowed; allow more with --memory, or name fewer objects with --labels");
   }
   if (bytes > 0)
   {
-    plan.fixedBytes += bytes;
-    plan.memoryBytes += bytes;
+    plan.memory.fixed += bytes;
+    plan.memory.planned += bytes;
     m_Loop.SetPlan(plan);
     m_Engines.front().engine->SetMemoryLimit(plan.GetEngineLimit(plan.GetSlicesAtOnce()));
   }

@@ -19,7 +19,7 @@ DescribeReadingOfLabels(const LabelMap & map, const JobPlan & plan, const Volume
 {
   if (header.compressed)
   {
-    return "unpacked once, " + FormatBytes(plan.unpackedBytes) + " in memory or with --scratch DIR on the disk";
+    return "unpacked once, " + FormatBytes(plan.memory.unpacked) + " in memory or with --scratch DIR on the disk";
   }
   const unsigned int passes = map.GetNumberOfPasses();
   return "streamed, each part " + std::to_string(passes + 1) + " times: to find the objects, and in each pass";
@@ -44,7 +44,7 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
   const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(own, header)).maximumPoreSize;
 
   const JobPlan plan = FitToMemory(own, header, Job(own, header).GetFootprint());
-  LabelMap      map(header, *own.labels, maximumPoreSize, plan.bytesToKeep);
+  LabelMap      map(header, *own.labels, maximumPoreSize, plan.memory.toKeep);
   map.Prepare(observer);
 
   const std::vector<std::int64_t> & labels = map.GetTable().GetValues();
@@ -58,8 +58,8 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
     { "passes", std::to_string(map.GetNumberOfPasses()) + " for extract --labels all" },
     { "labels", DescribeReadingOfLabels(map, plan, header) },
     { "memory",
-      "about " + FormatBytes(plan.memoryBytes + LabelMapRun::GetUnplannedBytes(*own.labels, labels.size())) + " with " +
-        std::to_string(plan.threads) + " threads" },
+      "about " + FormatBytes(plan.memory.planned + LabelMapRun::GetUnplannedBytes(*own.labels, labels.size())) +
+        " with " + std::to_string(plan.threads) + " threads" },
   };
 }
 
