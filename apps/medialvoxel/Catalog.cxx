@@ -137,7 +137,7 @@ MakeCatalog(const CommandLine & line, const CLI::App & app)
   json["volume_formats"] = DescribeVolumeFormats();
   json["mesh_formats"] = ListSurfaceExtensions();
   json["outputs"] = { { "extract", DescribeOutputs<ExtractOptions>() },
-                      { "surface", DescribeOutputs<SurfaceOptions>() },
+                      { "surface", DescribeOutputs<PartOptions>() },
                       { "distance", DescribeOutputs<DistanceOptions>() } };
   return json.dump(2) + "\n";
 }

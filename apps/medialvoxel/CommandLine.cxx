@@ -50,7 +50,7 @@ ListCommands()
       &CommandLine::surface,
       "surface",
       "Build the surface of a part, with its wall thickness",
-      [](CommandLine & line) { return MakeTarget(line.surfaceOptions, line.program); },
+      [](CommandLine & line) { return MakeTarget(line.partOptions, line.program); },
       { "medialvoxel surface part.mha part.glb --lower 72",
         "medialvoxel surface part.mha part.vtp --lower 72 --ray --report part.json" },
       "Vertices have the local thickness of the part, in the units of the spacing." },

@@ -231,7 +231,7 @@ PrintFinalization(std::ostream & out, const FinalizeResult & result)
 }
 
 void
-PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobResult & result)
+PrintSurfaceTable(std::ostream & out, const PartOptions & options, const JobResult & result)
 {
   const PartSummary & part = *result.part;
   const auto          describe = [&](const ThicknessOfSurface & thickness) {

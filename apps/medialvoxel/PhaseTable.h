@@ -25,7 +25,7 @@ PrintFinalization(std::ostream & out, const FinalizeResult & result);
 
 /** The like for the surface of a part. */
 void
-PrintSurfaceTable(std::ostream & out, const SurfaceOptions & options, const JobResult & result);
+PrintSurfaceTable(std::ostream & out, const PartOptions & options, const JobResult & result);
 
 /** The like for distances. */
 void

@@ -227,7 +227,7 @@ ShowStatus(const CommandLine & line)
 void
 BuildSurface(const CommandLine & line)
 {
-  const SurfaceOptions & options = line.surfaceOptions;
+  const PartOptions & options = line.partOptions;
   CheckStandardOutput(line, options);
   const JobResult result =
     RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunJob(options, sink); });

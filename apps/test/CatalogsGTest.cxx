@@ -117,7 +117,7 @@ TEST(MedialVoxelOutputs, OfDistancesAreListed)
 
 TEST(MedialVoxelOutputs, OfASurfaceAreListed)
 {
-  CheckListing<SurfaceOptions>();
+  CheckListing<PartOptions>();
 }
 
 TEST(MedialVoxelOutputs, OfAJobAreInItsManifestOrRefused)

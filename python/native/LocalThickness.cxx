@@ -11,7 +11,7 @@ namespace
 
 template <typename TPixel>
 nlohmann::json
-Measure(const ArrayCall & call, const SurfaceOptions & options)
+Measure(const ArrayCall & call, const PartOptions & options)
 {
   auto filter = itk::LocalThicknessImageFilter<ArrayImage<TPixel>>::New();
   filter->SetInput(MakeImage<TPixel>(call.array));
@@ -37,7 +37,7 @@ Measure(const ArrayCall & call, const SurfaceOptions & options)
 } // namespace
 
 nlohmann::json
-MeasureLocalThickness(const ArrayCall & call, const SurfaceOptions & options)
+MeasureLocalThickness(const ArrayCall & call, const PartOptions & options)
 {
   return DispatchPixelType(call.header.pixelType, [&](auto zero) { return Measure<decltype(zero)>(call, options); });
 }

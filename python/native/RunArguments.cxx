@@ -107,7 +107,7 @@ RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMe
   CompleteCommandLine(line);
   if (line.surface->parsed()) // of its thickness alone
   {
-    return Run(call, line.surfaceOptions, [&] { return MeasureLocalThickness(call, line.surfaceOptions); });
+    return Run(call, line.partOptions, [&] { return MeasureLocalThickness(call, line.partOptions); });
   }
   if (line.distance->parsed())
   {

@@ -143,12 +143,12 @@ ListOutputKinds(const DistanceOptions &)
   return kinds;
 }
 
-const std::vector<OutputKind<SurfaceOptions>> &
-ListOutputKinds(const SurfaceOptions &)
+const std::vector<OutputKind<PartOptions>> &
+ListOutputKinds(const PartOptions &)
 {
-  static const std::vector<OutputKind<SurfaceOptions>> kinds{
-    { "surface", &SurfaceOptions::output },
-    MakeReportKind<SurfaceOptions>(),
+  static const std::vector<OutputKind<PartOptions>> kinds{
+    { "surface", &PartOptions::output },
+    MakeReportKind<PartOptions>(),
   };
   return kinds;
 }

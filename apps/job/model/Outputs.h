@@ -57,8 +57,8 @@ const std::vector<OutputKind<ExtractOptions>> &
 ListOutputKinds(const ExtractOptions &);
 const std::vector<OutputKind<DistanceOptions>> &
 ListOutputKinds(const DistanceOptions &);
-const std::vector<OutputKind<SurfaceOptions>> &
-ListOutputKinds(const SurfaceOptions &);
+const std::vector<OutputKind<PartOptions>> &
+ListOutputKinds(const PartOptions &);
 
 /** The outputs that are wanted. */
 template <typename TOptions>

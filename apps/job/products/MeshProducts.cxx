@@ -63,7 +63,7 @@ private:
 class PartProduct : public Product
 {
 public:
-  PartProduct(const SurfaceOptions & options, const VolumeHeader & header)
+  PartProduct(const PartOptions & options, const VolumeHeader & header)
     : Product(options.output)
     , m_Options(options)
     , m_Map(ListVolumes(GetThicknessOptions(options), header).front())
@@ -105,7 +105,7 @@ public:
   }
 
 private:
-  const SurfaceOptions &       m_Options;
+  const PartOptions &          m_Options;
   VolumeRequest                m_Map;
   std::unique_ptr<PartSurface> m_Surface;
 };
@@ -115,7 +115,7 @@ private:
 const ProductRow MeshRow{ &ExtractOptions::meshFile, Make<MeshProduct> };
 
 std::unique_ptr<Product>
-MakePart(const SurfaceOptions & options, const VolumeHeader & header)
+MakePart(const PartOptions & options, const VolumeHeader & header)
 {
   return std::make_unique<PartProduct>(options, header);
 }

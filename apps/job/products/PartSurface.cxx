@@ -28,13 +28,13 @@ constexpr std::uint64_t VoxelsPerVertex = 32;
 constexpr const char * RayName = "ray_thickness";
 
 double
-GetMaximumRay(const SurfaceOptions & options, const VolumeHeader & header)
+GetMaximumRay(const PartOptions & options, const VolumeHeader & header)
 {
   return GetLocalThickness(GetThicknessOptions(options), GetGrid(options, header)).maximumThickness;
 }
 
 std::int64_t
-GetHalo(const SurfaceOptions & options, const VolumeHeader & header)
+GetHalo(const PartOptions & options, const VolumeHeader & header)
 {
   return options.measuresRays
            ? itk::MedialVoxelWallRay::GetHalo(header.geometry.spacing[2], GetMaximumRay(options, header))
@@ -43,7 +43,7 @@ GetHalo(const SurfaceOptions & options, const VolumeHeader & header)
 
 /** Slices whose margins are kept: two that have the surface between them, and the halo on both sides. */
 std::int64_t
-GetSlicesOfMargins(const SurfaceOptions & options, const VolumeHeader & header)
+GetSlicesOfMargins(const PartOptions & options, const VolumeHeader & header)
 {
   return 2 * GetHalo(options, header) + 2;
 }
@@ -82,7 +82,7 @@ private:
   PartSurface & m_Surface;
 };
 
-PartSurface::PartSurface(const SurfaceOptions & options, const VolumeHeader & header, InputVolume & input)
+PartSurface::PartSurface(const PartOptions & options, const VolumeHeader & header, InputVolume & input)
   : m_Options(options)
   , m_Header(header)
   , m_Input(input)
@@ -278,7 +278,7 @@ PartSurface::Write(OutputFile & file, const std::function<void(double)> & progre
 }
 
 ProductFootprint
-PartSurface::GetFootprint(const SurfaceOptions & options, const VolumeHeader & header)
+PartSurface::GetFootprint(const PartOptions & options, const VolumeHeader & header)
 {
   const itk::MedialVoxelIndex size = GetSize(header.geometry);
   const std::uint64_t         perSlice = header.geometry.GetVoxelsPerSlice();

@@ -35,7 +35,7 @@ class PartSurface : private itk::MedialVoxelIsosurfaceConsumer
 {
 public:
   /** \param input must outlive it */
-  PartSurface(const SurfaceOptions & options, const VolumeHeader & header, InputVolume & input);
+  PartSurface(const PartOptions & options, const VolumeHeader & header, InputVolume & input);
   ~PartSurface() override;
 
   /** Has vertices placed by gray values; to be called before the first slice of the map. */
@@ -55,7 +55,7 @@ public:
 
   /** Beside the map. Scratch files are of a surface that has a vertex for each 32 voxels; larger ones take more. */
   static ProductFootprint
-  GetFootprint(const SurfaceOptions & options, const VolumeHeader & header);
+  GetFootprint(const PartOptions & options, const VolumeHeader & header);
 
 private:
   class Map;
@@ -84,7 +84,7 @@ private:
   void
   AddRays(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices);
 
-  SurfaceOptions                   m_Options;
+  PartOptions                      m_Options;
   VolumeHeader                     m_Header;
   InputVolume &                    m_Input;
   itk::MedialVoxelIndex            m_Size;

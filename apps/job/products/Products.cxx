@@ -156,11 +156,11 @@ MakeProducts(const DistanceOptions & options, const VolumeHeader & header)
 }
 
 ProductList
-MakeProducts(const SurfaceOptions & options, const VolumeHeader & header)
+MakeProducts(const PartOptions & options, const VolumeHeader & header)
 {
   ProductList products;
   products.push_back(MakePart(options, header));
-  products.push_back(std::make_unique<ReportProduct<SurfaceOptions>>(options));
+  products.push_back(std::make_unique<ReportProduct<PartOptions>>(options));
   return products;
 }
 

@@ -48,7 +48,7 @@ Make(const ExtractOptions & options, std::string fileName)
 extern const ProductRow StatisticsRow, PlaceRow, PictureRow, PageRow, MeshRow;
 
 std::unique_ptr<Product>
-MakePart(const SurfaceOptions & options, const VolumeHeader & header);
+MakePart(const PartOptions & options, const VolumeHeader & header);
 
 /** What the options ask for: the volumes of Outputs.cxx, the labels first, and the rows of Products.cxx.
  * \param options must outlive them; what is measured before the start may be set later */
@@ -57,7 +57,7 @@ MakeProducts(const ExtractOptions & options, const VolumeHeader & header);
 ProductList
 MakeProducts(const DistanceOptions & options, const VolumeHeader & header);
 ProductList
-MakeProducts(const SurfaceOptions & options, const VolumeHeader & header);
+MakeProducts(const PartOptions & options, const VolumeHeader & header);
 
 } // end namespace medialvoxel
 

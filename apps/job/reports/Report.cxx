@@ -399,7 +399,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
 }
 
 std::string
-MakeReport(const SurfaceOptions & options, const JobResult & result)
+MakeReport(const PartOptions & options, const JobResult & result)
 {
   Json parameters = Json::object();
   AddObject(parameters, options, result);

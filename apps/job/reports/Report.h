@@ -28,7 +28,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result);
 std::string
 MakeReport(const DistanceOptions & options, const JobResult & result);
 std::string
-MakeReport(const SurfaceOptions & options, const JobResult & result);
+MakeReport(const PartOptions & options, const JobResult & result);
 
 } // end namespace medialvoxel
 

@@ -16,7 +16,7 @@ class Survey;
 struct DistanceOptions;
 struct ExtractOptions;
 struct JobResult;
-struct SurfaceOptions;
+struct PartOptions;
 struct VolumeHeader;
 
 /** What the options and the header tell before the run. The tables of Warnings.cxx and ObjectWarnings.cxx have a row
@@ -27,7 +27,7 @@ std::vector<Warning>
 FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & input);
 
 std::vector<Warning>
-FindWarningsOfRequest(const SurfaceOptions & options, const VolumeHeader & input);
+FindWarningsOfRequest(const PartOptions & options, const VolumeHeader & input);
 
 /** What the counts and the thickness tell after the run. */
 std::vector<Warning>
@@ -39,7 +39,7 @@ FindWarningsOfResult(const ExtractOptions & options, const JobResult & result);
 std::vector<Warning>
 FindWarningsOfResult(const DistanceOptions & options, const JobResult & result);
 std::vector<Warning>
-FindWarningsOfResult(const SurfaceOptions & options, const JobResult & result);
+FindWarningsOfResult(const PartOptions & options, const JobResult & result);
 
 /** The sink hears of the warnings, but not of those before the one with the number \a first. */
 void

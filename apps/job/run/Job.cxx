@@ -55,7 +55,7 @@ CheckFormats(const DistanceOptions & options)
 }
 
 void
-CheckFormats(const SurfaceOptions & options)
+CheckFormats(const PartOptions & options)
 {
   GetPartFormat(options.output);
 }
@@ -93,7 +93,7 @@ CheckInput(const DistanceOptions &, const VolumeHeader &)
 {}
 
 void
-CheckInput(const SurfaceOptions & options, const VolumeHeader & header)
+CheckInput(const PartOptions & options, const VolumeHeader & header)
 {
   CheckSurfaceInput(header, options.output, "surface");
   if (options.subVoxel.value_or(false) && !HasOneThreshold(options, header))
@@ -181,7 +181,7 @@ ListTasks(const DistanceOptions & options, const VolumeHeader &)
 }
 
 std::vector<JobTask>
-ListTasks(const SurfaceOptions & options, const VolumeHeader & header)
+ListTasks(const PartOptions & options, const VolumeHeader & header)
 {
   return { ListTasks(GetThicknessOptions(options), header).back() };
 }
@@ -223,7 +223,7 @@ Job::Job(const TOptions & wanted)
 
 template Job::Job(const ExtractOptions &);
 template Job::Job(const DistanceOptions &);
-template Job::Job(const SurfaceOptions &);
+template Job::Job(const PartOptions &);
 template Job::Job(const ExtractOptions &, VolumeHeader);
 
 Footprint
@@ -345,7 +345,7 @@ Job::Finish(OutputSet & outputs, ProgressSink & sink, const JobEnd & end)
 std::optional<ExtractOptions>
 Job::GetWalls() const
 {
-  const auto * const surface = std::get_if<SurfaceOptions>(&command);
+  const auto * const surface = std::get_if<PartOptions>(&command);
   const auto * const extract = std::get_if<ExtractOptions>(&command);
   return surface   ? std::optional<ExtractOptions>(GetThicknessOptions(*surface))
          : extract ? std::optional<ExtractOptions>(*extract)

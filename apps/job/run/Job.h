@@ -37,7 +37,7 @@ struct JobEnd
  * \brief What a command does with a volume: the tasks and products that it is planned for and then runs. */
 struct Job
 {
-  /** Checks all that the options and the header tell, for ExtractOptions, DistanceOptions, or SurfaceOptions.
+  /** Checks all that the options and the header tell, for ExtractOptions, DistanceOptions, or PartOptions.
    * \throw JobError */
   template <typename TOptions>
   explicit Job(const TOptions & wanted);
@@ -89,7 +89,7 @@ struct Job
   const char *
   GetTitle() const;
 
-  std::variant<ExtractOptions, DistanceOptions, SurfaceOptions> command;
+  std::variant<ExtractOptions, DistanceOptions, PartOptions> command;
 
   JobOptions &         options; ///< of the command
   JobResult            result;

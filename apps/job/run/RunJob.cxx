@@ -80,6 +80,6 @@ RunJob(const ExtractOptions &, ProgressSink &);
 template JobResult
 RunJob(const DistanceOptions &, ProgressSink &);
 template JobResult
-RunJob(const SurfaceOptions &, ProgressSink &);
+RunJob(const PartOptions &, ProgressSink &);
 
 } // end namespace medialvoxel

@@ -11,7 +11,7 @@ namespace medialvoxel
 {
 
 /** Medial voxels of a volume file for ExtractOptions, distances for DistanceOptions, the surface of the part for
- * SurfaceOptions: opens, plans, runs, writes, reports. All outputs appear complete or not at all, that which stands for
+ * PartOptions: opens, plans, runs, writes, reports. All outputs appear complete or not at all, that which stands for
  * the job last.
  * \throw JobError with the exit status that the failure calls for
  * \throw StoppedBySignal when the sink asked to stop */
