@@ -12,11 +12,11 @@
 #include "Program.h"
 #include "ReadVolumeHeader.h"
 #include "Report.h"
+#include "RunJob.h"
 #include "SharedJob.h"
 #include "Signals.h"
 #include "SuggestName.h"
-#include "ValueStatistics.h"
-#include "RunJob.h"
+#include "VolumeStatistics.h"
 
 #include "itkMedialVoxelHeaderText.h"
 

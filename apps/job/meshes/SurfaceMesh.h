@@ -84,6 +84,10 @@ public:
         unsigned int                        threads,
         const std::function<void(double)> & progress);
 
+  /** Finishes the surface after the last piece, as Write() does: sorted, and rid of what is too short or too small. */
+  const SurfaceSpool &
+  Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
+
   /** Of a run over a part with thin walls. Scratch files are of a surface that has a vertex and a face for each 64
    * voxels; denser ones take more. */
   static ProductFootprint
@@ -97,9 +101,6 @@ private:
 
   std::unique_ptr<itk::MedialVoxelSurfaceObserver>
   MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const;
-
-  void
-  Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
 
   void
   Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);

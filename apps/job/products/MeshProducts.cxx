@@ -45,7 +45,7 @@ public:
     if (!m_Options.labels)
     {
       const auto range = GetGrayRange(result.measure.value(), m_Options, result.input);
-      const auto rays = std::make_shared<RimRays>(*end.input, result.input.geometry, range);
+      const auto rays = std::make_shared<RimRays>(end.input->GetInput(), result.input.geometry, range);
       m_Mesh->FindEdgesWith([rays](const itk::MedialVoxelRimRays & bundle) { return rays->Measure(bundle); });
     }
     const JobPlan &     plan = result.plan;
@@ -80,7 +80,7 @@ public:
   void
   Start(ProductStart & start) override
   {
-    m_Surface = std::make_unique<PartSurface>(m_Options, start.job.input, *start.input);
+    m_Surface = std::make_unique<PartSurface>(m_Options, start.job.input, start.input->GetInput());
     m_Links.request = &m_Map;
     m_Links.volume = &m_Surface->GetMap();
   }

@@ -3,7 +3,9 @@
 #include "Job.h"
 
 #include "JobRun.h"
+#include "LabelMap.h"
 #include "Leftovers.h"
+#include "ObjectRule.h"
 #include "OptionChecks.h"
 #include "OutputChecks.h"
 #include "Outputs.h"
@@ -17,8 +19,8 @@
 #include "SurfacePlacement.h"
 #include "SurfaceRemeshing.h"
 #include "UnpackedVolume.h"
-#include "ValueStatistics.h"
 #include "VolumeFormats.h"
+#include "VolumeStatistics.h"
 #include "Warnings.h"
 
 #include "itkMultiThreaderBase.h"
@@ -300,7 +302,7 @@ Job::OpenVolume() const
     return std::make_unique<LabelMap>(result.input, *walls->labels, poreSize, result.plan.memory.toKeep);
   }
   const Smoothing smoothing = walls ? GetSmoothing(*walls) : Smoothing::Off;
-  return OpenInputVolume(result.input, options, result.plan.memory.toKeep, smoothing);
+  return std::make_unique<InputVolume>(result.input, options, result.plan.memory.toKeep, smoothing);
 }
 
 void

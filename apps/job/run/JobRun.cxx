@@ -3,8 +3,8 @@
 #include "JobRun.h"
 
 #include "Errors.h"
+#include "LabelMap.h"
 #include "ScanMeasure.h"
-#include "SmoothedInput.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -23,9 +23,10 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   const JobResult & planned = job.result;
   for (const JobTask & task : job.tasks)
   {
-    m_Engines.push_back({ task.filler,
-                          std::make_unique<PieceEngine>(
-                            *m_Input, planned.input, job.options, planned.plan, task.task, m_Loop.GetObserver()) });
+    m_Engines.push_back(
+      { task.filler,
+        std::make_unique<PieceEngine>(
+          m_Input->GetInput(), planned.input, job.options, planned.plan, task.task, m_Loop.GetObserver()) });
   }
   if (planned.plan.writesBehind)
   {
@@ -38,7 +39,7 @@ JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
   }
   if (m_Walls && m_Walls->labels)
   {
-    m_Objects = std::make_unique<LabelMapRun>(static_cast<LabelMap &>(*m_Input),
+    m_Objects = std::make_unique<LabelMapRun>(static_cast<LabelMap &>(*m_Input).GetObjects(),
                                               planned.input.geometry,
                                               GetParameters(*m_Walls, GetGrid(*m_Walls, planned.input)).maximumPoreSize,
                                               *start.survey);
@@ -69,16 +70,15 @@ JobRun::AddProduct(Product & product)
   {
     return;
   }
-  if (links.request->filler == VolumeFiller::Objects)
+  if (m_Objects)
   {
-    m_Objects->GetUnion().AddObjects(*links.request, *links.volume);
+    m_Objects->AddVolume(*links.request, *links.volume);
     return;
   }
   const auto engine = std::find_if(m_Engines.begin(), m_Engines.end(), [&links](const Engine & known) {
     return known.filler == links.request->filler;
   });
-  engine->engine->AddVolume(*links.request,
-                            m_Objects ? m_Objects->GetUnion().AddVolume(*links.request, *links.volume) : *links.volume);
+  engine->engine->AddVolume(*links.request, *links.volume);
 }
 
 void
@@ -93,11 +93,11 @@ JobRun::AddTo(Footprint & footprint, const Job & job)
   if (GetSmoothing(*walls) != Smoothing::Off)
   {
     std::uint64_t & sum = InputVolume::IsReadInParallel(header) ? footprint.perThread : footprint.beside;
-    sum += SmoothedInput::GetBytesPerThread(header);
+    sum += InputVolume::GetBytesToSmooth(header);
   }
   if (walls->labels)
   {
-    footprint.perVoxelOfUnion = ObjectUnion::BytesPerVoxel;
+    footprint.perVoxelOfUnion = itk::MedialVoxelObjectUnion::BytesPerVoxel;
     footprint.beside += LabelMapRun::GetPlannedBytes(*walls->labels) +
                         itk::MedialVoxelObjectAdjacency::GetBytes(
                           footprint.grid.GetSize(), GetParameters(*walls, footprint.grid).maximumPoreSize);

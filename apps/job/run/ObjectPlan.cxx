@@ -3,6 +3,7 @@
 #include "ObjectPlan.h"
 
 #include "Job.h"
+#include "LabelMap.h"
 #include "LabelMapRun.h"
 #include "Plan.h"
 
@@ -15,7 +16,7 @@ namespace
 {
 
 std::string
-DescribeReadingOfLabels(const LabelMap & map, const JobPlan & plan, const VolumeHeader & header)
+DescribeReadingOfLabels(const itk::MedialVoxelObjectMap & map, const JobPlan & plan, const VolumeHeader & header)
 {
   if (header.compressed)
   {
@@ -27,9 +28,9 @@ DescribeReadingOfLabels(const LabelMap & map, const JobPlan & plan, const Volume
 
 /** Voxels and label of one of the objects. */
 std::string
-DescribeSize(const LabelMap & map, std::vector<std::uint64_t>::const_iterator voxels)
+DescribeSize(const itk::MedialVoxelObjectMap & map, std::vector<std::uint64_t>::const_iterator voxels)
 {
-  const auto number = static_cast<ObjectNumber>(voxels - map.GetObjectVoxels().begin());
+  const auto number = static_cast<itk::MedialVoxelObjectNumber>(voxels - map.GetObjectVoxels().begin());
   return std::to_string(*voxels) + " voxels (label " + std::to_string(map.GetTable().GetValue(number)) + ")";
 }
 
@@ -44,8 +45,9 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
   const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(own, header)).maximumPoreSize;
 
   const JobPlan plan = FitToMemory(own, header, Job(own, header).GetFootprint());
-  LabelMap      map(header, *own.labels, maximumPoreSize, plan.memory.toKeep);
-  map.Prepare(observer);
+  LabelMap      volume(header, *own.labels, maximumPoreSize, plan.memory.toKeep);
+  volume.Prepare(observer);
+  const itk::MedialVoxelObjectMap & map = volume.GetObjects();
 
   const std::vector<std::int64_t> & labels = map.GetTable().GetValues();
   const auto                        firstObject = map.GetObjectVoxels().begin() + 1;
