@@ -3,7 +3,6 @@
 #include "PackedVolume.h"
 
 #include "Errors.h"
-#include "ZarrMetadata.h"
 
 #include "itk_zlib.h"
 
@@ -17,6 +16,7 @@ namespace medialvoxel
 namespace
 {
 
+constexpr int         FastestLevel = 1;
 constexpr int         MemoryLevel = 8;
 constexpr int         WindowBits = 15;
 constexpr int         Gzip = 16; // added to the bits of the window
@@ -31,7 +31,7 @@ struct PackedVolume::Deflater
     , offset(begin)
     , packed(BlockBytes)
   {
-    if (deflateInit2(&stream, ZarrGzipLevel, Z_DEFLATED, windowBits, MemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
+    if (deflateInit2(&stream, FastestLevel, Z_DEFLATED, windowBits, MemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
     {
       Fail(ExitStatus::Failure, "cannot set up zlib to write ", file.GetFileName().string());
     }

@@ -11,6 +11,7 @@
 #include <itksys/DynamicLoader.hxx>
 #include <itksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace medialvoxel

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "TiffImageIO.h"
-
 #include "HeaderParsing.h"
 #include "RawImageIO.h"
 #include "TiffFile.h"
+#include "TiffReaders.h"
 
 #include "itkMedialVoxelProgress.h"
 

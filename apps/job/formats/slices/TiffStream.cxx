@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "TiffStream.h"
-
 #include "HeaderParsing.h"
 #include "PartStream.h"
 #include "TiffFile.h"
+#include "TiffReaders.h"
 
 #include <algorithm>
 

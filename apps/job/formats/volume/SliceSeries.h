@@ -4,7 +4,6 @@
 #define medialvoxelSliceSeries_h
 
 #include "PixelType.h"
-#include "SliceCache.h"
 
 #include <array>
 #include <cstdint>
@@ -85,7 +84,12 @@ struct SliceFormat
 
   /** Memory that reading takes once, for the libraries. */
   std::uint64_t libraryBytes;
+
+  /** What to build the program with to read the format; empty: it reads it. */
+  const char * remedy{ "" };
 };
+
+class SliceCache;
 
 /** \class SliceSeries
  * \brief Images that make up a volume, in order along its last axis: all of one size and type. */
@@ -95,7 +99,7 @@ struct SliceSeries
   std::vector<SliceHeader> slices;
 
   /** Slices that were decoded last, for all readers of the volume. */
-  mutable SliceCache cache;
+  std::shared_ptr<SliceCache> cache;
 };
 
 } // end namespace medialvoxel
