@@ -235,12 +235,6 @@ PackedVolume::Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void 
   m_Inflater->Read(static_cast<Bytef *>(data), numberOfVoxels * m_Layout.GetBytes());
 }
 
-bool
-PackedVolume::ReadPlane(unsigned int, std::uint64_t, void *) const
-{
-  return false;
-}
-
 void
 PackedVolume::Publish()
 {

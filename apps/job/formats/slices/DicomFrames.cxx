@@ -8,6 +8,7 @@
 #include "InflateReader.h"
 
 #include "itkMedialVoxelFileRegion.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
 #include <optional>
@@ -18,8 +19,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-using Vector = std::array<double, 3>;
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
@@ -174,9 +173,7 @@ private:
     if (m_Structure.frames > 1 && !this->HasOwnPlace(frame))
     {
       const double offset = m_Offsets.empty() ? static_cast<double>(frame) : m_Offsets[frame];
-      const auto & a = place.rowAxis;
-      const auto & b = place.columnAxis;
-      const Vector normal{ { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+      const auto   normal = itk::MedialVoxelCross(place.rowAxis, place.columnAxis);
       std::transform(
         normal.begin(), normal.end(), place.origin.begin(), place.origin.begin(), [offset](double n, double o) {
           return o + offset * n;

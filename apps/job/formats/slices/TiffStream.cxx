@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "HeaderParsing.h"
-#include "PartStream.h"
 #include "TiffFile.h"
 #include "TiffReaders.h"
 
@@ -14,7 +13,7 @@ namespace
 
 /** \class TiffStream
  * \brief Unpacks one strip, or row of tiles, after the other. */
-class TiffStream : public PartStream
+class TiffStream : public VoxelStream
 {
 public:
   explicit TiffStream(const VolumeHeader & header)
@@ -23,9 +22,37 @@ public:
     , m_RowBytes(header.geometry.size.front() * GetTraits(header.pixelType).bytes)
   {}
 
-private:
+  void
+  Read(void * destination, std::uint64_t numberOfBytes) override
+  {
+    auto * position = static_cast<char *>(destination);
+    while (numberOfBytes > 0)
+    {
+      if (m_Done == m_Voxels.size())
+      {
+        this->ReadBand();
+      }
+      const std::uint64_t count = std::min<std::uint64_t>(numberOfBytes, m_Voxels.size() - m_Done);
+      position = std::copy_n(m_Voxels.data() + m_Done, count, position);
+      m_Done += count;
+      numberOfBytes -= count;
+    }
+  }
+
+  /** Each band has a check of its own. */
+  void
+  CheckEnd() override
+  {}
+
   std::uint64_t
-  ReadPart(std::vector<char> & voxels) override
+  GetNumberOfBytesRead() const override
+  {
+    return m_BytesRead;
+  }
+
+private:
+  void
+  ReadBand()
   try
   {
     if (m_NextBand == m_File.GetBands().GetCount())
@@ -40,18 +67,22 @@ private:
     {
       m_File.Refuse("its strips or tiles became larger while it was read");
     }
-    voxels.resize(m_File.GetBands().GetRows(m_NextBand) * m_RowBytes);
-    return m_File.ReadBand(m_NextBand++, voxels.data(), voxels.size());
+    m_Voxels.resize(m_File.GetBands().GetRows(m_NextBand) * m_RowBytes);
+    m_BytesRead += m_File.ReadBand(m_NextBand++, m_Voxels.data(), m_Voxels.size());
+    m_Done = 0;
   }
   catch (const HeaderError & error)
   {
     Fail(ExitStatus::CorruptInput, error.what());
   }
 
-  TiffFile      m_File;
-  std::uint64_t m_MaximumBytes;
-  std::uint64_t m_RowBytes;
-  std::uint64_t m_NextBand{ 0 };
+  TiffFile          m_File;
+  std::uint64_t     m_MaximumBytes;
+  std::uint64_t     m_RowBytes;
+  std::uint64_t     m_NextBand{ 0 };
+  std::vector<char> m_Voxels; ///< of a band
+  std::uint64_t     m_Done{ 0 };
+  std::uint64_t     m_BytesRead{ 0 };
 };
 
 } // namespace

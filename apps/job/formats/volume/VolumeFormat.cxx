@@ -3,8 +3,8 @@
 #include "VolumeFormat.h"
 
 #include "Errors.h"
+#include "InflateReader.h"
 #include "RawImageIO.h"
-#include "VoxelStream.h"
 
 namespace medialvoxel
 {
