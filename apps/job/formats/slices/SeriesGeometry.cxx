@@ -100,8 +100,8 @@ CheckAcquisitions(const std::filesystem::path & input, const Slices & sorted)
         RefuseHeader(input,
                      "its slices are of acquisitions that overlap: " + sorted[extent.first].GetName() +
                        " is of acquisition '" + name + "', " + other.GetName() + " of '" + other.acquisition +
-                       (other.frame ? "'; split the file into one for each of them"
-                                    : "'; put the files of one of them into a folder of their own"));
+                       (other.frameNumber > 0 ? "'; split the file into one for each of them"
+                                              : "'; put the files of one of them into a folder of their own"));
       }
     }
   }

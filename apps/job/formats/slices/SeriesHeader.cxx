@@ -290,10 +290,10 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
   if (!hasPlaces || !slices.front().isSpacingKnown)
   {
     WarnOfUnknownSpacing(header,
-                         hasPlaces
-                           ? "the slices have no PixelSpacing (an ImagerPixelSpacing is not used)"
-                           : (slices.front().frame ? "the frames do not tell how far they are from each other"
-                                                   : "the slices do not tell how far they are from each other"));
+                         hasPlaces ? "the slices have no PixelSpacing (an ImagerPixelSpacing is not used)"
+                                   : (slices.front().frameNumber > 0
+                                        ? "the frames do not tell how far they are from each other"
+                                        : "the slices do not tell how far they are from each other"));
   }
   std::error_code error;
   if (std::filesystem::is_regular_file(input, error) && slices.size() == 1 && slices.front().frameNumber == 0)

@@ -46,7 +46,7 @@ struct SliceHeader
   std::string                          description;      ///< of the series
   std::uint64_t                        decodeBytes{ 0 }; ///< memory that decoding takes beside the slice
 
-  /** Of DICOM: one of several images of the file; null: it has one. */
+  /** Of DICOM: where the image is in the file. */
   std::shared_ptr<const DicomFrame> frame;
   std::uint64_t                     frameNumber{ 0 }; ///< from 1; 0: the file has one image
 
