@@ -136,7 +136,7 @@ private:
   void
   WalkElements(std::uint64_t end, unsigned int depth)
   {
-    // What follows the image is not looked at, by GDCM neither: padding, or what a transfer left there.
+    // What follows the image is not looked at: padding, or what a transfer left there.
     while (m_Position < end && (depth > 0 || m_Structure.endOfVoxels == 0))
     {
       const Element element = this->ReadElement();
