@@ -3,6 +3,7 @@
 #include "PackedVolume.h"
 
 #include "Errors.h"
+#include "VolumeFormats.h"
 
 #include "itk_zlib.h"
 

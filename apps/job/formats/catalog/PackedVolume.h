@@ -4,7 +4,7 @@
 #define medialvoxelPackedVolume_h
 
 #include "OutputFile.h"
-#include "VolumeFormats.h"
+#include "VolumeFormat.h"
 #include "VoxelOutput.h"
 
 #include <memory>

@@ -7,7 +7,7 @@
 #include "HeaderParsing.h"
 #include "NrrdSegments.h"
 #include "Text.h"
-#include "VolumeFormats.h"
+#include "VolumeFormat.h"
 
 #include <algorithm>
 
