@@ -24,7 +24,7 @@ MakeFilter(const Volume & volume, const double maximumThickness)
 {
   auto filter = ThicknessFilter<VDimension>::New();
   filter->SetInput(MakeImage<MaskImage<VDimension>>(volume));
-  filter->SetMaximumThickness(maximumThickness);
+  filter->SetLargestBall(maximumThickness);
   return filter;
 }
 
