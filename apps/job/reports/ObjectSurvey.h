@@ -3,9 +3,9 @@
 #ifndef medialvoxelObjectSurvey_h
 #define medialvoxelObjectSurvey_h
 
+#include "Json.h"
 #include "LengthHistogram.h"
 #include "ObjectPiece.h"
-#include "ObjectSummary.h"
 #include "Survey.h"
 
 #include <cstdint>
@@ -51,8 +51,8 @@ public:
   void
   Commit() override;
 
-  /** All objects of a map, also those without a cell. */
-  std::vector<ObjectSummary>
+  /** All objects of a map by label, also those without a cell, with the numbers of a run with its label alone. */
+  Json
   Summarize(const itk::MedialVoxelObjectMap & map) const;
 
 private:
@@ -83,9 +83,6 @@ private:
 
   static void
   AddCell(Sums & sums, bool isMedial);
-
-  void
-  AddWall(Sums & sums, const itk::MedialVoxelWall & wall) const;
 
   const Survey &       m_Survey;
   const ObjectPiece &  m_Piece;

@@ -79,24 +79,24 @@ CheckBackground(const JobOptions & options, const JobResult & result)
 std::optional<Finding>
 CheckNames(const JobOptions &, const JobResult & result)
 {
-  if (!result.objects || result.segments.IsEmpty())
+  if (result.objects.is_null() || result.segments.IsEmpty())
   {
     return std::nullopt;
   }
   std::vector<std::int64_t> unknown;
-  for (const ObjectSummary & object : result.objects->objects)
+  for (const Json & object : result.objects["objects"])
   {
-    if (result.segments.Find(object.label) == nullptr)
+    if (result.segments.Find(object["label"]) == nullptr)
     {
-      unknown.push_back(object.label);
+      unknown.push_back(object["label"]);
     }
   }
   if (unknown.empty())
   {
     return std::nullopt;
   }
-  return Finding{ "of " + std::to_string(result.objects->objects.size()) + " labels " + std::to_string(unknown.size()) +
-                    " are of no segment, as is " + std::to_string(unknown.front()) +
+  return Finding{ "of " + std::to_string(result.objects["objects"].size()) + " labels " +
+                    std::to_string(unknown.size()) + " are of no segment, as is " + std::to_string(unknown.front()) +
                     "; they have no name, and 3D Slicer does not show them in a segmentation",
                   { { "labels", static_cast<double>(unknown.size()) } } };
 }
@@ -116,6 +116,12 @@ ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, co
     Fail(ExitStatus::Usage, result.input.fileName.string(), ": no voxel has the label ", FormatLabel(*options.label));
   }
   Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+}
+
+void
+AddObjectCodes(std::vector<std::string> & codes)
+{
+  AddCodes(ObjectRules, codes);
 }
 
 } // end namespace medialvoxel

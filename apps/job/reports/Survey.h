@@ -86,20 +86,6 @@ public:
     return m_Total.thickness;
   }
 
-  /** Cells that count but that the blur does not resolve, which are not in the sums. */
-  std::uint64_t
-  GetUnresolvedCells() const
-  {
-    return m_Total.unresolvedCells;
-  }
-
-  /** Uncertainties of the thickness of the cells of which it is known. */
-  const LengthHistogram &
-  GetUncertainty() const
-  {
-    return m_Total.uncertainty;
-  }
-
   /** Of areas in the sums, in squared units of the lengths; of the longest edge in two dimensions. */
   double
   GetAreaUnit() const
@@ -166,11 +152,8 @@ private:
   {
     explicit Sums(double binWidth)
       : thickness(binWidth)
-      , uncertainty(binWidth)
     {}
     ThicknessSums                         thickness;
-    LengthHistogram                       uncertainty;
-    std::uint64_t                         unresolvedCells{ 0 };
     std::array<std::vector<SliceSums>, 3> slices;
     Projection                            projection;
   };

@@ -14,8 +14,6 @@ Survey::Save() const
 {
   NumberWriter numbers;
   m_Total.thickness.Save(numbers);
-  numbers.AddAll(m_Total.uncertainty.GetNumbers());
-  numbers.Add(m_Total.unresolvedCells);
   for (const auto & slices : m_Total.slices)
   {
     numbers.Add(slices.size());
@@ -61,11 +59,9 @@ Survey::Merge(const std::string & bytes)
       RefusePart();
     }
   };
-  Sums part(m_Total.uncertainty.GetBinWidth());
+  Sums part(m_Total.thickness.GetCells().GetBinWidth());
   this->Resize(part);
   part.thickness.Read(numbers);
-  numbers.AddTo(part.uncertainty);
-  part.unresolvedCells = numbers.Get();
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     requireSize(m_Total.slices[axis].size());

@@ -42,6 +42,16 @@ Apply(const std::vector<Rule<TFacts...>> & rules, std::vector<Warning> & warning
   }
 }
 
+template <typename... TFacts>
+void
+AddCodes(const std::vector<Rule<TFacts...>> & rules, std::vector<std::string> & codes)
+{
+  for (const Rule<TFacts...> & rule : rules)
+  {
+    codes.emplace_back(rule.code);
+  }
+}
+
 } // end namespace medialvoxel
 
 #endif

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Warnings.h"
 
+#include "FillIn.h"
 #include "JobResult.h"
+#include "MeshJson.h"
 #include "ObjectWarnings.h"
 #include "Options.h"
 #include "Progress.h"
+#include "ResultViews.h"
 #include "Survey.h"
 #include "Text.h"
 #include "WarningRules.h"
@@ -195,10 +198,11 @@ std::optional<Finding>
 CheckQuality(const ExtractOptions &, const JobResult & result)
 {
   std::string failing;
-  for (const MeshLimit & limit :
-       result.surface && result.surface->quality ? ListMeshLimits(*result.surface->quality) : std::vector<MeshLimit>{})
+  const Json  mesh = result.surface ? MakeMeshJson(*result.surface) : Json();
+  for (const Json & limit : result.surface && result.surface->quality ? mesh["quality"]["limits"] : Json())
   {
-    failing += limit.Holds() ? "" : (failing.empty() ? "" : "; ") + limit.name + ": " + limit.Format();
+    failing +=
+      limit["holds"] ? "" : (failing.empty() ? "" : "; ") + FillIn(std::string("{name}: ") + MeshLimitText, limit);
   }
   return failing.empty() ? std::nullopt
                          : std::optional<Finding>({ "the mesh is beyond limits that solvers ask for: " + failing, {} });
@@ -351,23 +355,23 @@ CheckBalls(const ExtractOptions & options, const JobResult & result)
 std::optional<Finding>
 CheckObjectsWithoutWalls(const WallFacts & facts)
 {
-  if (!facts.options.failsIfThin || !facts.result.objects)
+  if (!facts.options.failsIfThin || facts.result.objects.is_null())
   {
     return std::nullopt;
   }
   std::vector<std::int64_t> unmeasured;
-  for (const ObjectSummary & object : facts.result.objects->objects)
+  for (const Json & object : facts.result.objects["objects"])
   {
-    if (object.medialCells == 0 || (object.thickness.cells == 0 && facts.survey.GetSample().GetStep() == 1))
+    if (object["medial_cells"] == 0 || (object["thickness"]["cells"] == 0 && facts.survey.GetSample().GetStep() == 1))
     {
-      unmeasured.push_back(object.label);
+      unmeasured.push_back(object["label"]);
     }
   }
   if (unmeasured.empty())
   {
     return std::nullopt;
   }
-  return Finding{ "of " + std::to_string(facts.result.objects->objects.size()) + " labels " +
+  return Finding{ "of " + std::to_string(facts.result.objects["objects"].size()) + " labels " +
                     std::to_string(unmeasured.size()) + " have no wall that was measured, as has " +
                     std::to_string(unmeasured.front()),
                   { { "labels", static_cast<double>(unmeasured.size()) } } };
@@ -438,6 +442,20 @@ FindWarningsOfResult(const SurfaceOptions & options, const JobResult & result)
   ApplyObjectRules(warnings, options, result);
   Apply(BallRules, warnings, GetThicknessOptions(options), result);
   return warnings;
+}
+
+std::set<std::string>
+ListWarningCodes()
+{
+  std::vector<std::string> codes(HeaderWarnings::All.begin(), HeaderWarnings::All.end());
+  AddCodes(RequestRules, codes);
+  AddCodes(ThicknessRequestRules, codes);
+  AddCodes(DistanceRequestRules, codes);
+  AddObjectCodes(codes);
+  AddCodes(SheetRules, codes);
+  AddCodes(WallRules, codes);
+  AddCodes(BallRules, codes);
+  return { codes.begin(), codes.end() };
 }
 
 void

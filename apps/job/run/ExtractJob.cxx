@@ -191,16 +191,13 @@ FindSegments(const ExtractOptions & options, const VolumeHeader & header)
 void
 NameObjects(JobResult & result)
 {
-  if (!result.objects)
+  for (std::size_t i = 0; !result.objects.is_null() && i < result.objects["objects"].size(); ++i)
   {
-    return;
-  }
-  for (ObjectSummary & object : result.objects->objects)
-  {
-    if (const Segment * const segment = result.segments.Find(object.label))
+    Json & object = result.objects["objects"][i];
+    if (const Segment * const segment = result.segments.Find(object["label"]))
     {
-      object.name = segment->name;
-      object.color = segment->color;
+      object["name"] = segment->name.empty() ? Json(nullptr) : Json(segment->name);
+      object["color"] = segment->color ? Json(*segment->color) : Json(nullptr);
     }
   }
 }

@@ -227,10 +227,10 @@ ExtractRun::Run(const SliceRange & range, const SliceRange & nextRange)
   return sums;
 }
 
-std::optional<LabelMapSummary>
+Json
 ExtractRun::SummarizeObjects() const
 {
-  return m_Objects ? std::optional<LabelMapSummary>(m_Objects->Summarize()) : std::nullopt;
+  return m_Objects ? m_Objects->Summarize() : Json(nullptr);
 }
 
 void

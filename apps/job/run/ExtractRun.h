@@ -95,8 +95,8 @@ public:
     return m_Measure;
   }
 
-  /** What was found of the objects of a label map; nothing for other volumes. */
-  std::optional<LabelMapSummary>
+  /** What was found of the objects of a label map; null for other volumes. */
+  Json
   SummarizeObjects() const;
 
   Findings &

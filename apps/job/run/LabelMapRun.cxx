@@ -72,10 +72,12 @@ LabelMapRun::Run(PieceLoop & loop, PieceEngine & engine, const SliceRange & piec
   return sums;
 }
 
-LabelMapSummary
+Json
 LabelMapRun::Summarize() const
 {
-  return { m_Survey.Summarize(m_Map), m_Map.GetNumberOfPasses(), m_Union.GetSharedCells() };
+  return { { "passes", m_Map.GetNumberOfPasses() },
+           { "shared_cells", m_Union.GetSharedCells() },
+           { "objects", m_Survey.Summarize(m_Map) } };
 }
 
 } // end namespace medialvoxel

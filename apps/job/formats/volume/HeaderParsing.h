@@ -22,10 +22,8 @@ using itk::MedialVoxelText::ParseSpacings;
 using itk::MedialVoxelText::RefuseHeader;
 using itk::MedialVoxelText::RequireField;
 
-/** Code of the warning that lengths along some axes are a guess; a spacing that the user gives ends it. */
-constexpr const char * UnknownSpacing = "unknown_spacing";
-
-/** \param what the file lacks, such as "the pages do not tell how far they are from each other" */
+/** Lengths along some axes are a guess; a spacing that the user gives ends the warning.
+ * \param what the file lacks, such as "the pages do not tell how far they are from each other" */
 void
 WarnOfUnknownSpacing(VolumeHeader & header, const std::string & what);
 
