@@ -7,6 +7,7 @@
 #include "itkMedialVoxelEngineSettings.h"
 #include "itkMedialVoxelGrid.h"
 #include "itkMedialVoxelMemoryShortage.h"
+#include "itkMedialVoxelObjectSource.h"
 #include "itkMedialVoxelSums.h"
 
 #include "MedialVoxelExport.h"
@@ -59,7 +60,10 @@ public:
    * next, its voxels are asked for while this one is processed.
    * \throw MedialVoxelMemoryShortage when the memory limit does not hold what a slab of one voxel depends on. */
   MedialVoxelSums
-  Run(const MedialVoxelBox & region, MedialVoxelEngineClient & client, const MedialVoxelBox & nextRegion = {});
+  Run(const MedialVoxelBox &    region,
+      MedialVoxelObjectSource & source,
+      MedialVoxelEngineClient & client,
+      const MedialVoxelBox &    nextRegion = {});
 
 private:
   class Implementation;

@@ -3,26 +3,25 @@
 #ifndef itkMedialVoxelEngineClient_h
 #define itkMedialVoxelEngineClient_h
 
-#include "itkMedialVoxelObjectSource.h"
 #include "itkMedialVoxelTileResult.h"
 
 #include "MedialVoxelExport.h"
 
-#include <cstddef>
 #include <exception>
 #include <functional>
-#include <vector>
 
 namespace itk
 {
 
 /** \class MedialVoxelEngineClient
- * \brief What an engine needs from its user: object bits, threads, and a place for results.
+ * \brief What an engine needs from its user beside the image: threads, and a place for results.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelEngineClient : public MedialVoxelObjectSource
+class MedialVoxel_EXPORT MedialVoxelEngineClient
 {
 public:
+  virtual ~MedialVoxelEngineClient();
+
   /** Call \a work \a numberOfWorkers times, once of them in this thread and otherwise in as many threads as there are,
    * and wait for all of them. It throws nothing. */
   virtual void
@@ -43,10 +42,6 @@ public:
   /** The exception that ends a run that was stopped, by default MedialVoxelAborted. */
   virtual std::exception_ptr
   GetAbortException() const;
-
-  /** Parts of \a box for a client that gets the image through a buffer: whole slices, as many as fit a megabyte. */
-  static std::vector<MedialVoxelBox>
-  CutForPull(const MedialVoxelBox & box, std::size_t bytesPerVoxel);
 };
 
 } // end namespace itk

@@ -99,7 +99,8 @@ public:
   bool
   GetObjectIsSmoothed() const
   {
-    return m_SmoothsObject;
+    const MedialVoxelObjectInput * const input = this->GetObjectInput();
+    return input != nullptr && input->IsSmoothed();
   }
 
   /** Share of the voxels at the border of the object that stand alone, from 0 to 1, when the last update measured it
@@ -107,7 +108,8 @@ public:
   double
   GetRoughness() const
   {
-    return m_Roughness.GetRatio();
+    const MedialVoxelObjectInput * const input = this->GetObjectInput();
+    return input != nullptr && input->GetRoughness() ? input->GetRoughness()->GetRatio() : 0.0;
   }
 
   /** Produce the vector distance output. Default off, which costs neither time nor memory. */
@@ -191,11 +193,8 @@ protected:
   MedialVoxelSums
   RunRegion(const MedialVoxelBox & region) override;
 
-  bool
-  SmoothsObject() const override
-  {
-    return m_SmoothsObject;
-  }
+  std::unique_ptr<MedialVoxelInput>
+  MakeInput(MedialVoxelValueSource & source) override;
 
 private:
   friend class MedialVoxelFilterAccess;
@@ -210,17 +209,10 @@ private:
   void
   SwitchOutput(bool & isOn, bool generate, const char * name);
 
-  /** Decide whether the object is smoothed, once for each change of the input. */
-  void
-  PrepareSmoothing();
-
-  bool                 m_GenerateVectorDistance{ false };
-  BoundaryEnum         m_VectorDistanceBoundary{ BoundaryEnum::Object };
-  bool                 m_GenerateThickness{ false };
-  bool                 m_GenerateUncertainty{ false };
-  bool                 m_SmoothsObject{ false };
-  MedialVoxelRoughness m_Roughness;
-  ModifiedTimeType     m_RoughnessMTime{ 0 };
+  bool         m_GenerateVectorDistance{ false };
+  BoundaryEnum m_VectorDistanceBoundary{ BoundaryEnum::Object };
+  bool         m_GenerateThickness{ false };
+  bool         m_GenerateUncertainty{ false };
 
   /** See each tile with its boundary points while it is at hand, and outlive the updates. Their memory counts for
    * WorkingMemoryLimit. */

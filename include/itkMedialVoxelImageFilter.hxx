@@ -9,23 +9,11 @@ namespace itk
 {
 
 template <typename TInputImage, typename TOutputImage>
-void
-MedialVoxelImageFilter<TInputImage, TOutputImage>::PrepareSmoothing()
+std::unique_ptr<MedialVoxelInput>
+MedialVoxelImageFilter<TInputImage, TOutputImage>::MakeInput(MedialVoxelValueSource & source)
 {
-  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
-  if (m_RoughnessMTime == modifiedTime)
-  {
-    return;
-  }
-  m_RoughnessMTime = 0;
-  m_SmoothsObject = false;
-  m_Roughness = {};
-  if (this->GetSmoothing() == SmoothingEnum::Automatic)
-  {
-    m_Roughness = this->MeasureRoughness();
-  }
-  m_SmoothsObject = this->GetSmoothing() == SmoothingEnum::On || m_Roughness.NeedsSmoothing();
-  m_RoughnessMTime = modifiedTime;
+  return std::make_unique<MedialVoxelObjectInput>(
+    source, this->GetGrid().GetVoxelBox(), this->GetObjectRule(), this->GetSmoothing());
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -176,7 +164,6 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelSums
 MedialVoxelImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBox & region)
 {
-  this->PrepareSmoothing();
   if (this->GetSubvoxelThickness())
   {
     this->PrepareScan(this->GetScanLevels());
@@ -189,7 +176,7 @@ void
 MedialVoxelImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream & os, Indent indent) const
 {
   Superclass::PrintSelf(os, indent);
-  os << indent << "ObjectIsSmoothed: " << (m_SmoothsObject ? "Yes" : "No") << std::endl;
+  os << indent << "ObjectIsSmoothed: " << (this->GetObjectIsSmoothed() ? "Yes" : "No") << std::endl;
   os << indent << "Roughness: " << this->GetRoughness() << std::endl;
   os << indent << "GenerateVectorDistance: " << (m_GenerateVectorDistance ? "On" : "Off") << std::endl;
   os << indent << "VectorDistanceBoundary: " << m_VectorDistanceBoundary << std::endl;

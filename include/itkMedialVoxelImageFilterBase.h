@@ -4,11 +4,9 @@
 #define itkMedialVoxelImageFilterBase_h
 
 #include "itkMedialVoxelEngine.h"
+#include "itkMedialVoxelInput.h"
 #include "itkMedialVoxelMemoryError.h"
-#include "itkMedialVoxelObjectMap.h"
 #include "itkMedialVoxelObjectProperties.h"
-#include "itkMedialVoxelRoughness.h"
-#include "itkMedialVoxelScanSurvey.h"
 
 #include "itkImageToImageFilter.h"
 
@@ -86,7 +84,7 @@ public:
 
 protected:
   MedialVoxelImageFilterBase();
-  ~MedialVoxelImageFilterBase() override = default;
+  ~MedialVoxelImageFilterBase() override;
 
   void
   PrintSelf(std::ostream & os, Indent indent) const override;
@@ -113,8 +111,8 @@ protected:
   virtual void
   TakeTile(const MedialVoxelTileResult & tile) = 0;
 
-  /** Process \a region; what was found up to an exception does not count. Runs the engine once, unless the derived
-   * class needs more. */
+  /** Process \a region; what was found up to an exception does not count. Prepares the input and runs the engine once,
+   * unless the derived class needs more. */
   virtual MedialVoxelSums
   RunRegion(const MedialVoxelBox & region);
 
@@ -133,13 +131,20 @@ protected:
     m_Engine.reset();
   }
 
-  /** True when the object is that of smoothed values; false by default. */
-  virtual bool
-  SmoothsObject() const;
+  /** What the engine reads: by default the object that the properties define, not smoothed. */
+  virtual std::unique_ptr<MedialVoxelInput>
+  MakeInput(MedialVoxelValueSource & source);
 
-  /** Read all of the input once. SmoothsObject() is false meanwhile. */
-  MedialVoxelRoughness
-  MeasureRoughness();
+  /** Make the input, and what it has to read before a run, once for each change of the pixels. */
+  MedialVoxelInput &
+  PrepareInput();
+
+  /** The input of the last run, if it is one object. */
+  const MedialVoxelObjectInput *
+  GetObjectInput() const
+  {
+    return dynamic_cast<const MedialVoxelObjectInput *>(m_Input.get());
+  }
 
   /** Find out what the values beside the one threshold are made of, from samples, once for each change of the input.
    * There is no scan with two thresholds. */
@@ -163,16 +168,6 @@ protected:
     }
     return MedialVoxelExtraction::GrayRange{ this->GetLowerThreshold(), this->GetUpperThreshold(), m_Scan.scan };
   }
-
-  /** The objects of the input, of which those that it shows are object; null, the default: values define one object. */
-  virtual const MedialVoxelObjectMap *
-  GetObjectMap() const;
-
-  /** Have the pipeline produce \a box part by part, in the order of the voxels, and call function(part, first pixel).
-   */
-  template <typename TFunction>
-  void
-  ForEachPart(const MedialVoxelBox & box, TFunction && function);
 
   /** What ends an execution that is aborted. */
   static std::exception_ptr
@@ -235,12 +230,14 @@ protected:
 private:
   friend class MedialVoxelFilterAccess;
 
+  class Source;
   class Client;
   class PassProgress;
-  using typename Superclass::PredicateType;
 
-  MedialVoxelScanResult
-  SurveyScan(const std::optional<MedialVoxelScanLevels> & levels);
+  /** Call function(observer), which reads the input before the engine does, and can be stopped. */
+  template <typename TFunction>
+  auto
+  ReadBeforeRun(TFunction && function);
 
   void
   ReleaseSmallOutputs();
@@ -271,6 +268,10 @@ private:
   /** Keeps its window from piece to piece of a streamed update, so that shared input is pulled once. */
   std::unique_ptr<MedialVoxelEngine> m_Engine;
   ModifiedTimeType                   m_EngineMTime{ 0 };
+
+  std::unique_ptr<Source>           m_Source;
+  std::unique_ptr<MedialVoxelInput> m_Input;
+  ModifiedTimeType                  m_InputMTime{ 0 };
 
   MedialVoxelScanResult m_Scan;
   ModifiedTimeType      m_ScanMTime{ 0 };

@@ -16,10 +16,14 @@ namespace itk
 
 template <typename TInputImage, typename TOutputImage>
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MedialVoxelImageFilterBase()
+  : m_Source(std::make_unique<Source>(*this))
 {
   this->DynamicMultiThreadingOn();
   this->ThreaderUpdateProgressOff();
 }
+
+template <typename TInputImage, typename TOutputImage>
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::~MedialVoxelImageFilterBase() = default;
 
 template <typename TInputImage, typename TOutputImage>
 void
@@ -81,7 +85,8 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GenerateInputRequestedReg
   });
   if (!parts.empty())
   {
-    input->SetRequestedRegion(this->RegionOf(Client::CutForPull(parts.front()).front()));
+    const auto pulls = MedialVoxelValueSource::CutForPull(parts.front(), sizeof(InputPixelType));
+    input->SetRequestedRegion(this->RegionOf(pulls.front()));
   }
   else
   {
@@ -177,6 +182,7 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelSums
 MedialVoxelImageFilterBase<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBox & region)
 {
+  this->PrepareInput();
   return this->RunEngine(region);
 }
 
@@ -193,32 +199,42 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::RunEngine(const MedialVox
 {
   this->PrepareEngine(this->GetGrid());
   Client client(*this, run, numberOfRuns);
-  return m_Engine->Run(region, client);
+  return m_Engine->Run(region, *m_Input, client);
 }
 
 template <typename TInputImage, typename TOutputImage>
-bool
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SmoothsObject() const
+std::unique_ptr<MedialVoxelInput>
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MakeInput(MedialVoxelValueSource & source)
 {
-  return false;
+  return std::make_unique<MedialVoxelObjectInput>(
+    source, this->GetGrid().GetVoxelBox(), this->GetObjectRule(), MedialVoxelEnums::Smoothing::Off);
 }
 
 template <typename TInputImage, typename TOutputImage>
-MedialVoxelRoughness
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::MeasureRoughness()
+MedialVoxelInput &
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrepareInput()
+{
+  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
+  if (!m_Input || m_InputMTime != modifiedTime)
+  {
+    m_Input.reset();
+    auto input = this->MakeInput(*m_Source);
+    this->ReadBeforeRun([&](const auto & observer) { input->Prepare(observer); });
+    m_Input = std::move(input);
+    m_InputMTime = modifiedTime;
+  }
+  return *m_Input;
+}
+
+template <typename TInputImage, typename TOutputImage>
+template <typename TFunction>
+auto
+MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ReadBeforeRun(TFunction && function)
 {
   Client                     client(*this, 0, 1);
   PassProgress               progress(client);
   const MedialVoxelPollScope scope(progress);
-  MedialVoxelRoughnessPass   pass;
-  pass.fill = [&client](const MedialVoxelBox & box, MedialVoxelBits & object) {
-    client.FillObject(box, object, nullptr);
-  };
-  pass.forEach = [](const MedialVoxelRoughnessPass::Boxes & boxes, const MedialVoxelRoughnessPass::Work & work) {
-    std::for_each(boxes.begin(), boxes.end(), work);
-  };
-  pass.observe = [](double) { MedialVoxelPoll(); };
-  return MedialVoxelMeasureRoughness(pass, this->GetGrid().GetVoxelBox());
+  return function([](double) { MedialVoxelPoll(); });
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -229,54 +245,13 @@ MedialVoxelImageFilterBase<TInputImage, TOutputImage>::PrepareScan(const std::op
   if (m_ScanMTime != modifiedTime)
   {
     m_ScanMTime = 0;
-    m_Scan = this->SurveyScan(levels);
+    auto & input = static_cast<MedialVoxelObjectInput &>(this->PrepareInput());
+    m_Scan = this->ReadBeforeRun([&](const auto & observer) {
+      return input.SurveyScan(this->GetGrid(), this->GetLowerThreshold(), this->GetUpperThreshold(), levels, observer);
+    });
     // Made again, for walls that are measured like this.
     this->DropWindow();
     m_ScanMTime = modifiedTime;
-  }
-}
-
-template <typename TInputImage, typename TOutputImage>
-MedialVoxelScanResult
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::SurveyScan(const std::optional<MedialVoxelScanLevels> & levels)
-{
-  const bool isLower = std::isfinite(this->GetLowerThreshold());
-  if (isLower == std::isfinite(this->GetUpperThreshold()))
-  {
-    return { {}, "there are two thresholds" };
-  }
-  const double                  threshold = isLower ? this->GetLowerThreshold() : this->GetUpperThreshold();
-  Client                        client(*this, 0, 1);
-  PassProgress                  progress(client);
-  const MedialVoxelPollScope    scope(progress);
-  MedialVoxelScanSurvey::Source source;
-  source.fill = [&client](const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelGray & gray) {
-    client.FillObjectAndGray(box, object, nullptr, gray);
-  };
-  source.forEach = [](const MedialVoxelScanSurvey::Boxes & boxes, const MedialVoxelScanSurvey::Work & work) {
-    std::for_each(boxes.begin(), boxes.end(), work);
-  };
-  source.observe = [](double) { MedialVoxelPoll(); };
-  return MedialVoxelScanSurvey(this->GetGrid(), threshold, levels).Run(source);
-}
-
-template <typename TInputImage, typename TOutputImage>
-const MedialVoxelObjectMap *
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::GetObjectMap() const
-{
-  return nullptr;
-}
-
-template <typename TInputImage, typename TOutputImage>
-template <typename TFunction>
-void
-MedialVoxelImageFilterBase<TInputImage, TOutputImage>::ForEachPart(const MedialVoxelBox & box, TFunction && function)
-{
-  for (const MedialVoxelBox & part : Client::CutForPull(box))
-  {
-    MedialVoxelPoll();
-    this->Pull(part);
-    function(part, this->FirstPixelOf(*this->GetInput(), part));
   }
 }
 

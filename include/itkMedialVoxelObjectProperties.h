@@ -3,8 +3,7 @@
 #ifndef itkMedialVoxelObjectProperties_h
 #define itkMedialVoxelObjectProperties_h
 
-#include "itkMedialVoxelLimit.h"
-#include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelInput.h"
 
 #include "itkMath.h"
 #include "itkNumericTraits.h"
@@ -126,32 +125,23 @@ public:
   itkGetConstMacro(WorkingMemoryLimit, SizeValueType);
 
 protected:
-  using PredicateType = MedialVoxelObjectPredicate<InputPixelType>;
-
   MedialVoxelObjectProperties() = default;
   ~MedialVoxelObjectProperties() override = default;
 
-  PredicateType
-  GetPredicate() const
+  MedialVoxelObjectRule
+  GetObjectRule() const
   {
     if (m_UseObjectValue)
     {
-      return PredicateType::EqualTo(m_ObjectValue);
+      return { {}, m_ObjectValue, m_ObjectValue };
     }
-    return m_UseThresholds ? PredicateType::InRange(m_LowerThreshold, m_UpperThreshold)
-                           : PredicateType::DifferentFrom(m_BackgroundValue);
-  }
-
-  const MedialVoxelLimit &
-  GetLowerLimit() const
-  {
-    return m_LowerThreshold;
-  }
-
-  const MedialVoxelLimit &
-  GetUpperLimit() const
-  {
-    return m_UpperThreshold;
+    if (m_UseThresholds)
+    {
+      return { {}, m_LowerThreshold, m_UpperThreshold };
+    }
+    MedialVoxelObjectRule rule;
+    rule.background = m_BackgroundValue;
+    return rule;
   }
 
   /** Properties alone are no filter. */

@@ -46,14 +46,7 @@ public:
   MedialVoxelObjectNumber
   FindObject(const MedialVoxelIndex & cell, const unsigned int pass) const
   {
-    return this->FindObjectAt(m_Box.OffsetOf(cell), pass);
-  }
-
-  /** The same for the offset of the cell in the voxels that were read. */
-  MedialVoxelObjectNumber
-  FindObjectAt(const std::size_t offset, const unsigned int pass) const
-  {
-    const MedialVoxelObjectNumber * const lowest = m_Objects.data() + offset;
+    const MedialVoxelObjectNumber * const lowest = m_Objects.data() + m_Box.OffsetOf(cell);
     for (const std::size_t corner : m_Corners)
     {
       assert(lowest + corner < m_Objects.data() + m_Objects.size());
@@ -70,6 +63,14 @@ public:
    * voxels around it, so that it must not be called from threads of the engine. */
   MedialVoxelObjectNumber
   FindObjectOfPore(const MedialVoxelIndex & cell, unsigned int pass) const;
+
+  /** One or the other: of every cell that a pass has results for. Like the latter not for threads of the engine. */
+  MedialVoxelObjectNumber
+  FindOwner(const MedialVoxelIndex & cell, const unsigned int pass) const
+  {
+    const MedialVoxelObjectNumber object = this->FindObject(cell, pass);
+    return object > 0 ? object : this->FindObjectOfPore(cell, pass);
+  }
 
 private:
   MedialVoxelObjectMap &               m_Map;

@@ -21,6 +21,17 @@ enum class MedialVoxelSourceThreads : std::uint8_t
   Several
 };
 
+/** \struct MedialVoxelTargets
+ * \brief Where the voxels of a box go; null: they are not wanted.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelTargets
+{
+  MedialVoxelBits * object{ nullptr };     ///< clear bits; those of the object are set
+  MedialVoxelBits * notANumber{ nullptr }; ///< the same for values that are not a number
+  MedialVoxelGray * gray{ nullptr };       ///< values
+};
+
 /** \class MedialVoxelObjectSource
  * \brief Where a window gets object bits from.
  * \ingroup MedialVoxel
@@ -40,25 +51,9 @@ public:
   virtual std::int64_t
   GetRowsReadTogether() const;
 
-  /** Set the bits of the object voxels of \a box, which are clear, and in \a notANumber, unless it is null, those of
-   * the voxels whose value is not a number. */
+  /** Fill what is wanted of \a box. Sources without values are not asked for gray ones. */
   virtual void
-  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * notANumber) = 0;
-
-  /** The same, and set the values of \a box. Sources that have none fail. */
-  virtual void
-  FillObjectAndGray(const MedialVoxelBox & box,
-                    MedialVoxelBits &      object,
-                    MedialVoxelBits *      notANumber,
-                    MedialVoxelGray &      gray);
-
-  /** Set the values of \a box, whose object bits are there. Sources that have none fail. */
-  virtual void
-  FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray);
-
-  /** Throws to stop; called while the window works on the bits. */
-  virtual void
-  ThrowIfAborted() const;
+  Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) = 0;
 };
 
 } // end namespace itk

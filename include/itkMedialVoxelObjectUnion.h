@@ -3,67 +3,144 @@
 #ifndef itkMedialVoxelObjectUnion_h
 #define itkMedialVoxelObjectUnion_h
 
-#include "itkMedialVoxelParameters.h"
+#include "itkMedialVoxelObjectRegion.h"
+#include "itkMedialVoxelTileResult.h"
 
+#include "MedialVoxelExport.h"
+
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <vector>
 
 namespace itk
 {
 
 /** \class MedialVoxelObjectUnion
- * \brief How the cells of several objects are put together, in any order of the objects.
+ * \brief Puts the results of the passes over a label map together, region by region.
  *
- * Of two objects that have a cell, that for which it is medial gets it, and otherwise the smaller one. Until all
- * objects have come, the label of a cell has a mark when the cell is medial for several of them, so that it counts
- * once.
+ * Of two objects that have a cell, the one for which it is medial gets it, and otherwise the smaller one. The order of
+ * passes changes nothing.
  * \ingroup MedialVoxel
  */
-class MedialVoxelObjectUnion
+class MedialVoxel_EXPORT MedialVoxelObjectUnion
 {
 public:
-  /** What became of a cell. */
-  struct Change
+  /** \struct Cells
+   * \brief Numbers of cells of an object.
+   * \ingroup MedialVoxel
+   */
+  struct Cells
   {
-    bool isTaken{ false };  ///< the object has it now
-    bool isShared{ false }; ///< it is medial for a second object, after one
+    std::uint64_t candidate{ 0 };
+    std::uint64_t medial{ 0 }; ///< also those that other objects share
   };
 
-  /** Let an object have a cell, unless another one keeps it.
-   * \param label of the cell for the object, not NoObject
-   * \param object its number or value, not 0
-   * \param knownLabel, owner of the cell so far; both 0 at first */
-  template <typename TLabel, typename TObject>
-  static Change
-  TakeCell(const std::uint8_t label, const TObject object, TLabel & knownLabel, TObject & owner)
+  /** \struct Values
+   * \brief Results beside the labels. Each cell has those of the object that gets it.
+   * \ingroup MedialVoxel
+   */
+  struct Values
   {
-    const auto         known = static_cast<std::uint8_t>(knownLabel);
-    const std::uint8_t mark = known & SharedMark;
-    const bool         isMedial = label >= MedialVoxelLabel::MedialByBound;
-    const bool         wasMedial = (known & ~SharedMark) >= MedialVoxelLabel::MedialByBound;
-    const bool         areBoth = isMedial && wasMedial;
-    Change             change;
-    change.isShared = areBoth && mark == 0;
-    change.isTaken = owner == TObject{} || (isMedial == wasMedial ? object < owner : isMedial);
-    if (change.isTaken)
-    {
-      owner = object;
-    }
-    knownLabel =
-      static_cast<TLabel>((change.isTaken ? label : known & ~SharedMark) | mark | (areBoth ? SharedMark : 0));
-    return change;
+    std::byte * first{ nullptr }; ///< of the voxels of the region, x fastest, all zero
+    std::size_t bytesPerVoxel{ 0 };
+
+    /** Writes those of a tile to its voxels. */
+    std::function<void(const MedialVoxelTileResult & tile, void * first, const MedialVoxelStrides & strides)> write;
+  };
+
+  /** Arguments as of MedialVoxelObjectRegion. */
+  MedialVoxelObjectUnion(MedialVoxelObjectMap & map, const MedialVoxelIndex & size, std::uint64_t maximumPoreSize);
+
+  /** Bytes of a voxel of the region. */
+  static constexpr std::uint64_t BytesPerVoxel =
+    MedialVoxelObjectRegion::BytesPerVoxel + sizeof(std::uint8_t) + sizeof(MedialVoxelObjectNumber);
+
+  /** Begin with a region, before the first pass over it. */
+  void
+  Begin(const MedialVoxelBox & region, std::vector<Values> values);
+
+  /** Take what the pass that is shown found in a tile. Called by several threads at a time. */
+  void
+  TakeTile(const MedialVoxelTileResult & tile);
+
+  /** Take what the pass found in filled pores, when all of its tiles have come. */
+  void
+  FinishPass();
+
+  /** Finish the region after its last pass. */
+  void
+  Finish();
+
+  /** The objects of the voxels of the region. */
+  const MedialVoxelObjectRegion &
+  GetRegion() const
+  {
+    return m_Region;
   }
 
-  /** The label of a cell when all objects have come. */
-  template <typename TLabel>
-  static TLabel
-  WithoutMark(const TLabel label)
+  /** Of the voxels of the region, x fastest: the labels of cells, and the numbers of their objects. */
+  const std::vector<std::uint8_t> &
+  GetLabels() const
   {
-    return static_cast<TLabel>(static_cast<std::uint8_t>(label) & ~SharedMark);
+    return m_Labels;
+  }
+  const std::vector<MedialVoxelObjectNumber> &
+  GetObjects() const
+  {
+    return m_Objects;
+  }
+
+  /** \struct Sums
+   * \brief Cells of a region. Those of a pass that is run again count again.
+   * \ingroup MedialVoxel
+   */
+  struct Sums
+  {
+    std::uint64_t                            shared{ 0 }; ///< medial for several objects
+    std::map<MedialVoxelObjectNumber, Cells> cells;       ///< by object
+  };
+
+  const Sums &
+  GetSums() const
+  {
+    return m_Sums;
   }
 
 private:
-  /** A bit that no label has, in any type that holds the labels. */
+  /** A cell without a corner in an object, which lies in a filled pore. */
+  struct PoreCell
+  {
+    MedialVoxelIndex                    index;
+    std::uint8_t                        label;
+    std::vector<std::vector<std::byte>> values; ///< of each kind
+  };
+
+  /** Let an object have a cell, unless another one keeps it; valueOf(kind) has its values. No two threads have one
+   * cell.
+   */
+  template <typename TValueOf>
+  void
+  TakeCell(std::size_t             offset,
+           std::uint8_t            label,
+           MedialVoxelObjectNumber object,
+           const TValueOf &        valueOf,
+           Sums &                  sums);
+
+  /** A bit of the labels of cells that are medial for several objects, until the region is finished. */
   static constexpr std::uint8_t SharedMark = 4;
+
+  MedialVoxelObjectMap &               m_Map;
+  MedialVoxelObjectRegion              m_Region;
+  MedialVoxelBox                       m_Box;
+  std::vector<Values>                  m_Values;
+  std::vector<std::uint8_t>            m_Labels;
+  std::vector<MedialVoxelObjectNumber> m_Objects;
+  std::mutex                           m_Mutex; // of what follows
+  Sums                                 m_Sums;
+  std::vector<PoreCell>                m_PoreCells;
 };
 
 } // end namespace itk

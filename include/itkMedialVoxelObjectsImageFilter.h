@@ -4,7 +4,6 @@
 #define itkMedialVoxelObjectsImageFilter_h
 
 #include "itkMedialVoxelImageFilter.h"
-#include "itkMedialVoxelObjectMap.h"
 
 #include <cstdint>
 #include <memory>
@@ -24,7 +23,7 @@ namespace itk
  * over the objects.
  *
  * Objects that are more than a reach apart (MedialVoxelObjectAdjacency) share a pass. An update reads all of the input
- * once to find them, and holds 2 bytes more for each voxel of the requested region.
+ * once to find them, and holds 5 bytes more for each voxel of the requested region.
  *
  * Thresholds, ObjectValue, BackgroundValue, GenerateVectorDistance, SubvoxelThickness and Smoothing are for one object:
  * an update with one of them is refused. Smoothing is Off by default.
@@ -125,8 +124,8 @@ protected:
   void
   KeepSums(bool isNew) override;
 
-  const MedialVoxelObjectMap *
-  GetObjectMap() const override;
+  std::unique_ptr<MedialVoxelInput>
+  MakeInput(MedialVoxelValueSource & source) override;
 
 private:
   class Objects;
@@ -137,11 +136,13 @@ private:
   MedialVoxelObjectNumber
   FindObjectNumber(std::int64_t label) const;
 
+  /** Make the input, and know its objects. */
+  void
+  PrepareObjects();
+
   ObjectLabelsType m_ObjectLabels; ///< ascending, each once
 
-  /** Of the input at a time. */
-  std::unique_ptr<Objects> m_Objects;
-  ModifiedTimeType         m_ObjectsMTime{ 0 };
+  std::unique_ptr<Objects> m_Objects; ///< of the input at a time
 };
 
 } // end namespace itk

@@ -3,266 +3,112 @@
 #ifndef itkMedialVoxelObjectsImageFilter_hxx
 #define itkMedialVoxelObjectsImageFilter_hxx
 
-#include "itkMedialVoxelObjectRegion.h"
 #include "itkMedialVoxelObjectUnion.h"
 
 #include <algorithm>
-#include <map>
-#include <mutex>
 #include <variant>
 #include <vector>
 
 namespace itk
 {
 
-/** The objects of the input, and what the passes over them found. */
+/** What the passes over the objects of the input found. */
 template <typename TInputImage, typename TOutputImage>
-class MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::Objects : public MedialVoxelObjectMap
+class MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::Objects
 {
 public:
-  struct Cells
-  {
-    SizeValueType candidate{ 0 };
-    SizeValueType medial{ 0 };
-  };
-
-  /** Finds the objects of the input and their passes, which reads all of it once. */
-  explicit Objects(Self & filter)
+  Objects(Self & filter, MedialVoxelLabelInput & map)
     : m_Filter(filter)
-    , m_Grid(filter.GetGrid())
-    , m_Region(*this, m_Grid.GetSize(), filter.GetMaximumPoreSize())
-  {
-    this->Survey();
-    m_Total.resize(this->GetObjectVoxels().size());
-  }
-
-  void
-  ReadObjects(const MedialVoxelBox & box, MedialVoxelObjectNumber * objects) override
-  {
-    m_Filter.ForEachPart(box, [&](const MedialVoxelBox & part, const InputPixelType * const first) {
-      const auto width = static_cast<std::size_t>(part.Extent(0));
-      ForEachInputRow(part, [&](const std::int64_t offset, const MedialVoxelBox &) {
-        this->GetTable().Translate(first + offset, width, objects);
-        objects += width;
-      });
-    });
-  }
+    , m_Map(map)
+    , m_Union(map, filter.GetGrid().GetSize(), filter.GetMaximumPoreSize())
+  {}
 
   /** Fills the outputs, which are allocated. */
   MedialVoxelSums
   Run(const MedialVoxelBox & region)
   {
-    this->Begin(region);
+    m_Union.Begin(region, this->MakeValues());
     MedialVoxelSums    sums;
-    const unsigned int passes = this->GetNumberOfPasses();
+    const unsigned int passes = m_Map.GetNumberOfPasses();
     for (unsigned int pass = 0; pass < passes; ++pass)
     {
-      this->ShowPass(pass);
+      m_Map.ShowPass(pass);
       sums += m_Filter.RunEngine(region, pass, passes);
-      this->TakePoreCells();
+      m_Union.FinishPass();
       if (passes > 1)
       {
         m_Filter.DropWindow();
       }
     }
-    this->RemoveMarks();
+    m_Union.Finish();
+    this->WriteOutputs();
     return sums;
-  }
-
-  /** What was found in a tile of the pass that is shown. Called by several threads at a time. */
-  void
-  TakeTile(const MedialVoxelTileResult & tile)
-  {
-    if (tile.isEmpty)
-    {
-      return;
-    }
-    const MedialVoxelStrides strides{ 1, tile.box.Extent(0), tile.box.Extent(0) * tile.box.Extent(1) };
-    std::vector<float>       thicknesses;
-    if (m_Filter.GetGenerateThickness())
-    {
-      thicknesses.resize(static_cast<std::size_t>(tile.box.NumberOfVoxels()));
-      tile.WriteThickness(thicknesses.data(), strides);
-    }
-    Sums              sums;
-    std::vector<Cell> poreCells;
-    MedialVoxelForEachRow(tile.box, strides, [&](const std::int64_t offset, const MedialVoxelBox & row) {
-      const std::uint8_t * const labels = tile.labels + offset;
-      for (std::int64_t i = 0; i < row.Extent(0); ++i)
-      {
-        if (labels[i] == MedialVoxelLabel::NoObject)
-        {
-          continue;
-        }
-        const float thickness = thicknesses.empty() ? 0.0f : thicknesses[static_cast<std::size_t>(offset + i)];
-        const Cell  cell{ { { row.lower[0] + i, row.lower[1], row.lower[2] } }, labels[i], thickness };
-        if (const auto object = m_Region.FindObject(cell.index, this->GetShownPass()))
-        {
-          this->TakeCell(cell, object, sums);
-        }
-        else
-        {
-          poreCells.push_back(cell);
-        }
-      }
-    });
-    const std::lock_guard<std::mutex> lock(m_Mutex);
-    m_Pending.Add(sums);
-    m_PoreCells.insert(m_PoreCells.end(), poreCells.begin(), poreCells.end());
   }
 
   void
   KeepSums(const bool isNew)
   {
-    if (isNew)
+    m_Total = isNew ? MedialVoxelObjectUnion::Sums{} : m_Total;
+    m_Total.shared += m_Union.GetSums().shared;
+    for (const auto & [object, cells] : m_Union.GetSums().cells)
     {
-      std::fill(m_Total.begin(), m_Total.end(), Cells{});
-      m_SharedCells = 0;
-    }
-    m_SharedCells += m_Pending.sharedCells;
-    for (const auto & [object, cells] : m_Pending.cells)
-    {
-      m_Total[object].candidate += cells.candidate;
-      m_Total[object].medial += cells.medial;
+      m_Total.cells[object].candidate += cells.candidate;
+      m_Total.cells[object].medial += cells.medial;
     }
   }
 
-  SizeValueType
-  GetSharedCells() const
+  MedialVoxelObjectUnion &
+  GetUnion()
   {
-    return m_SharedCells;
+    return m_Union;
   }
 
-  const Cells &
-  GetCells(const MedialVoxelObjectNumber object) const
+  const MedialVoxelObjectMap &
+  GetMap() const
   {
-    return m_Total[object];
+    return m_Map;
+  }
+
+  const MedialVoxelObjectUnion::Sums &
+  GetTotal() const
+  {
+    return m_Total;
   }
 
 private:
-  struct Cell
+  std::vector<MedialVoxelObjectUnion::Values>
+  MakeValues() const
   {
-    MedialVoxelIndex index;
-    std::uint8_t     label;
-    float            thickness;
-  };
-
-  struct Sums
-  {
-    std::map<MedialVoxelObjectNumber, Cells> cells;
-    SizeValueType                            sharedCells{ 0 };
-
-    void
-    Add(const Sums & other)
+    if (!m_Filter.GetGenerateThickness())
     {
-      sharedCells += other.sharedCells;
-      for (const auto & [object, added] : other.cells)
-      {
-        cells[object].candidate += added.candidate;
-        cells[object].medial += added.medial;
-      }
+      return {};
     }
-  };
-
-  template <typename TFunction>
-  void
-  ForEachInputRow(const MedialVoxelBox & part, TFunction && function) const
-  {
-    MedialVoxelForEachRow(part, Self::StridesOf(*m_Filter.GetInput()), function);
+    m_Filter.GetThicknessOutput()->FillBuffer(0.0f);
+    MedialVoxelObjectUnion::Values thickness;
+    thickness.first = reinterpret_cast<std::byte *>(m_Filter.GetThicknessOutput()->GetBufferPointer());
+    thickness.bytesPerVoxel = sizeof(float);
+    thickness.write = [](const MedialVoxelTileResult & tile, void * const first, const MedialVoxelStrides & strides) {
+      tile.WriteThickness(static_cast<float *>(first), strides);
+    };
+    return { thickness };
   }
 
   void
-  Survey()
+  WriteOutputs() const
   {
-    MedialVoxelLabelSurvey         survey(m_Filter.m_ObjectLabels, m_Grid.GetSize(), m_Filter.GetMaximumPoreSize());
-    MedialVoxelLabelSurvey::Result found;
-    try
-    {
-      m_Filter.ForEachPart(m_Grid.GetVoxelBox(), [&](const MedialVoxelBox & part, const InputPixelType * const first) {
-        ForEachInputRow(part, [&](const std::int64_t offset, const MedialVoxelBox & row) {
-          survey.Add(first + offset, static_cast<std::size_t>(row.Extent(0)));
-        });
-        m_Filter.UpdateProgress(0.0f);
-        if (m_Filter.GetAbortGenerateData())
-        {
-          std::rethrow_exception(Self::MakeAbortException());
-        }
-      });
-      found = survey.Finish();
-    }
-    catch (const MedialVoxelLabelError & error)
-    {
-      itkGenericExceptionMacro("The input is not a label map: " << error.what() << '.');
-    }
-    if (!found.missing.empty())
-    {
-      itkGenericExceptionMacro("No voxel of the input has the label " << found.missing.front() << " of ObjectLabels.");
-    }
-    this->Learn(found);
+    const auto & labels = m_Union.GetLabels();
+    const auto & objects = m_Union.GetObjects();
+    const auto   valueOf = [this](const MedialVoxelObjectNumber object) {
+      return object > 0 ? static_cast<InputPixelType>(m_Map.GetTable().GetValue(object)) : InputPixelType{};
+    };
+    std::copy(labels.begin(), labels.end(), m_Filter.GetOutput()->GetBufferPointer());
+    std::transform(objects.begin(), objects.end(), m_Filter.GetObjectOutput()->GetBufferPointer(), valueOf);
   }
 
-  void
-  Begin(const MedialVoxelBox & region)
-  {
-    m_Pending = {};
-    m_PoreCells.clear();
-    m_Outputs = region;
-    m_Filter.GetOutput()->FillBuffer(OutputPixelType{});
-    m_Filter.GetObjectOutput()->FillBuffer(InputPixelType{});
-    if (m_Filter.GetGenerateThickness())
-    {
-      m_Filter.GetThicknessOutput()->FillBuffer(0.0f);
-    }
-    m_Region.Read(region);
-  }
-
-  /** No two threads have the same cell. */
-  void
-  TakeCell(const Cell & cell, const MedialVoxelObjectNumber object, Sums & sums) const
-  {
-    Cells & cells = sums.cells[object];
-    ++cells.candidate;
-    cells.medial += cell.label >= MedialVoxelLabel::MedialByBound ? 1 : 0;
-    const std::size_t offset = m_Outputs.OffsetOf(cell.index);
-    const auto        change = MedialVoxelObjectUnion::TakeCell(cell.label,
-                                                         static_cast<InputPixelType>(this->GetTable().GetValue(object)),
-                                                         m_Filter.GetOutput()->GetBufferPointer()[offset],
-                                                         m_Filter.GetObjectOutput()->GetBufferPointer()[offset]);
-    sums.sharedCells += change.isShared ? 1 : 0;
-    if (change.isTaken && m_Filter.GetGenerateThickness())
-    {
-      m_Filter.GetThicknessOutput()->GetBufferPointer()[offset] = cell.thickness;
-    }
-  }
-
-  /** The cells in filled pores, whose objects are found with more of the input, for which this thread alone asks. */
-  void
-  TakePoreCells()
-  {
-    for (const Cell & cell : m_PoreCells)
-    {
-      this->TakeCell(cell, m_Region.FindObjectOfPore(cell.index, this->GetShownPass()), m_Pending);
-    }
-    m_PoreCells.clear();
-  }
-
-  void
-  RemoveMarks() const
-  {
-    OutputPixelType * const labels = m_Filter.GetOutput()->GetBufferPointer();
-    std::transform(
-      labels, labels + m_Outputs.NumberOfVoxels(), labels, MedialVoxelObjectUnion::WithoutMark<OutputPixelType>);
-  }
-
-  Self &                  m_Filter;
-  MedialVoxelGrid         m_Grid;
-  MedialVoxelObjectRegion m_Region;
-  MedialVoxelBox          m_Outputs; ///< the voxels of the outputs
-  std::vector<Cells>      m_Total;   ///< by object
-  SizeValueType           m_SharedCells{ 0 };
-  std::mutex              m_Mutex; // of what follows
-  Sums                    m_Pending;
-  std::vector<Cell>       m_PoreCells;
+  Self &                       m_Filter;
+  MedialVoxelLabelInput &      m_Map;
+  MedialVoxelObjectUnion       m_Union;
+  MedialVoxelObjectUnion::Sums m_Total;
 };
 
 template <typename TInputImage, typename TOutputImage>
@@ -305,28 +151,28 @@ template <typename TInputImage, typename TOutputImage>
 auto
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetFoundLabels() const -> ObjectLabelsType
 {
-  return m_Objects ? m_Objects->GetTable().GetValues() : ObjectLabelsType{};
+  return m_Objects ? m_Objects->GetMap().GetTable().GetValues() : ObjectLabelsType{};
 }
 
 template <typename TInputImage, typename TOutputImage>
 SizeValueType
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfPasses() const
 {
-  return m_Objects ? m_Objects->GetNumberOfPasses() : 0;
+  return m_Objects ? m_Objects->GetMap().GetNumberOfPasses() : 0;
 }
 
 template <typename TInputImage, typename TOutputImage>
 SizeValueType
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfSharedCells() const
 {
-  return m_Objects ? m_Objects->GetSharedCells() : 0;
+  return m_Objects ? m_Objects->GetTotal().shared : 0;
 }
 
 template <typename TInputImage, typename TOutputImage>
 SizeValueType
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfVoxelsWithLabel(const std::int64_t label) const
 {
-  return static_cast<SizeValueType>(m_Objects->GetObjectVoxels()[this->FindObjectNumber(label)]);
+  return static_cast<SizeValueType>(m_Objects->GetMap().GetObjectVoxels()[this->FindObjectNumber(label)]);
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -334,7 +180,9 @@ SizeValueType
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfCandidateCellsWithLabel(
   const std::int64_t label) const
 {
-  return m_Objects->GetCells(this->FindObjectNumber(label)).candidate;
+  const MedialVoxelObjectNumber object = this->FindObjectNumber(label);
+  const auto                    found = m_Objects->GetTotal().cells.find(object);
+  return found == m_Objects->GetTotal().cells.end() ? 0 : static_cast<SizeValueType>(found->second.candidate);
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -342,14 +190,17 @@ SizeValueType
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetNumberOfMedialCellsWithLabel(
   const std::int64_t label) const
 {
-  return m_Objects->GetCells(this->FindObjectNumber(label)).medial;
+  const MedialVoxelObjectNumber object = this->FindObjectNumber(label);
+  const auto                    found = m_Objects->GetTotal().cells.find(object);
+  return found == m_Objects->GetTotal().cells.end() ? 0 : static_cast<SizeValueType>(found->second.medial);
 }
 
 template <typename TInputImage, typename TOutputImage>
 MedialVoxelObjectNumber
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::FindObjectNumber(const std::int64_t label) const
 {
-  const MedialVoxelObjectNumber number = m_Objects ? m_Objects->GetTable().GetNumber(label) : MedialVoxelObjectNumber{};
+  const MedialVoxelObjectNumber number =
+    m_Objects ? m_Objects->GetMap().GetTable().GetNumber(label) : MedialVoxelObjectNumber{};
   if (number == 0)
   {
     itkExceptionMacro("The last update found no object with the label " << label << '.');
@@ -413,13 +264,7 @@ template <typename TInputImage, typename TOutputImage>
 MedialVoxelSums
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::RunRegion(const MedialVoxelBox & region)
 {
-  const ModifiedTimeType modifiedTime = this->GetPixelMTime();
-  if (!m_Objects || m_ObjectsMTime != modifiedTime)
-  {
-    m_Objects.reset();
-    m_Objects = std::make_unique<Objects>(*this);
-    m_ObjectsMTime = modifiedTime;
-  }
+  this->PrepareObjects();
   return m_Objects->Run(region);
 }
 
@@ -427,7 +272,7 @@ template <typename TInputImage, typename TOutputImage>
 void
 MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::TakeTile(const MedialVoxelTileResult & tile)
 {
-  m_Objects->TakeTile(tile);
+  m_Objects->GetUnion().TakeTile(tile);
 }
 
 template <typename TInputImage, typename TOutputImage>
@@ -453,10 +298,35 @@ MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::PrintSelf(std::ostream
 }
 
 template <typename TInputImage, typename TOutputImage>
-const MedialVoxelObjectMap *
-MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::GetObjectMap() const
+std::unique_ptr<MedialVoxelInput>
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::MakeInput(MedialVoxelValueSource & source)
 {
-  return m_Objects.get();
+  m_Objects.reset();
+  return std::make_unique<MedialVoxelLabelInput>(
+    source, this->GetGrid().GetVoxelBox(), m_ObjectLabels, this->GetMaximumPoreSize());
+}
+
+template <typename TInputImage, typename TOutputImage>
+void
+MedialVoxelObjectsImageFilter<TInputImage, TOutputImage>::PrepareObjects()
+{
+  try
+  {
+    auto & map = static_cast<MedialVoxelLabelInput &>(this->PrepareInput());
+    if (!map.GetMissingLabels().empty())
+    {
+      itkGenericExceptionMacro("No voxel of the input has the label " << map.GetMissingLabels().front()
+                                                                      << " of ObjectLabels.");
+    }
+    if (!m_Objects)
+    {
+      m_Objects = std::make_unique<Objects>(*this, map);
+    }
+  }
+  catch (const MedialVoxelLabelError & error)
+  {
+    itkGenericExceptionMacro("The input is not a label map: " << error.what() << '.');
+  }
 }
 
 } // end namespace itk

@@ -6,19 +6,17 @@
 cmake_minimum_required(VERSION 3.22.1...3.29.0)
 
 # Folders of src. No file in them includes a header of ITK, but for those named below.
-set(library Foundation IO Object Distance Geodesic Walls Cells Engine Surface)
+set(library Foundation IO Object Distance Geodesic Walls Cells Engine Run Surface)
 
 # What users of the module include: filters stand above all folders, and both filters and image IO use ITK.
 set(filters "^(itkMedialVoxel(Objects)?ImageFilter|itkMedialVoxel(Object|Sheet)Properties|itkMedialVoxelMemoryError|itkMedialSurface(Mesh|Progress)|itkVectorDistanceMap|itkLocalThickness)[A-Za-z]*$")
 set(image_io "^itkStreaming[A-Za-z]*$")
 
 # A header in include/ belongs to the folder of its .cxx. These have none, or another folder than their .cxx.
-set(folder_of_itkMedialVoxelObjectPredicate Object)
-set(folder_of_itkMedialVoxelObjectUnion Object)
 set(folder_of_itkMedialVoxelRows Foundation)
 set(folder_of_itkMedialVoxelScan Foundation)
-set(folder_of_itkMedialVoxelSmoothing Object)
 set(folder_of_itkMedialVoxelSquaredLengths Distance)
+set(folder_of_itkMedialVoxelValues Foundation)
 
 # Folders beside the module; those of shell know nothing of ITK.
 set(program

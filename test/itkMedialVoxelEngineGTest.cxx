@@ -23,7 +23,9 @@ namespace
 using namespace MedialVoxelTest;
 
 /** Threads, voxels and labels without ITK. */
-class PlainClient : public itk::MedialVoxelEngineClient
+class PlainClient
+  : public itk::MedialVoxelEngineClient
+  , public itk::MedialVoxelObjectSource
 {
 public:
   explicit PlainClient(const Volume & volume)
@@ -33,12 +35,12 @@ public:
   {}
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
+  Fill(const itk::MedialVoxelBox & box, const itk::MedialVoxelTargets & targets) override
   {
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
       if (m_Volume.IsObject(OracleIndex(v)))
       {
-        object.Set(v);
+        targets.object->Set(v);
       }
     });
   }
@@ -172,7 +174,7 @@ TEST(MedialVoxelEngine, ExtractsAsTheFilterDoes)
 {
   PlainClient            client(Boxes());
   itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsFor(ExtractionOf(3.0)));
-  const auto             sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+  const auto             sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client, client);
   const auto             expected = RunMedialFilter<3>(Boxes(), 3.0);
   EXPECT_TRUE(AreEqual(client.m_Labels, expected.labels));
   EXPECT_EQ(sums.counts.boundCells, expected.counts.boundCells);
@@ -185,7 +187,7 @@ TEST(MedialVoxelEngine, FindsTheNearestVoxels)
   PlainClient            client(Boxes());
   itk::MedialVoxelEngine engine(GridOf(Boxes()),
                                 SettingsFor(itk::MedialVoxelDistanceMap{ itk::MedialVoxelBoundary::Background }));
-  engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+  engine.Run(GridOf(Boxes()).GetVoxelBox(), client, client);
   const auto  sites = BoundarySites(Boxes());
   const auto  nearest = NearestSites(Boxes(), sites, std::vector<unsigned char>(Boxes().object.size(), 1));
   std::size_t differences = 0;
@@ -204,7 +206,7 @@ TEST(MedialVoxelEngine, StopsWhenTheClientWantsIt)
   extraction.AddObserver(observer);
   itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsFor(extraction));
   client.m_TilesToAbort = 5;
-  EXPECT_THROW(engine.Run(GridOf(Boxes()).GetVoxelBox(), client), itk::MedialVoxelAborted);
+  EXPECT_THROW(engine.Run(GridOf(Boxes()).GetVoxelBox(), client, client), itk::MedialVoxelAborted);
   EXPECT_EQ(observer.m_Begun, 1);
   EXPECT_EQ(observer.m_Committed, 0);
 }
@@ -235,7 +237,7 @@ TEST(MedialVoxelEngine, NoObserverSeesATileTwice)
     settings.memoryLimit = limit;
     PlainClient            client(Boxes());
     itk::MedialVoxelEngine engine(GridOf(Boxes()), settings);
-    const auto             sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+    const auto             sums = engine.Run(GridOf(Boxes()).GetVoxelBox(), client, client);
     EXPECT_GT(sums.recomputedVoxels, 0u);
     EXPECT_EQ(*std::max_element(first.m_Seen.begin(), first.m_Seen.end()), 1);
     EXPECT_EQ(first.m_Seen, demanding.m_Seen);
@@ -272,7 +274,7 @@ public:
   }
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits * none) override
+  Fill(const itk::MedialVoxelBox & box, const itk::MedialVoxelTargets & targets) override
   {
     const int asking = ++m_Asking;
     {
@@ -291,7 +293,7 @@ public:
       itk::MedialVoxelPoll();
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
-    PlainClient::FillObject(box, object, none);
+    PlainClient::Fill(box, targets);
     --m_Asking;
   }
 
@@ -351,8 +353,8 @@ TEST(MedialVoxelEngine, ResultsDoNotDependOnWhoAsksForVoxels)
       WatchfulClient client(Boxes());
       client.m_Threads = threads;
       itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(workers));
-      auto                   sums = engine.Run(first, client, second);
-      sums += engine.Run(second, client);
+      auto                   sums = engine.Run(first, client, client, second);
+      sums += engine.Run(second, client, client);
       EXPECT_TRUE(AreEqual(client.m_Labels, expected.labels)) << workers;
       EXPECT_EQ(sums.counts.boundCells, expected.counts.boundCells);
       EXPECT_LE(client.m_MostAsking, threads == Threads::Several ? static_cast<int>(workers) : 1);
@@ -372,7 +374,7 @@ TEST(MedialVoxelEngine, AFailureWhileItReadsAheadEndsTheRun)
     itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(3));
     try
     {
-      engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+      engine.Run(GridOf(Boxes()).GetVoxelBox(), client, client);
       FAIL() << "no exception";
     }
     catch (const std::runtime_error & error)
@@ -382,7 +384,7 @@ TEST(MedialVoxelEngine, AFailureWhileItReadsAheadEndsTheRun)
     EXPECT_LT(client.m_LastSlice, 70);
     // The engine can be run again.
     client.m_SliceToFail = 1 << 30;
-    engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+    engine.Run(GridOf(Boxes()).GetVoxelBox(), client, client);
     EXPECT_TRUE(AreEqual(client.m_Labels, RunMedialFilter<3>(Boxes(), 3.0).labels));
   }
 }
@@ -397,7 +399,7 @@ TEST(MedialVoxelEngine, AStopIsHeardWhileItReadsAhead)
     client.m_SliceToWait = 70;
     itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(3));
     const auto             start = Clock::now();
-    EXPECT_THROW(engine.Run(GridOf(Boxes()).GetVoxelBox(), client), itk::MedialVoxelAborted);
+    EXPECT_THROW(engine.Run(GridOf(Boxes()).GetVoxelBox(), client, client), itk::MedialVoxelAborted);
     EXPECT_LT(std::chrono::duration<double>(Clock::now() - start).count(), 1.0 * Patience());
   }
 }
@@ -410,7 +412,7 @@ TEST(MedialVoxelEngine, TilesRunWhileTheNextWindowWaits)
   public:
     using WatchfulClient::WatchfulClient;
     void
-    FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits * none) override
+    Fill(const itk::MedialVoxelBox & box, const itk::MedialVoxelTargets & targets) override
     {
       const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
       while (box.upper[2] > 30 && m_NumberOfTiles == 0 && std::chrono::steady_clock::now() < end)
@@ -418,12 +420,12 @@ TEST(MedialVoxelEngine, TilesRunWhileTheNextWindowWaits)
         std::this_thread::yield();
       }
       m_HasWaitedInVain = m_HasWaitedInVain || (box.upper[2] > 30 && m_NumberOfTiles == 0);
-      WatchfulClient::FillObject(box, object, none);
+      WatchfulClient::Fill(box, targets);
     }
     std::atomic<bool> m_HasWaitedInVain{ false };
   };
   PatientClient          client(Boxes());
   itk::MedialVoxelEngine engine(GridOf(Boxes()), SettingsOfWorkers(2));
-  engine.Run(GridOf(Boxes()).GetVoxelBox(), client);
+  engine.Run(GridOf(Boxes()).GetVoxelBox(), client, client);
   EXPECT_FALSE(client.m_HasWaitedInVain);
 }

@@ -15,7 +15,9 @@ namespace
 using namespace MedialVoxelTest;
 
 /** Keeps the distances of a volume, by one thread. */
-class DistanceClient : public itk::MedialVoxelEngineClient
+class DistanceClient
+  : public itk::MedialVoxelEngineClient
+  , public itk::MedialVoxelObjectSource
 {
 public:
   DistanceClient(const Volume & volume, itk::MedialVoxelEngineSettings settings, bool findsDisplacements)
@@ -26,16 +28,16 @@ public:
     task.findsDisplacements = findsDisplacements;
     settings.task = task;
     itk::MedialVoxelEngine engine(GridOf(volume), settings);
-    engine.Run(GridOf(volume).GetVoxelBox(), *this);
+    engine.Run(GridOf(volume).GetVoxelBox(), *this, *this);
   }
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
+  Fill(const itk::MedialVoxelBox & box, const itk::MedialVoxelTargets & targets) override
   {
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
       if (m_Volume.IsObject(OracleIndex(v)))
       {
-        object.Set(v);
+        targets.object->Set(v);
       }
     });
   }

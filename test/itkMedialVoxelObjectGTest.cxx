@@ -4,6 +4,7 @@
 // Which pixel values are object (definition 1), on both filters.
 
 #include "itkMedialVoxelFilterAccess.h"
+#include "itkMedialVoxelObjectPredicate.h"
 
 #include "MedialVoxelTestRuns.h"
 

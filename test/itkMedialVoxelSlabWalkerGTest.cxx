@@ -22,7 +22,9 @@ using Phase = itk::MedialVoxelSlabSchedule::Phase;
 
 /** Lets every tile need a box around itself, checks that it gets it, and counts how often each voxel was done. Does the
  * work of several workers in one thread, in an order that changes with the seed. */
-class DemandingClient : public itk::MedialVoxelTileRunner
+class DemandingClient
+  : public itk::MedialVoxelObjectSource
+  , public itk::MedialVoxelScheduleRunner
 {
 public:
   DemandingClient(const Volume & volume, int reach, unsigned int seed = 1)
@@ -40,7 +42,7 @@ public:
   }
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
+  Fill(const itk::MedialVoxelBox & box, const itk::MedialVoxelTargets & targets) override
   {
     m_FirstFill = m_FirstFill.IsEmpty() ? box : m_FirstFill;
     m_LastFill = box;
@@ -48,7 +50,7 @@ public:
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
       if (m_Volume.IsObject(OracleIndex(v)))
       {
-        object.Set(v);
+        targets.object->Set(v);
       }
     });
   }
@@ -161,7 +163,7 @@ TEST(MedialVoxelSlabWalker, EveryTileIsDoneOnceWithAllThatItNeeds)
           DemandingClient       client(volume, reach, static_cast<unsigned int>(generator()));
           MedialVoxelSlabWalker engine(GridOf(volume), settings);
           client.m_Engine = &engine;
-          engine.Run(region, {}, client);
+          engine.Run(region, {}, client, client);
           EXPECT_EQ(client.m_Wrong, 0u);
           std::size_t differences = 0;
           for (std::size_t i = 0; i < client.m_Done.size(); ++i)
@@ -187,7 +189,7 @@ TEST(MedialVoxelSlabWalker, StartsWithTheBoxThatItAnnounces)
   ASSERT_EQ(missing.size(), 1u);
   const auto announced = missing.front();
   EXPECT_LT(announced.NumberOfVoxels(), GridOf(volume).GetVoxelBox().NumberOfVoxels() / 2);
-  engine.Run(region, {}, client);
+  engine.Run(region, {}, client, client);
   EXPECT_EQ(client.m_FirstFill, announced);
   // The window stays, so that a region that it holds misses nothing.
   EXPECT_TRUE(engine.GetMissingObjectBoxes(MakeBox({ { 5, 4, 48 } }, { { 30, 18, 50 } })).empty());
@@ -199,7 +201,7 @@ TEST(MedialVoxelSlabWalker, LargeDemandsAreRememberedForTheNextSlabs)
   DemandingClient       client(volume, 9);
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
-  engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
+  engine.Run(GridOf(volume).GetVoxelBox(), {}, client, client);
   EXPECT_LE(client.m_NumberOfSlabs, 10 + 3); // ten slabs, and few of them twice
 }
 
@@ -214,7 +216,7 @@ TEST(MedialVoxelSlabWalker, NoTileIsDeferredTwice)
     MedialVoxelSlabWalker engine(GridOf(volume), settings);
     client.m_Engine = &engine;
     // Tiles at both ends need more, on different sides.
-    engine.Run(MakeBox({ { 0, 0, 20 } }, { { 20, 20, 60 } }), {}, client);
+    engine.Run(MakeBox({ { 0, 0, 20 } }, { { 20, 20, 60 } }), {}, client, client);
     EXPECT_EQ(client.m_MostDeferrals, 1);
   }
 }
@@ -237,7 +239,7 @@ TEST(MedialVoxelSlabWalker, AMemoryLimitHoldsAndChangesNothingElse)
       client.m_Engine = &engine;
       try
       {
-        engine.Run(image, {}, client);
+        engine.Run(image, {}, client, client);
       }
       catch (const itk::MedialVoxelMemoryShortage & error)
       {
@@ -265,7 +267,7 @@ TEST(MedialVoxelSlabWalker, ThickPartsAreCutIntoWideTiles)
     DemandingClient       client(volume, 70);
     MedialVoxelSlabWalker engine(GridOf(volume), settings);
     client.m_Engine = &engine;
-    engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
+    engine.Run(GridOf(volume).GetVoxelBox(), {}, client, client);
     EXPECT_EQ(client.m_Wrong, 0u);
     EXPECT_EQ(std::count(client.m_Done.begin(), client.m_Done.end(), 1), GridOf(volume).GetVoxelBox().NumberOfVoxels());
     EXPECT_EQ(client.m_WidestTile, 576);
@@ -280,7 +282,7 @@ TEST(MedialVoxelSlabWalker, AHaloThatDoesNotFitIsTriedSmaller)
   DemandingClient       client(volume, 3);
   MedialVoxelSlabWalker engine(GridOf(volume), settings);
   client.m_Engine = &engine;
-  engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
+  engine.Run(GridOf(volume).GetVoxelBox(), {}, client, client);
   EXPECT_EQ(client.m_Wrong, 0u);
   EXPECT_LE(client.m_LargestWindowBytes, settings.memoryLimit);
 }
@@ -292,7 +294,7 @@ TEST(MedialVoxelSlabWalker, AFailureOfTheClientEndsTheRun)
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
   client.m_FailInSlab = 2;
-  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client), std::runtime_error);
+  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client, client), std::runtime_error);
   EXPECT_EQ(client.m_NumberOfSlabs, 2);
   // What the windows held is not known, and forgotten.
   EXPECT_EQ(engine.GetReservedBytes(), 0u);
@@ -325,7 +327,7 @@ TEST(MedialVoxelSlabWalker, ATileThatWantsNothingNewEndsTheRun)
   StubbornClient        client(volume, 1);
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
-  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client), std::logic_error);
+  EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client, client), std::logic_error);
 }
 
 TEST(MedialVoxelSlabWalker, AnEmptyRegionIsNoWork)
@@ -334,7 +336,7 @@ TEST(MedialVoxelSlabWalker, AnEmptyRegionIsNoWork)
   DemandingClient       client(volume, 1);
   MedialVoxelSlabWalker engine(GridOf(volume), SettingsOf(8, 8, { { 2, 2, 2 } }));
   client.m_Engine = &engine;
-  engine.Run(itk::MedialVoxelBox{}, {}, client);
+  engine.Run(itk::MedialVoxelBox{}, {}, client, client);
   EXPECT_EQ(client.m_NumberOfSlabs, 0);
 }
 
@@ -350,7 +352,7 @@ TEST(MedialVoxelSlabWalker, TheNextWindowIsPreparedWhileThereAreTiles)
     MedialVoxelSlabWalker engine(GridOf(volume), settings);
     client.m_Engine = &engine;
     const std::uint64_t planned = engine.GetBytes(GridOf(volume).GetVoxelBox());
-    engine.Run(GridOf(volume).GetVoxelBox(), {}, client);
+    engine.Run(GridOf(volume).GetVoxelBox(), {}, client, client);
     EXPECT_EQ(client.m_Wrong, 0u);
     EXPECT_EQ(client.m_WasReadAhead, readsAhead);
     EXPECT_LE(client.m_LargestWindowBytes, planned);
@@ -375,7 +377,7 @@ TEST(MedialVoxelSlabWalker, ASecondWindowIsTakenOnlyWhereItFits)
     MedialVoxelSlabWalker engine(GridOf(volume), settings);
     client.m_Engine = &engine;
     EXPECT_EQ(engine.GetBytes(image), limit == both ? both : one);
-    engine.Run(image, {}, client);
+    engine.Run(image, {}, client, client);
     EXPECT_EQ(client.m_Wrong, 0u);
     EXPECT_EQ(client.m_WasReadAhead, limit == both);
     EXPECT_LE(client.m_LargestWindowBytes, limit);
@@ -392,11 +394,11 @@ TEST(MedialVoxelSlabWalker, TheNextRegionIsReadAhead)
   DemandingClient       client(volume, 2);
   MedialVoxelSlabWalker engine(GridOf(volume), settings);
   client.m_Engine = &engine;
-  engine.Run(first, second, client);
+  engine.Run(first, second, client, client);
   EXPECT_TRUE(engine.GetMissingObjectBoxes(second).empty());
   EXPECT_EQ(std::count(client.m_Done.begin(), client.m_Done.end(), 1), first.NumberOfVoxels());
   client.m_LastFill = {};
-  engine.Run(second, {}, client);
+  engine.Run(second, {}, client, client);
   EXPECT_EQ(client.m_Wrong, 0u);
   // The first slab of the second region needed nothing.
   EXPECT_GE(client.m_LastFill.lower[2], 50);
@@ -435,7 +437,7 @@ TEST(MedialVoxelSlabWalker, OnlyTheThreadsThatMayAskTheSourceDoSo)
     TakingClient client(volume, 2);
     client.m_Threads = threads;
     MedialVoxelSlabWalker engine(GridOf(volume), settings);
-    EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client), std::runtime_error);
+    EXPECT_THROW(engine.Run(GridOf(volume).GetVoxelBox(), {}, client, client), std::runtime_error);
     EXPECT_EQ(client.m_OtherMayFill, threads != MedialVoxelSourceThreads::Calling);
     EXPECT_TRUE(client.m_CallingMayFill);
     EXPECT_EQ(client.m_BothMayFill, threads == MedialVoxelSourceThreads::Several);

@@ -4,6 +4,7 @@
 // Pores and dust in the bits of a window: against components of the whole volume, for windows of any kind.
 
 #include "itkMedialVoxelMovingWindow.h"
+#include "itkMedialVoxelProgress.h"
 #include "itkMedialVoxelSmallComponents.h"
 
 #include "MedialVoxelTestKernels.h"
@@ -26,14 +27,14 @@ public:
   {}
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
+  Fill(const itk::MedialVoxelBox & box, const itk::MedialVoxelTargets & targets) override
   {
     m_AskedVoxels += box.NumberOfVoxels();
     ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
-      EXPECT_FALSE(object.Test(v));
+      EXPECT_FALSE(targets.object->Test(v));
       if (m_Volume.IsObject(OracleIndex(v)))
       {
-        object.Set(v);
+        targets.object->Set(v);
       }
     });
   }
@@ -57,7 +58,7 @@ Changed(const Volume & volume, std::uint64_t most)
   const itk::MedialVoxelSmallComponents kernel(grid, most);
   auto                                  object = ObjectBits(volume, grid.GetVoxelBox());
   itk::MedialVoxelSparseBits            changed(grid.GetVoxelBox());
-  kernel.Change(grid.GetVoxelBox(), object, changed, []() {});
+  kernel.Change(grid.GetVoxelBox(), object, changed);
   Volume result = volume;
   for (std::size_t i = 0; i < result.object.size(); ++i)
   {
@@ -107,7 +108,7 @@ CopyAndMove(itk::MedialVoxelMovingWindow &       window,
   {
     window.Fill(part, source);
   }
-  window.ChangeSmallComponents(source);
+  window.ChangeSmallComponents();
   for (const itk::MedialVoxelBox & part : window.CutToMark(parts))
   {
     window.Mark(part);
@@ -253,10 +254,16 @@ TEST(MedialVoxelSmallComponents, ValuesDoNotReachFartherThanTheObject)
   public:
     using VolumeSource::VolumeSource;
     void
-    FillGray(const itk::MedialVoxelBox & box, itk::MedialVoxelGray & gray) override
+    Fill(const itk::MedialVoxelBox & box, const itk::MedialVoxelTargets & targets) override
     {
+      if (targets.gray == nullptr)
+      {
+        VolumeSource::Fill(box, targets);
+        return;
+      }
       ForEachVoxel(box, [&](const itk::MedialVoxelIndex & v) {
-        gray.GetRow(v[1], v[2])[v[0] - gray.GetBox().lower[0]] = static_cast<float>(v[0] + 100 * v[1] + 10000 * v[2]);
+        targets.gray->GetRow(v[1], v[2])[v[0] - targets.gray->GetBox().lower[0]] =
+          static_cast<float>(v[0] + 100 * v[1] + 10000 * v[2]);
       });
     }
   };
@@ -275,26 +282,24 @@ TEST(MedialVoxelSmallComponents, ValuesDoNotReachFartherThanTheObject)
       ASSERT_EQ(window.GetGray().Get(v), static_cast<float>(v[0] + 100 * v[1] + 10000 * v[2]));
     });
   }
-  VolumeSource withoutValues(volume);
-  window.Clear();
-  EXPECT_THROW(window.MoveTo(MakeBox({ { 0, 0, 0 } }, { { 9, 9, 9 } }), {}, withoutValues), std::logic_error);
 }
 
-TEST(MedialVoxelSmallComponents, TheSourceMayStopTheChange)
+TEST(MedialVoxelSmallComponents, ProgressMayStopTheChange)
 {
-  class StoppingSource : public VolumeSource
+  class StoppedProgress : public itk::MedialVoxelNoProgress
   {
   public:
-    using VolumeSource::VolumeSource;
-    void
-    ThrowIfAborted() const override
+    bool
+    IsAborted() const override
     {
-      throw std::runtime_error("stopped");
+      return true;
     }
   };
   const Volume                 volume = VolumeWithPores({ { 20, 20, 20 } }, UnitSpacing, 6, 850);
-  StoppingSource               source(volume);
+  VolumeSource                 source(volume);
   itk::MedialVoxelMovingWindow window(GridOf(volume), Background, false, false, 6);
   const auto                   sites = MakeBox({ { 5, 5, 5 } }, { { 9, 9, 9 } });
-  EXPECT_THROW(window.MoveTo(sites, sites, source), std::runtime_error);
+  StoppedProgress              progress;
+  itk::MedialVoxelPollScope    scope(progress);
+  EXPECT_THROW(window.MoveTo(sites, sites, source), itk::MedialVoxelAborted);
 }

@@ -16,8 +16,8 @@
 #include "SharedJob.h"
 #include "Signals.h"
 #include "SuggestName.h"
-#include "ValueStatistics.h"
 #include "VolumeJob.h"
+#include "VolumeStatistics.h"
 
 #include "itkMedialVoxelHeaderText.h"
 

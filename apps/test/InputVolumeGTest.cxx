@@ -61,7 +61,7 @@ void
 CheckObject(const RandomVolume & volume, const itk::MedialVoxelBox & box, InputVolume & input)
 {
   itk::MedialVoxelBits object(box);
-  input.Fill(box, { &object, nullptr, nullptr });
+  input.GetInput().Fill(box, { &object, nullptr, nullptr });
   std::uint64_t wrong = 0;
   ForEachVoxel(box, [&](const itk::MedialVoxelIndex & voxel) {
     wrong += object.Test(voxel) != (GetValue(volume, voxel) >= RandomVolume::ObjectValue) ? 1 : 0;
@@ -75,7 +75,7 @@ CheckValues(const RandomVolume & volume, const itk::MedialVoxelBox & box, InputV
   itk::MedialVoxelBits notANumber(box);
   itk::MedialVoxelGray gray;
   gray.Reframe(box, box);
-  input.Fill(box, { nullptr, &notANumber, &gray });
+  input.GetInput().Fill(box, { nullptr, &notANumber, &gray });
   std::uint64_t wrong = 0;
   ForEachVoxel(box, [&](const itk::MedialVoxelIndex & voxel) {
     const double value = GetValue(volume, voxel);
@@ -101,12 +101,12 @@ TEST_P(MedialVoxelInputVolume, BoxesHoldWhatWasWritten)
     const VolumeFile      file = WriteVolume(volume, GetParam(), folder);
     const auto            scratchFolder = dice.OneIn(2) ? folder / "" : std::filesystem::path();
     const VolumeHeader    header = UnpackVolume(ReadVolumeHeader(file.fileName, file.raw), scratchFolder, sink);
-    const auto            input = OpenInputVolume(header, options);
-    input->Prepare([](double) {});
+    InputVolume           input(header, options, 0, Smoothing::Off);
+    input.Prepare([](double) {});
     for (int box = 0; box < 20; ++box)
     {
-      CheckObject(volume, DrawBox(dice, volume), *input);
-      CheckValues(volume, DrawBox(dice, volume), *input);
+      CheckObject(volume, DrawBox(dice, volume), input);
+      CheckValues(volume, DrawBox(dice, volume), input);
     }
   }
 }

@@ -133,7 +133,9 @@ private:
 };
 
 /** Threads and results of the engine. */
-class Client : public itk::MedialVoxelEngineClient
+class Client
+  : public itk::MedialVoxelEngineClient
+  , public itk::MedialVoxelObjectSource
 {
 public:
   explicit Client(const Part & part)
@@ -154,9 +156,9 @@ public:
   }
 
   void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits *) override
+  Fill(const itk::MedialVoxelBox & box, const itk::MedialVoxelTargets & targets) override
   {
-    m_Part.Fill(box, object);
+    m_Part.Fill(box, *targets.object);
   }
 
   void
@@ -188,7 +190,7 @@ private:
 };
 
 /** Does the work of a schedule in one thread, and finds when so many threads would have done it. */
-class Simulation : public itk::MedialVoxelTileRunner
+class Simulation : public itk::MedialVoxelScheduleRunner
 {
 public:
   Simulation(const Part & part, Client & client)
@@ -196,18 +198,6 @@ public:
     , m_Task(part.GetGrid(), part.GetExtraction())
     , m_Workspace(m_Task.MakeWorkspace())
   {}
-
-  itk::MedialVoxelSourceThreads
-  GetSourceThreads() const override
-  {
-    return m_Client.GetSourceThreads();
-  }
-
-  void
-  FillObject(const itk::MedialVoxelBox & box, itk::MedialVoxelBits & object, itk::MedialVoxelBits * none) override
-  {
-    m_Client.FillObject(box, object, none);
-  }
 
   void
   RunSchedule(itk::MedialVoxelSlabSchedule & schedule) override
@@ -315,7 +305,7 @@ private:
     }
     else
     {
-      schedule.DoWindowWork(work, *this);
+      schedule.DoWindowWork(work, m_Client);
     }
     const double seconds = Now() - start;
     m_SecondsOfWork[names[static_cast<int>(work.phase)]] += seconds;
@@ -348,7 +338,7 @@ Simulate(const Part & part, unsigned int threads)
   {
     client.BeginPiece(pieces[i]);
     simulation.Begin();
-    walker.Run(pieces[i], i + 1 < pieces.size() ? pieces[i + 1] : itk::MedialVoxelBox{}, simulation);
+    walker.Run(pieces[i], i + 1 < pieces.size() ? pieces[i + 1] : itk::MedialVoxelBox{}, client, simulation);
   }
   std::cout << "{\"threads\": " << threads << ", \"seconds\": " << simulation.GetSeconds()
             << ", \"pieces\": " << pieces.size() << ", \"work\": {";
@@ -384,7 +374,8 @@ RunForReal(const Part & part, unsigned int threads)
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     client.BeginPiece(pieces[i]);
-    const auto sums = engine.Run(pieces[i], client, i + 1 < pieces.size() ? pieces[i + 1] : itk::MedialVoxelBox{});
+    const auto sums =
+      engine.Run(pieces[i], client, client, i + 1 < pieces.size() ? pieces[i + 1] : itk::MedialVoxelBox{});
     busy += sums.threadSeconds;
     possible += sums.tileSeconds * threads;
   }

@@ -8,10 +8,6 @@
 #include "itkMedialVoxelGridLimits.h"
 #include "itkMedialVoxelMemoryShortage.h"
 #include "itkMedialVoxelProgress.h"
-#include "itkObject.h"
-#include "itkProcessObject.h"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <new>
@@ -56,19 +52,6 @@ MakeHeader(const MedialVoxelArray & array)
   return header;
 }
 
-/** Without what filters begin a message with: "ITK ERROR: ", and mostly their name and address. */
-std::string
-GetMessage(const itk::ExceptionObject & error)
-{
-  std::string text = error.GetDescription();
-  for (const std::string mark : { "ITK ERROR: ", "): " })
-  {
-    const std::size_t end = text.find(mark);
-    text = end == std::string::npos ? text : text.substr(end + mark.size());
-  }
-  return text;
-}
-
 /** Sets status and text of what \a work throws. */
 template <typename TWork>
 void
@@ -82,10 +65,6 @@ Guard(MedialVoxelResult & result, TWork && work)
   {
     result.text = work();
   }
-  catch (const itk::ProcessAborted &)
-  {
-    fail(MedialVoxelStopped, "stopped");
-  }
   catch (const itk::MedialVoxelAborted &)
   {
     fail(MedialVoxelStopped, "stopped");
@@ -98,21 +77,9 @@ Guard(MedialVoxelResult & result, TWork && work)
   {
     fail(MedialVoxelOutOfMemory, error.what());
   }
-  catch (const itk::MemoryAllocationError & error)
-  {
-    fail(MedialVoxelOutOfMemory, GetMessage(error));
-  }
   catch (const std::bad_alloc &)
   {
     fail(MedialVoxelOutOfMemory, "out of memory");
-  }
-  catch (const itk::ExceptionObject & error)
-  {
-    fail(MedialVoxelWrongValue, GetMessage(error));
-  }
-  catch (const CLI::ParseError & error)
-  {
-    fail(MedialVoxelWrongValue, error.what());
   }
   catch (const JobError & error)
   {
@@ -134,8 +101,6 @@ medialvoxel_run(const MedialVoxelArray *   array,
                 const MedialVoxelOutputs * outputs,
                 MedialVoxelControl *       control)
 {
-  // Warnings are part of the result.
-  itk::Object::GlobalWarningDisplayOff();
   auto * const result = new (std::nothrow) MedialVoxelResult;
   if (result != nullptr)
   {

@@ -1,65 +1,17 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "FilterRun.h"
+#include "ArrayEngine.h"
+#include "Errors.h"
 #include "NamedCounts.h"
 
-#include "itkMedialVoxelObjectsImageFilter.h"
+#include "itkMedialVoxelObjectUnion.h"
+
+#include <algorithm>
 
 namespace medialvoxel
 {
 namespace
 {
-
-/** States an uncertainty only where it can. */
-template <typename TImage>
-class ProgramFilter final : public itk::MedialVoxelImageFilter<TImage>
-{
-public:
-  ITK_DISALLOW_COPY_AND_MOVE(ProgramFilter);
-
-  using Self = ProgramFilter;
-  using Superclass = itk::MedialVoxelImageFilter<TImage>;
-  using Pointer = itk::SmartPointer<Self>;
-
-  itkNewMacro(Self);
-
-  /** As the report of the program has it.
-   * \param whyOnObject where gray values are not looked at */
-  nlohmann::json
-  DescribeMeasure(const std::string & whyOnObject) const
-  {
-    const auto     found = this->GetScan();
-    nlohmann::json scan;
-    if (found.scan)
-    {
-      scan = { { "background", found.scan->background },
-               { "material", found.scan->material },
-               { "blur", found.scan->blur },
-               { "noise", found.scan->noise } };
-    }
-    const bool          isGray = this->GetSubvoxelThickness() && !found.isMask;
-    const char * const  on = found.scan ? "fits" : (isGray ? "crossings" : "object");
-    const std::string & reason = this->GetSubvoxelThickness() ? found.reason : whyOnObject;
-    return { { "on", on }, { "scan", scan }, { "reason", reason } };
-  }
-
-protected:
-  itk::MedialVoxelEngineTask
-  GetTask(const itk::MedialVoxelGrid & grid) const override
-  {
-    // Tasks are asked for before the scan is known, too: then there is no reason yet.
-    const auto found = this->GetScan();
-    if (this->GetGenerateUncertainty() && !found.scan && !found.reason.empty())
-    {
-      Fail(ExitStatus::Refused, "array: the uncertainty of the thickness cannot be stated, as ", found.reason);
-    }
-    return Superclass::GetTask(grid);
-  }
-
-private:
-  ProgramFilter() = default;
-  ~ProgramFilter() override = default;
-};
 
 /** \throw JobError when fits are asked for and there is no threshold for them */
 void
@@ -74,8 +26,25 @@ CheckFits(const ArrayCall & call, const ExtractOptions & options)
   }
 }
 
+itk::MedialVoxelExtraction
+MakeExtraction(const ArrayEngine & engine, const ArrayCall & call, const ExtractOptions & options)
+{
+  itk::MedialVoxelExtraction extraction;
+  extraction.parameters = GetParameters(options, engine.GetGrid());
+  extraction.measuresThickness = call.outputs.thickness != nullptr || call.outputs.uncertainty != nullptr;
+  if (call.outputs.vectors != nullptr)
+  {
+    extraction.vectorBoundary = options.vectorBoundary;
+  }
+  return extraction;
+}
+
+/** What one object and many have. */
 nlohmann::json
-DescribeCounts(const itk::MedialVoxelCounts & counts)
+Describe(const itk::MedialVoxelCounts &                   counts,
+         const std::optional<itk::MedialVoxelRoughness> & roughness,
+         const bool                                       isSmoothed,
+         const ArrayMeasure &                             measure)
 {
   nlohmann::json json;
   for (const NamedCount & count : NamedCounts)
@@ -83,95 +52,54 @@ DescribeCounts(const itk::MedialVoxelCounts & counts)
     json[count.name] = counts.*count.member;
   }
   json["medial_cells"] = counts.boundCells + counts.geodesicMedialCells;
-  return json;
+  return { { "counts", json },
+           { "smoothed", isSmoothed },
+           { "roughness", roughness ? roughness->GetRatio() : 0.0 },
+           { "measure", measure.Describe() } };
 }
 
-/** Of each object of a label map. */
-template <typename TFilter>
-nlohmann::json
-DescribeObjects(const TFilter & filter)
-{
-  nlohmann::json objects = nlohmann::json::array();
-  for (const std::int64_t label : filter.GetFoundLabels())
-  {
-    objects.push_back({ { "label", label },
-                        { "voxels", filter.GetNumberOfVoxelsWithLabel(label) },
-                        { "candidate_cells", filter.GetNumberOfCandidateCellsWithLabel(label) },
-                        { "medial_cells", filter.GetNumberOfMedialCellsWithLabel(label) } });
-  }
-  return objects;
-}
-
-/** What one object and many have. */
-template <typename TFilter>
-nlohmann::json
-Run(TFilter & filter, const ArrayCall & call)
-{
-  const MedialVoxelOutputs & outputs = call.outputs;
-  filter.SetGenerateThickness(outputs.thickness != nullptr);
-  UseMemory(*filter.GetOutput(), outputs.labels, call.array);
-  if (outputs.thickness != nullptr)
-  {
-    UseMemory(*filter.GetThicknessOutput(), outputs.thickness, call.array);
-  }
-  RunFilter(filter, call.control);
-  KeepPixels(*filter.GetOutput(), outputs.labels);
-  if (outputs.thickness != nullptr)
-  {
-    KeepPixels(*filter.GetThicknessOutput(), outputs.thickness);
-  }
-  return { { "counts", DescribeCounts(filter.GetCounts()) },
-           { "smoothed", filter.GetObjectIsSmoothed() },
-           { "roughness", filter.GetRoughness() } };
-}
-
-template <typename TPixel>
 nlohmann::json
 ExtractOne(const ArrayCall & call, const ExtractOptions & options)
 {
-  const MedialVoxelOutputs & outputs = call.outputs;
-  auto                       filter = ProgramFilter<ArrayImage<TPixel>>::New();
-  filter->SetInput(MakeImage<TPixel>(call.array));
-  SetJobOptions(*filter, options);
-  SetWalls(*filter, options);
-  const bool measures = outputs.thickness != nullptr || outputs.uncertainty != nullptr;
-  SetGrayMeasure(*filter, call, options, measures && MayMeasureOnGrayValues(options, call.header));
-  SetLevels(*filter, options);
-  filter->SetGenerateUncertainty(outputs.uncertainty != nullptr);
-  filter->SetGenerateVectorDistance(outputs.vectors != nullptr);
-  filter->SetVectorDistanceBoundary(options.vectorBoundary);
-  auto * const vectors = reinterpret_cast<itk::Vector<float, 3> *>(outputs.vectors);
-  if (outputs.uncertainty != nullptr)
+  const MedialVoxelOutputs &  outputs = call.outputs;
+  ArrayEngine                 engine(call, options);
+  itk::MedialVoxelObjectInput object = engine.MakeObject(GetSmoothing(options));
+  engine.ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
+  itk::MedialVoxelExtraction extraction = MakeExtraction(engine, call, options);
+  const bool                 measures = extraction.measuresThickness;
+  const ArrayMeasure         measure =
+    engine.FindMeasure(object,
+                       measures && MayMeasureOnGrayValues(options, call.header),
+                       measures ? DescribeMeasureOnObject(options, call.header) : "no thickness is asked for",
+                       options.levels);
+  if (outputs.uncertainty != nullptr && !measure.found.scan)
   {
-    UseMemory(*filter->GetUncertaintyOutput(), outputs.uncertainty, call.array);
+    Fail(ExitStatus::Refused, "array: the uncertainty of the thickness cannot be stated, as ", measure.found.reason);
   }
-  if (vectors != nullptr)
-  {
-    UseMemory(*filter->GetVectorDistanceOutput(), vectors, call.array);
-  }
-  nlohmann::json numbers = Run(*filter, call);
-  if (outputs.uncertainty != nullptr)
-  {
-    KeepPixels(*filter->GetUncertaintyOutput(), outputs.uncertainty);
-  }
-  if (vectors != nullptr)
-  {
-    KeepPixels(*filter->GetVectorDistanceOutput(), vectors);
-    ReverseVectors(outputs.vectors, call.array);
-  }
-  numbers["measure"] =
-    filter->DescribeMeasure(measures ? DescribeMeasureOnObject(options, call.header) : "no thickness is asked for");
-  return numbers;
+  extraction.grayRange = measure.range;
+  const auto & strides = engine.GetStrides();
+  const auto   sums = engine.Run(object, extraction, [&](const itk::MedialVoxelTileResult & tile) {
+    tile.WriteLabels(engine.PlaceOf(outputs.labels, tile.box), strides);
+    if (outputs.thickness != nullptr)
+    {
+      tile.WriteThickness(engine.PlaceOf(outputs.thickness, tile.box), strides);
+    }
+    if (outputs.uncertainty != nullptr)
+    {
+      tile.WriteUncertainty(engine.PlaceOf(outputs.uncertainty, tile.box), strides);
+    }
+    if (outputs.vectors != nullptr)
+    {
+      engine.WriteVectors(tile, outputs.vectors);
+    }
+  });
+  return Describe(sums.counts, object.GetRoughness(), object.IsSmoothed(), measure);
 }
 
-template <typename TPixel>
-nlohmann::json
-ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
+/** \throw JobError Usage for a label that is a name, or that no value has; CorruptInput where values are no labels */
+void
+Prepare(ArrayEngine & engine, const ExtractOptions & options, itk::MedialVoxelLabelInput & map)
 {
-  auto filter = itk::MedialVoxelObjectsImageFilter<ArrayImage<TPixel>>::New();
-  filter->SetInput(MakeImage<TPixel>(call.array));
-  SetJobOptions(*filter, options);
-  SetWalls(*filter, options);
   if (!options.labels->names.empty())
   {
     Fail(ExitStatus::Usage,
@@ -179,18 +107,88 @@ ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
          options.labels->names.front(),
          "' is a name, which an array has none of");
   }
-  if (!options.labels->all)
+  try
   {
-    filter->SetObjectLabels(options.labels->values);
+    engine.ReadBeforeRun([&](const auto & observer) { map.Prepare(observer); });
   }
-  filter->SetGenerateVectorDistance(call.outputs.vectors != nullptr);
-  UseMemory(*filter->GetObjectOutput(), static_cast<TPixel *>(call.outputs.objects), call.array);
-  nlohmann::json numbers = Run(*filter, call);
-  KeepPixels(*filter->GetObjectOutput(), static_cast<TPixel *>(call.outputs.objects));
-  const std::string reason = DescribeMeasureOnObject(options, call.header);
-  numbers["measure"] = { { "on", "object" }, { "scan", nullptr }, { "reason", reason } };
-  numbers["objects"] = DescribeObjects(*filter);
-  numbers["shared_cells"] = filter->GetNumberOfSharedCells();
+  catch (const itk::MedialVoxelLabelError & error)
+  {
+    Fail(ExitStatus::CorruptInput, "array: ", error.what());
+  }
+  if (!map.GetMissingLabels().empty())
+  {
+    Fail(ExitStatus::Usage, "array: no value is the label ", map.GetMissingLabels().front());
+  }
+}
+
+/** The outputs of thickness, which the union fills. */
+std::vector<itk::MedialVoxelObjectUnion::Values>
+MakeValues(const ArrayCall & call)
+{
+  float * const thickness = call.outputs.thickness;
+  if (thickness == nullptr)
+  {
+    return {};
+  }
+  std::fill_n(thickness, call.header.geometry.GetNumberOfVoxels(), 0.0f);
+  const auto write = [](const auto & tile, void * const first, const auto & strides) {
+    tile.WriteThickness(static_cast<float *>(first), strides);
+  };
+  return { { reinterpret_cast<std::byte *>(thickness), sizeof(float), write } };
+}
+
+/** Writes the labels of cells and objects. */
+void
+Write(const itk::MedialVoxelObjectUnion & united, const itk::MedialVoxelLabelTable & table, const ArrayCall & call)
+{
+  std::copy(united.GetLabels().begin(), united.GetLabels().end(), call.outputs.labels);
+  DispatchPixelType(call.header.pixelType, [&](auto zero) {
+    using Value = decltype(zero);
+    const auto valueOf = [&table](const itk::MedialVoxelObjectNumber object) {
+      return object > 0 ? static_cast<Value>(table.GetValue(object)) : Value{};
+    };
+    auto * const objects = static_cast<Value *>(call.outputs.objects);
+    std::transform(united.GetObjects().begin(), united.GetObjects().end(), objects, valueOf);
+  });
+}
+
+nlohmann::json
+ExtractObjects(const ArrayCall & call, const ExtractOptions & options)
+{
+  ArrayEngine                      engine(call, options);
+  const itk::MedialVoxelExtraction extraction = MakeExtraction(engine, call, options);
+  const itk::MedialVoxelBox        image = engine.GetGrid().GetVoxelBox();
+  itk::MedialVoxelLabelInput       map(engine.GetSource(),
+                                 image,
+                                 options.labels->all ? std::vector<std::int64_t>{} : options.labels->values,
+                                 extraction.parameters.maximumPoreSize);
+  Prepare(engine, options, map);
+  itk::MedialVoxelObjectUnion united(map, image.upper, extraction.parameters.maximumPoreSize);
+  united.Begin(image, MakeValues(call));
+  itk::MedialVoxelCounts counts;
+  for (unsigned int pass = 0; pass < map.GetNumberOfPasses(); ++pass)
+  {
+    map.ShowPass(pass);
+    const auto take = [&united](const itk::MedialVoxelTileResult & tile) { united.TakeTile(tile); };
+    counts += engine.Run(map, extraction, take, pass, map.GetNumberOfPasses()).counts;
+    united.FinishPass();
+  }
+  united.Finish();
+  Write(united, map.GetTable(), call);
+  nlohmann::json numbers =
+    Describe(counts, std::nullopt, false, { {}, { {}, DescribeMeasureOnObject(options, call.header) } });
+  numbers["objects"] = nlohmann::json::array();
+  for (const std::int64_t label : map.GetTable().GetValues())
+  {
+    const auto object = map.GetTable().GetNumber(label);
+    const auto found = united.GetSums().cells.find(object);
+    const auto cells = found == united.GetSums().cells.end() ? itk::MedialVoxelObjectUnion::Cells{} : found->second;
+    numbers["objects"].push_back({ { "label", label },
+                                   { "voxels", map.GetObjectVoxels()[object] },
+                                   { "candidate_cells", cells.candidate },
+                                   { "medial_cells", cells.medial } });
+  }
+  numbers["shared_cells"] = united.GetSums().shared;
   return numbers;
 }
 
@@ -200,9 +198,7 @@ nlohmann::json
 ExtractArray(const ArrayCall & call, const ExtractOptions & options)
 {
   CheckFits(call, options);
-  return DispatchPixelType(call.header.pixelType, [&](auto zero) {
-    return options.labels ? ExtractObjects<decltype(zero)>(call, options) : ExtractOne<decltype(zero)>(call, options);
-  });
+  return options.labels ? ExtractObjects(call, options) : ExtractOne(call, options);
 }
 
 } // end namespace medialvoxel

@@ -1,45 +1,36 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "FilterRun.h"
-
-#include "itkLocalThicknessImageFilter.h"
+#include "ArrayEngine.h"
+#include "Errors.h"
 
 namespace medialvoxel
 {
-namespace
-{
-
-template <typename TPixel>
-nlohmann::json
-Measure(const ArrayCall & call, const SurfaceOptions & options)
-{
-  auto filter = itk::LocalThicknessImageFilter<ArrayImage<TPixel>>::New();
-  filter->SetInput(MakeImage<TPixel>(call.array));
-  SetJobOptions(*filter, options);
-  filter->SetMethod(options.localThicknessMethod);
-  const bool mayMeasure =
-    options.localThicknessMethod == LocalThicknessMethod::Wall && HasOneThreshold(options, call.header);
-  SetGrayMeasure(*filter, call, options, options.subVoxel.value_or(mayMeasure));
-  if (options.largestBall)
-  {
-    filter->SetMaximumThickness(*options.largestBall);
-  }
-  UseMemory(*filter->GetOutput(), call.outputs.thickness, call.array);
-  RunFilter(*filter, call.control);
-  KeepPixels(*filter->GetOutput(), call.outputs.thickness);
-  return { { "counts",
-             { { "object_voxels", filter->GetCounts().objectVoxels },
-               { "voxels_at_maximum", filter->GetNumberOfVoxelsAtMaximum() },
-               { "voxels_without_wall", filter->GetNumberOfVoxelsWithoutWall() },
-               { "not_a_number_voxels", filter->GetCounts().notANumberVoxels } } } };
-}
-
-} // namespace
 
 nlohmann::json
 MeasureLocalThickness(const ArrayCall & call, const SurfaceOptions & options)
 {
-  return DispatchPixelType(call.header.pixelType, [&](auto zero) { return Measure<decltype(zero)>(call, options); });
+  const bool isOfWalls = options.localThicknessMethod == LocalThicknessMethod::Wall;
+  if (options.subVoxel.value_or(false) && !isOfWalls)
+  {
+    Fail(ExitStatus::Usage, "array: sub-voxel measures have no effect with the method sphere");
+  }
+  ArrayEngine                    engine(call, options);
+  itk::MedialVoxelLocalThickness task = GetLocalThickness(GetThicknessOptions(options), engine.GetGrid());
+  itk::MedialVoxelObjectInput    object = engine.MakeObject(Smoothing::Off);
+  const bool mayUseValues = options.subVoxel.value_or(isOfWalls && HasOneThreshold(options, call.header));
+  if (task.walls)
+  {
+    task.walls->grayRange = engine.FindMeasure(object, mayUseValues, "", std::nullopt).range;
+  }
+  float * const thickness = call.outputs.thickness;
+  const auto    sums = engine.Run(object, task, [&](const itk::MedialVoxelTileResult & tile) {
+    tile.WriteLocalThickness(engine.PlaceOf(thickness, tile.box), engine.GetStrides());
+  });
+  return { { "counts",
+             { { "object_voxels", sums.counts.objectVoxels },
+               { "voxels_at_maximum", sums.voxelsAtMaximum },
+               { "voxels_without_wall", sums.voxelsWithoutWall },
+               { "not_a_number_voxels", sums.counts.notANumberVoxels } } } };
 }
 
 } // end namespace medialvoxel

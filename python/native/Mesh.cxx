@@ -1,16 +1,13 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "ArrayVolume.h"
-#include "FilterRun.h"
+#include "ArrayEngine.h"
 #include "ProcessMemory.h"
 #include "RimRays.h"
-#include "SurfacePlacement.h"
+#include "SurfaceMesh.h"
 #include "SurfaceReader.h"
 #include "SurfaceRemeshing.h"
 
-#include "itkMedialSurfaceMeshFilter.h"
-#include "itkMultiThreaderBase.h"
-
+#include <algorithm>
 #include <filesystem>
 
 namespace medialvoxel
@@ -18,62 +15,11 @@ namespace medialvoxel
 namespace
 {
 
-/** Points are as exact as the volume is large; cells have their areas. */
-using MeshType = itk::Mesh<float, 3, itk::DefaultStaticMeshTraits<float, 3, 3, double, float, double>>;
-
-/** Takes the mesh apart, with coordinates in the order of the axes of the array. */
-void
-CopyMesh(const MeshType & source, ArrayMesh & mesh)
-{
-  mesh.points.reserve(3 * source.GetNumberOfPoints());
-  mesh.thickness.reserve(source.GetNumberOfPoints());
-  for (itk::IdentifierType i = 0; i < source.GetNumberOfPoints(); ++i)
-  {
-    const auto & point = source.GetPoints()->ElementAt(i);
-    mesh.points.insert(mesh.points.end(), { point[2], point[1], point[0] });
-    mesh.thickness.push_back(source.GetPointData()->ElementAt(i));
-  }
-  mesh.faces.reserve(static_cast<std::size_t>(mesh.cornersPerFace) * source.GetNumberOfCells());
-  for (itk::IdentifierType i = 0; i < source.GetNumberOfCells(); ++i)
-  {
-    const MeshType::CellType & cell = *source.GetCells()->ElementAt(i);
-    mesh.faces.insert(mesh.faces.end(), cell.PointIdsBegin(), cell.PointIdsEnd());
-  }
-}
-
-/** The mesh as the program keeps it, with the areas of its source. */
-std::unique_ptr<SurfaceSpool>
-MakeSpool(const ArrayMesh &             mesh,
-          const MeshType &              source,
-          const VolumeGeometry &        geometry,
-          const std::filesystem::path & folder)
-{
-  std::vector<SurfaceVertex> vertices;
-  for (std::size_t i = 0; i < mesh.thickness.size(); ++i)
-  {
-    const double * const point = mesh.points.data() + 3 * i;
-    vertices.push_back({ { { point[2], point[1], point[0] } }, mesh.thickness[i] });
-  }
-  std::vector<SurfaceFace> faces;
-  const auto               corners = static_cast<std::size_t>(mesh.cornersPerFace);
-  for (std::size_t first = 0; first < mesh.faces.size(); first += corners)
-  {
-    SurfaceFace face{ {}, static_cast<std::uint8_t>(corners) };
-    std::copy_n(mesh.faces.begin() + static_cast<std::ptrdiff_t>(first), corners, face.vertices.begin());
-    face.area = source.GetCellData()->ElementAt(first / corners);
-    faces.push_back(face);
-  }
-  auto spool = std::make_unique<SurfaceSpool>(folder, GetPrecision(geometry));
-  spool->AddVertices(vertices);
-  spool->AddFaces(faces);
-  return spool;
-}
-
-/** Takes a surface apart; a triangle among quadrilaterals has its last corner twice. */
+/** Takes a surface apart, with coordinates in the order of the axes of the array; a triangle among quadrilaterals has
+ * its last corner twice. */
 void
 CopySurface(const SurfaceSpool & surface, ArrayMesh & mesh)
 {
-  mesh = ArrayMesh();
   mesh.cornersPerFace = surface.GetNumberOfTriangles() > 0 && surface.GetNumberOfQuads() == 0 ? 3 : 4;
   SurfaceReader reader(surface, {});
   reader.ForEachVertex([&](std::uint64_t, const SurfaceSpool::Vertex & vertex) {
@@ -89,74 +35,34 @@ CopySurface(const SurfaceSpool & surface, ArrayMesh & mesh)
   });
 }
 
-/** Elements of a size instead of the faces of the voxels.
- * \param source   that the mesh was made of
- * \param findEdge of the part, from its rims */
-void
-Remesh(const ArrayCall &              call,
-       const ExtractOptions &         options,
-       const MeshType &               source,
-       itk::MedialVoxelMeasureRimRays findEdge,
-       ArrayMesh &                    mesh)
-{
-  const VolumeGeometry &          geometry = call.header.geometry;
-  ControlProgress                 progress(call.control);
-  const itk::MedialVoxelPollScope scope(progress);
-  SurfaceRemeshing                remeshing;
-  remeshing.size = GetElementSize(options, geometry);
-  remeshing.size.extendsRims = options.extendsRims;
-  remeshing.size.measureRimRays = std::move(findEdge);
-  remeshing.scratchFolder = std::filesystem::temp_directory_path();
-  remeshing.memoryBytes = options.memoryBytes.value_or(GetFreeMemory() / 2);
-  remeshing.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
-  remeshing.progress = [](double) { itk::MedialVoxelPoll(); };
-  itk::MedialVoxelRemeshingSummary summary;
-  auto                             surface = MakeSpool(mesh, source, geometry, remeshing.scratchFolder);
-  CopySurface(*RemeshSurface(std::move(surface), remeshing, summary), mesh);
-}
-
-template <typename TPixel>
-nlohmann::json
-MakeMesh(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mesh)
-{
-  CheckElementSize(options, call.header.geometry);
-  auto filter = itk::MedialSurfaceMeshFilter<ArrayImage<TPixel>, MeshType>::New();
-  filter->SetInput(MakeImage<TPixel>(call.array));
-  SetJobOptions(*filter, options);
-  SetWalls(*filter, options);
-  SetGrayMeasure(*filter, call, options, MayMeasureOnGrayValues(options, call.header));
-  SetLevels(*filter, options);
-  // Elements are joined from quadrilaterals, whether they become triangles or not.
-  const bool isOfVoxels = options.elementSize.kind == ElementSize::Kind::Voxel;
-  const bool hasTriangles = options.meshTriangles && isOfVoxels;
-  filter->SetGenerateTriangles(hasTriangles);
-  filter->SetMinimumBranchLength(options.minimumBranchLength);
-  filter->SetSmallestComponent(static_cast<itk::SizeValueType>(options.smallestComponent));
-  RunFilter(*filter, call.control);
-  mesh.cornersPerFace = hasTriangles ? 3 : 4;
-  CopyMesh(*filter->GetOutput(), mesh);
-  if (!isOfVoxels)
-  {
-    ArrayVolume                                          volume(call, options, filter->GetObjectIsSmoothed());
-    const auto                                           found = filter->GetScan();
-    std::optional<itk::MedialVoxelExtraction::GrayRange> range;
-    if (filter->GetSubvoxelThickness() && !found.isMask)
-    {
-      range = { filter->GetLowerThreshold(), filter->GetUpperThreshold(), found.scan };
-    }
-    RimRays rays(volume, call.header.geometry, range);
-    Remesh(call, options, *filter->GetOutput(), [&rays](const auto & bundle) { return rays.Measure(bundle); }, mesh);
-  }
-  return nlohmann::json::object();
-}
-
 } // namespace
 
 nlohmann::json
-MeshArray(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & mesh)
+MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh)
 {
-  return DispatchPixelType(call.header.pixelType,
-                           [&](auto zero) { return MakeMesh<decltype(zero)>(call, options, mesh); });
+  ExtractOptions options = given;
+  options.scratchFolder = std::filesystem::temp_directory_path();
+  const VolumeGeometry & geometry = call.header.geometry;
+  CheckElementSize(options, geometry);
+  ArrayEngine                 engine(call, options);
+  itk::MedialVoxelObjectInput object = engine.MakeObject(GetSmoothing(options));
+  engine.ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
+  const ArrayMeasure measure =
+    engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.levels);
+  SurfaceMesh surface(
+    options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * SurfaceMesh::MostBytesPerVoxel);
+  itk::MedialVoxelExtraction extraction;
+  extraction.parameters = GetParameters(options, engine.GetGrid());
+  extraction.grayRange = measure.range;
+  extraction.AddObserver(surface.GetObserver());
+  engine.Run(object, extraction, [](const itk::MedialVoxelTileResult &) {});
+  RimRays rays(object, geometry, measure.range);
+  surface.FindEdgesWith([&rays](const auto & bundle) { return rays.Measure(bundle); });
+  engine.ReadBeforeRun([&](const auto & observer) {
+    const std::uint64_t memoryBytes = options.memoryBytes.value_or(GetFreeMemory() / 2);
+    CopySurface(surface.Finish(memoryBytes, engine.GetNumberOfThreads(), observer), mesh);
+  });
+  return nlohmann::json::object();
 }
 
 } // end namespace medialvoxel

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ArrayRun.h"
 
-#include "CommandLine.h"
-#include "CommandWords.h"
+#include "ArraySource.h"
 #include "JobResult.h"
 #include "NamedCounts.h"
+#include "ObjectRule.h"
 #include "OptionChecks.h"
+#include "OptionTable.h"
 #include "ValueStatistics.h"
 #include "Warnings.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -33,8 +36,8 @@ SetObject(const ArrayCall & call, JobOptions & options)
         throw StoppedBySignal(0);
       }
     };
-    const std::uint64_t number = call.header.geometry.GetNumberOfVoxels();
-    SetOtsuThreshold(options, call.header, MeasureValues(call.header.pixelType, call.array.values, number, stop));
+    ArraySource source(call);
+    SetOtsuThreshold(options, call.header, MeasureValues(source, call.header.geometry.GetVoxelBox(), {}, stop));
   }
 }
 
@@ -83,14 +86,70 @@ AddWarnings(nlohmann::json & numbers, const ArrayCall & call, const TOptions & o
   }
 }
 
+/** The row of the option or, for other words, of the argument that comes next. */
+const OptionRow &
+FindRow(unsigned int command, const std::string & name, std::size_t & arguments)
+{
+  const bool  isArgument = name.compare(0, 2, "--") != 0;
+  std::size_t passed = 0;
+  for (const OptionRow & row : ListOptions())
+  {
+    const bool isOfCommand = (row.commands & command) != 0;
+    if (isOfCommand && (isArgument ? row.IsArgument() && passed++ == arguments : row.name == name))
+    {
+      arguments += isArgument ? 1 : 0;
+      return row;
+    }
+  }
+  Fail(ExitStatus::Usage, "the command has no option ", name);
+}
+
+/** Sets what words say, one for each argument or option; its value stands behind an equals sign.
+ * \throw JobError Usage for wrong values, and for options without an effect */
+void
+SetOptions(unsigned int command, const std::vector<std::string> & words, const OptionTarget & target)
+{
+  std::size_t                    arguments = 0;
+  std::vector<const OptionRow *> given;
+  for (const std::string & word : words)
+  {
+    const std::size_t sign = word.compare(0, 2, "--") == 0 ? word.find('=') : std::string::npos;
+    const OptionRow & row = FindRow(command, word.substr(0, sign), arguments);
+    try
+    {
+      row.value.set(target, row.IsArgument() ? word : (sign == std::string::npos ? "true" : word.substr(sign + 1)));
+    }
+    catch (const WrongValue & error)
+    {
+      Fail(ExitStatus::Usage, row.name, ": ", error.what());
+    }
+    given.push_back(&row);
+  }
+  for (const OptionRow * const row : given)
+  {
+    if (row->hasEffect && !row->hasEffect(target))
+    {
+      Fail(ExitStatus::Usage, row->name, " has no effect here; it needs ", row->need);
+    }
+  }
+}
+
+/** Sets options of a command, and runs it. */
 template <typename TOptions, typename TRun>
 nlohmann::json
-Run(const ArrayCall & call, TOptions & options, TRun && run)
+Run(const ArrayCall & call, unsigned int command, const std::vector<std::string> & words, TRun && run)
 {
+  TOptions       options;
+  ProgramOptions program;
+  SetOptions(command, words, MakeTarget(options, program));
   CheckOptions(options);
+  if constexpr (std::is_same_v<TOptions, ExtractOptions>)
+  {
+    GetParameters(options, GetGrid(options, call.header));
+  }
   SetObject(call, options);
   CheckOptions(options); // with the threshold of Otsu
-  nlohmann::json numbers = run();
+  nlohmann::json numbers = run(call, options);
   numbers["lower"] = options.lowerThreshold ? nlohmann::json(options.lowerThreshold->GetNearestDouble()) : nullptr;
   AddWarnings(numbers, call, options);
   return numbers;
@@ -101,22 +160,23 @@ Run(const ArrayCall & call, TOptions & options, TRun && run)
 nlohmann::json
 RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMesh & mesh)
 {
-  CommandLine line;
-  const auto  app = DefineCommandLine(line);
-  ParseWords(*app, std::move(arguments));
-  CompleteCommandLine(line);
-  if (line.surface->parsed()) // of its thickness alone
+  const std::string command = arguments.at(0);
+  arguments.erase(arguments.begin());
+  if (command == "surface") // of its thickness alone
   {
-    return Run(call, line.surfaceOptions, [&] { return MeasureLocalThickness(call, line.surfaceOptions); });
+    return Run<SurfaceOptions>(call, Commands::Surface, arguments, MeasureLocalThickness);
   }
-  if (line.distance->parsed())
+  if (command == "distance")
   {
-    return Run(call, line.distanceOptions, [&] { return MeasureDistances(call, line.distanceOptions); });
+    return Run<DistanceOptions>(call, Commands::Distance, arguments, MeasureDistances);
   }
-  ExtractOptions & options = line.mesh->parsed() ? line.meshOptions : line.extractOptions;
-  GetParameters(options, GetGrid(options, call.header));
-  return Run(
-    call, options, [&] { return line.mesh->parsed() ? MeshArray(call, options, mesh) : ExtractArray(call, options); });
+  if (command == "mesh")
+  {
+    return Run<ExtractOptions>(call, Commands::Mesh, arguments, [&mesh](const auto & of, const auto & options) {
+      return MeshArray(of, options, mesh);
+    });
+  }
+  return Run<ExtractOptions>(call, Commands::Extract, arguments, ExtractArray);
 }
 
 } // end namespace medialvoxel

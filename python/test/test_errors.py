@@ -98,7 +98,7 @@ class Errors(Folder):
 
     def test_labels(self):
         cells = np.ones((4, 4, 4), np.int16)
-        for labels, message in (([7], "No voxel of the input has the label 7"), (["bone"], "is a name"), ([], "is empty")):
+        for labels, message in (([7], "no value is the label 7"), (["bone"], "is a name"), ([], "is empty")):
             with self.subTest(labels), self.assertRaises(ValueError) as caught:
                 medialvoxel.extract(cells, labels=labels)
             self.assertIn(message, str(caught.exception))

@@ -109,7 +109,7 @@ class LocalThickness(unittest.TestCase):
 
     def test_wrong_values(self):
         cases = [
-            ({"lower": 40, "sub_voxel": True, "method": "sphere"}, "no effect with the Method Sphere"),
+            ({"lower": 40, "sub_voxel": True, "method": "sphere"}, "no effect with the method sphere"),
             ({"sub_voxel": True}, "sub-voxel measures need a threshold"),
             ({"method": "ball"}, "--local-thickness-method"),
             ({"largest_ball": 0}, "--largest-ball: '0' is not a finite number greater than 0"),

@@ -188,11 +188,12 @@ MedialVoxelEngine::IsLast(const MedialVoxelBox & region) const
 
 MedialVoxelSums
 MedialVoxelEngine::Run(const MedialVoxelBox &    region,
+                       MedialVoxelObjectSource & source,
                        MedialVoxelEngineClient & client,
                        const MedialVoxelBox &    nextRegion)
 {
   MedialVoxelExecution execution(
-    region, m_Implementation->GetTask(), m_Implementation->m_Walker, client, m_Implementation->m_Workspaces);
+    region, m_Implementation->GetTask(), m_Implementation->m_Walker, source, client, m_Implementation->m_Workspaces);
   return execution.Run(nextRegion);
 }
 

@@ -25,11 +25,13 @@ SecondsSince(const ClockType::time_point & start)
 MedialVoxelExecution::MedialVoxelExecution(const MedialVoxelBox &      region,
                                            const MedialVoxelTileTask & task,
                                            MedialVoxelSlabWalker &     walker,
+                                           MedialVoxelObjectSource &   source,
                                            MedialVoxelEngineClient &   client,
                                            MedialVoxelWorkspacePool &  workspaces)
   : m_Region(region)
   , m_Task(task)
   , m_Walker(walker)
+  , m_Source(source)
   , m_Client(client)
   , m_CallingThread(std::this_thread::get_id())
   , m_Workspaces(workspaces)
@@ -43,7 +45,7 @@ MedialVoxelExecution::Run(const MedialVoxelBox & nextRegion)
   m_Task.Begin();
   try
   {
-    m_Walker.Run(m_Region, nextRegion, *this);
+    m_Walker.Run(m_Region, nextRegion, m_Source, *this);
   }
   catch (...)
   {
@@ -56,47 +58,6 @@ MedialVoxelExecution::Run(const MedialVoxelBox & nextRegion)
   }
   m_Task.Commit();
   return m_Sums;
-}
-
-MedialVoxelSourceThreads
-MedialVoxelExecution::GetSourceThreads() const
-{
-  return m_Client.GetSourceThreads();
-}
-
-std::int64_t
-MedialVoxelExecution::GetRowsReadTogether() const
-{
-  return m_Client.GetRowsReadTogether();
-}
-
-void
-MedialVoxelExecution::FillObject(const MedialVoxelBox &  box,
-                                 MedialVoxelBits &       object,
-                                 MedialVoxelBits * const notANumber)
-{
-  m_Client.FillObject(box, object, notANumber);
-}
-
-void
-MedialVoxelExecution::FillObjectAndGray(const MedialVoxelBox &  box,
-                                        MedialVoxelBits &       object,
-                                        MedialVoxelBits * const notANumber,
-                                        MedialVoxelGray &       gray)
-{
-  m_Client.FillObjectAndGray(box, object, notANumber, gray);
-}
-
-void
-MedialVoxelExecution::FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray)
-{
-  m_Client.FillGray(box, gray);
-}
-
-void
-MedialVoxelExecution::ThrowIfAborted() const
-{
-  MedialVoxelPoll();
 }
 
 void
@@ -127,7 +88,7 @@ MedialVoxelExecution::RunSchedule(MedialVoxelSlabSchedule & schedule)
   }
   // Other workers may have done all of a short run meanwhile.
   this->Beat();
-  this->ThrowIfAborted();
+  MedialVoxelPoll();
 }
 
 void
@@ -156,7 +117,7 @@ bool
 MedialVoxelExecution::WaitForWork(Work & work)
 {
   const bool                   isCallingThread = this->IsCallingThread();
-  const bool                   isPipeline = this->GetSourceThreads() == MedialVoxelSourceThreads::Calling;
+  const bool                   isPipeline = m_Source.GetSourceThreads() == MedialVoxelSourceThreads::Calling;
   std::unique_lock<std::mutex> lock(m_Mutex);
   while (!this->IsAborted() && !m_Schedule->IsDone())
   {
@@ -217,7 +178,7 @@ MedialVoxelExecution::Do(const Work & work)
   }
   else
   {
-    m_Schedule->DoWindowWork(work, *this);
+    m_Schedule->DoWindowWork(work, m_Source);
   }
   const double                      seconds = SecondsSince(start);
   const std::lock_guard<std::mutex> lock(m_Mutex);

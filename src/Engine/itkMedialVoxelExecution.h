@@ -24,7 +24,7 @@ namespace itk
  * \ingroup MedialVoxel
  */
 class MedialVoxelExecution
-  : public MedialVoxelTileRunner
+  : public MedialVoxelScheduleRunner
   , public MedialVoxelProgress
 {
 public:
@@ -33,33 +33,13 @@ public:
   MedialVoxelExecution(const MedialVoxelBox &      region,
                        const MedialVoxelTileTask & task,
                        MedialVoxelSlabWalker &     walker,
+                       MedialVoxelObjectSource &   source,
                        MedialVoxelEngineClient &   client,
                        MedialVoxelWorkspacePool &  workspaces);
 
   /** Process the region; the window of \a nextRegion is prepared meanwhile. */
   MedialVoxelSums
   Run(const MedialVoxelBox & nextRegion);
-
-  MedialVoxelSourceThreads
-  GetSourceThreads() const override;
-
-  std::int64_t
-  GetRowsReadTogether() const override;
-
-  void
-  FillObject(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelBits * notANumber) override;
-
-  void
-  FillObjectAndGray(const MedialVoxelBox & box,
-                    MedialVoxelBits &      object,
-                    MedialVoxelBits *      notANumber,
-                    MedialVoxelGray &      gray) override;
-
-  void
-  FillGray(const MedialVoxelBox & box, MedialVoxelGray & gray) override;
-
-  void
-  ThrowIfAborted() const override;
 
   void
   RunSchedule(MedialVoxelSlabSchedule & schedule) override;
@@ -124,6 +104,7 @@ private:
   MedialVoxelBox              m_Region;
   const MedialVoxelTileTask & m_Task;
   MedialVoxelSlabWalker &     m_Walker;
+  MedialVoxelObjectSource &   m_Source;
   MedialVoxelEngineClient &   m_Client;
   std::thread::id             m_CallingThread;
   std::atomic<std::uint64_t>  m_DoneVoxels{ 0 };

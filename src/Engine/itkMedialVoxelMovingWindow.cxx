@@ -204,7 +204,7 @@ MedialVoxelMovingWindow::MoveTo(const MedialVoxelBox &    sites,
   {
     this->Fill(part, source);
   }
-  this->ChangeSmallComponents(source);
+  this->ChangeSmallComponents();
   for (const MedialVoxelBox & part : this->CutToMark(1))
   {
     this->Mark(part);
@@ -275,20 +275,13 @@ MedialVoxelMovingWindow::Fill(const MedialVoxelBox & part, MedialVoxelObjectSour
   MedialVoxelBits * const notANumber = m_KeepsNotANumber ? &m_NotANumber : nullptr;
   for (const MedialVoxelBox & box : MedialVoxelSubtractBox(part, m_Known.input))
   {
-    if (isTogether)
-    {
-      source.FillObjectAndGray(box, m_Object, notANumber, m_Gray);
-    }
-    else
-    {
-      source.FillObject(box, m_Object, notANumber);
-    }
+    source.Fill(box, { &m_Object, notANumber, isTogether ? &m_Gray : nullptr });
   }
   if (m_KeepsGray && !isTogether)
   {
     for (const MedialVoxelBox & box : MedialVoxelSubtractBox(part.Intersection(m_Gray.GetBox()), m_Known.gray))
     {
-      source.FillGray(box, m_Gray);
+      source.Fill(box, { nullptr, nullptr, &m_Gray });
     }
   }
 }
@@ -309,7 +302,7 @@ MedialVoxelMovingWindow::CopyRows(const MedialVoxelBox & part)
 }
 
 void
-MedialVoxelMovingWindow::ChangeSmallComponents(MedialVoxelObjectSource & source)
+MedialVoxelMovingWindow::ChangeSmallComponents()
 {
   const MedialVoxelBox objectBox = this->GetObjectBox(m_Sites);
   if (m_SmallComponents.IsOn())
@@ -324,7 +317,7 @@ MedialVoxelMovingWindow::ChangeSmallComponents(MedialVoxelObjectSource & source)
     }
     for (const MedialVoxelBox & part : MedialVoxelSubtractBox(objectBox, m_FinalBox))
     {
-      m_SmallComponents.Change(part, m_Object, m_Changed, [&source]() { source.ThrowIfAborted(); });
+      m_SmallComponents.Change(part, m_Object, m_Changed);
     }
   }
   m_FinalBox = objectBox;

@@ -101,7 +101,7 @@ public:
     return m_SmallComponents.IsOn();
   }
   void
-  ChangeSmallComponents(MedialVoxelObjectSource & source);
+  ChangeSmallComponents();
 
   /** Parts of the sites whose boundary is to be marked. */
   std::vector<MedialVoxelBox>

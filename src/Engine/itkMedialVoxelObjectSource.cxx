@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "itkMedialVoxelObjectSource.h"
 
-#include <stdexcept>
-
 namespace itk
 {
 
@@ -20,24 +18,5 @@ MedialVoxelObjectSource::GetRowsReadTogether() const
 {
   return 1;
 }
-
-void
-MedialVoxelObjectSource::FillObjectAndGray(const MedialVoxelBox &,
-                                           MedialVoxelBits &,
-                                           MedialVoxelBits *,
-                                           MedialVoxelGray &)
-{
-  throw std::logic_error("MedialVoxelObjectSource: this source has no values");
-}
-
-void
-MedialVoxelObjectSource::FillGray(const MedialVoxelBox &, MedialVoxelGray &)
-{
-  throw std::logic_error("MedialVoxelObjectSource: this source has no values");
-}
-
-void
-MedialVoxelObjectSource::ThrowIfAborted() const
-{}
 
 } // end namespace itk

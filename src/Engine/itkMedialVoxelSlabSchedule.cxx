@@ -151,7 +151,7 @@ MedialVoxelSlabSchedule::DoWindowWork(const Work & work, MedialVoxelObjectSource
       window.Fill(work.box, source);
       break;
     case Phase::ChangeSmallComponents:
-      window.ChangeSmallComponents(source);
+      window.ChangeSmallComponents();
       break;
     default:
       window.Mark(work.box);

@@ -7,6 +7,8 @@
 namespace itk
 {
 
+MedialVoxelScheduleRunner::~MedialVoxelScheduleRunner() = default;
+
 MedialVoxelSlabWalker::MedialVoxelSlabWalker(const MedialVoxelGrid & grid, const Settings & settings)
   : m_Plan(grid, settings)
   , m_State{ { m_Plan.MakeWindow(), m_Plan.MakeWindow() }, m_Plan.MakeWindow(), settings.halo }
@@ -45,13 +47,14 @@ MedialVoxelSlabWalker::GetMissingObjectBoxes(const MedialVoxelBox & region) cons
 }
 
 void
-MedialVoxelSlabWalker::Run(const MedialVoxelBox &  region,
-                           const MedialVoxelBox &  nextRegion,
-                           MedialVoxelTileRunner & runner)
+MedialVoxelSlabWalker::Run(const MedialVoxelBox &      region,
+                           const MedialVoxelBox &      nextRegion,
+                           MedialVoxelObjectSource &   source,
+                           MedialVoxelScheduleRunner & runner)
 {
   try
   {
-    MedialVoxelSlabSchedule schedule(m_Plan, m_State, runner);
+    MedialVoxelSlabSchedule schedule(m_Plan, m_State, source);
     schedule.Begin(region, nextRegion);
     runner.RunSchedule(schedule);
     schedule.CheckThatAllIsDone();

@@ -12,13 +12,15 @@
 namespace itk
 {
 
-/** \class MedialVoxelTileRunner
- * \brief What a walker needs: object bits, and threads that do the work of a schedule.
+/** \class MedialVoxelScheduleRunner
+ * \brief Threads that do the work of a schedule.
  * \ingroup MedialVoxel
  */
-class MedialVoxel_EXPORT MedialVoxelTileRunner : public MedialVoxelObjectSource
+class MedialVoxel_EXPORT MedialVoxelScheduleRunner
 {
 public:
+  virtual ~MedialVoxelScheduleRunner();
+
   /** Do all work of \a schedule with any number of threads. Throws to stop. */
   virtual void
   RunSchedule(MedialVoxelSlabSchedule & schedule) = 0;
@@ -55,7 +57,10 @@ public:
    * next call.
    * \throw MedialVoxelMemoryShortage when the memory limit does not hold what a slab of one voxel depends on. */
   void
-  Run(const MedialVoxelBox & region, const MedialVoxelBox & nextRegion, MedialVoxelTileRunner & runner);
+  Run(const MedialVoxelBox &      region,
+      const MedialVoxelBox &      nextRegion,
+      MedialVoxelObjectSource &   source,
+      MedialVoxelScheduleRunner & runner);
 
   /** Bytes that the windows have. */
   std::uint64_t

@@ -113,14 +113,14 @@ public:
   }
 
   void
-  Run(const MedialVoxelBox & seeds, const MedialVoxelBox & touched, const std::function<void()> & beforeSlice)
+  Run(const MedialVoxelBox & seeds, const MedialVoxelBox & touched)
   {
     // What begins at the edge of the bits is not known to be small.
     const MedialVoxelBox inner = this->InnerBox();
     const MedialVoxelBox box = seeds.Intersection(inner);
     for (std::int64_t z = box.lower[2]; z < box.upper[2] && !box.IsEmpty(); ++z)
     {
-      beforeSlice();
+      MedialVoxelPoll();
       for (std::int64_t y = box.lower[1]; y < box.upper[1]; ++y)
       {
         m_Poll.Count(static_cast<std::uint32_t>(box.Extent(0) / MedialVoxelBits::BitsPerWord + 1));
@@ -351,19 +351,18 @@ MedialVoxelSmallComponents::GetWorkspaceBytes(const MedialVoxelBox & box) const
 }
 
 void
-MedialVoxelSmallComponents::Change(const MedialVoxelBox &        box,
-                                   MedialVoxelBits &             object,
-                                   MedialVoxelSparseBits &       changed,
-                                   const std::function<void()> & beforeSlice) const
+MedialVoxelSmallComponents::Change(const MedialVoxelBox &  box,
+                                   MedialVoxelBits &       object,
+                                   MedialVoxelSparseBits & changed) const
 {
   if (!this->IsOn())
   {
     return;
   }
   const MedialVoxelBox seeds = box.Expanded(m_Margin).Intersection(object.GetBox());
-  ComponentChange(m_Grid, m_MaximumSize, false, object, changed).Run(seeds, seeds, beforeSlice);
+  ComponentChange(m_Grid, m_MaximumSize, false, object, changed).Run(seeds, seeds);
   // Beside the box it is not known which object components are surrounded by pores.
-  ComponentChange(m_Grid, m_MaximumSize, true, object, changed).Run(seeds, box, beforeSlice);
+  ComponentChange(m_Grid, m_MaximumSize, true, object, changed).Run(seeds, box);
 }
 
 } // end namespace itk

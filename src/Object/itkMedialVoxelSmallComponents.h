@@ -10,7 +10,6 @@
 #include "MedialVoxelExport.h"
 
 #include <cstdint>
-#include <functional>
 
 namespace itk
 {
@@ -58,13 +57,9 @@ public:
 
   /** Change what is to be changed in \a box, with what it depends on in the margin; the bits hold both.
    *
-   * \param changed has the box of \a object; the bits of the voxels that change are inverted
-   * \param beforeSlice is called now and then, and may throw to stop */
+   * \param changed has the box of \a object; the bits of the voxels that change are inverted */
   void
-  Change(const MedialVoxelBox &        box,
-         MedialVoxelBits &             object,
-         MedialVoxelSparseBits &       changed,
-         const std::function<void()> & beforeSlice) const;
+  Change(const MedialVoxelBox & box, MedialVoxelBits & object, MedialVoxelSparseBits & changed) const;
 
 private:
   MedialVoxelGrid  m_Grid;

@@ -187,9 +187,9 @@ ClusterMarker
 ClusterWorker::Compute(const SliceRange & range)
 {
   const auto   start = JobClock::now();
-  const double readBefore = m_Run.GetInput().GetReadSeconds();
+  const double readBefore = m_Run.GetInput().GetSource().GetReadSeconds();
   const double writtenBefore = m_Run.GetWriteSeconds();
-  const auto   bytesBefore = m_Run.GetInput().GetNumberOfBytesRead();
+  const auto   bytesBefore = m_Run.GetInput().GetSource().GetNumberOfBytesRead();
   m_Run.GetFindings().Clear();
   for (const auto & volume : m_Volumes)
   {
@@ -206,9 +206,10 @@ ClusterWorker::Compute(const SliceRange & range)
   marker.seconds.distance = marker.sums.distanceSeconds;
   marker.seconds.classification = marker.sums.classificationSeconds;
   marker.seconds.tiles = marker.sums.tileSeconds;
-  marker.seconds.inputOutput = m_Run.GetInput().GetReadSeconds() - readBefore + m_Run.GetWriteSeconds() - writtenBefore;
+  marker.seconds.inputOutput =
+    m_Run.GetInput().GetSource().GetReadSeconds() - readBefore + m_Run.GetWriteSeconds() - writtenBefore;
   marker.seconds.total = SecondsSince(start);
-  marker.bytesRead = m_Run.GetInput().GetNumberOfBytesRead() - bytesBefore;
+  marker.bytesRead = m_Run.GetInput().GetSource().GetNumberOfBytesRead() - bytesBefore;
   marker.peakMemoryBytes = GetPeakMemoryBytes();
   marker.plannedMemoryBytes = m_Plan.plan.memoryBytes;
   marker.memoryLimit = m_Plan.plan.memoryLimit;

@@ -14,9 +14,9 @@
 #include "PrepareJob.h"
 #include "ScanMeasure.h"
 #include "SharedJob.h"
-#include "ValueStatistics.h"
 #include "Version.h"
 #include "VolumeFormats.h"
+#include "VolumeStatistics.h"
 #include "Warnings.h"
 
 #include <algorithm>
@@ -139,11 +139,11 @@ MeasureVolume(PlanOptions & options, const JobResult & job, const ProgressSink &
     options.measure = WallMeasure{ false, std::nullopt, DescribeMeasureOnObject(options, job.input) };
     return;
   }
-  const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
-  const auto input = OpenInputVolume(header, options, job.plan.bytesToKeep, GetSmoothing(options));
-  input->Prepare(observer);
-  options.roughness = input->GetRoughness();
-  options.measure = FindWallMeasure(*input, header, options, observer);
+  const auto  observer = [&sink](double) { ThrowIfStopRequested(sink); };
+  InputVolume input(header, options, job.plan.bytesToKeep, GetSmoothing(options));
+  input.Prepare(observer);
+  options.roughness = input.GetRoughness();
+  options.measure = FindWallMeasure(input, header, options, observer);
 }
 
 void

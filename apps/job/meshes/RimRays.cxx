@@ -68,7 +68,9 @@ GetRimLimits(const VolumeGeometry & geometry)
   return limits;
 }
 
-RimRays::RimRays(InputVolume & input, const VolumeGeometry & geometry, const std::optional<GrayRange> & range)
+RimRays::RimRays(itk::MedialVoxelObjectSource &   input,
+                 const VolumeGeometry &           geometry,
+                 const std::optional<GrayRange> & range)
   : m_Input(input)
   , m_Size(GetSize(geometry))
   , m_Origin(GetPlacement(geometry).origin)
@@ -125,7 +127,7 @@ RimRays::FindBox(const itk::MedialVoxelRimRays & rays) const
 void
 RimRays::Read(const itk::MedialVoxelBox & box)
 {
-  VoxelTargets targets;
+  itk::MedialVoxelTargets targets;
   m_Object.Reshape(box);
   targets.object = &m_Object;
   if (m_Range)

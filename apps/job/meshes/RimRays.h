@@ -3,9 +3,10 @@
 #ifndef medialvoxelRimRays_h
 #define medialvoxelRimRays_h
 
-#include "InputVolume.h"
+#include "VolumeHeader.h"
 
 #include "itkMedialVoxelEngineSettings.h"
+#include "itkMedialVoxelObjectSource.h"
 #include "itkMedialVoxelRimExtension.h"
 #include "itkMedialVoxelSurfaceConsumer.h"
 
@@ -31,7 +32,9 @@ public:
 
   /** \param input stays as long as this; it is prepared
    * \param range of the values of the part; none: its bits count */
-  RimRays(InputVolume & input, const VolumeGeometry & geometry, const std::optional<GrayRange> & range);
+  RimRays(itk::MedialVoxelObjectSource &   input,
+          const VolumeGeometry &           geometry,
+          const std::optional<GrayRange> & range);
 
   /** As itk::MedialVoxelMeasureRimRays */
   std::vector<double>
@@ -60,14 +63,14 @@ private:
   double
   MeasureRay(const Vector & start, const Vector & step, double steps) const;
 
-  InputVolume &            m_Input;
-  itk::MedialVoxelIndex    m_Size;
-  Vector                   m_Origin;
-  std::array<Vector, 3>    m_ToIndex{}; ///< row by row, from physical vectors to steps of the index
-  double                   m_Step;      ///< of rays, physical
-  std::optional<GrayRange> m_Range;
-  itk::MedialVoxelBits     m_Object;
-  itk::MedialVoxelGray     m_Gray;
+  itk::MedialVoxelObjectSource & m_Input;
+  itk::MedialVoxelIndex          m_Size;
+  Vector                         m_Origin;
+  std::array<Vector, 3>          m_ToIndex{}; ///< row by row, from physical vectors to steps of the index
+  double                         m_Step;      ///< of rays, physical
+  std::optional<GrayRange>       m_Range;
+  itk::MedialVoxelBits           m_Object;
+  itk::MedialVoxelGray           m_Gray;
 };
 
 } // end namespace medialvoxel

@@ -147,8 +147,7 @@ SurfaceMesh::Write(OutputFile &                        file,
   return summary;
 }
 
-/** Sorts the surface and rids it of what is too short or too small. */
-void
+const SurfaceSpool &
 SurfaceMesh::Finish(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress)
 {
   if (m_Passes)
@@ -179,6 +178,7 @@ SurfaceMesh::Finish(std::uint64_t memoryBytes, unsigned int threads, const std::
     m_Area = 0.0;
     SurfaceReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const SurfaceFace & face) { m_Area += face.area; });
   }
+  return *m_Spool;
 }
 
 void

@@ -89,6 +89,10 @@ public:
         unsigned int                        threads,
         const std::function<void(double)> & progress);
 
+  /** Finishes the surface after the last piece, as Write() does: sorted, and rid of what is too short or too small. */
+  const SurfaceSpool &
+  Finish(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress);
+
   /** Memory of a surface of thin walls that is built, beside that of the workers. */
   static std::uint64_t
   GetBytes(const ExtractOptions & options, const VolumeGeometry & geometry);
@@ -106,9 +110,6 @@ private:
 
   std::unique_ptr<itk::MedialVoxelSurfaceObserver>
   MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const;
-
-  void
-  Finish(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress);
 
   void
   Remesh(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress);

@@ -5,6 +5,8 @@
 
 #include "Errors.h"
 
+#include "itkMedialVoxelValues.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,19 +16,7 @@ namespace medialvoxel
 {
 
 /** Types of voxel values that are read. */
-enum class PixelType : std::uint8_t
-{
-  UInt8,
-  Int8,
-  UInt16,
-  Int16,
-  UInt32,
-  Int32,
-  UInt64,
-  Int64,
-  Float32,
-  Float64
-};
+using PixelType = itk::MedialVoxelValueType;
 
 /** Names of a type in the program and in MetaImage headers, and its size. */
 struct PixelTypeTraits
@@ -74,30 +64,7 @@ template <typename TFunction>
 auto
 DispatchPixelType(PixelType type, TFunction && function)
 {
-  switch (type)
-  {
-    case PixelType::UInt8:
-      return function(std::uint8_t{});
-    case PixelType::Int8:
-      return function(std::int8_t{});
-    case PixelType::UInt16:
-      return function(std::uint16_t{});
-    case PixelType::Int16:
-      return function(std::int16_t{});
-    case PixelType::UInt32:
-      return function(std::uint32_t{});
-    case PixelType::Int32:
-      return function(std::int32_t{});
-    case PixelType::UInt64:
-      return function(std::uint64_t{});
-    case PixelType::Int64:
-      return function(std::int64_t{});
-    case PixelType::Float32:
-      return function(float{});
-    case PixelType::Float64:
-      return function(double{});
-  }
-  Fail(ExitStatus::Failure, "pixel type ", static_cast<int>(type), " is not one of the types read");
+  return itk::MedialVoxelWithValueType(type, function);
 }
 
 } // end namespace medialvoxel

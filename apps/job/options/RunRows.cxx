@@ -6,8 +6,6 @@
 #include "SlicerElements.h"
 #include "Text.h"
 
-#include "itkMultiThreaderBase.h"
-
 #include <algorithm>
 #include <filesystem>
 
@@ -142,7 +140,7 @@ AddResources(std::vector<OptionRow> & rows)
       "without a name.")
     .KeepForRun()
     .Slicer({ Group, "scratchFolder", "Scratch folder", "", "directory", "input" });
-  constexpr std::int64_t mostThreads = itk::ITK_MAX_THREADS;
+  constexpr std::int64_t mostThreads = 128; // that ITK starts
   AddRow(rows, "--threads", "N", Count(&JobOptions::threads, 1, mostThreads))
     .Of(Runs | Work, Group)
     .Help("Threads (default: one per processor)", "Results do not depend on it.")

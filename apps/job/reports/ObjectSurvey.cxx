@@ -7,7 +7,7 @@
 namespace medialvoxel
 {
 
-ObjectSurvey::ObjectSurvey(const Survey & survey, const ObjectPiece & piece)
+ObjectSurvey::ObjectSurvey(const Survey & survey, const itk::MedialVoxelObjectRegion & piece)
   : m_Survey(survey)
   , m_Piece(piece)
 {}

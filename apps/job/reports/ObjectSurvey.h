@@ -5,8 +5,9 @@
 
 #include "Json.h"
 #include "LengthHistogram.h"
-#include "ObjectPiece.h"
 #include "Survey.h"
+
+#include "itkMedialVoxelObjectRegion.h"
 
 #include <cstdint>
 #include <map>
@@ -22,12 +23,14 @@ namespace medialvoxel
 class ObjectSurvey : public itk::MedialVoxelTileObserver
 {
 public:
+  using ObjectNumber = itk::MedialVoxelObjectNumber;
+
   /** Bytes of an object with walls of up to 16 voxels. */
   static constexpr std::uint64_t BytesPerObject = std::uint64_t{ 1 } << 15;
 
   /** \param survey sees the same tiles, and says which cells are measured
    * \param piece the objects of the cells that are at hand; both must outlive it */
-  ObjectSurvey(const Survey & survey, const ObjectPiece & piece);
+  ObjectSurvey(const Survey & survey, const itk::MedialVoxelObjectRegion & piece);
 
   /** The pass that the tiles from now on belong to. */
   void
@@ -84,13 +87,13 @@ private:
   static void
   AddCell(Sums & sums, bool isMedial);
 
-  const Survey &       m_Survey;
-  const ObjectPiece &  m_Piece;
-  unsigned int         m_Pass{ 0 };
-  std::mutex           m_Mutex; // of what follows
-  SumsByObject         m_Pending;
-  std::vector<Unknown> m_Unknown;
-  SumsByObject         m_Total;
+  const Survey &                       m_Survey;
+  const itk::MedialVoxelObjectRegion & m_Piece;
+  unsigned int                         m_Pass{ 0 };
+  std::mutex                           m_Mutex; // of what follows
+  SumsByObject                         m_Pending;
+  std::vector<Unknown>                 m_Unknown;
+  SumsByObject                         m_Total;
 };
 
 } // end namespace medialvoxel

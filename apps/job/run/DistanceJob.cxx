@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FinishJob.h"
 #include "JobClock.h"
+#include "ObjectRule.h"
 #include "OutputSet.h"
 #include "OptionChecks.h"
 #include "Outputs.h"
@@ -11,9 +12,9 @@
 #include "ReadVolumeHeader.h"
 #include "ReportSummary.h"
 #include "StopListener.h"
-#include "ValueStatistics.h"
 #include "VolumeFormats.h"
 #include "VolumeJob.h"
+#include "VolumeStatistics.h"
 #include "Warnings.h"
 
 #include <limits>
@@ -47,10 +48,11 @@ GetFootprint(const DistanceOptions & options, const VolumeHeader & header)
 void
 Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto  input = OpenInputVolume(result.input, options, result.plan.bytesToKeep);
+  InputVolume input(result.input, options, result.plan.bytesToKeep, Smoothing::Off);
   PieceLoop   loop(result.plan, result.input, 1, sink);
-  PieceEngine engine(*input, result.input, options, result.plan, MakeDistanceMap(options), loop.GetObserver());
-  OutputSet   outputs(options, result.plan.writesBehind);
+  PieceEngine engine(
+    input.GetInput(), result.input, options, result.plan, MakeDistanceMap(options), loop.GetObserver());
+  OutputSet outputs(options, result.plan.writesBehind);
   for (const VolumeRequest & request : ListVolumes(options, result.input))
   {
     engine.AddVolume(request, outputs.AddVolume(request));
@@ -63,7 +65,7 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
     engine.KeepPreviousResults();
   }
 
-  loop.Prepare(*input);
+  loop.Prepare(input);
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
     result.sums += loop.Run(engine, result.plan.GetPiece(piece), result.plan.GetNextPiece(piece), writer);
@@ -72,7 +74,7 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
 
   const auto finishStart = JobClock::now();
   JobEnd     end;
-  end.measure = [&] { AddMeasurements(result, *input, writer.GetSeconds() + SecondsSince(finishStart), start); };
+  end.measure = [&] { AddMeasurements(result, input, writer.GetSeconds() + SecondsSince(finishStart), start); };
   FinishJob(outputs, summary, result, sink, end);
 }
 

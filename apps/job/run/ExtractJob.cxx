@@ -7,6 +7,7 @@
 #include "FinishJob.h"
 #include "JobClock.h"
 #include "MemoryPlan.h"
+#include "ObjectRule.h"
 #include "OutputChecks.h"
 #include "OptionChecks.h"
 #include "Outputs.h"
@@ -17,16 +18,15 @@
 #include "ReadVolumeHeader.h"
 #include "SegmentFiles.h"
 #include "ScanMeasure.h"
-#include "SmoothedInput.h"
 #include "StopListener.h"
 #include "SurfaceMesh.h"
 #include "SurfacePlacement.h"
 #include "SurfaceRemeshing.h"
 #include "Text.h"
 #include "ThicknessPreview.h"
-#include "ValueStatistics.h"
 #include "VolumeFormats.h"
 #include "VolumeJob.h"
+#include "VolumeStatistics.h"
 #include "Warnings.h"
 
 #include <algorithm>
@@ -85,7 +85,7 @@ AddSmoothing(PieceFootprint & footprint, const ExtractOptions & options, const V
     return;
   }
   std::uint64_t & bytes = InputVolume::IsReadInParallel(header) ? footprint.bytesPerThread : footprint.bytesBeside;
-  bytes += SmoothedInput::GetBytesPerThread(header);
+  bytes += InputVolume::GetBytesToSmooth(header);
 }
 
 PieceFootprint
@@ -126,7 +126,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   }
   if (options.labels)
   {
-    footprint.bytesPerVoxel += footprint.bytesPerVoxel + ObjectUnion::BytesPerVoxel;
+    footprint.bytesPerVoxel += footprint.bytesPerVoxel + itk::MedialVoxelObjectUnion::BytesPerVoxel;
     footprint.bytesBeside += LabelMapRun::GetPlannedBytes(*options.labels);
     footprint.bytesBeside += itk::MedialVoxelObjectAdjacency::GetBytes(
       footprint.grid.GetSize(), GetParameters(options, footprint.grid).maximumPoreSize);

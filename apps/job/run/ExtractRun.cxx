@@ -4,6 +4,7 @@
 
 #include "ExtractParts.h"
 #include "Outputs.h"
+#include "LabelMap.h"
 #include "RimRays.h"
 #include "ScanMeasure.h"
 
@@ -70,7 +71,7 @@ OpenInput(const ExtractOptions & options, const JobResult & job)
     return std::make_unique<LabelMap>(
       job.input, *options.labels, GetMaximumPoreSize(options, job), job.plan.bytesToKeep);
   }
-  return OpenInputVolume(job.input, options, job.plan.bytesToKeep, GetSmoothing(options));
+  return std::make_unique<InputVolume>(job.input, options, job.plan.bytesToKeep, GetSmoothing(options));
 }
 
 } // namespace
@@ -88,7 +89,7 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   , m_Writer(job.plan.writesBehind)
 {
   const auto makeEngine = [&](const itk::MedialVoxelEngineTask & task) {
-    return std::make_unique<PieceEngine>(*m_Input, job.input, options, job.plan, task, m_Loop.GetObserver());
+    return std::make_unique<PieceEngine>(m_Input->GetInput(), job.input, options, job.plan, task, m_Loop.GetObserver());
   };
   m_Engine = makeEngine(MakeExtraction(options, job.input));
   if (job.plan.writesBehind)
@@ -101,8 +102,10 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   }
   if (options.labels)
   {
-    m_Objects = std::make_unique<LabelMapRun>(
-      static_cast<LabelMap &>(*m_Input), job.input.geometry, GetMaximumPoreSize(options, job), m_Findings.GetSurvey());
+    m_Objects = std::make_unique<LabelMapRun>(static_cast<LabelMap &>(*m_Input).GetObjects(),
+                                              job.input.geometry,
+                                              GetMaximumPoreSize(options, job),
+                                              m_Findings.GetSurvey());
     m_Engine->AddObserver(m_Objects->GetObserver());
   }
 }
@@ -110,13 +113,12 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
 void
 ExtractRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 {
-  if (request.filler == VolumeFiller::Objects)
+  if (m_Objects)
   {
-    m_Objects->GetUnion().AddObjects(request, volume);
+    m_Objects->AddVolume(request, volume);
     return;
   }
-  this->GetEngine(request.filler)
-    .AddVolume(request, m_Objects ? m_Objects->GetUnion().AddVolume(request, volume) : volume);
+  this->GetEngine(request.filler).AddVolume(request, volume);
 }
 
 PieceEngine &
@@ -192,7 +194,7 @@ ExtractRun::MakeRimRays() const
     return {};
   }
   const auto range = m_Measure ? GetGrayRange(*m_Measure, m_Options, m_Header) : std::nullopt;
-  const auto rays = std::make_shared<RimRays>(*m_Input, m_Header.geometry, range);
+  const auto rays = std::make_shared<RimRays>(m_Input->GetInput(), m_Header.geometry, range);
   return [rays](const itk::MedialVoxelRimRays & bundle) { return rays->Measure(bundle); };
 }
 

@@ -43,13 +43,12 @@ FinishJob(OutputSet & outputs, JobSummary & summary, JobResult & result, Progres
 void
 AddMeasurements(JobResult & result, const InputVolume & input, double writeSeconds, JobClock::time_point start)
 {
-  result.sums.counts.notANumberVoxels += input.GetNumberOfNotANumberVoxels();
   result.seconds.distance = result.sums.distanceSeconds;
   result.seconds.classification = result.sums.classificationSeconds;
   result.seconds.tiles = result.sums.tileSeconds;
-  result.seconds.inputOutput = input.GetReadSeconds() + writeSeconds;
+  result.seconds.inputOutput = input.GetSource().GetReadSeconds() + writeSeconds;
   result.seconds.total = SecondsSince(start);
-  result.bytesRead = input.GetNumberOfBytesRead();
+  result.bytesRead = input.GetSource().GetNumberOfBytesRead();
   result.peakMemoryBytes = GetPeakMemoryBytes();
 }
 

@@ -14,13 +14,14 @@ constexpr std::size_t PlannedObjects = 64;
 
 } // namespace
 
-LabelMapRun::LabelMapRun(LabelMap &             map,
-                         const VolumeGeometry & geometry,
-                         std::uint64_t          maximumPoreSize,
-                         const Survey &         survey)
+LabelMapRun::LabelMapRun(itk::MedialVoxelObjectMap & map,
+                         const VolumeGeometry &      geometry,
+                         std::uint64_t               maximumPoreSize,
+                         const Survey &              survey)
   : m_Map(map)
-  , m_Union(map, geometry, maximumPoreSize)
-  , m_Survey(survey, m_Union.GetPiece())
+  , m_Geometry(geometry)
+  , m_Union(map, geometry.GetVoxelBox().upper, maximumPoreSize)
+  , m_Survey(survey, m_Union.GetRegion())
 {}
 
 std::uint64_t
@@ -38,45 +39,110 @@ LabelMapRun::GetUnplannedBytes(const LabelSelection & selection, std::size_t num
 }
 
 void
+LabelMapRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
+{
+  m_Volumes.push_back({ request, &volume, {} });
+}
+
+void
 LabelMapRun::AddMesh(SurfaceMesh & mesh)
 {
   m_Mesh = &mesh;
   mesh.FindObjectsWith(
-    [this](const itk::MedialVoxelIndex & cell) { return m_Union.GetPiece().FindOwner(cell, m_Pass); });
+    [this](const itk::MedialVoxelIndex & cell) { return m_Union.GetRegion().FindOwner(cell, m_Map.GetShownPass()); });
 }
 
 itk::MedialVoxelSums
 LabelMapRun::Run(PieceLoop & loop, PieceEngine & engine, const SliceRange & piece, WriteBehind & writer)
 {
-  itk::MedialVoxelSums sums;
-  m_Union.BeginPiece(piece);
+  const itk::MedialVoxelBox region = engine.GetRegion({ piece });
+  m_Union.Begin(region, this->MakeValues(region, engine));
+  engine.SendTilesTo([this](const itk::MedialVoxelTileResult & tile) { m_Union.TakeTile(tile); });
   if (m_Mesh)
   {
     m_Mesh->SetObjectLabels(m_Map.GetTable().GetValues());
   }
-  for (m_Pass = 0; m_Pass < m_Map.GetNumberOfPasses(); ++m_Pass)
+  itk::MedialVoxelSums sums;
+  for (unsigned int pass = 0; pass < m_Map.GetNumberOfPasses(); ++pass)
   {
-    m_Map.ShowPass(m_Pass);
-    m_Union.BeginPass(m_Pass);
-    m_Survey.SetPass(m_Pass);
+    m_Map.ShowPass(pass);
+    m_Survey.SetPass(pass);
     if (m_Mesh)
     {
-      m_Mesh->BeginPass(m_Pass);
+      m_Mesh->BeginPass(pass);
     }
     sums += loop.Run(engine, piece, {}, writer);
-    writer.Wait();
+    m_Union.FinishPass();
     // The window shows the objects of this pass.
     engine.DropWindow();
   }
-  m_Union.FinishPiece();
+  m_Union.Finish();
+  m_SharedCells += m_Union.GetSums().shared;
+  for (const Volume & volume : m_Volumes)
+  {
+    this->Write(volume, piece.begin * m_Geometry.GetVoxelsPerSlice());
+  }
   return sums;
+}
+
+std::vector<itk::MedialVoxelObjectUnion::Values>
+LabelMapRun::MakeValues(const itk::MedialVoxelBox & region, const PieceEngine & engine)
+{
+  std::vector<itk::MedialVoxelObjectUnion::Values> values;
+  for (Volume & volume : m_Volumes)
+  {
+    const VolumeRequest & request = volume.request;
+    if (this->IsOfLabels(volume) || request.filler == VolumeFiller::Objects)
+    {
+      continue;
+    }
+    const std::size_t bytes = request.layout.GetBytes();
+    volume.voxels.assign(static_cast<std::size_t>(region.NumberOfVoxels()) * bytes, std::byte{ 0 });
+    const auto write = [&](const auto & tile, void * first, const auto & strides) {
+      engine.WriteTile(tile, request, first, strides);
+    };
+    values.push_back({ volume.voxels.data(), bytes, write });
+  }
+  return values;
+}
+
+void
+LabelMapRun::Write(const Volume & volume, std::uint64_t firstVoxel) const
+{
+  if (volume.request.filler == VolumeFiller::Objects)
+  {
+    this->WriteObjects(volume, firstVoxel);
+    return;
+  }
+  const void * const voxels = this->IsOfLabels(volume) ? static_cast<const void *>(m_Union.GetLabels().data())
+                                                       : static_cast<const void *>(volume.voxels.data());
+  volume.output->Write(firstVoxel, m_Union.GetLabels().size(), voxels);
+}
+
+/** Slice by slice. */
+void
+LabelMapRun::WriteObjects(const Volume & volume, std::uint64_t firstVoxel) const
+{
+  DispatchPixelType(volume.request.layout.pixelType, [&](auto zero) {
+    using ValueType = decltype(zero);
+    const auto & objects = m_Union.GetObjects();
+    const auto   valueOf = [this](const itk::MedialVoxelObjectNumber object) {
+      return object > 0 ? static_cast<ValueType>(m_Map.GetTable().GetValue(object)) : ValueType{};
+    };
+    std::vector<ValueType> slice(m_Geometry.GetVoxelsPerSlice());
+    for (std::size_t voxel = 0; voxel < objects.size(); voxel += slice.size())
+    {
+      std::transform(objects.data() + voxel, objects.data() + voxel + slice.size(), slice.begin(), valueOf);
+      volume.output->Write(firstVoxel + voxel, slice.size(), slice.data());
+    }
+  });
 }
 
 Json
 LabelMapRun::Summarize() const
 {
   return { { "passes", m_Map.GetNumberOfPasses() },
-           { "shared_cells", m_Union.GetSharedCells() },
+           { "shared_cells", m_SharedCells },
            { "objects", m_Survey.Summarize(m_Map) } };
 }
 

@@ -4,21 +4,30 @@
 #define medialvoxelLabelMapRun_h
 
 #include "ObjectSurvey.h"
-#include "ObjectUnion.h"
 #include "PieceLoop.h"
 #include "SurfaceMesh.h"
+
+#include "itkMedialVoxelObjectUnion.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 namespace medialvoxel
 {
 
 /** \class LabelMapRun
- * \brief Runs an engine over each piece of a label map once for every pass, and puts the results together. */
+ * \brief Runs an engine over each piece of a label map once for every pass, and writes the results together. */
 class LabelMapRun
 {
 public:
   /** \param map the input of the engine; map and survey must outlive it
    * \param maximumPoreSize of the extraction */
-  LabelMapRun(LabelMap & map, const VolumeGeometry & geometry, std::uint64_t maximumPoreSize, const Survey & survey);
+  LabelMapRun(itk::MedialVoxelObjectMap & map,
+              const VolumeGeometry &      geometry,
+              std::uint64_t               maximumPoreSize,
+              const Survey &              survey);
 
   /** Memory that is planned for objects before the map is read. */
   static std::uint64_t
@@ -35,11 +44,9 @@ public:
     return m_Survey;
   }
 
-  ObjectUnion &
-  GetUnion()
-  {
-    return m_Union;
-  }
+  /** A volume of labels, of their objects, or of further results. */
+  void
+  AddVolume(const VolumeRequest & request, VoxelOutput & volume);
 
   /** A mesh that sees the tiles of the engine, and is to tell the objects apart. */
   void
@@ -68,11 +75,36 @@ public:
   Summarize() const;
 
 private:
-  LabelMap &    m_Map;
-  ObjectUnion   m_Union;
-  ObjectSurvey  m_Survey;
-  SurfaceMesh * m_Mesh{ nullptr };
-  unsigned int  m_Pass{ 0 };
+  /** A volume, and what it gets of a piece beside labels and objects. */
+  struct Volume
+  {
+    VolumeRequest          request;
+    VoxelOutput *          output;
+    std::vector<std::byte> voxels;
+  };
+
+  bool
+  IsOfLabels(const Volume & volume) const
+  {
+    return &volume == &m_Volumes.front();
+  }
+
+  std::vector<itk::MedialVoxelObjectUnion::Values>
+  MakeValues(const itk::MedialVoxelBox & region, const PieceEngine & engine);
+
+  void
+  Write(const Volume & volume, std::uint64_t firstVoxel) const;
+
+  void
+  WriteObjects(const Volume & volume, std::uint64_t firstVoxel) const;
+
+  itk::MedialVoxelObjectMap & m_Map;
+  VolumeGeometry              m_Geometry;
+  itk::MedialVoxelObjectUnion m_Union;
+  ObjectSurvey                m_Survey;
+  std::vector<Volume>         m_Volumes; ///< the labels first
+  SurfaceMesh *               m_Mesh{ nullptr };
+  std::uint64_t               m_SharedCells{ 0 };
 };
 
 } // end namespace medialvoxel

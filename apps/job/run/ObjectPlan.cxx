@@ -3,6 +3,7 @@
 #include "ObjectPlan.h"
 
 #include "ExtractParts.h"
+#include "LabelMap.h"
 #include "LabelMapRun.h"
 
 #include <algorithm>
@@ -14,7 +15,7 @@ namespace
 {
 
 std::string
-DescribeReadingOfLabels(const LabelMap & map, const JobPlan & plan, const VolumeHeader & header)
+DescribeReadingOfLabels(const itk::MedialVoxelObjectMap & map, const JobPlan & plan, const VolumeHeader & header)
 {
   if (header.compressed)
   {
@@ -26,9 +27,9 @@ DescribeReadingOfLabels(const LabelMap & map, const JobPlan & plan, const Volume
 
 /** Voxels and label of one of the objects. */
 std::string
-DescribeSize(const LabelMap & map, std::vector<std::uint64_t>::const_iterator voxels)
+DescribeSize(const itk::MedialVoxelObjectMap & map, std::vector<std::uint64_t>::const_iterator voxels)
 {
-  const auto number = static_cast<ObjectNumber>(voxels - map.GetObjectVoxels().begin());
+  const auto number = static_cast<itk::MedialVoxelObjectNumber>(voxels - map.GetObjectVoxels().begin());
   return std::to_string(*voxels) + " voxels (label " + std::to_string(map.GetTable().GetValue(number)) + ")";
 }
 
@@ -43,8 +44,9 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
   const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(own, header)).maximumPoreSize;
 
   const JobPlan plan = PlanObjects(own, header);
-  LabelMap      map(header, *own.labels, maximumPoreSize, plan.bytesToKeep);
-  map.Prepare(observer);
+  LabelMap      volume(header, *own.labels, maximumPoreSize, plan.bytesToKeep);
+  volume.Prepare(observer);
+  const itk::MedialVoxelObjectMap & map = volume.GetObjects();
 
   const std::vector<std::int64_t> & labels = map.GetTable().GetValues();
   const auto                        firstObject = map.GetObjectVoxels().begin() + 1;

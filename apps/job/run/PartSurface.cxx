@@ -81,7 +81,9 @@ private:
   PartSurface & m_Surface;
 };
 
-PartSurface::PartSurface(const SurfaceOptions & options, const VolumeHeader & header, InputVolume & input)
+PartSurface::PartSurface(const SurfaceOptions &         options,
+                         const VolumeHeader &           header,
+                         itk::MedialVoxelObjectSource & input)
   : m_Options(options)
   , m_Header(header)
   , m_Input(input)
@@ -137,7 +139,7 @@ PartSurface::ReadSlice(std::int64_t z)
 {
   const itk::MedialVoxelBox box{ { 0, 0, z }, { m_Size[0], m_Size[1], z + 1 } };
   m_Objects.emplace_back(box);
-  VoxelTargets targets;
+  itk::MedialVoxelTargets targets;
   targets.object = &m_Objects.back();
   if (m_Facts.usesGrayValues)
   {

@@ -35,7 +35,7 @@ class PartSurface : private itk::MedialVoxelIsosurfaceConsumer
 {
 public:
   /** \param input must outlive it */
-  PartSurface(const SurfaceOptions & options, const VolumeHeader & header, InputVolume & input);
+  PartSurface(const SurfaceOptions & options, const VolumeHeader & header, itk::MedialVoxelObjectSource & input);
   ~PartSurface() override;
 
   /** Has vertices placed by gray values; to be called before the first slice of the map. */
@@ -91,7 +91,7 @@ private:
 
   SurfaceOptions                   m_Options;
   VolumeHeader                     m_Header;
-  InputVolume &                    m_Input;
+  itk::MedialVoxelObjectSource &   m_Input;
   itk::MedialVoxelIndex            m_Size;
   itk::MedialVoxelSurfacePlacement m_Placement;
   bool                             m_IsMirrored; ///< the axes of the image are left-handed

@@ -50,7 +50,7 @@ PieceEngine::Buffer::Clear()
   std::memset(m_Bytes.get(), 0, m_Size);
 }
 
-PieceEngine::PieceEngine(InputVolume &                      input,
+PieceEngine::PieceEngine(itk::MedialVoxelObjectSource &     input,
                          const VolumeHeader &               header,
                          const JobOptions &                 options,
                          const JobPlan &                    plan,
@@ -153,7 +153,7 @@ PieceEngine::Run(const PieceRange & range, const PieceRange & nextRange)
   }
   try
   {
-    results.sums = m_Engine->Run(m_Region, *this, this->GetRegion(nextRange));
+    results.sums = m_Engine->Run(m_Region, m_Input, *this, this->GetRegion(nextRange));
   }
   catch (...)
   {
@@ -203,29 +203,6 @@ PieceEngine::Release()
 }
 
 void
-PieceEngine::FillObject(const itk::MedialVoxelBox & box,
-                        itk::MedialVoxelBits &      object,
-                        itk::MedialVoxelBits *      notANumber)
-{
-  m_Input.Fill(box, { &object, notANumber, nullptr });
-}
-
-void
-PieceEngine::FillObjectAndGray(const itk::MedialVoxelBox & box,
-                               itk::MedialVoxelBits &      object,
-                               itk::MedialVoxelBits *      notANumber,
-                               itk::MedialVoxelGray &      gray)
-{
-  m_Input.Fill(box, { &object, notANumber, &gray });
-}
-
-void
-PieceEngine::FillGray(const itk::MedialVoxelBox & box, itk::MedialVoxelGray & gray)
-{
-  m_Input.Fill(box, { nullptr, nullptr, &gray });
-}
-
-void
 PieceEngine::RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work)
 {
   m_Threader->SetNumberOfWorkUnits(static_cast<itk::ThreadIdType>(numberOfWorkers));
@@ -239,18 +216,28 @@ PieceEngine::TakeTile(const itk::MedialVoxelTileResult & tile)
   {
     return;
   }
+  if (m_Taker)
+  {
+    m_Taker(tile);
+    return;
+  }
   m_HasResults[m_Set] = true;
-  const std::size_t offset = m_Region.OffsetOf(tile.box.lower);
-  TileTarget        target{ nullptr,
-                            { 1, m_Region.Extent(0), m_Region.Extent(0) * m_Region.Extent(1) },
-                     m_Geometry,
-                     m_Grid.GetSpacing(),
-                     m_UsesVoxelUnits };
+  const itk::MedialVoxelStrides strides{ 1, m_Region.Extent(0), m_Region.Extent(0) * m_Region.Extent(1) };
+  const std::size_t             offset = m_Region.OffsetOf(tile.box.lower);
   for (const Destination & destination : m_Destinations)
   {
-    target.first = destination.buffers[m_Set].Get() + offset * destination.request.layout.GetBytes();
-    destination.request.write(tile, target);
+    std::byte * const first = destination.buffers[m_Set].Get() + offset * destination.request.layout.GetBytes();
+    this->WriteTile(tile, destination.request, first, strides);
   }
+}
+
+void
+PieceEngine::WriteTile(const itk::MedialVoxelTileResult & tile,
+                       const VolumeRequest &              request,
+                       void *                             first,
+                       const itk::MedialVoxelStrides &    strides) const
+{
+  request.write(tile, { first, strides, m_Geometry, m_Grid.GetSpacing(), m_UsesVoxelUnits });
 }
 
 void

@@ -3,7 +3,6 @@
 #ifndef medialvoxelPieceEngine_h
 #define medialvoxelPieceEngine_h
 
-#include "InputVolume.h"
 #include "JobPlan.h"
 #include "Options.h"
 #include "OutputRequest.h"
@@ -62,7 +61,7 @@ class PieceEngine : private itk::MedialVoxelEngineClient
 {
 public:
   /** \param input must outlive it */
-  PieceEngine(InputVolume &                      input,
+  PieceEngine(itk::MedialVoxelObjectSource &     input,
               const VolumeHeader &               header,
               const JobOptions &                 options,
               const JobPlan &                    plan,
@@ -94,6 +93,23 @@ public:
   {
     m_RegionListeners.push_back(std::move(listener));
   }
+
+  /** Lets someone have all tiles instead of volumes. Called by several threads at a time. */
+  void
+  SendTilesTo(std::function<void(const itk::MedialVoxelTileResult &)> taker)
+  {
+    m_Taker = std::move(taker);
+  }
+
+  /** Writes what a volume wants of a tile to memory with a place for each of its voxels. */
+  void
+  WriteTile(const itk::MedialVoxelTileResult & tile,
+            const VolumeRequest &              request,
+            void *                             first,
+            const itk::MedialVoxelStrides &    strides) const;
+
+  itk::MedialVoxelBox
+  GetRegion(const PieceRange & range) const;
 
   /** Sets what windows and threads may take from the next run on, in bytes; 0 is without limit. */
   void
@@ -168,32 +184,6 @@ private:
     std::array<Buffer, MostSets> buffers;
   };
 
-  itk::MedialVoxelSourceThreads
-  GetSourceThreads() const override
-  {
-    return m_Input.GetSourceThreads();
-  }
-
-  std::int64_t
-  GetRowsReadTogether() const override
-  {
-    return m_Input.GetRowsReadTogether();
-  }
-
-  void
-  FillObject(const itk::MedialVoxelBox & box,
-             itk::MedialVoxelBits &      object,
-             itk::MedialVoxelBits *      notANumber) override;
-
-  void
-  FillObjectAndGray(const itk::MedialVoxelBox & box,
-                    itk::MedialVoxelBits &      object,
-                    itk::MedialVoxelBits *      notANumber,
-                    itk::MedialVoxelGray &      gray) override;
-
-  void
-  FillGray(const itk::MedialVoxelBox & box, itk::MedialVoxelGray & gray) override;
-
   void
   RunWorkers(unsigned int numberOfWorkers, const std::function<void()> & work) override;
 
@@ -209,9 +199,6 @@ private:
     return m_IsStopped;
   }
 
-  itk::MedialVoxelBox
-  GetRegion(const PieceRange & range) const;
-
   /** Of the set. Results of tiles without object are zero, so that none need be written there. */
   void
   PrepareBuffers();
@@ -219,13 +206,14 @@ private:
   bool
   MakesLabels() const;
 
-  InputVolume &                                                 m_Input;
+  itk::MedialVoxelObjectSource &                                m_Input;
   VolumeGeometry                                                m_Geometry;
   bool                                                          m_UsesVoxelUnits;
   bool                                                          m_SkipsEmptyPieces;
   itk::MedialVoxelGrid                                          m_Grid;
   itk::MedialVoxelEngineSettings                                m_Settings;
   std::vector<std::function<void(const itk::MedialVoxelBox &)>> m_RegionListeners;
+  std::function<void(const itk::MedialVoxelTileResult &)>       m_Taker;
   PieceObserver                                                 m_Observer;
   itk::MultiThreaderBase::Pointer                               m_Threader = itk::MultiThreaderBase::New();
   std::unique_ptr<itk::MedialVoxelEngine>                       m_Engine; ///< keeps its window from piece to piece

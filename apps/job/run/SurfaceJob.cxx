@@ -4,6 +4,7 @@
 #include "ExtractRun.h"
 #include "FinishJob.h"
 #include "JobClock.h"
+#include "ObjectRule.h"
 #include "OutputSet.h"
 #include "OptionChecks.h"
 #include "Outputs.h"
@@ -16,8 +17,8 @@
 #include "ScanMeasure.h"
 #include "StopListener.h"
 #include "SurfacePlacement.h"
-#include "ValueStatistics.h"
 #include "VolumeJob.h"
+#include "VolumeStatistics.h"
 #include "Warnings.h"
 
 #include <memory>
@@ -75,19 +76,19 @@ GetFootprint(const SurfaceOptions & options, const VolumeHeader & header)
 void
 Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, JobClock::time_point start)
 {
-  const auto                    input = OpenInputVolume(result.input, options, result.plan.bytesToKeep);
+  InputVolume                   input(result.input, options, result.plan.bytesToKeep, Smoothing::Off);
   OutputSet                     outputs(options, false);
   OutputFile &                  file = *outputs.AddFile(options.output);
   ReportSummary<SurfaceOptions> summary(options, outputs);
-  PartSurface                   surface(options, result.input, *input);
+  PartSurface                   surface(options, result.input, input.GetInput());
   PieceLoop                     loop(result.plan, result.input, 1, sink);
   auto                          engine = std::make_unique<PieceEngine>(
-    *input, result.input, options, result.plan, GetMapTask(options, result.input).task, loop.GetObserver());
+    input.GetInput(), result.input, options, result.plan, GetMapTask(options, result.input).task, loop.GetObserver());
   engine->AddVolume(GetMapRequest(options, result.input), surface.GetMap());
   WriteBehind writer(false); // the surface reads the input, as the engine does
-  loop.Prepare(*input);
+  loop.Prepare(input);
   result.measure = FindWallMeasure(
-    *input, result.input, GetThicknessOptions(options), [&loop](double) { loop.ThrowIfStopRequested(); });
+    input, result.input, GetThicknessOptions(options), [&loop](double) { loop.ThrowIfStopRequested(); });
   engine->SetGrayRange(GetGrayRange(*result.measure, options, result.input));
   if (result.measure->usesGrayValues)
   {
@@ -105,7 +106,7 @@ Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, J
   const auto finishStart = JobClock::now();
   JobEnd     end;
   end.complete = [&] { result.part = surface.Write(file, [&loop](double) { loop.ThrowIfStopRequested(); }); };
-  end.measure = [&] { AddMeasurements(result, *input, writer.GetSeconds() + SecondsSince(finishStart), start); };
+  end.measure = [&] { AddMeasurements(result, input, writer.GetSeconds() + SecondsSince(finishStart), start); };
   FinishJob(outputs, summary, result, sink, end);
 }
 

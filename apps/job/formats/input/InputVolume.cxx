@@ -2,11 +2,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "InputVolume.h"
 
-#include "SmoothedInput.h"
-#include "StreamedInput.h"
+#include "ObjectRule.h"
 
 namespace medialvoxel
 {
+namespace
+{
+
+/** Between labels there are no values: not without a threshold, and not with one value for both. A label has no
+ * thresholds. */
+Interpolation
+GetInterpolation(const JobOptions & options)
+{
+  const bool hasThreshold = options.lowerThreshold || options.upperThreshold;
+  return hasThreshold && options.lowerThreshold != options.upperThreshold ? Interpolation::Linear
+                                                                          : Interpolation::Nearest;
+}
+
+} // namespace
+
+InputVolume::InputVolume(const VolumeHeader & header,
+                         const JobOptions &   options,
+                         std::uint64_t        bytesToKeep,
+                         Smoothing            smoothing)
+  : m_Source(header, GetInterpolation(options), bytesToKeep)
+  , m_Input(std::make_unique<itk::MedialVoxelObjectInput>(m_Source,
+                                                          header.geometry.GetVoxelBox(),
+                                                          GetObjectRule(options),
+                                                          smoothing))
+{}
+
+InputVolume::InputVolume(const VolumeHeader & header, std::uint64_t bytesToKeep)
+  : m_Source(header, Interpolation::Nearest, bytesToKeep)
+{}
+
+std::optional<itk::MedialVoxelRoughness>
+InputVolume::GetRoughness() const
+{
+  const auto * const object = dynamic_cast<const itk::MedialVoxelObjectInput *>(m_Input.get());
+  return object != nullptr ? object->GetRoughness() : std::nullopt;
+}
 
 bool
 InputVolume::IsReadInParallel(const VolumeHeader & header)
@@ -14,14 +49,12 @@ InputVolume::IsReadInParallel(const VolumeHeader & header)
   return !header.stored && (header.compressed || header.chunks || header.liesInRows);
 }
 
-std::unique_ptr<InputVolume>
-OpenInputVolume(const VolumeHeader & header, const JobOptions & options, std::uint64_t bytesToKeep, Smoothing smoothing)
+std::uint64_t
+InputVolume::GetBytesToSmooth(const VolumeHeader & header)
 {
-  if (smoothing == Smoothing::Off)
-  {
-    return std::make_unique<StreamedInput>(header, options, bytesToKeep);
-  }
-  return std::make_unique<SmoothedInput>(header, options, bytesToKeep, smoothing);
+  const auto & chunks = header.GetStored().chunks;
+  const auto   rows = chunks && !header.stored ? static_cast<std::int64_t>(chunks->size[1]) : 1;
+  return itk::MedialVoxelObjectInput::GetBytesToSmooth(header.geometry.GetVoxelBox(), header.GetValueType(), rows);
 }
 
 } // end namespace medialvoxel

@@ -4,10 +4,6 @@
 #define medialvoxelLabelMap_h
 
 #include "InputVolume.h"
-#include "ObjectNumber.h"
-#include "ReaderPool.h"
-
-#include "itkMedialVoxelObjectMap.h"
 
 #include <cstdint>
 
@@ -15,10 +11,8 @@ namespace medialvoxel
 {
 
 /** \class LabelMap
- * \brief An opened volume with many objects, each with a value of its own, which are shown in passes. */
-class LabelMap
-  : public InputVolume
-  , public itk::MedialVoxelObjectMap
+ * \brief An opened volume with many objects, each with a value of its own. */
+class LabelMap : public InputVolume
 {
 public:
   /** \param selection the values that are objects
@@ -35,45 +29,20 @@ public:
   void
   Prepare(const ReadObserver & observer) override;
 
-  void
-  ReadObjects(const itk::MedialVoxelBox & box, ObjectNumber * objects) override;
-
-  std::uint64_t
-  GetNumberOfNotANumberVoxels() const override
+  itk::MedialVoxelObjectMap &
+  GetObjects() const
   {
-    return m_NotANumberVoxels;
+    return this->GetLabels();
   }
 
-  itk::MedialVoxelSourceThreads
-  GetSourceThreads() const override;
-
-  std::uint64_t
-  GetNumberOfBytesRead() const override;
-
-  void
-  Fill(const itk::MedialVoxelBox & box, const VoxelTargets & targets) override;
-
 private:
-  void
-  FillPart(const itk::MedialVoxelBox & part, itk::MedialVoxelBits & bits);
+  itk::MedialVoxelLabelInput &
+  GetLabels() const
+  {
+    return static_cast<itk::MedialVoxelLabelInput &>(this->GetInput());
+  }
 
-  /** Calls function(values, count). */
-  template <typename TFunction>
-  void
-  WithValues(const itk::MedialVoxelBox & part, TFunction && function);
-
-  /** Shows all values to a survey. */
-  void
-  Show(itk::MedialVoxelLabelSurvey & survey, const ReadObserver & observer);
-
-  void
-  Translate(const itk::MedialVoxelBox & part, ObjectNumber * objects);
-
-  VolumeHeader   m_Header;
-  LabelSelection m_Selection;
-  std::uint64_t  m_MaximumPoreSize;
-  ReaderPool     m_Readers;
-  std::uint64_t  m_NotANumberVoxels{ 0 };
+  VolumeHeader m_Header;
 };
 
 } // end namespace medialvoxel

@@ -3,19 +3,9 @@
 #include "ScanMeasure.h"
 
 #include "Errors.h"
-#include "PartRunner.h"
-
-#include <cmath>
 
 namespace medialvoxel
 {
-namespace
-{
-
-/** With these the survey stays below the smallest limit of memory. */
-constexpr unsigned int MostThreads = 3;
-
-} // namespace
 
 WallMeasure
 FindWallMeasure(InputVolume &          input,
@@ -27,25 +17,9 @@ FindWallMeasure(InputVolume &          input,
   {
     return { false, std::nullopt, DescribeMeasureOnObject(options, header) };
   }
-  const auto  range = GetGrayRange(options, header);
-  WallMeasure measure{ true, std::nullopt, {} };
-  if (std::isfinite(range.lower) && std::isfinite(range.upper))
-  {
-    measure.reason = "between two thresholds";
-    return measure;
-  }
-  const bool isParallel = input.GetSourceThreads() == itk::MedialVoxelSourceThreads::Several;
-  PartRunner runner;
-  runner.LimitThreads(MostThreads);
-  itk::MedialVoxelScanSurvey::Source source;
-  source.fill = [&input](const auto & box, auto & object, auto & gray) {
-    input.Fill(box, { &object, nullptr, &gray });
-  };
-  source.forEach = [&](const auto & boxes, const auto & work) { runner.Run(boxes, isParallel, work); };
-  source.observe = observer;
-  const itk::MedialVoxelScanSurvey survey(
-    GetGrid(options, header), std::isfinite(range.lower) ? range.lower : range.upper, options.levels);
-  const auto result = survey.Run(source);
+  const auto range = GetGrayRange(options, header);
+  auto &     object = dynamic_cast<itk::MedialVoxelObjectInput &>(input.GetInput());
+  const auto result = object.SurveyScan(GetGrid(options, header), range.lower, range.upper, options.levels, observer);
   if (!result.scan && !options.uncertaintyFile.empty())
   {
     Fail(ExitStatus::Refused,
@@ -53,10 +27,7 @@ FindWallMeasure(InputVolume &          input,
          ": the uncertainty of the thickness cannot be stated, as ",
          result.reason);
   }
-  measure.scan = result.scan;
-  measure.reason = result.reason;
-  measure.usesGrayValues = !result.isMask;
-  return measure;
+  return { !result.isMask, result.scan, result.reason };
 }
 
 std::optional<itk::MedialVoxelExtraction::GrayRange>

@@ -54,17 +54,8 @@ public:
   void
   ForEachPart(const itk::MedialVoxelBox & box, const PartFunction & function) const override
   {
-    const auto         bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * sizeof(TValue);
-    const bool         takesRows = m_IsParallel && bytesPerSlice > InputVolume::BytesPerPart;
-    const std::int64_t slices = takesRows ? 1 : box.Extent(2);
-    for (itk::MedialVoxelBox some = box; some.lower[2] < box.upper[2]; some.lower[2] += slices)
-    {
-      some.upper[2] = some.lower[2] + slices;
-      for (const itk::MedialVoxelBox & part : itk::MedialVoxelEngineClient::CutForPull(some, sizeof(TValue)))
-      {
-        function(part);
-      }
-    }
+    const auto parts = CutIntoParts(box, sizeof(TValue), m_IsParallel);
+    std::for_each(parts.begin(), parts.end(), function);
   }
 
   ValueView
@@ -324,6 +315,21 @@ private:
 };
 
 } // namespace
+
+std::vector<itk::MedialVoxelBox>
+CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel, bool takesRows)
+{
+  const auto         bytesPerSlice = static_cast<std::uint64_t>(box.Extent(0) * box.Extent(1)) * bytesPerVoxel;
+  const std::int64_t slices = takesRows && bytesPerSlice > InputVolume::BytesPerPart ? 1 : box.Extent(2);
+  std::vector<itk::MedialVoxelBox> parts;
+  for (itk::MedialVoxelBox some = box; some.lower[2] < box.upper[2]; some.lower[2] += slices)
+  {
+    some.upper[2] = some.lower[2] + slices;
+    const auto pulls = itk::MedialVoxelValueSource::CutForPull(some, bytesPerVoxel);
+    parts.insert(parts.end(), pulls.begin(), pulls.end());
+  }
+  return parts;
+}
 
 std::unique_ptr<ValueReader>
 MakeValueReader(const VolumeHeader & header, Interpolation interpolation, std::uint64_t bytesToKeep)

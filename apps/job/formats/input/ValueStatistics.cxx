@@ -2,35 +2,32 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ValueStatistics.h"
 
-#include "LabelValues.h"
-#include "PipelineErrors.h"
-#include "SliceSeries.h"
+#include "Errors.h"
 #include "Text.h"
 #include "ValueHistogram.h"
-#include "ValueReader.h"
 
 #include <algorithm>
 #include <numeric>
-#include <set>
+#include <vector>
 
 namespace medialvoxel
 {
 namespace
 {
 
-/** Calls function(vector, times) for the values of a volume in parts, from front to back: one value for all voxels
- * without a chunk. */
+/** Calls function(vector, times) for the values of all parts of an image, from front to back: one value for all voxels
+ * of a part without a chunk. */
 template <typename TValue, typename TFunction>
 void
-ForEachValue(const VolumeHeader & header, const ReadObserver & observer, TFunction && function)
+ForEachValue(itk::MedialVoxelValueSource & source,
+             const itk::MedialVoxelBox &   image,
+             const ReadObserver &          observer,
+             TFunction &&                  function)
 {
-  const auto                reader = MakeValueReader(header);
-  const itk::MedialVoxelBox box = header.geometry.GetVoxelBox();
-  const unsigned int        last = header.geometry.GetDimension() - 1;
-  std::vector<TValue>       values;
-  reader->ForEachPart(box, [&](const itk::MedialVoxelBox & part) {
-    observer(static_cast<double>(part.lower[last]) / static_cast<double>(box.upper[last]));
-    const ValueView    view = reader->Look(part);
+  const unsigned int  last = image.Extent(2) > 1 ? 2 : 1;
+  std::vector<TValue> values;
+  source.ForEachPart(image, [&](const itk::MedialVoxelBox & part, const itk::MedialVoxelValueView & view) {
+    observer(static_cast<double>(part.lower[last]) / static_cast<double>(image.upper[last]));
     const auto * const first = static_cast<const TValue *>(view.values);
     values.clear();
     if (view.areEqual)
@@ -44,21 +41,6 @@ ForEachValue(const VolumeHeader & header, const ReadObserver & observer, TFuncti
     });
     function(values, 1);
   });
-}
-
-/** Calls function(vector, 1) for values in memory, in parts. */
-template <typename TValue, typename TFunction>
-void
-ReadMemory(const TValue * values, std::uint64_t number, const ReadObserver & observer, TFunction && function)
-{
-  std::vector<TValue>     part;
-  constexpr std::uint64_t most = std::uint64_t{ 1 } << 17;
-  for (std::uint64_t begin = 0; begin < number; begin += most)
-  {
-    observer(static_cast<double>(begin) / static_cast<double>(number));
-    part.assign(values + begin, values + std::min<std::uint64_t>(number, begin + most));
-    function(part, 1);
-  }
 }
 
 /** The last bin of the lower class for which the variance between both classes is largest; the number of a bin stands
@@ -152,9 +134,6 @@ FindPadding(const std::vector<std::uint64_t> & counts, std::size_t zero)
            ? std::optional<std::size_t>(highest - 1)
            : std::nullopt;
 }
-
-/** Values that the file tells to be no measurement. */
-using Paddings = std::set<std::array<double, 2>>;
 
 /** Takes what is no measurement out of the counts, and tells of it. */
 template <typename TValue>
@@ -277,56 +256,20 @@ Measure(const Paddings & paddings, const ReadObserver & observer, TForEach && fo
   }
 }
 
-Paddings
-ListPaddings(const VolumeHeader & header)
-{
-  Paddings paddings;
-  for (const SliceHeader & slice : header.series ? header.series->slices : std::vector<SliceHeader>{})
-  {
-    if (slice.padding)
-    {
-      paddings.insert(*slice.padding);
-    }
-  }
-  return paddings;
-}
-
 } // namespace
 
 ValueStatistics
-MeasureValues(const VolumeHeader & header, const ReadObserver & observer)
+MeasureValues(itk::MedialVoxelValueSource & source,
+              const itk::MedialVoxelBox &   image,
+              const Paddings &              paddings,
+              const ReadObserver &          observer)
 {
-  return WithPipelineErrors([&] {
-    // Resampling is for the object; the values are those of the file.
-    const VolumeHeader & stored = header.GetStored();
-    return DispatchPixelType(stored.GetValueType(), [&](auto zero) {
-      using Value = decltype(zero);
-      return Measure<Value>(ListPaddings(stored), observer, [&stored](const ReadObserver & share, auto && function) {
-        ForEachValue<Value>(stored, share, function);
-      });
-    });
-  });
-}
-
-ValueStatistics
-MeasureValues(PixelType type, const void * values, std::uint64_t number, const ReadObserver & observer)
-{
-  return DispatchPixelType(type, [&](auto zero) {
+  return DispatchPixelType(source.GetValueType(), [&](auto zero) {
     using Value = decltype(zero);
-    return Measure<Value>({}, observer, [&](const ReadObserver & share, auto && function) {
-      ReadMemory(static_cast<const Value *>(values), number, share, function);
+    return Measure<Value>(paddings, observer, [&](const ReadObserver & share, auto && function) {
+      ForEachValue<Value>(source, image, share, function);
     });
   });
-}
-
-void
-MeasureThreshold(JobOptions & options, const VolumeHeader & header, const ProgressSink & sink)
-{
-  if (!options.lowerIsOtsu || options.lowerThreshold)
-  {
-    return;
-  }
-  SetOtsuThreshold(options, header, MeasureValues(header, [&sink](double) { ThrowIfStopRequested(sink); }));
 }
 
 void
@@ -351,35 +294,6 @@ SetOtsuThreshold(JobOptions & options, const VolumeHeader & header, const ValueS
          "; it must not be");
   }
   options.lowerThreshold = *statistics.otsu;
-}
-
-void
-CheckLabel(const JobOptions & options, const VolumeHeader & header)
-{
-  if (!options.label)
-  {
-    return;
-  }
-  const PixelType type = header.GetStored().GetValueType();
-  const bool      isPossible =
-    DispatchPixelType(type, [&options](auto zero) { return ConvertLabel<decltype(zero)>(*options.label).has_value(); });
-  if (!isPossible)
-  {
-    Fail(ExitStatus::Usage,
-         header.fileName.string(),
-         ": the label ",
-         FormatLabel(*options.label),
-         " is not a value of its type, ",
-         GetTraits(type).name);
-  }
-  if (header.stored && !ConvertLabel<double>(*options.label))
-  {
-    Fail(ExitStatus::Usage,
-         header.fileName.string(),
-         ": the label ",
-         FormatLabel(*options.label),
-         " is lost by --resample, whose values are float64; give a label that float64 holds, or leave out --resample");
-  }
 }
 
 TextTable

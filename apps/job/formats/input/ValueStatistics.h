@@ -3,14 +3,17 @@
 #ifndef medialvoxelValueStatistics_h
 #define medialvoxelValueStatistics_h
 
-#include "InputVolume.h"
 #include "Options.h"
-#include "Progress.h"
 #include "Text.h"
+#include "VolumeHeader.h"
+
+#include "itkMedialVoxelValueSource.h"
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 
 namespace medialvoxel
 {
@@ -43,31 +46,26 @@ struct ValueStatistics
   std::optional<double> otsu;
 };
 
-/** Reads all voxels once, or twice: for types of more than 16 bits the first time is for the range of the values, which
- * MostValueBins equal bins then share. Depends neither on memory nor on threads.
- * \param observer is called before each part that is read
- * \throw JobError as reading; what the observer throws */
-ValueStatistics
-MeasureValues(const VolumeHeader & header, const ReadObserver & observer);
+/** Values that are no measurement, from and to. */
+using Paddings = std::set<std::array<double, 2>>;
 
-/** The same for so many values in memory. */
+/** Hears how much of a volume was read, from 0 to 1; throws to stop. */
+using ReadObserver = std::function<void(double)>;
+
+/** Reads all values once, or twice: for types of more than 16 bits the first time is for the range of the values, which
+ * MostValueBins equal bins then share. Depends neither on memory nor on threads.
+ * \param paddings that the file tells of
+ * \param observer is called before each part that is read */
 ValueStatistics
-MeasureValues(PixelType type, const void * values, std::uint64_t number, const ReadObserver & observer);
+MeasureValues(itk::MedialVoxelValueSource & source,
+              const itk::MedialVoxelBox &   image,
+              const Paddings &              paddings,
+              const ReadObserver &          observer);
 
 /** Sets the lower threshold to that of Otsu.
  * \throw JobError Refused when all values are the same; Usage when the upper threshold is below */
 void
 SetOtsuThreshold(JobOptions & options, const VolumeHeader & header, const ValueStatistics & statistics);
-
-/** Sets the lower threshold if it is to be measured and is not set.
- * \throw JobError Refused when all values are the same; Usage when the upper threshold is below
- * \throw StoppedBySignal when the sink asks to stop */
-void
-MeasureThreshold(JobOptions & options, const VolumeHeader & header, const ProgressSink & sink);
-
-/** \throw JobError Usage for a label that the values of the volume cannot have */
-void
-CheckLabel(const JobOptions & options, const VolumeHeader & header);
 
 /** The statistics as names and values to print. */
 TextTable

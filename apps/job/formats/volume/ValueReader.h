@@ -6,22 +6,17 @@
 #include "Resampling.h"
 #include "VolumeHeader.h"
 
-#include "itkMedialVoxelRows.h"
+#include "itkMedialVoxelValues.h"
 
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace medialvoxel
 {
 
-/** Values where they lie in memory. */
-struct ValueView
-{
-  const void *            values{ nullptr }; ///< the first one; those of a row follow each other
-  itk::MedialVoxelStrides strides;           ///< in values, from row to row and slice to slice
-  bool                    areEqual{ false }; ///< all of them, as nothing is stored for the box
-};
+using ValueView = itk::MedialVoxelValueView;
 
 /** \class ValueReader
  * \brief Reads boxes of a volume. */
@@ -59,6 +54,10 @@ public:
   virtual std::unique_ptr<ValueReader>
   MakeAnother() const = 0;
 };
+
+/** Parts of a box of about a megabyte: whole slices, or rows of large slices where that is better. */
+std::vector<itk::MedialVoxelBox>
+CutIntoParts(const itk::MedialVoxelBox & box, std::size_t bytesPerVoxel, bool takesRows);
 
 /** Opens a volume that ReadVolumeHeader() has checked, or ResampleHeader() has made. A compressed one that
  * UnpackVolume() has not got is read from front to back.

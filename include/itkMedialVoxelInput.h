@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelInput_h
+#define itkMedialVoxelInput_h
+
+#include "itkMedialVoxelEnums.h"
+#include "itkMedialVoxelLimit.h"
+#include "itkMedialVoxelObjectMap.h"
+#include "itkMedialVoxelRoughness.h"
+#include "itkMedialVoxelScanSurvey.h"
+#include "itkMedialVoxelValueSource.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace itk
+{
+
+/** \struct MedialVoxelObjectRule
+ * \brief Which values are object: those from a lower to an upper limit, or all but one. NaN never is.
+ *
+ * Limits are compared as numbers: between two values of a type they act like the next value inside, and beyond the
+ * range of the type like its end.
+ * \ingroup MedialVoxel
+ */
+struct MedialVoxelObjectRule
+{
+  std::optional<MedialVoxelLimit> background{}; ///< all other values are object, whatever the limits are
+  MedialVoxelLimit                lower{ -std::numeric_limits<double>::infinity() };
+  MedialVoxelLimit                upper{ std::numeric_limits<double>::infinity() };
+};
+
+/** \class MedialVoxelInput
+ * \brief The object and the values of an image, as the tasks of a run need them.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelInput : public MedialVoxelObjectSource
+{
+public:
+  /** Hears which part of the image a pass before the run has read, from 0 to 1; throws to stop. */
+  using Observer = std::function<void(double)>;
+
+  /** \param source must outlive it */
+  explicit MedialVoxelInput(MedialVoxelValueSource & source)
+    : m_Source(source)
+  {}
+
+  MedialVoxelSourceThreads
+  GetSourceThreads() const override;
+
+  std::int64_t
+  GetRowsReadTogether() const override;
+
+  /** Read the image once where a decision needs it, before the first Fill(). */
+  virtual void
+  Prepare(const Observer & observer) = 0;
+
+protected:
+  MedialVoxelValueSource &
+  GetSource() const
+  {
+    return m_Source;
+  }
+
+private:
+  MedialVoxelValueSource & m_Source;
+};
+
+/** \class MedialVoxelObjectInput
+ * \brief One object, which a rule makes of values. It is smoothed always, never, or when it is rough; values stay.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelObjectInput : public MedialVoxelInput
+{
+public:
+  /** \param image all voxels */
+  MedialVoxelObjectInput(MedialVoxelValueSource &      source,
+                         const MedialVoxelBox &        image,
+                         const MedialVoxelObjectRule & rule,
+                         MedialVoxelEnums::Smoothing   smoothing);
+
+  /** Measures the roughness where the smoothing is automatic. */
+  void
+  Prepare(const Observer & observer) override;
+
+  /** Of the object that is not smoothed, if it was measured. */
+  const std::optional<MedialVoxelRoughness> &
+  GetRoughness() const
+  {
+    return m_Roughness;
+  }
+
+  /** Known after Prepare(). */
+  bool
+  IsSmoothed() const
+  {
+    return m_Smoothing == MedialVoxelEnums::Smoothing::On;
+  }
+
+  std::int64_t
+  GetRowsReadTogether() const override;
+
+  void
+  Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) override;
+
+  /** Bytes that each thread takes to smooth.
+   * \param rowsReadTogether of the source */
+  static std::uint64_t
+  GetBytesToSmooth(const MedialVoxelBox & image, MedialVoxelValueType type, std::int64_t rowsReadTogether);
+
+  /** Find out from samples what the values beside a threshold are made of. There is no scan with two thresholds.
+   * \param lower, upper thresholds, of which one or both may be infinite
+   * \param levels       of the materials, when they are known */
+  MedialVoxelScanResult
+  SurveyScan(const MedialVoxelGrid &                      grid,
+             double                                       lower,
+             double                                       upper,
+             const std::optional<MedialVoxelScanLevels> & levels,
+             const Observer &                             observer);
+
+private:
+  MedialVoxelBox                      m_Image;
+  MedialVoxelObjectRule               m_Rule;
+  MedialVoxelEnums::Smoothing         m_Smoothing;
+  std::optional<MedialVoxelRoughness> m_Roughness;
+};
+
+/** \class MedialVoxelLabelInput
+ * \brief Many objects, each with a value of its own, which are shown in passes.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelLabelInput
+  : public MedialVoxelInput
+  , public MedialVoxelObjectMap
+{
+public:
+  /** \param image all voxels
+   * \param labels          that are objects, none of them 0; empty: all values but 0
+   * \param maximumPoreSize of the extraction */
+  MedialVoxelLabelInput(MedialVoxelValueSource &          source,
+                        const MedialVoxelBox &            image,
+                        const std::vector<std::int64_t> & labels,
+                        std::uint64_t                     maximumPoreSize);
+
+  /** Read all values once, in their order, to find the objects and their passes.
+   * \throw MedialVoxelLabelError for a number that is not whole, and for too many labels */
+  void
+  Prepare(const Observer & observer) override;
+
+  /** Chosen labels that no voxel has. */
+  const std::vector<std::int64_t> &
+  GetMissingLabels() const
+  {
+    return m_MissingLabels;
+  }
+
+  void
+  ReadObjects(const MedialVoxelBox & box, MedialVoxelObjectNumber * objects) override;
+
+  /** The objects of the pass that is shown. Values that are not a number are those of the first pass. */
+  void
+  Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets) override;
+
+private:
+  /** Call function(part, view) in the order of the voxels. */
+  void
+  ForEachPart(const MedialVoxelBox & box, const MedialVoxelValueSource::PartFunction & function);
+
+  MedialVoxelBox            m_Image;
+  std::vector<std::int64_t> m_Labels;
+  std::uint64_t             m_MaximumPoreSize;
+  std::vector<std::int64_t> m_MissingLabels;
+};
+
+} // end namespace itk
+
+#endif

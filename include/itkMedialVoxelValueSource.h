@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef itkMedialVoxelValueSource_h
+#define itkMedialVoxelValueSource_h
+
+#include "itkMedialVoxelObjectSource.h"
+#include "itkMedialVoxelValues.h"
+
+#include "MedialVoxelExport.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace itk
+{
+
+/** \class MedialVoxelValueSource
+ * \brief Where the values of an image come from: a pipeline, a file, or memory.
+ * \ingroup MedialVoxel
+ */
+class MedialVoxel_EXPORT MedialVoxelValueSource
+{
+public:
+  using Boxes = std::vector<MedialVoxelBox>;
+  using Work = std::function<void(const MedialVoxelBox &)>;
+  using ViewFunction = std::function<void(const MedialVoxelValueView &)>;
+  using PartFunction = std::function<void(const MedialVoxelBox &, const MedialVoxelValueView &)>;
+
+  virtual ~MedialVoxelValueSource();
+
+  virtual MedialVoxelValueType
+  GetValueType() const = 0;
+
+  /** Threads that may ask for values; by default the calling thread alone. */
+  virtual MedialVoxelSourceThreads
+  GetSourceThreads() const;
+
+  /** Rows, from a multiple of them on, that are best read together, in all slices of a box; 1, the default: slices are.
+   */
+  virtual std::int64_t
+  GetRowsReadTogether() const;
+
+  /** Slices that are best read together; 1 by default. */
+  virtual std::int64_t
+  GetSlicesReadTogether() const;
+
+  /** Call \a function(view) with all values of \a box, which are valid meanwhile. */
+  virtual void
+  WithBox(const MedialVoxelBox & box, const ViewFunction & function) = 0;
+
+  /** Call \a function(part, view) for parts of \a box that are best read each by itself; by default those of
+   * CutIntoParts(). */
+  virtual void
+  ForEachPart(const MedialVoxelBox & box, const PartFunction & function);
+
+  /** Parts of \a box of about a megabyte, in the order of the voxels, of which each follows the one before.
+   * \param bytesPerVoxel of what is held of a part */
+  virtual Boxes
+  CutIntoParts(const MedialVoxelBox & box, std::size_t bytesPerVoxel) const;
+
+  /** Do \a work for each of the boxes, by default one after the other.
+   * \param mostThreads that do so at a time; 0 is without limit */
+  virtual void
+  ForEach(const Boxes & boxes, unsigned int mostThreads, const Work & work);
+
+  /** Slices of a box, or rows of a single slice, of about a megabyte. */
+  static Boxes
+  CutForPull(const MedialVoxelBox & box, std::size_t bytesPerVoxel);
+};
+
+} // end namespace itk
+
+#endif

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "itkMedialVoxelInput.h"
+
+#include "itkMedialVoxelObjectPredicate.h"
+#include "itkMedialVoxelProgress.h"
+#include "itkMedialVoxelSmoothing.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace itk
+{
+namespace
+{
+
+using Numbers = MedialVoxelSmoothingNumbers;
+using Smoothing = MedialVoxelEnums::Smoothing;
+
+/** A multiple of the rows that are best read together. */
+std::int64_t
+GetRowsOfStrip(const std::int64_t rowsReadTogether)
+{
+  return (Numbers::RowsOfStrip + rowsReadTogether - 1) / rowsReadTogether * rowsReadTogether;
+}
+
+template <typename TValue>
+MedialVoxelObjectPredicate<TValue>
+MakePredicate(const MedialVoxelObjectRule & rule)
+{
+  using PredicateType = MedialVoxelObjectPredicate<TValue>;
+  if (!rule.background)
+  {
+    return PredicateType::InRange(rule.lower, rule.upper);
+  }
+  if constexpr (std::is_floating_point<TValue>::value)
+  {
+    return PredicateType::DifferentFrom(static_cast<TValue>(rule.background->GetNearestDouble()));
+  }
+  else
+  {
+    return PredicateType::DifferentFrom(*rule.background->GetFirstValue<TValue>());
+  }
+}
+
+/** Packs values of a part to what is wanted of it. */
+template <typename TValue>
+void
+PackValues(const MedialVoxelValueView &               view,
+           const MedialVoxelBox &                     part,
+           const MedialVoxelObjectPredicate<TValue> & predicate,
+           const MedialVoxelTargets &                 targets)
+{
+  const auto * const values = static_cast<const TValue *>(view.values);
+  const auto         pack = [&](const auto & rule, MedialVoxelBits * const bits) {
+    // Bits that stay clear need no look at each voxel.
+    if (bits != nullptr && !(view.areEqual && !rule(*values)))
+    {
+      MedialVoxelPackBox(values, view.strides, part, rule, *bits);
+    }
+  };
+  pack(predicate, targets.object);
+  pack([](const TValue value) { return value != value; }, targets.notANumber);
+  if (targets.gray != nullptr)
+  {
+    MedialVoxelCopyBox(values, view.strides, part, *targets.gray);
+  }
+}
+
+/** Fills strips of a box, each with a margin of values around it. */
+template <typename TValue, typename TSmoothingRule>
+void
+FillSmoothed(MedialVoxelValueSource &                   source,
+             const MedialVoxelBox &                     image,
+             const MedialVoxelBox &                     box,
+             const TSmoothingRule &                     rule,
+             const MedialVoxelObjectPredicate<TValue> & predicate,
+             const MedialVoxelTargets &                 targets)
+{
+  MedialVoxelSmoother<TValue, TSmoothingRule> smoother(image, rule);
+  MedialVoxelForEachStrip(box, GetRowsOfStrip(source.GetRowsReadTogether()), [&](const MedialVoxelBox & part) {
+    MedialVoxelPoll();
+    const MedialVoxelBox input = Numbers::GetInputBox(part, image);
+    source.WithBox(input, [&](const MedialVoxelValueView & view) {
+      const auto * const first = static_cast<const TValue *>(view.values);
+      smoother.Run(first, view.strides, part, *targets.object);
+      const std::int64_t offset = (part.lower[2] - input.lower[2]) * view.strides[2] +
+                                  (part.lower[1] - input.lower[1]) * view.strides[1] + part.lower[0] - input.lower[0];
+      PackValues<TValue>(
+        { first + offset, view.strides }, part, predicate, { nullptr, targets.notANumber, targets.gray });
+    });
+  });
+}
+
+} // namespace
+
+MedialVoxelObjectInput::MedialVoxelObjectInput(MedialVoxelValueSource &      source,
+                                               const MedialVoxelBox &        image,
+                                               const MedialVoxelObjectRule & rule,
+                                               const Smoothing               smoothing)
+  : MedialVoxelInput(source)
+  , m_Image(image)
+  , m_Rule(rule)
+  , m_Smoothing(smoothing)
+{}
+
+void
+MedialVoxelObjectInput::Prepare(const Observer & observer)
+{
+  if (m_Smoothing != Smoothing::Automatic)
+  {
+    return;
+  }
+  MedialVoxelValueSource & source = this->GetSource();
+  m_Smoothing = Smoothing::Off;
+  MedialVoxelRoughnessPass pass;
+  pass.fill = [this](const auto & box, auto & object) { this->Fill(box, { &object }); };
+  pass.forEach = [&source](const auto & boxes, const auto & work) { source.ForEach(boxes, 0, work); };
+  pass.observe = observer;
+  pass.rows = source.GetRowsReadTogether();
+  pass.slices = source.GetSlicesReadTogether();
+  m_Roughness = MedialVoxelMeasureRoughness(pass, m_Image);
+  m_Smoothing = m_Roughness->NeedsSmoothing() ? Smoothing::On : Smoothing::Off;
+}
+
+std::int64_t
+MedialVoxelObjectInput::GetRowsReadTogether() const
+{
+  const std::int64_t rows = MedialVoxelInput::GetRowsReadTogether();
+  return this->IsSmoothed() ? GetRowsOfStrip(rows) : rows;
+}
+
+void
+MedialVoxelObjectInput::Fill(const MedialVoxelBox & box, const MedialVoxelTargets & targets)
+{
+  assert(m_Smoothing != Smoothing::Automatic);
+  MedialVoxelValueSource & source = this->GetSource();
+  MedialVoxelWithValueType(source.GetValueType(), [&](const auto zero) {
+    using ValueType = std::decay_t<decltype(zero)>;
+    const auto predicate = MakePredicate<ValueType>(m_Rule);
+    if (!this->IsSmoothed() || targets.object == nullptr)
+    {
+      source.ForEachPart(box, [&](const MedialVoxelBox & part, const MedialVoxelValueView & view) {
+        MedialVoxelPoll();
+        PackValues(view, part, predicate, targets);
+      });
+      return;
+    }
+    MedialVoxelWithSmoothingRule(predicate, m_Rule.lower, m_Rule.upper, [&](const auto & rule) {
+      FillSmoothed(source, m_Image, box, rule, predicate, targets);
+    });
+  });
+}
+
+std::uint64_t
+MedialVoxelObjectInput::GetBytesToSmooth(const MedialVoxelBox &     image,
+                                         const MedialVoxelValueType type,
+                                         const std::int64_t         rowsReadTogether)
+{
+  MedialVoxelBox strip = image;
+  strip.upper[1] = std::min(image.upper[1], GetRowsOfStrip(rowsReadTogether) + 2 * Numbers::Margin);
+  strip.upper[2] = std::min(image.upper[2], Numbers::SlicesOfStrip + 2 * Numbers::Margin);
+  using LargestSmoother = MedialVoxelSmoother<double, MedialVoxelValueSmoothing<double>>;
+  const std::size_t bytesPerVoxel = MedialVoxelWithValueType(type, [](const auto zero) { return sizeof(zero); });
+  return static_cast<std::uint64_t>(strip.NumberOfVoxels()) * bytesPerVoxel + LargestSmoother::GetBytes();
+}
+
+MedialVoxelScanResult
+MedialVoxelObjectInput::SurveyScan(const MedialVoxelGrid &                      grid,
+                                   const double                                 lower,
+                                   const double                                 upper,
+                                   const std::optional<MedialVoxelScanLevels> & levels,
+                                   const Observer &                             observer)
+{
+  // With these the survey stays below the smallest limit of memory.
+  constexpr unsigned int mostThreads = 3;
+  if (std::isfinite(lower) == std::isfinite(upper))
+  {
+    return { {}, "there are two thresholds" };
+  }
+  MedialVoxelScanSurvey::Source source;
+  source.fill = [this](const auto & box, auto & object, auto & gray) { this->Fill(box, { &object, nullptr, &gray }); };
+  source.forEach = [this](const auto & boxes, const auto & work) {
+    this->GetSource().ForEach(boxes, mostThreads, work);
+  };
+  source.observe = observer;
+  return MedialVoxelScanSurvey(grid, std::isfinite(lower) ? lower : upper, levels).Run(source);
+}
+
+} // end namespace itk
