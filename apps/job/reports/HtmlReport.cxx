@@ -78,7 +78,8 @@ MakeHtmlReport(const Json &           report,
     { "parameters", rows(PageParameters) },
     { "run", [&] { return MakeRows(DescribeRun(report, command), "text"); } },
   };
-  return FillInHtml(GetPageFile("report.html"), report, [&](const std::string & name, std::string & page) {
+  const std::string text = GetPageFile("report.html");
+  return FillInHtml(text.substr(text.find("<!DOCTYPE")), report, [&](const std::string & name, std::string & page) {
     if (name != "scripts")
     {
       page += parts.at(name)();
