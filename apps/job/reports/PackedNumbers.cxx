@@ -35,10 +35,13 @@ NumberWriter::AddSigned(std::int64_t number)
 }
 
 void
-NumberWriter::AddAll(const std::vector<std::uint64_t> & numbers)
+NumberWriter::Exchange(const LengthHistogram & histogram)
 {
-  this->Add(numbers.size());
-  std::for_each(numbers.begin(), numbers.end(), [this](std::uint64_t number) { this->Add(number); });
+  this->Add(histogram.GetNumbers().size());
+  for (const std::uint64_t number : histogram.GetNumbers())
+  {
+    this->Add(number);
+  }
 }
 
 std::string
@@ -123,7 +126,7 @@ NumberReader::GetLength()
 }
 
 void
-NumberReader::AddTo(LengthHistogram & histogram)
+NumberReader::Exchange(LengthHistogram & histogram)
 {
   const std::uint64_t size = this->GetLength();
   for (std::uint64_t bin = 0; bin < size; ++bin)
@@ -133,6 +136,15 @@ NumberReader::AddTo(LengthHistogram & histogram)
     {
       histogram.Add(bin, number);
     }
+  }
+}
+
+void
+NumberReader::ExchangeSize(const std::size_t size)
+{
+  if (this->Get() != size)
+  {
+    RefusePart();
   }
 }
 

@@ -175,6 +175,11 @@ private:
   void
   AddToTotal(const Sums & sums);
 
+  /** What another process is told. */
+  template <typename TSums, typename TNumbers>
+  static void
+  Exchange(TSums & sums, TNumbers & numbers);
+
   void
   AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & sums);
 

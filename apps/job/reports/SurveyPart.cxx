@@ -9,27 +9,34 @@
 namespace medialvoxel
 {
 
+template <typename TSums, typename TNumbers>
+void
+Survey::Exchange(TSums & sums, TNumbers & numbers)
+{
+  ThicknessSums::Exchange(sums.thickness, numbers);
+  for (auto & slices : sums.slices)
+  {
+    numbers.ExchangeSize(slices.size());
+    for (auto & slice : slices)
+    {
+      numbers.Exchange(slice.score);
+      numbers.Exchange(slice.cells);
+    }
+  }
+  numbers.ExchangeSize(sums.projection.size());
+  for (auto & pixel : sums.projection)
+  {
+    numbers.Exchange(pixel.label);
+    numbers.Exchange(pixel.medialCells);
+    numbers.Exchange(pixel.thickest);
+  }
+}
+
 std::string
 Survey::Save() const
 {
   NumberWriter numbers;
-  m_Total.thickness.Save(numbers);
-  for (const auto & slices : m_Total.slices)
-  {
-    numbers.Add(slices.size());
-    for (const SliceSums & slice : slices)
-    {
-      numbers.AddSigned(slice.score);
-      numbers.Add(slice.cells);
-    }
-  }
-  numbers.Add(m_Total.projection.size());
-  for (const ProjectedPixel & pixel : m_Total.projection)
-  {
-    numbers.Add(pixel.label);
-    numbers.Add(pixel.medialCells);
-    numbers.Add(pixel.thickest);
-  }
+  Exchange(m_Total, numbers);
   // Blocks as lengths of runs, first of those without labels.
   numbers.Add(m_Blocks.size());
   bool value = false;
@@ -53,33 +60,13 @@ Survey::Merge(const std::string & bytes)
     mostNumbers += 2 * slices.size();
   }
   NumberReader numbers(bytes, 10 * mostNumbers);
-  const auto   requireSize = [&numbers](std::size_t size) {
-    if (numbers.Get() != size)
-    {
-      RefusePart();
-    }
-  };
-  Sums part(m_Total.thickness.GetCells().GetBinWidth());
-  this->Resize(part);
-  part.thickness.Read(numbers);
-  for (unsigned int axis = 0; axis < 3; ++axis)
+  Sums         part(m_Total.thickness.GetCells().GetBinWidth());
+  if (m_Settings.picture)
   {
-    requireSize(m_Total.slices[axis].size());
-    part.slices[axis].resize(m_Total.slices[axis].size());
-    for (SliceSums & slice : part.slices[axis])
-    {
-      slice.score = numbers.GetSigned();
-      slice.cells = numbers.Get();
-    }
+    this->Resize(part);
   }
-  requireSize(m_Total.projection.size());
-  for (ProjectedPixel & pixel : part.projection)
-  {
-    pixel.label = static_cast<std::uint8_t>(numbers.Get());
-    pixel.medialCells = static_cast<std::uint32_t>(numbers.Get());
-    pixel.thickest = static_cast<std::uint32_t>(numbers.Get());
-  }
-  requireSize(m_Blocks.size());
+  Exchange(part, numbers);
+  numbers.ExchangeSize(m_Blocks.size());
   std::vector<bool> blocks;
   for (bool value = false; blocks.size() < m_Blocks.size(); value = !value)
   {

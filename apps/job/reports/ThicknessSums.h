@@ -78,29 +78,17 @@ public:
   double
   GetStandardErrorOfMean(unsigned int step) const;
 
-  /** Numbers for another process. */
-  template <typename TWriter>
-  void
-  Save(TWriter & numbers) const
+  /** What another process is told. */
+  template <typename TSums, typename TNumbers>
+  static void
+  Exchange(TSums & sums, TNumbers & numbers)
   {
-    numbers.AddAll(m_Cells.GetNumbers());
-    numbers.AddAll(m_Areas.GetNumbers());
-    numbers.Add(m_SquaredAreas);
-    numbers.Add(m_RimCells);
-    numbers.AddAll(m_Uncertainty.GetNumbers());
-    numbers.Add(m_UnresolvedCells);
-  }
-
-  template <typename TReader>
-  void
-  Read(TReader & numbers)
-  {
-    numbers.AddTo(m_Cells);
-    numbers.AddTo(m_Areas);
-    m_SquaredAreas += numbers.Get();
-    m_RimCells += numbers.Get();
-    numbers.AddTo(m_Uncertainty);
-    m_UnresolvedCells += numbers.Get();
+    numbers.Exchange(sums.m_Cells);
+    numbers.Exchange(sums.m_Areas);
+    numbers.Exchange(sums.m_SquaredAreas);
+    numbers.Exchange(sums.m_RimCells);
+    numbers.Exchange(sums.m_Uncertainty);
+    numbers.Exchange(sums.m_UnresolvedCells);
   }
 
 private:
