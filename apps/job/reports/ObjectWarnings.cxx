@@ -37,7 +37,7 @@ DescribeResampling(const VolumeHeader & input)
   return input.stored ? " when it is resampled to " + FormatSize(input.geometry.size) + " voxels" : "";
 }
 
-std::optional<Finding>
+std::optional<WarningText>
 CheckObject(const JobOptions & options, const JobResult & result)
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
@@ -47,16 +47,16 @@ CheckObject(const JobOptions & options, const JobResult & result)
   }
   if (counts.removedVoxels > 0)
   {
-    return Finding{ "no object is left: all its " + std::to_string(counts.removedVoxels) +
-                      " voxels were small grains, taken for dust; a maximum pore size of 0 keeps them",
-                    { { "removed_voxels", static_cast<double>(counts.removedVoxels) } } };
+    return WarningText{ "no object is left: all its " + std::to_string(counts.removedVoxels) +
+                          " voxels were small grains, taken for dust; a maximum pore size of 0 keeps them",
+                        { { "removed_voxels", static_cast<double>(counts.removedVoxels) } } };
   }
-  return Finding{
+  return WarningText{
     "the volume has no object" + DescribeResampling(result.input) + ": no value is " + DescribeObject(options), {}
   };
 }
 
-std::optional<Finding>
+std::optional<WarningText>
 CheckBackground(const JobOptions & options, const JobResult & result)
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
@@ -66,17 +66,17 @@ CheckBackground(const JobOptions & options, const JobResult & result)
   }
   if (counts.filledVoxels > 0)
   {
-    return Finding{ "no background is left: all its " + std::to_string(counts.filledVoxels) +
-                      " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
-                    { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
+    return WarningText{ "no background is left: all its " + std::to_string(counts.filledVoxels) +
+                          " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
+                        { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
   }
-  return Finding{ "the volume has no background" + DescribeResampling(result.input) +
-                    ", so the object has no boundary: all values are " + DescribeObject(options),
-                  {} };
+  return WarningText{ "the volume has no background" + DescribeResampling(result.input) +
+                        ", so the object has no boundary: all values are " + DescribeObject(options),
+                      {} };
 }
 
 /** Objects that are there are not in a table of names. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckNames(const JobOptions &, const JobResult & result)
 {
   if (result.objects.is_null() || result.segments.IsEmpty())
@@ -95,10 +95,11 @@ CheckNames(const JobOptions &, const JobResult & result)
   {
     return std::nullopt;
   }
-  return Finding{ "of " + std::to_string(result.objects["objects"].size()) + " labels " +
-                    std::to_string(unknown.size()) + " are of no segment, as is " + std::to_string(unknown.front()) +
-                    "; they have no name, and 3D Slicer does not show them in a segmentation",
-                  { { "labels", static_cast<double>(unknown.size()) } } };
+  return WarningText{ "of " + std::to_string(result.objects["objects"].size()) + " labels " +
+                        std::to_string(unknown.size()) + " are of no segment, as is " +
+                        std::to_string(unknown.front()) +
+                        "; they have no name, and 3D Slicer does not show them in a segmentation",
+                      { { "labels", static_cast<double>(unknown.size()) } } };
 }
 
 const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject, true },
