@@ -118,7 +118,7 @@ public:
 
 private:
   /** What is found of a kind. */
-  struct Finding
+  struct Search
   {
     PlaceLimits           limits;
     PlaceClusters         clusters;
@@ -134,13 +134,13 @@ private:
   WallPlace::Point
   GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & step, double shift) const;
 
-  VolumeGeometry       m_Geometry;
-  PlaceGrid            m_Grid;
-  double               m_AreaUnit;
-  std::uint64_t        m_AllowedBytes; ///< of cells that are pending or open
-  itk::MedialVoxelBox  m_Region;
-  std::mutex           m_Mutex; // of the cells that are pending
-  std::vector<Finding> m_Findings;
+  VolumeGeometry      m_Geometry;
+  PlaceGrid           m_Grid;
+  double              m_AreaUnit;
+  std::uint64_t       m_AllowedBytes; ///< of cells that are pending or open
+  itk::MedialVoxelBox m_Region;
+  std::mutex          m_Mutex; // of the cells that are pending
+  std::vector<Search> m_Searches;
 };
 
 } // end namespace medialvoxel

@@ -38,10 +38,10 @@ const std::vector<ExtractSummary::Text> ExtractSummary::Texts{
   { &ExtractOptions::returnParameterFile, &ExtractSummary::MakeParameters }
 };
 
-ExtractSummary::ExtractSummary(const ExtractOptions & options, const Findings & findings, OutputSet & outputs)
+ExtractSummary::ExtractSummary(const ExtractOptions & options, const Surveys & surveys, OutputSet & outputs)
   : m_Options(options)
-  , m_Findings(findings)
-  , m_Survey(findings.GetSurvey())
+  , m_Surveys(surveys)
+  , m_Survey(surveys.GetSurvey())
   , m_Preview(AddFile(outputs, options, &ExtractOptions::previewFile))
 {
   for (const Text & text : Texts)
@@ -84,7 +84,7 @@ ExtractSummary::Write(JobResult & result)
 {
   result.thickness = MakeThickness(m_Survey.GetSums(), m_Survey);
   result.uncertainty = MakeUncertainty(m_Survey.GetSums());
-  result.places = m_Findings.SummarizePlaces();
+  result.places = m_Surveys.SummarizePlaces();
   const std::vector<Warning> found = FindWarningsOfResult(m_Options, result, m_Survey);
   result.warnings.insert(result.warnings.end(), found.begin(), found.end());
   result.report = MakeReport(m_Options, result);
@@ -115,7 +115,7 @@ ExtractSummary::MakePage(const JobResult & result) const
   return MakeHtmlReport(result.report,
                         m_Options.command,
                         m_Pictures,
-                        { m_Findings.GetSheet(), GetColorRange(m_Survey.GetSums().GetAreas()) },
+                        { m_Surveys.GetSheet(), GetColorRange(m_Survey.GetSums().GetAreas()) },
                         result.input.geometry);
 }
 
