@@ -94,7 +94,7 @@ public:
   {
     m_Job.otsu = m_Options.lowerIsOtsu ? m_Options.lowerThreshold : std::nullopt;
     m_Job.roughness = m_Options.roughness;
-    m_Job.measure = m_Options.measure;
+    m_Job.wallMeasure = m_Options.measure;
     m_Job.plan.numberOfSlices = shared.manifest.numberOfSlices;
     m_Job.plan.divisions = shared.manifest.numberOfClusters;
   }
@@ -111,7 +111,7 @@ public:
     this->MergeParts();
     ExtractSummary summary(m_Options, m_Surveys, *m_Outputs);
     JobEnd         end;
-    end.measure = [this, start] { m_Job.seconds.total += SecondsSince(start); };
+    end.recordCosts = [this, start] { m_Job.seconds.total += SecondsSince(start); };
     end.publish = [this] { this->Publish(); };
     FinishJob(*m_Outputs, summary, m_Job, m_Sink, end);
     return std::move(m_Job);

@@ -44,7 +44,7 @@ struct JobResult
   itk::MedialVoxelSums                     sums;
   std::optional<itk::MedialVoxelLimit>     otsu;        ///< lower threshold, when it was measured
   std::optional<itk::MedialVoxelRoughness> roughness;   ///< of the object, when it was measured
-  std::optional<WallMeasure>               measure;     ///< of walls, where these are measured
+  std::optional<WallMeasure>               wallMeasure; ///< of walls, where these are measured
   Json                                     thickness;   ///< of an extraction, as in the report
   Json                                     uncertainty; ///< of that thickness; null: it is not known
   std::vector<PlaceSummary>                places;      ///< with too thin or too thick walls; of the kinds looked for

@@ -176,7 +176,7 @@ MakeLocalThickness(const ExtractOptions & options, const JobResult & result)
 Json
 MakeMeasure(const JobResult & result)
 {
-  const WallMeasure & measure = result.measure.value();
+  const WallMeasure & measure = result.wallMeasure.value();
   Json                scan(nullptr);
   if (measure.scan)
   {

@@ -232,7 +232,7 @@ public:
   {
     m_Run.Prepare();
     m_Result.roughness = m_Run.GetInput().GetRoughness();
-    m_Result.measure = m_Run.GetMeasure();
+    m_Result.wallMeasure = m_Run.GetMeasure();
     this->PlanObjects();
     for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
     {
@@ -245,7 +245,7 @@ public:
     const auto finishStart = JobClock::now();
     JobEnd     end;
     end.complete = [this] { this->WriteMesh(); };
-    end.measure = [this, start, finishStart] {
+    end.recordCosts = [this, start, finishStart] {
       m_Result.seconds.remeshing = m_Result.surface ? m_Result.surface->remeshingSeconds : 0.0;
       const double writing = m_Run.GetWriteSeconds() + SecondsSince(finishStart) - m_Result.seconds.remeshing;
       AddMeasurements(m_Result, m_Run.GetInput(), writing, start);
