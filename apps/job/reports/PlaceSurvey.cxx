@@ -32,7 +32,7 @@ GetPlannedCellBytes(const VolumeGeometry & geometry)
 {
   constexpr std::uint64_t least = 1024;
   const std::uint64_t     cells = least + geometry.GetVoxelsPerSlice() / VoxelsPerOpenCell;
-  return cells * (PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell);
+  return cells * (PlaceJoiner::BytesPerCell + 2 * PlaceJoiner::BytesPerOpenCell);
 }
 
 /** Places of a kind that are listed, at most: no two of them touch. */
@@ -85,7 +85,7 @@ PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
     rule.smallestArea =
       smallest < 0x1p63 ? static_cast<std::uint64_t>(std::ceil(smallest)) : std::numeric_limits<std::uint64_t>::max();
     rule.lengthUnit = GetLengthUnit(grid, geometry.GetDimension());
-    m_Searches.push_back({ limits, PlaceClusters(rule, m_Grid), {} });
+    m_Searches.push_back({ limits, PlaceJoiner(rule, m_Grid), {} });
   }
 }
 
@@ -109,7 +109,7 @@ PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
 {
   for (Search & search : m_Searches)
   {
-    const PlaceRule &          rule = search.clusters.GetRule();
+    const PlaceRule &          rule = search.joiner.GetRule();
     std::vector<PlaceCell>     cells;
     itk::MedialVoxelWallPoints points;
     itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & index, const auto & wall) {
@@ -140,7 +140,7 @@ PlaceSurvey::GetUsedBytes() const
 {
   return std::accumulate(
     m_Searches.begin(), m_Searches.end(), std::uint64_t{ 0 }, [](std::uint64_t bytes, const Search & search) {
-      return bytes + search.clusters.GetOpenBytes() + search.pending.size() * PlaceClusters::BytesPerCell;
+      return bytes + search.joiner.GetOpenBytes() + search.pending.size() * PlaceJoiner::BytesPerCell;
     });
 }
 
@@ -149,7 +149,7 @@ PlaceSurvey::Commit()
 {
   for (Search & search : m_Searches)
   {
-    search.clusters.Add(search.pending, m_Region);
+    search.joiner.Add(search.pending, m_Region);
     search.pending = {};
   }
 }
@@ -159,7 +159,7 @@ PlaceSurvey::Clear()
 {
   for (Search & search : m_Searches)
   {
-    search.clusters.Clear();
+    search.joiner.Clear();
   }
 }
 
@@ -169,7 +169,7 @@ PlaceSurvey::Save() const
   NumberWriter numbers;
   for (const Search & search : m_Searches)
   {
-    search.clusters.Save(numbers);
+    search.joiner.Save(numbers);
   }
   return numbers.Pack();
 }
@@ -182,7 +182,7 @@ PlaceSurvey::Merge(const std::string & bytes)
   NumberReader            numbers(bytes, bytes.size() * mostPacking);
   for (Search & search : m_Searches)
   {
-    search.clusters.Merge(numbers);
+    search.joiner.Merge(numbers);
   }
   numbers.CheckEnd();
 }
@@ -193,8 +193,8 @@ PlaceSurvey::Summarize() const
   std::vector<PlaceSummary> summaries;
   for (const Search & search : m_Searches)
   {
-    const PlaceRule & rule = search.clusters.GetRule();
-    PlaceList         list = search.clusters.Finish();
+    const PlaceRule & rule = search.joiner.GetRule();
+    PlaceList         list = search.joiner.Finish();
     PlaceSummary &    summary = summaries.emplace_back();
     summary.kind = rule.kind;
     summary.dimension = m_Geometry.GetDimension();

@@ -3,7 +3,7 @@
 #ifndef medialvoxelPlaceSurvey_h
 #define medialvoxelPlaceSurvey_h
 
-#include "PlaceClusters.h"
+#include "PlaceJoiner.h"
 #include "PlaceSummary.h"
 #include "VolumeHeader.h"
 
@@ -60,7 +60,7 @@ public:
 
   /** Bytes for each voxel of a slice beside those of the piece: a thin wall lies in it. */
   static constexpr std::uint64_t MostBytesPerVoxelOfSlice =
-    PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell;
+    PlaceJoiner::BytesPerCell + 2 * PlaceJoiner::BytesPerOpenCell;
 
   /** \param areaUnit     of which areas are multiples, in squared units of the grid
    * \param surplusBytes for the cells of a region, beside GetBytes() */
@@ -121,7 +121,7 @@ private:
   struct Search
   {
     PlaceLimits           limits;
-    PlaceClusters         clusters;
+    PlaceJoiner           joiner;
     std::deque<PlaceCell> pending;
   };
 
