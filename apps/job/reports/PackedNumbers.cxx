@@ -63,7 +63,7 @@ NumberWriter::Pack() const
 }
 
 void
-RefusePart()
+RefuseSaved()
 {
   throw JobError(ExitStatus::Failure, "a part of the survey is damaged or of another job");
 }
@@ -77,7 +77,7 @@ NumberReader::NumberReader(const std::string & packed, std::uint64_t mostBytes)
   }
   if (size == 0 || size > mostBytes || size > MostRatio * packed.size())
   {
-    RefusePart();
+    RefuseSaved();
   }
   m_Bytes.resize(size);
   uLongf length = m_Bytes.size();
@@ -87,7 +87,7 @@ NumberReader::NumberReader(const std::string & packed, std::uint64_t mostBytes)
                  packed.size() - 8) != Z_OK ||
       length != m_Bytes.size())
   {
-    RefusePart();
+    RefuseSaved();
   }
 }
 
@@ -104,7 +104,7 @@ NumberReader::Get()
       return number;
     }
   }
-  RefusePart();
+  RefuseSaved();
 }
 
 std::int64_t
@@ -120,7 +120,7 @@ NumberReader::GetLength()
   const std::uint64_t length = this->Get();
   if (length > m_Bytes.size() - m_Position)
   {
-    RefusePart();
+    RefuseSaved();
   }
   return static_cast<std::size_t>(length);
 }
@@ -144,7 +144,7 @@ NumberReader::ExchangeSize(const std::size_t size)
 {
   if (this->Get() != size)
   {
-    RefusePart();
+    RefuseSaved();
   }
 }
 
@@ -153,7 +153,7 @@ NumberReader::CheckEnd() const
 {
   if (m_Position != m_Bytes.size())
   {
-    RefusePart();
+    RefuseSaved();
   }
 }
 

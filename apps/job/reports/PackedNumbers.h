@@ -120,7 +120,7 @@ private:
 
 /** \throw JobError Failure, always */
 [[noreturn]] void
-RefusePart();
+RefuseSaved();
 
 } // end namespace medialvoxel
 

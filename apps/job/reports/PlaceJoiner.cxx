@@ -251,7 +251,7 @@ PlaceJoiner::Merge(NumberReader & numbers)
     const std::uint64_t place = numbers.Get();
     if (place >= numberOfPlaces)
     {
-      RefusePart();
+      RefuseSaved();
     }
     nodes.push_back({ key, offset + static_cast<std::uint32_t>(place) });
   }

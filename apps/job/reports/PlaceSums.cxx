@@ -102,7 +102,7 @@ PlaceSums::Load(NumberReader & numbers)
   Exchange(sums, numbers);
   if (sums.cells == 0)
   {
-    RefusePart();
+    RefuseSaved();
   }
   return sums;
 }

@@ -34,7 +34,7 @@ TakePart(std::string_view & bytes)
   }
   if (bytes.size() < LengthBytes || length > bytes.size() - LengthBytes)
   {
-    RefusePart();
+    RefuseSaved();
   }
   const std::string part(bytes.substr(LengthBytes, length));
   bytes.remove_prefix(LengthBytes + length);
@@ -102,7 +102,7 @@ Surveys::Merge(const std::string & bytes)
   }
   if (!rest.empty())
   {
-    RefusePart();
+    RefuseSaved();
   }
 }
 

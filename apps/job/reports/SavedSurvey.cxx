@@ -60,12 +60,12 @@ Survey::Merge(const std::string & bytes)
     mostNumbers += 2 * slices.size();
   }
   NumberReader numbers(bytes, 10 * mostNumbers);
-  Sums         part(m_Total.thickness.GetCells().GetBinWidth());
+  Sums         saved(m_Total.thickness.GetCells().GetBinWidth());
   if (m_Settings.picture)
   {
-    this->Resize(part);
+    this->Resize(saved);
   }
-  Exchange(part, numbers);
+  Exchange(saved, numbers);
   numbers.ExchangeSize(m_Blocks.size());
   std::vector<bool> blocks;
   for (bool value = false; blocks.size() < m_Blocks.size(); value = !value)
@@ -73,12 +73,12 @@ Survey::Merge(const std::string & bytes)
     const std::uint64_t length = numbers.Get();
     if (length > m_Blocks.size() - blocks.size() || (length == 0 && !blocks.empty()))
     {
-      RefusePart();
+      RefuseSaved();
     }
     blocks.insert(blocks.end(), length, value);
   }
   numbers.CheckEnd();
-  this->AddToTotal(part);
+  this->AddToTotal(saved);
   std::transform(m_Blocks.begin(), m_Blocks.end(), blocks.begin(), m_Blocks.begin(), std::logical_or<>());
 }
 
