@@ -22,7 +22,7 @@ using PageParts = std::function<void(const std::string & name, std::string & pag
  * `[condition?text]` is there where the condition holds: `path` for a value that is neither null nor false nor empty,
  * `path>0`, `path=text`, or one of these behind `!`; `a&b` where both hold, `a|b&c` where a or both others do.
  * `[path:text]` is there for each member of a list or object, `[path*20:text]` for 20 of them at most. Paths within
- * begin at the member, or at the result where the member has no such key; `.` is the member itself, `#` its number from
+ * begin at the member, or at the result where the member lacks the key; `.` is the member itself, `#` its number from
  * 1, `@` its key, also within lists in it.
  * \throw std::invalid_argument for a format that is not known, and a bracket without its end */
 std::string

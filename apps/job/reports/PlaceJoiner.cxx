@@ -154,7 +154,7 @@ PlaceJoiner::Join(Nodes                          nodes,
   m_OpenPlaces = std::move(openPlaces);
 }
 
-/** For each node the first one of those that it is joined with. */
+/** For each node the first node that it is joined with. */
 std::vector<std::uint32_t>
 PlaceJoiner::FindRoots(const Nodes & nodes, std::size_t numberOfPlaces) const
 {

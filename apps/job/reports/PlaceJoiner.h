@@ -16,9 +16,8 @@ namespace medialvoxel
 /** \class PlaceJoiner
  * \brief Joins neighbors among the cells of a volume to places, while its regions come one after the other.
  *
- * Cells are neighbors when they share a corner. Regions come by slices, and of some slices by rows; between two regions
- * only those cells are kept that may get neighbors, and of the places that have none of these only the largest. What
- * is found does not depend on the regions. */
+ * Cells are neighbors when they share a corner. Regions come by slices, or by rows of slices. Between two regions it
+ * keeps the cells that may get neighbors, and the largest finished places. The places do not depend on the regions. */
 class PlaceJoiner
 {
 public:

@@ -58,7 +58,7 @@ public:
   static constexpr std::uint64_t MostBytesPerVoxel = 8;
   static constexpr std::uint64_t PlannedBytesPerVoxel = 1;
 
-  /** Bytes for each voxel of a slice beside those of the piece: a thin wall lies in it. */
+  /** Bytes for each voxel of a slice, beside the bytes of the piece: a thin wall lies in the slice. */
   static constexpr std::uint64_t MostBytesPerVoxelOfSlice =
     PlaceJoiner::BytesPerCell + 2 * PlaceJoiner::BytesPerOpenCell;
 
@@ -70,7 +70,7 @@ public:
               double                       areaUnit,
               std::uint64_t                surplusBytes);
 
-  /** The tiles from now on are of this region; those of a region that failed are forgotten. */
+  /** The tiles from now on are of this region; tiles of a region that failed are forgotten. */
   void
   BeginRegion(const itk::MedialVoxelBox & region)
   {

@@ -37,7 +37,7 @@ Survey::Save() const
 {
   NumberWriter numbers;
   Exchange(m_Total, numbers);
-  // Blocks as lengths of runs, first of those without labels.
+  // Lengths of runs of blocks; the first run has no labels.
   numbers.Add(m_Blocks.size());
   bool value = false;
   for (auto begin = m_Blocks.begin(); begin != m_Blocks.end(); value = !value)

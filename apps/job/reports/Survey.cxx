@@ -82,7 +82,8 @@ GetNumberOfBlocks(const VolumeGeometry & geometry)
 
 } // namespace
 
-/** What one tile adds. Columns run along the last axis; those of a word of cells are bits, the first one bit 0. */
+/** What one tile adds. Columns run along the last axis. The columns of a word of cells are bits, the first one bit 0.
+ */
 struct Survey::TileSums : public Workspace
 {
   struct ColumnWord

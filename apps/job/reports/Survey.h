@@ -115,12 +115,12 @@ public:
   static constexpr unsigned int BlockShiftX = 6;
   static constexpr unsigned int BlockShiftYZ = 4;
 
-  /** A pixel of the projection along the last axis, or a voxel where those are larger. */
+  /** A pixel of the projection along the last axis, or a voxel where voxels are larger. */
   struct ProjectedPixel
   {
     std::uint8_t  label{ 0 };       ///< largest label of all cells that it covers
     std::uint32_t medialCells{ 0 }; ///< their number
-    std::uint32_t thickest{ 0 }; ///< largest bin of the measured ones among them, also those that do not count; 0: none
+    std::uint32_t thickest{ 0 };    ///< largest bin of a measured cell, also outside of the sample; 0: none
   };
   using Projection = std::vector<ProjectedPixel>;
 

@@ -233,7 +233,7 @@ struct WallFacts
     return survey.GetSums().GetAreas().GetTotal() > 0;
   }
 
-  /** False when there are no cells, and when the few of a large volume may be none of those that are measured. */
+  /** False without cells, and when the sample may have missed the few cells of a large volume. */
   bool
   ShouldBeMeasured() const
   {
@@ -339,7 +339,7 @@ CheckSheets(const WallFacts & facts)
   };
 }
 
-/** Balls are cut at the maximum, so that such values are no thickness. */
+/** Balls are cut at the maximum, so the maximum is no thickness. */
 std::optional<WarningText>
 CheckBalls(const ExtractOptions & options, const JobResult & result)
 {

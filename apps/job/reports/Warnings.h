@@ -47,7 +47,7 @@ FindWarningsOfResult(const SurfaceOptions & options, const JobResult & result);
 std::set<std::string>
 ListWarningCodes();
 
-/** The sink hears of the warnings, but not of those before the one with the number \a first. */
+/** The sink hears of the warnings from number \a first on. */
 void
 TellWarnings(ProgressSink & sink, const std::vector<Warning> & warnings, std::size_t first = 0);
 
