@@ -178,6 +178,7 @@ def make_formats(catalog):
         "[their folder or a pattern](../how-to/large-volumes.md#series-of-slices).\n",
         table(["extension", "format", "written", "vectors written", "packed"], volumes),
         "[Large volumes](../how-to/large-volumes.md#which-files-stream) lists which variants are read and which of them stream.\n"
+        "A program can be [built without](../getting-started/terminal.md#install) the formats below `.hdr`.\n"
         "TIFF needs a program built with libtiff; Zarr that is packed by Blosc or zstd needs one built with libblosc or libzstd.\n",
         "## Meshes\n",
         "All are written.\n",

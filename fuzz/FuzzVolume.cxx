@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FuzzVolume.h"
 
-#include "HeaderParsing.h"
 #include "ReadVolumeHeader.h"
 #include "ValueReader.h"
 #include "VolumeFormats.h"
@@ -71,7 +70,7 @@ CheckOutputHeader(const VolumeHeader & header)
   static const InputFile copy("copy.mha");
   const std::string      text = MakeMetaImageText(header.geometry, { header.pixelType, 1 }, "");
   copy.Write(reinterpret_cast<const std::uint8_t *>(text.data()), text.size());
-  const VolumeHeader again = ReadMetaImageHeader(copy.GetPath());
+  const VolumeHeader again = FindInputFormat(copy.GetPath()).input.readHeader(copy.GetPath());
   Require(again.geometry.size == header.geometry.size && again.geometry.spacing == header.geometry.spacing &&
             again.geometry.origin == header.geometry.origin && again.pixelType == header.pixelType,
           "another geometry after writing and reading it:\n" + text);

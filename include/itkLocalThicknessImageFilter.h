@@ -29,7 +29,7 @@ namespace itk
  * are nearer than R. The value is the largest 2 R of the balls that cover a voxel. A plate of w voxels reads w where w
  * is even and w + 1 where it is odd, and edges are thin.
  *
- * Balls are cut at MaximumThickness, so that a value depends on voxels nearby alone: the filter streams, and any
+ * Balls are cut at LargestBall, so that a value depends on voxels nearby alone: the filter streams, and any
  * requested region gives the same values as the whole image, for any number of threads. Nothing is known outside of the
  * image, so that an object which the image cuts may be found too thick beside its faces.
  *
@@ -75,14 +75,14 @@ public:
    * otherwise in voxels. Positive, at most 256 voxels of the smallest spacing; default 32 voxels of the largest
    * spacing. Memory and time grow with it. */
   void
-  SetMaximumThickness(double thickness);
+  SetLargestBall(double thickness);
   void
-  UnsetMaximumThickness();
+  UnsetLargestBall();
 
   /** What was set; 0 without. */
-  itkGetConstMacro(MaximumThickness, double);
+  itkGetConstMacro(LargestBall, double);
 
-  /** Object voxels whose value is MaximumThickness, so that their balls may be larger. Summed like the counts. */
+  /** Object voxels whose value is LargestBall, so that their balls may be larger. Summed like the counts. */
   SizeValueType
   GetNumberOfVoxelsAtMaximum() const
   {
@@ -118,7 +118,7 @@ protected:
 private:
   MethodEnum m_Method{ MethodEnum::Wall };
   bool       m_SubvoxelThickness{ false };
-  double     m_MaximumThickness{ 0.0 };
+  double     m_LargestBall{ 0.0 };
 };
 
 } // end namespace itk

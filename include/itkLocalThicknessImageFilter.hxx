@@ -10,26 +10,26 @@ namespace itk
 
 template <typename TInputImage>
 void
-LocalThicknessImageFilter<TInputImage>::SetMaximumThickness(const double thickness)
+LocalThicknessImageFilter<TInputImage>::SetLargestBall(const double thickness)
 {
   if (!(thickness > 0.0) || !std::isfinite(thickness))
   {
-    itkExceptionMacro("MaximumThickness is " << thickness << "; it must be positive and finite.");
+    itkExceptionMacro("LargestBall is " << thickness << "; it must be positive and finite.");
   }
-  if (thickness != m_MaximumThickness)
+  if (thickness != m_LargestBall)
   {
-    m_MaximumThickness = thickness;
+    m_LargestBall = thickness;
     this->Modified();
   }
 }
 
 template <typename TInputImage>
 void
-LocalThicknessImageFilter<TInputImage>::UnsetMaximumThickness()
+LocalThicknessImageFilter<TInputImage>::UnsetLargestBall()
 {
-  if (m_MaximumThickness != 0.0)
+  if (m_LargestBall != 0.0)
   {
-    m_MaximumThickness = 0.0;
+    m_LargestBall = 0.0;
     this->Modified();
   }
 }
@@ -39,15 +39,14 @@ MedialVoxelEngineTask
 LocalThicknessImageFilter<TInputImage>::GetTask(const MedialVoxelGrid & grid) const
 {
   const double largest = MedialVoxelLocalThickness::GetLargestMaximum(grid);
-  if (m_MaximumThickness > largest)
+  if (m_LargestBall > largest)
   {
-    itkExceptionMacro("MaximumThickness is " << m_MaximumThickness << "; it must be at most "
-                                             << MedialVoxelLocalThickness::MostVoxels << " voxels, which is " << largest
-                                             << " here.");
+    itkExceptionMacro("LargestBall is " << m_LargestBall << "; it must be at most "
+                                        << MedialVoxelLocalThickness::MostVoxels << " voxels, which is " << largest
+                                        << " here.");
   }
   MedialVoxelLocalThickness task;
-  task.maximumThickness =
-    m_MaximumThickness > 0.0 ? m_MaximumThickness : MedialVoxelLocalThickness::GetDefaultMaximum(grid);
+  task.maximumThickness = m_LargestBall > 0.0 ? m_LargestBall : MedialVoxelLocalThickness::GetDefaultMaximum(grid);
   if (m_Method == MethodEnum::Wall)
   {
     MedialVoxelParameters::Settings settings;
@@ -104,7 +103,7 @@ LocalThicknessImageFilter<TInputImage>::PrintSelf(std::ostream & os, Indent inde
   Superclass::PrintSelf(os, indent);
   os << indent << "Method: " << m_Method << std::endl;
   os << indent << "SubvoxelThickness: " << (m_SubvoxelThickness ? "On" : "Off") << std::endl;
-  os << indent << "MaximumThickness: " << m_MaximumThickness << std::endl;
+  os << indent << "LargestBall: " << m_LargestBall << std::endl;
   os << indent << "NumberOfVoxelsAtMaximum: " << this->GetNumberOfVoxelsAtMaximum() << std::endl;
   os << indent << "NumberOfVoxelsWithoutWall: " << this->GetNumberOfVoxelsWithoutWall() << std::endl;
 }

@@ -33,7 +33,7 @@ foreach(_folder IN LISTS _folders)
   file(GLOB _found CONFIGURE_DEPENDS "${_folder}/*.cxx")
   list(APPEND _sources ${_found})
 endforeach()
-list(FILTER _sources EXCLUDE REGEX "/(itkStreaming[A-Za-z]*|Program|Checksum)\\.cxx$")
+list(FILTER _sources EXCLUDE REGEX "/(itkStreaming[A-Za-z]*|Program|Checksum|ItkVersion)\\.cxx$")
 list(APPEND _sources "${_root}/apps/job/formats/input/ValueStatistics.cxx" "${_root}/apps/job/reports/ObjectWarnings.cxx"
      "${_root}/apps/job/reports/Warnings.cxx")
 

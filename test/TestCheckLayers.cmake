@@ -16,6 +16,8 @@ function(make_tree)
   file(WRITE "${FOLDER}/shell/Isosurface/itkMedialVoxelMargins.h" "#include \"itkMedialVoxelPairs.h\"\n")
   file(WRITE "${FOLDER}/apps/job/system/Signals.cxx" "#include <csignal>\n#include <sys/stat.h>\n")
   file(WRITE "${FOLDER}/apps/job/base/Text.h" "#include <string>\n#include <nlohmann/json.hpp>\n")
+  file(WRITE "${FOLDER}/apps/job/formats/text/MrcHeader.h" "#include \"Text.h\"\n")
+  file(WRITE "${FOLDER}/apps/job/formats/text/MrcHeader.cxx" "#include \"MrcHeader.h\"\n")
   file(WRITE "${FOLDER}/apps/job/run/Plan.cxx" "#include \"Text.h\"\n#include \"itkMedialVoxelImageFilter.h\"\n")
   file(WRITE "${FOLDER}/apps/job/run/Plan.h" "")
   file(WRITE "${FOLDER}/apps/medialvoxel/CommandLine.h" "#include \"Plan.h\"\n")
@@ -52,6 +54,9 @@ expect("apps/job/base/Text.h: Plan.h is of apps/job/run" apps/job/base/Text.h "#
 expect("apps/job/run/Plan.h: CommandLine.h is of apps/medialvoxel" apps/job/run/Plan.h "#include \"CommandLine.h\"")
 expect("apps/MedialVoxelExtraction/main.cxx: CommandLine.h is of apps/medialvoxel" apps/MedialVoxelExtraction/main.cxx
        "#include \"CommandLine.h\"")
+foreach(file IN ITEMS formats/zarr/ZarrHeader.cxx formats/catalog/VolumeFormats.cxx run/Plan.h)
+  expect("apps/job/${file}: MrcHeader.h is of apps/job/formats/text" apps/job/${file} "#include \"MrcHeader.h\"")
+endforeach()
 expect("apps/job/run/Plan: apps/job/reports has a unit of this name as well" apps/job/reports/Plan.h "")
 expect("New.cxx is in no folder" apps/job/new/New.cxx "")
 expect("Cells/itkMedialVoxelPairs.h: itkMedialVoxelMargins.h is not" src/Cells/itkMedialVoxelPairs.h

@@ -31,7 +31,7 @@ MakeFilter(const Volume & volume, const double maximumThickness)
   auto filter = ThicknessFilter<VDimension>::New();
   filter->SetInput(MakeImage<MaskImage<VDimension>>(volume));
   filter->SetMethod(Method::Sphere);
-  filter->SetMaximumThickness(maximumThickness);
+  filter->SetLargestBall(maximumThickness);
   return filter;
 }
 
@@ -167,12 +167,12 @@ TEST(LocalThicknessImageFilter, HasTheDocumentedDefaultsAndRefusesOthers)
 {
   auto filter = ThicknessFilter<3>::New();
   EXPECT_STREQ(filter->GetNameOfClass(), "LocalThicknessImageFilter");
-  EXPECT_EQ(filter->GetMaximumThickness(), 0.0);
+  EXPECT_EQ(filter->GetLargestBall(), 0.0);
   EXPECT_EQ(filter->GetMethod(), Method::Wall);
   EXPECT_THROW(filter->SetMethod(static_cast<Method>(2)), itk::ExceptionObject);
   for (const double wrong : { 0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
   {
-    EXPECT_THROW(filter->SetMaximumThickness(wrong), itk::ExceptionObject) << wrong;
+    EXPECT_THROW(filter->SetLargestBall(wrong), itk::ExceptionObject) << wrong;
   }
   const Volume volume =
     MakeVolume({ { 80, 80, 80 } }, { { 0.5, 0.5, 0.5 } }, [](const Index3 & at) { return at[0] > 0 || at[1] > 0; });
@@ -181,11 +181,11 @@ TEST(LocalThicknessImageFilter, HasTheDocumentedDefaultsAndRefusesOthers)
   filter->Update();
   const auto values = PixelsOf(filter->GetOutput());
   EXPECT_EQ(*std::max_element(values.begin(), values.end()), 16.0f); // 32 voxels
-  filter->SetMaximumThickness(128.5);
+  filter->SetLargestBall(128.5);
   EXPECT_THROW(filter->Update(), itk::ExceptionObject);
-  filter->UnsetMaximumThickness();
-  EXPECT_EQ(filter->GetMaximumThickness(), 0.0);
+  filter->UnsetLargestBall();
+  EXPECT_EQ(filter->GetLargestBall(), 0.0);
   std::ostringstream text;
   filter->Print(text);
-  EXPECT_NE(text.str().find("MaximumThickness: 0"), std::string::npos);
+  EXPECT_NE(text.str().find("LargestBall: 0"), std::string::npos);
 }

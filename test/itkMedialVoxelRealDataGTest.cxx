@@ -96,7 +96,7 @@ ExpectLocalThicknessIsBruteForce(const Volume & whole)
     {
       auto filter = ThicknessFilter<3>::New();
       filter->SetInput(MakeImage<MaskImage<3>>(crop));
-      filter->SetMaximumThickness(maximum);
+      filter->SetLargestBall(maximum);
       filter->SetMethod(itk::MedialVoxelLocalThicknessMethod::Sphere);
       filter->Update();
       EXPECT_TRUE(AreEqual(PixelsOf(filter->GetOutput()), ExpectedThickness(crop, maximum))) << maximum;

@@ -24,7 +24,7 @@ MakeFilter(const Volume & volume, const double maximumThickness)
 {
   auto filter = ThicknessFilter<VDimension>::New();
   filter->SetInput(MakeImage<MaskImage<VDimension>>(volume));
-  filter->SetMaximumThickness(maximumThickness);
+  filter->SetLargestBall(maximumThickness);
   return filter;
 }
 
@@ -191,7 +191,7 @@ TEST(WallThickness, OnGrayValuesEqualsBruteForce)
     auto filter = itk::LocalThicknessImageFilter<GrayImage>::New();
     filter->SetInput(image);
     filter->SetLowerThreshold(55);
-    filter->SetMaximumThickness(9.0);
+    filter->SetLargestBall(9.0);
     filter->SubvoxelThicknessOn();
     itk::MedialVoxelFilterAccess::SetTileSize(*filter, 13);
     itk::MedialVoxelFilterAccess::SetSlabThickness(*filter, 7);

@@ -62,7 +62,7 @@ FUNCTIONS = {
         >>> import numpy as np
         >>> plate = np.zeros((12, 30, 30), np.uint8)
         >>> plate[4:8, :, :] = 1  # axes z, y, x
-        >>> thickness = itk.local_thickness_image_filter(plate, maximum_thickness=10)
+        >>> thickness = itk.local_thickness_image_filter(plate, largest_ball=10)
         >>> np.unique(thickness).tolist()
         [0.0, 4.0]
         """,

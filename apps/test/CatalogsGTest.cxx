@@ -38,7 +38,7 @@ TEST(MedialVoxelVolumeFormats, OfOutputsAreRead)
     const OutputFormat output = FindOutputFormat("out" + extension);
     EXPECT_EQ(output.extension.text, extension);
     EXPECT_EQ(&FindInputFormat("no-such-file" + extension), &output.format) << extension;
-    EXPECT_TRUE(output.format.writer->make) << extension;
+    EXPECT_EQ(output.format.writer->makeFolder != nullptr, output.format.IsFolder()) << extension;
     EXPECT_EQ(output.format.writer->makeHeader == nullptr, output.format.IsFolder()) << extension;
   }
   EXPECT_THROW(FindOutputFormat("out.tif"), JobError);

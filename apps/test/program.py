@@ -62,6 +62,7 @@ class ProgramTestCase(unittest.TestCase):
     """Each test has a folder of its own, self.folder."""
 
     PLACE = None  # folder for them; None: that of all temporary files
+    PROGRAM = PROGRAM
 
     def setUp(self):
         temporary = tempfile.TemporaryDirectory(prefix="medialvoxel-test-", dir=self.PLACE)
@@ -72,7 +73,7 @@ class ProgramTestCase(unittest.TestCase):
         """Runs the program, checks its exit status and returns what it printed; only unpacking makes it say something
         beside its warnings, which are returned as a list."""
         result = subprocess.run(
-            [PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False, **options
+            [self.PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, check=False, **options
         )
         self.assertEqual(result.returncode, status, f"{arguments}\n{result.stdout}{result.stderr}")
         result.warnings = WARNING.findall(result.stderr)

@@ -9,7 +9,7 @@ import unittest
 
 import volumes
 from processes import PATIENCE
-from program import CORRUPT, FAILURE, READS_TIFF, REFUSED, USAGE, ProgramTestCase, unprivileged
+from program import CORRUPT, FAILURE, REFUSED, USAGE, ProgramTestCase, unprivileged
 
 
 class BadInputTest(ProgramTestCase):
@@ -148,11 +148,6 @@ class BadInputTest(ProgramTestCase):
     def test_unknown_extension(self):
         (self.folder / "in.xyz").write_bytes(b"\0" * 100)
         self.assert_refused("in.xyz", ["unknown format", ".xyz", ".mha"], USAGE)
-
-    @unittest.skipIf(READS_TIFF, "the program was built with libtiff")
-    def test_tiff_without_libtiff(self):
-        volumes.write_tiff(self.folder / "in.tif", self.volume)
-        self.assert_refused("in.tif", ["unknown format", ".tif", ".mha"], USAGE)
 
     def test_content_of_another_format(self):
         for name in ("in.mha", "in.nrrd"):

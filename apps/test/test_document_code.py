@@ -32,6 +32,7 @@ NOT_RUN = (
     ("doc/how-to/large-volumes.md", "medialvoxel info scan ", "needs series of slices: test_series runs them"),
     ("doc/how-to/jobs.md", "medialvoxel plan part.mha medial.mha job --memory 4G", "needs Slurm: test_slurm runs such jobs"),
     ("doc/how-to/jobs.md", "sbatch --dependency", "needs Slurm: test_slurm runs such jobs"),
+    ("doc/how-to/numpy.md", "pip install ./python", "installs packages and builds"),
     ("doc/how-to/numpy.md", "scripts/build-numpy-wheel", "builds ITK and a wheel, half an hour"),
     ("doc/how-to/meshes-and-fem.md", "pip install meshio", "installs packages: python/test/test_check.py runs the check"),
     ("doc/how-to/jobs.md", "python3 python/medialvoxel_dask.py", "needs a Dask cluster: test_dask runs such jobs"),

@@ -257,13 +257,17 @@ class DicomTest(SeriesTestCase):
         for what, old, new, part in (
             ("length", b"\xe0\x7f\x10\x00OW\0\0" + struct.pack("<I", 960), b"\xe0\x7f\x10\x00OW\0\0" + b"\xf0\xff\xff\x7f", "are left"),
             ("representation", b"\x28\x00\x10\x00US", b"\x28\x00\x10\x00ZZ", "'ZZ'"),
-            ("other representation", b"\x20\x00\x32\x00DS", b"\x20\x00\x32\x00LO", "LO; it must have DS"),
+            ("other representation", b"\x28\x00\x10\x00US", b"\x28\x00\x10\x00SS", "not one whole number"),
             ("syntax", b"1.2.840.10008.1.2.1\0", b"1.2.840.10008.1.3.1\0", "1.2.840.10008.1.3.1"),
         ):
             with self.subTest(what=what):
                 self.assertIn(old, content)
                 victim.write_bytes(content.replace(old, new))
                 self.assert_fails(CORRUPT, ["IM0003", part], "info", folder)
+        victim.write_bytes(content)
+        expected = self.info(folder)
+        victim.write_bytes(content.replace(b"\x20\x00\x32\x00DS", b"\x20\x00\x32\x00LO"))  # a text all the same
+        self.assertEqual(self.info(folder), expected)
 
         end = b"\xfe\xff\xdd\xe0\0\0\0\0"
         packed = self.write_dicom(volume, "rle", syntax="rle")

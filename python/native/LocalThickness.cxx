@@ -14,8 +14,10 @@ MeasureLocalThickness(const ArrayCall & call, const SurfaceOptions & options)
   {
     Fail(ExitStatus::Usage, "array: sub-voxel measures have no effect with the method sphere");
   }
+  ExtractOptions thicknessOptions = GetThicknessOptions(options);
+  thicknessOptions.maximumPoreSize = 0; // the thickness is that of the array as it is
   ArrayEngine                    engine(call, options);
-  itk::MedialVoxelLocalThickness task = GetLocalThickness(GetThicknessOptions(options), engine.GetGrid());
+  itk::MedialVoxelLocalThickness task = GetLocalThickness(thicknessOptions, engine.GetGrid());
   itk::MedialVoxelObjectInput    object = engine.MakeObject(Smoothing::Off);
   const bool mayUseValues = options.subVoxel.value_or(isOfWalls && HasOneThreshold(options, call.header));
   if (task.walls)

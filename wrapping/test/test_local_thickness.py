@@ -53,14 +53,14 @@ class LocalThickness(unittest.TestCase):
 
     def test_a_maximum(self):
         mask = blobs(shape=(14, 16, 18))
-        thickness = itk.LocalThicknessImageFilter.New(image_of(mask), method=SPHERE, maximum_thickness=np.float32(4))
+        thickness = itk.LocalThicknessImageFilter.New(image_of(mask), method=SPHERE, largest_ball=np.float32(4))
         thickness.Update()
         found = itk.array_from_image(thickness.GetOutput())
         np.testing.assert_array_equal(found, largest_balls(mask, (1, 1, 1), 4))
         self.assertEqual(thickness.GetCounts().objectVoxels, np.count_nonzero(mask))
         self.assertEqual(thickness.GetNumberOfVoxelsAtMaximum(), np.count_nonzero(found == 4))
-        thickness.UnsetMaximumThickness()
-        self.assertEqual(thickness.GetMaximumThickness(), 0)
+        thickness.UnsetLargestBall()
+        self.assertEqual(thickness.GetLargestBall(), 0)
         thickness.Update()
         np.testing.assert_array_equal(itk.array_from_image(thickness.GetOutput()), largest_balls(mask, (1, 1, 1), 32))
 
@@ -80,8 +80,8 @@ class LocalThickness(unittest.TestCase):
 
     def test_wrong_values(self):
         for maximum in (0, -1, float("nan"), float("inf"), 257):
-            with self.subTest(maximum), self.assertRaisesRegex(RuntimeError, "MaximumThickness is .*; it must be"):
-                itk.local_thickness_image_filter(blobs(shape=(14, 16, 18)), maximum_thickness=maximum)
+            with self.subTest(maximum), self.assertRaisesRegex(RuntimeError, "LargestBall is .*; it must be"):
+                itk.local_thickness_image_filter(blobs(shape=(14, 16, 18)), largest_ball=maximum)
 
 
 if __name__ == "__main__":

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Version.h"
 
-#include "itkVersion.h"
-
 namespace medialvoxel
 {
 
@@ -11,12 +9,6 @@ std::string
 GetVersion()
 {
   return MEDIALVOXEL_VERSION;
-}
-
-std::string
-GetItkVersion()
-{
-  return itk::Version::GetITKVersion();
 }
 
 } // end namespace medialvoxel

@@ -3,6 +3,7 @@
 #include "VoxelOutput.h"
 
 #include "Errors.h"
+#include "OutputVolume.h"
 #include "PackedVolume.h"
 #include "SharedVolume.h"
 #include "VolumeFormats.h"
@@ -19,7 +20,9 @@ VoxelOutput::WriteRows(const SliceRange & slices, const RowRange &, const void *
 std::unique_ptr<SharedVolume>
 MakeSharedVolume(const std::filesystem::path & fileName, const JobOptions & options)
 {
-  return FindOutputFormat(fileName).format.writer->make(fileName, options);
+  const VolumeWriter & writer = *FindOutputFormat(fileName).format.writer;
+  return writer.makeFolder ? writer.makeFolder(fileName, options)
+                           : std::make_unique<OutputVolume>(fileName, options.overwrite, options.sparse);
 }
 
 std::unique_ptr<VoxelOutput>

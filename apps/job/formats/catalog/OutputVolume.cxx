@@ -219,12 +219,6 @@ OutputVolume::Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void 
   this->GetVoxelFile().ReadAt(m_Offset + firstVoxel * m_Layout.GetBytes(), data, numberOfVoxels * m_Layout.GetBytes());
 }
 
-bool
-OutputVolume::ReadPlane(unsigned int, std::uint64_t, void *) const
-{
-  return false;
-}
-
 void
 OutputVolume::Finish()
 {

@@ -75,9 +75,6 @@ public:
   void
   Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const override;
 
-  bool
-  ReadPlane(unsigned int axis, std::uint64_t index, void * data) const override;
-
   /** Brings the files to the disk and compares their sizes. \throw JobError Failure. */
   void
   Finish() override;

@@ -3,7 +3,7 @@
 #include "PackedVolume.h"
 
 #include "Errors.h"
-#include "ZarrMetadata.h"
+#include "VolumeFormats.h"
 
 #include "itk_zlib.h"
 
@@ -17,6 +17,7 @@ namespace medialvoxel
 namespace
 {
 
+constexpr int         FastestLevel = 1;
 constexpr int         MemoryLevel = 8;
 constexpr int         WindowBits = 15;
 constexpr int         Gzip = 16; // added to the bits of the window
@@ -31,7 +32,7 @@ struct PackedVolume::Deflater
     , offset(begin)
     , packed(BlockBytes)
   {
-    if (deflateInit2(&stream, ZarrGzipLevel, Z_DEFLATED, windowBits, MemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
+    if (deflateInit2(&stream, FastestLevel, Z_DEFLATED, windowBits, MemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
     {
       Fail(ExitStatus::Failure, "cannot set up zlib to write ", file.GetFileName().string());
     }
@@ -233,12 +234,6 @@ PackedVolume::Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void 
   }
   m_Inflater->SkipTo(begin);
   m_Inflater->Read(static_cast<Bytef *>(data), numberOfVoxels * m_Layout.GetBytes());
-}
-
-bool
-PackedVolume::ReadPlane(unsigned int, std::uint64_t, void *) const
-{
-  return false;
 }
 
 void

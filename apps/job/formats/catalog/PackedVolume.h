@@ -4,7 +4,7 @@
 #define medialvoxelPackedVolume_h
 
 #include "OutputFile.h"
-#include "VolumeFormats.h"
+#include "VolumeFormat.h"
 #include "VoxelOutput.h"
 
 #include <memory>
@@ -37,9 +37,6 @@ public:
 
   void
   Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const override;
-
-  bool
-  ReadPlane(unsigned int axis, std::uint64_t index, void * data) const override;
 
   void
   Publish() override;

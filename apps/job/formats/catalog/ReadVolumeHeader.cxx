@@ -186,44 +186,6 @@ DescribeSlices(const SliceSeries & series)
 
 } // namespace
 
-void
-ApplyUnits(VolumeHeader & header, const std::vector<std::string> & units)
-{
-  const auto isEmpty = [](const std::string & unit) { return unit.empty(); };
-  if (std::all_of(units.begin(), units.end(), isEmpty))
-  {
-    return;
-  }
-  std::vector<double> factors;
-  for (std::size_t axis = 0; axis < header.geometry.GetDimension(); ++axis)
-  {
-    const std::string           unit = axis < units.size() ? units[axis] : "";
-    const std::optional<double> millimeters = GetMillimeters(unit);
-    if (!millimeters)
-    {
-      WarnOfUnknownSpacing(header, unit.empty() ? "not all axes have a unit" : "the unit '" + unit + "' is not known");
-      return;
-    }
-    factors.push_back(*millimeters);
-  }
-  for (std::size_t axis = 0; axis < factors.size(); ++axis)
-  {
-    header.geometry.spacing[axis] *= factors[axis];
-    header.geometry.origin[axis] *= factors[axis];
-  }
-  header.geometry.inMillimeters = true;
-}
-
-void
-WarnOfUnknownSpacing(VolumeHeader & header, const std::string & what)
-{
-  header.geometry.inMillimeters = false;
-  header.warnings.push_back(
-    { HeaderWarnings::UnknownSpacing,
-      what + "; the spacing " + FormatNumbers(header.geometry.spacing, " x ") + " is assumed, --spacing sets it",
-      {} });
-}
-
 VolumeHeader
 ReadVolumeHeader(const std::filesystem::path &         fileName,
                  const std::optional<RawDescription> & raw,

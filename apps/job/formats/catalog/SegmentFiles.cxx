@@ -7,9 +7,7 @@
 #include "HeaderParsing.h"
 #include "NrrdSegments.h"
 #include "Text.h"
-#include "VolumeFormats.h"
-
-#include "itkMedialVoxelNrrdHeader.h"
+#include "VolumeFormat.h"
 
 #include <algorithm>
 
@@ -17,12 +15,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-SegmentTable
-ReadNrrdSegments(const std::filesystem::path & fileName)
-{
-  return ParseNrrdSegments(fileName, itk::ReadMedialVoxelNrrdHeader(fileName).keyValues);
-}
 
 struct SegmentFormat
 {
@@ -46,10 +38,10 @@ FindFormat(const std::filesystem::path & fileName)
 }
 
 SegmentTable
-Read(const SegmentFormat & format, const std::filesystem::path & fileName)
+Read(SegmentTable (*read)(const std::filesystem::path &), const std::filesystem::path & fileName)
 try
 {
-  return format.read(fileName);
+  return read(fileName);
 }
 catch (const HeaderError & error)
 {
@@ -81,15 +73,14 @@ ReadSegments(const std::filesystem::path & fileName)
          ": unknown format; names of segments are read from ",
          Join(ListSegmentExtensions(), ", ", [](const std::string & extension) { return extension; }));
   }
-  return Read(*format, fileName);
+  return Read(format->read, fileName);
 }
 
 SegmentTable
 ReadSegmentsOfVolume(const VolumeHeader & header)
 {
-  const SegmentFormat * const format = FindFormat(header.fileName);
-  const bool                  isNrrd = header.format->input.readHeader == ReadNrrdHeader;
-  return isNrrd && format != nullptr ? Read(*format, header.fileName) : SegmentTable{};
+  const auto read = header.format->input.readSegments;
+  return read ? Read(read, header.fileName) : SegmentTable{};
 }
 
 void

@@ -2,143 +2,71 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "VolumeFormats.h"
 
+#include "FormatRows.h"
 #include "HeaderParsing.h"
-#include "NiftiText.h"
-#include "OutputVolume.h"
 #include "PackedVolume.h"
 #include "RawImageIO.h"
-#include "SeriesImageIO.h"
-#include "SliceFormats.h"
-#include "SliceNames.h"
 #include "Text.h"
-#include "VolumeText.h"
-#include "VoxelStream.h"
-#include "ZarrValues.h"
-#include "ZarrVolume.h"
-#ifdef MEDIALVOXEL_WITH_TIFF
-#  include "TiffImageIO.h"
-#  include "TiffStream.h"
-#endif
 
 #include <algorithm>
+#include <fstream>
+#include <regex>
 
 namespace medialvoxel
 {
 namespace
 {
 
-constexpr const char * DetachedRemedy = "its voxels are in a file of their own; .mha and .nrrd can be packed";
+// What CMake has built. The rest of the program does not know.
+#ifdef MEDIALVOXEL_FORMAT_SLICES
+constexpr const char * TiffRemedy = "libtiff 4.5 or later";
+#else
+constexpr const char * TiffRemedy = "MedialVoxel_FORMAT_SLICES=ON and libtiff 4.5 or later";
+#endif
 
-std::unique_ptr<SharedVolume>
-MakeFile(const std::filesystem::path & fileName, const JobOptions & options)
+/** What is left of a format that the program was built without: its name, and what to build it with. */
+[[maybe_unused]] VolumeFormat
+LeaveOut(const char * name, const std::vector<VolumeExtension> & extensions, const char * remedy)
 {
-  return std::make_unique<OutputVolume>(fileName, options.overwrite, options.sparse);
+  return { name, extensions, {}, std::nullopt, remedy };
 }
 
-std::unique_ptr<SharedVolume>
-MakeZarrFolder(const std::filesystem::path & folder, const JobOptions & options)
+[[maybe_unused]] VolumeFormat
+LeaveOutZarr()
 {
-  return std::make_unique<ZarrVolume>(folder, options.overwrite, options.sparse, options.zarrCompression);
-}
-
-VolumeFormat
-MakeMetaImageRow()
-{
-  VolumeWriter writer;
-  writer.make = MakeFile;
-  writer.makeHeader = MakeMetaImageText;
-  writer.packsAsZlib = true;
-  return { "MetaImage",
-           { { ".mha", false, false, true }, { ".mhd", true, false, false, DetachedRemedy } },
-           { ReadMetaImageHeader, DataSizeCheck::AtLeast, OpenInflatedStream, MakeRawImageIO },
-           writer };
-}
-
-VolumeFormat
-MakeNrrdRow()
-{
-  VolumeWriter writer;
-  writer.make = MakeFile;
-  writer.makeHeader = MakeNrrdText;
-  return { "NRRD",
-           { { ".nrrd", false, false, true }, { ".nhdr", true, false, false, DetachedRemedy } },
-           { ReadNrrdHeader, DataSizeCheck::AtLeast, OpenInflatedStream, MakeRawImageIO },
-           writer };
-}
-
-VolumeFormat
-MakeNiftiRow()
-{
-  VolumeWriter writer;
-  writer.make = MakeFile;
-  writer.makeHeader = [](const VolumeGeometry & geometry,
-                         const VoxelLayout &    layout,
-                         const std::string &,
-                         const std::optional<std::uint64_t> &) { return MakeNiftiHeader(geometry, layout); };
-  writer.packsHeader = true;
-  writer.hasComponents = false;
-  writer.largestSize = LargestNiftiSize;
-  return { "NIfTI",
-           { { ".nii", false, false, false, "name it .nii.gz" }, { ".nii.gz", false, true, true } },
-           { ReadNiftiHeader, DataSizeCheck::AtLeast, OpenInflatedStream, MakeRawImageIO },
-           writer };
-}
-
-/** Headers whose voxels are in a file of their own are only read. */
-VolumeFormat
-MakeNiftiPairRow()
-{
-  return { "NIfTI",
-           { { ".hdr" } },
-           { ReadNiftiHeader, DataSizeCheck::AtLeast, OpenInflatedStream, MakeRawImageIO },
-           std::nullopt };
-}
-
-VolumeFormat
-MakeZarrRow()
-{
-  VolumeWriter writer;
-  writer.make = MakeZarrFolder;
-  writer.packsChunks = true;
-  writer.getMemory = [](const VolumeGeometry & geometry, const VoxelLayout & layout, const JobOptions & options) {
-    return ZarrVolume::GetMemoryBytes(geometry, layout, options.zarrCompression);
+  VolumeFormat format = LeaveOut("Zarr", { { ".zarr" } }, "MedialVoxel_FORMAT_ZARR=ON");
+  format.input.isFolder = [](const std::filesystem::path & folder) {
+    std::error_code error;
+    return std::filesystem::exists(folder / ".zgroup", error) || std::filesystem::exists(folder / ".zarray", error) ||
+           std::filesystem::exists(folder / "zarr.json", error);
   };
-  writer.getSlicesOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
-    return ZarrGrid::ForVolume(geometry, layout).chunk[2];
-  };
-  writer.getRowsOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
-    return geometry.GetDimension() == 3 ? ZarrGrid::ForVolume(geometry, layout).chunk[1] : 0;
-  };
-  writer.getFurtherBytes = ZarrVolume::GetBytesOfSmallerLevels;
-  VolumeInput input;
-  input.readHeader = [](const std::filesystem::path & folder) { return ReadZarrHeader(folder, 0); };
-  input.sizeCheck = DataSizeCheck::ByReader;
-  input.makeChunkReader = MakeZarrValues;
-  input.readLevel = ReadZarrHeader;
-  input.isFolder = IsZarrFolder;
-  return { "Zarr", { { ".zarr" } }, input, writer };
+  format.writer = VolumeWriter();
+  return format;
 }
 
-VolumeFormat
-MakeMrcRow()
+/** Folders and patterns of slices, images that are one, and files that begin as DICOM does. */
+[[maybe_unused]] VolumeFormat
+LeaveOutSeries()
 {
-  return { "MRC",
-           { { ".mrc" }, { ".map" }, { ".rec" } },
-           { ReadMrcHeader, DataSizeCheck::AtLeast, OpenInflatedStream, MakeRawImageIO },
-           std::nullopt };
-}
-
-VolumeFormat
-MakeKeyedRow()
-{
-  std::vector<VolumeExtension> extensions;
-  for (const char * const extension : ListKeyedExtensions())
-  {
-    extensions.push_back({ extension });
-  }
-  return {
-    "VOL", extensions, { ReadKeyedHeader, DataSizeCheck::Exactly, OpenInflatedStream, MakeRawImageIO }, std::nullopt
+  VolumeFormat format =
+    LeaveOut("series of slices",
+             { { ".dcm" }, { ".dicom" }, { ".ima" }, { ".png" }, { ".jpg" }, { ".jpeg" }, { ".bmp" } },
+             "MedialVoxel_FORMAT_SLICES=ON");
+  format.input.isKnown = [](const std::filesystem::path & input) {
+    std::error_code error;
+    if (!std::filesystem::exists(input, error))
+    {
+      return std::regex_search(input.filename().string(), std::regex("[*?]|%[0-9]{0,2}d"));
+    }
+    if (!std::filesystem::is_regular_file(input, error))
+    {
+      return std::filesystem::is_directory(input, error);
+    }
+    std::string start(132, '\0');
+    std::ifstream(input, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+    return start.substr(128) == "DICM";
   };
+  return format;
 }
 
 /** The one place that knows all formats, in the order in which messages list them. */
@@ -146,21 +74,37 @@ const std::vector<VolumeFormat> &
 GetFormats()
 {
   static const std::vector<VolumeFormat> formats{
-    MakeMetaImageRow(),
-    MakeNrrdRow(),
-    MakeNiftiRow(),
-    MakeNiftiPairRow(),
-    MakeZarrRow(),
-#ifdef MEDIALVOXEL_WITH_TIFF
-    { "TIFF",
-      { { ".tif" }, { ".tiff" } },
-      { ReadTiffHeader, DataSizeCheck::ByReader, OpenTiffStream, MakeTiffImageIO },
-      std::nullopt },
+    MakeMetaImageFormat(), MakeNrrdFormat(),  MakeNiftiFormat(), MakeNiftiPairFormat(),
+#ifdef MEDIALVOXEL_FORMAT_ZARR
+    MakeZarrFormat(),
+#else
+    LeaveOutZarr(),
 #endif
-    MakeMrcRow(),
-    MakeKeyedRow(),
+#ifdef MEDIALVOXEL_WITH_TIFF
+    MakeTiffFormat(),
+#else
+    LeaveOut("TIFF", { { ".tif" }, { ".tiff" } }, TiffRemedy),
+#endif
+#ifdef MEDIALVOXEL_FORMAT_TEXT
+    MakeMrcFormat(),       MakeKeyedFormat(),
+#else
+    LeaveOut("MRC", { { ".mrc" }, { ".map" }, { ".rec" } }, "MedialVoxel_FORMAT_TEXT=ON"),
+    LeaveOut("VOL", { { ".vol" }, { ".vol.info" }, { ".vgi" }, { ".pcr" } }, "MedialVoxel_FORMAT_TEXT=ON"),
+#endif
   };
   return formats;
+}
+
+/** Of folders and patterns of images, each of which is a slice. */
+const VolumeFormat &
+GetSeriesFormat()
+{
+#ifdef MEDIALVOXEL_FORMAT_SLICES
+  static const VolumeFormat series = MakeSeriesFormat();
+#else
+  static const VolumeFormat series = LeaveOutSeries();
+#endif
+  return series;
 }
 
 /** Null when the name has none of the extensions of the format. */
@@ -195,71 +139,71 @@ JoinExtensions(const std::vector<std::string> & extensions, const char * separat
   return Join(extensions, separator, [](const std::string & extension) { return extension; });
 }
 
-} // namespace
-
-const VolumeFormat &
-GetRawFormat()
+/** Extensions of formats that the program has, among them those for which isWanted(format) is true. */
+template <typename TIsWanted>
+std::vector<std::string>
+ListExtensions(TIsWanted && isWanted)
 {
-  static const VolumeFormat raw{
-    "raw", {}, { nullptr, DataSizeCheck::Exactly, nullptr, MakeRawImageIO }, std::nullopt
-  };
-  return raw;
-}
-
-const VolumeFormat &
-GetSeriesFormat()
-{
-  static const VolumeFormat series = [] {
-    VolumeInput input;
-    input.sizeCheck = DataSizeCheck::ByReader;
-    input.makeReader = MakeSeriesImageIO;
-    input.readChoice = ReadSeriesHeader;
-    input.getMemory = GetSeriesMemory;
-    return VolumeFormat{ "series of slices", {}, input, std::nullopt };
-  }();
-  return series;
-}
-
-const VolumeFormat &
-FindInputFormat(const std::filesystem::path & fileName)
-{
-  std::error_code error;
-  const auto      status = std::filesystem::status(fileName, error);
+  std::vector<std::string> extensions;
   for (const VolumeFormat & format : GetFormats())
   {
-    const bool isNamed = std::filesystem::is_directory(status) && FindExtension(format, fileName);
-    if (format.IsFolder() && (isNamed || format.input.isFolder(fileName)))
+    for (const VolumeExtension & extension : format.extensions)
+    {
+      if (format.remedy.empty() && isWanted(format))
+      {
+        extensions.emplace_back(extension.text);
+      }
+    }
+  }
+  return extensions;
+}
+
+/** The first format with the extension of the name; null when none has it. */
+const VolumeFormat *
+FindNamedFormat(const std::filesystem::path & fileName)
+{
+  const std::vector<VolumeFormat> & formats = GetFormats();
+  const auto                        found = std::find_if(
+    formats.begin(), formats.end(), [&](const VolumeFormat & format) { return FindExtension(format, fileName); });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+/** What FindInputFormat() finds, built or not. */
+const VolumeFormat &
+FindReadFormat(const std::filesystem::path & fileName)
+{
+  std::error_code            error;
+  const auto                 status = std::filesystem::status(fileName, error);
+  const VolumeFormat * const named = FindNamedFormat(fileName);
+  const bool                 isNamedFolder = named && std::filesystem::is_directory(status);
+  for (const VolumeFormat & format : GetFormats())
+  {
+    if (format.IsFolder() && ((isNamedFolder && named == &format) || format.input.isFolder(fileName)))
     {
       return format;
     }
   }
   // A folder with the name of a file is more likely a mistake than a series.
-  const bool hasNameOfFile = std::any_of(GetFormats().begin(), GetFormats().end(), [&](const VolumeFormat & format) {
-    return std::filesystem::is_directory(status) && FindExtension(format, fileName);
-  });
-  if (NamesSlices(fileName) && !hasNameOfFile)
+  const VolumeFormat & series = GetSeriesFormat();
+  if (!(named && std::filesystem::exists(status)) && series.input.isKnown(fileName))
   {
-    return GetSeriesFormat();
+    return series;
   }
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
   {
     OpenRegularFile(fileName); // tells what it is
   }
-  for (const VolumeFormat & format : GetFormats())
+  if (named)
   {
-    if (FindExtension(format, fileName))
-    {
-      return format;
-    }
+    return *named;
   }
   if (!std::filesystem::exists(status))
   {
     Fail(ExitStatus::Failure, "cannot open ", fileName.string(), ": no such file or folder");
   }
-  const SliceFormat * const ofSlices = FindSliceFormat(fileName);
-  if (ofSlices && ofSlices->isInput)
+  if (FindExtension(series, fileName))
   {
-    return GetSeriesFormat();
+    return series;
   }
   RefuseExtension(
     fileName,
@@ -268,32 +212,48 @@ FindInputFormat(const std::filesystem::path & fileName)
       "with --raw-size and --raw-type");
 }
 
+void
+RequireFormat(const VolumeFormat & format, const std::filesystem::path & fileName)
+{
+  if (!format.remedy.empty())
+  {
+    RefuseMissingFormat(fileName, format.name, format.remedy);
+  }
+}
+
+} // namespace
+
+const VolumeFormat &
+GetRawFormat()
+{
+  static const VolumeFormat raw{ "raw", {}, { nullptr, DataSizeCheck::Exactly, nullptr, MakeRawImageIO } };
+  return raw;
+}
+
+const VolumeFormat &
+FindInputFormat(const std::filesystem::path & fileName)
+{
+  const VolumeFormat & format = FindReadFormat(fileName);
+  RequireFormat(format, fileName);
+  return format;
+}
+
 OutputFormat
 FindOutputFormat(const std::filesystem::path & fileName)
 {
-  for (const VolumeFormat & format : GetFormats())
+  const VolumeFormat * const format = FindNamedFormat(fileName);
+  if (!format || !format->writer)
   {
-    const VolumeExtension * const extension = FindExtension(format, fileName);
-    if (extension && format.writer)
-    {
-      return { format, *extension };
-    }
+    RefuseExtension(fileName, "volumes are written as " + JoinExtensions(ListOutputExtensions(), " or "));
   }
-  RefuseExtension(fileName, "volumes are written as " + JoinExtensions(ListOutputExtensions(), " or "));
+  RequireFormat(*format, fileName);
+  return { *format, *FindExtension(*format, fileName) };
 }
 
 std::vector<std::string>
 ListInputExtensions()
 {
-  std::vector<std::string> extensions;
-  for (const VolumeFormat & format : GetFormats())
-  {
-    for (const VolumeExtension & extension : format.extensions)
-    {
-      extensions.emplace_back(extension.text);
-    }
-  }
-  return extensions;
+  return ListExtensions([](const VolumeFormat &) { return true; });
 }
 
 std::vector<std::string>
@@ -302,7 +262,7 @@ ListInputFormats()
   std::vector<std::string> names;
   for (const VolumeFormat & format : GetFormats())
   {
-    if (names.empty() || names.back() != format.name) // some have several rows
+    if (format.remedy.empty() && (names.empty() || names.back() != format.name)) // some have several rows
     {
       names.emplace_back(format.name);
     }
@@ -313,18 +273,9 @@ ListInputFormats()
 std::vector<std::string>
 ListOutputExtensions(unsigned int components)
 {
-  std::vector<std::string> extensions;
-  for (const VolumeFormat & format : GetFormats())
-  {
-    for (const VolumeExtension & extension : format.extensions)
-    {
-      if (format.writer && (components == 1 || format.writer->hasComponents))
-      {
-        extensions.emplace_back(extension.text);
-      }
-    }
-  }
-  return extensions;
+  return ListExtensions([components](const VolumeFormat & format) {
+    return format.writer && (components == 1 || format.writer->hasComponents);
+  });
 }
 
 bool

@@ -3,7 +3,7 @@
 #include "ValueReader.h"
 
 #include "InputVolume.h"
-#include "VolumeFormats.h"
+#include "VolumeFormat.h"
 #include "VoxelSource.h"
 
 #include "itkMedialVoxelEngineClient.h"

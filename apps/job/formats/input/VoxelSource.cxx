@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "VoxelSource.h"
 
-#include "VolumeFormats.h"
+#include "VolumeFormat.h"
 #include "VoxelStream.h"
 
 #include <cassert>

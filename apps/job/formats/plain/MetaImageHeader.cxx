@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "FormatRows.h"
 #include "HeaderParsing.h"
 
 #include "Text.h"
+#include "VolumeText.h"
 
 #include "itkByteSwapper.h"
 
@@ -206,8 +208,6 @@ ReadDataOffset(const VolumeHeader & header, const HeaderFields & fields)
   return static_cast<std::uint64_t>(*offset);
 }
 
-} // namespace
-
 VolumeHeader
 ReadMetaImageHeader(const std::filesystem::path & fileName)
 {
@@ -235,6 +235,20 @@ ReadMetaImageHeader(const std::filesystem::path & fileName)
   header.dataFileSize = GetDataFileSize(fileName, header.dataFile);
   header.dataOffset = ReadDataOffset(header, fields);
   return header;
+}
+
+} // namespace
+
+VolumeFormat
+MakeMetaImageFormat()
+{
+  VolumeWriter writer;
+  writer.makeHeader = MakeMetaImageText;
+  writer.packsAsZlib = true;
+  return { "MetaImage",
+           { { ".mha", false, false, true }, { ".mhd", true, false, false, DetachedRemedy } },
+           MakePlainInput(ReadMetaImageHeader),
+           writer };
 }
 
 } // end namespace medialvoxel

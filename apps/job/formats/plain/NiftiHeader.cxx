@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "BinaryHeader.h"
+#include "FormatRows.h"
 #include "HeaderParsing.h"
 #include "InflateReader.h"
 #include "NiftiFields.h"
+#include "NiftiText.h"
 #include "Text.h"
 
 #include <algorithm>
@@ -389,8 +391,6 @@ ReadGeometry(VolumeHeader & header, const NiftiNumbers & fields)
   }
 }
 
-} // namespace
-
 VolumeHeader
 ReadNiftiHeader(const std::filesystem::path & fileName)
 {
@@ -412,6 +412,32 @@ ReadNiftiHeader(const std::filesystem::path & fileName)
   // With compression the header is packed too.
   (header.compressed ? header.skipAfterInflation : header.dataOffset) = ReadDataOffset(fileName, fields);
   return header;
+}
+
+} // namespace
+
+VolumeFormat
+MakeNiftiFormat()
+{
+  VolumeWriter writer;
+  writer.makeHeader = [](const VolumeGeometry & geometry,
+                         const VoxelLayout &    layout,
+                         const std::string &,
+                         const std::optional<std::uint64_t> &) { return MakeNiftiHeader(geometry, layout); };
+  writer.packsHeader = true;
+  writer.hasComponents = false;
+  writer.largestSize = LargestNiftiSize;
+  return { "NIfTI",
+           { { ".nii", false, false, false, "name it .nii.gz" }, { ".nii.gz", false, true, true } },
+           MakePlainInput(ReadNiftiHeader),
+           writer };
+}
+
+/** Headers whose voxels are in a file of their own are only read. */
+VolumeFormat
+MakeNiftiPairFormat()
+{
+  return { "NIfTI", { { ".hdr" } }, MakePlainInput(ReadNiftiHeader) };
 }
 
 } // end namespace medialvoxel

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "FormatRows.h"
 #include "HeaderParsing.h"
+#include "LengthUnits.h"
 #include "NrrdSegments.h"
+#include "VolumeText.h"
 
 #include "itkMedialVoxelNrrdHeader.h"
 
@@ -45,8 +48,6 @@ ReadQuoted(const itk::MedialVoxelNrrdHeader & nrrd, const char * field)
   }
   return texts;
 }
-
-} // namespace
 
 VolumeHeader
 ReadNrrdHeader(const std::filesystem::path & fileName)
@@ -92,6 +93,20 @@ ReadNrrdHeader(const std::filesystem::path & fileName)
   header.dataFileSize = GetDataFileSize(fileName, header.dataFile);
   LocateVoxels(header, nrrd);
   return header;
+}
+
+} // namespace
+
+VolumeFormat
+MakeNrrdFormat()
+{
+  VolumeInput input = MakePlainInput(ReadNrrdHeader);
+  input.readSegments = ReadNrrdSegments;
+  VolumeWriter writer;
+  writer.makeHeader = MakeNrrdText;
+  return {
+    "NRRD", { { ".nrrd", false, false, true }, { ".nhdr", true, false, false, DetachedRemedy } }, input, writer
+  };
 }
 
 } // end namespace medialvoxel

@@ -6,6 +6,8 @@
 #include "SealedJson.h"
 #include "Text.h"
 
+#include "itkMedialVoxelNrrdHeader.h"
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -175,9 +177,10 @@ HasNrrdSegments(const NrrdKeys & keys)
 }
 
 SegmentTable
-ParseNrrdSegments(const std::filesystem::path & fileName, const NrrdKeys & keys)
+ReadNrrdSegments(const std::filesystem::path & fileName)
 {
-  SegmentTable table;
+  const NrrdKeys keys = itk::ReadMedialVoxelNrrdHeader(fileName).keyValues;
+  SegmentTable   table;
   for (std::size_t number = 0; keys.count(MakeKey(number, "ID")) > 0; ++number)
   {
     if (number == MostNrrdSegments)

@@ -23,9 +23,9 @@ constexpr std::size_t MostNrrdSegments = 8192;
 
 /** The segments of a segmentation of 3D Slicer with one layer; none of other volumes. As in Slicer they are numbered
  * from 0 without a gap, and one without a label has the label 1.
- * \throw HeaderError Corrupt, with the name of the file, the key and its value */
+ * \throw HeaderError, Corrupt with the name of the file, the key and its value */
 SegmentTable
-ParseNrrdSegments(const std::filesystem::path & fileName, const NrrdKeys & keys);
+ReadNrrdSegments(const std::filesystem::path & fileName);
 
 /** What Slicer wants to know of a volume of these segments; nothing for none. \param size of the volume */
 NrrdKeys

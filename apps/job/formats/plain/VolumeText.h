@@ -12,6 +12,9 @@
 namespace medialvoxel
 {
 
+/** What to name in place of a header beside its voxels, to have these packed. */
+constexpr const char * DetachedRemedy = "its voxels are in a file of their own; .mha and .nrrd can be packed";
+
 /** Header of a file with a volume of voxels in the byte order of this machine. Numbers read back exactly.
  * \param dataFile name of the voxels' file beside the header; empty when they follow the header
  * \param packedBytes of voxels that are packed; the length of the header does not depend on the number */

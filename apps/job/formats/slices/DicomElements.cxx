@@ -12,9 +12,6 @@ namespace medialvoxel
 namespace
 {
 
-/** More are not believed: GDCM keeps each in memory. */
-constexpr std::uint64_t MostElements = std::uint64_t{ 1 } << 17;
-
 /** Deflate packs at most this many bytes into one. */
 constexpr std::uint64_t MaximumDeflateRatio = 1032;
 
@@ -93,11 +90,6 @@ DicomElements::ReadTag()
 DicomElements::Element
 DicomElements::ReadElement()
 {
-  m_Counted += m_IsCounted ? 1 : 0;
-  if (m_Counted > MostElements)
-  {
-    this->Refuse("it has more than " + std::to_string(MostElements) + " elements");
-  }
   if (++m_Elements % 1024 == 0)
   {
     itk::MedialVoxelPoll();

@@ -80,7 +80,6 @@ protected:
   std::uint32_t
   ReadTag();
 
-  /** \throw HeaderError also for more elements than are believed */
   Element
   ReadElement();
 
@@ -96,13 +95,11 @@ protected:
   std::uint64_t         m_Size{ 0 };
   std::uint64_t         m_Position{ 0 };
   Encoding              m_Encoding;
-  bool                  m_IsCounted{ true }; ///< what is read now is kept in memory by GDCM
 
 private:
   std::ifstream                  m_File;
   std::unique_ptr<InflateReader> m_Inflated;
   std::uint64_t                  m_Elements{ 0 };
-  std::uint64_t                  m_Counted{ 0 };
 };
 
 } // end namespace medialvoxel

@@ -3,14 +3,17 @@
 #include "DicomFrames.h"
 
 #include "DicomTags.h"
-#include "DicomTexts.h"
 #include "HeaderParsing.h"
 #include "InflateReader.h"
 
 #include "itkMedialVoxelFileRegion.h"
+#include "itkMedialVoxelVector3.h"
 
 #include <algorithm>
+#include <cmath>
+#include <locale>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -18,8 +21,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-using Vector = std::array<double, 3>;
 
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
@@ -30,11 +31,58 @@ Find(const DicomTexts & texts, std::uint32_t tag)
   return found == texts.end() ? "" : found->second;
 }
 
+/** Numbers of a text, which backslashes separate; nothing where one is none. */
+std::vector<double>
+ParseNumbers(const std::string & text)
+{
+  std::vector<double> numbers;
+  std::size_t         begin = 0;
+  do
+  {
+    const std::size_t  end = std::min(text.find('\\', begin), text.size());
+    std::istringstream part(text.substr(begin, end - begin));
+    part.imbue(std::locale::classic());
+    double number = 0.0;
+    if (!(part >> number) || !(part >> std::ws).eof() || !std::isfinite(number))
+    {
+      return {};
+    }
+    numbers.push_back(number);
+    begin = end + 1;
+  } while (begin <= text.size());
+  return numbers;
+}
+
+/** Half of the last digit behind the point, the least of all numbers of a text; 0 where none has a point. */
+double
+GetRounding(const std::string & text)
+{
+  std::size_t most = 0;
+  for (std::size_t point = text.find('.'); point != std::string::npos; point = text.find('.', point + 1))
+  {
+    most = std::max(most, std::min(text.find_first_not_of("0123456789", point + 1), text.size()) - point - 1);
+  }
+  return most == 0 || text.find_first_of("eE") != std::string::npos ? 0.0 : 0.5 * std::pow(10.0, -double(most));
+}
+
+/** Distances of rows and of columns; nothing for an empty text. \throw std::runtime_error for anything else */
+std::vector<double>
+ParseSpacing(const std::string & text)
+{
+  const std::vector<double> numbers = ParseNumbers(text);
+  if (!text.empty() && (numbers.size() != 2 || !(numbers[0] > 0.0) || !(numbers[1] > 0.0)))
+  {
+    throw std::runtime_error("its PixelSpacing is '" + text +
+                             "'; it must be two numbers greater than 0, as in 0.5\\0.5");
+  }
+  return numbers;
+}
+
 /** \throw std::runtime_error for another number of numbers */
 std::vector<double>
 ParseExactly(const char * name, const std::string & text, std::size_t count)
 {
-  std::vector<double> numbers = ParseDicomNumbers(text);
+  std::vector<double> numbers = ParseNumbers(text);
   if (numbers.size() != count)
   {
     throw std::runtime_error(std::string("its ") + name + " is '" + itk::MedialVoxelText::MakePrintable(text) +
@@ -87,7 +135,7 @@ public:
     SliceHeader header;
     header.size = { { m_Structure.columns, m_Structure.rows } };
     header.frameNumber = m_Structure.frames > 1 ? frame + 1 : 0;
-    const std::vector<double> spacing = ParseDicomSpacing(this->GetText(frame, DicomTag::PixelSpacing));
+    const std::vector<double> spacing = ParseSpacing(this->GetText(frame, DicomTag::PixelSpacing));
     header.isSpacingKnown = !spacing.empty();
     header.inMillimeters = header.isSpacingKnown;
     if (header.isSpacingKnown)
@@ -96,7 +144,7 @@ public:
     }
     header.place = this->MakePlace(frame);
     header.isDistanceKnown = m_Structure.frames == 1 || this->HasOwnPlace(frame) || !m_Offsets.empty();
-    const std::vector<double> number = ParseDicomNumbers(this->GetText(frame, DicomTag::InstanceNumber));
+    const std::vector<double> number = ParseNumbers(this->GetText(frame, DicomTag::InstanceNumber));
     if (number.size() == 1)
     {
       header.number = static_cast<std::int64_t>(std::clamp(number.front(), -1e15, 1e15));
@@ -121,6 +169,26 @@ public:
       std::tie(frame.beginOfFragments, frame.endOfFragments) = this->FindFragments(number);
     }
     return frame;
+  }
+
+  /** From and to, of values that the file tells to be no measurement; nothing where it tells of none. */
+  std::optional<std::array<double, 2>>
+  GetPadding(const DicomFrame & frame) const
+  {
+    // The sign is that of the voxels, whatever the numbers of the padding are written as.
+    const auto parse = [&](const std::string & text) {
+      const auto number = static_cast<std::uint16_t>(std::stoul(text));
+      return frame.slope * (m_Structure.isSigned ? static_cast<std::int16_t>(number) : number) + frame.intercept;
+    };
+    const std::string padding = Find(m_Structure.texts, DicomTag::PixelPadding);
+    const std::string limit = Find(m_Structure.texts, DicomTag::PixelPaddingLimit);
+    if (padding.empty())
+    {
+      return std::nullopt;
+    }
+    const double from = parse(padding);
+    const double to = limit.empty() ? from : parse(limit);
+    return std::array<double, 2>{ { std::min(from, to), std::max(from, to) } };
   }
 
 private:
@@ -169,14 +237,12 @@ private:
       std::copy_n(origin.begin(), 3, place.origin.begin());
       std::copy_n(axes.begin(), 3, place.rowAxis.begin());
       std::copy_n(axes.begin() + 3, 3, place.columnAxis.begin());
-      place.rounding = GetDicomRounding(position);
+      place.rounding = GetRounding(position);
     }
     if (m_Structure.frames > 1 && !this->HasOwnPlace(frame))
     {
       const double offset = m_Offsets.empty() ? static_cast<double>(frame) : m_Offsets[frame];
-      const auto & a = place.rowAxis;
-      const auto & b = place.columnAxis;
-      const Vector normal{ { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
+      const auto   normal = itk::MedialVoxelCross(place.rowAxis, place.columnAxis);
       std::transform(
         normal.begin(), normal.end(), place.origin.begin(), place.origin.begin(), [offset](double n, double o) {
           return o + offset * n;
@@ -185,15 +251,16 @@ private:
     return place;
   }
 
+  /** Scans of one series differ in the number of the acquisition, or in the place in time. */
   std::string
   DescribeAcquisition(std::uint64_t frame) const
   {
     const std::string number = this->GetText(frame, DicomTag::FrameAcquisitionNumber);
-    const std::string time = this->GetText(frame, DicomTag::FrameTemporalPosition);
+    const std::string ownTime = this->GetText(frame, DicomTag::FrameTemporalPosition);
     const std::string stack = this->GetText(frame, DicomTag::StackId);
-    return JoinDicomAcquisition(number.empty() ? this->GetText(frame, DicomTag::AcquisitionNumber) : number,
-                                time.empty() ? this->GetText(frame, DicomTag::TemporalPosition) : time) +
-           (stack.empty() ? "" : " of stack " + stack);
+    const std::string time = ownTime.empty() ? this->GetText(frame, DicomTag::TemporalPosition) : ownTime;
+    return (number.empty() ? this->GetText(frame, DicomTag::AcquisitionNumber) : number) +
+           (time.empty() ? "" : " at time " + time) + (stack.empty() ? "" : " of stack " + stack);
   }
 
   /** A frame has a fragment, those that the table of marks tells, or all of the file. */
@@ -250,12 +317,6 @@ RequireSameFile(const SliceHeader & slice)
 
 } // namespace
 
-bool
-HasDicomFrames(const DicomStructure & structure)
-{
-  return structure.frames > 1 || structure.hasGroups || structure.isDeflated;
-}
-
 std::vector<SliceHeader>
 ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure)
 {
@@ -266,6 +327,8 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
   try
   {
     const FrameReader reader(structure);
+    // Many files are in memory together.
+    structure.texts.clear();
     structure.textsOfFrames.clear();
     structure.textsOfOneFrame = {};
     const auto file = std::make_shared<const DicomStructure>(std::move(structure));
@@ -282,7 +345,7 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
       }
       SliceHeader slice = reader.MakeHeader(number);
       slice.fileName = fileName;
-      slice.padding = GetDicomPadding(*file, frame.slope, frame.intercept);
+      slice.padding = reader.GetPadding(frame);
       slice.frame = std::make_shared<const DicomFrame>(std::move(frame));
       slice.decodeBytes = 2 * bytes + 2 * MiB; // of the file, in GDCM too, and of what unpacks
       slices.push_back(std::move(slice));
@@ -297,25 +360,6 @@ ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure
     RefuseHeader(fileName, error.what());
   }
   return slices;
-}
-
-std::optional<std::array<double, 2>>
-GetDicomPadding(const DicomStructure & structure, double slope, double intercept)
-{
-  // The sign is that of the voxels, whatever the numbers of the padding are written as.
-  const auto parse = [&](const std::string & text) {
-    const auto number = static_cast<std::uint16_t>(std::stoul(text));
-    return slope * (structure.isSigned ? static_cast<std::int16_t>(number) : number) + intercept;
-  };
-  const std::string padding = Find(structure.texts, DicomTag::PixelPadding);
-  const std::string limit = Find(structure.texts, DicomTag::PixelPaddingLimit);
-  if (padding.empty())
-  {
-    return std::nullopt;
-  }
-  const double from = parse(padding);
-  const double to = limit.empty() ? from : parse(limit);
-  return std::array<double, 2>{ { std::min(from, to), std::max(from, to) } };
 }
 
 std::vector<char>

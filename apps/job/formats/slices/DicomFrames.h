@@ -6,11 +6,9 @@
 #include "DicomStructure.h"
 #include "SliceSeries.h"
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace medialvoxel
@@ -29,18 +27,10 @@ struct DicomFrame
   std::filesystem::file_time_type       lastWrite; ///< of the file
 };
 
-/** True for files whose images are read one by one, by what the file says of each frame; GDCM reads others whole. */
-bool
-HasDicomFrames(const DicomStructure & structure);
-
-/** Places and scales of all frames, in the order of the file; the type of their values is not set.
+/** Places and scales of all images, in the order of the file; the type of their values is not set.
  * \throw HeaderError */
 std::vector<SliceHeader>
 ListDicomFrames(const std::filesystem::path & fileName, DicomStructure structure);
-
-/** From and to, of values that the file tells to be no measurement; nothing where it tells of none. */
-std::optional<std::array<double, 2>>
-GetDicomPadding(const DicomStructure & structure, double slope, double intercept);
 
 /** The numbers of one frame as they are stored, packed or in the byte order of this machine.
  * \throw HeaderError when the file is another one than before */

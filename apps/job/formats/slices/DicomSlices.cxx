@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "DicomFrames.h"
 #include "DicomModule.h"
+#include "DicomTags.h"
 #include "Errors.h"
 #include "HeaderParsing.h"
 #include "Signals.h"
@@ -11,6 +12,7 @@
 #include <itksys/DynamicLoader.hxx>
 #include <itksys/SystemTools.hxx>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace medialvoxel
@@ -30,14 +32,6 @@ constexpr std::uint64_t BytesOfGdcm = 12 * MiB;
 /** In place of the module's usual places. */
 constexpr const char * ModuleVariable = "MEDIALVOXEL_DICOM_MODULE";
 
-/** The functions of the module. */
-struct DicomFunctions
-{
-  MedialVoxelReadDicomHeader readHeader{ nullptr };
-  MedialVoxelReadDicomVoxels readVoxels{ nullptr };
-  MedialVoxelReadDicomFrame  readFrame{ nullptr };
-};
-
 /** Where the module may be: where it is installed, and beside the program, as it is built. */
 std::vector<std::filesystem::path>
 ListModulePlaces()
@@ -53,37 +47,29 @@ ListModulePlaces()
            program.parent_path() / name };
 }
 
-/** Null functions where there is no module, or one that cannot be loaded. */
-DicomFunctions
+/** Null where there is no module, or one that cannot be loaded. */
+MedialVoxelReadDicomFrame
 LoadModule()
 {
-  DicomFunctions functions;
   for (const std::filesystem::path & place : ListModulePlaces())
   {
     std::error_code error;
-    if (!std::filesystem::exists(place, error))
+    if (std::filesystem::exists(place, error))
     {
-      continue;
-    }
-    if (const auto module = itksys::DynamicLoader::OpenLibrary(place.string()))
-    {
-      functions.readHeader = reinterpret_cast<MedialVoxelReadDicomHeader>(
-        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomHeaderName));
-      functions.readVoxels = reinterpret_cast<MedialVoxelReadDicomVoxels>(
-        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomVoxelsName));
-      functions.readFrame = reinterpret_cast<MedialVoxelReadDicomFrame>(
-        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomFrameName));
-      break;
+      const auto module = itksys::DynamicLoader::OpenLibrary(place.string());
+      return module ? reinterpret_cast<MedialVoxelReadDicomFrame>(
+                        itksys::DynamicLoader::GetSymbolAddress(module, MedialVoxelReadDicomFrameName))
+                    : nullptr;
     }
   }
-  return functions;
+  return nullptr;
 }
 
-const DicomFunctions &
+MedialVoxelReadDicomFrame
 GetModule(const std::filesystem::path & fileName)
 {
-  static const DicomFunctions functions = LoadModule();
-  if (!functions.readHeader || !functions.readVoxels || !functions.readFrame)
+  static const MedialVoxelReadDicomFrame readFrame = LoadModule();
+  if (!readFrame)
   {
     RefuseHeader(fileName,
                  "DICOM is read by a module that is not at " +
@@ -91,7 +77,7 @@ GetModule(const std::filesystem::path & fileName)
                    "; build it with an ITK that has GDCM",
                  HeaderError::Kind::Unsupported);
   }
-  return functions;
+  return readFrame;
 }
 
 /** What GDCM takes for granted. */
@@ -103,6 +89,14 @@ CheckVoxels(const std::filesystem::path & fileName, const DicomStructure & struc
     RefuseHeader(fileName,
                  "it is a color image (" + std::to_string(structure.samples) +
                    " values per voxel); only gray values are read",
+                 HeaderError::Kind::Unsupported);
+  }
+  const auto interpretation = structure.texts.find(DicomTag::Interpretation);
+  if (interpretation != structure.texts.end() && interpretation->second.rfind("MONOCHROME", 0) != 0)
+  {
+    RefuseHeader(fileName,
+                 "it is a color image (" + itk::MedialVoxelText::MakePrintable(interpretation->second) +
+                   "); only gray values are read",
                  HeaderError::Kind::Unsupported);
   }
   const bool isWhole = structure.bits == 8 || structure.bits == 16 || structure.bits == 32;
@@ -139,14 +133,6 @@ CheckSize(const std::filesystem::path & fileName, const DicomStructure & structu
   }
 }
 
-/** GDCM checks some of what it decodes by assertions. */
-AbortNotice
-TellOfAbort(const std::filesystem::path & fileName)
-{
-  return AbortNotice(static_cast<int>(ExitStatus::CorruptInput),
-                     fileName.string() + " is damaged: GDCM cannot decode it");
-}
-
 MedialVoxelDicomFrame
 DescribeFrame(const DicomFrame & frame)
 {
@@ -168,33 +154,14 @@ DescribeFrame(const DicomFrame & frame)
 void
 CallReadFrame(const SliceHeader & slice, const MedialVoxelDicomFrame & frame, std::uint32_t & pixelType, void * voxels)
 {
-  const AbortNotice notice = TellOfAbort(slice.fileName);
-  if (const char * const problem = GetModule(slice.fileName).readFrame(&frame, &pixelType, voxels))
+  // GDCM checks some of what it decodes by assertions.
+  const AbortNotice notice(static_cast<int>(ExitStatus::CorruptInput),
+                           slice.fileName.string() + " is damaged: GDCM cannot decode it");
+  if (const char * const problem = GetModule(slice.fileName)(&frame, &pixelType, voxels))
   {
     RefuseHeader(slice.fileName,
                  (slice.frameNumber > 0 ? "frame " + std::to_string(slice.frameNumber) + ": " : "") + problem);
   }
-}
-
-std::vector<SliceHeader>
-ReadFrameHeaders(const std::filesystem::path & fileName, const DicomStructure & structure)
-{
-  if (structure.interpretation != "MONOCHROME1" && structure.interpretation != "MONOCHROME2")
-  {
-    RefuseHeader(fileName,
-                 "it is a color image (" + structure.interpretation + "); only gray values are read",
-                 HeaderError::Kind::Unsupported);
-  }
-  std::vector<SliceHeader> slices = ListDicomFrames(fileName, structure);
-  for (SliceHeader & slice : slices)
-  {
-    std::uint32_t pixelType = 0;
-    CallReadFrame(slice, DescribeFrame(*slice.frame), pixelType, nullptr);
-    slice.pixelType = static_cast<PixelType>(pixelType);
-    slice.storedType = slice.pixelType;
-    slice.decodeBytes += slice.GetVoxelBytes();
-  }
-  return slices;
 }
 
 std::vector<SliceHeader>
@@ -206,43 +173,16 @@ ReadHeaders(const std::filesystem::path & fileName)
     return {};
   }
   CheckSize(fileName, structure);
-  if (HasDicomFrames(structure))
+  std::vector<SliceHeader> slices = ListDicomFrames(fileName, structure);
+  for (SliceHeader & slice : slices)
   {
-    return ReadFrameHeaders(fileName, structure);
+    std::uint32_t pixelType = 0;
+    CallReadFrame(slice, DescribeFrame(*slice.frame), pixelType, nullptr);
+    slice.pixelType = static_cast<PixelType>(pixelType);
+    slice.storedType = slice.pixelType;
+    slice.decodeBytes += (structure.isPacked ? 3 : 1) * slice.GetVoxelBytes(); // some codecs have more of it
   }
-  MedialVoxelDicomHeader dicom{};
-  const AbortNotice      notice = TellOfAbort(fileName);
-  if (const char * const problem = GetModule(fileName).readHeader(fileName.c_str(), &dicom))
-  {
-    RefuseHeader(fileName, problem, HeaderError::Kind::Unsupported);
-  }
-  SliceHeader header;
-  header.fileName = fileName;
-  header.size = { { dicom.columns, dicom.rows } };
-  header.pixelType = static_cast<PixelType>(dicom.pixelType);
-  header.storedType = header.pixelType;
-  header.spacing = { { dicom.spacing[0], dicom.spacing[1] } };
-  header.isSpacingKnown = dicom.hasSpacing != 0;
-  header.inMillimeters = header.isSpacingKnown;
-  header.padding = GetDicomPadding(structure, dicom.slope, dicom.intercept);
-  header.acquisition = itk::MedialVoxelText::MakePrintable(dicom.acquisition);
-  if (dicom.hasNumber != 0)
-  {
-    header.number = dicom.number;
-  }
-  header.series = itk::MedialVoxelText::MakePrintable(dicom.series);
-  header.description = itk::MedialVoxelText::MakePrintable(dicom.description);
-  if (dicom.hasPosition != 0)
-  {
-    header.place.emplace();
-    std::copy_n(dicom.origin, 3, header.place->origin.begin());
-    std::copy_n(dicom.directions, 3, header.place->rowAxis.begin());
-    std::copy_n(dicom.directions + 3, 3, header.place->columnAxis.begin());
-    header.place->rounding = dicom.rounding;
-  }
-  // The file in memory, and what it is unpacked to on the way.
-  header.decodeBytes = structure.voxelBytes + (structure.isPacked ? 3 : 1) * header.GetVoxelBytes() + MiB;
-  return { header };
+  return slices;
 }
 
 /** Slices whose values are of different types share one that holds all of them. */
@@ -260,40 +200,17 @@ ConvertValues(PixelType from, const void * values, const SliceHeader & slice, vo
   });
 }
 
-/** The voxels as the slice stores them. */
-void
-ReadStoredVoxels(const SliceHeader & expected, void * voxels)
-{
-  if (expected.frame)
-  {
-    const std::vector<char> bytes = ReadDicomFrame(expected);
-    MedialVoxelDicomFrame   frame = DescribeFrame(*expected.frame);
-    frame.bytes = bytes.data();
-    frame.length = bytes.size();
-    std::uint32_t pixelType = 0;
-    CallReadFrame(expected, frame, pixelType, voxels);
-    return;
-  }
-  const DicomStructure structure = CheckDicomStructure(expected.fileName);
-  CheckSize(expected.fileName, structure);
-  MedialVoxelDicomHeader dicom{};
-  dicom.columns = static_cast<std::uint32_t>(expected.size[0]);
-  dicom.rows = static_cast<std::uint32_t>(expected.size[1]);
-  dicom.pixelType = static_cast<std::uint32_t>(*expected.storedType);
-  const AbortNotice notice = TellOfAbort(expected.fileName);
-  if (const char * const problem =
-        GetModule(expected.fileName).readVoxels(expected.fileName.c_str(), structure.endOfVoxels, &dicom, voxels))
-  {
-    RefuseHeader(expected.fileName, problem);
-  }
-}
-
 void
 ReadVoxels(const SliceHeader & expected, void * voxels)
 {
+  const std::vector<char> bytes = ReadDicomFrame(expected);
+  MedialVoxelDicomFrame   frame = DescribeFrame(*expected.frame);
+  frame.bytes = bytes.data();
+  frame.length = bytes.size();
   const bool        isOther = *expected.storedType != expected.pixelType;
   std::vector<char> stored(isOther ? expected.size[0] * expected.size[1] * GetTraits(*expected.storedType).bytes : 0);
-  ReadStoredVoxels(expected, isOther ? stored.data() : voxels);
+  std::uint32_t     pixelType = 0;
+  CallReadFrame(expected, frame, pixelType, isOther ? stored.data() : voxels);
   if (isOther)
   {
     ConvertValues(*expected.storedType, stored.data(), expected, voxels);

@@ -25,7 +25,6 @@ constexpr unsigned int DeepestSequence = 16;
 // Tags, as group * 65536 + element.
 constexpr std::uint32_t TransferSyntax = 0x00020010;
 constexpr std::uint32_t Samples = 0x00280002;
-constexpr std::uint32_t Interpretation = 0x00280004;
 constexpr std::uint32_t Rows = 0x00280010;
 constexpr std::uint32_t Columns = 0x00280011;
 constexpr std::uint32_t BitsAllocated = 0x00280100;
@@ -46,32 +45,11 @@ constexpr std::array<std::uint32_t, 7> SequencesOfFrames{
   0x00289145, // slope and intercept
 };
 
-/** What numbers of voxels mean: names that GDCM knows; it ends the program for others. */
-constexpr std::array<std::string_view, 12> Interpretations{ "MONOCHROME1", "MONOCHROME2", "PALETTE COLOR",
-                                                            "RGB",         "HSV",         "ARGB",
-                                                            "CMYK",        "YBR_FULL",    "YBR_FULL_422",
-                                                            "YBR_ICT",     "YBR_RCT",     "YBR_PARTIAL_420" };
-
-/** Elements that GDCM takes numbers of a slice from; it ends the program when they are written as something else. */
-constexpr std::array<std::pair<std::uint32_t, std::string_view>, 17> Representations{ {
-  { 0x00180050, "DS" }, // slice thickness
-  { 0x00180088, "DS" }, // spacing between slices
-  { 0x00181114, "DS" }, // magnification
-  { 0x00181164, "DS" }, // spacing at the detector
-  { 0x00200032, "DS" }, // position
-  { 0x00200037, "DS" }, // orientation
-  { Samples, "US" },
-  { 0x00280006, "US" }, // planes
-  { DicomTag::NumberOfFrames, "IS" },
-  { Rows, "US" },
-  { Columns, "US" },
-  { 0x00280030, "DS" }, // spacing
-  { BitsAllocated, "US" },
-  { BitsStored, "US" },
-  { HighBit, "US" },
-  { 0x00281052, "DS" }, // intercept
-  { 0x00281053, "DS" }, // slope
-} };
+void
+DropPadding(std::string & text)
+{
+  text.erase(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
+}
 
 /** \class Walker : private DicomElements
  * \brief Steps from element to element. */
@@ -136,7 +114,7 @@ private:
       if (element.tag == TransferSyntax && element.length <= 64)
       {
         syntax = this->ReadText(element.length);
-        syntax.erase(syntax.find_last_not_of(std::string_view(" \0", 2)) + 1);
+        DropPadding(syntax);
       }
       else
       {
@@ -158,7 +136,7 @@ private:
   void
   WalkElements(std::uint64_t end, unsigned int depth)
   {
-    // What follows the image is not looked at, by GDCM neither: padding, or what a transfer left there.
+    // What follows the image is not looked at: padding, or what a transfer left there.
     while (m_Position < end && (depth > 0 || m_Structure.endOfVoxels == 0))
     {
       const Element element = this->ReadElement();
@@ -178,7 +156,6 @@ private:
     {
       this->RequireRoom(element.length, end);
     }
-    this->CheckRepresentation(element);
     if (depth == 0 && element.tag == PixelData)
     {
       m_Structure.isPacked = isUndefined;
@@ -199,10 +176,6 @@ private:
     {
       this->WalkSequence(element, isUndefined ? end : m_Position + element.length, depth);
     }
-    else if (element.tag == Interpretation)
-    {
-      this->CheckInterpretation(element, depth);
-    }
     else if (this->TakeText(element) || (depth == 0 && this->TakeNumber(element)))
     {
       return;
@@ -220,33 +193,6 @@ private:
     const auto known = std::find(SequencesOfFrames.begin(), SequencesOfFrames.end(), element.tag);
     return element.representation == "SQ" || element.length == UndefinedLength ||
            (isUnknown && known != SequencesOfFrames.end());
-  }
-
-  void
-  CheckRepresentation(const Element & element) const
-  {
-    const auto isOfElement = [&element](const auto & row) { return row.first == element.tag; };
-    const auto expected = std::find_if(Representations.begin(), Representations.end(), isOfElement);
-    if (m_Encoding.isExplicit && expected != Representations.end() && expected->second != element.representation)
-    {
-      this->Refuse("an element has the value representation " + element.representation + "; it must have " +
-                   std::string(expected->second));
-    }
-  }
-
-  void
-  CheckInterpretation(const Element & element, unsigned int depth)
-  {
-    constexpr std::uint32_t longestName = 16;
-    std::string             name = this->ReadText(std::min(element.length, longestName));
-    name.erase(name.find_last_not_of(std::string_view(" \0", 2)) + 1);
-    const bool isKnown = std::find(Interpretations.begin(), Interpretations.end(), name) != Interpretations.end();
-    if (element.length > longestName || !isKnown)
-    {
-      this->Refuse("its photometric interpretation '" + itk::MedialVoxelText::MakePrintable(name) + "' is not known",
-                   HeaderError::Kind::Unsupported);
-    }
-    m_Structure.interpretation = depth == 0 ? name : m_Structure.interpretation;
   }
 
   /** Where texts of what is walked through are kept: of the file, or of frames; null: nowhere. */
@@ -293,7 +239,7 @@ private:
              : text.size() == 4 ? std::to_string(this->ToNumber<std::uint32_t>(text))
                                 : "";
     }
-    text.erase(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
+    DropPadding(text);
     texts->emplace(element.tag, text.substr(std::min(text.size(), text.find_first_not_of(' '))));
     return true;
   }
@@ -338,8 +284,6 @@ private:
       m_Encoding = { false, false }; // as the standard has it for sequences of unknown representation
     }
     m_Path.push_back({ sequence.tag, 0 });
-    m_Structure.hasGroups = m_Structure.hasGroups || m_Path.front().sequence >> 16 == SharedGroups >> 16;
-    m_IsCounted = m_Path.front().sequence >> 16 != SharedGroups >> 16; // GDCM does not read them
     for (; m_Position < end; ++m_Path.back().item)
     {
       const Element item = this->ReadElement();
@@ -362,7 +306,6 @@ private:
       this->WalkElements(item.length == UndefinedLength ? end : m_Position + item.length, depth + 1);
     }
     m_Path.pop_back();
-    m_IsCounted = m_IsCounted || m_Path.empty();
     m_Encoding = outer;
   }
 

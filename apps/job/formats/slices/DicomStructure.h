@@ -43,7 +43,6 @@ struct DicomStructure
   std::uint64_t endOfVoxels{ 0 }; ///< where what follows the image begins
 
   std::string   syntax;           ///< of the transfer
-  std::string   interpretation;   ///< photometric
   std::uint64_t beginOfData{ 0 }; ///< behind what is always written in the same way
   bool          isBigEndian{ false };
   bool          isDeflated{ false }; ///< all places count unpacked bytes from the begin of the data on
@@ -51,18 +50,17 @@ struct DicomStructure
   std::vector<DicomFragment> fragments; ///< of packed voxels
   std::vector<std::uint32_t> marks;     ///< of the first fragment of each frame, from that of the first one on
 
-  bool                    hasGroups{ false }; ///< of elements for frames
-  DicomTexts              texts;              ///< of the file
-  DicomTexts              textsOfFrames;      ///< that all frames share
-  std::vector<DicomTexts> textsOfOneFrame;    ///< in the order of the frames; empty: there are none
+  DicomTexts              texts;           ///< of the file
+  DicomTexts              textsOfFrames;   ///< that all frames share
+  std::vector<DicomTexts> textsOfOneFrame; ///< in the order of the frames; empty: there are none
 };
 
 /** Whether a file has the signature of DICOM. */
 bool
 IsDicomFile(const std::filesystem::path & fileName);
 
-/** Walks through all elements of a DICOM file, items of sequences included: GDCM allocates what their lengths say
- * before it reads. \throw HeaderError when one does not fit into what is around it, or the transfer syntax is not read
+/** Walks through all elements of a DICOM file, items of sequences included. \throw HeaderError when one does not fit
+ * into what is around it, or the transfer syntax is not read
  */
 DicomStructure
 CheckDicomStructure(const std::filesystem::path & fileName);

@@ -24,6 +24,7 @@ constexpr std::uint32_t TemporalPosition = 0x00200100;
 constexpr std::uint32_t StackId = 0x00209056;
 constexpr std::uint32_t FrameTemporalPosition = 0x00209128;
 constexpr std::uint32_t FrameAcquisitionNumber = 0x00209156;
+constexpr std::uint32_t Interpretation = 0x00280004;
 constexpr std::uint32_t NumberOfFrames = 0x00280008;
 constexpr std::uint32_t PixelSpacing = 0x00280030;
 constexpr std::uint32_t PixelPadding = 0x00280120;
@@ -33,11 +34,11 @@ constexpr std::uint32_t RescaleSlope = 0x00281053;
 constexpr std::uint32_t GridFrameOffsets = 0x3004000c;
 constexpr std::uint32_t DoseGridScaling = 0x3004000e;
 
-constexpr std::array<std::uint32_t, 19> Texts{
+constexpr std::array<std::uint32_t, 20> Texts{
   SeriesDescription,      SpacingBetweenSlices, SeriesInstance,   AcquisitionNumber, InstanceNumber,
   ImagePosition,          ImageOrientation,     TemporalPosition, StackId,           FrameTemporalPosition,
-  FrameAcquisitionNumber, NumberOfFrames,       PixelSpacing,     PixelPadding,      PixelPaddingLimit,
-  RescaleIntercept,       RescaleSlope,         GridFrameOffsets, DoseGridScaling
+  FrameAcquisitionNumber, Interpretation,       NumberOfFrames,   PixelSpacing,      PixelPadding,
+  PixelPaddingLimit,      RescaleIntercept,     RescaleSlope,     GridFrameOffsets,  DoseGridScaling
 };
 
 /** Those that are whole numbers, which are kept as texts. */

@@ -5,6 +5,8 @@
 #include "HeaderParsing.h"
 #include "Text.h"
 
+#include "itkMedialVoxelVector3.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -16,26 +18,12 @@ namespace medialvoxel
 namespace
 {
 
-using Vector = std::array<double, 3>;
+/** How far slices may be from their places without a word, and from the line through the first voxels at all: this
+ * share of the spacing. */
+constexpr double SlicePositionTolerance = 0.01;
+
+using Vector = itk::MedialVoxelVector3;
 using Slices = std::vector<SliceHeader>;
-
-double
-Dot(const Vector & a, const Vector & b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector
-Cross(const Vector & a, const Vector & b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
-
-Vector
-Subtract(const Vector & a, const Vector & b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
 
 std::string
 Describe(const Vector & vector)
@@ -46,7 +34,7 @@ Describe(const Vector & vector)
 Vector
 GetNormal(const SlicePlace & place)
 {
-  return Cross(place.rowAxis, place.columnAxis);
+  return itk::MedialVoxelCross(place.rowAxis, place.columnAxis);
 }
 
 void
@@ -54,19 +42,19 @@ CheckDirections(const std::filesystem::path & input, const Slices & slices)
 {
   constexpr double   tolerance = 1e-3;
   const SlicePlace & first = *slices.front().place;
-  const auto         length = [](const Vector & vector) { return std::sqrt(Dot(vector, vector)); };
   const auto         differs = [](const Vector & a, const Vector & b) {
-    const Vector difference = Subtract(a, b);
-    return !(std::sqrt(Dot(difference, difference)) <= tolerance);
+    return !(itk::MedialVoxelNorm(itk::MedialVoxelSubtract(a, b)) <= tolerance);
   };
-  const auto isUnit = [&length](const Vector & vector) { return std::abs(length(vector) - 1.0) <= 10.0 * tolerance; };
+  const auto isUnit = [](const Vector & vector) {
+    return std::abs(itk::MedialVoxelNorm(vector) - 1.0) <= 10.0 * tolerance;
+  };
   if (!isUnit(first.rowAxis) || !isUnit(first.columnAxis))
   {
     RefuseHeader(slices.front().GetName(),
                  "its rows and columns have the directions " + Describe(first.rowAxis) + " and " +
                    Describe(first.columnAxis) + "; they must have the length 1");
   }
-  if (!(std::abs(Dot(first.rowAxis, first.columnAxis)) <= tolerance))
+  if (!(std::abs(itk::MedialVoxelDot(first.rowAxis, first.columnAxis)) <= tolerance))
   {
     RefuseHeader(slices.front().GetName(),
                  "its rows and columns are not at right angles: " + Describe(first.rowAxis) + " and " +
@@ -112,8 +100,8 @@ CheckAcquisitions(const std::filesystem::path & input, const Slices & sorted)
         RefuseHeader(input,
                      "its slices are of acquisitions that overlap: " + sorted[extent.first].GetName() +
                        " is of acquisition '" + name + "', " + other.GetName() + " of '" + other.acquisition +
-                       (other.frame ? "'; split the file into one for each of them"
-                                    : "'; put the files of one of them into a folder of their own"));
+                       (other.frameNumber > 0 ? "'; split the file into one for each of them"
+                                              : "'; put the files of one of them into a folder of their own"));
       }
     }
   }
@@ -148,7 +136,7 @@ CheckSteps(const std::filesystem::path & input,
   std::vector<double> steps;
   for (const SliceHeader & slice : slices)
   {
-    places.push_back(Dot(Subtract(slice.place->origin, first), normal));
+    places.push_back(itk::MedialVoxelDot(itk::MedialVoxelSubtract(slice.place->origin, first), normal));
     if (places.size() > 1)
     {
       steps.push_back(places.back() - places[places.size() - 2]);
@@ -213,13 +201,13 @@ void
 CheckLine(const std::filesystem::path & input, const Slices & slices, const Vector & normal)
 {
   const Vector & first = slices.front().place->origin;
-  const double   spacing =
-    Dot(Subtract(slices.back().place->origin, first), normal) / static_cast<double>(slices.size() - 1);
+  const double   spacing = itk::MedialVoxelDot(itk::MedialVoxelSubtract(slices.back().place->origin, first), normal) /
+                         static_cast<double>(slices.size() - 1);
   for (std::size_t slice = 1; slice < slices.size(); ++slice)
   {
-    const Vector way = Subtract(slices[slice].place->origin, first);
-    const double along = Dot(way, normal);
-    const double beside = std::sqrt(std::max(0.0, Dot(way, way) - along * along));
+    const Vector way = itk::MedialVoxelSubtract(slices[slice].place->origin, first);
+    const double along = itk::MedialVoxelDot(way, normal);
+    const double beside = std::sqrt(std::max(0.0, itk::MedialVoxelDot(way, way) - along * along));
     const double rounding = std::min(GetTolerance(slices, spacing), 2.0 * slices[slice].place->rounding);
     if (!(beside <= SlicePositionTolerance * spacing * static_cast<double>(slice) + rounding))
     {
@@ -240,7 +228,7 @@ SortAlongNormal(const std::filesystem::path & input, Slices & slices, bool hasSp
   CheckDirections(input, slices);
   const Vector normal = GetNormal(*slices.front().place);
   std::stable_sort(slices.begin(), slices.end(), [&normal](const SliceHeader & a, const SliceHeader & b) {
-    return Dot(a.place->origin, normal) < Dot(b.place->origin, normal);
+    return itk::MedialVoxelDot(a.place->origin, normal) < itk::MedialVoxelDot(b.place->origin, normal);
   });
   if (slices.size() > 1)
   {
@@ -281,8 +269,8 @@ MakeSeriesGeometry(const std::filesystem::path & input, const Slices & slices)
   if (slices.size() > 1 && first.place)
   {
     const Vector normal = GetNormal(*first.place);
-    const Vector way = Subtract(slices.back().place->origin, first.place->origin);
-    geometry.spacing[2] = DropRounding(Dot(way, normal) / static_cast<double>(slices.size() - 1));
+    const Vector way = itk::MedialVoxelSubtract(slices.back().place->origin, first.place->origin);
+    geometry.spacing[2] = DropRounding(itk::MedialVoxelDot(way, normal) / static_cast<double>(slices.size() - 1));
     geometry.origin.assign(first.place->origin.begin(), first.place->origin.end());
     geometry.direction[0].assign(first.place->rowAxis.begin(), first.place->rowAxis.end());
     geometry.direction[1].assign(first.place->columnAxis.begin(), first.place->columnAxis.end());

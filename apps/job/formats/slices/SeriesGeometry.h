@@ -12,10 +12,6 @@
 namespace medialvoxel
 {
 
-/** How far slices may be from their places without a word, and from the line through the first voxels at all: this
- * share of the spacing. */
-constexpr double SlicePositionTolerance = 0.01;
-
 /** Sorts slices that all have a place in the direction of the normal, as ITK does.
  * \param input      that messages begin with
  * \param hasSpacing the distances of the slices do not matter, unless one is doubled

@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "FormatRows.h"
 #include "HeaderParsing.h"
+#include "LengthUnits.h"
 #include "SeriesGeometry.h"
+#include "SeriesImageIO.h"
+#include "SliceCache.h"
 #include "SliceFormats.h"
 #include "SliceNames.h"
 #include "Text.h"
@@ -40,6 +44,10 @@ FindFormat(const std::filesystem::path & input, const Files & candidates)
   {
     itk::MedialVoxelPoll();
     const SliceFormat * const own = FindSliceFormat(file);
+    if (own && *own->remedy != '\0')
+    {
+      RefuseMissingFormat(file, own->name, own->remedy);
+    }
     if (!own && IsFolder(input))
     {
       continue;
@@ -260,8 +268,6 @@ SortSlices(const std::filesystem::path & input, Slices slices, bool hasSpacing, 
   return slices;
 }
 
-} // namespace
-
 VolumeHeader
 ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice)
 {
@@ -284,10 +290,10 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
   if (!hasPlaces || !slices.front().isSpacingKnown)
   {
     WarnOfUnknownSpacing(header,
-                         hasPlaces
-                           ? "the slices have no PixelSpacing (an ImagerPixelSpacing is not used)"
-                           : (slices.front().frame ? "the frames do not tell how far they are from each other"
-                                                   : "the slices do not tell how far they are from each other"));
+                         hasPlaces ? "the slices have no PixelSpacing (an ImagerPixelSpacing is not used)"
+                                   : (slices.front().frameNumber > 0
+                                        ? "the frames do not tell how far they are from each other"
+                                        : "the slices do not tell how far they are from each other"));
   }
   std::error_code error;
   if (std::filesystem::is_regular_file(input, error) && slices.size() == 1 && slices.front().frameNumber == 0)
@@ -302,8 +308,36 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
   const auto series = std::make_shared<SliceSeries>();
   series->format = format;
   series->slices = std::move(slices);
+  series->cache = std::make_shared<SliceCache>();
   header.series = series;
   return header;
+}
+
+/** A folder, a pattern, or a file that may have several slices. */
+bool
+IsSeries(const std::filesystem::path & input)
+{
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(input, error))
+  {
+    return NamesSlices(input);
+  }
+  const SliceFormat * const format = FindSliceFormat(input);
+  return format && format->isInput;
+}
+
+} // namespace
+
+VolumeFormat
+MakeSeriesFormat()
+{
+  VolumeInput input;
+  input.sizeCheck = DataSizeCheck::ByReader;
+  input.makeReader = MakeSeriesImageIO;
+  input.isKnown = IsSeries;
+  input.readChoice = ReadSeriesHeader;
+  input.getMemory = GetSeriesMemory;
+  return { "series of slices", {}, input };
 }
 
 } // end namespace medialvoxel

@@ -3,6 +3,7 @@
 #include "SeriesImageIO.h"
 
 #include "HeaderParsing.h"
+#include "SliceCache.h"
 #include "SliceSeries.h"
 
 #include "itkMultiThreaderBase.h"
@@ -70,7 +71,7 @@ private:
   {
     const SliceHeader & header = m_Series->slices[number];
     const std::size_t   capacity = GetCapacity(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
-    return m_Series->cache.Get(number, capacity, [&]() -> SliceCache::Slice {
+    return m_Series->cache->Get(number, capacity, [&]() -> SliceCache::Slice {
       auto voxels = std::make_shared<std::vector<char>>(header.GetVoxelBytes());
       try
       {

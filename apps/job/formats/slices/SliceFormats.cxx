@@ -14,6 +14,12 @@ namespace medialvoxel
 namespace
 {
 
+[[maybe_unused]] SliceFormat
+LeaveOut(const char * name, const std::vector<const char *> & extensions, const char * library)
+{
+  return { name, extensions, false, nullptr, nullptr, nullptr, 0, library };
+}
+
 /** The one place that knows all formats of slices, in the order in which messages list them. */
 const std::vector<SliceFormat> &
 GetSliceFormats()
@@ -22,16 +28,20 @@ GetSliceFormats()
     MakeDicomSliceFormat(),
 #ifdef MEDIALVOXEL_WITH_TIFF
     MakeTiffSliceFormat(),
+#else
+    LeaveOut("TIFF", { ".tif", ".tiff" }, "libtiff 4.5 or later"),
 #endif
 #ifdef MEDIALVOXEL_WITH_PNG
     MakePngSliceFormat(),
+#else
+    LeaveOut("PNG", { ".png" }, "libpng"),
 #endif
 #ifdef MEDIALVOXEL_WITH_JPEG
     MakeJpegSliceFormat(),
+#else
+    LeaveOut("JPEG", { ".jpg", ".jpeg" }, "libjpeg"),
 #endif
-#ifdef MEDIALVOXEL_WITH_PICTURES
     MakeBmpSliceFormat(),
-#endif
   };
   return formats;
 }
@@ -57,7 +67,10 @@ FindSliceFormat(const std::filesystem::path & fileName)
 std::string
 DescribeSliceFormats()
 {
-  return Join(GetSliceFormats(), ", ", [](const SliceFormat & format) { return std::string(format.name); });
+  std::vector<SliceFormat> formats = GetSliceFormats();
+  const auto               isMissing = [](const SliceFormat & format) { return *format.remedy != '\0'; };
+  formats.erase(std::remove_if(formats.begin(), formats.end(), isMissing), formats.end());
+  return Join(formats, ", ", [](const SliceFormat & format) { return std::string(format.name); });
 }
 
 void

@@ -50,22 +50,14 @@ MakeSliceFormat(const char * name, std::vector<const char *> extensions)
 // The rows of the table, each in a file of its own.
 SliceFormat
 MakeDicomSliceFormat();
-#ifdef MEDIALVOXEL_WITH_TIFF
 SliceFormat
 MakeTiffSliceFormat();
-#endif
-#ifdef MEDIALVOXEL_WITH_PNG
 SliceFormat
 MakePngSliceFormat();
-#endif
-#ifdef MEDIALVOXEL_WITH_JPEG
 SliceFormat
 MakeJpegSliceFormat();
-#endif
-#ifdef MEDIALVOXEL_WITH_PICTURES
 SliceFormat
 MakeBmpSliceFormat();
-#endif
 
 } // end namespace medialvoxel
 

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "FormatRows.h"
 #include "HeaderParsing.h"
+#include "LengthUnits.h"
 #include "Text.h"
 #include "TiffDescription.h"
 #include "TiffFile.h"
+#include "TiffReaders.h"
 
 #include "itkMedialVoxelFileRegion.h"
 #include "itkMedialVoxelProgress.h"
@@ -438,18 +441,26 @@ private:
   std::array<TiffSpacing, 2> m_Spacing; ///< of an image, and of a stack
 };
 
-} // namespace
-
 VolumeHeader
 ReadTiffHeader(const std::filesystem::path & fileName)
 {
   return StackReader(fileName, false).Read();
 }
 
+} // namespace
+
 VolumeHeader
 ReadTiffSliceHeader(const std::filesystem::path & fileName)
 {
   return StackReader(fileName, true).Read();
+}
+
+VolumeFormat
+MakeTiffFormat()
+{
+  return { "TIFF",
+           { { ".tif" }, { ".tiff" } },
+           { ReadTiffHeader, DataSizeCheck::ByReader, OpenTiffStream, MakeTiffImageIO } };
 }
 
 } // end namespace medialvoxel

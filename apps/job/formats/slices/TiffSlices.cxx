@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HeaderParsing.h"
 #include "SliceFormats.h"
-#include "TiffStream.h"
+#include "TiffReaders.h"
 
 #include "itkMedialVoxelFileRegion.h"
 

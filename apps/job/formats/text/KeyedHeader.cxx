@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "FormatRows.h"
 #include "HeaderParsing.h"
 #include "LengthUnits.h"
 #include "Text.h"
@@ -360,8 +361,6 @@ ReadHeaderBeside(const std::filesystem::path & dataFile, const std::string & ste
   RefuseHeader(dataFile, "its header is missing; beside it there must be one of " + names);
 }
 
-} // namespace
-
 VolumeHeader
 ReadKeyedHeader(const std::filesystem::path & fileName)
 {
@@ -376,15 +375,17 @@ ReadKeyedHeader(const std::filesystem::path & fileName)
   return ReadHeaderBeside(fileName, *GetStem(fileName, VoxelExtension));
 }
 
-std::vector<const char *>
-ListKeyedExtensions()
+} // namespace
+
+VolumeFormat
+MakeKeyedFormat()
 {
-  std::vector<const char *> extensions{ VoxelExtension };
-  std::transform(GetDialects().begin(),
-                 GetDialects().end(),
-                 std::back_inserter(extensions),
-                 [](const Dialect & dialect) { return dialect.extension; });
-  return extensions;
+  std::vector<VolumeExtension> extensions{ { VoxelExtension } };
+  for (const Dialect & dialect : GetDialects())
+  {
+    extensions.push_back({ dialect.extension });
+  }
+  return { "VOL", extensions, MakePlainInput(ReadKeyedHeader, DataSizeCheck::Exactly) };
 }
 
 } // end namespace medialvoxel

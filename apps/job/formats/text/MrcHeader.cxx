@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "BinaryHeader.h"
+#include "FormatRows.h"
 #include "HeaderParsing.h"
 #include "Text.h"
 
@@ -209,8 +210,6 @@ ReadDataOffset(const std::filesystem::path & fileName, const BinaryHeader & fiel
   return HeaderBytes + static_cast<std::uint64_t>(extended);
 }
 
-} // namespace
-
 VolumeHeader
 ReadMrcHeader(const std::filesystem::path & fileName)
 {
@@ -227,6 +226,14 @@ ReadMrcHeader(const std::filesystem::path & fileName)
   header.dataFileSize = GetDataFileSize(fileName, fileName);
   header.dataOffset = ReadDataOffset(fileName, fields);
   return header;
+}
+
+} // namespace
+
+VolumeFormat
+MakeMrcFormat()
+{
+  return { "MRC", { { ".mrc" }, { ".map" }, { ".rec" } }, MakePlainInput(ReadMrcHeader) };
 }
 
 } // end namespace medialvoxel

@@ -151,4 +151,12 @@ InflateReader::GetNumberOfBytesRead() const
   return m_State->bytesRead;
 }
 
+std::unique_ptr<VoxelStream>
+OpenInflatedStream(const VolumeHeader & header)
+{
+  auto reader = std::make_unique<InflateReader>(header.dataFile, header.dataOffset);
+  reader->Skip(header.skipAfterInflation);
+  return reader;
+}
+
 } // end namespace medialvoxel

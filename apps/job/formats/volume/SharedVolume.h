@@ -53,7 +53,10 @@ public:
 
   /** A name for the voxels that no file has; empty in formats without a file of their own for them. */
   virtual std::filesystem::path
-  FindFreeDataName() const = 0;
+  FindFreeDataName() const
+  {
+    return {};
+  }
 
   /** To be called before the first slice of a cluster is written, also after one that was given up. */
   virtual void

@@ -49,10 +49,13 @@ public:
   virtual void
   Read(std::uint64_t firstVoxel, std::uint64_t numberOfVoxels, void * data) const = 0;
 
-  /** Reads back the voxels whose index along \a axis is \a index, x fastest, after Finish().
+  /** Reads back the voxels whose index along an axis is the second argument, x fastest, after Finish().
    * \return false where that is not faster than to read what is needed of it row by row, and nothing was read */
   virtual bool
-  ReadPlane(unsigned int axis, std::uint64_t index, void * data) const = 0;
+  ReadPlane(unsigned int, std::uint64_t, void *) const
+  {
+    return false;
+  }
 
   /** Gives it its name. */
   virtual void
@@ -73,11 +76,6 @@ public:
   void
   Read(std::uint64_t, std::uint64_t, void *) const override
   {}
-  bool
-  ReadPlane(unsigned int, std::uint64_t, void *) const override
-  {
-    return false;
-  }
   void
   Publish() override
   {}

@@ -3,10 +3,7 @@
 #ifndef medialvoxelVoxelStream_h
 #define medialvoxelVoxelStream_h
 
-#include "VolumeHeader.h"
-
 #include <cstdint>
-#include <memory>
 
 namespace medialvoxel
 {
@@ -31,10 +28,6 @@ public:
   virtual std::uint64_t
   GetNumberOfBytesRead() const = 0;
 };
-
-/** Opens a volume that ReadVolumeHeader() has checked, whose voxels are one stream, packed by zlib or gzip. */
-std::unique_ptr<VoxelStream>
-OpenInflatedStream(const VolumeHeader & header);
 
 } // end namespace medialvoxel
 

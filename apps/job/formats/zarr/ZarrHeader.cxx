@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "FormatRows.h"
 #include "HeaderParsing.h"
+#include "LengthUnits.h"
 #include "Text.h"
 #include "ZarrFields.h"
-#include "ZarrChunks.h"
 #include "ZarrValues.h"
+#include "ZarrVolume.h"
 
 #include <algorithm>
 #include <optional>
@@ -323,17 +325,6 @@ DescribeChunks(const ZarrArray & array)
   return chunks;
 }
 
-} // namespace
-
-ZarrArray
-ReadZarrArray(const Path & arrayFile, unsigned int dimension)
-{
-  return ZarrFields::WithJson(arrayFile, [&](const Json & json) {
-    const ZarrFields fields(arrayFile, json);
-    return arrayFile.filename() == ZarrFile ? ReadZarrArray3(fields, dimension) : ReadZarrArray2(fields, dimension);
-  });
-}
-
 VolumeHeader
 ReadZarrHeader(const Path & folder, unsigned int level)
 {
@@ -367,6 +358,44 @@ ReadZarrHeader(const Path & folder, unsigned int level)
   header.chunks = DescribeChunks(array);
   header.liesInRows = false;
   return header;
+}
+
+} // namespace
+
+ZarrArray
+ReadZarrArray(const Path & arrayFile, unsigned int dimension)
+{
+  return ZarrFields::WithJson(arrayFile, [&](const Json & json) {
+    const ZarrFields fields(arrayFile, json);
+    return arrayFile.filename() == ZarrFile ? ReadZarrArray3(fields, dimension) : ReadZarrArray2(fields, dimension);
+  });
+}
+
+VolumeFormat
+MakeZarrFormat()
+{
+  VolumeInput input;
+  input.readHeader = [](const Path & folder) { return ReadZarrHeader(folder, 0); };
+  input.sizeCheck = DataSizeCheck::ByReader;
+  input.makeChunkReader = MakeZarrValues;
+  input.readLevel = ReadZarrHeader;
+  input.isFolder = IsZarrFolder;
+  VolumeWriter writer;
+  writer.makeFolder = [](const Path & folder, const JobOptions & options) -> std::unique_ptr<SharedVolume> {
+    return std::make_unique<ZarrVolume>(folder, options.overwrite, options.sparse, options.zarrCompression);
+  };
+  writer.packsChunks = true;
+  writer.getMemory = [](const VolumeGeometry & geometry, const VoxelLayout & layout, const JobOptions & options) {
+    return ZarrVolume::GetMemoryBytes(geometry, layout, options.zarrCompression);
+  };
+  writer.getSlicesOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
+    return ZarrGrid::ForVolume(geometry, layout).chunk[2];
+  };
+  writer.getRowsOfLayer = [](const VolumeGeometry & geometry, const VoxelLayout & layout) {
+    return geometry.GetDimension() == 3 ? ZarrGrid::ForVolume(geometry, layout).chunk[1] : 0;
+  };
+  writer.getFurtherBytes = ZarrVolume::GetBytesOfSmallerLevels;
+  return { "Zarr", { { ".zarr" } }, input, writer };
 }
 
 } // end namespace medialvoxel

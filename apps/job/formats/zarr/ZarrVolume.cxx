@@ -185,12 +185,6 @@ ZarrVolume::RemovePartialChunks() const
   }
 }
 
-std::filesystem::path
-ZarrVolume::FindFreeDataName() const
-{
-  return {};
-}
-
 void
 ZarrVolume::StartCluster()
 {

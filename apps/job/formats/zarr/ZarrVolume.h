@@ -54,9 +54,6 @@ public:
                 const std::string &    suffix,
                 const Publication &    publication) override;
 
-  std::filesystem::path
-  FindFreeDataName() const override;
-
   void
   StartCluster() override;
 

@@ -1,14 +1,26 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelTiffImageIO_h
-#define medialvoxelTiffImageIO_h
+#ifndef medialvoxelTiffReaders_h
+#define medialvoxelTiffReaders_h
 
 #include "VolumeHeader.h"
+#include "VoxelStream.h"
 
 #include "itkStreamingRawImageIO.h"
 
+#include <filesystem>
+#include <memory>
+
 namespace medialvoxel
 {
+
+/** Of an image of a series, whose description may tell of all of them. \throw HeaderError */
+VolumeHeader
+ReadTiffSliceHeader(const std::filesystem::path & fileName);
+
+/** The voxels of a compressed stack, unpacked strip by strip. */
+std::unique_ptr<VoxelStream>
+OpenTiffStream(const VolumeHeader & header);
 
 /** Reads parts of a stack that is not compressed: strips where they lie, tiles by libtiff, one row of them at a time.
  * What is read of tiles is in the byte order of the machine.

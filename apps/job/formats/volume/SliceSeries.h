@@ -4,7 +4,6 @@
 #define medialvoxelSliceSeries_h
 
 #include "PixelType.h"
-#include "SliceCache.h"
 
 #include <array>
 #include <cstdint>
@@ -47,7 +46,7 @@ struct SliceHeader
   std::string                          description;      ///< of the series
   std::uint64_t                        decodeBytes{ 0 }; ///< memory that decoding takes beside the slice
 
-  /** Of DICOM: one of several images of the file; null: it has one. */
+  /** Of DICOM: where the image is in the file. */
   std::shared_ptr<const DicomFrame> frame;
   std::uint64_t                     frameNumber{ 0 }; ///< from 1; 0: the file has one image
 
@@ -85,7 +84,12 @@ struct SliceFormat
 
   /** Memory that reading takes once, for the libraries. */
   std::uint64_t libraryBytes;
+
+  /** What to build the program with to read the format; empty: it reads it. */
+  const char * remedy{ "" };
 };
+
+class SliceCache;
 
 /** \class SliceSeries
  * \brief Images that make up a volume, in order along its last axis: all of one size and type. */
@@ -95,7 +99,7 @@ struct SliceSeries
   std::vector<SliceHeader> slices;
 
   /** Slices that were decoded last, for all readers of the volume. */
-  mutable SliceCache cache;
+  std::shared_ptr<SliceCache> cache;
 };
 
 } // end namespace medialvoxel
