@@ -165,7 +165,7 @@ ClusterWorker::DoCluster(std::uint64_t cluster)
   }
   CheckUnchanged(m_Job.manifest.input);
   m_Job.folder.CheckStillOf(m_Job.manifest);
-  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, m_Run.GetFindings().Save());
+  m_Job.folder.WriteMarker(m_Job.manifest, cluster, marker, m_Run.GetSurveys().Save());
   this->RecordCluster(cluster, marker);
 }
 
@@ -190,7 +190,7 @@ ClusterWorker::Compute(const SliceRange & range)
   const double readBefore = m_Run.GetInput().GetSource().GetReadSeconds();
   const double writtenBefore = m_Run.GetWriteSeconds();
   const auto   bytesBefore = m_Run.GetInput().GetSource().GetNumberOfBytesRead();
-  m_Run.GetFindings().Clear();
+  m_Run.GetSurveys().Clear();
   for (const auto & volume : m_Volumes)
   {
     volume->StartCluster();

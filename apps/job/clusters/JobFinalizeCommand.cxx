@@ -90,11 +90,11 @@ public:
     , m_Sink(sink)
     , m_Markers(ReadMarkers(shared))
     , m_Job(DescribeExtract(m_Options))
-    , m_Findings(m_Job.input.geometry, GetGrid(m_Options, m_Job.input), GetFindingSettings(m_Options), 0)
+    , m_Surveys(m_Job.input.geometry, GetGrid(m_Options, m_Job.input), GetSurveyRequest(m_Options), 0)
   {
     m_Job.otsu = m_Options.lowerIsOtsu ? m_Options.lowerThreshold : std::nullopt;
     m_Job.roughness = m_Options.roughness;
-    m_Job.measure = m_Options.measure;
+    m_Job.wallMeasure = m_Options.measure;
     m_Job.plan.numberOfSlices = shared.manifest.numberOfSlices;
     m_Job.plan.divisions = shared.manifest.numberOfClusters;
   }
@@ -109,9 +109,9 @@ public:
       this->VerifyVolumes();
     }
     this->MergeParts();
-    ExtractSummary summary(m_Options, m_Findings, *m_Outputs);
+    ExtractSummary summary(m_Options, m_Surveys, *m_Outputs);
     JobEnd         end;
-    end.measure = [this, start] { m_Job.seconds.total += SecondsSince(start); };
+    end.recordCosts = [this, start] { m_Job.seconds.total += SecondsSince(start); };
     end.publish = [this] { this->Publish(); };
     FinishJob(*m_Outputs, summary, m_Job, m_Sink, end);
     return std::move(m_Job);
@@ -196,7 +196,7 @@ private:
       const std::optional<std::string> part = m_Shared.folder.ReadSurvey(cluster, m_Markers[cluster]);
       if (part)
       {
-        m_Findings.Merge(*part);
+        m_Surveys.Merge(*part);
       }
       else
       {
@@ -244,7 +244,7 @@ private:
   ProgressSink &              m_Sink;
   std::vector<ClusterMarker>  m_Markers;
   JobResult                   m_Job;
-  Findings                    m_Findings;
+  Surveys                     m_Surveys;
   std::vector<VolumeRequest>  m_Requests;
   DataNames                   m_DataNames;
   std::unique_ptr<OutputSet>  m_Outputs;

@@ -3,7 +3,7 @@
 #ifndef medialvoxelPlaceSurvey_h
 #define medialvoxelPlaceSurvey_h
 
-#include "PlaceClusters.h"
+#include "PlaceJoiner.h"
 #include "PlaceSummary.h"
 #include "VolumeHeader.h"
 
@@ -58,9 +58,9 @@ public:
   static constexpr std::uint64_t MostBytesPerVoxel = 8;
   static constexpr std::uint64_t PlannedBytesPerVoxel = 1;
 
-  /** Bytes for each voxel of a slice beside those of the piece: a thin wall lies in it. */
+  /** Bytes for each voxel of a slice, beside the bytes of the piece: a thin wall lies in the slice. */
   static constexpr std::uint64_t MostBytesPerVoxelOfSlice =
-    PlaceClusters::BytesPerCell + 2 * PlaceClusters::BytesPerOpenCell;
+    PlaceJoiner::BytesPerCell + 2 * PlaceJoiner::BytesPerOpenCell;
 
   /** \param areaUnit     of which areas are multiples, in squared units of the grid
    * \param surplusBytes for the cells of a region, beside GetBytes() */
@@ -70,7 +70,7 @@ public:
               double                       areaUnit,
               std::uint64_t                surplusBytes);
 
-  /** The tiles from now on are of this region; those of a region that failed are forgotten. */
+  /** The tiles from now on are of this region; tiles of a region that failed are forgotten. */
   void
   BeginRegion(const itk::MedialVoxelBox & region)
   {
@@ -118,10 +118,10 @@ public:
 
 private:
   /** What is found of a kind. */
-  struct Finding
+  struct Search
   {
     PlaceLimits           limits;
-    PlaceClusters         clusters;
+    PlaceJoiner           joiner;
     std::deque<PlaceCell> pending;
   };
 
@@ -134,13 +134,13 @@ private:
   WallPlace::Point
   GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & step, double shift) const;
 
-  VolumeGeometry       m_Geometry;
-  PlaceGrid            m_Grid;
-  double               m_AreaUnit;
-  std::uint64_t        m_AllowedBytes; ///< of cells that are pending or open
-  itk::MedialVoxelBox  m_Region;
-  std::mutex           m_Mutex; // of the cells that are pending
-  std::vector<Finding> m_Findings;
+  VolumeGeometry      m_Geometry;
+  PlaceGrid           m_Grid;
+  double              m_AreaUnit;
+  std::uint64_t       m_AllowedBytes; ///< of cells that are pending or open
+  itk::MedialVoxelBox m_Region;
+  std::mutex          m_Mutex; // of the cells that are pending
+  std::vector<Search> m_Searches;
 };
 
 } // end namespace medialvoxel

@@ -74,7 +74,7 @@ Compute(const DistanceOptions & options, JobResult & result, ProgressSink & sink
 
   const auto finishStart = JobClock::now();
   JobEnd     end;
-  end.measure = [&] { AddMeasurements(result, input, writer.GetSeconds() + SecondsSince(finishStart), start); };
+  end.recordCosts = [&] { AddMeasurements(result, input, writer.GetSeconds() + SecondsSince(finishStart), start); };
   FinishJob(outputs, summary, result, sink, end);
 }
 

@@ -100,12 +100,12 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
     footprint.bytesPerVoxel = std::max(footprint.bytesPerVoxel, GetBytesPerVoxel(volumes, task.filler));
   }
   footprint.grid = GetGrid(options, header);
-  const FindingSettings      findings = GetFindingSettings(options);
+  const SurveyRequest        surveys = GetSurveyRequest(options);
   itk::MedialVoxelExtraction extraction = MakeExtraction(options, header);
   extraction.isObserved = true;
   extraction.observerBytesPerVoxel =
-    Survey::WorkerBytesPerVoxel + (findings.sheet ? SheetSurvey::WorkerBytesPerVoxel : 0);
-  footprint.bytesBeside += Findings::GetBytes(header.geometry, findings);
+    Survey::WorkerBytesPerVoxel + (surveys.sheet ? SheetSurvey::WorkerBytesPerVoxel : 0);
+  footprint.bytesBeside += Surveys::GetBytes(header.geometry, surveys);
   if (ListsPlaces(options))
   {
     extraction.observerBytesPerVoxel += PlaceSurvey::WorkerBytesPerVoxel;
@@ -137,7 +137,7 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   {
     AddEngine(footprint, header, task.task);
   }
-  if (findings.survey.picture)
+  if (surveys.survey.picture)
   {
     footprint.bytesBeside += GetPreviewBytes(header.geometry);
     footprint.bytesBeside += options.thicknessFile.empty() ? 0 : GetThicknessPreviewBytes(header.geometry);
@@ -152,12 +152,12 @@ GetFootprint(const ExtractOptions & options, const VolumeHeader & header)
   return footprint;
 }
 
-/** Of a process that works on a part, whose findings it saves. */
+/** Of a process that works on a part, whose surveys it saves. */
 PieceFootprint
 GetSharedFootprint(const ExtractOptions & options, const VolumeHeader & header)
 {
   PieceFootprint footprint = GetFootprint(options, header);
-  footprint.bytesBeside += Findings::GetSavedBytes(header.geometry, GetFindingSettings(options));
+  footprint.bytesBeside += Surveys::GetSavedBytes(header.geometry, GetSurveyRequest(options));
   return footprint;
 }
 
@@ -191,16 +191,13 @@ FindSegments(const ExtractOptions & options, const VolumeHeader & header)
 void
 NameObjects(JobResult & result)
 {
-  if (!result.objects)
+  for (std::size_t i = 0; !result.objects.is_null() && i < result.objects["objects"].size(); ++i)
   {
-    return;
-  }
-  for (ObjectSummary & object : result.objects->objects)
-  {
-    if (const Segment * const segment = result.segments.Find(object.label))
+    Json & object = result.objects["objects"][i];
+    if (const Segment * const segment = result.segments.Find(object["label"]))
     {
-      object.name = segment->name;
-      object.color = segment->color;
+      object["name"] = segment->name.empty() ? Json(nullptr) : Json(segment->name);
+      object["color"] = segment->color ? Json(*segment->color) : Json(nullptr);
     }
   }
 }
@@ -221,7 +218,7 @@ public:
       m_Run.AddVolume(request, m_Outputs.AddVolume(request));
     }
     m_MeshFile = m_Outputs.AddFile(options.meshFile);
-    m_Summary = std::make_unique<ExtractSummary>(options, m_Run.GetFindings(), m_Outputs);
+    m_Summary = std::make_unique<ExtractSummary>(options, m_Run.GetSurveys(), m_Outputs);
     if (m_MeshFile)
     {
       m_Mesh = std::make_unique<SurfaceMesh>(
@@ -235,7 +232,7 @@ public:
   {
     m_Run.Prepare();
     m_Result.roughness = m_Run.GetInput().GetRoughness();
-    m_Result.measure = m_Run.GetMeasure();
+    m_Result.wallMeasure = m_Run.GetMeasure();
     this->PlanObjects();
     for (std::uint64_t piece = 0; piece < m_Result.plan.divisions; ++piece)
     {
@@ -248,7 +245,7 @@ public:
     const auto finishStart = JobClock::now();
     JobEnd     end;
     end.complete = [this] { this->WriteMesh(); };
-    end.measure = [this, start, finishStart] {
+    end.recordCosts = [this, start, finishStart] {
       m_Result.seconds.remeshing = m_Result.surface ? m_Result.surface->remeshingSeconds : 0.0;
       const double writing = m_Run.GetWriteSeconds() + SecondsSince(finishStart) - m_Result.seconds.remeshing;
       AddMeasurements(m_Result, m_Run.GetInput(), writing, start);
@@ -310,22 +307,22 @@ private:
 
 } // namespace
 
-FindingSettings
-GetFindingSettings(const ExtractOptions & options)
+SurveyRequest
+GetSurveyRequest(const ExtractOptions & options)
 {
-  FindingSettings findings;
-  findings.survey.picture = !options.previewFile.empty() || !options.htmlFile.empty();
-  findings.sheet = !options.htmlFile.empty() && HasPageViewer();
+  SurveyRequest surveys;
+  surveys.survey.picture = !options.previewFile.empty() || !options.htmlFile.empty();
+  surveys.sheet = !options.htmlFile.empty() && HasPageViewer();
   for (const auto & [kind, limits] :
        { std::pair(PlaceKind::Thin, options.thinBelow), std::pair(PlaceKind::Thick, options.thickAbove) })
   {
     if (limits)
     {
-      findings.places.limits[kind] = *limits;
+      surveys.places.limits[kind] = *limits;
     }
   }
-  findings.places.smallestArea = options.smallestPlace;
-  return findings;
+  surveys.places.smallestArea = options.smallestPlace;
+  return surveys;
 }
 
 std::uint64_t

@@ -3,7 +3,7 @@
 #ifndef medialvoxelExtractParts_h
 #define medialvoxelExtractParts_h
 
-#include "Findings.h"
+#include "Surveys.h"
 #include "JobResult.h"
 #include "Options.h"
 
@@ -36,8 +36,8 @@ JobResult
 DescribeExtract(const ExtractOptions & options);
 
 /** What the outputs need to know about the medial cells. */
-FindingSettings
-GetFindingSettings(const ExtractOptions & options);
+SurveyRequest
+GetSurveyRequest(const ExtractOptions & options);
 
 /** What each of those that keep something until a piece is done may take of the surplus of a plan. */
 std::uint64_t

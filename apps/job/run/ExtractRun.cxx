@@ -81,10 +81,10 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
   , m_Header(job.input)
   , m_Input(OpenInput(options, job))
   , m_Loop(job.plan, job.input, 1 + static_cast<unsigned int>(ListFurtherTasks(options, job.input).size()), sink)
-  , m_Findings(job.input.geometry,
-               GetGrid(options, job.input),
-               GetFindingSettings(options),
-               GetSurplusShare(options, job.plan))
+  , m_Surveys(job.input.geometry,
+              GetGrid(options, job.input),
+              GetSurveyRequest(options),
+              GetSurplusShare(options, job.plan))
   , m_Labels(options.labels.value_or(LabelSelection{}))
   , m_Writer(job.plan.writesBehind)
 {
@@ -105,7 +105,7 @@ ExtractRun::ExtractRun(const ExtractOptions & options, const JobResult & job, Pr
     m_Objects = std::make_unique<LabelMapRun>(static_cast<LabelMap &>(*m_Input).GetObjects(),
                                               job.input.geometry,
                                               GetMaximumPoreSize(options, job),
-                                              m_Findings.GetSurvey());
+                                              m_Surveys.GetSurvey());
     m_Engine->AddObserver(m_Objects->GetObserver());
   }
 }
@@ -154,13 +154,13 @@ ExtractRun::SetSlicesToDo(std::uint64_t slices)
 void
 ExtractRun::Prepare()
 {
-  m_Engine->AddObserver(m_Findings.GetSurvey());
-  if (PlaceSurvey * const places = m_Findings.GetPlaces())
+  m_Engine->AddObserver(m_Surveys.GetSurvey());
+  if (PlaceSurvey * const places = m_Surveys.GetPlaces())
   {
     m_Engine->AddObserver(*places);
     m_Engine->AddRegionListener([places](const itk::MedialVoxelBox & region) { places->BeginRegion(region); });
   }
-  if (SheetSurvey * const sheet = m_Findings.GetSheet())
+  if (SheetSurvey * const sheet = m_Surveys.GetSheet())
   {
     m_Engine->AddObserver(*sheet);
   }
@@ -229,10 +229,10 @@ ExtractRun::Run(const SliceRange & range, const SliceRange & nextRange)
   return sums;
 }
 
-std::optional<LabelMapSummary>
+Json
 ExtractRun::SummarizeObjects() const
 {
-  return m_Objects ? std::optional<LabelMapSummary>(m_Objects->Summarize()) : std::nullopt;
+  return m_Objects ? m_Objects->Summarize() : Json(nullptr);
 }
 
 void

@@ -3,7 +3,7 @@
 #ifndef medialvoxelExtractRun_h
 #define medialvoxelExtractRun_h
 
-#include "Findings.h"
+#include "Surveys.h"
 #include "JobResult.h"
 #include "LabelMapRun.h"
 #include "OutputSet.h"
@@ -95,14 +95,14 @@ public:
     return m_Measure;
   }
 
-  /** What was found of the objects of a label map; nothing for other volumes. */
-  std::optional<LabelMapSummary>
+  /** What was found of the objects of a label map; null for other volumes. */
+  Json
   SummarizeObjects() const;
 
-  Findings &
-  GetFindings()
+  Surveys &
+  GetSurveys()
   {
-    return m_Findings;
+    return m_Surveys;
   }
 
   const InputVolume &
@@ -150,7 +150,7 @@ private:
   PieceLoop                    m_Loop;
   std::unique_ptr<PieceEngine> m_Engine;
   std::vector<FurtherEngine>   m_FurtherEngines;
-  Findings                     m_Findings;
+  Surveys                      m_Surveys;
   std::unique_ptr<LabelMapRun> m_Objects; ///< of a label map
   LabelSelection               m_Labels;  ///< the same
   WriteBehind                  m_Writer;  // ends before what it writes

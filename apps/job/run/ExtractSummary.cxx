@@ -3,10 +3,10 @@
 #include "ExtractSummary.h"
 
 #include "Outputs.h"
-#include "PlaceTable.h"
+#include "PlaceJson.h"
 #include "Preview.h"
 #include "Report.h"
-#include "ReturnParameters.h"
+#include "ResultViews.h"
 #include "SurveySummary.h"
 #include "ThicknessPreview.h"
 #include "Warnings.h"
@@ -38,10 +38,10 @@ const std::vector<ExtractSummary::Text> ExtractSummary::Texts{
   { &ExtractOptions::returnParameterFile, &ExtractSummary::MakeParameters }
 };
 
-ExtractSummary::ExtractSummary(const ExtractOptions & options, const Findings & findings, OutputSet & outputs)
+ExtractSummary::ExtractSummary(const ExtractOptions & options, const Surveys & surveys, OutputSet & outputs)
   : m_Options(options)
-  , m_Findings(findings)
-  , m_Survey(findings.GetSurvey())
+  , m_Surveys(surveys)
+  , m_Survey(surveys.GetSurvey())
   , m_Preview(AddFile(outputs, options, &ExtractOptions::previewFile))
 {
   for (const Text & text : Texts)
@@ -82,10 +82,12 @@ ExtractSummary::Draw(const OutputSet & outputs, const VolumeGeometry & geometry)
 void
 ExtractSummary::Write(JobResult & result)
 {
-  result.thickness = Summarize(m_Survey);
-  result.places = m_Findings.SummarizePlaces();
+  result.thickness = MakeThickness(m_Survey.GetSums(), m_Survey);
+  result.uncertainty = MakeUncertainty(m_Survey.GetSums());
+  result.places = m_Surveys.SummarizePlaces();
   const std::vector<Warning> found = FindWarningsOfResult(m_Options, result, m_Survey);
   result.warnings.insert(result.warnings.end(), found.begin(), found.end());
+  result.report = MakeReport(m_Options, result);
   for (std::size_t i = 0; i < Texts.size(); ++i)
   {
     if (m_Texts[i])
@@ -110,20 +112,23 @@ ExtractSummary::MakePlaces(const JobResult & result) const
 std::string
 ExtractSummary::MakePage(const JobResult & result) const
 {
-  return MakeHtmlReport(
-    m_Options, result, m_Pictures, { m_Findings.GetSheet(), GetColorRange(m_Survey.GetSums().GetAreas()) });
+  return MakeHtmlReport(result.report,
+                        m_Options.command,
+                        m_Pictures,
+                        { m_Surveys.GetSheet(), GetColorRange(m_Survey.GetSums().GetAreas()) },
+                        result.input.geometry);
 }
 
 std::string
 ExtractSummary::MakeJson(const JobResult & result) const
 {
-  return MakeReport(m_Options, result);
+  return FormatReport(result.report);
 }
 
 std::string
 ExtractSummary::MakeParameters(const JobResult & result) const
 {
-  return MakeReturnParameters(result);
+  return MakeReturnParameters(result.report);
 }
 
 } // end namespace medialvoxel

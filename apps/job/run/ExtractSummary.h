@@ -3,7 +3,7 @@
 #ifndef medialvoxelExtractSummary_h
 #define medialvoxelExtractSummary_h
 
-#include "Findings.h"
+#include "Surveys.h"
 #include "FinishJob.h"
 #include "HtmlReport.h"
 #include "Options.h"
@@ -19,8 +19,8 @@ namespace medialvoxel
 class ExtractSummary : public JobSummary
 {
 public:
-  /** Creates the files that the options ask for. \param findings of the whole volume when the first output is made */
-  ExtractSummary(const ExtractOptions & options, const Findings & findings, OutputSet & outputs);
+  /** Creates the files that the options ask for. \param surveys of the whole volume when the first output is made */
+  ExtractSummary(const ExtractOptions & options, const Surveys & surveys, OutputSet & outputs);
 
   /** Draws the pictures from the survey and the finished volumes, and writes the preview. */
   void
@@ -56,7 +56,7 @@ private:
   MakeParameters(const JobResult & result) const;
 
   const ExtractOptions &    m_Options;
-  const Findings &          m_Findings;
+  const Surveys &           m_Surveys;
   const Survey &            m_Survey;
   std::vector<OutputFile *> m_Texts; ///< in the order of the table; null where none is wanted
   OutputFile *              m_Preview;

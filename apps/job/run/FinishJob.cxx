@@ -22,7 +22,7 @@ FinishJob(OutputSet & outputs, JobSummary & summary, JobResult & result, Progres
     end.complete();
   }
   ThrowIfStopRequested(sink);
-  end.measure();
+  end.recordCosts();
   summary.Write(result);
   if (end.publish)
   {

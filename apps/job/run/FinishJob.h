@@ -34,8 +34,8 @@ public:
 /** What a job has to do at its end beside what all jobs do. */
 struct JobEnd
 {
-  std::function<void()> measure; ///< fills in what the job took
-  std::function<void()> publish; ///< unset: the outputs get their names, and no more happens
+  std::function<void()> recordCosts; ///< fills in what the job took
+  std::function<void()> publish;     ///< unset: the outputs get their names, and no more happens
 
   std::function<void()> complete{}; ///< makes what needs all volumes; unset: nothing does
 };

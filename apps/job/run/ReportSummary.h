@@ -28,9 +28,10 @@ public:
   {
     const std::vector<Warning> found = FindWarningsOfResult(m_Options, result);
     result.warnings.insert(result.warnings.end(), found.begin(), found.end());
+    result.report = MakeReport(m_Options, result);
     if (m_Report != nullptr)
     {
-      WriteText(*m_Report, MakeReport(m_Options, result));
+      WriteText(*m_Report, FormatReport(result.report));
     }
   }
 

@@ -87,16 +87,16 @@ Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, J
   engine->AddVolume(GetMapRequest(options, result.input), surface.GetMap());
   WriteBehind writer(false); // the surface reads the input, as the engine does
   loop.Prepare(input);
-  result.measure = FindWallMeasure(
+  result.wallMeasure = FindWallMeasure(
     input, result.input, GetThicknessOptions(options), [&loop](double) { loop.ThrowIfStopRequested(); });
-  engine->SetGrayRange(GetGrayRange(*result.measure, options, result.input));
-  if (result.measure->usesGrayValues)
+  engine->SetGrayRange(GetGrayRange(*result.wallMeasure, options, result.input));
+  if (result.wallMeasure->usesGrayValues)
   {
     surface.UseGrayValues();
   }
   if (options.localThicknessMethod == LocalThicknessMethod::Sphere)
   {
-    result.measure = WallMeasure{ false, std::nullopt, "largest balls are those of its voxels" };
+    result.wallMeasure = WallMeasure{ false, std::nullopt, "largest balls are those of its voxels" };
   }
   for (std::uint64_t piece = 0; piece < result.plan.divisions; ++piece)
   {
@@ -106,7 +106,7 @@ Build(const SurfaceOptions & options, JobResult & result, ProgressSink & sink, J
   const auto finishStart = JobClock::now();
   JobEnd     end;
   end.complete = [&] { result.part = surface.Write(file, [&loop](double) { loop.ThrowIfStopRequested(); }); };
-  end.measure = [&] { AddMeasurements(result, input, writer.GetSeconds() + SecondsSince(finishStart), start); };
+  end.recordCosts = [&] { AddMeasurements(result, input, writer.GetSeconds() + SecondsSince(finishStart), start); };
   FinishJob(outputs, summary, result, sink, end);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "Findings.h"
+#include "Surveys.h"
 
 #include <string_view>
 
@@ -34,7 +34,7 @@ TakePart(std::string_view & bytes)
   }
   if (bytes.size() < LengthBytes || length > bytes.size() - LengthBytes)
   {
-    RefusePart();
+    RefuseSaved();
   }
   const std::string part(bytes.substr(LengthBytes, length));
   bytes.remove_prefix(LengthBytes + length);
@@ -43,10 +43,10 @@ TakePart(std::string_view & bytes)
 
 } // namespace
 
-Findings::Findings(const VolumeGeometry &       geometry,
-                   const itk::MedialVoxelGrid & grid,
-                   const FindingSettings &      settings,
-                   std::uint64_t                surplusBytes)
+Surveys::Surveys(const VolumeGeometry &       geometry,
+                 const itk::MedialVoxelGrid & grid,
+                 const SurveyRequest &        settings,
+                 std::uint64_t                surplusBytes)
   : m_Survey(geometry, grid, settings.survey)
 {
   if (!settings.places.limits.empty())
@@ -61,13 +61,13 @@ Findings::Findings(const VolumeGeometry &       geometry,
 }
 
 std::vector<PlaceSummary>
-Findings::SummarizePlaces() const
+Surveys::SummarizePlaces() const
 {
   return m_Places ? m_Places->Summarize() : std::vector<PlaceSummary>();
 }
 
 void
-Findings::Clear()
+Surveys::Clear()
 {
   m_Survey.Clear();
   if (m_Places)
@@ -81,14 +81,14 @@ Findings::Clear()
 }
 
 std::string
-Findings::Save() const
+Surveys::Save() const
 {
   return PackPart(m_Survey.Save()) + (m_Places ? PackPart(m_Places->Save()) : "") +
          (m_Sheet ? PackPart(m_Sheet->Save()) : "");
 }
 
 void
-Findings::Merge(const std::string & bytes)
+Surveys::Merge(const std::string & bytes)
 {
   std::string_view rest = bytes;
   m_Survey.Merge(TakePart(rest));
@@ -102,7 +102,7 @@ Findings::Merge(const std::string & bytes)
   }
   if (!rest.empty())
   {
-    RefusePart();
+    RefuseSaved();
   }
 }
 
@@ -110,7 +110,7 @@ namespace
 {
 
 std::uint64_t
-GetSurveyBytes(const VolumeGeometry & geometry, const FindingSettings & settings)
+GetSurveyBytes(const VolumeGeometry & geometry, const SurveyRequest & settings)
 {
   return Survey::GetBytes(geometry, settings.survey) +
          (settings.places.limits.empty() ? 0 : PlaceSurvey::GetBytes(geometry, settings.places));
@@ -119,13 +119,13 @@ GetSurveyBytes(const VolumeGeometry & geometry, const FindingSettings & settings
 } // namespace
 
 std::uint64_t
-Findings::GetBytes(const VolumeGeometry & geometry, const FindingSettings & settings)
+Surveys::GetBytes(const VolumeGeometry & geometry, const SurveyRequest & settings)
 {
   return GetSurveyBytes(geometry, settings) + (settings.sheet ? SheetSurvey::GetBytes(geometry) : 0);
 }
 
 std::uint64_t
-Findings::GetSavedBytes(const VolumeGeometry & geometry, const FindingSettings & settings)
+Surveys::GetSavedBytes(const VolumeGeometry & geometry, const SurveyRequest & settings)
 {
   return GetSurveyBytes(geometry, settings) + (settings.sheet ? SheetSurvey::GetSavedBytes(geometry) : 0);
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelFindings_h
-#define medialvoxelFindings_h
+#ifndef medialvoxelSurveys_h
+#define medialvoxelSurveys_h
 
 #include "PlaceSurvey.h"
 #include "SheetSurvey.h"
@@ -14,23 +14,23 @@ namespace medialvoxel
 {
 
 /** What an extraction finds out about its medial cells. */
-struct FindingSettings
+struct SurveyRequest
 {
   SurveySettings survey;
   PlaceSettings  places;         ///< without limits: none are looked for
   bool           sheet{ false }; ///< points of the sheet, to be shown
 };
 
-/** \class Findings
+/** \class Surveys
  * \brief The surveys of a run, which go from one process to another together. */
-class Findings
+class Surveys
 {
 public:
   /** \param surplusBytes as PlaceSurvey has it */
-  Findings(const VolumeGeometry &       geometry,
-           const itk::MedialVoxelGrid & grid,
-           const FindingSettings &      settings,
-           std::uint64_t                surplusBytes);
+  Surveys(const VolumeGeometry &       geometry,
+          const itk::MedialVoxelGrid & grid,
+          const SurveyRequest &        settings,
+          std::uint64_t                surplusBytes);
 
   Survey &
   GetSurvey()
@@ -76,11 +76,11 @@ public:
 
   /** Memory that they take, beside a surplus. */
   static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry, const FindingSettings & settings);
+  GetBytes(const VolumeGeometry & geometry, const SurveyRequest & settings);
 
   /** Memory while they are saved, beside. */
   static std::uint64_t
-  GetSavedBytes(const VolumeGeometry & geometry, const FindingSettings & settings);
+  GetSavedBytes(const VolumeGeometry & geometry, const SurveyRequest & settings);
 
 private:
   Survey                       m_Survey;
