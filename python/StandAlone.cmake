@@ -34,7 +34,7 @@ foreach(_folder IN LISTS _folders)
   list(APPEND _sources ${_found})
 endforeach()
 list(FILTER _sources EXCLUDE REGEX "/(itkStreaming[A-Za-z]*|Program|Checksum|ItkVersion)\\.cxx$")
-list(APPEND _sources "${_root}/apps/job/formats/input/ValueStatistics.cxx" "${_root}/apps/job/reports/ObjectWarnings.cxx"
+list(APPEND _sources native/WithoutFiles.cxx "${_root}/apps/job/formats/input/ValueStatistics.cxx" "${_root}/apps/job/reports/ObjectWarnings.cxx"
      "${_root}/apps/job/reports/Warnings.cxx")
 
 add_library(MedialVoxelCore STATIC ${_sources})
@@ -42,7 +42,7 @@ generate_export_header(MedialVoxelCore BASE_NAME MedialVoxel EXPORT_FILE_NAME "$
                        EXPORT_MACRO_NAME MedialVoxel_EXPORT)
 target_compile_definitions(MedialVoxelCore PUBLIC MEDIALVOXEL_STATIC_DEFINE MEDIALVOXEL_VERSION="${MedialVoxel_VERSION}")
 target_include_directories(MedialVoxelCore PUBLIC "${CMAKE_CURRENT_BINARY_DIR}/include" "${_root}/include" ${_folders}
-                                                  "${_root}/apps/job/formats/input" "${_root}/apps/job/reports")
+                                                  "${_root}/apps/job/formats/input" "${_root}/apps/job/formats/volume" "${_root}/apps/job/reports")
 target_include_directories(MedialVoxelCore SYSTEM PUBLIC "${MedialVoxel_JSON_INCLUDE_DIR}")
 find_package(Threads REQUIRED)
 target_link_libraries(MedialVoxelCore PUBLIC Threads::Threads)

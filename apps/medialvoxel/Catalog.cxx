@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "CommandTable.h"
 #include "CommandText.h"
+#include "Json.h"
 #include "Outputs.h"
+#include "ResultViews.h"
 #include "SurfaceFormat.h"
 #include "Version.h"
 #include "VolumeFormats.h"
-
-#include <nlohmann/json.hpp>
+#include "Warnings.h"
 
 #include <algorithm>
 
@@ -15,8 +16,6 @@ namespace medialvoxel
 {
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 /** Functions for arrays that have the option as a keyword. */
 Json
@@ -124,6 +123,19 @@ DescribeOutputs()
   return json;
 }
 
+/** The rows of tables, with the paths of what they show. */
+Json
+DescribeViews()
+{
+  Json json = Json::array();
+  for (const ViewRow & row : ListViewRows())
+  {
+    json.push_back(
+      { { "condition", row.condition }, { "name", row.name }, { "value", row.value }, { "list", row.list } });
+  }
+  return json;
+}
+
 } // namespace
 
 std::string
@@ -139,6 +151,8 @@ MakeCatalog(const CommandLine & line, const CLI::App & app)
   json["outputs"] = { { "extract", DescribeOutputs<ExtractOptions>() },
                       { "surface", DescribeOutputs<PartOptions>() },
                       { "distance", DescribeOutputs<DistanceOptions>() } };
+  json["warnings"] = ListWarningCodes();
+  json["views"] = DescribeViews();
   return json.dump(2) + "\n";
 }
 

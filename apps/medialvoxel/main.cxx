@@ -4,14 +4,15 @@
 #include "CommandTable.h"
 #include "CommandWords.h"
 #include "CommandText.h"
+#include "JobCommands.h"
 #include "Log.h"
 #include "ObjectPlan.h"
 #include "OptionChecks.h"
-#include "PhaseTable.h"
 #include "Plan.h"
 #include "Program.h"
 #include "ReadVolumeHeader.h"
 #include "Report.h"
+#include "ResultViews.h"
 #include "RunJob.h"
 #include "SharedJob.h"
 #include "Signals.h"
@@ -56,18 +57,32 @@ RunLogged(const CommandLine & line, const std::string & logFile, TWork && work)
   }
 }
 
-/** The report alone where it goes to the standard output, otherwise what print() prints. */
-template <typename TOptions, typename TPrint>
+/** Names and values in two columns. */
 void
-PrintResult(const CommandLine & line, const TOptions & options, const JobResult & result, TPrint && print)
+PrintTable(std::ostream & out, const TextTable & table)
+{
+  std::size_t width = 0;
+  for (const auto & row : table)
+  {
+    width = std::max(width, row.first.size());
+  }
+  for (const auto & [name, value] : table)
+  {
+    out << name << std::string(width - name.size() + 2, ' ') << value << '\n';
+  }
+}
+
+/** The report alone where it goes to the standard output, otherwise a table of it. */
+void
+PrintResult(const CommandLine & line, const JobOptions & options, const JobResult & result, Views table)
 {
   if (options.reportFile == StandardOutput)
   {
-    std::cout << MakeReport(options, result);
+    std::cout << FormatReport(result.report);
   }
   else if (!line.program.quiet)
   {
-    print();
+    PrintTable(std::cout, MakeTable(table, result.report));
   }
 }
 
@@ -116,7 +131,7 @@ Extract(const CommandLine & line, ExtractOptions options, const std::string & co
   }
   else
   {
-    PrintResult(line, options, result, [&] { PrintPhaseTable(std::cout, options, result); });
+    PrintResult(line, options, result, ExtractTable);
   }
   return GetStatus(options, GetVerdict(result), &result);
 }
@@ -137,17 +152,17 @@ JoinCommand(int argc, char * argv[])
 void
 PrintEnd(const CommandLine & line, const FinalizeResult & result)
 {
-  if (result.options.reportFile == StandardOutput && !result.job)
+  if (result.job)
   {
-    std::cerr << "medialvoxel: the job was finished before, there is no report" << std::endl;
+    PrintResult(line, result.options, *result.job, ExtractTable);
   }
   else if (result.options.reportFile == StandardOutput)
   {
-    std::cout << MakeReport(result.options, *result.job);
+    std::cerr << "medialvoxel: the job was finished before, there is no report" << std::endl;
   }
   else if (!line.program.quiet)
   {
-    PrintFinalization(std::cout, result);
+    PrintTable(std::cout, { { "job", "was finished before" } });
   }
 }
 
@@ -237,7 +252,7 @@ BuildSurface(const CommandLine & line)
   }
   else
   {
-    PrintResult(line, options, result, [&] { PrintSurfaceTable(std::cout, options, result); });
+    PrintResult(line, options, result, SurfaceTable);
   }
 }
 
@@ -254,7 +269,7 @@ ComputeDistance(const CommandLine & line)
   }
   else
   {
-    PrintResult(line, options, result, [&] { PrintDistanceTable(std::cout, options, result); });
+    PrintResult(line, options, result, DistanceTable);
   }
 }
 

@@ -160,7 +160,7 @@ TEST(SurfaceRemeshing, ThreadsDoNotChangeTheBytes)
     EXPECT_LT(summary.fromFine.largest, 1.0); // corners are cut
     for (const MeshLimit & limit : ListMeshLimits(MeasureQuality(*remeshed)))
     {
-      EXPECT_TRUE(limit.Holds()) << limit.name << ": " << limit.Format();
+      EXPECT_TRUE(limit.Holds()) << limit.name << ": " << limit.value;
     }
     const auto & first = contents.front();
     const auto & last = contents.back();

@@ -140,12 +140,5 @@ TEST(SurfaceQuality, WallsOfOneSideAreNoFault)
   EXPECT_EQ(moebius.turnedWalls, 0u);
 }
 
-TEST(SurfaceQuality, LimitsAsText)
-{
-  const MeshLimit least{ "scaled Jacobian", 0.41, 0.3, true };
-  EXPECT_EQ(least.Format(), "0.41, at least 0.3");
-  EXPECT_EQ((MeshLimit{ "aspect ratio", 6, 5, false }.Format()), "6, more than 5");
-}
-
 } // namespace
 } // end namespace medialvoxel

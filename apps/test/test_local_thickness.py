@@ -178,6 +178,7 @@ class LocalThicknessTest(ProgramTestCase):
             walls = self.report["local_thickness"]
             at_maximum = sum(value == cap for value in expected)
             walls = {key: value for key, value in walls.items() if key not in ("mean", "standard_deviation", "largest")}
+        self.assertEqual(walls.pop("voxels"), sum(value > 0 for value in expected))
         self.assertEqual(walls, {"method": "wall", "maximum": cap, "voxels_at_maximum": at_maximum, "voxels_without_wall": uncovered})
 
     def test_walls_on_gray_values(self):

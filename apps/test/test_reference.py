@@ -13,6 +13,7 @@ import unittest
 from program import PROGRAM, ProgramTestCase, needs_tiff
 
 SOURCE = pathlib.Path(os.environ["MEDIALVOXEL_SOURCE"])
+SCHEMA = json.loads((SOURCE / "doc/report.schema.json").read_text(encoding="utf-8"))
 
 
 class ReferenceTest(ProgramTestCase):
@@ -35,15 +36,36 @@ class ReferenceTest(ProgramTestCase):
             self.assertTrue(all(option["description"] for option in command["options"]), command["name"])
 
     def test_the_schema_describes_all_warnings(self):
-        code = "".join(path.read_text(encoding="utf-8") for path in (SOURCE / "apps/job/reports").glob("*Warnings.cxx"))
-        codes = set(re.findall(r'\{ "([a-z]+(?:_[a-z]+)+)",\s+(?:Check|\[\])', code))
-        for path in (SOURCE / "apps/job/formats").rglob("*.cxx"):
-            text = path.read_text(encoding="utf-8")
-            codes |= set(re.findall(r'warnings\.push_back\(\s*\{ "([a-z]+(?:_[a-z]+)+)"', text))
-            codes |= {"unknown_spacing"} if "WarnOfUnknownSpacing(" in text else set()
-        schema = json.loads((SOURCE / "doc/report.schema.json").read_text(encoding="utf-8"))
-        described = schema["properties"]["warnings"]["items"]["properties"]["code"]["oneOf"]
-        self.assertEqual({row["const"] for row in described}, codes)
+        described = SCHEMA["properties"]["warnings"]["items"]["properties"]["code"]["oneOf"]
+        self.assertEqual({row["const"] for row in described}, set(self.catalog["warnings"]))
+
+    def test_views_show_values_that_the_schema_describes(self):
+        """A place or condition whose path no report has would stay empty, and nobody would miss it."""
+        keys = set(find_keys(SCHEMA))
+        page = (SOURCE / "apps/job/reports/page/report.html").read_text(encoding="utf-8")
+        texts = [page, *(row["name"] + row["value"] + f"[{row['condition']}?]" for row in self.catalog["views"])]
+        texts += ["{%s}" % row["list"][1:].replace("/", ".") for row in self.catalog["views"] if row["list"]]
+        shown = 0
+        for text in texts:
+            for place, condition in re.findall(r"\{([^{}]+)\}|\[([^?:{}<\[\]]+)[?:]", text):
+                words = [] if place.startswith("part ") else place.split()[-1 if " " not in place else 1 :]
+                paths = words + [re.split("[=>*]", word)[0] for word in re.split("[|&!]", condition)]
+                for key in ".".join(paths).split("."):
+                    if re.search("[a-z]", key) and key != "unit":
+                        shown += 1
+                        self.assertIn(key, keys, f"{key!r} in {text!r}")
+        self.assertGreater(shown, 200)
+
+
+def find_keys(schema):
+    """Names of members at any depth."""
+    if isinstance(schema, dict):
+        yield from schema.get("properties", {})
+        for value in schema.values():
+            yield from find_keys(value)
+    elif isinstance(schema, list):
+        for value in schema:
+            yield from find_keys(value)
 
 
 if __name__ == "__main__":

@@ -91,7 +91,7 @@ public:
     JobResult &            result = m_Job.result;
     result.otsu = options.lowerIsOtsu ? options.lowerThreshold : std::nullopt;
     result.roughness = options.roughness;
-    result.measure = options.measure;
+    result.wallMeasure = options.measure;
     result.plan.numberOfSlices = shared.manifest.numberOfSlices;
     result.plan.divisions = shared.manifest.numberOfClusters;
     m_Job.options.overwrite |= overwrite;
@@ -195,7 +195,7 @@ private:
       const std::optional<std::string> part = m_Shared.folder.ReadSurvey(cluster, m_Markers[cluster]);
       if (part)
       {
-        MergeFindings(m_Job.products, *part);
+        MergeSurveys(m_Job.products, *part);
       }
       else
       {

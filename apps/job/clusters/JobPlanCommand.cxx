@@ -131,7 +131,7 @@ MeasureVolume(const ExtractOptions & options, Job & job, const ProgressSink & si
   ExtractOptions measured = options;
   measured.lowerThreshold = job.options.lowerThreshold;
   measured.roughness = job.result.roughness;
-  measured.measure = job.result.measure;
+  measured.measure = job.result.wallMeasure;
   return measured;
 }
 

@@ -240,7 +240,7 @@ ClusterWorker::DoCluster(std::uint64_t cluster)
   }
   CheckUnchanged(m_Shared.manifest.input);
   m_Shared.folder.CheckStillOf(m_Shared.manifest);
-  m_Shared.folder.WriteMarker(m_Shared.manifest, cluster, marker, SaveFindings(m_Job.products));
+  m_Shared.folder.WriteMarker(m_Shared.manifest, cluster, marker, SaveSurveys(m_Job.products));
   this->RecordCluster(cluster, marker);
 }
 

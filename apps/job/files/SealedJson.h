@@ -3,7 +3,7 @@
 #ifndef medialvoxelSealedJson_h
 #define medialvoxelSealedJson_h
 
-#include <nlohmann/json.hpp>
+#include "Json.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -15,8 +15,6 @@
 
 namespace medialvoxel
 {
-
-using Json = nlohmann::ordered_json;
 
 /** Writes a file that is complete and on the disk when it appears, in place of one that is there.
  * \throw JobError Failure */
@@ -32,14 +30,6 @@ WriteSealed(const std::filesystem::path & fileName, Json object);
  * \throw JobError Failure for a file that cannot be read, is damaged or was changed */
 std::optional<Json>
 ReadSealed(const std::filesystem::path & fileName);
-
-/** Null for a value that is not set. */
-template <typename TValue>
-Json
-OptionalToJson(const std::optional<TValue> & value)
-{
-  return value ? Json(*value) : Json(nullptr);
-}
 
 /** A whole number of JSON, which the library would convert from others without a word.
  * \throw std::invalid_argument for what is none, or none of the type */

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "JobResult.h"
 
-#include "Text.h"
-
 #include <algorithm>
 
 namespace medialvoxel
@@ -31,13 +29,6 @@ IsSmoothed(const ExtractOptions & options, const JobResult & result)
   ExtractOptions known = options;
   known.roughness = result.roughness;
   return GetSmoothing(known) == Smoothing::On;
-}
-
-std::string
-DescribeSmoothing(const ExtractOptions & options, const JobResult & result)
-{
-  const std::string text = IsSmoothed(options, result) ? "yes" : "no";
-  return result.roughness ? text + ", roughness " + FormatFixed(100 * result.roughness->GetRatio(), 2) + " %" : text;
 }
 
 } // end namespace medialvoxel

@@ -4,15 +4,13 @@
 #define medialvoxelJobResult_h
 
 #include "JobPlan.h"
+#include "Json.h"
 #include "NamedCounts.h"
-#include "ObjectSummary.h"
 #include "Options.h"
 #include "OutputRequest.h"
-#include "PartSummary.h"
 #include "PlaceSummary.h"
 #include "Segments.h"
 #include "SurfaceSummary.h"
-#include "ThicknessSummary.h"
 #include "VolumeHeader.h"
 #include "Warning.h"
 
@@ -44,19 +42,21 @@ struct JobResult
   std::vector<OutputRequest>               outputs;
   JobPlan                                  plan;
   itk::MedialVoxelSums                     sums;
-  std::optional<itk::MedialVoxelLimit>     otsu;      ///< lower threshold, when it was measured
-  std::optional<itk::MedialVoxelRoughness> roughness; ///< of the object, when it was measured
-  std::optional<WallMeasure>               measure;   ///< of walls, where these are measured
-  std::optional<ThicknessSummary>          thickness; ///< of an extraction
-  std::vector<PlaceSummary>                places;    ///< with too thin or too thick walls; of the kinds looked for
-  std::optional<LabelMapSummary>           objects;   ///< of a label map
-  SegmentTable                             segments;  ///< names of its labels; empty: there are none
-  std::optional<SurfaceSummary>            surface;   ///< when a mesh was asked for
-  std::optional<PartSummary>               part;      ///< of its surface
+  std::optional<itk::MedialVoxelLimit>     otsu;        ///< lower threshold, when it was measured
+  std::optional<itk::MedialVoxelRoughness> roughness;   ///< of the object, when it was measured
+  std::optional<WallMeasure>               wallMeasure; ///< of walls, where these are measured
+  Json                                     thickness;   ///< of an extraction, as in the report
+  Json                                     uncertainty; ///< of that thickness; null: it is not known
+  std::vector<PlaceSummary>                places;      ///< with too thin or too thick walls; of the kinds looked for
+  Json                                     objects;     ///< of a label map, with the passes it took; null: it is none
+  SegmentTable                             segments;    ///< names of its labels; empty: there are none
+  std::optional<SurfaceSummary>            surface;     ///< when a mesh was asked for
+  Json                                     part;        ///< its surface, when that was asked for
   std::vector<Warning>                     warnings;
   JobSeconds                               seconds;
   std::uint64_t                            peakMemoryBytes{ 0 }; ///< of the process
   std::uint64_t                            bytesRead{ 0 };
+  Json                                     report; ///< all of it that is shown, at the end of the job
 };
 
 /** What a run says of thin walls. */
@@ -73,10 +73,6 @@ GetVerdict(const JobResult & result);
 /** Whether the object of an extraction was smoothed. */
 bool
 IsSmoothed(const ExtractOptions & options, const JobResult & result);
-
-/** The same for a reader, with the roughness that decided. */
-std::string
-DescribeSmoothing(const ExtractOptions & options, const JobResult & result);
 
 } // end namespace medialvoxel
 

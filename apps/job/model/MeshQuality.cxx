@@ -2,18 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "MeshQuality.h"
 
-#include "Text.h"
-
 namespace medialvoxel
 {
-
-std::string
-MeshLimit::Format() const
-{
-  const char * const relation =
-    Holds() ? (isLeast ? "at least " : "at most ") : (isLeast ? "less than " : "more than ");
-  return FormatShort(value) + ", " + relation + FormatShort(limit);
-}
 
 std::vector<MeshLimit>
 ListMeshLimits(const MeshQuality & quality)

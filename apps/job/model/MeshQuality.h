@@ -44,10 +44,6 @@ struct MeshLimit
   {
     return isLeast ? value >= limit : value <= limit;
   }
-
-  /** "0.41, at least 0.3", or "6, more than 5" where it does not hold. */
-  std::string
-  Format() const;
 };
 
 /** No element without a positive Jacobian, 0.3 and an aspect ratio of 5 for 99 % of them, nothing twice, no hanging

@@ -20,16 +20,6 @@ struct WallMeasure
   std::string                         reason; ///< why there is no scan
 };
 
-/** What the uncertainty of a thickness is made of, and what not. */
-constexpr const char * UncertaintyCovers =
-  "noise of the values with its correlation, the place between the voxels (0.03 voxels), levels (1 % of the thickness)";
-constexpr const char * UncertaintyLeavesOut =
-  "wrong levels beside unseen walls, beam hardening and other artifacts, curved walls, the scale of the scan";
-
-/** The same for a reader, in a line. */
-std::string
-Describe(const WallMeasure & measure);
-
 } // end namespace medialvoxel
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef medialvoxelWarning_h
 #define medialvoxelWarning_h
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,22 @@ struct Warning
   std::vector<std::pair<std::string, double>> values;  ///< the numbers of the message by their names, all finite
   bool                                        isOfEvidence{ false }; ///< too little was measured for a verdict on walls
 };
+
+/** Codes of what headers warn of. Those of requests and results are in the tables of reports/Warnings.cxx and
+ * ObjectWarnings.cxx. */
+namespace HeaderWarnings
+{
+constexpr const char * ContradictingForms = "contradicting_forms";
+constexpr const char * DataBehindVoxels = "data_behind_voxels";
+constexpr const char * SingleSlice = "single_slice";
+constexpr const char * StoredValues = "stored_values";
+constexpr const char * UnevenSlices = "uneven_slices";
+constexpr const char * UnknownSliceOrder = "unknown_slice_order";
+constexpr const char * UnknownSpacing = "unknown_spacing";
+
+constexpr std::array<const char *, 7> All{ ContradictingForms, DataBehindVoxels,  SingleSlice,   StoredValues,
+                                           UnevenSlices,       UnknownSliceOrder, UnknownSpacing };
+} // namespace HeaderWarnings
 
 } // end namespace medialvoxel
 

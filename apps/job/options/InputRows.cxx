@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "OptionTable.h"
 
+#include "FormatNames.h"
 #include "SlicerElements.h"
 #include "Text.h"
-#include "VolumeFormats.h"
 
 namespace medialvoxel
 {

@@ -44,7 +44,7 @@ public:
     // Objects of a label map touch, which rays do not see.
     if (!m_Options.labels)
     {
-      const auto range = GetGrayRange(result.measure.value(), m_Options, result.input);
+      const auto range = GetGrayRange(result.wallMeasure.value(), m_Options, result.input);
       const auto rays = std::make_shared<RimRays>(end.input->GetInput(), result.input.geometry, range);
       m_Mesh->FindEdgesWith([rays](const itk::MedialVoxelRimRays & bundle) { return rays->Measure(bundle); });
     }
@@ -100,7 +100,7 @@ public:
     result.part = m_Surface->Write(*m_File, end.progress);
     if (m_Options.localThicknessMethod == LocalThicknessMethod::Sphere)
     {
-      result.measure = WallMeasure{ false, std::nullopt, "largest balls are those of its voxels" };
+      result.wallMeasure = WallMeasure{ false, std::nullopt, "largest balls are those of its voxels" };
     }
   }
 

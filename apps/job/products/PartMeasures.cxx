@@ -58,14 +58,16 @@ public:
     return m_Histogram;
   }
 
-  ThicknessOfSurface
-  Summarize() const
+  Json
+  Summarize(const std::uint64_t unknownVertices) const
   {
-    ThicknessOfSurface thickness;
-    static_cast<ThicknessStatistics &>(thickness) = MakeStatistics(m_Histogram);
-    thickness.area = static_cast<double>(m_Histogram.GetTotal()) * m_Unit;
-    thickness.bins = MakeBins(m_Histogram, m_Unit);
-    return thickness;
+    const bool isKnown = m_Histogram.GetTotal() > 0;
+    return { { "unknown_vertices", unknownVertices },
+             { "area", static_cast<double>(m_Histogram.GetTotal()) * m_Unit },
+             { "mean", isKnown ? Json(m_Histogram.GetMean()) : Json(nullptr) },
+             { "standard_deviation", isKnown ? Json(m_Histogram.GetStandardDeviation()) : Json(nullptr) },
+             { "percentiles", MakePercentiles(m_Histogram, isKnown) },
+             { "histogram", MakeBins(m_Histogram, m_Unit) } };
   }
 
 private:
@@ -75,10 +77,11 @@ private:
 
 } // namespace
 
-PartSummary
+Json
 MeasurePart(const SurfaceSpool &                surface,
             const SurfaceArray *                rays,
             const VolumeGeometry &              geometry,
+            const PartFacts &                   facts,
             const std::function<void(double)> & progress)
 {
   SurfaceReader reader(surface, progress);
@@ -90,7 +93,8 @@ MeasurePart(const SurfaceSpool &                surface,
   const Point          reference{ geometry.origin[0], geometry.origin[1], geometry.origin[2] };
   AreaByThickness      thickness(geometry);
   AreaByThickness      rayThickness(geometry);
-  PartSummary          summary;
+  double               wholeArea = 0.0;
+  double               capArea = 0.0;
   double               volume = 0.0;
   reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
     std::array<Point, 3> corners{};
@@ -104,8 +108,8 @@ MeasurePart(const SurfaceSpool &                surface,
     const Point  normal = itk::MedialVoxelCross(itk::MedialVoxelSubtract(corners[1], corners[0]),
                                                itk::MedialVoxelSubtract(corners[2], corners[0]));
     const double area = 0.5 * itk::MedialVoxelNorm(normal);
-    summary.area += area;
-    summary.capArea += face.isCap ? area : 0.0;
+    wholeArea += area;
+    capArea += face.isCap ? area : 0.0;
     volume += itk::MedialVoxelDot(corners[0], normal) / 6.0;
     for (std::size_t i = 0; i < 3 && !face.isCap; ++i)
     {
@@ -116,20 +120,29 @@ MeasurePart(const SurfaceSpool &                surface,
       }
     }
   });
-  summary.vertices = surface.GetNumberOfVertices();
-  summary.triangles = surface.GetNumberOfTriangles();
-  summary.volume = volume;
-  summary.thickness = thickness.Summarize();
-  if (rays != nullptr)
-  {
-    summary.rays = rayThickness.Summarize();
-  }
   const LengthHistogram & histogram = thickness.GetHistogram();
+  Json                    colors;
   if (histogram.GetTotal() > 0)
   {
-    summary.colorRange = { histogram.GetPercentile(FirstColorPercent), histogram.GetPercentile(LastColorPercent) };
+    colors = { histogram.GetPercentile(FirstColorPercent), histogram.GetPercentile(LastColorPercent) };
   }
-  return summary;
+  Json rayJson;
+  if (rays != nullptr)
+  {
+    rayJson = rayThickness.Summarize(facts.unansweredRays.GetTotal());
+    rayJson["unanswered"] = { { "leave_volume", facts.unansweredRays.leaveVolume },
+                              { "too_long", facts.unansweredRays.tooLong },
+                              { "unknown", facts.unansweredRays.unknown } };
+  }
+  return { { "vertices", surface.GetNumberOfVertices() },
+           { "triangles", surface.GetNumberOfTriangles() },
+           { "placed_by", facts.usesGrayValues ? "values" : "object" },
+           { "area", wholeArea },
+           { "cap_area", capArea },
+           { "volume", facts.isOpen ? Json(nullptr) : Json(volume) },
+           { "color_range", colors },
+           { "thickness", thickness.Summarize(facts.unknownVertices) },
+           { "ray_thickness", rayJson } };
 }
 
 } // end namespace medialvoxel

@@ -3,23 +3,48 @@
 #ifndef medialvoxelPartMeasures_h
 #define medialvoxelPartMeasures_h
 
-#include "PartSummary.h"
+#include "Json.h"
 #include "SurfaceArray.h"
 #include "SurfaceSpool.h"
 #include "VolumeHeader.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace medialvoxel
 {
 
+/** Rays without an answer, by what ends them. */
+struct UnansweredRays
+{
+  std::uint64_t leaveVolume{ 0 }; ///< or start outside of it, at a cap
+  std::uint64_t tooLong{ 0 };
+  std::uint64_t unknown{ 0 }; ///< no direction, or values that are not a number
+
+  std::uint64_t
+  GetTotal() const
+  {
+    return leaveVolume + tooLong + unknown;
+  }
+};
+
+/** What the building of a surface tells of it. */
+struct PartFacts
+{
+  bool           usesGrayValues{ false }; ///< to place the vertices; otherwise they are in the middle between voxels
+  bool           isOpen{ false };         ///< it encloses no volume
+  std::uint64_t  unknownVertices{ 0 };    ///< at which the thickness is not known
+  UnansweredRays unansweredRays;
+};
+
 /** Area, volume and thickness of the surface of a part, in the order of its faces. A third of a triangle counts for
- * each of its corners. The numbers of unknown vertices stay 0.
+ * each of its corners.
  * \param rays null: they were not measured \param progress as in SurfaceWriteOptions */
-PartSummary
+Json
 MeasurePart(const SurfaceSpool &                surface,
             const SurfaceArray *                rays,
             const VolumeGeometry &              geometry,
+            const PartFacts &                   facts,
             const std::function<void(double)> & progress);
 
 } // end namespace medialvoxel

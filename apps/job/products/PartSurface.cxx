@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PartSurface.h"
 
-#include "PartMeasures.h"
 #include "SurfacePlacement.h"
 
 #include "itkMedialVoxelProgress.h"
@@ -140,7 +139,7 @@ PartSurface::ReadSlice(std::int64_t z)
   m_Objects.emplace_back(box);
   itk::MedialVoxelTargets targets;
   targets.object = &m_Objects.back();
-  if (m_UsesGrayValues)
+  if (m_Facts.usesGrayValues)
   {
     m_Gray.Frame(box, box);
     targets.gray = &m_Gray;
@@ -157,7 +156,7 @@ PartSurface::SetMargins(std::int64_t z, const itk::MedialVoxelBits & object)
   for (std::int64_t y = 0; y < m_Size[1]; ++y)
   {
     float * const margins = m_Margins.GetRow(y, z);
-    if (m_UsesGrayValues)
+    if (m_Facts.usesGrayValues)
     {
       const float * const values = m_Gray.GetRow(y, z);
       std::transform(values, values + m_Size[0], margins, [&](float value) {
@@ -194,7 +193,7 @@ PartSurface::AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & v
     const auto   offset = static_cast<std::size_t>(object[1] * m_Size[0] + object[0]);
     const float  thickness = object[2] == m_Z && m_Now != nullptr ? m_Now[offset] : m_Before[offset];
     result.thickness = thickness > 0.0f ? thickness : unknown;
-    m_UnknownVertices += thickness > 0.0f ? 0 : 1;
+    m_Facts.unknownVertices += thickness > 0.0f ? 0 : 1;
     return result;
   });
   m_Spool.AddVertices(m_Vertices);
@@ -208,9 +207,9 @@ void
 PartSurface::CountRay(const itk::MedialVoxelRayEnd end)
 {
   using End = itk::MedialVoxelRayEnd;
-  m_UnansweredRays.leaveVolume += end == End::Image ? 1 : 0;
-  m_UnansweredRays.tooLong += end == End::Maximum ? 1 : 0;
-  m_UnansweredRays.unknown += end == End::Unknown ? 1 : 0;
+  m_Facts.unansweredRays.leaveVolume += end == End::Image ? 1 : 0;
+  m_Facts.unansweredRays.tooLong += end == End::Maximum ? 1 : 0;
+  m_Facts.unansweredRays.unknown += end == End::Unknown ? 1 : 0;
 }
 
 void
@@ -243,38 +242,29 @@ PartSurface::AddTriangles(const std::vector<itk::MedialVoxelIsosurfaceTriangle> 
   m_Spool.AddFaces(m_Faces);
 }
 
-PartSummary
+Json
 PartSurface::Write(OutputFile & file, const std::function<void(double)> & progress)
 {
   m_Now = nullptr;
   m_Isosurface.Finish();
+  m_Facts.isOpen = m_Options.isOpen;
   const SurfaceArray * const rays = m_RayThickness ? &*m_RayThickness : nullptr;
-  PartSummary                summary = MeasurePart(m_Spool, rays, m_Header.geometry, progress);
-  summary.usesGrayValues = m_UsesGrayValues;
-  summary.thickness.unknownVertices = m_UnknownVertices;
-  if (summary.rays)
-  {
-    summary.rays->unknownVertices = m_UnansweredRays.GetTotal();
-    summary.unansweredRays = m_UnansweredRays;
-  }
-  if (m_Options.isOpen)
-  {
-    summary.volume.reset();
-  }
-  SurfaceWriteOptions options;
+  const Json                 part = MeasurePart(m_Spool, rays, m_Header.geometry, m_Facts, progress);
+  const Json &               colors = part["color_range"];
+  SurfaceWriteOptions        options;
   options.isOfPart = true;
   options.unit = m_Header.geometry.DescribeUnit();
   options.progress = progress;
-  if (summary.colorRange)
+  if (!colors.is_null())
   {
-    options.colorRange = ThicknessRange{ summary.colorRange->front(), summary.colorRange->back() };
+    options.colorRange = ThicknessRange{ colors.front(), colors.back() };
   }
   if (rays != nullptr)
   {
     options.vertexArrays.push_back(rays);
   }
   WriteSurface(GetSurfaceFormat(m_Options.output), m_Spool, options, file);
-  return summary;
+  return part;
 }
 
 ProductFootprint

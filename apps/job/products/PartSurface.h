@@ -4,7 +4,7 @@
 #define medialvoxelPartSurface_h
 
 #include "InputVolume.h"
-#include "PartSummary.h"
+#include "PartMeasures.h"
 #include "ProductFootprint.h"
 #include "SurfaceArray.h"
 #include "SurfaceFormat.h"
@@ -42,15 +42,16 @@ public:
   void
   UseGrayValues()
   {
-    m_UsesGrayValues = true;
+    m_Facts.usesGrayValues = true;
   }
 
   /** Where the map of the thickness is written to, from its first slice to its last: float, 0 is unknown. */
   VoxelOutput &
   GetMap();
 
-  /** Writes the surface after the last slice of the map, and finishes the file. \a progress may throw to stop. */
-  PartSummary
+  /** Writes the surface after the last slice of the map, and finishes the file. Returns what a report tells of it. \a
+   * progress may throw to stop. */
+  Json
   Write(OutputFile & file, const std::function<void(double)> & progress);
 
   /** Beside the map. Scratch files are of a surface that has a vertex for each 32 voxels; larger ones take more. */
@@ -89,8 +90,7 @@ private:
   itk::MedialVoxelObjectSource &   m_Input;
   itk::MedialVoxelIndex            m_Size;
   itk::MedialVoxelSurfacePlacement m_Placement;
-  bool                             m_IsMirrored;              ///< the axes of the image are left-handed
-  bool                             m_UsesGrayValues{ false }; ///< to place the vertices
+  bool                             m_IsMirrored; ///< the axes of the image are left-handed
   double                           m_MaximumRay;
   std::int64_t                     m_Halo; ///< slices that are read ahead
   itk::MedialVoxelMargins          m_Margins;
@@ -105,8 +105,7 @@ private:
   std::vector<float>               m_Before;         ///< thickness of the slice before it
   SurfaceSpool                     m_Spool;
   std::optional<SurfaceArray>      m_RayThickness;
-  std::uint64_t                    m_UnknownVertices{ 0 };
-  UnansweredRays                   m_UnansweredRays;
+  PartFacts                        m_Facts;
   std::vector<SurfaceVertex>       m_Vertices; ///< for the spool
   std::vector<SurfaceFace>         m_Faces;
 };

@@ -10,7 +10,7 @@ namespace medialvoxel
 {
 
 std::string
-SaveFindings(const ProductList & products)
+SaveSurveys(const ProductList & products)
 {
   std::string bytes;
   for (const auto & product : products)
@@ -25,7 +25,7 @@ SaveFindings(const ProductList & products)
 }
 
 void
-MergeFindings(const ProductList & products, const std::string & bytes)
+MergeSurveys(const ProductList & products, const std::string & bytes)
 {
   std::istringstream stream(bytes);
   for (const auto & product : products)
@@ -38,14 +38,14 @@ MergeFindings(const ProductList & products, const std::string & bytes)
       std::string part(stream && length < bytes.size() ? length : 0, '\0');
       if (part.empty() || !stream.read(part.data(), static_cast<std::streamsize>(length)))
       {
-        RefusePart();
+        RefuseSaved();
       }
       survey->Merge(part);
     }
   }
   if (stream.peek() != std::istringstream::traits_type::eof())
   {
-    RefusePart();
+    RefuseSaved();
   }
 }
 

@@ -141,12 +141,12 @@ using ProductList = std::vector<std::unique_ptr<Product>>;
 
 /** All that the products found for others, as bytes. */
 std::string
-SaveFindings(const ProductList & products);
+SaveSurveys(const ProductList & products);
 
 /** Adds what the same products saved elsewhere, in the order of their slices. \throw JobError Failure when these are
  * not their bytes */
 void
-MergeFindings(const ProductList & products, const std::string & bytes);
+MergeSurveys(const ProductList & products, const std::string & bytes);
 
 } // end namespace medialvoxel
 

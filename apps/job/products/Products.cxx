@@ -4,7 +4,7 @@
 
 #include "Outputs.h"
 #include "Report.h"
-#include "ReturnParameters.h"
+#include "ResultViews.h"
 #include "VolumeFormats.h"
 #include "Warnings.h"
 
@@ -54,7 +54,7 @@ private:
 };
 
 /** \class ReportProduct
- * \brief Warnings of the result, which is complete but for them, and the report. */
+ * \brief Warnings of the result, which is complete but for them, and all of it as a report. */
 template <typename TOptions>
 class ReportProduct : public Product
 {
@@ -83,13 +83,14 @@ public:
       found = FindWarningsOfResult(m_Options, result);
     }
     result.warnings.insert(result.warnings.end(), found.begin(), found.end());
+    result.report = MakeReport(m_Options, result);
   }
 
 private:
   std::optional<std::string>
   MakeText(const JobResult & result) const override
   {
-    return MakeReport(m_Options, result);
+    return FormatReport(result.report);
   }
 
   const TOptions & m_Options;
@@ -105,7 +106,7 @@ class ParameterProduct : public ExtractProduct
   std::optional<std::string>
   MakeText(const JobResult & result) const override
   {
-    return MakeReturnParameters(result);
+    return MakeReturnParameters(result.report);
   }
 };
 

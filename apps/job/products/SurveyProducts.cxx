@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 #include "PlaceSurvey.h"
-#include "PlaceTable.h"
+#include "PlaceJson.h"
 #include "Preview.h"
 #include "Products.h"
 #include "SheetSurvey.h"
@@ -64,7 +64,8 @@ public:
   void
   Describe(JobResult & result) override
   {
-    result.thickness = Summarize(*m_Survey);
+    result.thickness = MakeThickness(m_Survey->GetSums(), *m_Survey);
+    result.uncertainty = MakeUncertainty(m_Survey->GetSums());
   }
 
 private:
@@ -232,7 +233,8 @@ private:
   MakeText(const JobResult & result) const override
   {
     const ColorRange colors = GetColorRange(m_Thickness->GetSums().GetAreas());
-    return MakeHtmlReport(m_Options, result, *m_Pictures, { m_Survey.get(), colors });
+    return MakeHtmlReport(
+      result.report, m_Options.command, *m_Pictures, { m_Survey.get(), colors }, result.input.geometry);
   }
 
   const Survey *   m_Thickness{ nullptr };

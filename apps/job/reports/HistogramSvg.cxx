@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace medialvoxel
 {
@@ -46,35 +47,35 @@ Coordinate(double value)
 class Chart
 {
 public:
-  explicit Chart(const ThicknessSummary & thickness)
-    : m_Thickness(thickness)
+  explicit Chart(const Json & histogram)
+    : m_Areas(histogram["areas"].get<std::vector<double>>())
+    , m_BinWidth(histogram["bin_width"])
     , m_First(0)
   {
-    while (thickness.bins.areas[m_First] == 0.0)
+    while (m_Areas[m_First] == 0.0)
     {
       ++m_First;
     }
-    m_Least = (static_cast<double>(m_First) - 1.0) * thickness.bins.width;
-    m_Most = static_cast<double>(thickness.bins.areas.size()) * thickness.bins.width;
+    m_Least = (static_cast<double>(m_First) - 1.0) * m_BinWidth;
+    m_Most = static_cast<double>(m_Areas.size()) * m_BinWidth;
   }
 
   void
   DrawBars()
   {
-    const auto & bins = m_Thickness.bins.areas;
-    const double highest = *std::max_element(bins.begin(), bins.end());
-    const double width = (Width - Left - Right) * m_Thickness.bins.width / (m_Most - m_Least);
-    for (std::size_t bin = m_First; bin < bins.size(); ++bin)
+    const double highest = *std::max_element(m_Areas.begin(), m_Areas.end());
+    const double width = (Width - Left - Right) * m_BinWidth / (m_Most - m_Least);
+    for (std::size_t bin = m_First; bin < m_Areas.size(); ++bin)
     {
-      if (bins[bin] == 0.0)
+      if (m_Areas[bin] == 0.0)
       {
         continue;
       }
-      const double middle = static_cast<double>(bin) * m_Thickness.bins.width;
-      const double height = std::max(0.5, (Height - Top - Bottom) * bins[bin] / highest);
+      const double middle = static_cast<double>(bin) * m_BinWidth;
+      const double height = std::max(0.5, (Height - Top - Bottom) * m_Areas[bin] / highest);
       m_Text << "<rect class=\"bar\" x=\"" << Coordinate(this->GetX(middle) - 0.46 * width) << "\" y=\""
              << Coordinate(Height - Bottom - height) << "\" width=\"" << Coordinate(0.92 * width) << "\" height=\""
-             << Coordinate(height) << "\"><title>" << FormatNumber(middle) << ": area " << FormatShort(bins[bin])
+             << Coordinate(height) << "\"><title>" << FormatNumber(middle) << ": area " << FormatShort(m_Areas[bin])
              << "</title></rect>\n";
     }
   }
@@ -127,28 +128,26 @@ private:
     return Left + (Width - Left - Right) * (length - m_Least) / (m_Most - m_Least);
   }
 
-  const ThicknessSummary & m_Thickness;
-  std::size_t              m_First;
-  double                   m_Least;
-  double                   m_Most;
-  std::ostringstream       m_Text;
+  std::vector<double> m_Areas;
+  double              m_BinWidth;
+  std::size_t         m_First;
+  double              m_Least;
+  double              m_Most;
+  std::ostringstream  m_Text;
 };
 
 } // namespace
 
 std::string
-MakeHistogramSvg(const ThicknessSummary & thickness, const std::string & unit)
+MakeHistogramSvg(const Json & thickness, const std::string & unit)
 {
-  if (thickness.cells == 0)
-  {
-    return {};
-  }
-  Chart chart(thickness);
+  Chart chart(thickness["histogram"]);
   chart.DrawBars();
   chart.DrawAxis(unit);
-  const bool isSkewed = thickness.mean < thickness.GetMedian();
-  chart.DrawMark(thickness.mean, "mean", isSkewed);
-  chart.DrawMark(thickness.GetMedian(), "median", !isSkewed);
+  const double mean = thickness["mean"];
+  const double median = thickness["percentiles"]["50"];
+  chart.DrawMark(mean, "mean", mean < median);
+  chart.DrawMark(median, "median", mean >= median);
   return chart.GetText();
 }
 

@@ -3,12 +3,10 @@
 #ifndef medialvoxelHtmlReport_h
 #define medialvoxelHtmlReport_h
 
-#include "JobResult.h"
-#include "Options.h"
+#include "Json.h"
 #include "PageView.h"
 
 #include <string>
-#include <string_view>
 
 namespace medialvoxel
 {
@@ -20,18 +18,20 @@ struct Pictures
   std::string thicknesses;
 };
 
-/** The report of an extraction as one page that needs nothing beside itself: the sheet in a view, picture, phases,
- * histogram of the thickness, parameters, versions, how to cite. What depends on the run and the machine stands in its
- * last section. */
+/** The report of an extraction as one page that needs nothing beside itself: `page/report.html` with the values of the
+ * report. What depends on the run and the machine stands in its last section. \param command that was typed; empty: it
+ * is not known */
 std::string
-MakeHtmlReport(const ExtractOptions & options,
-               const JobResult &      result,
+MakeHtmlReport(const Json &           report,
+               const std::string &    command,
                const Pictures &       pictures,
-               const PageSheet &      sheet);
+               const PageSheet &      sheet,
+               const VolumeGeometry & geometry);
 
-/** A histogram as SVG, to stand in a page. Empty without cells. \param unit text behind the numbers of the axis */
+/** A histogram as SVG, to stand in a page. \param thickness of a report, with cells
+ * \param unit text behind the numbers of the axis */
 std::string
-MakeHistogramSvg(const ThicknessSummary & thickness, const std::string & unit);
+MakeHistogramSvg(const Json & thickness, const std::string & unit);
 
 } // end namespace medialvoxel
 

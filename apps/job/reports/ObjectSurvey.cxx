@@ -4,8 +4,6 @@
 
 #include "SurveySummary.h"
 
-#include <cmath>
-
 namespace medialvoxel
 {
 
@@ -65,7 +63,7 @@ ObjectSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
     }
     if (Sums * const found = find(cell))
     {
-      this->AddWall(*found, wall);
+      found->thickness.AddWall(wall, m_Survey.GetAreaUnit());
     }
     else
     {
@@ -82,7 +80,7 @@ ObjectSurvey::Commit()
     Sums & sums = this->GetSums(m_Pending, m_Piece.FindObjectOfPore(unknown.cell, m_Pass));
     if (unknown.wall)
     {
-      this->AddWall(sums, *unknown.wall);
+      sums.thickness.AddWall(*unknown.wall, m_Survey.GetAreaUnit());
     }
     else
     {
@@ -105,37 +103,24 @@ ObjectSurvey::AddCell(Sums & sums, bool isMedial)
   sums.medialCells += isMedial ? 1 : 0;
 }
 
-void
-ObjectSurvey::AddWall(Sums & sums, const itk::MedialVoxelWall & wall) const
-{
-  if (wall.isRim)
-  {
-    sums.thickness.AddRims(1);
-    return;
-  }
-  sums.thickness.AddCell(
-    sums.thickness.GetCells().GetBin(static_cast<double>(wall.thickness)),
-    static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_Survey.GetAreaUnit())));
-}
-
-std::vector<ObjectSummary>
+Json
 ObjectSurvey::Summarize(const itk::MedialVoxelObjectMap & map) const
 {
-  std::vector<ObjectSummary> objects;
-  const auto &               table = map.GetTable();
+  Json         objects = Json::array();
+  const Sums   none(this->GetBinWidth());
+  const auto & table = map.GetTable();
   for (std::size_t number = 1; number <= table.GetNumberOfObjects(); ++number)
   {
-    const auto    object = static_cast<ObjectNumber>(number);
-    ObjectSummary summary;
-    summary.label = table.GetValue(object);
-    summary.voxels = map.GetObjectVoxels()[number];
+    const auto   object = static_cast<ObjectNumber>(number);
     const auto   found = m_Total.find(object);
-    const Sums   none(this->GetBinWidth());
     const Sums & sums = found == m_Total.end() ? none : found->second;
-    summary.candidateCells = sums.candidateCells;
-    summary.medialCells = sums.medialCells;
-    summary.thickness = medialvoxel::Summarize(sums.thickness, m_Survey);
-    objects.push_back(summary);
+    objects.push_back({ { "label", table.GetValue(object) },
+                        { "name", nullptr },
+                        { "color", nullptr },
+                        { "voxels", map.GetObjectVoxels()[number] },
+                        { "candidate_cells", sums.candidateCells },
+                        { "medial_cells", sums.medialCells },
+                        { "thickness", MakeThickness(sums.thickness, m_Survey) } });
   }
   return objects;
 }

@@ -3,8 +3,8 @@
 #ifndef medialvoxelObjectSurvey_h
 #define medialvoxelObjectSurvey_h
 
+#include "Json.h"
 #include "LengthHistogram.h"
-#include "ObjectSummary.h"
 #include "Survey.h"
 
 #include "itkMedialVoxelObjectRegion.h"
@@ -54,8 +54,8 @@ public:
   void
   Commit() override;
 
-  /** All objects of a map, also those without a cell. */
-  std::vector<ObjectSummary>
+  /** All objects of a map by label, also those without a cell, with the numbers of a run with its label alone. */
+  Json
   Summarize(const itk::MedialVoxelObjectMap & map) const;
 
 private:
@@ -86,9 +86,6 @@ private:
 
   static void
   AddCell(Sums & sums, bool isMedial);
-
-  void
-  AddWall(Sums & sums, const itk::MedialVoxelWall & wall) const;
 
   const Survey &                       m_Survey;
   const itk::MedialVoxelObjectRegion & m_Piece;

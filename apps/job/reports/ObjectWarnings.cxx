@@ -37,7 +37,7 @@ DescribeResampling(const VolumeHeader & input)
   return input.stored ? " when it is resampled to " + FormatSize(input.geometry.size) + " voxels" : "";
 }
 
-std::optional<Finding>
+std::optional<WarningText>
 CheckObject(const JobOptions & options, const JobResult & result)
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
@@ -47,16 +47,16 @@ CheckObject(const JobOptions & options, const JobResult & result)
   }
   if (counts.removedVoxels > 0)
   {
-    return Finding{ "no object is left: all its " + std::to_string(counts.removedVoxels) +
-                      " voxels were small grains, taken for dust; a maximum pore size of 0 keeps them",
-                    { { "removed_voxels", static_cast<double>(counts.removedVoxels) } } };
+    return WarningText{ "no object is left: all its " + std::to_string(counts.removedVoxels) +
+                          " voxels were small grains, taken for dust; a maximum pore size of 0 keeps them",
+                        { { "removed_voxels", static_cast<double>(counts.removedVoxels) } } };
   }
-  return Finding{
+  return WarningText{
     "the volume has no object" + DescribeResampling(result.input) + ": no value is " + DescribeObject(options), {}
   };
 }
 
-std::optional<Finding>
+std::optional<WarningText>
 CheckBackground(const JobOptions & options, const JobResult & result)
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
@@ -66,39 +66,40 @@ CheckBackground(const JobOptions & options, const JobResult & result)
   }
   if (counts.filledVoxels > 0)
   {
-    return Finding{ "no background is left: all its " + std::to_string(counts.filledVoxels) +
-                      " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
-                    { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
+    return WarningText{ "no background is left: all its " + std::to_string(counts.filledVoxels) +
+                          " voxels were small pores, taken for noise; a maximum pore size of 0 keeps them",
+                        { { "filled_voxels", static_cast<double>(counts.filledVoxels) } } };
   }
-  return Finding{ "the volume has no background" + DescribeResampling(result.input) +
-                    ", so the object has no boundary: all values are " + DescribeObject(options),
-                  {} };
+  return WarningText{ "the volume has no background" + DescribeResampling(result.input) +
+                        ", so the object has no boundary: all values are " + DescribeObject(options),
+                      {} };
 }
 
 /** Objects that are there are not in a table of names. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckNames(const JobOptions &, const JobResult & result)
 {
-  if (!result.objects || result.segments.IsEmpty())
+  if (result.objects.is_null() || result.segments.IsEmpty())
   {
     return std::nullopt;
   }
   std::vector<std::int64_t> unknown;
-  for (const ObjectSummary & object : result.objects->objects)
+  for (const Json & object : result.objects["objects"])
   {
-    if (result.segments.Find(object.label) == nullptr)
+    if (result.segments.Find(object["label"]) == nullptr)
     {
-      unknown.push_back(object.label);
+      unknown.push_back(object["label"]);
     }
   }
   if (unknown.empty())
   {
     return std::nullopt;
   }
-  return Finding{ "of " + std::to_string(result.objects->objects.size()) + " labels " + std::to_string(unknown.size()) +
-                    " are of no segment, as is " + std::to_string(unknown.front()) +
-                    "; they have no name, and 3D Slicer does not show them in a segmentation",
-                  { { "labels", static_cast<double>(unknown.size()) } } };
+  return WarningText{ "of " + std::to_string(result.objects["objects"].size()) + " labels " +
+                        std::to_string(unknown.size()) + " are of no segment, as is " +
+                        std::to_string(unknown.front()) +
+                        "; they have no name, and 3D Slicer does not show them in a segmentation",
+                      { { "labels", static_cast<double>(unknown.size()) } } };
 }
 
 const std::vector<Rule<JobOptions, JobResult>> ObjectRules{ { "no_object", CheckObject, true },
@@ -116,6 +117,12 @@ ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, co
     Fail(ExitStatus::Usage, result.input.fileName.string(), ": no voxel has the label ", FormatLabel(*options.label));
   }
   Apply<JobOptions, JobResult>(ObjectRules, warnings, options, result);
+}
+
+void
+AddObjectCodes(std::vector<std::string> & codes)
+{
+  AddCodes(ObjectRules, codes);
 }
 
 } // end namespace medialvoxel

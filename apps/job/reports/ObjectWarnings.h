@@ -5,6 +5,7 @@
 
 #include "Warning.h"
 
+#include <string>
 #include <vector>
 
 namespace medialvoxel
@@ -17,6 +18,10 @@ struct JobResult;
  * \throw JobError Usage for a label that no voxel has, which is no empty object but a mistake */
 void
 ApplyObjectRules(std::vector<Warning> & warnings, const JobOptions & options, const JobResult & result);
+
+/** The codes of these warnings. */
+void
+AddObjectCodes(std::vector<std::string> & codes);
 
 } // end namespace medialvoxel
 

@@ -35,10 +35,13 @@ NumberWriter::AddSigned(std::int64_t number)
 }
 
 void
-NumberWriter::AddAll(const std::vector<std::uint64_t> & numbers)
+NumberWriter::Exchange(const LengthHistogram & histogram)
 {
-  this->Add(numbers.size());
-  std::for_each(numbers.begin(), numbers.end(), [this](std::uint64_t number) { this->Add(number); });
+  this->Add(histogram.GetNumbers().size());
+  for (const std::uint64_t number : histogram.GetNumbers())
+  {
+    this->Add(number);
+  }
 }
 
 std::string
@@ -60,7 +63,7 @@ NumberWriter::Pack() const
 }
 
 void
-RefusePart()
+RefuseSaved()
 {
   throw JobError(ExitStatus::Failure, "a part of the survey is damaged or of another job");
 }
@@ -74,7 +77,7 @@ NumberReader::NumberReader(const std::string & packed, std::uint64_t mostBytes)
   }
   if (size == 0 || size > mostBytes || size > MostRatio * packed.size())
   {
-    RefusePart();
+    RefuseSaved();
   }
   m_Bytes.resize(size);
   uLongf length = m_Bytes.size();
@@ -84,7 +87,7 @@ NumberReader::NumberReader(const std::string & packed, std::uint64_t mostBytes)
                  packed.size() - 8) != Z_OK ||
       length != m_Bytes.size())
   {
-    RefusePart();
+    RefuseSaved();
   }
 }
 
@@ -101,7 +104,7 @@ NumberReader::Get()
       return number;
     }
   }
-  RefusePart();
+  RefuseSaved();
 }
 
 std::int64_t
@@ -117,13 +120,13 @@ NumberReader::GetLength()
   const std::uint64_t length = this->Get();
   if (length > m_Bytes.size() - m_Position)
   {
-    RefusePart();
+    RefuseSaved();
   }
   return static_cast<std::size_t>(length);
 }
 
 void
-NumberReader::AddTo(LengthHistogram & histogram)
+NumberReader::Exchange(LengthHistogram & histogram)
 {
   const std::uint64_t size = this->GetLength();
   for (std::uint64_t bin = 0; bin < size; ++bin)
@@ -137,11 +140,20 @@ NumberReader::AddTo(LengthHistogram & histogram)
 }
 
 void
+NumberReader::ExchangeSize(const std::size_t size)
+{
+  if (this->Get() != size)
+  {
+    RefuseSaved();
+  }
+}
+
+void
 NumberReader::CheckEnd() const
 {
   if (m_Position != m_Bytes.size())
   {
-    RefusePart();
+    RefuseSaved();
   }
 }
 

@@ -7,7 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace medialvoxel
@@ -26,8 +28,36 @@ public:
   void
   AddSigned(std::int64_t number);
 
+  /** A number of any type, or all of a histogram; NumberReader takes it back by the same name, so that one function
+   * says what is saved. */
+  template <typename TNumber>
   void
-  AddAll(const std::vector<std::uint64_t> & numbers);
+  Exchange(const TNumber & number)
+  {
+    if constexpr (std::is_same_v<TNumber, float>)
+    {
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &number, sizeof(bits));
+      this->Add(bits);
+    }
+    else if constexpr (std::is_signed_v<TNumber>)
+    {
+      this->AddSigned(number);
+    }
+    else
+    {
+      this->Add(number);
+    }
+  }
+  void
+  Exchange(const LengthHistogram & histogram);
+
+  /** Of a list that is as long at both ends. */
+  void
+  ExchangeSize(std::size_t size)
+  {
+    this->Add(size);
+  }
 
   /** The number of bytes, eight of them, and the packed bytes. */
   std::string
@@ -55,8 +85,30 @@ public:
   std::size_t
   GetLength();
 
+  template <typename TNumber>
   void
-  AddTo(LengthHistogram & histogram);
+  Exchange(TNumber & number)
+  {
+    if constexpr (std::is_same_v<TNumber, float>)
+    {
+      const auto bits = static_cast<std::uint32_t>(this->Get());
+      std::memcpy(&number, &bits, sizeof(bits));
+    }
+    else if constexpr (std::is_signed_v<TNumber>)
+    {
+      number = static_cast<TNumber>(this->GetSigned());
+    }
+    else
+    {
+      number = static_cast<TNumber>(this->Get());
+    }
+  }
+  /** Adds the saved numbers. */
+  void
+  Exchange(LengthHistogram & histogram);
+
+  void
+  ExchangeSize(std::size_t size);
 
   void
   CheckEnd() const;
@@ -68,7 +120,7 @@ private:
 
 /** \throw JobError Failure, always */
 [[noreturn]] void
-RefusePart();
+RefuseSaved();
 
 } // end namespace medialvoxel
 

@@ -4,28 +4,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace medialvoxel
 {
 namespace
 {
 
+/** What another process is told. */
+template <typename TSums, typename TNumbers>
 void
-AddFloat(NumberWriter & numbers, float value)
+Exchange(TSums & sums, TNumbers & numbers)
 {
-  std::uint32_t bits;
-  std::memcpy(&bits, &value, sizeof(bits));
-  numbers.Add(bits);
-}
-
-float
-GetFloat(NumberReader & numbers)
-{
-  const auto bits = static_cast<std::uint32_t>(numbers.Get());
-  float      value;
-  std::memcpy(&value, &bits, sizeof(value));
-  return value;
+  numbers.Exchange(sums.cells);
+  numbers.Exchange(sums.area);
+  numbers.Exchange(sums.areaBeyond);
+  numbers.Exchange(sums.thickness);
+  numbers.Exchange(sums.minimum);
+  numbers.Exchange(sums.maximum);
+  for (unsigned int axis = 0; axis < 3; ++axis)
+  {
+    numbers.Exchange(sums.first[axis]);
+    numbers.Exchange(sums.last[axis]);
+    numbers.Exchange(sums.worst.a[axis]);
+    numbers.Exchange(sums.worst.b[axis]);
+  }
+  numbers.Exchange(sums.worst.key);
+  numbers.Exchange(sums.worst.thickness);
+  numbers.Exchange(sums.worst.area);
+  numbers.Exchange(sums.hasBegun);
 }
 
 } // namespace
@@ -86,49 +92,17 @@ PlaceSums::TakeWorst(const PlaceCell & cell, const PlaceRule & rule)
 void
 PlaceSums::Save(NumberWriter & numbers) const
 {
-  for (const std::uint64_t number : { cells, area, areaBeyond, thickness })
-  {
-    numbers.Add(number);
-  }
-  AddFloat(numbers, minimum);
-  AddFloat(numbers, maximum);
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    numbers.AddSigned(first[axis]);
-    numbers.AddSigned(last[axis]);
-    numbers.AddSigned(worst.a[axis]);
-    numbers.AddSigned(worst.b[axis]);
-  }
-  numbers.AddSigned(worst.key);
-  AddFloat(numbers, worst.thickness);
-  numbers.Add(worst.area);
-  numbers.Add(hasBegun ? 1 : 0);
+  Exchange(*this, numbers);
 }
 
 PlaceSums
 PlaceSums::Load(NumberReader & numbers)
 {
   PlaceSums sums;
-  sums.cells = numbers.Get();
-  sums.area = numbers.Get();
-  sums.areaBeyond = numbers.Get();
-  sums.thickness = numbers.Get();
-  sums.minimum = GetFloat(numbers);
-  sums.maximum = GetFloat(numbers);
-  for (unsigned int axis = 0; axis < 3; ++axis)
-  {
-    sums.first[axis] = static_cast<std::int32_t>(numbers.GetSigned());
-    sums.last[axis] = static_cast<std::int32_t>(numbers.GetSigned());
-    sums.worst.a[axis] = static_cast<std::int32_t>(numbers.GetSigned());
-    sums.worst.b[axis] = static_cast<std::int32_t>(numbers.GetSigned());
-  }
-  sums.worst.key = numbers.GetSigned();
-  sums.worst.thickness = GetFloat(numbers);
-  sums.worst.area = static_cast<std::uint32_t>(numbers.Get());
-  sums.hasBegun = numbers.Get() != 0;
+  Exchange(sums, numbers);
   if (sums.cells == 0)
   {
-    RefusePart();
+    RefuseSaved();
   }
   return sums;
 }

@@ -25,14 +25,14 @@ struct PlaceRule
   std::uint64_t smallestArea{ 0 }; ///< of the cells beyond the limit, in units of area
   double        lengthUnit{ 1.0 };
 
-  /** A place has such cells. */
+  /** A place has one of these cells. */
   bool
   Begins(float thickness) const
   {
     return kind == PlaceKind::Thin ? thickness < limit : thickness > limit;
   }
 
-  /** All cells of a place are such. */
+  /** A place has only these cells. */
   bool
   Grows(float thickness) const
   {

@@ -32,7 +32,7 @@ GetPlannedCellMemory(const VolumeGeometry & geometry)
 {
   constexpr std::uint64_t least = 1024;
   const std::uint64_t     cells = least + geometry.GetVoxelsPerSlice() / VoxelsPerOpenCell;
-  return cells * (PlaceClusters::CellSize + 2 * PlaceClusters::OpenCellSize);
+  return cells * (PlaceJoiner::CellSize + 2 * PlaceJoiner::OpenCellSize);
 }
 
 /** Places of a kind that are listed, at most: no two of them touch. */
@@ -85,16 +85,16 @@ PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
     rule.smallestArea =
       smallest < 0x1p63 ? static_cast<std::uint64_t>(std::ceil(smallest)) : std::numeric_limits<std::uint64_t>::max();
     rule.lengthUnit = GetLengthUnit(grid, geometry.GetDimension());
-    m_Findings.push_back({ limits, PlaceClusters(rule, m_Grid), {} });
+    m_Searches.push_back({ limits, PlaceJoiner(rule, m_Grid), {} });
   }
 }
 
 void
 PlaceSurvey::Begin()
 {
-  for (Finding & finding : m_Findings)
+  for (Search & search : m_Searches)
   {
-    finding.pending.clear();
+    search.pending.clear();
   }
 }
 
@@ -107,9 +107,9 @@ PlaceSurvey::SelectCells(const itk::MedialVoxelCellRow &) const
 void
 PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
 {
-  for (Finding & finding : m_Findings)
+  for (Search & search : m_Searches)
   {
-    const PlaceRule &          rule = finding.clusters.GetRule();
+    const PlaceRule &          rule = search.joiner.GetRule();
     std::vector<PlaceCell>     cells;
     itk::MedialVoxelWallPoints points;
     itk::MedialVoxelForEachWall(tile.rows, tile.walls, [&](const auto & index, const auto & wall) {
@@ -127,7 +127,7 @@ PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
       cells.push_back(cell);
     });
     const std::lock_guard<std::mutex> lock(m_Mutex);
-    finding.pending.insert(finding.pending.end(), cells.begin(), cells.end());
+    search.pending.insert(search.pending.end(), cells.begin(), cells.end());
     if (this->GetUsedMemory() > m_AllowedBytes)
     {
       throw PlaceMemoryError(m_AllowedBytes);
@@ -139,27 +139,27 @@ std::uint64_t
 PlaceSurvey::GetUsedMemory() const
 {
   return std::accumulate(
-    m_Findings.begin(), m_Findings.end(), std::uint64_t{ 0 }, [](std::uint64_t bytes, const Finding & finding) {
-      return bytes + finding.clusters.GetOpenMemory() + finding.pending.size() * PlaceClusters::CellSize;
+    m_Searches.begin(), m_Searches.end(), std::uint64_t{ 0 }, [](std::uint64_t bytes, const Search & search) {
+      return bytes + search.joiner.GetOpenMemory() + search.pending.size() * PlaceJoiner::CellSize;
     });
 }
 
 void
 PlaceSurvey::Commit()
 {
-  for (Finding & finding : m_Findings)
+  for (Search & search : m_Searches)
   {
-    finding.clusters.Add(finding.pending, m_Region);
-    finding.pending = {};
+    search.joiner.Add(search.pending, m_Region);
+    search.pending = {};
   }
 }
 
 void
 PlaceSurvey::Clear()
 {
-  for (Finding & finding : m_Findings)
+  for (Search & search : m_Searches)
   {
-    finding.clusters.Clear();
+    search.joiner.Clear();
   }
 }
 
@@ -167,9 +167,9 @@ std::string
 PlaceSurvey::Save() const
 {
   NumberWriter numbers;
-  for (const Finding & finding : m_Findings)
+  for (const Search & search : m_Searches)
   {
-    finding.clusters.Save(numbers);
+    search.joiner.Save(numbers);
   }
   return numbers.Pack();
 }
@@ -180,9 +180,9 @@ PlaceSurvey::Merge(const std::string & bytes)
   // zlib makes no byte from less than a thousandth of one.
   constexpr std::uint64_t mostPacking = 1100;
   NumberReader            numbers(bytes, bytes.size() * mostPacking);
-  for (Finding & finding : m_Findings)
+  for (Search & search : m_Searches)
   {
-    finding.clusters.Merge(numbers);
+    search.joiner.Merge(numbers);
   }
   numbers.CheckEnd();
 }
@@ -191,15 +191,15 @@ std::vector<PlaceSummary>
 PlaceSurvey::Summarize() const
 {
   std::vector<PlaceSummary> summaries;
-  for (const Finding & finding : m_Findings)
+  for (const Search & search : m_Searches)
   {
-    const PlaceRule & rule = finding.clusters.GetRule();
-    PlaceList         list = finding.clusters.Finish();
+    const PlaceRule & rule = search.joiner.GetRule();
+    PlaceList         list = search.joiner.Finish();
     PlaceSummary &    summary = summaries.emplace_back();
     summary.kind = rule.kind;
     summary.dimension = m_Geometry.GetDimension();
-    summary.limit = finding.limits.limit;
-    summary.growLimit = finding.limits.GetGrowLimit(rule.kind);
+    summary.limit = search.limits.limit;
+    summary.growLimit = search.limits.GetGrowLimit(rule.kind);
     summary.smallestArea = static_cast<double>(rule.smallestArea) * m_AreaUnit;
     summary.number = list.GetTotals().number;
     summary.cells = list.GetTotals().cells;
@@ -267,7 +267,7 @@ PlaceSurvey::GetFootprint(const VolumeGeometry & geometry, const PlaceSettings &
     settings.limits.size() * GetMostPlaces(geometry, settings) * bytesPerPlace + GetPlannedCellMemory(geometry);
   // All walls of a piece are thin and there is noise; walls are thin here and there; a thin wall lies in a slice, which
   // has many cells at once: for them is half of what is left beside the walls themselves.
-  const PieceSurplus surplus{ 8, 1, PlaceClusters::CellSize + 2 * PlaceClusters::OpenCellSize, 2 };
+  const PieceSurplus surplus{ 8, 1, PlaceJoiner::CellSize + 2 * PlaceJoiner::OpenCellSize, 2 };
   return { bytes, bytes, PerVoxelOfTile, surplus };
 }
 

@@ -3,7 +3,7 @@
 #ifndef medialvoxelPlaceSurvey_h
 #define medialvoxelPlaceSurvey_h
 
-#include "PlaceClusters.h"
+#include "PlaceJoiner.h"
 #include "PlaceSummary.h"
 #include "VolumeHeader.h"
 #include "ProductFootprint.h"
@@ -59,7 +59,7 @@ public:
               double                       areaUnit,
               std::uint64_t                surplus);
 
-  /** The tiles from now on are of this region; those of a region that failed are forgotten. */
+  /** The tiles from now on are of this region; tiles of a region that failed are forgotten. */
   void
   BeginRegion(const itk::MedialVoxelBox & region)
   {
@@ -106,10 +106,10 @@ private:
   static constexpr std::uint64_t PerVoxelOfTile = 4; ///< what thin walls find
 
   /** What is found of a kind. */
-  struct Finding
+  struct Search
   {
     PlaceLimits           limits;
-    PlaceClusters         clusters;
+    PlaceJoiner           joiner;
     std::deque<PlaceCell> pending;
   };
 
@@ -122,13 +122,13 @@ private:
   WallPlace::Point
   GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & step, double shift) const;
 
-  VolumeGeometry       m_Geometry;
-  PlaceGrid            m_Grid;
-  double               m_AreaUnit;
-  std::uint64_t        m_AllowedBytes; ///< of cells that are pending or open
-  itk::MedialVoxelBox  m_Region;
-  std::mutex           m_Mutex; // of the cells that are pending
-  std::vector<Finding> m_Findings;
+  VolumeGeometry      m_Geometry;
+  PlaceGrid           m_Grid;
+  double              m_AreaUnit;
+  std::uint64_t       m_AllowedBytes; ///< of cells that are pending or open
+  itk::MedialVoxelBox m_Region;
+  std::mutex          m_Mutex; // of the cells that are pending
+  std::vector<Search> m_Searches;
 };
 
 } // end namespace medialvoxel

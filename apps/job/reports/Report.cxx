@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Report.h"
 
-#include "LocalThicknessTable.h"
-#include "MeshTable.h"
-#include "PlaceTable.h"
-#include "SealedJson.h"
+#include "MeshJson.h"
+#include "PlaceJson.h"
 #include "Version.h"
 #include "VolumeFormats.h"
 
@@ -23,6 +21,7 @@ MakeInput(const VolumeHeader & header)
   return { { "file", header.fileName.string() },
            { "format", header.format->name },
            { "type", std::string(GetTraits(stored.pixelType).name) },
+           { "size", stored.geometry.size },
            { "spacing", stored.geometry.spacing },
            { "unit", stored.geometry.inMillimeters ? Json("mm") : Json(nullptr) },
            { "bytes", stored.GetVoxelBytes() } };
@@ -51,58 +50,14 @@ MakeCounts(const itk::MedialVoxelCounts & counts)
   return json;
 }
 
+/** Shares of the candidate cells that were decided without, and with, geodesic search; null without candidates. */
 Json
 MakePercent(const itk::MedialVoxelCounts & counts)
 {
-  const std::optional<PhasePercent> percent = GetPhasePercent(counts);
-  return { { "pseudo", percent ? Json(percent->pseudo) : Json(nullptr) },
-           { "correct", percent ? Json(percent->correct) : Json(nullptr) } };
-}
-
-/** Null when no cell was measured. */
-Json
-LengthOfCells(const ThicknessSummary & thickness, double length)
-{
-  return thickness.cells > 0 ? Json(length) : Json(nullptr);
-}
-
-Json
-MakePercentiles(const ThicknessSummary & thickness, const ThicknessStatistics & statistics)
-{
-  Json percentiles = Json::object();
-  for (std::size_t i = 0; i < statistics.percentiles.size(); ++i)
-  {
-    percentiles[std::to_string(ThicknessStatistics::Percents[i])] = LengthOfCells(thickness, statistics.percentiles[i]);
-  }
-  return percentiles;
-}
-
-Json
-MakeHistogram(const AreaBins & bins)
-{
-  return { { "bin_width", bins.width }, { "areas", bins.areas }, { "above", bins.above } };
-}
-
-Json
-MakeThickness(const std::optional<ThicknessSummary> & thickness)
-{
-  if (!thickness)
-  {
-    return nullptr;
-  }
-  return { { "cells", thickness->cells },
-           { "rim_cells", thickness->rimCells },
-           { "unresolved_cells", thickness->unresolvedCells },
-           { "one_cell_of", thickness->step },
-           { "resolution", thickness->resolution },
-           { "area", thickness->area },
-           { "mean", LengthOfCells(*thickness, thickness->mean) },
-           { "standard_error", OptionalToJson(thickness->standardError) },
-           { "standard_deviation", LengthOfCells(*thickness, thickness->standardDeviation) },
-           { "minimum", OptionalToJson(thickness->minimum) },
-           { "maximum", OptionalToJson(thickness->maximum) },
-           { "percentiles", MakePercentiles(*thickness, *thickness) },
-           { "histogram", MakeHistogram(thickness->bins) } };
+  const auto searched = static_cast<double>(counts.geodesicMedialCells + counts.geodesicNonMedialCells);
+  const auto all = static_cast<double>(counts.candidateCells);
+  const auto percentOf = [all](double cells) { return all > 0.0 ? Json(100.0 * cells / all) : Json(nullptr); };
+  return { { "pseudo", percentOf(all - searched) }, { "correct", percentOf(searched) } };
 }
 
 /** Null without a limit, also for an infinite one. */
@@ -166,69 +121,6 @@ GetThreadEfficiency(const JobResult & result)
   return possible > 0.0 ? Json(result.sums.threadSeconds / possible) : Json(nullptr);
 }
 
-/** Of each object of a label map. */
-Json
-MakeObjects(const LabelMapSummary & summary)
-{
-  Json objects = Json::array();
-  for (const ObjectSummary & object : summary.objects)
-  {
-    objects.push_back({ { "label", object.label },
-                        { "name", object.name.empty() ? Json(nullptr) : Json(object.name) },
-                        { "color", object.color ? Json(*object.color) : Json(nullptr) },
-                        { "voxels", object.voxels },
-                        { "candidate_cells", object.candidateCells },
-                        { "medial_cells", object.medialCells },
-                        { "thickness", MakeThickness(object.thickness) } });
-  }
-  return objects;
-}
-
-Json
-MakeThicknessOfSurface(const ThicknessOfSurface & thickness)
-{
-  const auto length = [&thickness](double value) { return thickness.area > 0.0 ? Json(value) : Json(nullptr); };
-  Json       percentiles = Json::object();
-  for (std::size_t i = 0; i < thickness.percentiles.size(); ++i)
-  {
-    percentiles[std::to_string(ThicknessStatistics::Percents[i])] = length(thickness.percentiles[i]);
-  }
-  return { { "unknown_vertices", thickness.unknownVertices },
-           { "area", thickness.area },
-           { "mean", length(thickness.mean) },
-           { "standard_deviation", length(thickness.standardDeviation) },
-           { "percentiles", percentiles },
-           { "histogram", MakeHistogram(thickness.bins) } };
-}
-
-Json
-MakeRayThickness(const PartSummary & part)
-{
-  if (!part.rays)
-  {
-    return nullptr;
-  }
-  Json rays = MakeThicknessOfSurface(*part.rays);
-  rays["unanswered"] = { { "leave_volume", part.unansweredRays.leaveVolume },
-                         { "too_long", part.unansweredRays.tooLong },
-                         { "unknown", part.unansweredRays.unknown } };
-  return rays;
-}
-
-Json
-MakeSurface(const PartSummary & part)
-{
-  return { { "vertices", part.vertices },
-           { "triangles", part.triangles },
-           { "placed_by", part.usesGrayValues ? "values" : "object" },
-           { "area", part.area },
-           { "cap_area", part.capArea },
-           { "volume", part.volume ? Json(*part.volume) : Json(nullptr) },
-           { "color_range", part.colorRange ? Json(*part.colorRange) : Json(nullptr) },
-           { "thickness", MakeThicknessOfSurface(part.thickness) },
-           { "ray_thickness", MakeRayThickness(part) } };
-}
-
 void
 AddRun(Json & report, const JobResult & result)
 {
@@ -252,13 +144,6 @@ AddRun(Json & report, const JobResult & result)
   report["thread_efficiency"] = GetThreadEfficiency(result);
 }
 
-/** Names of files need not be valid UTF-8. */
-std::string
-Dump(const Json & report)
-{
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 /** What each report begins with. */
 Json
 BeginReport(const Json & parameters, const JobResult & result)
@@ -273,44 +158,14 @@ BeginReport(const Json & parameters, const JobResult & result)
   return report;
 }
 
-} // namespace
-
-std::optional<PhasePercent>
-GetPhasePercent(const itk::MedialVoxelCounts & counts)
-{
-  if (counts.candidateCells == 0)
-  {
-    return std::nullopt;
-  }
-  const auto searched = static_cast<double>(counts.geodesicMedialCells + counts.geodesicNonMedialCells);
-  const auto all = static_cast<double>(counts.candidateCells);
-  return PhasePercent{ 100.0 * (all - searched) / all, 100.0 * searched / all };
-}
-
-/** What it covers stands beside the numbers, so that nobody takes them for more. */
-Json
-MakeUncertainty(const ThicknessSummary & thickness)
-{
-  const ThicknessStatistics & uncertainty = thickness.uncertainty;
-  Json                        percentiles = Json::object();
-  for (std::size_t i = 0; i < uncertainty.percentiles.size(); ++i)
-  {
-    percentiles[std::to_string(ThicknessStatistics::Percents[i])] = uncertainty.percentiles[i];
-  }
-  return { { "cells", thickness.uncertainCells },
-           { "mean", uncertainty.mean },
-           { "percentiles", percentiles },
-           { "covers", UncertaintyCovers },
-           { "leaves_out", UncertaintyLeavesOut } };
-}
-
 Json
 MakeLocalThickness(const ExtractOptions & options, const JobResult & result)
 {
-  const float                                maximum = GetLargestBall(options, result.input);
   const itk::MedialVoxelLocalThicknessSums & sums = result.sums.localThickness;
+  const auto maximum = static_cast<float>(GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness);
   return { { "method", GetName(options.localThicknessMethod) },
            { "maximum", maximum },
+           { "voxels", sums.voxels },
            { "mean", sums.voxels > 0 ? Json(sums.GetMean(maximum)) : Json(nullptr) },
            { "standard_deviation", sums.voxels > 0 ? Json(sums.GetStandardDeviation(maximum)) : Json(nullptr) },
            { "largest", sums.voxels > 0 ? Json(sums.largest) : Json(nullptr) },
@@ -321,7 +176,7 @@ MakeLocalThickness(const ExtractOptions & options, const JobResult & result)
 Json
 MakeMeasure(const JobResult & result)
 {
-  const WallMeasure & measure = result.measure.value();
+  const WallMeasure & measure = result.wallMeasure.value();
   Json                scan(nullptr);
   if (measure.scan)
   {
@@ -331,14 +186,15 @@ MakeMeasure(const JobResult & result)
              { "noise", measure.scan->noise },
              { "correlation", measure.scan->correlation } };
   }
-  const bool isUncertain = result.thickness && result.thickness->uncertainCells > 0;
   return { { "on", measure.scan ? "fits" : (measure.usesGrayValues ? "crossings" : "object") },
            { "scan", scan },
            { "reason", measure.reason },
-           { "uncertainty", isUncertain ? MakeUncertainty(*result.thickness) : Json(nullptr) } };
+           { "uncertainty", result.uncertainty } };
 }
 
-std::string
+} // namespace
+
+Json
 MakeReport(const ExtractOptions & options, const JobResult & result)
 {
   Json parameters;
@@ -375,7 +231,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   report["smoothed"] = IsSmoothed(options, result);
   report["roughness"] = MakeRoughness(result.roughness);
   report["measure"] = MakeMeasure(result);
-  report["thickness"] = MakeThickness(result.thickness);
+  report["thickness"] = result.thickness;
   if (!options.localThicknessFile.empty())
   {
     report["local_thickness"] = MakeLocalThickness(options, result);
@@ -384,21 +240,19 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   {
     report["places"] = MakePlacesJson(result.places);
   }
-  if (result.objects)
+  if (!result.objects.is_null())
   {
-    report["passes"] = result.objects->passes;
-    report["shared_cells"] = result.objects->sharedCells;
-    report["objects"] = MakeObjects(*result.objects);
+    report.update(result.objects);
   }
   if (result.surface)
   {
     report["mesh"] = MakeMeshJson(*result.surface);
   }
   AddRun(report, result);
-  return Dump(report);
+  return report;
 }
 
-std::string
+Json
 MakeReport(const PartOptions & options, const JobResult & result)
 {
   Json parameters = Json::object();
@@ -416,12 +270,12 @@ MakeReport(const PartOptions & options, const JobResult & result)
                        { "removed_voxels", counts.removedVoxels } };
   report["local_thickness"] = MakeLocalThickness(GetThicknessOptions(options), result);
   report["measure"] = MakeMeasure(result);
-  report["surface"] = result.part ? MakeSurface(*result.part) : Json(nullptr);
+  report["surface"] = result.part;
   AddRun(report, result);
-  return Dump(report);
+  return report;
 }
 
-std::string
+Json
 MakeReport(const DistanceOptions & options, const JobResult & result)
 {
   Json parameters = Json::object();
@@ -433,7 +287,13 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
   Json report = BeginReport(parameters, result);
   report["counts"] = { { "not_a_number_voxels", result.sums.counts.notANumberVoxels } };
   AddRun(report, result);
-  return Dump(report);
+  return report;
+}
+
+std::string
+FormatReport(const Json & report)
+{
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // end namespace medialvoxel

@@ -6,29 +6,24 @@
 #include "JobResult.h"
 #include "Options.h"
 
-#include <optional>
 #include <string>
 
 namespace medialvoxel
 {
 
-/** Share of the candidate cells that was decided without, and with, geodesic search; nothing without candidates. */
-struct PhasePercent
-{
-  double pseudo;
-  double correct;
-};
-std::optional<PhasePercent>
-GetPhasePercent(const itk::MedialVoxelCounts & counts);
-
-/** The report as JSON. What depends on the run and the machine stands at the end, after the warnings: seconds,
- * peak_memory_bytes, bytes_read, threads, divisions. */
-std::string
+/** All values of a result, each with its key: the one home of what table, page and Slicer show of it. What depends on
+ * the run and the machine stands at the end, after the warnings: seconds, peak_memory_bytes, bytes_read, threads,
+ * divisions. */
+Json
 MakeReport(const ExtractOptions & options, const JobResult & result);
-std::string
+Json
 MakeReport(const DistanceOptions & options, const JobResult & result);
-std::string
+Json
 MakeReport(const PartOptions & options, const JobResult & result);
+
+/** As a file. Names of files need not be valid UTF-8. */
+std::string
+FormatReport(const Json & report);
 
 } // end namespace medialvoxel
 

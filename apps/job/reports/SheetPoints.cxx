@@ -250,7 +250,7 @@ SheetPoints::Merge(NumberReader & numbers)
   const std::size_t   size = numbers.GetLength();
   if (level >= MostLevels || size > m_Budget)
   {
-    RefusePart();
+    RefuseSaved();
   }
   this->CoarsenTo(static_cast<unsigned int>(level));
   KeyType key = 0;
@@ -259,7 +259,7 @@ SheetPoints::Merge(NumberReader & numbers)
     const std::uint64_t gap = numbers.Get();
     if (gap > std::numeric_limits<KeyType>::max() - key || (i > 0 && gap == 0))
     {
-      RefusePart();
+      RefuseSaved();
     }
     key += gap;
     const std::array<std::uint64_t, 3> block = GetBlock(key);
@@ -269,7 +269,7 @@ SheetPoints::Merge(NumberReader & numbers)
     {
       if (block[axis] > (m_Size[axis] - 1) >> level)
       {
-        RefusePart();
+        RefuseSaved();
       }
       sums.index[axis] = numbers.Get() + sums.cells * (block[axis] << level);
     }

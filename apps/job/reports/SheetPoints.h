@@ -34,8 +34,8 @@ public:
   {
     std::uint64_t                cells{ 0 };
     std::array<std::uint64_t, 3> index{};        ///< sums of their indices
-    std::uint64_t                thickness{ 0 }; ///< sum over those of a wall with a thickness, in a unit of the caller
-    std::uint64_t                measured{ 0 };  ///< number of those
+    std::uint64_t                thickness{ 0 }; ///< sum over cells with a thickness, in a unit of the caller
+    std::uint64_t                measured{ 0 };  ///< cells with a thickness
     std::uint64_t                rims{ 0 };      ///< measured ones of walls without a thickness
 
     void

@@ -82,7 +82,8 @@ GetNumberOfBlocks(const VolumeGeometry & geometry)
 
 } // namespace
 
-/** What one tile adds. Columns run along the last axis; those of a word of cells are bits, the first one bit 0. */
+/** What one tile adds. Columns run along the last axis. The columns of a word of cells are bits, the first one bit 0.
+ */
 struct Survey::TileSums : public Workspace
 {
   struct ColumnWord
@@ -91,12 +92,6 @@ struct Survey::TileSums : public Workspace
     std::uint32_t           medialCells[64];
     std::uint32_t           thickest[64]; // bin
   };
-  struct Measured
-  {
-    std::size_t   bin;
-    std::uint64_t area;
-  };
-
   /** Nothing, of a tile. Its memory is that of the tile before. */
   void
   Clear(const itk::MedialVoxelBox & box, bool withPicture)
@@ -104,10 +99,7 @@ struct Survey::TileSums : public Workspace
     firstWord = box.lower[0] >> 6;
     wordsPerRow = ((box.upper[0] - 1) >> 6) - firstWord + 1;
     lowerY = box.lower[1];
-    measured.clear();
-    uncertainties.clear();
-    rimCells = 0;
-    unresolvedCells = 0;
+    walls.clear();
     if (withPicture)
     {
       columns.assign(static_cast<std::size_t>(wordsPerRow * box.Extent(1)), {});
@@ -127,10 +119,7 @@ struct Survey::TileSums : public Workspace
   std::int64_t                          firstWord{ 0 };
   std::int64_t                          wordsPerRow{ 0 };
   std::int64_t                          lowerY{ 0 };
-  std::vector<Measured>                 measured;
-  std::vector<std::size_t>              uncertainties; // bins
-  std::uint64_t                         rimCells{ 0 };
-  std::uint64_t                         unresolvedCells{ 0 };
+  std::vector<itk::MedialVoxelWall>     walls; // that count
   std::array<std::vector<SliceSums>, 3> slices;
   std::vector<ColumnWord>               columns;
 };
@@ -179,8 +168,6 @@ void
 Survey::Clear()
 {
   m_Total.thickness.Clear();
-  m_Total.uncertainty.Clear();
-  m_Total.unresolvedCells = 0;
   if (m_Settings.picture)
   {
     this->Resize(m_Total);
@@ -192,8 +179,6 @@ void
 Survey::Begin()
 {
   m_Pending.thickness.Clear();
-  m_Pending.uncertainty.Clear();
-  m_Pending.unresolvedCells = 0;
   if (m_Settings.picture)
   {
     this->Resize(m_Pending);
@@ -217,7 +202,7 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspa
 {
   auto & sums = static_cast<TileSums &>(*workspace);
   sums.Clear(tile.box, m_Settings.picture);
-  sums.measured.reserve(tile.walls.size());
+  sums.walls.reserve(tile.walls.size());
   if (m_Settings.picture)
   {
     for (const itk::MedialVoxelCellRow & row : tile.rows)
@@ -249,7 +234,7 @@ Survey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspa
 std::size_t
 Survey::GetBin(const itk::MedialVoxelWall & wall) const
 {
-  return m_Total.uncertainty.GetBin(static_cast<double>(wall.thickness));
+  return m_Total.thickness.GetCells().GetBin(static_cast<double>(wall.thickness));
 }
 
 /** What the wall at a cell counts for the sums and the slices. */
@@ -259,23 +244,7 @@ Survey::AddWall(const itk::MedialVoxelBox &   tile,
                 const itk::MedialVoxelWall &  wall,
                 TileSums &                    sums) const
 {
-  if (wall.isRim)
-  {
-    ++sums.rimCells;
-  }
-  else if (wall.isUnresolved)
-  {
-    ++sums.unresolvedCells;
-  }
-  else
-  {
-    sums.measured.push_back(
-      { this->GetBin(wall), static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / m_AreaUnit)) });
-    if (!std::isnan(wall.uncertainty))
-    {
-      sums.uncertainties.push_back(m_Total.uncertainty.GetBin(static_cast<double>(wall.uncertainty)));
-    }
-  }
+  sums.walls.push_back(wall);
   if (m_Settings.picture)
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
@@ -290,16 +259,10 @@ Survey::AddWall(const itk::MedialVoxelBox &   tile,
 void
 Survey::AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & sums)
 {
-  for (const TileSums::Measured & measured : sums.measured)
+  for (const itk::MedialVoxelWall & wall : sums.walls)
   {
-    m_Pending.thickness.AddCell(measured.bin, measured.area);
+    m_Pending.thickness.AddWall(wall, m_AreaUnit);
   }
-  for (const std::size_t bin : sums.uncertainties)
-  {
-    m_Pending.uncertainty.Add(bin);
-  }
-  m_Pending.thickness.AddRims(sums.rimCells);
-  m_Pending.unresolvedCells += sums.unresolvedCells;
   if (m_Settings.picture)
   {
     for (unsigned int axis = 0; axis < 3; ++axis)
@@ -347,8 +310,6 @@ void
 Survey::AddToTotal(const Sums & sums)
 {
   m_Total.thickness.Add(sums.thickness);
-  m_Total.uncertainty.Add(sums.uncertainty);
-  m_Total.unresolvedCells += sums.unresolvedCells;
   for (unsigned int axis = 0; axis < 3; ++axis)
   {
     for (std::size_t i = 0; i < sums.slices[axis].size(); ++i)

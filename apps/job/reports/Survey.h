@@ -83,20 +83,6 @@ public:
     return m_Total.thickness;
   }
 
-  /** Cells that count but that the blur does not resolve, which are not in the sums. */
-  std::uint64_t
-  GetUnresolvedCells() const
-  {
-    return m_Total.unresolvedCells;
-  }
-
-  /** Uncertainties of the thickness of the cells of which it is known. */
-  const LengthHistogram &
-  GetUncertainty() const
-  {
-    return m_Total.uncertainty;
-  }
-
   /** Of areas in the sums, in squared units of the lengths; of the longest edge in two dimensions. */
   double
   GetAreaUnit() const
@@ -126,12 +112,12 @@ public:
   static constexpr unsigned int BlockShiftX = 6;
   static constexpr unsigned int BlockShiftYZ = 4;
 
-  /** A pixel of the projection along the last axis, or a voxel where those are larger. */
+  /** A pixel of the projection along the last axis, or a voxel where voxels are larger. */
   struct ProjectedPixel
   {
     std::uint8_t  label{ 0 };       ///< largest label of all cells that it covers
     std::uint32_t medialCells{ 0 }; ///< their number
-    std::uint32_t thickest{ 0 }; ///< largest bin of the measured ones among them, also those that do not count; 0: none
+    std::uint32_t thickest{ 0 };    ///< largest bin of a measured cell, also outside of the sample; 0: none
   };
   using Projection = std::vector<ProjectedPixel>;
 
@@ -163,11 +149,8 @@ private:
   {
     explicit Sums(double binWidth)
       : thickness(binWidth)
-      , uncertainty(binWidth)
     {}
     ThicknessSums                         thickness;
-    LengthHistogram                       uncertainty;
-    std::uint64_t                         unresolvedCells{ 0 };
     std::array<std::vector<SliceSums>, 3> slices;
     Projection                            projection;
   };
@@ -188,6 +171,11 @@ private:
 
   void
   AddToTotal(const Sums & sums);
+
+  /** What another process is told. */
+  template <typename TSums, typename TNumbers>
+  static void
+  Exchange(TSums & sums, TNumbers & numbers);
 
   void
   AddSums(const itk::MedialVoxelClassifiedTile & tile, const TileSums & sums);

@@ -3,14 +3,37 @@
 #include "SurveySummary.h"
 
 #include "Text.h"
+#include "ValueStatistics.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace medialvoxel
 {
+namespace
+{
 
-AreaBins
+// What stands beside an uncertainty, so that nobody takes it for more.
+constexpr const char * UncertaintyCovers =
+  "noise of the values with its correlation, the place between the voxels (0.03 voxels), levels (1 % of the thickness)";
+constexpr const char * UncertaintyLeavesOut =
+  "wrong levels beside unseen walls, beam hardening and other artifacts, curved walls, the scale of the scan";
+
+} // namespace
+
+Json
+MakePercentiles(const LengthHistogram & histogram, const bool areKnown)
+{
+  Json percentiles = Json::object();
+  for (const unsigned int percent : ValueStatistics::Percents)
+  {
+    percentiles[std::to_string(percent)] = areKnown ? Json(histogram.GetPercentile(percent)) : Json(nullptr);
+  }
+  return percentiles;
+}
+
+Json
 MakeBins(const LengthHistogram & histogram, const double unit)
 {
   constexpr std::size_t mostBins = 64;
@@ -21,64 +44,56 @@ MakeBins(const LengthHistogram & histogram, const double unit)
   {
     width *= 2;
   }
-  AreaBins bins;
-  bins.width = histogram.GetBinWidth() * static_cast<double>(width);
-  bins.areas.assign((last + width / 2) / width + 1, 0.0);
+  std::vector<double>                areas((last + width / 2) / width + 1, 0.0);
+  double                             above = 0.0;
   const std::vector<std::uint64_t> & numbers = histogram.GetNumbers();
   for (std::size_t bin = 0; bin < numbers.size(); ++bin)
   {
     const std::size_t wide = (bin + width / 2) / width;
-    (wide < bins.areas.size() ? bins.areas[wide] : bins.above) += static_cast<double>(numbers[bin]);
+    (wide < areas.size() ? areas[wide] : above) += static_cast<double>(numbers[bin]);
   }
-  std::transform(bins.areas.begin(), bins.areas.end(), bins.areas.begin(), [unit](double area) { return area * unit; });
-  bins.above *= unit;
-  return bins;
+  std::transform(areas.begin(), areas.end(), areas.begin(), [unit](double area) { return area * unit; });
+  return { { "bin_width", histogram.GetBinWidth() * static_cast<double>(width) },
+           { "areas", areas },
+           { "above", above * unit } };
 }
 
-ThicknessStatistics
-MakeStatistics(const LengthHistogram & histogram)
+Json
+MakeThickness(const ThicknessSums & sums, const Survey & survey)
 {
-  ThicknessStatistics statistics;
-  statistics.mean = histogram.GetMean();
-  statistics.standardDeviation = histogram.GetStandardDeviation();
-  std::transform(ThicknessStatistics::Percents.begin(),
-                 ThicknessStatistics::Percents.end(),
-                 statistics.percentiles.begin(),
-                 [&](unsigned int percent) { return histogram.GetPercentile(percent); });
-  return statistics;
+  const LengthHistogram & cells = sums.GetCells();
+  const LengthHistogram & areas = sums.GetAreas();
+  const unsigned int      step = survey.GetSample().GetStep();
+  const bool              isKnown = cells.GetTotal() > 0;
+  const auto lengthIf = [](bool isLength, double length) { return isLength ? Json(length) : Json(nullptr); };
+  return { { "cells", cells.GetTotal() },
+           { "rim_cells", sums.GetRimCells() },
+           { "unresolved_cells", sums.GetUnresolvedCells() },
+           { "one_cell_of", step },
+           { "resolution", cells.GetBinWidth() },
+           { "area", static_cast<double>(areas.GetTotal()) * survey.GetAreaUnit() },
+           { "mean", lengthIf(isKnown, areas.GetMean()) },
+           { "standard_error", lengthIf(step > 1, sums.GetStandardErrorOfMean(step)) },
+           { "standard_deviation", lengthIf(isKnown, areas.GetStandardDeviation()) },
+           { "minimum", lengthIf(isKnown && step == 1, cells.GetMinimum()) },
+           { "maximum", lengthIf(isKnown && step == 1, cells.GetMaximum()) },
+           { "percentiles", MakePercentiles(areas, isKnown) },
+           { "histogram", MakeBins(areas, survey.GetAreaUnit()) } };
 }
 
-ThicknessSummary
-Summarize(const Survey & survey)
+Json
+MakeUncertainty(const ThicknessSums & sums)
 {
-  ThicknessSummary summary = Summarize(survey.GetSums(), survey);
-  summary.unresolvedCells = survey.GetUnresolvedCells();
-  summary.uncertainCells = survey.GetUncertainty().GetTotal();
-  summary.uncertainty = MakeStatistics(survey.GetUncertainty());
-  return summary;
-}
-
-ThicknessSummary
-Summarize(const ThicknessSums & sums, const Survey & survey)
-{
-  ThicknessSummary summary;
-  static_cast<ThicknessStatistics &>(summary) = MakeStatistics(sums.GetAreas());
-  summary.cells = sums.GetCells().GetTotal();
-  summary.rimCells = sums.GetRimCells();
-  summary.step = survey.GetSample().GetStep();
-  summary.resolution = sums.GetCells().GetBinWidth();
-  if (summary.step > 1)
+  const LengthHistogram & uncertainty = sums.GetUncertainty();
+  if (uncertainty.GetTotal() == 0)
   {
-    summary.standardError = sums.GetStandardErrorOfMean(summary.step);
+    return nullptr;
   }
-  else if (summary.cells > 0)
-  {
-    summary.minimum = sums.GetCells().GetMinimum();
-    summary.maximum = sums.GetCells().GetMaximum();
-  }
-  summary.area = static_cast<double>(sums.GetAreas().GetTotal()) * survey.GetAreaUnit();
-  summary.bins = MakeBins(sums.GetAreas(), survey.GetAreaUnit());
-  return summary;
+  return { { "cells", uncertainty.GetTotal() },
+           { "mean", uncertainty.GetMean() },
+           { "percentiles", MakePercentiles(uncertainty, true) },
+           { "covers", UncertaintyCovers },
+           { "leaves_out", UncertaintyLeavesOut } };
 }
 
 std::string

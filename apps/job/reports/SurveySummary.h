@@ -3,29 +3,33 @@
 #ifndef medialvoxelSurveySummary_h
 #define medialvoxelSurveySummary_h
 
+#include "Json.h"
 #include "Survey.h"
-#include "ThicknessSummary.h"
 
-#include <cstdint>
 #include <string>
 
 namespace medialvoxel
 {
 
-/** Of lengths that were counted. */
-ThicknessStatistics
-MakeStatistics(const LengthHistogram & histogram);
+/** Percentiles of lengths that were counted, by their percents. Null each, unless they are known. */
+Json
+MakePercentiles(const LengthHistogram & histogram, bool areKnown);
 
-/** \param histogram areas, in multiples of \a unit */
-AreaBins
+/** Area for each thickness. Bin k has the lengths that are nearest to k times the width. There are at most 64 bins;
+ * they leave out less than one of two hundred parts of the area, which is above.
+ * \param histogram areas, in multiples of \a unit */
+Json
 MakeBins(const LengthHistogram & histogram, double unit);
 
-ThicknessSummary
-Summarize(const Survey & survey);
+/** Thickness of the walls at the medial cells that are at no rim, in the units of the job's lengths, for a report.
+ * Cells count as much as the area of the sheet in them. Lengths are null without cells.
+ * \param sums of all or some of the cells that the survey counts */
+Json
+MakeThickness(const ThicknessSums & sums, const Survey & survey);
 
-/** Of some of the cells that a survey counts. */
-ThicknessSummary
-Summarize(const ThicknessSums & sums, const Survey & survey);
+/** Uncertainty of that thickness, with what it covers; null where it is not known. */
+Json
+MakeUncertainty(const ThicknessSums & sums);
 
 /** The histograms as comma-separated values: a line with the names thickness, cells and area, and one for every bin
  * from the smallest to the largest thickness, each with the length in the middle of the bin. */

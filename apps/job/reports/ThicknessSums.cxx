@@ -14,6 +14,27 @@ constexpr std::uint64_t UnitsPerRoot = 1024;
 } // namespace
 
 void
+ThicknessSums::AddWall(const itk::MedialVoxelWall & wall, const double areaUnit)
+{
+  if (wall.isRim)
+  {
+    ++m_RimCells;
+    return;
+  }
+  if (wall.isUnresolved)
+  {
+    ++m_UnresolvedCells;
+    return;
+  }
+  this->AddCell(m_Cells.GetBin(static_cast<double>(wall.thickness)),
+                static_cast<std::uint64_t>(std::llround(static_cast<double>(wall.area) / areaUnit)));
+  if (!std::isnan(wall.uncertainty))
+  {
+    m_Uncertainty.Add(m_Uncertainty.GetBin(static_cast<double>(wall.uncertainty)));
+  }
+}
+
+void
 ThicknessSums::AddCell(const std::size_t bin, const std::uint64_t area)
 {
   const std::uint64_t root = (area + UnitsPerRoot / 2) / UnitsPerRoot;
@@ -29,15 +50,14 @@ ThicknessSums::Add(const ThicknessSums & other)
   m_Areas.Add(other.m_Areas);
   m_SquaredAreas += other.m_SquaredAreas;
   m_RimCells += other.m_RimCells;
+  m_Uncertainty.Add(other.m_Uncertainty);
+  m_UnresolvedCells += other.m_UnresolvedCells;
 }
 
 void
 ThicknessSums::Clear()
 {
-  m_Cells.Clear();
-  m_Areas.Clear();
-  m_SquaredAreas = 0;
-  m_RimCells = 0;
+  *this = ThicknessSums(m_Cells.GetBinWidth());
 }
 
 double

@@ -5,6 +5,8 @@
 
 #include "LengthHistogram.h"
 
+#include "itkMedialVoxelThickness.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -12,7 +14,8 @@ namespace medialvoxel
 {
 
 /** \class ThicknessSums
- * \brief Cells and areas of the sheet by thickness, as sums of whole numbers, which do not depend on their order. */
+ * \brief What is counted of measured walls: cells and areas of the sheet by thickness, and the like. Sums of whole
+ * numbers do not depend on their order. */
 class ThicknessSums
 {
 public:
@@ -22,17 +25,16 @@ public:
   explicit ThicknessSums(double binWidth)
     : m_Cells(binWidth)
     , m_Areas(binWidth)
+    , m_Uncertainty(binWidth)
   {}
+
+  /** \param areaUnit a unit of areas, in the squared units of the wall */
+  void
+  AddWall(const itk::MedialVoxelWall & wall, double areaUnit);
 
   /** \param area of a cell, in units */
   void
   AddCell(std::size_t bin, std::uint64_t area);
-
-  void
-  AddRims(std::uint64_t cells)
-  {
-    m_RimCells += cells;
-  }
 
   void
   Add(const ThicknessSums & other);
@@ -58,29 +60,35 @@ public:
     return m_RimCells;
   }
 
+  /** Cells that the blur does not resolve, which no histogram has. */
+  std::uint64_t
+  GetUnresolvedCells() const
+  {
+    return m_UnresolvedCells;
+  }
+
+  /** Half of the 95 % intervals of the cells of which they are known. */
+  const LengthHistogram &
+  GetUncertainty() const
+  {
+    return m_Uncertainty;
+  }
+
   /** That of the mean weighted by area, of a sample of one of \a step cells. */
   double
   GetStandardErrorOfMean(unsigned int step) const;
 
-  /** Numbers for another process. */
-  template <typename TWriter>
-  void
-  Save(TWriter & numbers) const
+  /** What another process is told. */
+  template <typename TSums, typename TNumbers>
+  static void
+  Exchange(TSums & sums, TNumbers & numbers)
   {
-    numbers.AddAll(m_Cells.GetNumbers());
-    numbers.AddAll(m_Areas.GetNumbers());
-    numbers.Add(m_SquaredAreas);
-    numbers.Add(m_RimCells);
-  }
-
-  template <typename TReader>
-  void
-  Read(TReader & numbers)
-  {
-    numbers.AddTo(m_Cells);
-    numbers.AddTo(m_Areas);
-    m_SquaredAreas += numbers.Get();
-    m_RimCells += numbers.Get();
+    numbers.Exchange(sums.m_Cells);
+    numbers.Exchange(sums.m_Areas);
+    numbers.Exchange(sums.m_SquaredAreas);
+    numbers.Exchange(sums.m_RimCells);
+    numbers.Exchange(sums.m_Uncertainty);
+    numbers.Exchange(sums.m_UnresolvedCells);
   }
 
 private:
@@ -88,6 +96,8 @@ private:
   LengthHistogram m_Areas;             ///< in units
   std::uint64_t   m_SquaredAreas{ 0 }; ///< in units of 1024 by 1024, so that 2^40 cells fit
   std::uint64_t   m_RimCells{ 0 };
+  LengthHistogram m_Uncertainty;
+  std::uint64_t   m_UnresolvedCells{ 0 };
 };
 
 } // end namespace medialvoxel

@@ -14,7 +14,7 @@ namespace medialvoxel
 {
 
 /** Message and values of a warning that applies. */
-struct Finding
+struct WarningText
 {
   std::string                                 message;
   std::vector<std::pair<std::string, double>> values;
@@ -25,7 +25,7 @@ template <typename... TFacts>
 struct Rule
 {
   const char * code;
-  std::optional<Finding> (*check)(const TFacts &...);
+  std::optional<WarningText> (*check)(const TFacts &...);
   bool isOfEvidence{ false }; ///< without evidence there is no verdict on walls
 };
 
@@ -35,10 +35,20 @@ Apply(const std::vector<Rule<TFacts...>> & rules, std::vector<Warning> & warning
 {
   for (const Rule<TFacts...> & rule : rules)
   {
-    if (std::optional<Finding> finding = rule.check(facts...))
+    if (std::optional<WarningText> text = rule.check(facts...))
     {
-      warnings.push_back({ rule.code, std::move(finding->message), std::move(finding->values), rule.isOfEvidence });
+      warnings.push_back({ rule.code, std::move(text->message), std::move(text->values), rule.isOfEvidence });
     }
+  }
+}
+
+template <typename... TFacts>
+void
+AddCodes(const std::vector<Rule<TFacts...>> & rules, std::vector<std::string> & codes)
+{
+  for (const Rule<TFacts...> & rule : rules)
+  {
+    codes.emplace_back(rule.code);
   }
 }
 

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "Warnings.h"
 
+#include "FillIn.h"
 #include "JobResult.h"
+#include "MeshJson.h"
 #include "ObjectWarnings.h"
 #include "Options.h"
 #include "Progress.h"
+#include "ResultViews.h"
 #include "Survey.h"
 #include "Text.h"
 #include "WarningRules.h"
@@ -66,7 +69,7 @@ MeasureLength(const char * name, double value, const JobOptions & options, const
 }
 
 /** Lengths of walls that are far from the usual 1 to 50 voxels: often the units are others than the user thinks. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckLength(const char *                  name,
             const std::optional<double> & value,
             const ExtractOptions &        options,
@@ -83,10 +86,11 @@ CheckLength(const char *                  name,
   {
     return std::nullopt;
   }
-  return Finding{ length.text + "; 1 to 50 voxels are usual", { { "length", *value }, { "voxels", length.voxels } } };
+  return WarningText{ length.text + "; 1 to 50 voxels are usual",
+                      { { "length", *value }, { "voxels", length.voxels } } };
 }
 
-std::optional<Finding>
+std::optional<WarningText>
 CheckMaximumDistance(const DistanceOptions & options, const VolumeHeader & input)
 {
   if (!options.maximumDistance)
@@ -98,22 +102,22 @@ CheckMaximumDistance(const DistanceOptions & options, const VolumeHeader & input
   {
     return std::nullopt;
   }
-  return Finding{ length.text + "; only voxels of the boundary have a vector",
-                  { { "length", length.value }, { "voxels", length.voxels } } };
+  return WarningText{ length.text + "; only voxels of the boundary have a vector",
+                      { { "length", length.value }, { "voxels", length.voxels } } };
 }
 
-std::optional<Finding>
+std::optional<WarningText>
 CheckScratch(const JobOptions & options, const VolumeHeader & input)
 {
   if (options.scratchFolder.empty() || input.compressed)
   {
     return std::nullopt;
   }
-  return Finding{ "the scratch folder has no use here: the volume is not compressed, and there is no mesh", {} };
+  return WarningText{ "the scratch folder has no use here: the volume is not compressed, and there is no mesh", {} };
 }
 
 /** Vectors and distances are exact at any spacing. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
 {
   const itk::MedialVoxelGrid grid = GetGrid(options, input);
@@ -122,9 +126,9 @@ CheckSpacing(const ExtractOptions & options, const VolumeHeader & input)
   {
     return std::nullopt;
   }
-  return Finding{ inaccuracy + "; --resample auto brings the input to equal spacing",
-                  { { "spacing_ratio", itk::MedialVoxelGridLimits::RatioOf(grid) },
-                    { "largest_accurate_ratio", itk::MedialVoxelGridLimits::AccurateRatio } } };
+  return WarningText{ inaccuracy + "; --resample auto brings the input to equal spacing",
+                      { { "spacing_ratio", itk::MedialVoxelGridLimits::RatioOf(grid) },
+                        { "largest_accurate_ratio", itk::MedialVoxelGridLimits::AccurateRatio } } };
 }
 
 const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
@@ -155,7 +159,7 @@ const std::vector<Rule<DistanceOptions, VolumeHeader>> DistanceRequestRules{
     [](const DistanceOptions & options, const VolumeHeader & input) { return CheckScratch(options, input); } },
 };
 
-std::optional<Finding>
+std::optional<WarningText>
 CheckMedialCells(const ExtractOptions & options, const JobResult & result)
 {
   const itk::MedialVoxelCounts & counts = result.sums.counts;
@@ -164,13 +168,13 @@ CheckMedialCells(const ExtractOptions & options, const JobResult & result)
   {
     return std::nullopt;
   }
-  return Finding{ std::string("there are no medial cells and no thickness: no part of the object is a sheet") +
-                    (options.thickness ? " of at least the given thickness" : ", as of rods and balls none is"),
-                  {} };
+  return WarningText{ std::string("there are no medial cells and no thickness: no part of the object is a sheet") +
+                        (options.thickness ? " of at least the given thickness" : ", as of rods and balls none is"),
+                      {} };
 }
 
 /** Elements that are too large for a part leave out what is narrower than they are. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckElements(const ExtractOptions &, const JobResult & result)
 {
   constexpr double nearlyAll = 0.9;
@@ -183,7 +187,7 @@ CheckElements(const ExtractOptions &, const JobResult & result)
   {
     return std::nullopt;
   }
-  return Finding{
+  return WarningText{
     "the mesh has only " + FormatShare(share) +
       " of the area of the sheet: its elements are too large for the rest; a smaller --element-size keeps it",
     { { "area_percent", 100.0 * share } }
@@ -191,17 +195,19 @@ CheckElements(const ExtractOptions &, const JobResult & result)
 }
 
 /** Elements that solvers refuse or compute badly with. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckQuality(const ExtractOptions &, const JobResult & result)
 {
   std::string failing;
-  for (const MeshLimit & limit :
-       result.surface && result.surface->quality ? ListMeshLimits(*result.surface->quality) : std::vector<MeshLimit>{})
+  const Json  mesh = result.surface ? MakeMeshJson(*result.surface) : Json();
+  for (const Json & limit : result.surface && result.surface->quality ? mesh["quality"]["limits"] : Json())
   {
-    failing += limit.Holds() ? "" : (failing.empty() ? "" : "; ") + limit.name + ": " + limit.Format();
+    failing +=
+      limit["holds"] ? "" : (failing.empty() ? "" : "; ") + FillIn(std::string("{name}: ") + MeshLimitText, limit);
   }
-  return failing.empty() ? std::nullopt
-                         : std::optional<Finding>({ "the mesh is beyond limits that solvers ask for: " + failing, {} });
+  return failing.empty()
+           ? std::nullopt
+           : std::optional<WarningText>({ "the mesh is beyond limits that solvers ask for: " + failing, {} });
 }
 
 const std::vector<Rule<ExtractOptions, JobResult>> SheetRules{ { "no_medial_cells", CheckMedialCells, true },
@@ -227,7 +233,7 @@ struct WallFacts
     return survey.GetSums().GetAreas().GetTotal() > 0;
   }
 
-  /** False when there are no cells, and when the few of a large volume may be none of those that are measured. */
+  /** False without cells, and when the sample may have missed the few cells of a large volume. */
   bool
   ShouldBeMeasured() const
   {
@@ -251,7 +257,7 @@ GetShareAbove(const LengthHistogram & areas, double length)
 }
 
 /** Walls beyond the maximum of the automatic thickness have sheets towards their edges that thinner walls have not. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckMaximumThickness(const WallFacts & facts)
 {
   constexpr double much = 0.1;
@@ -274,12 +280,13 @@ CheckMaximumThickness(const WallFacts & facts)
   const double      edge = facts.options.voxelUnits ? 1.0 : GetSmallestSpacing(facts.result.input.geometry);
   const double      suggestion = std::ceil(areas.GetPercentile(nearlyAll) / edge) * edge;
   const std::string unit = facts.options.voxelUnits ? " voxels" : "";
-  return Finding{ FormatShare(share) + " of the sheet is of walls thicker than the maximum thickness " +
-                    FormatShort(maximum) + unit + ", and may be branches towards their edges; a maximum thickness of " +
-                    FormatShort(suggestion) + unit + " reaches nearly all",
-                  { { "area_percent", 100.0 * share },
-                    { "maximum_thickness", maximum },
-                    { "suggested_maximum_thickness", suggestion } } };
+  return WarningText{ FormatShare(share) + " of the sheet is of walls thicker than the maximum thickness " +
+                        FormatShort(maximum) + unit +
+                        ", and may be branches towards their edges; a maximum thickness of " + FormatShort(suggestion) +
+                        unit + " reaches nearly all",
+                      { { "area_percent", 100.0 * share },
+                        { "maximum_thickness", maximum },
+                        { "suggested_maximum_thickness", suggestion } } };
 }
 
 /** The volume that the medial cells account for: what one of them does on average, with its area and thickness, times
@@ -311,7 +318,7 @@ GetVolumeOfObject(const JobOptions & options, const JobResult & result)
 
 /** Of plates, shells and real parts, the sheet explains 60 to 110 % of the volume; of rods, balls and solids up to a
  * third. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckSheets(const WallFacts & facts)
 {
   constexpr double half = 0.5;
@@ -324,14 +331,16 @@ CheckSheets(const WallFacts & facts)
   {
     return std::nullopt;
   }
-  return Finding{ "the sheet explains only " + FormatShare(share) +
-                    " of the object's volume by its area and thickness; rods, balls and thick blocks have no sheet, "
-                    "and the thickness says nothing about them",
-                  { { "explained_percent", 100.0 * share } } };
+  return WarningText{
+    "the sheet explains only " + FormatShare(share) +
+      " of the object's volume by its area and thickness; rods, balls and thick blocks have no sheet, "
+      "and the thickness says nothing about them",
+    { { "explained_percent", 100.0 * share } }
+  };
 }
 
-/** Balls are cut at the maximum, so that such values are no thickness. */
-std::optional<Finding>
+/** Balls are cut at the maximum, so the maximum is no thickness. */
+std::optional<WarningText>
 CheckBalls(const ExtractOptions & options, const JobResult & result)
 {
   constexpr double much = 0.01;
@@ -342,35 +351,36 @@ CheckBalls(const ExtractOptions & options, const JobResult & result)
     return std::nullopt;
   }
   const double maximum = GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness;
-  return Finding{ FormatShare(share) + " of the object has the thickness of the largest ball, " + FormatShort(maximum) +
-                    (options.voxelUnits ? " voxels" : "") + ", and may be thicker; a larger --largest-ball measures it",
-                  { { "object_percent", 100.0 * share }, { "largest_ball", maximum } } };
+  return WarningText{ FormatShare(share) + " of the object has the thickness of the largest ball, " +
+                        FormatShort(maximum) + (options.voxelUnits ? " voxels" : "") +
+                        ", and may be thicker; a larger --largest-ball measures it",
+                      { { "object_percent", 100.0 * share }, { "largest_ball", maximum } } };
 }
 
 /** A verdict on a label map is one on each of its objects. */
-std::optional<Finding>
+std::optional<WarningText>
 CheckObjectsWithoutWalls(const WallFacts & facts)
 {
-  if (!facts.options.failsIfThin || !facts.result.objects)
+  if (!facts.options.failsIfThin || facts.result.objects.is_null())
   {
     return std::nullopt;
   }
   std::vector<std::int64_t> unmeasured;
-  for (const ObjectSummary & object : facts.result.objects->objects)
+  for (const Json & object : facts.result.objects["objects"])
   {
-    if (object.medialCells == 0 || (object.thickness.cells == 0 && facts.survey.GetSample().GetStep() == 1))
+    if (object["medial_cells"] == 0 || (object["thickness"]["cells"] == 0 && facts.survey.GetSample().GetStep() == 1))
     {
-      unmeasured.push_back(object.label);
+      unmeasured.push_back(object["label"]);
     }
   }
   if (unmeasured.empty())
   {
     return std::nullopt;
   }
-  return Finding{ "of " + std::to_string(facts.result.objects->objects.size()) + " labels " +
-                    std::to_string(unmeasured.size()) + " have no wall that was measured, as has " +
-                    std::to_string(unmeasured.front()),
-                  { { "labels", static_cast<double>(unmeasured.size()) } } };
+  return WarningText{ "of " + std::to_string(facts.result.objects["objects"].size()) + " labels " +
+                        std::to_string(unmeasured.size()) + " have no wall that was measured, as has " +
+                        std::to_string(unmeasured.front()),
+                      { { "labels", static_cast<double>(unmeasured.size()) } } };
 }
 
 const std::vector<Rule<WallFacts>> WallRules{ { "beyond_maximum_thickness", CheckMaximumThickness },
@@ -438,6 +448,20 @@ FindWarningsOfResult(const PartOptions & options, const JobResult & result)
   ApplyObjectRules(warnings, options, result);
   Apply(BallRules, warnings, GetThicknessOptions(options), result);
   return warnings;
+}
+
+std::set<std::string>
+ListWarningCodes()
+{
+  std::vector<std::string> codes(HeaderWarnings::All.begin(), HeaderWarnings::All.end());
+  AddCodes(RequestRules, codes);
+  AddCodes(ThicknessRequestRules, codes);
+  AddCodes(DistanceRequestRules, codes);
+  AddObjectCodes(codes);
+  AddCodes(SheetRules, codes);
+  AddCodes(WallRules, codes);
+  AddCodes(BallRules, codes);
+  return { codes.begin(), codes.end() };
 }
 
 void

@@ -6,6 +6,8 @@
 #include "Warning.h"
 
 #include <cstddef>
+#include <set>
+#include <string>
 #include <vector>
 
 namespace medialvoxel
@@ -41,7 +43,11 @@ FindWarningsOfResult(const DistanceOptions & options, const JobResult & result);
 std::vector<Warning>
 FindWarningsOfResult(const PartOptions & options, const JobResult & result);
 
-/** The sink hears of the warnings, but not of those before the one with the number \a first. */
+/** The codes of all warnings of reports, each once. */
+std::set<std::string>
+ListWarningCodes();
+
+/** The sink hears of the warnings from number \a first on. */
 void
 TellWarnings(ProgressSink & sink, const std::vector<Warning> & warnings, std::size_t first = 0);
 

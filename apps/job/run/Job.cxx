@@ -311,7 +311,7 @@ Job::Measure(InputVolume & input, const ReadObserver & observer)
   result.roughness = input.GetRoughness();
   if (const auto walls = this->GetWalls())
   {
-    result.measure = walls->measure ? walls->measure : FindWallMeasure(input, result.input, *walls, observer);
+    result.wallMeasure = walls->measure ? walls->measure : FindWallMeasure(input, result.input, *walls, observer);
   }
 }
 

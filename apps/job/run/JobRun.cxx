@@ -113,7 +113,7 @@ JobRun::Prepare()
 {
   m_Loop.Prepare(*m_Input);
   m_Job.Measure(*m_Input, [this](double) { m_Loop.ThrowIfStopRequested(); });
-  if (const std::optional<WallMeasure> & measure = m_Job.result.measure)
+  if (const std::optional<WallMeasure> & measure = m_Job.result.wallMeasure)
   {
     const auto range = GetGrayRange(*measure, m_Job.options, m_Job.result.input);
     for (const Engine & engine : m_Engines)
@@ -198,12 +198,12 @@ JobRun::Finish()
   }
   JobResult & result = m_Job.result;
   result.objects = m_Objects->Summarize();
-  for (ObjectSummary & object : result.objects->objects)
+  for (Json & object : result.objects["objects"])
   {
-    if (const Segment * const segment = result.segments.Find(object.label))
+    if (const Segment * const segment = result.segments.Find(object["label"]))
     {
-      object.name = segment->name;
-      object.color = segment->color;
+      object["name"] = segment->name.empty() ? Json(nullptr) : Json(segment->name);
+      object["color"] = segment->color ? Json(*segment->color) : Json(nullptr);
     }
   }
 }

@@ -138,10 +138,12 @@ LabelMapRun::WriteObjects(const Volume & volume, std::uint64_t firstVoxel) const
   });
 }
 
-LabelMapSummary
+Json
 LabelMapRun::Summarize() const
 {
-  return { m_Survey.Summarize(m_Map), m_Map.GetNumberOfPasses(), m_SharedCells };
+  return { { "passes", m_Map.GetNumberOfPasses() },
+           { "shared_cells", m_SharedCells },
+           { "objects", m_Survey.Summarize(m_Map) } };
 }
 
 } // end namespace medialvoxel

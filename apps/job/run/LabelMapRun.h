@@ -70,7 +70,8 @@ public:
   itk::MedialVoxelSums
   Run(PieceLoop & loop, PieceEngine & engine, const SliceRange & piece, WriteBehind & writer);
 
-  LabelMapSummary
+  /** Of a report: the passes and all objects. */
+  Json
   Summarize() const;
 
 private:

@@ -122,7 +122,7 @@ ReplaceSpacing(VolumeHeader & header, const std::vector<double> & spacing)
          " axes");
   }
   header.geometry.spacing = spacing;
-  const auto isKnown = [](const Warning & warning) { return warning.code == UnknownSpacing; };
+  const auto isKnown = [](const Warning & warning) { return warning.code == HeaderWarnings::UnknownSpacing; };
   header.warnings.erase(std::remove_if(header.warnings.begin(), header.warnings.end(), isKnown), header.warnings.end());
 }
 
@@ -225,7 +225,7 @@ try
   if (const std::uint64_t bytes = GetBytesBehindVoxels(header))
   {
     header.warnings.push_back(
-      { "data_behind_voxels",
+      { HeaderWarnings::DataBehindVoxels,
         itk::MedialVoxelText::MakePrintable(header.dataFile.string()) + " goes on for " + std::to_string(bytes) +
           " bytes behind its last voxel; compare sizes and type of its header with what wrote it",
         { { "bytes", static_cast<double>(bytes) } } });

@@ -3,6 +3,7 @@
 #ifndef medialvoxelVolumeFormats_h
 #define medialvoxelVolumeFormats_h
 
+#include "FormatNames.h"
 #include "VolumeFormat.h"
 
 #include <cstdint>
@@ -36,14 +37,6 @@ FindOutputFormat(const std::filesystem::path & fileName);
 /** Extensions of the volumes that are read. */
 std::vector<std::string>
 ListInputExtensions();
-
-/** Names of the formats that are read. */
-std::vector<std::string>
-ListInputFormats();
-
-/** Extensions of the volumes that are written: those of formats that have so many components. */
-std::vector<std::string>
-ListOutputExtensions(unsigned int components = 1);
 
 /** True for a volume whose file is packed as a whole: by its extension, or when \a compress asks for it and the format
  * has it. The chunks of Zarr folders are another matter. */

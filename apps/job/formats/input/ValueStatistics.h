@@ -5,7 +5,6 @@
 
 #include "Options.h"
 #include "Text.h"
-#include "ThicknessSummary.h"
 #include "VolumeHeader.h"
 
 #include "itkMedialVoxelValueSource.h"
@@ -25,7 +24,7 @@ constexpr std::uint64_t MostValueBins = std::uint64_t{ 1 } << 16;
 /** What the values of a volume are like, without those that are not a number or infinite. */
 struct ValueStatistics
 {
-  static constexpr auto & Percents = ThicknessStatistics::Percents;
+  static constexpr std::array<unsigned int, 7> Percents{ 1, 5, 25, 50, 75, 95, 99 };
 
   std::uint64_t values{ 0 };   ///< finite ones; without any the numbers below mean nothing
   std::uint64_t excluded{ 0 }; ///< not a number, or infinite
@@ -35,7 +34,7 @@ struct ValueStatistics
   double        binWidth{ 0.0 }; ///< to which percentiles and threshold are exact; 0: they are exact
 
   /** The least value that so many percent of the values, without the padding, do not exceed. */
-  std::array<double, ThicknessStatistics::Percents.size()> percentiles{};
+  std::array<double, Percents.size()> percentiles{};
 
   /** From and to: what the file tells to be no measurement, or one value far away from all others, which scanners put
    * outside of their field of view. */

@@ -317,7 +317,7 @@ ReadPlacement(VolumeHeader & header, const NiftiNumbers & fields)
   const bool      takesRows = hasRows && (!hasQuaternion || HasRightAngles(rows));
   if (hasRows && hasQuaternion && !AreNearlyEqual(rows, quaternion, header.geometry.size))
   {
-    header.warnings.push_back({ "contradicting_forms",
+    header.warnings.push_back({ HeaderWarnings::ContradictingForms,
                                 std::string("its sform and its qform place the voxels differently; the ") +
                                   (takesRows ? "sform" : "qform, whose axes are at right angles,") + " is taken",
                                 {} });
@@ -329,7 +329,7 @@ ReadPlacement(VolumeHeader & header, const NiftiNumbers & fields)
       const double own = GetLength(rows, axis);
       if (!(std::abs(own - lengths[axis]) <= 1e-3 * own))
       {
-        header.warnings.push_back({ "contradicting_forms",
+        header.warnings.push_back({ HeaderWarnings::ContradictingForms,
                                     "its sform has the spacing " + FormatShort(own) + " along axis " +
                                       std::to_string(axis) + " and its pixdim " + FormatShort(lengths[axis]) +
                                       "; that of the sform is taken",

@@ -178,7 +178,7 @@ CheckSteps(const std::filesystem::path & input,
   {
     constexpr double percent = 100.0;
     const double     share = percent * worst / spacing;
-    warnings.push_back({ "uneven_slices",
+    warnings.push_back({ HeaderWarnings::UnevenSlices,
                          "positions of slices are up to " + FormatShort(share) +
                            " % of their distance away from equal distances, as rounded numbers are; the slices are "
                            "taken as " +

@@ -214,7 +214,7 @@ SortByNumber(const std::filesystem::path & input, Slices & slices, std::vector<W
   std::stable_sort(sorted.begin(), sorted.end(), isBefore);
   const auto isSame = [](const SliceHeader & a, const SliceHeader & b) { return a.number == b.number; };
   const bool differ = sorted.front().number && std::adjacent_find(sorted.begin(), sorted.end(), isSame) == sorted.end();
-  warnings.push_back({ "unknown_slice_order",
+  warnings.push_back({ HeaderWarnings::UnknownSliceOrder,
                        std::string("the slices have no position; they are in the order of their ") +
                          (differ ? "instance numbers" : "file names"),
                        {} });
@@ -299,7 +299,7 @@ ReadSeriesHeader(const std::filesystem::path & input, const SliceChoice & choice
   if (std::filesystem::is_regular_file(input, error) && slices.size() == 1 && slices.front().frameNumber == 0)
   {
     header.warnings.push_back(
-      { "single_slice",
+      { HeaderWarnings::SingleSlice,
         "the file is one slice, read as an image of two axes; give its folder, " +
           itk::MedialVoxelText::MakePrintable(std::filesystem::absolute(input).parent_path().string()) +
           ", to read the series",

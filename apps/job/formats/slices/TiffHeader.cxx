@@ -393,7 +393,8 @@ private:
     }
     if (const std::string shown = this->DescribeShown(); !shown.empty())
     {
-      m_Header.warnings.push_back({ "stored_values", shown + "; thresholds compare the numbers that are stored", {} });
+      m_Header.warnings.push_back(
+        { HeaderWarnings::StoredValues, shown + "; thresholds compare the numbers that are stored", {} });
     }
     geometry.origin.assign(geometry.size.size(), 0.0);
     geometry.SetIdentityDirection();

@@ -95,7 +95,7 @@ WarnOfUnknownSpacing(VolumeHeader & header, const std::string & what)
 {
   header.geometry.inMillimeters = false;
   header.warnings.push_back(
-    { UnknownSpacing,
+    { HeaderWarnings::UnknownSpacing,
       what + "; the spacing " + FormatNumbers(header.geometry.spacing, " x ") + " is assumed, --spacing sets it",
       {} });
 }

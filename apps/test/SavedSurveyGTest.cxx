@@ -65,7 +65,7 @@ RunSlices(const ImageType::Pointer & image, Survey & survey, std::int64_t begin,
 
 } // namespace
 
-TEST(SurveyPart, PartsOfAllPiecesMakeTheWhole)
+TEST(SavedSurvey, PartsOfAllPiecesMakeTheWhole)
 {
   const auto image = MakeImage();
   Survey     whole = MakeSurvey();
@@ -92,7 +92,7 @@ TEST(SurveyPart, PartsOfAllPiecesMakeTheWhole)
   }
 }
 
-TEST(SurveyPart, OfNothingChangesNothing)
+TEST(SavedSurvey, OfNothingChangesNothing)
 {
   Survey            survey = MakeSurvey();
   const std::string nothing = survey.Save();
@@ -105,7 +105,7 @@ TEST(SurveyPart, OfNothingChangesNothing)
   EXPECT_EQ(survey.Save(), nothing);
 }
 
-TEST(SurveyPart, RefusesOtherBytes)
+TEST(SavedSurvey, RefusesOtherBytes)
 {
   Survey            survey = MakeSurvey();
   const std::string nothing = survey.Save();

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#ifndef medialvoxelPlaceClusters_h
-#define medialvoxelPlaceClusters_h
+#ifndef medialvoxelPlaceJoiner_h
+#define medialvoxelPlaceJoiner_h
 
 #include "PlaceList.h"
 #include "PlaceSums.h"
@@ -13,13 +13,12 @@
 namespace medialvoxel
 {
 
-/** \class PlaceClusters
+/** \class PlaceJoiner
  * \brief Joins neighbors among the cells of a volume to places, while its regions come one after the other.
  *
- * Cells are neighbors when they share a corner. Regions come by slices, and of some slices by rows; between two regions
- * only those cells are kept that may get neighbors, and of the places that have none of these only the largest. What
- * is found does not depend on the regions. */
-class PlaceClusters
+ * Cells are neighbors when they share a corner. Regions come by slices, or by rows of slices. Between two regions it
+ * keeps the cells that may get neighbors, and the largest finished places. The places do not depend on the regions. */
+class PlaceJoiner
 {
 public:
   /** Bytes of a cell of a region while it is added, at most. */
@@ -29,7 +28,7 @@ public:
   static constexpr std::uint64_t OpenCellSize = 64;
   static constexpr std::uint64_t OpenPlaceSize = 3 * sizeof(PlaceSums);
 
-  PlaceClusters(const PlaceRule & rule, const PlaceGrid & grid);
+  PlaceJoiner(const PlaceRule & rule, const PlaceGrid & grid);
 
   const PlaceRule &
   GetRule() const

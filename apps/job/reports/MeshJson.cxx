@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "MeshTable.h"
-
-#include <algorithm>
+#include "MeshJson.h"
 
 namespace medialvoxel
 {
@@ -62,28 +60,6 @@ MakeQuality(const MeshQuality & quality)
            { "limits", limits } };
 }
 
-/** Of a mesh with elements of a size, with the limits. */
-void
-AddQuality(TextTable & table, const MeshQuality & quality)
-{
-  const TextTable counts{ { "triangles", std::to_string(quality.triangles) },
-                          { "quadrilaterals", std::to_string(quality.quads) },
-                          { "sides of one element", std::to_string(quality.rimSides) },
-                          { "sides of more than two", std::to_string(quality.junctionSides) },
-                          { "walls", std::to_string(quality.walls) },
-                          { "walls with one side only", std::to_string(quality.oneSidedWalls) },
-                          { "least scaled Jacobian", FormatShort(quality.shapes.leastJacobian) },
-                          { "largest aspect ratio", FormatShort(quality.shapes.largestAspect) } };
-  for (const auto & [name, value] : counts)
-  {
-    table.emplace_back("  " + name, value);
-  }
-  for (const MeshLimit & limit : ListMeshLimits(quality))
-  {
-    table.emplace_back("  " + limit.name, limit.Format());
-  }
-}
-
 } // namespace
 
 Json
@@ -108,27 +84,6 @@ MakeMeshJson(const SurfaceSummary & surface)
     json["quality"] = MakeQuality(surface.quality.value());
   }
   return json;
-}
-
-TextTable
-DescribeMesh(const SurfaceSummary & surface)
-{
-  TextTable table{ { "mesh",
-                     std::to_string(surface.vertices) + " vertices, " + std::to_string(surface.faces) + " faces" } };
-  if (!surface.remeshing)
-  {
-    return table;
-  }
-  const itk::MedialVoxelRemeshingSummary & remeshing = *surface.remeshing;
-  table.emplace_back("  area", FormatShort(surface.area) + " of " + FormatShort(remeshing.fineArea));
-  table.emplace_back("  farthest from the fine surface",
-                     FormatShort(std::max(remeshing.toFine.largest, remeshing.fromFine.largest)) + ", 99 % within " +
-                       FormatShort(std::max(remeshing.toFine.most, remeshing.fromFine.most)));
-  table.emplace_back("  walls left out",
-                     std::to_string(remeshing.wallsLeftOut) + " of " + std::to_string(remeshing.walls));
-  table.emplace_back("  orientation conflicts", std::to_string(remeshing.orientationConflicts));
-  AddQuality(table, surface.quality.value());
-  return table;
 }
 
 } // end namespace medialvoxel

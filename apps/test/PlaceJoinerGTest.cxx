@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "PlaceClusters.h"
+#include "PlaceJoiner.h"
 
 #include "gtest/gtest.h"
 
@@ -101,7 +101,7 @@ CutRandomly(std::int64_t length, std::mt19937 & random)
   return cuts;
 }
 
-class PlaceClustersTest : public testing::TestWithParam<int>
+class PlaceJoinerTest : public testing::TestWithParam<int>
 {
 protected:
   void
@@ -133,7 +133,7 @@ protected:
 
   /** The regions of a range of slices, by rows where the image has slices of them. */
   void
-  AddSlices(PlaceClusters & clusters, std::int64_t begin, std::int64_t end)
+  AddSlices(PlaceJoiner & clusters, std::int64_t begin, std::int64_t end)
   {
     const unsigned int last = m_Dimension - 1;
     const auto         slices = CutRandomly(end - begin, m_Random);
@@ -156,7 +156,7 @@ protected:
   }
 
   void
-  AddRegion(PlaceClusters & clusters, const itk::MedialVoxelBox & region)
+  AddRegion(PlaceJoiner & clusters, const itk::MedialVoxelBox & region)
   {
     std::vector<PlaceCell> cells;
     for (const auto & [key, cell] : m_Cells)
@@ -182,10 +182,10 @@ protected:
   Cells                      m_Cells;
 };
 
-TEST_P(PlaceClustersTest, AreThoseOfAFloodFillForAnyRegions)
+TEST_P(PlaceJoinerTest, AreThoseOfAFloodFillForAnyRegions)
 {
-  const Rows    expected = FindRows(m_Cells, m_Rule, *m_Grid);
-  PlaceClusters clusters(m_Rule, *m_Grid);
+  const Rows  expected = FindRows(m_Cells, m_Rule, *m_Grid);
+  PlaceJoiner clusters(m_Rule, *m_Grid);
   for (int repeat = 0; repeat < 3; ++repeat)
   {
     this->AddSlices(clusters, 0, m_Size[m_Dimension - 1]);
@@ -194,11 +194,11 @@ TEST_P(PlaceClustersTest, AreThoseOfAFloodFillForAnyRegions)
   }
 }
 
-TEST_P(PlaceClustersTest, ArePutTogetherFromSlices)
+TEST_P(PlaceJoinerTest, ArePutTogetherFromSlices)
 {
-  const auto    cuts = CutRandomly(m_Size[m_Dimension - 1], m_Random);
-  PlaceClusters all(m_Rule, *m_Grid);
-  PlaceClusters part(m_Rule, *m_Grid);
+  const auto  cuts = CutRandomly(m_Size[m_Dimension - 1], m_Random);
+  PlaceJoiner all(m_Rule, *m_Grid);
+  PlaceJoiner part(m_Rule, *m_Grid);
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
   {
     part.Clear();
@@ -213,7 +213,7 @@ TEST_P(PlaceClustersTest, ArePutTogetherFromSlices)
   EXPECT_EQ(ListRows(all.Finish()), FindRows(m_Cells, m_Rule, *m_Grid));
 }
 
-INSTANTIATE_TEST_SUITE_P(Random, PlaceClustersTest, testing::Range(0, 300));
+INSTANTIATE_TEST_SUITE_P(Random, PlaceJoinerTest, testing::Range(0, 300));
 
 TEST(MedialVoxelPlaceList, KeepsTheLargestInAnyOrder)
 {

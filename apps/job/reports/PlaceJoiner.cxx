@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "PlaceClusters.h"
+#include "PlaceJoiner.h"
 
 #include "itkMedialVoxelProgress.h"
 
@@ -52,13 +52,13 @@ private:
 
 } // namespace
 
-PlaceClusters::PlaceClusters(const PlaceRule & rule, const PlaceGrid & grid)
+PlaceJoiner::PlaceJoiner(const PlaceRule & rule, const PlaceGrid & grid)
   : m_Rule(rule)
   , m_Grid(grid)
 {}
 
 void
-PlaceClusters::Add(const std::deque<PlaceCell> & cells, const itk::MedialVoxelBox & region)
+PlaceJoiner::Add(const std::deque<PlaceCell> & cells, const itk::MedialVoxelBox & region)
 {
   const unsigned int slices = m_Grid.GetSliceAxis();
   const unsigned int rows = m_Grid.GetRowAxis();
@@ -84,10 +84,10 @@ PlaceClusters::Add(const std::deque<PlaceCell> & cells, const itk::MedialVoxelBo
 
 template <typename TIsOpen>
 void
-PlaceClusters::Join(Nodes                          nodes,
-                    const std::vector<PlaceSums> & places,
-                    const std::deque<PlaceCell> &  cells,
-                    const TIsOpen &                isOpen)
+PlaceJoiner::Join(Nodes                          nodes,
+                  const std::vector<PlaceSums> & places,
+                  const std::deque<PlaceCell> &  cells,
+                  const TIsOpen &                isOpen)
 {
   std::sort(nodes.begin(), nodes.end(), [](const Node & a, const Node & b) { return a.key < b.key; });
   std::vector<std::uint32_t> joinedOf = this->FindRoots(nodes, places.size());
@@ -154,9 +154,9 @@ PlaceClusters::Join(Nodes                          nodes,
   m_OpenPlaces = std::move(openPlaces);
 }
 
-/** For each node the first one of those that it is joined with. */
+/** For each node the first node that it is joined with. */
 std::vector<std::uint32_t>
-PlaceClusters::FindRoots(const Nodes & nodes, std::size_t numberOfPlaces) const
+PlaceJoiner::FindRoots(const Nodes & nodes, std::size_t numberOfPlaces) const
 {
   Unions                      unions(nodes.size());
   std::vector<std::uint32_t>  firstOf(numberOfPlaces, None);
@@ -201,7 +201,7 @@ PlaceClusters::FindRoots(const Nodes & nodes, std::size_t numberOfPlaces) const
 }
 
 void
-PlaceClusters::Clear()
+PlaceJoiner::Clear()
 {
   m_FirstSlice = -1;
   m_EndSlice = 0;
@@ -211,7 +211,7 @@ PlaceClusters::Clear()
 }
 
 void
-PlaceClusters::Save(NumberWriter & numbers) const
+PlaceJoiner::Save(NumberWriter & numbers) const
 {
   m_Complete.Save(numbers);
   numbers.Add(static_cast<std::uint64_t>(m_EndSlice));
@@ -231,7 +231,7 @@ PlaceClusters::Save(NumberWriter & numbers) const
 }
 
 void
-PlaceClusters::Merge(NumberReader & numbers)
+PlaceJoiner::Merge(NumberReader & numbers)
 {
   m_Complete.Merge(numbers);
   m_EndSlice = static_cast<std::int64_t>(numbers.Get());
@@ -251,7 +251,7 @@ PlaceClusters::Merge(NumberReader & numbers)
     const std::uint64_t place = numbers.Get();
     if (place >= numberOfPlaces)
     {
-      RefusePart();
+      RefuseSaved();
     }
     nodes.push_back({ key, offset + static_cast<std::uint32_t>(place) });
   }
@@ -259,7 +259,7 @@ PlaceClusters::Merge(NumberReader & numbers)
 }
 
 PlaceList
-PlaceClusters::Finish() const
+PlaceJoiner::Finish() const
 {
   PlaceList list = m_Complete;
   for (const PlaceSums & place : m_OpenPlaces)

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelFormatNames_h
+#define medialvoxelFormatNames_h
+
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** Names of the formats that are read. */
+std::vector<std::string>
+ListInputFormats();
+
+/** Extensions of the volumes that are written: those of formats that have so many components. */
+std::vector<std::string>
+ListOutputExtensions(unsigned int components = 1);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "ResultViews.h"
+
+#include "FillIn.h"
+
+#include <cstddef>
+
+namespace medialvoxel
+{
+
+const char * const MeasureText =
+  "[measure.on=object?on the object][measure.on=crossings?where gray values cross the threshold]"
+  "[measure.on=fits?by fits to gray values: background {short measure.scan.background}, material "
+  "{short measure.scan.material}, blur {short measure.scan.blur} voxels, noise {contrast measure.scan.noise "
+  "measure.scan.material measure.scan.background} of the contrast][measure.reason?: {measure.reason}]";
+
+const char * const MeshLimitText = "{short value}, [least?[holds?at least][!holds?less than] {short least}]"
+                                   "[most?[holds?at most][!holds?more than] {short most}]";
+
+namespace
+{
+
+constexpr unsigned int Tables = ExtractTable | SurfaceTable | DistanceTable;
+constexpr unsigned int PartTables = ExtractTable | SurfaceTable;
+
+/** Rows of a list in a table. */
+constexpr std::size_t MostMembers = 20;
+
+std::string
+OverThreads(const std::string & seconds)
+{
+  return "{fixed seconds." + seconds + "} s[!threads=1?, summed over {threads} threads]";
+}
+
+/** Of a thickness of the surface of a part. */
+std::string
+OfSurface(const std::string & path)
+{
+  const std::string percentile = "{short " + path + ".percentiles.";
+  return "[" + path + ".mean?mean {short " + path + ".mean}, median " + percentile +
+         "50}, 5 to 95 % of the area: " + percentile + "5} to " + percentile + "95}, in {unit}][!" + path +
+         ".mean?not known anywhere]";
+}
+
+/** Of a count of cells among all candidates. */
+std::string
+OfCells(const std::string & count)
+{
+  return "{count counts." + count + " counts.candidate_cells}";
+}
+
+/** Of the largest place of a kind. */
+std::string
+OfPlaces(const std::string & kind, const std::string & side, const std::string & extreme)
+{
+  const std::string path = "places." + kind;
+  return "{" + path + ".number}, area {short " + path + ".area_beyond_limit} " + side + " {short " + path + ".limit}[" +
+         path + ".places?, the largest {short " + path + ".places.0.area_beyond_limit} with " + extreme + " {short " +
+         path + ".places.0." + extreme + "}]";
+}
+
+} // namespace
+
+const std::vector<ViewRow> &
+ListViewRows()
+{
+  static const std::vector<ViewRow> rows{
+    { PageInput, "", "file", "{name input.file}" },
+    { PageInput, "", "format", "{input.format}" },
+    { Tables | PageInput, "", "resolution", "{times size}" },
+    { Tables,
+      "parameters.resampled_spacing",
+      "  resampled",
+      "from {times input.size} at {times input.spacing} to {times parameters.resampled_spacing}" },
+    { PageInput,
+      "",
+      "spacing",
+      "[parameters.resampled_spacing?{times parameters.resampled_spacing}]"
+      "[!parameters.resampled_spacing?{times input.spacing}][input.unit? {input.unit}]" },
+    { PageInput, "", "type", "{input.type}" },
+
+    { ExtractTable, "", "tau", "{parameters.thickness}[!parameters.thickness=auto? {unit}]" },
+    { PageParameters, "", "thickness (tau)", "{parameters.thickness}" },
+    { PageParameters, "parameters.maximum_thickness", "minimum thickness", "{short parameters.minimum_thickness}" },
+    { PageParameters, "parameters.maximum_thickness", "maximum thickness", "{short parameters.maximum_thickness}" },
+    { PageParameters, "", "lengths in", "{unit}" },
+    { Tables, "parameters.lower_otsu", "lower threshold", "{parameters.lower}, of Otsu" },
+    { PageParameters,
+      "",
+      "lower threshold",
+      "[parameters.lower?{parameters.lower}][!parameters.lower?none][parameters.lower_otsu? (otsu)]" },
+    { PageParameters, "", "upper threshold", "[parameters.upper?{parameters.upper}][!parameters.upper?none]" },
+    { Tables, "parameters.label", "label", "{parameters.label}" },
+    { PageParameters, "", "label", "[parameters.label?{parameters.label}][!parameters.label?none]" },
+
+    { ExtractTable,
+      "passes",
+      "objects",
+      "{size objects} in {passes} pass[!passes=1?es], {shared_cells} cells medial for several" },
+    { ExtractTable,
+      "",
+      "  label {label}",
+      "[name?{name}: ]{voxels} voxels, {medial_cells} medial cells[thickness.mean?, mean thickness {short "
+      "thickness.mean}]",
+      "/objects" },
+    { ExtractTable, "", "object voxels", "{counts.object_voxels}" },
+    { SlicerLines, "", "objectVoxels", "{counts.object_voxels}" },
+    { Tables,
+      "counts.not_a_number_voxels>0",
+      "not a number",
+      "{counts.not_a_number_voxels} voxels, taken as background" },
+    { ExtractTable | PageParameters,
+      "smoothed|roughness",
+      "smoothed",
+      "[smoothed?yes][!smoothed?no][roughness?, roughness {percent roughness.ratio}]" },
+    { PageParameters, "!smoothed&!roughness", "smoothed", "no" },
+    { PageParameters, "", "largest pores left out", "{parameters.maximum_pore_size} voxels" },
+    { PartTables, "counts.filled_voxels>0", "pores", "{counts.filled_voxels} voxels, taken as object" },
+    { PartTables, "counts.removed_voxels>0", "dust", "{counts.removed_voxels} voxels, taken as background" },
+
+    { ExtractTable, "", "candidate cells", "{counts.candidate_cells}" },
+    { ExtractTable, "", "  trivial", OfCells("trivial") },
+    { ExtractTable, "", "  medial by bound", OfCells("bound") },
+    { ExtractTable, "", "  medial by geodesic", OfCells("geodesic_medial") },
+    { ExtractTable, "", "  non-medial by geodesic", OfCells("geodesic_non_medial") },
+    { ExtractTable, "", "medial cells", "{counts.medial_cells}" },
+    { ExtractTable, "", "pseudo", "[percent.pseudo?{fixed percent.pseudo} %][!percent.pseudo?-]" },
+    { ExtractTable, "", "correct", "[percent.correct?{fixed percent.correct} %][!percent.correct?-]" },
+    { SlicerLines, "", "candidateCells", "{counts.candidate_cells}" },
+    { SlicerLines, "", "trivialCells", "{counts.trivial}" },
+    { SlicerLines, "", "boundCells", "{counts.bound}" },
+    { SlicerLines, "", "geodesicMedialCells", "{counts.geodesic_medial}" },
+    { SlicerLines, "", "geodesicNonMedialCells", "{counts.geodesic_non_medial}" },
+    { SlicerLines, "", "medialCells", "{counts.medial_cells}" },
+    { SlicerLines, "", "pseudoPercent", "[percent.pseudo?{percent.pseudo}][!percent.pseudo?nan]" },
+    { SlicerLines, "", "correctPercent", "[percent.correct?{percent.correct}][!percent.correct?nan]" },
+
+    { ExtractTable,
+      "thickness.mean",
+      "wall thickness",
+      "mean {short thickness.mean}, median {short thickness.percentiles.50}, 5 to 95 %: {short "
+      "thickness.percentiles.5} "
+      "to {short thickness.percentiles.95}, in {unit}" },
+    { ExtractTable,
+      "thickness.mean&thickness.standard_error",
+      "  sample",
+      "one medial cell in {thickness.one_cell_of}, standard error of the mean {short thickness.standard_error}" },
+    { ExtractTable,
+      "thickness.mean",
+      "  at rims, junctions",
+      "{count thickness.rim_cells thickness.rim_cells thickness.unresolved_cells thickness.cells}" },
+    { ExtractTable,
+      "thickness.mean&thickness.unresolved_cells>0",
+      "  not resolved",
+      "{count thickness.unresolved_cells thickness.rim_cells thickness.unresolved_cells thickness.cells}" },
+    { ExtractTable, "thickness.mean", "  measured", MeasureText },
+    { ExtractTable,
+      "thickness.mean&measure.uncertainty",
+      "  uncertainty (95 %)",
+      "median {short measure.uncertainty.percentiles.50}, 95 % of cells up to {short "
+      "measure.uncertainty.percentiles.95}" },
+    { PageThickness, "", "in {unit}", "" },
+    { PageThickness, "", "mean", "{short thickness.mean}" },
+    { PageThickness, "", "standard deviation", "{short thickness.standard_deviation}" },
+    { PageThickness, "", "smallest", "[thickness.minimum?{short thickness.minimum}][!thickness.minimum?not known]" },
+    { PageThickness, "", "largest", "[thickness.maximum?{short thickness.maximum}][!thickness.maximum?not known]" },
+    { PageThickness, "", "area of the sheet", "{short thickness.area}" },
+    { PagePercentiles, "", "{@} % of the area up to", "{short .}", "/thickness/percentiles" },
+    { ExtractTable | PageLocalThickness,
+      "local_thickness.mean",
+      "local thickness",
+      "mean {short local_thickness.mean}, standard deviation {short local_thickness.standard_deviation}, largest "
+      "{short "
+      "local_thickness.largest}, in {unit}, of {local_thickness.voxels} object voxels" },
+    { ExtractTable, "places.thin", "thin places", OfPlaces("thin", "below", "minimum") },
+    { ExtractTable, "places.thick", "thick places", OfPlaces("thick", "above", "maximum") },
+
+    { ExtractTable, "mesh", "mesh", "{mesh.vertices} vertices, {mesh.faces} faces" },
+    { ExtractTable, "mesh.remeshing", "  area", "{short mesh.area} of {short mesh.remeshing.area_before}" },
+    { ExtractTable,
+      "mesh.remeshing",
+      "  farthest from the fine surface",
+      "{short mesh.remeshing.distance_to_fine.largest mesh.remeshing.distance_from_fine.largest}, 99 % within {short "
+      "mesh.remeshing.distance_to_fine.percentile_99 mesh.remeshing.distance_from_fine.percentile_99}" },
+    { ExtractTable, "mesh.remeshing", "  walls left out", "{mesh.remeshing.walls_left_out} of {mesh.remeshing.walls}" },
+    { ExtractTable, "mesh.remeshing", "  orientation conflicts", "{mesh.remeshing.orientation_conflicts}" },
+    { ExtractTable, "mesh.quality", "  triangles", "{mesh.quality.triangles}" },
+    { ExtractTable, "mesh.quality", "  quadrilaterals", "{mesh.quality.quadrilaterals}" },
+    { ExtractTable, "mesh.quality", "  sides of one element", "{mesh.quality.rim_sides}" },
+    { ExtractTable, "mesh.quality", "  sides of more than two", "{mesh.quality.junction_sides}" },
+    { ExtractTable, "mesh.quality", "  walls", "{mesh.quality.walls}" },
+    { ExtractTable, "mesh.quality", "  walls with one side only", "{mesh.quality.one_sided_walls}" },
+    { ExtractTable, "mesh.quality", "  least scaled Jacobian", "{short mesh.quality.least_scaled_jacobian}" },
+    { ExtractTable, "mesh.quality", "  largest aspect ratio", "{short mesh.quality.largest_aspect_ratio}" },
+    { ExtractTable, "", "  {name}", MeshLimitText, "/mesh/quality/limits" },
+
+    { SurfaceTable,
+      "",
+      "surface",
+      "{surface.vertices} vertices, {surface.triangles} triangles, placed by [surface.placed_by=values?gray values]"
+      "[surface.placed_by=object?the object]" },
+    { SurfaceTable,
+      "",
+      "area",
+      "{short surface.area}[surface.cap_area>0?, of which {short surface.cap_area} close it at the volume's faces]" },
+    { SurfaceTable, "surface.volume", "volume", "{short surface.volume}" },
+    { SurfaceTable, "", "wall thickness", OfSurface("surface.thickness") },
+    { SurfaceTable, "", "  of", "[local_thickness.method=wall?walls][local_thickness.method=sphere?largest balls]" },
+    { SurfaceTable, "", "  measured", MeasureText },
+    { SurfaceTable, "", "  not known", "{count surface.thickness.unknown_vertices surface.vertices} of the vertices" },
+    { SurfaceTable, "surface.ray_thickness", "by rays", OfSurface("surface.ray_thickness") },
+    { SurfaceTable,
+      "surface.ray_thickness",
+      "  no answer",
+      "{count surface.ray_thickness.unknown_vertices surface.vertices} of the vertices: "
+      "{surface.ray_thickness.unanswered.leave_volume} leave the volume, {surface.ray_thickness.unanswered.too_long} "
+      "are "
+      "too long" },
+    { SurfaceTable,
+      "surface.color_range",
+      "colors",
+      "from {short surface.color_range.0} to {short surface.color_range.1}" },
+
+    { ExtractTable | DistanceTable, "", "distance", OverThreads("distance") },
+    { ExtractTable, "", "classification", OverThreads("classification") },
+    { SurfaceTable, "", "thickness", OverThreads("distance") },
+    { ExtractTable, "mesh.remeshing", "remeshing", "{fixed seconds.remeshing} s" },
+    { Tables, "", "reading and writing", "{fixed seconds.input_output} s" },
+    { Tables, "", "total", "{fixed seconds.total} s" },
+    { Tables, "", "peak memory", "{bytes peak_memory_bytes}, planned {bytes planned_peak_bytes}" },
+    { Tables, "", "{@}", "{.}", "/outputs" },
+    { SlicerLines, "", "distanceSeconds", "{seconds.distance}" },
+    { SlicerLines, "", "classificationSeconds", "{seconds.classification}" },
+    { SlicerLines, "", "totalSeconds", "{seconds.total}" },
+    { PageRun, "", "distance", "{seconds seconds.distance}" },
+    { PageRun, "", "classification", "{seconds seconds.classification}" },
+    { PageRun, "", "remeshing", "{seconds seconds.remeshing}" },
+    { PageRun, "", "reading and writing", "{seconds seconds.input_output}" },
+    { PageRun, "", "total", "{seconds seconds.total}" },
+    { PageRun, "", "peak memory", "{bytes peak_memory_bytes}" },
+    { PageRun, "", "bytes read", "{bytes_read}" },
+    { PageRun, "", "threads", "{threads}" },
+    { PageRun, "", "divisions", "{divisions}" },
+  };
+  return rows;
+}
+
+TextTable
+MakeTable(const Views view, const Json & report)
+{
+  TextTable table;
+  for (const ViewRow & row : ListViewRows())
+  {
+    if ((row.views & view) == 0 || (!row.condition.empty() && !Holds(row.condition, report)))
+    {
+      continue;
+    }
+    const Json::json_pointer list(row.list);
+    if (row.list.empty())
+    {
+      table.emplace_back(FillIn(row.name, report), FillIn(row.value, report));
+    }
+    else if (report.contains(list))
+    {
+      const Json & members = report[list];
+      std::size_t  number = 0;
+      for (auto member = members.begin(); member != members.end() && number < MostMembers; ++member, ++number)
+      {
+        const Json key = members.is_object() ? Json(member.key()) : Json(nullptr);
+        table.emplace_back(FillIn(row.name, report, *member, key), FillIn(row.value, report, *member, key));
+      }
+      if (number < members.size())
+      {
+        table.emplace_back("  others", std::to_string(members.size() - number) + ", --report has all");
+      }
+    }
+  }
+  return table;
+}
+
+std::string
+MakeReturnParameters(const Json & report)
+{
+  std::string lines;
+  for (const auto & [name, value] : MakeTable(SlicerLines, report))
+  {
+    lines += name + " = " + value + "\n";
+  }
+  return lines;
+}
+
+} // end namespace medialvoxel
