@@ -27,10 +27,7 @@ constexpr std::uint64_t CellInWorkSize = 152;
 
 /** A cell that waits for its piece to be done, in a vector that grows by a quarter. */
 constexpr std::uint64_t PendingCellSize = sizeof(itk::MedialVoxelSurfaceCell) * 5 / 4;
-
-/** Bytes of these for each voxel of a piece: one cell for each 8 voxels is more than there are. */
-constexpr std::uint64_t MostPending = 8;
-static_assert(PendingCellSize <= 8 * MostPending);
+static_assert(PendingCellSize <= 8 * SurfaceMesh::MostPending);
 
 /** What reading the scratch files for a writer takes. */
 constexpr std::uint64_t WritingMemory = 8 * MiB;

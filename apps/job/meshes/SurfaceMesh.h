@@ -30,6 +30,9 @@ namespace medialvoxel
 class SurfaceMesh : private itk::MedialVoxelSurfaceConsumer
 {
 public:
+  /** Bytes of cells that wait for their piece, for each of its voxels: one cell for each 8 is more than there are. */
+  static constexpr std::uint64_t MostPending = 8;
+
   /** \param grid          the image in the units of the options
    * \param surplus  for cells that wait until their piece is done, beside those of GetFootprint() */
   SurfaceMesh(const ExtractOptions &       options,
