@@ -38,6 +38,7 @@ set(program
     apps/job/options
     apps/job/records
     apps/job/reports
+    apps/job/products
     apps/job/run
     apps/job/clusters
     apps/commandline

@@ -3,7 +3,7 @@
 #include "CommandWords.h"
 #include "Parameters.h"
 #include "Program.h"
-#include "VolumeJob.h"
+#include "RunJob.h"
 
 #include <algorithm>
 #include <iostream>
@@ -24,7 +24,7 @@ Extract(const CLI::App & app, ModuleOptions & options)
     PrintValues(std::cout, app);
   }
   const auto sink = MakeProgressSink(ProgressStyle::Slicer);
-  RunExtract(options.job, *sink);
+  RunJob(options.job, *sink);
 }
 
 /** With the mark after which no argument is an option as the parser knows it; Slicer has another name. */

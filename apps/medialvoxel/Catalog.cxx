@@ -149,7 +149,7 @@ MakeCatalog(const CommandLine & line, const CLI::App & app)
   json["volume_formats"] = DescribeVolumeFormats();
   json["mesh_formats"] = ListSurfaceExtensions();
   json["outputs"] = { { "extract", DescribeOutputs<ExtractOptions>() },
-                      { "surface", DescribeOutputs<SurfaceOptions>() },
+                      { "surface", DescribeOutputs<PartOptions>() },
                       { "distance", DescribeOutputs<DistanceOptions>() } };
   json["warnings"] = ListWarningCodes();
   json["views"] = DescribeViews();

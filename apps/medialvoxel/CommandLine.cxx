@@ -50,7 +50,7 @@ ListCommands()
       &CommandLine::surface,
       "surface",
       "Build the surface of a part, with its wall thickness",
-      [](CommandLine & line) { return MakeTarget(line.surfaceOptions, line.program); },
+      [](CommandLine & line) { return MakeTarget(line.partOptions, line.program); },
       { "medialvoxel surface part.mha part.glb --lower 72",
         "medialvoxel surface part.mha part.vtp --lower 72 --ray --report part.json" },
       "Vertices have the local thickness of the part, in the units of the spacing." },
@@ -137,7 +137,7 @@ CompleteJobs(CommandLine & line)
 {
   line.planOptions.jobFolder = line.program.jobFolder;
   line.workOptions.jobFolder = line.program.jobFolder;
-  line.workOptions.memoryBytes = line.processOptions.memoryBytes;
+  line.workOptions.memoryLimit = line.processOptions.memoryLimit;
   line.workOptions.threads = line.processOptions.threads;
   line.workOptions.scratchFolder = line.processOptions.scratchFolder;
   line.finalizeOptions.jobFolder = line.program.jobFolder;

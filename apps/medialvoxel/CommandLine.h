@@ -29,7 +29,7 @@ struct CommandLine
   CLI::App *      status{ nullptr };
   ExtractOptions  extractOptions;
   ExtractOptions  meshOptions;
-  SurfaceOptions  surfaceOptions;
+  PartOptions     partOptions;
   DistanceOptions distanceOptions;
   JobOptions      infoOptions;
   PlanOptions     planOptions;

@@ -13,10 +13,10 @@
 #include "ReadVolumeHeader.h"
 #include "Report.h"
 #include "ResultViews.h"
+#include "RunJob.h"
 #include "SharedJob.h"
 #include "Signals.h"
 #include "SuggestName.h"
-#include "VolumeJob.h"
 #include "VolumeStatistics.h"
 
 #include "itkMedialVoxelHeaderText.h"
@@ -124,7 +124,7 @@ Extract(const CommandLine & line, ExtractOptions options, const std::string & co
   options.command = command;
   CheckStandardOutput(line, options);
   const JobResult result =
-    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunExtract(options, sink); });
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunJob(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
@@ -242,10 +242,10 @@ ShowStatus(const CommandLine & line)
 void
 BuildSurface(const CommandLine & line)
 {
-  const SurfaceOptions & options = line.surfaceOptions;
+  const PartOptions & options = line.partOptions;
   CheckStandardOutput(line, options);
   const JobResult result =
-    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunSurface(options, sink); });
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunJob(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));
@@ -262,7 +262,7 @@ ComputeDistance(const CommandLine & line)
   const DistanceOptions & options = line.distanceOptions;
   CheckStandardOutput(line, options);
   const JobResult result =
-    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunDistance(options, sink); });
+    RunLogged(line, options.logFile, [&options](ProgressSink & sink) { return RunJob(options, sink); });
   if (options.dryRun)
   {
     PrintTable(std::cout, DescribePlan(result.plan, result.input, result.outputs));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "Manifest.h"
 #include "Outputs.h"
 #include "VolumeFormats.h"
 
@@ -116,14 +117,16 @@ TEST(MedialVoxelOutputs, OfDistancesAreListed)
 
 TEST(MedialVoxelOutputs, OfASurfaceAreListed)
 {
-  CheckListing<SurfaceOptions>();
+  CheckListing<PartOptions>();
 }
 
 TEST(MedialVoxelOutputs, OfAJobAreInItsManifestOrRefused)
 {
   for (const auto & kind : ListOutputKinds(ExtractOptions()))
   {
-    EXPECT_NE(kind.parameter != nullptr, kind.refusal.has_value()) << kind.role;
+    ExtractOptions options;
+    options.*kind.option = "name";
+    EXPECT_EQ(FindDifference(options, ExtractOptions()).empty(), kind.refusal.has_value()) << kind.role;
   }
 }
 

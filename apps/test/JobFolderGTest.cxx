@@ -39,11 +39,11 @@ MakeManifest()
   manifest.options.upperThreshold = 1e300;
   manifest.options.vectorBoundary = itk::MedialVoxelBoundary::Background;
   manifest.options.raw = RawDescription{ { 3, 4, 100 }, PixelType::Int16, { 0.1, 0.2, 0.3 }, 5, true };
-  manifest.options.memoryBytes = 123456789;
+  manifest.options.memoryLimit = 123456789;
   manifest.input.push_back({ "/in.raw", 2405, -5 });
   manifest.numberOfSlices = 100;
   manifest.numberOfClusters = 7;
-  manifest.bytesPerSlice = 12;
+  manifest.perSlice = 12;
   return manifest;
 }
 
@@ -153,10 +153,10 @@ TEST(Manifest, ComesBackAsItWas)
   const Manifest back = ReadManifest(folder / "m.json").value();
   EXPECT_EQ(FindDifference(manifest.options, back.options), "");
   EXPECT_EQ(back.options.raw->pixelType, PixelType::Int16);
-  EXPECT_EQ(back.options.memoryBytes, manifest.options.memoryBytes);
+  EXPECT_EQ(back.options.memoryLimit, manifest.options.memoryLimit);
   EXPECT_EQ(back.jobId, manifest.jobId);
   EXPECT_EQ(back.input[0].modified, -5);
-  EXPECT_EQ(back.bytesPerSlice, 12u);
+  EXPECT_EQ(back.perSlice, 12u);
   EXPECT_EQ(back.GetCluster(0).end, 15u);
   EXPECT_EQ(back.GetCluster(6).end, 100u);
   EXPECT_FALSE(ReadManifest(folder / "none.json"));
@@ -252,7 +252,7 @@ TEST(Manifest, NamesTheDifference)
   wanted.raw->size[2] = 101;
   EXPECT_NE(FindDifference(wanted, present), "");
   wanted = present;
-  wanted.memoryBytes.reset();
+  wanted.memoryLimit.reset();
   wanted.threads = 3;
   EXPECT_EQ(FindDifference(wanted, present), "");
   wanted.overwrite = !present.overwrite;

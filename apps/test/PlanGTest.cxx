@@ -24,15 +24,15 @@ MakeHeader(const std::vector<std::uint64_t> & size)
   return header;
 }
 
-PieceFootprint
+Footprint
 MakeFootprint(const VolumeHeader & header, std::uint64_t bytesPerVoxel)
 {
-  PieceFootprint footprint;
-  footprint.bytesPerVoxel = bytesPerVoxel;
+  Footprint    footprint;
   const auto & size = header.geometry.size;
   footprint.grid = { { { std::int64_t(size[0]), std::int64_t(size[1]), std::int64_t(size[2]) } }, { { 1, 1, 1 } } };
   footprint.engines.emplace_back();
-  footprint.engines.back().task = itk::MedialVoxelDistanceMap{};
+  footprint.engines.back().settings.task = itk::MedialVoxelDistanceMap{};
+  footprint.engines.back().perVoxel = bytesPerVoxel;
   return footprint;
 }
 
@@ -75,8 +75,8 @@ TEST(Plan, PiecesCoverEverySliceOnce)
 TEST(Plan, PiecesAreWholeLayersOfChunksWhereTheyFit)
 {
   const VolumeHeader header = MakeHeader({ 500, 500, 670 });
-  PieceFootprint     footprint = MakeFootprint(header, 1);
-  footprint.preferredSlices = 31;
+  Footprint          footprint = MakeFootprint(header, 1);
+  footprint.slicesOfLayer = 31;
   JobOptions options;
   options.threads = 2;
   const JobPlan plan = MakePlan(options, header, {}, footprint);
@@ -92,9 +92,9 @@ TEST(Plan, PiecesAreWholeLayersOfChunksWhereTheyFit)
   EXPECT_GT(plan.divisions, 1u);
   EXPECT_EQ(next, 670u);
 
-  footprint.preferredSlices = 600;
+  footprint.slicesOfLayer = 600;
   EXPECT_EQ(MakePlan(options, header, {}, footprint).sliceUnit, 1u);
-  footprint.preferredSlices = 31;
+  footprint.slicesOfLayer = 31;
   options.divisions = 670;
   EXPECT_EQ(MakePlan(options, header, {}, footprint).divisions, 670u);
 }
@@ -106,7 +106,7 @@ TEST(Plan, LargeResultsAreDivided)
   EXPECT_EQ(MakePlanFor(options, MakeHeader({ 100, 100, 100 }), 1).divisions, 1u);
   const JobPlan plan = MakePlanFor(options, MakeHeader({ 1000, 1000, 1000 }), 16);
   EXPECT_GE(plan.divisions, 32u);
-  EXPECT_LT(plan.memoryBytes, 700 * MiB);
+  EXPECT_LT(plan.memory.planned, 700 * MiB);
 }
 
 TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
@@ -117,13 +117,13 @@ TEST(Plan, LessMemoryMeansMorePiecesUntilItIsRefused)
   std::uint64_t divisions = 0;
   for (const std::uint64_t memory : { 400 * MiB, 150 * MiB, 40 * MiB })
   {
-    options.memoryBytes = memory;
+    options.memoryLimit = memory;
     const JobPlan plan = MakePlanFor(options, header, 13);
-    EXPECT_LE(plan.memoryBytes, memory);
+    EXPECT_LE(plan.memory.planned, memory);
     EXPECT_GE(plan.divisions, divisions);
     divisions = plan.divisions;
   }
-  options.memoryBytes = 10 * MiB;
+  options.memoryLimit = 10 * MiB;
   try
   {
     MakePlanFor(options, header, 13);
@@ -141,13 +141,13 @@ TEST(Plan, TheValuesOfACompressedVolumeAreInMemoryWhereTheyFit)
   VolumeHeader header = MakeHeader({ 1000, 1000, 1000 });
   header.compressed = true;
   options.threads = 1;
-  options.memoryBytes = 1300 * MiB;
+  options.memoryLimit = 1300 * MiB;
   options.scratchFolder = "folder";
   EXPECT_TRUE(MakePlanFor(options, header, 1).scratchFolder.empty());
-  options.memoryBytes = 100 * MiB;
+  options.memoryLimit = 100 * MiB;
   const JobPlan plan = MakePlanFor(options, header, 1);
   EXPECT_EQ(plan.scratchFolder, "folder");
-  EXPECT_LE(plan.memoryBytes, 100 * MiB);
+  EXPECT_LE(plan.memory.planned, 100 * MiB);
   options.scratchFolder.clear();
   EXPECT_THROW(MakePlanFor(options, header, 1), JobError);
 }
@@ -162,16 +162,16 @@ TEST(Plan, TakesAsManyThreadsAsHalfOfTheMemoryHolds)
   for (const std::uint64_t memory : { 4096 * MiB, 150 * MiB, 80 * MiB, 50 * MiB, 30 * MiB })
   {
     JobOptions options;
-    options.memoryBytes = memory;
+    options.memoryLimit = memory;
     const JobPlan plan = MakePlanFor(options, header, 1);
-    EXPECT_LE(plan.memoryBytes, memory);
+    EXPECT_LE(plan.memory.planned, memory);
     fewest = std::min(fewest, plan.threads);
     most = std::max(most, plan.threads);
     if (plan.threads < 64)
     {
       // Half of the memory is left for thicker walls.
       options.threads = plan.threads + 1;
-      options.memoryBytes = memory / 2;
+      options.memoryLimit = memory / 2;
       EXPECT_THROW(MakePlanFor(options, header, 1), JobError) << memory;
     }
   }
@@ -185,11 +185,11 @@ TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)
   const VolumeHeader header = MakeHeader({ 500, 500, 500 });
   JobOptions         options;
   options.threads = 2;
-  options.memoryBytes = 600 * MiB;
+  options.memoryLimit = 600 * MiB;
   const JobPlan ample = MakePlanFor(options, header, 1);
   EXPECT_TRUE(ample.writesBehind);
-  EXPECT_EQ(ample.GetResultBytes(3), 6 * ample.bytesPerSlice);
-  EXPECT_LE(ample.memoryBytes, 600 * MiB);
+  EXPECT_EQ(ample.GetResults(3), 6 * ample.memory.perSlice);
+  EXPECT_LE(ample.memory.planned, 600 * MiB);
 
   options.divisions = 1;
   EXPECT_FALSE(MakePlanFor(options, header, 1).writesBehind);
@@ -199,7 +199,7 @@ TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)
   options.threads = 2;
 
   // Filters that take turns on a piece use each other's memory.
-  PieceFootprint two = MakeFootprint(header, 1);
+  Footprint two = MakeFootprint(header, 1);
   two.engines.push_back(two.engines.front());
   EXPECT_FALSE(MakePlan(options, header, {}, two).writesBehind);
   // Not with pieces of hundreds of megabytes, whoever chose them.
@@ -207,7 +207,7 @@ TEST(Plan, WritesBehindWhereTheMemoryHoldsTwoPieces)
   EXPECT_FALSE(MakePlanFor(options, header, 8).writesBehind);
   EXPECT_TRUE(MakePlanFor(options, header, 1).writesBehind);
   options.divisions.reset();
-  options.memoryBytes = 8192 * MiB;
+  options.memoryLimit = 8192 * MiB;
   EXPECT_TRUE(MakePlanFor(options, header, 40).writesBehind);
   EXPECT_FALSE(MakePlanFor(options, header, 80).writesBehind);
 }
@@ -217,15 +217,15 @@ TEST(Plan, ThinnerSlabsComeBeforeWaitingForTheDisk)
   const VolumeHeader header = MakeHeader({ 500, 500, 500 });
   JobOptions         options;
   options.threads = 2;
-  options.memoryBytes = 600 * MiB;
+  options.memoryLimit = 600 * MiB;
   const std::uint64_t widest = MakePlanFor(options, header, 16).slabSlices;
   std::uint64_t       thinnest = widest;
   bool                isBehind = true;
   for (std::uint64_t memory = 600 * MiB; memory > 25 * MiB && isBehind; memory -= MiB / 4)
   {
-    options.memoryBytes = memory;
+    options.memoryLimit = memory;
     const JobPlan plan = MakePlanFor(options, header, 16);
-    EXPECT_LE(plan.memoryBytes, memory);
+    EXPECT_LE(plan.memory.planned, memory);
     isBehind = plan.writesBehind;
     if (isBehind)
     {
@@ -242,7 +242,7 @@ TEST(Plan, LargeResultsHalveTheSlabsOfTheEngine)
   const VolumeHeader header = MakeHeader({ 500, 500, 500 });
   JobOptions         options;
   options.threads = 2;
-  options.memoryBytes = 8192 * MiB;
+  options.memoryLimit = 8192 * MiB;
   const JobPlan small = MakePlanFor(options, header, 1);
   EXPECT_EQ(small.slabThickness, 0u);
   const JobPlan large = MakePlanFor(options, header, 40);
@@ -256,13 +256,13 @@ TEST(Plan, ShorterPiecesLeaveMoreToTheEngines)
   const VolumeHeader header = MakeHeader({ 500, 500, 500 });
   JobOptions         options;
   options.threads = 1;
-  options.memoryBytes = 150 * MiB;
+  options.memoryLimit = 150 * MiB;
   const JobPlan       plan = MakePlanFor(options, header, 13);
   const std::uint64_t slices = plan.GetMaximumSlices();
   ASSERT_GT(slices, 1u);
   const std::uint64_t limit = plan.GetEngineLimit(slices);
-  EXPECT_EQ(limit + plan.GetResultBytes(slices) + plan.fixedBytes, 150 * MiB);
-  EXPECT_EQ(plan.GetEngineLimit(slices - 1), limit + plan.GetResultBytes(1));
+  EXPECT_EQ(limit + plan.GetResults(slices) + plan.memory.fixed, 150 * MiB);
+  EXPECT_EQ(plan.GetEngineLimit(slices - 1), limit + plan.GetResults(1));
   // 0 would be without limit.
   EXPECT_EQ(plan.GetEngineLimit(1000000), 1u);
 }
@@ -272,19 +272,19 @@ TEST(Plan, EachEngineHasRoomInItsShare)
   const VolumeHeader header = MakeHeader({ 300, 300, 300 });
   JobOptions         options;
   options.threads = 1;
-  options.memoryBytes = 16384 * MiB;
-  PieceFootprint                 footprint = MakeFootprint(header, 1);
+  options.memoryLimit = 16384 * MiB;
+  Footprint                      footprint = MakeFootprint(header, 1);
   itk::MedialVoxelLocalThickness thickness;
   thickness.maximumThickness = 100.0;
-  footprint.engines.front().task = thickness;
+  footprint.engines.front().settings.task = thickness;
   const auto getBytesOfEngines = [&] {
     const JobPlan plan = MakePlan(options, header, {}, footprint);
-    return plan.memoryBytes - plan.fixedBytes - plan.GetResultBytes(plan.GetSlicesAtOnce());
+    return plan.memory.planned - plan.memory.fixed - plan.GetResults(plan.GetSlicesAtOnce());
   };
   const std::uint64_t one = getBytesOfEngines();
   // Shares are equal, so that a small engine takes as much as a large one.
   footprint.engines.emplace_back();
-  footprint.engines.back().task = itk::MedialVoxelDistanceMap{};
+  footprint.engines.back().settings.task = itk::MedialVoxelDistanceMap{};
   EXPECT_EQ(getBytesOfEngines(), 2 * one);
 }
 
@@ -297,21 +297,21 @@ TEST(Plan, WhatWaitsForItsPieceGetsAPartOfTheMemoryThatIsLeft)
   bool          isLimited = false;
   for (const std::uint64_t memory : { 40, 60, 100, 400, 4000 })
   {
-    options.memoryBytes = memory * MiB;
-    const JobPlan  without = MakePlanFor(options, header, 1);
-    PieceFootprint footprint = MakeFootprint(header, 1);
+    options.memoryLimit = memory * MiB;
+    const JobPlan without = MakePlanFor(options, header, 1);
+    Footprint     footprint = MakeFootprint(header, 1);
     footprint.surplus = { 8, 1 };
     const JobPlan       plan = MakePlan(options, header, {}, footprint);
     const std::uint64_t slices = plan.GetMaximumSlices();
     const std::uint64_t most = 8 * slices * header.geometry.GetVoxelsPerSlice();
     EXPECT_EQ(slices, without.GetMaximumSlices());
-    EXPECT_EQ(plan.surplusBytes, std::min(most, (memory * MiB - without.memoryBytes) / 4));
-    EXPECT_EQ(plan.fixedBytes, without.fixedBytes + plan.surplusBytes);
-    EXPECT_EQ(plan.memoryBytes, without.memoryBytes + std::min(plan.surplusBytes, most / 8));
-    EXPECT_LE(plan.memoryBytes, memory * MiB);
-    EXPECT_GE(plan.surplusBytes, before);
-    before = plan.surplusBytes;
-    isLimited |= plan.surplusBytes < most;
+    EXPECT_EQ(plan.memory.surplus, std::min(most, (memory * MiB - without.memory.planned) / 4));
+    EXPECT_EQ(plan.memory.fixed, without.memory.fixed + plan.memory.surplus);
+    EXPECT_EQ(plan.memory.planned, without.memory.planned + std::min(plan.memory.surplus, most / 8));
+    EXPECT_LE(plan.memory.planned, memory * MiB);
+    EXPECT_GE(plan.memory.surplus, before);
+    before = plan.memory.surplus;
+    isLimited |= plan.memory.surplus < most;
   }
   EXPECT_TRUE(isLimited);
   EXPECT_GT(before, 0u);

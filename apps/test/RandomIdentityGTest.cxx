@@ -5,7 +5,7 @@
 // (invariant I2). MEDIALVOXEL_TEST_SEED sets the seed; each --gtest_repeat iteration draws anew.
 
 #include "RandomVolume.h"
-#include "VolumeJob.h"
+#include "RunJob.h"
 
 #include "Errors.h"
 
@@ -72,7 +72,7 @@ WithLimits(TOptions options, const JobOptions & limits)
   options.input = limits.input;
   options.raw = limits.raw;
   options.scratchFolder = limits.scratchFolder;
-  options.memoryBytes = limits.memoryBytes;
+  options.memoryLimit = limits.memoryLimit;
   options.threads = limits.threads;
   options.divisions = limits.divisions;
   options.sparse = limits.sparse;
@@ -129,7 +129,7 @@ public:
   Run(const JobOptions & limits) const override
   {
     ProgressSink sink;
-    return RunExtract(WithLimits(m_Options, limits), sink);
+    return RunJob(WithLimits(m_Options, limits), sink);
   }
 
   std::vector<std::string>
@@ -176,7 +176,7 @@ public:
   Run(const JobOptions & limits) const override
   {
     ProgressSink sink;
-    return RunDistance(WithLimits(m_Options, limits), sink);
+    return RunJob(WithLimits(m_Options, limits), sink);
   }
 
   std::vector<std::string>
@@ -216,8 +216,8 @@ FindSmallestMemory(const Subject & subject, JobOptions limits)
   std::uint64_t accepted = 4096 * MiB;
   while (accepted - refused > accepted / 1000)
   {
-    limits.memoryBytes = refused + (accepted - refused) / 2;
-    (IsAccepted(subject, limits) ? accepted : refused) = *limits.memoryBytes;
+    limits.memoryLimit = refused + (accepted - refused) / 2;
+    (IsAccepted(subject, limits) ? accepted : refused) = *limits.memoryLimit;
   }
   return accepted;
 }
@@ -240,7 +240,7 @@ DrawLimits(const Subject & subject, const VolumeFile & file, Dice & dice, const 
     limits.divisions = static_cast<std::uint64_t>(dice.Roll(1, 90));
   }
   const std::uint64_t smallest = FindSmallestMemory(subject, limits);
-  limits.memoryBytes = dice.OneIn(2) ? smallest : smallest + static_cast<std::uint64_t>(dice.Roll(0, 40)) * MiB / 10;
+  limits.memoryLimit = dice.OneIn(2) ? smallest : smallest + static_cast<std::uint64_t>(dice.Roll(0, 40)) * MiB / 10;
   return limits;
 }
 
@@ -248,7 +248,7 @@ std::string
 Describe(const JobOptions & limits)
 {
   std::ostringstream text;
-  text << limits.input << ", memory " << *limits.memoryBytes << ", threads " << *limits.threads << ", divisions "
+  text << limits.input << ", memory " << *limits.memoryLimit << ", threads " << *limits.threads << ", divisions "
        << limits.divisions.value_or(0) << (limits.sparse ? ", sparse" : "");
   return text.str();
 }
@@ -283,7 +283,7 @@ CompareRuns(unsigned int seed)
 
   JobOptions unlimited;
   unlimited.input = WriteVolume(volume, 0, folder).fileName;
-  unlimited.memoryBytes = 4096 * MiB;
+  unlimited.memoryLimit = 4096 * MiB;
   unlimited.threads = 1;
   unlimited.divisions = 1;
   const Outcome expected = Collect(folder, subject.GetOutputs(), subject.Run(unlimited));

@@ -20,7 +20,7 @@ MakeArray(std::uint64_t clusters, std::uint64_t clustersPerTask)
   array.clusters = clusters;
   array.clustersPerTask = clustersPerTask;
   array.threads = 8;
-  array.memoryBytes = 1024 * MiB;
+  array.memoryLimit = 1024 * MiB;
   return array;
 }
 
@@ -50,7 +50,7 @@ TEST(SlurmScript, TheNinthOfTheSystemLeavesTheProcessItsMemory)
   for (std::uint64_t megabytes = 1; megabytes < 5000; ++megabytes)
   {
     SlurmArray array = MakeArray(1, 1);
-    array.memoryBytes = megabytes * MiB - 1;
+    array.memoryLimit = megabytes * MiB - 1;
     EXPECT_GE(array.GetMegabytes() * 8 / 9, megabytes);
     EXPECT_LE(array.GetMegabytes() * 8 / 9, megabytes + 1);
   }

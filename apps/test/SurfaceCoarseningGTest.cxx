@@ -41,7 +41,7 @@ MakeRemeshing(const unsigned int threads)
   SurfaceRemeshing remeshing;
   remeshing.size = { 2.0, true, true, 0.5 };
   remeshing.scratchFolder = std::filesystem::temp_directory_path();
-  remeshing.memoryBytes = std::uint64_t{ 1 } << 30;
+  remeshing.memoryLimit = std::uint64_t{ 1 } << 30;
   remeshing.threads = threads;
   remeshing.progress = [](double) {};
   return remeshing;

@@ -75,7 +75,7 @@ ArrayEngine::Run(itk::MedialVoxelInput &            input,
   itk::MedialVoxelEngineSettings settings;
   settings.task = task;
   settings.countsNotANumber = type == PixelType::Float32 || type == PixelType::Float64;
-  settings.memoryLimit = m_Options.memoryBytes.value_or(0);
+  settings.memoryLimit = m_Options.memoryLimit.value_or(0);
   settings.numberOfWorkers = this->GetNumberOfThreads();
   m_Taker = std::move(taker);
   m_Run = run;

@@ -43,7 +43,7 @@ MeshArray(const ArrayCall & call, const ExtractOptions & options, ArrayMesh & me
 nlohmann::json
 MeasureDistances(const ArrayCall & call, const DistanceOptions & options);
 nlohmann::json
-MeasureLocalThickness(const ArrayCall & call, const SurfaceOptions & options);
+MeasureLocalThickness(const ArrayCall & call, const PartOptions & options);
 
 /** Parses the arguments as the program does, checks them and calls what they name; surface stands for its local
  * thickness. */

@@ -7,7 +7,7 @@ namespace medialvoxel
 {
 
 nlohmann::json
-MeasureLocalThickness(const ArrayCall & call, const SurfaceOptions & options)
+MeasureLocalThickness(const ArrayCall & call, const PartOptions & options)
 {
   const bool isOfWalls = options.localThicknessMethod == LocalThicknessMethod::Wall;
   if (options.subVoxel.value_or(false) && !isOfWalls)

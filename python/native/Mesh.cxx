@@ -59,8 +59,8 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   RimRays rays(object, geometry, measure.range);
   surface.FindEdgesWith([&rays](const auto & bundle) { return rays.Measure(bundle); });
   engine.ReadBeforeRun([&](const auto & observer) {
-    const std::uint64_t memoryBytes = options.memoryBytes.value_or(GetFreeMemory() / 2);
-    CopySurface(surface.Finish(memoryBytes, engine.GetNumberOfThreads(), observer), mesh);
+    const std::uint64_t memoryLimit = options.memoryLimit.value_or(GetFreeMemory() / 2);
+    CopySurface(surface.Finish(memoryLimit, engine.GetNumberOfThreads(), observer), mesh);
   });
   return nlohmann::json::object();
 }

@@ -164,7 +164,7 @@ RunArguments(const ArrayCall & call, std::vector<std::string> arguments, ArrayMe
   arguments.erase(arguments.begin());
   if (command == "surface") // of its thickness alone
   {
-    return Run<SurfaceOptions>(call, Commands::Surface, arguments, MeasureLocalThickness);
+    return Run<PartOptions>(call, Commands::Surface, arguments, MeasureLocalThickness);
   }
   if (command == "distance")
   {

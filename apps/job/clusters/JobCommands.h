@@ -69,7 +69,7 @@ struct JobStatus
   std::string                nextCommand; ///< empty when there is nothing to do
 };
 
-/** Checks everything as RunExtract() does, creates the volumes under temporary names and fills the job folder, which
+/** Checks everything as RunJob() does, creates the volumes under temporary names and fills the job folder, which
  * must not be there or be empty. With dryRun nothing is written.
  * \throw JobError */
 PlanResult
@@ -82,7 +82,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink);
 WorkResult
 RunWork(const WorkOptions & options, ProgressSink & sink);
 
-/** Verifies that all is done, writes what RunExtract() writes at its end and gives all outputs their names. To do it
+/** Verifies that all is done, writes what RunJob() writes at its end and gives all outputs their names. To do it
  * again is harmless.
  * \throw JobError Failure when clusters are missing or, which then become missing, damaged */
 FinalizeResult
@@ -104,7 +104,7 @@ MakeStatusJson(const JobStatus & status);
 TextTable
 DescribeNextSteps(const std::string & jobFolder, std::uint64_t numberOfClusters);
 
-/** RunExtract() as a job in the folder GetResumeFolder(), which is removed at the end. When there is such a job
+/** RunJob() as a job in the folder GetResumeFolder(), which is removed at the end. When there is such a job
  * already, with the same options, input and version, it is continued; with others it is refused.
  * \param command that continues it, to be told when it is stopped
  * \throw JobError

@@ -2,17 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ClusterRange.h"
 #include "DataFile.h"
-#include "ExtractParts.h"
-#include "ExtractRun.h"
-#include "ExtractSummary.h"
-#include "FinishJob.h"
-#include "Outputs.h"
 #include "FileNames.h"
 #include "JobClock.h"
 #include "JobCommands.h"
 #include "OutputChecks.h"
 #include "PipelineErrors.h"
+#include "JobRun.h"
 #include "SharedJob.h"
+#include "SharedOutputs.h"
 #include "StopListener.h"
 #include "Warnings.h"
 
@@ -74,8 +71,8 @@ AddMarker(JobResult & job, const ClusterMarker & marker)
   job.seconds.total += marker.seconds.total;
   job.bytesRead += marker.bytesRead;
   job.peakMemoryBytes = std::max(job.peakMemoryBytes, marker.peakMemoryBytes);
-  job.plan.memoryBytes = std::max(job.plan.memoryBytes, marker.plannedMemoryBytes);
-  job.plan.memoryLimit = std::max(job.plan.memoryLimit, marker.memoryLimit);
+  job.plan.memory.planned = std::max(job.plan.memory.planned, marker.plannedMemory);
+  job.plan.memory.limit = std::max(job.plan.memory.limit, marker.memoryLimit);
   job.plan.threads = std::max(job.plan.threads, marker.threads);
 }
 
@@ -86,17 +83,18 @@ class Finalization
 public:
   Finalization(const SharedJob & shared, bool overwrite, ProgressSink & sink)
     : m_Shared(shared)
-    , m_Options(WithOverwrite(shared.manifest.options, overwrite))
     , m_Sink(sink)
     , m_Markers(ReadMarkers(shared))
-    , m_Job(DescribeExtract(m_Options))
-    , m_Surveys(m_Job.input.geometry, GetGrid(m_Options, m_Job.input), GetSurveyRequest(m_Options), 0)
+    , m_Job(shared.manifest.options)
   {
-    m_Job.otsu = m_Options.lowerIsOtsu ? m_Options.lowerThreshold : std::nullopt;
-    m_Job.roughness = m_Options.roughness;
-    m_Job.wallMeasure = m_Options.measure;
-    m_Job.plan.numberOfSlices = shared.manifest.numberOfSlices;
-    m_Job.plan.divisions = shared.manifest.numberOfClusters;
+    const ExtractOptions & options = shared.manifest.options;
+    JobResult &            result = m_Job.result;
+    result.otsu = options.lowerIsOtsu ? options.lowerThreshold : std::nullopt;
+    result.roughness = options.roughness;
+    result.wallMeasure = options.measure;
+    result.plan.numberOfSlices = shared.manifest.numberOfSlices;
+    result.plan.divisions = shared.manifest.numberOfClusters;
+    m_Job.options.overwrite |= overwrite;
   }
 
   JobResult
@@ -109,36 +107,33 @@ public:
       this->VerifyVolumes();
     }
     this->MergeParts();
-    ExtractSummary summary(m_Options, m_Surveys, *m_Outputs);
-    JobEnd         end;
-    end.recordCosts = [this, start] { m_Job.seconds.total += SecondsSince(start); };
+    JobEnd end;
+    end.recordCosts = [this, start] { m_Job.result.seconds.total += SecondsSince(start); };
     end.publish = [this] { this->Publish(); };
-    FinishJob(*m_Outputs, summary, m_Job, m_Sink, end);
-    return std::move(m_Job);
+    m_Job.Finish(*m_Outputs, m_Sink, end);
+    return std::move(m_Job.result);
   }
 
 private:
-  static ExtractOptions
-  WithOverwrite(ExtractOptions options, bool overwrite)
-  {
-    options.overwrite = options.overwrite || overwrite;
-    return options;
-  }
-
   /** An interrupted publication left names of ours, which are to be replaced then. */
   void
   OpenOutputs()
   {
-    m_Requests = ListVolumes(m_Options, m_Job.input);
     const std::optional<DataNames> begun = m_Shared.folder.ReadDataNames(m_Shared.manifest);
-    m_Options.overwrite = m_Options.overwrite || begun;
-    CheckOutputs(m_Job.outputs, m_Job.input, m_Options.overwrite);
+    m_Job.options.overwrite |= begun.has_value();
+    CheckOutputs(m_Job.result.outputs, m_Job.result.input, m_Job.options.overwrite);
     m_DataNames = begun ? *begun : this->ChooseDataNames();
-    m_Outputs = std::make_unique<OutputSet>(m_Options, false, m_Shared.manifest.GetSuffix());
-    for (const VolumeRequest & request : m_Requests)
+    std::map<std::string, Publication> names;
+    for (const auto & [role, name] : m_DataNames.chosen)
     {
-      m_Volumes.push_back(m_Outputs->AddCompletedVolume(
-        request, { m_DataNames.chosen[request.role], begun.has_value(), m_DataNames.replaced[request.role] }));
+      names[role] = { name, begun.has_value(), m_DataNames.replaced[role] };
+    }
+    m_Outputs = std::make_unique<SharedOutputs>(m_Job, m_Shared.manifest.GetSuffix(), names);
+    ProductStart start{ m_Job.result };
+    for (const auto & product : m_Job.products)
+    {
+      product->Start(start);
+      product->CreateFile(*m_Outputs);
     }
   }
 
@@ -146,10 +141,13 @@ private:
   ChooseDataNames() const
   {
     DataNames names;
-    for (const VolumeRequest & request : m_Requests)
+    for (const OutputRequest & output : m_Job.result.outputs)
     {
-      names.chosen[request.role] = MakeSharedVolume(request.fileName, m_Options)->FindFreeDataName().string();
-      names.replaced[request.role] = FindDataFile(FollowLinks(request.fileName)).string();
+      if (output.IsVolume())
+      {
+        names.chosen[output.role] = MakeSharedVolume(output.fileName, m_Job.options)->FindFreeDataName().string();
+        names.replaced[output.role] = FindDataFile(FollowLinks(output.fileName)).string();
+      }
     }
     return names;
   }
@@ -159,21 +157,22 @@ private:
   {
     const auto                 start = JobClock::now();
     std::vector<std::uint64_t> damaged;
-    const std::uint64_t        perSlice = m_Job.input.geometry.GetVoxelsPerSlice();
+    const std::uint64_t        perSlice = m_Job.result.input.geometry.GetVoxelsPerSlice();
     for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
     {
       ThrowIfStopRequested(m_Sink);
-      const SliceRange range = m_Shared.manifest.GetCluster(cluster);
-      for (std::size_t i = 0; i < m_Volumes.size(); ++i)
+      const SliceRange    range = m_Shared.manifest.GetCluster(cluster);
+      const std::uint64_t first = range.begin * perSlice;
+      const std::uint64_t voxels = (range.end - range.begin) * perSlice;
+      const auto &        checksums = m_Markers[cluster].checksums;
+      const auto &        volumes = m_Outputs->GetVolumes();
+      const bool          isWhole = std::all_of(volumes.begin(), volumes.end(), [&](const auto & volume) {
+        const auto checksum = checksums.find(volume.first);
+        return checksum != checksums.end() && volume.second->ReadChecksum(first, voxels) == checksum->second;
+      });
+      if (!isWhole)
       {
-        const auto checksum = m_Markers[cluster].checksums.find(m_Requests[i].role);
-        if (checksum == m_Markers[cluster].checksums.end() ||
-            m_Volumes[i]->ReadChecksum(range.begin * perSlice, (range.end - range.begin) * perSlice) !=
-              checksum->second)
-        {
-          damaged.push_back(cluster);
-          break;
-        }
+        damaged.push_back(cluster);
       }
       m_Sink.Report(static_cast<double>(cluster + 1) / static_cast<double>(m_Markers.size()));
     }
@@ -181,7 +180,7 @@ private:
     m_Sink.Record({ LogLevel::Info,
                     "verified",
                     { { "clusters", std::to_string(m_Markers.size()) },
-                      { "bytes", std::to_string(m_Shared.manifest.bytesPerSlice * m_Shared.manifest.numberOfSlices) },
+                      { "bytes", std::to_string(m_Shared.manifest.perSlice * m_Shared.manifest.numberOfSlices) },
                       { "seconds", FormatFixed(SecondsSince(start), 3) } } });
   }
 
@@ -192,11 +191,11 @@ private:
     for (std::uint64_t cluster = 0; cluster < m_Markers.size(); ++cluster)
     {
       ThrowIfStopRequested(m_Sink);
-      AddMarker(m_Job, m_Markers[cluster]);
+      AddMarker(m_Job.result, m_Markers[cluster]);
       const std::optional<std::string> part = m_Shared.folder.ReadSurvey(cluster, m_Markers[cluster]);
       if (part)
       {
-        m_Surveys.Merge(*part);
+        MergeSurveys(m_Job.products, *part);
       }
       else
       {
@@ -204,7 +203,7 @@ private:
       }
     }
     this->RefuseDamaged(damaged);
-    CheckCounts(m_Job.sums.counts);
+    CheckCounts(m_Job.result.sums.counts);
   }
 
   /** Lets damaged clusters be done again. */
@@ -229,26 +228,21 @@ private:
   void
   Publish()
   {
-    CheckOutputs(m_Job.outputs, m_Job.input, m_Options.overwrite);
+    CheckOutputs(m_Job.result.outputs, m_Job.result.input, m_Job.options.overwrite);
     m_Shared.folder.WriteDataNames(m_Shared.manifest, m_DataNames);
     m_Outputs->Publish();
     // What was replaced goes before the job counts as finished, or nobody would remove it.
-    m_Volumes.clear();
     m_Outputs.reset();
-    m_Shared.folder.WriteFinished(m_Shared.manifest, GetVerdict(m_Job));
+    m_Shared.folder.WriteFinished(m_Shared.manifest, GetVerdict(m_Job.result));
     m_Sink.Record({ LogLevel::Info, "published", { { "job", m_Shared.manifest.jobId } } });
   }
 
-  const SharedJob &           m_Shared;
-  ExtractOptions              m_Options;
-  ProgressSink &              m_Sink;
-  std::vector<ClusterMarker>  m_Markers;
-  JobResult                   m_Job;
-  Surveys                     m_Surveys;
-  std::vector<VolumeRequest>  m_Requests;
-  DataNames                   m_DataNames;
-  std::unique_ptr<OutputSet>  m_Outputs;
-  std::vector<SharedVolume *> m_Volumes;
+  const SharedJob &              m_Shared;
+  ProgressSink &                 m_Sink;
+  std::vector<ClusterMarker>     m_Markers;
+  Job                            m_Job;
+  DataNames                      m_DataNames;
+  std::unique_ptr<SharedOutputs> m_Outputs;
 };
 
 } // namespace

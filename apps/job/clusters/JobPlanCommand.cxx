@@ -1,22 +1,16 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "ExtractParts.h"
-#include "ExtractRun.h"
 #include "FileNames.h"
-#include "InputVolume.h"
+#include "Job.h"
 #include "JobCommands.h"
 #include "JobFolder.h"
-#include "OptionChecks.h"
 #include "Outputs.h"
 #include "OutputChecks.h"
-#include "PieceFootprint.h"
 #include "PipelineErrors.h"
-#include "PrepareJob.h"
-#include "ScanMeasure.h"
 #include "SharedJob.h"
+#include "SharedVolume.h"
 #include "Version.h"
 #include "VolumeFormats.h"
-#include "VolumeStatistics.h"
 #include "Warnings.h"
 
 #include <algorithm>
@@ -28,7 +22,7 @@ namespace
 
 /** Voxels read and written for a cluster, in bytes, that take some ten seconds: little to lose when a process is
  * stopped, and much in comparison with the start of a process and with the neighborhood that it reads as well. */
-constexpr std::uint64_t BytesPerCluster = std::uint64_t{ 1 } << 29;
+constexpr std::uint64_t WorkPerCluster = std::uint64_t{ 1 } << 29;
 
 /** Fewer would leave processors without work towards the end, and more to lose when a process is stopped. */
 constexpr std::uint64_t FewestClusters = 16;
@@ -68,28 +62,28 @@ RefuseUnsupported(const ExtractOptions & options)
   }
 }
 
-/** Slices of about BytesPerCluster in whole slabs, which are the pieces that cost the least, or fewer, so that there
+/** Slices of about WorkPerCluster in whole slabs, which are the pieces that cost the least, or fewer, so that there
  * are FewestClusters. */
 std::uint64_t
 ChooseSlicesOfCluster(const JobResult & job)
 {
   const JobPlan &     plan = job.plan;
-  const std::uint64_t bytes = (job.input.GetStored().GetVoxelBytes() + plan.diskBytes) / plan.numberOfSlices;
+  const std::uint64_t bytes = (job.input.GetStored().GetVoxelBytes() + plan.disk) / plan.numberOfSlices;
   const std::uint64_t most = plan.numberOfSlices / FewestClusters;
   if (most < plan.slabSlices)
   {
     return std::max(FewestSlices, most);
   }
-  const std::uint64_t slabs = std::min(BytesPerCluster / std::max<std::uint64_t>(bytes, 1), most) / plan.slabSlices;
+  const std::uint64_t slabs = std::min(WorkPerCluster / std::max<std::uint64_t>(bytes, 1), most) / plan.slabSlices;
   return std::max<std::uint64_t>(slabs, 1) * plan.slabSlices;
 }
 
 /** Whole layers of chunks, which no two processes share. */
 void
-DivideIntoClusters(const ExtractOptions & options, JobResult & job)
+DivideIntoClusters(const ExtractOptions & options, std::uint64_t slicesOfLayer, JobResult & job)
 {
   JobPlan & plan = job.plan;
-  plan.sliceUnit = GetSlicesOfLayer(job.input, job.outputs);
+  plan.sliceUnit = slicesOfLayer;
   const std::uint64_t units = plan.GetNumberOfUnits();
   if (options.divisions)
   {
@@ -101,7 +95,7 @@ DivideIntoClusters(const ExtractOptions & options, JobResult & job)
 }
 
 Manifest
-MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder & folder)
+MakeManifest(const ExtractOptions & options, const JobResult & job, const JobFolder & folder)
 {
   Manifest manifest;
   manifest.version = GetVersion();
@@ -121,29 +115,24 @@ MakeManifest(const PlanOptions & options, const JobResult & job, const JobFolder
   manifest.numberOfSlices = job.plan.numberOfSlices;
   manifest.numberOfClusters = job.plan.divisions;
   manifest.sliceUnit = job.plan.sliceUnit;
-  manifest.bytesPerSlice = job.plan.diskBytes / job.plan.numberOfSlices;
+  manifest.perSlice = job.plan.disk / job.plan.numberOfSlices;
   return manifest;
 }
 
 /** What all processes of the job do alike: the threshold, smooth or not, and measure walls. */
-void
-MeasureVolume(PlanOptions & options, const JobResult & job, const ProgressSink & sink)
+ExtractOptions
+MeasureVolume(const ExtractOptions & options, Job & job, const ProgressSink & sink)
 {
-  const bool measuresGray = MayMeasureOnGrayValues(options, job.input);
-  const bool opensVolume = GetSmoothing(options) == Smoothing::Automatic || measuresGray;
-  const auto header = opensVolume ? UnpackInput(job.input, job.plan, sink) : job.input;
-  MeasureThreshold(options, header, sink);
-  CheckOptions(options); // with the threshold of Otsu
-  if (!opensVolume)
-  {
-    options.measure = WallMeasure{ false, std::nullopt, DescribeMeasureOnObject(options, job.input) };
-    return;
-  }
-  const auto  observer = [&sink](double) { ThrowIfStopRequested(sink); };
-  InputVolume input(header, options, job.plan.bytesToKeep, GetSmoothing(options));
-  input.Prepare(observer);
-  options.roughness = input.GetRoughness();
-  options.measure = FindWallMeasure(input, header, options, observer);
+  const auto observer = [&sink](double) { ThrowIfStopRequested(sink); };
+  job.Open(sink);
+  const auto input = job.OpenVolume();
+  input->Prepare(observer);
+  job.Measure(*input, observer);
+  ExtractOptions measured = options;
+  measured.lowerThreshold = job.options.lowerThreshold;
+  measured.roughness = job.result.roughness;
+  measured.measure = job.result.wallMeasure;
+  return measured;
 }
 
 void
@@ -195,12 +184,14 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
   RefuseUnsupported(options);
   ExtractOptions ofProcess = options;
   ofProcess.divisions.reset(); // those are clusters, which each process divides for its memory
-  PlanResult job{ PrepareProcesses(ofProcess), std::nullopt };
+  Job planned(ofProcess);
+  planned.Plan(true);
+  PlanResult job{ planned.result, std::nullopt };
   TellWarnings(sink, job.warnings);
   const JobFolder folder(options.jobFolder);
   folder.CheckFree();
   CheckJobFolder(folder.GetPath(), job.outputs);
-  DivideIntoClusters(options, job);
+  DivideIntoClusters(options, planned.GetFootprint().slicesOfLayer, job);
   if (options.slurm)
   {
     job.slurm = PlanSlurmArray(*options.slurm, options, job, folder.GetPath());
@@ -210,10 +201,8 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
     return job;
   }
   WithPipelineErrors([&] {
-    const auto  volumes = ListVolumes(options, job.input);
-    PlanOptions own = options;
-    MeasureVolume(own, job, sink);
-    const Manifest manifest = MakeManifest(own, job, folder);
+    const auto     volumes = ListVolumes<ExtractOptions>(options, job.input);
+    const Manifest manifest = MakeManifest(MeasureVolume(options, planned, sink), job, folder);
     folder.Create();
     JobLocks   locks(folder.GetLocksName());
     const auto lock = locks.TryLock(JobLocks::Planning);
@@ -234,7 +223,7 @@ RunPlan(const PlanOptions & options, ProgressSink & sink)
                       { "folder", folder.GetPath().string() },
                       { "clusters", std::to_string(manifest.numberOfClusters) },
                       { "slices_of_cluster", std::to_string(job.plan.GetMaximumSlices()) },
-                      { "planned_memory_bytes", std::to_string(job.plan.memoryBytes) } } });
+                      { "planned_memory_bytes", std::to_string(job.plan.memory.planned) } } });
       if (script)
       {
         script->Publish();

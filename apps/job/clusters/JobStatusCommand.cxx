@@ -20,7 +20,7 @@ GetJobStatus(const std::string & jobFolder)
   for (std::uint64_t cluster = 0; cluster < manifest.numberOfClusters; ++cluster)
   {
     const SliceRange    range = manifest.GetCluster(cluster);
-    const std::uint64_t bytes = (range.end - range.begin) * manifest.bytesPerSlice;
+    const std::uint64_t bytes = (range.end - range.begin) * manifest.perSlice;
     status.bytes += bytes;
     if (folder.ReadMarker(manifest, cluster))
     {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "SlurmScript.h"
 
-#include "ExtractParts.h"
+#include "Job.h"
 #include "OutputChecks.h"
 #include "SharedJob.h"
 #include "Text.h"
@@ -64,12 +64,14 @@ Fill(const std::string & text, const Values & values)
 std::uint64_t
 ChooseMemory(ExtractOptions options)
 {
-  if (options.memoryBytes)
+  if (options.memoryLimit)
   {
-    return *options.memoryBytes;
+    return *options.memoryLimit;
   }
   options.divisions.reset();
-  return std::max(LeastMemory, 2 * PrepareSharedExtract(options).plan.memoryBytes);
+  Job job(options);
+  job.PlanProcess();
+  return std::max(LeastMemory, 2 * job.result.plan.memory.planned);
 }
 
 } // namespace
@@ -83,7 +85,7 @@ SlurmArray::GetTasks() const
 std::uint64_t
 SlurmArray::GetMegabytes() const
 {
-  const std::uint64_t megabytes = (memoryBytes + MiB - 1) / MiB;
+  const std::uint64_t megabytes = (memoryLimit + MiB - 1) / MiB;
   return megabytes + (megabytes + 7) / 8;
 }
 
@@ -107,7 +109,7 @@ PlanSlurmArray(const SlurmOptions &          slurm,
     std::min(slurm.clustersPerTask.value_or((array.clusters - 1) / MostTasks + 1), array.clusters);
   array.tasksAtOnce = slurm.tasksAtOnce;
   array.threads = job.plan.threads;
-  array.memoryBytes = ChooseMemory(options);
+  array.memoryLimit = ChooseMemory(options);
   return array;
 }
 

@@ -26,7 +26,7 @@ struct SlurmArray
   std::uint64_t                clustersPerTask{ 1 };
   std::optional<std::uint64_t> tasksAtOnce;
   unsigned int                 threads{ 1 };     ///< of a task
-  std::uint64_t                memoryBytes{ 0 }; ///< that the process of a task may take
+  std::uint64_t                memoryLimit{ 0 }; ///< that the process of a task may take
 
   std::uint64_t
   GetTasks() const;

@@ -24,7 +24,7 @@ constexpr std::uint64_t CopiedAtATime = std::uint64_t{ 1 } << 14;
 
 /** Of the table of components, for each vertex, in a vector that grows; of that of branches, for each vertex and face,
  * and for each of the sides that are junctions, which are few. */
-constexpr std::uint64_t BytesPerVertexOfComponents = 8;
+constexpr std::uint64_t ComponentVertexSize = 8;
 constexpr std::uint64_t FacesPerJunctionSide = 8;
 
 /** A quadrilateral with its marks, of one face or of two. */
@@ -173,7 +173,7 @@ CopyFaces(const SurfaceSpool & from, SurfaceSpool & to, TAdapt && adapt, TNumber
 void
 CheckMemory(const SurfaceSpool & surface, std::uint64_t needed, const SurfaceCleaning & cleaning, const char * what)
 {
-  if (needed > cleaning.memoryBytes)
+  if (needed > cleaning.memoryLimit)
   {
     Fail(ExitStatus::Refused,
          "the surface has ",
@@ -183,7 +183,7 @@ CheckMemory(const SurfaceSpool & surface, std::uint64_t needed, const SurfaceCle
          " takes ",
          FormatBytes(needed),
          " of memory, ",
-         FormatBytes(cleaning.memoryBytes),
+         FormatBytes(cleaning.memoryLimit),
          " are left for it; allow more with --memory");
   }
 }
@@ -226,8 +226,7 @@ RemoveBranches(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
 std::unique_ptr<SurfaceSpool>
 RemoveSmallComponents(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
 {
-  CheckMemory(
-    surface, surface.GetNumberOfVertices() * BytesPerVertexOfComponents, cleaning, "finding its small components");
+  CheckMemory(surface, surface.GetNumberOfVertices() * ComponentVertexSize, cleaning, "finding its small components");
   MedialVoxelSurfaceComponents components;
   components.AddVertices(surface.GetNumberOfVertices());
   SpooledQuads(surface, cleaning.progress).ForEachQuad(false, [&](const Quad & quad) {
@@ -262,12 +261,12 @@ CleanSurface(std::unique_ptr<SurfaceSpool> surface, const SurfaceCleaning & clea
 }
 
 std::uint64_t
-GetCleaningBytes(const SurfaceCleaning & cleaning, std::uint64_t vertices)
+GetCleaningMemory(const SurfaceCleaning & cleaning, std::uint64_t vertices)
 {
   const std::uint64_t branches =
     2 * MedialVoxelSurfaceBranches::GetBytes(vertices, vertices, vertices / FacesPerJunctionSide);
   return std::max(cleaning.minimumBranchLength > 0 ? branches : 0,
-                  cleaning.smallestComponent > 1 ? vertices * BytesPerVertexOfComponents : 0);
+                  cleaning.smallestComponent > 1 ? vertices * ComponentVertexSize : 0);
 }
 
 } // end namespace medialvoxel

@@ -19,7 +19,7 @@ struct SurfaceCleaning
   double                      minimumBranchLength{ 0 }; ///< physical units; 0: branches stay
   std::uint64_t               smallestComponent{ 0 };   ///< quadrilaterals; 0 and 1: components stay
   std::filesystem::path       scratchFolder;            ///< of what is left
-  std::uint64_t               memoryBytes{ 0 };         ///< that may be taken
+  std::uint64_t               memoryLimit{ 0 };         ///< that may be taken
   std::function<void(double)> progress;                 ///< called often; may throw to stop
 
   bool
@@ -37,7 +37,7 @@ CleanSurface(std::unique_ptr<SurfaceSpool> surface, const SurfaceCleaning & clea
 
 /** Memory that cleaning takes for so many vertices and as many faces. */
 std::uint64_t
-GetCleaningBytes(const SurfaceCleaning & cleaning, std::uint64_t vertices);
+GetCleaningMemory(const SurfaceCleaning & cleaning, std::uint64_t vertices);
 
 } // end namespace medialvoxel
 

@@ -23,14 +23,17 @@ constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 /** Cells of the surface in the slices that are smoothed at a time: those of thin walls, some of them along the slices.
  */
 constexpr std::uint64_t VoxelsPerCellInWork = 3;
-constexpr std::uint64_t BytesPerCellInWork = 152;
+constexpr std::uint64_t CellInWorkSize = 152;
 
 /** A cell that waits for its piece to be done, in a vector that grows by a quarter. */
-constexpr std::uint64_t BytesPerPendingCell = sizeof(itk::MedialVoxelSurfaceCell) * 5 / 4;
-static_assert(BytesPerPendingCell <= 8 * SurfaceMesh::MostBytesPerVoxel);
+constexpr std::uint64_t PendingCellSize = sizeof(itk::MedialVoxelSurfaceCell) * 5 / 4;
+
+/** Bytes of these for each voxel of a piece: one cell for each 8 voxels is more than there are. */
+constexpr std::uint64_t MostPending = 8;
+static_assert(PendingCellSize <= 8 * MostPending);
 
 /** What reading the scratch files for a writer takes. */
-constexpr std::uint64_t BytesOfWriting = 8 * MiB;
+constexpr std::uint64_t WritingMemory = 8 * MiB;
 
 /** Of surfaces that are planned for, whose tables and scratch files hold all vertices; there are as many faces. */
 constexpr std::uint64_t VoxelsPerVertex = 64;
@@ -64,7 +67,7 @@ GetPlannedVertices(const VolumeGeometry & geometry)
 
 /** Marks of vertices, which the formats of solvers need. */
 std::uint64_t
-GetBytesOfEdges(const ExtractOptions & options, const VolumeGeometry & geometry)
+GetEdgeMemory(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
   const bool isForSolvers = HoldsElements(GetSurfaceFormat(options.meshFile));
   return isForSolvers ? GetPlannedVertices(geometry) / SurfaceEdges::VerticesPerByte : 0;
@@ -85,15 +88,15 @@ GetCleaning(const ExtractOptions & options)
 SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
                          const VolumeGeometry &       geometry,
                          const itk::MedialVoxelGrid & grid,
-                         const std::uint64_t          surplusBytes)
+                         const std::uint64_t          surplus)
   : m_Options(options)
   , m_Geometry(geometry)
   , m_Grid(grid)
-  , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplusBytes / BytesPerPendingCell)
+  , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplus / PendingCellSize)
   , m_Cleaning(GetCleaning(options))
   , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry), SurfaceSpoolInput::Added))
 {
-  m_Cleaning.memoryBytes = GetCleaningBytes(m_Cleaning, GetPlannedVertices(geometry));
+  m_Cleaning.memoryLimit = GetCleaningMemory(m_Cleaning, GetPlannedVertices(geometry));
   if (options.labels)
   {
     itk::MedialVoxelSurfaceConsumer & consumer = *this;
@@ -120,11 +123,11 @@ SurfaceMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
 
 SurfaceSummary
 SurfaceMesh::Write(OutputFile &                        file,
-                   std::uint64_t                       memoryBytes,
+                   std::uint64_t                       memoryLimit,
                    unsigned int                        threads,
                    const std::function<void(double)> & progress)
 {
-  this->Finish(memoryBytes, threads, progress);
+  this->Finish(memoryLimit, threads, progress);
   SurfaceWriteOptions options;
   options.thicknessClassWidth =
     m_Options.sectionWidth.value_or(0.25 * *std::min_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end()));
@@ -148,7 +151,7 @@ SurfaceMesh::Write(OutputFile &                        file,
 }
 
 const SurfaceSpool &
-SurfaceMesh::Finish(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress)
+SurfaceMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
 {
   if (m_Passes)
   {
@@ -163,14 +166,14 @@ SurfaceMesh::Finish(std::uint64_t memoryBytes, unsigned int threads, const std::
   }
   if (m_Cleaning.IsOn())
   {
-    m_Cleaning.memoryBytes += memoryBytes;
+    m_Cleaning.memoryLimit += memoryLimit;
     m_Cleaning.progress = progress;
     m_Spool = CleanSurface(std::move(m_Spool), m_Cleaning);
   }
   if (IsRemeshed(m_Options))
   {
     const auto start = JobClock::now();
-    this->Remesh(memoryBytes, threads, progress);
+    this->Remesh(memoryLimit, threads, progress);
     m_RemeshingSeconds = SecondsSince(start);
   }
   if (m_Passes || m_Cleaning.IsOn() || m_Remeshing)
@@ -182,14 +185,14 @@ SurfaceMesh::Finish(std::uint64_t memoryBytes, unsigned int threads, const std::
 }
 
 void
-SurfaceMesh::Remesh(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress)
+SurfaceMesh::Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
 {
   SurfaceRemeshing remeshing;
   remeshing.size = GetElementSize(m_Options, m_Geometry);
   remeshing.size.extendsRims = m_Options.extendsRims;
   remeshing.size.measureRimRays = m_MeasureRimRays;
   remeshing.scratchFolder = m_Cleaning.scratchFolder;
-  remeshing.memoryBytes = memoryBytes + GetRemeshingBytes(1);
+  remeshing.memoryLimit = memoryLimit + GetRemeshingMemory(1);
   remeshing.threads = threads;
   remeshing.progress = progress;
   m_Spool = RemeshSurface(std::move(m_Spool), remeshing, m_Remeshing.emplace());
@@ -244,25 +247,27 @@ SurfaceMesh::AddTriangles(const itk::MedialVoxelSurfaceQuad & quad)
   }
 }
 
-std::uint64_t
-SurfaceMesh::GetBytes(const ExtractOptions & options, const VolumeGeometry & geometry)
-{
-  return geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * BytesPerCellInWork +
-         GetPendingCells(geometry) * BytesPerPendingCell + BytesOfWriting + GetBytesOfEdges(options, geometry) +
-         (IsRemeshed(options) ? GetRemeshingBytes(1) : 0) +
-         GetCleaningBytes(GetCleaning(options), GetPlannedVertices(geometry));
-}
-
-ScratchSpace
-SurfaceMesh::GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry)
+ProductFootprint
+SurfaceMesh::GetFootprint(const ExtractOptions &       options,
+                          const VolumeGeometry &       geometry,
+                          const itk::MedialVoxelGrid & grid)
 {
   const SurfaceCleaning cleaning = GetCleaning(options);
   const bool            isRemeshed = IsRemeshed(options);
-  const std::uint64_t   spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;
-  const std::uint64_t   sorting = options.labels || isRemeshed ? ScratchBytesPerSortedVertex : 0;
-  return { cleaning.scratchFolder,
-           GetPlannedVertices(geometry) *
-             (spools * (SurfaceSpool::BytesPerVertex + SurfaceSpool::BytesPerFace) + sorting) };
+  const std::uint64_t   vertices = GetPlannedVertices(geometry);
+  ProductFootprint      footprint;
+  footprint.beside = geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize +
+                     GetPendingCells(geometry) * PendingCellSize + WritingMemory + GetEdgeMemory(options, geometry) +
+                     (isRemeshed ? GetRemeshingMemory(1) : 0) + GetCleaningMemory(cleaning, vertices);
+  footprint.perVoxelOfTile =
+    itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(grid, GetParameters(options, grid));
+  footprint.surplus.most = MostPending;
+  footprint.surplus.planned = 1; // a cell for each 64 voxels
+  const std::uint64_t spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;
+  const std::uint64_t sorting = options.labels || isRemeshed ? SortedVertexSize : 0;
+  footprint.scratch = { cleaning.scratchFolder,
+                        vertices * (spools * (SurfaceSpool::BytesPerVertex + SurfaceSpool::BytesPerFace) + sorting) };
+  return footprint;
 }
 
 } // end namespace medialvoxel

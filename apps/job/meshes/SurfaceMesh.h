@@ -4,7 +4,7 @@
 #define medialvoxelSurfaceMesh_h
 
 #include "Options.h"
-#include "JobPlan.h"
+#include "ProductFootprint.h"
 #include "SurfaceCleaning.h"
 #include "SurfaceFormat.h"
 #include "SurfacePasses.h"
@@ -30,17 +30,12 @@ namespace medialvoxel
 class SurfaceMesh : private itk::MedialVoxelSurfaceConsumer
 {
 public:
-  /** Bytes that cells of the surface take until their piece is done, for each voxel of the piece: one cell for each 8
-   * voxels is more than there are, one for 64 is planned for. */
-  static constexpr std::uint64_t MostBytesPerVoxel = 8;
-  static constexpr std::uint64_t PlannedBytesPerVoxel = 1;
-
   /** \param grid          the image in the units of the options
-   * \param surplusBytes  for cells that wait until their piece is done, beside GetBytes() */
+   * \param surplus  for cells that wait until their piece is done, beside those of GetFootprint() */
   SurfaceMesh(const ExtractOptions &       options,
               const VolumeGeometry &       geometry,
               const itk::MedialVoxelGrid & grid,
-              std::uint64_t                surplusBytes);
+              std::uint64_t                surplus);
 
   /** Sees the tiles of the pieces; may ask for more sites. */
   itk::MedialVoxelTileObserver &
@@ -81,26 +76,22 @@ public:
   }
 
   /** Writes the surface after the last piece, and finishes the file. \a progress may throw to stop.
-   * \param memoryBytes what may be taken beside GetBytes()
+   * \param memoryLimit what may be taken beside those of GetFootprint()
    * \throw JobError as CleanSurface() and WriteSurface() */
   SurfaceSummary
   Write(OutputFile &                        file,
-        std::uint64_t                       memoryBytes,
+        std::uint64_t                       memoryLimit,
         unsigned int                        threads,
         const std::function<void(double)> & progress);
 
   /** Finishes the surface after the last piece, as Write() does: sorted, and rid of what is too short or too small. */
   const SurfaceSpool &
-  Finish(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress);
+  Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
 
-  /** Memory of a surface of thin walls that is built, beside that of the workers. */
-  static std::uint64_t
-  GetBytes(const ExtractOptions & options, const VolumeGeometry & geometry);
-
-  /** Space for the scratch files of a surface that has a vertex and a face for each 64 voxels. Denser ones take more.
-   */
-  static ScratchSpace
-  GetScratchSpace(const ExtractOptions & options, const VolumeGeometry & geometry);
+  /** Of a run over a part with thin walls. Scratch files are of a surface that has a vertex and a face for each 64
+   * voxels; denser ones take more. */
+  static ProductFootprint
+  GetFootprint(const ExtractOptions & options, const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid);
 
 private:
   void
@@ -112,7 +103,7 @@ private:
   MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const;
 
   void
-  Remesh(std::uint64_t memoryBytes, unsigned int threads, const std::function<void(double)> & progress);
+  Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
 
   void
   AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);

@@ -38,7 +38,7 @@ unsigned int
 GetThreads(const SurfaceRemeshing & remeshing)
 {
   unsigned int threads = remeshing.threads;
-  while (threads > 1 && GetRemeshingBytes(threads) > remeshing.memoryBytes)
+  while (threads > 1 && GetRemeshingMemory(threads) > remeshing.memoryLimit)
   {
     --threads;
   }
@@ -215,7 +215,7 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
   {
     coarse = SurfaceCoarsening(std::move(coarse), settings, number).Coarsen(itk::MedialVoxelSheetTree::Anywhere);
   }
-  CheckMemory(*coarse, remeshing.memoryBytes);
+  CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
   SurfaceReader              reader(*coarse, remeshing.progress);
   auto                       sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), size, remeshing.progress);
@@ -230,7 +230,7 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
 }
 
 std::uint64_t
-GetRemeshingBytes(const unsigned int threads)
+GetRemeshingMemory(const unsigned int threads)
 {
   return SurfaceCoarsening::GetBytes(threads);
 }

@@ -21,7 +21,7 @@ struct SurfaceRemeshing
 {
   itk::MedialVoxelElementSize size;
   std::filesystem::path       scratchFolder;    ///< of the result
-  std::uint64_t               memoryBytes{ 0 }; ///< that may be taken
+  std::uint64_t               memoryLimit{ 0 }; ///< that may be taken
   unsigned int                threads{ 1 };
   std::function<void(double)> progress; ///< called often; may throw to stop
 };
@@ -41,7 +41,7 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
 
 /** Memory that it takes at least, for a number of threads. */
 std::uint64_t
-GetRemeshingBytes(unsigned int threads);
+GetRemeshingMemory(unsigned int threads);
 
 /** \throw JobError Usage when elements are to be smaller than the voxels */
 void

@@ -15,7 +15,7 @@ namespace medialvoxel
 {
 
 /** What sorting takes of the scratch folder for a vertex, beside the two surfaces. */
-constexpr std::uint64_t ScratchBytesPerSortedVertex = sizeof(std::uint64_t);
+constexpr std::uint64_t SortedVertexSize = sizeof(std::uint64_t);
 
 /** The number of the group that a vertex belongs to. */
 using SurfaceGrouping = std::function<std::uint32_t(const SurfaceSpool::Vertex & vertex)>;

@@ -41,7 +41,7 @@ struct WorkOptions
 {
   std::string                  jobFolder;
   std::vector<ClusterRange>    clusters;    ///< empty: all
-  std::optional<std::uint64_t> memoryBytes; ///< as JobOptions; unset: as planned
+  std::optional<std::uint64_t> memoryLimit; ///< as JobOptions; unset: as planned
   std::optional<unsigned int>  threads;
   std::string                  scratchFolder; ///< empty: as planned
 };

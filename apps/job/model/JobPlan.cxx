@@ -28,12 +28,12 @@ JobPlan::GetPiece(std::uint64_t piece) const
 std::uint64_t
 JobPlan::GetEngineLimit(std::uint64_t slices) const
 {
-  if (memoryLimit == NoMemoryLimit)
+  if (memory.limit == NoMemoryLimit)
   {
     return 0;
   }
-  const std::uint64_t other = fixedBytes + this->GetResultBytes(slices);
-  return std::max<std::uint64_t>(1, (memoryLimit - std::min(memoryLimit, other)) / numberOfEngines);
+  const std::uint64_t other = memory.fixed + this->GetResults(slices);
+  return std::max<std::uint64_t>(1, (memory.limit - std::min(memory.limit, other)) / numberOfEngines);
 }
 
 std::uint64_t

@@ -38,6 +38,19 @@ struct ScratchSpace
   std::uint64_t         bytes{ 0 };
 };
 
+/** The memory of a job, in bytes. */
+struct PlannedMemory
+{
+  std::uint64_t planned{ 0 };       ///< peak of the process for walls of up to PlannedWallThickness
+  std::uint64_t limit{ 0 };         ///< that the process keeps, or fails, whatever the walls
+  std::uint64_t fixed{ 0 };         ///< what depends neither on pieces nor on windows
+  std::uint64_t perSlice{ 0 };      ///< results of the rows that are done at once
+  std::uint64_t surplus{ 0 };       ///< for what waits until a piece is done, counted in what is fixed
+  std::uint64_t surplusTakers{ 1 }; ///< that share it
+  std::uint64_t toKeep{ 0 };   ///< of chunks of the input whose further slices are needed, counted in what is fixed
+  std::uint64_t unpacked{ 0 }; ///< of the values of a compressed volume; 0: it is not compressed
+};
+
 /** How a job will be done, decided before it starts. */
 struct JobPlan
 {
@@ -49,21 +62,15 @@ struct JobPlan
   unsigned int  threads{ 1 };
   std::uint64_t slabThickness{ 0 }; ///< slices that the engines process between two pulls of input; 0: they choose
   std::uint64_t slabSlices{ 1 };    ///< the same, or what they choose
-  std::uint64_t memoryBytes{ 0 };   ///< peak of the process for walls of up to PlannedWallThickness
-  std::uint64_t memoryLimit{ 0 };   ///< that the process keeps, or fails, whatever the walls
 
-  std::uint64_t fixedBytes{ 0 };    ///< memory that depends neither on pieces nor on windows
-  std::uint64_t bytesPerSlice{ 0 }; ///< results of the rows that are done at once
-  std::uint64_t surplusBytes{ 0 };  ///< for what waits until a piece is done, counted in fixedBytes
-  std::uint64_t bytesToKeep{ 0 };   ///< of chunks of the input whose further slices are needed, counted in fixedBytes
+  PlannedMemory memory;
   bool          writesBehind{ false }; ///< a piece is written while the next one is computed: both are in memory
   bool          readsAhead{ true };    ///< a second window is prepared for the next slab
   std::uint64_t numberOfEngines{ 1 };  ///< that keep windows
 
-  ScratchSpace          growingScratch;     ///< of files that grow with the results, as planned
-  std::filesystem::path scratchFolder;      ///< of the values of a compressed volume; empty: they are in memory
-  std::uint64_t         unpackedBytes{ 0 }; ///< of these values; 0: it is not compressed
-  std::uint64_t         diskBytes{ 0 };     ///< of all outputs; with sparse outputs the most they can grow to
+  ScratchSpace          growingScratch; ///< of files that grow with the results, as planned
+  std::filesystem::path scratchFolder;  ///< of the values of a compressed volume; empty: they are in memory
+  std::uint64_t         disk{ 0 };      ///< of all outputs; with sparse outputs the most they can grow to
 
   SliceRange
   GetPiece(std::uint64_t piece) const;
@@ -81,9 +88,15 @@ struct JobPlan
 
   /** Memory of the results when pieces have so many slices. */
   std::uint64_t
-  GetResultBytes(std::uint64_t slices) const
+  GetResults(std::uint64_t slices) const
   {
-    return slices * bytesPerSlice * (writesBehind ? 2 : 1);
+    return slices * memory.perSlice * (writesBehind ? 2 : 1);
+  }
+
+  std::uint64_t
+  GetSurplusShare() const
+  {
+    return memory.surplus / memory.surplusTakers;
   }
 
   std::uint64_t

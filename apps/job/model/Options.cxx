@@ -113,7 +113,7 @@ HasOneThreshold(const JobOptions & options, const VolumeHeader & header)
 }
 
 ExtractOptions
-GetThicknessOptions(const SurfaceOptions & options)
+GetThicknessOptions(const PartOptions & options)
 {
   ExtractOptions extract;
   static_cast<JobOptions &>(extract) = options;

@@ -76,7 +76,7 @@ struct JobOptions
 
   std::string scratchFolder; ///< for a compressed volume whose values do not fit the memory; empty: none
 
-  std::optional<std::uint64_t> memoryBytes;       ///< cap on the memory; unset: half of what is free
+  std::optional<std::uint64_t> memoryLimit;       ///< cap on the memory; unset: half of what is free
   std::optional<unsigned int>  threads;           ///< 1 or more; unset: as ITK decides
   std::optional<std::uint64_t> divisions;         ///< pieces along the last axis, 1 or more; unset: chosen
   bool                         sparse{ false };   ///< blocks of zeros stay holes of the files, nothing is reserved
@@ -159,7 +159,7 @@ struct ExtractOptions : JobOptions
   std::string           meshFile;                 ///< medial surface; then the labels may be empty too
   bool                  meshTriangles{ false };   ///< split its quadrilaterals
   double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
-  std::uint64_t         smallestComponent{ 0 };   ///< quadrilaterals of pieces that stay in the mesh
+  std::uint64_t         smallestComponent{ 0 };   ///< quadrilaterals of components that stay in the mesh
   ElementSize           elementSize;              ///< of the mesh
   bool                  extendsRims{ false };     ///< of the mesh, to the free edges; not with ElementSize::Kind::Voxel
   ThicknessPlace        thicknessPlace{ ThicknessPlace::Sections }; ///< of a mesh for solvers
@@ -176,7 +176,7 @@ struct DistanceOptions : JobOptions
 };
 
 /** The surface of a part, with its thickness. */
-struct SurfaceOptions : JobOptions
+struct PartOptions : JobOptions
 {
   std::string                  output; ///< triangles
   LocalThicknessMethod         localThicknessMethod{ LocalThicknessMethod::Wall };
@@ -189,7 +189,7 @@ struct SurfaceOptions : JobOptions
 
 /** The extraction that maps the local thickness of the part. */
 ExtractOptions
-GetThicknessOptions(const SurfaceOptions & options);
+GetThicknessOptions(const PartOptions & options);
 
 
 /** Whether places with too thin or too thick walls are listed. */

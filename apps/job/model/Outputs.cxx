@@ -14,69 +14,31 @@ namespace medialvoxel
 namespace
 {
 
-using ExtractKind = OutputKind<ExtractOptions>;
-using DistanceKind = OutputKind<DistanceOptions>;
-using SurfaceKind = OutputKind<SurfaceOptions>;
+using Result = itk::MedialVoxelTileResult;
 
-VoxelLayout
-GetLabelLayout(const VolumeHeader &)
+/** Writes values that a method of the result gives. */
+template <void (Result::*VWrite)(float *, const itk::MedialVoxelStrides &) const>
+void
+Write(const Result & tile, const TileTarget & target)
 {
-  return LabelLayout;
+  (tile.*VWrite)(static_cast<float *>(target.first), target.strides);
 }
 
 void
-WriteLabels(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+WriteLabels(const Result & tile, const TileTarget & target)
 {
   tile.WriteLabels(static_cast<std::uint8_t *>(target.first), target.strides);
 }
 
-/** What the values of the input are. */
-VoxelLayout
-GetObjectLayout(const VolumeHeader & input)
-{
-  const VolumeHeader & stored = input.GetStored();
-  return { stored.GetValueType(), 1 };
-}
-
-VoxelLayout
-GetThicknessLayout(const VolumeHeader &)
-{
-  return ThicknessLayout;
-}
-
 void
-WriteThickness(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
-{
-  tile.WriteThickness(static_cast<float *>(target.first), target.strides);
-}
-
-void
-WriteUncertainty(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
-{
-  tile.WriteUncertainty(static_cast<float *>(target.first), target.strides);
-}
-
-void
-WriteLocalThickness(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
-{
-  tile.WriteLocalThickness(static_cast<float *>(target.first), target.strides);
-}
-
-VoxelLayout
-GetDistanceLayout(const VolumeHeader &)
-{
-  return DistanceLayout;
-}
-
-void
-WriteDistances(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+WriteDistances(const Result & tile, const TileTarget & target)
 {
   tile.WriteDistances({ target.spacing }, static_cast<float *>(target.first), target.strides);
 }
 
 template <unsigned int VDimension>
 void
-WriteVectorsOf(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+WriteVectorsOf(const Result & tile, const TileTarget & target)
 {
   using WriterType = itk::MedialVoxelDisplacementWriter<VDimension, float>;
   typename WriterType::MatrixType matrix{};
@@ -93,116 +55,56 @@ WriteVectorsOf(const itk::MedialVoxelTileResult & tile, const TileTarget & targe
 }
 
 void
-WriteVectors(const itk::MedialVoxelTileResult & tile, const TileTarget & target)
+WriteVectors(const Result & tile, const TileTarget & target)
 {
   target.geometry.GetDimension() == 2 ? WriteVectorsOf<2>(tile, target) : WriteVectorsOf<3>(tile, target);
 }
 
-constexpr VolumeFiller Extraction = VolumeFiller::Extraction;
-constexpr VolumeFiller Distance = VolumeFiller::Distance;
-
-constexpr VolumeKind Labels{ WriteLabels, Extraction, true, GetLabelLayout };
-constexpr VolumeKind Thicknesses{ WriteThickness, Extraction, true, GetThicknessLayout, true };
-constexpr VolumeKind Uncertainties{ WriteUncertainty, Extraction, true, GetThicknessLayout, true };
-constexpr VolumeKind Distances{ WriteDistances, Distance, false, GetDistanceLayout };
-
-constexpr VolumeKind LocalThicknesses{ WriteLocalThickness, VolumeFiller::LocalThickness, false, GetThicknessLayout };
-
-constexpr VolumeKind Objects{ nullptr, VolumeFiller::Objects, true, GetObjectLayout };
-
-constexpr VolumeKind
-MakeVectors(VolumeFiller filler)
+template <const VoxelLayout & VLayout>
+VoxelLayout
+GetLayout(const VolumeHeader &)
 {
-  return { WriteVectors, filler, false, GetVectorLayout };
+  return VLayout;
 }
+
+/** What the values of the input are. */
+VoxelLayout
+GetObjectLayout(const VolumeHeader & input)
+{
+  return { input.GetStored().GetValueType(), 1 };
+}
+
+// A task, of cells or voxels, the layout, and whether walls are measured for it.
+using Filler = VolumeFiller;
+constexpr VolumeKind Labels{ WriteLabels, Filler::Extraction, true, GetLayout<LabelLayout> };
+constexpr VolumeKind Objects{ nullptr, Filler::Objects, true, GetObjectLayout };
+constexpr VolumeKind CellVectors{ WriteVectors, Filler::Extraction, false, GetVectorLayout };
+constexpr VolumeKind Vectors{ WriteVectors, Filler::Distance, false, GetVectorLayout };
+constexpr VolumeKind Distances{ WriteDistances, Filler::Distance, false, GetLayout<DistanceLayout> };
+constexpr VolumeKind Thicknesses{ Write<&Result::WriteThickness>,
+                                  Filler::Extraction,
+                                  true,
+                                  GetLayout<ThicknessLayout>,
+                                  true };
+constexpr VolumeKind Uncertainties{ Write<&Result::WriteUncertainty>,
+                                    Filler::Extraction,
+                                    true,
+                                    GetLayout<ThicknessLayout>,
+                                    true };
+constexpr VolumeKind LocalThicknesses{ Write<&Result::WriteLocalThickness>,
+                                       Filler::LocalThickness,
+                                       false,
+                                       GetLayout<ThicknessLayout> };
+
+constexpr JobRefusal NoObjects{ "a map of objects", "run medialvoxel extract" };
+constexpr JobRefusal NoMesh{ "a mesh, which joins what lies in all clusters,", "run medialvoxel mesh for it" };
+constexpr JobRefusal NoParameters{ "return parameters", "use the report" };
 
 template <typename TOptions>
 OutputKind<TOptions>
 MakeReportKind()
 {
-  OutputKind<TOptions> kind{ "report", &TOptions::reportFile, "report" };
-  kind.mayBeStandardOutput = true;
-  return kind;
-}
-
-ExtractKind
-MakeFileKind(const char * role,
-             std::string ExtractOptions::* option,
-             std::vector<std::string>      extensions,
-             const char *                  name)
-{
-  return { role, option, role, std::nullopt, std::move(extensions), name };
-}
-
-/** Of volumes that a job of several processes does not make. */
-ExtractKind
-MakeObjectKind()
-{
-  ExtractKind kind{ "objects", &ExtractOptions::objectFile, nullptr, Objects };
-  kind.refusal = { "a map of objects", "run medialvoxel extract" };
-  return kind;
-}
-
-/** Of what a job of several processes does not make. */
-ExtractKind
-MakeRefusedKind(const char * role, std::string ExtractOptions::* option, const JobRefusal & refusal)
-{
-  ExtractKind kind{ role, option };
-  kind.refusal = refusal;
-  return kind;
-}
-
-template <typename TOptions>
-std::vector<OutputRequest>
-ListWanted(const TOptions & options, const VolumeHeader & input)
-{
-  std::vector<OutputRequest> outputs;
-  for (const OutputKind<TOptions> & kind : ListOutputKinds(options))
-  {
-    const std::string fileName = kind.GetFileName(options);
-    if (!fileName.empty())
-    {
-      outputs.push_back({ kind.role,
-                          fileName,
-                          kind.volume ? std::optional<VoxelLayout>(kind.volume->getLayout(input)) : std::nullopt });
-    }
-  }
-  return outputs;
-}
-
-template <typename TOptions>
-std::vector<VolumeRequest>
-ListWantedVolumes(const TOptions & options, const VolumeHeader & input)
-{
-  std::vector<VolumeRequest> volumes;
-  for (const OutputKind<TOptions> & kind : ListOutputKinds(options))
-  {
-    if (kind.volume && !(options.*kind.option).empty())
-    {
-      volumes.push_back({ kind.role,
-                          options.*kind.option,
-                          kind.volume->isOfCells ? GetCellGeometry(input.geometry) : input.geometry,
-                          kind.volume->getLayout(input),
-                          kind.volume->write,
-                          kind.volume->filler });
-    }
-  }
-  return volumes;
-}
-
-template <typename TOptions>
-std::vector<std::string>
-ListWantedVolumeNames(const TOptions & options)
-{
-  std::vector<std::string> names;
-  for (const OutputKind<TOptions> & kind : ListOutputKinds(options))
-  {
-    if (kind.volume && !(options.*kind.option).empty())
-    {
-      names.push_back(options.*kind.option);
-    }
-  }
-  return names;
+  return { "report", &TOptions::reportFile, {}, {}, {}, nullptr, true };
 }
 
 } // namespace
@@ -210,24 +112,22 @@ ListWantedVolumeNames(const TOptions & options)
 const std::vector<OutputKind<ExtractOptions>> &
 ListOutputKinds(const ExtractOptions &)
 {
-  static const std::vector<ExtractKind> kinds{
-    { "labels", &ExtractOptions::output, "output", Labels },
-    MakeObjectKind(),
-    { "vectors", &ExtractOptions::vectorFile, "vectors", MakeVectors(Extraction) },
-    { "distance", &ExtractOptions::distanceFile, "distance", Distances },
-    { "thickness_map", &ExtractOptions::thicknessFile, "thickness_map", Thicknesses },
-    { "uncertainty_map", &ExtractOptions::uncertaintyFile, "uncertainty_map", Uncertainties },
-    { "local_thickness", &ExtractOptions::localThicknessFile, "local_thickness", LocalThicknesses },
-    MakeFileKind("thickness_csv", &ExtractOptions::thicknessCsvFile, { ".csv" }, "histogram"),
-    MakeFileKind("places", &ExtractOptions::placesFile, { ".csv" }, "list of places"),
-    MakeRefusedKind("mesh",
-                    &ExtractOptions::meshFile,
-                    { "a mesh, which joins what lies in all clusters,", "run medialvoxel mesh for it" }),
-    MakeFileKind("preview", &ExtractOptions::previewFile, { ".png" }, "preview"),
-    MakeFileKind("html", &ExtractOptions::htmlFile, { ".html", ".htm" }, "page"),
-    MakeReportKind<ExtractOptions>(),
-    MakeRefusedKind(
-      "return_parameters", &ExtractOptions::returnParameterFile, { "return parameters", "use the report" }),
+  using Options = ExtractOptions;
+  static const std::vector<OutputKind<Options>> kinds{
+    { "labels", &Options::output, Labels },
+    { "objects", &Options::objectFile, Objects, NoObjects },
+    { "vectors", &Options::vectorFile, CellVectors },
+    { "distance", &Options::distanceFile, Distances },
+    { "thickness_map", &Options::thicknessFile, Thicknesses },
+    { "uncertainty_map", &Options::uncertaintyFile, Uncertainties },
+    { "local_thickness", &Options::localThicknessFile, LocalThicknesses },
+    { "thickness_csv", &Options::thicknessCsvFile, {}, {}, { ".csv" }, "histogram" },
+    { "places", &Options::placesFile, {}, {}, { ".csv" }, "list of places" },
+    { "mesh", &Options::meshFile, {}, NoMesh },
+    { "preview", &Options::previewFile, {}, {}, { ".png" }, "preview" },
+    { "html", &Options::htmlFile, {}, {}, { ".html", ".htm" }, "page" },
+    MakeReportKind<Options>(),
+    { "return_parameters", &Options::returnParameterFile, {}, NoParameters },
   };
   return kinds;
 }
@@ -235,85 +135,37 @@ ListOutputKinds(const ExtractOptions &)
 const std::vector<OutputKind<DistanceOptions>> &
 ListOutputKinds(const DistanceOptions &)
 {
-  static const std::vector<DistanceKind> kinds{
-    { "vectors", &DistanceOptions::output, nullptr, MakeVectors(Distance) },
-    { "distance", &DistanceOptions::distanceFile, nullptr, Distances },
+  static const std::vector<OutputKind<DistanceOptions>> kinds{
+    { "vectors", &DistanceOptions::output, Vectors },
+    { "distance", &DistanceOptions::distanceFile, Distances },
     MakeReportKind<DistanceOptions>(),
   };
   return kinds;
 }
 
-const std::vector<OutputKind<SurfaceOptions>> &
-ListOutputKinds(const SurfaceOptions &)
+const std::vector<OutputKind<PartOptions>> &
+ListOutputKinds(const PartOptions &)
 {
-  static const std::vector<SurfaceKind> kinds{
-    { "surface", &SurfaceOptions::output },
-    MakeReportKind<SurfaceOptions>(),
+  static const std::vector<OutputKind<PartOptions>> kinds{
+    { "surface", &PartOptions::output },
+    MakeReportKind<PartOptions>(),
   };
   return kinds;
-}
-
-std::vector<OutputRequest>
-ListOutputs(const ExtractOptions & options, const VolumeHeader & input)
-{
-  return ListWanted(options, input);
-}
-
-std::vector<OutputRequest>
-ListOutputs(const DistanceOptions & options, const VolumeHeader & input)
-{
-  return ListWanted(options, input);
-}
-
-std::vector<OutputRequest>
-ListOutputs(const SurfaceOptions & options, const VolumeHeader & input)
-{
-  return ListWanted(options, input);
-}
-
-std::vector<VolumeRequest>
-ListVolumes(const ExtractOptions & options, const VolumeHeader & input)
-{
-  return ListWantedVolumes(options, input);
-}
-
-std::vector<VolumeRequest>
-ListVolumes(const DistanceOptions & options, const VolumeHeader & input)
-{
-  return ListWantedVolumes(options, input);
-}
-
-std::vector<VolumeRequest>
-ListVolumes(const SurfaceOptions & options, const VolumeHeader & input)
-{
-  return ListWantedVolumes(options, input);
 }
 
 bool
 MeasuresWalls(const ExtractOptions & options)
 {
   const auto & kinds = ListOutputKinds(options);
-  return ListsPlaces(options) || std::any_of(kinds.begin(), kinds.end(), [&options](const ExtractKind & kind) {
+  return ListsPlaces(options) || std::any_of(kinds.begin(), kinds.end(), [&options](const auto & kind) {
            return kind.volume && kind.volume->measuresWalls && !(options.*kind.option).empty();
          });
-}
-
-std::vector<std::string>
-ListVolumeNames(const ExtractOptions & options)
-{
-  return ListWantedVolumeNames(options);
-}
-
-std::vector<std::string>
-ListVolumeNames(const DistanceOptions & options)
-{
-  return ListWantedVolumeNames(options);
 }
 
 void
 CheckExtensions(const ExtractOptions & options)
 {
-  for (const ExtractKind & kind : ListOutputKinds(options))
+  for (const auto & kind : ListOutputKinds(options))
   {
     const std::string fileName = kind.GetFileName(options);
     const std::string extension = ToLower(std::filesystem::path(fileName).extension().string());

@@ -35,15 +35,13 @@ struct JobRefusal
 template <typename TOptions>
 struct OutputKind
 {
-  const char * role;                              ///< in messages, plans, reports and the records of a job
-  std::string TOptions::*   option;               ///< its file name
-  const char *              parameter{ nullptr }; ///< name of the option in the manifest of a job; null: not there
-  std::optional<VolumeKind> volume{};             ///< of volumes
-
+  const char * role;                                      ///< in messages, plans, reports and the records of a job
+  std::string TOptions::*   option;                       ///< its file name
+  std::optional<VolumeKind> volume{};                     ///< of volumes
+  std::optional<JobRefusal> refusal{};                    ///< set: no job of several processes makes it
   std::vector<std::string>  extensions{};                 ///< of others; none: any, or those of the mesh formats
   const char *              name{ nullptr };              ///< in the message on another extension
   bool                      mayBeStandardOutput{ false }; ///< then there is no file
-  std::optional<JobRefusal> refusal{};
 
   /** Empty when it is not wanted. */
   std::string
@@ -59,34 +57,70 @@ const std::vector<OutputKind<ExtractOptions>> &
 ListOutputKinds(const ExtractOptions &);
 const std::vector<OutputKind<DistanceOptions>> &
 ListOutputKinds(const DistanceOptions &);
-const std::vector<OutputKind<SurfaceOptions>> &
-ListOutputKinds(const SurfaceOptions &);
+const std::vector<OutputKind<PartOptions>> &
+ListOutputKinds(const PartOptions &);
 
 /** The outputs that are wanted. */
+template <typename TOptions>
 std::vector<OutputRequest>
-ListOutputs(const ExtractOptions & options, const VolumeHeader & input);
-std::vector<OutputRequest>
-ListOutputs(const DistanceOptions & options, const VolumeHeader & input);
-std::vector<OutputRequest>
-ListOutputs(const SurfaceOptions & options, const VolumeHeader & input);
+ListOutputs(const TOptions & options, const VolumeHeader & input)
+{
+  std::vector<OutputRequest> outputs;
+  for (const auto & kind : ListOutputKinds(options))
+  {
+    if (const std::string fileName = kind.GetFileName(options); !fileName.empty())
+    {
+      outputs.push_back({ kind.role, fileName, std::nullopt });
+      if (kind.volume)
+      {
+        outputs.back().layout = kind.volume->getLayout(input);
+      }
+    }
+  }
+  return outputs;
+}
 
 /** The volumes among them. */
+template <typename TOptions>
 std::vector<VolumeRequest>
-ListVolumes(const ExtractOptions & options, const VolumeHeader & input);
-std::vector<VolumeRequest>
-ListVolumes(const DistanceOptions & options, const VolumeHeader & input);
-std::vector<VolumeRequest>
-ListVolumes(const SurfaceOptions & options, const VolumeHeader & input);
+ListVolumes(const TOptions & options, const VolumeHeader & input)
+{
+  std::vector<VolumeRequest> volumes;
+  for (const auto & kind : ListOutputKinds(options))
+  {
+    if (kind.volume && !(options.*kind.option).empty())
+    {
+      const VolumeGeometry geometry = kind.volume->isOfCells ? GetCellGeometry(input.geometry) : input.geometry;
+      volumes.push_back({ kind.role,
+                          options.*kind.option,
+                          geometry,
+                          kind.volume->getLayout(input),
+                          kind.volume->write,
+                          kind.volume->filler });
+    }
+  }
+  return volumes;
+}
+
+/** Their names, as they were given. */
+template <typename TOptions>
+std::vector<std::string>
+ListVolumeNames(const TOptions & options)
+{
+  std::vector<std::string> names;
+  for (const auto & kind : ListOutputKinds(options))
+  {
+    if (kind.volume && !(options.*kind.option).empty())
+    {
+      names.push_back(options.*kind.option);
+    }
+  }
+  return names;
+}
 
 /** Whether one of the volumes or the list of places shows measures of walls. */
 bool
 MeasuresWalls(const ExtractOptions & options);
-
-/** Names of the volumes that the options ask for, as they were given. */
-std::vector<std::string>
-ListVolumeNames(const ExtractOptions & options);
-std::vector<std::string>
-ListVolumeNames(const DistanceOptions & options);
 
 /** \throw JobError Usage when a file has a name that does not say what will be in it; of volumes and meshes, their
  * formats do. */

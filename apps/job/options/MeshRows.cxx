@@ -146,14 +146,14 @@ AddElements(std::vector<OptionRow> & rows)
 void
 AddPart(std::vector<OptionRow> & rows)
 {
-  AddRow(rows, "OUTPUT", "FILE", File(&SurfaceOptions::output))
+  AddRow(rows, "OUTPUT", "FILE", File(&PartOptions::output))
     .Of(Surface)
     .Help("Triangles: " + JoinExtensions(ListPartExtensions()));
-  AddRow(rows, "--open", "", Flag(&SurfaceOptions::isOpen))
+  AddRow(rows, "--open", "", Flag(&PartOptions::isOpen))
     .Of(Surface)
     .Help("Leave it open where the volume cuts the part",
           "Otherwise it is closed half a voxel beyond the last voxels.");
-  AddRow(rows, "--sub-voxel", "", Flag(&SurfaceOptions::subVoxel))
+  AddRow(rows, "--sub-voxel", "", Flag(&PartOptions::subVoxel))
     .Of(Surface)
     .Help(
       "Place and measure it by gray values; =off: not",

@@ -207,7 +207,7 @@ CheckOptions(const ExtractOptions & options)
 }
 
 void
-CheckOptions(const SurfaceOptions & options)
+CheckOptions(const PartOptions & options)
 {
   CheckOptions(GetThicknessOptions(options));
 }

@@ -14,7 +14,7 @@ CheckOptions(const ExtractOptions & options);
 void
 CheckOptions(const DistanceOptions & options);
 void
-CheckOptions(const SurfaceOptions & options);
+CheckOptions(const PartOptions & options);
 void
 CheckOptions(const JobOptions & options);
 void

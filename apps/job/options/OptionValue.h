@@ -24,7 +24,7 @@ namespace medialvoxel
 /** The structures that the options of a command fill; null: it has none of this type. */
 using OptionTarget = std::tuple<JobOptions *,
                                 ExtractOptions *,
-                                SurfaceOptions *,
+                                PartOptions *,
                                 DistanceOptions *,
                                 PlanOptions *,
                                 WorkOptions *,

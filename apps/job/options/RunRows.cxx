@@ -123,7 +123,7 @@ AddResources(std::vector<OptionRow> & rows)
   AddRow(rows,
          "--memory",
          "SIZE",
-         Value(&JobOptions::memoryBytes, ToByteSize, [](std::uint64_t bytes) { return std::to_string(bytes); }))
+         Value(&JobOptions::memoryLimit, ToByteSize, [](std::uint64_t bytes) { return std::to_string(bytes); }))
     .Of(Runs | Work, Group)
     .Help(
       "Limit, such as 2G (default: half of the free memory)",

@@ -85,7 +85,7 @@ AddLocalThickness(std::vector<OptionRow> & rows)
       "comparison with other programs.")
     .Needs("--local-thickness", HasLocalThickness)
     .Slicer({ Outputs, "localThicknessMethod", "Local thickness method", "" });
-  AddRow(rows, "--local-thickness-method", "KIND", Method(&SurfaceOptions::localThicknessMethod))
+  AddRow(rows, "--local-thickness-method", "KIND", Method(&PartOptions::localThicknessMethod))
     .Of(Surface, Walls)
     .Help(
       methodHelp,
@@ -99,17 +99,17 @@ AddLocalThickness(std::vector<OptionRow> & rows)
     .OfJobs(Extractions, Walls)
     .Help(ballHelp, most + "Larger balls are cut to it. Time and memory grow with it.")
     .Slicer({ Outputs, "largestBall", "Largest ball", "" });
-  AddRow(rows, "--largest-ball", "T", Length(&SurfaceOptions::largestBall))
+  AddRow(rows, "--largest-ball", "T", Length(&PartOptions::largestBall))
     .Of(Surface, Walls)
     .Help(ballHelp, most + "Larger balls are cut to it, and longer rays have no answer. Time and memory grow with it.")
     .Python(Surface);
-  AddRow(rows, "--max-pore-size", "K", Count(&SurfaceOptions::maximumPoreSize, 0, LargestPoreSize))
+  AddRow(rows, "--max-pore-size", "K", Count(&PartOptions::maximumPoreSize, 0, LargestPoreSize))
     .Of(Surface, Walls)
     .Help("Largest pore or grain left out of it (default: " +
             std::to_string(itk::MedialVoxelParameters::DefaultMaximumPoreSize) + ")",
           "In voxels, from 0 to " + std::to_string(LargestPoreSize) +
             ". Pores and grains of up to this size stay in the surface; 0 measures beside them.");
-  AddRow(rows, "--ray", "", Flag(&SurfaceOptions::measuresRays))
+  AddRow(rows, "--ray", "", Flag(&PartOptions::measuresRays))
     .Of(Surface, Walls)
     .Help("Thickness by rays too",
           "A second number of each vertex, ray_thickness: the way through the part along the smoothed gradient to the "

@@ -5,53 +5,46 @@
 #include "SealedJson.h"
 
 #include <stdexcept>
+#include <type_traits>
 
 namespace medialvoxel
 {
 namespace
 {
 
-Json
-SumsToJson(const itk::MedialVoxelSums & sums)
+/** Calls use(json, name, number) for all numbers of a marker but the checksums. */
+template <typename TMarker, typename TUse>
+void
+ForEachNumber(Json & json, TMarker & marker, TUse && use)
 {
-  Json json;
+  auto & sums = marker.sums;
   for (const NamedCount & count : NamedCounts)
   {
-    json[count.name] = sums.counts.*count.member;
+    use(json["counts"], count.name, sums.counts.*count.member);
   }
-  json["recomputed_voxels"] = sums.recomputedVoxels;
-  json["voxels_at_maximum"] = sums.voxelsAtMaximum;
-  json["voxels_without_wall"] = sums.voxelsWithoutWall;
-  json["local_thickness"] = { { "voxels", sums.localThickness.voxels },
-                              { "lengths", sums.localThickness.lengths },
-                              { "low_squares", sums.localThickness.lowSquares },
-                              { "high_squares", sums.localThickness.highSquares },
-                              { "largest", sums.localThickness.largest } };
-  return json;
-}
-
-itk::MedialVoxelSums
-SumsFromJson(const Json & json)
-{
-  itk::MedialVoxelSums sums;
-  for (const NamedCount & count : NamedCounts)
-  {
-    ReadWhole(json.at(count.name), sums.counts.*count.member);
-  }
-  ReadWhole(json.at("recomputed_voxels"), sums.recomputedVoxels);
-  ReadWhole(json.at("voxels_at_maximum"), sums.voxelsAtMaximum);
-  ReadWhole(json.at("voxels_without_wall"), sums.voxelsWithoutWall);
-  const Json & localThickness = json.at("local_thickness");
-  ReadWhole(localThickness.at("voxels"), sums.localThickness.voxels);
-  ReadWhole(localThickness.at("lengths"), sums.localThickness.lengths);
-  ReadWhole(localThickness.at("low_squares"), sums.localThickness.lowSquares);
-  ReadWhole(localThickness.at("high_squares"), sums.localThickness.highSquares);
-  localThickness.at("largest").get_to(sums.localThickness.largest);
-  return sums;
+  use(json["counts"], "recomputed_voxels", sums.recomputedVoxels);
+  use(json["counts"], "voxels_at_maximum", sums.voxelsAtMaximum);
+  use(json["counts"], "voxels_without_wall", sums.voxelsWithoutWall);
+  use(json["counts"]["local_thickness"], "voxels", sums.localThickness.voxels);
+  use(json["counts"]["local_thickness"], "lengths", sums.localThickness.lengths);
+  use(json["counts"]["local_thickness"], "low_squares", sums.localThickness.lowSquares);
+  use(json["counts"]["local_thickness"], "high_squares", sums.localThickness.highSquares);
+  use(json["counts"]["local_thickness"], "largest", sums.localThickness.largest);
+  use(json["seconds"], "distance", marker.seconds.distance);
+  use(json["seconds"], "classification", marker.seconds.classification);
+  use(json["seconds"], "tiles", marker.seconds.tiles);
+  use(json["seconds"], "threads", sums.threadSeconds);
+  use(json["seconds"], "input_output", marker.seconds.inputOutput);
+  use(json["seconds"], "total", marker.seconds.total);
+  use(json, "bytes_read", marker.bytesRead);
+  use(json, "peak_memory_bytes", marker.peakMemoryBytes);
+  use(json, "planned_peak_bytes", marker.plannedMemory);
+  use(json, "memory_limit_bytes", marker.memoryLimit);
+  use(json, "threads", marker.threads);
 }
 
 ClusterMarker
-FromJson(const Json & json)
+FromJson(Json json)
 {
   ClusterMarker marker;
   for (const auto & [role, checksum] : json.at("checksums").get<std::map<std::string, Json>>())
@@ -59,19 +52,16 @@ FromJson(const Json & json)
     ReadWhole(checksum, marker.checksums[role]);
   }
   ReadWhole(json.at("survey"), marker.survey);
-  marker.sums = SumsFromJson(json.at("counts"));
-  const Json & seconds = json.at("seconds");
-  seconds.at("distance").get_to(marker.seconds.distance);
-  seconds.at("classification").get_to(marker.seconds.classification);
-  seconds.at("tiles").get_to(marker.seconds.tiles);
-  seconds.at("threads").get_to(marker.sums.threadSeconds);
-  seconds.at("input_output").get_to(marker.seconds.inputOutput);
-  seconds.at("total").get_to(marker.seconds.total);
-  ReadWhole(json.at("bytes_read"), marker.bytesRead);
-  ReadWhole(json.at("peak_memory_bytes"), marker.peakMemoryBytes);
-  ReadWhole(json.at("planned_peak_bytes"), marker.plannedMemoryBytes);
-  ReadWhole(json.at("memory_limit_bytes"), marker.memoryLimit);
-  ReadWhole(json.at("threads"), marker.threads);
+  ForEachNumber(json, marker, [](const Json & section, const char * name, auto & number) {
+    if constexpr (std::is_floating_point_v<std::remove_reference_t<decltype(number)>>)
+    {
+      section.at(name).get_to(number);
+    }
+    else
+    {
+      ReadWhole(section.at(name), number);
+    }
+  });
   return marker;
 }
 
@@ -90,18 +80,7 @@ WriteMarker(const std::filesystem::path & fileName,
   json["slices"] = { slices.begin, slices.end };
   json["checksums"] = marker.checksums;
   json["survey"] = marker.survey ? Json(*marker.survey) : Json(nullptr);
-  json["counts"] = SumsToJson(marker.sums);
-  json["seconds"] = { { "distance", marker.seconds.distance },
-                      { "classification", marker.seconds.classification },
-                      { "tiles", marker.seconds.tiles },
-                      { "threads", marker.sums.threadSeconds },
-                      { "input_output", marker.seconds.inputOutput },
-                      { "total", marker.seconds.total } };
-  json["bytes_read"] = marker.bytesRead;
-  json["peak_memory_bytes"] = marker.peakMemoryBytes;
-  json["planned_peak_bytes"] = marker.plannedMemoryBytes;
-  json["memory_limit_bytes"] = marker.memoryLimit;
-  json["threads"] = marker.threads;
+  ForEachNumber(json, marker, [](Json & section, const char * name, const auto & number) { section[name] = number; });
   WriteSealed(fileName, json);
 }
 

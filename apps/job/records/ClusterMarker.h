@@ -24,7 +24,7 @@ struct ClusterMarker
   JobSeconds                           seconds;
   std::uint64_t                        bytesRead{ 0 };
   std::uint64_t                        peakMemoryBytes{ 0 };
-  std::uint64_t                        plannedMemoryBytes{ 0 };
+  std::uint64_t                        plannedMemory{ 0 };
   std::uint64_t                        memoryLimit{ 0 };
   unsigned int                         threads{ 0 };
 };

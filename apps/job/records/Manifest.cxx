@@ -19,7 +19,7 @@ namespace
 {
 
 /** To be raised with every change of what the files of a job mean. */
-constexpr int ManifestFormat = 12;
+constexpr int ManifestFormat = 13;
 
 /** Calls use(row) for the options that a job keeps in this way. */
 template <typename TUse>
@@ -114,7 +114,7 @@ FromJson(const Json & json)
   manifest.input = InputFromJson(json.at("input"));
   ReadWhole(json.at("clusters").at("slices"), manifest.numberOfSlices);
   ReadWhole(json.at("clusters").at("number"), manifest.numberOfClusters);
-  ReadWhole(json.at("clusters").at("bytes_per_slice"), manifest.bytesPerSlice);
+  ReadWhole(json.at("clusters").at("bytes_per_slice"), manifest.perSlice);
   manifest.options.divisions = manifest.numberOfClusters;
   ReadWhole(json.at("clusters").at("slice_unit"), manifest.sliceUnit);
   const bool isId =
@@ -182,7 +182,7 @@ WriteManifest(const std::filesystem::path & fileName, const Manifest & manifest)
   json["clusters"] = { { "number", manifest.numberOfClusters },
                        { "slices", manifest.numberOfSlices },
                        { "slice_unit", manifest.sliceUnit },
-                       { "bytes_per_slice", manifest.bytesPerSlice } };
+                       { "bytes_per_slice", manifest.perSlice } };
   WriteSealed(fileName, json);
 }
 
@@ -252,7 +252,7 @@ WithAbsoluteNames(ExtractOptions options, const std::filesystem::path & folder)
   makeAbsolute(options.input);
   for (const auto & kind : ListOutputKinds(options))
   {
-    if (kind.parameter && !kind.GetFileName(options).empty())
+    if (!kind.refusal && !kind.GetFileName(options).empty())
     {
       makeAbsolute(options.*kind.option);
     }

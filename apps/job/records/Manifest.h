@@ -29,8 +29,8 @@ struct Manifest
 
   std::uint64_t numberOfSlices{ 0 };
   std::uint64_t numberOfClusters{ 0 };
-  std::uint64_t sliceUnit{ 1 };     ///< clusters, but the last one, have a multiple of it: a layer of chunks
-  std::uint64_t bytesPerSlice{ 0 }; ///< of all volumes that are written
+  std::uint64_t sliceUnit{ 1 }; ///< clusters, but the last one, have a multiple of it: a layer of chunks
+  std::uint64_t perSlice{ 0 };  ///< of all volumes that are written
 
   SliceRange
   GetCluster(std::uint64_t cluster) const;

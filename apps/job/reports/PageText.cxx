@@ -107,7 +107,7 @@ GetPageFile(std::string_view name)
 }
 
 std::uint64_t
-GetPageFileBytes()
+GetPageFileSize()
 {
   return std::accumulate(PageFiles.begin(),
                          PageFiles.end(),

@@ -31,7 +31,7 @@ GetPageFile(std::string_view name);
 
 /** Bytes of all files in the program. */
 std::uint64_t
-GetPageFileBytes();
+GetPageFileSize();
 
 } // end namespace medialvoxel
 

@@ -21,7 +21,7 @@ constexpr const char * Controls = "OrbitControls.js";
 constexpr const char * License = "license";
 
 /** Of a point: how far it is from the one before, three places in its block, its thickness. */
-constexpr std::uint64_t MostBytesPerPoint = 5 + 3 + 5;
+constexpr std::uint64_t LongestPoint = 5 + 3 + 5;
 
 enum PointCode : std::uint64_t
 {
@@ -141,7 +141,7 @@ AddData(std::string & page, const char * name, const std::string & text)
 
 /** Bytes of a text in base 64. */
 constexpr std::uint64_t
-GetEncodedBytes(std::uint64_t bytes)
+GetEncodedSize(std::uint64_t bytes)
 {
   return (bytes + 2) / 3 * 4;
 }
@@ -175,12 +175,12 @@ AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry
 }
 
 std::uint64_t
-GetPageViewBytes(const VolumeGeometry & geometry)
+GetPageViewMemory(const VolumeGeometry & geometry)
 {
   // Text of the points, and the page twice while it grows.
   constexpr std::uint64_t copies = 3;
   const std::uint64_t     points = std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());
-  return copies * (GetEncodedBytes(MostBytesPerPoint * points) + GetPageFileBytes());
+  return copies * (GetEncodedSize(LongestPoint * points) + GetPageFileSize());
 }
 
 } // end namespace medialvoxel

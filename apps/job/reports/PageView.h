@@ -39,7 +39,7 @@ AddPageScripts(std::string & page, const PageSheet & shown, const VolumeGeometry
 
 /** Memory of the text, also while the page grows. */
 std::uint64_t
-GetPageViewBytes(const VolumeGeometry & geometry);
+GetPageViewMemory(const VolumeGeometry & geometry);
 
 } // end namespace medialvoxel
 

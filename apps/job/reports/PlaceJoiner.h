@@ -22,11 +22,11 @@ class PlaceJoiner
 {
 public:
   /** Bytes of a cell of a region while it is added, at most. */
-  static constexpr std::uint64_t BytesPerCell = 128;
+  static constexpr std::uint64_t CellSize = 128;
 
   /** Bytes of a cell that is kept, and of a place that is, while a region is added. */
-  static constexpr std::uint64_t BytesPerOpenCell = 64;
-  static constexpr std::uint64_t BytesPerOpenPlace = 3 * sizeof(PlaceSums);
+  static constexpr std::uint64_t OpenCellSize = 64;
+  static constexpr std::uint64_t OpenPlaceSize = 3 * sizeof(PlaceSums);
 
   PlaceJoiner(const PlaceRule & rule, const PlaceGrid & grid);
 
@@ -42,9 +42,9 @@ public:
 
   /** Of what is kept, while a region is added. */
   std::uint64_t
-  GetOpenBytes() const
+  GetOpenMemory() const
   {
-    return m_OpenCells.size() * BytesPerOpenCell + m_OpenPlaces.size() * BytesPerOpenPlace;
+    return m_OpenCells.size() * OpenCellSize + m_OpenPlaces.size() * OpenPlaceSize;
   }
 
   void

@@ -28,11 +28,11 @@ GetLengthUnit(const itk::MedialVoxelGrid & grid, unsigned int dimension)
 
 /** Of cells of a slice that are planned for: they are new, or of two slices that are open. */
 std::uint64_t
-GetPlannedCellBytes(const VolumeGeometry & geometry)
+GetPlannedCellMemory(const VolumeGeometry & geometry)
 {
   constexpr std::uint64_t least = 1024;
   const std::uint64_t     cells = least + geometry.GetVoxelsPerSlice() / VoxelsPerOpenCell;
-  return cells * (PlaceJoiner::BytesPerCell + 2 * PlaceJoiner::BytesPerOpenCell);
+  return cells * (PlaceJoiner::CellSize + 2 * PlaceJoiner::OpenCellSize);
 }
 
 /** Places of a kind that are listed, at most: no two of them touch. */
@@ -69,11 +69,11 @@ PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
                          const itk::MedialVoxelGrid & grid,
                          const PlaceSettings &        settings,
                          double                       areaUnit,
-                         std::uint64_t                surplusBytes)
+                         std::uint64_t                surplus)
   : m_Geometry(geometry)
   , m_Grid(grid.GetSize(), geometry.GetDimension())
   , m_AreaUnit(areaUnit)
-  , m_AllowedBytes(GetPlannedCellBytes(geometry) + surplusBytes)
+  , m_AllowedBytes(GetPlannedCellMemory(geometry) + surplus)
 {
   const double smallest = settings.smallestArea.value_or(FacesOfSmallestPlace * AreaUnitsPerFace * areaUnit) / areaUnit;
   for (const auto & [kind, limits] : settings.limits)
@@ -128,7 +128,7 @@ PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
     });
     const std::lock_guard<std::mutex> lock(m_Mutex);
     search.pending.insert(search.pending.end(), cells.begin(), cells.end());
-    if (this->GetUsedBytes() > m_AllowedBytes)
+    if (this->GetUsedMemory() > m_AllowedBytes)
     {
       throw PlaceMemoryError(m_AllowedBytes);
     }
@@ -136,11 +136,11 @@ PlaceSurvey::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace *)
 }
 
 std::uint64_t
-PlaceSurvey::GetUsedBytes() const
+PlaceSurvey::GetUsedMemory() const
 {
   return std::accumulate(
     m_Searches.begin(), m_Searches.end(), std::uint64_t{ 0 }, [](std::uint64_t bytes, const Search & search) {
-      return bytes + search.joiner.GetOpenBytes() + search.pending.size() * PlaceJoiner::BytesPerCell;
+      return bytes + search.joiner.GetOpenMemory() + search.pending.size() * PlaceJoiner::CellSize;
     });
 }
 
@@ -257,13 +257,18 @@ PlaceSurvey::GetPoint(const itk::MedialVoxelIndex & index, const PlaceStep & ste
   return point;
 }
 
-std::uint64_t
-PlaceSurvey::GetBytes(const VolumeGeometry & geometry, const PlaceSettings & settings)
+ProductFootprint
+PlaceSurvey::GetFootprint(const VolumeGeometry & geometry, const PlaceSettings & settings)
 {
   // The places that are listed, sorted, described and as text.
   constexpr std::uint64_t bytesOfText = 256;
   constexpr std::uint64_t bytesPerPlace = 2 * sizeof(PlaceSums) + sizeof(WallPlace) + bytesOfText;
-  return settings.limits.size() * GetMostPlaces(geometry, settings) * bytesPerPlace + GetPlannedCellBytes(geometry);
+  const std::uint64_t     bytes =
+    settings.limits.size() * GetMostPlaces(geometry, settings) * bytesPerPlace + GetPlannedCellMemory(geometry);
+  // All walls of a piece are thin and there is noise; walls are thin here and there; a thin wall lies in a slice, which
+  // has many cells at once: for them is half of what is left beside the walls themselves.
+  const PieceSurplus surplus{ 8, 1, PlaceJoiner::CellSize + 2 * PlaceJoiner::OpenCellSize, 2 };
+  return { bytes, bytes, PerVoxelOfTile, surplus };
 }
 
 } // end namespace medialvoxel

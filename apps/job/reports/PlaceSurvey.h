@@ -6,8 +6,8 @@
 #include "PlaceJoiner.h"
 #include "PlaceSummary.h"
 #include "VolumeHeader.h"
-
-#include "itkMedialVoxelTileObserver.h"
+#include "ProductFootprint.h"
+#include "TileSurvey.h"
 
 #include <cstdint>
 #include <deque>
@@ -48,27 +48,16 @@ private:
 
 /** \class PlaceSurvey
  * \brief Finds the places whose walls are too thin or too thick while the tiles of a run are at hand. */
-class PlaceSurvey : public itk::MedialVoxelTileObserver
+class PlaceSurvey : public TileSurvey
 {
 public:
-  /** What thin walls find in a tile. */
-  static constexpr std::uint64_t WorkerBytesPerVoxel = 4;
-
-  /** Bytes for each voxel of a piece: all walls are thin and there is noise; walls are thin here and there. */
-  static constexpr std::uint64_t MostBytesPerVoxel = 8;
-  static constexpr std::uint64_t PlannedBytesPerVoxel = 1;
-
-  /** Bytes for each voxel of a slice, beside the bytes of the piece: a thin wall lies in the slice. */
-  static constexpr std::uint64_t MostBytesPerVoxelOfSlice =
-    PlaceJoiner::BytesPerCell + 2 * PlaceJoiner::BytesPerOpenCell;
-
   /** \param areaUnit     of which areas are multiples, in squared units of the grid
-   * \param surplusBytes for the cells of a region, beside GetBytes() */
+   * \param surplus for the cells of a region, beside those of GetFootprint() */
   PlaceSurvey(const VolumeGeometry &       geometry,
               const itk::MedialVoxelGrid & grid,
               const PlaceSettings &        settings,
               double                       areaUnit,
-              std::uint64_t                surplusBytes);
+              std::uint64_t                surplus);
 
   /** The tiles from now on are of this region; tiles of a region that failed are forgotten. */
   void
@@ -80,7 +69,7 @@ public:
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
-    return WorkerBytesPerVoxel;
+    return PerVoxelOfTile;
   }
 
   void
@@ -96,27 +85,26 @@ public:
   void
   Commit() override;
 
-  /** Forgets all tiles. */
   void
-  Clear();
+  Clear() override;
 
-  /** All that was found, as bytes that any machine reads. */
   std::string
-  Save() const;
+  Save() const override;
 
-  /** Adds what another one with the same arguments has found in the slices that follow. \throw JobError Failure */
   void
-  Merge(const std::string & bytes);
+  Merge(const std::string & bytes) override;
 
   /** To be called when all is found. */
   std::vector<PlaceSummary>
   Summarize() const;
 
-  /** Memory that it takes, also of its summary. */
-  static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry, const PlaceSettings & settings);
+  /** Of a run, and its summary. */
+  static ProductFootprint
+  GetFootprint(const VolumeGeometry & geometry, const PlaceSettings & settings);
 
 private:
+  static constexpr std::uint64_t PerVoxelOfTile = 4; ///< what thin walls find
+
   /** What is found of a kind. */
   struct Search
   {
@@ -126,7 +114,7 @@ private:
   };
 
   std::uint64_t
-  GetUsedBytes() const;
+  GetUsedMemory() const;
 
   WallPlace
   Describe(const PlaceSums & sums, double lengthUnit) const;

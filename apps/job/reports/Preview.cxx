@@ -74,7 +74,7 @@ DrawProjection(Canvas & canvas, const Survey & survey, const Rectangle & area)
 } // namespace
 
 std::uint64_t
-GetPreviewBytes(const VolumeGeometry & geometry)
+GetPreviewMemory(const VolumeGeometry & geometry)
 {
   // The picture with its copy for the writer, the largest view, and what is read for it.
   constexpr std::uint64_t bytesPerPixel = 2 * 3;

@@ -14,7 +14,7 @@ namespace medialvoxel
 
 /** Memory that drawing takes beside the survey. */
 std::uint64_t
-GetPreviewBytes(const VolumeGeometry & geometry);
+GetPreviewMemory(const VolumeGeometry & geometry);
 
 /** Draws a finished label volume: three slices through the densest places, which the survey knows, and the projection
  * along the last axis. Object gray, medial by bound white, medial by geodesic red; in the projection the largest label

@@ -90,7 +90,7 @@ ReadGlyph(unsigned char character)
 
 /** Bytes that follow the first one of a character in UTF-8. */
 unsigned int
-CountFurtherBytes(unsigned char first)
+CountFurther(unsigned char first)
 {
   return first < 0xc0 ? 0 : first < 0xe0 ? 1 : first < 0xf0 ? 2 : 3;
 }
@@ -110,7 +110,7 @@ MakeGlyphs(const std::string & text)
       --further;
       continue;
     }
-    further = CountFurtherBytes(character);
+    further = CountFurther(character);
     const bool isDrawn = character >= FirstCharacter && character < Replacement;
     glyphs.push_back(ReadGlyph(isDrawn ? character : Replacement));
   }

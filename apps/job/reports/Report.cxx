@@ -135,8 +135,8 @@ AddRun(Json & report, const JobResult & result)
     report["seconds"]["remeshing"] = result.seconds.remeshing;
   }
   report["peak_memory_bytes"] = result.peakMemoryBytes;
-  report["planned_peak_bytes"] = result.plan.memoryBytes;
-  report["memory_limit_bytes"] = result.plan.memoryLimit;
+  report["planned_peak_bytes"] = result.plan.memory.planned;
+  report["memory_limit_bytes"] = result.plan.memory.limit;
   report["bytes_read"] = result.bytesRead;
   report["recomputed_voxels"] = result.sums.recomputedVoxels;
   report["threads"] = result.plan.threads;
@@ -253,7 +253,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
 }
 
 Json
-MakeReport(const SurfaceOptions & options, const JobResult & result)
+MakeReport(const PartOptions & options, const JobResult & result)
 {
   Json parameters = Json::object();
   AddObject(parameters, options, result);

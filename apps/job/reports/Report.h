@@ -19,7 +19,7 @@ MakeReport(const ExtractOptions & options, const JobResult & result);
 Json
 MakeReport(const DistanceOptions & options, const JobResult & result);
 Json
-MakeReport(const SurfaceOptions & options, const JobResult & result);
+MakeReport(const PartOptions & options, const JobResult & result);
 
 /** As a file. Names of files need not be valid UTF-8. */
 std::string

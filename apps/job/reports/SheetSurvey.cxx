@@ -98,7 +98,7 @@ public:
   /** Of smaller blocks a tile has too many. */
   static constexpr unsigned int LeastLevel = 2;
 
-  static_assert(sizeof(SheetPoints::Sums) <= SheetSurvey::WorkerBytesPerVoxel << (3 * LeastLevel));
+  static_assert(sizeof(SheetPoints::Sums) <= SheetSurvey::PerVoxelOfTile << (3 * LeastLevel));
 
   BlocksOfTile(const itk::MedialVoxelBox & tile, unsigned int level)
     : m_Level(level)
@@ -207,24 +207,20 @@ SheetSurvey::Save() const
 void
 SheetSurvey::Merge(const std::string & bytes)
 {
-  constexpr std::uint64_t mostBytesOfNumber = 10;
-  NumberReader            numbers(bytes, mostBytesOfNumber * m_Total.GetMostNumbers());
+  constexpr std::uint64_t longestNumber = 10;
+  NumberReader            numbers(bytes, longestNumber * m_Total.GetMostNumbers());
   m_Total.Merge(numbers);
   numbers.CheckEnd();
 }
 
-std::uint64_t
-SheetSurvey::GetBytes(const VolumeGeometry & geometry)
+ProductFootprint
+SheetSurvey::GetFootprint(const VolumeGeometry & geometry)
 {
-  return 2 * SheetPoints::GetBytes(geometry); // of a run and all
-}
-
-std::uint64_t
-SheetSurvey::GetSavedBytes(const VolumeGeometry & geometry)
-{
+  const std::uint64_t ofRunAndAll = 2 * SheetPoints::GetBytes(geometry);
   // Of each number three bytes on the average, and the packed ones.
-  constexpr std::uint64_t bytesPerPoint = 2 * 8 * 3;
-  return bytesPerPoint * std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());
+  constexpr std::uint64_t perPoint = 2 * 8 * 3;
+  const std::uint64_t     points = std::min<std::uint64_t>(SheetPoints::DefaultBudget, geometry.GetNumberOfVoxels());
+  return { ofRunAndAll, perPoint * points, PerVoxelOfTile };
 }
 
 } // end namespace medialvoxel

@@ -5,8 +5,8 @@
 
 #include "CellSample.h"
 #include "SheetPoints.h"
-
-#include "itkMedialVoxelTileObserver.h"
+#include "ProductFootprint.h"
+#include "TileSurvey.h"
 
 #include <cstdint>
 #include <mutex>
@@ -19,7 +19,7 @@ namespace medialvoxel
  * \brief The medial sheet, coarse enough to be looked at as a whole, taken while the tiles of a run are at hand.
  *
  * It has no cells measured itself. */
-class SheetSurvey : public itk::MedialVoxelTileObserver
+class SheetSurvey : public TileSurvey
 {
 public:
   /** \param lengthUnit of which the thickness of a cell is a multiple, in the units of the grid
@@ -27,12 +27,12 @@ public:
   SheetSurvey(const VolumeGeometry & geometry, double lengthUnit, const CellSample & sample = {});
 
   /** The sums of the blocks of a tile, rounded up. */
-  static constexpr std::uint64_t WorkerBytesPerVoxel = 1;
+  static constexpr std::uint64_t PerVoxelOfTile = 1;
 
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
-    return WorkerBytesPerVoxel;
+    return PerVoxelOfTile;
   }
 
   void
@@ -44,9 +44,8 @@ public:
   void
   Commit() override;
 
-  /** Forgets all tiles. */
   void
-  Clear();
+  Clear() override;
 
   const SheetPoints &
   GetPoints() const
@@ -60,21 +59,15 @@ public:
     return m_LengthUnit;
   }
 
-  /** All that was found, as bytes that any machine reads. */
   std::string
-  Save() const;
+  Save() const override;
 
-  /** Adds what another one with the same arguments has found. \throw JobError Failure when these are not its bytes */
   void
-  Merge(const std::string & bytes);
+  Merge(const std::string & bytes) override;
 
-  /** Memory that it takes. */
-  static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry);
-
-  /** Memory while it is saved, beside. */
-  static std::uint64_t
-  GetSavedBytes(const VolumeGeometry & geometry);
+  /** Of a run. */
+  static ProductFootprint
+  GetFootprint(const VolumeGeometry & geometry);
 
 private:
   double      m_LengthUnit;

@@ -370,8 +370,8 @@ Survey::MayHaveLabels(std::uint64_t x, std::uint64_t y, std::uint64_t z) const
   return m_Blocks[this->GetBlock(x, y, z)];
 }
 
-std::uint64_t
-Survey::GetBytes(const VolumeGeometry & geometry, const SurveySettings & settings)
+ProductFootprint
+Survey::GetFootprint(const VolumeGeometry & geometry, const SurveySettings & settings)
 {
   // Histograms of walls as thick as the volume, and two that are copied as they grow.
   constexpr std::uint64_t histograms = 8 * sizeof(std::uint64_t) * BinsPerVoxel;
@@ -390,7 +390,7 @@ Survey::GetBytes(const VolumeGeometry & geometry, const SurveySettings & setting
     bytes += 2 * (std::uint64_t{ size[0] } * size[1] * sizeof(ProjectedPixel) + slices * sizeof(SliceSums)) +
              slices * sizeof(unsigned int) + GetNumberOfBlocks(geometry) / bitsPerByte;
   }
-  return bytes;
+  return { bytes, bytes, PerVoxelOfTile };
 }
 
 } // end namespace medialvoxel

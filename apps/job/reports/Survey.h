@@ -8,7 +8,8 @@
 #include "VolumeHeader.h"
 
 #include "ThicknessSums.h"
-#include "itkMedialVoxelTileObserver.h"
+#include "ProductFootprint.h"
+#include "TileSurvey.h"
 
 #include <array>
 #include <cstdint>
@@ -36,18 +37,18 @@ struct SurveySettings
  * size of the picture and on the length of the axes, and for a map of blocks that have an object on one bit for 16384
  * voxels. Of a large volume only a sample of the cells counts, though others may be measured for a map or for places.
  */
-class Survey : public itk::MedialVoxelTileObserver
+class Survey : public TileSurvey
 {
 public:
   Survey(const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid, const SurveySettings & settings);
 
   /** What it finds in a tile of thin walls and their noise. */
-  static constexpr std::uint64_t WorkerBytesPerVoxel = 2;
+  static constexpr std::uint64_t PerVoxelOfTile = 2;
 
   std::uint64_t
   GetWorkerBytesPerVoxel() const override
   {
-    return WorkerBytesPerVoxel;
+    return PerVoxelOfTile;
   }
 
   std::unique_ptr<Workspace>
@@ -65,18 +66,14 @@ public:
   itk::MedialVoxelBits::WordType
   SelectCells(const itk::MedialVoxelCellRow & row) const override;
 
-  /** Forgets all tiles. */
   void
-  Clear();
+  Clear() override;
 
-  /** All that was found, as bytes that any machine reads. */
   std::string
-  Save() const;
+  Save() const override;
 
-  /** Adds what another survey with the same arguments has found. \throw JobError Failure when these are not its bytes
-   */
   void
-  Merge(const std::string & bytes);
+  Merge(const std::string & bytes) override;
 
   /** Of the walls at the cells that count. Bins are a 64th of the smallest spacing of the grid, areas multiples of
    * GetAreaUnit(). */
@@ -137,9 +134,9 @@ public:
     return m_ProjectionSize;
   }
 
-  /** Memory that a survey takes. */
-  static std::uint64_t
-  GetBytes(const VolumeGeometry & geometry, const SurveySettings & settings);
+  /** Of a run: its memory and what it finds in a tile. */
+  static ProductFootprint
+  GetFootprint(const VolumeGeometry & geometry, const SurveySettings & settings);
 
 private:
   struct SliceSums

@@ -93,7 +93,7 @@ DrawProjection(Canvas & canvas, const Survey & survey, const Rectangle & area, c
 } // namespace
 
 std::uint64_t
-GetThicknessPreviewBytes(const VolumeGeometry & geometry)
+GetThicknessPreviewMemory(const VolumeGeometry & geometry)
 {
   // Both pictures, and a third one of them with its copy for the writer; the largest view, and what is read for it.
   constexpr std::uint64_t bytesPerPixel = 6 * 3;

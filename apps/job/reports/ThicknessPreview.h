@@ -13,9 +13,9 @@
 namespace medialvoxel
 {
 
-/** Memory that drawing takes beside the survey and GetPreviewBytes(). */
+/** Memory that drawing takes beside the survey and GetPreviewMemory(). */
 std::uint64_t
-GetThicknessPreviewBytes(const VolumeGeometry & geometry);
+GetThicknessPreviewMemory(const VolumeGeometry & geometry);
 
 /** Draws a finished thickness map in the views of DrawPreview(): object gray, medial cells in colors from the first to
  * the 99th percentile of the thickness, which the survey has measured at all cells; cells at rims are object. Where

@@ -408,7 +408,7 @@ FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & inpu
 }
 
 std::vector<Warning>
-FindWarningsOfRequest(const SurfaceOptions & options, const VolumeHeader & input)
+FindWarningsOfRequest(const PartOptions & options, const VolumeHeader & input)
 {
   std::vector<Warning> warnings = input.GetStored().warnings;
   Apply(ThicknessRequestRules, warnings, GetThicknessOptions(options), input);
@@ -442,7 +442,7 @@ FindWarningsOfResult(const DistanceOptions & options, const JobResult & result)
 }
 
 std::vector<Warning>
-FindWarningsOfResult(const SurfaceOptions & options, const JobResult & result)
+FindWarningsOfResult(const PartOptions & options, const JobResult & result)
 {
   std::vector<Warning> warnings;
   ApplyObjectRules(warnings, options, result);

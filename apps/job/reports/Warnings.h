@@ -18,7 +18,7 @@ class Survey;
 struct DistanceOptions;
 struct ExtractOptions;
 struct JobResult;
-struct SurfaceOptions;
+struct PartOptions;
 struct VolumeHeader;
 
 /** What the options and the header tell before the run. The tables of Warnings.cxx and ObjectWarnings.cxx have a row
@@ -29,7 +29,7 @@ std::vector<Warning>
 FindWarningsOfRequest(const DistanceOptions & options, const VolumeHeader & input);
 
 std::vector<Warning>
-FindWarningsOfRequest(const SurfaceOptions & options, const VolumeHeader & input);
+FindWarningsOfRequest(const PartOptions & options, const VolumeHeader & input);
 
 /** What the counts and the thickness tell after the run. */
 std::vector<Warning>
@@ -41,7 +41,7 @@ FindWarningsOfResult(const ExtractOptions & options, const JobResult & result);
 std::vector<Warning>
 FindWarningsOfResult(const DistanceOptions & options, const JobResult & result);
 std::vector<Warning>
-FindWarningsOfResult(const SurfaceOptions & options, const JobResult & result);
+FindWarningsOfResult(const PartOptions & options, const JobResult & result);
 
 /** The codes of all warnings of reports, each once. */
 std::set<std::string>

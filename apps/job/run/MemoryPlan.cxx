@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "MemoryPlan.h"
+#include "Plan.h"
 
 #include "InputVolume.h"
 #include "ProcessMemory.h"
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
-#include <variant>
 
 namespace medialvoxel
 {
@@ -22,37 +21,37 @@ namespace
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
 // Measured on whole runs: the process without work, and a thread beside what its engine plans for it.
-constexpr std::uint64_t BytesOfProgram = 15 * MiB;
-constexpr std::uint64_t BytesPerThread = 1 * MiB;
+constexpr std::uint64_t ProgramMemory = 15 * MiB;
+constexpr std::uint64_t ThreadMemory = 1 * MiB;
 
 /** Beside the values, and beside what the format of the volume needs. */
-constexpr std::uint64_t BytesOfUnpacking = 3 * MiB;
+constexpr std::uint64_t UnpackingMemory = 3 * MiB;
 
 /** An engine pulls input in whole slices of at least this many bytes. */
-constexpr std::uint64_t BytesPerPull = 1 * MiB;
+constexpr std::uint64_t LeastPull = 1 * MiB;
 
 /** Results of a piece when nothing else limits them, of all threads and of each; larger ones gain nothing. */
-constexpr std::uint64_t BytesOfPiece = 32 * MiB;
-constexpr std::uint64_t BytesOfPiecePerThread = 2 * MiB;
+constexpr std::uint64_t LargestResults = 32 * MiB;
+constexpr std::uint64_t LargestResultsPerThread = 2 * MiB;
 
 /** Results of a slab above which half a slab saves more memory than its repeated halo costs time. */
-constexpr std::uint64_t BytesOfLargeSlab = 128 * MiB;
+constexpr std::uint64_t LargeSlab = 128 * MiB;
 
 /** The same for slices that are done in rows, whose neighbors are read again for each piece. */
-constexpr std::uint64_t BytesOfRows = 256 * MiB;
+constexpr std::uint64_t LargestRows = 256 * MiB;
 
 /** The largest piece for which writing it in the background is worth a second one in memory. */
-constexpr std::uint64_t BytesWrittenBehind = 256 * MiB;
+constexpr std::uint64_t LargestWrittenBehind = 256 * MiB;
 
 /** Buffers of three volumes that are written past the page cache. */
-constexpr std::uint64_t BytesOfWriting = 6 * MiB;
+constexpr std::uint64_t WritingMemory = 6 * MiB;
 
 /** What does not change while a fitting plan is looked for. */
 struct Request
 {
-  const JobOptions &     options;
-  const VolumeHeader &   header;
-  const PieceFootprint & footprint;
+  const JobOptions &   options;
+  const VolumeHeader & header;
+  const Footprint &    footprint;
 };
 
 /** The slices of the file that those of a pull lie between. */
@@ -60,8 +59,8 @@ std::uint64_t
 EstimateResampling(const VolumeHeader & header)
 {
   const VolumeHeader & stored = *header.stored;
-  const std::uint64_t  bytesPerSlice = stored.geometry.GetVoxelsPerSlice() * GetTraits(stored.GetValueType()).bytes;
-  return BytesPerPull + 3 * bytesPerSlice;
+  const std::uint64_t  perSlice = stored.geometry.GetVoxelsPerSlice() * GetTraits(stored.GetValueType()).bytes;
+  return LeastPull + 3 * perSlice;
 }
 
 /** Readers of chunks. Resampling has one and asks for a few slices at a time, so that a layer of chunks stays. */
@@ -82,18 +81,18 @@ EstimateFixedMemory(const JobPlan & plan, const Request & request)
   const std::uint64_t  voxels = header.geometry.GetNumberOfVoxels();
   const std::uint64_t  pull = InputVolume::IsReadInParallel(header)
                                 ? plan.threads * InputVolume::BytesPerPart
-                                : std::max(BytesPerPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
+                                : std::max(LeastPull, header.geometry.GetVoxelsPerSlice() * bytesPerVoxel);
   const std::uint64_t  reading =
     header.GetStored().chunks ? EstimateChunks(plan, header) : std::min(pull, voxels * bytesPerVoxel);
   const VolumeInput & input = header.format->input;
   const std::uint64_t decoding = input.getMemory ? input.getMemory(header.GetStored(), plan.threads) : 0;
-  const std::uint64_t unpacking = header.unpackBytes + (header.compressed ? BytesOfUnpacking : 0);
+  const std::uint64_t unpacking = header.unpackBytes + (header.compressed ? UnpackingMemory : 0);
   const std::uint64_t resampling = header.stored ? EstimateResampling(header) : 0;
-  const std::uint64_t unpacked = plan.scratchFolder.empty() ? plan.unpackedBytes : 0;
-  const std::uint64_t writing = plan.writesBehind ? BytesOfWriting : 0;
-  const std::uint64_t perThread = BytesPerThread + request.footprint.bytesPerThread;
-  return BytesOfProgram + perThread * plan.threads + writing + reading + decoding + unpacked + unpacking + resampling +
-         request.footprint.bytesBeside;
+  const std::uint64_t unpacked = plan.scratchFolder.empty() ? plan.memory.unpacked : 0;
+  const std::uint64_t writing = plan.writesBehind ? WritingMemory : 0;
+  const std::uint64_t perThread = ThreadMemory + request.footprint.perThread;
+  return ProgramMemory + perThread * plan.threads + writing + reading + decoding + unpacked + unpacking + resampling +
+         request.footprint.beside;
 }
 
 std::unique_ptr<const itk::MedialVoxelEngine>
@@ -123,9 +122,9 @@ std::uint64_t
 EstimateEngines(const JobPlan & plan, const Request & request)
 {
   std::uint64_t most = 0;
-  for (const auto & settings : request.footprint.engines)
+  for (const EngineFootprint & engine : request.footprint.engines)
   {
-    most = std::max(most, MakeEngine(plan, request, settings)->GetBytes(GetLargestBox(plan, request)));
+    most = std::max(most, MakeEngine(plan, request, engine.settings)->GetBytes(GetLargestBox(plan, request)));
   }
   return most * request.footprint.engines.size();
 }
@@ -134,7 +133,7 @@ EstimateEngines(const JobPlan & plan, const Request & request)
 std::uint64_t
 GetSlabThicknessOfEngine(const JobPlan & plan, const Request & request)
 {
-  const auto engine = MakeEngine(plan, request, request.footprint.engines.front());
+  const auto engine = MakeEngine(plan, request, request.footprint.engines.front().settings);
   const auto thickness = static_cast<std::uint64_t>(engine->GetSlabThickness(GetLargestBox(plan, request)));
   return std::min(thickness, plan.numberOfSlices);
 }
@@ -143,7 +142,7 @@ GetSlabThicknessOfEngine(const JobPlan & plan, const Request & request)
 std::uint64_t
 GetPreferredSlabThickness(const JobPlan & plan, std::uint64_t slabOfEngine)
 {
-  const bool isLarge = slabOfEngine > 1 && slabOfEngine * plan.bytesPerSlice > BytesOfLargeSlab;
+  const bool isLarge = slabOfEngine > 1 && slabOfEngine * plan.memory.perSlice > LargeSlab;
   return isLarge ? slabOfEngine / 2 : slabOfEngine;
 }
 
@@ -152,15 +151,15 @@ GetPreferredSlabThickness(const JobPlan & plan, std::uint64_t slabOfEngine)
 bool
 TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
 {
-  plan.fixedBytes = EstimateFixedMemory(plan, request);
-  const std::uint64_t least = plan.fixedBytes + EstimateEngines(plan, request);
-  const std::uint64_t rest = plan.memoryLimit - std::min(plan.memoryLimit, least);
-  const std::uint64_t ofAll = std::max(BytesOfPiece, plan.threads * BytesOfPiecePerThread);
-  const std::uint64_t largest = plan.rowsAtOnce > 0 ? BytesOfRows : ofAll;
+  plan.memory.fixed = EstimateFixedMemory(plan, request);
+  const std::uint64_t least = plan.memory.fixed + EstimateEngines(plan, request);
+  const std::uint64_t rest = plan.memory.limit - std::min(plan.memory.limit, least);
+  const std::uint64_t ofAll = std::max(LargestResults, plan.threads * LargestResultsPerThread);
+  const std::uint64_t largest = plan.rowsAtOnce > 0 ? LargestRows : ofAll;
   // Most of the rest is for the engines, should walls be thicker than planned.
   const std::uint64_t bytes = std::min(rest / (plan.writesBehind ? 16 : 8), largest);
-  const std::uint64_t slices = std::max(slab, bytes / plan.bytesPerSlice);
-  const std::uint64_t unit = slices < request.footprint.preferredSlices ? 1 : request.footprint.preferredSlices;
+  const std::uint64_t slices = std::max(slab, bytes / plan.memory.perSlice);
+  const std::uint64_t unit = slices < request.footprint.slicesOfLayer ? 1 : request.footprint.slicesOfLayer;
   plan.slicesAtOnce = plan.rowsAtOnce > 0 ? slices / unit * unit : 0;
   if (request.options.divisions)
   {
@@ -172,8 +171,8 @@ TryDivisions(JobPlan & plan, const Request & request, std::uint64_t slab)
     const std::uint64_t unitsPerPiece = std::min(slices / plan.sliceUnit, plan.GetNumberOfUnits());
     plan.divisions = (plan.GetNumberOfUnits() - 1) / unitsPerPiece + 1;
   }
-  plan.memoryBytes = least + plan.GetResultBytes(plan.GetSlicesAtOnce());
-  return plan.memoryBytes <= plan.memoryLimit;
+  plan.memory.planned = least + plan.GetResults(plan.GetSlicesAtOnce());
+  return plan.memory.planned <= plan.memory.limit;
 }
 
 /** True for pieces of moderate size, of which another one follows. */
@@ -181,7 +180,7 @@ bool
 GainsFromWritingBehind(const JobPlan & plan)
 {
   const std::uint64_t slices = plan.GetSlicesAtOnce();
-  return slices < plan.numberOfSlices && slices * plan.bytesPerSlice <= BytesWrittenBehind;
+  return slices < plan.numberOfSlices && slices * plan.memory.perSlice <= LargestWrittenBehind;
 }
 
 /** Divides with slabs of so many slices, with a second window if it fits. */
@@ -207,8 +206,8 @@ SetRowsAtOnce(JobPlan & plan, const Request & request, std::uint64_t rows)
 {
   const VolumeGeometry & geometry = request.header.geometry;
   plan.rowsAtOnce = rows;
-  plan.bytesPerSlice =
-    (rows > 0 ? geometry.size[0] * rows : geometry.GetVoxelsPerSlice()) * request.footprint.bytesPerVoxel;
+  plan.memory.perSlice =
+    (rows > 0 ? geometry.size[0] * rows : geometry.GetVoxelsPerSlice()) * request.footprint.GetResults();
 }
 
 /** Thinner slabs read and do more twice, so that the thickest that fit are taken; waiting for the disk costs more than
@@ -245,7 +244,8 @@ bool
 TryRows(JobPlan & plan, const Request & request)
 {
   SetRowsAtOnce(plan, request, 0);
-  if (request.footprint.preferredRows == 0)
+  const std::uint64_t rows = request.footprint.GetRows();
+  if (rows == 0)
   {
     return TrySlabs(plan, request, true);
   }
@@ -253,7 +253,7 @@ TryRows(JobPlan & plan, const Request & request)
   {
     return true;
   }
-  SetRowsAtOnce(plan, request, request.footprint.preferredRows);
+  SetRowsAtOnce(plan, request, rows);
   return TrySlabs(plan, request, true);
 }
 
@@ -278,14 +278,14 @@ TryScratch(JobPlan & plan, const Request & request)
 bool
 TryFewerThreads(JobPlan & plan, const Request & request)
 {
-  const std::uint64_t all = std::exchange(plan.memoryLimit, plan.memoryLimit / 2);
+  const std::uint64_t all = std::exchange(plan.memory.limit, plan.memory.limit / 2);
   unsigned int        fitting = 0;
   for (unsigned int tooMany = plan.threads; tooMany - fitting > 1;)
   {
     plan.threads = fitting + (tooMany - fitting) / 2;
     (TryScratch(plan, request) ? fitting : tooMany) = plan.threads;
   }
-  plan.memoryLimit = all;
+  plan.memory.limit = all;
   plan.threads = std::max(fitting, 1u);
   return TryScratch(plan, request);
 }
@@ -301,11 +301,11 @@ AddChunksToKeep(JobPlan & plan, const Request & request)
   }
   constexpr std::uint64_t shareOfRest = 4;
   const std::uint64_t     layer = header.GetStored().chunks->bytesPerLayer;
-  plan.bytesToKeep = header.stored ? layer : std::min((plan.memoryLimit - plan.memoryBytes) / shareOfRest, layer);
+  plan.memory.toKeep = header.stored ? layer : std::min((plan.memory.limit - plan.memory.planned) / shareOfRest, layer);
   if (!header.stored)
   {
-    plan.fixedBytes += plan.bytesToKeep;
-    plan.memoryBytes += plan.bytesToKeep;
+    plan.memory.fixed += plan.memory.toKeep;
+    plan.memory.planned += plan.memory.toKeep;
   }
 }
 
@@ -316,40 +316,12 @@ AddSurplus(JobPlan & plan, const Request & request)
   const PieceSurplus & surplus = request.footprint.surplus;
   const std::uint64_t  perSlice = request.header.geometry.GetVoxelsPerSlice();
   const std::uint64_t  voxels = plan.GetMaximumSlices() * perSlice;
-  const std::uint64_t  rest = plan.memoryLimit - plan.memoryBytes;
-  const std::uint64_t  most = voxels * surplus.mostBytesPerVoxel + perSlice * surplus.mostBytesPerVoxelOfSlice;
-  plan.surplusBytes = std::min(rest / surplus.shareOfRest, most);
-  plan.fixedBytes += plan.surplusBytes;
-  plan.memoryBytes += std::min(plan.surplusBytes, voxels * surplus.plannedBytesPerVoxel);
-}
-
-/** Whether windows hold gray values beside the object. */
-bool
-KeepsGrayValues(const PieceFootprint & footprint)
-{
-  struct Asker
-  {
-    bool
-    operator()(const itk::MedialVoxelExtraction & task) const
-    {
-      return task.grayRange.has_value();
-    }
-
-    bool
-    operator()(const itk::MedialVoxelLocalThickness & task) const
-    {
-      return task.walls && task.walls->grayRange;
-    }
-
-    bool
-    operator()(const itk::MedialVoxelDistanceMap &) const
-    {
-      return false;
-    }
-  };
-  return std::any_of(footprint.engines.begin(), footprint.engines.end(), [](const auto & settings) {
-    return std::visit(Asker{}, settings.task);
-  });
+  const std::uint64_t  rest = plan.memory.limit - plan.memory.planned;
+  const std::uint64_t  most = voxels * surplus.most + perSlice * surplus.mostOfSlice;
+  plan.memory.surplus = std::min(rest / surplus.shareOfRest, most);
+  plan.memory.surplusTakers = std::max<std::uint64_t>(1, request.footprint.surplusTakers);
+  plan.memory.fixed += plan.memory.surplus;
+  plan.memory.planned += std::min(plan.memory.surplus, voxels * surplus.planned);
 }
 
 [[noreturn]] void
@@ -358,35 +330,35 @@ RefuseLackOfMemory(const JobPlan & plan, const Request & request)
   const JobOptions & options = request.options;
   Fail(ExitStatus::Refused,
        "this volume needs at least ",
-       FormatBytes(plan.memoryBytes),
+       FormatBytes(plan.memory.planned),
        " of memory with ",
        plan.threads,
        plan.threads == 1 ? " thread" : " threads",
        options.divisions ? " and " + std::to_string(plan.divisions) + " divisions" : "",
        ", ",
-       FormatBytes(plan.memoryLimit),
+       FormatBytes(plan.memory.limit),
        " are allowed",
-       KeepsGrayValues(request.footprint) ? "; walls measured on the object, with --sub-voxel=off, need less" : "",
+       request.footprint.keepsGrayValues ? "; walls measured on the object, with --sub-voxel=off, need less" : "",
        !request.header.compressed || !options.scratchFolder.empty()
          ? ""
-         : "; it is compressed, and with --scratch DIR its " + FormatBytes(plan.unpackedBytes) +
+         : "; it is compressed, and with --scratch DIR its " + FormatBytes(plan.memory.unpacked) +
              " of values need not be in memory");
 }
 
 } // namespace
 
 JobPlan
-FitToMemory(const JobOptions & options, const VolumeHeader & header, const PieceFootprint & footprint)
+FitToMemory(const JobOptions & options, const VolumeHeader & header, const Footprint & footprint)
 {
   const Request       request{ options, header, footprint };
-  const std::uint64_t free = options.memoryBytes ? 0 : GetFreeMemory();
-  const std::uint64_t wanted = options.memoryBytes.value_or(free == NoMemoryLimit ? NoMemoryLimit : free / 2);
+  const std::uint64_t free = options.memoryLimit ? 0 : GetFreeMemory();
+  const std::uint64_t wanted = options.memoryLimit.value_or(free == NoMemoryLimit ? NoMemoryLimit : free / 2);
   JobPlan             plan;
   plan.threads = options.threads.value_or(itk::MultiThreaderBase::GetGlobalDefaultNumberOfThreads());
   plan.numberOfSlices = header.geometry.size.back();
   plan.numberOfEngines = footprint.engines.size();
-  plan.unpackedBytes = header.compressed ? header.GetStored().GetVoxelBytes() : 0;
-  plan.memoryLimit = std::min(wanted, GetRestOfLimits());
+  plan.memory.unpacked = header.compressed ? header.GetStored().GetVoxelBytes() : 0;
+  plan.memory.limit = std::min(wanted, GetRestOfLimits());
   const bool fits = TryScratch(plan, request) || (!options.threads && TryFewerThreads(plan, request));
   if (!fits)
   {
@@ -394,6 +366,7 @@ FitToMemory(const JobOptions & options, const VolumeHeader & header, const Piece
   }
   AddChunksToKeep(plan, request);
   AddSurplus(plan, request);
+  plan.writesBehind = plan.writesBehind && !footprint.readsInput;
   return plan;
 }
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ObjectPlan.h"
 
-#include "ExtractParts.h"
+#include "Job.h"
 #include "LabelMap.h"
 #include "LabelMapRun.h"
+#include "Plan.h"
 
 #include <algorithm>
 #include <string>
@@ -19,7 +20,7 @@ DescribeReadingOfLabels(const itk::MedialVoxelObjectMap & map, const JobPlan & p
 {
   if (header.compressed)
   {
-    return "unpacked once, " + FormatBytes(plan.unpackedBytes) + " in memory or with --scratch DIR on the disk";
+    return "unpacked once, " + FormatBytes(plan.memory.unpacked) + " in memory or with --scratch DIR on the disk";
   }
   const unsigned int passes = map.GetNumberOfPasses();
   return "streamed, each part " + std::to_string(passes + 1) + " times: to find the objects, and in each pass";
@@ -43,8 +44,8 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
   own.labels = LabelSelection{ true, {}, {} };
   const std::uint64_t maximumPoreSize = GetParameters(own, GetGrid(own, header)).maximumPoreSize;
 
-  const JobPlan plan = PlanObjects(own, header);
-  LabelMap      volume(header, *own.labels, maximumPoreSize, plan.bytesToKeep);
+  const JobPlan plan = FitToMemory(own, header, Job(own, header).GetFootprint());
+  LabelMap      volume(header, *own.labels, maximumPoreSize, plan.memory.toKeep);
   volume.Prepare(observer);
   const itk::MedialVoxelObjectMap & map = volume.GetObjects();
 
@@ -59,8 +60,8 @@ DescribeObjects(const JobOptions & options, const VolumeHeader & header, const R
     { "passes", std::to_string(map.GetNumberOfPasses()) + " for extract --labels all" },
     { "labels", DescribeReadingOfLabels(map, plan, header) },
     { "memory",
-      "about " + FormatBytes(plan.memoryBytes + LabelMapRun::GetUnplannedBytes(*own.labels, labels.size())) + " with " +
-        std::to_string(plan.threads) + " threads" },
+      "about " + FormatBytes(plan.memory.planned + LabelMapRun::GetUnplannedBytes(*own.labels, labels.size())) +
+        " with " + std::to_string(plan.threads) + " threads" },
   };
 }
 

@@ -34,7 +34,7 @@ MakePlanRecord(const JobPlan & plan, const VolumeHeader & header)
              { "pieces", std::to_string(plan.divisions) },
              { "slices_of_piece", std::to_string(plan.GetMaximumSlices()) },
              { "threads", std::to_string(plan.threads) },
-             { "planned_memory_bytes", std::to_string(plan.memoryBytes) } } };
+             { "planned_memory_bytes", std::to_string(plan.memory.planned) } } };
 }
 
 [[noreturn]] void

@@ -3,7 +3,6 @@
 #include "Plan.h"
 
 #include "FileNames.h"
-#include "MemoryPlan.h"
 #include "ReadVolumeHeader.h"
 #include "SystemFile.h"
 #include "Text.h"
@@ -39,7 +38,7 @@ RefuseLackOfSpace(const JobOptions &                 options,
                   const std::vector<OutputRequest> & outputs,
                   const JobPlan &                    plan)
 {
-  const ScratchSpace        unpacked{ plan.scratchFolder, plan.scratchFolder.empty() ? 0 : plan.unpackedBytes };
+  const ScratchSpace        unpacked{ plan.scratchFolder, plan.scratchFolder.empty() ? 0 : plan.memory.unpacked };
   std::vector<ScratchSpace> files;
   for (const OutputRequest & output : outputs)
   {
@@ -90,14 +89,14 @@ JobPlan
 MakePlan(const JobOptions &                 options,
          const VolumeHeader &               header,
          const std::vector<OutputRequest> & outputs,
-         const PieceFootprint &             footprint)
+         const Footprint &                  footprint)
 {
   JobPlan plan = FitToMemory(options, header, footprint);
   plan.growingScratch = footprint.scratch;
 
   for (const OutputRequest & output : outputs)
   {
-    plan.diskBytes += GetOutputBytes(header, output);
+    plan.disk += GetOutputBytes(header, output);
   }
   RefuseLackOfSpace(options, header, outputs, plan);
   return plan;
@@ -106,7 +105,7 @@ MakePlan(const JobOptions &                 options,
 std::string
 DescribeUnpacking(const JobPlan & plan)
 {
-  return FormatBytes(plan.unpackedBytes) + " in " +
+  return FormatBytes(plan.memory.unpacked) + " in " +
          (plan.scratchFolder.empty() ? "memory" : plan.scratchFolder.string());
 }
 
@@ -123,13 +122,13 @@ DescribePlan(const JobPlan & plan, const VolumeHeader & header, const std::vecto
       (plan.slabThickness > 0 ? ", done in slabs of " + std::to_string(plan.slabThickness) : ""));
   table.emplace_back("threads", std::to_string(plan.threads));
   table.emplace_back("memory",
-                     FormatBytes(plan.memoryBytes) + " for walls of up to " + std::to_string(PlannedWallThickness) +
-                       " voxels, up to " + FormatBytes(plan.memoryLimit) + " for thicker ones");
-  if (plan.unpackedBytes > 0)
+                     FormatBytes(plan.memory.planned) + " for walls of up to " + std::to_string(PlannedWallThickness) +
+                       " voxels, up to " + FormatBytes(plan.memory.limit) + " for thicker ones");
+  if (plan.memory.unpacked > 0)
   {
     table.emplace_back("unpacked", DescribeUnpacking(plan));
   }
-  table.emplace_back("disk", FormatBytes(plan.diskBytes));
+  table.emplace_back("disk", FormatBytes(plan.disk));
   if (plan.growingScratch.bytes > 0)
   {
     table.emplace_back(

@@ -6,7 +6,7 @@
 #include "JobPlan.h"
 #include "Options.h"
 #include "OutputRequest.h"
-#include "PieceFootprint.h"
+#include "Footprint.h"
 #include "Text.h"
 
 #include <string>
@@ -15,13 +15,18 @@
 namespace medialvoxel
 {
 
+/** The part of a plan that memory decides: threads, slabs, pieces, scratch folder and limits.
+ * \throw JobError Refused when nothing fits. */
+JobPlan
+FitToMemory(const JobOptions & options, const VolumeHeader & header, const Footprint & footprint);
+
 /** Divides the work so that it fits the memory.
  * \throw JobError Refused when it cannot, or when a disk has no space for the outputs and scratch files. */
 JobPlan
 MakePlan(const JobOptions &                 options,
          const VolumeHeader &               header,
          const std::vector<OutputRequest> & outputs,
-         const PieceFootprint &             footprint);
+         const Footprint &                  footprint);
 
 /** How much is unpacked of a compressed volume, and where to. */
 std::string

@@ -4,8 +4,8 @@
 #define medialvoxelPartSurface_h
 
 #include "InputVolume.h"
-#include "JobPlan.h"
 #include "PartMeasures.h"
+#include "ProductFootprint.h"
 #include "SurfaceArray.h"
 #include "SurfaceFormat.h"
 #include "SurfaceSpool.h"
@@ -35,7 +35,7 @@ class PartSurface : private itk::MedialVoxelIsosurfaceConsumer
 {
 public:
   /** \param input must outlive it */
-  PartSurface(const SurfaceOptions & options, const VolumeHeader & header, itk::MedialVoxelObjectSource & input);
+  PartSurface(const PartOptions & options, const VolumeHeader & header, itk::MedialVoxelObjectSource & input);
   ~PartSurface() override;
 
   /** Has vertices placed by gray values; to be called before the first slice of the map. */
@@ -54,13 +54,9 @@ public:
   Json
   Write(OutputFile & file, const std::function<void(double)> & progress);
 
-  /** Memory taken beside that of the map. */
-  static std::uint64_t
-  GetBytes(const SurfaceOptions & options, const VolumeHeader & header);
-
-  /** Space for the scratch files of a surface that has a vertex for each 32 voxels. Larger ones take more. */
-  static ScratchSpace
-  GetScratchSpace(const SurfaceOptions & options, const VolumeHeader & header);
+  /** Beside the map. Scratch files are of a surface that has a vertex for each 32 voxels; larger ones take more. */
+  static ProductFootprint
+  GetFootprint(const PartOptions & options, const VolumeHeader & header);
 
 private:
   class Map;
@@ -89,7 +85,7 @@ private:
   void
   AddRays(const std::vector<itk::MedialVoxelIsosurfaceVertex> & vertices);
 
-  SurfaceOptions                   m_Options;
+  PartOptions                      m_Options;
   VolumeHeader                     m_Header;
   itk::MedialVoxelObjectSource &   m_Input;
   itk::MedialVoxelIndex            m_Size;

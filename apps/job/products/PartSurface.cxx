@@ -19,7 +19,7 @@ namespace
 constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
 
 /** What reading the scratch files takes, for measures and writers, and what waits for them. */
-constexpr std::uint64_t BytesOfWriting = 24 * MiB;
+constexpr std::uint64_t WritingMemory = 24 * MiB;
 
 /** Of surfaces that are planned for; there are twice as many triangles. */
 constexpr std::uint64_t VoxelsPerVertex = 32;
@@ -27,13 +27,13 @@ constexpr std::uint64_t VoxelsPerVertex = 32;
 constexpr const char * RayName = "ray_thickness";
 
 double
-GetMaximumRay(const SurfaceOptions & options, const VolumeHeader & header)
+GetMaximumRay(const PartOptions & options, const VolumeHeader & header)
 {
   return GetLocalThickness(GetThicknessOptions(options), GetGrid(options, header)).maximumThickness;
 }
 
 std::int64_t
-GetHalo(const SurfaceOptions & options, const VolumeHeader & header)
+GetHalo(const PartOptions & options, const VolumeHeader & header)
 {
   return options.measuresRays
            ? itk::MedialVoxelWallRay::GetHalo(header.geometry.spacing[2], GetMaximumRay(options, header))
@@ -42,7 +42,7 @@ GetHalo(const SurfaceOptions & options, const VolumeHeader & header)
 
 /** Slices whose margins are kept: two that have the surface between them, and the halo on both sides. */
 std::int64_t
-GetSlicesOfMargins(const SurfaceOptions & options, const VolumeHeader & header)
+GetSlicesOfMargins(const PartOptions & options, const VolumeHeader & header)
 {
   return 2 * GetHalo(options, header) + 2;
 }
@@ -81,9 +81,7 @@ private:
   PartSurface & m_Surface;
 };
 
-PartSurface::PartSurface(const SurfaceOptions &         options,
-                         const VolumeHeader &           header,
-                         itk::MedialVoxelObjectSource & input)
+PartSurface::PartSurface(const PartOptions & options, const VolumeHeader & header, itk::MedialVoxelObjectSource & input)
   : m_Options(options)
   , m_Header(header)
   , m_Input(input)
@@ -269,26 +267,23 @@ PartSurface::Write(OutputFile & file, const std::function<void(double)> & progre
   return part;
 }
 
-std::uint64_t
-PartSurface::GetBytes(const SurfaceOptions & options, const VolumeHeader & header)
+ProductFootprint
+PartSurface::GetFootprint(const PartOptions & options, const VolumeHeader & header)
 {
   const itk::MedialVoxelIndex size = GetSize(header.geometry);
   const std::uint64_t         perSlice = header.geometry.GetVoxelsPerSlice();
   const std::uint64_t         bits = itk::MedialVoxelBits::GetBytes({ { 0, 0, 0 }, { size[0], size[1], 1 } });
   const bool                  mayUseGray = MayMeasureOnGrayValues(GetThicknessOptions(options), header);
   const std::uint64_t         gray = mayUseGray ? perSlice * sizeof(float) : 0;
-  return itk::MedialVoxelMargins::GetBytes(size, GetSlicesOfMargins(options, header)) +
-         itk::MedialVoxelIsosurface::GetBytes(size) + perSlice * sizeof(float) + gray +
-         static_cast<std::uint64_t>(GetHalo(options, header) + 1) * bits + BytesOfWriting;
-}
-
-ScratchSpace
-PartSurface::GetScratchSpace(const SurfaceOptions & options, const VolumeHeader & header)
-{
+  ProductFootprint            footprint;
+  footprint.beside = itk::MedialVoxelMargins::GetBytes(size, GetSlicesOfMargins(options, header)) +
+                     itk::MedialVoxelIsosurface::GetBytes(size) + perSlice * sizeof(float) + gray +
+                     static_cast<std::uint64_t>(GetHalo(options, header) + 1) * bits + WritingMemory;
   const std::uint64_t perVertex = SurfaceSpool::BytesPerVertex + 2 * SurfaceSpool::BytesPerFace +
                                   (options.measuresRays ? SurfaceArray::BytesPerVertex : 0);
-  return { GetScratchFolder(options, options.output),
-           header.geometry.GetNumberOfVoxels() / VoxelsPerVertex * perVertex };
+  footprint.scratch = { GetScratchFolder(options, options.output),
+                        header.geometry.GetNumberOfVoxels() / VoxelsPerVertex * perVertex };
+  return footprint;
 }
 
 } // end namespace medialvoxel

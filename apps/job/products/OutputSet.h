@@ -5,7 +5,8 @@
 
 #include "Options.h"
 #include "OutputFile.h"
-#include "SharedVolume.h"
+#include "OutputRequest.h"
+#include "VoxelOutput.h"
 
 #include <memory>
 #include <string>
@@ -29,21 +30,18 @@ public:
     , m_WritesBehind(writesBehind)
     , m_Suffix(suffix)
   {}
+  virtual ~OutputSet() = default;
 
   /** Creates a volume. */
-  VoxelOutput &
+  virtual VoxelOutput &
   AddVolume(const VolumeRequest & request);
-
-  /** Opens a volume that other processes have completed; see SharedVolume::OpenToPublish(). */
-  SharedVolume *
-  AddCompletedVolume(const VolumeRequest & request, const Publication & publication);
 
   /** The volume of a role; null when there is none. */
   const VoxelOutput *
   FindVolume(const std::string & role) const;
 
   /** Creates an empty file of another kind; null when the name is empty. */
-  OutputFile *
+  virtual OutputFile *
   AddFile(const std::string & fileName);
 
   /** Brings all volumes to the disk and compares their sizes. */
@@ -53,6 +51,11 @@ public:
   /** Gives all finished outputs their names. */
   void
   Publish();
+
+protected:
+  /** Takes a volume that is there. */
+  VoxelOutput &
+  TakeVolume(const std::string & role, std::unique_ptr<VoxelOutput> volume);
 
 private:
   const JobOptions &                        m_Options;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace medialvoxel
 {
@@ -11,9 +12,7 @@ namespace medialvoxel
 VoxelOutput &
 OutputSet::AddVolume(const VolumeRequest & request)
 {
-  m_Roles.push_back(request.role);
-  m_Volumes.push_back(MakeVoxelOutput(request.fileName, m_Options));
-  VoxelOutput & volume = *m_Volumes.back();
+  VoxelOutput & volume = this->TakeVolume(request.role, MakeVoxelOutput(request.fileName, m_Options));
   volume.Create(request.geometry, request.layout);
   if (m_WritesBehind)
   {
@@ -22,15 +21,12 @@ OutputSet::AddVolume(const VolumeRequest & request)
   return volume;
 }
 
-SharedVolume *
-OutputSet::AddCompletedVolume(const VolumeRequest & request, const Publication & publication)
+VoxelOutput &
+OutputSet::TakeVolume(const std::string & role, std::unique_ptr<VoxelOutput> volume)
 {
-  auto                 volume = MakeSharedVolume(request.fileName, m_Options);
-  SharedVolume * const completed = volume.get();
-  completed->OpenToPublish(request.geometry, request.layout, m_Suffix, publication);
-  m_Roles.push_back(request.role);
+  m_Roles.push_back(role);
   m_Volumes.push_back(std::move(volume));
-  return completed;
+  return *m_Volumes.back();
 }
 
 const VoxelOutput *

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelProduct_h
+#define medialvoxelProduct_h
+
+#include "Footprint.h"
+#include "InputVolume.h"
+#include "JobResult.h"
+#include "OutputSet.h"
+#include "Survey.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace medialvoxel
+{
+
+class SurfaceMesh;
+struct Pictures;
+
+/** What products start with. */
+struct ProductStart
+{
+  const JobResult & job;              ///< header and plan
+  InputVolume *     input{ nullptr }; ///< null: parts that others found are put together
+
+  // Of the products before.
+  const Survey *   survey{ nullptr };
+  const Pictures * pictures{ nullptr }; ///< they are drawn at the end
+};
+
+/** What they are completed with. */
+struct ProductEnd
+{
+  const OutputSet &           outputs;  ///< whose volumes are finished
+  InputVolume *               input;    ///< as at the start
+  std::function<void(double)> progress; ///< may throw to stop
+};
+
+/** What of a product a run serves; null: it has nothing of the kind. */
+struct ProductLinks
+{
+  itk::MedialVoxelTileObserver * observer{ nullptr }; ///< sees the tiles of the extraction
+  TileSurvey *                   survey{ nullptr };   ///< the same, if it is saved for other processes
+  SurfaceMesh *                  mesh{ nullptr };     ///< tells the objects of a label map apart
+  VolumeRequest *                request{ nullptr };  ///< of a volume that an engine fills
+  VoxelOutput *                  volume{ nullptr };   ///< where it goes
+};
+
+/** \class Product
+ * \brief What a run makes: an output, or the base of some. It adds what it takes to the plan, sees the run, and is
+ * completed at its end. */
+class Product
+{
+public:
+  /** \param fileName empty: no file is wanted */
+  explicit Product(std::string fileName)
+    : m_FileName(std::move(fileName))
+  {}
+  virtual ~Product() = default;
+
+  /** Adds the memory that Start() and what follows will take. */
+  virtual void
+  AddTo(Footprint &, const VolumeHeader &) const
+  {}
+
+  /** Makes what sees the run. */
+  virtual void
+  Start(ProductStart &)
+  {}
+
+  /** Creates its file, after the start. */
+  void
+  CreateFile(OutputSet & outputs)
+  {
+    if (m_Links.request != nullptr && m_Links.volume == nullptr)
+    {
+      m_Links.volume = &outputs.AddVolume(*m_Links.request);
+      return;
+    }
+    m_File = outputs.AddFile(m_FileName);
+  }
+
+  const ProductLinks &
+  GetLinks() const
+  {
+    return m_Links;
+  }
+
+  /** Hears how walls are measured, before the first piece. */
+  virtual void
+  UseMeasure(const WallMeasure &)
+  {}
+
+  /** Hears the region of each run of the extraction. */
+  virtual void
+  BeginRegion(const itk::MedialVoxelBox &)
+  {}
+
+  /** Makes what needs all pieces, when the volumes are finished. */
+  virtual void
+  Complete(JobResult &, const ProductEnd &)
+  {}
+
+  /** Adds to the complete result; those after it see what it adds. */
+  virtual void
+  Describe(JobResult &)
+  {}
+
+  /** Writes its file, if it is wanted and has a text. */
+  void
+  WriteFile(const JobResult & result) const
+  {
+    const std::optional<std::string> text = m_File != nullptr ? this->MakeText(result) : std::nullopt;
+    if (text)
+    {
+      WriteText(*m_File, *text);
+    }
+  }
+
+protected:
+  virtual std::optional<std::string>
+  MakeText(const JobResult &) const
+  {
+    return std::nullopt;
+  }
+
+  ProductLinks m_Links;           ///< set at the start
+  OutputFile * m_File{ nullptr }; ///< null: none is wanted
+
+private:
+  std::string m_FileName;
+};
+
+/** In the order in which they start and are completed. */
+using ProductList = std::vector<std::unique_ptr<Product>>;
+
+/** All that the products found for others, as bytes. */
+std::string
+SaveSurveys(const ProductList & products);
+
+/** Adds what the same products saved elsewhere, in the order of their slices. \throw JobError Failure when these are
+ * not their bytes */
+void
+MergeSurveys(const ProductList & products, const std::string & bytes);
+
+} // end namespace medialvoxel
+
+#endif

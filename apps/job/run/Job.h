@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelJob_h
+#define medialvoxelJob_h
+
+#include "Footprint.h"
+#include "JobResult.h"
+#include "Options.h"
+#include "Product.h"
+#include "Progress.h"
+
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** A task of an engine, and the volumes that it fills. */
+struct JobTask
+{
+  VolumeFiller               filler;
+  itk::MedialVoxelEngineTask task;
+  bool                       keepsGrayValues{ false }; ///< of the voxels in its windows
+};
+
+/** What differs from one end of a job to another. */
+struct JobEnd
+{
+  InputVolume *         input{ nullptr }; ///< of the run, if this process had one
+  std::function<void()> recordCosts;      ///< fills in what the job took
+  std::function<void()> publish;          ///< gives the outputs their names
+};
+
+/** \struct Job
+ * \brief What a command does with a volume: the tasks and products that it is planned for and then runs. */
+struct Job
+{
+  /** Checks all that the options and the header tell, for ExtractOptions, DistanceOptions, or PartOptions.
+   * \throw JobError */
+  template <typename TOptions>
+  explicit Job(const TOptions & wanted);
+
+  /** Of a header that was read, without checks. */
+  template <typename TOptions>
+  Job(const TOptions & wanted, VolumeHeader header);
+
+  Job(const Job &) = delete;
+
+  /** Checks the outputs and plans the job, before anything is written.
+   * \param isShared processes work on parts of it, with the memory that each of them takes
+   * \throw JobError */
+  void
+  Plan(bool isShared = false);
+
+  /** Plans one of these processes on this machine: the outputs exist already and are being written.
+   * \throw JobError Refused when nothing fits */
+  void
+  PlanProcess();
+
+  /** Begins to unpack a compressed volume, and measures what is to be known before the run. The sink must outlive the
+   * reading. \throw JobError; StoppedBySignal when the sink asks to stop */
+  void
+  Open(const ProgressSink & sink);
+
+  /** The volume, which is not prepared. */
+  std::unique_ptr<InputVolume>
+  OpenVolume() const;
+
+  /** Finds out from the prepared volume how walls are measured. \throw as FindWallMeasure() */
+  void
+  Measure(InputVolume & input, const ReadObserver & observer);
+
+  /** Ends it: volumes, products, costs, texts, names; then the sink hears of new warnings.
+   * \throw StoppedBySignal when the sink asks to stop; no output has its name then. */
+  void
+  Finish(OutputSet & outputs, ProgressSink & sink, const JobEnd & end);
+
+  /** All that it takes, as its tasks and products say. */
+  Footprint
+  GetFootprint(bool isShared = false) const;
+
+  /** The extraction whose walls are measured, if any are. */
+  std::optional<ExtractOptions>
+  GetWalls() const;
+
+  /** What it does, for a reader. */
+  const char *
+  GetTitle() const;
+
+  std::variant<ExtractOptions, DistanceOptions, PartOptions> command;
+
+  JobOptions &         options; ///< of the command
+  JobResult            result;
+  std::vector<JobTask> tasks; ///< in the order in which they run, the extraction first
+  ProductList          products;
+};
+
+} // end namespace medialvoxel
+
+#endif

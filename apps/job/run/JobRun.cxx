@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "JobRun.h"
+
+#include "Errors.h"
+#include "LabelMap.h"
+#include "ScanMeasure.h"
+#include "Text.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace medialvoxel
+{
+
+JobRun::JobRun(Job & job, OutputSet & outputs, ProgressSink & sink)
+  : m_Job(job)
+  , m_Walls(job.GetWalls())
+  , m_Input(job.OpenVolume())
+  , m_Loop(job.result.plan, job.result.input, static_cast<unsigned int>(job.tasks.size()), sink)
+  , m_Writer(job.result.plan.writesBehind)
+{
+  const JobResult & planned = job.result;
+  for (const JobTask & task : job.tasks)
+  {
+    m_Engines.push_back(
+      { task.filler,
+        std::make_unique<PieceEngine>(
+          m_Input->GetInput(), planned.input, job.options, planned.plan, task.task, m_Loop.GetObserver()) });
+  }
+  if (planned.plan.writesBehind)
+  {
+    m_Engines.front().engine->KeepPreviousResults();
+  }
+  ProductStart start{ planned, m_Input.get() };
+  for (const auto & product : job.products)
+  {
+    product->Start(start);
+  }
+  if (m_Walls && m_Walls->labels)
+  {
+    m_Objects = std::make_unique<LabelMapRun>(static_cast<LabelMap &>(*m_Input).GetObjects(),
+                                              planned.input.geometry,
+                                              GetParameters(*m_Walls, GetGrid(*m_Walls, planned.input)).maximumPoreSize,
+                                              *start.survey);
+    m_Engines.front().engine->AddObserver(m_Objects->GetObserver());
+  }
+  for (const auto & product : job.products)
+  {
+    product->CreateFile(outputs);
+    this->AddProduct(*product);
+  }
+}
+
+void
+JobRun::AddProduct(Product & product)
+{
+  const ProductLinks & links = product.GetLinks();
+  if (links.observer != nullptr)
+  {
+    PieceEngine & engine = *m_Engines.front().engine;
+    engine.AddObserver(*links.observer);
+    engine.AddRegionListener([&product](const itk::MedialVoxelBox & region) { product.BeginRegion(region); });
+  }
+  if (m_Objects && links.mesh != nullptr)
+  {
+    m_Objects->AddMesh(*links.mesh);
+  }
+  if (links.volume == nullptr)
+  {
+    return;
+  }
+  if (m_Objects)
+  {
+    m_Objects->AddVolume(*links.request, *links.volume);
+    return;
+  }
+  const auto engine = std::find_if(m_Engines.begin(), m_Engines.end(), [&links](const Engine & known) {
+    return known.filler == links.request->filler;
+  });
+  engine->engine->AddVolume(*links.request, *links.volume);
+}
+
+void
+JobRun::AddTo(Footprint & footprint, const Job & job)
+{
+  const auto           walls = job.GetWalls();
+  const VolumeHeader & header = job.result.input;
+  if (!walls)
+  {
+    return;
+  }
+  if (GetSmoothing(*walls) != Smoothing::Off)
+  {
+    std::uint64_t & sum = InputVolume::IsReadInParallel(header) ? footprint.perThread : footprint.beside;
+    sum += InputVolume::GetBytesToSmooth(header);
+  }
+  if (walls->labels)
+  {
+    footprint.perVoxelOfUnion = itk::MedialVoxelObjectUnion::BytesPerVoxel;
+    footprint.beside += LabelMapRun::GetPlannedBytes(*walls->labels) +
+                        itk::MedialVoxelObjectAdjacency::GetBytes(
+                          footprint.grid.GetSize(), GetParameters(*walls, footprint.grid).maximumPoreSize);
+  }
+  // Chunks are read and written in any order; all but labels are made of whole slices.
+  const bool readsChunks = header.GetStored().chunks && !header.stored;
+  footprint.needsSlices =
+    !readsChunks || walls->labels || job.tasks.size() > 1 || job.tasks.front().filler != VolumeFiller::Extraction;
+}
+
+void
+JobRun::Prepare()
+{
+  m_Loop.Prepare(*m_Input);
+  m_Job.Measure(*m_Input, [this](double) { m_Loop.ThrowIfStopRequested(); });
+  if (const std::optional<WallMeasure> & measure = m_Job.result.wallMeasure)
+  {
+    const auto range = GetGrayRange(*measure, m_Job.options, m_Job.result.input);
+    for (const Engine & engine : m_Engines)
+    {
+      engine.engine->SetGrayRange(range);
+    }
+    for (const auto & product : m_Job.products)
+    {
+      product->UseMeasure(*measure);
+    }
+  }
+  if (m_Objects)
+  {
+    m_Loop.SetRunsPerPiece(m_Objects->GetNumberOfPasses());
+    this->ReserveForObjects();
+  }
+}
+
+void
+JobRun::ReserveForObjects()
+{
+  JobPlan &           plan = m_Job.result.plan;
+  const std::uint64_t bytes = LabelMapRun::GetUnplannedBytes(*m_Walls->labels, m_Objects->GetNumberOfObjects());
+  if (bytes > plan.memory.limit - std::min(plan.memory.limit, plan.memory.planned))
+  {
+    Fail(ExitStatus::Refused,
+         m_Job.result.input.fileName.string(),
+         ": its objects take ",
+         FormatBytes(bytes),
+         " of memory beside the ",
+         FormatBytes(plan.memory.planned),
+         " that are planned, ",
+         FormatBytes(plan.memory.limit),
+         " are allowed; allow more with --memory, or name fewer objects with --labels");
+  }
+  if (bytes > 0)
+  {
+    plan.memory.fixed += bytes;
+    plan.memory.planned += bytes;
+    m_Loop.SetPlan(plan);
+    m_Engines.front().engine->SetMemoryLimit(plan.GetEngineLimit(plan.GetSlicesAtOnce()));
+  }
+}
+
+itk::MedialVoxelSums
+JobRun::Run(const SliceRange & range, const SliceRange & nextRange)
+{
+  PieceEngine &        first = *m_Engines.front().engine;
+  itk::MedialVoxelSums sums =
+    m_Objects ? m_Objects->Run(m_Loop, first, range, m_Writer) : m_Loop.Run(first, range, nextRange, m_Writer);
+  if (m_Engines.front().filler == VolumeFiller::Extraction)
+  {
+    CheckCounts(sums.counts);
+  }
+  for (std::size_t i = 1; i < m_Engines.size(); ++i)
+  {
+    itk::MedialVoxelSums others = m_Loop.Run(*m_Engines[i].engine, range, nextRange, m_Writer);
+    others.counts = {};                                                         // of the same voxels
+    others.distanceSeconds += std::exchange(others.classificationSeconds, 0.0); // no cells are decided
+    sums += others;
+  }
+  return sums;
+}
+
+void
+JobRun::Release()
+{
+  for (const Engine & engine : m_Engines)
+  {
+    engine.engine->Release();
+  }
+}
+
+void
+JobRun::Finish()
+{
+  m_Writer.Wait();
+  m_Engines.clear();
+  if (!m_Objects)
+  {
+    return;
+  }
+  JobResult & result = m_Job.result;
+  result.objects = m_Objects->Summarize();
+  for (Json & object : result.objects["objects"])
+  {
+    if (const Segment * const segment = result.segments.Find(object["label"]))
+    {
+      object["name"] = segment->name.empty() ? Json(nullptr) : Json(segment->name);
+      object["color"] = segment->color ? Json(*segment->color) : Json(nullptr);
+    }
+  }
+}
+
+void
+CheckCounts(const itk::MedialVoxelCounts & counts)
+{
+  const std::uint64_t decided =
+    counts.trivialCells + counts.boundCells + counts.geodesicMedialCells + counts.geodesicNonMedialCells;
+  if (decided != counts.candidateCells)
+  {
+    Fail(ExitStatus::Failure, counts.candidateCells, " cells were to be decided, ", decided, " were");
+  }
+}
+
+} // end namespace medialvoxel
