@@ -49,8 +49,8 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   engine.ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
   const ArrayMeasure measure =
     engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.levels);
-  SurfaceMesh surface(
-    options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * SurfaceMesh::MostBytesPerVoxel);
+  const auto  footprint = SurfaceMesh::GetFootprint(options, geometry, engine.GetGrid());
+  SurfaceMesh surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * footprint.surplus.most);
   itk::MedialVoxelExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.grayRange = measure.range;
