@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: MedialVoxel contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "FillIn.h"
+#include "MeshJson.h"
 #include "ResultViews.h"
 
 #include <gtest/gtest.h>

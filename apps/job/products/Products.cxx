@@ -54,7 +54,7 @@ private:
 };
 
 /** \class ReportProduct
- * \brief Warnings of the result, which is complete but for them, and all of it as a report. */
+ * \brief Warnings of the result, which is complete but for them, and the report that all texts are made of. */
 template <typename TOptions>
 class ReportProduct : public Product
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "FillIn.h"
 
-#include "PageText.h"
+#include "EscapeHtml.h"
 #include "Text.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "HtmlReport.h"
 
+#include "EscapeHtml.h"
 #include "FillIn.h"
 #include "PageText.h"
 #include "PageView.h"

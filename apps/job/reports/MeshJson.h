@@ -9,6 +9,10 @@
 namespace medialvoxel
 {
 
+/** A value of the quality of a mesh and its limit, for FillIn(). */
+constexpr const char * MeshLimitText = "{short value}, [least?[holds?at least][!holds?less than] {short least}]"
+                                       "[most?[holds?at most][!holds?more than] {short most}]";
+
 /** For a report: counts, what its elements keep of the surface, and their quality with its limits. */
 Json
 MakeMeshJson(const SurfaceSummary & surface);

@@ -32,33 +32,6 @@ GetLength(const PageFile & file)
 } // namespace
 
 std::string
-EscapeHtml(const std::string & text)
-{
-  std::string escaped;
-  for (const char character : text)
-  {
-    switch (character)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += character;
-    }
-  }
-  return escaped;
-}
-
-std::string
 EncodeBase64(std::string_view bytes)
 {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

@@ -10,10 +10,6 @@
 namespace medialvoxel
 {
 
-/** Text that a page shows as it is. Bytes that are no valid UTF-8 are left to the browser, which replaces them. */
-std::string
-EscapeHtml(const std::string & text);
-
 std::string
 EncodeBase64(std::string_view bytes);
 

@@ -3,6 +3,7 @@
 #include "PageView.h"
 
 #include "ColorMap.h"
+#include "EscapeHtml.h"
 #include "PageText.h"
 
 #include <nlohmann/json.hpp>

@@ -16,7 +16,7 @@ namespace
 {
 
 constexpr std::size_t MostPlacesOfReport = 100;
-constexpr std::size_t MostBytesOfRow = 512;
+constexpr std::size_t LongestRow = 512;
 
 template <typename TArray>
 Json
@@ -100,7 +100,7 @@ MakePlacesCsv(const std::vector<PlaceSummary> & summaries)
     std::accumulate(summaries.begin(), summaries.end(), std::size_t{ 1 }, [](std::size_t sum, const auto & summary) {
       return sum + summary.places.size();
     });
-  text.reserve(rows * MostBytesOfRow);
+  text.reserve(rows * LongestRow);
   for (const PlaceSummary & summary : summaries)
   {
     std::size_t number = 0;

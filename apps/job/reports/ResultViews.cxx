@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ResultViews.h"
 
+#include "MeshJson.h"
 #include "FillIn.h"
 
 #include <cstddef>
@@ -14,9 +15,6 @@ const char * const MeasureText =
   "[measure.on=fits?by fits to gray values: background {short measure.scan.background}, material "
   "{short measure.scan.material}, blur {short measure.scan.blur} voxels, noise {contrast measure.scan.noise "
   "measure.scan.material measure.scan.background} of the contrast][measure.reason?: {measure.reason}]";
-
-const char * const MeshLimitText = "{short value}, [least?[holds?at least][!holds?less than] {short least}]"
-                                   "[most?[holds?at most][!holds?more than] {short most}]";
 
 namespace
 {

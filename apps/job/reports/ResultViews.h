@@ -52,9 +52,6 @@ MakeReturnParameters(const Json & report);
 /** How the walls were measured. */
 extern const char * const MeasureText;
 
-/** A value of the quality of a mesh and its limit. */
-extern const char * const MeshLimitText;
-
 } // end namespace medialvoxel
 
 #endif

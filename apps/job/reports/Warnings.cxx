@@ -8,7 +8,6 @@
 #include "ObjectWarnings.h"
 #include "Options.h"
 #include "Progress.h"
-#include "ResultViews.h"
 #include "Survey.h"
 #include "Text.h"
 #include "WarningRules.h"
