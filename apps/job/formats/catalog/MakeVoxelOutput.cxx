@@ -11,12 +11,6 @@
 namespace medialvoxel
 {
 
-void
-VoxelOutput::WriteRows(const SliceRange & slices, const RowRange &, const void *)
-{
-  Fail(ExitStatus::Failure, "slices ", FormatSlices(slices), " are not written in parts");
-}
-
 std::unique_ptr<SharedVolume>
 MakeSharedVolume(const std::filesystem::path & fileName, const JobOptions & options)
 {
