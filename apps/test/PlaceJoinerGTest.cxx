@@ -30,7 +30,7 @@ MakeRule(PlaceKind kind)
   rule.kind = kind;
   rule.limit = static_cast<double>(kind == PlaceKind::Thin ? Limit : GrowLimit);
   rule.growLimit = static_cast<double>(kind == PlaceKind::Thin ? GrowLimit : Limit);
-  rule.smallestArea = 3;
+  rule.minimumPlaceArea = 3;
   rule.lengthUnit = 1.0 / 64;
   return rule;
 }
@@ -78,7 +78,7 @@ FindRows(Cells cells, const PlaceRule & rule, const PlaceGrid & grid)
         }
       }
     }
-    if (sums.hasBegun && sums.areaBeyond >= rule.smallestArea)
+    if (sums.hasBegun && sums.areaBeyond >= rule.minimumPlaceArea)
     {
       rows.push_back(MakeRow(sums));
     }

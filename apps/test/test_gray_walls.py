@@ -216,7 +216,7 @@ class GrayWallsTest(ProgramTestCase):
         volumes.write_nrrd(self.folder / "in.nrrd", volume)
         found, report = self.measure("in.nrrd", "--lower", 5000, "--materials", f"{AIR},{METAL}")
         self.assertEqual((report["measure"]["scan"]["background"], report["measure"]["scan"]["material"]), (AIR, METAL))
-        self.assertEqual(report["parameters"]["levels"], [AIR, METAL])
+        self.assertEqual(report["parameters"]["materials"], [AIR, METAL])
         self.check(self.cells_of(volume, normal, THIN, found), 2, 0.03)
         low, _ = self.measure("in.nrrd", "--lower", 5000, "--materials", f"{AIR + 800},{METAL}")
         self.assertLess(sum(low), 0.95 * sum(found))  # a background that is too high makes walls thin

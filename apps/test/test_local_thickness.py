@@ -110,7 +110,7 @@ class LocalThicknessTest(ProgramTestCase):
         self.assert_equal_values(found, expected)
         at_maximum = sum(value >= CAP - 1e-6 for value in expected)
         self.assertGreater(at_maximum, 50)
-        expected = {"method": "sphere", "maximum": CAP, "voxels_at_maximum": at_maximum, "voxels_without_wall": 0}
+        expected = {"method": "sphere", "largest_ball": CAP, "voxels_at_maximum": at_maximum, "voxels_without_wall": 0}
         self.assertEqual({key: self.report["local_thickness"][key] for key in expected}, expected)
         header, _ = volumes.read_header(self.folder / "t.mha")
         self.assertEqual(header["DimSize"], " ".join(map(str, SIZE)))
@@ -142,7 +142,7 @@ class LocalThicknessTest(ProgramTestCase):
     def test_in_voxels_without_a_limit_that_matters(self):
         found = self.measure("--max-pore-size", 0, "--voxel-units")
         self.assert_equal_values(found, largest_balls(self.indices, self.volume.voxels, (1, 1, 1), 32))
-        self.assertEqual(self.report["local_thickness"]["maximum"], 32)
+        self.assertEqual(self.report["local_thickness"]["largest_ball"], 32)
         self.assertEqual(self.report["local_thickness"]["voxels_at_maximum"], 0)
         self.assertNotIn("beyond_largest_ball", self.warnings)
 
@@ -179,7 +179,7 @@ class LocalThicknessTest(ProgramTestCase):
             at_maximum = sum(value == cap for value in expected)
             walls = {key: value for key, value in walls.items() if key not in ("mean", "standard_deviation", "largest")}
         self.assertEqual(walls.pop("voxels"), sum(value > 0 for value in expected))
-        self.assertEqual(walls, {"method": "wall", "maximum": cap, "voxels_at_maximum": at_maximum, "voxels_without_wall": uncovered})
+        self.assertEqual(walls, {"method": "wall", "largest_ball": cap, "voxels_at_maximum": at_maximum, "voxels_without_wall": uncovered})
 
     def test_walls_on_gray_values(self):
         """A wall whose two faces are between voxels: as the map of its medial cells, not a whole number of voxels."""

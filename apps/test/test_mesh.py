@@ -219,7 +219,7 @@ class MeshTest(ProgramTestCase):
             self.assertEqual(told["mesh"]["faces"], len(mesh.faces))
             self.assertEqual({v for face in mesh.faces for v in face}, set(range(len(mesh.vertices))))
             sizes.append(len(mesh.faces))
-        self.assertEqual(told["parameters"]["minimum_branch_length"], 0)
+        self.assertEqual(told["parameters"]["min_branch_length"], 0)
         self.assertEqual(sizes[1], sizes[0])
         self.assertLess(sizes[2], sizes[0] - 100)
         both = ("--min-branch-length", 12, "--min-component-size", 60)

@@ -54,7 +54,7 @@ class PoresTest(ProgramTestCase):
             self.assertEqual(actual, expected)
             self.assertEqual(report["counts"]["filled_voxels"], self.filled)
             self.assertEqual(report["counts"]["removed_voxels"], self.removed)
-            self.assertEqual(report["parameters"]["maximum_pore_size"], 3)
+            self.assertEqual(report["parameters"]["max_pore_size"], 3)
             same = {name: n for name, n in clean["counts"].items() if name not in ("filled_voxels", "removed_voxels")}
             self.assertEqual({name: report["counts"][name] for name in same}, same)
             kept, report = self.results(*thickness, "--max-pore-size", 2)
@@ -64,7 +64,7 @@ class PoresTest(ProgramTestCase):
     def test_defaults(self):
         for arguments, size in (([], 32), (["--thickness", 3], 0), (["--max-pore-size", 0], 0)):
             _, report = self.results(*arguments)
-            self.assertEqual(report["parameters"]["maximum_pore_size"], size)
+            self.assertEqual(report["parameters"]["max_pore_size"], size)
             self.assertEqual(report["counts"]["filled_voxels"], self.filled if size else 0)
         table = self.run_program("extract", "in.mha", "l.mha", "--overwrite", "--smooth", "off").stdout
         self.assertRegex(table, rf"pores +{self.filled} voxels, taken as object\n")

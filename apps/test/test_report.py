@@ -132,13 +132,13 @@ class ReportTest(ProgramTestCase):
             self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--report", "r.json", *options)
             report = json.loads((self.folder / "r.json").read_text())
             self.assertEqual(report["parameters"]["thickness"], "auto")
-            self.assertEqual(report["parameters"]["minimum_thickness"], 3)
-            self.assertEqual(report["parameters"]["maximum_thickness"], 16)
+            self.assertEqual(report["parameters"]["min_thickness"], 3)
+            self.assertEqual(report["parameters"]["max_thickness"], 16)
             labels[name] = (self.folder / "out.mha").read_bytes()
         self.assertEqual(len(set(labels.values())), 1)
         self.assertRegex(self.run_program("extract", "in.mha", "out.mha", "--overwrite").stdout, r"tau +auto\n")
         self.run_program("extract", "in.mha", "out.mha", "--overwrite", "--report", "r.json", "--min-thickness", 9)
-        self.assertEqual(json.loads((self.folder / "r.json").read_text())["parameters"]["minimum_thickness"], 9)
+        self.assertEqual(json.loads((self.folder / "r.json").read_text())["parameters"]["min_thickness"], 9)
 
     def test_thickness(self):
         """A plate of 4 voxels: every cell away from its rims tells 4, in units of the spacing."""
@@ -204,7 +204,7 @@ class ReportTest(ProgramTestCase):
         self.run_program("distance", "in.mha", "v.mha", "--lower", 72, "--report", "r.json", "--max-distance", 5)
         report = json.loads((self.folder / "r.json").read_text())
         self.assertEqual(list(report), [key for key in KEYS if key not in ("percent", "smoothed", "roughness", "measure", "thickness")])
-        self.assertEqual(report["parameters"]["maximum_distance"], 5)
+        self.assertEqual(report["parameters"]["max_distance"], 5)
         self.assertEqual(report["parameters"]["boundary"], "object")
 
     def test_name_that_is_no_valid_text(self):

@@ -11,7 +11,7 @@ from slicer_module import BUILT_IN, ENUMERATIONS, FILES, Description, ModuleTest
 VOLUMES = ["in.mha", "out.mha"]
 # Values beside the defaults; texts and files take any.
 OTHER = {"integer": "7", "double": "-2.5", "boolean": "true"}
-SPECIAL = {"thickness": "2.5", "minimumBranchLength": "2.5", "upperThreshold": "72.5", "memory": "500M", "levels": "10,90", "thinBelow": "2,3", "thickAbove": "3", "largestBall": "9", "elementSize": "2.5"}
+SPECIAL = {"thickness": "2.5", "minBranchLength": "2.5", "upperThreshold": "72.5", "memory": "500M", "materials": "10,90", "thinBelow": "2,3", "thickAbove": "3", "largestBall": "9", "elementSize": "2.5"}
 
 
 class DriftTest(ModuleTestCase):
@@ -55,7 +55,7 @@ class DriftTest(ModuleTestCase):
             others = [*others, "--thinBelow", "2"] if flag == "placesFile" else others
             others = [*others, "--localThickness", "t.mha"] if flag == "largestBall" else others
             others = [*others, "--elementSizeMode", "Automatic"] if flag == "extendRims" else others
-            others = [*others, "--lowerThreshold", "50"] if flag == "levels" else others
+            others = [*others, "--lowerThreshold", "50"] if flag == "materials" else others
             forms = [[f"--{flag}", value], [f"--{flag}={value}"]]
             if element.tag == "boolean":
                 forms[0] = [f"--{flag}"]
@@ -87,7 +87,7 @@ class DriftTest(ModuleTestCase):
 
     def test_constraints(self):
         constrained = [flag for flag, element in self.description.flagged.items() if element.find("constraints") is not None]
-        self.assertEqual(constrained, ["maximumPoreSize", "numberOfThreads"])
+        self.assertEqual(constrained, ["maxPoreSize", "numberOfThreads"])
         for flag in constrained:
             minimum = int(self.description.flagged[flag].findtext("constraints/minimum"))
             maximum = int(self.description.flagged[flag].findtext("constraints/maximum"))

@@ -23,10 +23,10 @@ PAIRS = [
     (["--thicknessMode", "Automatic"], []),
     (["--thicknessMode=Fixed", "--thickness", "3"], []),
     (["--objectSelection", "AboveLower", "--lowerThreshold", "72.5", "--subVoxel", "On"], ["--lower", "72.5", "--sub-voxel"]),
-    (["--maximumPoreSize", "0"], ["--max-pore-size", "0"]),
+    (["--maxPoreSize", "0"], ["--max-pore-size", "0"]),
     (["--resample", "--objectSelection=AboveLower", "--lowerThreshold=72"], ["--resample", "auto", "--lower", "72"]),
-    (["--maximumPoreSize=-1", "--thickness", "2"], []),
-    (["--maximumPoreSize=200", "--thickness", "2"], ["--max-pore-size", "200"]),
+    (["--maxPoreSize=-1", "--thickness", "2"], []),
+    (["--maxPoreSize=200", "--thickness", "2"], ["--max-pore-size", "200"]),
     (["--numberOfThreads", "1", "--memory", "300M"], ["--threads", "1", "--memory", "300M"]),
 ]  # fmt: skip
 LABEL_100 = ("--objectSelection", "Label", "--labelValue", "100")
@@ -123,13 +123,13 @@ class RunTest(ModuleTestCase):
     def test_branches_of_the_model(self):
         arguments = ("--thicknessMode", "Fixed", "--thickness", "1", *LABEL_100, "in.mha", "out.mha")
         self.run_module("--meshModel", "all.vtp", *arguments)
-        self.run_module("--meshModel", "cut.vtp", "--minimumBranchLength", "2", *arguments)
+        self.run_module("--meshModel", "cut.vtp", "--minBranchLength", "2", *arguments)
         selection = ("--label", 100, "--thickness", 1)
         self.run_program("mesh", "in.mha", "program.vtp", *selection, "--min-branch-length", 2)
         cut = (self.folder / "cut.vtp").read_bytes()
         self.assertEqual(cut, (self.folder / "program.vtp").read_bytes())
         self.assertNotEqual(cut, (self.folder / "all.vtp").read_bytes())
-        self.assert_module_fails(USAGE, ["'-1' is not a finite number"], "--minimumBranchLength=-1", *arguments)
+        self.assert_module_fails(USAGE, ["'-1' is not a finite number"], "--minBranchLength=-1", *arguments)
 
     def test_elements_of_the_model(self):
         sizes = {

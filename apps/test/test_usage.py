@@ -7,6 +7,16 @@ import unittest
 import volumes
 from program import USAGE, ProgramTestCase
 
+FORMER_NAMES = {
+    "--level": "--resolution",
+    "--levels": "--materials",
+    "--minimum-thickness": "--min-thickness",
+    "--maximum-thickness": "--max-thickness",
+    "--maximum-distance": "--max-distance",
+    "--smallest-place": "--min-place-area",
+    "--smallest-component": "--min-component-size",
+}
+
 
 class UsageTest(ProgramTestCase):
     def setUp(self):
@@ -39,8 +49,10 @@ class UsageTest(ProgramTestCase):
         self.assert_usage(["INPUT"], "extract", "--thickness", 3)
         self.assert_usage(["OUTPUT"], "extract", "in.mha", "--thickness", 3)
         self.assert_extract_usage(["--bogus"], "--bogus")
-        for former, name in (("--level", "--resolution"), ("--levels=1,2", "--materials"), ("--smallest-place", "--min-place-area")):
-            self.assert_extract_usage([f"{former.split('=')[0]} is now {name}"], former, 1)
+        for former, name in FORMER_NAMES.items():
+            command = {"--smallest-component": "mesh", "--maximum-distance": "distance"}.get(former, "extract")
+            self.assert_usage([f"{former} is now {name}"], command, "in.mha", "out.mha", former, 1)
+            self.assert_usage([f"{former} is now {name}"], command, "in.mha", "out.mha", f"{former}=1")
         self.assert_extract_usage(["'--Lower' is not an option of extract; did you mean --lower?"], "--Lower", 3)
         self.assert_extract_usage(["'--thickness-maps'", "did you mean --thickness-map?"], "--thickness-maps=t.mha")
         self.assert_extract_usage(["extra"], "extra")

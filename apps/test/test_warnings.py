@@ -130,7 +130,7 @@ class WarningTest(ProgramTestCase):
         for volume in (rod(4), rod(6), rod(8), ball(32)):
             found = self.warnings(volume)
             self.assertIn("few_sheets", found)
-            self.assertLessEqual(set(found), {"few_sheets", "beyond_maximum_thickness"})
+            self.assertLessEqual(set(found), {"few_sheets", "beyond_max_thickness"})
             percent = found["few_sheets"]["values"]["explained_percent"]
             self.assertTrue(0 <= percent < 20, percent)
             self.assertIn(f"only {percent:.{1 if 0 < percent < 1 else 0}f} %", found["few_sheets"]["message"])
@@ -160,16 +160,16 @@ class WarningTest(ProgramTestCase):
             for arguments in ([], ["--divisions", 5, "--threads", 3]):
                 found = self.warnings(volume, *arguments)
                 reports.append(found)
-                values = found["beyond_maximum_thickness"]["values"]
-                self.assertEqual(values["maximum_thickness"], 16 * spacing)
+                values = found["beyond_max_thickness"]["values"]
+                self.assertEqual(values["max_thickness"], 16 * spacing)
                 self.assertGreater(values["area_percent"], 90)
-                self.assertTrue(24 * spacing <= values["suggested_maximum_thickness"] <= 32 * spacing)
+                self.assertTrue(24 * spacing <= values["suggested_max_thickness"] <= 32 * spacing)
             self.assertEqual(*reports)
-            found = self.warnings(volume, "--max-thickness", values["suggested_maximum_thickness"])
-            self.assertNotIn("beyond_maximum_thickness", found)
+            found = self.warnings(volume, "--max-thickness", values["suggested_max_thickness"])
+            self.assertNotIn("beyond_max_thickness", found)
         found = self.warnings(plate(20, width=30), "--voxel-units", "--max-thickness", 8)
-        self.assertEqual(found["beyond_maximum_thickness"]["values"]["suggested_maximum_thickness"], 20)
-        self.assertIn("20 voxels", found["beyond_maximum_thickness"]["message"])
+        self.assertEqual(found["beyond_max_thickness"]["values"]["suggested_max_thickness"], 20)
+        self.assertIn("20 voxels", found["beyond_max_thickness"]["message"])
         self.assertEqual(self.warnings(plate(20, width=30), thickness=8), {}, "a fixed thickness has no maximum")
 
     def test_unusual_lengths(self):
@@ -210,7 +210,7 @@ class WarningOfJobsTest(JobTestCase):
         arguments = ["../in.mha", "out.mha", "--min-thickness", 0.25, "--report", "r.json"]
         expected = self.expect("extract", *arguments)
         codes = [warning["code"] for warning in expected["r.json"]["warnings"]]
-        self.assertEqual(codes, ["unusual_minimum_thickness", "few_sheets"])
+        self.assertEqual(codes, ["unusual_min_thickness", "few_sheets"])
         told = [self.in_target("plan", *arguments[:2], "job", *arguments[2:], "--divisions", 4).stderr]
         told += [self.in_target("work", "job").stderr, self.in_target("finalize", "job").stderr]
         self.assertEqual([text.count("warning: ") for text in told], [1, 0, 1], told)

@@ -85,8 +85,7 @@ class LocalThickness:
     thickness: np.ndarray
     """float32, in units of the spacing; 0 in the background, NaN in edges and corners that no wall covers."""
     counts: dict[str, int]
-    """Numbers of voxels; `voxels_at_maximum` are those whose thickness may be larger than `maximum`, `voxels_without_wall`
-    those that are NaN."""
+    """Numbers of voxels; `voxels_at_maximum` are those cut at `largest_ball`, `voxels_without_wall` those that are NaN."""
     lower: float | None
     """The lower threshold, also that of Otsu."""
 

@@ -18,7 +18,7 @@ void
 CheckFits(const ArrayCall & call, const ExtractOptions & options)
 {
   const bool isUncertain = call.outputs.uncertainty != nullptr;
-  if ((isUncertain || options.levels) && !HasOneThreshold(options, call.header))
+  if ((isUncertain || options.materials) && !HasOneThreshold(options, call.header))
   {
     Fail(ExitStatus::Usage,
          isUncertain ? "the uncertainty of the thickness needs" : "levels of gray values need",
@@ -71,7 +71,7 @@ ExtractOne(const ArrayCall & call, const ExtractOptions & options)
     engine.FindMeasure(object,
                        measures && MayMeasureOnGrayValues(options, call.header),
                        measures ? DescribeMeasureOnObject(options, call.header) : "no thickness is asked for",
-                       options.levels);
+                       options.materials);
   if (outputs.uncertainty != nullptr && !measure.found.scan)
   {
     Fail(ExitStatus::Refused, "array: the uncertainty of the thickness cannot be stated, as ", measure.found.reason);

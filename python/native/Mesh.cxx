@@ -48,7 +48,7 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   itk::MedialVoxelObjectInput object = engine.MakeObject(GetSmoothing(options));
   engine.ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
   const ArrayMeasure measure =
-    engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.levels);
+    engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.materials);
   SurfaceMesh surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * SurfaceMesh::MostPending);
   itk::MedialVoxelExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());

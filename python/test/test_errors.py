@@ -138,7 +138,7 @@ class Errors(Folder):
             (medialvoxel.local_thickness, nothing, {}, "no_object"),
             (medialvoxel.extract, 1 - nothing, {}, "no_background"),
             (medialvoxel.extract, ball, {}, "no_medial_cells"),
-            (medialvoxel.extract, ball, {"max_thickness": 101}, "unusual_maximum_thickness"),
+            (medialvoxel.extract, ball, {"max_thickness": 101}, "unusual_max_thickness"),
             (medialvoxel.local_thickness, ball, {"method": "sphere", "largest_ball": 4}, "beyond_largest_ball"),
         ):
             with self.subTest(code, call=call.__name__), warnings.catch_warnings(record=True) as caught:

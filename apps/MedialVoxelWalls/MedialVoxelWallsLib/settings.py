@@ -56,7 +56,7 @@ def module_parameters(settings, volume, labels, model, report):
     else:
         thickness = {"thicknessMode": "Fixed", "thickness": float(settings.thickness)}
     files = {"inputVolume": volume, "outputVolume": labels, "meshModel": model, "reportFile": report}
-    return files | selection(settings) | thickness | {"minimumBranchLength": float(settings.branches)}
+    return files | selection(settings) | thickness | {"minBranchLength": float(settings.branches)}
 
 
 def summary(report):

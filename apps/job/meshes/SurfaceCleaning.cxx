@@ -232,7 +232,7 @@ RemoveSmallComponents(const SurfaceSpool & surface, const SurfaceCleaning & clea
   SpooledQuads(surface, cleaning.progress).ForEachQuad(false, [&](const Quad & quad) {
     components.AddQuad(quad.vertices);
   });
-  components.Keep(cleaning.smallestComponent);
+  components.Keep(cleaning.minimumComponentSize);
 
   auto kept = std::make_unique<SurfaceSpool>(cleaning.scratchFolder, surface.GetPrecision());
   CopyVertices(surface, *kept, [&](std::uint64_t vertex) { return components.IsKept(vertex); });
@@ -253,7 +253,7 @@ CleanSurface(std::unique_ptr<SurfaceSpool> surface, const SurfaceCleaning & clea
   {
     surface = RemoveBranches(*surface, cleaning);
   }
-  if (cleaning.smallestComponent > 1)
+  if (cleaning.minimumComponentSize > 1)
   {
     surface = RemoveSmallComponents(*surface, cleaning);
   }
@@ -266,7 +266,7 @@ GetCleaningMemory(const SurfaceCleaning & cleaning, std::uint64_t vertices)
   const std::uint64_t branches =
     2 * MedialVoxelSurfaceBranches::GetBytes(vertices, vertices, vertices / FacesPerJunctionSide);
   return std::max(cleaning.minimumBranchLength > 0 ? branches : 0,
-                  cleaning.smallestComponent > 1 ? vertices * ComponentVertexSize : 0);
+                  cleaning.minimumComponentSize > 1 ? vertices * ComponentVertexSize : 0);
 }
 
 } // end namespace medialvoxel

@@ -16,16 +16,16 @@ namespace medialvoxel
 /** What a surface is rid of once all of it is known, and what that may take. */
 struct SurfaceCleaning
 {
-  double                      minimumBranchLength{ 0 }; ///< physical units; 0: branches stay
-  std::uint64_t               smallestComponent{ 0 };   ///< quadrilaterals; 0 and 1: components stay
-  std::filesystem::path       scratchFolder;            ///< of what is left
-  std::uint64_t               memoryLimit{ 0 };         ///< that may be taken
-  std::function<void(double)> progress;                 ///< called often; may throw to stop
+  double                      minimumBranchLength{ 0 };  ///< physical units; 0: branches stay
+  std::uint64_t               minimumComponentSize{ 0 }; ///< quadrilaterals; 0 and 1: components stay
+  std::filesystem::path       scratchFolder;             ///< of what is left
+  std::uint64_t               memoryLimit{ 0 };          ///< that may be taken
+  std::function<void(double)> progress;                  ///< called often; may throw to stop
 
   bool
   IsOn() const
   {
-    return minimumBranchLength > 0 || smallestComponent > 1;
+    return minimumBranchLength > 0 || minimumComponentSize > 1;
   }
 };
 

@@ -75,7 +75,7 @@ GetCleaning(const ExtractOptions & options)
 {
   SurfaceCleaning cleaning;
   cleaning.minimumBranchLength = options.minimumBranchLength;
-  cleaning.smallestComponent = options.smallestComponent;
+  cleaning.minimumComponentSize = options.minimumComponentSize;
   cleaning.scratchFolder = GetScratchFolder(options, options.meshFile);
   return cleaning;
 }

@@ -132,8 +132,8 @@ struct ExtractOptions : JobOptions
   /** Measure on gray values, which needs a threshold; unset: where one threshold cuts the values. */
   std::optional<bool> subVoxel;
 
-  std::optional<itk::MedialVoxelScanLevels> levels;  ///< values of both materials; unset: those of the scan
-  std::optional<WallMeasure>                measure; ///< how walls are measured, when it is known before
+  std::optional<itk::MedialVoxelScanLevels> materials; ///< values of both materials; unset: those of the scan
+  std::optional<WallMeasure>                measure;   ///< how walls are measured, when it is known before
 
   std::optional<LabelSelection> labels;     ///< each of these values is an object of its own, without thresholds
   std::string                   objectFile; ///< label of the object of each cell, of the type of the input
@@ -149,19 +149,19 @@ struct ExtractOptions : JobOptions
   std::string                thicknessCsvFile; ///< histogram of the thickness, comma-separated values
   std::optional<PlaceLimits> thinBelow;        ///< places with thinner walls are listed; not with labels
   std::optional<PlaceLimits> thickAbove;       ///< places with thicker walls are listed; not with labels
-  std::optional<double>      smallestPlace;    ///< area of places that count; unset: that of ten faces of voxels
+  std::optional<double>      minimumPlaceArea; ///< area of places that count; unset: that of ten faces of voxels
   std::string                placesFile;       ///< these places, comma-separated values
   bool failsIfThin{ false };                   ///< the program ends with ExitStatus::TooThin when there are thin ones
 
-  std::string           previewFile;              ///< PNG
-  std::string           htmlFile;                 ///< report as a page with the preview
-  std::string           returnParameterFile;      ///< counts and seconds for 3D Slicer, a line each
-  std::string           meshFile;                 ///< medial surface; then the labels may be empty too
-  bool                  meshTriangles{ false };   ///< split its quadrilaterals
-  double                minimumBranchLength{ 0 }; ///< of branches that stay in the mesh; physical units, 0: all stay
-  std::uint64_t         smallestComponent{ 0 };   ///< quadrilaterals of components that stay in the mesh
-  ElementSize           elementSize;              ///< of the mesh
-  bool                  extendsRims{ false };     ///< of the mesh, to the free edges; not with ElementSize::Kind::Voxel
+  std::string           previewFile;               ///< PNG
+  std::string           htmlFile;                  ///< report as a page with the preview
+  std::string           returnParameterFile;       ///< counts and seconds for 3D Slicer, a line each
+  std::string           meshFile;                  ///< medial surface; then the labels may be empty too
+  bool                  meshTriangles{ false };    ///< split its quadrilaterals
+  double                minimumBranchLength{ 0 };  ///< of branches that stay in the mesh; physical units, 0: all stay
+  std::uint64_t         minimumComponentSize{ 0 }; ///< quadrilaterals of components that stay in the mesh
+  ElementSize           elementSize;               ///< of the mesh
+  bool                  extendsRims{ false }; ///< of the mesh, to the free edges; not with ElementSize::Kind::Voxel
   ThicknessPlace        thicknessPlace{ ThicknessPlace::Sections }; ///< of a mesh for solvers
   std::optional<double> sectionWidth; ///< as SurfaceWriteOptions; unset: a quarter of the spacing
 };

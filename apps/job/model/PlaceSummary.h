@@ -65,7 +65,7 @@ struct PlaceSummary
   unsigned int           dimension{ 3 };
   double                 limit{ 0.0 };
   double                 growLimit{ 0.0 };
-  double                 smallestArea{ 0.0 };
+  double                 minimumPlaceArea{ 0.0 };
   std::uint64_t          number{ 0 };       ///< of places, also those that are not listed
   std::uint64_t          cells{ 0 };        ///< of all of them
   double                 area{ 0.0 };       ///< of all of them

@@ -58,7 +58,7 @@ AddMesh(std::vector<OptionRow> & rows)
     .Of(Mesh, "Mesh")
     .Help("Split the quadrilaterals", "Along the shorter diagonal.")
     .Python(Mesh);
-  AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::smallestComponent, 0))
+  AddRow(rows, "--min-component-size", "N", Count(&ExtractOptions::minimumComponentSize, 0))
     .Of(Mesh, "Mesh")
     .Formerly("--smallest-component")
     .Help("Leave out components of fewer quadrilaterals",
@@ -135,7 +135,7 @@ AddElements(std::vector<OptionRow> & rows)
           "In units of the spacing; default 0, which keeps all. Holds the whole surface in memory.")
     .Python(Mesh)
     .Slicer({ "Further outputs",
-              "minimumBranchLength",
+              "minBranchLength",
               "Minimum branch length",
               "",
               "double",

@@ -105,9 +105,9 @@ CheckLevels(const ExtractOptions & options)
   constexpr double  infinity = std::numeric_limits<double>::infinity();
   const bool        waitsForOtsu = options.lowerIsOtsu && !options.lowerThreshold;
   const std::string problem =
-    options.levels && !waitsForOtsu
-      ? options.levels->FindProblem(options.lowerThreshold ? options.lowerThreshold->GetNearestDouble() : -infinity,
-                                    options.upperThreshold ? options.upperThreshold->GetNearestDouble() : infinity)
+    options.materials && !waitsForOtsu
+      ? options.materials->FindProblem(options.lowerThreshold ? options.lowerThreshold->GetNearestDouble() : -infinity,
+                                       options.upperThreshold ? options.upperThreshold->GetNearestDouble() : infinity)
       : "";
   if (!problem.empty())
   {
@@ -124,8 +124,8 @@ CheckMeasure(const ExtractOptions & options)
   {
     Fail(ExitStatus::Usage, "sub-voxel measures need a threshold; none is given");
   }
-  const bool         needsFit = options.levels || !options.uncertaintyFile.empty();
-  const char * const what = options.levels ? "levels of gray values" : "the uncertainty of the thickness";
+  const bool         needsFit = options.materials || !options.uncertaintyFile.empty();
+  const char * const what = options.materials ? "levels of gray values" : "the uncertainty of the thickness";
   if (needsFit && isOff)
   {
     Fail(ExitStatus::Usage, what, " and no sub-voxel measures are asked for; they do not go together");

@@ -114,7 +114,7 @@ AddNoise(std::vector<OptionRow> & rows)
             ". Cavities and grains of up to this size are taken for noise; 0 keeps all.")
     .Python(Extract | Mesh)
     .Slicer({ group,
-              "maximumPoreSize",
+              "maxPoreSize",
               "Maximum pore size",
               "Cavities and grains of up to this many voxels are taken for noise and left out. 0 keeps all; -1 means " +
                 pores + " with Automatic and 0 with Fixed",

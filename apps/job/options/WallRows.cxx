@@ -139,7 +139,7 @@ AddGrayValues(std::vector<OptionRow> & rows)
         "",
         Choice<ExtractOptions, Optional>(&ExtractOptions::subVoxel,
                                          { { "Automatic", std::nullopt }, { "On", true }, { "Off", false } }) });
-  AddRow(rows, "--materials", "B,M", Value(&ExtractOptions::levels, ToLevels, FormatLevels))
+  AddRow(rows, "--materials", "B,M", Value(&ExtractOptions::materials, ToLevels, FormatLevels))
     .OfJobs(Extractions, Walls)
     .Formerly("--levels")
     .Help("Values of background and material for that",
@@ -148,8 +148,8 @@ AddGrayValues(std::vector<OptionRow> & rows)
     .Python(Extract)
     .Slicer(
       { Outputs,
-        "levels",
-        "Levels",
+        "materials",
+        "Materials",
         "Values of background and material for sub-voxel measures, with a comma between them; empty: those of the "
         "scan" });
   AddRow(rows, "--thickness-csv", "FILE", File(&ExtractOptions::thicknessCsvFile))
@@ -178,7 +178,7 @@ AddPlaces(std::vector<OptionRow> & rows)
               "Thick above",
               "The same for thicker walls; by default places grow to 0.875 times as much" });
   const char * const places = "--thin-below or --thick-above";
-  AddRow(rows, "--min-place-area", "A", Length(&ExtractOptions::smallestPlace, ToLengthOrNone))
+  AddRow(rows, "--min-place-area", "A", Length(&ExtractOptions::minimumPlaceArea, ToLengthOrNone))
     .OfJobs(Extractions, Walls)
     .Formerly("--smallest-place")
     .Help("Least area of these places",

@@ -133,7 +133,7 @@ private:
         settings.limits[kind] = *limits;
       }
     }
-    settings.smallestArea = m_Options.smallestPlace;
+    settings.minimumPlaceArea = m_Options.minimumPlaceArea;
     return settings;
   }
 

@@ -56,7 +56,7 @@ SummaryToJson(const PlaceSummary & summary)
   }
   return { { "limit", summary.limit },
            { "grow_limit", summary.growLimit },
-           { "smallest_area", summary.smallestArea },
+           { "min_place_area", summary.minimumPlaceArea },
            { "number", summary.number },
            { "cells", summary.cells },
            { "area", summary.area },

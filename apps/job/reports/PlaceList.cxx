@@ -26,7 +26,7 @@ PlaceList::Add(const PlaceSums & place, const PlaceRule & rule)
   {
     return;
   }
-  if (place.areaBeyond < rule.smallestArea)
+  if (place.areaBeyond < rule.minimumPlaceArea)
   {
     ++m_Totals.smaller;
     return;

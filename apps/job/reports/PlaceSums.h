@@ -22,7 +22,7 @@ struct PlaceRule
   PlaceKind     kind{ PlaceKind::Thin };
   float         limit{ 0.0f };
   float         growLimit{ 0.0f };
-  std::uint64_t smallestArea{ 0 }; ///< of the cells beyond the limit, in units of area
+  std::uint64_t minimumPlaceArea{ 0 }; ///< of the cells beyond the limit, in units of area
   double        lengthUnit{ 1.0 };
 
   /** A place has one of these cells. */

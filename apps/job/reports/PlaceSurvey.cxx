@@ -43,7 +43,7 @@ GetMostPlaces(const VolumeGeometry & geometry, const PlaceSettings & settings)
   const std::uint64_t voxelsOfTenCells = geometry.GetDimension() == 3 ? 31 : 17;
   const std::uint64_t voxelsOfCell = std::uint64_t{ 1 } << geometry.GetDimension();
   const std::uint64_t places =
-    geometry.GetNumberOfVoxels() / (settings.smallestArea ? voxelsOfCell : voxelsOfTenCells) + 1;
+    geometry.GetNumberOfVoxels() / (settings.minimumPlaceArea ? voxelsOfCell : voxelsOfTenCells) + 1;
   return std::min<std::uint64_t>(places, PlaceList::MostPlaces);
 }
 
@@ -75,14 +75,15 @@ PlaceSurvey::PlaceSurvey(const VolumeGeometry &       geometry,
   , m_AreaUnit(areaUnit)
   , m_AllowedBytes(GetPlannedCellMemory(geometry) + surplus)
 {
-  const double smallest = settings.smallestArea.value_or(FacesOfSmallestPlace * AreaUnitsPerFace * areaUnit) / areaUnit;
+  const double smallest =
+    settings.minimumPlaceArea.value_or(FacesOfSmallestPlace * AreaUnitsPerFace * areaUnit) / areaUnit;
   for (const auto & [kind, limits] : settings.limits)
   {
     PlaceRule rule;
     rule.kind = kind;
     rule.limit = static_cast<float>(limits.limit);
     rule.growLimit = static_cast<float>(limits.GetGrowLimit(kind));
-    rule.smallestArea =
+    rule.minimumPlaceArea =
       smallest < 0x1p63 ? static_cast<std::uint64_t>(std::ceil(smallest)) : std::numeric_limits<std::uint64_t>::max();
     rule.lengthUnit = GetLengthUnit(grid, geometry.GetDimension());
     m_Searches.push_back({ limits, PlaceJoiner(rule, m_Grid), {} });
@@ -200,7 +201,7 @@ PlaceSurvey::Summarize() const
     summary.dimension = m_Geometry.GetDimension();
     summary.limit = search.limits.limit;
     summary.growLimit = search.limits.GetGrowLimit(rule.kind);
-    summary.smallestArea = static_cast<double>(rule.smallestArea) * m_AreaUnit;
+    summary.minimumPlaceArea = static_cast<double>(rule.minimumPlaceArea) * m_AreaUnit;
     summary.number = list.GetTotals().number;
     summary.cells = list.GetTotals().cells;
     summary.area = static_cast<double>(list.GetTotals().area) * m_AreaUnit;

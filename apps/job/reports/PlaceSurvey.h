@@ -24,8 +24,8 @@ namespace medialvoxel
 /** Which places are looked for. */
 struct PlaceSettings
 {
-  std::map<PlaceKind, PlaceLimits> limits;       ///< of the kinds that are
-  std::optional<double>            smallestArea; ///< of places that count; unset: that of ten faces of voxels
+  std::map<PlaceKind, PlaceLimits> limits;           ///< of the kinds that are
+  std::optional<double>            minimumPlaceArea; ///< of places that count; unset: that of ten faces of voxels
 };
 
 /** \class PlaceMemoryError

@@ -164,7 +164,7 @@ MakeLocalThickness(const ExtractOptions & options, const JobResult & result)
   const itk::MedialVoxelLocalThicknessSums & sums = result.sums.localThickness;
   const auto maximum = static_cast<float>(GetLocalThickness(options, GetGrid(options, result.input)).maximumThickness);
   return { { "method", GetName(options.localThicknessMethod) },
-           { "maximum", maximum },
+           { "largest_ball", maximum },
            { "voxels", sums.voxels },
            { "mean", sums.voxels > 0 ? Json(sums.GetMean(maximum)) : Json(nullptr) },
            { "standard_deviation", sums.voxels > 0 ? Json(sums.GetStandardDeviation(maximum)) : Json(nullptr) },
@@ -206,23 +206,24 @@ MakeReport(const ExtractOptions & options, const JobResult & result)
   {
     const auto limits = GetLimitsOfWalls(options, GetGrid(options, result.input));
     parameters["thickness"] = AutomaticThickness;
-    parameters["minimum_thickness"] = limits.minimum;
-    parameters["maximum_thickness"] = limits.maximum;
+    parameters["min_thickness"] = limits.minimum;
+    parameters["max_thickness"] = limits.maximum;
   }
   AddObject(parameters, options, result);
   if (options.labels)
   {
     parameters["labels"] = options.labels->all ? Json("all") : Json(options.labels->values);
   }
-  parameters["maximum_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
+  parameters["max_pore_size"] = GetParameters(options, GetGrid(options, result.input)).maximumPoreSize;
   parameters["smooth"] = GetName(GetRequestedSmoothing(options));
   parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
-  parameters["levels"] = options.levels ? Json{ options.levels->background, options.levels->material } : Json(nullptr);
+  parameters["materials"] =
+    options.materials ? Json{ options.materials->background, options.materials->material } : Json(nullptr);
   parameters["vector_boundary"] = GetName(options.vectorBoundary);
   if (!options.meshFile.empty())
   {
-    parameters["minimum_branch_length"] = options.minimumBranchLength;
-    parameters["smallest_component"] = options.smallestComponent;
+    parameters["min_branch_length"] = options.minimumBranchLength;
+    parameters["min_component_size"] = options.minimumComponentSize;
   }
 
   Json report = BeginReport(parameters, result);
@@ -257,7 +258,7 @@ MakeReport(const PartOptions & options, const JobResult & result)
 {
   Json parameters = Json::object();
   AddObject(parameters, options, result);
-  parameters["maximum_pore_size"] =
+  parameters["max_pore_size"] =
     GetParameters(GetThicknessOptions(options), GetGrid(options, result.input)).maximumPoreSize;
   parameters["sub_voxel"] = options.subVoxel ? Json(*options.subVoxel) : Json(nullptr);
   parameters["open"] = options.isOpen;
@@ -282,7 +283,7 @@ MakeReport(const DistanceOptions & options, const JobResult & result)
   AddObject(parameters, options, result);
   parameters["boundary"] = GetName(options.boundary);
   parameters["region"] = GetName(options.region);
-  parameters["maximum_distance"] = OptionalToJson(options.maximumDistance);
+  parameters["max_distance"] = OptionalToJson(options.maximumDistance);
 
   Json report = BeginReport(parameters, result);
   report["counts"] = { { "not_a_number_voxels", result.sums.counts.notANumberVoxels } };

@@ -80,8 +80,8 @@ ListViewRows()
 
     { ExtractTable, "", "tau", "{parameters.thickness}[!parameters.thickness=auto? {unit}]" },
     { PageParameters, "", "thickness (tau)", "{parameters.thickness}" },
-    { PageParameters, "parameters.maximum_thickness", "minimum thickness", "{short parameters.minimum_thickness}" },
-    { PageParameters, "parameters.maximum_thickness", "maximum thickness", "{short parameters.maximum_thickness}" },
+    { PageParameters, "parameters.max_thickness", "minimum thickness", "{short parameters.min_thickness}" },
+    { PageParameters, "parameters.max_thickness", "maximum thickness", "{short parameters.max_thickness}" },
     { PageParameters, "", "lengths in", "{unit}" },
     { Tables, "parameters.lower_otsu", "lower threshold", "{parameters.lower}, of Otsu" },
     { PageParameters,
@@ -113,7 +113,7 @@ ListViewRows()
       "smoothed",
       "[smoothed?yes][!smoothed?no][roughness?, roughness {percent roughness.ratio}]" },
     { PageParameters, "!smoothed&!roughness", "smoothed", "no" },
-    { PageParameters, "", "largest pores left out", "{parameters.maximum_pore_size} voxels" },
+    { PageParameters, "", "largest pores left out", "{parameters.max_pore_size} voxels" },
     { PartTables, "counts.filled_voxels>0", "pores", "{counts.filled_voxels} voxels, taken as object" },
     { PartTables, "counts.removed_voxels>0", "dust", "{counts.removed_voxels} voxels, taken as background" },
 

@@ -136,11 +136,11 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
     [](const ExtractOptions & options, const VolumeHeader & input) {
       return CheckLength("thickness", options.thickness, options, input);
     } },
-  { "unusual_minimum_thickness",
+  { "unusual_min_thickness",
     [](const ExtractOptions & options, const VolumeHeader & input) {
       return CheckLength("minimum thickness", options.minimumThickness, options, input);
     } },
-  { "unusual_maximum_thickness",
+  { "unusual_max_thickness",
     [](const ExtractOptions & options, const VolumeHeader & input) {
       return CheckLength("maximum thickness", options.maximumThickness, options, input);
     } },
@@ -153,7 +153,7 @@ const std::vector<Rule<ExtractOptions, VolumeHeader>> RequestRules{
 const std::vector<Rule<ExtractOptions, VolumeHeader>> ThicknessRequestRules{ { "unequal_spacing", CheckSpacing } };
 
 const std::vector<Rule<DistanceOptions, VolumeHeader>> DistanceRequestRules{
-  { "unusual_maximum_distance", CheckMaximumDistance },
+  { "unusual_max_distance", CheckMaximumDistance },
   { "unused_scratch",
     [](const DistanceOptions & options, const VolumeHeader & input) { return CheckScratch(options, input); } },
 };
@@ -279,13 +279,12 @@ CheckMaximumThickness(const WallFacts & facts)
   const double      edge = facts.options.voxelUnits ? 1.0 : GetSmallestSpacing(facts.result.input.geometry);
   const double      suggestion = std::ceil(areas.GetPercentile(nearlyAll) / edge) * edge;
   const std::string unit = facts.options.voxelUnits ? " voxels" : "";
-  return WarningText{ FormatShare(share) + " of the sheet is of walls thicker than the maximum thickness " +
-                        FormatShort(maximum) + unit +
-                        ", and may be branches towards their edges; a maximum thickness of " + FormatShort(suggestion) +
-                        unit + " reaches nearly all",
-                      { { "area_percent", 100.0 * share },
-                        { "maximum_thickness", maximum },
-                        { "suggested_maximum_thickness", suggestion } } };
+  return WarningText{
+    FormatShare(share) + " of the sheet is of walls thicker than the maximum thickness " + FormatShort(maximum) + unit +
+      ", and may be branches towards their edges; a maximum thickness of " + FormatShort(suggestion) + unit +
+      " reaches nearly all",
+    { { "area_percent", 100.0 * share }, { "max_thickness", maximum }, { "suggested_max_thickness", suggestion } }
+  };
 }
 
 /** The volume that the medial cells account for: what one of them does on average, with its area and thickness, times
@@ -382,7 +381,7 @@ CheckObjectsWithoutWalls(const WallFacts & facts)
                       { { "labels", static_cast<double>(unmeasured.size()) } } };
 }
 
-const std::vector<Rule<WallFacts>> WallRules{ { "beyond_maximum_thickness", CheckMaximumThickness },
+const std::vector<Rule<WallFacts>> WallRules{ { "beyond_max_thickness", CheckMaximumThickness },
                                               { "few_sheets", CheckSheets, true },
                                               { "labels_without_walls", CheckObjectsWithoutWalls, true } };
 

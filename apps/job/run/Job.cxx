@@ -83,9 +83,9 @@ CheckInput(const ExtractOptions & options, const VolumeHeader & header)
     CheckSurfaceInput(header, options.meshFile, "medial surface");
     CheckElementSize(options, header.geometry);
   }
-  if ((options.levels || !options.uncertaintyFile.empty()) && !HasOneThreshold(options, header))
+  if ((options.materials || !options.uncertaintyFile.empty()) && !HasOneThreshold(options, header))
   {
-    RefuseLackOfThreshold(options.levels ? "levels of gray values need" : "the uncertainty of the thickness need",
+    RefuseLackOfThreshold(options.materials ? "levels of gray values need" : "the uncertainty of the thickness need",
                           header);
   }
 }
