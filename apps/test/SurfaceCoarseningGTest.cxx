@@ -35,10 +35,10 @@ MakeLargeStrip()
   return spool;
 }
 
-SurfaceRemeshing
+SheetRemeshing
 MakeRemeshing(const unsigned int threads)
 {
-  SurfaceRemeshing remeshing;
+  SheetRemeshing remeshing;
   remeshing.size = { 2.0, true, true, 0.5 };
   remeshing.scratchFolder = std::filesystem::temp_directory_path();
   remeshing.memoryLimit = std::uint64_t{ 1 } << 30;
@@ -125,11 +125,11 @@ TEST(SurfacePartition, OnePlaceIsOnePart)
   EXPECT_EQ(partition.GetNumberOfParts(), 1u);
 }
 
-TEST(SurfaceCoarsening, PartsMakeOneSurfaceWithFewerFaces)
+TEST(SheetCoarsening, PartsMakeOneSurfaceWithFewerFaces)
 {
-  const SurfaceCoarsening coarsening(MakeLargeStrip(), MakeRemeshing(2), 0);
-  const auto              coarse = coarsening.Coarsen(3.0);
-  const Content           content(*coarse);
+  const SheetCoarsening coarsening(MakeLargeStrip(), MakeRemeshing(2), 0);
+  const auto            coarse = coarsening.Coarsen(3.0);
+  const Content         content(*coarse);
   EXPECT_LT(content.faces.size(), 80000u);
   EXPECT_NEAR(content.GetArea(), 160000.0, 4.0); // corners are cut by parts of triangles
   std::size_t rims = 0;
@@ -146,13 +146,13 @@ TEST(SurfaceCoarsening, PartsMakeOneSurfaceWithFewerFaces)
   EXPECT_GT(rims, 100u);
 }
 
-TEST(SurfaceRemeshing, ThreadsDoNotChangeTheBytes)
+TEST(SheetRemeshing, ThreadsDoNotChangeTheBytes)
 {
   std::vector<Content> contents;
   for (const unsigned int threads : { 1u, 2u, 5u })
   {
     itk::MedialVoxelRemeshingSummary summary;
-    const auto                       remeshed = RemeshSurface(MakeLargeStrip(), MakeRemeshing(threads), summary);
+    const auto                       remeshed = RemeshSheet(MakeLargeStrip(), MakeRemeshing(threads), summary);
     contents.emplace_back(*remeshed);
     EXPECT_EQ(summary.fineArea, 160000.0);
     EXPECT_EQ(summary.walls, 1u);
@@ -179,10 +179,10 @@ TEST(SurfaceRemeshing, ThreadsDoNotChangeTheBytes)
   }
 }
 
-TEST(SurfaceRemeshing, StopsWhenProgressThrows)
+TEST(SheetRemeshing, StopsWhenProgressThrows)
 {
-  SurfaceRemeshing remeshing = MakeRemeshing(2);
-  unsigned int     calls = 0;
+  SheetRemeshing remeshing = MakeRemeshing(2);
+  unsigned int   calls = 0;
   remeshing.progress = [&](double) {
     if (++calls > 800)
     {
@@ -190,7 +190,7 @@ TEST(SurfaceRemeshing, StopsWhenProgressThrows)
     }
   };
   itk::MedialVoxelRemeshingSummary summary;
-  EXPECT_THROW(RemeshSurface(MakeLargeStrip(), remeshing, summary), std::runtime_error);
+  EXPECT_THROW(RemeshSheet(MakeLargeStrip(), remeshing, summary), std::runtime_error);
 }
 
 } // namespace

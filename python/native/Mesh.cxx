@@ -49,7 +49,7 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   engine.ReadBeforeRun([&](const auto & observer) { object.Prepare(observer); });
   const ArrayMeasure measure =
     engine.FindMeasure(object, MayMeasureOnGrayValues(options, call.header), "", options.materials);
-  SurfaceMesh surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * SurfaceMesh::MostPending);
+  SheetMesh surface(options, geometry, engine.GetGrid(), geometry.GetNumberOfVoxels() * SheetMesh::MostPending);
   itk::MedialVoxelExtraction extraction;
   extraction.parameters = GetParameters(options, engine.GetGrid());
   extraction.grayRange = measure.range;

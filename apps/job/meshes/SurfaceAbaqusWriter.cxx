@@ -92,7 +92,7 @@ WriteElements(SurfaceReader & reader, unsigned int numberOfVertices, const char 
 
 /** Ends of the runs of sections whose elements are kept at once; a section that is too large is a run of its own. */
 std::vector<size_t>
-GetRunEnds(const std::vector<SurfaceSection> & sections, std::uint64_t keptElements)
+GetRunEnds(const std::vector<SheetSection> & sections, std::uint64_t keptElements)
 {
   std::vector<size_t> ends;
   std::uint64_t       kept = 0;
@@ -111,11 +111,11 @@ GetRunEnds(const std::vector<SurfaceSection> & sections, std::uint64_t keptEleme
 
 /** The sets of a run of sections; the elements of a single one need not be kept. */
 void
-WriteSectionSets(SurfaceReader &         reader,
-                 const SurfaceSections & sections,
-                 size_t                  begin,
-                 size_t                  end,
-                 BufferedOutput &        output)
+WriteSectionSets(SurfaceReader &       reader,
+                 const SheetSections & sections,
+                 size_t                begin,
+                 size_t                end,
+                 BufferedOutput &      output)
 {
   if (end - begin == 1)
   {
@@ -212,8 +212,8 @@ WriteObjectSets(SurfaceReader & reader, const std::vector<std::int64_t> & labels
 
 void
 WriteNodalThickness(SurfaceReader &             reader,
-                    const SurfaceEdges &        edges,
-                    const SurfaceSections &     sections,
+                    const SheetEdges &          edges,
+                    const SheetSections &       sections,
                     const SurfaceWriteOptions & options,
                     BufferedOutput &            output)
 {
@@ -226,7 +226,7 @@ WriteNodalThickness(SurfaceReader &             reader,
 }
 
 void
-WriteProperties(const std::vector<SurfaceSection> & sections, const char * further, BufferedOutput & output)
+WriteProperties(const std::vector<SheetSection> & sections, const char * further, BufferedOutput & output)
 {
   output.Text("**\n** A placeholder (aluminum in N, mm, t): put in your material.\n"
               "*MATERIAL, NAME=REPLACE_THIS_MATERIAL\n*ELASTIC\n70000., 0.33\n*DENSITY\n2.7e-9\n");
@@ -244,8 +244,8 @@ WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, 
 {
   const bool isAtNodes = options.thicknessPlace == ThicknessPlace::Nodes;
   reader.SetNumberOfPasses(1, 17);
-  const SurfaceEdges    edges(reader);
-  const SurfaceSections sections(reader, edges, options);
+  const SheetEdges    edges(reader);
+  const SheetSections sections(reader, edges, options);
   CheckElementsFit(SurfaceFormat::Abaqus, reader, sections);
   const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptNumbers);
   const std::uint64_t       elementPasses = (sections.GetNumberOfTriangles() > 0) + (sections.GetNumberOfQuads() > 0);

@@ -171,7 +171,7 @@ CopyFaces(const SurfaceSpool & from, SurfaceSpool & to, TAdapt && adapt, TNumber
 }
 
 void
-CheckMemory(const SurfaceSpool & surface, std::uint64_t needed, const SurfaceCleaning & cleaning, const char * what)
+CheckMemory(const SurfaceSpool & surface, std::uint64_t needed, const SheetCleaning & cleaning, const char * what)
 {
   if (needed > cleaning.memoryLimit)
   {
@@ -189,7 +189,7 @@ CheckMemory(const SurfaceSpool & surface, std::uint64_t needed, const SurfaceCle
 }
 
 std::unique_ptr<SurfaceSpool>
-RemoveBranches(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
+RemoveBranches(const SurfaceSpool & surface, const SheetCleaning & cleaning)
 {
   const SpooledQuads  quads(surface, cleaning.progress);
   const std::uint64_t numberOfQuads = surface.GetNumberOfFaces() / GetFacesPerQuad(surface);
@@ -224,7 +224,7 @@ RemoveBranches(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
 }
 
 std::unique_ptr<SurfaceSpool>
-RemoveSmallComponents(const SurfaceSpool & surface, const SurfaceCleaning & cleaning)
+RemoveSmallComponents(const SurfaceSpool & surface, const SheetCleaning & cleaning)
 {
   CheckMemory(surface, surface.GetNumberOfVertices() * ComponentVertexSize, cleaning, "finding its small components");
   MedialVoxelSurfaceComponents components;
@@ -247,7 +247,7 @@ RemoveSmallComponents(const SurfaceSpool & surface, const SurfaceCleaning & clea
 } // namespace
 
 std::unique_ptr<SurfaceSpool>
-CleanSurface(std::unique_ptr<SurfaceSpool> surface, const SurfaceCleaning & cleaning)
+CleanSheet(std::unique_ptr<SurfaceSpool> surface, const SheetCleaning & cleaning)
 {
   if (cleaning.minimumBranchLength > 0)
   {
@@ -261,7 +261,7 @@ CleanSurface(std::unique_ptr<SurfaceSpool> surface, const SurfaceCleaning & clea
 }
 
 std::uint64_t
-GetCleaningMemory(const SurfaceCleaning & cleaning, std::uint64_t vertices)
+GetCleaningMemory(const SheetCleaning & cleaning, std::uint64_t vertices)
 {
   const std::uint64_t branches =
     2 * MedialVoxelSurfaceBranches::GetBytes(vertices, vertices, vertices / FacesPerJunctionSide);

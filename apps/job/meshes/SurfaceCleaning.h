@@ -14,7 +14,7 @@ namespace medialvoxel
 {
 
 /** What a surface is rid of once all of it is known, and what that may take. */
-struct SurfaceCleaning
+struct SheetCleaning
 {
   double                      minimumBranchLength{ 0 };  ///< physical units; 0: branches stay
   std::uint64_t               minimumComponentSize{ 0 }; ///< quadrilaterals; 0 and 1: components stay
@@ -33,11 +33,11 @@ struct SurfaceCleaning
  * triangles of which each is one. There are two spools at a time, and memory for every vertex and face.
  * \throw JobError Refused when that is more memory than allowed */
 std::unique_ptr<SurfaceSpool>
-CleanSurface(std::unique_ptr<SurfaceSpool> surface, const SurfaceCleaning & cleaning);
+CleanSheet(std::unique_ptr<SurfaceSpool> surface, const SheetCleaning & cleaning);
 
 /** Memory that cleaning takes for so many vertices and as many faces. */
 std::uint64_t
-GetCleaningMemory(const SurfaceCleaning & cleaning, std::uint64_t vertices);
+GetCleaningMemory(const SheetCleaning & cleaning, std::uint64_t vertices);
 
 } // end namespace medialvoxel
 

@@ -54,16 +54,16 @@ GetLongestSide(const itk::MedialVoxelRemeshedSheet & sheet)
 } // namespace
 
 /** Faces of a group, and all of their vertices. */
-struct SurfaceCoarsening::Part
+struct SheetCoarsening::Part
 {
   itk::MedialVoxelSheet      sheet;
   std::vector<std::uint64_t> numbers; ///< of the vertices in the surface
   std::vector<std::uint32_t> objects;
 };
 
-SurfaceCoarsening::SurfaceCoarsening(std::unique_ptr<SurfaceSpool> surface,
-                                     const SurfaceRemeshing &      remeshing,
-                                     const unsigned int            number)
+SheetCoarsening::SheetCoarsening(std::unique_ptr<SurfaceSpool> surface,
+                                 const SheetRemeshing &        remeshing,
+                                 const unsigned int            number)
   : m_Remeshing(remeshing)
 {
   SurfaceReader          reader(*surface, remeshing.progress);
@@ -78,7 +78,7 @@ SurfaceCoarsening::SurfaceCoarsening(std::unique_ptr<SurfaceSpool> surface,
 }
 
 void
-SurfaceCoarsening::FindShared()
+SheetCoarsening::FindShared()
 {
   SurfaceReader reader(*m_Grouped.surface, m_Remeshing.progress);
   reader.ForEachFace([&](const std::uint64_t number, const SurfaceFace & face) {
@@ -96,8 +96,8 @@ SurfaceCoarsening::FindShared()
   m_Shared.erase(std::unique(m_Shared.begin(), m_Shared.end()), m_Shared.end());
 }
 
-SurfaceCoarsening::Part
-SurfaceCoarsening::ReadPart(const std::uint64_t number) const
+SheetCoarsening::Part
+SheetCoarsening::ReadPart(const std::uint64_t number) const
 {
   const SurfaceSpool &              surface = *m_Grouped.surface;
   const std::uint64_t               first = m_Grouped.firstVertex[number];
@@ -145,7 +145,7 @@ SurfaceCoarsening::ReadPart(const std::uint64_t number) const
 }
 
 std::unique_ptr<SurfaceSpool>
-SurfaceCoarsening::Coarsen(const double most) const
+SheetCoarsening::Coarsen(const double most) const
 {
   struct Coarsened
   {
@@ -213,8 +213,8 @@ SurfaceCoarsening::Coarsen(const double most) const
 }
 
 void
-SurfaceCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
-                                    itk::MedialVoxelRemeshingSummary &    summary) const
+SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
+                                  itk::MedialVoxelRemeshingSummary &    summary) const
 {
   itk::MedialVoxelSheetDistances distances(coarse);
   const auto                     check = [this] { m_Remeshing.progress(0.0); };
@@ -244,7 +244,7 @@ SurfaceCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse
 }
 
 std::uint64_t
-SurfaceCoarsening::GetBytes(const unsigned int threads)
+SheetCoarsening::GetBytes(const unsigned int threads)
 {
   // A part, and results of others that wait, which take a sixth of it each at most.
   return BytesBeside + threads * 2 * MostFaces * itk::MedialVoxelRemeshingBytesPerTriangle() * 4 / 3;

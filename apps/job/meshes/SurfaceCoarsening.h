@@ -9,18 +9,18 @@
 namespace medialvoxel
 {
 
-/** \class SurfaceCoarsening
+/** \class SheetCoarsening
  * \brief Larger triangles for a surface of any size: parts of it are read, coarsened in threads, and put together.
  *
  * Points at the boundaries of parts stay as they are. The next coarsening has other boundaries. */
-class SurfaceCoarsening
+class SheetCoarsening
 {
 public:
   /** Faces of a part at most. */
   static constexpr std::uint64_t MostFaces = std::uint64_t{ 1 } << 16;
 
   /** \param number of this coarsening, from 0 on, which decides the boundaries of its parts */
-  SurfaceCoarsening(std::unique_ptr<SurfaceSpool> surface, const SurfaceRemeshing & remeshing, unsigned int number);
+  SheetCoarsening(std::unique_ptr<SurfaceSpool> surface, const SheetRemeshing & remeshing, unsigned int number);
 
   std::uint64_t
   GetNumberOfFaces() const
@@ -55,7 +55,7 @@ private:
   Part
   ReadPart(std::uint64_t number) const;
 
-  SurfaceRemeshing           m_Remeshing;
+  SheetRemeshing             m_Remeshing;
   GroupedSurface             m_Grouped;
   std::vector<std::uint64_t> m_Shared; ///< vertices that several parts have, by number
 };

@@ -60,7 +60,7 @@ private:
 };
 
 std::string
-GetTitle(const SurfaceSection & section, size_t number, const std::vector<std::int64_t> & labels)
+GetTitle(const SheetSection & section, size_t number, const std::vector<std::int64_t> & labels)
 {
   const std::string object = section.object > 0 ? GetObjectName(labels[section.object - 1]) + " " : "";
   return object + "THICKNESS_" + std::to_string(number);
@@ -68,9 +68,9 @@ GetTitle(const SurfaceSection & section, size_t number, const std::vector<std::i
 
 /** A part and a section for each. */
 void
-WriteParts(const std::vector<SurfaceSection> & sections,
-           const std::vector<std::int64_t> &   labels,
-           BufferedOutput &                    output)
+WriteParts(const std::vector<SheetSection> & sections,
+           const std::vector<std::int64_t> & labels,
+           BufferedOutput &                  output)
 {
   output.Text("$ A placeholder (aluminum in N, mm, t): put in your material.\n"
               "*MAT_ELASTIC\n$      mid        ro         e        pr\n"
@@ -103,7 +103,7 @@ WriteNodes(SurfaceReader & reader, BufferedOutput & output)
 /** Triangles are quads whose last two corners are the same. */
 void
 WriteElements(SurfaceReader &             reader,
-              const SurfaceSections &     sections,
+              const SheetSections &       sections,
               const SurfaceWriteOptions & options,
               BufferedOutput &            output)
 {
@@ -158,9 +158,9 @@ WriteElementSet(SurfaceReader & reader,
 
 /** A set of parts for each object of a label map. */
 void
-WriteObjectSets(const std::vector<SurfaceSection> & sections,
-                const std::vector<std::int64_t> &   labels,
-                BufferedOutput &                    output)
+WriteObjectSets(const std::vector<SheetSection> & sections,
+                const std::vector<std::int64_t> & labels,
+                BufferedOutput &                  output)
 {
   for (size_t first = 0, end = 0; first < sections.size(); first = end)
   {
@@ -184,8 +184,8 @@ void
 WriteSurfaceLsDyna(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 5);
-  const SurfaceEdges    edges(reader);
-  const SurfaceSections sections(reader, edges, options);
+  const SheetEdges    edges(reader);
+  const SheetSections sections(reader, edges, options);
   CheckElementsFit(SurfaceFormat::LsDyna, reader, sections);
   output.Text("*KEYWORD\n*TITLE\n" + GetTitle(options) + "\n");
   WriteParts(sections.GetSections(), options.objectLabels, output);

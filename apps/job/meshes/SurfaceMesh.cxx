@@ -27,7 +27,7 @@ constexpr std::uint64_t CellInWorkSize = 152;
 
 /** A cell that waits for its piece to be done, in a vector that grows by a quarter. */
 constexpr std::uint64_t PendingCellSize = sizeof(itk::MedialVoxelSurfaceCell) * 5 / 4;
-static_assert(PendingCellSize <= 8 * SurfaceMesh::MostPending);
+static_assert(PendingCellSize <= 8 * SheetMesh::MostPending);
 
 /** What reading the scratch files for a writer takes. */
 constexpr std::uint64_t WritingMemory = 8 * MiB;
@@ -67,13 +67,13 @@ std::uint64_t
 GetEdgeMemory(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
   const bool isForSolvers = HoldsElements(GetSurfaceFormat(options.meshFile));
-  return isForSolvers ? GetPlannedVertices(geometry) / SurfaceEdges::VerticesPerByte : 0;
+  return isForSolvers ? GetPlannedVertices(geometry) / SheetEdges::VerticesPerByte : 0;
 }
 
-SurfaceCleaning
+SheetCleaning
 GetCleaning(const ExtractOptions & options)
 {
-  SurfaceCleaning cleaning;
+  SheetCleaning cleaning;
   cleaning.minimumBranchLength = options.minimumBranchLength;
   cleaning.minimumComponentSize = options.minimumComponentSize;
   cleaning.scratchFolder = GetScratchFolder(options, options.meshFile);
@@ -82,10 +82,10 @@ GetCleaning(const ExtractOptions & options)
 
 } // namespace
 
-SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
-                         const VolumeGeometry &       geometry,
-                         const itk::MedialVoxelGrid & grid,
-                         const std::uint64_t          surplus)
+SheetMesh::SheetMesh(const ExtractOptions &       options,
+                     const VolumeGeometry &       geometry,
+                     const itk::MedialVoxelGrid & grid,
+                     const std::uint64_t          surplus)
   : m_Options(options)
   , m_Geometry(geometry)
   , m_Grid(grid)
@@ -97,7 +97,7 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
   if (options.labels)
   {
     itk::MedialVoxelSurfaceConsumer & consumer = *this;
-    m_Passes = std::make_unique<SurfacePasses>([this](auto & ofPass) { return this->MakeObserver(ofPass); }, consumer);
+    m_Passes = std::make_unique<SheetPasses>([this](auto & ofPass) { return this->MakeObserver(ofPass); }, consumer);
   }
   else
   {
@@ -106,7 +106,7 @@ SurfaceMesh::SurfaceMesh(const ExtractOptions &       options,
 }
 
 std::unique_ptr<itk::MedialVoxelSurfaceObserver>
-SurfaceMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
+SheetMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
 {
   auto observer = std::make_unique<itk::MedialVoxelSurfaceObserver>(
     m_Grid, GetParameters(m_Options, m_Grid), GetSpacing(m_Geometry), GetPlacement(m_Geometry), consumer);
@@ -118,11 +118,11 @@ SurfaceMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
   return observer;
 }
 
-SurfaceSummary
-SurfaceMesh::Write(OutputFile &                        file,
-                   std::uint64_t                       memoryLimit,
-                   unsigned int                        threads,
-                   const std::function<void(double)> & progress)
+SheetSummary
+SheetMesh::Write(OutputFile &                        file,
+                 std::uint64_t                       memoryLimit,
+                 unsigned int                        threads,
+                 const std::function<void(double)> & progress)
 {
   this->Finish(memoryLimit, threads, progress);
   SurfaceWriteOptions options;
@@ -133,7 +133,7 @@ SurfaceMesh::Write(OutputFile &                        file,
   options.unit = m_Geometry.DescribeUnit();
   options.progress = progress;
   WriteSurface(GetSurfaceFormat(m_Options.meshFile), *m_Spool, options, file);
-  SurfaceSummary summary;
+  SheetSummary summary;
   summary.vertices = m_Spool->GetNumberOfVertices();
   summary.faces = m_Spool->GetNumberOfFaces();
   summary.area = m_Area;
@@ -148,7 +148,7 @@ SurfaceMesh::Write(OutputFile &                        file,
 }
 
 const SurfaceSpool &
-SurfaceMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
+SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
 {
   if (m_Passes)
   {
@@ -165,7 +165,7 @@ SurfaceMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::
   {
     m_Cleaning.memoryLimit += memoryLimit;
     m_Cleaning.progress = progress;
-    m_Spool = CleanSurface(std::move(m_Spool), m_Cleaning);
+    m_Spool = CleanSheet(std::move(m_Spool), m_Cleaning);
   }
   if (IsRemeshed(m_Options))
   {
@@ -182,9 +182,9 @@ SurfaceMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::
 }
 
 void
-SurfaceMesh::Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
+SheetMesh::Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
 {
-  SurfaceRemeshing remeshing;
+  SheetRemeshing remeshing;
   remeshing.size = GetElementSize(m_Options, m_Geometry);
   remeshing.size.extendsRims = m_Options.extendsRims;
   remeshing.size.measureRimRays = m_MeasureRimRays;
@@ -192,11 +192,11 @@ SurfaceMesh::Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::
   remeshing.memoryLimit = memoryLimit + GetRemeshingMemory(1);
   remeshing.threads = threads;
   remeshing.progress = progress;
-  m_Spool = RemeshSurface(std::move(m_Spool), remeshing, m_Remeshing.emplace());
+  m_Spool = RemeshSheet(std::move(m_Spool), remeshing, m_Remeshing.emplace());
 }
 
 void
-SurfaceMesh::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertices)
+SheetMesh::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertices)
 {
   m_Vertices.resize(vertices.size());
   std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [](const auto & vertex) {
@@ -206,7 +206,7 @@ SurfaceMesh::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vert
 }
 
 void
-SurfaceMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
+SheetMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
 {
   m_Faces.clear();
   for (const itk::MedialVoxelSurfaceQuad & quad : quads)
@@ -226,7 +226,7 @@ SurfaceMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
 
 /** The halves along the shorter diagonal, which has no mark. */
 void
-SurfaceMesh::AddTriangles(const itk::MedialVoxelSurfaceQuad & quad)
+SheetMesh::AddTriangles(const itk::MedialVoxelSurfaceQuad & quad)
 {
   for (unsigned int half = 0; half < 2; ++half)
   {
@@ -245,14 +245,14 @@ SurfaceMesh::AddTriangles(const itk::MedialVoxelSurfaceQuad & quad)
 }
 
 ProductFootprint
-SurfaceMesh::GetFootprint(const ExtractOptions &       options,
-                          const VolumeGeometry &       geometry,
-                          const itk::MedialVoxelGrid & grid)
+SheetMesh::GetFootprint(const ExtractOptions &       options,
+                        const VolumeGeometry &       geometry,
+                        const itk::MedialVoxelGrid & grid)
 {
-  const SurfaceCleaning cleaning = GetCleaning(options);
-  const bool            isRemeshed = IsRemeshed(options);
-  const std::uint64_t   vertices = GetPlannedVertices(geometry);
-  ProductFootprint      footprint;
+  const SheetCleaning cleaning = GetCleaning(options);
+  const bool          isRemeshed = IsRemeshed(options);
+  const std::uint64_t vertices = GetPlannedVertices(geometry);
+  ProductFootprint    footprint;
   footprint.beside = geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize +
                      GetPendingCells(geometry) * PendingCellSize + WritingMemory + GetEdgeMemory(options, geometry) +
                      (isRemeshed ? GetRemeshingMemory(1) : 0) + GetCleaningMemory(cleaning, vertices);

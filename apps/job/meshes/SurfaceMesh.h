@@ -23,11 +23,11 @@
 namespace medialvoxel
 {
 
-/** \class SurfaceMesh
+/** \class SheetMesh
  * \brief The medial surface of a job, built while its pieces run, and kept in scratch files until it is written.
  *
  * The scratch files are in the scratch folder of the options, without one in the folder of the mesh. */
-class SurfaceMesh : private itk::MedialVoxelSurfaceConsumer
+class SheetMesh : private itk::MedialVoxelSurfaceConsumer
 {
 public:
   /** Bytes of cells that wait for their piece, for each of its voxels: one cell for each 8 is more than there are. */
@@ -35,10 +35,10 @@ public:
 
   /** \param grid          the image in the units of the options
    * \param surplus  for cells that wait until their piece is done, beside those of GetFootprint() */
-  SurfaceMesh(const ExtractOptions &       options,
-              const VolumeGeometry &       geometry,
-              const itk::MedialVoxelGrid & grid,
-              std::uint64_t                surplus);
+  SheetMesh(const ExtractOptions &       options,
+            const VolumeGeometry &       geometry,
+            const itk::MedialVoxelGrid & grid,
+            std::uint64_t                surplus);
 
   /** Sees the tiles of the pieces; may ask for more sites. */
   itk::MedialVoxelTileObserver &
@@ -80,8 +80,8 @@ public:
 
   /** Writes the surface after the last piece, and finishes the file. \a progress may throw to stop.
    * \param memoryLimit what may be taken beside those of GetFootprint()
-   * \throw JobError as CleanSurface() and WriteSurface() */
-  SurfaceSummary
+   * \throw JobError as CleanSheet() and WriteSurface() */
+  SheetSummary
   Write(OutputFile &                        file,
         std::uint64_t                       memoryLimit,
         unsigned int                        threads,
@@ -115,7 +115,7 @@ private:
   VolumeGeometry                                  m_Geometry;
   itk::MedialVoxelGrid                            m_Grid;
   std::uint64_t                                   m_MaximumNumberOfCells;
-  SurfaceCleaning                                 m_Cleaning;
+  SheetCleaning                                   m_Cleaning;
   std::unique_ptr<SurfaceSpool>                   m_Spool;
   std::vector<SurfaceVertex>                      m_Vertices; // of one slice, for the spool
   std::vector<SurfaceFace>                        m_Faces;
@@ -128,7 +128,7 @@ private:
 
   // One of them.
   std::unique_ptr<itk::MedialVoxelSurfaceObserver> m_Observer;
-  std::unique_ptr<SurfacePasses>                   m_Passes; ///< of a label map
+  std::unique_ptr<SheetPasses>                     m_Passes; ///< of a label map
 };
 
 } // end namespace medialvoxel

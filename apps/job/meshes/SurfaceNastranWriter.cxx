@@ -47,9 +47,9 @@ WriteSet(unsigned int number, const char * name, const std::vector<bool> & marks
 }
 
 void
-WriteProperties(const std::vector<SurfaceSection> & sections,
-                const std::vector<std::int64_t> &   labels,
-                BufferedOutput &                    output)
+WriteProperties(const std::vector<SheetSection> & sections,
+                const std::vector<std::int64_t> & labels,
+                BufferedOutput &                  output)
 {
   output.Text("$ A placeholder (aluminum in N, mm, t): put in your material.\n"
               "MAT1,1,70000.,,.33,2.7-9\n");
@@ -134,7 +134,7 @@ WriteElement(const char *                       name,
 
 void
 WriteElements(SurfaceReader &             reader,
-              const SurfaceSections &     sections,
+              const SheetSections &       sections,
               const SurfaceWriteOptions & options,
               BufferedOutput &            output)
 {
@@ -158,8 +158,8 @@ void
 WriteSurfaceNastran(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 3);
-  const SurfaceEdges    edges(reader);
-  const SurfaceSections sections(reader, edges, options);
+  const SheetEdges    edges(reader);
+  const SheetSections sections(reader, edges, options);
   CheckElementsFit(SurfaceFormat::Nastran, reader, sections);
   output.Text("$ " + GetTitle(options) + "\nSOL 101\nCEND\n");
   WriteSet(1, "RIM", edges.GetRims(), output);

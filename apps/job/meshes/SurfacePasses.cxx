@@ -8,12 +8,12 @@
 namespace medialvoxel
 {
 
-/** \class SurfacePasses::Pass
+/** \class SheetPasses::Pass
  * \brief The surface of a pass, whose vertices get other numbers. */
-class SurfacePasses::Pass : public itk::MedialVoxelSurfaceConsumer
+class SheetPasses::Pass : public itk::MedialVoxelSurfaceConsumer
 {
 public:
-  explicit Pass(SurfacePasses & owner)
+  explicit Pass(SheetPasses & owner)
     : observer(owner.m_MakeObserver(*this))
     , m_Owner(owner)
   {}
@@ -63,22 +63,22 @@ private:
     return run.number + (vertex - run.first);
   }
 
-  SurfacePasses &  m_Owner;
+  SheetPasses &    m_Owner;
   std::vector<Run> m_Runs;
   std::uint64_t    m_NumberOfVertices{ 0 };
 };
 
-SurfacePasses::SurfacePasses(MakeObserver makeObserver, itk::MedialVoxelSurfaceConsumer & consumer)
+SheetPasses::SheetPasses(MakeObserver makeObserver, itk::MedialVoxelSurfaceConsumer & consumer)
   : m_MakeObserver(std::move(makeObserver))
   , m_Consumer(consumer)
 {
   this->BeginPass(0);
 }
 
-SurfacePasses::~SurfacePasses() = default;
+SheetPasses::~SheetPasses() = default;
 
 void
-SurfacePasses::BeginPass(unsigned int pass)
+SheetPasses::BeginPass(unsigned int pass)
 {
   while (m_Passes.size() <= pass)
   {
@@ -88,7 +88,7 @@ SurfacePasses::BeginPass(unsigned int pass)
 }
 
 void
-SurfacePasses::Finish()
+SheetPasses::Finish()
 {
   for (const auto & pass : m_Passes)
   {
@@ -97,37 +97,37 @@ SurfacePasses::Finish()
 }
 
 std::uint64_t
-SurfacePasses::GetWorkerBytesPerVoxel() const
+SheetPasses::GetWorkerBytesPerVoxel() const
 {
   return m_Passes.front()->observer->GetWorkerBytesPerVoxel();
 }
 
 auto
-SurfacePasses::MakeWorkspace() const -> std::unique_ptr<Workspace>
+SheetPasses::MakeWorkspace() const -> std::unique_ptr<Workspace>
 {
   return m_Passes.front()->observer->MakeWorkspace();
 }
 
 void
-SurfacePasses::Begin()
+SheetPasses::Begin()
 {
   m_Passes[m_Current]->observer->Begin();
 }
 
 itk::MedialVoxelBox
-SurfacePasses::Examine(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace) const
+SheetPasses::Examine(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace) const
 {
   return m_Passes[m_Current]->observer->Examine(tile, workspace);
 }
 
 void
-SurfacePasses::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace)
+SheetPasses::Observe(const itk::MedialVoxelClassifiedTile & tile, Workspace * workspace)
 {
   m_Passes[m_Current]->observer->Observe(tile, workspace);
 }
 
 void
-SurfacePasses::Commit()
+SheetPasses::Commit()
 {
   m_Passes[m_Current]->observer->Commit();
 }

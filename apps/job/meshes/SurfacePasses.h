@@ -12,19 +12,19 @@
 namespace medialvoxel
 {
 
-/** \class SurfacePasses
+/** \class SheetPasses
  * \brief Builds a surface for each pass over a label map, while each piece comes once for every pass.
  *
  * The consumer gets the vertices of all passes as they come, numbered in that order. */
-class SurfacePasses : public itk::MedialVoxelTileObserver
+class SheetPasses : public itk::MedialVoxelTileObserver
 {
 public:
   /** Makes what builds the surface of a pass; all passes have the same settings. */
   using MakeObserver =
     std::function<std::unique_ptr<itk::MedialVoxelSurfaceObserver>(itk::MedialVoxelSurfaceConsumer & consumer)>;
 
-  SurfacePasses(MakeObserver makeObserver, itk::MedialVoxelSurfaceConsumer & consumer);
-  ~SurfacePasses() override;
+  SheetPasses(MakeObserver makeObserver, itk::MedialVoxelSurfaceConsumer & consumer);
+  ~SheetPasses() override;
 
   /** The pass that the tiles from now on belong to, from 0 on; the first time in this order. */
   void

@@ -35,7 +35,7 @@ constexpr std::size_t HandedOnAtATime = std::size_t{ 1 } << 14;
 
 /** As many as the memory allows, and one at least. */
 unsigned int
-GetThreads(const SurfaceRemeshing & remeshing)
+GetThreads(const SheetRemeshing & remeshing)
 {
   unsigned int threads = remeshing.threads;
   while (threads > 1 && GetRemeshingMemory(threads) > remeshing.memoryLimit)
@@ -194,26 +194,26 @@ GetElementSize(const ExtractOptions & options, const VolumeGeometry & geometry)
 }
 
 std::unique_ptr<SurfaceSpool>
-RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
-              const SurfaceRemeshing &           remeshing,
-              itk::MedialVoxelRemeshingSummary & summary)
+RemeshSheet(std::unique_ptr<SurfaceSpool>      surface,
+            const SheetRemeshing &             remeshing,
+            itk::MedialVoxelRemeshingSummary & summary)
 {
   const double area = GetArea(*surface);
   const double fineSide =
     std::sqrt(area / static_cast<double>(std::max<std::uint64_t>(1, surface->GetNumberOfFaces())));
-  SurfaceRemeshing settings = remeshing;
+  SheetRemeshing settings = remeshing;
   settings.threads = GetThreads(remeshing);
   settings.size.noise = NoiseOfSide * fineSide;
   const itk::MedialVoxelElementSize size = settings.size;
   settings.size = size.extendsRims ? itk::MedialVoxelSizeBeforeRims(size) : size;
-  const SurfaceCoarsening fine(std::move(surface), settings, 0);
+  const SheetCoarsening fine(std::move(surface), settings, 0);
   // Corners of rims that are extended are not to be cut twice, unless the surface is large.
-  const bool isDirect = size.extendsRims && fine.GetNumberOfFaces() <= SurfaceCoarsening::MostFaces;
+  const bool isDirect = size.extendsRims && fine.GetNumberOfFaces() <= SheetCoarsening::MostFaces;
   auto       coarse = fine.Coarsen(isDirect ? 0.0 : SidesOfFirst * fineSide);
-  for (unsigned int number = 1; coarse->GetNumberOfFaces() > SurfaceCoarsening::MostFaces && number < MostCoarsenings;
+  for (unsigned int number = 1; coarse->GetNumberOfFaces() > SheetCoarsening::MostFaces && number < MostCoarsenings;
        ++number)
   {
-    coarse = SurfaceCoarsening(std::move(coarse), settings, number).Coarsen(itk::MedialVoxelSheetTree::Anywhere);
+    coarse = SheetCoarsening(std::move(coarse), settings, number).Coarsen(itk::MedialVoxelSheetTree::Anywhere);
   }
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
@@ -232,7 +232,7 @@ RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
 std::uint64_t
 GetRemeshingMemory(const unsigned int threads)
 {
-  return SurfaceCoarsening::GetBytes(threads);
+  return SheetCoarsening::GetBytes(threads);
 }
 
 void

@@ -17,7 +17,7 @@ namespace medialvoxel
 {
 
 /** How a surface is brought to larger elements, and what that may take. */
-struct SurfaceRemeshing
+struct SheetRemeshing
 {
   itk::MedialVoxelElementSize size;
   std::filesystem::path       scratchFolder;    ///< of the result
@@ -35,9 +35,9 @@ GetElementSize(const ExtractOptions & options, const VolumeGeometry & geometry);
  * \param summary of what was reached
  * \throw JobError Refused when that is more memory than allowed, or more faces than numbers of 32 bits count */
 std::unique_ptr<SurfaceSpool>
-RemeshSurface(std::unique_ptr<SurfaceSpool>      surface,
-              const SurfaceRemeshing &           remeshing,
-              itk::MedialVoxelRemeshingSummary & summary);
+RemeshSheet(std::unique_ptr<SurfaceSpool>      surface,
+            const SheetRemeshing &             remeshing,
+            itk::MedialVoxelRemeshingSummary & summary);
 
 /** Memory that it takes at least, for a number of threads. */
 std::uint64_t

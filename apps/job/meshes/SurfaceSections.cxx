@@ -10,9 +10,7 @@
 
 namespace medialvoxel
 {
-SurfaceSections::SurfaceSections(SurfaceReader &             reader,
-                                 const SurfaceEdges &        edges,
-                                 const SurfaceWriteOptions & options)
+SheetSections::SheetSections(SurfaceReader & reader, const SheetEdges & edges, const SurfaceWriteOptions & options)
   : m_Edges(edges)
   , m_AreObjects(options.thicknessPlace == ThicknessPlace::Nodes)
   , m_ClassWidth(options.thicknessClassWidth)
@@ -69,8 +67,8 @@ SurfaceSections::SurfaceSections(SurfaceReader &             reader,
   }
 }
 
-SurfaceSections::ClassType
-SurfaceSections::GetClass(const std::optional<double> & thickness) const
+SheetSections::ClassType
+SheetSections::GetClass(const std::optional<double> & thickness) const
 {
   constexpr ClassType unknown = std::numeric_limits<ClassType>::max();
   constexpr double    last = 9e15;
@@ -82,15 +80,15 @@ SurfaceSections::GetClass(const std::optional<double> & thickness) const
 }
 
 size_t
-SurfaceSections::GetSection(SurfaceReader & reader, const SurfaceFace & face) const
+SheetSections::GetSection(SurfaceReader & reader, const SurfaceFace & face) const
 {
   return m_SectionOfKey.at({ reader.GetObject(face), this->GetClass(GetFaceThickness(reader, m_Edges, face)) });
 }
 
 std::vector<float>
-SurfaceSections::GetCornerThicknesses(SurfaceReader &        reader,
-                                      const SurfaceFace &    face,
-                                      const SurfaceCorners & corners) const
+SheetSections::GetCornerThicknesses(SurfaceReader &        reader,
+                                    const SurfaceFace &    face,
+                                    const SurfaceCorners & corners) const
 {
   std::vector<float> thicknesses;
   for (const unsigned int corner : corners)
@@ -102,7 +100,7 @@ SurfaceSections::GetCornerThicknesses(SurfaceReader &        reader,
 }
 
 void
-CheckElementsFit(SurfaceFormat format, const SurfaceReader & reader, const SurfaceSections & sections)
+CheckElementsFit(SurfaceFormat format, const SurfaceReader & reader, const SheetSections & sections)
 {
   CheckSurfaceFits(
     format, reader.GetSurface().GetNumberOfVertices(), sections.GetNumberOfTriangles(), sections.GetNumberOfQuads());

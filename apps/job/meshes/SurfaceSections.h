@@ -16,20 +16,20 @@ namespace medialvoxel
 {
 
 /** Elements that share a thickness. */
-struct SurfaceSection
+struct SheetSection
 {
   std::uint32_t object;           ///< of all elements, as in SurfaceVertex
   float         thickness;        ///< mean of the elements, weighted by area
   std::uint64_t numberOfElements; ///< at least 1
 };
 
-/** \class SurfaceSections
+/** \class SheetSections
  * \brief Puts the faces of a surface into sections by thickness.
  *
  * Faces of an object whose thickness has the same nearest multiple of the class width share a section. Those without a
  * known thickness have a section of their own with the mean of all others of the object, or of all objects where it has
  * none. Where nodes have the thickness, each object is a section, with that mean. */
-class SurfaceSections
+class SheetSections
 {
 public:
   static constexpr size_t MaximumNumberOfSections = 10000;
@@ -38,10 +38,10 @@ public:
    * \throw JobError Usage when the width of thickness classes is not > 0 and finite
    * \throw JobError Refused when it gives too many sections
    * \throw JobError Failure when there are faces, but no thickness is known */
-  SurfaceSections(SurfaceReader & reader, const SurfaceEdges & edges, const SurfaceWriteOptions & options);
+  SheetSections(SurfaceReader & reader, const SheetEdges & edges, const SurfaceWriteOptions & options);
 
   /** By objects, in them by rising thickness, faces without a known one last. */
-  const std::vector<SurfaceSection> &
+  const std::vector<SheetSection> &
   GetSections() const
   {
     return m_Sections;
@@ -95,11 +95,11 @@ private:
     }
   };
 
-  const SurfaceEdges &           m_Edges;
+  const SheetEdges &             m_Edges;
   bool                           m_AreObjects;
   double                         m_ClassWidth;
   std::map<Key, size_t>          m_SectionOfKey;
-  std::vector<SurfaceSection>    m_Sections;
+  std::vector<SheetSection>      m_Sections;
   std::map<std::uint32_t, float> m_MeanOfObject;
   float                          m_Mean{ 0 };
   std::uint64_t                  m_NumberOfTriangles{ 0 };
@@ -108,7 +108,7 @@ private:
 
 /** As CheckSurfaceFits(), of the elements that the sections hold. */
 void
-CheckElementsFit(SurfaceFormat format, const SurfaceReader & reader, const SurfaceSections & sections);
+CheckElementsFit(SurfaceFormat format, const SurfaceReader & reader, const SheetSections & sections);
 
 } // end namespace medialvoxel
 

@@ -24,9 +24,9 @@ struct FaceThickness
 };
 
 FaceThickness
-MeasureFace(SurfaceReader & reader, const SurfaceEdges & edges, const SurfaceFace & face)
+MeasureFace(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face)
 {
-  constexpr unsigned int            levels = SurfaceEdges::AtRim + 1;
+  constexpr unsigned int            levels = SheetEdges::AtRim + 1;
   std::array<ThicknessSums, levels> sums;
   for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
   {
@@ -68,7 +68,7 @@ ThicknessSums::GetMean() const
   return area > 0 ? areaTimesThickness / area : thickness / static_cast<double>(number);
 }
 
-SurfaceEdges::SurfaceEdges(SurfaceReader & reader)
+SheetEdges::SheetEdges(SurfaceReader & reader)
   : m_Rims(reader.GetSurface().GetNumberOfVertices())
   , m_Junctions(reader.GetSurface().GetNumberOfVertices())
 {
@@ -89,22 +89,22 @@ SurfaceEdges::SurfaceEdges(SurfaceReader & reader)
 }
 
 std::optional<double>
-GetFaceThickness(SurfaceReader & reader, const SurfaceEdges & edges, const SurfaceFace & face)
+GetFaceThickness(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face)
 {
   return MeasureFace(reader, edges, face).value;
 }
 
 std::optional<double>
-GetCornerThickness(SurfaceReader & reader, const SurfaceEdges & edges, const SurfaceFace & face, unsigned int corner)
+GetCornerThickness(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face, unsigned int corner)
 {
   const std::uint64_t         vertex = face.vertices[corner];
   const std::optional<double> own = GetKnownThickness(reader, vertex);
-  return own && edges.GetLevel(vertex) == SurfaceEdges::Inside ? own : GetFaceThickness(reader, edges, face);
+  return own && edges.GetLevel(vertex) == SheetEdges::Inside ? own : GetFaceThickness(reader, edges, face);
 }
 
 void
 ForEachNodeThickness(SurfaceReader &                                                                    reader,
-                     const SurfaceEdges &                                                               edges,
+                     const SheetEdges &                                                                 edges,
                      std::uint64_t                                                                      keptNumbers,
                      const std::function<void(std::uint64_t number, std::optional<double> thickness)> & function)
 {

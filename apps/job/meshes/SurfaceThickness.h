@@ -27,15 +27,15 @@ struct ThicknessSums
   GetMean() const;
 };
 
-/** \class SurfaceEdges
+/** \class SheetEdges
  * \brief The vertices at rims and at junctions: two bits for each vertex. */
-class SurfaceEdges
+class SheetEdges
 {
 public:
   static constexpr std::uint64_t VerticesPerByte = 4;
 
   /** Walks over all faces once. */
-  explicit SurfaceEdges(SurfaceReader & reader);
+  explicit SheetEdges(SurfaceReader & reader);
 
   const std::vector<bool> &
   GetRims() const
@@ -69,18 +69,18 @@ private:
 
 /** The mean over the corners of the best level that have a known thickness, nothing when none has. */
 std::optional<double>
-GetFaceThickness(SurfaceReader & reader, const SurfaceEdges & edges, const SurfaceFace & face);
+GetFaceThickness(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face);
 
 /** The thickness of the wall at a corner: its own one inside of the wall, elsewhere that of the face. */
 std::optional<double>
-GetCornerThickness(SurfaceReader & reader, const SurfaceEdges & edges, const SurfaceFace & face, unsigned int corner);
+GetCornerThickness(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face, unsigned int corner);
 
 /** Calls function(number, thickness) for all vertices in their order, with the thickness of the wall: their own one
  * inside of it, elsewhere the mean by area of their faces, as far as these know better. Nothing where that is unknown.
  * \param keptNumbers as in SurfaceWriteOptions; walks over all faces once for each quarter as many vertices */
 void
 ForEachNodeThickness(SurfaceReader &                                                                    reader,
-                     const SurfaceEdges &                                                               edges,
+                     const SheetEdges &                                                                 edges,
                      std::uint64_t                                                                      keptNumbers,
                      const std::function<void(std::uint64_t number, std::optional<double> thickness)> & function);
 

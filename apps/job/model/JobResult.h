@@ -50,7 +50,7 @@ struct JobResult
   std::vector<PlaceSummary>                places;      ///< with too thin or too thick walls; of the kinds looked for
   Json                                     objects;     ///< of a label map, with the passes it took; null: it is none
   SegmentTable                             segments;    ///< names of its labels; empty: there are none
-  std::optional<SurfaceSummary>            surface;     ///< when a mesh was asked for
+  std::optional<SheetSummary>              surface;     ///< when a mesh was asked for
   Json                                     part;        ///< its surface, when that was asked for
   std::vector<Warning>                     warnings;
   JobSeconds                               seconds;

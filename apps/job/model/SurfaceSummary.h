@@ -15,7 +15,7 @@ namespace medialvoxel
 {
 
 /** What a report tells of a medial surface. */
-struct SurfaceSummary
+struct SheetSummary
 {
   std::uint64_t vertices{ 0 };
   std::uint64_t faces{ 0 };

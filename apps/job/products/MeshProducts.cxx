@@ -24,7 +24,7 @@ public:
   void
   AddTo(Footprint & footprint, const VolumeHeader & header) const override
   {
-    footprint.Add(SurfaceMesh::GetFootprint(m_Options, header.geometry, footprint.grid));
+    footprint.Add(SheetMesh::GetFootprint(m_Options, header.geometry, footprint.grid));
     footprint.needsSlices = true;
   }
 
@@ -32,7 +32,7 @@ public:
   Start(ProductStart & start) override
   {
     const VolumeHeader & header = start.job.input;
-    m_Mesh = std::make_unique<SurfaceMesh>(
+    m_Mesh = std::make_unique<SheetMesh>(
       m_Options, header.geometry, GetGrid(m_Options, header), start.job.plan.GetSurplusShare());
     m_Links.observer = &m_Mesh->GetObserver();
     m_Links.mesh = m_Mesh.get();
@@ -55,7 +55,7 @@ public:
   }
 
 private:
-  std::unique_ptr<SurfaceMesh> m_Mesh;
+  std::unique_ptr<SheetMesh> m_Mesh;
 };
 
 /** \class PartProduct

@@ -19,7 +19,7 @@
 namespace medialvoxel
 {
 
-class SurfaceMesh;
+class SheetMesh;
 struct Pictures;
 
 /** What products start with. */
@@ -46,7 +46,7 @@ struct ProductLinks
 {
   itk::MedialVoxelTileObserver * observer{ nullptr }; ///< sees the tiles of the extraction
   TileSurvey *                   survey{ nullptr };   ///< the same, if it is saved for other processes
-  SurfaceMesh *                  mesh{ nullptr };     ///< tells the objects of a label map apart
+  SheetMesh *                    mesh{ nullptr };     ///< tells the objects of a label map apart
   VolumeRequest *                request{ nullptr };  ///< of a volume that an engine fills
   VoxelOutput *                  volume{ nullptr };   ///< where it goes
 };

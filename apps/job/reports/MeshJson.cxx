@@ -63,7 +63,7 @@ MakeQuality(const MeshQuality & quality)
 } // namespace
 
 Json
-MakeMeshJson(const SurfaceSummary & surface)
+MakeMeshJson(const SheetSummary & surface)
 {
   Json json{ { "vertices", surface.vertices },
              { "faces", surface.faces },

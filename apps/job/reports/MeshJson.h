@@ -15,7 +15,7 @@ constexpr const char * MeshLimitText = "{short value}, [least?[holds?at least][!
 
 /** For a report: counts, what its elements keep of the surface, and their quality with its limits. */
 Json
-MakeMeshJson(const SurfaceSummary & surface);
+MakeMeshJson(const SheetSummary & surface);
 
 } // end namespace medialvoxel
 

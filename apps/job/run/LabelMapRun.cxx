@@ -45,7 +45,7 @@ LabelMapRun::AddVolume(const VolumeRequest & request, VoxelOutput & volume)
 }
 
 void
-LabelMapRun::AddMesh(SurfaceMesh & mesh)
+LabelMapRun::AddMesh(SheetMesh & mesh)
 {
   m_Mesh = &mesh;
   mesh.FindObjectsWith(

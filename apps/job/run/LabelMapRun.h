@@ -50,7 +50,7 @@ public:
 
   /** A mesh that sees the tiles of the engine, and is to tell the objects apart. */
   void
-  AddMesh(SurfaceMesh & mesh);
+  AddMesh(SheetMesh & mesh);
 
   /** To be asked when the map is prepared. */
   unsigned int
@@ -103,7 +103,7 @@ private:
   itk::MedialVoxelObjectUnion m_Union;
   ObjectSurvey                m_Survey;
   std::vector<Volume>         m_Volumes; ///< the labels first
-  SurfaceMesh *               m_Mesh{ nullptr };
+  SheetMesh *                 m_Mesh{ nullptr };
   std::uint64_t               m_SharedCells{ 0 };
 };
 
