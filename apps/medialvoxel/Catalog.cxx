@@ -147,7 +147,7 @@ MakeCatalog(const CommandLine & line, const CLI::App & app)
     json["commands"].push_back(DescribeCommand(line, *command));
   }
   json["volume_formats"] = DescribeVolumeFormats();
-  json["mesh_formats"] = ListSurfaceExtensions();
+  json["mesh_formats"] = ListMeshExtensions();
   json["outputs"] = { { "extract", DescribeOutputs<ExtractOptions>() },
                       { "surface", DescribeOutputs<PartOptions>() },
                       { "distance", DescribeOutputs<DistanceOptions>() } };

@@ -124,8 +124,7 @@ AddOptions(CommandLine & line, CLI::App & app, const CommandRow & command)
 void
 CompleteElementSize(const CLI::App & app, ExtractOptions & options)
 {
-  if (app.count("--element-size") == 0 && !options.meshFile.empty() &&
-      HoldsElements(GetSurfaceFormat(options.meshFile)))
+  if (app.count("--element-size") == 0 && !options.meshFile.empty() && HoldsElements(GetMeshFormat(options.meshFile)))
   {
     options.elementSize.kind = ElementSize::Kind::Automatic;
   }

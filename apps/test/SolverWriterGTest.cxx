@@ -71,7 +71,7 @@ TEST(SolverWriter, LsDynaInWhole)
 TEST(SolverWriter, ThicknessAtNodes)
 {
   // Three squares in a row whose ends are rims; walls are 2 at the left, 3 at the right.
-  Surface surface;
+  TestMesh surface;
   for (int x = 0; x < 4; ++x)
   {
     const double thickness = x < 2 ? 2.0 : 3.0;
@@ -82,14 +82,14 @@ TEST(SolverWriter, ThicknessAtNodes)
   surface.faces = { MakeFace({ 0, 2, 3, 1 }), MakeFace({ 2, 4, 5, 3 }), MakeFace({ 4, 6, 7, 5 }) };
   surface.faces[0].rimEdges = 8;
   surface.faces[2].rimEdges = 2;
-  SurfaceWriteOptions options;
+  MeshWriteOptions options;
   options.thicknessPlace = ThicknessPlace::Nodes;
   std::string text = WriteFile(surface, ".inp", options);
   EXPECT_NE(text.find("*NODAL THICKNESS\n1, 2\n2, 2\n3, 2\n4, 2\n5, 3\n6, 3\n7, 3\n8, 3\n"), std::string::npos);
   EXPECT_NE(text.find("ELSET=THICKNESS_1, MATERIAL=REPLACE_THIS_MATERIAL, NODAL THICKNESS\n2.5\n"), std::string::npos);
   for (const std::uint64_t keptNumbers : { 1, 12 })
   {
-    SurfaceWriteOptions few = options;
+    MeshWriteOptions few = options;
     few.keptNumbers = keptNumbers;
     EXPECT_EQ(WriteFile(surface, ".inp", few), text);
   }
@@ -105,7 +105,7 @@ TEST(SolverWriter, ThicknessAtNodes)
 
 TEST(SolverWriter, SmallFieldsOfNastranHaveFourDigitsAtLeast)
 {
-  SurfaceWriteOptions options;
+  MeshWriteOptions options;
   options.thicknessPlace = ThicknessPlace::Nodes;
   for (const auto & [thickness, field] : { std::pair(1.0, "1.      "),
                                            std::pair(3.1415927, "3.141593"),
@@ -121,13 +121,13 @@ TEST(SolverWriter, SmallFieldsOfNastranHaveFourDigitsAtLeast)
 
 TEST(SolverWriter, NodesWithoutThicknessHaveTheMean)
 {
-  Surface surface = MakeSquares({ 2.0, std::nan("") });
-  for (SurfaceFace & face : surface.faces)
+  TestMesh surface = MakeSquares({ 2.0, std::nan("") });
+  for (MeshFace & face : surface.faces)
   {
     face.rimEdges = 0;
   }
   surface.vertices[1].thickness = 0;
-  SurfaceWriteOptions options;
+  MeshWriteOptions options;
   options.thicknessPlace = ThicknessPlace::Nodes;
   EXPECT_NE(WriteFile(surface, ".inp", options).find("\n1, 2\n2, 2\n3, 2\n4, 2\n5, 2\n6, 2\n7, 2\n8, 2\n"),
             std::string::npos);
@@ -137,7 +137,7 @@ TEST(SolverWriter, NodesWithoutThicknessHaveTheMean)
 TEST(SolverWriter, SidesOfSplitQuads)
 {
   // The quad becomes the triangles 1, 2, 3 and 1, 3, 4; its second and third side are rims.
-  Surface surface = MakeSquares({ 1.0 });
+  TestMesh surface = MakeSquares({ 1.0 });
   surface.vertices[2] = { { 0.3, 0.3, 0 }, 1 };
   surface.faces[0].rimEdges = 6;
   const std::string text = WriteFile(surface, ".inp");
@@ -156,9 +156,9 @@ TEST(SolverWriter, LongSetsHaveSixteenNumbersPerLine)
 
 TEST(SolverWriter, SectionsGoByTheNearestMultipleAndHaveTheMeanByArea)
 {
-  Surface surface = MakeSquares({ 2.0, 1.9, 2.1, 3.0, 2.12 });
+  TestMesh surface = MakeSquares({ 2.0, 1.9, 2.1, 3.0, 2.12 });
   surface.faces[1].area = 3;
-  SurfaceWriteOptions options;
+  MeshWriteOptions options;
   options.thicknessClassWidth = 0.25;
   const std::string text = WriteFile(surface, ".inp", options);
   EXPECT_EQ(GetLinesAfter(text, "*ELSET, ELSET=THICKNESS"), (std::vector<std::string>{ "1, 2, 3, 5", "4" }));
@@ -172,7 +172,7 @@ TEST(SolverWriter, SectionsGoByTheNearestMultipleAndHaveTheMeanByArea)
 TEST(SolverWriter, CornersWithoutThicknessDoNotCount)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  Surface      surface = MakeSquares({ 1.0, nan, 3.0, 0.0 });
+  TestMesh     surface = MakeSquares({ 1.0, nan, 3.0, 0.0 });
   surface.vertices[8].thickness = nan;
   const std::string text = WriteFile(surface, ".inp");
   // Sections: 1, 3, and the two squares without any, which get the mean of the others.
@@ -187,14 +187,14 @@ TEST(SolverWriter, CornersWithoutThicknessDoNotCount)
 TEST(SolverWriter, CornersAtARimCountOnlyWithoutOthers)
 {
   // A row of three squares: their corners at the outer sides are thin.
-  Surface surface = MakeSquares({ 2.0, 2.0, 2.0 });
+  TestMesh surface = MakeSquares({ 2.0, 2.0, 2.0 });
   surface.faces[0].rimEdges = 8;
   surface.vertices[0].thickness = 1.0;
   surface.vertices[3].thickness = 1.2;
   surface.faces[1].rimEdges = 0;
   surface.faces[2].rimEdges = 15;
   surface.vertices[8].thickness = 1.6;
-  SurfaceWriteOptions options;
+  MeshWriteOptions options;
   options.thicknessClassWidth = 0.05;
   const std::string text = WriteFile(surface, ".inp", options);
   EXPECT_EQ(GetLinesAfter(text, "*ELSET, ELSET=THICKNESS"), (std::vector<std::string>{ "3", "1, 2" }));
@@ -205,7 +205,7 @@ TEST(SolverWriter, BadQuadsBecomeTwoElements)
 {
   struct Case
   {
-    SurfaceVertex            third;
+    MeshVertex               third;
     std::vector<std::string> triangles;
   };
   // The third corner of a square moves along its diagonal: a good quad, one that is nearly a triangle, one turned in.
@@ -214,7 +214,7 @@ TEST(SolverWriter, BadQuadsBecomeTwoElements)
                                  { { { 0.3, 0.3, 0 }, 1 }, { "1, 1, 2, 3", "2, 1, 3, 4" } } };
   for (const auto & [third, triangles] : cases)
   {
-    Surface surface = MakeSquares({ 1.0 });
+    TestMesh surface = MakeSquares({ 1.0 });
     surface.vertices[2] = third;
     const std::string text = WriteFile(surface, ".inp");
     EXPECT_EQ(GetLinesAfter(text, "*ELEMENT, TYPE=S4").size(), triangles.empty() ? 1U : 0U) << third.position[0];
@@ -230,17 +230,17 @@ TEST(SolverWriter, BadQuadsBecomeTwoElements)
     }
   }
   // The corner before it: split along the other diagonal.
-  Surface surface = MakeSquares({ 1.0 });
+  TestMesh surface = MakeSquares({ 1.0 });
   surface.vertices[1].position = { 0.4, 0.4, 0 };
   EXPECT_NE(WriteFile(surface, ".inp").find("\n1, 1, 2, 4\n2, 2, 3, 4\n"), std::string::npos);
 }
 
 TEST(SolverWriter, RefusesClassWidthsThatMakeNoSense)
 {
-  const Surface surface = MakeSquares({ 1.0, 2.0 });
+  const TestMesh surface = MakeSquares({ 1.0, 2.0 });
   for (const double width : { 0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity() })
   {
-    SurfaceWriteOptions options;
+    MeshWriteOptions options;
     options.thicknessClassWidth = width;
     EXPECT_EQ(GetStatusOf([&] { WriteFile(surface, ".inp", options); }), ExitStatus::Usage) << width;
     EXPECT_EQ(GetStatusOf([&] { WriteFile(surface, ".vtp", options); }), ExitStatus::Done) << width;
@@ -250,7 +250,7 @@ TEST(SolverWriter, RefusesClassWidthsThatMakeNoSense)
   {
     thicknesses.push_back(1.0 + 1e-3 * square);
   }
-  SurfaceWriteOptions options;
+  MeshWriteOptions options;
   options.thicknessClassWidth = 1e-4;
   EXPECT_EQ(GetStatusOf([&] { WriteFile(MakeSquares(thicknesses), ".bdf", options); }), ExitStatus::Refused);
   thicknesses.pop_back();

@@ -20,10 +20,10 @@ namespace
 {
 
 /** More faces than two parts have. */
-std::unique_ptr<SurfaceSpool>
+std::unique_ptr<MeshSpool>
 MakeLargeStrip()
 {
-  auto  spool = std::make_unique<SurfaceSpool>(std::filesystem::temp_directory_path());
+  auto  spool = std::make_unique<MeshSpool>(std::filesystem::temp_directory_path());
   Strip strip;
   strip.columns = 500;
   strip.rows = 320;
@@ -50,10 +50,10 @@ MakeRemeshing(const unsigned int threads)
 /** All records of a surface. */
 struct Content
 {
-  std::vector<SurfaceSpool::Vertex> vertices;
-  std::vector<SurfaceFace>          faces;
+  std::vector<MeshSpool::Vertex> vertices;
+  std::vector<MeshFace>          faces;
 
-  explicit Content(const SurfaceSpool & surface)
+  explicit Content(const MeshSpool & surface)
   {
     surface.ReadVertices(0, surface.GetNumberOfVertices(), vertices);
     surface.ReadFaces(0, surface.GetNumberOfFaces(), faces);
@@ -63,7 +63,7 @@ struct Content
   GetArea() const
   {
     double area = 0.0;
-    for (const SurfaceFace & face : faces)
+    for (const MeshFace & face : faces)
     {
       for (unsigned int k = 2; k < face.numberOfVertices; ++k)
       {
@@ -80,7 +80,7 @@ struct Content
   CountSides() const
   {
     std::map<std::pair<std::uint64_t, std::uint64_t>, int> sides;
-    for (const SurfaceFace & face : faces)
+    for (const MeshFace & face : faces)
     {
       for (unsigned int k = 0; k < face.numberOfVertices; ++k)
       {
@@ -91,15 +91,15 @@ struct Content
   }
 };
 
-TEST(SurfacePartition, PartsAreSmallAndHaveOtherBoundariesWhenShifted)
+TEST(MeshPartition, PartsAreSmallAndHaveOtherBoundariesWhenShifted)
 {
   const auto              surface = MakeLargeStrip();
-  SurfaceReader           reader(*surface, {});
-  const SurfacePartition  partition(reader, 10000, 0.0);
-  const SurfacePartition  shifted(reader, 10000, 0.5);
+  MeshReader              reader(*surface, {});
+  const MeshPartition     partition(reader, 10000, 0.0);
+  const MeshPartition     shifted(reader, 10000, 0.5);
   std::map<unsigned, int> faces;
   std::size_t             differing = 0;
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     const auto & vertex = reader.GetVertex(face.vertices[0]);
     ++faces[partition.GetPart(vertex)];
     differing += partition.GetPart(vertex) != shifted.GetPart(vertex) ? 1 : 0;
@@ -114,14 +114,14 @@ TEST(SurfacePartition, PartsAreSmallAndHaveOtherBoundariesWhenShifted)
   EXPECT_GT(differing, 0u);
 }
 
-TEST(SurfacePartition, OnePlaceIsOnePart)
+TEST(MeshPartition, OnePlaceIsOnePart)
 {
-  SurfaceSpool  surface(std::filesystem::temp_directory_path());
-  SurfaceVertex vertex;
+  MeshSpool  surface(std::filesystem::temp_directory_path());
+  MeshVertex vertex;
   surface.AddVertices({ vertex, vertex, vertex });
   surface.AddFaces({ MakeFace({ 0, 1, 2 }), MakeFace({ 2, 1, 0 }) });
-  SurfaceReader          reader(surface, {});
-  const SurfacePartition partition(reader, 1, 0.5);
+  MeshReader          reader(surface, {});
+  const MeshPartition partition(reader, 1, 0.5);
   EXPECT_EQ(partition.GetNumberOfParts(), 1u);
 }
 

@@ -23,9 +23,9 @@ const std::vector<itk::MedialVoxelVector3> Points{ { 0, 0, 0 },   { 1, 0, 0 },  
 MeshQuality
 Measure(const std::vector<itk::MedialVoxelVector3> & points, const std::vector<Corners> & faces)
 {
-  SurfaceSpool               spool(std::filesystem::temp_directory_path(), SurfacePrecision::Double);
-  std::vector<SurfaceVertex> vertices;
-  std::vector<SurfaceFace>   elements;
+  MeshSpool               spool(std::filesystem::temp_directory_path(), MeshPrecision::Double);
+  std::vector<MeshVertex> vertices;
+  std::vector<MeshFace>   elements;
   for (const itk::MedialVoxelVector3 & point : points)
   {
     vertices.push_back({ point, 1.0, 0 });
@@ -55,7 +55,7 @@ FindFailing(const std::vector<Corners> & faces)
 
 using Names = std::vector<std::string>;
 
-TEST(SurfaceQuality, CountsOfTwoSquares)
+TEST(SheetQuality, CountsOfTwoSquares)
 {
   const MeshQuality quality = Measure(Points, { { 0, 1, 2, 3 }, { 1, 4, 5, 2 } });
   EXPECT_EQ(quality.nodes, 6u);
@@ -69,7 +69,7 @@ TEST(SurfaceQuality, CountsOfTwoSquares)
   EXPECT_EQ(FindFailing({ { 0, 1, 2, 3 }, { 1, 4, 5, 2 } }), Names());
 }
 
-TEST(SurfaceQuality, EachLimitFailsAlone)
+TEST(SheetQuality, EachLimitFailsAlone)
 {
   EXPECT_EQ(FindFailing({ { 0, 1, 2, 3 }, { 2, 1, 0, 3 } }), Names{ "elements with the same nodes" });
   EXPECT_EQ(FindFailing({ { 0, 1, 2 }, { 7, 2, 3 } }), Names{ "nodes at one place" });
@@ -83,7 +83,7 @@ TEST(SurfaceQuality, EachLimitFailsAlone)
       "elements without a positive Jacobian", "scaled Jacobian of 99 %", "aspect ratio of 99 %", "hanging nodes" }));
 }
 
-TEST(SurfaceQuality, FlatElementsHaveAnInfiniteAspectRatio)
+TEST(SheetQuality, FlatElementsHaveAnInfiniteAspectRatio)
 {
   const MeshQuality quality = Measure(Points, { { 0, 1, 4 }, { 0, 1, 2 } });
   EXPECT_TRUE(std::isinf(quality.shapes.largestAspect));
@@ -91,7 +91,7 @@ TEST(SurfaceQuality, FlatElementsHaveAnInfiniteAspectRatio)
   EXPECT_EQ(quality.shapes.notPositive, 1u);
 }
 
-TEST(SurfaceQuality, JunctionsEndWalls)
+TEST(SheetQuality, JunctionsEndWalls)
 {
   // A third square stands on the side between two: three walls.
   std::vector<itk::MedialVoxelVector3> points = Points;
@@ -128,7 +128,7 @@ MeasureRing(const bool isMoebius)
   return Measure(points, faces);
 }
 
-TEST(SurfaceQuality, WallsOfOneSideAreNoFault)
+TEST(SheetQuality, WallsOfOneSideAreNoFault)
 {
   const MeshQuality ring = MeasureRing(false);
   EXPECT_EQ(ring.walls, 1u);

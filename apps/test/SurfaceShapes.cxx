@@ -30,7 +30,7 @@ GetTriangleArea(const Point & a, const Point & b, const Point & c)
 }
 
 double
-GetArea(const Surface & surface, const SurfaceFace & face)
+GetArea(const TestMesh & surface, const MeshFace & face)
 {
   const auto   corner = [&](size_t index) { return surface.vertices[face.vertices[index]].position; };
   const double first = GetTriangleArea(corner(0), corner(1), corner(2));
@@ -39,7 +39,7 @@ GetArea(const Surface & surface, const SurfaceFace & face)
 
 /** Adds a grid of quads over 0..1 x 0..1; vertices where one is already are shared. */
 void
-AddPatch(Surface & surface, unsigned int columns, unsigned int rows, const Map & map)
+AddPatch(TestMesh & surface, unsigned int columns, unsigned int rows, const Map & map)
 {
   const auto find = [&](unsigned int column, unsigned int row) {
     const Point position = map(static_cast<double>(column) / columns, static_cast<double>(row) / rows);
@@ -66,22 +66,22 @@ AddPatch(Surface & surface, unsigned int columns, unsigned int rows, const Map &
   }
 }
 
-Surface
+TestMesh
 MakePlate()
 {
-  Surface surface;
+  TestMesh surface;
   AddPatch(surface, 5, 3, [](double u, double v) {
     return Point{ 10.1 + 3.7 * u, -4.3 + 2.2 * v + 0.3 * u, 1e-5 + 0.7 * u * v };
   });
   return surface;
 }
 
-Surface
+TestMesh
 MakeMixed()
 {
-  Surface                  surface = MakePlate();
-  std::vector<SurfaceFace> faces;
-  for (const SurfaceFace & quad : surface.faces)
+  TestMesh              surface = MakePlate();
+  std::vector<MeshFace> faces;
+  for (const MeshFace & quad : surface.faces)
   {
     const auto & [a, b, c, d] = quad.vertices;
     if (faces.size() % 3 == 0)
@@ -98,10 +98,10 @@ MakeMixed()
   return surface;
 }
 
-Surface
+TestMesh
 MakeCylinder()
 {
-  Surface surface;
+  TestMesh surface;
   AddPatch(surface, 12, 4, [](double u, double v) {
     const double angle = 2 * std::acos(-1.0) * u;
     return Point{ 3 * std::cos(angle), 3 * std::sin(angle), 5 * v };
@@ -109,10 +109,10 @@ MakeCylinder()
   return surface;
 }
 
-Surface
+TestMesh
 MakeCube()
 {
-  Surface surface;
+  TestMesh surface;
   for (size_t axis = 0; axis < 3; ++axis)
   {
     for (const double side : { -1.0, 1.0 })
@@ -129,10 +129,10 @@ MakeCube()
   return surface;
 }
 
-Surface
+TestMesh
 MakeJunction()
 {
-  Surface surface;
+  TestMesh surface;
   AddPatch(surface, 6, 4, [](double u, double v) { return Point{ 6 * u, 4 * v, 0 }; });
   AddPatch(surface, 3, 4, [](double u, double v) { return Point{ 3, 4 * v, 3 * u }; });
   return surface;
@@ -140,30 +140,30 @@ MakeJunction()
 
 } // namespace
 
-SurfaceFace
+MeshFace
 MakeFace(const std::vector<std::uint64_t> & corners)
 {
-  SurfaceFace face{};
+  MeshFace face{};
   face.numberOfVertices = static_cast<std::uint8_t>(corners.size());
   std::copy(corners.begin(), corners.end(), face.vertices.begin());
   return face;
 }
 
 void
-CompleteFaces(Surface & surface)
+CompleteFaces(TestMesh & surface)
 {
-  const auto getEdge = [](const SurfaceFace & face, unsigned int corner) {
+  const auto getEdge = [](const MeshFace & face, unsigned int corner) {
     return std::minmax({ face.vertices[corner], face.vertices[(corner + 1) % face.numberOfVertices] });
   };
   std::map<std::pair<std::uint64_t, std::uint64_t>, unsigned int> facesOfEdge;
-  for (const SurfaceFace & face : surface.faces)
+  for (const MeshFace & face : surface.faces)
   {
     for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
     {
       ++facesOfEdge[getEdge(face, corner)];
     }
   }
-  for (SurfaceFace & face : surface.faces)
+  for (MeshFace & face : surface.faces)
   {
     face.area = GetArea(surface, face);
     for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
@@ -175,32 +175,33 @@ CompleteFaces(Surface & surface)
   }
 }
 
-Surface
-MakeSurface(const std::string & shape)
+TestMesh
+MakeTestMesh(const std::string & shape)
 {
-  const std::map<std::string, Surface (*)()> makers{ { "plate", MakePlate },       { "mixed", MakeMixed },
-                                                     { "cylinder", MakeCylinder }, { "cube", MakeCube },
-                                                     { "junction", MakeJunction }, { "empty", [] { return Surface(); } } };
-  const auto                                 found = makers.find(shape);
+  const std::map<std::string, TestMesh (*)()> makers{
+    { "plate", MakePlate }, { "mixed", MakeMixed },       { "cylinder", MakeCylinder },
+    { "cube", MakeCube },   { "junction", MakeJunction }, { "empty", [] { return TestMesh(); } }
+  };
+  const auto found = makers.find(shape);
   if (found == makers.end())
   {
     throw std::invalid_argument("no shape " + shape);
   }
-  Surface surface = found->second();
+  TestMesh surface = found->second();
   CompleteFaces(surface);
   return surface;
 }
 
 void
-AddStrip(const Strip & strip, SurfaceSink & sink)
+AddStrip(const Strip & strip, MeshSink & sink)
 {
   const std::uint64_t perRow = strip.columns + 1;
   const double        area =
     strip.length * strip.width / static_cast<double>(strip.columns * strip.rows) / (strip.triangles ? 2 : 1);
   for (std::uint64_t row = 0; row <= strip.rows; ++row)
   {
-    std::vector<SurfaceVertex> vertices;
-    std::vector<SurfaceFace>   faces;
+    std::vector<MeshVertex> vertices;
+    std::vector<MeshFace>   faces;
     for (std::uint64_t column = 0; column <= strip.columns; ++column)
     {
       const double u = static_cast<double>(column) / static_cast<double>(strip.columns);
@@ -222,7 +223,7 @@ AddStrip(const Strip & strip, SurfaceSink & sink)
         faces.push_back(MakeFace({ a, a + 1, c, c - 1 }));
       }
     }
-    for (SurfaceFace & face : faces)
+    for (MeshFace & face : faces)
     {
       face.area = area;
     }
@@ -232,7 +233,7 @@ AddStrip(const Strip & strip, SurfaceSink & sink)
 }
 
 void
-AddInPieces(const Surface & surface, size_t pieceSize, SurfaceSink & sink)
+AddInPieces(const TestMesh & surface, size_t pieceSize, MeshSink & sink)
 {
   const auto getPiece = [pieceSize](const auto & all, size_t first) {
     using VectorType = std::decay_t<decltype(all)>;

@@ -11,24 +11,24 @@ namespace medialvoxel
 {
 
 /** A whole surface. */
-struct Surface
+struct TestMesh
 {
-  std::vector<SurfaceVertex> vertices;
-  std::vector<SurfaceFace>   faces;
+  std::vector<MeshVertex> vertices;
+  std::vector<MeshFace>   faces;
 };
 
 /** A triangle or quad with its corners; CompleteFaces() fills in the rest. */
-SurfaceFace
+MeshFace
 MakeFace(const std::vector<std::uint64_t> & corners);
 
 /** Areas, and rims and junctions from how many faces share an edge. */
 void
-CompleteFaces(Surface & surface);
+CompleteFaces(TestMesh & surface);
 
 /** "plate", "mixed" (triangles and quads), "cylinder", "cube" (closed), "junction" (three sheets at one line),
  * "empty": small surfaces whose thickness varies. \throw std::invalid_argument for another name. */
-Surface
-MakeSurface(const std::string & shape);
+TestMesh
+MakeTestMesh(const std::string & shape);
 
 /** A rectangle in the plane z = 0 of unequal thickness, row by row, however large. */
 struct Strip
@@ -42,11 +42,11 @@ struct Strip
   bool          triangles{ false }; ///< each quad as two
 };
 void
-AddStrip(const Strip & strip, SurfaceSink & sink);
+AddStrip(const Strip & strip, MeshSink & sink);
 
 /** Gives the surface to the sink in pieces of so many vertices and faces. */
 void
-AddInPieces(const Surface & surface, size_t pieceSize, SurfaceSink & sink);
+AddInPieces(const TestMesh & surface, size_t pieceSize, MeshSink & sink);
 
 } // end namespace medialvoxel
 

@@ -26,27 +26,27 @@ GetFloat(const std::string & bytes, size_t offset)
 
 } // namespace
 
-TEST(SurfaceWriter, FormatsGoByExtension)
+TEST(MeshWriter, FormatsGoByExtension)
 {
   for (size_t format = 0; format < Extensions.size(); ++format)
   {
-    EXPECT_EQ(GetSurfaceFormat("a.b/mesh" + Extensions[format]), static_cast<SurfaceFormat>(format));
+    EXPECT_EQ(GetMeshFormat("a.b/mesh" + Extensions[format]), static_cast<MeshFormat>(format));
   }
-  EXPECT_EQ(GetSurfaceFormat("MESH.VTP"), SurfaceFormat::Vtp);
+  EXPECT_EQ(GetMeshFormat("MESH.VTP"), MeshFormat::Vtp);
   for (const char * name : { "mesh", "mesh.xyz", "mesh.vtp.gz", "" })
   {
-    EXPECT_EQ(GetStatusOf([&] { GetSurfaceFormat(name); }), ExitStatus::Usage) << name;
+    EXPECT_EQ(GetStatusOf([&] { GetMeshFormat(name); }), ExitStatus::Usage) << name;
   }
 }
 
-TEST(SurfaceWriter, PiecesMakeNoDifference)
+TEST(MeshWriter, PiecesMakeNoDifference)
 {
   for (const char * shape : { "mixed", "cylinder", "junction" })
   {
-    const Surface surface = MakeSurface(shape);
+    const TestMesh surface = MakeTestMesh(shape);
     for (const std::string & extension : Extensions)
     {
-      SurfaceWriteOptions options;
+      MeshWriteOptions options;
       options.thicknessClassWidth = 0.1;
       const std::string expected = WriteFile(surface, extension, options);
       for (const size_t pieceSize : { 1, 7 })
@@ -63,14 +63,14 @@ TEST(SurfaceWriter, PiecesMakeNoDifference)
   }
 }
 
-TEST(SurfaceWriter, Obj)
+TEST(MeshWriter, Obj)
 {
   EXPECT_EQ(WriteFile(MakeTwoFaces(), ".obj"),
             "# Medial surface by MedialVoxel, coordinates and thickness in units of the spacing\n"
             "v 0 0 0\nv 4 0 0\nv 5 3 0\nv 1 1.5 0\nv -2 0 1e-05\nf 1 2 3 4\nf 1 4 5\n");
 }
 
-TEST(SurfaceWriter, StlSplitsQuadsAlongTheShorterDiagonal)
+TEST(MeshWriter, StlSplitsQuadsAlongTheShorterDiagonal)
 {
   const std::string bytes = WriteFile(MakeTwoFaces(), ".stl");
   ASSERT_EQ(bytes.size(), 84 + 3 * 50);
@@ -85,9 +85,9 @@ TEST(SurfaceWriter, StlSplitsQuadsAlongTheShorterDiagonal)
   EXPECT_EQ(GetFloat(square, 84 + 12 + 28), 1.0f);
 }
 
-TEST(SurfaceWriter, StlOfATriangleWithoutAreaHasNoNormal)
+TEST(MeshWriter, StlOfATriangleWithoutAreaHasNoNormal)
 {
-  Surface surface = MakeTwoFaces();
+  TestMesh surface = MakeTwoFaces();
   surface.faces = { MakeFace({ 0, 1, 0 }) };
   const std::string bytes = WriteFile(surface, ".stl");
   for (size_t axis = 0; axis < 3; ++axis)
@@ -96,7 +96,7 @@ TEST(SurfaceWriter, StlOfATriangleWithoutAreaHasNoNormal)
   }
 }
 
-TEST(SurfaceWriter, LegacyVtkHasTheHighByteFirst)
+TEST(MeshWriter, LegacyVtkHasTheHighByteFirst)
 {
   const std::string bytes = WriteFile(MakeTwoFaces(), ".vtk");
   // A quad is the number 4 and its corners.
@@ -104,9 +104,9 @@ TEST(SurfaceWriter, LegacyVtkHasTheHighByteFirst)
   EXPECT_NE(bytes.find(polygons), std::string::npos);
 }
 
-TEST(SurfaceWriter, CoordinatesAreFloat32InAllFormats)
+TEST(MeshWriter, CoordinatesAreFloat32InAllFormats)
 {
-  Surface surface = MakeTwoFaces();
+  TestMesh surface = MakeTwoFaces();
   surface.vertices[0].position = { 1.0 / 3, -1e-9, 123456.789 };
   EXPECT_EQ(GetLinesAfter(WriteFile(surface, ".inp"), "*NODE").front(), "1, 0.33333334, -1e-09, 123456.79");
   const std::string nastran = WriteFile(surface, ".bdf");
@@ -115,12 +115,12 @@ TEST(SurfaceWriter, CoordinatesAreFloat32InAllFormats)
     std::string::npos);
 }
 
-TEST(SurfaceWriter, CoordinatesAreFloat64WhereTheSurfaceNeedsIt)
+TEST(MeshWriter, CoordinatesAreFloat64WhereTheSurfaceNeedsIt)
 {
-  Surface surface = MakeTwoFaces();
+  TestMesh surface = MakeTwoFaces();
   surface.vertices[0].position = { 20000000.1, -1.0 / 3, -20000000.123456789 };
   const auto write = [&](const std::string & extension) {
-    return WriteFile(surface, extension, {}, 1000, SurfacePrecision::Double);
+    return WriteFile(surface, extension, {}, 1000, MeshPrecision::Double);
   };
   EXPECT_EQ(GetLinesAfter(write(".inp"), "*NODE").front(), "1, 20000000.1, -0.3333333333333333, -20000000.123456787");
   // As many digits as its fields hold.
@@ -131,11 +131,11 @@ TEST(SurfaceWriter, CoordinatesAreFloat64WhereTheSurfaceNeedsIt)
   EXPECT_NE(write(".ply").find("property double x\n"), std::string::npos);
 }
 
-TEST(SurfaceWriter, RefusesMoreThanAFormatHolds)
+TEST(MeshWriter, RefusesMoreThanAFormatHolds)
 {
   struct Case
   {
-    SurfaceFormat format;
+    MeshFormat    format;
     std::uint64_t vertices;
     std::uint64_t triangles;
     std::uint64_t quads;
@@ -143,28 +143,27 @@ TEST(SurfaceWriter, RefusesMoreThanAFormatHolds)
   const std::uint64_t     int32 = std::numeric_limits<std::int32_t>::max();
   const std::uint64_t     uint32 = std::numeric_limits<std::uint32_t>::max();
   const std::vector<Case> largest{
-    { SurfaceFormat::Vtk, int32, 1, (int32 - 4) / 5 }, { SurfaceFormat::Ply, int32, 7, int32 - 7 },
-    { SurfaceFormat::Stl, uint32 * 2, 1, uint32 / 2 }, { SurfaceFormat::Abaqus, 999999999, 9, 999999990 },
-    { SurfaceFormat::Nastran, 99999999, 9, 99999990 }, { SurfaceFormat::LsDyna, 99999999, 9, 99999990 }
+    { MeshFormat::Vtk, int32, 1, (int32 - 4) / 5 }, { MeshFormat::Ply, int32, 7, int32 - 7 },
+    { MeshFormat::Stl, uint32 * 2, 1, uint32 / 2 }, { MeshFormat::Abaqus, 999999999, 9, 999999990 },
+    { MeshFormat::Nastran, 99999999, 9, 99999990 }, { MeshFormat::LsDyna, 99999999, 9, 99999990 }
   };
   for (const auto & [format, vertices, triangles, quads] : largest)
   {
-    EXPECT_NO_THROW(CheckSurfaceFits(format, vertices, triangles, quads));
-    EXPECT_EQ(
-      GetStatusOf([&, f = format, v = vertices, t = triangles, q = quads] { CheckSurfaceFits(f, v, t, q + 1); }),
-      ExitStatus::Refused);
-    if (format != SurfaceFormat::Stl)
+    EXPECT_NO_THROW(CheckMeshFits(format, vertices, triangles, quads));
+    EXPECT_EQ(GetStatusOf([&, f = format, v = vertices, t = triangles, q = quads] { CheckMeshFits(f, v, t, q + 1); }),
+              ExitStatus::Refused);
+    if (format != MeshFormat::Stl)
     {
-      EXPECT_EQ(GetStatusOf([&, f = format, v = vertices] { CheckSurfaceFits(f, v + 1, 0, 0); }), ExitStatus::Refused);
+      EXPECT_EQ(GetStatusOf([&, f = format, v = vertices] { CheckMeshFits(f, v + 1, 0, 0); }), ExitStatus::Refused);
     }
   }
-  for (const SurfaceFormat format : { SurfaceFormat::Vtp, SurfaceFormat::Vtu, SurfaceFormat::Obj })
+  for (const MeshFormat format : { MeshFormat::Vtp, MeshFormat::Vtu, MeshFormat::Obj })
   {
-    EXPECT_NO_THROW(CheckSurfaceFits(format, uint32 * 100, uint32, uint32 * 100));
+    EXPECT_NO_THROW(CheckMeshFits(format, uint32 * 100, uint32, uint32 * 100));
   }
   try
   {
-    CheckSurfaceFits(SurfaceFormat::Stl, 0, 2, uint32 / 2);
+    CheckMeshFits(MeshFormat::Stl, 0, 2, uint32 / 2);
     FAIL() << "too many triangles";
   }
   catch (const JobError & error)
@@ -173,9 +172,9 @@ TEST(SurfaceWriter, RefusesMoreThanAFormatHolds)
   }
 }
 
-TEST(SurfaceWriter, NoticesAVertexThatIsMissing)
+TEST(MeshWriter, NoticesAVertexThatIsMissing)
 {
-  Surface surface = MakeTwoFaces();
+  TestMesh surface = MakeTwoFaces();
   surface.vertices.pop_back();
   for (const std::string & extension : Extensions)
   {
@@ -187,21 +186,21 @@ TEST(SurfaceWriter, NoticesAVertexThatIsMissing)
   EXPECT_NO_THROW(WriteFile(surface, ".stl"));
 }
 
-TEST(SurfaceWriter, AnEmptySurfaceIsAFile)
+TEST(MeshWriter, AnEmptySurfaceIsAFile)
 {
   for (const std::string & extension : Extensions)
   {
-    EXPECT_FALSE(WriteFile(MakeSurface("empty"), extension).empty()) << extension;
+    EXPECT_FALSE(WriteFile(MakeTestMesh("empty"), extension).empty()) << extension;
   }
 }
 
-TEST(SurfaceWriter, ProgressRisesToOneAndMayStop)
+TEST(MeshWriter, ProgressRisesToOneAndMayStop)
 {
-  const Surface surface = MakeSquares(std::vector<double>(2000, 1.0));
+  const TestMesh surface = MakeSquares(std::vector<double>(2000, 1.0));
   for (const std::string & extension : Extensions)
   {
-    double              last = 0;
-    SurfaceWriteOptions options;
+    double           last = 0;
+    MeshWriteOptions options;
     options.progress = [&last](double fraction) {
       EXPECT_GE(fraction, last);
       last = fraction;
@@ -213,20 +212,20 @@ TEST(SurfaceWriter, ProgressRisesToOneAndMayStop)
   }
 }
 
-TEST(SurfaceSpool, RefusesAFolderThatIsMissing)
+TEST(MeshSpool, RefusesAFolderThatIsMissing)
 {
   const TemporaryFolder folder;
-  EXPECT_EQ(GetStatusOf([&] { SurfaceSpool spool(folder / "missing"); }), ExitStatus::Refused);
+  EXPECT_EQ(GetStatusOf([&] { MeshSpool spool(folder / "missing"); }), ExitStatus::Refused);
 }
 
-TEST(SurfaceSpool, RoundsToItsPrecision)
+TEST(MeshSpool, RoundsToItsPrecision)
 {
-  const std::vector<SurfaceVertex> vertices(9, { { 1.0 / 3, -2.0 / 3, 20000000.1 }, 1.0 });
-  for (const SurfacePrecision precision : { SurfacePrecision::Single, SurfacePrecision::Double })
+  const std::vector<MeshVertex> vertices(9, { { 1.0 / 3, -2.0 / 3, 20000000.1 }, 1.0 });
+  for (const MeshPrecision precision : { MeshPrecision::Single, MeshPrecision::Double })
   {
-    const TemporaryFolder             folder;
-    SurfaceSpool                      spool(folder / "", precision);
-    std::vector<SurfaceSpool::Vertex> read;
+    const TemporaryFolder          folder;
+    MeshSpool                      spool(folder / "", precision);
+    std::vector<MeshSpool::Vertex> read;
     spool.AddVertices(vertices);
     spool.ReadVertices(0, vertices.size(), read);
     for (size_t i = 0; i < vertices.size(); ++i)
@@ -235,17 +234,17 @@ TEST(SurfaceSpool, RoundsToItsPrecision)
       {
         const volatile float rounded = static_cast<float>(vertices[i].position[axis]);
         EXPECT_EQ(read[i].position[axis],
-                  precision == SurfacePrecision::Single ? static_cast<double>(rounded) : vertices[i].position[axis]);
+                  precision == MeshPrecision::Single ? static_cast<double>(rounded) : vertices[i].position[axis]);
       }
     }
   }
 }
 
-TEST(SurfaceSpool, LeavesNoFile)
+TEST(MeshSpool, LeavesNoFile)
 {
   const TemporaryFolder folder;
-  SurfaceSpool          spool(folder / "");
-  AddInPieces(MakeSurface("plate"), 3, spool);
+  MeshSpool             spool(folder / "");
+  AddInPieces(MakeTestMesh("plate"), 3, spool);
   EXPECT_EQ(folder.GetNumberOfFiles(), 0);
   EXPECT_EQ(spool.GetNumberOfVertices(), 24U);
   EXPECT_EQ(spool.GetNumberOfFaces(), 15U);

@@ -16,28 +16,28 @@ namespace medialvoxel
 
 /** The bytes of the file that the surface becomes. */
 inline std::string
-WriteFile(const Surface &             surface,
-          const std::string &         extension,
-          const SurfaceWriteOptions & options = SurfaceWriteOptions(),
-          size_t                      pieceSize = 1000,
-          SurfacePrecision            precision = SurfacePrecision::Single)
+WriteFile(const TestMesh &         surface,
+          const std::string &      extension,
+          const MeshWriteOptions & options = MeshWriteOptions(),
+          size_t                   pieceSize = 1000,
+          MeshPrecision            precision = MeshPrecision::Single)
 {
   const TemporaryFolder folder;
   const std::string     name = "mesh" + extension;
-  SurfaceSpool          spool(folder / "", precision);
+  MeshSpool             spool(folder / "", precision);
   AddInPieces(surface, pieceSize, spool);
   OutputFile file(folder / name, false);
   file.Create(0, false);
-  WriteSurface(GetSurfaceFormat(name), spool, options, file);
+  WriteMesh(GetMeshFormat(name), spool, options, file);
   file.Publish();
   return folder.Read(name);
 }
 
 /** One triangle and one quad; the quad's second diagonal is the shorter one. */
-inline Surface
+inline TestMesh
 MakeTwoFaces()
 {
-  Surface surface;
+  TestMesh surface;
   surface.vertices = {
     { { 0, 0, 0 }, 1.0 }, { { 4, 0, 0 }, 1.0 }, { { 5, 3, 0 }, 2.0 }, { { 1, 1.5, 0 }, 2.0 }, { { -2, 0, 1e-5 }, 1.5 }
   };
@@ -50,10 +50,10 @@ MakeTwoFaces()
 }
 
 /** A row of squares, each with a thickness of its own. */
-inline Surface
+inline TestMesh
 MakeSquares(const std::vector<double> & thicknesses)
 {
-  Surface surface;
+  TestMesh surface;
   for (const double thickness : thicknesses)
   {
     const std::uint64_t first = surface.vertices.size();

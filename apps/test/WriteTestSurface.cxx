@@ -3,7 +3,7 @@
 
 // WriteTestSurface SHAPE CLASS-WIDTH FILE...: writes a surface to files of any format and prints it as JSON.
 // CLASS-WIDTH is that of sections; "nodes": the thickness is at nodes.
-// SHAPE is one of MakeSurface(), or strip:LENGTH,WIDTH,COLUMNS,ROWS,THICKNESS,THICKNESS[,triangles], not printed.
+// SHAPE is one of MakeTestMesh(), or strip:LENGTH,WIDTH,COLUMNS,ROWS,THICKNESS,THICKNESS[,triangles], not printed.
 
 #include "SurfaceFormat.h"
 #include "SurfaceShapes.h"
@@ -23,10 +23,10 @@ constexpr char StripPrefix[] = "strip:";
 constexpr char FarPrefix[] = "far-";
 
 /** The shape in another place, with the precision for it. */
-Surface
-MoveFar(Surface surface)
+TestMesh
+MoveFar(TestMesh surface)
 {
-  for (SurfaceVertex & vertex : surface.vertices)
+  for (MeshVertex & vertex : surface.vertices)
   {
     auto & [x, y, z] = vertex.position;
     vertex.position = { 2e7 + 0.3 * x, -2e7 + 0.3 * y, 12345678.9 + 0.3 * z };
@@ -68,31 +68,31 @@ FormatList(const TItems & items, TFormat format)
 }
 
 void
-PrintJson(const Surface & surface)
+PrintJson(const TestMesh & surface)
 {
   const auto number = [](auto value) { return FormatNumber(static_cast<double>(value)); };
   const auto printFaces = [&](const char * key, auto get) {
     std::cout << ",\n \"" << key << "\": " << FormatList(surface.faces, get);
   };
-  std::cout << "{\"points\": " << FormatList(surface.vertices, [&](const SurfaceVertex & vertex) {
+  std::cout << "{\"points\": " << FormatList(surface.vertices, [&](const MeshVertex & vertex) {
     return FormatList(vertex.position, number);
   });
   std::cout << ",\n \"thickness\": "
-            << FormatList(surface.vertices, [&](const SurfaceVertex & vertex) { return number(vertex.thickness); });
-  printFaces("faces", [&](const SurfaceFace & face) {
+            << FormatList(surface.vertices, [&](const MeshVertex & vertex) { return number(vertex.thickness); });
+  printFaces("faces", [&](const MeshFace & face) {
     const auto begin = face.vertices.begin();
     return FormatList(std::vector<std::uint64_t>(begin, begin + face.numberOfVertices), number);
   });
-  printFaces("area", [&](const SurfaceFace & face) { return number(face.area); });
-  printFaces("rim", [&](const SurfaceFace & face) { return number(face.rimEdges); });
-  printFaces("junction", [&](const SurfaceFace & face) { return number(face.junctionEdges); });
+  printFaces("area", [&](const MeshFace & face) { return number(face.area); });
+  printFaces("rim", [&](const MeshFace & face) { return number(face.rimEdges); });
+  printFaces("junction", [&](const MeshFace & face) { return number(face.junctionEdges); });
   std::cout << "}\n";
 }
 
 void
-WriteFiles(const SurfaceSpool & spool, const std::string & classWidth, const std::vector<std::string> & fileNames)
+WriteFiles(const MeshSpool & spool, const std::string & classWidth, const std::vector<std::string> & fileNames)
 {
-  SurfaceWriteOptions options;
+  MeshWriteOptions options;
   if (classWidth == "nodes")
   {
     options.thicknessPlace = ThicknessPlace::Nodes;
@@ -105,7 +105,7 @@ WriteFiles(const SurfaceSpool & spool, const std::string & classWidth, const std
   {
     OutputFile file(fileName, false);
     file.Create(0, false);
-    WriteSurface(GetSurfaceFormat(fileName), spool, options, file);
+    WriteMesh(GetMeshFormat(fileName), spool, options, file);
     file.Publish();
   }
 }
@@ -123,15 +123,15 @@ try
   const std::string              shape = argv[1];
   const std::vector<std::string> fileNames(argv + 3, argv + argc);
   const bool                     isFar = shape.rfind(FarPrefix, 0) == 0;
-  SurfaceSpool                   spool(std::filesystem::absolute(fileNames.front()).parent_path(),
-                     isFar ? SurfacePrecision::Double : SurfacePrecision::Single);
+  MeshSpool                      spool(std::filesystem::absolute(fileNames.front()).parent_path(),
+                  isFar ? MeshPrecision::Double : MeshPrecision::Single);
   if (shape.rfind(StripPrefix, 0) == 0)
   {
     AddStrip(ParseStrip(shape), spool);
   }
   else
   {
-    const Surface surface = isFar ? MoveFar(MakeSurface(shape.substr(sizeof(FarPrefix) - 1))) : MakeSurface(shape);
+    const TestMesh surface = isFar ? MoveFar(MakeTestMesh(shape.substr(sizeof(FarPrefix) - 1))) : MakeTestMesh(shape);
     AddInPieces(surface, 10, spool);
     PrintJson(surface);
   }

@@ -18,15 +18,15 @@ namespace
 /** Takes a surface apart, with coordinates in the order of the axes of the array; a triangle among quadrilaterals has
  * its last corner twice. */
 void
-CopySurface(const SurfaceSpool & surface, ArrayMesh & mesh)
+CopyMesh(const MeshSpool & surface, ArrayMesh & mesh)
 {
   mesh.cornersPerFace = surface.GetNumberOfTriangles() > 0 && surface.GetNumberOfQuads() == 0 ? 3 : 4;
-  SurfaceReader reader(surface, {});
-  reader.ForEachVertex([&](std::uint64_t, const SurfaceSpool::Vertex & vertex) {
+  MeshReader reader(surface, {});
+  reader.ForEachVertex([&](std::uint64_t, const MeshSpool::Vertex & vertex) {
     mesh.points.insert(mesh.points.end(), { vertex.position[2], vertex.position[1], vertex.position[0] });
     mesh.thickness.push_back(vertex.thickness);
   });
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     for (std::int64_t corner = 0; corner < mesh.cornersPerFace; ++corner)
     {
       const auto last = std::int64_t{ face.numberOfVertices } - 1;
@@ -59,7 +59,7 @@ MeshArray(const ArrayCall & call, const ExtractOptions & given, ArrayMesh & mesh
   surface.FindEdgesWith([&rays](const auto & bundle) { return rays.Measure(bundle); });
   engine.ReadBeforeRun([&](const auto & observer) {
     const std::uint64_t memoryLimit = options.memoryLimit.value_or(GetFreeMemory() / 2);
-    CopySurface(surface.Finish(memoryLimit, engine.GetNumberOfThreads(), observer), mesh);
+    CopyMesh(surface.Finish(memoryLimit, engine.GetNumberOfThreads(), observer), mesh);
   });
   return nlohmann::json::object();
 }

@@ -62,7 +62,7 @@ GetSetName(size_t section)
 }
 
 void
-WriteNodes(SurfaceReader & reader, BufferedOutput & output)
+WriteNodes(MeshReader & reader, BufferedOutput & output)
 {
   output.Text("*NODE, NSET=ALL_NODES\n");
   reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
@@ -74,10 +74,10 @@ WriteNodes(SurfaceReader & reader, BufferedOutput & output)
 
 /** Triangles or quads, with the numbers that all elements have in the order of the faces. */
 void
-WriteElements(SurfaceReader & reader, unsigned int numberOfVertices, const char * head, BufferedOutput & output)
+WriteElements(MeshReader & reader, unsigned int numberOfVertices, const char * head, BufferedOutput & output)
 {
   output.Text(head);
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners & corners) {
     if (corners.size() == numberOfVertices)
     {
       output.Integer(number);
@@ -111,16 +111,12 @@ GetRunEnds(const std::vector<SheetSection> & sections, std::uint64_t keptElement
 
 /** The sets of a run of sections; the elements of a single one need not be kept. */
 void
-WriteSectionSets(SurfaceReader &       reader,
-                 const SheetSections & sections,
-                 size_t                begin,
-                 size_t                end,
-                 BufferedOutput &      output)
+WriteSectionSets(MeshReader & reader, const SheetSections & sections, size_t begin, size_t end, BufferedOutput & output)
 {
   if (end - begin == 1)
   {
     SetLines lines(ElementSet + GetSetName(begin), output);
-    ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
+    ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
       if (sections.GetSection(reader, face) == begin)
       {
         lines.Add(number);
@@ -130,7 +126,7 @@ WriteSectionSets(SurfaceReader &       reader,
     return;
   }
   std::vector<std::vector<std::uint64_t>> elements(end - begin);
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
     const size_t section = sections.GetSection(reader, face);
     if (section >= begin && section < end)
     {
@@ -150,14 +146,14 @@ WriteSectionSets(SurfaceReader &       reader,
 
 /** Elements with some of the sides that are marked in their faces. */
 void
-WriteSideSet(SurfaceReader &     reader,
+WriteSideSet(MeshReader &        reader,
              const std::string & name,
-             std::uint8_t SurfaceFace::* sides,
-             unsigned int                wanted,
-             BufferedOutput &            output)
+             std::uint8_t MeshFace::* sides,
+             unsigned int             wanted,
+             BufferedOutput &         output)
 {
   SetLines lines(ElementSet + name, output);
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners & corners) {
     if ((GetElementSides(face, corners, face.*sides) & wanted) != 0)
     {
       lines.Add(number);
@@ -168,11 +164,11 @@ WriteSideSet(SurfaceReader &     reader,
 
 /** The nodes at rims or at junctions, the elements there, and those whose side of a number is one of them. */
 void
-WriteEdgeSets(SurfaceReader &           reader,
+WriteEdgeSets(MeshReader &              reader,
               const std::string &       name,
               const std::vector<bool> & nodes,
-              std::uint8_t SurfaceFace::* sides,
-              BufferedOutput &            output)
+              std::uint8_t MeshFace::* sides,
+              BufferedOutput &         output)
 {
   SetLines lines("*NSET, NSET=" + name, output);
   ForEachMarked(nodes, [&](std::uint64_t vertex) { lines.Add(vertex + 1); });
@@ -186,7 +182,7 @@ WriteEdgeSets(SurfaceReader &           reader,
 
 /** A set for each object of a label map, whose elements follow each other. */
 void
-WriteObjectSets(SurfaceReader & reader, const std::vector<std::int64_t> & labels, BufferedOutput & output)
+WriteObjectSets(MeshReader & reader, const std::vector<std::int64_t> & labels, BufferedOutput & output)
 {
   std::uint32_t object = 0;
   std::uint64_t first = 1;
@@ -198,7 +194,7 @@ WriteObjectSets(SurfaceReader & reader, const std::vector<std::int64_t> & labels
       output.Integer(first).Text(", ").Integer(last).Text(", 1\n");
     }
   };
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners &) {
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
     if (reader.GetObject(face) != object)
     {
       write();
@@ -211,11 +207,11 @@ WriteObjectSets(SurfaceReader & reader, const std::vector<std::int64_t> & labels
 }
 
 void
-WriteNodalThickness(SurfaceReader &             reader,
-                    const SheetEdges &          edges,
-                    const SheetSections &       sections,
-                    const SurfaceWriteOptions & options,
-                    BufferedOutput &            output)
+WriteNodalThickness(MeshReader &             reader,
+                    const SheetEdges &       edges,
+                    const SheetSections &    sections,
+                    const MeshWriteOptions & options,
+                    BufferedOutput &         output)
 {
   output.Text("*NODAL THICKNESS\n");
   ForEachNodeThickness(reader, edges, options.keptNumbers, [&](std::uint64_t vertex, std::optional<double> thickness) {
@@ -240,17 +236,17 @@ WriteProperties(const std::vector<SheetSection> & sections, const char * further
 } // namespace
 
 void
-WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshAbaqus(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   const bool isAtNodes = options.thicknessPlace == ThicknessPlace::Nodes;
   reader.SetNumberOfPasses(1, 17);
   const SheetEdges    edges(reader);
   const SheetSections sections(reader, edges, options);
-  CheckElementsFit(SurfaceFormat::Abaqus, reader, sections);
+  CheckElementsFit(MeshFormat::Abaqus, reader, sections);
   const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptNumbers);
   const std::uint64_t       elementPasses = (sections.GetNumberOfTriangles() > 0) + (sections.GetNumberOfQuads() > 0);
   const std::uint64_t       nodePasses =
-    isAtNodes ? CountNodePasses(reader.GetSurface().GetNumberOfVertices(), options.keptNumbers) : 0;
+    isAtNodes ? CountNodePasses(reader.GetMesh().GetNumberOfVertices(), options.keptNumbers) : 0;
   reader.SetNumberOfPasses(1, 13 + elementPasses + ends.size() + nodePasses);
 
   output.Text("*HEADING\n" + GetTitle(options) + "\n");
@@ -270,8 +266,8 @@ WriteSurfaceAbaqus(SurfaceReader & reader, const SurfaceWriteOptions & options, 
     begin = end;
   }
   output.Text("** RIM and JUNCTION are sets of nodes and of elements; of those in RIM_E1, side E1 is at a rim.\n");
-  WriteEdgeSets(reader, "RIM", edges.GetRims(), &SurfaceFace::rimEdges, output);
-  WriteEdgeSets(reader, "JUNCTION", edges.GetJunctions(), &SurfaceFace::junctionEdges, output);
+  WriteEdgeSets(reader, "RIM", edges.GetRims(), &MeshFace::rimEdges, output);
+  WriteEdgeSets(reader, "JUNCTION", edges.GetJunctions(), &MeshFace::junctionEdges, output);
   WriteObjectSets(reader, options.objectLabels, output);
   if (isAtNodes)
   {

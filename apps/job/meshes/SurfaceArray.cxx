@@ -14,27 +14,27 @@ constexpr std::uint64_t BlockSize = std::uint64_t{ 1 } << 14;
 
 } // namespace
 
-SurfaceArray::SurfaceArray(const std::filesystem::path & folder, std::string name)
+VertexValues::VertexValues(const std::filesystem::path & folder, std::string name)
   : m_File(folder)
   , m_Name(std::move(name))
 {}
 
 void
-SurfaceArray::Add(const std::vector<float> & numbers)
+VertexValues::Add(const std::vector<float> & numbers)
 {
   m_File.WriteAt(m_Size * BytesPerVertex, numbers.data(), numbers.size() * BytesPerVertex);
   m_Size += numbers.size();
 }
 
 void
-SurfaceArray::Read(std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) const
+VertexValues::Read(std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) const
 {
   numbers.resize(count);
   m_File.ReadAt(first * BytesPerVertex, numbers.data(), count * BytesPerVertex);
 }
 
 float
-SurfaceArray::Get(const std::uint64_t vertex) const
+VertexValues::Get(const std::uint64_t vertex) const
 {
   if (vertex < m_First || vertex >= m_First + m_Block.size())
   {

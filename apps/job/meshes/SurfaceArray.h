@@ -13,17 +13,17 @@
 namespace medialvoxel
 {
 
-/** \class SurfaceArray
+/** \class VertexValues
  * \brief A number for each vertex of a surface, in a scratch file. */
-class SurfaceArray
+class VertexValues
 {
 public:
   /** In the scratch file. */
   static constexpr std::uint64_t BytesPerVertex = sizeof(float);
 
-  /** \param folder as of SurfaceSpool \param name in files: small letters and underscores
+  /** \param folder as of MeshSpool \param name in files: small letters and underscores
    * \throw JobError Refused when the folder is missing or cannot be written. */
-  SurfaceArray(const std::filesystem::path & folder, std::string name);
+  VertexValues(const std::filesystem::path & folder, std::string name);
 
   const std::string &
   GetName() const

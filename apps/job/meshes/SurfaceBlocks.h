@@ -12,17 +12,17 @@
 namespace medialvoxel
 {
 
-/** \class SurfaceBlocks
+/** \class RecordBlocks
  * \brief Single records of a scratch file; fast when those asked for lie near each other, as those of successive faces
  * do. */
 template <typename TRecord>
-class SurfaceBlocks
+class RecordBlocks
 {
 public:
   /** Reads \a count records from number \a first on. */
   using Read = std::function<void(std::uint64_t first, std::uint64_t count, std::vector<TRecord> & records)>;
 
-  SurfaceBlocks(std::uint64_t numberOfRecords, Read read)
+  RecordBlocks(std::uint64_t numberOfRecords, Read read)
     : m_NumberOfRecords(numberOfRecords)
     , m_Read(std::move(read))
     , m_Slots(NumberOfSlots)

@@ -35,7 +35,7 @@ struct Quad
 };
 
 unsigned int
-GetFacesPerQuad(const SurfaceSpool & surface)
+GetFacesPerQuad(const MeshSpool & surface)
 {
   return surface.GetNumberOfTriangles() > 0 ? 2 : 1;
 }
@@ -43,20 +43,20 @@ GetFacesPerQuad(const SurfaceSpool & surface)
 /** Triangles are the first three corners, and from the third one round to the first: the diagonal is their last side.
  */
 Quad
-GetQuad(const SurfaceFace * face)
+GetQuad(const MeshFace * face)
 {
   if (face->numberOfVertices == 4)
   {
     return { face->vertices, { face->rimEdges, face->junctionEdges } };
   }
-  const SurfaceFace & second = face[1];
+  const MeshFace & second = face[1];
   return { { { face->vertices[0], face->vertices[1], face->vertices[2], second.vertices[1] } },
            { static_cast<std::uint8_t>(face->rimEdges | second.rimEdges << 2),
              static_cast<std::uint8_t>(face->junctionEdges | second.junctionEdges << 2) } };
 }
 
 void
-SetMarks(SurfaceFace * face, const MedialVoxelSurfaceBranches::Marks & marks)
+SetMarks(MeshFace * face, const MedialVoxelSurfaceBranches::Marks & marks)
 {
   const bool isQuad = face->numberOfVertices == 4;
   face->rimEdges = static_cast<std::uint8_t>(isQuad ? marks.rimSides : marks.rimSides & 3);
@@ -72,7 +72,7 @@ SetMarks(SurfaceFace * face, const MedialVoxelSurfaceBranches::Marks & marks)
 class SpooledQuads : public itk::MedialVoxelSurfaceFaces
 {
 public:
-  SpooledQuads(const SurfaceSpool & surface, const std::function<void(double)> & progress)
+  SpooledQuads(const MeshSpool & surface, const std::function<void(double)> & progress)
     : m_Surface(surface)
     , m_Progress(progress)
     , m_Points(surface, {})
@@ -111,19 +111,19 @@ public:
   }
 
 private:
-  const SurfaceSpool &                m_Surface;
+  const MeshSpool &                   m_Surface;
   const std::function<void(double)> & m_Progress;
-  mutable SurfaceReader               m_Points;
-  mutable std::vector<SurfaceFace>    m_Faces;
+  mutable MeshReader                  m_Points;
+  mutable std::vector<MeshFace>       m_Faces;
 };
 
 /** Copies the vertices for which isKept(number) holds. */
 template <typename TIsKept>
 void
-CopyVertices(const SurfaceSpool & from, SurfaceSpool & to, TIsKept && isKept)
+CopyVertices(const MeshSpool & from, MeshSpool & to, TIsKept && isKept)
 {
-  std::vector<SurfaceSpool::Vertex> vertices;
-  std::vector<SurfaceVertex>        kept;
+  std::vector<MeshSpool::Vertex> vertices;
+  std::vector<MeshVertex>        kept;
   for (std::uint64_t first = 0; first < from.GetNumberOfVertices(); first += CopiedAtATime)
   {
     from.ReadVertices(first, std::min(CopiedAtATime, from.GetNumberOfVertices() - first), vertices);
@@ -142,10 +142,10 @@ CopyVertices(const SurfaceSpool & from, SurfaceSpool & to, TIsKept && isKept)
 /** Copies the quadrilaterals for whose first face adapt(number, face) holds, and numbers their vertices anew. */
 template <typename TAdapt, typename TNumberOf>
 void
-CopyFaces(const SurfaceSpool & from, SurfaceSpool & to, TAdapt && adapt, TNumberOf && numberOf)
+CopyFaces(const MeshSpool & from, MeshSpool & to, TAdapt && adapt, TNumberOf && numberOf)
 {
-  const std::uint64_t      step = GetFacesPerQuad(from);
-  std::vector<SurfaceFace> faces;
+  const std::uint64_t   step = GetFacesPerQuad(from);
+  std::vector<MeshFace> faces;
   for (std::uint64_t first = 0; first < from.GetNumberOfFaces(); first += CopiedAtATime)
   {
     from.ReadFaces(first, std::min(CopiedAtATime, from.GetNumberOfFaces() - first), faces);
@@ -161,7 +161,7 @@ CopyFaces(const SurfaceSpool & from, SurfaceSpool & to, TAdapt && adapt, TNumber
       }
     }
     faces.resize(kept);
-    for (SurfaceFace & face : faces)
+    for (MeshFace & face : faces)
     {
       std::transform(
         face.vertices.begin(), face.vertices.begin() + face.numberOfVertices, face.vertices.begin(), numberOf);
@@ -171,7 +171,7 @@ CopyFaces(const SurfaceSpool & from, SurfaceSpool & to, TAdapt && adapt, TNumber
 }
 
 void
-CheckMemory(const SurfaceSpool & surface, std::uint64_t needed, const SheetCleaning & cleaning, const char * what)
+CheckMemory(const MeshSpool & surface, std::uint64_t needed, const SheetCleaning & cleaning, const char * what)
 {
   if (needed > cleaning.memoryLimit)
   {
@@ -188,8 +188,8 @@ CheckMemory(const SurfaceSpool & surface, std::uint64_t needed, const SheetClean
   }
 }
 
-std::unique_ptr<SurfaceSpool>
-RemoveBranches(const SurfaceSpool & surface, const SheetCleaning & cleaning)
+std::unique_ptr<MeshSpool>
+RemoveBranches(const MeshSpool & surface, const SheetCleaning & cleaning)
 {
   const SpooledQuads  quads(surface, cleaning.progress);
   const std::uint64_t numberOfQuads = surface.GetNumberOfFaces() / GetFacesPerQuad(surface);
@@ -210,12 +210,12 @@ RemoveBranches(const SurfaceSpool & surface, const SheetCleaning & cleaning)
   quads.ForEachQuad(false, [&](const Quad & quad) { branches.AddFace(quad.vertices, quad.marks); });
   branches.Find(cleaning.minimumBranchLength, quads);
 
-  auto kept = std::make_unique<SurfaceSpool>(cleaning.scratchFolder, surface.GetPrecision());
+  auto kept = std::make_unique<MeshSpool>(cleaning.scratchFolder, surface.GetPrecision());
   CopyVertices(surface, *kept, [&](std::uint64_t vertex) { return branches.IsVertexKept(vertex); });
   CopyFaces(
     surface,
     *kept,
-    [&](std::uint64_t number, SurfaceFace * face) {
+    [&](std::uint64_t number, MeshFace * face) {
       SetMarks(face, branches.GetMarks(number, GetQuad(face).marks));
       return branches.IsFaceKept(number);
     },
@@ -223,8 +223,8 @@ RemoveBranches(const SurfaceSpool & surface, const SheetCleaning & cleaning)
   return kept;
 }
 
-std::unique_ptr<SurfaceSpool>
-RemoveSmallComponents(const SurfaceSpool & surface, const SheetCleaning & cleaning)
+std::unique_ptr<MeshSpool>
+RemoveSmallComponents(const MeshSpool & surface, const SheetCleaning & cleaning)
 {
   CheckMemory(surface, surface.GetNumberOfVertices() * ComponentVertexSize, cleaning, "finding its small components");
   MedialVoxelSurfaceComponents components;
@@ -234,20 +234,20 @@ RemoveSmallComponents(const SurfaceSpool & surface, const SheetCleaning & cleani
   });
   components.Keep(cleaning.minimumComponentSize);
 
-  auto kept = std::make_unique<SurfaceSpool>(cleaning.scratchFolder, surface.GetPrecision());
+  auto kept = std::make_unique<MeshSpool>(cleaning.scratchFolder, surface.GetPrecision());
   CopyVertices(surface, *kept, [&](std::uint64_t vertex) { return components.IsKept(vertex); });
   CopyFaces(
     surface,
     *kept,
-    [&](std::uint64_t, const SurfaceFace * face) { return components.IsKept(face->vertices[0]); },
+    [&](std::uint64_t, const MeshFace * face) { return components.IsKept(face->vertices[0]); },
     [&](std::uint64_t vertex) { return components.NumberOf(vertex); });
   return kept;
 }
 
 } // namespace
 
-std::unique_ptr<SurfaceSpool>
-CleanSheet(std::unique_ptr<SurfaceSpool> surface, const SheetCleaning & cleaning)
+std::unique_ptr<MeshSpool>
+CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning)
 {
   if (cleaning.minimumBranchLength > 0)
   {

@@ -32,8 +32,8 @@ struct SheetCleaning
 /** The surface without short branches, and then without small components. Its faces are quadrilaterals, or pairs of
  * triangles of which each is one. There are two spools at a time, and memory for every vertex and face.
  * \throw JobError Refused when that is more memory than allowed */
-std::unique_ptr<SurfaceSpool>
-CleanSheet(std::unique_ptr<SurfaceSpool> surface, const SheetCleaning & cleaning);
+std::unique_ptr<MeshSpool>
+CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning);
 
 /** Memory that cleaning takes for so many vertices and as many faces. */
 std::uint64_t

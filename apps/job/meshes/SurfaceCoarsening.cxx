@@ -61,16 +61,16 @@ struct SheetCoarsening::Part
   std::vector<std::uint32_t> objects;
 };
 
-SheetCoarsening::SheetCoarsening(std::unique_ptr<SurfaceSpool> surface,
-                                 const SheetRemeshing &        remeshing,
-                                 const unsigned int            number)
+SheetCoarsening::SheetCoarsening(std::unique_ptr<MeshSpool> surface,
+                                 const SheetRemeshing &     remeshing,
+                                 const unsigned int         number)
   : m_Remeshing(remeshing)
 {
-  SurfaceReader          reader(*surface, remeshing.progress);
-  const SurfacePartition partition(reader, MostFaces, number % 2 == 0 ? 0.0 : 0.5);
-  m_Grouped = SortSurface(
+  MeshReader          reader(*surface, remeshing.progress);
+  const MeshPartition partition(reader, MostFaces, number % 2 == 0 ? 0.0 : 0.5);
+  m_Grouped = SortMesh(
     std::move(surface),
-    [&partition](const SurfaceSpool::Vertex & vertex) { return partition.GetPart(vertex); },
+    [&partition](const MeshSpool::Vertex & vertex) { return partition.GetPart(vertex); },
     partition.GetNumberOfParts() - 1,
     remeshing.scratchFolder,
     remeshing.progress);
@@ -80,8 +80,8 @@ SheetCoarsening::SheetCoarsening(std::unique_ptr<SurfaceSpool> surface,
 void
 SheetCoarsening::FindShared()
 {
-  SurfaceReader reader(*m_Grouped.surface, m_Remeshing.progress);
-  reader.ForEachFace([&](const std::uint64_t number, const SurfaceFace & face) {
+  MeshReader reader(*m_Grouped.surface, m_Remeshing.progress);
+  reader.ForEachFace([&](const std::uint64_t number, const MeshFace & face) {
     const std::uint64_t part = GetGroup(m_Grouped.firstFace, number);
     for (unsigned int k = 0; k < face.numberOfVertices; ++k)
     {
@@ -99,11 +99,11 @@ SheetCoarsening::FindShared()
 SheetCoarsening::Part
 SheetCoarsening::ReadPart(const std::uint64_t number) const
 {
-  const SurfaceSpool &              surface = *m_Grouped.surface;
-  const std::uint64_t               first = m_Grouped.firstVertex[number];
-  const std::uint64_t               last = m_Grouped.firstVertex[number + 1];
-  std::vector<SurfaceSpool::Vertex> vertices;
-  std::vector<SurfaceFace>          faces;
+  const MeshSpool &              surface = *m_Grouped.surface;
+  const std::uint64_t            first = m_Grouped.firstVertex[number];
+  const std::uint64_t            last = m_Grouped.firstVertex[number + 1];
+  std::vector<MeshSpool::Vertex> vertices;
+  std::vector<MeshFace>          faces;
   surface.ReadVertices(first, last - first, vertices);
   surface.ReadFaces(m_Grouped.firstFace[number], m_Grouped.firstFace[number + 1] - m_Grouped.firstFace[number], faces);
 
@@ -113,13 +113,13 @@ SheetCoarsening::ReadPart(const std::uint64_t number) const
     const auto [found, isNew] = places.emplace(vertex, static_cast<Index>(part.numbers.size()));
     if (isNew)
     {
-      std::vector<SurfaceSpool::Vertex> foreign;
-      const bool                        isOwn = vertex >= first && vertex < last;
+      std::vector<MeshSpool::Vertex> foreign;
+      const bool                     isOwn = vertex >= first && vertex < last;
       if (!isOwn)
       {
         surface.ReadVertices(vertex, 1, foreign);
       }
-      const SurfaceSpool::Vertex & record = isOwn ? vertices[vertex - first] : foreign.front();
+      const MeshSpool::Vertex & record = isOwn ? vertices[vertex - first] : foreign.front();
       part.numbers.push_back(vertex);
       part.sheet.points.push_back(record.position);
       part.sheet.thickness.push_back(record.thickness);
@@ -127,7 +127,7 @@ SheetCoarsening::ReadPart(const std::uint64_t number) const
     }
     return found->second;
   };
-  for (const SurfaceFace & face : faces)
+  for (const MeshFace & face : faces)
   {
     std::array<Index, 4> corners{};
     std::transform(face.vertices.begin(), face.vertices.begin() + face.numberOfVertices, corners.begin(), add);
@@ -144,7 +144,7 @@ SheetCoarsening::ReadPart(const std::uint64_t number) const
   return part;
 }
 
-std::unique_ptr<SurfaceSpool>
+std::unique_ptr<MeshSpool>
 SheetCoarsening::Coarsen(const double most) const
 {
   struct Coarsened
@@ -152,9 +152,9 @@ SheetCoarsening::Coarsen(const double most) const
     itk::MedialVoxelCoarsenedPart part;
     Part                          fine; ///< without its sheet
   };
-  const SurfaceSpool & surface = *m_Grouped.surface;
-  auto                 result = std::make_unique<SurfaceSpool>(m_Remeshing.scratchFolder, surface.GetPrecision());
-  const auto           findShared = [this](const std::uint64_t vertex) {
+  const MeshSpool & surface = *m_Grouped.surface;
+  auto              result = std::make_unique<MeshSpool>(m_Remeshing.scratchFolder, surface.GetPrecision());
+  const auto        findShared = [this](const std::uint64_t vertex) {
     return std::lower_bound(m_Shared.begin(), m_Shared.end(), vertex);
   };
   const auto isShared = [&](const std::uint64_t vertex) {
@@ -163,8 +163,8 @@ SheetCoarsening::Coarsen(const double most) const
   };
 
   // Shared vertices come first.
-  SurfaceReader                     reader(surface, {});
-  std::vector<SurfaceSpool::Vertex> vertices;
+  MeshReader                     reader(surface, {});
+  std::vector<MeshSpool::Vertex> vertices;
   for (const std::uint64_t vertex : m_Shared)
   {
     vertices.push_back(reader.GetVertex(vertex));
@@ -197,10 +197,10 @@ SheetCoarsening::Coarsen(const double most) const
       vertices.push_back({ sheet.points[k], sheet.thickness[k], coarsened.fine.objects[finePoint] });
     }
     result->PutVertices(result->GetNumberOfVertices(), vertices);
-    std::vector<SurfaceFace> faces;
+    std::vector<MeshFace> faces;
     for (const auto & corners : sheet.triangles)
     {
-      SurfaceFace face;
+      MeshFace face;
       face.vertices = { { numbers[corners[0]], numbers[corners[1]], numbers[corners[2]], 0 } };
       face.numberOfVertices = 3;
       faces.push_back(face);

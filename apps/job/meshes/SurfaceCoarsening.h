@@ -20,7 +20,7 @@ public:
   static constexpr std::uint64_t MostFaces = std::uint64_t{ 1 } << 16;
 
   /** \param number of this coarsening, from 0 on, which decides the boundaries of its parts */
-  SheetCoarsening(std::unique_ptr<SurfaceSpool> surface, const SheetRemeshing & remeshing, unsigned int number);
+  SheetCoarsening(std::unique_ptr<MeshSpool> surface, const SheetRemeshing & remeshing, unsigned int number);
 
   std::uint64_t
   GetNumberOfFaces() const
@@ -29,7 +29,7 @@ public:
   }
 
   /** The surface with triangles whose sides have their size, but \a most at most; 0: as they are. */
-  std::unique_ptr<SurfaceSpool>
+  std::unique_ptr<MeshSpool>
   Coarsen(double most) const;
 
   /** Adds the distances between the surface and a coarse one to its summary. */
@@ -56,7 +56,7 @@ private:
   ReadPart(std::uint64_t number) const;
 
   SheetRemeshing             m_Remeshing;
-  GroupedSurface             m_Grouped;
+  GroupedMesh                m_Grouped;
   std::vector<std::uint64_t> m_Shared; ///< vertices that several parts have, by number
 };
 

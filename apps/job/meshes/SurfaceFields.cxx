@@ -65,7 +65,7 @@ GetRealField(double value, size_t width)
 }
 
 std::vector<std::string>
-GetPositionFields(const SurfaceReader & reader, const SurfaceSpool::Vertex & vertex, size_t width)
+GetPositionFields(const MeshReader & reader, const MeshSpool::Vertex & vertex, size_t width)
 {
   std::vector<std::string> fields;
   ForEachCoordinate(reader, vertex, [&](auto coordinate) { fields.push_back(GetRealField(coordinate, width)); });

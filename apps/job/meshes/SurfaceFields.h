@@ -29,7 +29,7 @@ GetRealField(double value, size_t width);
 
 /** The coordinates of a vertex in the precision of its surface, a field each. */
 std::vector<std::string>
-GetPositionFields(const SurfaceReader & reader, const SurfaceSpool::Vertex & vertex, size_t width);
+GetPositionFields(const MeshReader & reader, const MeshSpool::Vertex & vertex, size_t width);
 
 } // end namespace medialvoxel
 

@@ -27,9 +27,9 @@ struct Counts
 /** What a format counts its faces by, and how many it holds. */
 struct FormatDescription
 {
-  SurfaceFormat    format;
+  MeshFormat       format;
   std::string_view extension;
-  SurfaceWriter *  writer;
+  MeshWriter *     writer;
   std::uint64_t    vertexLimit;
   const char *     unit;
   std::uint64_t (*countUnits)(const Counts & counts);
@@ -73,36 +73,20 @@ constexpr std::uint64_t FieldLimit = 99'999'999;
 constexpr std::uint64_t GltfLimit = (std::uint64_t{ 1 } << 30) - (std::uint64_t{ 1 } << 12);
 
 constexpr std::array<FormatDescription, 10> Formats{
-  { { SurfaceFormat::Vtp, ".vtp", WriteSurfaceVtp, Unlimited, "faces", CountFaces, Unlimited, true },
-    { SurfaceFormat::Vtu, ".vtu", WriteSurfaceVtu, Unlimited, "faces", CountFaces, Unlimited, true },
-    { SurfaceFormat::Vtk, ".vtk", WriteSurfaceVtk, Int32Limit, "numbers in faces", CountLegacyNumbers, Int32Limit },
-    { SurfaceFormat::Ply, ".ply", WriteSurfacePly, Int32Limit, "faces", CountFaces, Int32Limit, true },
-    { SurfaceFormat::Stl, ".stl", WriteSurfaceStl, Unlimited, "triangles", CountTriangles, UInt32Limit },
-    { SurfaceFormat::Obj, ".obj", WriteSurfaceObj, Unlimited, "faces", CountFaces, Unlimited },
-    { SurfaceFormat::Abaqus,
-      ".inp",
-      WriteSurfaceAbaqus,
-      AbaqusLimit,
-      "elements",
-      CountFaces,
-      AbaqusLimit,
-      false,
-      true },
-    { SurfaceFormat::Nastran,
-      ".bdf",
-      WriteSurfaceNastran,
-      FieldLimit,
-      "elements",
-      CountFaces,
-      FieldLimit,
-      false,
-      true },
-    { SurfaceFormat::LsDyna, ".k", WriteSurfaceLsDyna, FieldLimit, "elements", CountFaces, FieldLimit, false, true },
-    { SurfaceFormat::Gltf, ".glb", WriteSurfaceGltf, Int32Limit, "numbers", CountGltfNumbers, GltfLimit, true } }
+  { { MeshFormat::Vtp, ".vtp", WriteMeshVtp, Unlimited, "faces", CountFaces, Unlimited, true },
+    { MeshFormat::Vtu, ".vtu", WriteMeshVtu, Unlimited, "faces", CountFaces, Unlimited, true },
+    { MeshFormat::Vtk, ".vtk", WriteMeshVtk, Int32Limit, "numbers in faces", CountLegacyNumbers, Int32Limit },
+    { MeshFormat::Ply, ".ply", WriteMeshPly, Int32Limit, "faces", CountFaces, Int32Limit, true },
+    { MeshFormat::Stl, ".stl", WriteMeshStl, Unlimited, "triangles", CountTriangles, UInt32Limit },
+    { MeshFormat::Obj, ".obj", WriteMeshObj, Unlimited, "faces", CountFaces, Unlimited },
+    { MeshFormat::Abaqus, ".inp", WriteMeshAbaqus, AbaqusLimit, "elements", CountFaces, AbaqusLimit, false, true },
+    { MeshFormat::Nastran, ".bdf", WriteMeshNastran, FieldLimit, "elements", CountFaces, FieldLimit, false, true },
+    { MeshFormat::LsDyna, ".k", WriteMeshLsDyna, FieldLimit, "elements", CountFaces, FieldLimit, false, true },
+    { MeshFormat::Gltf, ".glb", WriteMeshGltf, Int32Limit, "numbers", CountGltfNumbers, GltfLimit, true } }
 };
 
 const FormatDescription &
-GetDescription(SurfaceFormat format)
+GetDescription(MeshFormat format)
 {
   return *std::find_if(
     Formats.begin(), Formats.end(), [format](const auto & description) { return description.format == format; });
@@ -129,7 +113,7 @@ CheckLimit(const FormatDescription & description, const char * unit, std::uint64
 } // namespace
 
 std::vector<std::string>
-ListSurfaceExtensions()
+ListMeshExtensions()
 {
   std::vector<std::string> extensions;
   for (const auto & description : Formats)
@@ -157,7 +141,7 @@ namespace
 {
 
 /** The format of the extension, which is to be one of the known ones. */
-SurfaceFormat
+MeshFormat
 FindFormat(const std::string & fileName, const char * what, const std::vector<std::string> & known)
 {
   const std::string extension = ToLower(std::filesystem::path(fileName).extension().string());
@@ -178,26 +162,26 @@ FindFormat(const std::string & fileName, const char * what, const std::vector<st
 
 } // namespace
 
-SurfaceFormat
-GetSurfaceFormat(const std::string & fileName)
+MeshFormat
+GetMeshFormat(const std::string & fileName)
 {
-  return FindFormat(fileName, "mesh", ListSurfaceExtensions());
+  return FindFormat(fileName, "mesh", ListMeshExtensions());
 }
 
-SurfaceFormat
+MeshFormat
 GetPartFormat(const std::string & fileName)
 {
   return FindFormat(fileName, "surface", ListPartExtensions());
 }
 
 bool
-HoldsDouble(SurfaceFormat format)
+HoldsDouble(MeshFormat format)
 {
-  return format != SurfaceFormat::Stl && format != SurfaceFormat::Gltf;
+  return format != MeshFormat::Stl && format != MeshFormat::Gltf;
 }
 
 bool
-HoldsElements(SurfaceFormat format)
+HoldsElements(MeshFormat format)
 {
   return GetDescription(format).isForSolvers;
 }
@@ -210,10 +194,10 @@ GetObjectName(std::int64_t label)
 }
 
 void
-CheckSurfaceFits(SurfaceFormat format,
-                 std::uint64_t numberOfVertices,
-                 std::uint64_t numberOfTriangles,
-                 std::uint64_t numberOfQuads)
+CheckMeshFits(MeshFormat    format,
+              std::uint64_t numberOfVertices,
+              std::uint64_t numberOfTriangles,
+              std::uint64_t numberOfQuads)
 {
   const FormatDescription & description = GetDescription(format);
   const Counts              counts{ numberOfVertices, numberOfTriangles, numberOfQuads };
@@ -222,7 +206,7 @@ CheckSurfaceFits(SurfaceFormat format,
 }
 
 void
-WriteSurface(SurfaceFormat format, const SurfaceSpool & surface, const SurfaceWriteOptions & options, OutputFile & file)
+WriteMesh(MeshFormat format, const MeshSpool & surface, const MeshWriteOptions & options, OutputFile & file)
 {
   if (surface.GetNumberOfNeededVertices() > surface.GetNumberOfVertices())
   {
@@ -232,8 +216,8 @@ WriteSurface(SurfaceFormat format, const SurfaceSpool & surface, const SurfaceWr
          " of ",
          surface.GetNumberOfVertices());
   }
-  CheckSurfaceFits(format, surface.GetNumberOfVertices(), surface.GetNumberOfTriangles(), surface.GetNumberOfQuads());
-  SurfaceReader  reader(surface, options.progress);
+  CheckMeshFits(format, surface.GetNumberOfVertices(), surface.GetNumberOfTriangles(), surface.GetNumberOfQuads());
+  MeshReader     reader(surface, options.progress);
   BufferedOutput output(file);
   GetDescription(format).writer(reader, options, output);
   output.Finish();

@@ -17,7 +17,7 @@ namespace medialvoxel
 {
 
 /** Files that hold a surface. */
-enum class SurfaceFormat
+enum class MeshFormat
 {
   Vtp,     ///< VTK XML PolyData, appended raw binary
   Vtu,     ///< VTK XML UnstructuredGrid, appended raw binary
@@ -33,7 +33,7 @@ enum class SurfaceFormat
 
 /** Extensions of all formats. */
 std::vector<std::string>
-ListSurfaceExtensions();
+ListMeshExtensions();
 
 /** Extensions of the formats that hold all numbers of the surface of a part. */
 std::vector<std::string>
@@ -41,16 +41,16 @@ ListPartExtensions();
 
 /** The format that the extension stands for, in any case.
  * \throw JobError Usage for any other. */
-SurfaceFormat
-GetSurfaceFormat(const std::string & fileName);
+MeshFormat
+GetMeshFormat(const std::string & fileName);
 
 /** The same, of the formats for the surface of a part. */
-SurfaceFormat
+MeshFormat
 GetPartFormat(const std::string & fileName);
 
 /** Whether a format holds coordinates of 64 bits. */
 bool
-HoldsDouble(SurfaceFormat format);
+HoldsDouble(MeshFormat format);
 
 /** Least and greatest thickness that a color of its own stands for. */
 struct ThicknessRange
@@ -61,10 +61,10 @@ struct ThicknessRange
 
 /** Whether a format is that of a solver. */
 bool
-HoldsElements(SurfaceFormat format);
+HoldsElements(MeshFormat format);
 
 /** What the writers are told. */
-struct SurfaceWriteOptions
+struct MeshWriteOptions
 {
   /** Of the formats of solvers. */
   ThicknessPlace thicknessPlace{ ThicknessPlace::Sections };
@@ -85,7 +85,7 @@ struct SurfaceWriteOptions
   std::string unit{ "units of the spacing" };
 
   /** Further numbers of all vertices, with their names; formats for the surface of a part have them. */
-  std::vector<const SurfaceArray *> vertexArrays;
+  std::vector<const VertexValues *> vertexArrays;
 
   /** Of formats with colors; unset: from the least to the greatest thickness of the vertices. */
   std::optional<ThicknessRange> colorRange;
@@ -99,19 +99,16 @@ struct SurfaceWriteOptions
 
 /** \throw JobError Refused when the format cannot hold so many elements, naming its limit. */
 void
-CheckSurfaceFits(SurfaceFormat format,
-                 std::uint64_t numberOfVertices,
-                 std::uint64_t numberOfTriangles,
-                 std::uint64_t numberOfQuads);
+CheckMeshFits(MeshFormat    format,
+              std::uint64_t numberOfVertices,
+              std::uint64_t numberOfTriangles,
+              std::uint64_t numberOfQuads);
 
 /** Writes the surface to a file that was created, and finishes it, so that it can be published.
  * \throw JobError Refused when the format cannot hold a surface of this size, naming its limit
  * \throw JobError Failure when the disk fails or a face names a vertex that is missing */
 void
-WriteSurface(SurfaceFormat               format,
-             const SurfaceSpool &        surface,
-             const SurfaceWriteOptions & options,
-             OutputFile &                file);
+WriteMesh(MeshFormat format, const MeshSpool & surface, const MeshWriteOptions & options, OutputFile & file);
 
 } // end namespace medialvoxel
 

@@ -49,7 +49,7 @@ IsKnown(float thickness)
 }
 
 Extent
-FindExtent(SurfaceReader & reader)
+FindExtent(MeshReader & reader)
 {
   constexpr float infinity = std::numeric_limits<float>::infinity();
   Extent          extent{ { infinity, infinity, infinity }, { -infinity, -infinity, -infinity }, { infinity, 0.0 } };
@@ -170,10 +170,10 @@ private:
 };
 
 void
-WriteNumbers(SurfaceReader &             reader,
-             const SurfaceWriteOptions & options,
-             const ThicknessRange &      colors,
-             BufferedOutput &            output)
+WriteNumbers(MeshReader &             reader,
+             const MeshWriteOptions & options,
+             const ThicknessRange &   colors,
+             BufferedOutput &         output)
 {
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
     ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(static_cast<float>(coordinate)); });
@@ -186,12 +186,12 @@ WriteNumbers(SurfaceReader &             reader,
     output.LittleEndian(std::numeric_limits<std::uint8_t>::max());
   });
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) { output.LittleEndian(ToFinite(vertex.thickness)); });
-  for (const SurfaceArray * const array : options.vertexArrays)
+  for (const VertexValues * const array : options.vertexArrays)
   {
     reader.ForEachVertex(
       [&](std::uint64_t number, const auto &) { output.LittleEndian(ToFinite(array->Get(number))); });
   }
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     for (const auto & triangle : GetTriangles(reader, face))
     {
       for (const auto corner : triangle)
@@ -205,10 +205,10 @@ WriteNumbers(SurfaceReader &             reader,
 } // namespace
 
 void
-WriteSurfaceGltf(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshGltf(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(4 + options.vertexArrays.size(), 1);
-  const SurfaceSpool & surface = reader.GetSurface();
+  const MeshSpool &    surface = reader.GetMesh();
   const std::uint64_t  vertices = surface.GetNumberOfVertices();
   const std::uint64_t  triangles = surface.GetNumberOfTriangles() + 2 * surface.GetNumberOfQuads();
   const Extent         extent = FindExtent(reader);
@@ -227,7 +227,7 @@ WriteSurfaceGltf(SurfaceReader & reader, const SurfaceWriteOptions & options, Bu
     description.GetAccessor(color)["normalized"] = true;
     attributes["COLOR_0"] = color;
     attributes["_THICKNESS"] = description.AddArray(Float, "SCALAR", vertices, sizeof(float), ArrayBuffer);
-    for (const SurfaceArray * const array : options.vertexArrays)
+    for (const VertexValues * const array : options.vertexArrays)
     {
       attributes[GetAttributeName(array->GetName())] =
         description.AddArray(Float, "SCALAR", vertices, sizeof(float), ArrayBuffer);

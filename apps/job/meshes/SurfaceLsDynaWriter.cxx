@@ -87,7 +87,7 @@ WriteParts(const std::vector<SheetSection> & sections,
 }
 
 void
-WriteNodes(SurfaceReader & reader, BufferedOutput & output)
+WriteNodes(MeshReader & reader, BufferedOutput & output)
 {
   output.Text("*NODE\n$  nid               x               y               z\n");
   reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
@@ -102,16 +102,16 @@ WriteNodes(SurfaceReader & reader, BufferedOutput & output)
 
 /** Triangles are quads whose last two corners are the same. */
 void
-WriteElements(SurfaceReader &             reader,
-              const SheetSections &       sections,
-              const SurfaceWriteOptions & options,
-              BufferedOutput &            output)
+WriteElements(MeshReader &             reader,
+              const SheetSections &    sections,
+              const MeshWriteOptions & options,
+              BufferedOutput &         output)
 {
   const bool hasThickness = options.thicknessPlace == ThicknessPlace::Nodes;
   output.Text(hasThickness ? "*ELEMENT_SHELL_THICKNESS\n" : "*ELEMENT_SHELL\n")
     .Text("$  eid     pid      n1      n2      n3      n4\n");
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
-    SurfaceCorners four = corners;
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners & corners) {
+    MeshCorners four = corners;
     four.resize(4, corners.back());
     output.Text(GetField(number, NumberField)).Text(GetField(sections.GetSection(reader, face) + 1, NumberField));
     for (const unsigned int corner : four)
@@ -140,14 +140,14 @@ WriteNodeSet(std::uint64_t set, const char * title, const std::vector<bool> & ma
 
 /** Elements with a marked side. */
 void
-WriteElementSet(SurfaceReader & reader,
-                std::uint64_t   set,
-                const char *    title,
-                std::uint8_t SurfaceFace::* sides,
-                BufferedOutput &            output)
+WriteElementSet(MeshReader &  reader,
+                std::uint64_t set,
+                const char *  title,
+                std::uint8_t MeshFace::* sides,
+                BufferedOutput &         output)
 {
   ListCards cards("*SET_SHELL_LIST_TITLE", set, title, output);
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners & corners) {
     if (GetElementSides(face, corners, face.*sides) != 0)
     {
       cards.Add(number);
@@ -181,20 +181,20 @@ WriteObjectSets(const std::vector<SheetSection> & sections,
 } // namespace
 
 void
-WriteSurfaceLsDyna(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshLsDyna(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 5);
   const SheetEdges    edges(reader);
   const SheetSections sections(reader, edges, options);
-  CheckElementsFit(SurfaceFormat::LsDyna, reader, sections);
+  CheckElementsFit(MeshFormat::LsDyna, reader, sections);
   output.Text("*KEYWORD\n*TITLE\n" + GetTitle(options) + "\n");
   WriteParts(sections.GetSections(), options.objectLabels, output);
   WriteNodes(reader, output);
   WriteElements(reader, sections, options, output);
   WriteNodeSet(1, "RIM", edges.GetRims(), output);
   WriteNodeSet(2, "JUNCTION", edges.GetJunctions(), output);
-  WriteElementSet(reader, 1, "RIM", &SurfaceFace::rimEdges, output);
-  WriteElementSet(reader, 2, "JUNCTION", &SurfaceFace::junctionEdges, output);
+  WriteElementSet(reader, 1, "RIM", &MeshFace::rimEdges, output);
+  WriteElementSet(reader, 2, "JUNCTION", &MeshFace::junctionEdges, output);
   WriteObjectSets(sections.GetSections(), options.objectLabels, output);
   output.Text("*END\n");
 }

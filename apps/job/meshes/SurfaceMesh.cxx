@@ -66,7 +66,7 @@ GetPlannedVertices(const VolumeGeometry & geometry)
 std::uint64_t
 GetEdgeMemory(const ExtractOptions & options, const VolumeGeometry & geometry)
 {
-  const bool isForSolvers = HoldsElements(GetSurfaceFormat(options.meshFile));
+  const bool isForSolvers = HoldsElements(GetMeshFormat(options.meshFile));
   return isForSolvers ? GetPlannedVertices(geometry) / SheetEdges::VerticesPerByte : 0;
 }
 
@@ -91,7 +91,7 @@ SheetMesh::SheetMesh(const ExtractOptions &       options,
   , m_Grid(grid)
   , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplus / PendingCellSize)
   , m_Cleaning(GetCleaning(options))
-  , m_Spool(std::make_unique<SurfaceSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry), SurfaceSpoolInput::Added))
+  , m_Spool(std::make_unique<MeshSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry), MeshSpoolInput::Added))
 {
   m_Cleaning.memoryLimit = GetCleaningMemory(m_Cleaning, GetPlannedVertices(geometry));
   if (options.labels)
@@ -125,14 +125,14 @@ SheetMesh::Write(OutputFile &                        file,
                  const std::function<void(double)> & progress)
 {
   this->Finish(memoryLimit, threads, progress);
-  SurfaceWriteOptions options;
+  MeshWriteOptions options;
   options.thicknessClassWidth =
     m_Options.sectionWidth.value_or(0.25 * *std::min_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end()));
   options.thicknessPlace = m_Options.thicknessPlace;
   options.objectLabels = m_ObjectLabels;
   options.unit = m_Geometry.DescribeUnit();
   options.progress = progress;
-  WriteSurface(GetSurfaceFormat(m_Options.meshFile), *m_Spool, options, file);
+  WriteMesh(GetMeshFormat(m_Options.meshFile), *m_Spool, options, file);
   SheetSummary summary;
   summary.vertices = m_Spool->GetNumberOfVertices();
   summary.faces = m_Spool->GetNumberOfFaces();
@@ -147,15 +147,14 @@ SheetMesh::Write(OutputFile &                        file,
   return summary;
 }
 
-const SurfaceSpool &
+const MeshSpool &
 SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
 {
   if (m_Passes)
   {
     m_Passes->Finish();
-    const auto objectOf = [](const SurfaceSpool::Vertex & vertex) { return vertex.object; };
-    m_Spool =
-      SortSurface(std::move(m_Spool), objectOf, m_ObjectLabels.size(), m_Cleaning.scratchFolder, progress).surface;
+    const auto objectOf = [](const MeshSpool::Vertex & vertex) { return vertex.object; };
+    m_Spool = SortMesh(std::move(m_Spool), objectOf, m_ObjectLabels.size(), m_Cleaning.scratchFolder, progress).surface;
   }
   else
   {
@@ -176,7 +175,7 @@ SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::fu
   if (m_Passes || m_Cleaning.IsOn() || m_Remeshing)
   {
     m_Area = 0.0;
-    SurfaceReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const SurfaceFace & face) { m_Area += face.area; });
+    MeshReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const MeshFace & face) { m_Area += face.area; });
   }
   return *m_Spool;
 }
@@ -200,7 +199,7 @@ SheetMesh::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertic
 {
   m_Vertices.resize(vertices.size());
   std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [](const auto & vertex) {
-    return SurfaceVertex{ vertex.point, vertex.thickness, vertex.part };
+    return MeshVertex{ vertex.point, vertex.thickness, vertex.part };
   });
   m_Spool->AddVertices(m_Vertices);
 }
@@ -230,9 +229,9 @@ SheetMesh::AddTriangles(const itk::MedialVoxelSurfaceQuad & quad)
 {
   for (unsigned int half = 0; half < 2; ++half)
   {
-    const auto  corners = quad.GetTriangle(half);
-    SurfaceFace face;
-    const auto  marksOf = [&](const unsigned int sides) {
+    const auto corners = quad.GetTriangle(half);
+    MeshFace   face;
+    const auto marksOf = [&](const unsigned int sides) {
       return static_cast<std::uint8_t>((sides >> corners[0] & 1u) | (sides >> corners[1] & 1u) << 1);
     };
     face.vertices = { { quad.vertices[corners[0]], quad.vertices[corners[1]], quad.vertices[corners[2]], 0 } };
@@ -263,7 +262,7 @@ SheetMesh::GetFootprint(const ExtractOptions &       options,
   const std::uint64_t spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;
   const std::uint64_t sorting = options.labels || isRemeshed ? SortedVertexSize : 0;
   footprint.scratch = { cleaning.scratchFolder,
-                        vertices * (spools * (SurfaceSpool::BytesPerVertex + SurfaceSpool::BytesPerFace) + sorting) };
+                        vertices * (spools * (MeshSpool::BytesPerVertex + MeshSpool::BytesPerFace) + sorting) };
   return footprint;
 }
 

@@ -80,7 +80,7 @@ public:
 
   /** Writes the surface after the last piece, and finishes the file. \a progress may throw to stop.
    * \param memoryLimit what may be taken beside those of GetFootprint()
-   * \throw JobError as CleanSheet() and WriteSurface() */
+   * \throw JobError as CleanSheet() and WriteMesh() */
   SheetSummary
   Write(OutputFile &                        file,
         std::uint64_t                       memoryLimit,
@@ -88,7 +88,7 @@ public:
         const std::function<void(double)> & progress);
 
   /** Finishes the surface after the last piece, as Write() does: sorted, and rid of what is too short or too small. */
-  const SurfaceSpool &
+  const MeshSpool &
   Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
 
   /** Of a run over a part with thin walls. Scratch files are of a surface that has a vertex and a face for each 64
@@ -116,9 +116,9 @@ private:
   itk::MedialVoxelGrid                            m_Grid;
   std::uint64_t                                   m_MaximumNumberOfCells;
   SheetCleaning                                   m_Cleaning;
-  std::unique_ptr<SurfaceSpool>                   m_Spool;
-  std::vector<SurfaceVertex>                      m_Vertices; // of one slice, for the spool
-  std::vector<SurfaceFace>                        m_Faces;
+  std::unique_ptr<MeshSpool>                      m_Spool;
+  std::vector<MeshVertex>                         m_Vertices; // of one slice, for the spool
+  std::vector<MeshFace>                           m_Faces;
   double                                          m_Area{ 0 };
   std::optional<itk::MedialVoxelRemeshingSummary> m_Remeshing;
   double                                          m_RemeshingSeconds{ 0 };

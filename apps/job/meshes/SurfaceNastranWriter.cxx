@@ -73,7 +73,7 @@ WriteProperties(const std::vector<SheetSection> & sections,
 }
 
 void
-WriteNodes(SurfaceReader & reader, BufferedOutput & output)
+WriteNodes(MeshReader & reader, BufferedOutput & output)
 {
   const std::string inBasicSystem = GetField("", LargeField);
   reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
@@ -133,12 +133,12 @@ WriteElement(const char *                       name,
 }
 
 void
-WriteElements(SurfaceReader &             reader,
-              const SheetSections &       sections,
-              const SurfaceWriteOptions & options,
-              BufferedOutput &            output)
+WriteElements(MeshReader &             reader,
+              const SheetSections &    sections,
+              const MeshWriteOptions & options,
+              BufferedOutput &         output)
 {
-  ForEachElement(reader, [&](std::uint64_t number, const SurfaceFace & face, const SurfaceCorners & corners) {
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners & corners) {
     std::vector<std::uint64_t> numbers{ number, sections.GetSection(reader, face) + 1 };
     for (const unsigned int corner : corners)
     {
@@ -155,12 +155,12 @@ WriteElements(SurfaceReader &             reader,
 } // namespace
 
 void
-WriteSurfaceNastran(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshNastran(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 3);
   const SheetEdges    edges(reader);
   const SheetSections sections(reader, edges, options);
-  CheckElementsFit(SurfaceFormat::Nastran, reader, sections);
+  CheckElementsFit(MeshFormat::Nastran, reader, sections);
   output.Text("$ " + GetTitle(options) + "\nSOL 101\nCEND\n");
   WriteSet(1, "RIM", edges.GetRims(), output);
   WriteSet(2, "JUNCTION", edges.GetJunctions(), output);

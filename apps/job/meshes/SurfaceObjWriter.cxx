@@ -6,7 +6,7 @@ namespace medialvoxel
 {
 
 void
-WriteSurfaceObj(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshObj(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 1);
   output.Text("# " + GetTitle(options) + "\n");
@@ -16,7 +16,7 @@ WriteSurfaceObj(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
     output.Text("\n");
   });
   std::uint32_t object = 0;
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     if (!options.objectLabels.empty() && reader.GetObject(face) != object)
     {
       object = reader.GetObject(face);

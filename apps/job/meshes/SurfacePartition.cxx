@@ -16,22 +16,22 @@ constexpr unsigned int MostCubes = 127;
 
 } // namespace
 
-SurfacePartition::SurfacePartition(SurfaceReader & reader, const std::uint64_t mostFaces, const double shift)
+MeshPartition::MeshPartition(MeshReader & reader, const std::uint64_t mostFaces, const double shift)
 {
   this->PlaceLattice(reader, shift);
   std::vector<std::uint32_t> faces(m_PartOf.size());
   reader.ForEachFace(
-    [&](std::uint64_t, const SurfaceFace & face) { ++faces[this->GetCube(reader.GetVertex(face.vertices[0]))]; });
+    [&](std::uint64_t, const MeshFace & face) { ++faces[this->GetCube(reader.GetVertex(face.vertices[0]))]; });
   this->Divide({ { { 0, 0, 0 } }, m_Size }, faces, mostFaces);
 }
 
 void
-SurfacePartition::PlaceLattice(SurfaceReader & reader, const double shift)
+MeshPartition::PlaceLattice(MeshReader & reader, const double shift)
 {
   constexpr double      infinity = std::numeric_limits<double>::infinity();
   std::array<double, 3> high{ { -infinity, -infinity, -infinity } };
   m_Low = { { infinity, infinity, infinity } };
-  reader.ForEachVertex([&](std::uint64_t, const SurfaceSpool::Vertex & vertex) {
+  reader.ForEachVertex([&](std::uint64_t, const MeshSpool::Vertex & vertex) {
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       m_Low[axis] = std::min(m_Low[axis], vertex.position[axis]);
@@ -53,7 +53,7 @@ SurfacePartition::PlaceLattice(SurfaceReader & reader, const double shift)
 }
 
 std::size_t
-SurfacePartition::GetCube(const SurfaceSpool::Vertex & vertex) const
+MeshPartition::GetCube(const MeshSpool::Vertex & vertex) const
 {
   std::size_t cube = 0;
   for (unsigned int axis = 3; axis-- > 0;)
@@ -66,7 +66,7 @@ SurfacePartition::GetCube(const SurfaceSpool::Vertex & vertex) const
 
 template <typename TFunction>
 void
-SurfacePartition::ForEachCube(const Box & box, TFunction && function) const
+MeshPartition::ForEachCube(const Box & box, TFunction && function) const
 {
   Index cube;
   for (cube[2] = box.first[2]; cube[2] < box.last[2]; ++cube[2])
@@ -82,7 +82,7 @@ SurfacePartition::ForEachCube(const Box & box, TFunction && function) const
 }
 
 void
-SurfacePartition::Divide(const Box & box, const std::vector<std::uint32_t> & faces, const std::uint64_t mostFaces)
+MeshPartition::Divide(const Box & box, const std::vector<std::uint32_t> & faces, const std::uint64_t mostFaces)
 {
   unsigned int longest = 0;
   for (unsigned int axis = 1; axis < 3; ++axis)

@@ -12,16 +12,16 @@
 namespace medialvoxel
 {
 
-/** \class SurfacePartition
+/** \class MeshPartition
  * \brief Boxes of space with so many faces of a surface at most.
  *
  * A lattice of cubes is halved across its longest extent, by the number of faces, until no box has more, or each is one
  * cube. A face belongs to the box of its first vertex. The boxes depend on the surface alone. */
-class SurfacePartition
+class MeshPartition
 {
 public:
   /** \param shift of the lattice, in its cubes, 0 to 1: other ones have other boundaries */
-  SurfacePartition(SurfaceReader & reader, std::uint64_t mostFaces, double shift);
+  MeshPartition(MeshReader & reader, std::uint64_t mostFaces, double shift);
 
   std::uint32_t
   GetNumberOfParts() const
@@ -30,7 +30,7 @@ public:
   }
 
   std::uint32_t
-  GetPart(const SurfaceSpool::Vertex & vertex) const
+  GetPart(const MeshSpool::Vertex & vertex) const
   {
     return m_PartOf[this->GetCube(vertex)];
   }
@@ -46,10 +46,10 @@ private:
   };
 
   void
-  PlaceLattice(SurfaceReader & reader, double shift);
+  PlaceLattice(MeshReader & reader, double shift);
 
   std::size_t
-  GetCube(const SurfaceSpool::Vertex & vertex) const;
+  GetCube(const MeshSpool::Vertex & vertex) const;
 
   template <typename TFunction>
   void

@@ -12,16 +12,16 @@ namespace
 /** Smaller sines of corners make an element that solvers refuse: about 12 degrees from flat or from a spike. */
 constexpr double SmallestSine = 0.2;
 
-const SurfaceParts OneTriangle{ { 0, 1, 2 } };
-const SurfaceParts OneQuad{ { 0, 1, 2, 3 } };
-const SurfaceParts AlongFirst{ { 0, 1, 2 }, { 0, 2, 3 } };
-const SurfaceParts AlongSecond{ { 0, 1, 3 }, { 1, 2, 3 } };
+const MeshElements OneTriangle{ { 0, 1, 2 } };
+const MeshElements OneQuad{ { 0, 1, 2, 3 } };
+const MeshElements AlongFirst{ { 0, 1, 2 }, { 0, 2, 3 } };
+const MeshElements AlongSecond{ { 0, 1, 3 }, { 1, 2, 3 } };
 
 using Vector = std::array<double, 3>;
 using Corners = std::array<Vector, 4>;
 
 Corners
-GetCorners(SurfaceReader & reader, const SurfaceFace & face)
+GetCorners(MeshReader & reader, const MeshFace & face)
 {
   Corners corners;
   for (size_t corner = 0; corner < corners.size(); ++corner)
@@ -77,8 +77,8 @@ IsGoodQuad(const Corners & corners, const Vector & normal)
 
 } // namespace
 
-const SurfaceParts &
-GetTriangles(SurfaceReader & reader, const SurfaceFace & face)
+const MeshElements &
+GetTriangles(MeshReader & reader, const MeshFace & face)
 {
   if (face.numberOfVertices == 3)
   {
@@ -91,7 +91,7 @@ GetTriangles(SurfaceReader & reader, const SurfaceFace & face)
 }
 
 std::uint8_t
-GetElementSides(const SurfaceFace & face, const SurfaceCorners & corners, const std::uint8_t sidesOfFace)
+GetElementSides(const MeshFace & face, const MeshCorners & corners, const std::uint8_t sidesOfFace)
 {
   unsigned int sides = 0;
   for (size_t k = 0; k < corners.size(); ++k)
@@ -103,8 +103,8 @@ GetElementSides(const SurfaceFace & face, const SurfaceCorners & corners, const 
   return static_cast<std::uint8_t>(sides);
 }
 
-const SurfaceParts &
-GetElements(SurfaceReader & reader, const SurfaceFace & face)
+const MeshElements &
+GetElements(MeshReader & reader, const MeshFace & face)
 {
   if (face.numberOfVertices == 3)
   {

@@ -35,10 +35,10 @@ GetPlacement(const VolumeGeometry & geometry)
   return placement;
 }
 
-SurfacePrecision
+MeshPrecision
 GetPrecision(const VolumeGeometry & geometry)
 {
-  return GetPlacement(geometry).FitsFloat(GetSize(geometry)) ? SurfacePrecision::Single : SurfacePrecision::Double;
+  return GetPlacement(geometry).FitsFloat(GetSize(geometry)) ? MeshPrecision::Single : MeshPrecision::Double;
 }
 
 std::filesystem::path
@@ -53,13 +53,13 @@ GetScratchFolder(const JobOptions & options, const std::string & surfaceFile)
 }
 
 void
-CheckSurfaceInput(const VolumeHeader & header, const std::string & surfaceFile, const char * kind)
+CheckMeshInput(const VolumeHeader & header, const std::string & surfaceFile, const char * kind)
 {
   if (header.geometry.GetDimension() != 3)
   {
     Fail(ExitStatus::Usage, header.fileName, ": the volume has 2 dimensions; a ", kind, " needs 3");
   }
-  if (!HoldsDouble(GetSurfaceFormat(surfaceFile)) && GetPrecision(header.geometry) == SurfacePrecision::Double)
+  if (!HoldsDouble(GetMeshFormat(surfaceFile)) && GetPrecision(header.geometry) == MeshPrecision::Double)
   {
     const auto & spacing = header.geometry.spacing;
     const double largest = GetPlacement(header.geometry).LargestCoordinate(GetSize(header.geometry));

@@ -22,7 +22,7 @@ itk::MedialVoxelSurfacePlacement
 GetPlacement(const VolumeGeometry & geometry);
 
 /** Of the coordinates of a surface: known before it is. */
-SurfacePrecision
+MeshPrecision
 GetPrecision(const VolumeGeometry & geometry);
 
 /** Folder of the scratch files of a surface: that of the options, without one that of the file it is written to. */
@@ -32,7 +32,7 @@ GetScratchFolder(const JobOptions & options, const std::string & surfaceFile);
 /** \throw JobError Usage for a volume that is not 3-D, which has no surface, or for a format without the precision that
  * its coordinates need. \param kind "medial surface" */
 void
-CheckSurfaceInput(const VolumeHeader & header, const std::string & surfaceFile, const char * kind);
+CheckMeshInput(const VolumeHeader & header, const std::string & surfaceFile, const char * kind);
 
 } // end namespace medialvoxel
 

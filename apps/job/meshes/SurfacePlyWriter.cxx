@@ -22,14 +22,14 @@ FitInt32(const std::vector<std::int64_t> & labels)
 } // namespace
 
 void
-WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshPly(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(1, 1);
   output.Text("ply\nformat binary_little_endian 1.0\ncomment " + GetTitle(options) + "\nelement vertex ");
-  output.Integer(reader.GetSurface().GetNumberOfVertices());
-  const std::string type = reader.GetSurface().GetPrecision() == SurfacePrecision::Double ? "double" : "float";
+  output.Integer(reader.GetMesh().GetNumberOfVertices());
+  const std::string type = reader.GetMesh().GetPrecision() == MeshPrecision::Double ? "double" : "float";
   output.Text("\nproperty " + type + " x\nproperty " + type + " y\nproperty " + type + " z\nproperty float thickness");
-  for (const SurfaceArray * const array : options.vertexArrays)
+  for (const VertexValues * const array : options.vertexArrays)
   {
     output.Text("\nproperty float " + array->GetName());
   }
@@ -38,13 +38,13 @@ WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
   const bool isInt32 = FitInt32(options.objectLabels);
   output.Text(!hasObjects ? "" : isInt32 ? "\nproperty int object" : "\nproperty double object");
   output.Text("\nelement face ");
-  output.Integer(reader.GetSurface().GetNumberOfFaces());
+  output.Integer(reader.GetMesh().GetNumberOfFaces());
   // Nothing more per face: not every reader skips it, that of meshio does not.
   output.Text("\nproperty list uchar int vertex_indices\nend_header\n");
   reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
     ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
     output.LittleEndian(vertex.thickness);
-    for (const SurfaceArray * const array : options.vertexArrays)
+    for (const VertexValues * const array : options.vertexArrays)
     {
       output.LittleEndian(array->Get(number));
     }
@@ -54,7 +54,7 @@ WriteSurfacePly(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
       isInt32 ? output.LittleEndian(static_cast<std::int32_t>(label)) : output.LittleEndian(static_cast<double>(label));
     }
   });
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     output.LittleEndian(face.numberOfVertices);
     for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
     {

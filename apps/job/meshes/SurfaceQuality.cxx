@@ -34,20 +34,20 @@ struct Mesh
 };
 
 Mesh
-ReadMesh(const SurfaceSpool & surface)
+ReadMesh(const MeshSpool & surface)
 {
-  Mesh          mesh;
-  SurfaceReader reader(surface, {});
+  Mesh       mesh;
+  MeshReader reader(surface, {});
   reader.ForEachVertex(
-    [&](std::uint64_t, const SurfaceReader::Vertex & vertex) { mesh.points.push_back(vertex.position); });
-  const auto add = [&](std::uint64_t, const SurfaceFace & face) {
+    [&](std::uint64_t, const MeshReader::Vertex & vertex) { mesh.points.push_back(vertex.position); });
+  const auto add = [&](std::uint64_t, const MeshFace & face) {
     mesh.elements.push_back({ {}, face.numberOfVertices });
     std::transform(face.vertices.begin(),
                    face.vertices.begin() + face.numberOfVertices,
                    mesh.elements.back().corners.begin(),
                    [](const std::uint64_t vertex) { return static_cast<Index>(vertex); });
   };
-  reader.ForEachFace(add, SurfaceFaceParts::Corners);
+  reader.ForEachFace(add, MeshFaceFields::Corners);
   return mesh;
 }
 
@@ -280,7 +280,7 @@ CountSides(const Mesh & mesh, MeshQuality & quality)
 } // namespace
 
 MeshQuality
-MeasureQuality(const SurfaceSpool & surface)
+MeasureQuality(const MeshSpool & surface)
 {
   const Mesh  mesh = ReadMesh(surface);
   MeshQuality quality;

@@ -12,7 +12,7 @@ namespace medialvoxel
 /** Of a surface as files have it, whose faces have elements of a size: all of them are held in memory, which takes less
  * than giving them the size did. */
 MeshQuality
-MeasureQuality(const SurfaceSpool & surface);
+MeasureQuality(const MeshSpool & surface);
 
 } // end namespace medialvoxel
 

@@ -4,7 +4,7 @@
 
 namespace medialvoxel
 {
-SurfaceReader::SurfaceReader(const SurfaceSpool & surface, const std::function<void(double)> & progress)
+MeshReader::MeshReader(const MeshSpool & surface, const std::function<void(double)> & progress)
   : m_Surface(surface)
   , m_Progress(progress)
   , m_Blocks(surface.GetNumberOfVertices(),
@@ -14,13 +14,13 @@ SurfaceReader::SurfaceReader(const SurfaceSpool & surface, const std::function<v
 {}
 
 void
-SurfaceReader::SetNumberOfPasses(std::uint64_t vertexPasses, std::uint64_t facePasses)
+MeshReader::SetNumberOfPasses(std::uint64_t vertexPasses, std::uint64_t facePasses)
 {
   m_Expected = vertexPasses * m_Surface.GetNumberOfVertices() + facePasses * m_Surface.GetNumberOfFaces();
 }
 
 void
-SurfaceReader::AddDone(std::uint64_t count)
+MeshReader::AddDone(std::uint64_t count)
 {
   m_Done += count;
   if (m_Progress)

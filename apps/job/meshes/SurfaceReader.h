@@ -12,18 +12,18 @@
 namespace medialvoxel
 {
 
-/** \class SurfaceReader
+/** \class MeshReader
  * \brief Walks over the vertices and faces of a spooled surface, and tells how far the writing is. */
-class SurfaceReader
+class MeshReader
 {
 public:
-  using Vertex = SurfaceSpool::Vertex;
+  using Vertex = MeshSpool::Vertex;
 
-  /** \param progress as in SurfaceWriteOptions */
-  SurfaceReader(const SurfaceSpool & surface, const std::function<void(double)> & progress);
+  /** \param progress as in MeshWriteOptions */
+  MeshReader(const MeshSpool & surface, const std::function<void(double)> & progress);
 
-  const SurfaceSpool &
-  GetSurface() const
+  const MeshSpool &
+  GetMesh() const
   {
     return m_Surface;
   }
@@ -46,7 +46,7 @@ public:
   /** Calls function(number, face) for all faces in their order, which have these parts. */
   template <typename TFunction>
   void
-  ForEachFace(TFunction && function, SurfaceFaceParts parts = SurfaceFaceParts::All)
+  ForEachFace(TFunction && function, MeshFaceFields parts = MeshFaceFields::All)
   {
     ForEach(
       m_Surface.GetNumberOfFaces(),
@@ -61,9 +61,9 @@ public:
     return m_Blocks.Get(number);
   }
 
-  /** The object that a face belongs to, as in SurfaceVertex. */
+  /** The object that a face belongs to, as in MeshVertex. */
   std::uint32_t
-  GetObject(const SurfaceFace & face)
+  GetObject(const MeshFace & face)
   {
     return this->GetVertex(face.vertices[0]).object;
   }
@@ -90,14 +90,14 @@ private:
   void
   AddDone(std::uint64_t count);
 
-  const SurfaceSpool &        m_Surface;
+  const MeshSpool &           m_Surface;
   std::function<void(double)> m_Progress;
   std::uint64_t               m_Expected{ 0 };
   std::uint64_t               m_Done{ 0 };
   double                      m_Fraction{ 0.0 };
   std::vector<Vertex>         m_Vertices;
-  std::vector<SurfaceFace>    m_Faces;
-  SurfaceBlocks<Vertex>       m_Blocks;
+  std::vector<MeshFace>       m_Faces;
+  RecordBlocks<Vertex>        m_Blocks;
 };
 
 } // end namespace medialvoxel

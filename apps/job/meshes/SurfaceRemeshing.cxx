@@ -46,15 +46,15 @@ GetThreads(const SheetRemeshing & remeshing)
 }
 
 double
-GetArea(const SurfaceSpool & surface)
+GetArea(const MeshSpool & surface)
 {
   double area = 0.0;
-  SurfaceReader(surface, {}).ForEachFace([&](std::uint64_t, const SurfaceFace & face) { area += face.area; });
+  MeshReader(surface, {}).ForEachFace([&](std::uint64_t, const MeshFace & face) { area += face.area; });
   return area;
 }
 
 void
-CheckMemory(const SurfaceSpool & surface, const std::uint64_t allowed)
+CheckMemory(const MeshSpool & surface, const std::uint64_t allowed)
 {
   const std::uint64_t triangles = surface.GetNumberOfTriangles() + 2 * surface.GetNumberOfQuads();
   const std::uint64_t needed = triangles * itk::MedialVoxelRemeshingBytesPerTriangle();
@@ -79,15 +79,15 @@ CheckMemory(const SurfaceSpool & surface, const std::uint64_t allowed)
 }
 
 itk::MedialVoxelSheet
-ReadSheet(SurfaceReader & reader, std::vector<std::uint32_t> & objects)
+ReadSheet(MeshReader & reader, std::vector<std::uint32_t> & objects)
 {
   itk::MedialVoxelSheet sheet;
-  reader.ForEachVertex([&](std::uint64_t, const SurfaceSpool::Vertex & vertex) {
+  reader.ForEachVertex([&](std::uint64_t, const MeshSpool::Vertex & vertex) {
     sheet.points.push_back(vertex.position);
     sheet.thickness.push_back(vertex.thickness);
     objects.push_back(vertex.object);
   });
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     std::array<Index, 4> corners{};
     std::transform(face.vertices.begin(), face.vertices.begin() + face.numberOfVertices, corners.begin(), [](auto v) {
       return static_cast<Index>(v);
@@ -125,14 +125,14 @@ void
 AddVertices(const itk::MedialVoxelRemeshedSheet & sheet,
             const std::vector<std::uint32_t> &    objects,
             std::vector<Index> &                  places,
-            SurfaceSpool &                        surface)
+            MeshSpool &                           surface)
 {
   std::vector<Index> order(sheet.points.size());
   std::iota(order.begin(), order.end(), Index{ 0 });
   std::stable_sort(order.begin(), order.end(), [&](const Index a, const Index b) {
     return objects[sheet.finePoint[a]] < objects[sheet.finePoint[b]];
   });
-  std::vector<SurfaceVertex> vertices;
+  std::vector<MeshVertex> vertices;
   places.resize(order.size());
   for (Index place = 0; place < order.size(); ++place)
   {
@@ -152,7 +152,7 @@ void
 AddFaces(itk::MedialVoxelRemeshedSheet &    sheet,
          const std::vector<std::uint32_t> & objects,
          const std::vector<Index> &         places,
-         SurfaceSpool &                     surface)
+         MeshSpool &                        surface)
 {
   const auto objectOf = [&](const itk::MedialVoxelShellElement & element) {
     return objects[sheet.finePoint[element.corners[0]]];
@@ -160,10 +160,10 @@ AddFaces(itk::MedialVoxelRemeshedSheet &    sheet,
   std::stable_sort(sheet.elements.begin(), sheet.elements.end(), [&](const auto & a, const auto & b) {
     return objectOf(a) < objectOf(b);
   });
-  std::vector<SurfaceFace> faces;
+  std::vector<MeshFace> faces;
   for (const itk::MedialVoxelShellElement & element : sheet.elements)
   {
-    SurfaceFace face{ {}, element.numberOfCorners, element.rimSides, element.junctionSides, GetArea(sheet, element) };
+    MeshFace face{ {}, element.numberOfCorners, element.rimSides, element.junctionSides, GetArea(sheet, element) };
     for (unsigned int k = 0; k < element.numberOfCorners; ++k)
     {
       face.vertices[k] = places[element.corners[k]];
@@ -193,8 +193,8 @@ GetElementSize(const ExtractOptions & options, const VolumeGeometry & geometry)
   return size;
 }
 
-std::unique_ptr<SurfaceSpool>
-RemeshSheet(std::unique_ptr<SurfaceSpool>      surface,
+std::unique_ptr<MeshSpool>
+RemeshSheet(std::unique_ptr<MeshSpool>         surface,
             const SheetRemeshing &             remeshing,
             itk::MedialVoxelRemeshingSummary & summary)
 {
@@ -217,9 +217,9 @@ RemeshSheet(std::unique_ptr<SurfaceSpool>      surface,
   }
   CheckMemory(*coarse, remeshing.memoryLimit);
   std::vector<std::uint32_t> objects;
-  SurfaceReader              reader(*coarse, remeshing.progress);
+  MeshReader                 reader(*coarse, remeshing.progress);
   auto                       sheet = itk::MedialVoxelRemesh(ReadSheet(reader, objects), size, remeshing.progress);
-  auto                       result = std::make_unique<SurfaceSpool>(remeshing.scratchFolder, coarse->GetPrecision());
+  auto                       result = std::make_unique<MeshSpool>(remeshing.scratchFolder, coarse->GetPrecision());
   std::vector<Index>         places;
   fine.MeasureDistances(sheet, sheet.summary);
   sheet.summary.fineArea = area;

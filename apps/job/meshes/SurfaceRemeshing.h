@@ -34,8 +34,8 @@ GetElementSize(const ExtractOptions & options, const VolumeGeometry & geometry);
  * of them is held in memory.
  * \param summary of what was reached
  * \throw JobError Refused when that is more memory than allowed, or more faces than numbers of 32 bits count */
-std::unique_ptr<SurfaceSpool>
-RemeshSheet(std::unique_ptr<SurfaceSpool>      surface,
+std::unique_ptr<MeshSpool>
+RemeshSheet(std::unique_ptr<MeshSpool>         surface,
             const SheetRemeshing &             remeshing,
             itk::MedialVoxelRemeshingSummary & summary);
 

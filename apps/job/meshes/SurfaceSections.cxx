@@ -10,7 +10,7 @@
 
 namespace medialvoxel
 {
-SheetSections::SheetSections(SurfaceReader & reader, const SheetEdges & edges, const SurfaceWriteOptions & options)
+SheetSections::SheetSections(MeshReader & reader, const SheetEdges & edges, const MeshWriteOptions & options)
   : m_Edges(edges)
   , m_AreObjects(options.thicknessPlace == ThicknessPlace::Nodes)
   , m_ClassWidth(options.thicknessClassWidth)
@@ -23,7 +23,7 @@ SheetSections::SheetSections(SurfaceReader & reader, const SheetEdges & edges, c
   std::map<Key, std::uint64_t>           elements;
   std::map<std::uint32_t, ThicknessSums> knownOfObject;
   ThicknessSums                          known;
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     const std::optional<double> thickness = GetFaceThickness(reader, m_Edges, face);
     const Key                   key{ reader.GetObject(face), this->GetClass(thickness) };
     classes[key].Add(face.area, thickness.value_or(0));
@@ -80,15 +80,13 @@ SheetSections::GetClass(const std::optional<double> & thickness) const
 }
 
 size_t
-SheetSections::GetSection(SurfaceReader & reader, const SurfaceFace & face) const
+SheetSections::GetSection(MeshReader & reader, const MeshFace & face) const
 {
   return m_SectionOfKey.at({ reader.GetObject(face), this->GetClass(GetFaceThickness(reader, m_Edges, face)) });
 }
 
 std::vector<float>
-SheetSections::GetCornerThicknesses(SurfaceReader &        reader,
-                                    const SurfaceFace &    face,
-                                    const SurfaceCorners & corners) const
+SheetSections::GetCornerThicknesses(MeshReader & reader, const MeshFace & face, const MeshCorners & corners) const
 {
   std::vector<float> thicknesses;
   for (const unsigned int corner : corners)
@@ -100,10 +98,10 @@ SheetSections::GetCornerThicknesses(SurfaceReader &        reader,
 }
 
 void
-CheckElementsFit(SurfaceFormat format, const SurfaceReader & reader, const SheetSections & sections)
+CheckElementsFit(MeshFormat format, const MeshReader & reader, const SheetSections & sections)
 {
-  CheckSurfaceFits(
-    format, reader.GetSurface().GetNumberOfVertices(), sections.GetNumberOfTriangles(), sections.GetNumberOfQuads());
+  CheckMeshFits(
+    format, reader.GetMesh().GetNumberOfVertices(), sections.GetNumberOfTriangles(), sections.GetNumberOfQuads());
 }
 
 } // end namespace medialvoxel

@@ -18,7 +18,7 @@ namespace medialvoxel
 /** Elements that share a thickness. */
 struct SheetSection
 {
-  std::uint32_t object;           ///< of all elements, as in SurfaceVertex
+  std::uint32_t object;           ///< of all elements, as in MeshVertex
   float         thickness;        ///< mean of the elements, weighted by area
   std::uint64_t numberOfElements; ///< at least 1
 };
@@ -38,7 +38,7 @@ public:
    * \throw JobError Usage when the width of thickness classes is not > 0 and finite
    * \throw JobError Refused when it gives too many sections
    * \throw JobError Failure when there are faces, but no thickness is known */
-  SheetSections(SurfaceReader & reader, const SheetEdges & edges, const SurfaceWriteOptions & options);
+  SheetSections(MeshReader & reader, const SheetEdges & edges, const MeshWriteOptions & options);
 
   /** By objects, in them by rising thickness, faces without a known one last. */
   const std::vector<SheetSection> &
@@ -61,7 +61,7 @@ public:
 
   /** Place of a face's section in the list. */
   size_t
-  GetSection(SurfaceReader & reader, const SurfaceFace & face) const;
+  GetSection(MeshReader & reader, const MeshFace & face) const;
 
   /** The mean of the known ones of an object, or of all objects where it has none. */
   float
@@ -73,7 +73,7 @@ public:
 
   /** Thickness of the wall at corners of a face, that mean where it is unknown. */
   std::vector<float>
-  GetCornerThicknesses(SurfaceReader & reader, const SurfaceFace & face, const SurfaceCorners & corners) const;
+  GetCornerThicknesses(MeshReader & reader, const MeshFace & face, const MeshCorners & corners) const;
 
 private:
   using ClassType = std::int64_t;
@@ -106,9 +106,9 @@ private:
   std::uint64_t                  m_NumberOfQuads{ 0 };
 };
 
-/** As CheckSurfaceFits(), of the elements that the sections hold. */
+/** As CheckMeshFits(), of the elements that the sections hold. */
 void
-CheckElementsFit(SurfaceFormat format, const SurfaceReader & reader, const SheetSections & sections);
+CheckElementsFit(MeshFormat format, const MeshReader & reader, const SheetSections & sections);
 
 } // end namespace medialvoxel
 

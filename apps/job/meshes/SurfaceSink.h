@@ -11,14 +11,14 @@ namespace medialvoxel
 {
 
 /** Bits of the coordinates in files. Numbers are rounded once, so that all formats agree. */
-enum class SurfacePrecision
+enum class MeshPrecision
 {
   Single, ///< float32, about 7 digits
   Double  ///< float64, for surfaces whose neighboring vertices float32 would not keep apart
 };
 
 /** A vertex of a surface. Files hold the thickness rounded to float32. */
-struct SurfaceVertex
+struct MeshVertex
 {
   std::array<double, 3> position;       ///< physical units of the image
   double                thickness{ 0 }; ///< of the wall, physical units; not finite or not above 0: unknown
@@ -26,7 +26,7 @@ struct SurfaceVertex
 };
 
 /** A triangle or a quad of a surface. */
-struct SurfaceFace
+struct MeshFace
 {
   std::array<std::uint64_t, 4> vertices;              ///< counted from 0; a triangle ignores the last one
   std::uint8_t                 numberOfVertices{ 4 }; ///< 3 or 4
@@ -36,23 +36,23 @@ struct SurfaceFace
   bool                         isCap{ false };        ///< closes a surface where the image cuts the part
 };
 
-/** \class SurfaceSink
+/** \class MeshSink
  * \brief Takes a surface piece by piece.
  *
  * Vertices come in the order of their numbers, faces in the order they are to have in a file; a face may come before
  * its vertices. How the pieces are cut makes no difference. */
-class SurfaceSink
+class MeshSink
 {
 public:
-  virtual ~SurfaceSink() = default;
+  virtual ~MeshSink() = default;
 
   /** \throw JobError Failure when they cannot be stored. */
   virtual void
-  AddVertices(const std::vector<SurfaceVertex> & vertices) = 0;
+  AddVertices(const std::vector<MeshVertex> & vertices) = 0;
 
   /** \throw JobError Failure when they cannot be stored. */
   virtual void
-  AddFaces(const std::vector<SurfaceFace> & faces) = 0;
+  AddFaces(const std::vector<MeshFace> & faces) = 0;
 };
 
 } // end namespace medialvoxel

@@ -69,19 +69,19 @@ ForEachBlock(std::uint64_t records, const std::function<void(double)> & progress
 
 /** Writes the vertices to their places. \return their new numbers, in a file */
 std::unique_ptr<ScratchFile>
-SortVertices(const SurfaceSpool &                from,
-             SurfaceSpool &                      to,
-             const SurfaceGrouping &             groupOf,
+SortVertices(const MeshSpool &                   from,
+             MeshSpool &                         to,
+             const MeshGrouping &                groupOf,
              SortedPlaces &                      places,
              const std::filesystem::path &       folder,
              const std::function<void(double)> & progress)
 {
-  auto                              numbers = std::make_unique<ScratchFile>(folder);
-  std::vector<SurfaceSpool::Vertex> vertices;
+  auto                           numbers = std::make_unique<ScratchFile>(folder);
+  std::vector<MeshSpool::Vertex> vertices;
   ForEachBlock(from.GetNumberOfVertices(), progress, [&](std::uint64_t first, std::uint64_t count) {
     from.ReadVertices(first, count, vertices);
-    std::map<std::uint32_t, std::vector<SurfaceSpool::Vertex>> sorted;
-    for (const SurfaceSpool::Vertex & vertex : vertices)
+    std::map<std::uint32_t, std::vector<MeshSpool::Vertex>> sorted;
+    for (const MeshSpool::Vertex & vertex : vertices)
     {
       sorted[groupOf(vertex)].push_back(vertex);
     }
@@ -92,7 +92,7 @@ SortVertices(const SurfaceSpool &                from,
       to.PutVertices(next[group], ofGroup);
     }
     std::vector<std::uint64_t> ofBlock(count);
-    std::transform(vertices.begin(), vertices.end(), ofBlock.begin(), [&](const SurfaceSpool::Vertex & vertex) {
+    std::transform(vertices.begin(), vertices.end(), ofBlock.begin(), [&](const MeshSpool::Vertex & vertex) {
       return next[groupOf(vertex)]++;
     });
     numbers->WriteAt(first * sizeof(std::uint64_t), ofBlock.data(), count * sizeof(std::uint64_t));
@@ -102,24 +102,24 @@ SortVertices(const SurfaceSpool &                from,
 
 /** Writes the faces to their places, with the new numbers of their vertices. */
 void
-SortFaces(const SurfaceSpool &                from,
-          SurfaceSpool &                      to,
-          const SurfaceGrouping &             groupOf,
+SortFaces(const MeshSpool &                   from,
+          MeshSpool &                         to,
+          const MeshGrouping &                groupOf,
           SortedPlaces &                      places,
           const ScratchFile &                 numbers,
           const std::function<void(double)> & progress)
 {
-  SurfaceReader                reader(from, {});
-  SurfaceBlocks<std::uint64_t> newNumbers(
+  MeshReader                  reader(from, {});
+  RecordBlocks<std::uint64_t> newNumbers(
     from.GetNumberOfVertices(), [&numbers](std::uint64_t first, std::uint64_t count, auto & records) {
       records.resize(count);
       numbers.ReadAt(first * sizeof(std::uint64_t), records.data(), count * sizeof(std::uint64_t));
     });
-  std::vector<SurfaceFace> faces;
+  std::vector<MeshFace> faces;
   ForEachBlock(from.GetNumberOfFaces(), progress, [&](std::uint64_t first, std::uint64_t count) {
     from.ReadFaces(first, count, faces);
-    std::map<std::uint32_t, std::vector<SurfaceFace>> sorted;
-    for (SurfaceFace & face : faces)
+    std::map<std::uint32_t, std::vector<MeshFace>> sorted;
+    for (MeshFace & face : faces)
     {
       const std::uint32_t group = groupOf(reader.GetVertex(face.vertices[0]));
       const auto          end = face.vertices.begin() + face.numberOfVertices;
@@ -137,23 +137,23 @@ SortFaces(const SurfaceSpool &                from,
 
 } // namespace
 
-GroupedSurface
-SortSurface(std::unique_ptr<SurfaceSpool>       surface,
-            const SurfaceGrouping &             groupOf,
-            const std::size_t                   largestGroup,
-            const std::filesystem::path &       scratchFolder,
-            const std::function<void(double)> & progress)
+GroupedMesh
+SortMesh(std::unique_ptr<MeshSpool>          surface,
+         const MeshGrouping &                groupOf,
+         const std::size_t                   largestGroup,
+         const std::filesystem::path &       scratchFolder,
+         const std::function<void(double)> & progress)
 {
-  SortedPlaces  vertexPlaces(largestGroup);
-  SortedPlaces  facePlaces(largestGroup);
-  SurfaceReader reader(*surface, {});
+  SortedPlaces vertexPlaces(largestGroup);
+  SortedPlaces facePlaces(largestGroup);
+  MeshReader   reader(*surface, {});
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) { vertexPlaces.Count(groupOf(vertex)); });
   reader.ForEachFace(
-    [&](std::uint64_t, const SurfaceFace & face) { facePlaces.Count(groupOf(reader.GetVertex(face.vertices[0]))); });
-  GroupedSurface grouped;
+    [&](std::uint64_t, const MeshFace & face) { facePlaces.Count(groupOf(reader.GetVertex(face.vertices[0]))); });
+  GroupedMesh grouped;
   grouped.firstVertex = vertexPlaces.Start();
   grouped.firstFace = facePlaces.Start();
-  grouped.surface = std::make_unique<SurfaceSpool>(scratchFolder, surface->GetPrecision());
+  grouped.surface = std::make_unique<MeshSpool>(scratchFolder, surface->GetPrecision());
   const auto numbers = SortVertices(*surface, *grouped.surface, groupOf, vertexPlaces, scratchFolder, progress);
   SortFaces(*surface, *grouped.surface, groupOf, facePlaces, *numbers, progress);
   return grouped;

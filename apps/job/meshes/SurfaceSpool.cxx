@@ -34,14 +34,14 @@ struct FaceMarks
   bool         isCap;
 };
 
-static_assert(SurfaceSpool::BytesPerVertex == sizeof(SurfaceSpool::Vertex));
-static_assert(SurfaceSpool::BytesPerFace == 2 * sizeof(Corners) + sizeof(FaceMarks));
+static_assert(MeshSpool::BytesPerVertex == sizeof(MeshSpool::Vertex));
+static_assert(MeshSpool::BytesPerFace == 2 * sizeof(Corners) + sizeof(FaceMarks));
 
-SurfaceSpool::Vertex
-Pack(const SurfaceVertex & vertex, SurfacePrecision precision)
+MeshSpool::Vertex
+Pack(const MeshVertex & vertex, MeshPrecision precision)
 {
-  SurfaceSpool::Vertex record{ vertex.position, static_cast<float>(vertex.thickness), vertex.object };
-  if (precision == SurfacePrecision::Single)
+  MeshSpool::Vertex record{ vertex.position, static_cast<float>(vertex.thickness), vertex.object };
+  if (precision == MeshPrecision::Single)
   {
     for (double & coordinate : record.position)
     {
@@ -70,7 +70,7 @@ ReadRecords(const ScratchFile & file, std::uint64_t first, std::uint64_t count)
 } // namespace
 
 void
-SurfaceSpool::RareNumbers::Write(std::uint64_t first, const std::vector<std::uint32_t> & numbers)
+MeshSpool::RareNumbers::Write(std::uint64_t first, const std::vector<std::uint32_t> & numbers)
 {
   if (std::all_of(numbers.begin(), numbers.end(), [](std::uint32_t number) { return number == 0; }))
   {
@@ -85,7 +85,7 @@ SurfaceSpool::RareNumbers::Write(std::uint64_t first, const std::vector<std::uin
 }
 
 std::vector<std::uint32_t>
-SurfaceSpool::RareNumbers::Read(std::uint64_t first, std::uint64_t count) const
+MeshSpool::RareNumbers::Read(std::uint64_t first, std::uint64_t count) const
 {
   std::vector<std::uint32_t> numbers;
   if (first < m_End)
@@ -96,18 +96,18 @@ SurfaceSpool::RareNumbers::Read(std::uint64_t first, std::uint64_t count) const
   return numbers;
 }
 
-SurfaceSpool::SurfaceSpool(const std::filesystem::path & folder, SurfacePrecision precision, SurfaceSpoolInput input)
+MeshSpool::MeshSpool(const std::filesystem::path & folder, MeshPrecision precision, MeshSpoolInput input)
   : m_VertexFile(folder)
   , m_CornerFile(folder)
   , m_MarkFile(folder)
   , m_Objects(folder)
   , m_UpperCorners(folder)
   , m_Precision(precision)
-  , m_HoldsFloats(precision == SurfacePrecision::Single && input == SurfaceSpoolInput::Added)
+  , m_HoldsFloats(precision == MeshPrecision::Single && input == MeshSpoolInput::Added)
 {}
 
 void
-SurfaceSpool::AddVertices(const std::vector<SurfaceVertex> & vertices)
+MeshSpool::AddVertices(const std::vector<MeshVertex> & vertices)
 {
   if (m_HoldsFloats)
   {
@@ -135,27 +135,27 @@ SurfaceSpool::AddVertices(const std::vector<SurfaceVertex> & vertices)
 }
 
 void
-SurfaceSpool::PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices)
+MeshSpool::PutVertices(std::uint64_t first, const std::vector<Vertex> & vertices)
 {
   WriteRecords(m_VertexFile, first, vertices);
   m_NumberOfVertices += vertices.size();
 }
 
 void
-SurfaceSpool::AddFaces(const std::vector<SurfaceFace> & faces)
+MeshSpool::AddFaces(const std::vector<MeshFace> & faces)
 {
   this->PutFaces(this->GetNumberOfFaces(), faces);
 }
 
 void
-SurfaceSpool::PutFaces(std::uint64_t first, const std::vector<SurfaceFace> & faces)
+MeshSpool::PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces)
 {
   std::vector<Corners>       corners(faces.size());
   std::vector<std::uint32_t> upper(4 * faces.size());
   std::vector<FaceMarks>     marks(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    const SurfaceFace & face = faces[i];
+    const MeshFace & face = faces[i];
     for (std::size_t k = 0; k < 4; ++k)
     {
       corners[i][k] = static_cast<std::uint32_t>(face.vertices[k]);
@@ -172,7 +172,7 @@ SurfaceSpool::PutFaces(std::uint64_t first, const std::vector<SurfaceFace> & fac
 }
 
 void
-SurfaceSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
+MeshSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector<Vertex> & vertices) const
 {
   itk::MedialVoxelPoll();
   if (!m_HoldsFloats)
@@ -192,23 +192,23 @@ SurfaceSpool::ReadVertices(std::uint64_t first, std::uint64_t count, std::vector
 }
 
 void
-SurfaceSpool::ReadFaces(std::uint64_t              first,
-                        std::uint64_t              count,
-                        std::vector<SurfaceFace> & faces,
-                        SurfaceFaceParts           parts) const
+MeshSpool::ReadFaces(std::uint64_t           first,
+                     std::uint64_t           count,
+                     std::vector<MeshFace> & faces,
+                     MeshFaceFields          parts) const
 {
   itk::MedialVoxelPoll();
   faces.resize(count);
-  if (parts != SurfaceFaceParts::Marks)
+  if (parts != MeshFaceFields::Marks)
   {
     this->ReadCorners(first, faces);
   }
-  if (parts != SurfaceFaceParts::Corners || m_NumberOfTriangles > 0)
+  if (parts != MeshFaceFields::Corners || m_NumberOfTriangles > 0)
   {
     const auto marks = ReadRecords<FaceMarks>(m_MarkFile, first, count);
     for (std::size_t i = 0; i < faces.size(); ++i)
     {
-      SurfaceFace & face = faces[i];
+      MeshFace & face = faces[i];
       face.area = marks[i].area;
       face.numberOfVertices = marks[i].numberOfVertices;
       face.rimEdges = marks[i].rimEdges;
@@ -218,7 +218,7 @@ SurfaceSpool::ReadFaces(std::uint64_t              first,
   }
   else
   {
-    for (SurfaceFace & face : faces)
+    for (MeshFace & face : faces)
     {
       face.numberOfVertices = 4;
     }
@@ -226,7 +226,7 @@ SurfaceSpool::ReadFaces(std::uint64_t              first,
 }
 
 void
-SurfaceSpool::ReadCorners(std::uint64_t first, std::vector<SurfaceFace> & faces) const
+MeshSpool::ReadCorners(std::uint64_t first, std::vector<MeshFace> & faces) const
 {
   const auto corners = ReadRecords<Corners>(m_CornerFile, first, faces.size());
   const auto upper = m_UpperCorners.Read(4 * first, 4 * faces.size());

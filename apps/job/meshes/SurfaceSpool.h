@@ -15,26 +15,26 @@ namespace medialvoxel
 {
 
 /** What is read of faces; the rest of them is undefined. Less is faster. */
-enum class SurfaceFaceParts : std::uint8_t
+enum class MeshFaceFields : std::uint8_t
 {
   Corners = 1, ///< vertices and numberOfVertices
   Marks = 2,   ///< all but the vertices
   All = 3
 };
 
-/** What comes into a SurfaceSpool. */
-enum class SurfaceSpoolInput : std::uint8_t
+/** What comes into a MeshSpool. */
+enum class MeshSpoolInput : std::uint8_t
 {
   Any,
-  Added ///< only SurfaceSpool::AddVertices(), whose rounded coordinates take less space
+  Added ///< only MeshSpool::AddVertices(), whose rounded coordinates take less space
 };
 
-/** \class SurfaceSpool
+/** \class MeshSpool
  * \brief A surface in scratch files, whatever its size: at most 32 bytes per vertex and 40 per face, and a few
  * MB of memory.
  *
  * Writers of files read it as often as they need, one surface may go to several files. */
-class SurfaceSpool : public SurfaceSink
+class MeshSpool : public MeshSink
 {
 public:
   /** In the scratch files, at most. */
@@ -45,21 +45,21 @@ public:
   struct Vertex
   {
     std::array<double, 3> position;  ///< rounded to the precision of the surface
-    float                 thickness; ///< as in SurfaceVertex
-    std::uint32_t         object;    ///< as in SurfaceVertex
+    float                 thickness; ///< as in MeshVertex
+    std::uint32_t         object;    ///< as in MeshVertex
   };
 
   /** \param folder where the scratch files are, without a name
    * \param precision of the coordinates that files will have
    * \throw JobError Refused when the folder is missing or cannot be written. */
-  explicit SurfaceSpool(const std::filesystem::path & folder,
-                        SurfacePrecision              precision = SurfacePrecision::Single,
-                        SurfaceSpoolInput             input = SurfaceSpoolInput::Any);
+  explicit MeshSpool(const std::filesystem::path & folder,
+                     MeshPrecision                 precision = MeshPrecision::Single,
+                     MeshSpoolInput                input = MeshSpoolInput::Any);
 
   void
-  AddVertices(const std::vector<SurfaceVertex> & vertices) override;
+  AddVertices(const std::vector<MeshVertex> & vertices) override;
   void
-  AddFaces(const std::vector<SurfaceFace> & faces) override;
+  AddFaces(const std::vector<MeshFace> & faces) override;
 
   /** Vertices in any order: those from number \a first on. All numbers up to the largest must come, each once. */
   void
@@ -67,9 +67,9 @@ public:
 
   /** The same for faces. */
   void
-  PutFaces(std::uint64_t first, const std::vector<SurfaceFace> & faces);
+  PutFaces(std::uint64_t first, const std::vector<MeshFace> & faces);
 
-  SurfacePrecision
+  MeshPrecision
   GetPrecision() const
   {
     return m_Precision;
@@ -109,10 +109,10 @@ public:
 
   /** Reads \a count faces from number \a first on, which exist. \throw JobError Failure. */
   void
-  ReadFaces(std::uint64_t              first,
-            std::uint64_t              count,
-            std::vector<SurfaceFace> & faces,
-            SurfaceFaceParts           parts = SurfaceFaceParts::All) const;
+  ReadFaces(std::uint64_t           first,
+            std::uint64_t           count,
+            std::vector<MeshFace> & faces,
+            MeshFaceFields          parts = MeshFaceFields::All) const;
 
 private:
   /** Numbers of a file that is written only where one of them is not zero. */
@@ -137,19 +137,19 @@ private:
   };
 
   void
-  ReadCorners(std::uint64_t first, std::vector<SurfaceFace> & faces) const;
+  ReadCorners(std::uint64_t first, std::vector<MeshFace> & faces) const;
 
-  ScratchFile      m_VertexFile;
-  ScratchFile      m_CornerFile;
-  ScratchFile      m_MarkFile;
-  RareNumbers      m_Objects;      // of vertices
-  RareNumbers      m_UpperCorners; // four of each face: the upper halves of the numbers of its vertices
-  SurfacePrecision m_Precision;
-  bool             m_HoldsFloats; // in the records of vertices
-  std::uint64_t    m_NumberOfVertices{ 0 };
-  std::uint64_t    m_NumberOfTriangles{ 0 };
-  std::uint64_t    m_NumberOfQuads{ 0 };
-  std::uint64_t    m_NumberOfNeededVertices{ 0 };
+  ScratchFile   m_VertexFile;
+  ScratchFile   m_CornerFile;
+  ScratchFile   m_MarkFile;
+  RareNumbers   m_Objects;      // of vertices
+  RareNumbers   m_UpperCorners; // four of each face: the upper halves of the numbers of its vertices
+  MeshPrecision m_Precision;
+  bool          m_HoldsFloats; // in the records of vertices
+  std::uint64_t m_NumberOfVertices{ 0 };
+  std::uint64_t m_NumberOfTriangles{ 0 };
+  std::uint64_t m_NumberOfQuads{ 0 };
+  std::uint64_t m_NumberOfNeededVertices{ 0 };
 };
 
 } // end namespace medialvoxel

@@ -57,16 +57,16 @@ WriteTriangle(const std::array<Position, 3> & corners, BufferedOutput & output)
 } // namespace
 
 void
-WriteSurfaceStl(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshStl(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(0, 1);
   // Readers take a header that begins with "solid" for a text file.
   std::string header = GetTitle(options);
   header.resize(HeaderBytes, ' ');
   output.Text(header);
-  const SurfaceSpool & surface = reader.GetSurface();
+  const MeshSpool & surface = reader.GetMesh();
   output.LittleEndian(static_cast<std::uint32_t>(surface.GetNumberOfTriangles() + 2 * surface.GetNumberOfQuads()));
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     for (const auto & triangle : GetTriangles(reader, face))
     {
       std::array<Position, 3> corners;

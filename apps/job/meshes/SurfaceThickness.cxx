@@ -10,7 +10,7 @@ namespace
 {
 
 std::optional<double>
-GetKnownThickness(SurfaceReader & reader, std::uint64_t vertex)
+GetKnownThickness(MeshReader & reader, std::uint64_t vertex)
 {
   const auto thickness = static_cast<double>(reader.GetVertex(vertex).thickness);
   return std::isfinite(thickness) && thickness > 0 ? std::optional<double>(thickness) : std::nullopt;
@@ -24,7 +24,7 @@ struct FaceThickness
 };
 
 FaceThickness
-MeasureFace(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face)
+MeasureFace(MeshReader & reader, const SheetEdges & edges, const MeshFace & face)
 {
   constexpr unsigned int            levels = SheetEdges::AtRim + 1;
   std::array<ThicknessSums, levels> sums;
@@ -68,11 +68,11 @@ ThicknessSums::GetMean() const
   return area > 0 ? areaTimesThickness / area : thickness / static_cast<double>(number);
 }
 
-SheetEdges::SheetEdges(SurfaceReader & reader)
-  : m_Rims(reader.GetSurface().GetNumberOfVertices())
-  , m_Junctions(reader.GetSurface().GetNumberOfVertices())
+SheetEdges::SheetEdges(MeshReader & reader)
+  : m_Rims(reader.GetMesh().GetNumberOfVertices())
+  , m_Junctions(reader.GetMesh().GetNumberOfVertices())
 {
-  const auto mark = [](const SurfaceFace & face, unsigned int sides, std::vector<bool> & marks) {
+  const auto mark = [](const MeshFace & face, unsigned int sides, std::vector<bool> & marks) {
     for (unsigned int side = 0; side < face.numberOfVertices; ++side)
     {
       if ((sides >> side & 1U) != 0)
@@ -82,20 +82,20 @@ SheetEdges::SheetEdges(SurfaceReader & reader)
       }
     }
   };
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     mark(face, face.rimEdges, m_Rims);
     mark(face, face.junctionEdges, m_Junctions);
   });
 }
 
 std::optional<double>
-GetFaceThickness(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face)
+GetFaceThickness(MeshReader & reader, const SheetEdges & edges, const MeshFace & face)
 {
   return MeasureFace(reader, edges, face).value;
 }
 
 std::optional<double>
-GetCornerThickness(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face, unsigned int corner)
+GetCornerThickness(MeshReader & reader, const SheetEdges & edges, const MeshFace & face, unsigned int corner)
 {
   const std::uint64_t         vertex = face.vertices[corner];
   const std::optional<double> own = GetKnownThickness(reader, vertex);
@@ -103,18 +103,18 @@ GetCornerThickness(SurfaceReader & reader, const SheetEdges & edges, const Surfa
 }
 
 void
-ForEachNodeThickness(SurfaceReader &                                                                    reader,
+ForEachNodeThickness(MeshReader &                                                                       reader,
                      const SheetEdges &                                                                 edges,
                      std::uint64_t                                                                      keptNumbers,
                      const std::function<void(std::uint64_t number, std::optional<double> thickness)> & function)
 {
-  const std::uint64_t        vertices = reader.GetSurface().GetNumberOfVertices();
+  const std::uint64_t        vertices = reader.GetMesh().GetNumberOfVertices();
   const std::uint64_t        step = GetVerticesAtATime(keptNumbers);
   std::vector<ThicknessSums> ofFaces;
   for (std::uint64_t first = 0; first < vertices; first += step)
   {
     ofFaces.assign(std::min(step, vertices - first), {});
-    reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+    reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
       const FaceThickness thickness = MeasureFace(reader, edges, face);
       for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
       {

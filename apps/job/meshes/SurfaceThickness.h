@@ -35,7 +35,7 @@ public:
   static constexpr std::uint64_t VerticesPerByte = 4;
 
   /** Walks over all faces once. */
-  explicit SheetEdges(SurfaceReader & reader);
+  explicit SheetEdges(MeshReader & reader);
 
   const std::vector<bool> &
   GetRims() const
@@ -69,17 +69,17 @@ private:
 
 /** The mean over the corners of the best level that have a known thickness, nothing when none has. */
 std::optional<double>
-GetFaceThickness(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face);
+GetFaceThickness(MeshReader & reader, const SheetEdges & edges, const MeshFace & face);
 
 /** The thickness of the wall at a corner: its own one inside of the wall, elsewhere that of the face. */
 std::optional<double>
-GetCornerThickness(SurfaceReader & reader, const SheetEdges & edges, const SurfaceFace & face, unsigned int corner);
+GetCornerThickness(MeshReader & reader, const SheetEdges & edges, const MeshFace & face, unsigned int corner);
 
 /** Calls function(number, thickness) for all vertices in their order, with the thickness of the wall: their own one
  * inside of it, elsewhere the mean by area of their faces, as far as these know better. Nothing where that is unknown.
- * \param keptNumbers as in SurfaceWriteOptions; walks over all faces once for each quarter as many vertices */
+ * \param keptNumbers as in MeshWriteOptions; walks over all faces once for each quarter as many vertices */
 void
-ForEachNodeThickness(SurfaceReader &                                                                    reader,
+ForEachNodeThickness(MeshReader &                                                                       reader,
                      const SheetEdges &                                                                 edges,
                      std::uint64_t                                                                      keptNumbers,
                      const std::function<void(std::uint64_t number, std::optional<double> thickness)> & function);

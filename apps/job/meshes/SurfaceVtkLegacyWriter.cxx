@@ -19,19 +19,19 @@ WriteScalars(const char * name, const char * type, BufferedOutput & output, TWri
 
 template <typename TGet>
 void
-WriteFaceScalars(SurfaceReader & reader, const char * name, const char * type, BufferedOutput & output, TGet get)
+WriteFaceScalars(MeshReader & reader, const char * name, const char * type, BufferedOutput & output, TGet get)
 {
   WriteScalars(name, type, output, [&](auto && write) {
-    reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) { write(get(face)); });
+    reader.ForEachFace([&](std::uint64_t, const MeshFace & face) { write(get(face)); });
   });
 }
 
 void
-WriteGeometry(SurfaceReader & reader, BufferedOutput & output)
+WriteGeometry(MeshReader & reader, BufferedOutput & output)
 {
-  const SurfaceSpool & surface = reader.GetSurface();
+  const MeshSpool & surface = reader.GetMesh();
   output.Text("POINTS ").Integer(surface.GetNumberOfVertices());
-  output.Text(surface.GetPrecision() == SurfacePrecision::Double ? " double\n" : " float\n");
+  output.Text(surface.GetPrecision() == MeshPrecision::Double ? " double\n" : " float\n");
   reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
     ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.BigEndian(coordinate); });
   });
@@ -43,7 +43,7 @@ WriteGeometry(SurfaceReader & reader, BufferedOutput & output)
   }
   const std::uint64_t numbers = 4 * surface.GetNumberOfTriangles() + 5 * surface.GetNumberOfQuads();
   output.Text("POLYGONS ").Integer(surface.GetNumberOfFaces()).Text(" ").Integer(numbers).Text("\n");
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     output.BigEndian(std::uint32_t{ face.numberOfVertices });
     for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
     {
@@ -56,26 +56,25 @@ WriteGeometry(SurfaceReader & reader, BufferedOutput & output)
 } // namespace
 
 void
-WriteSurfaceVtk(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshVtk(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(2, options.objectLabels.empty() ? 4 : 5);
   output.Text("# vtk DataFile Version 3.0\n" + GetTitle(options) + "\nBINARY\nDATASET POLYDATA\n");
   WriteGeometry(reader, output);
-  output.Text("POINT_DATA ").Integer(reader.GetSurface().GetNumberOfVertices()).Text("\n");
+  output.Text("POINT_DATA ").Integer(reader.GetMesh().GetNumberOfVertices()).Text("\n");
   WriteScalars("Thickness", "float", output, [&](auto && write) {
     reader.ForEachVertex([&](std::uint64_t, const auto & vertex) { write(vertex.thickness); });
   });
-  output.Text("CELL_DATA ").Integer(reader.GetSurface().GetNumberOfFaces()).Text("\n");
-  WriteFaceScalars(reader, "RimEdges", "unsigned_char", output, [](const SurfaceFace & face) { return face.rimEdges; });
+  output.Text("CELL_DATA ").Integer(reader.GetMesh().GetNumberOfFaces()).Text("\n");
+  WriteFaceScalars(reader, "RimEdges", "unsigned_char", output, [](const MeshFace & face) { return face.rimEdges; });
   WriteFaceScalars(
-    reader, "JunctionEdges", "unsigned_char", output, [](const SurfaceFace & face) { return face.junctionEdges; });
+    reader, "JunctionEdges", "unsigned_char", output, [](const MeshFace & face) { return face.junctionEdges; });
   WriteFaceScalars(
-    reader, "Area", "float", output, [](const SurfaceFace & face) { return static_cast<float>(face.area); });
+    reader, "Area", "float", output, [](const MeshFace & face) { return static_cast<float>(face.area); });
   if (!options.objectLabels.empty())
   {
-    WriteFaceScalars(reader, "Object", "vtktypeint64", output, [&](const SurfaceFace & face) {
-      return GetLabel(reader, options, face);
-    });
+    WriteFaceScalars(
+      reader, "Object", "vtktypeint64", output, [&](const MeshFace & face) { return GetLabel(reader, options, face); });
   }
 }
 

@@ -50,12 +50,11 @@ private:
 };
 
 std::string
-AddPoints(SurfaceReader & reader, AppendedArrays & arrays)
+AddPoints(MeshReader & reader, AppendedArrays & arrays)
 {
-  const bool          isDouble = reader.GetSurface().GetPrecision() == SurfacePrecision::Double;
-  const std::uint64_t bytes =
-    reader.GetSurface().GetNumberOfVertices() * 3 * (isDouble ? sizeof(double) : sizeof(float));
-  const auto write = [&reader](BufferedOutput & output) {
+  const bool          isDouble = reader.GetMesh().GetPrecision() == MeshPrecision::Double;
+  const std::uint64_t bytes = reader.GetMesh().GetNumberOfVertices() * 3 * (isDouble ? sizeof(double) : sizeof(float));
+  const auto          write = [&reader](BufferedOutput & output) {
     reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
       ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
     });
@@ -67,22 +66,22 @@ AddPoints(SurfaceReader & reader, AppendedArrays & arrays)
 /** An array with a number for each vertex. */
 template <typename TGet>
 std::string
-AddVertexArray(SurfaceReader & reader, AppendedArrays & arrays, const char * name, TGet get)
+AddVertexArray(MeshReader & reader, AppendedArrays & arrays, const char * name, TGet get)
 {
-  const std::uint64_t bytes = reader.GetSurface().GetNumberOfVertices() * sizeof(float);
+  const std::uint64_t bytes = reader.GetMesh().GetNumberOfVertices() * sizeof(float);
   return arrays.Add(name, "Float32", 1, bytes, [&reader, get](BufferedOutput & output) {
     reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) { output.LittleEndian(get(number, vertex)); });
   });
 }
 
 std::string
-AddPointData(SurfaceReader & reader, const SurfaceWriteOptions & options, AppendedArrays & arrays)
+AddPointData(MeshReader & reader, const MeshWriteOptions & options, AppendedArrays & arrays)
 {
-  using Vertex = SurfaceSpool::Vertex;
+  using Vertex = MeshSpool::Vertex;
   std::string text =
     "      <PointData Scalars=\"Thickness\">\n" +
     AddVertexArray(reader, arrays, "Thickness", [](std::uint64_t, const Vertex & vertex) { return vertex.thickness; });
-  for (const SurfaceArray * const array : options.vertexArrays)
+  for (const VertexValues * const array : options.vertexArrays)
   {
     text += AddVertexArray(reader, arrays, array->GetName().c_str(), [array](std::uint64_t number, const Vertex &) {
       return array->Get(number);
@@ -94,67 +93,67 @@ AddPointData(SurfaceReader & reader, const SurfaceWriteOptions & options, Append
 /** An array with a number for each face, from these parts of it. */
 template <typename TGet>
 std::string
-AddFaceArray(SurfaceReader &  reader,
+AddFaceArray(MeshReader &     reader,
              AppendedArrays & arrays,
              const char *     name,
              const char *     type,
              TGet             get,
-             SurfaceFaceParts parts = SurfaceFaceParts::Marks)
+             MeshFaceFields   parts = MeshFaceFields::Marks)
 {
-  const std::uint64_t bytes = reader.GetSurface().GetNumberOfFaces() * sizeof(get(SurfaceFace{}));
+  const std::uint64_t bytes = reader.GetMesh().GetNumberOfFaces() * sizeof(get(MeshFace{}));
   return arrays.Add(name, type, 1, bytes, [&reader, get, parts](BufferedOutput & output) mutable {
-    reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) { output.LittleEndian(get(face)); }, parts);
+    reader.ForEachFace([&](std::uint64_t, const MeshFace & face) { output.LittleEndian(get(face)); }, parts);
   });
 }
 
 unsigned int
-CountFaceArrays(const SurfaceWriteOptions & options)
+CountFaceArrays(const MeshWriteOptions & options)
 {
   return options.isOfPart ? 1 : (options.objectLabels.empty() ? 3 : 4);
 }
 
 std::string
-AddCellData(SurfaceReader & reader, const SurfaceWriteOptions & options, AppendedArrays & arrays)
+AddCellData(MeshReader & reader, const MeshWriteOptions & options, AppendedArrays & arrays)
 {
   if (options.isOfPart)
   {
     return "      <CellData>\n" +
            AddFaceArray(
-             reader, arrays, "Cap", "UInt8", [](const SurfaceFace & face) { return std::uint8_t{ face.isCap }; }) +
+             reader, arrays, "Cap", "UInt8", [](const MeshFace & face) { return std::uint8_t{ face.isCap }; }) +
            "      </CellData>\n";
   }
   std::string objects;
   if (!options.objectLabels.empty())
   {
-    const auto labelOf = [&reader, &options](const SurfaceFace & face) { return GetLabel(reader, options, face); };
-    objects = AddFaceArray(reader, arrays, "Object", "Int64", labelOf, SurfaceFaceParts::Corners);
+    const auto labelOf = [&reader, &options](const MeshFace & face) { return GetLabel(reader, options, face); };
+    objects = AddFaceArray(reader, arrays, "Object", "Int64", labelOf, MeshFaceFields::Corners);
   }
   return "      <CellData>\n" +
-         AddFaceArray(reader, arrays, "RimEdges", "UInt8", [](const SurfaceFace & face) { return face.rimEdges; }) +
+         AddFaceArray(reader, arrays, "RimEdges", "UInt8", [](const MeshFace & face) { return face.rimEdges; }) +
          AddFaceArray(
-           reader, arrays, "JunctionEdges", "UInt8", [](const SurfaceFace & face) { return face.junctionEdges; }) +
+           reader, arrays, "JunctionEdges", "UInt8", [](const MeshFace & face) { return face.junctionEdges; }) +
          AddFaceArray(
-           reader, arrays, "Area", "Float32", [](const SurfaceFace & face) { return static_cast<float>(face.area); }) +
+           reader, arrays, "Area", "Float32", [](const MeshFace & face) { return static_cast<float>(face.area); }) +
          objects + "      </CellData>\n";
 }
 
 /** Corners of all faces, one after the other, and where each face ends. */
 std::string
-AddCorners(SurfaceReader & reader, AppendedArrays & arrays)
+AddCorners(MeshReader & reader, AppendedArrays & arrays)
 {
-  const SurfaceSpool & surface = reader.GetSurface();
-  const std::uint64_t  corners = 3 * surface.GetNumberOfTriangles() + 4 * surface.GetNumberOfQuads();
-  const auto           writeCorners = [&reader](BufferedOutput & output) {
-    const auto write = [&](std::uint64_t, const SurfaceFace & face) {
+  const MeshSpool &   surface = reader.GetMesh();
+  const std::uint64_t corners = 3 * surface.GetNumberOfTriangles() + 4 * surface.GetNumberOfQuads();
+  const auto          writeCorners = [&reader](BufferedOutput & output) {
+    const auto write = [&](std::uint64_t, const MeshFace & face) {
       for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
       {
         output.LittleEndian(face.vertices[corner]);
       }
     };
-    reader.ForEachFace(write, SurfaceFaceParts::Corners);
+    reader.ForEachFace(write, MeshFaceFields::Corners);
   };
   return arrays.Add("connectivity", "Int64", 1, corners * sizeof(std::int64_t), writeCorners) +
-         AddFaceArray(reader, arrays, "offsets", "Int64", [end = std::uint64_t{ 0 }](const SurfaceFace & face) mutable {
+         AddFaceArray(reader, arrays, "offsets", "Int64", [end = std::uint64_t{ 0 }](const MeshFace & face) mutable {
            return end += face.numberOfVertices;
          });
 }
@@ -162,7 +161,7 @@ AddCorners(SurfaceReader & reader, AppendedArrays & arrays)
 /** The whole file. \param counts attributes of the piece beside the number of its points \param cells their element */
 void
 WriteFile(const char *           dataSet,
-          SurfaceReader &        reader,
+          MeshReader &           reader,
           const std::string &    counts,
           const std::string &    content,
           const AppendedArrays & arrays,
@@ -173,7 +172,7 @@ WriteFile(const char *           dataSet,
   output.Text("<?xml version=\"1.0\"?>\n<!-- " + title + " -->\n<VTKFile type=\"" + name +
               "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <" + name +
               ">\n    <Piece NumberOfPoints=\"");
-  output.Integer(reader.GetSurface().GetNumberOfVertices());
+  output.Integer(reader.GetMesh().GetNumberOfVertices());
   output.Text("\" " + counts + ">\n" + content + "    </Piece>\n  </" + name + ">\n");
   arrays.WriteAll(output);
   output.Text("</VTKFile>\n");
@@ -182,7 +181,7 @@ WriteFile(const char *           dataSet,
 } // namespace
 
 void
-WriteSurfaceVtp(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshVtp(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 2 + CountFaceArrays(options));
   AppendedArrays    arrays;
@@ -190,12 +189,12 @@ WriteSurfaceVtp(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
                               AddPoints(reader, arrays) + "      <Polys>\n" + AddCorners(reader, arrays) +
                               "      </Polys>\n";
   const std::string counts = R"(NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")" +
-                             std::to_string(reader.GetSurface().GetNumberOfFaces()) + "\"";
+                             std::to_string(reader.GetMesh().GetNumberOfFaces()) + "\"";
   WriteFile("PolyData", reader, counts, content, arrays, GetTitle(options), output);
 }
 
 void
-WriteSurfaceVtu(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output)
+WriteMeshVtu(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
 {
   reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 3 + CountFaceArrays(options));
   AppendedArrays    arrays;
@@ -206,9 +205,9 @@ WriteSurfaceVtu(SurfaceReader & reader, const SurfaceWriteOptions & options, Buf
                  arrays,
                  "types",
                  "UInt8",
-                 [](const SurfaceFace & face) { return face.numberOfVertices == 3 ? VtkTriangle : VtkQuad; }) +
+                 [](const MeshFace & face) { return face.numberOfVertices == 3 ? VtkTriangle : VtkQuad; }) +
     "      </Cells>\n";
-  const std::string counts = "NumberOfCells=\"" + std::to_string(reader.GetSurface().GetNumberOfFaces()) + "\"";
+  const std::string counts = "NumberOfCells=\"" + std::to_string(reader.GetMesh().GetNumberOfFaces()) + "\"";
   WriteFile("UnstructuredGrid", reader, counts, content, arrays, GetTitle(options), output);
 }
 

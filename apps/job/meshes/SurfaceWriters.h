@@ -10,17 +10,17 @@
 namespace medialvoxel
 {
 
-/** Each writes the whole content of a file of its format; WriteSurface() has checked that the surface fits. */
-using SurfaceWriter = void(SurfaceReader & reader, const SurfaceWriteOptions & options, BufferedOutput & output);
+/** Each writes the whole content of a file of its format; WriteMesh() has checked that the surface fits. */
+using MeshWriter = void(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output);
 
 /** Calls use(coordinate) with the coordinates of a vertex in the precision of its surface: as float or double. */
 template <typename TUse>
 void
-ForEachCoordinate(const SurfaceReader & reader, const SurfaceSpool::Vertex & vertex, TUse && use)
+ForEachCoordinate(const MeshReader & reader, const MeshSpool::Vertex & vertex, TUse && use)
 {
   for (const double coordinate : vertex.position)
   {
-    if (reader.GetSurface().GetPrecision() == SurfacePrecision::Double)
+    if (reader.GetMesh().GetPrecision() == MeshPrecision::Double)
     {
       use(coordinate);
     }
@@ -33,7 +33,7 @@ ForEachCoordinate(const SurfaceReader & reader, const SurfaceSpool::Vertex & ver
 
 /** The label of the object that a face belongs to, in the surface of a label map. */
 inline std::int64_t
-GetLabel(SurfaceReader & reader, const SurfaceWriteOptions & options, const SurfaceFace & face)
+GetLabel(MeshReader & reader, const MeshWriteOptions & options, const MeshFace & face)
 {
   return options.objectLabels[reader.GetObject(face) - 1];
 }
@@ -44,7 +44,7 @@ GetObjectName(std::int64_t label);
 
 /** What the mesh is, for a reader. */
 inline std::string
-GetTitle(const SurfaceWriteOptions & options)
+GetTitle(const MeshWriteOptions & options)
 {
   return std::string(options.isOfPart ? "Surface" : "Medial surface") +
          " by MedialVoxel, coordinates and thickness in " + options.unit;
@@ -64,16 +64,16 @@ ForEachMarked(const std::vector<bool> & marks, TFunction && function)
   }
 }
 
-SurfaceWriter WriteSurfaceVtp;
-SurfaceWriter WriteSurfaceVtu;
-SurfaceWriter WriteSurfaceVtk;
-SurfaceWriter WriteSurfacePly;
-SurfaceWriter WriteSurfaceStl;
-SurfaceWriter WriteSurfaceObj;
-SurfaceWriter WriteSurfaceAbaqus;
-SurfaceWriter WriteSurfaceNastran;
-SurfaceWriter WriteSurfaceLsDyna;
-SurfaceWriter WriteSurfaceGltf;
+MeshWriter WriteMeshVtp;
+MeshWriter WriteMeshVtu;
+MeshWriter WriteMeshVtk;
+MeshWriter WriteMeshPly;
+MeshWriter WriteMeshStl;
+MeshWriter WriteMeshObj;
+MeshWriter WriteMeshAbaqus;
+MeshWriter WriteMeshNastran;
+MeshWriter WriteMeshLsDyna;
+MeshWriter WriteMeshGltf;
 
 } // end namespace medialvoxel
 

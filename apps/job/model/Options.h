@@ -163,7 +163,7 @@ struct ExtractOptions : JobOptions
   ElementSize           elementSize;               ///< of the mesh
   bool                  extendsRims{ false }; ///< of the mesh, to the free edges; not with ElementSize::Kind::Voxel
   ThicknessPlace        thicknessPlace{ ThicknessPlace::Sections }; ///< of a mesh for solvers
-  std::optional<double> sectionWidth; ///< as SurfaceWriteOptions; unset: a quarter of the spacing
+  std::optional<double> sectionWidth; ///< as MeshWriteOptions; unset: a quarter of the spacing
 };
 
 /** Vector and signed distances. */

@@ -30,7 +30,7 @@ HasMesh(const ExtractOptions & options)
 bool
 HasElements(const ExtractOptions & options)
 {
-  return HasMesh(options) && HoldsElements(GetSurfaceFormat(options.meshFile));
+  return HasMesh(options) && HoldsElements(GetMeshFormat(options.meshFile));
 }
 
 bool
@@ -42,7 +42,7 @@ HasSections(const ExtractOptions & options)
 void
 AddMesh(std::vector<OptionRow> & rows)
 {
-  const std::string formats = "Mesh: " + JoinExtensions(ListSurfaceExtensions());
+  const std::string formats = "Mesh: " + JoinExtensions(ListMeshExtensions());
   AddRow(rows, "OUTPUT", "FILE", File(&ExtractOptions::meshFile)).Of(Mesh).Help(formats);
   AddRow(rows, "--mesh", "FILE", File(&ExtractOptions::meshFile))
     .Of(Extractions, "Mesh")

@@ -78,30 +78,30 @@ private:
 } // namespace
 
 Json
-MeasurePart(const SurfaceSpool &                surface,
-            const SurfaceArray *                rays,
+MeasurePart(const MeshSpool &                   surface,
+            const VertexValues *                rays,
             const VolumeGeometry &              geometry,
             const PartFacts &                   facts,
             const std::function<void(double)> & progress)
 {
-  SurfaceReader reader(surface, progress);
+  MeshReader reader(surface, progress);
   reader.SetNumberOfPasses(0, 1);
-  SurfaceBlocks<float> lengths(surface.GetNumberOfVertices(),
-                               [rays](std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) {
-                                 rays->Read(first, count, numbers);
-                               });
-  const Point          reference{ geometry.origin[0], geometry.origin[1], geometry.origin[2] };
-  AreaByThickness      thickness(geometry);
-  AreaByThickness      rayThickness(geometry);
-  double               wholeArea = 0.0;
-  double               capArea = 0.0;
-  double               volume = 0.0;
-  reader.ForEachFace([&](std::uint64_t, const SurfaceFace & face) {
+  RecordBlocks<float> lengths(surface.GetNumberOfVertices(),
+                              [rays](std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) {
+                                rays->Read(first, count, numbers);
+                              });
+  const Point         reference{ geometry.origin[0], geometry.origin[1], geometry.origin[2] };
+  AreaByThickness     thickness(geometry);
+  AreaByThickness     rayThickness(geometry);
+  double              wholeArea = 0.0;
+  double              capArea = 0.0;
+  double              volume = 0.0;
+  reader.ForEachFace([&](std::uint64_t, const MeshFace & face) {
     std::array<Point, 3> corners{};
     std::array<float, 3> values{};
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const SurfaceReader::Vertex & vertex = reader.GetVertex(face.vertices[i]);
+      const MeshReader::Vertex & vertex = reader.GetVertex(face.vertices[i]);
       corners[i] = itk::MedialVoxelSubtract(vertex.position, reference);
       values[i] = vertex.thickness;
     }

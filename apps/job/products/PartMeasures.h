@@ -39,10 +39,10 @@ struct PartFacts
 
 /** Area, volume and thickness of the surface of a part, in the order of its faces. A third of a triangle counts for
  * each of its corners.
- * \param rays null: they were not measured \param progress as in SurfaceWriteOptions */
+ * \param rays null: they were not measured \param progress as in MeshWriteOptions */
 Json
-MeasurePart(const SurfaceSpool &                surface,
-            const SurfaceArray *                rays,
+MeasurePart(const MeshSpool &                   surface,
+            const VertexValues *                rays,
             const VolumeGeometry &              geometry,
             const PartFacts &                   facts,
             const std::function<void(double)> & progress);

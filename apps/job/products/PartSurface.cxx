@@ -181,7 +181,7 @@ PartSurface::AddVertices(const std::vector<itk::MedialVoxelIsosurfaceVertex> & v
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   m_Vertices.resize(vertices.size());
   std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [&](const auto & vertex) {
-    SurfaceVertex result{ m_Placement.origin };
+    MeshVertex result{ m_Placement.origin };
     for (unsigned int axis = 0; axis < 3; ++axis)
     {
       for (unsigned int component = 0; component < 3; ++component)
@@ -232,7 +232,7 @@ PartSurface::AddTriangles(const std::vector<itk::MedialVoxelIsosurfaceTriangle> 
 {
   m_Faces.resize(triangles.size());
   std::transform(triangles.begin(), triangles.end(), m_Faces.begin(), [this](const auto & triangle) {
-    SurfaceFace face;
+    MeshFace face;
     const auto & [a, b, c] = triangle.vertices;
     face.vertices = { a, m_IsMirrored ? c : b, m_IsMirrored ? b : c, 0 };
     face.numberOfVertices = 3;
@@ -248,10 +248,10 @@ PartSurface::Write(OutputFile & file, const std::function<void(double)> & progre
   m_Now = nullptr;
   m_Isosurface.Finish();
   m_Facts.isOpen = m_Options.isOpen;
-  const SurfaceArray * const rays = m_RayThickness ? &*m_RayThickness : nullptr;
+  const VertexValues * const rays = m_RayThickness ? &*m_RayThickness : nullptr;
   const Json                 part = MeasurePart(m_Spool, rays, m_Header.geometry, m_Facts, progress);
   const Json &               colors = part["color_range"];
-  SurfaceWriteOptions        options;
+  MeshWriteOptions           options;
   options.isOfPart = true;
   options.unit = m_Header.geometry.DescribeUnit();
   options.progress = progress;
@@ -263,7 +263,7 @@ PartSurface::Write(OutputFile & file, const std::function<void(double)> & progre
   {
     options.vertexArrays.push_back(rays);
   }
-  WriteSurface(GetSurfaceFormat(m_Options.output), m_Spool, options, file);
+  WriteMesh(GetMeshFormat(m_Options.output), m_Spool, options, file);
   return part;
 }
 
@@ -279,8 +279,8 @@ PartSurface::GetFootprint(const PartOptions & options, const VolumeHeader & head
   footprint.beside = itk::MedialVoxelMargins::GetBytes(size, GetSlicesOfMargins(options, header)) +
                      itk::MedialVoxelIsosurface::GetBytes(size) + perSlice * sizeof(float) + gray +
                      static_cast<std::uint64_t>(GetHalo(options, header) + 1) * bits + WritingMemory;
-  const std::uint64_t perVertex = SurfaceSpool::BytesPerVertex + 2 * SurfaceSpool::BytesPerFace +
-                                  (options.measuresRays ? SurfaceArray::BytesPerVertex : 0);
+  const std::uint64_t perVertex =
+    MeshSpool::BytesPerVertex + 2 * MeshSpool::BytesPerFace + (options.measuresRays ? VertexValues::BytesPerVertex : 0);
   footprint.scratch = { GetScratchFolder(options, options.output),
                         header.geometry.GetNumberOfVoxels() / VoxelsPerVertex * perVertex };
   return footprint;

@@ -103,11 +103,11 @@ private:
   std::int64_t                     m_Z{ 0 };         ///< of the slice that came last
   const float *                    m_Now{ nullptr }; ///< its thickness
   std::vector<float>               m_Before;         ///< thickness of the slice before it
-  SurfaceSpool                     m_Spool;
-  std::optional<SurfaceArray>      m_RayThickness;
+  MeshSpool                        m_Spool;
+  std::optional<VertexValues>      m_RayThickness;
   PartFacts                        m_Facts;
-  std::vector<SurfaceVertex>       m_Vertices; ///< for the spool
-  std::vector<SurfaceFace>         m_Faces;
+  std::vector<MeshVertex>          m_Vertices; ///< for the spool
+  std::vector<MeshFace>            m_Faces;
 };
 
 } // end namespace medialvoxel

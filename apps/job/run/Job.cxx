@@ -42,7 +42,7 @@ CheckFormats(const ExtractOptions & options)
   CheckExtensions(options);
   if (!options.meshFile.empty())
   {
-    GetSurfaceFormat(options.meshFile);
+    GetMeshFormat(options.meshFile);
   }
   if (!options.output.empty() || options.meshFile.empty())
   {
@@ -80,7 +80,7 @@ CheckInput(const ExtractOptions & options, const VolumeHeader & header)
 {
   if (!options.meshFile.empty())
   {
-    CheckSurfaceInput(header, options.meshFile, "medial surface");
+    CheckMeshInput(header, options.meshFile, "medial surface");
     CheckElementSize(options, header.geometry);
   }
   if ((options.materials || !options.uncertaintyFile.empty()) && !HasOneThreshold(options, header))
@@ -97,7 +97,7 @@ CheckInput(const DistanceOptions &, const VolumeHeader &)
 void
 CheckInput(const PartOptions & options, const VolumeHeader & header)
 {
-  CheckSurfaceInput(header, options.output, "surface");
+  CheckMeshInput(header, options.output, "surface");
   if (options.subVoxel.value_or(false) && !HasOneThreshold(options, header))
   {
     RefuseLackOfThreshold("a surface between voxels needs", header);
