@@ -5,7 +5,7 @@
 #include "Json.h"
 #include "Outputs.h"
 #include "ResultViews.h"
-#include "SurfaceFormat.h"
+#include "MeshFormat.h"
 #include "Version.h"
 #include "VolumeFormats.h"
 #include "Warnings.h"

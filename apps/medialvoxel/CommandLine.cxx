@@ -6,7 +6,7 @@
 #include "CommandText.h"
 #include "Errors.h"
 #include "OptionParser.h"
-#include "SurfaceFormat.h"
+#include "MeshFormat.h"
 #include "Version.h"
 
 namespace medialvoxel

@@ -5,8 +5,8 @@
 // CLASS-WIDTH is that of sections; "nodes": the thickness is at nodes.
 // SHAPE is one of MakeTestMesh(), or strip:LENGTH,WIDTH,COLUMNS,ROWS,THICKNESS,THICKNESS[,triangles], not printed.
 
-#include "SurfaceFormat.h"
-#include "SurfaceShapes.h"
+#include "MeshFormat.h"
+#include "TestMeshes.h"
 #include "Text.h"
 
 #include <iostream>

@@ -3,9 +3,9 @@
 #include "ArrayEngine.h"
 #include "ProcessMemory.h"
 #include "RimRays.h"
-#include "SurfaceMesh.h"
-#include "SurfaceReader.h"
-#include "SurfaceRemeshing.h"
+#include "SheetMesh.h"
+#include "MeshReader.h"
+#include "SheetRemeshing.h"
 
 #include <algorithm>
 #include <filesystem>

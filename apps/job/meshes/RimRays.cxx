@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "RimRays.h"
 
-#include "SurfacePlacement.h"
+#include "MeshPlacement.h"
 
 #include <algorithm>
 #include <cmath>

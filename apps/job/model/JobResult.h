@@ -10,7 +10,7 @@
 #include "OutputRequest.h"
 #include "PlaceSummary.h"
 #include "Segments.h"
-#include "SurfaceSummary.h"
+#include "SheetSummary.h"
 #include "VolumeHeader.h"
 #include "Warning.h"
 

@@ -3,7 +3,7 @@
 #include "OptionTable.h"
 
 #include "SlicerElements.h"
-#include "SurfaceFormat.h"
+#include "MeshFormat.h"
 #include "Text.h"
 
 namespace medialvoxel

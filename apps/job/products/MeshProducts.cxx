@@ -5,7 +5,7 @@
 #include "Products.h"
 #include "RimRays.h"
 #include "ScanMeasure.h"
-#include "SurfaceMesh.h"
+#include "SheetMesh.h"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include "PartMeasures.h"
 
 #include "LengthHistogram.h"
-#include "SurfaceBlocks.h"
-#include "SurfaceReader.h"
+#include "RecordBlocks.h"
+#include "MeshReader.h"
 #include "SurveySummary.h"
 
 #include "itkMedialVoxelVector3.h"

@@ -4,8 +4,8 @@
 #define medialvoxelPartMeasures_h
 
 #include "Json.h"
-#include "SurfaceArray.h"
-#include "SurfaceSpool.h"
+#include "VertexValues.h"
+#include "MeshSpool.h"
 #include "VolumeHeader.h"
 
 #include <cstdint>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "PartSurface.h"
 
-#include "SurfacePlacement.h"
+#include "MeshPlacement.h"
 
 #include "itkMedialVoxelProgress.h"
 #include "itkMultiThreaderBase.h"

@@ -6,9 +6,9 @@
 #include "InputVolume.h"
 #include "PartMeasures.h"
 #include "ProductFootprint.h"
-#include "SurfaceArray.h"
-#include "SurfaceFormat.h"
-#include "SurfaceSpool.h"
+#include "VertexValues.h"
+#include "MeshFormat.h"
+#include "MeshSpool.h"
 #include "VoxelOutput.h"
 
 #include "itkMedialVoxelIsosurface.h"

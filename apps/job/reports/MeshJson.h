@@ -4,7 +4,7 @@
 #define medialvoxelMeshJson_h
 
 #include "Json.h"
-#include "SurfaceSummary.h"
+#include "SheetSummary.h"
 
 namespace medialvoxel
 {

@@ -5,7 +5,7 @@
 
 #include "ObjectSurvey.h"
 #include "PieceLoop.h"
-#include "SurfaceMesh.h"
+#include "SheetMesh.h"
 
 #include "itkMedialVoxelObjectUnion.h"
 

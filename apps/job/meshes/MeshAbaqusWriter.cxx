@@ -1,0 +1,279 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "MeshElements.h"
+#include "SheetSections.h"
+#include "MeshWriters.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr unsigned int NumbersPerLine = 16;
+constexpr unsigned int MostSides = 4;
+
+const std::string ElementSet = "*ELSET, ELSET=";
+
+/** \class SetLines
+ * \brief A set, which appears in the file with the first of its members. */
+class SetLines
+{
+public:
+  /** \param head as "*ELSET, ELSET=RIM" */
+  SetLines(std::string head, BufferedOutput & output)
+    : m_Head(std::move(head) + "\n")
+    , m_Output(output)
+  {}
+
+  void
+  Add(std::uint64_t number)
+  {
+    if (m_Number == 0)
+    {
+      m_Output.Text(m_Head);
+    }
+    else
+    {
+      m_Output.Text(m_Number % NumbersPerLine == 0 ? ",\n" : ", ");
+    }
+    m_Output.Integer(number);
+    ++m_Number;
+  }
+
+  void
+  Finish()
+  {
+    if (m_Number > 0)
+    {
+      m_Output.Text("\n");
+    }
+  }
+
+private:
+  std::string      m_Head;
+  BufferedOutput & m_Output;
+  std::uint64_t    m_Number{ 0 };
+};
+
+std::string
+GetSetName(size_t section)
+{
+  return "THICKNESS_" + std::to_string(section + 1);
+}
+
+void
+WriteNodes(MeshReader & reader, BufferedOutput & output)
+{
+  output.Text("*NODE, NSET=ALL_NODES\n");
+  reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) {
+    output.Integer(number + 1);
+    ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.Text(", ").Float(coordinate); });
+    output.Text("\n");
+  });
+}
+
+/** Triangles or quads, with the numbers that all elements have in the order of the faces. */
+void
+WriteElements(MeshReader & reader, unsigned int numberOfVertices, const char * head, BufferedOutput & output)
+{
+  output.Text(head);
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners & corners) {
+    if (corners.size() == numberOfVertices)
+    {
+      output.Integer(number);
+      for (const unsigned int corner : corners)
+      {
+        output.Text(", ").Integer(face.vertices[corner] + 1);
+      }
+      output.Text("\n");
+    }
+  });
+}
+
+/** Ends of the runs of sections whose elements are kept at once; a section that is too large is a run of its own. */
+std::vector<size_t>
+GetRunEnds(const std::vector<SheetSection> & sections, std::uint64_t keptElements)
+{
+  std::vector<size_t> ends;
+  std::uint64_t       kept = 0;
+  for (size_t section = 0; section < sections.size(); ++section)
+  {
+    kept += sections[section].numberOfElements;
+    if (section > 0 && kept > keptElements)
+    {
+      ends.push_back(section);
+      kept = sections[section].numberOfElements;
+    }
+  }
+  ends.push_back(sections.size());
+  return ends;
+}
+
+/** The sets of a run of sections; the elements of a single one need not be kept. */
+void
+WriteSectionSets(MeshReader & reader, const SheetSections & sections, size_t begin, size_t end, BufferedOutput & output)
+{
+  if (end - begin == 1)
+  {
+    SetLines lines(ElementSet + GetSetName(begin), output);
+    ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
+      if (sections.GetSection(reader, face) == begin)
+      {
+        lines.Add(number);
+      }
+    });
+    lines.Finish();
+    return;
+  }
+  std::vector<std::vector<std::uint64_t>> elements(end - begin);
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
+    const size_t section = sections.GetSection(reader, face);
+    if (section >= begin && section < end)
+    {
+      elements[section - begin].push_back(number);
+    }
+  });
+  for (size_t section = begin; section < end; ++section)
+  {
+    SetLines lines(ElementSet + GetSetName(section), output);
+    for (const std::uint64_t element : elements[section - begin])
+    {
+      lines.Add(element);
+    }
+    lines.Finish();
+  }
+}
+
+/** Elements with some of the sides that are marked in their faces. */
+void
+WriteSideSet(MeshReader &        reader,
+             const std::string & name,
+             std::uint8_t MeshFace::* sides,
+             unsigned int             wanted,
+             BufferedOutput &         output)
+{
+  SetLines lines(ElementSet + name, output);
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners & corners) {
+    if ((GetElementSides(face, corners, face.*sides) & wanted) != 0)
+    {
+      lines.Add(number);
+    }
+  });
+  lines.Finish();
+}
+
+/** The nodes at rims or at junctions, the elements there, and those whose side of a number is one of them. */
+void
+WriteEdgeSets(MeshReader &              reader,
+              const std::string &       name,
+              const std::vector<bool> & nodes,
+              std::uint8_t MeshFace::* sides,
+              BufferedOutput &         output)
+{
+  SetLines lines("*NSET, NSET=" + name, output);
+  ForEachMarked(nodes, [&](std::uint64_t vertex) { lines.Add(vertex + 1); });
+  lines.Finish();
+  WriteSideSet(reader, name, sides, ~0U, output);
+  for (unsigned int side = 0; side < MostSides; ++side)
+  {
+    WriteSideSet(reader, name + "_E" + std::to_string(side + 1), sides, 1U << side, output);
+  }
+}
+
+/** A set for each object of a label map, whose elements follow each other. */
+void
+WriteObjectSets(MeshReader & reader, const std::vector<std::int64_t> & labels, BufferedOutput & output)
+{
+  std::uint32_t object = 0;
+  std::uint64_t first = 1;
+  std::uint64_t last = 0;
+  const auto    write = [&] {
+    if (object > 0)
+    {
+      output.Text(ElementSet + GetObjectName(labels[object - 1]) + ", GENERATE\n");
+      output.Integer(first).Text(", ").Integer(last).Text(", 1\n");
+    }
+  };
+  ForEachElement(reader, [&](std::uint64_t number, const MeshFace & face, const MeshCorners &) {
+    if (reader.GetObject(face) != object)
+    {
+      write();
+      object = reader.GetObject(face);
+      first = number;
+    }
+    last = number;
+  });
+  write();
+}
+
+void
+WriteNodalThickness(MeshReader &             reader,
+                    const SheetEdges &       edges,
+                    const SheetSections &    sections,
+                    const MeshWriteOptions & options,
+                    BufferedOutput &         output)
+{
+  output.Text("*NODAL THICKNESS\n");
+  ForEachNodeThickness(reader, edges, options.keptNumbers, [&](std::uint64_t vertex, std::optional<double> thickness) {
+    const std::uint32_t object = reader.GetVertex(vertex).object;
+    output.Integer(vertex + 1).Text(", ");
+    output.Float(thickness ? static_cast<float>(*thickness) : sections.GetMeanThickness(object)).Text("\n");
+  });
+}
+
+void
+WriteProperties(const std::vector<SheetSection> & sections, const char * further, BufferedOutput & output)
+{
+  output.Text("**\n** A placeholder (aluminum in N, mm, t): put in your material.\n"
+              "*MATERIAL, NAME=REPLACE_THIS_MATERIAL\n*ELASTIC\n70000., 0.33\n*DENSITY\n2.7e-9\n");
+  for (size_t section = 0; section < sections.size(); ++section)
+  {
+    output.Text("*SHELL SECTION, ELSET=" + GetSetName(section) + ", MATERIAL=REPLACE_THIS_MATERIAL" + further + "\n");
+    output.Float(sections[section].thickness).Text("\n");
+  }
+}
+
+} // namespace
+
+void
+WriteMeshAbaqus(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
+{
+  const bool isAtNodes = options.thicknessPlace == ThicknessPlace::Nodes;
+  reader.SetNumberOfPasses(1, 17);
+  const SheetEdges    edges(reader);
+  const SheetSections sections(reader, edges, options);
+  CheckElementsFit(MeshFormat::Abaqus, reader, sections);
+  const std::vector<size_t> ends = GetRunEnds(sections.GetSections(), options.keptNumbers);
+  const std::uint64_t       elementPasses = (sections.GetNumberOfTriangles() > 0) + (sections.GetNumberOfQuads() > 0);
+  const std::uint64_t       nodePasses =
+    isAtNodes ? CountNodePasses(reader.GetMesh().GetNumberOfVertices(), options.keptNumbers) : 0;
+  reader.SetNumberOfPasses(1, 13 + elementPasses + ends.size() + nodePasses);
+
+  output.Text("*HEADING\n" + GetTitle(options) + "\n");
+  WriteNodes(reader, output);
+  if (sections.GetNumberOfTriangles() > 0)
+  {
+    WriteElements(reader, 3, "*ELEMENT, TYPE=S3, ELSET=TRIANGLES\n", output);
+  }
+  if (sections.GetNumberOfQuads() > 0)
+  {
+    WriteElements(reader, 4, "*ELEMENT, TYPE=S4, ELSET=QUADS\n", output);
+  }
+  size_t begin = 0;
+  for (const size_t end : ends)
+  {
+    WriteSectionSets(reader, sections, begin, end, output);
+    begin = end;
+  }
+  output.Text("** RIM and JUNCTION are sets of nodes and of elements; of those in RIM_E1, side E1 is at a rim.\n");
+  WriteEdgeSets(reader, "RIM", edges.GetRims(), &MeshFace::rimEdges, output);
+  WriteEdgeSets(reader, "JUNCTION", edges.GetJunctions(), &MeshFace::junctionEdges, output);
+  WriteObjectSets(reader, options.objectLabels, output);
+  if (isAtNodes)
+  {
+    WriteNodalThickness(reader, edges, sections, options, output);
+  }
+  WriteProperties(sections.GetSections(), isAtNodes ? ", NODAL THICKNESS" : "", output);
+}
+
+} // end namespace medialvoxel

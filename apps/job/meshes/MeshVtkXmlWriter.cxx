@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "MeshWriters.h"
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint8_t VtkTriangle = 5;
+constexpr std::uint8_t VtkQuad = 9;
+
+/** \class AppendedArrays
+ * \brief The arrays that an XML file of VTK names in its head and has as bytes at its end. */
+class AppendedArrays
+{
+public:
+  using Write = std::function<void(BufferedOutput & output)>;
+
+  /** Takes an array and returns the element that names it. */
+  std::string
+  Add(const char * name, const char * type, unsigned int components, std::uint64_t numberOfBytes, Write write)
+  {
+    std::string element = std::string("        <DataArray type=\"") + type + "\" Name=\"" + name + "\"";
+    if (components > 1)
+    {
+      element += " NumberOfComponents=\"" + std::to_string(components) + "\"";
+    }
+    element += " format=\"appended\" offset=\"" + std::to_string(m_Offset) + "\"/>\n";
+    m_Offset += sizeof(std::uint64_t) + numberOfBytes;
+    m_Arrays.push_back({ numberOfBytes, std::move(write) });
+    return element;
+  }
+
+  void
+  WriteAll(BufferedOutput & output) const
+  {
+    output.Text("  <AppendedData encoding=\"raw\">\n_");
+    for (const auto & [numberOfBytes, write] : m_Arrays)
+    {
+      output.LittleEndian(numberOfBytes);
+      write(output);
+    }
+    output.Text("\n  </AppendedData>\n");
+  }
+
+private:
+  std::vector<std::pair<std::uint64_t, Write>> m_Arrays;
+  std::uint64_t                                m_Offset{ 0 };
+};
+
+std::string
+AddPoints(MeshReader & reader, AppendedArrays & arrays)
+{
+  const bool          isDouble = reader.GetMesh().GetPrecision() == MeshPrecision::Double;
+  const std::uint64_t bytes = reader.GetMesh().GetNumberOfVertices() * 3 * (isDouble ? sizeof(double) : sizeof(float));
+  const auto          write = [&reader](BufferedOutput & output) {
+    reader.ForEachVertex([&](std::uint64_t, const auto & vertex) {
+      ForEachCoordinate(reader, vertex, [&](auto coordinate) { output.LittleEndian(coordinate); });
+    });
+  };
+  return "      <Points>\n" + arrays.Add("Points", isDouble ? "Float64" : "Float32", 3, bytes, write) +
+         "      </Points>\n";
+}
+
+/** An array with a number for each vertex. */
+template <typename TGet>
+std::string
+AddVertexArray(MeshReader & reader, AppendedArrays & arrays, const char * name, TGet get)
+{
+  const std::uint64_t bytes = reader.GetMesh().GetNumberOfVertices() * sizeof(float);
+  return arrays.Add(name, "Float32", 1, bytes, [&reader, get](BufferedOutput & output) {
+    reader.ForEachVertex([&](std::uint64_t number, const auto & vertex) { output.LittleEndian(get(number, vertex)); });
+  });
+}
+
+std::string
+AddPointData(MeshReader & reader, const MeshWriteOptions & options, AppendedArrays & arrays)
+{
+  using Vertex = MeshSpool::Vertex;
+  std::string text =
+    "      <PointData Scalars=\"Thickness\">\n" +
+    AddVertexArray(reader, arrays, "Thickness", [](std::uint64_t, const Vertex & vertex) { return vertex.thickness; });
+  for (const VertexValues * const array : options.vertexArrays)
+  {
+    text += AddVertexArray(reader, arrays, array->GetName().c_str(), [array](std::uint64_t number, const Vertex &) {
+      return array->Get(number);
+    });
+  }
+  return text + "      </PointData>\n";
+}
+
+/** An array with a number for each face, from these parts of it. */
+template <typename TGet>
+std::string
+AddFaceArray(MeshReader &     reader,
+             AppendedArrays & arrays,
+             const char *     name,
+             const char *     type,
+             TGet             get,
+             MeshFaceFields   parts = MeshFaceFields::Marks)
+{
+  const std::uint64_t bytes = reader.GetMesh().GetNumberOfFaces() * sizeof(get(MeshFace{}));
+  return arrays.Add(name, type, 1, bytes, [&reader, get, parts](BufferedOutput & output) mutable {
+    reader.ForEachFace([&](std::uint64_t, const MeshFace & face) { output.LittleEndian(get(face)); }, parts);
+  });
+}
+
+unsigned int
+CountFaceArrays(const MeshWriteOptions & options)
+{
+  return options.isOfPart ? 1 : (options.objectLabels.empty() ? 3 : 4);
+}
+
+std::string
+AddCellData(MeshReader & reader, const MeshWriteOptions & options, AppendedArrays & arrays)
+{
+  if (options.isOfPart)
+  {
+    return "      <CellData>\n" +
+           AddFaceArray(
+             reader, arrays, "Cap", "UInt8", [](const MeshFace & face) { return std::uint8_t{ face.isCap }; }) +
+           "      </CellData>\n";
+  }
+  std::string objects;
+  if (!options.objectLabels.empty())
+  {
+    const auto labelOf = [&reader, &options](const MeshFace & face) { return GetLabel(reader, options, face); };
+    objects = AddFaceArray(reader, arrays, "Object", "Int64", labelOf, MeshFaceFields::Corners);
+  }
+  return "      <CellData>\n" +
+         AddFaceArray(reader, arrays, "RimEdges", "UInt8", [](const MeshFace & face) { return face.rimEdges; }) +
+         AddFaceArray(
+           reader, arrays, "JunctionEdges", "UInt8", [](const MeshFace & face) { return face.junctionEdges; }) +
+         AddFaceArray(
+           reader, arrays, "Area", "Float32", [](const MeshFace & face) { return static_cast<float>(face.area); }) +
+         objects + "      </CellData>\n";
+}
+
+/** Corners of all faces, one after the other, and where each face ends. */
+std::string
+AddCorners(MeshReader & reader, AppendedArrays & arrays)
+{
+  const MeshSpool &   surface = reader.GetMesh();
+  const std::uint64_t corners = 3 * surface.GetNumberOfTriangles() + 4 * surface.GetNumberOfQuads();
+  const auto          writeCorners = [&reader](BufferedOutput & output) {
+    const auto write = [&](std::uint64_t, const MeshFace & face) {
+      for (unsigned int corner = 0; corner < face.numberOfVertices; ++corner)
+      {
+        output.LittleEndian(face.vertices[corner]);
+      }
+    };
+    reader.ForEachFace(write, MeshFaceFields::Corners);
+  };
+  return arrays.Add("connectivity", "Int64", 1, corners * sizeof(std::int64_t), writeCorners) +
+         AddFaceArray(reader, arrays, "offsets", "Int64", [end = std::uint64_t{ 0 }](const MeshFace & face) mutable {
+           return end += face.numberOfVertices;
+         });
+}
+
+/** The whole file. \param counts attributes of the piece beside the number of its points \param cells their element */
+void
+WriteFile(const char *           dataSet,
+          MeshReader &           reader,
+          const std::string &    counts,
+          const std::string &    content,
+          const AppendedArrays & arrays,
+          const std::string &    title,
+          BufferedOutput &       output)
+{
+  const std::string name = dataSet;
+  output.Text("<?xml version=\"1.0\"?>\n<!-- " + title + " -->\n<VTKFile type=\"" + name +
+              "\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n  <" + name +
+              ">\n    <Piece NumberOfPoints=\"");
+  output.Integer(reader.GetMesh().GetNumberOfVertices());
+  output.Text("\" " + counts + ">\n" + content + "    </Piece>\n  </" + name + ">\n");
+  arrays.WriteAll(output);
+  output.Text("</VTKFile>\n");
+}
+
+} // namespace
+
+void
+WriteMeshVtp(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
+{
+  reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 2 + CountFaceArrays(options));
+  AppendedArrays    arrays;
+  const std::string content = AddPointData(reader, options, arrays) + AddCellData(reader, options, arrays) +
+                              AddPoints(reader, arrays) + "      <Polys>\n" + AddCorners(reader, arrays) +
+                              "      </Polys>\n";
+  const std::string counts = R"(NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys=")" +
+                             std::to_string(reader.GetMesh().GetNumberOfFaces()) + "\"";
+  WriteFile("PolyData", reader, counts, content, arrays, GetTitle(options), output);
+}
+
+void
+WriteMeshVtu(MeshReader & reader, const MeshWriteOptions & options, BufferedOutput & output)
+{
+  reader.SetNumberOfPasses(2 + options.vertexArrays.size(), 3 + CountFaceArrays(options));
+  AppendedArrays    arrays;
+  const std::string content =
+    AddPointData(reader, options, arrays) + AddCellData(reader, options, arrays) + AddPoints(reader, arrays) +
+    "      <Cells>\n" + AddCorners(reader, arrays) +
+    AddFaceArray(reader,
+                 arrays,
+                 "types",
+                 "UInt8",
+                 [](const MeshFace & face) { return face.numberOfVertices == 3 ? VtkTriangle : VtkQuad; }) +
+    "      </Cells>\n";
+  const std::string counts = "NumberOfCells=\"" + std::to_string(reader.GetMesh().GetNumberOfFaces()) + "\"";
+  WriteFile("UnstructuredGrid", reader, counts, content, arrays, GetTitle(options), output);
+}
+
+} // end namespace medialvoxel

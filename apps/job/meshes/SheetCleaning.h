@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSheetCleaning_h
+#define medialvoxelSheetCleaning_h
+
+#include "MeshSpool.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+namespace medialvoxel
+{
+
+/** What a surface is rid of once all of it is known, and what that may take. */
+struct SheetCleaning
+{
+  double                      minimumBranchLength{ 0 };  ///< physical units; 0: branches stay
+  std::uint64_t               minimumComponentSize{ 0 }; ///< quadrilaterals; 0 and 1: components stay
+  std::filesystem::path       scratchFolder;             ///< of what is left
+  std::uint64_t               memoryLimit{ 0 };          ///< that may be taken
+  std::function<void(double)> progress;                  ///< called often; may throw to stop
+
+  bool
+  IsOn() const
+  {
+    return minimumBranchLength > 0 || minimumComponentSize > 1;
+  }
+};
+
+/** The surface without short branches, and then without small components. Its faces are quadrilaterals, or pairs of
+ * triangles of which each is one. There are two spools at a time, and memory for every vertex and face.
+ * \throw JobError Refused when that is more memory than allowed */
+std::unique_ptr<MeshSpool>
+CleanSheet(std::unique_ptr<MeshSpool> surface, const SheetCleaning & cleaning);
+
+/** Memory that cleaning takes for so many vertices and as many faces. */
+std::uint64_t
+GetCleaningMemory(const SheetCleaning & cleaning, std::uint64_t vertices);
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "SheetCoarsening.h"
+
+#include "OrderedWork.h"
+#include "MeshPartition.h"
+#include "MeshReader.h"
+
+#include "itkMedialVoxelSheetDistances.h"
+#include "itkMedialVoxelSheetPart.h"
+
+#include <unordered_map>
+
+namespace medialvoxel
+{
+namespace
+{
+
+using Index = itk::MedialVoxelSheet::Index;
+using Check = std::function<void()>;
+
+/** What readers and the lattice of parts hold. */
+constexpr std::uint64_t BytesBeside = std::uint64_t{ 40 } << 20;
+
+std::function<void(double)>
+ToProgress(const Check & check)
+{
+  return [&check](double) { check(); };
+}
+
+/** The group of a vertex whose number is before the next group. */
+std::uint64_t
+GetGroup(const std::vector<std::uint64_t> & first, const std::uint64_t number)
+{
+  return static_cast<std::uint64_t>(std::upper_bound(first.begin(), first.end(), number) - first.begin()) - 1;
+}
+
+double
+GetLongestSide(const itk::MedialVoxelRemeshedSheet & sheet)
+{
+  double longest = 0.0;
+  for (const itk::MedialVoxelShellElement & element : sheet.elements)
+  {
+    for (unsigned int k = 0; k < element.numberOfCorners; ++k)
+    {
+      const auto & a = sheet.points[element.corners[k]];
+      const auto & b = sheet.points[element.corners[(k + 1) % element.numberOfCorners]];
+      longest = std::max(longest, itk::MedialVoxelNorm(itk::MedialVoxelSubtract(a, b)));
+    }
+  }
+  return longest;
+}
+
+} // namespace
+
+/** Faces of a group, and all of their vertices. */
+struct SheetCoarsening::Part
+{
+  itk::MedialVoxelSheet      sheet;
+  std::vector<std::uint64_t> numbers; ///< of the vertices in the surface
+  std::vector<std::uint32_t> objects;
+};
+
+SheetCoarsening::SheetCoarsening(std::unique_ptr<MeshSpool> surface,
+                                 const SheetRemeshing &     remeshing,
+                                 const unsigned int         number)
+  : m_Remeshing(remeshing)
+{
+  MeshReader          reader(*surface, remeshing.progress);
+  const MeshPartition partition(reader, MostFaces, number % 2 == 0 ? 0.0 : 0.5);
+  m_Grouped = SortMesh(
+    std::move(surface),
+    [&partition](const MeshSpool::Vertex & vertex) { return partition.GetPart(vertex); },
+    partition.GetNumberOfParts() - 1,
+    remeshing.scratchFolder,
+    remeshing.progress);
+  this->FindShared();
+}
+
+void
+SheetCoarsening::FindShared()
+{
+  MeshReader reader(*m_Grouped.surface, m_Remeshing.progress);
+  reader.ForEachFace([&](const std::uint64_t number, const MeshFace & face) {
+    const std::uint64_t part = GetGroup(m_Grouped.firstFace, number);
+    for (unsigned int k = 0; k < face.numberOfVertices; ++k)
+    {
+      const std::uint64_t vertex = face.vertices[k];
+      if (vertex < m_Grouped.firstVertex[part] || vertex >= m_Grouped.firstVertex[part + 1])
+      {
+        m_Shared.push_back(vertex);
+      }
+    }
+  });
+  std::sort(m_Shared.begin(), m_Shared.end());
+  m_Shared.erase(std::unique(m_Shared.begin(), m_Shared.end()), m_Shared.end());
+}
+
+SheetCoarsening::Part
+SheetCoarsening::ReadPart(const std::uint64_t number) const
+{
+  const MeshSpool &              surface = *m_Grouped.surface;
+  const std::uint64_t            first = m_Grouped.firstVertex[number];
+  const std::uint64_t            last = m_Grouped.firstVertex[number + 1];
+  std::vector<MeshSpool::Vertex> vertices;
+  std::vector<MeshFace>          faces;
+  surface.ReadVertices(first, last - first, vertices);
+  surface.ReadFaces(m_Grouped.firstFace[number], m_Grouped.firstFace[number + 1] - m_Grouped.firstFace[number], faces);
+
+  Part                                     part;
+  std::unordered_map<std::uint64_t, Index> places;
+  const auto                               add = [&](const std::uint64_t vertex) {
+    const auto [found, isNew] = places.emplace(vertex, static_cast<Index>(part.numbers.size()));
+    if (isNew)
+    {
+      std::vector<MeshSpool::Vertex> foreign;
+      const bool                     isOwn = vertex >= first && vertex < last;
+      if (!isOwn)
+      {
+        surface.ReadVertices(vertex, 1, foreign);
+      }
+      const MeshSpool::Vertex & record = isOwn ? vertices[vertex - first] : foreign.front();
+      part.numbers.push_back(vertex);
+      part.sheet.points.push_back(record.position);
+      part.sheet.thickness.push_back(record.thickness);
+      part.objects.push_back(record.object);
+    }
+    return found->second;
+  };
+  for (const MeshFace & face : faces)
+  {
+    std::array<Index, 4> corners{};
+    std::transform(face.vertices.begin(), face.vertices.begin() + face.numberOfVertices, corners.begin(), add);
+    if (face.numberOfVertices == 4)
+    {
+      part.sheet.AddQuad(corners);
+    }
+    else
+    {
+      part.sheet.triangles.push_back({ { corners[0], corners[1], corners[2] } });
+    }
+  }
+  part.sheet.RemoveDuplicates();
+  return part;
+}
+
+std::unique_ptr<MeshSpool>
+SheetCoarsening::Coarsen(const double most) const
+{
+  struct Coarsened
+  {
+    itk::MedialVoxelCoarsenedPart part;
+    Part                          fine; ///< without its sheet
+  };
+  const MeshSpool & surface = *m_Grouped.surface;
+  auto              result = std::make_unique<MeshSpool>(m_Remeshing.scratchFolder, surface.GetPrecision());
+  const auto        findShared = [this](const std::uint64_t vertex) {
+    return std::lower_bound(m_Shared.begin(), m_Shared.end(), vertex);
+  };
+  const auto isShared = [&](const std::uint64_t vertex) {
+    const auto found = findShared(vertex);
+    return found != m_Shared.end() && *found == vertex;
+  };
+
+  // Shared vertices come first.
+  MeshReader                     reader(surface, {});
+  std::vector<MeshSpool::Vertex> vertices;
+  for (const std::uint64_t vertex : m_Shared)
+  {
+    vertices.push_back(reader.GetVertex(vertex));
+  }
+  result->PutVertices(0, vertices);
+
+  const auto make = [&](const std::uint64_t number, const Check & check) {
+    Coarsened         coarsened{ {}, this->ReadPart(number) };
+    Part &            fine = coarsened.fine;
+    std::vector<bool> shared(fine.numbers.size());
+    std::transform(fine.numbers.begin(), fine.numbers.end(), shared.begin(), isShared);
+    coarsened.part =
+      itk::MedialVoxelCoarsenPart(std::move(fine.sheet), std::move(shared), m_Remeshing.size, most, ToProgress(check));
+    return coarsened;
+  };
+  const auto take = [&](std::uint64_t, Coarsened && coarsened) {
+    const itk::MedialVoxelSheet & sheet = coarsened.part.sheet;
+    std::vector<std::uint64_t>    numbers;
+    vertices.clear();
+    for (std::size_t k = 0; k < sheet.points.size(); ++k)
+    {
+      const Index         finePoint = coarsened.part.finePoint[k];
+      const std::uint64_t vertex = coarsened.fine.numbers[finePoint];
+      if (coarsened.part.isShared[k])
+      {
+        numbers.push_back(static_cast<std::uint64_t>(findShared(vertex) - m_Shared.begin()));
+        continue;
+      }
+      numbers.push_back(result->GetNumberOfVertices() + vertices.size());
+      vertices.push_back({ sheet.points[k], sheet.thickness[k], coarsened.fine.objects[finePoint] });
+    }
+    result->PutVertices(result->GetNumberOfVertices(), vertices);
+    std::vector<MeshFace> faces;
+    for (const auto & corners : sheet.triangles)
+    {
+      MeshFace face;
+      face.vertices = { { numbers[corners[0]], numbers[corners[1]], numbers[corners[2]], 0 } };
+      face.numberOfVertices = 3;
+      faces.push_back(face);
+    }
+    result->AddFaces(faces);
+  };
+  OrderedWork<Coarsened>::Run(
+    this->GetNumberOfParts(), m_Remeshing.threads, make, take, [this] { m_Remeshing.progress(0.0); });
+  return result;
+}
+
+void
+SheetCoarsening::MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse,
+                                  itk::MedialVoxelRemeshingSummary &    summary) const
+{
+  itk::MedialVoxelSheetDistances distances(coarse);
+  const auto                     check = [this] { m_Remeshing.progress(0.0); };
+  using Histogram = itk::MedialVoxelDistanceHistogram;
+  OrderedWork<Histogram>::Run(
+    this->GetNumberOfParts(),
+    m_Remeshing.threads,
+    [&](const std::uint64_t number, const Check &) { return distances.MeasurePoints(this->ReadPart(number).sheet); },
+    [&](std::uint64_t, const Histogram & points) { distances.Add(points); },
+    check);
+  using Samples = std::vector<itk::MedialVoxelSheetDistances::SampleDistance>;
+  for (const double within : { GetLongestSide(coarse), itk::MedialVoxelSheetTree::Anywhere })
+  {
+    if (!distances.IsComplete())
+    {
+      OrderedWork<Samples>::Run(
+        this->GetNumberOfParts(),
+        m_Remeshing.threads,
+        [&](const std::uint64_t number, const Check &) {
+          return distances.MeasureSamples(this->ReadPart(number).sheet, within);
+        },
+        [&](std::uint64_t, const Samples & samples) { distances.Add(samples); },
+        check);
+    }
+  }
+  distances.Summarize(summary);
+}
+
+std::uint64_t
+SheetCoarsening::GetBytes(const unsigned int threads)
+{
+  // A part, and results of others that wait, which take a sixth of it each at most.
+  return BytesBeside + threads * 2 * MostFaces * itk::MedialVoxelRemeshingBytesPerTriangle() * 4 / 3;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSheetCoarsening_h
+#define medialvoxelSheetCoarsening_h
+
+#include "SheetRemeshing.h"
+#include "MeshSorting.h"
+
+namespace medialvoxel
+{
+
+/** \class SheetCoarsening
+ * \brief Larger triangles for a surface of any size: parts of it are read, coarsened in threads, and put together.
+ *
+ * Points at the boundaries of parts stay as they are. The next coarsening has other boundaries. */
+class SheetCoarsening
+{
+public:
+  /** Faces of a part at most. */
+  static constexpr std::uint64_t MostFaces = std::uint64_t{ 1 } << 16;
+
+  /** \param number of this coarsening, from 0 on, which decides the boundaries of its parts */
+  SheetCoarsening(std::unique_ptr<MeshSpool> surface, const SheetRemeshing & remeshing, unsigned int number);
+
+  std::uint64_t
+  GetNumberOfFaces() const
+  {
+    return m_Grouped.surface->GetNumberOfFaces();
+  }
+
+  /** The surface with triangles whose sides have their size, but \a most at most; 0: as they are. */
+  std::unique_ptr<MeshSpool>
+  Coarsen(double most) const;
+
+  /** Adds the distances between the surface and a coarse one to its summary. */
+  void
+  MeasureDistances(const itk::MedialVoxelRemeshedSheet & coarse, itk::MedialVoxelRemeshingSummary & summary) const;
+
+  /** Memory that it takes, for a number of threads. */
+  static std::uint64_t
+  GetBytes(unsigned int threads);
+
+private:
+  struct Part;
+
+  std::uint64_t
+  GetNumberOfParts() const
+  {
+    return m_Grouped.firstFace.size() - 1;
+  }
+
+  void
+  FindShared();
+
+  Part
+  ReadPart(std::uint64_t number) const;
+
+  SheetRemeshing             m_Remeshing;
+  GroupedMesh                m_Grouped;
+  std::vector<std::uint64_t> m_Shared; ///< vertices that several parts have, by number
+};
+
+} // end namespace medialvoxel
+
+#endif

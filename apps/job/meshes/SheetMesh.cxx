@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "SheetMesh.h"
+
+#include "JobClock.h"
+#include "MeshPlacement.h"
+#include "SheetQuality.h"
+#include "MeshReader.h"
+#include "SheetRemeshing.h"
+#include "MeshSorting.h"
+#include "SheetThickness.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace medialvoxel
+{
+namespace
+{
+
+constexpr std::uint64_t MiB = std::uint64_t{ 1 } << 20;
+
+/** Cells of the surface in the slices that are smoothed at a time: those of thin walls, some of them along the slices.
+ */
+constexpr std::uint64_t VoxelsPerCellInWork = 3;
+constexpr std::uint64_t CellInWorkSize = 152;
+
+/** A cell that waits for its piece to be done, in a vector that grows by a quarter. */
+constexpr std::uint64_t PendingCellSize = sizeof(itk::MedialVoxelSurfaceCell) * 5 / 4;
+static_assert(PendingCellSize <= 8 * SheetMesh::MostPending);
+
+/** What reading the scratch files for a writer takes. */
+constexpr std::uint64_t WritingMemory = 8 * MiB;
+
+/** Of surfaces that are planned for, whose tables and scratch files hold all vertices; there are as many faces. */
+constexpr std::uint64_t VoxelsPerVertex = 64;
+
+/** Cells that may wait at least; pieces that find more than fit are done in smaller ones. */
+std::uint64_t
+GetPendingCells(const VolumeGeometry & geometry)
+{
+  constexpr std::uint64_t least = std::uint64_t{ 1 } << 16;
+  return std::max(least, geometry.GetVoxelsPerSlice() / 8);
+}
+
+itk::MedialVoxelGrid::SpacingType
+GetSpacing(const VolumeGeometry & geometry)
+{
+  return { { geometry.spacing[0], geometry.spacing[1], geometry.spacing[2] } };
+}
+
+bool
+IsRemeshed(const ExtractOptions & options)
+{
+  return options.elementSize.kind != ElementSize::Kind::Voxel;
+}
+
+/** Vertices of a surface that is planned for. */
+std::uint64_t
+GetPlannedVertices(const VolumeGeometry & geometry)
+{
+  return geometry.GetNumberOfVoxels() / VoxelsPerVertex;
+}
+
+/** Marks of vertices, which the formats of solvers need. */
+std::uint64_t
+GetEdgeMemory(const ExtractOptions & options, const VolumeGeometry & geometry)
+{
+  const bool isForSolvers = HoldsElements(GetMeshFormat(options.meshFile));
+  return isForSolvers ? GetPlannedVertices(geometry) / SheetEdges::VerticesPerByte : 0;
+}
+
+SheetCleaning
+GetCleaning(const ExtractOptions & options)
+{
+  SheetCleaning cleaning;
+  cleaning.minimumBranchLength = options.minimumBranchLength;
+  cleaning.minimumComponentSize = options.minimumComponentSize;
+  cleaning.scratchFolder = GetScratchFolder(options, options.meshFile);
+  return cleaning;
+}
+
+} // namespace
+
+SheetMesh::SheetMesh(const ExtractOptions &       options,
+                     const VolumeGeometry &       geometry,
+                     const itk::MedialVoxelGrid & grid,
+                     const std::uint64_t          surplus)
+  : m_Options(options)
+  , m_Geometry(geometry)
+  , m_Grid(grid)
+  , m_MaximumNumberOfCells(GetPendingCells(geometry) + surplus / PendingCellSize)
+  , m_Cleaning(GetCleaning(options))
+  , m_Spool(std::make_unique<MeshSpool>(m_Cleaning.scratchFolder, GetPrecision(geometry), MeshSpoolInput::Added))
+{
+  m_Cleaning.memoryLimit = GetCleaningMemory(m_Cleaning, GetPlannedVertices(geometry));
+  if (options.labels)
+  {
+    itk::MedialVoxelSurfaceConsumer & consumer = *this;
+    m_Passes = std::make_unique<SheetPasses>([this](auto & ofPass) { return this->MakeObserver(ofPass); }, consumer);
+  }
+  else
+  {
+    m_Observer = this->MakeObserver(*this);
+  }
+}
+
+std::unique_ptr<itk::MedialVoxelSurfaceObserver>
+SheetMesh::MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const
+{
+  auto observer = std::make_unique<itk::MedialVoxelSurfaceObserver>(
+    m_Grid, GetParameters(m_Options, m_Grid), GetSpacing(m_Geometry), GetPlacement(m_Geometry), consumer);
+  observer->SetMaximumNumberOfCells(m_MaximumNumberOfCells);
+  if (m_Options.labels)
+  {
+    observer->FindPartsWith([this](const itk::MedialVoxelIndex & cell) { return m_FindObject(cell); });
+  }
+  return observer;
+}
+
+SheetSummary
+SheetMesh::Write(OutputFile &                        file,
+                 std::uint64_t                       memoryLimit,
+                 unsigned int                        threads,
+                 const std::function<void(double)> & progress)
+{
+  this->Finish(memoryLimit, threads, progress);
+  MeshWriteOptions options;
+  options.thicknessClassWidth =
+    m_Options.sectionWidth.value_or(0.25 * *std::min_element(m_Geometry.spacing.begin(), m_Geometry.spacing.end()));
+  options.thicknessPlace = m_Options.thicknessPlace;
+  options.objectLabels = m_ObjectLabels;
+  options.unit = m_Geometry.DescribeUnit();
+  options.progress = progress;
+  WriteMesh(GetMeshFormat(m_Options.meshFile), *m_Spool, options, file);
+  SheetSummary summary;
+  summary.vertices = m_Spool->GetNumberOfVertices();
+  summary.faces = m_Spool->GetNumberOfFaces();
+  summary.area = m_Area;
+  summary.elementSize = m_Options.elementSize;
+  summary.remeshing = m_Remeshing;
+  if (m_Remeshing)
+  {
+    summary.quality = MeasureQuality(*m_Spool);
+  }
+  summary.remeshingSeconds = m_RemeshingSeconds;
+  return summary;
+}
+
+const MeshSpool &
+SheetMesh::Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
+{
+  if (m_Passes)
+  {
+    m_Passes->Finish();
+    const auto objectOf = [](const MeshSpool::Vertex & vertex) { return vertex.object; };
+    m_Spool = SortMesh(std::move(m_Spool), objectOf, m_ObjectLabels.size(), m_Cleaning.scratchFolder, progress).surface;
+  }
+  else
+  {
+    m_Observer->Finish();
+  }
+  if (m_Cleaning.IsOn())
+  {
+    m_Cleaning.memoryLimit += memoryLimit;
+    m_Cleaning.progress = progress;
+    m_Spool = CleanSheet(std::move(m_Spool), m_Cleaning);
+  }
+  if (IsRemeshed(m_Options))
+  {
+    const auto start = JobClock::now();
+    this->Remesh(memoryLimit, threads, progress);
+    m_RemeshingSeconds = SecondsSince(start);
+  }
+  if (m_Passes || m_Cleaning.IsOn() || m_Remeshing)
+  {
+    m_Area = 0.0;
+    MeshReader(*m_Spool, {}).ForEachFace([this](std::uint64_t, const MeshFace & face) { m_Area += face.area; });
+  }
+  return *m_Spool;
+}
+
+void
+SheetMesh::Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress)
+{
+  SheetRemeshing remeshing;
+  remeshing.size = GetElementSize(m_Options, m_Geometry);
+  remeshing.size.extendsRims = m_Options.extendsRims;
+  remeshing.size.measureRimRays = m_MeasureRimRays;
+  remeshing.scratchFolder = m_Cleaning.scratchFolder;
+  remeshing.memoryLimit = memoryLimit + GetRemeshingMemory(1);
+  remeshing.threads = threads;
+  remeshing.progress = progress;
+  m_Spool = RemeshSheet(std::move(m_Spool), remeshing, m_Remeshing.emplace());
+}
+
+void
+SheetMesh::AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertices)
+{
+  m_Vertices.resize(vertices.size());
+  std::transform(vertices.begin(), vertices.end(), m_Vertices.begin(), [](const auto & vertex) {
+    return MeshVertex{ vertex.point, vertex.thickness, vertex.part };
+  });
+  m_Spool->AddVertices(m_Vertices);
+}
+
+void
+SheetMesh::AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads)
+{
+  m_Faces.clear();
+  for (const itk::MedialVoxelSurfaceQuad & quad : quads)
+  {
+    m_Area += quad.GetArea();
+    if (m_Options.meshTriangles && m_Options.elementSize.kind == ElementSize::Kind::Voxel)
+    {
+      this->AddTriangles(quad);
+    }
+    else
+    {
+      m_Faces.push_back({ quad.vertices, 4, quad.rimSides, quad.junctionSides, quad.GetArea() });
+    }
+  }
+  m_Spool->AddFaces(m_Faces);
+}
+
+/** The halves along the shorter diagonal, which has no mark. */
+void
+SheetMesh::AddTriangles(const itk::MedialVoxelSurfaceQuad & quad)
+{
+  for (unsigned int half = 0; half < 2; ++half)
+  {
+    const auto corners = quad.GetTriangle(half);
+    MeshFace   face;
+    const auto marksOf = [&](const unsigned int sides) {
+      return static_cast<std::uint8_t>((sides >> corners[0] & 1u) | (sides >> corners[1] & 1u) << 1);
+    };
+    face.vertices = { { quad.vertices[corners[0]], quad.vertices[corners[1]], quad.vertices[corners[2]], 0 } };
+    face.numberOfVertices = 3;
+    face.rimEdges = marksOf(quad.rimSides);
+    face.junctionEdges = marksOf(quad.junctionSides);
+    face.area = quad.areas[half];
+    m_Faces.push_back(face);
+  }
+}
+
+ProductFootprint
+SheetMesh::GetFootprint(const ExtractOptions &       options,
+                        const VolumeGeometry &       geometry,
+                        const itk::MedialVoxelGrid & grid)
+{
+  const SheetCleaning cleaning = GetCleaning(options);
+  const bool          isRemeshed = IsRemeshed(options);
+  const std::uint64_t vertices = GetPlannedVertices(geometry);
+  ProductFootprint    footprint;
+  footprint.beside = geometry.GetVoxelsPerSlice() / VoxelsPerCellInWork * CellInWorkSize +
+                     GetPendingCells(geometry) * PendingCellSize + WritingMemory + GetEdgeMemory(options, geometry) +
+                     (isRemeshed ? GetRemeshingMemory(1) : 0) + GetCleaningMemory(cleaning, vertices);
+  footprint.perVoxelOfTile =
+    itk::MedialVoxelSurfaceObserver::GetWorkerBytesPerVoxel(grid, GetParameters(options, grid));
+  footprint.surplus.most = MostPending;
+  footprint.surplus.planned = 1; // a cell for each 64 voxels
+  const std::uint64_t spools = isRemeshed ? 3 : cleaning.IsOn() || options.labels ? 2 : 1;
+  const std::uint64_t sorting = options.labels || isRemeshed ? SortedVertexSize : 0;
+  footprint.scratch = { cleaning.scratchFolder,
+                        vertices * (spools * (MeshSpool::BytesPerVertex + MeshSpool::BytesPerFace) + sorting) };
+  return footprint;
+}
+
+} // end namespace medialvoxel

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSheetMesh_h
+#define medialvoxelSheetMesh_h
+
+#include "Options.h"
+#include "ProductFootprint.h"
+#include "SheetCleaning.h"
+#include "MeshFormat.h"
+#include "SheetPasses.h"
+#include "MeshSpool.h"
+#include "SheetSummary.h"
+
+#include "itkMedialVoxelSurfaceObserver.h"
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class SheetMesh
+ * \brief The medial surface of a job, built while its pieces run, and kept in scratch files until it is written.
+ *
+ * The scratch files are in the scratch folder of the options, without one in the folder of the mesh. */
+class SheetMesh : private itk::MedialVoxelSurfaceConsumer
+{
+public:
+  /** Bytes of cells that wait for their piece, for each of its voxels: one cell for each 8 is more than there are. */
+  static constexpr std::uint64_t MostPending = 8;
+
+  /** \param grid          the image in the units of the options
+   * \param surplus  for cells that wait until their piece is done, beside those of GetFootprint() */
+  SheetMesh(const ExtractOptions &       options,
+            const VolumeGeometry &       geometry,
+            const itk::MedialVoxelGrid & grid,
+            std::uint64_t                surplus);
+
+  /** Sees the tiles of the pieces; may ask for more sites. */
+  itk::MedialVoxelTileObserver &
+  GetObserver()
+  {
+    return m_Passes ? static_cast<itk::MedialVoxelTileObserver &>(*m_Passes) : *m_Observer;
+  }
+
+  /** The number of the object that a cell belongs to in the current pass, from 1 on. */
+  using FindObject = std::function<std::uint16_t(const itk::MedialVoxelIndex & cell)>;
+
+  /** Of a label map, before the first piece. */
+  void
+  FindObjectsWith(FindObject find)
+  {
+    m_FindObject = std::move(find);
+  }
+
+  /** Of rims that are extended, before the surface is written; otherwise they end half a thickness further on. */
+  void
+  FindEdgesWith(itk::MedialVoxelMeasureRimRays measure)
+  {
+    m_MeasureRimRays = std::move(measure);
+  }
+
+  /** The pass over a label map that the tiles from now on belong to. */
+  void
+  BeginPass(unsigned int pass)
+  {
+    m_Passes->BeginPass(pass);
+  }
+
+  /** The labels of the objects of a label map, by number, before the surface is written. */
+  void
+  SetObjectLabels(std::vector<std::int64_t> labels)
+  {
+    m_ObjectLabels = std::move(labels);
+  }
+
+  /** Writes the surface after the last piece, and finishes the file. \a progress may throw to stop.
+   * \param memoryLimit what may be taken beside those of GetFootprint()
+   * \throw JobError as CleanSheet() and WriteMesh() */
+  SheetSummary
+  Write(OutputFile &                        file,
+        std::uint64_t                       memoryLimit,
+        unsigned int                        threads,
+        const std::function<void(double)> & progress);
+
+  /** Finishes the surface after the last piece, as Write() does: sorted, and rid of what is too short or too small. */
+  const MeshSpool &
+  Finish(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
+
+  /** Of a run over a part with thin walls. Scratch files are of a surface that has a vertex and a face for each 64
+   * voxels; denser ones take more. */
+  static ProductFootprint
+  GetFootprint(const ExtractOptions & options, const VolumeGeometry & geometry, const itk::MedialVoxelGrid & grid);
+
+private:
+  void
+  AddVertices(const std::vector<itk::MedialVoxelSurfaceVertex> & vertices) override;
+  void
+  AddQuads(const std::vector<itk::MedialVoxelSurfaceQuad> & quads) override;
+
+  std::unique_ptr<itk::MedialVoxelSurfaceObserver>
+  MakeObserver(itk::MedialVoxelSurfaceConsumer & consumer) const;
+
+  void
+  Remesh(std::uint64_t memoryLimit, unsigned int threads, const std::function<void(double)> & progress);
+
+  void
+  AddTriangles(const itk::MedialVoxelSurfaceQuad & quad);
+
+  ExtractOptions                                  m_Options;
+  VolumeGeometry                                  m_Geometry;
+  itk::MedialVoxelGrid                            m_Grid;
+  std::uint64_t                                   m_MaximumNumberOfCells;
+  SheetCleaning                                   m_Cleaning;
+  std::unique_ptr<MeshSpool>                      m_Spool;
+  std::vector<MeshVertex>                         m_Vertices; // of one slice, for the spool
+  std::vector<MeshFace>                           m_Faces;
+  double                                          m_Area{ 0 };
+  std::optional<itk::MedialVoxelRemeshingSummary> m_Remeshing;
+  double                                          m_RemeshingSeconds{ 0 };
+  FindObject                                      m_FindObject;
+  itk::MedialVoxelMeasureRimRays                  m_MeasureRimRays;
+  std::vector<std::int64_t>                       m_ObjectLabels;
+
+  // One of them.
+  std::unique_ptr<itk::MedialVoxelSurfaceObserver> m_Observer;
+  std::unique_ptr<SheetPasses>                     m_Passes; ///< of a label map
+};
+
+} // end namespace medialvoxel
+
+#endif

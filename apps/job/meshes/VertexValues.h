@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelVertexValues_h
+#define medialvoxelVertexValues_h
+
+#include "ScratchFile.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace medialvoxel
+{
+
+/** \class VertexValues
+ * \brief A number for each vertex of a surface, in a scratch file. */
+class VertexValues
+{
+public:
+  /** In the scratch file. */
+  static constexpr std::uint64_t BytesPerVertex = sizeof(float);
+
+  /** \param folder as of MeshSpool \param name in files: small letters and underscores
+   * \throw JobError Refused when the folder is missing or cannot be written. */
+  VertexValues(const std::filesystem::path & folder, std::string name);
+
+  const std::string &
+  GetName() const
+  {
+    return m_Name;
+  }
+
+  /** Adds the numbers of the vertices that come next. \throw JobError Failure. */
+  void
+  Add(const std::vector<float> & numbers);
+
+  /** Those of \a count vertices from number \a first on, which exist. \throw JobError Failure. */
+  void
+  Read(std::uint64_t first, std::uint64_t count, std::vector<float> & numbers) const;
+
+  /** Of a vertex that exists; fast when vertices are asked for in their order. \throw JobError Failure. */
+  float
+  Get(std::uint64_t vertex) const;
+
+private:
+  ScratchFile                m_File;
+  std::string                m_Name;
+  std::uint64_t              m_Size{ 0 };
+  mutable std::vector<float> m_Block; ///< that was read last
+  mutable std::uint64_t      m_First{ 0 };
+};
+
+} // end namespace medialvoxel
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: MedialVoxel contributors
+// SPDX-License-Identifier: Apache-2.0
+#ifndef medialvoxelSheetSummary_h
+#define medialvoxelSheetSummary_h
+
+#include "MeshQuality.h"
+#include "Options.h"
+
+#include "itkMedialVoxelRemeshedSheet.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace medialvoxel
+{
+
+/** What a report tells of a medial surface. */
+struct SheetSummary
+{
+  std::uint64_t vertices{ 0 };
+  std::uint64_t faces{ 0 };
+  double        area{ 0 }; ///< physical units squared
+
+  ElementSize elementSize; ///< of its faces
+
+  std::optional<itk::MedialVoxelRemeshingSummary> remeshing; ///< unless they have that of a voxel
+  std::optional<MeshQuality>                      quality;   ///< of its faces, likewise
+  double                                          remeshingSeconds{ 0 };
+};
+
+} // end namespace medialvoxel
+
+#endif
